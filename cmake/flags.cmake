@@ -1,0 +1,17 @@
+# SPDX-License-Identifier: BSD-3-Clause
+# The arithmetic contract and the warnings, as one target that every target of this project links privately.
+# Filters are proved for IEEE binary64 with round to nearest, each operation rounded by itself: no contraction, no fast-math.
+add_library(delone_flags INTERFACE)
+target_compile_features(delone_flags INTERFACE cxx_std_20)
+target_compile_options(delone_flags INTERFACE -ffp-contract=off -fno-fast-math -Wall -Wextra -Wpedantic -Wshadow)
+if(DELONE_WERROR)
+  target_compile_options(delone_flags INTERFACE -Werror)
+endif()
+if(DELONE_SANITIZE)
+  target_compile_options(delone_flags INTERFACE -fsanitize=${DELONE_SANITIZE} -fno-sanitize-recover=all -fno-omit-frame-pointer -g)
+  target_link_options(delone_flags INTERFACE -fsanitize=${DELONE_SANITIZE})
+endif()
+if(PROJECT_IS_TOP_LEVEL AND NOT CMAKE_BUILD_TYPE AND NOT CMAKE_CONFIGURATION_TYPES)
+  message(STATUS "No build type was chosen: using Release")
+  set(CMAKE_BUILD_TYPE Release)
+endif()

@@ -1,0 +1,27 @@
+# SPDX-License-Identifier: BSD-3-Clause
+# Install rules: the library with its public headers, the command, and a CMake package that offers delone::delone.
+# What the library links is private and header-only, so an installed package needs nothing else.
+include(GNUInstallDirs)
+include(CMakePackageConfigHelpers)
+
+set(delone_package_dir ${CMAKE_INSTALL_LIBDIR}/cmake/delone)
+
+install(TARGETS delone EXPORT delone-targets
+  ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR}
+  LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR}
+  RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR}
+  INCLUDES DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
+install(DIRECTORY ${PROJECT_SOURCE_DIR}/include/delone DESTINATION ${CMAKE_INSTALL_INCLUDEDIR} FILES_MATCHING PATTERN "*.hpp")
+install(FILES ${PROJECT_BINARY_DIR}/include/delone/config.hpp DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/delone)
+install(FILES ${PROJECT_SOURCE_DIR}/LICENSE DESTINATION ${CMAKE_INSTALL_DOCDIR})
+if(DELONE_BUILD_CLI)
+  install(TARGETS delone_cli RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
+endif()
+
+install(EXPORT delone-targets NAMESPACE delone:: DESTINATION ${delone_package_dir})
+configure_package_config_file(${PROJECT_SOURCE_DIR}/cmake/delone-config.cmake.in ${PROJECT_BINARY_DIR}/delone-config.cmake
+  INSTALL_DESTINATION ${delone_package_dir})
+# Before 1.0 a minor version may change the API, so a consumer gets the minor version it asked for.
+write_basic_package_version_file(${PROJECT_BINARY_DIR}/delone-config-version.cmake COMPATIBILITY SameMinorVersion)
+install(FILES ${PROJECT_BINARY_DIR}/delone-config.cmake ${PROJECT_BINARY_DIR}/delone-config-version.cmake
+  DESTINATION ${delone_package_dir})

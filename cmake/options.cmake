@@ -1,0 +1,16 @@
+# SPDX-License-Identifier: BSD-3-Clause
+# Options of the build. A parent project that adds this one by add_subdirectory gets the library only.
+option(DELONE_64BIT_IDS "Use 64-bit ids for vertices and cells" OFF)
+option(DELONE_BUILD_CLI "Build the command `delone`" ${PROJECT_IS_TOP_LEVEL})
+option(DELONE_INSTALL "Install rules and the CMake package" ${PROJECT_IS_TOP_LEVEL})
+option(DELONE_DEVELOPER_MODE "Build the tests and the examples" OFF)
+option(DELONE_BUILD_BENCHMARKS "Build the benchmarks" OFF)
+option(DELONE_FUZZ "Build the fuzz targets with libFuzzer (needs clang)" OFF)
+option(DELONE_WERROR "Treat warnings as errors" ${DELONE_DEVELOPER_MODE})
+set(DELONE_SANITIZE "" CACHE STRING "Sanitizers for -fsanitize=, for example address,undefined")
+
+if(DELONE_64BIT_IDS)
+  set(DELONE_64BIT_IDS_VALUE 1)
+else()
+  set(DELONE_64BIT_IDS_VALUE 0)
+endif()

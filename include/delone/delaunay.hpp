@@ -1,0 +1,170 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Exact Delaunay triangulations in any dimension: built from a range of points, or point by point.
+#pragma once
+
+#include <delone/complex.hpp>
+#include <delone/error.hpp>
+#include <delone/types.hpp>
+
+#include <array>
+#include <concepts>
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <ranges>
+#include <span>
+#include <vector>
+
+namespace delone {
+
+/// How a batch of points is ordered before insertion. The result never depends on it.
+enum class InsertionOrder {
+  automatic,  ///< BRIO rounds sorted along a Hilbert curve, the policy measured best for this size and dimension
+  as_given,   ///< the order of the input
+  shuffled,   ///< a random permutation
+};
+
+/// Options of a construction. The result depends on the set of points alone; options change the path, not the end.
+struct Options {
+  std::uint64_t seed = 0;                                    ///< of the random rounds of the insertion order
+  InsertionOrder order = InsertionOrder::automatic;
+  bool force_runtime_dimension = false;                      ///< use the run-time-dimension engine even for k ≤ 8
+  /// Called from the building thread about every 20 ms with the fraction done, 0…1; return false to cancel (Errc::cancelled).
+  std::function<bool(double)> progress;
+};
+
+/// What a triangulation has cost so far.
+struct Statistics {
+  std::uint64_t created_cells = 0;   ///< by all insertions, including cells destroyed later
+  std::uint64_t visited_cells = 0;   ///< by the walks of all insertions
+  std::uint64_t insertions = 0;      ///< vertices inserted
+  std::uint64_t filter = 0;          ///< conflict tests decided by the cached functional of the cell
+  std::uint64_t direct = 0;          ///< … by a determinant in binary64 with a certified bound
+  std::uint64_t exact = 0;           ///< … by exact integer arithmetic
+  std::uint64_t perturbed = 0;       ///< ties, decided by the symbolic perturbation (after one of the stages proved a zero)
+  double order_seconds = 0;          ///< ordering and merging duplicates
+  double build_seconds = 0;          ///< insertions
+  std::size_t cell_bytes = 0;        ///< memory reserved for cells, at present
+};
+
+/// Where a query point lies, exactly.
+struct Location {
+  enum class Kind {
+    in_cell,              ///< in the interior of a finite cell
+    on_face,              ///< in the relative interior of a face of dimension 1 … k−1
+    on_vertex,            ///< equal to a vertex
+    outside_hull,         ///< in the affine hull of the points, outside their convex hull
+    outside_affine_hull,  ///< not in the affine hull (k < d)
+  };
+  Kind kind = Kind::outside_affine_hull;
+  CellId cell = invalid_cell;      ///< a cell that contains the face; outside the hull: an infinite cell in conflict with the query
+  std::vector<VertexId> face;      ///< the vertices of the smallest face that contains the query; empty outside
+  int face_dimension() const { return static_cast<int>(face.size()) - 1; }
+};
+
+struct InsertResult {
+  VertexId vertex = invalid_vertex;  ///< the vertex at that point
+  bool inserted = false;             ///< false: a duplicate of an earlier point
+};
+
+/// The Delaunay triangulation of points in R^d, d chosen at run time.
+///
+/// Method: incremental insertion with symbolic perturbation of ties; Hornus and Boissonnat, "An efficient implementation
+/// of Delaunay triangulations in medium dimensions", INRIA RR-6743 (2008); perturbation after Devillers and Teillaud,
+/// "Perturbations for Delaunay and weighted Delaunay 3D triangulations", doi:10.1016/j.comgeo.2010.09.010.
+///
+/// Exact for all finite doubles. The result is a function of the set of points: the cells do not depend on order or seed.
+/// Input that spans only a k-flat is triangulated inside its flat. Duplicates are merged. `const` members may be called
+/// from several threads at once. Expected cost for uniform points: O(n) cells and time per dimension; worst case
+/// O(n^⌈d/2⌉) cells.
+class Triangulation {
+ public:
+  /// The triangulation of no points. Throws Errc::bad_dimension unless dimension ≥ 1.
+  explicit Triangulation(int dimension, const Options& options = {});
+  /// The triangulation of n×d coordinates, row-major. Throws as insert_range().
+  Triangulation(std::span<const double> coordinates, int dimension, const Options& options = {});
+  Triangulation(PointsView points, const Options& options = {});
+  Triangulation(Triangulation&&) noexcept;
+  Triangulation& operator=(Triangulation&&) noexcept;
+  ~Triangulation();
+
+  /// Inserts n points (n·d coordinates) as the next n rows. Errors leave the triangulation as it was for not_finite and
+  /// bad_dimension; after cancelled or too_many it holds a valid triangulation of some of the points.
+  void insert_range(std::span<const double> coordinates);
+  /// Inserts one point (d coordinates) as the next row; `hint` is a cell near it. Expected cost with a good hint: the size
+  /// of the conflict zone; without: the walk from the last inserted vertex.
+  InsertResult insert(std::span<const double> point, std::optional<CellId> hint = std::nullopt);
+
+  int dimension() const;                   ///< d
+  int affine_dimension() const;            ///< k ≤ d; 0 for one distinct point, −1 for none
+  std::size_t num_points() const;          ///< rows inserted, duplicates included
+  Index num_vertices() const;              ///< distinct points
+  std::size_t num_duplicates() const { return num_points() - num_vertices(); }
+  Index num_finite_cells() const { return complex().num_finite_cells(); }
+  Index num_infinite_cells() const { return complex().num_infinite_cells(); }
+
+  /// The combinatorial structure; valid until the next insertion.
+  Complex complex() const;
+  Complex::CellRange finite_cells() const { return complex().finite_cells(); }
+  Complex::CellRange cells() const { return complex().cells(); }
+  std::vector<VertexId> vertices(CellId c) const { return complex().vertices(c); }
+  std::vector<CellId> neighbors(CellId c) const { return complex().neighbors(c); }
+
+  /// The d coordinates of a finite vertex.
+  std::span<const double> point(VertexId v) const;
+  /// The first input row at a finite vertex.
+  std::size_t row_of(VertexId v) const;
+  /// The vertex at an input row.
+  VertexId vertex_at(std::size_t row) const;
+  /// The k coordinate axes onto which the affine hull projects one-to-one, increasing; all d axes when k = d.
+  std::vector<int> axes() const;
+
+  /// Where q lies, exactly. Cost: a walk from the hint. REQUIRES d finite coordinates.
+  Location locate(std::span<const double> query, std::optional<CellId> hint = std::nullopt) const;
+  /// The cells in conflict with q: those an insertion of q would destroy, ties perturbed as an insertion would. Empty for a
+  /// duplicate of a vertex and for a point outside the affine hull.
+  std::vector<CellId> conflict_zone(std::span<const double> query, std::optional<CellId> hint = std::nullopt) const;
+
+  /// The sign of (squared distance to the circumcenter − squared radius) of a finite cell at q, exactly: negative inside.
+  Sign in_sphere(CellId cell, std::span<const double> query) const;
+
+  /// A plain copy: cells of point rows in the order of finite_cells().
+  ComplexData to_data(bool with_points = true) const;
+  CanonicalHash hash() const;
+  Statistics statistics() const;
+
+ private:
+  struct Impl;
+  std::unique_ptr<Impl> impl_;
+};
+
+/// The Delaunay triangulation of points in R^D. Compiled for D = 1…8; larger D uses the run-time-dimension engine.
+template <int D>
+class Delaunay : public Triangulation {
+  static_assert(D >= 1, "the dimension of the space is at least 1");
+
+ public:
+  using Point = std::array<double, D>;
+
+  explicit Delaunay(const Options& options = {}) : Triangulation(D, options) {}
+  /// From any contiguous range of points of D doubles each, or of doubles (D per point).
+  template <std::ranges::contiguous_range Range>
+    requires std::ranges::sized_range<Range> && (!std::same_as<std::remove_cvref_t<Range>, Delaunay>)
+  explicit Delaunay(const Range& points, const Options& options = {}) : Triangulation(as_coordinates(points), D, options) {}
+
+  template <std::ranges::contiguous_range Range>
+    requires std::ranges::sized_range<Range>
+  void insert_range(const Range& points) { Triangulation::insert_range(as_coordinates(points)); }
+
+ private:
+  template <class Range>
+  static std::span<const double> as_coordinates(const Range& points) {
+    using Element = std::remove_cv_t<std::ranges::range_value_t<Range>>;
+    static_assert(std::same_as<Element, double> || sizeof(Element) == D * sizeof(double),
+                  "a point must be D contiguous doubles, such as std::array<double, D>");
+    return {reinterpret_cast<const double*>(std::ranges::data(points)), std::ranges::size(points) * sizeof(Element) / sizeof(double)};
+  }
+};
+
+}  // namespace delone

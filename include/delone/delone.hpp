@@ -1,0 +1,13 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Everything: exact Delaunay triangulations in any dimension.
+#pragma once
+
+#include <delone/check.hpp>
+#include <delone/complex.hpp>
+#include <delone/config.hpp>
+#include <delone/delaunay.hpp>
+#include <delone/error.hpp>
+#include <delone/io.hpp>
+#include <delone/point_sets.hpp>
+#include <delone/predicates.hpp>
+#include <delone/types.hpp>

@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The incremental construction (§2.2 and §2.3 of RR-6743): read this file first.
+//
+//   for each vertex q, in the order of order/:
+//     q outside the affine hull so far?  dimension_jump.hpp   every cell is joined to q            (§2.4)
+//     locate.hpp                         walk to a cell in conflict with q                         (§2.5)
+//     conflict_zone.hpp                  all cells in conflict: those whose sphere contains q      (§2.6)
+//     retriangulate.hpp                  replace the zone by the star of q                         (§2.6)
+//
+// The cells triangulate a sphere, thanks to the infinite vertex, so none of the steps has special cases at the hull.
+#pragma once
+
+#include "engine/locate.hpp"
+#include "engine/retriangulate.hpp"
+
+namespace delone::engine {
+
+/// What insertions have cost.
+struct Effort {
+  std::uint64_t created_cells = 0;
+  std::uint64_t visited_cells = 0;
+  kernel::StageCounts stages;
+};
+
+/// Memory that insertions reuse.
+struct Workspace {
+  ConflictZone zone;
+  std::vector<Index> created;  ///< the cells of the last insertion
+};
+
+/// Inserts vertex v, whose point is q, starting the walk at `start`. Returns v, or the vertex that is at q already. Strong
+/// guarantee: if it throws (memory, ids), nothing has changed. REQUIRES q in the affine hull of the vertices.
+template <int K, Geometry G>
+Index insert(CellStore<K>& cells, G& geometry, Index v, const typename G::Query& q, Index start, Workspace& work, Effort& effort) {
+  work.created.clear();
+  const WalkResult found = locate(cells, geometry, q, start, effort.stages);
+  effort.visited_cells += found.visited;
+  if (found.vertex != invalid_index) return found.vertex;
+  find_conflict_zone(cells, geometry, q, found.cell, cells, work.zone, effort.stages);
+  retriangulate(cells, geometry, v, work.zone, work.created);
+  effort.created_cells += work.created.size();
+  return v;
+}
+
+}  // namespace delone::engine

@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The cells of a triangulated sphere S^k in flat arrays: k+1 vertices and k+1 neighbors each, vacant slots in a free list.
+// Neighbor i is across the facet opposite vertex i. Cells are coherently oriented.
+#pragma once
+
+#include <delone/error.hpp>
+#include <delone/types.hpp>
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace delone::engine {
+
+/// What an insertion has found out about a cell.
+enum class Mark : std::uint8_t { unseen, in_conflict, not_in_conflict };
+
+/// K is the dimension of the cells, or 0 when it is chosen at run time.
+template <int K>
+class CellStore {
+ public:
+  explicit CellStore(int dimension) : dimension_(dimension) {}
+
+  int dimension() const { return K > 0 ? K : dimension_; }
+  std::size_t stride() const { return 2 * (static_cast<std::size_t>(dimension()) + 1); }
+
+  const Index* vertices(Index cell) const { return links_.data() + cell * stride(); }
+  Index* vertices(Index cell) { return links_.data() + cell * stride(); }
+  const Index* neighbors(Index cell) const { return vertices(cell) + dimension() + 1; }
+  Index* neighbors(Index cell) { return vertices(cell) + dimension() + 1; }
+
+  int slot_of_vertex(Index cell, Index vertex) const { return find(vertices(cell), vertex); }
+  int slot_of_neighbor(Index cell, Index neighbor) const { return find(neighbors(cell), neighbor); }
+  int infinite_slot(Index cell) const {
+    const Index* v = vertices(cell);
+    for (int i = 0; i <= dimension(); ++i)
+      if (v[i] == index(infinite_vertex)) return i;
+    return -1;
+  }
+
+  Index num_slots() const { return num_slots_; }
+  Index num_cells() const { return num_slots_ - static_cast<Index>(vacant_.size()); }
+  bool is_vacant(Index cell) const { return vertices(cell)[0] == invalid_index; }
+  std::size_t bytes() const { return links_.capacity() * sizeof(Index) + marks_.capacity() + vacant_.capacity() * sizeof(Index); }
+
+  /// Makes room for `count` more cells, so that as many calls of allocate() cannot fail. Returns the number of slots there
+  /// will be at most. Throws Errc::too_many when the ids are exhausted.
+  std::size_t reserve(std::size_t count) {
+    const std::size_t fresh = count > vacant_.size() ? count - vacant_.size() : 0;
+    if (fresh > max_index - num_slots_) throw Error(Errc::too_many, "the triangulation has more cells than this build has ids");
+    const std::size_t slots = num_slots_ + fresh;
+    if (slots > capacity_) {
+      const std::size_t grown = std::min<std::size_t>(std::max(slots, capacity_ + capacity_ / 2 + 64), max_index);
+      links_.resize(grown * stride());
+      marks_.resize(grown, Mark::unseen);
+      capacity_ = grown;
+    }
+    return capacity_;
+  }
+
+  /// Makes room for `count` more vacant slots, so that as many calls of release() cannot fail.
+  void reserve_vacancies(std::size_t count) {
+    if (vacant_.capacity() < vacant_.size() + count) vacant_.reserve(2 * (vacant_.size() + count));
+  }
+
+  /// A vacant slot. REQUIRES a reserve() that covers it.
+  Index allocate() {
+    if (vacant_.empty()) return num_slots_++;
+    const Index cell = vacant_.back();
+    vacant_.pop_back();
+    return cell;
+  }
+  void release(Index cell) {
+    vertices(cell)[0] = invalid_index;
+    vacant_.push_back(cell);
+  }
+
+  Mark mark(Index cell) const { return marks_[cell]; }
+  void set_mark(Index cell, Mark mark) { marks_[cell] = mark; }
+
+ private:
+  int find(const Index* entries, Index value) const {
+    int i = 0;
+    while (entries[i] != value) ++i;
+    return i;
+  }
+
+  int dimension_;
+  Index num_slots_ = 0;
+  std::size_t capacity_ = 0;
+  std::vector<Index> links_;
+  std::vector<Mark> marks_;
+  std::vector<Index> vacant_;
+};
+
+}  // namespace delone::engine

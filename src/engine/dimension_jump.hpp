@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// A vertex outside the affine hull of all others raises the dimension by one (§2.4 of the report): every cell of the old
+// sphere S^k is joined to the new vertex, and every finite cell also to the infinite vertex.
+#pragma once
+
+#include "engine/cell_store.hpp"
+#include "engine/geometry_concept.hpp"
+
+#include <delone/complex.hpp>
+
+#include <utility>
+#include <vector>
+
+namespace delone::engine {
+
+/// Fills an empty store of dimension k+1 from a complex of dimension k and the new vertex q.
+/// `q_is_positive`: a positively oriented old cell followed by q is positively oriented.
+///
+/// Orientation: old cells are coherent, so all (σ, q) are coherent with each other, and positive or negative as one. The cells
+/// (σ, ∞) lie across the facet σ of (σ, q) and need one exchange more.
+template <int K, Geometry G>
+void jump(const Complex& old, CellStore<K>& cells, G& geometry, Index q, bool q_is_positive) {
+  const int k = old.dimension();  // the new cells have slots 0 … k+1
+  std::vector<Index> joined(old.num_cell_slots(), invalid_index);    // (σ, q) for every old cell σ
+  std::vector<Index> extended(old.num_cell_slots(), invalid_index);  // (σ, ∞) for every finite σ
+  geometry.reserve_cells(cells.reserve(static_cast<std::size_t>(old.num_cells()) + old.num_finite_cells()));
+  for (const CellId c : old.cells()) joined[index(c)] = cells.allocate();
+  for (const CellId c : old.finite_cells()) extended[index(c)] = cells.allocate();
+
+  const auto link = [&](CellId c, Index cell, Index apex, Index across_base, bool exchange, auto&& across) {
+    Index* v = cells.vertices(cell);
+    Index* n = cells.neighbors(cell);
+    for (int i = 0; i <= k; ++i) {
+      v[i] = index(old.vertex(c, i));
+      n[i] = across(i);
+    }
+    v[k + 1] = apex;
+    n[k + 1] = across_base;
+    if (exchange) {
+      std::swap(v[0], v[1]);
+      std::swap(n[0], n[1]);
+    }
+  };
+  for (const CellId c : old.cells()) {
+    const int infinite_slot = old.infinite_index(c);
+    // (σ, q) with σ infinite has as base the facet σ, whose other side is (τ, ∞) with τ the finite neighbor of σ.
+    const Index base = infinite_slot < 0 ? extended[index(c)] : extended[index(old.neighbor(c, infinite_slot))];
+    link(c, joined[index(c)], q, base, !q_is_positive, [&](int i) { return joined[index(old.neighbor(c, i))]; });
+  }
+  for (const CellId c : old.finite_cells())
+    link(c, extended[index(c)], index(infinite_vertex), joined[index(c)], q_is_positive, [&](int i) {
+      const CellId neighbor = old.neighbor(c, i);
+      return old.is_infinite(neighbor) ? joined[index(neighbor)] : extended[index(neighbor)];
+    });
+  for (Index cell = 0; cell < cells.num_slots(); ++cell) {
+    const int infinite_slot = cells.infinite_slot(cell);
+    geometry.create(cell, cells.vertices(cell), infinite_slot, infinite_slot == 0 ? 1 : 0);
+  }
+}
+
+}  // namespace delone::engine

@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Replaces a conflict zone by the star of the new vertex (§2.6 of the report): one new cell per horizon facet, glued along the
+// ridges of the horizon by rotating about them through the dead cells (Boissonnat and Teillaud 1993,
+// doi:10.1016/0304-3975(93)90024-N).
+#pragma once
+
+#include "engine/conflict_zone.hpp"
+
+namespace delone::engine {
+
+/// Links facet `slot` of new cell N, made from facet `base` of dead cell A: rotates about the ridge opposite slots `base` and
+/// `slot` of A, from A through the zone until the horizon, and links the new cell found there. A dead cell has the new cell
+/// in place of the neighbor across each of its horizon facets.
+template <int K>
+void glue(CellStore<K>& cells, Index new_cell, Index dead, int base, int slot) {
+  Index cell = dead;
+  int cross = slot;  // the facet to leave `cell` by: it contains the ridge, as does the facet opposite slot `other`
+  int other = base;
+  for (;;) {
+    const Index next = cells.neighbors(cell)[cross];
+    if (cells.mark(next) != Mark::in_conflict) {  // a new cell, made from facet `cross`: the ridge is opposite slot `other`
+      cells.neighbors(new_cell)[slot] = next;
+      cells.neighbors(next)[other] = new_cell;
+      return;
+    }
+    const int entry = cells.slot_of_neighbor(next, cell);
+    cross = cells.slot_of_vertex(next, cells.vertices(cell)[other]);
+    other = entry;
+    cell = next;
+  }
+}
+
+/// Kills the zone and creates the star of vertex q, whose cells `created` receives. Leaves all cells unmarked. If memory or ids run out it throws before anything has changed but the marks, which are reset.
+template <int K, Geometry G>
+void retriangulate(CellStore<K>& cells, G& geometry, Index q, const ConflictZone& zone, std::vector<Index>& created) {
+  const int k = cells.dimension();
+  const auto unmark = [&] {
+    for (const Index cell : zone.cells) cells.set_mark(cell, Mark::unseen);
+    for (const Index cell : zone.border) cells.set_mark(cell, Mark::unseen);
+  };
+  try {
+    created.reserve(zone.horizon.size());
+    cells.reserve_vacancies(zone.cells.size());
+    geometry.reserve_cells(cells.reserve(zone.horizon.size()));
+  } catch (...) {
+    unmark();
+    throw;
+  }
+
+  created.clear();
+  for (const auto [dead, slot] : zone.horizon) {
+    const Index cell = cells.allocate();
+    created.push_back(cell);
+    const Index survivor = cells.neighbors(dead)[slot];
+    const Index* dead_vertices = cells.vertices(dead);
+    Index* vertices = cells.vertices(cell);
+    Index* neighbors = cells.neighbors(cell);
+    int infinite_slot = -1;
+    for (int i = 0; i <= k; ++i) {
+      vertices[i] = i == slot ? q : dead_vertices[i];
+      neighbors[i] = invalid_index;
+      if (vertices[i] == index(infinite_vertex)) infinite_slot = i;
+    }
+    neighbors[slot] = survivor;
+    cells.neighbors(survivor)[cells.slot_of_neighbor(survivor, dead)] = cell;
+    cells.neighbors(dead)[slot] = cell;
+    geometry.create(cell, vertices, infinite_slot, slot);
+  }
+  for (std::size_t f = 0; f < zone.horizon.size(); ++f) {
+    const auto [dead, base] = zone.horizon[f];
+    for (int slot = 0; slot <= k; ++slot)
+      if (cells.neighbors(created[f])[slot] == invalid_index) glue(cells, created[f], dead, base, slot);
+  }
+  unmark();
+  for (const Index cell : zone.cells) cells.release(cell);
+}
+
+}  // namespace delone::engine

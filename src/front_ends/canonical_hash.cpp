@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The canonical hash of a plain triangulation, whoever made it.
+#include "front_ends/canonical_hash.hpp"
+
+#include <delone/error.hpp>
+
+#include <algorithm>
+#include <cstddef>
+#include <vector>
+
+namespace delone {
+
+std::string CanonicalHash::hex() const {
+  static constexpr char digits[] = "0123456789abcdef";
+  std::string text(32, '0');
+  for (std::size_t i = 0; i < 16; ++i) {
+    text[15 - i] = digits[(high >> (4 * i)) & 15];
+    text[31 - i] = digits[(low >> (4 * i)) & 15];
+  }
+  return text;
+}
+
+namespace {
+
+// Adds each distinct tag once. Rows with equal tags have equal coordinates, up to a chance of n²/2^129.
+void add_distinct(const std::vector<front_ends::PointTag>& tags, front_ends::HashAccumulator& hash) {
+  const std::size_t capacity = std::bit_ceil(2 * tags.size() + 1);
+  std::vector<std::size_t> table(capacity, 0);  // 1 + row; 0 is an empty place
+  for (std::size_t row = 0; row < tags.size(); ++row) {
+    std::size_t place = tags[row].low & (capacity - 1);
+    while (table[place] != 0 && tags[table[place] - 1] != tags[row]) place = (place + 1) & (capacity - 1);
+    if (table[place] != 0) continue;
+    table[place] = row + 1;
+    hash.add_vertex(tags[row]);
+  }
+}
+
+}  // namespace
+
+CanonicalHash canonical_hash(const ComplexData& data) {
+  const std::size_t n = data.num_points();
+  std::vector<front_ends::PointTag> tags(n);
+  for (std::size_t row = 0; row < n; ++row)
+    tags[row] = front_ends::point_tag(data.points.data() + row * static_cast<std::size_t>(data.dimension), data.dimension);
+
+  front_ends::HashAccumulator hash;
+  add_distinct(tags, hash);
+  const std::size_t corners = static_cast<std::size_t>(data.affine_dimension + 1);
+  for (std::size_t cell = 0; cell < data.num_cells(); ++cell) {
+    front_ends::PointTag sum;
+    for (std::size_t i = 0; i < corners; ++i) {
+      const SignedIndex row = data.cells[cell * corners + i];
+      if (row < 0 || static_cast<std::size_t>(row) >= n)
+        throw Error(Errc::invalid_argument, "delone::canonical_hash: cell " + std::to_string(cell) + " has the vertex " +
+                                                std::to_string(row) + ", but there are " + std::to_string(n) + " points");
+      sum += tags[static_cast<std::size_t>(row)];
+    }
+    hash.add_cell(sum);
+  }
+  return hash.finish(data.dimension, data.affine_dimension);
+}
+
+}  // namespace delone

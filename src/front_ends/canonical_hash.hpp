@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The building blocks of the canonical hash: tags of points, and an accumulator of vertices and cells whose result depends
+// on neither their order nor the order of the vertices in a cell. Both the plain data and the engine's complex feed it.
+#pragma once
+
+#include <delone/complex.hpp>
+
+#include <bit>
+#include <cstdint>
+
+namespace delone::front_ends {
+
+/// The finaliser of splitmix64 (Steele, Lea, Flood 2014, doi:10.1145/2660193.2660195): a bijection of 64 bits in which each
+/// input bit flips each output bit with probability close to one half.
+constexpr std::uint64_t mixed(std::uint64_t x) {
+  x = (x ^ (x >> 30)) * 0xbf58476d1ce4e5b9u;
+  x = (x ^ (x >> 27)) * 0x94d049bb133111ebu;
+  return x ^ (x >> 31);
+}
+
+/// 128 bits for one point; equal for equal coordinates, −0 = +0. Sums of tags stand for sets of points.
+struct PointTag {
+  std::uint64_t high = 0, low = 0;
+  friend bool operator==(const PointTag&, const PointTag&) = default;
+  PointTag& operator+=(const PointTag& other) {
+    high += other.high;
+    low += other.low;
+    return *this;
+  }
+};
+
+/// The tag of a point of R^dimension. O(dimension).
+inline PointTag point_tag(const double* point, int dimension) {
+  PointTag tag{0x243f6a8885a308d3u, 0x13198a2e03707344u};  // digits of π: lanes that start apart stay apart
+  for (int axis = 0; axis < dimension; ++axis) {
+    // x + 0.0 turns −0 into +0 and leaves every other number as it is.
+    const auto bits = std::bit_cast<std::uint64_t>(point[axis] + 0.0);
+    tag.high = mixed(tag.high + 0x9e3779b97f4a7c15u + bits);
+    tag.low = mixed((tag.low ^ bits) + 0xd1342543de82ef95u);
+  }
+  return tag;
+}
+
+/// Collects the distinct vertices and the finite cells of a triangulation, in any order.
+class HashAccumulator {
+ public:
+  void add_vertex(const PointTag& vertex) { add(vertices_, vertex); }
+  /// `sum_of_vertices`: the sum of the tags of the k+1 vertices of the cell.
+  void add_cell(const PointTag& sum_of_vertices) {
+    add(cells_, sum_of_vertices);
+    ++num_cells_;
+  }
+  /// The hash of what was added, for points of R^dimension with the given affine dimension.
+  CanonicalHash finish(int dimension, int affine_dimension) const {
+    const auto shape = (static_cast<std::uint64_t>(dimension) << 32) ^ static_cast<std::uint32_t>(affine_dimension);
+    return {mixed(mixed(mixed(cells_.high + num_cells_) + vertices_.high) + shape),
+            mixed(mixed(mixed(cells_.low ^ num_cells_) ^ vertices_.low) ^ shape)};
+  }
+
+ private:
+  // The sums are mixed before they are added up: without that, cells {a,b} and {c,d} would weigh the same as {a,c} and {b,d}.
+  static void add(PointTag& total, const PointTag& tag) {
+    total.high += mixed(tag.high ^ std::rotl(tag.low, 32));
+    total.low += mixed(tag.low + 0x9e3779b97f4a7c15u * tag.high);
+  }
+
+  PointTag vertices_, cells_;
+  std::uint64_t num_cells_ = 0;
+};
+
+}  // namespace delone::front_ends

@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The stages of `check` and what they hand to each other. A stage stops at the first violation by throwing Violation;
+// check() turns it into a report, so no stage has to thread a result through its loops.
+#pragma once
+
+#include <delone/check.hpp>
+#include <delone/complex.hpp>
+
+#include <cstddef>
+#include <span>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace delone::front_ends {
+
+struct Violation {
+  std::string message;
+  std::vector<std::size_t> cells, points;
+};
+
+/// The cells, plus what the topological stages derive from them.
+struct Examined {
+  const ComplexData& data;
+  std::size_t corners;  ///< k+1, vertices of a cell
+
+  /// Filled by level 2, from the cells alone: m×(k+1), −1 beyond the hull.
+  std::vector<SignedIndex> neighbors{};
+  /// Filled by level 3: the hull facets as (cell, opposite vertex), their k vertices each, in the order they have in the
+  /// cell, and for each of those vertices the hull facet across the ridge opposite to it.
+  std::vector<std::pair<std::size_t, std::size_t>> hull{};
+  std::vector<SignedIndex> hull_vertices{}, hull_neighbors{};
+
+  std::span<const SignedIndex> cell(std::size_t c) const { return {data.cells.data() + c * corners, corners}; }
+  std::span<const SignedIndex> hull_facet(std::size_t h) const {
+    return {hull_vertices.data() + h * (corners - 1), corners - 1};
+  }
+  const double* point(SignedIndex row) const {
+    return data.points.data() + static_cast<std::size_t>(row) * static_cast<std::size_t>(data.dimension);
+  }
+};
+
+/// A set of points for a message: "{3, 17, 20}".
+std::string braces(std::span<const SignedIndex> rows);
+/// A facet for a message: the vertices of a cell but one.
+std::vector<SignedIndex> facet_vertices(std::span<const SignedIndex> cell, std::size_t opposite);
+
+/// Pairs equal facets: for each of the m·corners facets (cell, opposite vertex) the cell on its other side, or −1. Vertex sets
+/// are hashed, then compared exactly; expected O(m·corners²). Throws Violation when three cells share a facet. For the facets
+/// of a hull, which share ridges, `hull` translates them into cells for the message.
+std::vector<SignedIndex> paired_facets(std::span<const SignedIndex> cells, std::size_t corners,
+                                       const std::vector<std::pair<std::size_t, std::size_t>>& hull = {});
+
+/// For cells a and b that share the facet opposite a[i]: the index j of the vertex of b opposite that facet.
+std::size_t mirror(std::span<const SignedIndex> a, std::size_t i, std::span<const SignedIndex> b);
+/// True if the permutation that turns a, with a[i] replaced by b[j], into b is odd: then a and b, which lie on different sides
+/// of their common facet, are oriented alike. `scratch` saves an allocation.
+bool coherent(std::span<const SignedIndex> a, std::size_t i, std::span<const SignedIndex> b, std::size_t j,
+              std::vector<SignedIndex>& scratch);
+
+/// What level 4 finds: the axes on which orientations were taken, and the orientation of each cell.
+struct Volumes {
+  std::vector<int> axes;
+  std::vector<Sign> orientation;
+};
+
+void check_storage(const ComplexData& data);
+void check_incidence(Examined& examined, bool oriented);
+void check_sphere(Examined& examined);
+Volumes check_volume(const Examined& examined, bool oriented);
+std::size_t check_local_convexity(const Examined& examined, const Volumes& volumes, bool canonical);  // returns the ties
+void check_completeness(const Examined& examined);
+
+}  // namespace delone::front_ends

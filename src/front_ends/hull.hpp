@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The engine with its geometry behind one virtual interface: the dimension of the flat is fixed in an implementation, which
+// is compiled for 1 … 8 and once for a dimension chosen at run time. Calls are as coarse as an insertion.
+#pragma once
+
+#include "engine/build.hpp"
+#include "geometry/frame.hpp"
+#include "kernel/grid.hpp"
+
+#include <delone/complex.hpp>
+#include <delone/types.hpp>
+
+#include <memory>
+#include <span>
+#include <vector>
+
+namespace delone {
+
+/// The points of the vertices, which the hull reads: d coordinates each, by vertex id; vertex 0 is a dummy.
+struct VertexPoints {
+  explicit VertexPoints(int dimension) : ambient(dimension), coordinates(static_cast<std::size_t>(dimension), 0.0), grid(dimension) {}
+  int ambient;
+  std::vector<double> coordinates;
+  kernel::Grid grid;
+
+  Index num_vertices() const { return static_cast<Index>(coordinates.size() / static_cast<std::size_t>(ambient)) - 1; }
+  const double* point(Index v) const { return coordinates.data() + static_cast<std::size_t>(v) * static_cast<std::size_t>(ambient); }
+};
+
+/// Where a query lies: the cell the walk ended in, and for a finite one the slots of the smallest face that contains it.
+struct HullLocation {
+  Index cell = invalid_index;
+  bool outside = false;
+  std::vector<VertexId> face;
+};
+
+/// A Delaunay triangulation of points that span a k-flat, 1 ≤ k ≤ d.
+class Hull {
+ public:
+  virtual ~Hull() = default;
+
+  /// Starts from k+1 affinely independent vertices.
+  virtual void seed(std::span<const Index> vertices) = 0;
+  /// Starts from a triangulation of dimension k−1 and a vertex outside its flat.
+  virtual void jump(const Complex& old, Index q) = 0;
+
+  /// The box that insertions must stay in to profit from the filter; changing it recomputes all cached functionals.
+  virtual const geometry::Frame& frame() const = 0;
+  virtual void set_frame(geometry::Frame frame) = 0;
+
+  /// Inserts vertex v, starting at cell `start` or, if that is invalid, where the last insertion ended. Returns v, or the vertex
+  /// that is at the same point.
+  virtual Index insert(Index v, Index start) = 0;
+  /// The cells made by the last insertion.
+  virtual std::span<const Index> created() const = 0;
+
+  virtual HullLocation locate(const double* query, Index start) const = 0;
+  virtual std::vector<CellId> conflict_zone(const double* query, Index start) const = 0;
+  virtual Sign in_sphere(Index cell, const double* query) const = 0;
+
+  virtual Complex complex(Index num_vertices, const CellId* cell_of_vertex) const = 0;
+  virtual const engine::Effort& effort() const = 0;
+  virtual std::size_t bytes() const = 0;
+};
+
+/// A hull of the flat that projects one-to-one on `axes`. K = axes.size(), or 0 for any number of axes.
+template <int K>
+std::unique_ptr<Hull> make_hull(const std::vector<int>& axes, const VertexPoints& points, const geometry::Frame& frame,
+                                const engine::Effort& effort);
+
+}  // namespace delone

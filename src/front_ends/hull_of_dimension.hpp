@@ -1,0 +1,131 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The implementation of Hull for one dimension: joins engine/ and geometry/.
+#pragma once
+
+#include "engine/build.hpp"
+#include "engine/dimension_jump.hpp"
+#include "engine/seed.hpp"
+#include "front_ends/hull.hpp"
+#include "geometry/delaunay_geometry.hpp"
+
+#include <algorithm>
+#include <utility>
+
+namespace delone {
+
+template <int K>
+class HullOfDimension final : public Hull {
+  using Geometry = geometry::DelaunayGeometry<K>;
+  using Query = typename Geometry::Query;
+
+ public:
+  HullOfDimension(const std::vector<int>& axes, const VertexPoints& points, const geometry::Frame& frame, const engine::Effort& effort)
+      : points_(points),
+        cells_(static_cast<int>(axes.size())),
+        geometry_(axes, points.ambient, points.coordinates, points.grid, frame),
+        effort_(effort) {}
+
+  void seed(std::span<const Index> vertices) override {
+    std::vector<Index> oriented(vertices.begin(), vertices.end());
+    if (geometry_.orientation(oriented.data()) == Sign::negative) std::swap(oriented[0], oriented[1]);
+    engine::seed(cells_, geometry_, oriented);
+    recount();
+    effort_.created_cells += cells_.num_cells();
+  }
+
+  void jump(const Complex& old, Index q) override {
+    const CellId finite = *old.finite_cells().begin();
+    std::vector<Index> simplex;
+    for (int i = 0; i <= old.dimension(); ++i) simplex.push_back(index(old.vertex(finite, i)));
+    simplex.push_back(q);
+    engine::jump(old, cells_, geometry_, q, geometry_.orientation(simplex.data()) == Sign::positive);
+    recount();
+    effort_.created_cells += cells_.num_cells();
+  }
+
+  const geometry::Frame& frame() const override { return geometry_.frame(); }
+  void set_frame(geometry::Frame frame) override {
+    geometry_.set_frame(std::move(frame));
+    for (Index cell = 0; cell < cells_.num_slots(); ++cell) {
+      if (cells_.is_vacant(cell)) continue;
+      const int infinite_slot = cells_.infinite_slot(cell);
+      geometry_.create(cell, cells_.vertices(cell), infinite_slot, infinite_slot == 0 ? 1 : 0);
+    }
+  }
+
+  Index insert(Index v, Index start) override {
+    const Index from = start == invalid_index ? last_ : start;
+    const Index at = engine::insert(cells_, geometry_, v, geometry_.make_query(points_.point(v)), from, work_, effort_);
+    if (at == v) {
+      for (const Index cell : work_.created) num_infinite_ += geometry_.is_infinite(cell) ? 1 : 0;
+      for (const Index cell : work_.zone.cells) num_infinite_ -= geometry_.is_infinite(cell) ? 1 : 0;
+      last_ = work_.created.back();
+    }
+    return at;
+  }
+  std::span<const Index> created() const override { return work_.created; }
+
+  HullLocation locate(const double* query, Index start) const override {
+    kernel::StageCounts uncounted;
+    const Query q = geometry_.make_query(query);
+    const Index near = engine::descend(cells_, geometry_, q, start == invalid_index ? last_ : start).second.cell;
+    const engine::WalkResult found = engine::walk_exactly(cells_, geometry_, q, near, false, uncounted);
+    HullLocation location{found.cell, cells_.infinite_slot(found.cell) >= 0, {}};
+    if (found.vertex != invalid_index) {
+      location.face.push_back(VertexId{found.vertex});
+    } else if (!location.outside) {
+      const Index* vertices = cells_.vertices(found.cell);
+      for (int i = 0; i <= cells_.dimension(); ++i)
+        if (geometry_.side_of_facet(vertices, i, q) == Sign::positive) location.face.push_back(VertexId{vertices[i]});
+    }
+    return location;
+  }
+
+  std::vector<CellId> conflict_zone(const double* query, Index start) const override {
+    kernel::StageCounts uncounted;
+    const Query q = geometry_.make_query(query);
+    const engine::WalkResult found = engine::locate(cells_, geometry_, q, start == invalid_index ? last_ : start, uncounted);
+    if (found.vertex != invalid_index) return {};
+    engine::SeparateMarks marks;
+    engine::ConflictZone zone;
+    engine::find_conflict_zone(cells_, geometry_, q, found.cell, marks, zone, uncounted);
+    std::vector<CellId> result;
+    for (const Index cell : zone.cells) result.push_back(CellId{cell});
+    return result;
+  }
+
+  Sign in_sphere(Index cell, const double* query) const override {
+    return geometry_.unperturbed_side(cells_.vertices(cell), geometry_.make_query(query));
+  }
+
+  Complex complex(Index num_vertices, const CellId* cell_of_vertex) const override {
+    return {cells_.vertices(0), cells_.stride(), cells_.dimension(), cells_.num_slots(), cells_.num_cells() - num_infinite_,
+            num_infinite_,      num_vertices,    cell_of_vertex};
+  }
+  const engine::Effort& effort() const override { return effort_; }
+  std::size_t bytes() const override { return cells_.bytes() + geometry_.bytes(); }
+
+ private:
+  void recount() {
+    num_infinite_ = 0;
+    for (Index cell = 0; cell < cells_.num_slots(); ++cell)
+      if (!cells_.is_vacant(cell) && geometry_.is_infinite(cell)) ++num_infinite_;
+    last_ = 0;
+  }
+
+  const VertexPoints& points_;
+  engine::CellStore<K> cells_;
+  Geometry geometry_;
+  engine::Workspace work_;
+  engine::Effort effort_;
+  Index num_infinite_ = 0;
+  Index last_ = 0;  // a cell of the last insertion
+};
+
+template <int K>
+std::unique_ptr<Hull> make_hull(const std::vector<int>& axes, const VertexPoints& points, const geometry::Frame& frame,
+                                const engine::Effort& effort) {
+  return std::make_unique<HullOfDimension<K>>(axes, points, frame, effort);
+}
+
+}  // namespace delone

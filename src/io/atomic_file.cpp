@@ -1,0 +1,115 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Files that appear whole or not at all. See atomic_file.hpp.
+#include "io/atomic_file.hpp"
+
+#include "io/file.hpp"
+
+#include <atomic>
+#include <cerrno>
+#include <chrono>
+#include <cstdint>
+#include <filesystem>
+#include <system_error>
+
+namespace delone::io {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+/// Creates a new file next to `target`: the same directory, hence the same file system, so that renaming is atomic. The
+/// name is short whatever the target's is, and `x` refuses to touch a file that exists.
+std::FILE* create_beside(const fs::path& target, std::string& name) {
+  static std::atomic<std::uint64_t> counter{0};
+  for (int attempt = 0; attempt < 100; ++attempt) {
+    const auto ticks = static_cast<std::uint64_t>(std::chrono::steady_clock::now().time_since_epoch().count());
+    const std::uint64_t tag = (ticks + ++counter) * 0x9e3779b97f4a7c15u;
+    name = (target.parent_path() / fmt::format(".delone-partial-{:016x}", tag)).string();
+    errno = 0;
+    if (std::FILE* file = std::fopen(name.c_str(), "wbx")) return file;
+    if (errno != EEXIST) break;
+  }
+  return nullptr;
+}
+
+}  // namespace
+
+AtomicFile::AtomicFile(const std::string& path) : name_(path), target_(path) {
+  if (path == "-") {
+    name_ = "standard output";
+    file_ = stdout;
+    return;
+  }
+  std::error_code error;
+  if (fs::is_symlink(path, error)) {
+    if (const fs::path resolved = fs::weakly_canonical(path, error); !error) target_ = resolved.string();
+  }
+  const fs::file_status status = fs::status(target_, error);
+  if (fs::is_directory(status)) fail_with(EISDIR);
+  if (fs::exists(status) && !fs::is_regular_file(status)) {
+    errno = 0;
+    file_ = std::fopen(target_.c_str(), "wb");
+  } else {
+    file_ = create_beside(target_, temporary_);
+    if (file_ == nullptr) temporary_.clear();
+  }
+  if (file_ == nullptr) fail_with(errno);
+  std::setvbuf(file_, nullptr, _IONBF, 0);  // buffer_ is the only buffer
+}
+
+AtomicFile::~AtomicFile() {
+  if (file_ != nullptr && file_ != stdout) std::fclose(file_);
+  if (!temporary_.empty()) {
+    std::error_code ignored;
+    fs::remove(temporary_, ignored);
+  }
+}
+
+void AtomicFile::fail_with(int error) const { fail(Errc::cannot_write, "{}: {}", name_, error_text(error)); }
+
+void AtomicFile::write(const void* data, std::size_t size) {
+  const char* bytes = static_cast<const char*>(data);
+  if (size >= flush_at) {
+    flush();
+    write_now(bytes, size);
+    return;
+  }
+  buffer_.append(bytes, bytes + size);
+  if (buffer_.size() >= flush_at) flush();
+}
+
+void AtomicFile::flush() {
+  write_now(buffer_.data(), buffer_.size());
+  buffer_.clear();
+}
+
+void AtomicFile::write_now(const char* data, std::size_t size) {
+  while (size > 0) {
+    errno = 0;
+    const std::size_t written = std::fwrite(data, 1, size, file_);
+    data += written;
+    size -= written;
+    if (size > 0) {
+      if (errno != EINTR) fail_with(errno);
+      std::clearerr(file_);
+    }
+  }
+}
+
+void AtomicFile::commit() {
+  flush();
+  errno = 0;
+  if (file_ == stdout) {
+    if (std::fflush(stdout) != 0) fail_with(errno);
+    return;
+  }
+  const int closed = std::fclose(std::exchange(file_, nullptr));
+  if (closed != 0) fail_with(errno);
+  if (temporary_.empty()) return;
+  std::error_code error;
+  fs::rename(temporary_, target_, error);
+  if (error) fail(Errc::cannot_write, "{}: {}", name_, error.message());
+  temporary_.clear();
+}
+
+}  // namespace delone::io

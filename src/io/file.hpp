@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What every reader and writer shares: whole files in memory, the choice of a format, and error messages that quote
+// foreign text safely.
+#pragma once
+
+#include <delone/error.hpp>
+#include <fmt/format.h>
+
+#include <cstddef>
+#include <cstdlib>
+#include <initializer_list>
+#include <memory>
+#include <new>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+namespace delone::io {
+
+/// Throws Error with a formatted message.
+template <class... Args>
+[[noreturn]] void fail(Errc code, fmt::format_string<Args...> format, Args&&... args) {
+  throw Error(code, fmt::format(format, std::forward<Args>(args)...));
+}
+
+/// Foreign text for a message: in quotes, at most 40 bytes of it, control and non-ASCII bytes escaped.
+std::string quoted(std::string_view text);
+
+/// "a, b, c"
+std::string joined(const std::vector<std::string>& items);
+
+/// The text of an errno value.
+std::string error_text(int error);
+
+/// A path as messages name it: "-" is standard input (or output).
+std::string input_name(const std::string& path);
+
+/// The bytes of a file. Not initialised before they are read, and grown by realloc: files may be as large as memory.
+class Bytes {
+ public:
+  explicit Bytes(std::size_t capacity) { reserve(capacity); }
+  void reserve(std::size_t capacity) {
+    if (capacity <= capacity_) return;
+    auto* grown = static_cast<char*>(std::realloc(data_.get(), capacity));
+    if (grown == nullptr) throw std::bad_alloc();
+    static_cast<void>(data_.release());
+    data_.reset(grown);
+    capacity_ = capacity;
+  }
+  char* data() { return data_.get(); }
+  std::size_t size() const { return size_; }
+  std::size_t capacity() const { return capacity_; }
+  void set_size(std::size_t size) { size_ = size; }
+  std::string_view view() const { return {data_.get(), size_}; }
+
+ private:
+  struct Free {
+    void operator()(char* p) const { std::free(p); }
+  };
+  std::unique_ptr<char, Free> data_;
+  std::size_t size_ = 0, capacity_ = 0;
+};
+
+/// All of a file, or of standard input when the path is "-". Throws cannot_open with the system's reason.
+Bytes read_all(const std::string& path);
+
+/// The lower-case format to use: `format` if given, `standard_stream` for the path "-", else the extension of the path.
+/// Throws unsupported, listing `known`, unless the result is among them.
+std::string choose_format(const std::string& path, const std::string& format, std::string_view standard_stream,
+                          std::initializer_list<std::string_view> known, std::string_view purpose);
+
+/// Runs a reader or writer, and turns exhausted memory into Error{out_of_memory}.
+template <class Work>
+auto guarded(const std::string& name, Work&& work) {
+  try {
+    return std::forward<Work>(work)();
+  } catch (const std::bad_alloc&) {
+    fail(Errc::out_of_memory, "{}: not enough memory", name);
+  } catch (const std::length_error&) {
+    fail(Errc::out_of_memory, "{}: not enough memory", name);
+  }
+}
+
+}  // namespace delone::io

@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The readers of points, one per family of formats. They get the bytes of a file and its name for messages, and throw Error.
+#pragma once
+
+#include <delone/io.hpp>
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace delone::io {
+
+/// csv (',') and tsv (tab). `columns`: names of a header or 0-based numbers; empty for all.
+PointTable read_delimited(std::string_view bytes, const std::string& name, char delimiter,
+                          const std::vector<std::string>& columns);
+/// txt, xyz, pts: rows of numbers, '#' comments.
+PointTable read_white_space(std::string_view bytes, const std::string& name);
+/// Dimension, rest of the line ignored; count; that many rows, in any layout.
+PointTable read_qhull(std::string_view bytes, const std::string& name);
+PointTable read_npy(std::string_view bytes, const std::string& name);
+/// The vertices of an OFF, COFF or nOFF file.
+PointTable read_off(std::string_view bytes, const std::string& name);
+/// `columns`: properties of the vertices; empty for x, y and, if there is one, z.
+PointTable read_ply(std::string_view bytes, const std::string& name, const std::vector<std::string>& columns);
+
+}  // namespace delone::io

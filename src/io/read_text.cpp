@@ -1,0 +1,281 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Tables of text: csv and tsv with an optional header and quotes, white space separated rows, and Qhull's form. One pass
+// over the text, numbers are parsed in place; only fields that are asked for are looked at.
+#include "io/file.hpp"
+#include "io/read_points.hpp"
+#include "io/text_cursor.hpp"
+
+#include <algorithm>
+#include <limits>
+
+namespace delone::io {
+
+namespace {
+
+/// The columns to read, as positions. `names` is empty when there is no header.
+std::vector<std::size_t> select(const std::vector<std::string>& wanted, const std::vector<std::string>& names,
+                                std::size_t width, const std::string& name) {
+  std::vector<std::size_t> columns;
+  if (wanted.empty()) {
+    columns.resize(width);
+    for (std::size_t i = 0; i < width; ++i) columns[i] = i;
+  }
+  for (const std::string& one : wanted) {
+    const auto found = std::find(names.begin(), names.end(), one);
+    if (found != names.end()) {
+      const auto again = std::find(found + 1, names.end(), one);
+      if (again != names.end())
+        fail(Errc::bad_format, "{}: columns {} and {} are both named {}; choose by number", name, found - names.begin(),
+             again - names.begin(), quoted(one));
+      columns.push_back(static_cast<std::size_t>(found - names.begin()));
+    } else if (const auto number = to_count(one); number && *number < width) {
+      columns.push_back(static_cast<std::size_t>(*number));
+    } else if (names.empty()) {
+      fail(Errc::bad_format, "{}: there is no column {}; there is no header, the columns are 0 to {}", name, quoted(one),
+           width - 1);
+    } else {
+      fail(Errc::bad_format, "{}: there is no column {}; the columns are {}", name, quoted(one), joined(names));
+    }
+  }
+  return columns;
+}
+
+std::string_view trimmed(std::string_view text) {
+  const std::size_t first = text.find_first_not_of(" \t\n");
+  if (first == std::string_view::npos) return {};
+  return text.substr(first, text.find_last_not_of(" \t\n") - first + 1);
+}
+
+/// Reads csv and tsv.
+class DelimitedReader {
+ public:
+  DelimitedReader(std::string_view text, const std::string& name, char delimiter, const std::vector<std::string>& wanted)
+      : at_(text, name), delimiter_(delimiter), wanted_(wanted) {}
+
+  PointTable read() {
+    if (!find_row()) fail(Errc::bad_format, "{}: no row and no header in the file", at_.name());
+    read_header();
+    row_.resize(width_);
+    while (find_row()) read_row();
+    return points_.finish();
+  }
+
+ private:
+  bool is_space(char c) const { return c != delimiter_ && TextCursor::is_blank(c); }
+  void skip_spaces() {
+    const char* p = at_.position();
+    while (p != at_.end() && is_space(*p)) ++p;
+    at_.move_to(p);
+  }
+
+  /// Goes to the next line that is neither blank nor a comment.
+  bool find_row() {
+    for (;;) {
+      const char* start = at_.position();
+      at_.skip_blanks();
+      if (!at_.at_end() && *at_.position() == '#') at_.skip_to_line_end();
+      if (!at_.at_line_end()) {
+        at_.move_to(start);  // the blanks may be empty fields of a tsv row
+        return true;
+      }
+      if (at_.at_end()) return false;
+      at_.take_line_end();
+    }
+  }
+
+  /// The field at the cursor as text, without quotes or spaces around it; leaves the cursor at a delimiter or line end.
+  std::string field() {
+    skip_spaces();
+    std::string text;
+    if (!at_.at_end() && *at_.position() == '"') {
+      const std::string opened = at_.place();
+      at_.move_to(at_.position() + 1);
+      for (;;) {
+        if (at_.at_end()) fail(Errc::bad_format, "{}: a quoted field is not closed", opened);
+        const char* p = at_.position();
+        if (*p == '"') {
+          at_.move_to(p + 1);
+          if (at_.at_end() || *at_.position() != '"') break;
+        }
+        if (at_.at_line_end()) {
+          at_.take_line_end();
+          text += '\n';
+        } else {
+          text += *at_.position();
+          at_.move_to(at_.position() + 1);
+        }
+      }
+      skip_spaces();
+      if (!at_field_end()) fail(Errc::bad_format, "{}: text after a closing quote", at_.place());
+      return text;
+    }
+    const char* start = at_.position();
+    skip_plain_field();
+    const char* stop = at_.position();
+    while (stop != start && is_space(stop[-1])) --stop;
+    return {start, stop};
+  }
+
+  bool at_field_end() const { return at_.at_line_end() || *at_.position() == delimiter_; }
+  void skip_plain_field() {
+    const char* p = at_.position();
+    while (p != at_.end() && *p != delimiter_ && *p != '\n' && *p != '\r') ++p;
+    at_.move_to(p);
+  }
+  /// Past a delimiter; false at the end of the line.
+  bool next_field() {
+    if (at_.at_line_end()) return false;
+    at_.move_to(at_.position() + 1);
+    return true;
+  }
+
+  /// The first line gives the number of columns, and their names if any field is text. A line of numbers with empty fields
+  /// is a faulty row rather than a header.
+  void read_header() {
+    const TextCursor start = at_;
+    std::vector<std::string> fields;
+    do fields.push_back(field());
+    while (next_field());
+    width_ = fields.size();
+    const bool header = std::any_of(fields.begin(), fields.end(), [](const auto& f) {
+      const std::string_view text = trimmed(f);
+      return !text.empty() && !to_number(text);
+    });
+    if (header) {
+      names_ = std::move(fields);
+      at_.take_line_end();
+    } else {
+      at_ = start;
+    }
+    columns_ = select(wanted_, names_, width_, at_.name());
+    selected_.assign(width_, false);
+    for (std::size_t column : columns_) selected_[column] = true;
+    points_.table.dimension = static_cast<int>(columns_.size());
+    if (header)
+      for (std::size_t column : columns_) points_.table.column_names.push_back(names_[column]);
+  }
+
+  /// A quoted field may span lines: errors name the line where the row starts.
+  double number_field(std::size_t column, std::size_t row_line) {
+    skip_spaces();
+    const char* start = at_.position();
+    double value = 0;
+    if (const char* stop = parse_number(start, at_.end(), value); stop != nullptr) {
+      at_.move_to(stop);
+      skip_spaces();
+      if (at_field_end()) {
+        if (!std::isfinite(value)) note_not_finite(column, row_line, {start, static_cast<std::size_t>(stop - start)});
+        return value;
+      }
+      at_.move_to(start);
+    }
+    const std::string text = field();
+    const std::string_view number_text = trimmed(text);
+    if (number_text.empty()) fail(Errc::bad_format, "{}: the field is empty", field_place(column, row_line));
+    const auto number = to_number(number_text);
+    if (!number) fail(Errc::bad_format, "{}: {} is not a number", field_place(column, row_line), quoted(text));
+    if (!std::isfinite(*number)) note_not_finite(column, row_line, number_text);
+    return *number;
+  }
+
+  std::string field_place(std::size_t column, std::size_t row_line) const {
+    const std::string label = names_.empty() ? std::string{} : fmt::format(" ({})", names_[column]);
+    return fmt::format("{}:{}: column {}{}", at_.name(), row_line, column, label);
+  }
+
+  void note_not_finite(std::size_t column, std::size_t row_line, std::string_view text) {
+    if (not_finite_.empty()) not_finite_ = field_place(column, row_line) + ": " + describe_not_finite(text);
+  }
+
+  void read_row() {
+    const std::size_t row_line = at_.line();
+    std::size_t found = 0;
+    do {
+      if (found < width_ && selected_[found])
+        row_[found] = number_field(found, row_line);
+      else if (skip_spaces(); !at_.at_end() && *at_.position() == '"')
+        field();
+      else
+        skip_plain_field();
+      ++found;
+    } while (next_field());
+    if (found != width_)
+      fail(Errc::bad_format, "{}:{}: expected {} field{}, found {}", at_.name(), row_line, width_, width_ == 1 ? "" : "s", found);
+    at_.take_line_end();
+    for (std::size_t column : columns_) points_.add(row_[column], [&] { return not_finite_; });
+  }
+
+  TextCursor at_;
+  char delimiter_;
+  const std::vector<std::string>& wanted_;
+  std::size_t width_ = 0;
+  std::vector<std::string> names_;
+  std::vector<std::size_t> columns_;
+  std::vector<bool> selected_;
+  std::vector<double> row_;
+  std::string not_finite_;
+  PointCollector points_;
+};
+
+/// What to say of the value that was just read, from `start` to the cursor.
+std::string place_of_value(const TextCursor& at, std::size_t column, const char* start) {
+  return fmt::format("{}: column {}: {}", at.place(), column,
+                     describe_not_finite({start, static_cast<std::size_t>(at.position() - start)}));
+}
+
+}  // namespace
+
+PointTable read_delimited(std::string_view bytes, const std::string& name, char delimiter,
+                          const std::vector<std::string>& columns) {
+  return DelimitedReader(text_of(bytes, name), name, delimiter, columns).read();
+}
+
+PointTable read_white_space(std::string_view bytes, const std::string& name) {
+  TextCursor at(text_of(bytes, name), name);
+  if (!at.find_content()) fail(Errc::bad_format, "{}: no row in the file", name);
+  PointCollector points;
+  std::size_t width = 0;
+  for (; at.find_content(); at.take_line_end()) {
+    std::size_t found = 0;
+    for (; !at.skip_to_content(); ++found) {
+      const char* start = at.position();
+      const double value = at.number("a coordinate");
+      if (width == 0 || found < width) points.add(value, [&] { return place_of_value(at, found, start); });
+    }
+    if (width == 0) {
+      width = found;
+      points.table.dimension = static_cast<int>(width);
+    }
+    if (found != width)
+      fail(Errc::bad_format, "{}: expected {} number{}, found {}", at.place(), width, width == 1 ? "" : "s", found);
+  }
+  return points.finish();
+}
+
+PointTable read_qhull(std::string_view bytes, const std::string& name) {
+  TextCursor at(text_of(bytes, name), name);
+  PointCollector points;
+  points.table.dimension = static_cast<int>(at.count("the dimension", std::numeric_limits<int>::max()));
+  if (points.table.dimension == 0) fail(Errc::bad_dimension, "{}: the dimension is 0", at.place());
+  at.skip_to_line_end();
+  const auto dimension = static_cast<std::size_t>(points.table.dimension);
+  const std::uint64_t count = at.count("the number of points", std::numeric_limits<std::uint64_t>::max());
+  // Each number takes two bytes at least: what the file cannot hold is never allocated.
+  const std::size_t most = at.remaining() / 2 + 1;
+  if (count <= most / dimension) points.table.coordinates.reserve(static_cast<std::size_t>(count) * dimension);
+  for (std::uint64_t row = 0; row < count; ++row) {
+    for (std::size_t column = 0; column < dimension; ++column) {
+      if (!at.find_content())
+        fail(Errc::bad_format, "{}: expected {} points of {} coordinates, the file ends after {} numbers", at.place(), count,
+             dimension, points.table.coordinates.size());
+      const char* start = at.position();
+      points.add(at.number("a coordinate"), [&] { return place_of_value(at, column, start); });
+    }
+  }
+  if (at.find_content())
+    fail(Errc::bad_format, "{}: expected {} points of {} coordinates, but more follows: {}", at.place(), count, dimension,
+         quoted(at.token()));
+  return points.finish();
+}
+
+}  // namespace delone::io

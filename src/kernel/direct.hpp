@@ -1,0 +1,120 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Stage `direct_`: orientation and sphere determinants in binary64, translated to a point, with a certified bound; and the
+// proof of exact zeros for points on a coarse grid.
+#pragma once
+
+#include "kernel/determinant.hpp"
+#include "kernel/flat.hpp"
+#include "kernel/grid.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+namespace delone::kernel {
+
+namespace detail {
+
+/// 2^−e with 2^(e−1) ≤ m < 2^e, so that m·scale is in [1/2, 1); and e itself. REQUIRES m finite and positive.
+struct PowerOfTwo {
+  double scale;
+  int exponent;
+};
+inline PowerOfTwo normalising_power(double m) {
+  int e = 0;
+  std::frexp(m, &e);
+  return {std::ldexp(1.0, -std::clamp(e, -1000, 1000)), std::clamp(e, -1000, 1000)};
+}
+
+inline std::optional<Sign> certified_sign(const CertifiedDeterminant& det, double grid_unit) {
+  if (det.value > det.error) return Sign::positive;
+  if (det.value < -det.error) return Sign::negative;
+  // The exact determinant is an integer multiple of grid_unit; one that is smaller than a unit is zero.
+  if (std::fabs(det.value) + det.error < grid_unit) return Sign::zero;
+  return std::nullopt;
+}
+
+}  // namespace detail
+
+/// The sign of det(p_i − base), i < k, over the axes of the flat; nullopt when binary64 cannot tell. K is k, or 0 for run time.
+template <int K>
+std::optional<Sign> direct_orientation(const Flat& flat, const double* const* points, const double* base, const Grid& grid) {
+  const int k = K > 0 ? K : flat.dimension();
+  Buffer<double, K * K> a(static_cast<std::size_t>(k) * static_cast<std::size_t>(k));
+  Buffer<int, K> row_of(static_cast<std::size_t>(k));
+  int unit_exponent = 0;
+  for (int r = 0; r < k; ++r) {
+    const int axis = flat.axes[static_cast<std::size_t>(r)];
+    double largest = 0;
+    for (int i = 0; i < k; ++i) {
+      const double difference = points[i][axis] - base[axis];
+      a[static_cast<std::size_t>(i * k + r)] = difference;
+      largest = std::max(largest, std::fabs(difference));
+    }
+    if (largest == 0) return Sign::zero;  // binary64 differences vanish only when they are exactly zero
+    if (!(largest < 1e300)) return std::nullopt;
+    const auto [scale, exponent] = detail::normalising_power(largest);
+    for (int i = 0; i < k; ++i) a[static_cast<std::size_t>(i * k + r)] *= scale;
+    unit_exponent += grid.exponent(axis) - exponent;
+  }
+  const CertifiedDeterminant det = factor<K>(a.data(), k, k, {1.01 * unit_roundoff, 0}, row_of.data());
+  return detail::certified_sign(det, std::ldexp(1.0, unit_exponent));
+}
+
+/// The sign of det(p_i − q, |p_i − q|²), i = 0 … k; nullopt when binary64 cannot tell.
+template <int K>
+std::optional<Sign> direct_sphere(const Flat& flat, const double* const* points, const double* q, const Grid& grid) {
+  constexpr int N = K > 0 ? K + 1 : 0;
+  const int k = K > 0 ? K : flat.dimension();
+  const int n = k + 1;
+  Buffer<double, N * N> a(static_cast<std::size_t>(n) * static_cast<std::size_t>(n));
+  Buffer<int, N> row_of(static_cast<std::size_t>(n));
+
+  double largest_of_all = 0;
+  if (flat.ambient != k)
+    for (int j = 0; j < flat.ambient; ++j)
+      for (int i = 0; i < n; ++i) largest_of_all = std::max(largest_of_all, std::fabs(points[i][j] - q[j]));
+  int unit_exponent = 0;
+  for (int r = 0; r < k; ++r) {
+    const int axis = flat.axes[static_cast<std::size_t>(r)];
+    double largest = 0;
+    for (int i = 0; i < n; ++i) {
+      const double difference = points[i][axis] - q[axis];
+      a[static_cast<std::size_t>(i * n + r)] = difference;
+      largest = std::max(largest, std::fabs(difference));
+    }
+    if (largest == 0) return Sign::zero;
+    largest_of_all = std::max(largest_of_all, largest);
+  }
+  if (!(largest_of_all < 1e300)) return std::nullopt;
+  const auto [common_scale, common_exponent] = detail::normalising_power(largest_of_all);
+  for (int i = 0; i < n; ++i) {
+    double lift = 0;
+    if (flat.ambient == k) {
+      for (int r = 0; r < k; ++r) {
+        const double difference = a[static_cast<std::size_t>(i * n + r)] * common_scale;
+        lift += difference * difference;
+      }
+    } else {
+      for (int j = 0; j < flat.ambient; ++j) {
+        const double difference = (points[i][j] - q[j]) * common_scale;
+        lift += difference * difference;
+      }
+    }
+    a[static_cast<std::size_t>(i * n + k)] = lift;
+  }
+  for (int r = 0; r < k; ++r) {
+    double largest = 0;
+    for (int i = 0; i < n; ++i) largest = std::max(largest, std::fabs(a[static_cast<std::size_t>(i * n + r)]));
+    const auto [scale, exponent] = detail::normalising_power(largest);
+    for (int i = 0; i < n; ++i) a[static_cast<std::size_t>(i * n + r)] *= scale;
+    unit_exponent += grid.exponent(flat.axes[static_cast<std::size_t>(r)]) - exponent;
+  }
+  unit_exponent += 2 * (grid.finest() - common_exponent);
+  // Differences are rounded once; a lift is a sum of `ambient` squares of rounded differences.
+  const double relative_error = 1.01 * (flat.ambient + 3) * unit_roundoff;
+  const CertifiedDeterminant det = factor<N>(a.data(), n, n, {relative_error, 0}, row_of.data());
+  return detail::certified_sign(det, std::ldexp(1.0, unit_exponent));
+}
+
+}  // namespace delone::kernel

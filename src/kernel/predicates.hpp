@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The exact predicates for callers outside the engine: dimension chosen at run time, no cached data.
+#pragma once
+
+#include "kernel/flat.hpp"
+
+#include <delone/types.hpp>
+
+#include <deque>
+#include <span>
+#include <vector>
+
+namespace delone::kernel {
+
+/// The sign of det(p_1 − p_0, …, p_k − p_0) on the axes of the flat; k+1 points.
+Sign orientation(const Flat& flat, std::span<const double* const> points);
+
+/// − inside, 0 on, + outside the sphere through k+1 points of the given (non-zero) orientation; q in the flat.
+Sign in_sphere(const Flat& flat, std::span<const double* const> points, Sign orientation_of_points, const double* q);
+
+/// The same with ties perturbed: 0 only if q equals one of the points.
+Sign in_sphere_perturbed(const Flat& flat, std::span<const double* const> points, Sign orientation_of_points, const double* q);
+
+/// The affine hull of a growing set of points, by exact rank computation: an affinely independent subset (the basis, copied)
+/// and coordinate axes on which the hull projects one-to-one.
+class AffineHull {
+ public:
+  explicit AffineHull(int ambient) : ambient_(ambient) {}
+
+  /// Adds p to the basis and returns true if p is not in the hull.
+  bool add(const double* p);
+  bool contains(const double* p) const { return !basis_.empty() && separating_axis(p) < 0; }
+  /// −1 for no point.
+  int dimension() const { return static_cast<int>(basis_.size()) - 1; }
+  const std::vector<int>& axes() const { return axes_; }  ///< increasing
+  std::span<const double* const> basis() const { return basis_; }
+  Flat flat() const { return {ambient_, axes_}; }
+
+ private:
+  /// An axis that, with the present ones, tells p from the hull; −1 if there is none.
+  int separating_axis(const double* p) const;
+
+  int ambient_;
+  std::vector<int> axes_;
+  std::deque<std::vector<double>> points_;
+  std::vector<const double*> basis_;  // into points_
+};
+
+}  // namespace delone::kernel

@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Random rounds: a random permutation is cut into rounds of growing size, each sorted along the Hilbert curve.
+#include "order/insertion_order.hpp"
+
+#include "random.hpp"
+
+#include <algorithm>
+#include <bit>
+#include <numeric>
+#include <utility>
+
+namespace delone::order {
+namespace {
+
+/// Of the points not yet placed, one in `points_per_earlier` goes to an earlier round: the last round holds 7/8 of all. Ratios
+/// from 2 to 10 are within a few per cent of each other; few rounds mean few walks across the whole complex.
+constexpr std::size_t points_per_earlier = 8;
+
+/// A round of at most this many points per dimension is the first one: it is too small for its order to matter.
+constexpr std::size_t first_round_per_dimension = 64;
+
+/// How many times the points of a round are halved: the number of axes, counted with repetition, that its order looks at.
+int num_splits(std::size_t n) { return n < 2 ? 0 : static_cast<int>(std::bit_width(n - 1)); }
+
+}  // namespace
+
+std::vector<Index> shuffled_order(std::size_t n, std::uint64_t seed) {
+  std::vector<Index> rows(n);
+  std::iota(rows.begin(), rows.end(), Index{0});
+  random::Generator generator(seed);
+  for (std::size_t i = n; i > 1; --i) std::swap(rows[i - 1], rows[generator.below(i)]);
+  return rows;
+}
+
+std::vector<Index> brio_order(PointsView points, std::uint64_t seed) {
+  std::vector<Index> rows = shuffled_order(points.size(), seed);
+  if (rows.empty()) return rows;
+
+  const int d = points.dimension();
+  const std::size_t smallest = first_round_per_dimension * static_cast<std::size_t>(d);
+  std::vector<std::size_t> ends{rows.size()};
+  while (ends.back() > smallest) ends.push_back(ends.back() / points_per_earlier);
+
+  std::size_t begin = 0;
+  int first_axis = d - 1;
+  bool backwards = false;
+  for (auto end = ends.rbegin(); end != ends.rend(); ++end) {
+    const std::span<Index> round(rows.data() + begin, *end - begin);
+    hilbert_sort(points, round, first_axis);
+    // A round that ends where the curve ends is followed by one that starts there.
+    if (backwards) std::reverse(round.begin(), round.end());
+    backwards = !backwards;
+    // With fewer than 2^d points a round looks at some of the axes only: the next round starts with the others.
+    const int splits = num_splits(round.size());
+    if (splits < d) first_axis = (first_axis + d - splits) % d;
+    begin = *end;
+  }
+  return rows;
+}
+
+}  // namespace delone::order

@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Points → the order in which to insert them: random rounds, each sorted along a Hilbert curve; and exact duplicates.
+// Knows coordinates only.
+#pragma once
+
+#include <delone/types.hpp>
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace delone::order {
+
+/// BRIO (Amenta, Choi, Rote 2003, doi:10.1145/777792.777824): the rows 0…n−1 in random rounds of growing size, each round
+/// sorted along a d-dimensional Hilbert curve by coordinate comparisons only (RR-6743, appendix A). Deterministic in (points,
+/// seed).
+std::vector<Index> brio_order(PointsView points, std::uint64_t seed);
+
+/// A uniformly random permutation of 0…n−1. Deterministic in (n, seed).
+std::vector<Index> shuffled_order(std::size_t n, std::uint64_t seed);
+
+/// Sorts rows along a d-dimensional Hilbert curve by recursive median splits. It only compares coordinates of one axis with
+/// each other: no scale, unit or offset of an axis matters. Equal coordinates are ordered by row.
+/// The axes are split in the order first_axis, first_axis − 1, … (mod d). m rows are halved ⌈log2 m⌉ times: with m ≤ 2^(d−1)
+/// some axes are never looked at, and since spreads of different axes may be in different units none is preferred; the
+/// rounds of brio_order() start with different axes instead.
+/// REQUIRES 0 ≤ first_axis < d. O(m log m) expected; memory O(m·d) for d ≤ 4, O(m) beyond.
+void hilbert_sort(PointsView points, std::span<Index> rows, int first_axis = 0);
+
+/// For each row the lowest row with equal coordinates (itself when there is none lower). −0 equals +0. O(n) expected.
+std::vector<Index> first_equal_rows(PointsView points);
+
+}  // namespace delone::order

@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Random rounds and random permutations: permutations, determined by the seed, rounds sorted.
+#include "order/insertion_order.hpp"
+
+#include "random.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <vector>
+
+namespace delone::order {
+namespace {
+
+std::vector<double> uniform_points(int d, std::size_t n, std::uint64_t seed) {
+  random::Generator generator(seed);
+  std::vector<double> x(n * static_cast<std::size_t>(d));
+  for (double& v : x) v = generator.uniform();
+  return x;
+}
+
+bool is_permutation(std::vector<Index> rows, std::size_t n) {
+  if (rows.size() != n) return false;
+  std::sort(rows.begin(), rows.end());
+  for (std::size_t i = 0; i < n; ++i)
+    if (rows[i] != i) return false;
+  return true;
+}
+
+TEST(ShuffledOrder, IsAPermutationDeterminedByTheSeed) {
+  for (std::size_t n : {0u, 1u, 2u, 3u, 1000u}) EXPECT_TRUE(is_permutation(shuffled_order(n, 5), n));
+  EXPECT_EQ(shuffled_order(1000, 1), shuffled_order(1000, 1));
+  EXPECT_NE(shuffled_order(1000, 1), shuffled_order(1000, 2));
+}
+
+TEST(ShuffledOrder, TheSameBitsOnEveryPlatform) {
+  EXPECT_EQ(shuffled_order(8, 42), (std::vector<Index>{7, 0, 1, 4, 3, 5, 2, 6}));
+}
+
+TEST(ShuffledOrder, EveryPermutationIsAboutEquallyLikely) {
+  std::vector<int> count(24);
+  for (std::uint64_t seed = 0; seed < 24000; ++seed) {
+    const auto p = shuffled_order(4, seed);
+    std::size_t rank = 0;
+    for (std::size_t i = 0; i < 4; ++i) {
+      rank *= 4 - i;
+      for (std::size_t j = i + 1; j < 4; ++j) rank += p[j] < p[i];
+    }
+    ++count[rank];
+  }
+  double chi_squared = 0;
+  for (int c : count) chi_squared += (c - 1000.0) * (c - 1000.0) / 1000.0;
+  EXPECT_LT(chi_squared, 50);  // 23 degrees of freedom: exceeded once in a thousand seeds, and the seeds are fixed
+}
+
+TEST(BrioOrder, IsAPermutationDeterminedByTheSeed) {
+  for (int d : {1, 2, 3, 4, 5, 8, 100})
+    for (std::size_t n : {0u, 1u, 2u, 3u, 191u, 1000u, 20000u}) {
+      if (d == 100 && n == 20000) continue;
+      const auto x = uniform_points(d, n, 3);
+      const auto rows = brio_order(PointsView(x, d), 9);
+      EXPECT_TRUE(is_permutation(rows, n)) << d << " " << n;
+      EXPECT_EQ(rows, brio_order(PointsView(x, d), 9));
+      if (n >= 1000 && d <= 8) {  // one round, when there are few points, is the same for every seed
+        EXPECT_NE(rows, brio_order(PointsView(x, d), 10));
+      }
+    }
+}
+
+TEST(BrioOrder, AllPointsEqual) {
+  const std::vector<double> x(3 * 5000, 1.0);
+  EXPECT_TRUE(is_permutation(brio_order(PointsView(x, 3), 1), 5000));
+}
+
+TEST(BrioOrder, TheLastRoundIsSortedAndTheFirstPointsAreSpread) {
+  const std::size_t n = 10000;
+  const auto x = uniform_points(2, n, 21);
+  const auto rows = brio_order(PointsView(x, 2), 4);
+  double last_half = 0;
+  for (std::size_t i = n / 2; i < n; ++i)
+    last_half += std::hypot(x[2 * rows[i]] - x[2 * rows[i - 1]], x[2 * rows[i] + 1] - x[2 * rows[i - 1] + 1]);
+  EXPECT_LT(last_half / (n / 2.0), 0.02);
+  // Random rounds: the first 156 points (10000/64) reach into all quarters of the square, although each round is sorted.
+  int quarter[4] = {};
+  for (std::size_t i = 0; i < 156; ++i) ++quarter[(x[2 * rows[i]] < 0.5) + 2 * (x[2 * rows[i] + 1] < 0.5)];
+  for (int count : quarter) EXPECT_GT(count, 20);
+}
+
+TEST(Generator, BelowIsInRangeForEveryKindOfBound) {
+  random::Generator generator(1);
+  for (std::uint64_t bound : {std::uint64_t{1}, std::uint64_t{2}, std::uint64_t{3}, std::uint64_t{0xffffffffu},
+                              std::uint64_t{1} << 32, (std::uint64_t{1} << 32) + 1, ~std::uint64_t{0}})
+    for (int i = 0; i < 1000; ++i) EXPECT_LT(generator.below(bound), bound);
+}
+
+TEST(Generator, MatchesTheReferenceImplementation) {
+  // splitmix64 from state 1234567, as published with the algorithm; the first outputs seed the generator's state.
+  std::uint64_t state = 1234567;
+  EXPECT_EQ(random::mix(state += 0x9e3779b97f4a7c15u), 6457827717110365317u);
+  EXPECT_EQ(random::mix(state += 0x9e3779b97f4a7c15u), 3203168211198807973u);
+}
+
+}  // namespace
+}  // namespace delone::order

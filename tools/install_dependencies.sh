@@ -1,0 +1,48 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: BSD-3-Clause
+# Installs the packages that are missing on Debian and Ubuntu:  tools/install_dependencies.sh [build] [test] [bench] [lint] [fuzz]
+# Says nothing and touches nothing when all are there. Elsewhere it prints what is needed and leaves the rest to you.
+set -euo pipefail
+
+build=(g++ cmake ninja-build libcli11-dev libfmt-dev nlohmann-json3-dev libfast-float-dev libboost-dev)
+test=(libgtest-dev libgmock-dev librapidcheck-dev libqhull-dev libcgal-dev libeigen3-dev libgmp-dev libmpfr-dev
+      python3 python3-numpy)
+bench=(libbenchmark-dev python3 python3-numpy)
+lint=(clang-format clang-tidy python3)
+fuzz=(clang)
+
+wanted=()
+for group in "${@:-build}"; do
+  case $group in
+    build) wanted+=("${build[@]}") ;;
+    test) wanted+=("${build[@]}" "${test[@]}") ;;
+    bench) wanted+=("${build[@]}" "${bench[@]}") ;;
+    lint) wanted+=("${build[@]}" "${lint[@]}") ;;
+    fuzz) wanted+=("${build[@]}" "${fuzz[@]}") ;;
+    *) echo "usage: $0 [build] [test] [bench] [lint] [fuzz]" >&2; exit 64 ;;
+  esac
+done
+
+if ! command -v apt-get >/dev/null || ! command -v dpkg-query >/dev/null; then
+  echo "This is not a Debian system; please see to it that you have what these Debian packages hold: ${wanted[*]}" >&2
+  exit 0
+fi
+
+installed=$(dpkg-query --show --showformat='${db:Status-Status} ${Package}\n' "${wanted[@]}" 2>/dev/null || true)
+missing=()
+for package in "${wanted[@]}"; do
+  grep -qxF "installed $package" <<<"$installed" || missing+=("$package")
+done
+[ ${#missing[@]} -eq 0 ] && exit 0
+
+as_root=()
+if [ "$(id -u)" -ne 0 ]; then
+  if ! command -v sudo >/dev/null; then
+    echo "Please install these packages, or run this script as root: ${missing[*]}" >&2
+    exit 1
+  fi
+  as_root=(sudo)
+fi
+echo "Installing ${missing[*]}"
+"${as_root[@]}" apt-get update -qq </dev/null
+"${as_root[@]}" env DEBIAN_FRONTEND=noninteractive apt-get install -y -qq --no-install-recommends "${missing[@]}" </dev/null >/dev/null
