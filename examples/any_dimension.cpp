@@ -2,7 +2,7 @@
 // The dimension chosen at run time: random points in 2 to 6 dimensions, and how many cells they have.
 #include <delone/delone.hpp>
 
-#include <cstdio>
+#include <iostream>
 #include <vector>
 
 int main() {
@@ -11,16 +11,13 @@ int main() {
     const std::vector<double> coordinates = delone::make_point_set("uniform", dimension, 200, /*seed=*/1);
     const delone::Triangulation triangulation(coordinates, dimension);
     const delone::Complex complex = triangulation.complex();
-
-    std::printf("%d dimensions: %u vertices, %zu edges, %u cells, %u hull facets, hash %s\n", dimension, complex.num_vertices(),
-                complex.edges().size(), complex.num_finite_cells(), complex.num_infinite_cells(),
-                triangulation.hash().hex().c_str());
+    std::cout << dimension << " dimensions: " << complex.num_vertices() << " vertices, " << complex.num_finite_cells()
+              << " cells, " << complex.num_infinite_cells() << " hull facets, hash " << triangulation.hash().hex() << '\n';
 
     // The faces of a triangulated ball: their numbers, with alternating signs, add up to 1.
     long sum = 0;
     for (int j = 0; j <= dimension; ++j) {
-      const std::size_t row_length = static_cast<std::size_t>(j) + 1;
-      const long faces = static_cast<long>(complex.faces(j).size() / row_length);
+      const long faces = static_cast<long>(complex.faces(j).size()) / (j + 1);
       sum += j % 2 == 0 ? faces : -faces;
     }
     euler = euler && sum == 1;

@@ -3,7 +3,7 @@
 #include <delone/delone.hpp>
 
 #include <array>
-#include <cstdio>
+#include <iostream>
 
 namespace {
 
@@ -31,20 +31,20 @@ int main() {
   using Point = delone::Delaunay<3>::Point;
   for (const Point& p : {Point{0, 0, 0}, Point{2, 0, 0}, Point{0, 2, 0}, Point{0, 0, 2}}) triangulation.insert(p);
 
-  // The point lies in the one cell there is, near the vertex that came last; a hint may name a cell close by.
+  // A hint names a cell close by, where the search for the new point starts.
   const delone::CellId hint = triangulation.locate(Point{0.1, 0.1, 0.1}).cell;
   const delone::InsertResult added = triangulation.insert(Point{0.5, 0.5, 0.5}, hint);
   const delone::InsertResult again = triangulation.insert(Point{0.5, 0.5, 0.5});
-  std::printf("inserted: %d, and again: %d, as the same vertex: %d\n", added.inserted, again.inserted,
-              added.vertex == again.vertex);
-  std::printf("cells around it: %zu of %u\n", triangulation.complex().star(added.vertex).size(),
-              triangulation.num_finite_cells());
+  std::cout << "once: " << (added.inserted ? "inserted" : "already there")
+            << ", twice: " << (again.inserted ? "inserted" : "already there") << '\n';
+  std::cout << triangulation.complex().star(added.vertex).size() << " of " << triangulation.num_finite_cells()
+            << " cells meet at the new vertex\n";
 
   for (const Point& q : {Point{0.2, 0.3, 0.4}, Point{1, 0, 0}, Point{0.5, 0.5, 0.5}, Point{2, 2, 2}}) {
     const delone::Location where = triangulation.locate(q);
-    std::printf("(%g, %g, %g) is %s", q[0], q[1], q[2], in_words(where.kind));
-    if (where.kind == delone::Location::Kind::on_face) std::printf(" of dimension %d", where.face_dimension());
-    std::printf("\n");
+    std::cout << '(' << q[0] << ", " << q[1] << ", " << q[2] << ") is " << in_words(where.kind);
+    if (where.kind == delone::Location::Kind::on_face) std::cout << " of dimension " << where.face_dimension();
+    std::cout << '\n';
   }
-  return triangulation.num_finite_cells() == 4 && !again.inserted ? 0 : 1;
+  return triangulation.num_finite_cells() == 4 && added.vertex == again.vertex ? 0 : 1;
 }

@@ -3,26 +3,27 @@
 //   example_read_check_write [POINTS [TRIANGULATION]]
 #include <delone/delone.hpp>
 
-#include <cstdio>
 #include <cstdlib>
+#include <iostream>
+#include <string>
 
 int main(int argc, char** argv) {
   const char* from_environment = std::getenv("DELONE_EXAMPLE_INPUT");
-  const char* input = argc > 1 ? argv[1] : from_environment ? from_environment : "data/bunny.csv";
-  const char* output = argc > 2 ? argv[2] : "triangulation.npz";
+  const std::string input = argc > 1 ? argv[1] : from_environment != nullptr ? from_environment : "data/bunny.csv";
+  const std::string output = argc > 2 ? argv[2] : "triangulation.npz";
   try {
     const delone::PointTable points = delone::read_points(input);
     const delone::Triangulation triangulation(points.coordinates, points.dimension);
     delone::write_complex(output, triangulation.to_data());
 
-    // The file holds all that `check` needs; it would find a fault in a triangulation made by any other program as well.
+    // The file holds all that `check` needs; it finds faults in the triangulations of other programs just as well.
     const delone::ComplexData data = delone::read_complex(output);
     const delone::CheckReport report = delone::check(data);
-    std::printf("%s: %zu points, %zu cells\n", input, data.num_points(), data.num_cells());
-    std::printf("%s: %s\n", output, report.ok ? "is the Delaunay triangulation" : report.violation.c_str());
+    std::cout << input << ": " << data.num_points() << " points, " << data.num_cells() << " cells\n";
+    std::cout << output << ": " << (report.ok ? "is the Delaunay triangulation" : report.violation) << '\n';
     return report.ok && delone::canonical_hash(data) == triangulation.hash() ? 0 : 1;
   } catch (const delone::Error& error) {
-    std::fprintf(stderr, "%s\n", error.what());
+    std::cerr << error.what() << '\n';
     return 2;
   }
 }

@@ -3,6 +3,7 @@
 // the destructor if that was not reached. Text is collected in a buffer and every write is checked.
 #pragma once
 
+#include <fmt/compile.h>
 #include <fmt/format.h>
 
 #include <cstddef>
@@ -28,6 +29,13 @@ class AtomicFile {
     fmt::format_to(std::back_inserter(buffer_), format, std::forward<Args>(args)...);
     if (buffer_.size() >= flush_at) flush();
   }
+  /// A number in decimal, a double in the fewest digits that read back as the same value.
+  template <class Number>
+  void put(Number value) {
+    fmt::format_to(std::back_inserter(buffer_), FMT_COMPILE("{}"), value);
+    if (buffer_.size() >= flush_at) flush();
+  }
+  void put(char c) { buffer_.push_back(c); }
   void write(std::string_view text) { write(text.data(), text.size()); }
   void write(const void* data, std::size_t size);
 

@@ -11,7 +11,7 @@
 
 namespace delone::io {
 
-std::string quoted(std::string_view text) {
+std::string in_quotes(std::string_view text) {
   constexpr std::size_t longest = 40;
   std::string out = "'";
   for (char c : text.substr(0, longest)) {
@@ -89,7 +89,7 @@ std::string choose_format(const std::string& path, const std::string& format, st
                  [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; });
   if (std::find(known.begin(), known.end(), chosen) != known.end()) return chosen;
   if (!format.empty() || chosen.size() > 1)
-    fail(Errc::unsupported, "{}: format {} cannot be used for {}; available: {}", path, quoted(chosen), purpose,
+    fail(Errc::unsupported, "{}: format {} cannot be used for {}; available: {}", path, in_quotes(chosen), purpose,
          fmt::join(known, ", "));
   fail(Errc::unsupported, "{}: no extension tells the format for {}; name it: {}", path, purpose, fmt::join(known, ", "));
 }

@@ -3,8 +3,8 @@
 // foreign text safely.
 #pragma once
 
-#include <delone/error.hpp>
 #include <fmt/format.h>
+#include <delone/error.hpp>
 
 #include <cstddef>
 #include <cstdlib>
@@ -25,7 +25,7 @@ template <class... Args>
 }
 
 /// Foreign text for a message: in quotes, at most 40 bytes of it, control and non-ASCII bytes escaped.
-std::string quoted(std::string_view text);
+std::string in_quotes(std::string_view text);
 
 /// "a, b, c"
 std::string joined(const std::vector<std::string>& items);

@@ -10,6 +10,8 @@
 
 namespace delone::io {
 
+struct NpyArray;
+
 /// csv (',') and tsv (tab). `columns`: names of a header or 0-based numbers; empty for all.
 PointTable read_delimited(std::string_view bytes, const std::string& name, char delimiter,
                           const std::vector<std::string>& columns);
@@ -17,6 +19,8 @@ PointTable read_delimited(std::string_view bytes, const std::string& name, char 
 PointTable read_white_space(std::string_view bytes, const std::string& name);
 /// Dimension, rest of the line ignored; count; that many rows, in any layout.
 PointTable read_qhull(std::string_view bytes, const std::string& name);
+/// The rows of a 2-D array, or the items of a 1-D array as points of dimension 1.
+PointTable points_of(const NpyArray& array, const std::string& name);
 PointTable read_npy(std::string_view bytes, const std::string& name);
 /// The vertices of an OFF, COFF or nOFF file.
 PointTable read_off(std::string_view bytes, const std::string& name);

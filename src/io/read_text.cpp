@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Tables of text: csv and tsv with an optional header and quotes, white space separated rows, and Qhull's form. One pass
 // over the text, numbers are parsed in place; only fields that are asked for are looked at.
+#include "io/collect.hpp"
 #include "io/file.hpp"
 #include "io/read_points.hpp"
 #include "io/text_cursor.hpp"
@@ -26,15 +27,15 @@ std::vector<std::size_t> select(const std::vector<std::string>& wanted, const st
       const auto again = std::find(found + 1, names.end(), one);
       if (again != names.end())
         fail(Errc::bad_format, "{}: columns {} and {} are both named {}; choose by number", name, found - names.begin(),
-             again - names.begin(), quoted(one));
+             again - names.begin(), in_quotes(one));
       columns.push_back(static_cast<std::size_t>(found - names.begin()));
     } else if (const auto number = to_count(one); number && *number < width) {
       columns.push_back(static_cast<std::size_t>(*number));
     } else if (names.empty()) {
-      fail(Errc::bad_format, "{}: there is no column {}; there is no header, the columns are 0 to {}", name, quoted(one),
+      fail(Errc::bad_format, "{}: there is no column {}; there is no header, the columns are 0 to {}", name, in_quotes(one),
            width - 1);
     } else {
-      fail(Errc::bad_format, "{}: there is no column {}; the columns are {}", name, quoted(one), joined(names));
+      fail(Errc::bad_format, "{}: there is no column {}; the columns are {}", name, in_quotes(one), joined(names));
     }
   }
   return columns;
@@ -173,7 +174,7 @@ class DelimitedReader {
     const std::string_view number_text = trimmed(text);
     if (number_text.empty()) fail(Errc::bad_format, "{}: the field is empty", field_place(column, row_line));
     const auto number = to_number(number_text);
-    if (!number) fail(Errc::bad_format, "{}: {} is not a number", field_place(column, row_line), quoted(text));
+    if (!number) fail(Errc::bad_format, "{}: {} is not a number", field_place(column, row_line), in_quotes(text));
     if (!std::isfinite(*number)) note_not_finite(column, row_line, number_text);
     return *number;
   }
@@ -200,7 +201,8 @@ class DelimitedReader {
       ++found;
     } while (next_field());
     if (found != width_)
-      fail(Errc::bad_format, "{}:{}: expected {} field{}, found {}", at_.name(), row_line, width_, width_ == 1 ? "" : "s", found);
+      fail(Errc::bad_format, "{}:{}: expected {} field{}, found {}", at_.name(), row_line, width_, width_ == 1 ? "" : "s",
+           found);
     at_.take_line_end();
     for (std::size_t column : columns_) points_.add(row_[column], [&] { return not_finite_; });
   }
@@ -274,7 +276,7 @@ PointTable read_qhull(std::string_view bytes, const std::string& name) {
   }
   if (at.find_content())
     fail(Errc::bad_format, "{}: expected {} points of {} coordinates, but more follows: {}", at.place(), count, dimension,
-         quoted(at.token()));
+         in_quotes(at.token()));
   return points.finish();
 }
 

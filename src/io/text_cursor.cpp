@@ -31,30 +31,6 @@ std::string_view text_of(std::string_view bytes, const std::string& name) {
   return bytes;
 }
 
-std::string describe_not_finite(std::string_view text) {
-  const bool decimal = text.find_first_of("0123456789") != std::string_view::npos;
-  return quoted(text) + (decimal ? " is beyond the range of double precision" : " is not finite");
-}
-
-void require_finite(const PointTable& table, const std::string& first) {
-  std::vector<std::size_t> rows;
-  const auto dimension = static_cast<std::size_t>(table.dimension);
-  for (std::size_t i = 0; i < table.coordinates.size(); ++i) {
-    if (std::isfinite(table.coordinates[i])) continue;
-    const std::size_t row = i / dimension;
-    if (rows.empty() || rows.back() != row) rows.push_back(row);
-  }
-  if (rows.empty()) return;
-  std::string message = first;
-  if (rows.size() > 1) message += fmt::format(" (and {} more row{})", rows.size() - 1, rows.size() == 2 ? "" : "s");
-  throw Error(Errc::not_finite, message, std::move(rows));
-}
-
-PointTable PointCollector::finish() {
-  if (!first_.empty()) require_finite(table, first_);
-  return std::move(table);
-}
-
 std::string_view TextCursor::rest_of_line() {
   skip_blanks();
   const char* start = p_;
@@ -68,14 +44,14 @@ std::uint64_t TextCursor::count(std::string_view what, std::uint64_t largest) {
   const std::string_view text = next_token();
   if (text.empty()) fail(Errc::bad_format, "{}: the file ends before {}", place(), what);
   const auto value = to_count(text);
-  if (!value) fail(Errc::bad_format, "{}: {} is {}, which is not a count", place(), what, quoted(text));
+  if (!value) fail(Errc::bad_format, "{}: {} is {}, which is not a count", place(), what, in_quotes(text));
   if (*value > largest) fail(Errc::bad_format, "{}: {} is {}, more than the {} possible here", place(), what, *value, largest);
   return *value;
 }
 
 void TextCursor::fail_number(std::string_view what) {
   const std::string_view text = token();
-  fail(Errc::bad_format, "{}: {}: {} is not a number", place(), what, quoted(text));
+  fail(Errc::bad_format, "{}: {}: {} is not a number", place(), what, in_quotes(text));
 }
 
 }  // namespace delone::io

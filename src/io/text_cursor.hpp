@@ -3,10 +3,8 @@
 // formats are written on top of it.
 #pragma once
 
-#include <delone/io.hpp>
 #include <fast_float/fast_float.h>
 
-#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <optional>
@@ -34,31 +32,6 @@ std::optional<std::uint64_t> to_count(std::string_view text);
 
 /// The text without a UTF-8 byte order mark. Throws bad_format for an empty file and for UTF-16.
 std::string_view text_of(std::string_view bytes, const std::string& name);
-
-/// Collects points while a file is read. Values that are not finite do not stop the reading, so that the error can name
-/// every row concerned.
-class PointCollector {
- public:
-  PointTable table;
-
-  /// REQUIRES that values arrive row by row. `place` is called at most once, for the message.
-  template <class Place>
-  void add(double value, Place&& place) {
-    if (!std::isfinite(value) && first_.empty()) first_ = place();
-    table.coordinates.push_back(value);
-  }
-  /// The table, or Error{not_finite} with its rows.
-  PointTable finish();
-
- private:
-  std::string first_;
-};
-
-/// Throws not_finite for the rows of `table` that hold a NaN or an infinity, if any; `first` describes the first of them.
-void require_finite(const PointTable& table, const std::string& first);
-
-/// "'nan' is not finite", or for finite decimals "'1e999' is beyond the range of double precision".
-std::string describe_not_finite(std::string_view text);
 
 class TextCursor {
  public:

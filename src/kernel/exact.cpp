@@ -9,8 +9,10 @@
 
 #include <boost/multiprecision/cpp_int.hpp>
 
+#include <algorithm>
 #include <bit>
 #include <cmath>
+#include <cstdint>
 #include <limits>
 #include <utility>
 #include <vector>
@@ -25,15 +27,27 @@ using FixedInteger =
 using BigInteger = mp::number<mp::cpp_int_backend<>, mp::et_off>;
 __extension__ typedef __int128 Int128;  // NOLINT(modernize-use-using): the extension mark needs it
 
+/// A finite double as mantissa·2^exponent, |mantissa| < 2^53.
+struct Binary {
+  std::int64_t mantissa;
+  int exponent;
+};
+Binary decompose(double x) {
+  const auto bits = std::bit_cast<std::uint64_t>(x);
+  const auto fraction = static_cast<std::int64_t>(bits & ((std::uint64_t{1} << 52) - 1));
+  const int biased = static_cast<int>(bits >> 52 & 0x7ff);
+  const std::int64_t magnitude = biased == 0 ? fraction : fraction | std::int64_t{1} << 52;
+  return {std::signbit(x) ? -magnitude : magnitude, std::max(biased, 1) - 1075};
+}
+
 /// x·2^−grid as an integer. REQUIRES x on that grid, and that Integer holds the result.
 template <class Integer>
 Integer to_integer(double x, int grid) {
   if (x == 0) return Integer(0);
-  int exponent = 0;
-  const auto mantissa = static_cast<std::int64_t>(std::ldexp(std::frexp(x, &exponent), 53));
-  const int shift = exponent - 53 - grid;
-  if (shift >= 0) return Integer(mantissa) * (Integer(1) << shift);
-  return Integer(mantissa >> -shift);  // exact: the bits shifted out are zero, as x lies on the grid
+  const Binary binary = decompose(x);
+  const int shift = binary.exponent - grid;
+  if (shift <= 0) return Integer(binary.mantissa >> -shift);  // exact: x lies on the grid, so the bits shifted out are zero
+  return Integer(binary.mantissa) * (Integer(1) << shift);
 }
 
 template <class Integer>
@@ -148,38 +162,45 @@ class Problem {
       if (bits[static_cast<std::size_t>(axis)] == 0) has_zero_column_ = true;
       entry_bits_ += bits[static_cast<std::size_t>(axis)];
     }
-    if (with_lift_) {
-      int widest = 0;
-      for (int j = 0; j < ambient; ++j)
-        if (const auto axis = static_cast<std::size_t>(j); bits[axis] > 0) widest = std::max(widest, bits[axis] + grid_[axis] - finest_);
-      if (widest == 0) has_zero_column_ = true;
-      entry_bits_ += 2.0 * widest + std::ceil(std::log2(ambient) + 1);
-    }
+    widest_ = 0;
+    for (std::size_t axis = 0; axis < bits.size(); ++axis)
+      if (bits[axis] > 0) widest_ = std::max(widest_, bits[axis] + grid_[axis] - finest_);
+    if (with_lift_) entry_bits_ += 2.0 * widest_ + ambient_bits();
   }
 
+  /// The matrix, row by row. Differences of coordinates and their squares are taken in the narrowest type that holds them.
   template <class Integer>
   std::vector<Integer> entries() const {
+    if (2 * widest_ + ambient_bits() <= 126) return entries_from<Integer, Int128, Int128>();
+    if (widest_ <= 126) return entries_from<Integer, Int128, Integer>();
+    return entries_from<Integer, Integer, Integer>();
+  }
+
+  template <class Integer, class Difference, class Lift>
+  std::vector<Integer> entries_from() const {
     const std::size_t n = static_cast<std::size_t>(n_);
     std::vector<Integer> a(n * n);
     for (std::size_t i = 0; i < n; ++i) {
-      for (std::size_t r = 0; r < flat_.axes.size(); ++r) a[i * n + r] = difference<Integer>(i, static_cast<std::size_t>(flat_.axes[r]));
+      for (std::size_t r = 0; r < flat_.axes.size(); ++r)
+        a[i * n + r] = static_cast<Integer>(difference<Difference>(i, static_cast<std::size_t>(flat_.axes[r])));
       if (!with_lift_) continue;
-      Integer lift(0);
+      Lift lift(0);
       for (std::size_t axis = 0; axis < grid_.size(); ++axis) {
         if (points_[i][axis] == base_[axis]) continue;
-        const Integer d = difference<Integer>(i, axis) * (Integer(1) << (grid_[axis] - finest_));
+        const Lift d = static_cast<Lift>(difference<Difference>(i, axis)) * (Lift(1) << (grid_[axis] - finest_));
         lift += d * d;
       }
-      a[i * n + n - 1] = lift;
+      a[i * n + n - 1] = static_cast<Integer>(lift);
     }
     return a;
   }
 
   template <class Integer>
   Integer difference(std::size_t i, std::size_t axis) const {
-    if (points_[i][axis] == base_[axis]) return Integer(0);
     return to_integer<Integer>(points_[i][axis], grid_[axis]) - to_integer<Integer>(base_[axis], grid_[axis]);
   }
+
+  double ambient_bits() const { return std::ceil(std::log2(flat_.ambient) + 1); }
 
   const Flat& flat_;
   const double* const* points_;
@@ -187,7 +208,8 @@ class Problem {
   bool with_lift_;
   int n_;
   std::vector<int> grid_;
-  int finest_ = 0;
+  int finest_ = 0;  // of the grids of all axes along which points differ
+  int widest_ = 0;  // the bits of the largest difference, in units of the finest grid
   double entry_bits_ = 0;
   bool has_zero_column_ = false;
 };

@@ -16,7 +16,7 @@
 namespace delone {
 namespace {
 
-using Wide = __extension__ __int128;
+__extension__ typedef __int128 Wide;
 using Rows = std::vector<std::vector<double>>;
 
 Rows rows_of(const std::vector<double>& x, int d) {

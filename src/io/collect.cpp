@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Collecting points; values that are not finite. See collect.hpp.
+#include "io/collect.hpp"
+
+#include "io/file.hpp"
+
+#include <utility>
+#include <vector>
+
+namespace delone::io {
+
+std::string describe_not_finite(std::string_view text) {
+  const bool decimal = text.find_first_of("0123456789") != std::string_view::npos;
+  return in_quotes(text) + (decimal ? " is beyond the range of double precision" : " is not finite");
+}
+
+void require_finite(std::span<const double> coordinates, int dimension, const std::string& name, const std::string& first) {
+  std::vector<std::size_t> rows;
+  std::string message = first;
+  const auto width = static_cast<std::size_t>(dimension);
+  for (std::size_t i = 0; i < coordinates.size(); ++i) {
+    if (std::isfinite(coordinates[i])) continue;
+    const std::size_t row = i / width;
+    if (message.empty()) message = fmt::format("{}: row {}: column {}: {} is not finite", name, row, i % width, coordinates[i]);
+    if (rows.empty() || rows.back() != row) rows.push_back(row);
+  }
+  if (rows.empty()) return;
+  if (rows.size() > 1) message += fmt::format(" (and {} more row{})", rows.size() - 1, rows.size() == 2 ? "" : "s");
+  throw Error(Errc::not_finite, message, std::move(rows));
+}
+
+PointTable PointCollector::finish() {
+  if (!first_.empty()) require_finite(table.coordinates, table.dimension, {}, first_);
+  return std::move(table);
+}
+
+}  // namespace delone::io

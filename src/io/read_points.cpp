@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// read_points: chooses the reader by the format.
+#include "io/read_points.hpp"
+
+#include "io/file.hpp"
+#include "io/text_cursor.hpp"
+
+namespace delone {
+
+namespace {
+
+/// Keeps the columns with the given 0-based numbers, for formats without names.
+PointTable with_columns(PointTable table, const std::vector<std::string>& wanted, const std::string& name) {
+  if (wanted.empty()) return table;
+  const auto width = static_cast<std::size_t>(table.dimension);
+  std::vector<std::size_t> columns;
+  for (const std::string& one : wanted) {
+    const auto number = io::to_count(one);
+    if (!number || *number >= width)
+      io::fail(Errc::bad_format, "{}: there is no column {}; the columns are 0 to {}", name, io::in_quotes(one), width - 1);
+    columns.push_back(static_cast<std::size_t>(*number));
+  }
+  PointTable out;
+  out.dimension = static_cast<int>(columns.size());
+  const std::size_t rows = table.num_points();
+  out.coordinates.reserve(rows * columns.size());
+  for (std::size_t row = 0; row < rows; ++row)
+    for (const std::size_t column : columns) out.coordinates.push_back(table.coordinates[row * width + column]);
+  return out;
+}
+
+}  // namespace
+
+PointTable read_points(const std::string& path, const ReadOptions& options) {
+  const std::string format = io::choose_format(
+      path, options.format, "qhull", {"npy", "csv", "tsv", "txt", "xyz", "pts", "off", "ply", "qhull"}, "reading points");
+  const std::string name = io::input_name(path);
+  return io::guarded(name, [&] {
+    const io::Bytes file = io::read_all(path);
+    const std::string_view bytes = file.view();
+    if (format == "csv" || format == "tsv")
+      return io::read_delimited(bytes, name, format == "csv" ? ',' : '\t', options.columns);
+    if (format == "ply") return io::read_ply(bytes, name, options.columns);
+    PointTable table = format == "npy"     ? io::read_npy(bytes, name)
+                       : format == "off"   ? io::read_off(bytes, name)
+                       : format == "qhull" ? io::read_qhull(bytes, name)
+                                           : io::read_white_space(bytes, name);
+    return with_columns(std::move(table), options.columns, name);
+  });
+}
+
+}  // namespace delone

@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// write_points: tables of points in the formats that read_points reads.
+#include "io/atomic_file.hpp"
+#include "io/collect.hpp"
+#include "io/file.hpp"
+#include "io/npy.hpp"
+#include "io/text_cursor.hpp"
+#include "io/write_npy.hpp"
+
+#include <delone/io.hpp>
+
+#include <algorithm>
+
+namespace delone {
+
+namespace {
+
+/// The names as a header line. Left out when every one of them is a number or empty: the line would be read as a point.
+void write_header(io::AtomicFile& file, const std::vector<std::string>& names, char delimiter) {
+  if (std::all_of(names.begin(), names.end(), [](const auto& n) { return n.empty() || io::to_number(n).has_value(); })) return;
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    if (i > 0) file.put(delimiter);
+    const std::string& name = names[i];
+    if (name.find_first_of(" ,\t\"\r\n#") == std::string::npos) {
+      file.write(name);
+      continue;
+    }
+    file.put('"');
+    for (const char c : name) {
+      if (c == '"') file.put('"');
+      file.put(c);
+    }
+    file.put('"');
+  }
+  file.put('\n');
+}
+
+void write_rows(io::AtomicFile& file, const PointTable& points, char delimiter) {
+  const auto dimension = static_cast<std::size_t>(points.dimension);
+  std::size_t column = 0;
+  for (const double x : points.coordinates) {
+    file.put(x);
+    column = column + 1 == dimension ? 0 : column + 1;
+    file.put(column == 0 ? '\n' : delimiter);
+  }
+}
+
+}  // namespace
+
+void write_points(const std::string& path, const PointTable& points, const std::string& format) {
+  const std::string chosen =
+      io::choose_format(path, format, "qhull", {"npy", "csv", "tsv", "txt", "xyz", "pts", "off", "qhull"}, "writing points");
+  io::guarded(path, [&] {
+    if (path == "-" && chosen == "npy")
+      io::fail(Errc::unsupported, "format 'npy' is binary and is not written to standard output");
+    if (points.dimension < 1) io::fail(Errc::bad_dimension, "{}: cannot write: the dimension is {}", path, points.dimension);
+    const auto dimension = static_cast<std::size_t>(points.dimension);
+    if (points.coordinates.size() % dimension != 0)
+      io::fail(Errc::invalid_argument, "{}: cannot write: the coordinates are no multiple of the dimension", path);
+    io::require_finite(points.coordinates, points.dimension, path);
+    io::AtomicFile file(path);
+    const std::size_t n = points.num_points();
+    if (chosen == "npy") {
+      std::string storage;
+      file.write(io::npy_header("f8", {n, dimension}));
+      file.write(io::little_endian_bytes(std::span<const double>(points.coordinates), storage));
+    } else if (chosen == "csv" || chosen == "tsv") {
+      const char delimiter = chosen == "csv" ? ',' : '\t';
+      if (points.column_names.size() == dimension) write_header(file, points.column_names, delimiter);
+      write_rows(file, points, delimiter);
+    } else {
+      if (chosen == "qhull") file.print("{}\n{}\n", dimension, n);
+      if (chosen == "off" && dimension == 3) file.print("OFF\n{} 0 0\n", n);
+      if (chosen == "off" && dimension != 3) file.print("nOFF\n{}\n{} 0 0\n", dimension, n);
+      write_rows(file, points, ' ');
+    }
+    file.commit();
+  });
+}
+
+}  // namespace delone
