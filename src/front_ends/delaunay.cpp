@@ -98,8 +98,13 @@ struct Triangulation::Impl {
   }
 
   /// Inserts the point of a row; points outside the affine hull raise the dimension. `track`: keep cell_of_vertex up to date.
+  /// If it throws, nothing has changed.
   Index insert_row(std::size_t row, const double* point, Index start, bool track) {
-    if (affine_hull.dimension() < dimension && affine_hull.add(point)) return raise(row, point);
+    row_of_vertex.reserve(row_of_vertex.size() + 1);
+    if (affine_hull.dimension() < dimension) {
+      kernel::AffineHull grown = affine_hull;
+      if (grown.add(point)) return raise(row, point, std::move(grown));
+    }
     if (!hull) {  // the only vertex again
       assign(row, 1);
       return 1;
@@ -107,6 +112,7 @@ struct Triangulation::Impl {
     const Index v = append(point);
     Index at = v;
     try {
+      cell_of_vertex.reserve(v + 1);
       if (!hull->frame().contains(point)) hull->set_frame(frame_with(point, point, 1.0));
       at = hull->insert(v, start);
     } catch (...) {
@@ -124,19 +130,26 @@ struct Triangulation::Impl {
     return at;
   }
 
-  /// A point outside the affine hull, which has grown by it already.
-  Index raise(std::size_t row, const double* point) {
+  /// A point outside the affine hull, which has `grown` by it.
+  Index raise(std::size_t row, const double* point, kernel::AffineHull grown) {
     const Index v = append(point);
+    try {
+      if (grown.dimension() > 0) {
+        auto next = make_hull(grown.axes(), points, frame_with(point, point, 1.0), hull ? hull->effort() : engine::Effort{},
+                              options.force_runtime_dimension);
+        if (hull)
+          next->jump(complex(), v);
+        else
+          next->seed(std::vector<Index>{1, v});
+        hull = std::move(next);
+        find_cells_of_vertices();
+      }
+    } catch (...) {
+      drop_last_vertex();
+      throw;
+    }
+    affine_hull = std::move(grown);
     assign(row, v);
-    if (affine_hull.dimension() == 0) return v;
-    const engine::Effort effort = hull ? hull->effort() : engine::Effort{};
-    auto next = make_hull(affine_hull.axes(), points, frame_with(point, point, 1.0), effort, options.force_runtime_dimension);
-    if (hull)
-      next->jump(complex(), v);
-    else
-      next->seed(std::vector<Index>{1, v});
-    hull = std::move(next);
-    find_cells_of_vertices();
     return v;
   }
 
@@ -292,8 +305,13 @@ InsertResult Triangulation::insert(std::span<const double> point, std::optional<
   const Index before = impl_->points.num_vertices();
   try {
     const std::size_t row = impl_->add_rows(1);
-    const Index v = impl_->insert_row(row, coordinates, start, true);
-    return {VertexId{v}, v > before};
+    try {
+      const Index v = impl_->insert_row(row, coordinates, start, true);
+      return {VertexId{v}, v > before};
+    } catch (...) {
+      impl_->vertex_of_row.resize(row);
+      throw;
+    }
   } catch (const std::bad_alloc&) {
     throw Error(Errc::out_of_memory, "not enough memory for the triangulation");
   }

@@ -55,13 +55,19 @@ bool AffineHull::add(const double* p) {
     if (axis < 0) return false;
     axes_.insert(std::upper_bound(axes_.begin(), axes_.end(), axis), axis);
   }
-  basis_.push_back(points_.emplace_back(p, p + ambient_).data());
+  basis_.insert(basis_.end(), p, p + ambient_);
   return true;
+}
+
+std::vector<const double*> AffineHull::basis() const {
+  std::vector<const double*> points;
+  for (std::size_t i = 0; i < basis_.size(); i += static_cast<std::size_t>(ambient_)) points.push_back(basis_.data() + i);
+  return points;
 }
 
 int AffineHull::separating_axis(const double* p) const {
   if (dimension() == ambient_) return -1;
-  std::vector<const double*> simplex(basis_.begin(), basis_.end());
+  std::vector<const double*> simplex = basis();
   simplex.push_back(p);
   const Grid grid = grid_of(simplex, nullptr, ambient_);
   for (int axis = 0; axis < ambient_; ++axis) {

@@ -6,7 +6,6 @@
 
 #include <delone/types.hpp>
 
-#include <deque>
 #include <span>
 #include <vector>
 
@@ -31,9 +30,10 @@ class AffineHull {
   bool add(const double* p);
   bool contains(const double* p) const { return !basis_.empty() && separating_axis(p) < 0; }
   /// −1 for no point.
-  int dimension() const { return static_cast<int>(basis_.size()) - 1; }
+  int dimension() const { return static_cast<int>(basis_.size()) / ambient_ - 1; }
   const std::vector<int>& axes() const { return axes_; }  ///< increasing
-  std::span<const double* const> basis() const { return basis_; }
+  /// The basis; valid until the next add().
+  std::vector<const double*> basis() const;
   Flat flat() const { return {ambient_, axes_}; }
 
  private:
@@ -42,8 +42,7 @@ class AffineHull {
 
   int ambient_;
   std::vector<int> axes_;
-  std::deque<std::vector<double>> points_;
-  std::vector<const double*> basis_;  // into points_
+  std::vector<double> basis_;  // coordinates, one point after the other
 };
 
 }  // namespace delone::kernel

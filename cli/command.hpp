@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What the sub-commands share: how they are registered, exit statuses, and errors that name the file they are about.
+#pragma once
+
+#include <delone/delone.hpp>
+
+#include <CLI/CLI.hpp>
+
+#include <functional>
+#include <new>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+namespace delone::cli {
+
+namespace exit_status {
+inline constexpr int ok = 0, check_failed = 1, bad_input = 2, out_of_memory = 3, usage = 64;
+}
+
+/// Thrown for an option whose value makes no sense together with the others: exit status 64.
+struct UsageError : std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
+
+/// Runs a sub-command after its options have been parsed; returns the exit status.
+using Run = std::function<int()>;
+
+/// Each adds one sub-command to the command line.
+Run add_delaunay(CLI::App& app);
+Run add_locate(CLI::App& app);
+Run add_check(CLI::App& app);
+Run add_generate(CLI::App& app);
+Run add_info(CLI::App& app);
+
+/// A path as messages name it.
+inline std::string input_name(const std::string& path) { return path == "-" ? "standard input" : path; }
+
+/// Runs `work`; errors that do not begin with the name of the file they are about get it put in front.
+template <class Work>
+auto about(const std::string& name, Work&& work) {
+  try {
+    return work();
+  } catch (const Error& e) {
+    if (std::string(e.what()).rfind(name + ":", 0) == 0) throw;
+    throw Error(e.code(), name + ": " + e.what(), e.rows());
+  } catch (const std::bad_alloc&) {
+    throw Error(Errc::out_of_memory, name + ": not enough memory");
+  }
+}
+
+/// The options of every command that reads points.
+struct PointInput {
+  std::string path;
+  ReadOptions options;
+
+  void add_to(CLI::App& command, const std::string& name, const std::string& description);
+  PointTable read() const;
+};
+
+/// The names --format accepts: of points, and of triangulations to write and to read.
+const std::vector<std::string>& point_formats();
+const std::vector<std::string>& complex_formats();
+const std::vector<std::string>& readable_complex_formats();
+
+}  // namespace delone::cli

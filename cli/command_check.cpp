@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// delone check: the six levels, exactly, on a triangulation from any program.
+#include "command.hpp"
+#include "output.hpp"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <memory>
+
+namespace delone::cli {
+namespace {
+
+struct CheckCommandOptions {
+  std::string path, format;
+  PointInput points;
+  int level = 6;
+  bool canonical = false;
+};
+
+struct Level {
+  const char* name;
+  const char* meaning;
+};
+constexpr std::array<Level, 6> levels{{{"storage", "sizes, ranges, no repeated vertex in a cell"},
+                                       {"incidence", "neighbors are mutual, facets shared by two, coherent orientation"},
+                                       {"sphere", "closed by the infinite cells, a sphere"},
+                                       {"volume", "every cell has positive volume"},
+                                       {"local convexity", "no vertex inside the sphere of a cell, the hull is convex"},
+                                       {"completeness", "every point is a vertex or a duplicate of one"}}};
+
+ComplexData read(const CheckCommandOptions& options) {
+  ComplexData data = about(options.path, [&] { return read_complex(options.path, options.format); });
+  if (options.points.path.empty()) return data;
+  PointTable table = options.points.read();
+  if (data.num_points() != 0 && data.dimension != table.dimension)
+    throw Error(Errc::bad_dimension, fmt::format("{}: points of dimension {} for a triangulation in dimension {}",
+                                                 options.points.path, table.dimension, data.dimension));
+  data.dimension = table.dimension;
+  data.points = std::move(table.coordinates);
+  return data;
+}
+
+int run_check(const CheckCommandOptions& options) {
+  const ComplexData data = read(options);
+  CheckOptions check_options;
+  check_options.up_to = static_cast<CheckLevel>(options.level);
+  check_options.canonical = options.canonical;
+  const CheckReport report = about(options.path, [&] { return check(data, check_options); });
+
+  std::string text = fmt::format("{}: {} points in dimension {}, affine dimension {}, {} cells\n", options.path,
+                                 data.num_points(), data.dimension, data.affine_dimension, data.num_cells());
+  const auto reached = static_cast<std::size_t>(report.reached);
+  for (std::size_t i = 1; i <= levels.size() && i <= reached; ++i) {
+    const bool failed = !report.ok && i == reached;
+    text += fmt::format("level {}  {:<17}{:<8}{}\n", i, levels[i - 1].name, failed ? "FAILED" : "ok", levels[i - 1].meaning);
+  }
+  if (report.ok) {
+    if (reached >= static_cast<std::size_t>(CheckLevel::local_convexity))
+      text += fmt::format("ties: {} facets between two cells on one sphere\n", report.ties);
+    text += options.level == 6 ? "a Delaunay triangulation of all its points, exactly\n" : "no violation up to this level\n";
+    if (options.canonical) text += "ties are decided as the symbolic perturbation decides them\n";
+  } else {
+    text += fmt::format("violation: {}\n", report.violation);
+  }
+  print_output(text);
+  return report.ok ? exit_status::ok : exit_status::check_failed;
+}
+
+}  // namespace
+
+Run add_check(CLI::App& app) {
+  auto options = std::make_shared<CheckCommandOptions>();
+  app.add_option("COMPLEX", options->path, "A triangulation: .npz, .json or .off")->required()->type_name("");
+  app.add_option("--format", options->format, "Format of COMPLEX, if not told by its extension")
+      ->check(CLI::IsMember(readable_complex_formats()));
+  app.add_option("--level", options->level, "The highest level to check")->check(CLI::Range(1, 6));
+  app.add_flag("--canonical", options->canonical, "Ask also for the choice among ties that delone makes");
+  app.add_option("--points", options->points.path, "Take the points from this file instead")->type_name("FILE");
+  std::string footer = "Levels:\n";
+  for (std::size_t i = 0; i < levels.size(); ++i)
+    footer += fmt::format("  {}  {:<17}{}\n", i + 1, levels[i].name, levels[i].meaning);
+  app.footer(footer + "Exit status: 0 no violation, 1 a violation, which is printed.");
+  return [options] { return run_check(*options); };
+}
+
+}  // namespace delone::cli

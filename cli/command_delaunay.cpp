@@ -1,0 +1,168 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// delone delaunay: points in, triangulation out, and what it cost.
+#include "command.hpp"
+#include "interrupt.hpp"
+#include "output.hpp"
+#include "progress_bar.hpp"
+
+#include <fmt/format.h>
+#include <sys/resource.h>
+#include <nlohmann/json.hpp>
+
+#include <chrono>
+#include <cstdio>
+#include <filesystem>
+#include <map>
+#include <memory>
+
+namespace delone::cli {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+double seconds_since(Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); }
+
+std::size_t peak_rss_bytes() {
+  rusage usage{};
+  getrusage(RUSAGE_SELF, &usage);
+#ifdef __APPLE__
+  return static_cast<std::size_t>(usage.ru_maxrss);
+#else
+  return static_cast<std::size_t>(usage.ru_maxrss) * 1024;
+#endif
+}
+
+struct DelaunayOptions {
+  PointInput input;
+  std::string output, output_format;
+  int threads = 1;
+  std::uint64_t seed = 0;
+  InsertionOrder order = InsertionOrder::automatic;
+  bool stats = false, quiet = false, runtime_dimension = false;
+};
+
+/// The threads that do the work, whatever was asked for: this version builds with one.
+constexpr int threads_used = 1;
+
+struct Seconds {
+  double read = 0, build = 0, write = 0, total = 0;
+};
+
+nlohmann::ordered_json stats_json(const Triangulation& t, const std::string& hash, const Seconds& seconds, std::uint64_t seed) {
+  const Statistics s = t.statistics();
+  const std::size_t num_cells = t.complex().num_cells();
+  nlohmann::ordered_json json;
+  json["command"] = "delaunay";
+  json["dimension"] = t.dimension();
+  json["affine_dimension"] = t.affine_dimension();
+  json["points"] = t.num_points();
+  json["vertices"] = t.num_vertices();
+  json["duplicates"] = t.num_duplicates();
+  json["hidden"] = 0;
+  json["cells"] = t.num_finite_cells();
+  json["infinite_cells"] = t.num_infinite_cells();
+  json["hash"] = hash;
+  json["seconds"] = {{"read", seconds.read},
+                     {"order", s.order_seconds},
+                     {"build", seconds.build - s.order_seconds},
+                     {"write", seconds.write},
+                     {"total", seconds.total}};
+  json["peak_rss_bytes"] = peak_rss_bytes();
+  json["bytes_per_cell"] = num_cells == 0 ? 0.0 : static_cast<double>(s.cell_bytes) / static_cast<double>(num_cells);
+  json["created_cells"] = s.created_cells;
+  json["stages"] = {{"filter", s.filter}, {"direct", s.direct}, {"exact", s.exact}, {"perturbed", s.perturbed}};
+  json["threads"] = threads_used;
+  json["seed"] = seed;
+  json["version"] = DELONE_VERSION;
+  return json;
+}
+
+std::string summary(const Triangulation& t, const std::string& hash, const Seconds& seconds, const std::string& name) {
+  const Statistics s = t.statistics();
+  std::string text =
+      fmt::format("{}: Delaunay triangulation of {} points in dimension {}\n", name, t.num_points(), t.dimension());
+  const auto line = [&](const char* what, const std::string& value) { text += fmt::format("  {:<18}{}\n", what, value); };
+  line("affine dimension", fmt::format("{}{}", t.affine_dimension(),
+                                       t.affine_dimension() < 0               ? " (no points)"
+                                       : t.affine_dimension() < t.dimension() ? " (flat: triangulated inside its flat)"
+                                                                              : ""));
+  line("vertices", fmt::format("{} ({} duplicate points)", t.num_vertices(), t.num_duplicates()));
+  line("cells", fmt::format("{}, and {} hull facets", t.num_finite_cells(), t.num_infinite_cells()));
+  line("hash", hash);
+  line("conflict tests", fmt::format("{} by filter, {} direct, {} exact, {} ties", s.filter, s.direct, s.exact, s.perturbed));
+  line("time", fmt::format("{:.3f} s (reading {:.3f}, ordering {:.3f}, building {:.3f})", seconds.total, seconds.read,
+                           s.order_seconds, seconds.build - s.order_seconds));
+  line("peak memory", fmt::format("{:.1f} MB", static_cast<double>(peak_rss_bytes()) / 1e6));
+  return text;
+}
+
+Triangulation build(const PointTable& table, const DelaunayOptions& options) {
+  ProgressBar bar(options.quiet || options.stats);
+  const StageGuard guard(Stage::building);
+  Options build_options;
+  build_options.seed = options.seed;
+  build_options.order = options.order;
+  build_options.force_runtime_dimension = options.runtime_dimension;
+  build_options.progress = bar.callback();
+  return about(input_name(options.input.path),
+               [&] { return Triangulation(table.coordinates, table.dimension, build_options); });
+}
+
+int run_delaunay(const DelaunayOptions& options) {
+  if (options.stats && options.output == "-") throw UsageError("--stats and --output - both want standard output");
+  const auto start = Clock::now();
+  Seconds seconds;
+  PointTable table = options.input.read();
+  seconds.read = seconds_since(start);
+  if (!options.output.empty()) check_complex_output(options.output, options.output_format, table.dimension);
+  if (options.threads > threads_used && !options.quiet)
+    fmt::print(stderr, "delone: note: this version builds with one thread, not {}\n", options.threads);
+
+  const auto build_start = Clock::now();
+  const Triangulation triangulation = build(table, options);
+  seconds.build = seconds_since(build_start);
+
+  std::string hash;
+  if (options.output.empty()) {
+    table = {};
+    hash = triangulation.hash().hex();
+  } else {
+    const auto write_start = Clock::now();
+    ComplexData data = triangulation.to_data(false);
+    data.points = std::move(table.coordinates);
+    write_complex_output(options.output, data, options.output_format);
+    seconds.write = seconds_since(write_start);
+    if (options.stats) hash = canonical_hash(data).hex();
+  }
+  seconds.total = seconds_since(start);
+  if (options.stats) {
+    print_output(stats_json(triangulation, hash, seconds, options.seed).dump(2) + "\n");
+  } else if (options.output.empty()) {
+    print_output(summary(triangulation, hash, seconds, input_name(options.input.path)));
+  }
+  return exit_status::ok;
+}
+
+}  // namespace
+
+Run add_delaunay(CLI::App& app) {
+  auto options = std::make_shared<DelaunayOptions>();
+  options->input.add_to(app, "IN", "Points: a file, or - for standard input");
+  app.add_option("-o,--output", options->output, "Write the triangulation there; without it a summary is printed")
+      ->type_name("OUT");
+  app.add_option("--output-format", options->output_format, "Format of OUT, if not told by its extension")
+      ->check(CLI::IsMember(complex_formats()));
+  app.add_option("--threads", options->threads, "At most this many threads")->check(CLI::Range(1, 65536));
+  app.add_option("--seed", options->seed, "Seed of the insertion order; the result does not depend on it");
+  app.add_option("--order", options->order, "Insertion order; the result does not depend on it")
+      ->transform(CLI::CheckedTransformer(std::map<std::string, InsertionOrder>{{"automatic", InsertionOrder::automatic},
+                                                                                {"given", InsertionOrder::as_given},
+                                                                                {"shuffled", InsertionOrder::shuffled}})
+                      .description("automatic|given|shuffled"));
+  app.add_flag("--runtime-dimension", options->runtime_dimension, "Use the engine that is not compiled for one dimension");
+  app.add_flag("--stats", options->stats, "Print one JSON object about the result and its cost, and nothing else");
+  app.add_flag("-q,--quiet", options->quiet, "No progress bar, no notes");
+  return [options] { return run_delaunay(*options); };
+}
+
+}  // namespace delone::cli

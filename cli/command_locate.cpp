@@ -1,0 +1,131 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// delone locate: where query points lie in the triangulation of other points, exactly.
+#include "command.hpp"
+#include "interrupt.hpp"
+#include "output.hpp"
+#include "progress_bar.hpp"
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <filesystem>
+#include <memory>
+#include <optional>
+
+namespace delone::cli {
+namespace {
+
+struct LocateOptions {
+  PointInput input, queries;
+  std::string output = "-", output_format;
+  bool quiet = false;
+};
+
+struct Answer {
+  Location::Kind kind;
+  std::int64_t cell;              ///< row of the cell in the files of `delaunay`; −1 outside
+  std::vector<std::size_t> face;  ///< point rows
+};
+
+const char* name_of(Location::Kind kind) {
+  switch (kind) {
+    case Location::Kind::in_cell:
+      return "in_cell";
+    case Location::Kind::on_face:
+      return "on_face";
+    case Location::Kind::on_vertex:
+      return "on_vertex";
+    case Location::Kind::outside_hull:
+      return "outside_hull";
+    case Location::Kind::outside_affine_hull:
+      break;
+  }
+  return "outside_affine_hull";
+}
+
+std::vector<Answer> locate_all(const PointTable& points, const PointTable& queries, const LocateOptions& options) {
+  ProgressBar bar(options.quiet);
+  const StageGuard guard(Stage::building);
+  Options build_options;
+  build_options.progress = bar.callback();
+  const Triangulation t =
+      about(input_name(options.input.path), [&] { return Triangulation(points.coordinates, points.dimension, build_options); });
+  const Complex complex = t.complex();
+  std::vector<std::int64_t> row_of_cell(complex.num_cell_slots(), -1);
+  std::int64_t count = 0;
+  for (const CellId cell : complex.finite_cells()) row_of_cell[index(cell)] = count++;
+
+  const PointsView view(queries.coordinates, queries.dimension);
+  std::vector<Answer> answers;
+  answers.reserve(view.size());
+  std::optional<CellId> hint;
+  for (std::size_t i = 0; i < view.size(); ++i) {
+    if (caught_signal() != 0) throw Error(Errc::cancelled, "interrupted");
+    const Location location = t.locate(view[i], hint);
+    Answer answer{location.kind, -1, {}};
+    if (location.cell != invalid_cell) {
+      answer.cell = row_of_cell[index(location.cell)];
+      hint = location.cell;
+    }
+    for (const VertexId v : location.face) answer.face.push_back(t.row_of(v));
+    std::sort(answer.face.begin(), answer.face.end());
+    answers.push_back(std::move(answer));
+  }
+  return answers;
+}
+
+std::string as_csv(const std::vector<Answer>& answers) {
+  fmt::memory_buffer text;
+  fmt::format_to(std::back_inserter(text), "query,kind,cell,face\n");
+  for (std::size_t i = 0; i < answers.size(); ++i)
+    fmt::format_to(std::back_inserter(text), "{},{},{},{}\n", i, name_of(answers[i].kind), answers[i].cell,
+                   fmt::join(answers[i].face, " "));
+  return fmt::to_string(text);
+}
+
+std::string as_json(const std::vector<Answer>& answers) {
+  nlohmann::ordered_json rows = nlohmann::ordered_json::array();
+  for (std::size_t i = 0; i < answers.size(); ++i)
+    rows.push_back({{"query", i}, {"kind", name_of(answers[i].kind)}, {"cell", answers[i].cell}, {"face", answers[i].face}});
+  return rows.dump(1) + "\n";
+}
+
+int run_locate(const LocateOptions& options) {
+  std::string format = options.output_format;
+  if (format.empty()) format = std::filesystem::path(options.output).extension() == ".json" ? "json" : "csv";
+  check_writable(options.output);
+  if (options.input.path == "-" && options.queries.path == "-") throw UsageError("points and queries both from standard input");
+  const PointTable points = options.input.read(), queries = options.queries.read();
+  if (queries.dimension != points.dimension)
+    throw Error(Errc::bad_dimension, fmt::format("{}: queries of dimension {} for points of dimension {}",
+                                                 input_name(options.queries.path), queries.dimension, points.dimension));
+  const std::vector<Answer> answers = locate_all(points, queries, options);
+  write_text(options.output, format == "json" ? as_json(answers) : as_csv(answers));
+  return exit_status::ok;
+}
+
+}  // namespace
+
+Run add_locate(CLI::App& app) {
+  auto options = std::make_shared<LocateOptions>();
+  options->input.add_to(app, "IN", "Points to triangulate: a file, or - for standard input");
+  app.add_option("--queries", options->queries.path, "Points to locate: a file, or -")->required()->type_name("FILE");
+  app.add_option("--query-format", options->queries.options.format, "Format of the queries, if not told by the extension")
+      ->check(CLI::IsMember(point_formats()));
+  app.add_option("--query-columns", options->queries.options.columns, "Columns of the queries: names, or numbers from 0")
+      ->delimiter(',')
+      ->expected(1)
+      ->type_name("A,B,...");
+  app.add_option("-o,--output", options->output, "Answers: .csv or .json; standard output if not given")->type_name("OUT");
+  app.add_option("--output-format", options->output_format, "csv or json, if not told by the extension of OUT")
+      ->check(CLI::IsMember({"csv", "json"}));
+  app.add_flag("-q,--quiet", options->quiet, "No progress bar");
+  app.footer(
+      "One row for each query: its number, its kind (in_cell, on_face, on_vertex, outside_hull, outside_affine_hull), a cell\n"
+      "that contains it (a row of `cells` as written by `delone delaunay`, -1 if none), and the rows of the points that\n"
+      "span the smallest face that contains it.");
+  return [options] { return run_locate(*options); };
+}
+
+}  // namespace delone::cli

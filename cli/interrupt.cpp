@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Signal handlers: they set flags, lower a resource limit or end the process, all of which is allowed in a handler.
+#include "interrupt.hpp"
+
+#include <sys/resource.h>
+#include <sys/time.h>
+#include <unistd.h>
+
+#include <atomic>
+#include <cerrno>
+#include <csignal>
+
+namespace delone::cli {
+namespace {
+
+std::atomic<int> signal_caught{0};
+std::atomic<Stage> stage_now{Stage::plain};
+static_assert(std::atomic<int>::is_always_lock_free && std::atomic<Stage>::is_always_lock_free);
+
+/// The progress callback gets this long to stop the library.
+constexpr long grace_microseconds = 800000;
+
+/// Lets every further write to a regular file fail with EFBIG (SIGXFSZ is ignored): the writer then takes its ordinary path
+/// for a full disk, which removes the temporary file.
+void refuse_writes() {
+  rlimit limit{};
+  if (getrlimit(RLIMIT_FSIZE, &limit) != 0) return;
+  limit.rlim_cur = 0;
+  setrlimit(RLIMIT_FSIZE, &limit);
+}
+
+extern "C" void on_interrupt(int signal) {
+  const int saved_errno = errno;
+  int none = 0;
+  signal_caught.compare_exchange_strong(none, signal);
+  switch (stage_now.load()) {
+    case Stage::plain:
+      _exit(128 + signal);
+    case Stage::writing:
+      refuse_writes();
+      break;
+    case Stage::building:
+      break;
+  }
+  itimerval timer{};
+  timer.it_value.tv_usec = grace_microseconds;
+  setitimer(ITIMER_REAL, &timer, nullptr);
+  errno = saved_errno;
+}
+
+extern "C" void on_grace_over(int) {
+  if (stage_now.load() != Stage::writing) _exit(128 + signal_caught.load());
+}
+
+void handle(int signal, void (*handler)(int)) {
+  struct sigaction action {};
+  action.sa_handler = handler;
+  action.sa_flags = SA_RESTART;
+  sigemptyset(&action.sa_mask);
+  sigaction(signal, &action, nullptr);
+}
+
+void end_if_caught() {
+  if (const int signal = caught_signal(); signal != 0) _exit(128 + signal);
+}
+
+}  // namespace
+
+void install_interrupt_handlers() {
+  for (const int signal : {SIGINT, SIGTERM}) {
+    struct sigaction present {};
+    sigaction(signal, nullptr, &present);
+    if (present.sa_handler != SIG_IGN) handle(signal, on_interrupt);
+  }
+  handle(SIGALRM, on_grace_over);
+  std::signal(SIGXFSZ, SIG_IGN);
+}
+
+int caught_signal() { return signal_caught.load(); }
+
+StageGuard::StageGuard(Stage stage) {
+  stage_now = stage;
+  end_if_caught();
+}
+
+StageGuard::~StageGuard() { stage_now = Stage::plain; }
+
+}  // namespace delone::cli

@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The command `delone`: picks the sub-command, and turns errors into one line on standard error and an exit status.
+#include "command.hpp"
+#include "interrupt.hpp"
+#include "output.hpp"
+
+#include <fmt/format.h>
+
+#include <cstdio>
+#include <exception>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace delone::cli {
+namespace {
+
+/// Messages are one line whatever they quote.
+int complain(int status, std::string message) {
+  for (char& c : message)
+    if (c == '\n' || c == '\r') c = ' ';
+  fmt::print(stderr, "delone: {}\n", message);
+  return status;
+}
+
+int status_of(Errc code) {
+  return code == Errc::out_of_memory || code == Errc::too_many ? exit_status::out_of_memory : exit_status::bad_input;
+}
+
+int run_parsed(CLI::App& app, const std::vector<std::pair<CLI::App*, Run>>& commands) {
+  for (const auto& [command, run] : commands)
+    if (command->parsed()) return run();
+  print_output(app.help());
+  return exit_status::ok;
+}
+
+int run(int argc, char** argv) {
+  CLI::App app{"Exact Delaunay triangulations of points in any dimension.", "delone"};
+  app.set_version_flag("--version", "delone " DELONE_VERSION);
+  app.set_help_flag("-h,--help", "Print this help and exit");
+  app.get_formatter()->column_width(34);
+  app.require_subcommand(0, 1);
+  std::vector<std::pair<CLI::App*, Run>> commands;
+  const auto add = [&](const char* name, const char* description, Run (*setup)(CLI::App&)) {
+    CLI::App* command = app.add_subcommand(name, description);
+    commands.emplace_back(command, setup(*command));
+  };
+  add("delaunay", "Triangulate points", add_delaunay);
+  add("locate", "Triangulate points, then say where query points lie", add_locate);
+  add("check", "Check a triangulation exactly, whoever made it", add_check);
+  add("generate", "Make a named set of points", add_generate);
+  add("info", "Say what a file of points or a triangulation holds", add_info);
+  app.footer(
+      "Points are read from .npy .csv .tsv .txt .xyz .pts .off .ply files, or in Qhull's form from standard input (-).\n"
+      "Exit status: 0 success, 1 a check failed, 2 bad input or output, 3 out of memory, 64 wrong usage.");
+
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::CallForHelp&) {
+    for (const auto& [command, unused] : commands)
+      if (command->parsed()) return print_output(command->help("delone")), exit_status::ok;
+    return print_output(app.help()), exit_status::ok;
+  } catch (const CLI::CallForVersion& e) {
+    return print_output(std::string(e.what()) + "\n"), exit_status::ok;
+  } catch (const CLI::ParseError& e) {
+    std::string command = "delone";
+    for (const auto& [sub, unused] : commands)
+      if (sub->parsed()) command += " " + sub->get_name();
+    return complain(exit_status::usage, fmt::format("{} (see '{} --help')", e.what(), command));
+  }
+  return run_parsed(app, commands);
+}
+
+int run_and_report(int argc, char** argv) {
+  try {
+    return run(argc, argv);
+  } catch (const UsageError& e) {
+    return complain(exit_status::usage, e.what());
+  } catch (const Error& e) {
+    // Whatever failed after Ctrl-C failed because of it.
+    if (const int signal = caught_signal(); signal != 0) return complain(128 + signal, "interrupted");
+    return complain(status_of(e.code()), e.what());
+  } catch (const std::bad_alloc&) {
+    return complain(exit_status::out_of_memory, "not enough memory");
+  } catch (const std::exception& e) {
+    return complain(exit_status::bad_input, e.what());
+  }
+}
+
+}  // namespace
+}  // namespace delone::cli
+
+int main(int argc, char** argv) {
+  delone::cli::install_interrupt_handlers();
+  return delone::cli::run_and_report(argc, argv);
+}

@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The progress bar: fraction, and the time left as the time so far suggests it.
+#include "progress_bar.hpp"
+
+#include "interrupt.hpp"
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cstdio>
+#include <string>
+
+namespace delone::cli {
+
+ProgressBar::ProgressBar(bool quiet) : enabled_(!quiet && isatty(STDERR_FILENO) == 1), start_(Clock::now()), last_(start_) {}
+
+std::function<bool(double)> ProgressBar::callback() {
+  return [this](double fraction) {
+    if (caught_signal() != 0) return false;
+    if (enabled_) draw(fraction);
+    return true;
+  };
+}
+
+void ProgressBar::draw(double fraction) {
+  const auto now = Clock::now();
+  using namespace std::chrono_literals;
+  if (now - start_ < 500ms || now - last_ < 100ms) return;
+  last_ = now;
+  constexpr int width = 40;
+  fraction = std::clamp(fraction, 0.0, 1.0);
+  const int full = static_cast<int>(fraction * width);
+  const double seconds = std::chrono::duration<double>(now - start_).count();
+  const std::string left = fraction > 0.01 ? fmt::format("{:.0f} s left", seconds / fraction - seconds) : "";
+  fmt::print(stderr, "\r[{:=<{}}{: <{}}] {:3.0f} %  {}\x1b[K", "", full, "", width - full, 100 * fraction, left);
+  std::fflush(stderr);
+  drawn_ = true;
+}
+
+void ProgressBar::clear() {
+  if (drawn_) fmt::print(stderr, "\r\x1b[K");
+  drawn_ = false;
+}
+
+}  // namespace delone::cli
