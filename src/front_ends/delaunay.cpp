@@ -25,6 +25,12 @@ double seconds_since(Clock::time_point start) { return std::chrono::duration<dou
 constexpr Index single_point_links[4] = {1, 1, 0, 0};
 constexpr CellId single_point_cells[2] = {CellId{1}, CellId{0}};
 
+/// Makes sure that one push_back cannot fail, growing geometrically.
+template <class T>
+void reserve_one_more(std::vector<T>& items) {
+  if (items.size() == items.capacity()) items.reserve(2 * items.size() + 2);
+}
+
 /// Calls the user's progress function now and then, and turns its `false` into Errc::cancelled.
 class ProgressMeter {
  public:
@@ -100,7 +106,8 @@ struct Triangulation::Impl {
   /// Inserts the point of a row; points outside the affine hull raise the dimension. `track`: keep cell_of_vertex up to date.
   /// If it throws, nothing has changed.
   Index insert_row(std::size_t row, const double* point, Index start, bool track) {
-    row_of_vertex.reserve(row_of_vertex.size() + 1);
+    reserve_one_more(row_of_vertex);
+    reserve_one_more(cell_of_vertex);
     if (affine_hull.dimension() < dimension) {
       kernel::AffineHull grown = affine_hull;
       if (grown.add(point)) return raise(row, point, std::move(grown));
@@ -112,7 +119,6 @@ struct Triangulation::Impl {
     const Index v = append(point);
     Index at = v;
     try {
-      cell_of_vertex.reserve(v + 1);
       if (!hull->frame().contains(point)) hull->set_frame(frame_with(point, point, 1.0));
       at = hull->insert(v, start);
     } catch (...) {
@@ -123,7 +129,7 @@ struct Triangulation::Impl {
     assign(row, at);
     if (at == v && track) {
       const Complex now = complex();
-      cell_of_vertex.resize(v + 1);
+      cell_of_vertex.resize(v + 1);  // one more: cannot fail
       for (const Index cell : hull->created())
         for (int i = 0; i <= now.dimension(); ++i) cell_of_vertex[index(now.vertex(CellId{cell}, i))] = CellId{cell};
     }
