@@ -37,7 +37,7 @@ Index insert(CellStore<K>& cells, G& geometry, Index v, const typename G::Query&
   effort.visited_cells += found.visited;
   if (found.vertex != invalid_index) return found.vertex;
   find_conflict_zone(cells, geometry, q, found.cell, cells, work.zone, effort.stages);
-  retriangulate(cells, geometry, v, work.zone, work.created);
+  retriangulate(cells, geometry, v, q, work.zone, work.created);
   effort.created_cells += work.created.size();
   return v;
 }

@@ -19,9 +19,12 @@ bool in_conflict_exactly(const CellStore<K>& cells, const G& geometry, Index cel
   return in_conflict_exactly(cells, geometry, cells.neighbors(cell)[infinite_slot], q, counts);
 }
 
+/// The conflict test; `value` becomes h̃(q).
 template <int K, Geometry G>
-bool in_conflict(const CellStore<K>& cells, const G& geometry, Index cell, const typename G::Query& q, kernel::StageCounts& counts) {
-  const Sign side = geometry.filter_side(cell, q);
+bool in_conflict(const CellStore<K>& cells, const G& geometry, Index cell, const typename G::Query& q, double& value,
+                 kernel::StageCounts& counts) {
+  value = geometry.value(cell, q);
+  const Sign side = geometry.filter_side(cell, value, q);
   if (side != Sign::zero) {
     ++counts.filter;
     return side == Sign::negative;

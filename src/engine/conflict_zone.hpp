@@ -14,15 +14,19 @@ namespace delone::engine {
 struct HorizonFacet {
   Index cell;
   int slot;
+  double value;           ///< h̃(q) of the cell of the zone
+  double survivor_value;  ///< h̃(q) of the surviving cell
 };
 
 struct ConflictZone {
   std::vector<Index> cells;           ///< in conflict
+  std::vector<double> values;         ///< h̃(q) of each
   std::vector<HorizonFacet> horizon;  ///< facets to cells that are not
   std::vector<Index> border;          ///< the cells across the horizon, each once
 
   void clear() {
     cells.clear();
+    values.clear();
     horizon.clear();
     border.clear();
   }
@@ -35,20 +39,29 @@ void find_conflict_zone(const CellStore<K>& cells, const G& geometry, const type
                         ConflictZone& zone, kernel::StageCounts& counts) {
   zone.clear();
   zone.cells.push_back(first);
+  zone.values.push_back(geometry.value(first, q));
   marks.set_mark(first, Mark::in_conflict);
   for (std::size_t next = 0; next < zone.cells.size(); ++next) {
     const Index cell = zone.cells[next];
     const Index* neighbors = cells.neighbors(cell);
     for (int i = 0; i <= cells.dimension(); ++i) {
       const Index neighbor = neighbors[i];
-      Mark mark = marks.mark(neighbor);
+      const Mark mark = marks.mark(neighbor);
+      if (mark == Mark::in_conflict) continue;
+      double value;
       if (mark == Mark::unseen) {
-        const bool conflict = in_conflict(cells, geometry, neighbor, q, counts);
-        mark = conflict ? Mark::in_conflict : Mark::not_in_conflict;
-        marks.set_mark(neighbor, mark);
-        (conflict ? zone.cells : zone.border).push_back(neighbor);
+        if (in_conflict(cells, geometry, neighbor, q, value, counts)) {
+          marks.set_mark(neighbor, Mark::in_conflict);
+          zone.cells.push_back(neighbor);
+          zone.values.push_back(value);
+          continue;
+        }
+        marks.set_mark(neighbor, Mark::not_in_conflict);
+        zone.border.push_back(neighbor);
+      } else {
+        value = geometry.value(neighbor, q);
       }
-      if (mark == Mark::not_in_conflict) zone.horizon.push_back({cell, i});
+      zone.horizon.push_back({cell, i, zone.values[next], value});
     }
   }
 }

@@ -10,14 +10,21 @@
 
 namespace delone::engine {
 
+/// One of the two cells on the sides of a facet: its slot, h̃(q), and its vertex opposite the facet.
+struct FacetSide {
+  Index cell;
+  double value;
+  Index opposite;
+};
+
 /// Answers about a query point q and a cell, given as a slot (cached functional) or as its k+1 vertices (exact).
 template <class G>
 concept Geometry = requires(G geometry, const G& known, Index cell, const Index* vertices, int slot, const typename G::Query& q,
-                            kernel::StageCounts& counts, std::size_t size) {
+                            kernel::StageCounts& counts, std::size_t size, double value, FacetSide side) {
   /// Approximately h(q); among finite cells, the smaller the closer to a conflict.
   { known.value(cell, q) } -> std::same_as<double>;
-  /// The certified sign of h(q), or zero: uncertain. Negative: in conflict.
-  { known.filter_side(cell, q) } -> std::same_as<Sign>;
+  /// The certified sign of h(q) from that value, or zero: uncertain. Negative: in conflict.
+  { known.filter_side(cell, value, q) } -> std::same_as<Sign>;
   /// The exact sign of h(q), ties perturbed; zero only if the cell is infinite and q on its hyperplane.
   { known.exact_side(vertices, slot, q, counts) } -> std::same_as<Sign>;
   /// The exact side of facet `slot` of a finite cell that q lies on: positive is the side of the cell.
@@ -28,6 +35,8 @@ concept Geometry = requires(G geometry, const G& known, Index cell, const Index*
   /// Computes what is cached for a new cell; the third argument is the slot of the infinite vertex or −1, the fourth that of a
   /// finite vertex.
   { geometry.create(cell, vertices, slot, slot) };
+  /// The same for a cell that joins q to the facet between a cell in conflict with it and one that is not.
+  { geometry.create_across(cell, vertices, slot, slot, q, side, side) };
 };
 
 }  // namespace delone::engine

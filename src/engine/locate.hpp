@@ -55,24 +55,25 @@ WalkResult walk_exactly(const CellStore<K>& cells, const G& geometry, const type
 template <int K, Geometry G>
 std::pair<bool, WalkResult> descend(const CellStore<K>& cells, const G& geometry, const typename G::Query& q, Index start) {
   WalkResult result{start};
+  double value = geometry.value(start, q);
+  if (geometry.filter_side(start, value, q) == Sign::negative) return {true, result};
   if (geometry.is_infinite(start)) {
-    if (geometry.filter_side(start, q) == Sign::negative) return {true, result};
     result.cell = cells.neighbors(start)[cells.infinite_slot(start)];
+    value = geometry.value(result.cell, q);
+    if (geometry.filter_side(result.cell, value, q) == Sign::negative) return {true, result};
   }
-  double value = geometry.value(result.cell, q);
-  if (geometry.filter_side(result.cell, q) == Sign::negative) return {true, result};
   for (;;) {
     ++result.visited;
     const Index* neighbors = cells.neighbors(result.cell);
     Index best = invalid_index;
     for (int i = 0; i <= cells.dimension(); ++i) {
       const Index neighbor = neighbors[i];
-      if (geometry.filter_side(neighbor, q) == Sign::negative) {
+      const double h = geometry.value(neighbor, q);
+      if (geometry.filter_side(neighbor, h, q) == Sign::negative) {
         result.cell = neighbor;
         return {true, result};
       }
-      if (geometry.is_infinite(neighbor)) continue;
-      if (const double h = geometry.value(neighbor, q); h < value) {
+      if (h < value && !geometry.is_infinite(neighbor)) {
         value = h;
         best = neighbor;
       }

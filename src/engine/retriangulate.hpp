@@ -30,9 +30,11 @@ void glue(CellStore<K>& cells, Index new_cell, Index dead, int base, int slot) {
   }
 }
 
-/// Kills the zone and creates the star of vertex q, whose cells `created` receives. Leaves all cells unmarked. If memory or ids run out it throws before anything has changed but the marks, which are reset.
+/// Kills the zone and creates the star of vertex v at q, whose cells `created` receives. Leaves all cells unmarked. If memory or
+/// ids run out it throws before anything has changed but the marks, which are reset.
 template <int K, Geometry G>
-void retriangulate(CellStore<K>& cells, G& geometry, Index q, const ConflictZone& zone, std::vector<Index>& created) {
+void retriangulate(CellStore<K>& cells, G& geometry, Index v, const typename G::Query& q, const ConflictZone& zone,
+                   std::vector<Index>& created) {
   const int k = cells.dimension();
   const auto unmark = [&] {
     for (const Index cell : zone.cells) cells.set_mark(cell, Mark::unseen);
@@ -48,28 +50,31 @@ void retriangulate(CellStore<K>& cells, G& geometry, Index q, const ConflictZone
   }
 
   created.clear();
-  for (const auto [dead, slot] : zone.horizon) {
+  for (const HorizonFacet& facet : zone.horizon) {
     const Index cell = cells.allocate();
     created.push_back(cell);
-    const Index survivor = cells.neighbors(dead)[slot];
-    const Index* dead_vertices = cells.vertices(dead);
+    const Index survivor = cells.neighbors(facet.cell)[facet.slot];
+    const Index* dead_vertices = cells.vertices(facet.cell);
     Index* vertices = cells.vertices(cell);
     Index* neighbors = cells.neighbors(cell);
     int infinite_slot = -1;
     for (int i = 0; i <= k; ++i) {
-      vertices[i] = i == slot ? q : dead_vertices[i];
+      vertices[i] = i == facet.slot ? v : dead_vertices[i];
       neighbors[i] = invalid_index;
       if (vertices[i] == index(infinite_vertex)) infinite_slot = i;
     }
-    neighbors[slot] = survivor;
-    cells.neighbors(survivor)[cells.slot_of_neighbor(survivor, dead)] = cell;
-    cells.neighbors(dead)[slot] = cell;
-    geometry.create(cell, vertices, infinite_slot, slot);
+    neighbors[facet.slot] = survivor;
+    const int mirror = cells.slot_of_neighbor(survivor, facet.cell);
+    cells.neighbors(survivor)[mirror] = cell;
+    cells.neighbors(facet.cell)[facet.slot] = cell;
+    geometry.create_across(cell, vertices, infinite_slot, facet.slot, q,
+                           {facet.cell, facet.value, dead_vertices[facet.slot]},
+                           {survivor, facet.survivor_value, cells.vertices(survivor)[mirror]});
   }
   for (std::size_t f = 0; f < zone.horizon.size(); ++f) {
-    const auto [dead, base] = zone.horizon[f];
+    const HorizonFacet& facet = zone.horizon[f];
     for (int slot = 0; slot <= k; ++slot)
-      if (cells.neighbors(created[f])[slot] == invalid_index) glue(cells, created[f], dead, base, slot);
+      if (cells.neighbors(created[f])[slot] == invalid_index) glue(cells, created[f], facet.cell, facet.slot, slot);
   }
   unmark();
   for (const Index cell : zone.cells) cells.release(cell);

@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// A functional by elimination, O(k³): for first cells, after a dimension jump, and where the pencil's certificate is too weak.
+#pragma once
+
+#include "geometry/functionals.hpp"
+#include "kernel/determinant.hpp"
+
+#include <algorithm>
+
+namespace delone::geometry {
+
+template <int K>
+template <bool Infinite>
+void Functionals<K>::solve(Index cell, const double* rows, bool positive) {
+  const int n = Infinite ? k() - 1 : k();                // the vertices besides the apex
+  constexpr int N = K > 0 ? (Infinite ? K - 1 : K) : 0;  // n, or 0 when it is not known or no more than that
+  const auto size = static_cast<std::size_t>(k());
+  const auto row_at = [&](int i) { return rows + static_cast<std::ptrdiff_t>(i) * (k() + 1); };
+  double* record = row(cell);
+
+  kernel::Buffer<double, K * K> columns(size * size);
+  kernel::Buffer<int, K> row_of(size);
+  kernel::Buffer<double, K> heights(size);
+  for (int j = 0; j < n; ++j) {
+    for (int r = 0; r < k(); ++r) columns[static_cast<std::size_t>(j * k() + r)] = row_at(j + 1)[r] - rows[r];
+    heights[static_cast<std::size_t>(j)] = Infinite ? 0 : row_at(j + 1)[k()] - rows[k()];
+  }
+  // An image is off by a rounding of a number ≤ 1, twice per difference, and the difference is rounded once more.
+  const kernel::EntryError entry_error{1.01 * kernel::unit_roundoff, 2.02 * kernel::unit_roundoff * std::sqrt(static_cast<double>(k()))};
+  const kernel::CertifiedDeterminant det = kernel::factor<N>(columns.data(), n, k(), entry_error, row_of.data());
+  const double least_determinant = std::fabs(det.value) - det.error;
+  if (!(least_determinant > 0)) {  // too flat to say anything: never certain, and never attractive to a walk
+    constexpr double infinity = std::numeric_limits<double>::infinity();
+    std::fill(record, record + k(), 0.0);
+    record[k()] = infinity;
+    certify(cell, infinity, infinity, 0, Infinite);
+    return;
+  }
+  if constexpr (Infinite) record[k() - 1] = positive == (det.value > 0) ? 1.0 : -1.0;
+  kernel::solve_transposed<N>(columns.data(), n, k(), row_of.data(), heights.data(), record);
+
+  constexpr double lift_weight = Infinite ? 0 : 1;
+  const auto linear_part = [&](const double* x) {
+    double sum = lift_weight * x[k()];
+    for (int r = 0; r < k(); ++r) sum += record[r] * x[r];
+    return sum;
+  };
+  record[k()] = -linear_part(rows);
+
+  double residual = 0;
+  for (int i = 0; i <= n; ++i) residual = std::max(residual, std::fabs(linear_part(row_at(i)) + record[k()]));
+  double magnitude = lift_weight * largest_lift_;
+  for (int r = 0; r <= k(); ++r) magnitude += std::fabs(record[r]);
+  const double rounding = evaluation_error_ * magnitude;
+  const double error = residual + rounding;
+  // Σ|barycentric coordinates| in the box, by Cramer's rule and Hadamard's inequality.
+  const double spread = 1 + 4.5 * std::sqrt(static_cast<double>(n)) * det.norm_product * det.inverse_norm_sum / least_determinant;
+  certify(cell, error * spread + rounding, error, least_determinant, Infinite);
+}
+
+}  // namespace delone::geometry
