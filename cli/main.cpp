@@ -39,7 +39,7 @@ int run(int argc, char** argv) {
   app.set_version_flag("--version", "delone " DELONE_VERSION);
   app.set_help_flag("-h,--help", "Print this help and exit");
   app.get_formatter()->column_width(34);
-  app.require_subcommand(0, 1);
+  app.require_subcommand(1);
   std::vector<std::pair<CLI::App*, Run>> commands;
   const auto add = [&](const char* name, const char* description, Run (*setup)(CLI::App&)) {
     CLI::App* command = app.add_subcommand(name, description);
