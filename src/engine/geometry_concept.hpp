@@ -2,7 +2,7 @@
 // All that the engine asks of geometry. The engine knows vertices and cells by index; geometry knows coordinates.
 #pragma once
 
-#include "kernel/flat.hpp"
+#include "stage_counts.hpp"
 
 #include <delone/types.hpp>
 
@@ -13,7 +13,7 @@ namespace delone::engine {
 /// Answers about a query point q and a cell, given as a slot (cached functional) or as its k+1 vertices (exact).
 template <class G>
 concept Geometry = requires(G geometry, const G& known, Index cell, const Index* vertices, int slot, const typename G::Query& q,
-                            kernel::StageCounts& counts, std::size_t size) {
+                            StageCounts& counts, std::size_t size) {
   /// Approximately h(q); among finite cells, the smaller the closer to a conflict.
   { known.value(cell, q) } -> std::same_as<double>;
   /// The certified sign of h(q), or zero: uncertain. Negative: in conflict.

@@ -76,7 +76,7 @@ class DelaunayGeometry {
 
   /// Stages direct_ to perturbed_: the sign of h(q) for the cell of these k+1 vertices, `infinite_slot` −1 for a finite cell.
   /// Zero only for an infinite cell with q exactly on its hyperplane. REQUIRES that q is none of the vertices.
-  Sign exact_side(const Index* vertices, int infinite_slot, const Query& q, kernel::StageCounts& counts) const {
+  Sign exact_side(const Index* vertices, int infinite_slot, const Query& q, StageCounts& counts) const {
     auto points = gather(vertices);
     const kernel::Flat flat = this->flat();
     if (infinite_slot >= 0) {
@@ -91,7 +91,7 @@ class DelaunayGeometry {
 
   /// The sign of the power of q with respect to the sphere of a finite cell, ties not perturbed.
   Sign unperturbed_side(const Index* vertices, const Query& q) const {
-    kernel::StageCounts uncounted;
+    StageCounts uncounted;
     return kernel::in_sphere<K>(flat(), gather(vertices).data(), q.point, grid_, uncounted);
   }
 

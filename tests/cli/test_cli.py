@@ -8,6 +8,7 @@ import glob
 import itertools
 import json
 import os
+import pty
 import re
 import resource
 import signal
@@ -391,6 +392,31 @@ class Delaunay(Case):
             for name in ("out.npz", "out.json", "out.off"):
                 self.output("delaunay", points, "-o", self.path(name))
                 self.assertIn("level 6", self.output("check", self.path(name), "--canonical"))
+
+
+    def on_terminal(self, *arguments):
+        """What goes to standard error when that is a terminal."""
+        main, terminal = pty.openpty()
+        process = subprocess.Popen([DELONE, *arguments], stdout=subprocess.PIPE, stderr=terminal)
+        os.close(terminal)
+        text = b""
+        try:
+            while chunk := os.read(main, 4096):
+                text += chunk
+        except OSError:  # the other end was closed
+            pass
+        os.close(main)
+        out = process.communicate(timeout=60)[0]
+        self.assertEqual(process.returncode, 0)
+        return text.decode(), out.decode()
+
+    def test_progress_bar(self):
+        points = self.uniform(5, 4000)
+        drawn, out = self.on_terminal("delaunay", points, "--stats")
+        self.assertRegex(drawn, r"\r\[=* *\] +\d+ %")
+        self.assertRegex(drawn, r"\r\x1b\[K\Z")
+        json.loads(out)
+        self.assertEqual(self.on_terminal("delaunay", points, "--stats", "--quiet")[0], "")
 
 
 class Locate(Case):

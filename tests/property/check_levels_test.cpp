@@ -60,7 +60,7 @@ TEST(CheckLevels, LatticesAreAllTies) {
     // A lattice far from the origin, where |x|² leaves binary64.
     expect_correct(test::shifted(test::lattice(d, std::min(side, 12)), {1e8, -3e7, 5e9}, 1.0));
     // And one unit in the last place beside every tie.
-    expect_correct(test::nudged(test::lattice(d, std::min(side, 12)), 4));
+    expect_correct(test::nudged(test::shifted(test::lattice(d, std::min(side, d <= 3 ? 12 : 4)), {1, 3, 2}, 1.0), 4));
   }
 }
 
@@ -73,7 +73,7 @@ TEST(CheckLevels, ZeroOneVectors) {
 TEST(CheckLevels, EveryNamedKind) {
   for (const PointSetKind& kind : point_set_kinds())
     for (int d = 1; d <= 6; ++d) {
-      static constexpr std::size_t usual[] = {2000, 2000, 2000, 500, 150, 60};
+      static constexpr std::size_t usual[] = {1000, 1000, 1000, 300, 100, 40};
       std::vector<double> points;
       try {
         points = make_point_set(kind.name, d, test::scaled_count(usual[d - 1]), 6);
@@ -86,7 +86,7 @@ TEST(CheckLevels, EveryNamedKind) {
 }
 
 TEST(CheckLevels, DegenerateSets) {
-  static constexpr std::size_t usual[] = {500, 500, 300, 150, 60, 30};
+  static constexpr std::size_t usual[] = {400, 400, 200, 100, 50, 24};
   for (int d = 1; d <= 6; ++d)
     for (const PointSet& set : test::degenerate_sets(d, usual[d - 1], 11)) {
       const CheckReport report = expect_correct(set);

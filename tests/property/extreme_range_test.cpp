@@ -67,7 +67,7 @@ TEST_P(ExtremeRangeIn, LargestNumbers) {
 TEST_P(ExtremeRangeIn, MixedExponents) {
   const int d = GetParam();
   for (std::uint64_t seed = 0; seed < test::scaled_count(4); ++seed) {
-    const std::size_t n = std::min<std::size_t>(num_points(), 60);
+    const std::size_t n = std::min<std::size_t>(num_points(), 100 / static_cast<std::size_t>(d));
     expect_correct(test::mixed_exponents(d, n, -1074, 1020, seed));
     expect_correct(test::mixed_exponents(d, n, -60, 60, seed));
     expect_correct(test::mixed_exponents(d, n, -1074, -1000, seed));

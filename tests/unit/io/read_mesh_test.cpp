@@ -93,7 +93,7 @@ TEST_F(ReadPly, BinaryOfEitherOrderAndAllTypes) {
 TEST_F(ReadPly, TruncatedBinary) {
   const std::string bytes = binary_ply(false, 2, binary_data(false));
   const std::size_t vertices_end = bytes.size() - 4;
-  for (std::size_t size = 0; size < vertices_end; ++size)
+  for (std::size_t size = bytes.find("element"); size < vertices_end; ++size)
     expect_error(Errc::bad_format, {"a.ply"}, [&] { read("a.ply", bytes.substr(0, size)); });
   expect_error(Errc::bad_format, {"a.ply"}, [&] { read("a.ply", binary_ply(false, 2000000000, binary_data(false))); });
 }
@@ -115,10 +115,7 @@ TEST_F(ReadPly, Faults) {
   const std::string start = "ply\nformat ascii 1.0\nelement vertex 2\n",
                     xyz = "property float x\nproperty float y\nproperty float z\nend_header\n";
   expect_error(Errc::bad_format, {"expected 2 vertices", "after 1"}, [&] { read("a.ply", start + xyz + "1 2 3\n"); });
-  expect_error(Errc::bad_format, {"a.ply:9", "'q'"}, [&] {
-    read("a.ply", start + xyz + "1 2 3\n\n");
-    read("a.ply", start + xyz + "\n1 q 3\n");
-  });
+  expect_error(Errc::bad_format, {"a.ply:9", "'q'"}, [&] { read("a.ply", start + xyz + "1 2 3\n1 q 3\n"); });
   expect_error(Errc::bad_format, {"no property 'y'", "x, w"},
                [&] { read("a.ply", start + "property float x\nproperty float w\nend_header\n1 2\n1 2\n"); });
   expect_error(Errc::bad_format, {"no property 'red'", "x, y, z"},
