@@ -6,6 +6,7 @@
 
 #include <CLI/CLI.hpp>
 
+#include <cstdint>
 #include <functional>
 #include <new>
 #include <stdexcept>
@@ -57,6 +58,10 @@ struct PointInput {
   void add_to(CLI::App& command, const std::string& name, const std::string& description);
   PointTable read() const;
 };
+
+/// Options shared by several commands: a list of columns, a seed.
+void add_columns(CLI::App& command, const std::string& name, std::vector<std::string>& columns);
+void add_seed(CLI::App& command, std::uint64_t& seed, const std::string& description);
 
 /// The names --format accepts: of points, and of triangulations to write and to read.
 const std::vector<std::string>& point_formats();

@@ -11,8 +11,6 @@
 
 #include <chrono>
 #include <cstdio>
-#include <filesystem>
-#include <map>
 #include <memory>
 
 namespace delone::cli {
@@ -37,7 +35,7 @@ struct DelaunayOptions {
   std::string output, output_format;
   int threads = 1;
   std::uint64_t seed = 0;
-  InsertionOrder order = InsertionOrder::automatic;
+  std::string order = "automatic";
   bool stats = false, quiet = false, runtime_dimension = false;
 };
 
@@ -97,11 +95,12 @@ std::string summary(const Triangulation& t, const std::string& hash, const Secon
 }
 
 Triangulation build(const PointTable& table, const DelaunayOptions& options) {
-  ProgressBar bar(options.quiet || options.stats);
+  ProgressBar bar(options.quiet);
   const StageGuard guard(Stage::building);
   Options build_options;
   build_options.seed = options.seed;
-  build_options.order = options.order;
+  if (options.order == "given") build_options.order = InsertionOrder::as_given;
+  if (options.order == "shuffled") build_options.order = InsertionOrder::shuffled;
   build_options.force_runtime_dimension = options.runtime_dimension;
   build_options.progress = bar.callback();
   return about(input_name(options.input.path),
@@ -153,12 +152,9 @@ Run add_delaunay(CLI::App& app) {
   app.add_option("--output-format", options->output_format, "Format of OUT, if not told by its extension")
       ->check(CLI::IsMember(complex_formats()));
   app.add_option("--threads", options->threads, "At most this many threads")->check(CLI::Range(1, 65536));
-  app.add_option("--seed", options->seed, "Seed of the insertion order; the result does not depend on it");
+  add_seed(app, options->seed, "Seed of the insertion order; the result does not depend on it");
   app.add_option("--order", options->order, "Insertion order; the result does not depend on it")
-      ->transform(CLI::CheckedTransformer(std::map<std::string, InsertionOrder>{{"automatic", InsertionOrder::automatic},
-                                                                                {"given", InsertionOrder::as_given},
-                                                                                {"shuffled", InsertionOrder::shuffled}})
-                      .description("automatic|given|shuffled"));
+      ->check(CLI::IsMember({"automatic", "given", "shuffled"}));
   app.add_flag("--runtime-dimension", options->runtime_dimension, "Use the engine that is not compiled for one dimension");
   app.add_flag("--stats", options->stats, "Print one JSON object about the result and its cost, and nothing else");
   app.add_flag("-q,--quiet", options->quiet, "No progress bar, no notes");

@@ -96,10 +96,7 @@ Run add_info(CLI::App& app) {
   formats.insert(formats.end(), {"npz", "json"});
   app.add_option("--format", options->input.options.format, "Format of FILE, if not told by its extension")
       ->check(CLI::IsMember(formats));
-  app.add_option("--columns", options->input.options.columns, "Columns with the coordinates: names, or numbers from 0")
-      ->delimiter(',')
-      ->expected(1)
-      ->type_name("A,B,...");
+  add_columns(app, "--columns", options->input.options.columns);
   return [options] { return run_info(*options); };
 }
 

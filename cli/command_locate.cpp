@@ -113,10 +113,7 @@ Run add_locate(CLI::App& app) {
   app.add_option("--queries", options->queries.path, "Points to locate: a file, or -")->required()->type_name("FILE");
   app.add_option("--query-format", options->queries.options.format, "Format of the queries, if not told by the extension")
       ->check(CLI::IsMember(point_formats()));
-  app.add_option("--query-columns", options->queries.options.columns, "Columns of the queries: names, or numbers from 0")
-      ->delimiter(',')
-      ->expected(1)
-      ->type_name("A,B,...");
+  add_columns(app, "--query-columns", options->queries.options.columns);
   app.add_option("-o,--output", options->output, "Answers: .csv or .json; standard output if not given")->type_name("OUT");
   app.add_option("--output-format", options->output_format, "csv or json, if not told by the extension of OUT")
       ->check(CLI::IsMember({"csv", "json"}));

@@ -9,6 +9,7 @@
 #include <atomic>
 #include <cerrno>
 #include <csignal>
+#include <exception>
 
 namespace delone::cli {
 namespace {
@@ -83,6 +84,9 @@ StageGuard::StageGuard(Stage stage) {
   end_if_caught();
 }
 
-StageGuard::~StageGuard() { stage_now = Stage::plain; }
+StageGuard::~StageGuard() {
+  // A build that finished just before it could be stopped; a file that was finished is kept.
+  if (stage_now.exchange(Stage::plain) == Stage::building && std::uncaught_exceptions() == 0) end_if_caught();
+}
 
 }  // namespace delone::cli

@@ -17,7 +17,8 @@ void install_interrupt_handlers();
 /// The signal caught so far, or 0.
 int caught_signal();
 
-/// Enters a stage for the life of the object, back to `plain` after it. A signal that came in before ends the process here.
+/// Enters a stage for the life of the object, back to `plain` after it. A signal that came in before, or too late for the
+/// progress callback, ends the process here.
 class StageGuard {
  public:
   explicit StageGuard(Stage stage);

@@ -27,11 +27,10 @@ int status_of(Errc code) {
   return code == Errc::out_of_memory || code == Errc::too_many ? exit_status::out_of_memory : exit_status::bad_input;
 }
 
-int run_parsed(CLI::App& app, const std::vector<std::pair<CLI::App*, Run>>& commands) {
+int run_parsed(const std::vector<std::pair<CLI::App*, Run>>& commands) {
   for (const auto& [command, run] : commands)
     if (command->parsed()) return run();
-  print_output(app.help());
-  return exit_status::ok;
+  return exit_status::usage;  // not reached: the parser requires a sub-command
 }
 
 int run(int argc, char** argv) {
@@ -39,7 +38,7 @@ int run(int argc, char** argv) {
   app.set_version_flag("--version", "delone " DELONE_VERSION);
   app.set_help_flag("-h,--help", "Print this help and exit");
   app.get_formatter()->column_width(34);
-  app.require_subcommand(0, 1);
+  app.require_subcommand(1);
   std::vector<std::pair<CLI::App*, Run>> commands;
   const auto add = [&](const char* name, const char* description, Run (*setup)(CLI::App&)) {
     CLI::App* command = app.add_subcommand(name, description);
@@ -68,7 +67,7 @@ int run(int argc, char** argv) {
       if (sub->parsed()) command += " " + sub->get_name();
     return complain(exit_status::usage, fmt::format("{} (see '{} --help')", e.what(), command));
   }
-  return run_parsed(app, commands);
+  return run_parsed(commands);
 }
 
 int run_and_report(int argc, char** argv) {

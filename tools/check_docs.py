@@ -93,14 +93,13 @@ def matches(expected, actual):
     return re.fullmatch("".join(lines), actual.rstrip("\n") + "\n") is not None
 
 
-def check_blocks(path, build, compiler):
-    """Runs the marked blocks of a file; returns how many."""
+def check_blocks(path, build, compiler, faults):
+    """Runs the marked blocks of a file; returns how many, and adds what is wrong to `faults`."""
     text = path.read_text(encoding="utf-8")
     count, output = 0, None
     with tempfile.TemporaryDirectory(prefix="delone_docs_") as scratch:
         runner = None
         for block in BLOCK.finditer(text):
-            place = f"{path.relative_to(ROOT)}:{line_of(text, block.start())}"
             try:
                 if block["mark"] == "output":
                     if output is None:
@@ -108,16 +107,17 @@ def check_blocks(path, build, compiler):
                     if not matches(block["body"], output):
                         raise DocsError(f"the output is not what is documented.\n--- documented\n{block['body']}--- actual\n{output}")
                     continue
+                count += 1
+                output = ""
                 runner = runner or Runner(build, compiler, pathlib.Path(scratch))
                 status, output = runner.run(block["language"], block["body"])
                 if status != int(block["status"] or 0):
                     raise DocsError(f"ended with exit status {status}, expected {block['status'] or 0}\n{output}")
-                count += 1
-            except DocsError as error:
-                raise DocsError(f"{place}: {error}") from None
-        marks = len(re.findall(r"^<!-- (?:run|output)\b", text, re.M))
-        if marks != len(BLOCK.findall(text)):
-            raise DocsError(f"{path.relative_to(ROOT)}: {marks} marks but {len(BLOCK.findall(text))} marked blocks")
+            except (DocsError, subprocess.TimeoutExpired) as error:
+                faults.append(f"{path.relative_to(ROOT)}:{line_of(text, block.start())}: {error}")
+        marks, blocks = len(re.findall(r"^<!-- (?:run|output)\b", text, re.M)), len(BLOCK.findall(text))
+        if marks != blocks:
+            faults.append(f"{path.relative_to(ROOT)}: {marks} marks but {blocks} marked blocks")
     return count
 
 
@@ -158,10 +158,7 @@ def main():
     faults, blocks = [], 0
     for path in documents():
         faults += broken_links(path)
-        try:
-            blocks += check_blocks(path, arguments.build.resolve(), arguments.compiler)
-        except DocsError as error:
-            faults.append(str(error))
+        blocks += check_blocks(path, arguments.build.resolve(), arguments.compiler, faults)
     if blocks == 0 and not faults:
         faults.append("no runnable block was found: the marks have changed")
     for fault in faults:

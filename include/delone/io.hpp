@@ -31,7 +31,8 @@ struct ReadOptions {
 ///           supported, rows are plain coordinates; '#' comments
 ///   off     OFF / nOFF / COFF vertices    ply  ascii and binary, the properties x, y, z
 ///   qhull   dimension, count, rows (rbox's output; the rest of the first line is a comment)
-/// Errors: cannot_open; bad_format with "FILE:LINE: …" or "FILE: row N: …"; unsupported.
+/// Errors: cannot_open; bad_format with "FILE:LINE: …" or "FILE: row N: …"; not_finite with rows(); bad_dimension for
+/// dimension 0; unsupported; out_of_memory.
 PointTable read_points(const std::string& path, const ReadOptions& options = {});
 
 /// Writes a triangulation; the format is `format` or the extension of the path:
@@ -41,7 +42,8 @@ PointTable read_points(const std::string& path, const ReadOptions& options = {})
 ///   json  the same members as npz
 ///   svg   d = 2: a picture        txt  Qhull's `i` form: number of cells, then one line of point rows per cell
 ///   npy   the cells array only
-/// The file appears whole or not at all (written beside, then renamed). Errors: cannot_write, unsupported.
+/// The file appears whole or not at all (written beside, then renamed). "-" is standard output, for the text formats; txt
+/// unless `format` says otherwise. Errors: cannot_write, unsupported; invalid_argument where the arrays disagree.
 void write_complex(const std::string& path, const ComplexData& data, const std::string& format = {});
 
 /// Reads a triangulation back: npz (ours; also any .npz with `points` and `cells` or `simplices`), json, off/nOFF.

@@ -19,7 +19,7 @@ namespace delone::engine {
 struct Effort {
   std::uint64_t created_cells = 0;
   std::uint64_t visited_cells = 0;
-  kernel::StageCounts stages;
+  StageCounts stages;
 };
 
 /// Memory that insertions reuse.

@@ -12,7 +12,7 @@ namespace delone::engine {
 /// REQUIRES that q is none of the vertices of the cell, nor of the finite neighbor of an infinite cell.
 template <int K, Geometry G>
 bool in_conflict_exactly(const CellStore<K>& cells, const G& geometry, Index cell, const typename G::Query& q,
-                         kernel::StageCounts& counts) {
+                         StageCounts& counts) {
   const int infinite_slot = cells.infinite_slot(cell);
   const Sign side = geometry.exact_side(cells.vertices(cell), infinite_slot, q, counts);
   if (side != Sign::zero) return side == Sign::negative;
@@ -22,7 +22,7 @@ bool in_conflict_exactly(const CellStore<K>& cells, const G& geometry, Index cel
 /// The conflict test; `value` becomes h̃(q).
 template <int K, Geometry G>
 bool in_conflict(const CellStore<K>& cells, const G& geometry, Index cell, const typename G::Query& q, double& value,
-                 kernel::StageCounts& counts) {
+                 StageCounts& counts) {
   value = geometry.value(cell, q);
   const Sign side = geometry.filter_side(cell, value, q);
   if (side != Sign::zero) {

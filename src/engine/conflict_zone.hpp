@@ -36,7 +36,7 @@ struct ConflictZone {
 /// cells of `zone.cells` and `zone.border` stay marked. REQUIRES that no vertex is at q.
 template <int K, Geometry G, class Marks>
 void find_conflict_zone(const CellStore<K>& cells, const G& geometry, const typename G::Query& q, Index first, Marks& marks,
-                        ConflictZone& zone, kernel::StageCounts& counts) {
+                        ConflictZone& zone, StageCounts& counts) {
   zone.clear();
   zone.cells.push_back(first);
   zone.values.push_back(geometry.value(first, q));

@@ -2,7 +2,8 @@
 // All that the engine asks of geometry. The engine knows vertices and cells by index; geometry knows coordinates.
 #pragma once
 
-#include "kernel/flat.hpp"
+#include "facet_side.hpp"
+#include "stage_counts.hpp"
 
 #include <delone/types.hpp>
 
@@ -10,17 +11,10 @@
 
 namespace delone::engine {
 
-/// One of the two cells on the sides of a facet: its slot, h̃(q), and its vertex opposite the facet.
-struct FacetSide {
-  Index cell;
-  double value;
-  Index opposite;
-};
-
 /// Answers about a query point q and a cell, given as a slot (cached functional) or as its k+1 vertices (exact).
 template <class G>
 concept Geometry = requires(G geometry, const G& known, Index cell, const Index* vertices, int slot, const typename G::Query& q,
-                            kernel::StageCounts& counts, std::size_t size, double value, FacetSide side) {
+                            StageCounts& counts, std::size_t size, double value, FacetSide side) {
   /// Approximately h(q); among finite cells, the smaller the closer to a conflict.
   { known.value(cell, q) } -> std::same_as<double>;
   /// The certified sign of h(q) from that value, or zero: uncertain. Negative: in conflict.

@@ -25,7 +25,7 @@ struct WalkResult {
 /// infinite cell whose hull facet has q strictly beyond it.
 template <int K, Geometry G>
 WalkResult walk_exactly(const CellStore<K>& cells, const G& geometry, const typename G::Query& q, Index start,
-                        bool stop_at_conflict, kernel::StageCounts& counts) {
+                        bool stop_at_conflict, StageCounts& counts) {
   WalkResult result{start};
   if (const int slot = cells.infinite_slot(start); slot >= 0 && !stop_at_conflict) result.cell = cells.neighbors(start)[slot];
   for (;;) {
@@ -85,7 +85,7 @@ std::pair<bool, WalkResult> descend(const CellStore<K>& cells, const G& geometry
 
 /// A cell in conflict with q, or the vertex at q.
 template <int K, Geometry G>
-WalkResult locate(const CellStore<K>& cells, const G& geometry, const typename G::Query& q, Index start, kernel::StageCounts& counts) {
+WalkResult locate(const CellStore<K>& cells, const G& geometry, const typename G::Query& q, Index start, StageCounts& counts) {
   const auto [certified, descent] = descend(cells, geometry, q, start);
   if (certified) return descent;
   WalkResult result = walk_exactly(cells, geometry, q, descent.cell, true, counts);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Triangulation: points to vertices, affine dimensions, duplicates, rows; the engine does the rest.
+#include "front_ends/canonical_hash.hpp"
 #include "front_ends/dispatch.hpp"
 #include "kernel/predicates.hpp"
 #include "order/insertion_order.hpp"
@@ -9,6 +10,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <limits>
 #include <new>
 #include <numeric>
 #include <string>
@@ -413,7 +415,22 @@ ComplexData Triangulation::to_data(bool with_points) const {
   return data;
 }
 
-CanonicalHash Triangulation::hash() const { return canonical_hash(to_data()); }
+CanonicalHash Triangulation::hash() const {
+  std::vector<front_ends::PointTag> tags{{}};  // by vertex id
+  tags.reserve(num_vertices() + 1);
+  front_ends::HashAccumulator hash;
+  for (Index v = 1; v <= num_vertices(); ++v) {
+    tags.push_back(front_ends::point_tag(impl_->points.point(v), dimension()));
+    hash.add_vertex(tags.back());
+  }
+  const Complex now = complex();
+  for (const CellId c : now.finite_cells()) {
+    front_ends::PointTag sum;
+    for (int i = 0; i <= now.dimension(); ++i) sum += tags[index(now.vertex(c, i))];
+    hash.add_cell(sum);
+  }
+  return hash.finish(dimension(), affine_dimension());
+}
 
 Statistics Triangulation::statistics() const {
   Statistics s = impl_->statistics;

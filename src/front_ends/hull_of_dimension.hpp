@@ -66,7 +66,7 @@ class HullOfDimension final : public Hull {
   std::span<const Index> created() const override { return work_.created; }
 
   HullLocation locate(const double* query, Index start) const override {
-    kernel::StageCounts uncounted;
+    StageCounts uncounted;
     const Query q = geometry_.make_query(query);
     const Index near = engine::descend(cells_, geometry_, q, start == invalid_index ? last_ : start).second.cell;
     const engine::WalkResult found = engine::walk_exactly(cells_, geometry_, q, near, false, uncounted);
@@ -82,7 +82,7 @@ class HullOfDimension final : public Hull {
   }
 
   std::vector<CellId> conflict_zone(const double* query, Index start) const override {
-    kernel::StageCounts uncounted;
+    StageCounts uncounted;
     const Query q = geometry_.make_query(query);
     const engine::WalkResult found = engine::locate(cells_, geometry_, q, start == invalid_index ? last_ : start, uncounted);
     if (found.vertex != invalid_index) return {};

@@ -18,7 +18,7 @@ namespace delone::geometry {
 
 template <int K>
 template <class ValueAtVertex>
-bool Functionals<K>::combine(Index cell, const Side& dead, const Side& survivor, const double* q_image, double q_lift,
+bool Functionals<K>::combine(Index cell, const FacetSide& dead, const FacetSide& survivor, const double* q_image, double q_lift,
                              ValueAtVertex&& value_at_vertex) {
   constexpr double slack = 0x1p-40;  // covers the few roundings of positive quantities
   if (!spheres_) return false;

@@ -3,7 +3,6 @@
 // (stage filter_) to the exact stages. A point q is in conflict with a cell iff h(q) < 0.
 #pragma once
 
-#include "engine/geometry_concept.hpp"
 #include "geometry/frame.hpp"
 #include "geometry/functionals.hpp"
 #include "kernel/stages.hpp"
@@ -73,7 +72,7 @@ class DelaunayGeometry {
 
   /// Stages direct_ to perturbed_: the sign of h(q) for the cell of these k+1 vertices, `infinite_slot` −1 for a finite cell.
   /// Zero only for an infinite cell with q exactly on its hyperplane. REQUIRES that q is none of the vertices.
-  Sign exact_side(const Index* vertices, int infinite_slot, const Query& q, kernel::StageCounts& counts) const {
+  Sign exact_side(const Index* vertices, int infinite_slot, const Query& q, StageCounts& counts) const {
     auto points = gather(vertices);
     const kernel::Flat flat = this->flat();
     if (infinite_slot >= 0) {
@@ -88,7 +87,7 @@ class DelaunayGeometry {
 
   /// The sign of the power of q with respect to the sphere of a finite cell, ties not perturbed.
   Sign unperturbed_side(const Index* vertices, const Query& q) const {
-    kernel::StageCounts uncounted;
+    StageCounts uncounted;
     return kernel::in_sphere<K>(flat(), gather(vertices).data(), q.point, grid_, uncounted);
   }
 
@@ -106,8 +105,8 @@ class DelaunayGeometry {
   void create(Index cell, const Index* vertices, int infinite_slot, int apex);
 
   /// The same for a cell that joins q, in slot `apex`, to the facet between a dead cell and a survivor.
-  void create_across(Index cell, const Index* vertices, int infinite_slot, int apex, const Query& q, const engine::FacetSide& dead,
-                     const engine::FacetSide& survivor);
+  void create_across(Index cell, const Index* vertices, int infinite_slot, int apex, const Query& q, const FacetSide& dead,
+                     const FacetSide& survivor);
 
  private:
   int axis(int r) const { return axes_[static_cast<std::size_t>(r)]; }
@@ -153,12 +152,9 @@ void DelaunayGeometry<K>::create(Index cell, const Index* vertices, int infinite
 
 template <int K>
 void DelaunayGeometry<K>::create_across(Index cell, const Index* vertices, int infinite_slot, int apex, const Query& q,
-                                        const engine::FacetSide& dead, const engine::FacetSide& survivor) {
-  using Side = typename Functionals<K>::Side;
+                                        const FacetSide& dead, const FacetSide& survivor) {
   const auto value_at_vertex = [&](Index at, Index vertex) { return value(at, make_query(point(vertex))); };
-  const bool combined = q.in_frame && functionals_.combine(cell, Side{dead.cell, dead.value, dead.opposite},
-                                                           Side{survivor.cell, survivor.value, survivor.opposite}, q.image.data(),
-                                                           q.lift, value_at_vertex);
+  const bool combined = q.in_frame && functionals_.combine(cell, dead, survivor, q.image.data(), q.lift, value_at_vertex);
   if (!combined) create(cell, vertices, infinite_slot, apex);
 }
 

@@ -8,6 +8,7 @@
 // Knows images and lifts; neither vertices nor exact arithmetic. Proofs: docs/predicates.md, "The filter" and "The pencil".
 #pragma once
 
+#include "facet_side.hpp"
 #include "geometry/frame.hpp"
 #include "geometry/record.hpp"
 #include "kernel/buffer.hpp"
@@ -49,19 +50,11 @@ class Functionals {
   template <bool Infinite>
   void solve(Index cell, const double* rows, bool positive);
 
-  /// A cell on one side of a facet, the value of its functional at the point q that the new cell joins to the facet, and the
-  /// vertex opposite the facet.
-  struct Side {
-    Index cell;
-    double value;
-    Index opposite;
-  };
-
   /// Computes a functional from those of the cells on the two sides of a facet, the first in conflict with q: the functionals
   /// that vanish on the facet are a pencil, and the new one is its member that vanishes at q. `value_at_vertex(cell, v)` is
   /// the functional of a cell at a vertex. False, and nothing done, if the certificate would be too weak.
   template <class ValueAtVertex>
-  bool combine(Index cell, const Side& dead, const Side& survivor, const double* q_image, double q_lift,
+  bool combine(Index cell, const FacetSide& dead, const FacetSide& survivor, const double* q_image, double q_lift,
                ValueAtVertex&& value_at_vertex);
 
  private:

@@ -1,10 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Which coordinates a predicate looks at, and how its stages are counted.
+// Which coordinates a predicate looks at.
 #pragma once
 
-#include <delone/types.hpp>
-
-#include <cstdint>
 #include <span>
 
 namespace delone::kernel {
@@ -16,14 +13,6 @@ struct Flat {
   int ambient = 0;
   std::span<const int> axes;
   int dimension() const { return static_cast<int>(axes.size()); }
-};
-
-/// How often each stage of the conflict predicate decided.
-struct StageCounts {
-  std::uint64_t filter = 0;
-  std::uint64_t direct = 0;
-  std::uint64_t exact = 0;
-  std::uint64_t perturbed = 0;
 };
 
 }  // namespace delone::kernel

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Points → the order in which to insert them: random rounds, each sorted along a Hilbert curve; and exact duplicates.
+// Points → the order in which to insert them: random rounds, each sorted along a Hilbert curve.
 // Knows coordinates only.
 #pragma once
 
@@ -26,8 +26,5 @@ std::vector<Index> shuffled_order(std::size_t n, std::uint64_t seed);
 /// rounds of brio_order() start with different axes instead.
 /// REQUIRES 0 ≤ first_axis < d. O(m log m) expected; memory O(m·d) for d ≤ 4, O(m) beyond.
 void hilbert_sort(PointsView points, std::span<Index> rows, int first_axis = 0);
-
-/// For each row the lowest row with equal coordinates (itself when there is none lower). −0 equals +0. O(n) expected.
-std::vector<Index> first_equal_rows(PointsView points);
 
 }  // namespace delone::order

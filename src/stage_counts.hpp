@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// How often each stage of the conflict predicate decided.
+#pragma once
+
+#include <cstdint>
+
+namespace delone {
+
+struct StageCounts {
+  std::uint64_t filter = 0;
+  std::uint64_t direct = 0;
+  std::uint64_t exact = 0;
+  std::uint64_t perturbed = 0;
+};
+
+}  // namespace delone
