@@ -3,6 +3,8 @@
 // Neighbor i is across the facet opposite vertex i. Cells are coherently oriented.
 #pragma once
 
+#include "growable_array.hpp"
+
 #include <delone/error.hpp>
 #include <delone/types.hpp>
 
@@ -52,7 +54,7 @@ class CellStore {
     const std::size_t slots = num_slots_ + fresh;
     if (slots > capacity_) {
       const std::size_t grown = std::min<std::size_t>(std::max(slots, capacity_ + capacity_ / 2 + 64), max_index);
-      links_.resize(grown * stride());
+      links_.reserve(grown * stride());
       marks_.resize(grown, Mark::unseen);
       capacity_ = grown;
     }
@@ -89,7 +91,7 @@ class CellStore {
   int dimension_;
   Index num_slots_ = 0;
   std::size_t capacity_ = 0;
-  std::vector<Index> links_;
+  GrowableArray<Index> links_;
   std::vector<Mark> marks_;
   std::vector<Index> vacant_;
 };

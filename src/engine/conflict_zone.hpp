@@ -4,7 +4,9 @@
 #pragma once
 
 #include "engine/conflict.hpp"
+#include "growable_array.hpp"
 
+#include <algorithm>
 #include <unordered_map>
 #include <vector>
 
@@ -18,52 +20,74 @@ struct HorizonFacet {
   double survivor_value;  ///< h̃(q) of the surviving cell
 };
 
+/// Reused from insertion to insertion: the arrays only grow.
 struct ConflictZone {
-  std::vector<Index> cells;           ///< in conflict
-  std::vector<double> values;         ///< h̃(q) of each
-  std::vector<HorizonFacet> horizon;  ///< facets to cells that are not
-  std::vector<Index> border;          ///< the cells across the horizon, each once
+  std::size_t num_cells = 0;
+  std::size_t num_facets = 0;
+  GrowableArray<Index> cells;           ///< in conflict
+  GrowableArray<double> values;         ///< h̃(q) of each
+  GrowableArray<HorizonFacet> horizon;  ///< facets to cells that are not
+  std::vector<Index> marked;            ///< cells not in conflict that are marked so, as it took the exact stages to know
 
-  void clear() {
-    cells.clear();
-    values.clear();
-    horizon.clear();
-    border.clear();
+  /// Makes room for `more` cells and as many facets.
+  void reserve(std::size_t more) {
+    if (num_cells + more > std::min(cells.capacity(), values.capacity())) {
+      cells.reserve(2 * (num_cells + more));
+      values.reserve(2 * (num_cells + more));
+    }
+    if (num_facets + more > horizon.capacity()) horizon.reserve(2 * (num_facets + more));
   }
 };
 
 /// Fills `zone` from a cell in conflict. Marks: mark(cell) and set_mark(cell, mark); all cells must be unseen before, and the
-/// cells of `zone.cells` and `zone.border` stay marked. REQUIRES that no vertex is at q.
+/// cells of the zone and of `zone.marked` stay marked. REQUIRES that no vertex is at q.
+///
+/// The functional of a neighbor is evaluated at every visit, and both lists are written at every visit but only one of them
+/// advances: cheaper than branches that depend on the data.
 template <int K, Geometry G, class Marks>
 void find_conflict_zone(const CellStore<K>& cells, const G& geometry, const typename G::Query& q, Index first, Marks& marks,
                         ConflictZone& zone, StageCounts& counts) {
-  zone.clear();
-  zone.cells.push_back(first);
-  zone.values.push_back(geometry.value(first, q));
+  const int facets = cells.dimension() + 1;
+  zone.num_cells = zone.num_facets = 0;
+  zone.marked.clear();
+  zone.reserve(1);
+  zone.cells[0] = first;
+  zone.values[0] = geometry.value(first, q);
+  zone.num_cells = 1;
   marks.set_mark(first, Mark::in_conflict);
-  for (std::size_t next = 0; next < zone.cells.size(); ++next) {
+  std::uint64_t filtered = 0;
+  for (std::size_t next = 0; next < zone.num_cells; ++next) {
+    zone.reserve(static_cast<std::size_t>(facets));
     const Index cell = zone.cells[next];
     const Index* neighbors = cells.neighbors(cell);
-    for (int i = 0; i <= cells.dimension(); ++i) {
+    const double value = zone.values[next];
+    for (int i = 0; i < facets; ++i) {
       const Index neighbor = neighbors[i];
+      const double neighbor_value = geometry.value(neighbor, q);
+      const Sign side = geometry.filter_side(neighbor, neighbor_value, q);
       const Mark mark = marks.mark(neighbor);
-      if (mark == Mark::in_conflict) continue;
-      double value;
-      if (mark == Mark::unseen) {
-        if (in_conflict(cells, geometry, neighbor, q, value, counts)) {
-          marks.set_mark(neighbor, Mark::in_conflict);
-          zone.cells.push_back(neighbor);
-          zone.values.push_back(value);
-          continue;
+      bool conflict = side == Sign::negative;
+      if (side == Sign::zero) [[unlikely]] {
+        conflict = mark == Mark::in_conflict;
+        if (mark == Mark::unseen) {
+          conflict = in_conflict_exactly(cells, geometry, neighbor, q, counts);
+          if (!conflict) {
+            zone.marked.push_back(neighbor);
+            marks.set_mark(neighbor, Mark::not_in_conflict);
+          }
         }
-        marks.set_mark(neighbor, Mark::not_in_conflict);
-        zone.border.push_back(neighbor);
-      } else {
-        value = geometry.value(neighbor, q);
       }
-      zone.horizon.push_back({cell, i, zone.values[next], value});
+      const bool fresh = conflict && mark == Mark::unseen;
+      filtered += side != Sign::zero;
+      zone.cells[zone.num_cells] = neighbor;
+      zone.values[zone.num_cells] = neighbor_value;
+      zone.num_cells += fresh;
+      zone.horizon[zone.num_facets] = {cell, i, value, neighbor_value};
+      zone.num_facets += !conflict;
+      if (fresh) marks.set_mark(neighbor, Mark::in_conflict);
     }
   }
+  counts.filter += filtered;
 }
 
 /// Marks kept outside the cells, for queries that must not change them.

@@ -37,22 +37,22 @@ void retriangulate(CellStore<K>& cells, G& geometry, Index v, const typename G::
                    std::vector<Index>& created) {
   const int k = cells.dimension();
   const auto unmark = [&] {
-    for (const Index cell : zone.cells) cells.set_mark(cell, Mark::unseen);
-    for (const Index cell : zone.border) cells.set_mark(cell, Mark::unseen);
+    for (std::size_t i = 0; i < zone.num_cells; ++i) cells.set_mark(zone.cells[i], Mark::unseen);
+    for (const Index cell : zone.marked) cells.set_mark(cell, Mark::unseen);
   };
   try {
-    created.reserve(zone.horizon.size());
-    cells.reserve_vacancies(zone.cells.size());
-    geometry.reserve_cells(cells.reserve(zone.horizon.size()));
+    created.resize(zone.num_facets);
+    cells.reserve_vacancies(zone.num_cells);
+    geometry.reserve_cells(cells.reserve(zone.num_facets));
   } catch (...) {
     unmark();
     throw;
   }
 
-  created.clear();
-  for (const HorizonFacet& facet : zone.horizon) {
+  for (std::size_t f = 0; f < zone.num_facets; ++f) {
+    const HorizonFacet& facet = zone.horizon[f];
     const Index cell = cells.allocate();
-    created.push_back(cell);
+    created[f] = cell;
     const Index survivor = cells.neighbors(facet.cell)[facet.slot];
     const Index* dead_vertices = cells.vertices(facet.cell);
     Index* vertices = cells.vertices(cell);
@@ -71,13 +71,13 @@ void retriangulate(CellStore<K>& cells, G& geometry, Index v, const typename G::
                            {facet.cell, facet.value, dead_vertices[facet.slot]},
                            {survivor, facet.survivor_value, cells.vertices(survivor)[mirror]});
   }
-  for (std::size_t f = 0; f < zone.horizon.size(); ++f) {
+  for (std::size_t f = 0; f < zone.num_facets; ++f) {
     const HorizonFacet& facet = zone.horizon[f];
     for (int slot = 0; slot <= k; ++slot)
       if (cells.neighbors(created[f])[slot] == invalid_index) glue(cells, created[f], facet.cell, facet.slot, slot);
   }
   unmark();
-  for (const Index cell : zone.cells) cells.release(cell);
+  for (std::size_t i = 0; i < zone.num_cells; ++i) cells.release(zone.cells[i]);
 }
 
 }  // namespace delone::engine

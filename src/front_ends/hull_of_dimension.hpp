@@ -58,7 +58,7 @@ class HullOfDimension final : public Hull {
     const Index at = engine::insert(cells_, geometry_, v, geometry_.make_query(points_.point(v)), from, work_, effort_);
     if (at == v) {
       for (const Index cell : work_.created) num_infinite_ += geometry_.is_infinite(cell) ? 1 : 0;
-      for (const Index cell : work_.zone.cells) num_infinite_ -= geometry_.is_infinite(cell) ? 1 : 0;
+      for (std::size_t i = 0; i < work_.zone.num_cells; ++i) num_infinite_ -= geometry_.is_infinite(work_.zone.cells[i]) ? 1 : 0;
       last_ = work_.created.back();
     }
     return at;
@@ -90,7 +90,7 @@ class HullOfDimension final : public Hull {
     engine::ConflictZone zone;
     engine::find_conflict_zone(cells_, geometry_, q, found.cell, marks, zone, uncounted);
     std::vector<CellId> result;
-    for (const Index cell : zone.cells) result.push_back(CellId{cell});
+    for (std::size_t i = 0; i < zone.num_cells; ++i) result.push_back(CellId{zone.cells[i]});
     return result;
   }
 

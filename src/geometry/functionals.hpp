@@ -11,6 +11,7 @@
 #include "facet_side.hpp"
 #include "geometry/frame.hpp"
 #include "geometry/record.hpp"
+#include "growable_array.hpp"
 #include "kernel/buffer.hpp"
 
 #include <delone/types.hpp>
@@ -31,7 +32,7 @@ class Functionals {
   /// Takes over the constants of a frame. All functionals must be computed anew after it.
   void set_frame(const Frame& frame, const std::vector<int>& axes);
 
-  void reserve(std::size_t cells) { records_.resize(cells * stride()); }
+  void reserve(std::size_t cells) { records_.reserve(cells * stride()); }
   std::size_t bytes() const { return records_.capacity() * sizeof(double); }
 
   /// h̃ at an image and a lift.
@@ -68,7 +69,7 @@ class Functionals {
   }
 
   int dimension_;
-  std::vector<double> records_;  // per cell: k coefficients, the constant, the certificate
+  GrowableArray<double> records_;  // per cell: k coefficients, the constant, the certificate
 
   // Constants of the frame.
   double largest_lift_ = 0;

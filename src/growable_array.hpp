@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// A large array of trivial entries that grows without being copied: on Linux its pages are moved to a larger range of addresses,
+// and large pages are asked for; elsewhere it is reallocated.
+#pragma once
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdlib>
+#include <new>
+#include <type_traits>
+#include <utility>
+
+#ifdef __linux__
+#include <sys/mman.h>
+#endif
+
+namespace delone {
+
+/// Entries beyond those ever written are unspecified. Memory that was never touched costs nothing on Linux.
+template <class T>
+class GrowableArray {
+  static_assert(std::is_trivially_copyable_v<T>);
+
+ public:
+  GrowableArray() = default;
+  GrowableArray(GrowableArray&& other) noexcept
+      : entries_(std::exchange(other.entries_, nullptr)), capacity_(std::exchange(other.capacity_, 0)) {}
+  GrowableArray& operator=(GrowableArray&& other) noexcept {
+    std::swap(entries_, other.entries_);
+    std::swap(capacity_, other.capacity_);
+    return *this;
+  }
+  ~GrowableArray() { release(); }
+
+  T* data() { return entries_; }
+  const T* data() const { return entries_; }
+  T& operator[](std::size_t i) { return entries_[i]; }
+  const T& operator[](std::size_t i) const { return entries_[i]; }
+  std::size_t capacity() const { return capacity_; }
+
+  /// Makes room for at least `size` entries, keeping the present ones. Throws std::bad_alloc, and then changes nothing.
+  void reserve(std::size_t size) {
+    if (size <= capacity_) return;
+    if (size > static_cast<std::size_t>(-1) / 4 / sizeof(T)) throw std::bad_alloc();
+    const std::size_t bytes = rounded_up(size * sizeof(T));
+#ifdef __linux__
+    if (bytes >= mapped_from) {
+      void* moved;
+      if (is_mapped()) {
+        moved = mremap(entries_, rounded_up(capacity_ * sizeof(T)), bytes, MREMAP_MAYMOVE);
+        if (moved == MAP_FAILED) throw std::bad_alloc();
+      } else {
+        moved = mmap(nullptr, bytes, PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0);
+        if (moved == MAP_FAILED) throw std::bad_alloc();
+        std::copy(entries_, entries_ + capacity_, static_cast<T*>(moved));
+        std::free(entries_);
+      }
+      madvise(moved, bytes, MADV_HUGEPAGE);  // a wish: failure is no error
+      entries_ = static_cast<T*>(moved);
+      capacity_ = bytes / sizeof(T);
+      return;
+    }
+#endif
+    void* moved = std::realloc(entries_, bytes);
+    if (moved == nullptr) throw std::bad_alloc();
+    entries_ = static_cast<T*>(moved);
+    capacity_ = bytes / sizeof(T);
+  }
+
+ private:
+  /// From this size on, memory is mapped; smaller arrays come from the heap.
+  static constexpr std::size_t mapped_from = std::size_t{4} << 20;
+
+  static std::size_t rounded_up(std::size_t bytes) {
+    // Mapped ranges are whole large pages, and a multiple of the entry's size where that matters: the rest is left unused.
+    constexpr std::size_t page = std::size_t{2} << 20;
+    return bytes < mapped_from ? bytes : (bytes + page - 1) / page * page;
+  }
+  void release() {
+#ifdef __linux__
+    if (is_mapped()) {
+      munmap(entries_, rounded_up(capacity_ * sizeof(T)));
+      return;
+    }
+#endif
+    std::free(entries_);
+  }
+  bool is_mapped() const { return rounded_up(capacity_ * sizeof(T)) >= mapped_from; }
+
+  T* entries_ = nullptr;
+  std::size_t capacity_ = 0;
+};
+
+}  // namespace delone
