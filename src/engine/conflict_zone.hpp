@@ -63,28 +63,25 @@ void find_conflict_zone(const CellStore<K>& cells, const G& geometry, const type
     const double value = zone.values[next];
     for (int i = 0; i < facets; ++i) {
       const Index neighbor = neighbors[i];
+      const Mark mark = marks.mark(neighbor);
+      if (mark == Mark::in_conflict) continue;
       const double neighbor_value = geometry.value(neighbor, q);
       const Sign side = geometry.filter_side(neighbor, neighbor_value, q);
-      const Mark mark = marks.mark(neighbor);
       bool conflict = side == Sign::negative;
-      if (side == Sign::zero) [[unlikely]] {
-        conflict = mark == Mark::in_conflict;
-        if (mark == Mark::unseen) {
-          conflict = in_conflict_exactly(cells, geometry, neighbor, q, counts);
-          if (!conflict) {
-            zone.marked.push_back(neighbor);
-            marks.set_mark(neighbor, Mark::not_in_conflict);
-          }
+      if (side == Sign::zero && mark == Mark::unseen) [[unlikely]] {
+        conflict = in_conflict_exactly(cells, geometry, neighbor, q, counts);
+        if (!conflict) {
+          zone.marked.push_back(neighbor);
+          marks.set_mark(neighbor, Mark::not_in_conflict);
         }
       }
-      const bool fresh = conflict && mark == Mark::unseen;
       filtered += side != Sign::zero;
       zone.cells[zone.num_cells] = neighbor;
       zone.values[zone.num_cells] = neighbor_value;
-      zone.num_cells += fresh;
+      zone.num_cells += conflict;
       zone.horizon[zone.num_facets] = {cell, i, value, neighbor_value};
       zone.num_facets += !conflict;
-      if (fresh) marks.set_mark(neighbor, Mark::in_conflict);
+      if (conflict) marks.set_mark(neighbor, Mark::in_conflict);
     }
   }
   counts.filter += filtered;
