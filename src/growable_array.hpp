@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A large array of trivial entries that grows without being copied: on Linux its pages are moved to a larger range of addresses,
-// and large pages are asked for; elsewhere it is reallocated.
+// A large array of trivial entries that grows without being copied: on Linux its pages are moved to a larger range of
+// addresses, and large pages are asked for; elsewhere it is reallocated.
 #pragma once
 
 #include <algorithm>

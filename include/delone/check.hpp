@@ -11,12 +11,12 @@
 namespace delone {
 
 enum class CheckLevel : int {
-  storage = 1,           ///< array sizes; rows and neighbors in range; no repeated vertex in a cell
-  incidence = 2,         ///< neighbors are mutual and share the facet; each facet in at most two cells; coherent orientation
-  sphere = 3,            ///< with the infinite cells: links of all vertices are connected, Euler characteristic of a k-sphere
-  volume = 4,            ///< every finite cell has positive volume, exactly (all of one sign when k < d)
-  local_convexity = 5,   ///< no facet has the opposite vertex of its neighbor inside the sphere, hull facets are convex: exactly
-  completeness = 6,      ///< every input point is a vertex or a duplicate of one; affine dimension is right
+  storage = 1,          ///< array sizes; rows and neighbors in range; no repeated vertex in a cell
+  incidence = 2,        ///< neighbors are mutual and share the facet; each facet in at most two cells; coherent orientation
+  sphere = 3,           ///< with the infinite cells: links of all vertices are connected, Euler characteristic of a k-sphere
+  volume = 4,           ///< every finite cell has positive volume, exactly (all of one sign when k < d)
+  local_convexity = 5,  ///< no facet has the opposite vertex of its neighbor inside the sphere, hull facets are convex: exactly
+  completeness = 6,     ///< every input point is a vertex or a duplicate of one; affine dimension is right
 };
 
 struct CheckOptions {

@@ -14,12 +14,13 @@ namespace delone {
 
 /// A plain, owning triangulation: what files hold and what `check` examines. Rows are input rows (0-based).
 struct ComplexData {
-  int dimension = 0;                         ///< d, coordinates per point
-  int affine_dimension = -1;                 ///< k, dimension of the affine hull of the points; −1 when there is none
-  std::vector<double> points;                ///< n×d, as given
-  std::vector<SignedIndex> cells;            ///< m×(k+1), point rows; positively oriented when k = d
-  std::vector<SignedIndex> neighbors;        ///< m×(k+1), neighbor i is opposite vertex i; −1 beyond the hull. May be empty: unknown
-  std::vector<SignedIndex> vertex_of_point;  ///< n, the row each point was merged into (itself for a vertex). May be empty: unknown
+  int dimension = 0;                   ///< d, coordinates per point
+  int affine_dimension = -1;           ///< k, dimension of the affine hull of the points; −1 when there is none
+  std::vector<double> points;          ///< n×d, as given
+  std::vector<SignedIndex> cells;      ///< m×(k+1), point rows; positively oriented when k = d
+  std::vector<SignedIndex> neighbors;  ///< m×(k+1), neighbor i is opposite vertex i; −1 beyond the hull. May be empty: unknown
+  std::vector<SignedIndex>
+      vertex_of_point;  ///< n, the row each point was merged into (itself for a vertex). May be empty: unknown
 
   std::size_t num_points() const { return dimension < 1 ? 0 : points.size() / static_cast<std::size_t>(dimension); }
   std::size_t num_cells() const {
@@ -45,12 +46,22 @@ class Complex {
     CellIterator() = default;
     CellIterator(const Complex* complex, Index slot, Which which) : complex_(complex), slot_(slot), which_(which) { skip(); }
     CellId operator*() const { return CellId{slot_}; }
-    CellIterator& operator++() { ++slot_; skip(); return *this; }
-    CellIterator operator++(int) { auto old = *this; ++*this; return old; }
+    CellIterator& operator++() {
+      ++slot_;
+      skip();
+      return *this;
+    }
+    CellIterator operator++(int) {
+      auto old = *this;
+      ++*this;
+      return old;
+    }
     friend bool operator==(const CellIterator& a, const CellIterator& b) { return a.slot_ == b.slot_; }
 
    private:
-    void skip() { while (slot_ < complex_->num_slots_ && !complex_->is_in(CellId{slot_}, which_)) ++slot_; }
+    void skip() {
+      while (slot_ < complex_->num_slots_ && !complex_->is_in(CellId{slot_}, which_)) ++slot_;
+    }
     const Complex* complex_ = nullptr;
     Index slot_ = 0;
     Which which_ = Which::all;
@@ -63,16 +74,22 @@ class Complex {
   /// A vacant slot has invalid_index as its first vertex.
   Complex(const Index* links, std::size_t stride, int dimension, Index num_slots, Index num_finite_cells,
           Index num_infinite_cells, Index num_finite_vertices, const CellId* cell_of_vertex)
-      : links_(links), stride_(stride), dimension_(dimension), num_slots_(num_slots), num_finite_cells_(num_finite_cells),
-        num_infinite_cells_(num_infinite_cells), num_finite_vertices_(num_finite_vertices), cell_of_vertex_(cell_of_vertex) {}
+      : links_(links),
+        stride_(stride),
+        dimension_(dimension),
+        num_slots_(num_slots),
+        num_finite_cells_(num_finite_cells),
+        num_infinite_cells_(num_infinite_cells),
+        num_finite_vertices_(num_finite_vertices),
+        cell_of_vertex_(cell_of_vertex) {}
 
   /// k, the dimension of the cells; −1 for the complex of no points.
   int dimension() const { return dimension_; }
-  Index num_vertices() const { return num_finite_vertices_; }       ///< finite vertices; their ids are 1 … num_vertices()
+  Index num_vertices() const { return num_finite_vertices_; }  ///< finite vertices; their ids are 1 … num_vertices()
   Index num_finite_cells() const { return num_finite_cells_; }
   Index num_infinite_cells() const { return num_infinite_cells_; }  ///< = number of hull facets
   Index num_cells() const { return num_finite_cells_ + num_infinite_cells_; }
-  Index num_cell_slots() const { return num_slots_; }               ///< size for payload arrays indexed by cell
+  Index num_cell_slots() const { return num_slots_; }  ///< size for payload arrays indexed by cell
 
   bool is_cell(CellId c) const { return delone::index(c) < num_slots_ && row(c)[0] != invalid_index; }
   bool is_infinite(CellId c) const { return infinite_index(c) >= 0; }

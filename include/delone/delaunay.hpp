@@ -27,25 +27,25 @@ enum class InsertionOrder {
 
 /// Options of a construction. The result depends on the set of points alone; options change the path, not the end.
 struct Options {
-  std::uint64_t seed = 0;                                    ///< of the random rounds of the insertion order
+  std::uint64_t seed = 0;  ///< of the random rounds of the insertion order
   InsertionOrder order = InsertionOrder::automatic;
-  bool force_runtime_dimension = false;                      ///< use the run-time-dimension engine even for k ≤ 8
+  bool force_runtime_dimension = false;  ///< use the run-time-dimension engine even for k ≤ 8
   /// Called from the building thread about every 20 ms with the fraction done, 0…1; return false to cancel (Errc::cancelled).
   std::function<bool(double)> progress;
 };
 
 /// What a triangulation has cost so far.
 struct Statistics {
-  std::uint64_t created_cells = 0;   ///< by all insertions, including cells destroyed later
-  std::uint64_t visited_cells = 0;   ///< by the walks of all insertions
-  std::uint64_t insertions = 0;      ///< vertices inserted
-  std::uint64_t filter = 0;          ///< conflict tests decided by the cached functional of the cell
-  std::uint64_t direct = 0;          ///< … by a determinant in binary64 with a certified bound
-  std::uint64_t exact = 0;           ///< … by exact integer arithmetic
-  std::uint64_t perturbed = 0;       ///< ties, decided by the symbolic perturbation (after one of the stages proved a zero)
-  double order_seconds = 0;          ///< ordering and merging duplicates
-  double build_seconds = 0;          ///< insertions
-  std::size_t cell_bytes = 0;        ///< memory reserved for cells, at present
+  std::uint64_t created_cells = 0;  ///< by all insertions, including cells destroyed later
+  std::uint64_t visited_cells = 0;  ///< by the walks of all insertions
+  std::uint64_t insertions = 0;     ///< vertices inserted
+  std::uint64_t filter = 0;         ///< conflict tests decided by the cached functional of the cell
+  std::uint64_t direct = 0;         ///< … by a determinant in binary64 with a certified bound
+  std::uint64_t exact = 0;          ///< … by exact integer arithmetic
+  std::uint64_t perturbed = 0;      ///< ties, decided by the symbolic perturbation (after one of the stages proved a zero)
+  double order_seconds = 0;         ///< ordering and merging duplicates
+  double build_seconds = 0;         ///< insertions
+  std::size_t cell_bytes = 0;       ///< memory reserved for cells, at present
 };
 
 /// Where a query point lies, exactly.
@@ -58,8 +58,8 @@ struct Location {
     outside_affine_hull,  ///< not in the affine hull (k < d)
   };
   Kind kind = Kind::outside_affine_hull;
-  CellId cell = invalid_cell;      ///< a cell that contains the face; outside the hull: an infinite cell in conflict with the query
-  std::vector<VertexId> face;      ///< the vertices of the smallest face that contains the query; empty outside
+  CellId cell = invalid_cell;  ///< a cell that contains the face; outside the hull: an infinite cell in conflict with the query
+  std::vector<VertexId> face;  ///< the vertices of the smallest face that contains the query; empty outside
   int face_dimension() const { return static_cast<int>(face.size()) - 1; }
 };
 
@@ -96,10 +96,10 @@ class Triangulation {
   /// of the conflict zone; without: the walk from the last inserted vertex.
   InsertResult insert(std::span<const double> point, std::optional<CellId> hint = std::nullopt);
 
-  int dimension() const;                   ///< d
-  int affine_dimension() const;            ///< k ≤ d; 0 for one distinct point, −1 for none
-  std::size_t num_points() const;          ///< rows inserted, duplicates included
-  Index num_vertices() const;              ///< distinct points
+  int dimension() const;           ///< d
+  int affine_dimension() const;    ///< k ≤ d; 0 for one distinct point, −1 for none
+  std::size_t num_points() const;  ///< rows inserted, duplicates included
+  Index num_vertices() const;      ///< distinct points
   std::size_t num_duplicates() const { return num_points() - num_vertices(); }
   Index num_finite_cells() const { return complex().num_finite_cells(); }
   Index num_infinite_cells() const { return complex().num_infinite_cells(); }
@@ -150,11 +150,12 @@ class Delaunay : public Triangulation {
   explicit Delaunay(const Options& options = {}) : Triangulation(D, options) {}
   /// From any contiguous range of points of D doubles each, or of doubles (D per point).
   template <std::ranges::contiguous_range Range>
-    requires std::ranges::sized_range<Range> && (!std::same_as<std::remove_cvref_t<Range>, Delaunay>)
-  explicit Delaunay(const Range& points, const Options& options = {}) : Triangulation(as_coordinates(points), D, options) {}
+  requires std::ranges::sized_range<Range> &&
+      (!std::same_as<std::remove_cvref_t<Range>, Delaunay>)explicit Delaunay(const Range& points, const Options& options = {})
+      : Triangulation(as_coordinates(points), D, options) {}
 
   template <std::ranges::contiguous_range Range>
-    requires std::ranges::sized_range<Range>
+  requires std::ranges::sized_range<Range>
   void insert_range(const Range& points) { Triangulation::insert_range(as_coordinates(points)); }
 
  private:
@@ -163,7 +164,8 @@ class Delaunay : public Triangulation {
     using Element = std::remove_cv_t<std::ranges::range_value_t<Range>>;
     static_assert(std::same_as<Element, double> || sizeof(Element) == D * sizeof(double),
                   "a point must be D contiguous doubles, such as std::array<double, D>");
-    return {reinterpret_cast<const double*>(std::ranges::data(points)), std::ranges::size(points) * sizeof(Element) / sizeof(double)};
+    return {reinterpret_cast<const double*>(std::ranges::data(points)),
+            std::ranges::size(points) * sizeof(Element) / sizeof(double)};
   }
 };
 

@@ -11,16 +11,16 @@
 namespace delone {
 
 enum class Errc {
-  not_finite,         ///< a coordinate is NaN or infinite; rows() names the points
-  bad_dimension,      ///< dimension below 1, or different from the one expected
-  too_many,           ///< the id space of this build is exhausted
-  out_of_memory,      ///< an allocation failed, or a memory budget was reached
-  cancelled,          ///< the progress callback asked to stop
-  invalid_argument,   ///< an option or id outside its documented range
-  cannot_open,        ///< a file could not be opened or created
-  bad_format,         ///< a file is not what its format promises; the message names the line or row
-  cannot_write,       ///< a file could not be written completely
-  unsupported,        ///< a format, or a combination of format and content, that is not available
+  not_finite,        ///< a coordinate is NaN or infinite; rows() names the points
+  bad_dimension,     ///< dimension below 1, or different from the one expected
+  too_many,          ///< the id space of this build is exhausted
+  out_of_memory,     ///< an allocation failed, or a memory budget was reached
+  cancelled,         ///< the progress callback asked to stop
+  invalid_argument,  ///< an option or id outside its documented range
+  cannot_open,       ///< a file could not be opened or created
+  bad_format,        ///< a file is not what its format promises; the message names the line or row
+  cannot_write,      ///< a file could not be written completely
+  unsupported,       ///< a format, or a combination of format and content, that is not available
 };
 
 /// What went wrong (what()), its kind (code()) and the input rows concerned, if any (rows()).

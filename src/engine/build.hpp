@@ -31,7 +31,8 @@ struct Workspace {
 /// Inserts vertex v, whose point is q, starting the walk at `start`. Returns v, or the vertex that is at q already. Strong
 /// guarantee: if it throws (memory, ids), nothing has changed. REQUIRES q in the affine hull of the vertices.
 template <int K, Geometry G>
-Index insert(CellStore<K>& cells, G& geometry, Index v, const typename G::Query& q, Index start, Workspace& work, Effort& effort) {
+Index insert(CellStore<K>& cells, G& geometry, Index v, const typename G::Query& q, Index start, Workspace& work,
+             Effort& effort) {
   work.created.clear();
   const WalkResult found = locate(cells, geometry, q, start, effort.stages);
   effort.visited_cells += found.visited;

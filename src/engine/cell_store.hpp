@@ -44,7 +44,9 @@ class CellStore {
   Index num_slots() const { return num_slots_; }
   Index num_cells() const { return num_slots_ - static_cast<Index>(vacant_.size()); }
   bool is_vacant(Index cell) const { return vertices(cell)[0] == invalid_index; }
-  std::size_t bytes() const { return links_.capacity() * sizeof(Index) + marks_.capacity() + vacant_.capacity() * sizeof(Index); }
+  std::size_t bytes() const {
+    return links_.capacity() * sizeof(Index) + marks_.capacity() + vacant_.capacity() * sizeof(Index);
+  }
 
   /// Makes room for `count` more cells, so that as many calls of allocate() cannot fail. Returns the number of slots there
   /// will be at most. Throws Errc::too_many when the ids are exhausted.

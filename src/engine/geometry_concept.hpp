@@ -25,12 +25,12 @@ concept Geometry = requires(G geometry, const G& known, Index cell, const Index*
   { known.side_of_facet(vertices, slot, q) } -> std::same_as<Sign>;
   { known.is_at(cell, q) } -> std::same_as<bool>;
   { known.is_infinite(cell) } -> std::same_as<bool>;
-  { geometry.reserve_cells(size) };
+  {geometry.reserve_cells(size)};
   /// Computes what is cached for a new cell; the third argument is the slot of the infinite vertex or −1, the fourth that of a
   /// finite vertex.
-  { geometry.create(cell, vertices, slot, slot) };
+  {geometry.create(cell, vertices, slot, slot)};
   /// The same for a cell that joins q to the facet between a cell in conflict with it and one that is not.
-  { geometry.create_across(cell, vertices, slot, slot, q, side, side) };
+  {geometry.create_across(cell, vertices, slot, slot, q, side, side)};
 };
 
 }  // namespace delone::engine

@@ -30,8 +30,8 @@ void glue(CellStore<K>& cells, Index new_cell, Index dead, int base, int slot) {
   }
 }
 
-/// Kills the zone and creates the star of vertex v at q, whose cells `created` receives. Leaves all cells unmarked. If memory or
-/// ids run out it throws before anything has changed but the marks, which are reset.
+/// Kills the zone and creates the star of vertex v at q, whose cells `created` receives. Leaves all cells unmarked. If memory
+/// or ids run out it throws before anything has changed but the marks, which are reset.
 template <int K, Geometry G>
 void retriangulate(CellStore<K>& cells, G& geometry, Index v, const typename G::Query& q, const ConflictZone& zone,
                    std::vector<Index>& created) {
@@ -67,8 +67,7 @@ void retriangulate(CellStore<K>& cells, G& geometry, Index v, const typename G::
     const int mirror = cells.slot_of_neighbor(survivor, facet.cell);
     cells.neighbors(survivor)[mirror] = cell;
     cells.neighbors(facet.cell)[facet.slot] = cell;
-    geometry.create_across(cell, vertices, infinite_slot, facet.slot, q,
-                           {facet.cell, facet.value, dead_vertices[facet.slot]},
+    geometry.create_across(cell, vertices, infinite_slot, facet.slot, q, {facet.cell, facet.value, dead_vertices[facet.slot]},
                            {survivor, facet.survivor_value, cells.vertices(survivor)[mirror]});
   }
   for (std::size_t f = 0; f < zone.num_facets; ++f) {

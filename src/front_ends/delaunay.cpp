@@ -60,10 +60,10 @@ struct Triangulation::Impl {
   Options options;
   VertexPoints points;
   kernel::AffineHull affine_hull;
-  std::unique_ptr<Hull> hull;            // none while the affine dimension is below 1
-  std::vector<CellId> cell_of_vertex;    // by vertex id
-  std::vector<Index> row_of_vertex{0};   // the first row at each vertex
-  std::vector<VertexId> vertex_of_row;   // invalid_vertex for a row that was not inserted (cancelled)
+  std::unique_ptr<Hull> hull;           // none while the affine dimension is below 1
+  std::vector<CellId> cell_of_vertex;   // by vertex id
+  std::vector<Index> row_of_vertex{0};  // the first row at each vertex
+  std::vector<VertexId> vertex_of_row;  // invalid_vertex for a row that was not inserted (cancelled)
   std::size_t num_rows_inserted = 0;
   Statistics statistics;
 
@@ -248,13 +248,15 @@ struct Triangulation::Impl {
 
   std::vector<Index> insertion_order(PointsView view) const {
     switch (options.order) {
-      case InsertionOrder::shuffled: return order::shuffled_order(view.size(), options.seed);
+      case InsertionOrder::shuffled:
+        return order::shuffled_order(view.size(), options.seed);
       case InsertionOrder::as_given: {
         std::vector<Index> rows(view.size());
         std::iota(rows.begin(), rows.end(), Index{0});
         return rows;
       }
-      case InsertionOrder::automatic: break;
+      case InsertionOrder::automatic:
+        break;
     }
     return order::brio_order(view, options.seed);
   }
@@ -360,7 +362,7 @@ Location Triangulation::locate(std::span<const double> query, std::optional<Cell
   location.cell = CellId{found.cell};
   location.face = std::move(found.face);
   const int face_dimension = location.face_dimension();
-  location.kind = found.outside                         ? Location::Kind::outside_hull
+  location.kind = found.outside                          ? Location::Kind::outside_hull
                   : face_dimension == affine_dimension() ? Location::Kind::in_cell
                   : face_dimension == 0                  ? Location::Kind::on_vertex
                                                          : Location::Kind::on_face;

@@ -18,13 +18,16 @@ namespace delone {
 
 /// The points of the vertices, which the hull reads: d coordinates each, by vertex id; vertex 0 is a dummy.
 struct VertexPoints {
-  explicit VertexPoints(int dimension) : ambient(dimension), coordinates(static_cast<std::size_t>(dimension), 0.0), grid(dimension) {}
+  explicit VertexPoints(int dimension)
+      : ambient(dimension), coordinates(static_cast<std::size_t>(dimension), 0.0), grid(dimension) {}
   int ambient;
   std::vector<double> coordinates;
   kernel::Grid grid;
 
   Index num_vertices() const { return static_cast<Index>(coordinates.size() / static_cast<std::size_t>(ambient)) - 1; }
-  const double* point(Index v) const { return coordinates.data() + static_cast<std::size_t>(v) * static_cast<std::size_t>(ambient); }
+  const double* point(Index v) const {
+    return coordinates.data() + static_cast<std::size_t>(v) * static_cast<std::size_t>(ambient);
+  }
 };
 
 /// Where a query lies: the cell the walk ended in, and for a finite one the slots of the smallest face that contains it.
@@ -48,8 +51,8 @@ class Hull {
   virtual const geometry::Frame& frame() const = 0;
   virtual void set_frame(geometry::Frame frame) = 0;
 
-  /// Inserts vertex v, starting at cell `start` or, if that is invalid, where the last insertion ended. Returns v, or the vertex
-  /// that is at the same point.
+  /// Inserts vertex v, starting at cell `start` or, if that is invalid, where the last insertion ended. Returns v, or the
+  /// vertex that is at the same point.
   virtual Index insert(Index v, Index start) = 0;
   /// The cells made by the last insertion.
   virtual std::span<const Index> created() const = 0;

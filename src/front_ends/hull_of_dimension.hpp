@@ -19,7 +19,8 @@ class HullOfDimension final : public Hull {
   using Query = typename Geometry::Query;
 
  public:
-  HullOfDimension(const std::vector<int>& axes, const VertexPoints& points, const geometry::Frame& frame, const engine::Effort& effort)
+  HullOfDimension(const std::vector<int>& axes, const VertexPoints& points, const geometry::Frame& frame,
+                  const engine::Effort& effort)
       : points_(points),
         cells_(static_cast<int>(axes.size())),
         geometry_(axes, points.ambient, points.coordinates, points.grid, frame),
@@ -58,7 +59,8 @@ class HullOfDimension final : public Hull {
     const Index at = engine::insert(cells_, geometry_, v, geometry_.make_query(points_.point(v)), from, work_, effort_);
     if (at == v) {
       for (const Index cell : work_.created) num_infinite_ += geometry_.is_infinite(cell) ? 1 : 0;
-      for (std::size_t i = 0; i < work_.zone.num_cells; ++i) num_infinite_ -= geometry_.is_infinite(work_.zone.cells[i]) ? 1 : 0;
+      for (std::size_t i = 0; i < work_.zone.num_cells; ++i)
+        num_infinite_ -= geometry_.is_infinite(work_.zone.cells[i]) ? 1 : 0;
       last_ = work_.created.back();
     }
     return at;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A functional from two at hand, O(k): the pencil identity. With a = h_A(q) < 0 and b = h_B(q) > 0, the functional of the cell that
-// joins q to the common facet of A and B is
+// A functional from two at hand, O(k): the pencil identity. With a = h_A(q) < 0 and b = h_B(q) > 0, the functional of the cell
+// that joins q to the common facet of A and B is
 //   A, B finite         h = (b·h_A − a·h_B)/(b − a)       a convex combination
 //   A finite, B not     h = h_A − (a/b)·h_B
 //   B finite, A not     h = h_B − (b/a)·h_A
@@ -50,7 +50,8 @@ bool Functionals<K>::combine(Index cell, const FacetSide& dead, const FacetSide&
         }
       x = b / height;
       y = -a / height;
-      height_error = (b + std::fabs(B[normal]) + threshold_b) * threshold_a + (std::fabs(A[normal]) - a + threshold_a) * threshold_b;
+      height_error =
+          (b + std::fabs(B[normal]) + threshold_b) * threshold_a + (std::fabs(A[normal]) - a + threshold_a) * threshold_b;
     } else if (b_infinite) {
       x = 1;
       y = -a / b;
@@ -62,7 +63,8 @@ bool Functionals<K>::combine(Index cell, const FacetSide& dead, const FacetSide&
       height = b - a;
       height_error = threshold_a + threshold_b;
     }
-    determinant = unpack(of_a.determinant) * (height - height_error) / (value_at_vertex(survivor.cell, dead.opposite) + threshold_b);
+    determinant =
+        unpack(of_a.determinant) * (height - height_error) / (value_at_vertex(survivor.cell, dead.opposite) + threshold_b);
   }
   determinant *= 1 - slack;
   if (!(determinant > 0)) return false;

@@ -34,8 +34,14 @@ class DelaunayGeometry {
 
   /// `coordinates`: the points of the vertices, `flat.ambient` doubles each, indexed by vertex id (vertex 0 is a dummy).
   /// Both references must outlive this object; they may grow.
-  DelaunayGeometry(std::vector<int> axes, int ambient, const std::vector<double>& coordinates, const kernel::Grid& grid, Frame frame)
-      : axes_(std::move(axes)), ambient_(ambient), coordinates_(coordinates), grid_(grid), frame_(std::move(frame)), functionals_(dimension()) {
+  DelaunayGeometry(std::vector<int> axes, int ambient, const std::vector<double>& coordinates, const kernel::Grid& grid,
+                   Frame frame)
+      : axes_(std::move(axes)),
+        ambient_(ambient),
+        coordinates_(coordinates),
+        grid_(grid),
+        frame_(std::move(frame)),
+        functionals_(dimension()) {
     functionals_.set_frame(frame_, axes_);
   }
 
@@ -54,7 +60,9 @@ class DelaunayGeometry {
     return q;
   }
 
-  const double* point(Index vertex) const { return coordinates_.data() + static_cast<std::size_t>(vertex) * static_cast<std::size_t>(ambient_); }
+  const double* point(Index vertex) const {
+    return coordinates_.data() + static_cast<std::size_t>(vertex) * static_cast<std::size_t>(ambient_);
+  }
   bool is_at(Index vertex, const Query& q) const { return kernel::equal_points(point(vertex), q.point, ambient_); }
 
   void reserve_cells(std::size_t cells) { functionals_.reserve(cells); }
@@ -63,10 +71,12 @@ class DelaunayGeometry {
   /// h̃(q), approximately the functional of the cell. Functionals of finite cells are comparable with each other.
   double value(Index cell, const Query& q) const { return functionals_.value(cell, q.image.data(), q.lift); }
   bool is_infinite(Index cell) const { return functionals_.is_infinite(cell); }
+  /// |value − h| stays below it for all queries in the frame.
+  double threshold(Index cell) const { return functionals_.threshold(cell); }
 
   /// Stage filter_: the sign of h(q) if h̃(q) = `value` proves it, else zero.
   Sign filter_side(Index cell, double value, const Query& q) const {
-    const double bound = q.in_frame ? functionals_.threshold(cell) : std::numeric_limits<double>::infinity();
+    const double bound = q.in_frame ? threshold(cell) : std::numeric_limits<double>::infinity();
     return value < -bound ? Sign::negative : value > bound ? Sign::positive : Sign::zero;
   }
 

@@ -47,7 +47,8 @@ class Functionals {
   bool is_infinite(Index cell) const { return std::signbit(certificate(cell).threshold); }
 
   /// Computes a functional by elimination from the rows (k images and the lift) of the finite vertices, the apex first.
-  /// `positive`: for an infinite cell, the sign of the coefficient ±1 is that of the edge vectors' determinant, else its opposite.
+  /// `positive`: for an infinite cell, the sign of the coefficient ±1 is that of the edge vectors' determinant, else its
+  /// opposite.
   template <bool Infinite>
   void solve(Index cell, const double* rows, bool positive);
 

@@ -20,14 +20,15 @@ inline std::uint16_t pack_up(double x) {
 }
 inline std::uint16_t pack_down(double x) {
   const float f = static_cast<float>(x * (1 - 0x1p-22));
-  return f >= std::numeric_limits<float>::min() ? static_cast<std::uint16_t>(std::bit_cast<std::uint32_t>(f) >> 16) : std::uint16_t{0};
+  return f >= std::numeric_limits<float>::min() ? static_cast<std::uint16_t>(std::bit_cast<std::uint32_t>(f) >> 16)
+                                                : std::uint16_t{0};
 }
 inline double unpack(std::uint16_t bits) { return std::bit_cast<float>(static_cast<std::uint32_t>(bits) << 16); }
 
 /// The certificate of a functional h̃ that stands for h (docs/predicates.md, "The filter").
 struct Certificate {
-  float threshold;            ///< |h̃ − h| with rounded evaluation stays below it in the frame's box; negated for an infinite cell
-  std::uint16_t error;        ///< packed bound on |h̃| at the cell's own vertices
+  float threshold;      ///< |h̃ − h| with rounded evaluation stays below it in the frame's box; negated for an infinite cell
+  std::uint16_t error;  ///< packed bound on |h̃| at the cell's own vertices
   std::uint16_t determinant;  ///< packed lower bound on |det| of the edge vectors; 0: none is known
 };
 static_assert(sizeof(Certificate) == sizeof(double));

@@ -26,7 +26,8 @@ void Functionals<K>::solve(Index cell, const double* rows, bool positive) {
     heights[static_cast<std::size_t>(j)] = Infinite ? 0 : row_at(j + 1)[k()] - rows[k()];
   }
   // An image is off by a rounding of a number ≤ 1, twice per difference, and the difference is rounded once more.
-  const kernel::EntryError entry_error{1.01 * kernel::unit_roundoff, 2.02 * kernel::unit_roundoff * std::sqrt(static_cast<double>(k()))};
+  const kernel::EntryError entry_error{1.01 * kernel::unit_roundoff,
+                                       2.02 * kernel::unit_roundoff * std::sqrt(static_cast<double>(k()))};
   const kernel::CertifiedDeterminant det = kernel::factor<N>(columns.data(), n, k(), entry_error, row_of.data());
   const double least_determinant = std::fabs(det.value) - det.error;
   if (!(least_determinant > 0)) {  // too flat to say anything: never certain, and never attractive to a walk
@@ -54,7 +55,8 @@ void Functionals<K>::solve(Index cell, const double* rows, bool positive) {
   const double rounding = evaluation_error_ * magnitude;
   const double error = residual + rounding;
   // Σ|barycentric coordinates| in the box, by Cramer's rule and Hadamard's inequality.
-  const double spread = 1 + 4.5 * std::sqrt(static_cast<double>(n)) * det.norm_product * det.inverse_norm_sum / least_determinant;
+  const double spread =
+      1 + 4.5 * std::sqrt(static_cast<double>(n)) * det.norm_product * det.inverse_norm_sum / least_determinant;
   certify(cell, error * spread + rounding, error, least_determinant, Infinite);
 }
 

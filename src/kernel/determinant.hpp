@@ -29,6 +29,7 @@ struct CertifiedDeterminant {
   double error = std::numeric_limits<double>::infinity();
   double norm_product = 0;      ///< Π ‖A_j‖₂
   double inverse_norm_sum = 0;  ///< Σ 1/‖A_j‖₂
+  bool sign_is_certain() const { return std::fabs(value) > error; }
 };
 
 /// How far the entries of a matrix may be from the true ones: column j, in 2-norm, by relative·‖A_j‖ + absolute.

@@ -7,6 +7,8 @@
 #include "kernel/flat.hpp"
 #include "kernel/grid.hpp"
 
+#include <delone/types.hpp>
+
 #include <algorithm>
 #include <cmath>
 #include <optional>
@@ -27,8 +29,7 @@ inline PowerOfTwo normalising_power(double m) {
 }
 
 inline std::optional<Sign> certified_sign(const CertifiedDeterminant& det, double grid_unit) {
-  if (det.value > det.error) return Sign::positive;
-  if (det.value < -det.error) return Sign::negative;
+  if (det.sign_is_certain()) return det.value > 0 ? Sign::positive : Sign::negative;
   // The exact determinant is an integer multiple of grid_unit; one that is smaller than a unit is zero.
   if (std::fabs(det.value) + det.error < grid_unit) return Sign::zero;
   return std::nullopt;

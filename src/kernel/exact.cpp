@@ -22,8 +22,7 @@ namespace {
 
 namespace mp = boost::multiprecision;
 template <unsigned Bits>
-using FixedInteger =
-    mp::number<mp::cpp_int_backend<Bits, Bits, mp::signed_magnitude, mp::unchecked, void>, mp::et_off>;
+using FixedInteger = mp::number<mp::cpp_int_backend<Bits, Bits, mp::signed_magnitude, mp::unchecked, void>, mp::et_off>;
 using BigInteger = mp::number<mp::cpp_int_backend<>, mp::et_off>;
 __extension__ typedef __int128 Int128;  // NOLINT(modernize-use-using): the extension mark needs it
 

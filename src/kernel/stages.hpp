@@ -75,7 +75,8 @@ Sign perturbed_in_sphere(const Flat& flat, const double* const* points, const do
     moved[static_cast<std::size_t>(i)] = points[i];
     if (!lexicographically_less(q, points[i], flat.ambient)) continue;
     int rank = larger++;
-    for (; rank > 0 && lexicographically_less(points[order[static_cast<std::size_t>(rank - 1)]], points[i], flat.ambient); --rank)
+    for (; rank > 0 && lexicographically_less(points[order[static_cast<std::size_t>(rank - 1)]], points[i], flat.ambient);
+         --rank)
       order[static_cast<std::size_t>(rank)] = order[static_cast<std::size_t>(rank - 1)];
     order[static_cast<std::size_t>(rank)] = i;
   }

@@ -29,10 +29,11 @@ void expect_failure(const ComplexData& data, CheckLevel level, const char* messa
   EXPECT_FALSE(report.ok);
   EXPECT_EQ(report.reached, level) << report.violation;
   EXPECT_THAT(report.violation, HasSubstr(message));
-  if (level != CheckLevel::storage) EXPECT_TRUE(check_up_to(data, static_cast<CheckLevel>(static_cast<int>(level) - 1)).ok);
+  if (level == CheckLevel::storage) return;
+  EXPECT_TRUE(check_up_to(data, static_cast<CheckLevel>(static_cast<int>(level) - 1)).ok);
 }
 
-// Seven points in general position in R^d and their Delaunay triangulation.
+// A few points in general position in R^d and their Delaunay triangulation.
 ComplexData sound(int d, std::size_t n = 9) { return test::BruteForce(make_point_set("uniform", d, n, 3), d).to_data(); }
 
 // A square with its center: cells around point 4.
@@ -119,7 +120,7 @@ TEST(CheckIncidence, ThreeCellsOnOneFacet) {
   ComplexData data = square();
   data.points.insert(data.points.end(), {9, 9});
   data.cells.insert(data.cells.end(), {4, 1, 5});
-  expect_failure(data, CheckLevel::incidence, "share the facet {1, 4}");
+  expect_failure(data, CheckLevel::incidence, "share the facet {4, 1}");
   EXPECT_THAT(check_all(data).cells, ::testing::UnorderedElementsAre(0, 1, 4));
 }
 
@@ -259,8 +260,8 @@ TEST(CheckLocalConvexity, HullWithADent) {
 
 TEST(CheckLocalConvexity, WoundTwiceAroundAVertex) {
   // A disk of triangles that turns twice around point 0. Everywhere it looks like a Delaunay triangulation with a convex
-  // hull, and it has the topology of one; only the cover is double. Eight places on a square, each visited twice, the
-  // second time by other rows with slightly larger coordinates.
+  // hull, and it has the topology of one; only the cover is double. Eight places on a circle, each visited twice, the second
+  // time by other rows.
   ComplexData data{2, 2, {0, 0}, {}, {}, {}};
   const double around[8][2] = {{5, 0}, {4, 3}, {0, 5}, {-3, 4}, {-5, 0}, {-4, -3}, {0, -5}, {3, -4}};
   for (SignedIndex i = 0; i < 16; ++i) {

@@ -1,0 +1,193 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The filter never lies: cached functionals of real triangulations, made by elimination and by the pencil, against exact signs
+// and exact values, far from their cells as well as near.
+#include "brute_force.hpp"
+#include "engine/build.hpp"
+#include "engine/seed.hpp"
+#include "geometry/delaunay_geometry.hpp"
+#include "kernel/predicates.hpp"
+#include "scale.hpp"
+
+#include <delone/point_sets.hpp>
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numeric>
+#include <vector>
+
+namespace delone::geometry {
+namespace {
+
+/// A triangulation of points in full dimension, by the engine alone.
+template <int K>
+struct Built {
+  Built(std::vector<double> coordinates)
+      : points(K, 0.0), grid(K), cells(K), geometry(all_axes(), K, points, grid, frame(coordinates)) {
+    kernel::AffineHull hull(K);
+    std::vector<Index> simplex, others;
+    points.insert(points.end(), coordinates.begin(), coordinates.end());
+    const auto n = static_cast<Index>(coordinates.size() / K);
+    for (Index v = 1; v <= n; ++v) {
+      grid.include(geometry.point(v));
+      (hull.add(geometry.point(v)) ? simplex : others).push_back(v);
+    }
+    if (geometry.orientation(simplex.data()) == Sign::negative) std::swap(simplex[0], simplex[1]);
+    engine::seed(cells, geometry, simplex);
+    engine::Workspace work;
+    for (const Index v : others) {
+      const Index start = work.created.empty() ? 0 : work.created.back();
+      engine::insert(cells, geometry, v, geometry.make_query(geometry.point(v)), start, work, effort);
+    }
+    num_vertices = n;
+  }
+
+  static std::vector<int> all_axes() {
+    std::vector<int> axes(K);
+    std::iota(axes.begin(), axes.end(), 0);
+    return axes;
+  }
+  static Frame frame(const std::vector<double>& coordinates) {
+    std::vector<double> low(coordinates.begin(), coordinates.begin() + K), high = low;
+    for (std::size_t i = 0; i < coordinates.size(); ++i) {
+      low[i % K] = std::min(low[i % K], coordinates[i]);
+      high[i % K] = std::max(high[i % K], coordinates[i]);
+    }
+    return {low, high};
+  }
+
+  std::vector<double> points;
+  kernel::Grid grid;
+  engine::CellStore<K> cells;
+  DelaunayGeometry<K> geometry;
+  engine::Effort effort;
+  Index num_vertices = 0;
+};
+
+/// Pairs of a cell and a vertex that is not its own: what the filter says must be the exact sign. Returns how often it says
+/// something.
+template <int K>
+double expect_certified_signs_are_right(const char* kind, std::size_t n, std::size_t pairs) {
+  SCOPED_TRACE(testing::Message() << kind << " in dimension " << K);
+  const Built<K> built(make_point_set(kind, K, n, 5));
+  const std::size_t all = static_cast<std::size_t>(built.cells.num_slots()) * built.num_vertices;
+  const std::size_t stride = std::max<std::size_t>(1, all / test::scaled_count(pairs));
+  std::size_t certified = 0, tested = 0;
+  StageCounts counts;
+  for (std::size_t pair = 0; pair < all; pair += stride) {
+    const auto cell = static_cast<Index>(pair / built.num_vertices);
+    const auto v = static_cast<Index>(pair % built.num_vertices + 1);
+    if (built.cells.is_vacant(cell)) continue;
+    const auto q = built.geometry.make_query(built.geometry.point(v));
+    if (engine::vertex_at(built.cells, built.geometry, cell, q) != invalid_index) continue;
+    const Sign side = built.geometry.filter_side(cell, built.geometry.value(cell, q), q);
+    ++tested;
+    if (side == Sign::zero) continue;
+    ++certified;
+    EXPECT_EQ(side, built.geometry.exact_side(built.cells.vertices(cell), built.cells.infinite_slot(cell), q, counts));
+  }
+  return static_cast<double>(certified) / static_cast<double>(tested);
+}
+
+TEST(Filter, NeverContradictsTheExactSignAndUsuallyKnowsIt) {
+  for (const char* kind : {"uniform", "manifold", "clusters", "plummer", "offset"}) {
+    EXPECT_GT(expect_certified_signs_are_right<2>(kind, 300, 20000), 0.99);
+    EXPECT_GT(expect_certified_signs_are_right<3>(kind, 300, 20000), 0.99);
+    EXPECT_GT(expect_certified_signs_are_right<4>(kind, 120, 20000), 0.99);
+    EXPECT_GT(expect_certified_signs_are_right<5>(kind, 60, 20000), 0.99);
+  }
+  EXPECT_GT(expect_certified_signs_are_right<6>("uniform", 40, 20000), 0.99);
+  EXPECT_GT(expect_certified_signs_are_right<7>("uniform", 30, 20000), 0.99);
+}
+
+TEST(Filter, NeverContradictsTheExactSignOfTies) {
+  for (const char* kind : {"grid", "tilted_grid", "nudged_grid", "cospherical", "ulp_sphere"}) {
+    expect_certified_signs_are_right<2>(kind, 256, 20000);
+    expect_certified_signs_are_right<3>(kind, 216, 20000);
+    expect_certified_signs_are_right<4>(kind, 256, 20000);
+    expect_certified_signs_are_right<5>(kind, 243, 20000);
+  }
+}
+
+using Rational = boost::multiprecision::cpp_rational;
+
+/// The power of x with respect to the sphere through the vertices: x's height above the hyperplane of the lifted vertices.
+template <int K>
+Rational power(const Built<K>& built, const Index* vertices, const double* x) {
+  std::vector<double> rows;
+  for (int i = 0; i <= K; ++i)
+    rows.insert(rows.end(), built.geometry.point(vertices[i]), built.geometry.point(vertices[i]) + K);
+  rows.insert(rows.end(), x, x + K);
+  rows.push_back(1);
+  rows.resize(static_cast<std::size_t>((K + 3) * K), 0.0);
+  test::Matrix points = test::scaled_to_integers(rows, K);
+  const test::Integer one = points.back()[0];
+  points.pop_back();
+  test::Matrix lifted, up;
+  for (const auto& row : points) {
+    lifted.push_back(row);
+    test::Integer square = 0;
+    for (const auto& c : row) square += c * c;
+    lifted.back().push_back(square);
+    lifted.back().push_back(1);
+  }
+  up = lifted;
+  for (auto& entry : up.back()) entry = 0;
+  up.back()[K] = 1;
+  return Rational(test::determinant(lifted), test::determinant(up) * one * one);
+}
+
+template <int K>
+void expect_values_within_thresholds(const char* kind, std::size_t n) {
+  SCOPED_TRACE(testing::Message() << kind << " in dimension " << K);
+  const Built<K> built(make_point_set(kind, K, n, 9));
+  const double scale = built.geometry.frame().lift_scale();
+  std::size_t compared = 0;
+  for (Index cell = 0; cell < built.cells.num_slots(); ++cell) {
+    if (built.cells.is_vacant(cell) || built.cells.infinite_slot(cell) >= 0) continue;
+    if (std::isinf(built.geometry.threshold(cell))) continue;  // claims nothing
+    for (Index v = 1 + cell % 7; v <= built.num_vertices; v += 7) {
+      const auto q = built.geometry.make_query(built.geometry.point(v));
+      const Rational exact = power(built, built.cells.vertices(cell), q.point) * Rational(scale) * Rational(scale);
+      const Rational error = abs(Rational(built.geometry.value(cell, q)) - exact);
+      ASSERT_LE(error, Rational(built.geometry.threshold(cell))) << "cell " << cell << ", vertex " << v;
+      ++compared;
+    }
+  }
+  EXPECT_GT(compared, 100u);
+}
+
+TEST(Filter, ThresholdsBoundTheTrueError) {
+  expect_values_within_thresholds<2>("uniform", 40);
+  expect_values_within_thresholds<2>("clusters", 40);
+  expect_values_within_thresholds<3>("uniform", 25);
+  expect_values_within_thresholds<3>("nudged_grid", 27);
+  expect_values_within_thresholds<4>("uniform", 15);
+}
+
+TEST(Record, PacksToTheSafeSide) {
+  for (const double x : {1e-30, 1e-12, 0.3, 1.0, 1.0 + 0x1p-30, 7e5, 3e20}) {
+    EXPECT_GE(unpack(pack_up(x)), x);
+    EXPECT_LE(unpack(pack_up(x)), 1.01 * x);
+    EXPECT_LE(unpack(pack_down(x)), x);
+    EXPECT_GE(unpack(pack_down(x)), 0.99 * x);
+  }
+  EXPECT_EQ(unpack(pack_down(1e-300)), 0);
+  EXPECT_GT(unpack(pack_up(1e-300)), 1e-300);
+  EXPECT_EQ(unpack(pack_up(1e300)), std::numeric_limits<double>::infinity());
+  EXPECT_TRUE(std::isinf(make_certificate(std::nan(""), 0, 0, false).threshold));
+  EXPECT_TRUE(std::signbit(make_certificate(std::nan(""), 0, 0, true).threshold));
+}
+
+TEST(Frame, MapsItsBoxIntoTheUnitCube) {
+  const Frame frame({-3, 1e-320, 5}, {1, 1e300, 5});
+  const double low[] = {-3, 1e-320, 5}, high[] = {1, 1e300, 5}, outside[] = {2, 1, 5};
+  for (const double* x : {low, high})
+    for (int axis = 0; axis < 3; ++axis) EXPECT_LE(std::fabs(frame.image(x, axis)), 1);
+  EXPECT_LE(frame.lift(high), 3);
+  EXPECT_TRUE(frame.contains(low));
+  EXPECT_FALSE(frame.contains(outside));
+}
+
+}  // namespace
+}  // namespace delone::geometry
