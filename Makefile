@@ -35,11 +35,9 @@ test-asan:            ## unit, property and fuzz tests, smaller, with AddressSan
 	cmake --build --preset asan -j $(jobs)
 	ctest --preset asan
 
-bench:                ## the benchmarks
+bench: build          ## the standard constructions, timed; takes minutes
 	tools/install_dependencies.sh bench
-	cmake --preset bench $(launcher) >/dev/null
-	cmake --build --preset bench -j $(jobs)
-	cmake --build --preset bench --target run_benchmarks
+	python3 benchmarks/construction.py build/release/delone
 
 docs: build           ## run the programs and commands of the documentation, follow its links
 	tools/check_docs.py build/release

@@ -16,6 +16,7 @@ struct CheckCommandOptions {
   PointInput points;
   int level = 6;
   bool canonical = false;
+  bool any_orientation = false;
 };
 
 struct Level {
@@ -46,6 +47,7 @@ int run_check(const CheckCommandOptions& options) {
   CheckOptions check_options;
   check_options.up_to = static_cast<CheckLevel>(options.level);
   check_options.canonical = options.canonical;
+  check_options.oriented = !options.any_orientation;
   const CheckReport report = about(options.path, [&] { return check(data, check_options); });
 
   std::string text = fmt::format("{}: {} points in dimension {}, affine dimension {}, {} cells\n", options.path,
@@ -76,6 +78,8 @@ Run add_check(CLI::App& app) {
       ->check(CLI::IsMember(readable_complex_formats()));
   app.add_option("--level", options->level, "The highest level to check")->check(CLI::Range(1, 6));
   app.add_flag("--canonical", options->canonical, "Ask also for the choice among ties that delone makes");
+  app.add_flag("--any-orientation", options->any_orientation,
+               "Take cells as sets of vertices, as Qhull and SciPy write them: their order means nothing");
   app.add_option("--points", options->points.path, "Take the points from this file instead")->type_name("FILE");
   std::string footer = "Levels:\n";
   for (std::size_t i = 0; i < levels.size(); ++i)

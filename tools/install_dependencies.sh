@@ -7,7 +7,7 @@ set -euo pipefail
 build=(g++ cmake ninja-build libcli11-dev libfmt-dev nlohmann-json3-dev libfast-float-dev libboost-dev)
 test=(libgtest-dev libgmock-dev librapidcheck-dev libqhull-dev libcgal-dev libeigen3-dev libgmp-dev libmpfr-dev
       python3 python3-numpy)
-bench=(libbenchmark-dev python3 python3-numpy)
+bench=(python3)
 lint=(clang-format clang-tidy python3)
 fuzz=(clang)
 

@@ -14,6 +14,7 @@
 #include <optional>
 #include <ranges>
 #include <span>
+#include <type_traits>
 #include <vector>
 
 namespace delone {
@@ -31,7 +32,7 @@ struct Options {
   InsertionOrder order = InsertionOrder::automatic;
   bool force_runtime_dimension = false;  ///< use the run-time-dimension engine even for k ≤ 8
   /// Called from the building thread about every 20 ms with the fraction done, 0…1; return false to cancel (Errc::cancelled).
-  std::function<bool(double)> progress;
+  std::function<bool(double)> progress = {};
 };
 
 /// What a triangulation has cost so far.
@@ -159,10 +160,19 @@ class Delaunay : public Triangulation {
   void insert_range(const Range& points) { Triangulation::insert_range(as_coordinates(points)); }
 
  private:
+  /// A class of the size of D doubles that, if it names its entries' type, holds doubles.
+  template <class Element>
+  static constexpr bool is_point() {
+    if constexpr (requires { typename Element::value_type; })
+      return sizeof(Element) == D * sizeof(double) && std::same_as<typename Element::value_type, double>;
+    else
+      return sizeof(Element) == D * sizeof(double) && std::is_class_v<Element>;
+  }
+
   template <class Range>
   static std::span<const double> as_coordinates(const Range& points) {
     using Element = std::remove_cv_t<std::ranges::range_value_t<Range>>;
-    static_assert(std::same_as<Element, double> || sizeof(Element) == D * sizeof(double),
+    static_assert(std::same_as<Element, double> || is_point<Element>(),
                   "a point must be D contiguous doubles, such as std::array<double, D>");
     return {reinterpret_cast<const double*>(std::ranges::data(points)),
             std::ranges::size(points) * sizeof(Element) / sizeof(double)};

@@ -3,20 +3,14 @@
 // on neither their order nor the order of the vertices in a cell. Both the plain data and the engine's complex feed it.
 #pragma once
 
+#include "random.hpp"
+
 #include <delone/complex.hpp>
 
 #include <bit>
 #include <cstdint>
 
 namespace delone::front_ends {
-
-/// The finaliser of splitmix64 (Steele, Lea, Flood 2014, doi:10.1145/2660193.2660195): a bijection of 64 bits in which each
-/// input bit flips each output bit with probability close to one half.
-constexpr std::uint64_t mixed(std::uint64_t x) {
-  x = (x ^ (x >> 30)) * 0xbf58476d1ce4e5b9u;
-  x = (x ^ (x >> 27)) * 0x94d049bb133111ebu;
-  return x ^ (x >> 31);
-}
 
 /// 128 bits for one point; equal for equal coordinates, −0 = +0. Sums of tags stand for sets of points.
 struct PointTag {
@@ -35,8 +29,8 @@ inline PointTag point_tag(const double* point, int dimension) {
   for (int axis = 0; axis < dimension; ++axis) {
     // x + 0.0 turns −0 into +0 and leaves every other number as it is.
     const auto bits = std::bit_cast<std::uint64_t>(point[axis] + 0.0);
-    tag.high = mixed(tag.high + 0x9e3779b97f4a7c15u + bits);
-    tag.low = mixed((tag.low ^ bits) + 0xd1342543de82ef95u);
+    tag.high = random::mix(tag.high + 0x9e3779b97f4a7c15u + bits);
+    tag.low = random::mix((tag.low ^ bits) + 0xd1342543de82ef95u);
   }
   return tag;
 }
@@ -53,15 +47,15 @@ class HashAccumulator {
   /// The hash of what was added, for points of R^dimension with the given affine dimension.
   CanonicalHash finish(int dimension, int affine_dimension) const {
     const auto shape = (static_cast<std::uint64_t>(dimension) << 32) ^ static_cast<std::uint32_t>(affine_dimension);
-    return {mixed(mixed(mixed(cells_.high + num_cells_) + vertices_.high) + shape),
-            mixed(mixed(mixed(cells_.low ^ num_cells_) ^ vertices_.low) ^ shape)};
+    return {random::mix(random::mix(random::mix(cells_.high + num_cells_) + vertices_.high) + shape),
+            random::mix(random::mix(random::mix(cells_.low ^ num_cells_) ^ vertices_.low) ^ shape)};
   }
 
  private:
   // The sums are mixed before they are added up: without that, cells {a,b} and {c,d} would weigh the same as {a,c} and {b,d}.
   static void add(PointTag& total, const PointTag& tag) {
-    total.high += mixed(tag.high ^ std::rotl(tag.low, 32));
-    total.low += mixed(tag.low + 0x9e3779b97f4a7c15u * tag.high);
+    total.high += random::mix(tag.high ^ std::rotl(tag.low, 32));
+    total.low += random::mix(tag.low + 0x9e3779b97f4a7c15u * tag.high);
   }
 
   PointTag vertices_, cells_;

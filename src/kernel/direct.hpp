@@ -10,22 +10,32 @@
 #include <delone/types.hpp>
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
+#include <cstdint>
+#include <limits>
 #include <optional>
 
 namespace delone::kernel {
 
 namespace detail {
 
-/// 2^−e with 2^(e−1) ≤ m < 2^e, so that m·scale is in [1/2, 1); and e itself. REQUIRES m finite and positive.
-struct PowerOfTwo {
+/// 2^e, or 0 or infinity where that is below or above the normal doubles. (std::ldexp is a call, and this is a hot path.)
+inline double power_of_two(int e) {
+  if (e < -1022) return 0;
+  if (e > 1023) return std::numeric_limits<double>::infinity();
+  return std::bit_cast<double>(static_cast<std::uint64_t>(e + 1023) << 52);
+}
+
+/// An exponent e and the scale 2^−e such that m·scale is in [1/2, 1), or smaller for the few m below 2^−1000.
+/// REQUIRES m finite and positive.
+struct Normalisation {
   double scale;
   int exponent;
 };
-inline PowerOfTwo normalising_power(double m) {
-  int e = 0;
-  std::frexp(m, &e);
-  return {std::ldexp(1.0, -std::clamp(e, -1000, 1000)), std::clamp(e, -1000, 1000)};
+inline Normalisation normalisation(double m) {
+  const int e = std::max(static_cast<int>(std::bit_cast<std::uint64_t>(m) >> 52) - 1022, -1000);
+  return {power_of_two(-e), e};
 }
 
 inline std::optional<Sign> certified_sign(const CertifiedDeterminant& det, double grid_unit) {
@@ -54,12 +64,12 @@ std::optional<Sign> direct_orientation(const Flat& flat, const double* const* po
     }
     if (largest == 0) return Sign::zero;  // binary64 differences vanish only when they are exactly zero
     if (!(largest < 1e300)) return std::nullopt;
-    const auto [scale, exponent] = detail::normalising_power(largest);
+    const auto [scale, exponent] = detail::normalisation(largest);
     for (int i = 0; i < k; ++i) a[static_cast<std::size_t>(i * k + r)] *= scale;
     unit_exponent += grid.exponent(axis) - exponent;
   }
   const CertifiedDeterminant det = factor<K>(a.data(), k, k, {1.01 * unit_roundoff, 0}, row_of.data());
-  return detail::certified_sign(det, std::ldexp(1.0, unit_exponent));
+  return detail::certified_sign(det, detail::power_of_two(unit_exponent));
 }
 
 /// The sign of det(p_i − q, |p_i − q|²), i = 0 … k; nullopt when binary64 cannot tell.
@@ -88,7 +98,7 @@ std::optional<Sign> direct_sphere(const Flat& flat, const double* const* points,
     largest_of_all = std::max(largest_of_all, largest);
   }
   if (!(largest_of_all < 1e300)) return std::nullopt;
-  const auto [common_scale, common_exponent] = detail::normalising_power(largest_of_all);
+  const auto [common_scale, common_exponent] = detail::normalisation(largest_of_all);
   for (int i = 0; i < n; ++i) {
     double lift = 0;
     if (flat.ambient == k) {
@@ -107,7 +117,7 @@ std::optional<Sign> direct_sphere(const Flat& flat, const double* const* points,
   for (int r = 0; r < k; ++r) {
     double largest = 0;
     for (int i = 0; i < n; ++i) largest = std::max(largest, std::fabs(a[static_cast<std::size_t>(i * n + r)]));
-    const auto [scale, exponent] = detail::normalising_power(largest);
+    const auto [scale, exponent] = detail::normalisation(largest);
     for (int i = 0; i < n; ++i) a[static_cast<std::size_t>(i * n + r)] *= scale;
     unit_exponent += grid.exponent(flat.axes[static_cast<std::size_t>(r)]) - exponent;
   }
@@ -115,7 +125,7 @@ std::optional<Sign> direct_sphere(const Flat& flat, const double* const* points,
   // Differences are rounded once; a lift is a sum of `ambient` squares of rounded differences.
   const double relative_error = 1.01 * (flat.ambient + 3) * unit_roundoff;
   const CertifiedDeterminant det = factor<N>(a.data(), n, n, {relative_error, 0}, row_of.data());
-  return detail::certified_sign(det, std::ldexp(1.0, unit_exponent));
+  return detail::certified_sign(det, detail::power_of_two(unit_exponent));
 }
 
 }  // namespace delone::kernel

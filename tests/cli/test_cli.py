@@ -520,6 +520,10 @@ class Check(Case):
         self.run_delone("check", self.path("good.npz"), "--points", self.path("moved.npy"), status=1)
         self.output("check", path, "--points", self.path("points.npy"))
 
+    def test_cells_of_any_orientation(self):
+        self.violation({"points": self.good["points"], "cells": np.sort(self.good["cells"], axis=1)}, 2)
+        self.output("check", self.path("bad.npz"), "--any-orientation")
+
     def test_forgotten_point(self):
         points = np.vstack([self.good["points"], [[0.5, 0.5, 0.5]]])
         self.violation({"points": points, "cells": self.good["cells"]}, 6)

@@ -22,4 +22,8 @@ delone::Delaunay<3> scattered(const std::list<std::array<double, 3>>& points) { 
 delone::VertexId mixed(const delone::Triangulation& t, delone::VertexId v) { return t.complex().vertex(v, 0); }
 #elif MISUSE == 6  // a triangulation is moved, never copied by accident
 delone::Delaunay<3> copied(const delone::Delaunay<3>& t) { return t; }
+#elif MISUSE == 7  // of the right size, of the wrong type
+delone::Delaunay<3> floats(const std::vector<std::array<float, 6>>& points) { return delone::Delaunay<3>(points); }
+#elif MISUSE == 8  // likewise
+delone::Delaunay<1> integers(const std::vector<long long>& points) { return delone::Delaunay<1>(points); }
 #endif
