@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Levels 2 and 3 of check(): the cells with the infinite cells added form a closed pseudomanifold, oriented, connected, with
 // connected stars, and with the Euler characteristic of a sphere. No coordinate is looked at.
-#include "front_ends/canonical_hash.hpp"
 #include "front_ends/check_stages.hpp"
+#include "random.hpp"
 
 #include <delone/error.hpp>
 
@@ -41,9 +41,9 @@ std::vector<SignedIndex> paired_facets(std::span<const SignedIndex> cells, std::
   for (std::size_t first = 0; first < cells.size(); first += corners) {
     const auto a = cells.subspan(first, corners);
     std::uint64_t total = 0;
-    for (const SignedIndex row : a) total += mixed(static_cast<std::uint64_t>(row) + 1);
+    for (const SignedIndex row : a) total += random::mix(static_cast<std::uint64_t>(row) + 1);
     for (std::size_t i = 0; i < corners; ++i) {
-      const std::uint64_t key = mixed(total - mixed(static_cast<std::uint64_t>(a[i]) + 1));
+      const std::uint64_t key = random::mix(total - random::mix(static_cast<std::uint64_t>(a[i]) + 1));
       std::size_t at = key & mask;
       for (; table[at].facet != 0; at = (at + 1) & mask) {
         if (table[at].key != key) continue;
