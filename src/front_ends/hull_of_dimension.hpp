@@ -69,7 +69,8 @@ class HullOfDimension final : public Hull {
 
   HullLocation locate(const double* query, Index start) const override {
     StageCounts uncounted;
-    const Query q = geometry_.make_query(query);
+    const kernel::Grid grid = grid_with(query);
+    const Query q = geometry_.make_query(query, grid);
     const Index near = engine::descend(cells_, geometry_, q, start == invalid_index ? last_ : start).second.cell;
     const engine::WalkResult found = engine::walk_exactly(cells_, geometry_, q, near, false, uncounted);
     HullLocation location{found.cell, cells_.infinite_slot(found.cell) >= 0, {}};
@@ -85,7 +86,8 @@ class HullOfDimension final : public Hull {
 
   std::vector<CellId> conflict_zone(const double* query, Index start) const override {
     StageCounts uncounted;
-    const Query q = geometry_.make_query(query);
+    const kernel::Grid grid = grid_with(query);
+    const Query q = geometry_.make_query(query, grid);
     const engine::WalkResult found = engine::locate(cells_, geometry_, q, start == invalid_index ? last_ : start, uncounted);
     if (found.vertex != invalid_index) return {};
     engine::SeparateMarks marks;
@@ -97,7 +99,8 @@ class HullOfDimension final : public Hull {
   }
 
   Sign in_sphere(Index cell, const double* query) const override {
-    return geometry_.unperturbed_side(cells_.vertices(cell), geometry_.make_query(query));
+    const kernel::Grid grid = grid_with(query);
+    return geometry_.unperturbed_side(cells_.vertices(cell), geometry_.make_query(query, grid));
   }
 
   Complex complex(Index num_vertices, const CellId* cell_of_vertex) const override {
@@ -108,6 +111,12 @@ class HullOfDimension final : public Hull {
   std::size_t bytes() const override { return cells_.bytes() + geometry_.bytes(); }
 
  private:
+  kernel::Grid grid_with(const double* query) const {
+    kernel::Grid grid = points_.grid;
+    grid.include(query);
+    return grid;
+  }
+
   void recount() {
     num_infinite_ = 0;
     for (Index cell = 0; cell < cells_.num_slots(); ++cell)

@@ -17,11 +17,14 @@
 
 namespace delone::geometry {
 
-/// A point to be tested against cells: its coordinates, its image in the frame, and whether the filter may be used on it.
+/// A point to be tested against cells: its coordinates, its image in the frame, whether the filter may be used on it, and a
+/// grid that all vertices and the point itself lie on.
 template <int K>
 struct Query {
-  Query(const double* at, std::size_t dimension) : point(at), image(dimension) {}
+  Query(const double* at, const kernel::Grid& grid_of_all, std::size_t dimension)
+      : point(at), grid(&grid_of_all), image(dimension) {}
   const double* point;
+  const kernel::Grid* grid;
   kernel::Buffer<double, K> image;
   double lift = 0;
   bool in_frame = false;
@@ -52,8 +55,12 @@ class DelaunayGeometry {
     functionals_.set_frame(frame_, axes_);
   }
 
-  Query make_query(const double* point) const {
-    Query q(point, axes_.size());
+  /// A query at the point of a vertex.
+  Query make_query(const double* point) const { return make_query(point, grid_); }
+
+  /// A query anywhere; `grid` is one for the vertices and the point, and must outlive the query.
+  Query make_query(const double* point, const kernel::Grid& grid) const {
+    Query q(point, grid, axes_.size());
     for (int r = 0; r < dimension(); ++r) q.image[static_cast<std::size_t>(r)] = frame_.image(point, axis(r));
     q.lift = frame_.lift(point);
     q.in_frame = frame_.contains(point);
@@ -87,25 +94,25 @@ class DelaunayGeometry {
     const kernel::Flat flat = this->flat();
     if (infinite_slot >= 0) {
       points[static_cast<std::size_t>(infinite_slot)] = q.point;
-      return -kernel::orientation<K>(flat, points.data(), grid_, counts);
+      return -kernel::orientation<K>(flat, points.data(), *q.grid, counts);
     }
-    const Sign sign = kernel::in_sphere<K>(flat, points.data(), q.point, grid_, counts);
+    const Sign sign = kernel::in_sphere<K>(flat, points.data(), q.point, *q.grid, counts);
     if (sign != Sign::zero) return sign;
     ++counts.perturbed;
-    return kernel::perturbed_in_sphere<K>(flat, points.data(), q.point, grid_);
+    return kernel::perturbed_in_sphere<K>(flat, points.data(), q.point, *q.grid);
   }
 
   /// The sign of the power of q with respect to the sphere of a finite cell, ties not perturbed.
   Sign unperturbed_side(const Index* vertices, const Query& q) const {
     StageCounts uncounted;
-    return kernel::in_sphere<K>(flat(), gather(vertices).data(), q.point, grid_, uncounted);
+    return kernel::in_sphere<K>(flat(), gather(vertices).data(), q.point, *q.grid, uncounted);
   }
 
   /// The exact sign of the barycentric coordinate of q at vertex `slot` of a finite, positively oriented cell.
   Sign side_of_facet(const Index* vertices, int slot, const Query& q) const {
     auto points = gather(vertices);
     points[static_cast<std::size_t>(slot)] = q.point;
-    return kernel::orientation<K>(flat(), points.data(), grid_);
+    return kernel::orientation<K>(flat(), points.data(), *q.grid);
   }
 
   /// The orientation of k+1 finite vertices.

@@ -15,6 +15,7 @@
 #include <cstdint>
 #include <limits>
 #include <optional>
+#include <utility>
 
 namespace delone::kernel {
 
@@ -45,6 +46,44 @@ inline std::optional<Sign> certified_sign(const CertifiedDeterminant& det, doubl
   return std::nullopt;
 }
 
+/// Up to how many columns the table of minors is faster than elimination.
+template <int N>
+inline constexpr bool tabulates_minors = N > 0 && N <= 6;
+
+/// The minor of the first |Columns| rows and the columns of a bit set, from the minors of one row less: Laplace expansion along
+/// the last row, in which the cofactor of the last column is positive and signs alternate.
+template <int N, unsigned Columns>
+double minor_from_smaller(const double* a, const double* minors) {
+  constexpr int last_row = std::popcount(Columns) - 1;
+  double sum = 0;
+  [&]<int... C>(std::integer_sequence<int, C...>) {
+    const auto add = [&]<int Column>(std::integral_constant<int, Column>) {
+      if constexpr ((Columns >> Column & 1) != 0) {
+        constexpr bool negative = std::popcount(Columns >> Column) % 2 == 0;
+        const double term = a[last_row * N + Column] * minors[Columns & ~(1u << Column)];
+        sum = negative ? sum - term : sum + term;
+      }
+    };
+    (add(std::integral_constant<int, C>{}), ...);
+  }
+  (std::make_integer_sequence<int, N>{});
+  return sum;
+}
+
+/// The sign of the determinant of N rows of N entries by a table of the minors of the first rows, without a loop.
+/// REQUIRES that all minors and partial sums are exact in binary64.
+template <int N>
+Sign sign_by_exact_minors(const double* a) {
+  double minors[std::size_t{1} << N];
+  minors[0] = 1;
+  [&]<unsigned... S>(std::integer_sequence<unsigned, S...>) {
+    ((minors[S + 1] = minor_from_smaller<N, S + 1>(a, minors)), ...);
+  }
+  (std::make_integer_sequence<unsigned, (1u << N) - 1>{});
+  const double det = minors[(1u << N) - 1];
+  return det > 0 ? Sign::positive : det < 0 ? Sign::negative : Sign::zero;
+}
+
 }  // namespace detail
 
 /// The sign of det(p_i − base), i < k, over the axes of the flat; nullopt when binary64 cannot tell. K is k, or 0 for run time.
@@ -53,6 +92,7 @@ std::optional<Sign> direct_orientation(const Flat& flat, const double* const* po
   const int k = K > 0 ? K : flat.dimension();
   Buffer<double, K * K> a(static_cast<std::size_t>(k) * static_cast<std::size_t>(k));
   Buffer<int, K> row_of(static_cast<std::size_t>(k));
+  const bool small = detail::tabulates_minors<K> && grid.is_small();
   int unit_exponent = 0;
   for (int r = 0; r < k; ++r) {
     const int axis = flat.axes[static_cast<std::size_t>(r)];
@@ -63,11 +103,14 @@ std::optional<Sign> direct_orientation(const Flat& flat, const double* const* po
       largest = std::max(largest, std::fabs(difference));
     }
     if (largest == 0) return Sign::zero;  // binary64 differences vanish only when they are exactly zero
+    if (small) continue;
     if (!(largest < 1e300)) return std::nullopt;
     const auto [scale, exponent] = detail::normalisation(largest);
     for (int i = 0; i < k; ++i) a[static_cast<std::size_t>(i * k + r)] *= scale;
     unit_exponent += grid.exponent(axis) - exponent;
   }
+  if constexpr (detail::tabulates_minors<K>)
+    if (small) return detail::sign_by_exact_minors<K>(a.data());
   const CertifiedDeterminant det = factor<K>(a.data(), k, k, {1.01 * unit_roundoff, 0}, row_of.data());
   return detail::certified_sign(det, detail::power_of_two(unit_exponent));
 }
@@ -98,7 +141,8 @@ std::optional<Sign> direct_sphere(const Flat& flat, const double* const* points,
     largest_of_all = std::max(largest_of_all, largest);
   }
   if (!(largest_of_all < 1e300)) return std::nullopt;
-  const auto [common_scale, common_exponent] = detail::normalisation(largest_of_all);
+  const bool small = detail::tabulates_minors<N> && grid.is_small();
+  const auto [common_scale, common_exponent] = small ? detail::Normalisation{1, 0} : detail::normalisation(largest_of_all);
   for (int i = 0; i < n; ++i) {
     double lift = 0;
     if (flat.ambient == k) {
@@ -114,6 +158,8 @@ std::optional<Sign> direct_sphere(const Flat& flat, const double* const* points,
     }
     a[static_cast<std::size_t>(i * n + k)] = lift;
   }
+  if constexpr (detail::tabulates_minors<N>)
+    if (small) return detail::sign_by_exact_minors<N>(a.data());
   for (int r = 0; r < k; ++r) {
     double largest = 0;
     for (int i = 0; i < n; ++i) largest = std::max(largest, std::fabs(a[static_cast<std::size_t>(i * n + r)]));

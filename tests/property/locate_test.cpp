@@ -11,6 +11,8 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
+#include <cmath>
 #include <set>
 
 namespace delone {
@@ -233,6 +235,27 @@ TEST_P(LocateIn, ManyPointsAndEveryVertex) {
     ASSERT_GE(triangulation.complex().index_of(found.cell, found.face[0]), 0);
     ASSERT_TRUE(triangulation.conflict_zone(view[row]).empty());
   }
+}
+
+// Integer points prove ties by their grid; a query off the grid must not be taken for one of them.
+TEST(OffGridQueries, OneUnitInTheLastPlaceBesideATie) {
+  const Triangulation square(std::vector<double>{0, 0, 1, 0, 0, 1, 100, 100}, 2);
+  for (const CellId cell : square.finite_cells()) {
+    std::set<std::size_t> rows;
+    for (const VertexId v : square.vertices(cell)) rows.insert(square.row_of(v));
+    if (rows != std::set<std::size_t>{0, 1, 2}) continue;
+    EXPECT_EQ(square.in_sphere(cell, std::array{1.0, 1.0}), Sign::zero);
+    EXPECT_EQ(square.in_sphere(cell, std::array{1.0, std::nextafter(1.0, 0)}), Sign::negative);
+    EXPECT_EQ(square.in_sphere(cell, std::array{1.0, std::nextafter(1.0, 2)}), Sign::positive);
+    EXPECT_EQ(square.in_sphere(cell, std::array{1.0, 1e-300}), Sign::negative);
+    EXPECT_EQ(square.in_sphere(cell, std::array{1.0, -1e-300}), Sign::positive);
+  }
+  const Triangulation triangle(std::vector<double>{0, 0, 4, 0, 0, 4}, 2);
+  EXPECT_EQ(triangle.locate(std::array{1.0, 3.0}).kind, Location::Kind::on_face);
+  EXPECT_EQ(triangle.locate(std::array{1.0, std::nextafter(3.0, 0)}).kind, Location::Kind::in_cell);
+  EXPECT_EQ(triangle.locate(std::array{1.0, std::nextafter(3.0, 4)}).kind, Location::Kind::outside_hull);
+  EXPECT_EQ(triangle.locate(std::array{1.0, 1e-310}).kind, Location::Kind::in_cell);
+  EXPECT_EQ(triangle.locate(std::array{1.0, -1e-310}).kind, Location::Kind::outside_hull);
 }
 
 }  // namespace
