@@ -58,8 +58,13 @@ class Grid {
     int widest = 0;                  // bits of the largest difference in units of the finest grid
     for (const Axis& axis : axes_) {
       if (!(axis.high > axis.low)) continue;
-      const int top = std::ilogb(axis.high - axis.low) + 1;  // differences are below 2^top
-      constexpr int moderate = 60;                           // no product of so few entries overflows or underflows
+      const double range = axis.high - axis.low;
+      if (!std::isfinite(range)) {
+        is_small_ = false;
+        return;
+      }
+      const int top = std::ilogb(range) + 1;  // differences are below 2^top
+      constexpr int moderate = 60;            // no product of so few entries overflows or underflows
       if (top > moderate || axis.exponent < -moderate) is_small_ = false;
       bits += top - axis.exponent;
       widest = std::max(widest, top - finest_);

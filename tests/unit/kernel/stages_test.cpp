@@ -51,6 +51,30 @@ TEST(Grid, FindsTheLowestBit) {
   EXPECT_EQ(trailing_exponent(0.0), std::numeric_limits<int>::max());
 }
 
+TEST(Grid, KnowsWhetherDeterminantsAreExactInBinary64) {
+  const auto is_small = [](std::vector<double> coordinates, int ambient) {
+    Grid grid(ambient);
+    for (std::size_t i = 0; i < coordinates.size(); i += static_cast<std::size_t>(ambient)) grid.include(&coordinates[i]);
+    return grid.is_small();
+  };
+  EXPECT_TRUE(is_small({0, 0, 0, 99, 99, 99}, 3));
+  EXPECT_TRUE(is_small({4e6, 4e6, 4e6, 4e6 + 99, 4e6 + 3, 4e6 + 7}, 3));
+  EXPECT_TRUE(is_small({0, 0.25, 7, 0.5}, 2));
+  EXPECT_FALSE(is_small({0, 0, 0, 1000, 1000, 1000}, 3));
+  EXPECT_FALSE(is_small({0, 0, 0.1, 0.2}, 2));
+  EXPECT_FALSE(is_small({0, 0, std::ldexp(1, 70), std::ldexp(1, 70)}, 2));
+  EXPECT_FALSE(is_small({0, 0, std::ldexp(1, -70), std::ldexp(1, -70)}, 2));
+  constexpr double huge = std::numeric_limits<double>::max();
+  EXPECT_FALSE(is_small({-huge, 0, huge, 1}, 2));  // the range itself overflows
+  Grid grid(1);
+  const double zero = 0, one = 1, third = 1.0 / 3;
+  grid.include(&zero);
+  grid.include(&one);
+  EXPECT_TRUE(grid.is_small());
+  grid.include(&third);
+  EXPECT_FALSE(grid.is_small());
+}
+
 TEST(DirectStage, DecidesPointsInGeneralPosition) {
   const Case c(2, {0.1, 0.2, 1.3, 0.1, 0.4, 0.9, 0.5, 0.5});
   EXPECT_EQ(direct_orientation<2>(c.flat(), c.points.data() + 1, c.points[0], c.grid), Sign::positive);
