@@ -40,7 +40,7 @@ struct Statistics {
   std::uint64_t created_cells = 0;  ///< by all insertions, including cells destroyed later
   std::uint64_t visited_cells = 0;  ///< by the walks of all insertions
   std::uint64_t insertions = 0;     ///< vertices inserted
-  std::uint64_t filter = 0;         ///< conflict tests decided by the cached functional of the cell
+  std::uint64_t filter = 0;         ///< conflict tests decided by the cached functional of the cell, repeated ones included
   std::uint64_t direct = 0;         ///< … by a determinant in binary64 with a certified bound
   std::uint64_t exact = 0;          ///< … by exact integer arithmetic
   std::uint64_t perturbed = 0;      ///< ties, decided by the symbolic perturbation (after one of the stages proved a zero)
