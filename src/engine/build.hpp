@@ -37,8 +37,13 @@ Index insert(CellStore<K>& cells, G& geometry, Index v, const typename G::Query&
   const WalkResult found = locate(cells, geometry, q, start, effort.stages);
   effort.visited_cells += found.visited;
   if (found.vertex != invalid_index) return found.vertex;
-  find_conflict_zone(cells, geometry, q, found.cell, cells, work.zone, effort.stages);
-  retriangulate(cells, geometry, v, q, work.zone, work.created);
+  try {
+    find_conflict_zone(cells, geometry, q, found.cell, cells, work.zone, effort.stages);
+    retriangulate(cells, geometry, v, q, work.zone, work.created);
+  } catch (...) {
+    unmark(cells, work.zone);
+    throw;
+  }
   effort.created_cells += work.created.size();
   return v;
 }

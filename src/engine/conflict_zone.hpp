@@ -42,8 +42,9 @@ struct ConflictZone {
 /// Fills `zone` from a cell in conflict. Marks: mark(cell) and set_mark(cell, mark); all cells must be unseen before, and the
 /// cells of the zone and of `zone.marked` stay marked. REQUIRES that no vertex is at q.
 ///
-/// The functional of a neighbor is evaluated at every visit, and both lists are written at every visit but only one of them
-/// advances: cheaper than branches that depend on the data.
+/// The functional of a neighbor that is not known to be in conflict is evaluated at every visit, and both lists are written but
+/// only one of them advances: cheaper than branches that depend on the data. If memory runs out, `zone` holds all that is
+/// marked.
 template <int K, Geometry G, class Marks>
 void find_conflict_zone(const CellStore<K>& cells, const G& geometry, const typename G::Query& q, Index first, Marks& marks,
                         ConflictZone& zone, StageCounts& counts) {
@@ -85,6 +86,13 @@ void find_conflict_zone(const CellStore<K>& cells, const G& geometry, const type
     }
   }
   counts.filter += filtered;
+}
+
+/// Takes back the marks that find_conflict_zone() has set.
+template <class Marks>
+void unmark(Marks& marks, const ConflictZone& zone) {
+  for (std::size_t i = 0; i < zone.num_cells; ++i) marks.set_mark(zone.cells[i], Mark::unseen);
+  for (const Index cell : zone.marked) marks.set_mark(cell, Mark::unseen);
 }
 
 /// Marks kept outside the cells, for queries that must not change them.

@@ -30,24 +30,15 @@ void glue(CellStore<K>& cells, Index new_cell, Index dead, int base, int slot) {
   }
 }
 
-/// Kills the zone and creates the star of vertex v at q, whose cells `created` receives. Leaves all cells unmarked. If memory
-/// or ids run out it throws before anything has changed but the marks, which are reset.
+/// Kills the zone and creates the star of vertex v at q, whose cells `created` receives; takes the marks back. If memory or ids
+/// run out it throws before anything has changed, the marks included.
 template <int K, Geometry G>
 void retriangulate(CellStore<K>& cells, G& geometry, Index v, const typename G::Query& q, const ConflictZone& zone,
                    std::vector<Index>& created) {
   const int k = cells.dimension();
-  const auto unmark = [&] {
-    for (std::size_t i = 0; i < zone.num_cells; ++i) cells.set_mark(zone.cells[i], Mark::unseen);
-    for (const Index cell : zone.marked) cells.set_mark(cell, Mark::unseen);
-  };
-  try {
-    created.resize(zone.num_facets);
-    cells.reserve_vacancies(zone.num_cells);
-    geometry.reserve_cells(cells.reserve(zone.num_facets));
-  } catch (...) {
-    unmark();
-    throw;
-  }
+  created.resize(zone.num_facets);
+  cells.reserve_vacancies(zone.num_cells);
+  geometry.reserve_cells(cells.reserve(zone.num_facets));
 
   for (std::size_t f = 0; f < zone.num_facets; ++f) {
     const HorizonFacet& facet = zone.horizon[f];
@@ -75,7 +66,7 @@ void retriangulate(CellStore<K>& cells, G& geometry, Index v, const typename G::
     for (int slot = 0; slot <= k; ++slot)
       if (cells.neighbors(created[f])[slot] == invalid_index) glue(cells, created[f], facet.cell, facet.slot, slot);
   }
-  unmark();
+  unmark(cells, zone);
   for (std::size_t i = 0; i < zone.num_cells; ++i) cells.release(zone.cells[i]);
 }
 
