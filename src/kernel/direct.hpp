@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Stage `direct_`: orientation and sphere determinants in binary64, translated to a point, with a certified bound; and the
-// proof of exact zeros for points on a coarse grid.
+// Stage `direct_`: orientation and sphere determinants in binary64, translated to a point, and determinants of homogeneous
+// rows, with a certified bound; and the proof of exact zeros for numbers on a coarse grid.
 #pragma once
 
 #include "kernel/determinant.hpp"
@@ -13,8 +13,10 @@
 #include <bit>
 #include <cmath>
 #include <cstdint>
+#include <cstdlib>
 #include <limits>
 #include <optional>
+#include <span>
 #include <utility>
 
 namespace delone::kernel {
@@ -37,6 +39,13 @@ struct Normalisation {
 inline Normalisation normalisation(double m) {
   const int e = std::max(static_cast<int>(std::bit_cast<std::uint64_t>(m) >> 52) - 1022, -1000);
   return {power_of_two(-e), e};
+}
+
+/// The least e with |x| < 2^e. REQUIRES x finite and not 0.
+inline int upper_exponent(double x) {
+  const auto bits = std::bit_cast<std::uint64_t>(x);
+  const int biased = static_cast<int>(bits >> 52 & 0x7ff);
+  return biased != 0 ? biased - 1022 : -1010 - std::countl_zero(bits << 1 >> 1);
 }
 
 inline std::optional<Sign> certified_sign(const CertifiedDeterminant& det, double grid_unit) {
@@ -115,7 +124,8 @@ std::optional<Sign> direct_orientation(const Flat& flat, const double* const* po
   return detail::certified_sign(det, detail::power_of_two(unit_exponent));
 }
 
-/// The sign of det(p_i − q, |p_i − q|²), i = 0 … k; nullopt when binary64 cannot tell.
+/// The sign of det(p_i − q, |p_i − q|² − w_i + w_q), i = 0 … k, all weights 0 for points without; nullopt when binary64 cannot
+/// tell. Weighted points may have k = 0.
 template <int K>
 std::optional<Sign> direct_sphere(const Flat& flat, const double* const* points, const double* q, const Grid& grid) {
   constexpr int N = K > 0 ? K + 1 : 0;
@@ -142,7 +152,18 @@ std::optional<Sign> direct_sphere(const Flat& flat, const double* const* points,
   }
   if (!(largest_of_all < 1e300)) return std::nullopt;
   const bool small = detail::tabulates_minors<N> && grid.is_small();
-  const auto [common_scale, common_exponent] = small ? detail::Normalisation{1, 0} : detail::normalisation(largest_of_all);
+  auto [common_scale, common_exponent] = small ? detail::Normalisation{1, 0} : detail::normalisation(largest_of_all);
+  if (flat.weighted() && !small) {
+    double largest = 0;
+    for (int i = 0; i < n; ++i) largest = std::max(largest, std::fabs(points[i][flat.ambient] - q[flat.ambient]));
+    if (largest == 0 && largest_of_all == 0) return Sign::zero;  // only for k = 0
+    if (!(largest < 1e300)) return std::nullopt;
+    if (largest > 0) {  // squares of differences and weights are scaled alike, all to at most 1
+      const int half = (detail::normalisation(largest).exponent + 1) >> 1;
+      common_exponent = std::max(common_exponent, half);
+      common_scale = detail::power_of_two(-common_exponent);
+    }
+  }
   for (int i = 0; i < n; ++i) {
     double lift = 0;
     if (flat.ambient == k) {
@@ -158,6 +179,14 @@ std::optional<Sign> direct_sphere(const Flat& flat, const double* const* points,
     }
     a[static_cast<std::size_t>(i * n + k)] = lift;
   }
+  Buffer<double, N> lift_parts(static_cast<std::size_t>(flat.weighted() ? n : 0));  // |p_i − q|² + |w_i − w_q|, scaled
+  if (flat.weighted())
+    for (int i = 0; i < n; ++i) {
+      const double weight = (points[i][flat.ambient] - q[flat.ambient]) * common_scale * common_scale;
+      double& lift = a[static_cast<std::size_t>(i * n + k)];
+      lift_parts[static_cast<std::size_t>(i)] = lift + std::fabs(weight);
+      lift -= weight;
+    }
   if constexpr (detail::tabulates_minors<N>)
     if (small) return detail::sign_by_exact_minors<N>(a.data());
   for (int r = 0; r < k; ++r) {
@@ -167,11 +196,77 @@ std::optional<Sign> direct_sphere(const Flat& flat, const double* const* points,
     for (int i = 0; i < n; ++i) a[static_cast<std::size_t>(i * n + r)] *= scale;
     unit_exponent += grid.exponent(flat.axes[static_cast<std::size_t>(r)]) - exponent;
   }
-  unit_exponent += 2 * (grid.finest() - common_exponent);
+  unit_exponent += grid.lift_exponent() - 2 * common_exponent;
   // Differences are rounded once; a lift is a sum of `ambient` squares of rounded differences.
-  const double relative_error = 1.01 * (flat.ambient + 3) * unit_roundoff;
+  double relative_error = 1.01 * (flat.ambient + 3) * unit_roundoff;
+  if (flat.weighted()) {
+    // A weight may cancel most of the squares: a lift is off relative to its parts, by how much they exceed the whole column.
+    double cancellation = 1;
+    for (int i = 0; i < n; ++i) {
+      double largest = 0;
+      for (int r = 0; r < n; ++r) largest = std::max(largest, std::fabs(a[static_cast<std::size_t>(i * n + r)]));
+      cancellation = std::max(cancellation, lift_parts[static_cast<std::size_t>(i)] / largest);
+    }
+    relative_error = 1.01 * (flat.ambient + 4) * unit_roundoff * cancellation;
+  }
   const CertifiedDeterminant det = factor<N>(a.data(), n, n, {relative_error, 0}, row_of.data());
   return detail::certified_sign(det, detail::power_of_two(unit_exponent));
+}
+
+/// The sign of the determinant of N rows of `row_size` doubles, restricted to N columns `axes`; nullopt when binary64 cannot
+/// tell. N = 0: chosen at run time. Rows and columns are scaled by powers of two, so that rays of any length will do.
+template <int N>
+std::optional<Sign> direct_determinant(std::span<const int> axes, const double* const* rows) {
+  const int n = N > 0 ? N : static_cast<int>(axes.size());
+  const auto size = static_cast<std::size_t>(n);
+  Buffer<double, N * N> a(size * size);
+  Buffer<int, N> row_of(size), row_exponent(size), column_exponent(size);
+  constexpr int of_zero = -100000;  // below all exponents, and far from overflow
+  for (int i = 0; i < n; ++i) {
+    int top = of_zero;
+    for (int c = 0; c < n; ++c) {
+      const double x = rows[i][axes[static_cast<std::size_t>(c)]];
+      if (x != 0) top = std::max(top, detail::upper_exponent(x));
+    }
+    if (top == of_zero) return Sign::zero;
+    row_exponent[static_cast<std::size_t>(i)] = top;
+  }
+  int unit_exponent = 0;
+  for (int c = 0; c < n; ++c) {
+    int top = of_zero, unit = -of_zero;  // of the column, in scaled rows
+    for (int i = 0; i < n; ++i) {
+      const double x = rows[i][axes[static_cast<std::size_t>(c)]];
+      if (x == 0) continue;
+      top = std::max(top, detail::upper_exponent(x) - row_exponent[static_cast<std::size_t>(i)]);
+      unit = std::min(unit, trailing_exponent(x) - row_exponent[static_cast<std::size_t>(i)]);
+    }
+    if (top == of_zero) return Sign::zero;
+    column_exponent[static_cast<std::size_t>(c)] = top;
+    unit_exponent += unit - top;
+  }
+  for (int i = 0; i < n; ++i)
+    for (int c = 0; c < n; ++c) {
+      const int shift = -(row_exponent[static_cast<std::size_t>(i)] + column_exponent[static_cast<std::size_t>(c)]);
+      const double x = rows[i][axes[static_cast<std::size_t>(c)]];
+      // At most 1 in magnitude, and exact but for underflow.
+      a[static_cast<std::size_t>(i * n + c)] = std::abs(shift) <= 1000 ? x * detail::power_of_two(shift) : std::ldexp(x, shift);
+    }
+  const CertifiedDeterminant det = factor<N>(a.data(), n, n, {}, row_of.data());
+  return detail::certified_sign(det, detail::power_of_two(unit_exponent));
+}
+
+/// The sign of Σ row_j·p_j + row_d, j < d; nullopt when binary64 cannot tell.
+inline std::optional<Sign> direct_affine_form(const double* row, const double* p, int dimension) {
+  double sum = row[dimension], parts = std::fabs(sum);
+  for (int j = 0; j < dimension; ++j) {
+    const double term = row[j] * p[j];
+    sum += term;
+    parts += std::fabs(term);
+  }
+  // Each term meets at most d + 1 roundings (Higham 2002, §3.1), each product one underflow of at most 2⁻¹⁰⁷⁵.
+  const double error = 1.01 * (dimension + 2) * unit_roundoff * parts + dimension * std::numeric_limits<double>::denorm_min();
+  if (std::fabs(sum) > bound_slack * error) return sum > 0 ? Sign::positive : Sign::negative;
+  return std::nullopt;
 }
 
 }  // namespace delone::kernel

@@ -5,6 +5,7 @@
 // 512 and 1024 bits for most doubles, unbounded integers for the rest.
 #include "kernel/exact.hpp"
 
+#include "kernel/binary.hpp"
 #include "kernel/grid.hpp"
 
 #include <boost/multiprecision/cpp_int.hpp>
@@ -24,20 +25,6 @@ namespace mp = boost::multiprecision;
 template <unsigned Bits>
 using FixedInteger = mp::number<mp::cpp_int_backend<Bits, Bits, mp::signed_magnitude, mp::unchecked, void>, mp::et_off>;
 using BigInteger = mp::number<mp::cpp_int_backend<>, mp::et_off>;
-__extension__ typedef __int128 Int128;  // NOLINT(modernize-use-using): the extension mark needs it
-
-/// A finite double as mantissa·2^exponent, |mantissa| < 2^53.
-struct Binary {
-  std::int64_t mantissa;
-  int exponent;
-};
-Binary decompose(double x) {
-  const auto bits = std::bit_cast<std::uint64_t>(x);
-  const auto fraction = static_cast<std::int64_t>(bits & ((std::uint64_t{1} << 52) - 1));
-  const int biased = static_cast<int>(bits >> 52 & 0x7ff);
-  const std::int64_t magnitude = biased == 0 ? fraction : fraction | std::int64_t{1} << 52;
-  return {std::signbit(x) ? -magnitude : magnitude, std::max(biased, 1) - 1075};
-}
 
 /// x·2^−grid as an integer. REQUIRES x on that grid, and that Integer holds the result.
 template <class Integer>
@@ -100,11 +87,16 @@ Sign sign_by_elimination(std::vector<Integer> a, int n) {
   return negate ? -sign : sign;
 }
 
-/// One determinant: rows p_i − base, columns the axes of the flat and, for a sphere, the squared length.
+/// One determinant: rows p_i − base, columns the axes of the flat and, for a sphere, the squared length less the difference of
+/// the weights. Without a base, the rows are as given.
 class Problem {
  public:
   Problem(const Flat& flat, const double* const* points, const double* base, bool with_lift)
-      : flat_(flat), points_(points), base_(base), with_lift_(with_lift), n_(flat.dimension() + (with_lift ? 1 : 0)) {}
+      : flat_(flat),
+        points_(points),
+        base_(base),
+        with_lift_(with_lift),
+        n_(static_cast<int>(flat.axes.size()) + (with_lift ? 1 : 0)) {}
 
   Sign sign() {
     measure();
@@ -126,35 +118,43 @@ class Problem {
   }
 
  private:
+  double base(std::size_t j) const { return base_ == nullptr ? 0.0 : base_[j]; }
+
+  /// A grid that entry j of all rows and of the base lies on, and the bits of the differences in its units: none, 0 bits, if
+  /// all are zero.
+  struct Extent {
+    int grid = std::numeric_limits<int>::max();
+    int bits = 0;
+  };
+  Extent extent(std::size_t j) const {
+    const double origin = base(j);
+    int grid = std::numeric_limits<int>::max();
+    int top = std::numeric_limits<int>::min();  // every |entry| is below 2^top
+    bool all_equal = true;
+    const auto include = [&](double x) {
+      if (x == 0) return;
+      grid = std::min(grid, trailing_exponent(x));
+      top = std::max(top, std::ilogb(x) + 1);
+    };
+    include(origin);
+    for (std::size_t i = 0; i < static_cast<std::size_t>(n_); ++i) {
+      include(points_[i][j]);
+      all_equal = all_equal && points_[i][j] == origin;
+    }
+    return all_equal ? Extent{} : Extent{grid, top + 1 - grid};
+  }
+
   /// The grid of each axis, and the bits of the determinant's entries: a sum over the columns of the bits of the largest.
   void measure() {
-    const int ambient = flat_.ambient;
-    const std::size_t rows = static_cast<std::size_t>(n_);
-    grid_.resize(static_cast<std::size_t>(ambient));
-    std::vector<int> bits(static_cast<std::size_t>(ambient), 0);
+    const auto ambient = static_cast<std::size_t>(flat_.ambient);
+    grid_.resize(ambient);
+    std::vector<int> bits(ambient, 0);
     finest_ = std::numeric_limits<int>::max();
-    for (int j = 0; j < ambient; ++j) {
-      int grid = trailing_exponent(base_[j]);
-      int top = std::numeric_limits<int>::min();  // every |coordinate| is below 2^top
-      bool all_equal = true;
-      const auto include = [&](double x) {
-        if (x == 0) return;
-        grid = std::min(grid, trailing_exponent(x));
-        top = std::max(top, std::ilogb(x) + 1);
-      };
-      include(base_[j]);
-      for (std::size_t i = 0; i < rows; ++i) {
-        include(points_[i][j]);
-        all_equal = all_equal && points_[i][j] == base_[j];
-      }
-      const auto axis = static_cast<std::size_t>(j);
-      if (all_equal) {
-        grid_[axis] = std::numeric_limits<int>::max();  // all differences are zero
-        continue;
-      }
-      grid_[axis] = grid;
-      bits[axis] = top + 1 - grid;
-      finest_ = std::min(finest_, grid);
+    for (std::size_t axis = 0; axis < ambient; ++axis) {
+      const Extent along = extent(axis);
+      grid_[axis] = along.grid;
+      bits[axis] = along.bits;
+      finest_ = std::min(finest_, along.grid);
     }
     entry_bits_ = 0;
     for (const int axis : flat_.axes) {
@@ -164,13 +164,29 @@ class Problem {
     widest_ = 0;
     for (std::size_t axis = 0; axis < bits.size(); ++axis)
       if (bits[axis] > 0) widest_ = std::max(widest_, bits[axis] + grid_[axis] - finest_);
-    if (with_lift_) entry_bits_ += 2.0 * widest_ + ambient_bits();
+    lift_bits_ = widest_ == 0 ? 0 : 2.0 * widest_ + ambient_bits();
+    lift_grid_ = widest_ == 0 ? std::numeric_limits<int>::max() : 2 * finest_;
+    if (!with_lift_) return;
+    if (flat_.weighted()) measure_weights();
+    if (lift_bits_ == 0) has_zero_column_ = true;
+    entry_bits_ += lift_bits_;
+  }
+
+  /// Squares are integers of lift_bits_ bits on lift_grid_; a difference with weights lies on the finer of the two grids.
+  void measure_weights() {
+    const Extent weights = extent(static_cast<std::size_t>(flat_.ambient));
+    weight_grid_ = weights.grid;
+    if (weights.bits == 0) return;
+    const int finer = std::min(lift_grid_, weights.grid);
+    const double square_bits = lift_bits_ == 0 ? 0 : lift_bits_ + lift_grid_ - finer;
+    lift_bits_ = 1 + std::max(square_bits, static_cast<double>(weights.bits) + weights.grid - finer);
+    lift_grid_ = finer;
   }
 
   /// The matrix, row by row. Differences of coordinates and their squares are taken in the narrowest type that holds them.
   template <class Integer>
   std::vector<Integer> entries() const {
-    if (2 * widest_ + ambient_bits() <= 126) return entries_from<Integer, Int128, Int128>();
+    if (lift_bits_ <= 126) return entries_from<Integer, Int128, Int128>();
     if (widest_ <= 126) return entries_from<Integer, Int128, Integer>();
     return entries_from<Integer, Integer, Integer>();
   }
@@ -189,6 +205,11 @@ class Problem {
         const Lift d = static_cast<Lift>(difference<Difference>(i, axis)) * (Lift(1) << (grid_[axis] - finest_));
         lift += d * d;
       }
+      if (widest_ > 0 && lift_grid_ < 2 * finest_) lift *= Lift(1) << (2 * finest_ - lift_grid_);
+      const auto weight = static_cast<std::size_t>(flat_.ambient);
+      if (flat_.weighted() && points_[i][weight] != base_[weight])
+        lift -= (to_integer<Lift>(points_[i][weight], weight_grid_) - to_integer<Lift>(base_[weight], weight_grid_)) *
+                (Lift(1) << (weight_grid_ - lift_grid_));
       a[i * n + n - 1] = static_cast<Integer>(lift);
     }
     return a;
@@ -196,7 +217,7 @@ class Problem {
 
   template <class Integer>
   Integer difference(std::size_t i, std::size_t axis) const {
-    return to_integer<Integer>(points_[i][axis], grid_[axis]) - to_integer<Integer>(base_[axis], grid_[axis]);
+    return to_integer<Integer>(points_[i][axis], grid_[axis]) - to_integer<Integer>(base(axis), grid_[axis]);
   }
 
   double ambient_bits() const { return std::ceil(std::log2(flat_.ambient) + 1); }
@@ -209,6 +230,9 @@ class Problem {
   std::vector<int> grid_;
   int finest_ = 0;  // of the grids of all axes along which points differ
   int widest_ = 0;  // the bits of the largest difference, in units of the finest grid
+  int weight_grid_ = 0;
+  int lift_grid_ = 0;     // of the last column
+  double lift_bits_ = 0;  // of its entries, in units of that grid
   double entry_bits_ = 0;
   bool has_zero_column_ = false;
 };
@@ -221,6 +245,30 @@ Sign exact_orientation(const Flat& flat, const double* const* points, const doub
 
 Sign exact_sphere(const Flat& flat, const double* const* points, const double* q) {
   return Problem(flat, points, q, true).sign();
+}
+
+Sign exact_determinant(std::span<const int> axes, const double* const* rows) {
+  const int row_size = axes.empty() ? 0 : *std::max_element(axes.begin(), axes.end()) + 1;
+  return Problem(Flat{row_size, axes, RowForm::homogeneous}, rows, nullptr, false).sign();
+}
+
+Sign exact_affine_form(const double* row, const double* p, int dimension) {
+  int grid = std::numeric_limits<int>::max();
+  const auto include = [&](int exponent, bool is_zero) {
+    if (!is_zero) grid = std::min(grid, exponent);
+  };
+  include(decompose(row[dimension]).exponent, row[dimension] == 0);
+  for (int j = 0; j < dimension; ++j) include(decompose(row[j]).exponent + decompose(p[j]).exponent, row[j] == 0 || p[j] == 0);
+  BigInteger sum(0);
+  const auto add = [&](const BigInteger& mantissa, int exponent) {
+    if (mantissa != 0) sum += mantissa << (exponent - grid);
+  };
+  add(decompose(row[dimension]).mantissa, decompose(row[dimension]).exponent);
+  for (int j = 0; j < dimension; ++j) {
+    const Binary a = decompose(row[j]), b = decompose(p[j]);
+    add(BigInteger(a.mantissa) * b.mantissa, a.exponent + b.exponent);
+  }
+  return sign_of(sum);
 }
 
 }  // namespace delone::kernel

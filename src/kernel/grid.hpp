@@ -21,38 +21,49 @@ inline int trailing_exponent(double x) {
 }
 
 /// What a growing set of points is known to lie on: for each coordinate axis the finest exponent seen, so that every coordinate
-/// is an integer multiple of 2^exponent(axis), and the range of the axis.
+/// is an integer multiple of 2^exponent(axis), and the range of the axis. The same for weights, if points have weights.
 class Grid {
  public:
-  explicit Grid(int ambient) : axes_(static_cast<std::size_t>(ambient)) {}
+  explicit Grid(int ambient, bool weighted = false) : axes_(static_cast<std::size_t>(ambient)), weighted_(weighted) {}
 
+  /// `point`: `ambient` coordinates, then the weight if points have one.
   void include(const double* point) {
     bool changed = false;
-    for (std::size_t j = 0; j < axes_.size(); ++j) {
-      Axis& axis = axes_[j];
-      const int exponent = trailing_exponent(point[j]);
-      if (exponent >= axis.exponent && point[j] >= axis.low && point[j] <= axis.high) continue;
-      axis = {std::min(axis.exponent, exponent), std::min(axis.low, point[j]), std::max(axis.high, point[j])};
-      changed = true;
-    }
+    for (std::size_t j = 0; j < axes_.size(); ++j) changed = axes_[j].include(point[j]) || changed;
+    if (weighted_) changed = weight_.include(point[axes_.size()]) || changed;
     if (changed) measure();
   }
   int exponent(int axis) const { return axes_[static_cast<std::size_t>(axis)].exponent; }
   int finest() const { return finest_; }
+  /// Every |p − q|² − (w_p − w_q) of two points is an integer multiple of 2^lift_exponent().
+  int lift_exponent() const { return lift_exponent_; }
   /// Whether every minor of a determinant of differences and lifts is exact in binary64, whatever the points of the set:
   /// a multiple of its grid unit by less than 2^53 (docs/predicates.md, "Small lattices").
   bool is_small() const { return is_small_; }
 
  private:
+  static constexpr int unlimited = std::numeric_limits<int>::max();
+
   struct Axis {
-    int exponent = std::numeric_limits<int>::max();
+    int exponent = unlimited;
     double low = std::numeric_limits<double>::infinity();
     double high = -std::numeric_limits<double>::infinity();
+
+    /// Returns whether that changed anything.
+    bool include(double x) {
+      const int lowest_bit = trailing_exponent(x);
+      if (lowest_bit >= exponent && x >= low && x <= high) return false;
+      *this = {std::min(exponent, lowest_bit), std::min(low, x), std::max(high, x)};
+      return true;
+    }
   };
 
   void measure() {
-    finest_ = std::numeric_limits<int>::max();
+    finest_ = unlimited;
     for (const Axis& axis : axes_) finest_ = std::min(finest_, axis.exponent);
+    const bool weights_differ = weight_.high > weight_.low;  // equal weights cancel, whatever grid they lie on
+    lift_exponent_ = finest_ == unlimited ? unlimited : 2 * finest_;
+    if (weights_differ) lift_exponent_ = std::min(lift_exponent_, weight_.exponent);
     is_small_ = axes_.size() <= 12;  // with `moderate` below: products of 14 entries stay within 2^±1000
     double bits = 0;                 // of the product of the columns' largest entries
     int widest = 0;                  // bits of the largest difference in units of the finest grid
@@ -69,13 +80,30 @@ class Grid {
       bits += top - axis.exponent;
       widest = std::max(widest, top - finest_);
     }
-    bits += 2.0 * widest + std::ceil(std::log2(static_cast<double>(axes_.size())));
+    double lift_bits = 2.0 * widest + std::ceil(std::log2(static_cast<double>(axes_.size())));
+    if (weights_differ) {
+      const double range = weight_.high - weight_.low;
+      if (!std::isfinite(range)) {
+        is_small_ = false;
+        return;
+      }
+      const int top = std::ilogb(range) + 1;
+      constexpr int moderate = 120;  // that of the squares
+      if (top > moderate || weight_.exponent < -moderate) is_small_ = false;
+      // A difference of two numbers: of squares below 2^lift_bits units of the square of the finest grid, and of weights.
+      if (widest > 0) lift_bits += 2.0 * finest_ - lift_exponent_;
+      lift_bits = 1 + std::max(lift_bits, static_cast<double>(top - lift_exponent_));
+    }
+    bits += lift_bits;
     for (std::size_t i = 2; i <= axes_.size() + 1; ++i) bits += std::log2(static_cast<double>(i));  // terms of a determinant
     if (bits > 53) is_small_ = false;
   }
 
   std::vector<Axis> axes_;
-  int finest_ = std::numeric_limits<int>::max();
+  bool weighted_;
+  Axis weight_;
+  int finest_ = unlimited;
+  int lift_exponent_ = unlimited;
   bool is_small_ = false;
 };
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "kernel/predicates.hpp"
 
-#include "kernel/stages.hpp"
+#include "kernel/hull_stages.hpp"
 
 #include <delone/error.hpp>
 #include <delone/predicates.hpp>
@@ -20,32 +20,61 @@ std::vector<const double*> positively_oriented(std::span<const double* const> po
   return ordered;
 }
 
-Grid grid_of(std::span<const double* const> points, const double* q, int ambient) {
-  Grid grid(ambient);
+Grid grid_of(std::span<const double* const> points, const double* q, const Flat& flat) {
+  Grid grid(flat.ambient, flat.weighted());
   for (const double* p : points) grid.include(p);
   if (q != nullptr) grid.include(q);
+  return grid;
+}
+
+/// Empty for homogeneous rows, which need none.
+Grid grid_of_hull(const Flat& flat, std::span<const double* const> facet, const double* inner, const double* q) {
+  if (flat.form == RowForm::homogeneous) return Grid(flat.ambient);
+  Grid grid = grid_of(facet, q, flat);
+  grid.include(inner);
   return grid;
 }
 
 }  // namespace
 
 Sign orientation(const Flat& flat, std::span<const double* const> points) {
-  return orientation<0>(flat, points.data(), grid_of(points, nullptr, flat.ambient));
+  return orientation<0>(flat, points.data(), grid_of(points, nullptr, flat));
 }
 
 Sign in_sphere(const Flat& flat, std::span<const double* const> points, Sign orientation_of_points, const double* q) {
-  if (flat.dimension() == 0) return Sign::positive;
+  if (flat.dimension() == 0 && !flat.weighted()) return Sign::positive;
   StageCounts counts;
   const auto ordered = positively_oriented(points, orientation_of_points);
-  return in_sphere<0>(flat, ordered.data(), q, grid_of(points, q, flat.ambient), counts);
+  return in_sphere<0>(flat, ordered.data(), q, grid_of(points, q, flat), counts);
 }
 
 Sign in_sphere_perturbed(const Flat& flat, std::span<const double* const> points, Sign orientation_of_points, const double* q) {
   for (const double* p : points)
-    if (equal_points(p, q, flat.ambient)) return Sign::zero;
+    if (equal_points(p, q, flat.row_size())) return Sign::zero;
   if (const Sign sign = in_sphere(flat, points, orientation_of_points, q); sign != Sign::zero) return sign;
   const auto ordered = positively_oriented(points, orientation_of_points);
-  return perturbed_in_sphere<0>(flat, ordered.data(), q, grid_of(points, q, flat.ambient));
+  return perturbed_in_sphere<0>(flat, ordered.data(), q, grid_of(points, q, flat));
+}
+
+Sign homogeneous_orientation(const Flat& flat, std::span<const double* const> rows) {
+  StageCounts counts;
+  return homogeneous_orientation<0>(flat, rows.data(), counts);
+}
+
+Sign hull_side(const Flat& flat, std::span<const double* const> facet, const double* inner, const double* q) {
+  const Grid grid = grid_of_hull(flat, facet, inner, q);
+  StageCounts counts;
+  return hull_side<0>(flat, facet.data(), q, grid, counts) * hull_side<0>(flat, facet.data(), inner, grid, counts);
+}
+
+Sign hull_side_perturbed(const Flat& flat, std::span<const double* const> facet, const double* inner, const double* q) {
+  for (const double* row : facet)
+    if (equal_rows(flat, row, q)) return Sign::zero;
+  const Grid grid = grid_of_hull(flat, facet, inner, q);
+  StageCounts counts;
+  const Sign side_of_inner = hull_side<0>(flat, facet.data(), inner, grid, counts);
+  const Sign side = hull_side<0>(flat, facet.data(), q, grid, counts) * side_of_inner;
+  return side != Sign::zero ? side : perturbed_hull_side<0>(flat, facet.data(), q, inner, grid, side_of_inner);
 }
 
 bool AffineHull::add(const double* p) {
@@ -69,7 +98,7 @@ int AffineHull::separating_axis(const double* p) const {
   if (dimension() == ambient_) return -1;
   std::vector<const double*> simplex = basis();
   simplex.push_back(p);
-  const Grid grid = grid_of(simplex, nullptr, ambient_);
+  const Grid grid = grid_of(simplex, nullptr, Flat{ambient_, {}});
   for (int axis = 0; axis < ambient_; ++axis) {
     if (std::binary_search(axes_.begin(), axes_.end(), axis)) continue;
     std::vector<int> axes = axes_;
@@ -106,17 +135,50 @@ std::vector<int> all_axes(int dimension) {
   return axes;
 }
 
+/// Rows of a point and its weight: the form that weighted predicates read.
+std::vector<double> with_weights(const std::vector<const double*>& points, std::span<const double> weights, int dimension) {
+  if (weights.size() != points.size()) throw Error(Errc::bad_dimension, "the number of weights is not that of the points");
+  std::vector<double> rows;
+  for (std::size_t row = 0; row < points.size(); ++row) {
+    if (!std::isfinite(weights[row]))
+      throw Error(Errc::not_finite, "the weight of point " + std::to_string(row) + " is not finite", {row});
+    rows.insert(rows.end(), points[row], points[row] + dimension);
+    rows.push_back(weights[row]);
+  }
+  return rows;
+}
+
+template <class Predicate>
+Sign sphere_sign(const kernel::Flat& flat, std::span<const double* const> simplex, const double* q, Predicate predicate) {
+  const Sign orientation_of_points = kernel::orientation(flat, simplex);
+  if (orientation_of_points == Sign::zero)
+    throw Error(Errc::invalid_argument, "the points of the sphere are affinely dependent");
+  return predicate(flat, simplex, orientation_of_points, q);
+}
+
 template <class Predicate>
 Sign sphere_sign(std::span<const double> points, std::span<const double> q, int dimension, Predicate predicate) {
   const auto simplex = rows_of(points, dimension, static_cast<std::size_t>(std::max(dimension, 0)) + 1);
   const auto query = rows_of(q, dimension, 1);
   const std::vector<int> axes = all_axes(dimension);
-  const kernel::Flat flat{dimension, axes};
-  const Sign orientation_of_points = kernel::orientation(flat, simplex);
-  if (orientation_of_points == Sign::zero)
-    throw Error(Errc::invalid_argument, "the points of the sphere are affinely dependent");
-  return predicate(flat, simplex, orientation_of_points, query[0]);
+  return sphere_sign(kernel::Flat{dimension, axes}, simplex, query[0], predicate);
 }
+
+template <class Predicate>
+Sign power_sphere_sign(std::span<const double> points, std::span<const double> weights, std::span<const double> q,
+                       double weight_of_q, int dimension, Predicate predicate) {
+  const auto simplex = rows_of(points, dimension, static_cast<std::size_t>(std::max(dimension, 0)) + 1);
+  const auto query = rows_of(q, dimension, 1);
+  const auto rows = with_weights(simplex, weights, dimension);
+  const auto query_row = with_weights(query, std::span(&weight_of_q, 1), dimension);
+  std::vector<const double*> weighted;
+  for (std::size_t i = 0; i < simplex.size(); ++i) weighted.push_back(&rows[i * (static_cast<std::size_t>(dimension) + 1)]);
+  const std::vector<int> axes = all_axes(dimension);
+  return sphere_sign(kernel::Flat{dimension, axes, kernel::RowForm::weighted_point}, weighted, query_row.data(), predicate);
+}
+
+constexpr auto unperturbed = [](const auto&... arguments) { return kernel::in_sphere(arguments...); };
+constexpr auto perturbed = [](const auto&... arguments) { return kernel::in_sphere_perturbed(arguments...); };
 
 }  // namespace
 
@@ -127,15 +189,35 @@ Sign orientation(std::span<const double> points, int dimension) {
 }
 
 Sign in_sphere(std::span<const double> points, std::span<const double> q, int dimension) {
-  return sphere_sign(points, q, dimension, [](const kernel::Flat& flat, const auto& simplex, Sign sign, const double* query) {
-    return kernel::in_sphere(flat, simplex, sign, query);
-  });
+  return sphere_sign(points, q, dimension, unperturbed);
 }
 
 Sign in_sphere_perturbed(std::span<const double> points, std::span<const double> q, int dimension) {
-  return sphere_sign(points, q, dimension, [](const kernel::Flat& flat, const auto& simplex, Sign sign, const double* query) {
-    return kernel::in_sphere_perturbed(flat, simplex, sign, query);
-  });
+  return sphere_sign(points, q, dimension, perturbed);
+}
+
+Sign in_power_sphere(std::span<const double> points, std::span<const double> weights, std::span<const double> q,
+                     double weight_of_q, int dimension) {
+  return power_sphere_sign(points, weights, q, weight_of_q, dimension, unperturbed);
+}
+
+Sign in_power_sphere_perturbed(std::span<const double> points, std::span<const double> weights, std::span<const double> q,
+                               double weight_of_q, int dimension) {
+  return power_sphere_sign(points, weights, q, weight_of_q, dimension, perturbed);
+}
+
+Sign homogeneous_orientation(std::span<const double> rows, int dimension) {
+  if (dimension < 1) throw Error(Errc::bad_dimension, "the dimension must be at least 1");
+  const auto pointers = rows_of(rows, dimension + 1, static_cast<std::size_t>(dimension) + 1);
+  const std::vector<int> axes = all_axes(dimension + 1);
+  return kernel::homogeneous_orientation(kernel::Flat{dimension + 1, axes, kernel::RowForm::homogeneous}, pointers);
+}
+
+Sign side_of_hyperplane(std::span<const double> hyperplane, std::span<const double> p, int dimension) {
+  const auto point = rows_of(p, dimension, 1);
+  const auto row = rows_of(hyperplane, dimension + 1, 1);
+  StageCounts counts;
+  return kernel::side_of_hyperplane(row[0], point[0], dimension, counts);
 }
 
 int affine_dimension(std::span<const double> points, int dimension) {

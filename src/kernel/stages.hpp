@@ -15,9 +15,9 @@
 
 namespace delone::kernel {
 
-/// Whether two points of R^ambient are equal (−0 equals +0).
-inline bool equal_points(const double* p, const double* q, int ambient) {
-  for (int j = 0; j < ambient; ++j)
+/// Whether two rows of `size` doubles are equal (−0 equals +0).
+inline bool equal_points(const double* p, const double* q, int size) {
+  for (int j = 0; j < size; ++j)
     if (p[j] != q[j]) return false;
   return true;
 }
@@ -47,6 +47,8 @@ Sign orientation(const Flat& flat, const double* const* points, const Grid& grid
 /// The position of q relative to the sphere through k+1 positively oriented points: − inside, 0 on it, + outside.
 /// The lifted points are coplanar with q when det(p_i − q, |p_i − q|²) = 0, and for a positively oriented simplex its sign
 /// times (−1)^(k+1) is the sign of |q − c|² − r² (docs/predicates.md, "Signs").
+/// Weighted points: relative to the sphere orthogonal to the k+1 weighted points, |p_i − c|² − r² = w_i, the sign of
+/// |q − c|² − r² − w_q; lifts are |p_i − q|² − w_i + w_q. For k = 0 it is − if q is heavier than the point, + if lighter.
 template <int K>
 Sign in_sphere(const Flat& flat, const double* const* points, const double* q, const Grid& grid, StageCounts& counts) {
   Sign sign;
@@ -60,34 +62,44 @@ Sign in_sphere(const Flat& flat, const double* const* points, const double* q, c
   return flat.dimension() % 2 == 0 ? -sign : sign;
 }
 
-/// The tie-break of Devillers and Teillaud (2011, doi:10.1016/j.comgeo.2010.09.010) for a q exactly on the sphere of k+1
-/// positively oriented points: every point is lifted by its own infinitesimal, larger for lexicographically larger points.
-/// The first point, from the largest down, whose lifting moves q off the sphere decides:
-///   q itself: lifted out of the sphere, +;   p_i: the sphere at q rises by ε_i times the barycentric coordinate of q at p_i.
-/// Never 0. REQUIRES that q is none of the points.
-template <int K>
-Sign perturbed_in_sphere(const Flat& flat, const double* const* points, const double* q, const Grid& grid) {
-  const int k = K > 0 ? K : flat.dimension();
-  Buffer<int, K + (K > 0)> order(static_cast<std::size_t>(k + 1));
-  Buffer<const double*, K + (K > 0)> moved(static_cast<std::size_t>(k + 1));
-  int larger = 0;  // the points lexicographically larger than q, in decreasing order: only these can decide before q does
-  for (int i = 0; i <= k; ++i) {
-    moved[static_cast<std::size_t>(i)] = points[i];
-    if (!lexicographically_less(q, points[i], flat.ambient)) continue;
+/// The pattern of both tie-breaks. Of size+1 rows (a cell's or a facet's, and q) that are dependent, the largest in the order
+/// `less` that matters decides: q itself, for +; vertices[i], for minus the sign of `volume` with q put in place i, if that is
+/// not zero: the sign of the coefficient of vertices[i] in the combination of the vertices that makes q.
+template <int K, class Less, class Volume>
+Sign largest_decides(const double* const* vertices, int size, const double* q, Less less, Volume volume) {
+  Buffer<int, K + (K > 0)> order(static_cast<std::size_t>(size));
+  Buffer<const double*, K + (K > 0)> moved(static_cast<std::size_t>(size));
+  int larger = 0;  // the vertices larger than q, in decreasing order: only these can decide before q does
+  for (int i = 0; i < size; ++i) {
+    moved[static_cast<std::size_t>(i)] = vertices[i];
+    if (!less(q, vertices[i])) continue;
     int rank = larger++;
-    for (; rank > 0 && lexicographically_less(points[order[static_cast<std::size_t>(rank - 1)]], points[i], flat.ambient);
-         --rank)
+    for (; rank > 0 && less(vertices[order[static_cast<std::size_t>(rank - 1)]], vertices[i]); --rank)
       order[static_cast<std::size_t>(rank)] = order[static_cast<std::size_t>(rank - 1)];
     order[static_cast<std::size_t>(rank)] = i;
   }
   for (int rank = 0; rank < larger; ++rank) {
     const auto i = static_cast<std::size_t>(order[static_cast<std::size_t>(rank)]);
     moved[i] = q;
-    const Sign barycentric = orientation<K>(flat, moved.data(), grid);
-    moved[i] = points[i];
-    if (barycentric != Sign::zero) return -barycentric;
+    const Sign coefficient = volume(moved.data());
+    moved[i] = vertices[i];
+    if (coefficient != Sign::zero) return -coefficient;
   }
   return Sign::positive;
+}
+
+/// The tie-break of Devillers and Teillaud (2011, doi:10.1016/j.comgeo.2010.09.010) for a q exactly on the sphere of k+1
+/// positively oriented points: every point is lifted by its own infinitesimal, larger for lexicographically larger points.
+/// The first point, from the largest down, whose lifting moves q off the sphere decides:
+///   q itself: lifted out of the sphere, +;   p_i: the sphere at q rises by ε_i times the barycentric coordinate of q at p_i.
+/// Never 0. REQUIRES that in_sphere is 0 and that q is none of the points. Of weighted points only the coordinates count: a q
+/// with the coordinates of p_i is then equal to p_i, as in_sphere has the sign of w_i − w_q.
+template <int K>
+Sign perturbed_in_sphere(const Flat& flat, const double* const* points, const double* q, const Grid& grid) {
+  const int k = K > 0 ? K : flat.dimension();
+  const auto less = [&](const double* a, const double* b) { return lexicographically_less(a, b, flat.ambient); };
+  return largest_decides<K>(points, k + 1, q, less,
+                            [&](const double* const* moved) { return orientation<K>(flat, moved, grid); });
 }
 
 }  // namespace delone::kernel
