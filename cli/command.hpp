@@ -29,6 +29,8 @@ using Run = std::function<int()>;
 
 /// Each adds one sub-command to the command line.
 Run add_delaunay(CLI::App& app);
+Run add_hull(CLI::App& app);
+Run add_voronoi(CLI::App& app);
 Run add_locate(CLI::App& app);
 Run add_check(CLI::App& app);
 Run add_generate(CLI::App& app);

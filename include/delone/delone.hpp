@@ -5,9 +5,12 @@
 #include <delone/check.hpp>
 #include <delone/complex.hpp>
 #include <delone/config.hpp>
+#include <delone/convex_hull.hpp>
 #include <delone/delaunay.hpp>
 #include <delone/error.hpp>
 #include <delone/io.hpp>
+#include <delone/lower_hull.hpp>
 #include <delone/point_sets.hpp>
 #include <delone/predicates.hpp>
 #include <delone/types.hpp>
+#include <delone/voronoi.hpp>

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <delone/complex.hpp>
+#include <delone/convex_hull.hpp>
 
 #include <functional>
 #include <string>
@@ -44,6 +45,11 @@ PointTable read_points(const std::string& path, const ReadOptions& options = {})
 /// The file appears whole or not at all (written beside, then renamed). "-" is standard output, for the text formats; txt
 /// unless `format` says otherwise. Errors: cannot_write, unsupported; invalid_argument where the arrays disagree.
 void write_complex(const std::string& path, const ComplexData& data, const std::string& format = {});
+
+/// Writes a convex hull (with its points), in the formats of write_complex(). npz and json hold the arrays of HullData, kinds
+/// of points as numbers 0 … 3 in the order of PointKind; the other formats hold the cells, as a triangulation of dimension k−1.
+/// Errors as write_complex().
+void write_hull(const std::string& path, const HullData& data, const std::string& format = {});
 
 /// Reads a triangulation back: npz (ours; also any .npz with `points` and `cells` or `simplices`), json, off/nOFF.
 ComplexData read_complex(const std::string& path, const std::string& format = {});

@@ -1,0 +1,228 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Exact convex hulls in any dimension: the polytope of a set of points with its cells, facets, ridges and extreme points.
+#pragma once
+
+#include <delone/complex.hpp>
+#include <delone/delaunay.hpp>
+#include <delone/error.hpp>
+#include <delone/types.hpp>
+
+#include <array>
+#include <concepts>
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <ranges>
+#include <span>
+#include <string>
+#include <type_traits>
+#include <vector>
+
+namespace delone {
+
+/// What an input row is to the hull. Exactly one of them holds.
+enum class PointKind : std::uint8_t {
+  extreme,    ///< a vertex of the polytope: in no segment between two other points of the hull
+  boundary,   ///< on the boundary, in the relative interior of a face of dimension 1 … k−1
+  interior,   ///< in the interior (of the hull within its flat)
+  duplicate,  ///< equal to an earlier row, which has a kind of its own
+};
+
+/// A convex hull as plain arrays. Rows are input rows (0-based); k is the affine dimension.
+///
+/// A *cell* is a simplex of the boundary, k vertices; a *facet* is a facet of the polytope, which consists of one cell or,
+/// where more than k points lie in its hyperplane, of several. Faces are given by their extreme rows, increasing.
+struct HullData {
+  int dimension = 0;                       ///< d
+  int affine_dimension = -1;               ///< k
+  std::vector<double> points;              ///< n×d, as given; may be left out
+  std::vector<SignedIndex> cells;          ///< m×k: for x inside, (x, vertices of a cell) is positively oriented on the axes
+  std::vector<SignedIndex> neighbors;      ///< m×k cells: neighbor i is across the ridge opposite vertex i
+  std::vector<SignedIndex> facet_of_cell;  ///< m, the facet each cell is part of
+  std::vector<SignedIndex> facet_offsets, facet_vertices;  ///< facet f: facet_vertices[facet_offsets[f] … facet_offsets[f+1]]
+  std::vector<SignedIndex> ridge_facets;                   ///< r×2, the two facets that meet in each ridge, increasing
+  std::vector<SignedIndex> ridge_offsets, ridge_vertices;  ///< as for facets
+  std::vector<double> equations;                           ///< f×(d+1): unit outward normal, offset; ≤ 0 inside
+  std::vector<double> equation_errors;                     ///< f; see Polytope::data()
+  std::vector<SignedIndex> vertices;                       ///< the extreme rows, increasing
+  std::vector<SignedIndex> vertex_of_point;                ///< n, the first row that is equal to each row
+  std::vector<PointKind> point_kinds;                      ///< n
+
+  std::size_t num_points() const { return vertex_of_point.size(); }
+  std::size_t num_cells() const { return affine_dimension < 1 ? 0 : cells.size() / static_cast<std::size_t>(affine_dimension); }
+  std::size_t num_facets() const { return facet_offsets.empty() ? 0 : facet_offsets.size() - 1; }
+  std::size_t num_ridges() const { return ridge_facets.size() / 2; }
+};
+
+/// A length, area or volume: the exact one differs from `value` by at most `error`.
+struct Measure {
+  double value = 0;
+  double error = 0;
+};
+
+/// Where a point lies with respect to a hull, exactly.
+struct Containment {
+  enum class Kind {
+    inside,               ///< in the interior (of the hull within its flat)
+    on_boundary,          ///< in the relative interior of a face
+    outside,              ///< in the affine hull of the points, outside their convex hull
+    outside_affine_hull,  ///< not in the affine hull (k < d)
+  };
+  Kind kind = Kind::outside_affine_hull;
+  /// A cell: outside, one that is visible from the query; on the boundary, one whose hyperplane contains it; inside, one that
+  /// the ray from an interior point through the query leaves by. −1 if there is none.
+  SignedIndex cell = -1;
+  /// On the boundary: the extreme rows of the smallest face that contains the query, increasing. One row: the query is a
+  /// vertex.
+  std::vector<SignedIndex> face;
+};
+
+struct HullInsertResult {
+  std::size_t row = 0;     ///< the row of the new point
+  bool inserted = false;   ///< the boundary has changed; false for a duplicate, an interior point, and some boundary points
+  bool duplicate = false;  ///< equal to an earlier point
+};
+
+/// The convex hull of points in R^d, d chosen at run time.
+///
+/// Method: incremental insertion. Points that lie in the hyperplane of a cell are moved inwards by infinitesimals, larger ones
+/// for lexicographically larger points, so that the boundary is always made of simplices and is a function of the set of points
+/// alone (after Devillers and Teillaud, "Perturbations for Delaunay and weighted Delaunay 3D triangulations",
+/// doi:10.1016/j.comgeo.2010.09.010). Cells in one hyperplane are then merged into the facets of the polytope, exactly; facets,
+/// ridges, faces and extreme points do not depend on the perturbation.
+///
+/// Exact for all finite doubles. Flat input has the hull in its flat, k < d: for k = 1 two end points, each a facet; for k = 0
+/// a single point, without facets. Duplicates are merged. `const` members may be called from several threads at once. Worst
+/// case O(n^⌊d/2⌋) cells.
+class Polytope {
+ public:
+  /// The hull of no points. Throws Errc::bad_dimension unless dimension ≥ 1.
+  explicit Polytope(int dimension, const Options& options = {});
+  /// The hull of n×d coordinates, row-major. Throws as insert_range().
+  Polytope(std::span<const double> coordinates, int dimension, const Options& options = {});
+  Polytope(PointsView points, const Options& options = {});
+  Polytope(Polytope&&) noexcept;
+  Polytope& operator=(Polytope&&) noexcept;
+  ~Polytope();
+
+  /// Inserts n points (n·d coordinates) as the next n rows. If it throws (not_finite, bad_dimension, cancelled, too_many,
+  /// out_of_memory), the hull is as it was. A point outside the affine hull of all earlier ones rebuilds it.
+  void insert_range(std::span<const double> coordinates);
+  /// Inserts one point (d coordinates) as the next row; errors as above.
+  HullInsertResult insert(std::span<const double> point);
+
+  int dimension() const;           ///< d
+  int affine_dimension() const;    ///< k ≤ d; 0 for one distinct point, −1 for none
+  std::size_t num_points() const;  ///< rows inserted, duplicates included
+  std::size_t num_duplicates() const;
+  std::size_t num_cells() const;                                       ///< simplices of the boundary
+  std::size_t num_vertices() const { return data().vertices.size(); }  ///< extreme points
+  std::size_t num_facets() const { return data().num_facets(); }       ///< of the polytope
+  std::size_t num_ridges() const { return data().num_ridges(); }       ///< of the polytope
+  PointKind kind(std::size_t row) const;                               ///< O(1) after data()
+  std::size_t count(PointKind kind) const;                             ///< rows of that kind
+  std::span<const double> point(std::size_t row) const;                ///< the d coordinates of a row
+  std::vector<int> axes() const;                                       ///< as Triangulation::axes()
+
+  /// The hull as arrays, without `points`; computed on first use after a change, O(cells·k²) and a walk per interior point;
+  /// valid until the next insertion. Cells are numbered in no particular order; for k = 1 cell 0 is the lower end on the axis.
+  ///
+  /// `equations` are rounded: for every x of the hull the exact signed distance from the facet's hyperplane differs from that
+  /// of the row, evaluated without error, by at most the entry of `equation_errors`. For k < d the normals are parallel to the
+  /// flat and the errors infinite.
+  const HullData& data() const;
+  /// A copy of data(), with the points.
+  HullData to_data(bool with_points = true) const;
+
+  /// The k-dimensional volume, and the (k−1)-dimensional volume of the boundary, each a compensated sum over the cells,
+  /// O(m·d³). The error bound covers the arithmetic to first order, with slack; it is infinite where numbers overflow. For k =
+  /// 1 the area is 2, the number of end points; for k < 1 both are 0.
+  Measure volume() const;
+  Measure area() const;
+
+  /// f_0 … f_(k−1), the number of faces of the polytope of each dimension; the Euler–Poincaré relation Σ(−1)^j·f_j = 1 − (−1)^k
+  /// holds. Cost up to O(faces · facets · k), memory for all faces of one dimension.
+  std::vector<std::size_t> f_vector() const;
+
+  /// Where q lies, exactly. Cost: a walk over cells. REQUIRES d finite coordinates.
+  Containment locate(std::span<const double> query) const;
+  bool contains(std::span<const double> query) const;  ///< inside or on the boundary
+
+  /// The cells that are strictly visible from q, increasing: those whose hyperplane has q strictly beyond it. Empty for a q of
+  /// the hull or outside the affine hull. O(answer·k⁴).
+  std::vector<SignedIndex> visible_cells(std::span<const double> query) const;
+  /// The facets that are strictly visible from q, increasing.
+  std::vector<SignedIndex> visible_facets(std::span<const double> query) const;
+
+  /// Depends on the coordinates of the cells' vertices and the set of cells only: not on order, seed, duplicates, interior
+  /// points.
+  CanonicalHash hash() const;
+  Statistics statistics() const;
+
+ private:
+  struct Impl;
+  std::unique_ptr<Impl> impl_;
+};
+
+/// The convex hull of points in R^D.
+template <int D>
+class ConvexHull : public Polytope {
+  static_assert(D >= 1, "the dimension of the space is at least 1");
+
+ public:
+  using Point = std::array<double, D>;
+
+  explicit ConvexHull(const Options& options = {}) : Polytope(D, options) {}
+  /// From any contiguous range of points of D doubles each, or of doubles (D per point).
+  template <std::ranges::contiguous_range Range>
+  requires std::ranges::sized_range<Range> &&
+      (!std::same_as<std::remove_cvref_t<Range>, ConvexHull>)explicit ConvexHull(const Range& points,
+                                                                                 const Options& options = {})
+      : Polytope(as_coordinates(points), D, options) {}
+
+  template <std::ranges::contiguous_range Range>
+  requires std::ranges::sized_range<Range>
+  void insert_range(const Range& points) { Polytope::insert_range(as_coordinates(points)); }
+
+ private:
+  /// A class of the size of D doubles that, if it names its entries' type, holds doubles.
+  template <class Element>
+  static constexpr bool is_point() {
+    if constexpr (requires { typename Element::value_type; })
+      return sizeof(Element) == D * sizeof(double) && std::same_as<typename Element::value_type, double>;
+    else
+      return sizeof(Element) == D * sizeof(double) && std::is_class_v<Element>;
+  }
+
+  template <class Range>
+  static std::span<const double> as_coordinates(const Range& points) {
+    using Element = std::remove_cv_t<std::ranges::range_value_t<Range>>;
+    static_assert(std::same_as<Element, double> || is_point<Element>(),
+                  "a point must be D contiguous doubles, such as std::array<double, D>");
+    return {reinterpret_cast<const double*>(std::ranges::data(points)),
+            std::ranges::size(points) * sizeof(Element) / sizeof(double)};
+  }
+};
+
+enum class HullCheckLevel : int {
+  storage = 1,       ///< array sizes; rows, neighbors and facets in range; no repeated vertex in a cell
+  incidence = 2,     ///< every ridge in exactly two cells, neighbors mutual, coherent orientation, connected
+  convexity = 3,     ///< no cell is flat; the boundary is convex at every ridge between two cells, exactly
+  support = 4,       ///< every point is inside or on the hyperplane of every cell, exactly; the cells cover the boundary once
+  completeness = 5,  ///< facets, extreme rows and kinds of points are those of the polytope; the affine dimension is right
+};
+
+struct HullCheckReport {
+  bool ok = false;
+  HullCheckLevel reached = HullCheckLevel::storage;  ///< the highest level examined
+  std::string violation;                             ///< the first violation, naming cells and points; empty when ok
+  std::vector<std::size_t> cells;                    ///< the cells concerned
+  std::vector<std::size_t> points;                   ///< the points concerned
+  std::size_t coplanar_ridges = 0;                   ///< ridges whose two cells lie in one hyperplane (level 3)
+};
+
+/// Examines a hull, level after level, stopping at the first violation. Levels 1–4 prove that the cells are the boundary of the
+/// convex hull of all points. Needs points and cells; unknown neighbors, facets and kinds are not examined. Cost O(n·m·k).
+HullCheckReport check_hull(const HullData& data, HullCheckLevel up_to = HullCheckLevel::completeness);
+
+}  // namespace delone

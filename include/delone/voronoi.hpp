@@ -1,0 +1,170 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Voronoi and power diagrams: the dual of a Delaunay or regular triangulation as arrays, volumes of regions, clipping to a box.
+#pragma once
+
+#include <delone/delaunay.hpp>
+#include <delone/types.hpp>
+
+#include <concepts>
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace delone {
+
+/// The closed box low[j] ≤ x[j] ≤ high[j] in R^d.
+struct Box {
+  std::vector<double> low, high;
+};
+
+/// A region cut off at a box, as geometry: d ≤ 3.
+struct ClippedRegion {
+  std::vector<double> corners;  ///< m×d
+  /// d = 3: the corners of each face, counterclockwise seen from outside. d = 2: one face, the polygon, counterclockwise.
+  /// d = 1: one face, the two ends. Empty where region and box have no interior in common.
+  std::vector<std::vector<Index>> faces;
+  bool empty() const { return faces.empty(); }
+};
+
+/// A triangulation whose vertices have weights: the power of x with respect to a vertex at p is |x − p|² − weight.
+template <class T>
+concept WeightedTriangulation = std::derived_from<T, Triangulation> && requires(const T& t, VertexId v) {
+  { t.weight(v) } -> std::convertible_to<double>;
+};
+
+/// The Voronoi diagram of points in R^d: for each site (distinct point) the region of the points of the flat that are not
+/// nearer to any other site. Data of its own: the triangulation may change or go away afterwards.
+///
+/// Points that span only a k-flat have their diagram inside the flat: Voronoi vertices, rays and volumes are those of R^k, in d
+/// coordinates. One point (k = 0) has one region, everything, without vertices; no point (k = −1) has none.
+///
+/// *Voronoi vertices* are the distinct centres of the spheres of the finite cells. That two cells have one sphere is decided
+/// exactly, so a cospherical set of points makes one vertex. Each coordinate is the double nearest to the exact one (ties to
+/// even; ±infinity beyond the range of doubles), and thus does not depend on how ties of the triangulation were decided.
+/// *Regions* are in the order of the sites' first input rows: without duplicates and hidden points region i is that of point i.
+/// *Ridges* are the facets between two regions, of dimension k−1 exactly: two regions that only touch in less have none.
+/// −1 stands for infinity in lists of vertices. The arrays are those of `scipy.spatial.Voronoi`, lists of lists as offsets
+/// into one array: list i is entries offsets[i] … offsets[i+1]−1.
+///
+/// Cost: one solve of k equations per cell, and the size of the output. Errors: out_of_memory.
+class VoronoiDiagram {
+ public:
+  explicit VoronoiDiagram(const Triangulation& triangulation);
+  /// Of a weighted triangulation take the PowerDiagram.
+  template <WeightedTriangulation T>
+  explicit VoronoiDiagram(const T&) = delete;
+
+  int dimension() const { return dimension_; }                ///< d
+  int affine_dimension() const { return affine_dimension_; }  ///< k
+  std::size_t num_points() const { return point_region_.size(); }
+  std::size_t num_vertices() const { return vertices_.size() / ambient(); }
+  std::size_t num_regions() const { return region_points_.size(); }
+  std::size_t num_unbounded_regions() const;
+  std::size_t num_ridges() const { return ridge_points_.size() / 2; }
+  std::size_t num_rays() const { return ray_vertices_.size(); }
+
+  /// num_vertices()×d coordinates.
+  std::span<const double> vertices() const { return vertices_; }
+  std::span<const double> vertex(std::size_t i) const { return std::span(vertices_).subspan(i * ambient(), ambient()); }
+
+  /// num_ridges()×2 input rows: the two sites of each ridge. Their bisector contains the ridge.
+  std::span<const SignedIndex> ridge_points() const { return ridge_points_; }
+  /// The vertices of a ridge; −1 first if it is unbounded. In cyclic order for k = 3, counterclockwise about the direction from
+  /// ridge_points[2i] to ridge_points[2i+1] when k = d; increasing for k > 3. One vertex for k = 1, two entries for k = 2.
+  std::span<const SignedIndex> ridge(std::size_t i) const { return list(ridge_vertices_, ridge_offsets_, i); }
+  std::span<const SignedIndex> ridge_vertices() const { return ridge_vertices_; }
+  std::span<const std::int64_t> ridge_offsets() const { return ridge_offsets_; }
+
+  /// The vertices of a region; −1 first if it is unbounded. In cyclic order for k = 2 (counterclockwise when k = d), otherwise
+  /// increasing.
+  std::span<const SignedIndex> region(std::size_t i) const { return list(region_vertices_, region_offsets_, i); }
+  std::span<const SignedIndex> region_vertices() const { return region_vertices_; }
+  std::span<const std::int64_t> region_offsets() const { return region_offsets_; }
+  bool is_bounded(std::size_t region) const { return bounded_[region] != 0; }
+  /// The first input row at the site of each region, increasing.
+  std::span<const SignedIndex> region_points() const { return region_points_; }
+  /// The region of each input row; −1 for a hidden point.
+  std::span<const SignedIndex> point_region() const { return point_region_; }
+  /// The d coordinates of the site of a region, and its weight (0 in a Voronoi diagram).
+  std::span<const double> site(std::size_t region) const { return std::span(sites_).subspan(region * ambient(), ambient()); }
+  double weight(std::size_t region) const { return weights_.empty() ? 0 : weights_[region]; }
+
+  /// The unbounded edges, one for each facet of the convex hull (hull facets in one hyperplane whose cells have one sphere
+  /// share theirs): the vertex each starts from, its direction (num_rays()×d, outward unit vectors in the flat, rounded), and
+  /// the k sites of a hull facet it is equally near to (num_rays()×k input rows).
+  std::span<const SignedIndex> ray_vertices() const { return ray_vertices_; }
+  std::span<const double> ray_directions() const { return ray_directions_; }
+  std::span<const SignedIndex> ray_points() const { return ray_points_; }
+
+  /// The (k−1)-volume of each ridge: a length for k = 2, an area for k = 3, 1 for k = 1; infinity for unbounded ridges.
+  /// Combinatorics are exact; sums are in binary64, relative error about 10⁻¹⁵ times the shape's condition.
+  /// Cost: O(output) for k ≤ 3; beyond, at most (k−1)! simplices per cell and ridge.
+  std::vector<double> ridge_volumes() const;
+  /// The k-volume of each region, infinity for unbounded ones: (1/k)·Σ over its ridges of volume times signed distance of the
+  /// site from the bisector, compensated. For k = 0 infinity. Cost: that of ridge_volumes().
+  std::vector<double> region_volumes() const;
+  /// The d-volume of each region within a box: always of dimension d, regions of flat input being those of R^d, prisms over the
+  /// ones in the flat. The volumes add up to that of the box up to rounding. The combinatorics of every cut are exact.
+  /// Cost: regions that lie inside the box as region_volumes(); others one by one, 2^d corners and more.
+  /// Errors: invalid_argument (box not of d finite numbers low < high), unsupported (d > 12), out_of_memory.
+  std::vector<double> region_volumes(const Box& box) const;
+  /// Calls `visit` with each region cut off at the box, in order. Errors: as region_volumes(box); unsupported for d > 3.
+  void for_each_clipped_region(const Box& box,
+                               const std::function<void(std::size_t region, const ClippedRegion&)>& visit) const;
+  /// The bounding box of the sites, enlarged on each side by `margin` times its longest side (1 if that is 0).
+  Box bounding_box(double margin = 0.1) const;
+
+ protected:
+  VoronoiDiagram(const Triangulation& triangulation, const std::function<double(VertexId)>& weight);
+
+ private:
+  friend class VoronoiBuilder;
+  std::size_t ambient() const { return static_cast<std::size_t>(dimension_); }
+  static std::span<const SignedIndex> list(const std::vector<SignedIndex>& items, const std::vector<std::int64_t>& offsets,
+                                           std::size_t i) {
+    return std::span(items).subspan(static_cast<std::size_t>(offsets[i]),
+                                    static_cast<std::size_t>(offsets[i + 1] - offsets[i]));
+  }
+  double ridge_volume(std::size_t ridge, const std::vector<std::vector<Index>>& cells_of_region) const;
+  std::vector<std::vector<Index>> cells_of_regions() const;
+  std::vector<double> volumes_of(const std::vector<unsigned char>& wanted) const;
+  double bisector_distance(std::size_t from, std::size_t to) const;
+  void check_box(const Box& box) const;
+  bool is_inside(std::size_t region, const Box& box) const;
+
+  int dimension_ = 1, affine_dimension_ = -1;
+  std::vector<double> sites_, weights_;  // by region
+  std::vector<double> vertices_;
+  std::vector<SignedIndex> ridge_points_, ridge_vertices_, region_vertices_, region_points_, point_region_;
+  std::vector<std::int64_t> ridge_offsets_{0}, region_offsets_{0};
+  std::vector<unsigned char> bounded_;  // by region
+  std::vector<SignedIndex> ray_vertices_, ray_points_;
+  std::vector<double> ray_directions_;
+  // For k > 3: the k+1 regions and the vertex of every finite cell; its faces are what volumes are made of.
+  std::vector<SignedIndex> cell_regions_, cell_vertex_;
+};
+
+/// The power diagram of weighted points: as VoronoiDiagram, with the power |x − p|² − weight in place of the squared distance,
+/// and the centres of power spheres as vertices. Hidden points have no region; a region need not contain its site.
+class PowerDiagram : public VoronoiDiagram {
+ public:
+  template <WeightedTriangulation T>
+  explicit PowerDiagram(const T& triangulation)
+      : VoronoiDiagram(triangulation, [&triangulation](VertexId v) { return static_cast<double>(triangulation.weight(v)); }) {}
+};
+
+/// Writes a diagram; the format is `format` or the extension of the path:
+///   npz   vertices, ridge_points, ridge_vertices with ridge_offsets, region_vertices with region_offsets, point_region,
+///         ray_vertices, ray_directions, ray_points, points, affine_dimension
+///   json  the same members, lists as lists
+///   svg   d = 2: a picture, clipped to the box
+///   vtu   d = 2, 3: the regions clipped to the box as polygons or polyhedra, each with its `region` and `point`, for ParaView
+/// `box`: by default bounding_box(). The file appears whole or not at all; "-" is standard output (json, svg).
+/// Errors: cannot_write, unsupported, out_of_memory; invalid_argument for a bad box.
+void write_voronoi(const std::string& path, const VoronoiDiagram& diagram, const Box* box = nullptr,
+                   const std::string& format = {});
+
+}  // namespace delone

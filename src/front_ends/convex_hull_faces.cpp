@@ -1,0 +1,158 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "front_ends/convex_hull_faces.hpp"
+
+#include <algorithm>
+#include <iterator>
+#include <numeric>
+#include <set>
+#include <utility>
+
+namespace delone::front_ends {
+namespace {
+
+/// Disjoint sets with path halving; the root is the least member.
+class UnionFind {
+ public:
+  explicit UnionFind(std::size_t n) : parent_(n) { std::iota(parent_.begin(), parent_.end(), Index{0}); }
+  Index root(Index x) {
+    while (parent_[x] != x) x = parent_[x] = parent_[parent_[x]];
+    return x;
+  }
+  void unite(Index a, Index b) {
+    a = root(a), b = root(b);
+    parent_[std::max(a, b)] = std::min(a, b);
+  }
+
+ private:
+  std::vector<Index> parent_;
+};
+
+/// For each key 0 … num_keys−1 the increasing, distinct values paired with it.
+Lists grouped(std::vector<std::pair<Index, Index>> pairs, std::size_t num_keys) {
+  std::sort(pairs.begin(), pairs.end());
+  pairs.erase(std::unique(pairs.begin(), pairs.end()), pairs.end());
+  Lists lists;
+  lists.items.reserve(pairs.size());
+  std::size_t next = 0;
+  for (std::size_t key = 0; key < num_keys; ++key) {
+    for (; next < pairs.size() && pairs[next].first == key; ++next) lists.items.push_back(pairs[next].second);
+    lists.offsets.push_back(lists.items.size());
+  }
+  return lists;
+}
+
+std::vector<Index> intersection(std::span<const Index> a, std::span<const Index> b) {
+  std::vector<Index> common;
+  std::set_intersection(a.begin(), a.end(), b.begin(), b.end(), std::back_inserter(common));
+  return common;
+}
+
+/// Whether any site but v is in all the given facets: whether v is no vertex of the polytope.
+bool has_company(Index v, const Lists& sites_of_facet, std::span<const Index> facets) {
+  const auto smallest = std::min_element(facets.begin(), facets.end(),
+                                         [&](Index a, Index b) { return sites_of_facet[a].size() < sites_of_facet[b].size(); });
+  const auto candidates = sites_of_facet[*smallest];
+  return std::any_of(candidates.begin(), candidates.end(), [&](Index w) {
+    return w != v && std::all_of(facets.begin(), facets.end(), [&](Index f) {
+             const auto sites = sites_of_facet[f];
+             return std::binary_search(sites.begin(), sites.end(), w);
+           });
+  });
+}
+
+}  // namespace
+
+PolytopeFaces find_faces(const SimplicialHull& hull, std::size_t num_sites,
+                         const std::function<bool(std::size_t, std::size_t)>& is_flat) {
+  const std::size_t m = hull.num_cells(), k = hull.corners();
+  PolytopeFaces faces;
+  faces.is_extreme.assign(num_sites, 0);
+
+  UnionFind sets(m);
+  for (std::size_t c = 0; k > 1 && c < m; ++c)
+    for (std::size_t i = 0; i < k; ++i)
+      if (hull.neighbors_of(c)[i] > c && is_flat(c, i)) sets.unite(static_cast<Index>(c), hull.neighbors_of(c)[i]);
+  faces.facet_of_cell.resize(m);
+  std::size_t num_facets = 0;
+  for (std::size_t c = 0; c < m; ++c) {
+    const Index root = sets.root(static_cast<Index>(c));
+    faces.facet_of_cell[c] = root == c ? static_cast<Index>(num_facets++) : faces.facet_of_cell[root];
+  }
+
+  std::vector<std::pair<Index, Index>> facet_and_site, site_and_facet;
+  for (std::size_t c = 0; c < m; ++c)
+    for (const Index site : hull.cell(c)) {
+      facet_and_site.emplace_back(faces.facet_of_cell[c], site);
+      site_and_facet.emplace_back(site, faces.facet_of_cell[c]);
+    }
+  const Lists sites_of_facet = grouped(std::move(facet_and_site), num_facets);
+  const Lists facets_of_site = grouped(std::move(site_and_facet), num_sites);
+  for (std::size_t v = 0; v < num_sites; ++v)
+    if (const auto facets = facets_of_site[v]; !facets.empty())
+      faces.is_extreme[v] = !has_company(static_cast<Index>(v), sites_of_facet, facets);
+  const auto add_extreme = [&](Lists& lists, std::span<const Index> sites) {
+    std::copy_if(sites.begin(), sites.end(), std::back_inserter(lists.items), [&](Index v) { return faces.is_extreme[v]; });
+    lists.offsets.push_back(lists.items.size());
+  };
+  for (std::size_t f = 0; f < num_facets; ++f) add_extreme(faces.facets, sites_of_facet[f]);
+
+  std::vector<std::pair<Index, Index>> adjacent;
+  for (std::size_t c = 0; k > 1 && c < m; ++c)
+    for (const Index across : hull.neighbors_of(c))
+      if (const Index a = faces.facet_of_cell[c], b = faces.facet_of_cell[across]; a < b) adjacent.emplace_back(a, b);
+  std::sort(adjacent.begin(), adjacent.end());
+  adjacent.erase(std::unique(adjacent.begin(), adjacent.end()), adjacent.end());
+  for (const auto& [a, b] : adjacent) {
+    faces.facets_of_ridge.insert(faces.facets_of_ridge.end(), {a, b});
+    faces.ridges.add(intersection(faces.facets[a], faces.facets[b]));
+  }
+  return faces;
+}
+
+std::vector<Index> common_vertices(const Lists& facets, std::span<const Index> which) {
+  std::vector<Index> common;
+  for (std::size_t i = 0; i < which.size(); ++i) {
+    const auto facet = facets[which[i]];
+    common = i == 0 ? std::vector<Index>(facet.begin(), facet.end()) : intersection(common, facet);
+  }
+  return common;
+}
+
+std::vector<std::size_t> count_faces(const Lists& facets, int dimension) {
+  std::vector<std::size_t> counts(static_cast<std::size_t>(std::max(dimension, 0)), 0);
+  std::set<std::vector<Index>> level;
+  for (std::size_t f = 0; f < facets.size(); ++f) level.emplace(facets[f].begin(), facets[f].end());
+  std::vector<std::pair<Index, Index>> pairs;
+  for (std::size_t f = 0; f < facets.size(); ++f)
+    for (const Index v : facets[f]) pairs.emplace_back(v, static_cast<Index>(f));
+  const Lists facets_of =
+      pairs.empty() ? Lists{} : grouped(pairs, std::max_element(pairs.begin(), pairs.end())->first + std::size_t{1});
+
+  for (std::size_t j = counts.size(); j-- > 0;) {
+    counts[j] = level.size();
+    if (j == 0) break;
+    std::set<std::vector<Index>> next;
+    for (const std::vector<Index>& face : level) {
+      std::vector<Index> touching;  // the facets that meet the face
+      for (const Index v : face) touching.insert(touching.end(), facets_of[v].begin(), facets_of[v].end());
+      std::sort(touching.begin(), touching.end());
+      touching.erase(std::unique(touching.begin(), touching.end()), touching.end());
+      std::vector<std::vector<Index>> cuts;
+      for (const Index f : touching) {
+        std::vector<Index> cut = intersection(face, facets[f]);
+        if (cut.size() < face.size()) cuts.push_back(std::move(cut));
+      }
+      std::sort(cuts.begin(), cuts.end(), [](const auto& a, const auto& b) { return a.size() > b.size(); });
+      std::vector<std::vector<Index>> largest;
+      for (std::vector<Index>& cut : cuts)
+        if (std::none_of(largest.begin(), largest.end(),
+                         [&](const auto& other) { return std::includes(other.begin(), other.end(), cut.begin(), cut.end()); }))
+          largest.push_back(std::move(cut));
+      next.insert(std::make_move_iterator(largest.begin()), std::make_move_iterator(largest.end()));
+    }
+    level = std::move(next);
+  }
+  return counts;
+}
+
+}  // namespace delone::front_ends

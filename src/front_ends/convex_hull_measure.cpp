@@ -1,0 +1,149 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "front_ends/convex_hull_measure.hpp"
+
+#include "front_ends/hull_normal.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+namespace delone::front_ends {
+namespace {
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+/// Reflects columns, each of `rows` entries, to triangular form; returns the diagonal.
+std::vector<double> triangular_diagonal(std::vector<std::vector<double>>& columns, std::size_t rows) {
+  std::vector<double> diagonal;
+  std::vector<double> reflector(rows);
+  for (std::size_t s = 0; s < columns.size(); ++s) {
+    std::vector<double>& column = columns[s];
+    double square = 0;
+    for (std::size_t r = s; r < rows; ++r) square += column[r] * column[r];
+    const double length = std::sqrt(square);
+    diagonal.push_back(length);
+    if (length == 0) continue;
+    const double alpha = column[s] > 0 ? -length : length;
+    for (std::size_t r = s; r < rows; ++r) reflector[r] = column[r];
+    reflector[s] -= alpha;
+    const double half_square = square - alpha * column[s];  // |reflector|²/2, both terms positive
+    for (std::size_t j = s; j < columns.size(); ++j) {
+      double dot = 0;
+      for (std::size_t r = s; r < rows; ++r) dot += reflector[r] * columns[j][r];
+      const double factor = dot / half_square;
+      for (std::size_t r = s; r < rows; ++r) columns[j][r] -= factor * reflector[r];
+    }
+  }
+  return diagonal;
+}
+
+/// x·2^exponent for exponents of any size.
+double times_power(double x, std::int64_t exponent) {
+  return std::ldexp(x, static_cast<int>(std::clamp<std::int64_t>(exponent, -10000, 10000)));
+}
+
+}  // namespace
+
+void MeasureSum::add(const Measure& term) {
+  const double next = sum_ + term.value;
+  lost_ += std::fabs(sum_) >= std::fabs(term.value) ? (sum_ - next) + term.value : (term.value - next) + sum_;
+  sum_ = next;
+  error_ += term.error;
+  magnitude_ += std::fabs(term.value);
+}
+
+Measure MeasureSum::result() const {
+  const double value = sum_ + lost_;
+  if (!std::isfinite(value)) return {sum_, infinity};
+  // One rounding of the result, and second-order terms of the sum for fewer than 2^40 terms.
+  return {value, (1 + 0x1p-20) * error_ + 0x1p-52 * std::fabs(value) + 0x1p-64 * magnitude_ + 1e-320};
+}
+
+Measure simplex_volume(std::span<const double* const> points, int ambient) {
+  const std::size_t j = points.size() - 1, d = static_cast<std::size_t>(ambient);
+  if (j == 0) return {1, 0};
+  std::vector<std::vector<double>> edges(j, std::vector<double>(d));
+  std::int64_t exponent = 0;
+  double product = 1, factorial = 1;
+  for (std::size_t i = 0; i < j; ++i) {
+    double largest = 0;
+    for (std::size_t r = 0; r < d; ++r) {
+      edges[i][r] = points[i + 1][r] - points[0][r];
+      largest = std::max(largest, std::fabs(edges[i][r]));
+    }
+    if (!std::isfinite(largest)) return {infinity, infinity};
+    if (largest == 0) return {0, 0};
+    const int scale = std::ilogb(largest);
+    double square = 0;
+    for (double& x : edges[i]) {
+      x = std::ldexp(x, -scale);
+      square += x * x;
+    }
+    exponent += scale;
+    product *= std::sqrt(square);
+    factorial *= static_cast<double>(i + 1);
+  }
+  double value = 1;
+  for (const double r : triangular_diagonal(edges, d)) value *= r;
+  const double relative = 10.0 * static_cast<double>(j * (d + 8)) * 0x1p-53;
+  const double bound =
+      1.01 * product * (std::pow(1 + relative, static_cast<double>(j)) - 1) + static_cast<double>(3 * j) * 0x1p-53 * value;
+  return {times_power(value / factorial, exponent),
+          times_power(bound / factorial, exponent) + std::numeric_limits<double>::denorm_min()};
+}
+
+double facet_equation(const HullSites& sites, const SimplicialHull& hull, std::size_t cell, const double* inner, double extent,
+                      double* equation) {
+  const std::size_t d = static_cast<std::size_t>(sites.ambient), k = hull.corners();
+  const auto vertices = hull.cell(cell);
+  const double* base = sites.point(vertices[0]);
+  double error = infinity;
+  if (k == d) {
+    HullNormals normals(static_cast<int>(k), 1.0);
+    std::vector<double> record(k + 1);
+    normals.compute(sites, vertices, k == 1 && cell == 0, record.data());
+    double square = 0;
+    for (std::size_t j = 0; j < k; ++j) square += record[j] * record[j];
+    const double length = std::sqrt(square), off = record[k] * std::sqrt(static_cast<double>(k));
+    if (length > 2 * off) {
+      for (std::size_t j = 0; j < d; ++j) equation[j] = record[j] / length;
+      // Two vectors as far apart as `off`, each divided by its length, are within 2·off/length; the roundings of the length
+      // and of the quotients add (k + 5)·u.
+      error = 1.01 * (2 * off / length + static_cast<double>(k + 5) * 0x1p-53) * extent;
+    }
+  }
+  if (!std::isfinite(error)) {
+    // What is left of the way to a point inside after the directions of the edges have been taken out, twice for accuracy.
+    std::vector<std::vector<double>> basis;
+    const auto direction = [&](const double* x) {
+      std::vector<double> v(d);
+      double largest = 0;
+      for (std::size_t j = 0; j < d; ++j) v[j] = x[j] / 2 - base[j] / 2, largest = std::max(largest, std::fabs(v[j]));
+      if (largest > 0)
+        for (double& t : v) t = std::ldexp(t, -std::ilogb(largest));
+      for (int pass = 0; pass < 2; ++pass)
+        for (const auto& b : basis) {
+          double dot = 0;
+          for (std::size_t j = 0; j < d; ++j) dot += b[j] * v[j];
+          for (std::size_t j = 0; j < d; ++j) v[j] -= dot * b[j];
+        }
+      double square = 0;
+      for (const double t : v) square += t * t;
+      for (double& t : v) t /= square > 0 ? std::sqrt(square) : 1.0;
+      return v;
+    };
+    for (std::size_t i = 1; i < k; ++i) basis.push_back(direction(sites.point(vertices[i])));
+    const std::vector<double> inwards = direction(inner);
+    for (std::size_t j = 0; j < d; ++j) equation[j] = 0.0 - inwards[j];
+  }
+  double offset = 0, magnitude = 0;
+  for (std::size_t j = 0; j < d; ++j) {
+    offset -= equation[j] * base[j];
+    magnitude += std::fabs(equation[j] * base[j]);
+  }
+  equation[d] = offset;
+  return error + 1.01 * static_cast<double>(d + 1) * 0x1p-53 * magnitude;
+}
+
+}  // namespace delone::front_ends

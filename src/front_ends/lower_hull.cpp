@@ -1,0 +1,300 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// LowerHull: the hull of the points and of one more above them, of which the cells that look down are kept.
+//
+// Why one more point. It lies over the composition of a lowest point, higher than that. The hyperplane of a lower facet is,
+// over any composition of the domain, at most as high as the lower hull, so the new point is strictly above all of them: no
+// lower facet is lost or gained. But the hull is full-dimensional even when all heights are an affine function of the
+// compositions, and the upper side, of no interest, becomes simple.
+#include "kernel/predicates.hpp"
+#include "kernel/stages.hpp"
+
+#include <delone/lower_hull.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <new>
+#include <numeric>
+
+namespace delone {
+
+struct LowerHull::Impl {
+  int dimension = 0;
+  HullSide side = HullSide::lower;
+  std::vector<double> points;       // n×d, as given
+  kernel::AffineHull compositions;  // in R^(d−1)
+  std::optional<Polytope> polytope;
+  std::vector<double> projected;  // n×(c+1): the composition axes, the height
+  std::vector<int> axes;          // 0 … c
+  kernel::Grid grid;
+  bool reversed = false;  // whether cells were turned to be positive over the compositions
+  std::vector<SignedIndex> cells, neighbors, facet_of_cell, vertices;
+  std::size_t num_facets = 0;
+
+  explicit Impl(int d, HullSide given) : dimension(d), side(given), compositions(d - 1), grid(1) {}
+
+  std::size_t ambient() const { return static_cast<std::size_t>(dimension); }
+  std::size_t corners() const { return static_cast<std::size_t>(compositions.dimension() + 1); }
+  std::size_t num_points() const { return points.size() / ambient(); }
+  std::size_t num_cells() const { return cells.empty() ? 0 : cells.size() / corners(); }
+  double height_sign() const { return side == HullSide::lower ? 1.0 : -1.0; }
+  const double* place(SignedIndex row) const { return projected.data() + static_cast<std::size_t>(row) * corners(); }
+  kernel::Flat composition_flat() const {
+    return {static_cast<int>(corners()), std::span<const int>(axes).first(corners() - 1)};
+  }
+  kernel::Flat flat() const { return {static_cast<int>(corners()), axes}; }
+
+  /// The point on the composition axes; `height` is given with its sign for the lower hull.
+  void project(const double* composition, double height, std::vector<double>& result) const {
+    for (const int axis : compositions.axes()) result.push_back(composition[axis]);
+    result.push_back(height);
+  }
+
+  void build(const Options& options) {
+    const std::size_t n = num_points();
+    if (n == 0) return;
+    for (std::size_t row = 0; row < n && compositions.dimension() < dimension - 1; ++row)
+      compositions.add(points.data() + row * ambient());
+    axes.resize(corners());
+    std::iota(axes.begin(), axes.end(), 0);
+    std::size_t lowest = 0;
+    double low = 0, high = 0;
+    for (std::size_t row = 0; row < n; ++row) {
+      const double* point = points.data() + row * ambient();
+      const double height = height_sign() * point[dimension - 1];
+      project(point, height, projected);
+      if (row == 0 || height < low) low = height, lowest = row;
+      if (row == 0 || height > high) high = height;
+    }
+    double raised = high + (high - low);
+    if (!(raised < std::numeric_limits<double>::max())) raised = high;
+    if (raised == low) raised = std::nextafter(low, std::numeric_limits<double>::infinity());
+    std::vector<double> all = projected;
+    if (std::isinf(raised)) {  // all heights are the largest double: any other constant has the same hull
+      for (std::size_t at = corners() - 1; at < all.size(); at += corners()) all[at] = 0;
+      raised = 1;
+    }
+    project(points.data() + lowest * ambient(), raised, all);
+    grid = kernel::Grid(static_cast<int>(corners()));
+    for (std::size_t row = 0; row < n; ++row) grid.include(place(static_cast<SignedIndex>(row)));
+    polytope.emplace(all, static_cast<int>(corners()), options);
+    collect(polytope->data());
+  }
+
+  /// The sign of the last component of the outward normal of a cell is that of (−1)^(k+1)·(orientation over the compositions),
+  /// k = c + 1: expand det(n, e_1, …, e_(k−1)) > 0 along an n of the last axis.
+  bool looks_down(std::span<const SignedIndex> cell, std::size_t number) const {
+    if (corners() == 1) return number == 0;
+    std::vector<const double*> simplex;
+    for (const SignedIndex row : cell) {
+      if (static_cast<std::size_t>(row) >= num_points()) return false;  // the point above
+      simplex.push_back(place(row));
+    }
+    const Sign sign = kernel::orientation<0>(composition_flat(), simplex.data(), grid);
+    return sign == (corners() % 2 == 0 ? Sign::positive : Sign::negative);
+  }
+
+  void collect(const HullData& data) {
+    const std::size_t k = corners();
+    reversed = k % 2 == 1 && k > 1;
+    std::vector<SignedIndex> number(data.num_cells(), -1), facet_number(data.num_facets(), -1);
+    SignedIndex count = 0;
+    for (std::size_t c = 0; c < data.num_cells(); ++c)
+      if (looks_down(std::span(data.cells).subspan(c * k, k), c)) number[c] = count++;
+    std::vector<SignedIndex> extreme;
+    for (std::size_t c = 0; c < data.num_cells(); ++c) {
+      if (number[c] < 0) continue;
+      const std::size_t first = cells.size();
+      for (std::size_t i = 0; i < k; ++i) {
+        const SignedIndex row = data.cells[c * k + i];
+        cells.push_back(row);
+        neighbors.push_back(k == 1 ? -1 : number[static_cast<std::size_t>(data.neighbors[c * k + i])]);
+        if (data.point_kinds[static_cast<std::size_t>(row)] == PointKind::extreme) extreme.push_back(row);
+      }
+      if (reversed) {
+        std::swap(cells[first], cells[first + 1]);
+        std::swap(neighbors[first], neighbors[first + 1]);
+      }
+      SignedIndex& facet = facet_number[static_cast<std::size_t>(data.facet_of_cell[c])];
+      if (facet < 0) facet = static_cast<SignedIndex>(num_facets++);
+      facet_of_cell.push_back(facet);
+    }
+    std::sort(extreme.begin(), extreme.end());
+    extreme.erase(std::unique(extreme.begin(), extreme.end()), extreme.end());
+    vertices = std::move(extreme);
+  }
+
+  std::span<const SignedIndex> cell(std::size_t c) const { return std::span(cells).subspan(c * corners(), corners()); }
+
+  /// The walk: leave a cell by a facet that has the composition on its other side. It ends, as the cells are the projection of
+  /// a convex boundary (Edelsbrunner 1990, doi:10.1007/BF02122779).
+  std::optional<std::size_t> find_cell(const double* q, std::size_t start, const kernel::Grid& with_q) const {
+    if (num_cells() == 0) return std::nullopt;
+    if (corners() == 1) return 0;
+    std::vector<const double*> simplex(corners());
+    for (std::size_t c = start;;) {
+      for (std::size_t i = 0; i < corners(); ++i) simplex[i] = place(cell(c)[i]);
+      std::size_t out = corners();
+      for (std::size_t i = 0; i < corners() && out == corners(); ++i) {
+        const double* vertex = simplex[i];
+        simplex[i] = q;
+        if (kernel::orientation<0>(composition_flat(), simplex.data(), with_q) == Sign::negative) out = i;
+        simplex[i] = vertex;
+      }
+      if (out == corners()) return c;
+      const SignedIndex across = neighbors[c * corners() + out];
+      if (across < 0) return std::nullopt;
+      c = static_cast<std::size_t>(across);
+    }
+  }
+
+  /// The height of the cell's hyperplane over q: barycentric coordinates by elimination with pivoting.
+  double interpolate(std::size_t c, const double* q) const {
+    const std::size_t n = corners() - 1;
+    const double* base = place(cell(c)[0]);
+    std::vector<double> a((n + 1) * n);  // columns: edges, then the query; scaled per axis
+    for (std::size_t r = 0; r < n; ++r) {
+      double largest = 0;
+      for (std::size_t i = 0; i <= n; ++i) {
+        const double* p = i < n ? place(cell(c)[i + 1]) : q;
+        a[i * n + r] = p[r] / 2 - base[r] / 2;
+        largest = std::max(largest, std::fabs(a[i * n + r]));
+      }
+      if (largest > 0)
+        for (std::size_t i = 0; i <= n; ++i) a[i * n + r] = std::ldexp(a[i * n + r], -std::ilogb(largest));
+    }
+    for (std::size_t s = 0; s < n; ++s) {
+      std::size_t pivot = s;
+      for (std::size_t r = s + 1; r < n; ++r)
+        if (std::fabs(a[s * n + r]) > std::fabs(a[s * n + pivot])) pivot = r;
+      for (std::size_t i = 0; i <= n; ++i) std::swap(a[i * n + s], a[i * n + pivot]);
+      if (a[s * n + s] == 0) continue;
+      for (std::size_t r = 0; r < n; ++r) {
+        if (r == s) continue;
+        const double factor = a[s * n + r] / a[s * n + s];
+        for (std::size_t i = s; i <= n; ++i) a[i * n + r] -= factor * a[i * n + s];
+      }
+    }
+    double rest = 1, height = 0;
+    for (std::size_t i = 0; i < n; ++i) {
+      const double weight = a[i * n + i] == 0 ? 0 : std::clamp(a[n * n + i] / a[i * n + i], 0.0, 1.0);
+      rest -= weight;
+      height += weight * place(cell(c)[i + 1])[n];
+    }
+    return height + rest * base[n];
+  }
+
+  /// Calls visit(query number, projected query, its cell or nullopt) for rows of `width` ≥ d−1 numbers.
+  template <class Visit>
+  void for_each_query(std::span<const double> queries, std::size_t width, Visit visit) const {
+    if (queries.size() % width != 0) throw Error(Errc::bad_dimension, "the number of coordinates does not fit the dimension");
+    std::size_t hint = 0;
+    std::vector<double> q;
+    for (std::size_t i = 0; i < queries.size() / width; ++i) {
+      const double* row = queries.data() + i * width;
+      for (std::size_t j = 0; j < width; ++j)
+        if (!std::isfinite(row[j]))
+          throw Error(Errc::not_finite, "a coordinate of query " + std::to_string(i) + " is not finite", {i});
+      q.clear();
+      std::optional<std::size_t> found;
+      kernel::Grid with_q = grid;
+      if (compositions.dimension() == dimension - 1 || compositions.contains(row)) {
+        project(row, width == ambient() ? height_sign() * row[width - 1] : place(0)[corners() - 1], q);
+        with_q.include(q.data());
+        found = find_cell(q.data(), hint, with_q);
+        if (found) hint = *found;
+      }
+      visit(i, q.data(), found, with_q);
+    }
+  }
+};
+
+LowerHull::LowerHull(std::span<const double> coordinates, int dimension, HullSide side, const Options& options) {
+  if (dimension < 2) throw Error(Errc::bad_dimension, "a lower hull needs a composition and a height: at least 2 coordinates");
+  if (coordinates.size() % static_cast<std::size_t>(dimension) != 0)
+    throw Error(Errc::bad_dimension, "the number of coordinates is not a multiple of the dimension");
+  std::vector<std::size_t> rows;
+  for (std::size_t i = 0; i < coordinates.size(); ++i)
+    if (const std::size_t row = i / static_cast<std::size_t>(dimension);
+        !std::isfinite(coordinates[i]) && (rows.empty() || rows.back() != row))
+      rows.push_back(row);
+  if (!rows.empty())
+    throw Error(Errc::not_finite, "a coordinate of point " + std::to_string(rows.front()) + " is not finite", rows);
+  try {
+    impl_ = std::make_unique<Impl>(dimension, side);
+    impl_->points.assign(coordinates.begin(), coordinates.end());
+    impl_->build(options);
+  } catch (const std::bad_alloc&) {
+    throw Error(Errc::out_of_memory, "not enough memory for the hull");
+  }
+}
+LowerHull::LowerHull(PointsView points, HullSide side, const Options& options)
+    : LowerHull(points.coordinates(), points.dimension(), side, options) {}
+LowerHull::LowerHull(LowerHull&&) noexcept = default;
+LowerHull& LowerHull::operator=(LowerHull&&) noexcept = default;
+LowerHull::~LowerHull() = default;
+
+int LowerHull::dimension() const { return impl_->dimension; }
+int LowerHull::composition_dimension() const { return impl_->compositions.dimension(); }
+HullSide LowerHull::side() const { return impl_->side; }
+std::size_t LowerHull::num_points() const { return impl_->num_points(); }
+std::size_t LowerHull::num_cells() const { return impl_->num_cells(); }
+std::size_t LowerHull::num_facets() const { return impl_->num_facets; }
+std::span<const SignedIndex> LowerHull::cells() const { return impl_->cells; }
+std::span<const SignedIndex> LowerHull::neighbors() const { return impl_->neighbors; }
+std::span<const SignedIndex> LowerHull::facet_of_cell() const { return impl_->facet_of_cell; }
+std::span<const SignedIndex> LowerHull::vertices() const { return impl_->vertices; }
+std::vector<int> LowerHull::composition_axes() const { return impl_->compositions.axes(); }
+
+std::optional<std::size_t> LowerHull::find_cell(std::span<const double> composition) const {
+  if (composition.size() != impl_->ambient() - 1)
+    throw Error(Errc::bad_dimension, "the composition has not as many coordinates as those of the points");
+  std::optional<std::size_t> result;
+  impl_->for_each_query(composition, impl_->ambient() - 1, [&](auto, auto, const auto& cell, const auto&) { result = cell; });
+  return result;
+}
+
+std::vector<double> LowerHull::heights(std::span<const double> compositions) const {
+  const double outside = impl_->height_sign() * std::numeric_limits<double>::infinity();
+  std::vector<double> result;
+  impl_->for_each_query(compositions, impl_->ambient() - 1,
+                        [&](auto, const double* q, const std::optional<std::size_t>& cell, const auto&) {
+                          result.push_back(cell ? impl_->height_sign() * impl_->interpolate(*cell, q) : outside);
+                        });
+  return result;
+}
+
+std::vector<double> LowerHull::height_above(std::span<const double> points) const {
+  std::vector<double> result;
+  const Impl& hull = *impl_;
+  const auto above = [&](const double* q, const std::optional<std::size_t>& cell, const kernel::Grid& grid) {
+    if (!cell) return -std::numeric_limits<double>::infinity();
+    const double difference = q[hull.corners() - 1] - hull.interpolate(*cell, q);
+    std::vector<const double*> simplex{q};
+    for (const SignedIndex row : hull.cell(*cell)) simplex.push_back(hull.place(row));
+    Sign sign = kernel::orientation<0>(hull.flat(), simplex.data(), grid);
+    if (hull.reversed || hull.corners() == 1) sign = -sign;  // of one vertex, the cell is the lower end
+    constexpr double least = std::numeric_limits<double>::denorm_min();
+    return sign == Sign::zero ? 0.0 : sign == Sign::positive ? std::max(difference, least) : std::min(difference, -least);
+  };
+  hull.for_each_query(points, hull.ambient(), [&](auto, const double* q, const auto& cell, const kernel::Grid& grid) {
+    result.push_back(hull.height_sign() * above(q, cell, grid) + 0.0);
+  });
+  return result;
+}
+
+ComplexData LowerHull::to_data() const {
+  ComplexData data;
+  data.dimension = dimension();
+  data.affine_dimension = composition_dimension();
+  data.points = impl_->points;
+  data.cells = impl_->cells;
+  data.neighbors = impl_->neighbors;
+  return data;
+}
+const Polytope& LowerHull::polytope() const {
+  if (!impl_->polytope) throw Error(Errc::invalid_argument, "there is no point, hence no hull");
+  return *impl_->polytope;
+}
+
+}  // namespace delone
