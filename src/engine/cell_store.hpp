@@ -41,6 +41,16 @@ class CellStore {
     return -1;
   }
 
+  /// Asks for the memory of a cell ahead of its use.
+  void prefetch(Index cell) const {
+    const Index* links = vertices(cell);
+    __builtin_prefetch(links);
+    __builtin_prefetch(links + stride() - 1);
+  }
+
+  /// The same if `wanted`, without a branch: otherwise for a cell that is at hand anyway.
+  void prefetch_if(Index cell, bool wanted) const { prefetch(wanted ? cell : Index{0}); }
+
   Index num_slots() const { return num_slots_; }
   Index num_cells() const { return num_slots_ - static_cast<Index>(vacant_.size()); }
   bool is_vacant(Index cell) const { return vertices(cell)[0] == invalid_index; }
@@ -82,12 +92,28 @@ class CellStore {
 
   Mark mark(Index cell) const { return marks_[cell]; }
   void set_mark(Index cell, Mark mark) { marks_[cell] = mark; }
+  /// The marks of all cells; valid until cells are allocated.
+  class Marks {
+   public:
+    explicit Marks(Mark* marks) : marks_(marks) {}
+    Mark operator()(Index cell) const { return marks_[cell]; }
+    void set(Index cell, Mark mark) { marks_[cell] = mark; }
+    /// Marks a cell that is in conflict, and leaves the mark of another as it is, without a branch.
+    void set_if(Index cell, bool conflict) {
+      marks_[cell] = static_cast<Mark>(static_cast<unsigned>(marks_[cell]) | static_cast<unsigned>(conflict));
+    }
+
+   private:
+    Mark* marks_;
+  };
+  Marks marks() { return Marks(marks_.data()); }
 
  private:
+  /// Which of the k+1 entries the value is, without a branch that depends on the data.
   int find(const Index* entries, Index value) const {
-    int i = 0;
-    while (entries[i] != value) ++i;
-    return i;
+    int found = 0;
+    for (int i = 1; i <= dimension(); ++i) found = entries[i] == value ? i : found;
+    return found;
   }
 
   int dimension_;

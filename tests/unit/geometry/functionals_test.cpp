@@ -80,7 +80,7 @@ double expect_certified_signs_are_right(const char* kind, std::size_t n, std::si
     if (built.cells.is_vacant(cell)) continue;
     const auto q = built.geometry.make_query(built.geometry.point(v));
     if (engine::vertex_at(built.cells, built.geometry, cell, q) != invalid_index) continue;
-    const Sign side = built.geometry.filter_side(cell, built.geometry.value(cell, q), q);
+    const Sign side = built.geometry.filter_side(cell, built.geometry.value(cell, q));
     ++tested;
     if (side == Sign::zero) continue;
     ++certified;
