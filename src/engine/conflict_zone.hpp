@@ -48,11 +48,12 @@ struct ConflictZone {
 ///
 /// Which neighbor is new, in conflict or on the horizon cannot be predicted, and each wrong guess costs as much as an
 /// evaluation. So cells are searched in blocks: first all neighbors not yet known to be in conflict are collected, then each is
-/// evaluated and written to the zone and to the horizon, of which at most one advances; no branch depends on the data, and the
-/// memory of functionals is asked for when a neighbor is collected.
+/// evaluated and written to the zone and to the horizon, of which at most one advances; no branch depends on the data. The
+/// memory of the neighbors of cells ahead in the list is asked for early.
 template <int K, Geometry G, class Marks>
 void find_conflict_zone(const CellStore<K>& cells, const G& geometry, const typename G::Query& q, Index first, Marks marks,
                         ConflictZone& zone, StageCounts& counts) {
+  constexpr std::size_t cells_ahead = 4;
   const auto facets = static_cast<std::size_t>(cells.dimension()) + 1;
   zone.num_cells = zone.num_facets = 0;
   zone.marked.clear();
@@ -74,10 +75,13 @@ void find_conflict_zone(const CellStore<K>& cells, const G& geometry, const type
 
     std::size_t num_candidates = 0;
     for (; next < end; ++next) {
+      if (next + cells_ahead < num_cells) {
+        const Index* const ahead = cells.neighbors(zone_cells[next + cells_ahead]);
+        for (std::size_t i = 0; i < facets; ++i) cells.prefetch(ahead[i]);
+      }
       const Index* const neighbors = cells.neighbors(zone_cells[next]);
       for (std::size_t i = 0; i < facets; ++i) {
         const Index neighbor = neighbors[i];
-        functional.prefetch(neighbor);
         candidates[num_candidates] = {neighbor, static_cast<std::uint32_t>(next), static_cast<std::uint32_t>(i)};
         num_candidates += marks(neighbor) != Mark::in_conflict;
       }
@@ -101,7 +105,6 @@ void find_conflict_zone(const CellStore<K>& cells, const G& geometry, const type
       }
       zone_cells[num_cells] = neighbor;
       zone_values[num_cells] = value;
-      cells.prefetch_if(neighbor, conflict);
       HorizonFacet& facet = horizon[num_facets];
       facet.survivor_value = value;
       facet.survivor = neighbor;

@@ -19,10 +19,9 @@ concept Geometry = requires(G geometry, const G& known, Index cell, const Index*
                             StageCounts& counts, std::size_t size, double value, std::span<const HorizonFacet> facets) {
   /// Approximately h(q); among finite cells, the smaller the closer to a conflict.
   { known.value(cell, q) } -> std::same_as<double>;
-  /// The same for many cells, by a copy: value(cell), threshold(cell): |value − h(q)| is below it; prefetch(cell).
+  /// The same for many cells, by a copy: value(cell), and threshold(cell): |value − h(q)| is below it.
   { known.evaluator(q).value(cell) } -> std::same_as<double>;
   { known.evaluator(q).threshold(cell) } -> std::same_as<double>;
-  {known.evaluator(q).prefetch(cell)};
   /// The certified sign of h(q) from that value, or zero: uncertain. Negative: in conflict.
   { known.filter_side(cell, value) } -> std::same_as<Sign>;
   /// The exact sign of h(q), ties perturbed; zero only if the cell is infinite and q on its hyperplane.
@@ -31,7 +30,6 @@ concept Geometry = requires(G geometry, const G& known, Index cell, const Index*
   { known.side_of_facet(vertices, slot, q) } -> std::same_as<Sign>;
   { known.is_at(cell, q) } -> std::same_as<bool>;
   { known.is_infinite(cell) } -> std::same_as<bool>;
-  {geometry.reserve_cells(size)};
   /// Computes what is cached for a new cell; the third argument is the slot of the infinite vertex or −1, the fourth that of a
   /// finite vertex.
   {geometry.create(cell, vertices, slot, slot)};

@@ -12,38 +12,43 @@
 #include "growable_array.hpp"
 #include "horizon_facet.hpp"
 
+#include <algorithm>
 #include <bit>
 #include <cstdint>
+#include <numeric>
 #include <span>
+#include <utility>
 #include <vector>
 
 namespace delone::engine {
 
 class RidgeTable {
  public:
+  /// `rounds`: how often half-ridges are hashed before the caller has to link them by other means.
+  explicit RidgeTable(int rounds = 6) : rounds_(rounds) {}
+
   /// Makes room for the star over `facets` facets of cells of dimension k. Throws std::bad_alloc.
   void reserve(std::size_t facets, int k) {
     const std::size_t halves = facets * static_cast<std::size_t>(k);
-    if (halves > positions_.size()) {
-      positions_.resize(2 * halves);
-      unmatched_.resize(2 * halves + 1);
+    if (halves >= hashes_.size()) {
+      hashes_.resize(2 * halves + 1);
+      unmatched_.resize(4 * halves + 2);
     }
-    tags_.resize(static_cast<std::size_t>(k));
-    if (entries_.size() < entries_per_half * halves) entries_.resize(std::bit_ceil(entries_per_half * halves), 0);
+    if (created_.size() < facets) created_.resize(2 * facets);
+    const std::size_t entries = std::bit_ceil(entries_per_half * std::max<std::size_t>(halves, 1));
+    if (entries_.size() < entries) entries_.resize(entries, 0);
   }
 
   /// Links the created cells of all facets across their ridges. Returns the half-ridges that it could not match, which the
-  /// caller must link: facet · 2^bits + j stands for the j-th slot other than that of the apex. REQUIRES reserve().
+  /// caller must link. REQUIRES reserve().
   template <int K>
   std::span<const std::uint32_t> link(CellStore<K>& cells, std::span<const HorizonFacet> facets);
 
-  static int bits(int k) { return std::bit_width(static_cast<unsigned>(k - 1)); }
-  /// The j-th slot other than that of the apex.
+  /// A half-ridge is numbered facet · k + j for the j-th slot other than that of the apex.
   static int slot(int j, int apex) { return j + (j >= apex ? 1 : 0); }
 
  private:
-  static constexpr std::size_t entries_per_half = 4;
-  static constexpr int largest_rounds = 6;
+  static constexpr std::size_t entries_per_half = 2;
   static constexpr std::uint64_t one = std::uint64_t{1} << 32;
 
   /// Sums of tags are to be different for different sets of vertices, as a rule.
@@ -53,85 +58,75 @@ class RidgeTable {
     return x * 0xd6e8feb86659fd93;
   }
 
-  template <int K>
-  static std::uint64_t key(const CellStore<K>& cells, const HorizonFacet& facet, int j) {
-    const int left_out = slot(j, facet.slot);
-    std::uint64_t sum = 0;
-    for (int i = 0; i <= cells.dimension(); ++i)
-      if (i != facet.slot && i != left_out) sum += tag(cells.vertices(facet.created)[i]);
-    return sum;
-  }
-
-  std::vector<std::uint64_t> entries_;    // all zero between calls: in the high half how many selected it, in the low half their sum
-  std::vector<std::uint32_t> positions_;  // which entry each half-ridge selected
+  int rounds_;
+  std::vector<std::uint64_t>
+      entries_;  // all zero between calls: in the high half how many selected it, in the low half their sum
+  std::vector<std::uint32_t> hashes_;  // of the ridges of all half-ridges
   std::vector<std::uint32_t> unmatched_;
-  std::vector<std::uint64_t> tags_;  // of one cell, for dimensions chosen at run time
+  std::vector<Index> created_;
 };
 
 template <int K>
 std::span<const std::uint32_t> RidgeTable::link(CellStore<K>& cells, std::span<const HorizonFacet> facets) {
-  const int k = cells.dimension();
-  const int shift = bits(k);
-  const std::size_t halves = facets.size() * static_cast<std::size_t>(k);
-  const int key_shift = 64 - std::bit_width(entries_per_half * halves - 1);
+  const auto k = static_cast<std::uint32_t>(cells.dimension());
+  const auto halves = static_cast<std::uint32_t>(facets.size()) * k;
+  const int shift = 32 - (std::bit_width(std::bit_ceil(entries_per_half * std::max<std::size_t>(halves, 1))) - 1);
   std::uint64_t* const entries = entries_.data();
-  std::uint64_t tags_of_compiled[K > 0 ? K : 1];
-  std::uint64_t* const tags = K > 0 ? tags_of_compiled : tags_.data();
+  Index* const created = created_.data();
+  std::uint32_t* unmatched = unmatched_.data();
+  std::uint32_t* spare = unmatched + halves + 1;
 
-  std::uint32_t* position = positions_.data();
-  for (std::size_t f = 0; f < facets.size(); ++f) {
-    const Index* vertices = cells.vertices(facets[f].created);
-    const int apex = facets[f].slot;
-    std::uint64_t total = 0;
-    for (int j = 0; j < k; ++j) total += tags[j] = tag(vertices[slot(j, apex)]);
-    const std::uint64_t first = one + (f << shift);
-    for (int j = 0; j < k; ++j) {
-      const auto at = static_cast<std::uint32_t>((total - tags[j]) >> key_shift);
-      *position++ = at;
-      entries[at] += first + static_cast<std::uint64_t>(j);
-    }
+  std::uint32_t* hash = hashes_.data();
+  for (std::size_t f = 0; f < facets.size(); ++f, hash += k) {
+    created[f] = facets[f].created;
+    const Index* vertices = cells.vertices(created[f]);
+    const auto apex = static_cast<std::uint32_t>(facets[f].slot);
+    std::uint64_t sum = 0;
+    for (std::uint32_t i = 0; i <= k; ++i) sum += tag(vertices[i]);
+    sum -= tag(vertices[apex]);
+    // What is written for the apex is overwritten by the next.
+    for (std::uint32_t i = 0; i <= k; ++i) hash[i - (i > apex)] = static_cast<std::uint32_t>((sum - tag(vertices[i])) >> 32);
   }
-  position = positions_.data();
-  std::size_t unmatched = 0;
-  for (std::size_t f = 0; f < facets.size(); ++f) {
-    Index* neighbors = cells.neighbors(facets[f].created);
+
+  if (rounds_ == 0) {
+    std::iota(unmatched, unmatched + halves, 0u);
+    return {unmatched, halves};
+  }
+
+  std::uint32_t left = 0;
+  for (std::uint32_t half = 0; half < halves; ++half) entries[hashes_[half] >> shift] += one + half;
+  hash = hashes_.data();
+  for (std::uint32_t f = 0, half = 0; f < facets.size(); ++f) {
+    Index* neighbors = cells.neighbors(created[f]);
     const int apex = facets[f].slot;
-    for (int j = 0; j < k; ++j) {
-      const std::uint64_t entry = entries[*position++];
-      const auto half = static_cast<std::uint32_t>(f << shift) + static_cast<std::uint32_t>(j);
+    for (std::uint32_t j = 0; j < k; ++j, ++half) {
+      const std::uint64_t entry = entries[hash[half] >> shift];
       const bool matched = entry >> 32 == 2;
       const std::uint32_t other = matched ? static_cast<std::uint32_t>(entry) - half : half;
-      neighbors[slot(j, apex)] = facets[other >> shift].created;
-      unmatched_[unmatched] = half;
-      unmatched += !matched;
-    }
-  }
-  for (std::size_t i = 0; i < halves; ++i) entries[positions_[i]] = 0;
-
-  std::uint64_t multiplier = 0x9e3779b97f4a7c15;
-  for (int round = 1; round < largest_rounds && unmatched > 0; ++round, multiplier *= 0xd6e8feb86659fd93) {
-    const std::uint32_t mask = (std::uint32_t{1} << shift) - 1;
-    for (std::size_t i = 0; i < unmatched; ++i) {
-      const std::uint32_t half = unmatched_[i];
-      const std::uint64_t hash = key(cells, facets[half >> shift], static_cast<int>(half & mask)) * multiplier;
-      positions_[i] = static_cast<std::uint32_t>(hash >> key_shift);
-      entries[positions_[i]] += one + half;
-    }
-    std::size_t left = 0;
-    for (std::size_t i = 0; i < unmatched; ++i) {
-      const std::uint32_t half = unmatched_[i];
-      const HorizonFacet& facet = facets[half >> shift];
-      const std::uint64_t entry = entries[positions_[i]];
-      const bool matched = entry >> 32 == 2;
-      const std::uint32_t other = matched ? static_cast<std::uint32_t>(entry) - half : half;
-      cells.neighbors(facet.created)[slot(static_cast<int>(half & mask), facet.slot)] = facets[other >> shift].created;
-      unmatched_[left] = half;
+      neighbors[slot(static_cast<int>(j), apex)] = created[other / k];
+      unmatched[left] = half;
       left += !matched;
     }
-    for (std::size_t i = 0; i < unmatched; ++i) entries[positions_[i]] = 0;
-    unmatched = left;
   }
-  return {unmatched_.data(), unmatched};
+  for (std::uint32_t half = 0; half < halves; ++half) entries[hashes_[half] >> shift] = 0;
+
+  std::uint32_t multiplier = 0x9e3779b9;
+  for (int round = 1; round < rounds_ && left > 0; ++round, multiplier *= 0x85ebca6b) {
+    const std::uint32_t count = std::exchange(left, 0u);
+    for (std::uint32_t i = 0; i < count; ++i) entries[hashes_[unmatched[i]] * multiplier >> shift] += one + unmatched[i];
+    for (std::uint32_t i = 0; i < count; ++i) {
+      const std::uint32_t half = unmatched[i];
+      const std::uint64_t entry = entries[hashes_[half] * multiplier >> shift];
+      const bool matched = entry >> 32 == 2;
+      const std::uint32_t other = matched ? static_cast<std::uint32_t>(entry) - half : half;
+      cells.neighbors(created[half / k])[slot(static_cast<int>(half % k), facets[half / k].slot)] = created[other / k];
+      spare[left] = half;
+      left += !matched;
+    }
+    for (std::uint32_t i = 0; i < count; ++i) entries[hashes_[unmatched[i]] * multiplier >> shift] = 0;
+    std::swap(unmatched, spare);
+  }
+  return {unmatched, left};
 }
 
 }  // namespace delone::engine

@@ -22,8 +22,9 @@ class HullOfDimension final : public Hull {
   HullOfDimension(const std::vector<int>& axes, const VertexPoints& points, const geometry::Frame& frame,
                   const engine::Effort& effort)
       : points_(points),
-        cells_(static_cast<int>(axes.size())),
-        geometry_(axes, points.ambient, points.coordinates, points.grid, frame),
+        memory_(static_cast<int>(axes.size())),
+        cells_(memory_),
+        geometry_(memory_, axes, points.ambient, points.coordinates, points.grid, frame),
         effort_(effort) {}
 
   void seed(std::span<const Index> vertices) override {
@@ -92,7 +93,7 @@ class HullOfDimension final : public Hull {
     const Query q = geometry_.make_query(query, grid);
     const engine::WalkResult found = engine::locate(cells_, geometry_, q, start == invalid_index ? last_ : start, uncounted);
     if (found.vertex != invalid_index) return {};
-    std::unordered_map<Index, engine::Mark> marks;
+    std::unordered_map<Index, Mark> marks;
     engine::ConflictZone zone;
     engine::find_conflict_zone(cells_, geometry_, q, found.cell, engine::SeparateMarks(marks), zone, uncounted);
     std::vector<CellId> result;
@@ -110,7 +111,7 @@ class HullOfDimension final : public Hull {
             num_infinite_,      num_vertices,    cell_of_vertex};
   }
   const engine::Effort& effort() const override { return effort_; }
-  std::size_t bytes() const override { return cells_.bytes() + geometry_.bytes(); }
+  std::size_t bytes() const override { return cells_.bytes(); }
 
  private:
   kernel::Grid grid_with(const double* query) const {
@@ -127,6 +128,7 @@ class HullOfDimension final : public Hull {
   }
 
   const VertexPoints& points_;
+  CellMemory<K> memory_;
   engine::CellStore<K> cells_;
   Geometry geometry_;
   engine::Workspace work_;

@@ -35,21 +35,21 @@ class DelaunayGeometry {
 
   /// `coordinates`: the points of the vertices, `flat.ambient` doubles each, indexed by vertex id (vertex 0 is a dummy).
   /// Both references must outlive this object; they may grow.
-  DelaunayGeometry(std::vector<int> axes, int ambient, const std::vector<double>& coordinates, const kernel::Grid& grid,
-                   Frame frame)
+  DelaunayGeometry(CellMemory<K>& cells, std::vector<int> axes, int ambient, const std::vector<double>& coordinates,
+                   const kernel::Grid& grid, Frame frame)
       : axes_(std::move(axes)),
         ambient_(ambient),
         coordinates_(coordinates),
         grid_(grid),
         frame_(std::move(frame)),
-        functionals_(dimension()) {
+        functionals_(cells) {
     functionals_.set_frame(frame_, axes_);
   }
 
   int dimension() const { return K > 0 ? K : static_cast<int>(axes_.size()); }
   const Frame& frame() const { return frame_; }
-  /// All cells must be created anew after it. The rows of the first `vertices` vertices are computed, that of the infinite vertex
-  /// apart.
+  /// All cells must be created anew after it. The rows of the first `vertices` vertices are computed, that of the infinite
+  /// vertex apart.
   void set_frame(Frame frame, Index vertices) {
     frame_ = std::move(frame);
     functionals_.set_frame(frame_, axes_);
@@ -79,9 +79,6 @@ class DelaunayGeometry {
     return coordinates_.data() + static_cast<std::size_t>(vertex) * static_cast<std::size_t>(ambient_);
   }
   bool is_at(Index vertex, const Query& q) const { return kernel::equal_points(point(vertex), q.point, ambient_); }
-
-  void reserve_cells(std::size_t cells) { functionals_.reserve(cells); }
-  std::size_t bytes() const { return functionals_.bytes(); }
 
   /// h̃(q), approximately the functional of the cell. Functionals of finite cells are comparable with each other.
   double value(Index cell, const Query& q) const { return evaluator(q).value(cell); }

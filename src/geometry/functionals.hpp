@@ -8,10 +8,10 @@
 // Knows images and lifts; neither vertices nor exact arithmetic. Proofs: docs/predicates.md, "The filter" and "The pencil".
 #pragma once
 
+#include "cell_memory.hpp"
 #include "geometry/frame.hpp"
 #include "geometry/record.hpp"
 #include "geometry/star_kernel.hpp"
-#include "growable_array.hpp"
 #include "horizon_facet.hpp"
 #include "kernel/buffer.hpp"
 
@@ -29,19 +29,20 @@ namespace delone::geometry {
 template <int K>
 class Functionals {
  public:
-  explicit Functionals(int dimension) : dimension_(dimension) {}
+  explicit Functionals(CellMemory<K>& memory) : memory_(memory) {}
 
   /// Takes over the constants of a frame. All functionals must be computed anew after it.
   void set_frame(const Frame& frame, const std::vector<int>& axes);
 
-  void reserve(std::size_t cells) { records_.reserve(cells * stride()); }
-  std::size_t bytes() const { return records_.capacity() * sizeof(double); }
-
   /// The functionals at one row: a copy of all that evaluations need.
   class Evaluator {
    public:
-    Evaluator(const double* records, const double* row, int k) : records_(records), row_(static_cast<std::size_t>(k) + 1), k_(k) {
-      std::copy_n(row, k + 1, row_.data());
+    Evaluator(const CellMemory<K>& memory, const double* row)
+        : records_(memory.record(0)),
+          row_(static_cast<std::size_t>(memory.dimension()) + 1),
+          k_(memory.dimension()),
+          stride_(memory.stride()) {
+      std::copy_n(row, k() + 1, row_.data());
     }
     /// h̃ of a cell.
     double value(Index cell) const {
@@ -55,23 +56,17 @@ class Functionals {
     }
     /// |value − h| is below it for all points of the frame's box.
     double threshold(Index cell) const { return certificate::threshold(std::bit_cast<std::uint64_t>(record(cell)[k() + 1])); }
-    /// Asks for the memory of a functional ahead of its use.
-    void prefetch(Index cell) const {
-      __builtin_prefetch(record(cell));
-      __builtin_prefetch(record(cell) + k() + 1);
-    }
 
    private:
     int k() const { return K > 0 ? K : k_; }
-    const double* record(Index cell) const {
-      return records_ + static_cast<std::size_t>(cell) * (static_cast<std::size_t>(k()) + 2);
-    }
+    const double* record(Index cell) const { return records_ + cell * (K > 0 ? CellMemory<K>(K).stride() : stride_); }
 
     const double* records_;
     kernel::Buffer<double, K + (K > 0)> row_;
     int k_;
+    std::size_t stride_;
   };
-  Evaluator evaluator(const double* row) const { return {records_.data(), row, k()}; }
+  Evaluator evaluator(const double* row) const { return {memory_, row}; }
 
   double threshold(Index cell) const { return certificate::threshold(packed(cell)); }
   bool is_infinite(Index cell) const { return certificate::infinite(packed(cell)); }
@@ -86,7 +81,9 @@ class Functionals {
   /// vanish on the facet are a pencil, and the new one is its member that vanishes at the new vertex. `rows`: of all vertices.
   /// Returns the facets whose certificates would be too weak: their cells must be solved for.
   std::span<const std::uint32_t> combine(std::span<const HorizonFacet> facets, const double* rows, const double* query_row) {
-    const StarTask task{facets, k(), true, records_.data(), rows, query_row, frame_constants(), scratch_.data(), weak_.data()};
+    const StarTask task{facets,           k(),         true,      memory_.record(0),
+                        memory_.stride(), rows,        query_row, frame_constants(),
+                        scratch_.data(),  weak_.data()};
     return {weak_.data(), combine_star(task)};
   }
   /// Makes room for a star. Throws std::bad_alloc.
@@ -101,10 +98,9 @@ class Functionals {
   using UnalignedPair = double __attribute__((vector_size(16), aligned(8)));
   static Pair load_pair(const double* from) { return *reinterpret_cast<const UnalignedPair*>(from); }
 
-  int k() const { return K > 0 ? K : dimension_; }
-  std::size_t stride() const { return static_cast<std::size_t>(k()) + 2; }
-  const double* record(Index cell) const { return records_.data() + static_cast<std::size_t>(cell) * stride(); }
-  double* record(Index cell) { return records_.data() + static_cast<std::size_t>(cell) * stride(); }
+  int k() const { return memory_.dimension(); }
+  const double* record(Index cell) const { return memory_.record(cell); }
+  double* record(Index cell) { return memory_.record(cell); }
   std::uint64_t packed(Index cell) const { return std::bit_cast<std::uint64_t>(record(cell)[k() + 1]); }
   void certify(Index cell, double threshold, double error, double determinant, bool infinite) {
     record(cell)[k() + 1] = std::bit_cast<double>(certificate::pack(threshold, error, determinant, infinite));
@@ -114,10 +110,9 @@ class Functionals {
     return {evaluation_error_, largest_lift_, finite_spread_, infinite_spread_, 0.0, spheres_, extent_ratio_.data()};
   }
 
-  int dimension_;
-  std::vector<double> scratch_;       // of combine()
-  std::vector<std::uint32_t> weak_;   // of combine()
-  GrowableArray<double> records_;  // per cell: k coefficients, the constant, the certificate
+  CellMemory<K>& memory_;            // per cell: k coefficients, the constant, the certificate
+  std::vector<double> scratch_;      // of combine()
+  std::vector<std::uint32_t> weak_;  // of combine()
 
   // Constants of the frame.
   double largest_lift_ = 0;

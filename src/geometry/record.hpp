@@ -16,8 +16,9 @@ namespace delone::geometry {
 ///   bit     31  infinite     whether the cell is infinite
 ///   bits 32…46  error        a bound on |h̃| at the cell's own vertices
 ///   bits 48…62  determinant  a lower bound on |det| of the edge vectors; 0: none is known
-/// All numbers are kept in [smallest, largest], so that each is a normal binary32; but the determinant may be 0, and a threshold
-/// beyond the largest is infinite.
+/// Bits 47 and 63 are the engine's (cell_memory.hpp).
+/// All numbers are kept in [smallest, largest], so that each is a normal binary32; but the determinant may be 0, and a
+/// threshold beyond the largest is infinite.
 namespace certificate {
 
 constexpr double smallest = 0x1p-126, largest = 0x1p126;
@@ -36,9 +37,7 @@ inline std::uint64_t pack(double threshold, double error, double determinant, bo
   return up | std::uint64_t{infinite} << 31 | error_up << 32 | down << 48;
 }
 
-inline double threshold(std::uint64_t packed) {
-  return std::fabs(std::bit_cast<float>(static_cast<std::uint32_t>(packed)));
-}
+inline double threshold(std::uint64_t packed) { return std::fabs(std::bit_cast<float>(static_cast<std::uint32_t>(packed))); }
 inline bool infinite(std::uint64_t packed) { return (packed >> 31 & 1) != 0; }
 /// All ones for a finite cell, zero for an infinite one: it is hard to predict which a cell is.
 inline std::uint64_t finite_mask(std::uint64_t packed) {

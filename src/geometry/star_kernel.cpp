@@ -5,13 +5,14 @@
 //   A finite, B not     b
 //   B finite, A not     −a
 //   neither finite      the largest |b·g_A,r − a·g_B,r|      so that the largest coefficient becomes ±1
-// and in all four cases ν is the height of q over the facet in the units in which that of the opposite vertex of A (in the third
-// row, of B) is the value there of the other functional.
-// Weights are non-negative, so errors at the facet's vertices combine with the same weights and grow with the number of
-// generations at most linearly; at q the error is one evaluation's. The determinant of the new cell's edge vectors follows
-// from that of A (or B) by the ratio of heights over the facet. Proofs: docs/predicates.md, "The pencil".
+// and in all four cases ν is the height of q over the facet in the units in which that of the opposite vertex of A (in the
+// third row, of B) is the value there of the other functional. Weights are non-negative, so errors at the facet's vertices
+// combine with the same weights and grow with the number of generations at most linearly; at q the error is one evaluation's.
+// The determinant of the new cell's edge vectors follows from that of A (or B) by the ratio of heights over the facet. Proofs:
+// docs/predicates.md, "The pencil".
 #include "geometry/star_kernel.hpp"
 
+#include "cell_memory.hpp"
 #include "geometry/record.hpp"
 
 #include <algorithm>
@@ -55,14 +56,15 @@ template <int K>
 void gather(const StarTask& task, std::span<const HorizonFacet> facets, double* HWY_RESTRICT block) {
   const auto entries = static_cast<std::size_t>(K > 0 ? K : task.k) + 1;
   const bool lifted = task.lifted;
+  const std::size_t stride = K > 0 ? CellMemory<K>(K).stride() : task.stride;
   const double* HWY_RESTRICT records = task.records;
   const double* HWY_RESTRICT rows = task.rows;
   double* const coefficients_of_a = block + coefficients * block_size;
   double* const coefficients_of_b = coefficients_of_a + entries * block_size;
   for (std::size_t lane = 0; lane < facets.size(); ++lane) {
     const HorizonFacet& facet = facets[lane];
-    const double* A = records + facet.dead * (entries + 1);
-    const double* B = records + facet.survivor * (entries + 1);
+    const double* A = records + facet.dead * stride;
+    const double* B = records + facet.survivor * stride;
     for (std::size_t r = 0; r < entries; ++r) {
       coefficients_of_a[r * block_size + lane] = A[r];
       coefficients_of_b[r * block_size + lane] = B[r];
@@ -106,16 +108,19 @@ void compute(const StarTask& task, std::size_t count, double* HWY_RESTRICT block
       return hn::RebindMask(d, hn::MaskFromVec(hn::BroadcastSignBit(hn::BitCast(di, hn::ShiftLeft<32>(packed)))));
     };
     const auto unpack = [&](U bits) { return hn::BitCast(d, hn::Add(hn::ShiftLeft<certificate::fraction_shift>(bits), bias)); };
-    const auto unpack_short = [&](U bits) { return hn::BitCast(d, hn::Add(hn::ShiftLeft<certificate::short_shift>(bits), bias)); };
-    const U threshold_bits = hn::Set(du, 0x7fffffff), error_bits = hn::Set(du, 0x7fff);
+    const auto unpack_short = [&](U bits) {
+      return hn::BitCast(d, hn::Add(hn::ShiftLeft<certificate::short_shift>(bits), bias));
+    };
+    const U threshold_bits = hn::Set(du, 0x7fffffff), short_bits = hn::Set(du, 0x7fff);
     const V a = load(value_a), b = load(value_b), minus_a = hn::Neg(a);
     const V t_a = unpack(hn::And(of_a, threshold_bits)), t_b = unpack(hn::And(of_b, threshold_bits));
-    const V e_a = unpack_short(hn::And(hn::ShiftRight<32>(of_a), error_bits));
-    const V e_b = unpack_short(hn::And(hn::ShiftRight<32>(of_b), error_bits));
+    const V e_a = unpack_short(hn::And(hn::ShiftRight<32>(of_a), short_bits));
+    const V e_b = unpack_short(hn::And(hn::ShiftRight<32>(of_b), short_bits));
     const auto a_is_infinite = is_infinite(of_a), b_is_infinite = is_infinite(of_b);
     const auto infinite = hn::And(a_is_infinite, b_is_infinite);
     const auto swapped = hn::AndNot(b_is_infinite, a_is_infinite);
-    const U packed_determinant = hn::ShiftRight<48>(hn::IfThenElse(hn::RebindMask(du, swapped), of_b, of_a));
+    const U packed_determinant =
+        hn::And(hn::ShiftRight<48>(hn::IfThenElse(hn::RebindMask(du, swapped), of_b, of_a)), short_bits);
     const V old_determinant =
         hn::IfThenZeroElse(hn::RebindMask(d, hn::Eq(packed_determinant, hn::Zero(du))), unpack_short(packed_determinant));
 
@@ -132,8 +137,8 @@ void compute(const StarTask& task, std::size_t count, double* HWY_RESTRICT block
         normal_a = hn::IfThenElse(larger, hn::Abs(from_a), normal_a);
         normal_b = hn::IfThenElse(larger, hn::Abs(from_b), normal_b);
       }
-      const V error = hn::Add(hn::Mul(hn::Add(hn::Add(b, normal_b), t_b), t_a),
-                              hn::Mul(hn::Add(hn::Add(normal_a, minus_a), t_a), t_b));
+      const V error =
+          hn::Add(hn::Mul(hn::Add(hn::Add(b, normal_b), t_b), t_a), hn::Mul(hn::Add(hn::Add(normal_a, minus_a), t_a), t_b));
       height = hn::IfThenElse(infinite, largest, height);
       height_error = hn::IfThenElse(infinite, error, height_error);
     }
@@ -191,8 +196,9 @@ void compute(const StarTask& task, std::size_t count, double* HWY_RESTRICT block
     const V threshold = hn::Mul(hn::MulAdd(error, spread, rounding), hn::Set(d, 1 + slack));
     // With not-a-number anywhere, a comparison fails.
     const V smallest = hn::Set(d, certificate::smallest), largest = hn::Set(d, certificate::largest);
-    const auto usable = hn::And(hn::And(hn::And(hn::Lt(a, zero), hn::Gt(b, zero)), hn::And(hn::Ge(det, smallest), hn::Le(det, largest))),
-                                hn::And(hn::Le(threshold, hn::Mul(hn::Set(d, weakest), scale)), hn::Lt(threshold, largest)));
+    const auto usable =
+        hn::And(hn::And(hn::And(hn::Lt(a, zero), hn::Gt(b, zero)), hn::And(hn::Ge(det, smallest), hn::Le(det, largest))),
+                hn::And(hn::Le(threshold, hn::Mul(hn::Set(d, weakest), scale)), hn::Lt(threshold, largest)));
     const auto pack = [&](V positive) { return hn::Sub(hn::BitCast(du, positive), bias); };
     const U up = hn::Add(hn::ShiftRight<certificate::fraction_shift>(pack(hn::Max(threshold, smallest))), hn::Set(du, 1));
     const U error_up = hn::Add(hn::ShiftRight<certificate::short_shift>(pack(hn::Max(error, smallest))), hn::Set(du, 1));
@@ -211,9 +217,10 @@ std::size_t scatter(const StarTask& task, std::span<const HorizonFacet> facets, 
   const auto entries = static_cast<std::size_t>(K > 0 ? K : task.k) + 1;
   const double* result = block + coefficients * block_size;
   double* HWY_RESTRICT records = task.records;
+  const std::size_t stride = K > 0 ? CellMemory<K>(K).stride() : task.stride;
   std::size_t num_weak = 0;
   for (std::size_t lane = 0; lane < facets.size(); ++lane) {
-    double* record = records + facets[lane].created * (entries + 1);
+    double* record = records + facets[lane].created * stride;
     for (std::size_t r = 0; r < entries; ++r) record[r] = result[r * block_size + lane];
     record[entries] = block[certificate_a * block_size + lane];
     weak[num_weak] = static_cast<std::uint32_t>(first + lane);
@@ -270,7 +277,8 @@ std::size_t star_scratch(int k) {
 
 std::size_t combine_star(const StarTask& task) {
   const std::size_t misaligned = reinterpret_cast<std::uintptr_t>(task.scratch) % alignment / sizeof(double);
-  return HWY_DYNAMIC_DISPATCH(combine_star_here)(task, task.scratch + (misaligned > 0 ? alignment / sizeof(double) - misaligned : 0));
+  return HWY_DYNAMIC_DISPATCH(combine_star_here)(task,
+                                                 task.scratch + (misaligned > 0 ? alignment / sizeof(double) - misaligned : 0));
 }
 
 }  // namespace delone::geometry

@@ -30,6 +30,7 @@ struct StarTask {
   int k;
   bool lifted;              ///< whether rows are (X, 1 | ℓ), else (X | 1)
   double* records;          ///< of the cells, k + 2 doubles each
+  std::size_t stride;       ///< from a record to the next
   const double* rows;       ///< of the vertices, k + 1 doubles each: (X, ℓ), or X
   const double* query_row;  ///< that of the new vertex
   FrameConstants frame;
