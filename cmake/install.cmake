@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: BSD-3-Clause
 # Install rules: the library with its public headers, the command, and a CMake package that offers delone::delone.
-# What the library links is private and header-only, so an installed package needs nothing else.
+# What the library links is private; of it, only Highway has to be present where a static library is used.
 include(GNUInstallDirs)
 include(CMakePackageConfigHelpers)
 

@@ -71,7 +71,7 @@ class Runner:
             library = find_library(self.build)
             compiled = subprocess.run(
                 [self.compiler, "-std=c++20", "-O0", "-Wall", "-Wextra", "-Werror", f"-I{ROOT / 'include'}", f"-I{self.build / 'include'}",
-                 str(source), str(library), f"-Wl,-rpath,{library.parent}", "-pthread", "-o", str(program)],
+                 str(source), str(library), f"-Wl,-rpath,{library.parent}", "-lhwy", "-pthread", "-o", str(program)],
                 capture_output=True, text=True)
             if compiled.returncode != 0:
                 raise DocsError("does not compile:\n" + compiled.stderr)

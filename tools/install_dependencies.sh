@@ -4,7 +4,7 @@
 # Says nothing and touches nothing when all are there. Elsewhere it prints what is needed and leaves the rest to you.
 set -euo pipefail
 
-build=(g++ cmake ninja-build libcli11-dev libfmt-dev nlohmann-json3-dev libfast-float-dev libboost-dev)
+build=(g++ cmake ninja-build libcli11-dev libfmt-dev nlohmann-json3-dev libfast-float-dev libboost-dev libhwy-dev)
 test=(libgtest-dev libgmock-dev librapidcheck-dev libqhull-dev libcgal-dev libeigen3-dev libgmp-dev libmpfr-dev
       python3 python3-numpy)
 bench=(python3)

@@ -25,7 +25,10 @@ struct Effort {
 /// Memory that insertions reuse.
 struct Workspace {
   ConflictZone zone;
-  std::vector<Index> created;  ///< the cells of the last insertion
+  RidgeTable ridges;
+
+  /// The facets that the cells of the last insertion were made from.
+  std::span<const HorizonFacet> star() const { return {zone.horizon.data(), zone.num_facets}; }
 };
 
 /// Inserts vertex v, whose point is q, starting the walk at `start`. Returns v, or the vertex that is at q already. Strong
@@ -33,18 +36,18 @@ struct Workspace {
 template <int K, Geometry G>
 Index insert(CellStore<K>& cells, G& geometry, Index v, const typename G::Query& q, Index start, Workspace& work,
              Effort& effort) {
-  work.created.clear();
+  work.zone.num_facets = 0;
   const WalkResult found = locate(cells, geometry, q, start, effort.stages);
   effort.visited_cells += found.visited;
   if (found.vertex != invalid_index) return found.vertex;
   try {
-    find_conflict_zone(cells, geometry, q, found.cell, cells, work.zone, effort.stages);
-    retriangulate(cells, geometry, v, q, work.zone, work.created);
+    find_conflict_zone(cells, geometry, q, found.cell, cells.marks(), work.zone, effort.stages);
+    retriangulate(cells, geometry, v, q, work.zone, work.ridges);
   } catch (...) {
-    unmark(cells, work.zone);
+    unmark(cells.marks(), work.zone);
     throw;
   }
-  effort.created_cells += work.created.size();
+  effort.created_cells += work.zone.num_facets;
   return v;
 }
 

@@ -3,32 +3,31 @@
 // Neighbor i is across the facet opposite vertex i. Cells are coherently oriented.
 #pragma once
 
-#include "growable_array.hpp"
+#include "cell_memory.hpp"
 
 #include <delone/error.hpp>
 #include <delone/types.hpp>
 
 #include <algorithm>
+#include <bit>
 #include <cstddef>
 #include <cstdint>
 #include <vector>
 
 namespace delone::engine {
 
-/// What an insertion has found out about a cell.
-enum class Mark : std::uint8_t { unseen, in_conflict, not_in_conflict };
-
 /// K is the dimension of the cells, or 0 when it is chosen at run time.
 template <int K>
 class CellStore {
  public:
-  explicit CellStore(int dimension) : dimension_(dimension) {}
+  explicit CellStore(CellMemory<K>& memory) : memory_(memory) {}
 
-  int dimension() const { return K > 0 ? K : dimension_; }
-  std::size_t stride() const { return 2 * (static_cast<std::size_t>(dimension()) + 1); }
+  int dimension() const { return memory_.dimension(); }
+  /// From the vertices of a cell to those of the next, in ids.
+  std::size_t stride() const { return memory_.stride() * (sizeof(double) / sizeof(Index)); }
 
-  const Index* vertices(Index cell) const { return links_.data() + cell * stride(); }
-  Index* vertices(Index cell) { return links_.data() + cell * stride(); }
+  const Index* vertices(Index cell) const { return memory_.links(cell); }
+  Index* vertices(Index cell) { return memory_.links(cell); }
   const Index* neighbors(Index cell) const { return vertices(cell) + dimension() + 1; }
   Index* neighbors(Index cell) { return vertices(cell) + dimension() + 1; }
 
@@ -41,26 +40,26 @@ class CellStore {
     return -1;
   }
 
+  /// Asks for the memory of a cell ahead of its use.
+  void prefetch(Index cell) const {
+    const double* record = memory_.record(cell);
+    const std::size_t bytes = memory_.stride() * sizeof(double);
+    for (std::size_t line = 0; line < bytes; line += 64) __builtin_prefetch(reinterpret_cast<const char*>(record) + line);
+    if (bytes % 64 != 0) __builtin_prefetch(reinterpret_cast<const char*>(record) + bytes - 1);
+  }
+
   Index num_slots() const { return num_slots_; }
   Index num_cells() const { return num_slots_ - static_cast<Index>(vacant_.size()); }
   bool is_vacant(Index cell) const { return vertices(cell)[0] == invalid_index; }
-  std::size_t bytes() const {
-    return links_.capacity() * sizeof(Index) + marks_.capacity() + vacant_.capacity() * sizeof(Index);
-  }
+  std::size_t bytes() const { return memory_.bytes() + vacant_.capacity() * sizeof(Index); }
 
-  /// Makes room for `count` more cells, so that as many calls of allocate() cannot fail. Returns the number of slots there
-  /// will be at most. Throws Errc::too_many when the ids are exhausted.
-  std::size_t reserve(std::size_t count) {
+  /// Makes room for `count` more cells, so that as many calls of allocate() cannot fail. Throws
+  /// Errc::too_many when the ids are exhausted.
+  void reserve(std::size_t count) {
     const std::size_t fresh = count > vacant_.size() ? count - vacant_.size() : 0;
     if (fresh > max_index - num_slots_) throw Error(Errc::too_many, "the triangulation has more cells than this build has ids");
-    const std::size_t slots = num_slots_ + fresh;
-    if (slots > capacity_) {
-      const std::size_t grown = std::min<std::size_t>(std::max(slots, capacity_ + capacity_ / 2 + 64), max_index);
-      links_.reserve(grown * stride());
-      marks_.resize(grown, Mark::unseen);
-      capacity_ = grown;
-    }
-    return capacity_;
+    const std::size_t slots = num_slots_ + fresh, present = memory_.capacity();
+    if (slots > present) memory_.reserve(std::min<std::size_t>(std::max(slots, present + present / 2 + 64), max_index));
   }
 
   /// Makes room for `count` more vacant slots, so that as many calls of release() cannot fail.
@@ -70,9 +69,9 @@ class CellStore {
 
   /// A vacant slot. REQUIRES a reserve() that covers it.
   Index allocate() {
-    if (vacant_.empty()) return num_slots_++;
-    const Index cell = vacant_.back();
-    vacant_.pop_back();
+    const Index cell = vacant_.empty() ? num_slots_++ : vacant_.back();
+    if (!vacant_.empty()) vacant_.pop_back();
+    memory_.record(cell)[dimension() + 1] = 0;
     return cell;
   }
   void release(Index cell) {
@@ -80,21 +79,40 @@ class CellStore {
     vacant_.push_back(cell);
   }
 
-  Mark mark(Index cell) const { return marks_[cell]; }
-  void set_mark(Index cell, Mark mark) { marks_[cell] = mark; }
+  /// The marks of all cells; valid until cells are allocated.
+  class Marks {
+   public:
+    explicit Marks(CellMemory<K>& memory)
+        : words_(memory.record(0) + memory.dimension() + 1), dimension_(memory.dimension()), stride_(memory.stride()) {}
+    Mark operator()(Index cell) const { return mark_bits::read(std::bit_cast<std::uint64_t>(word(cell))); }
+    void set(Index cell, Mark mark) {
+      word(cell) = std::bit_cast<double>((std::bit_cast<std::uint64_t>(word(cell)) & ~mark_bits::all) | mark_bits::write(mark));
+    }
+    /// Marks a cell that is in conflict, and leaves the mark of another as it is, without a branch.
+    void set_if(Index cell, bool conflict) {
+      word(cell) =
+          std::bit_cast<double>(std::bit_cast<std::uint64_t>(word(cell)) | std::uint64_t{conflict} << mark_bits::in_conflict);
+    }
+
+   private:
+    double& word(Index cell) const { return words_[cell * (K > 0 ? CellMemory<K>(K).stride() : stride_)]; }
+    double* words_;
+    int dimension_;
+    std::size_t stride_;
+  };
+  Marks marks() { return Marks(memory_); }
+  Mark mark(Index cell) { return marks()(cell); }
 
  private:
+  /// Which of the k+1 entries the value is, without a branch that depends on the data.
   int find(const Index* entries, Index value) const {
-    int i = 0;
-    while (entries[i] != value) ++i;
-    return i;
+    int found = 0;
+    for (int i = 1; i <= dimension(); ++i) found = entries[i] == value ? i : found;
+    return found;
   }
 
-  int dimension_;
+  CellMemory<K>& memory_;
   Index num_slots_ = 0;
-  std::size_t capacity_ = 0;
-  GrowableArray<Index> links_;
-  std::vector<Mark> marks_;
   std::vector<Index> vacant_;
 };
 

@@ -24,7 +24,7 @@ template <int K, Geometry G>
 bool in_conflict(const CellStore<K>& cells, const G& geometry, Index cell, const typename G::Query& q, double& value,
                  StageCounts& counts) {
   value = geometry.value(cell, q);
-  const Sign side = geometry.filter_side(cell, value, q);
+  const Sign side = geometry.filter_side(cell, value);
   if (side != Sign::zero) {
     ++counts.filter;
     return side == Sign::negative;

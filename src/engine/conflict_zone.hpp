@@ -5,107 +5,144 @@
 
 #include "engine/conflict.hpp"
 #include "growable_array.hpp"
+#include "horizon_facet.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <unordered_map>
 #include <vector>
 
 namespace delone::engine {
 
-/// A facet between a cell of the zone and a surviving cell: facet `slot` of `cell`.
-struct HorizonFacet {
-  Index cell;
-  int slot;
-  double value;           ///< h̃(q) of the cell of the zone
-  double survivor_value;  ///< h̃(q) of the surviving cell
-};
-
 /// Reused from insertion to insertion: the arrays only grow.
 struct ConflictZone {
+  /// A neighbor of a cell of the zone: the zone's from-th, across its facet `slot`.
+  struct Candidate {
+    Index cell;
+    std::uint32_t from, slot;
+  };
+  static constexpr std::size_t block_size = 16;
+
   std::size_t num_cells = 0;
   std::size_t num_facets = 0;
   GrowableArray<Index> cells;           ///< in conflict
   GrowableArray<double> values;         ///< h̃(q) of each
   GrowableArray<HorizonFacet> horizon;  ///< facets to cells that are not
   std::vector<Index> marked;            ///< cells not in conflict that are marked so, as it took the exact stages to know
+  std::vector<Candidate> candidates;    ///< of the block that is searched
 
-  /// Makes room for `more` cells and as many facets.
-  void reserve(std::size_t more) {
-    if (num_cells + more > std::min(cells.capacity(), values.capacity())) {
+  /// Makes room for `more` cells and as many horizon facets, and for the candidates of a block.
+  void reserve(std::size_t more, std::size_t facets_of_cell) {
+    if (num_cells + more >= std::min(cells.capacity(), values.capacity())) {
       cells.reserve(2 * (num_cells + more));
       values.reserve(2 * (num_cells + more));
     }
-    if (num_facets + more > horizon.capacity()) horizon.reserve(2 * (num_facets + more));
+    if (num_facets + more >= horizon.capacity()) horizon.reserve(2 * (num_facets + more));
+    if (candidates.size() <= block_size * facets_of_cell) candidates.resize(block_size * facets_of_cell + 1);
   }
 };
 
-/// Fills `zone` from a cell in conflict. Marks: mark(cell) and set_mark(cell, mark); all cells must be unseen before, and the
-/// cells of the zone and of `zone.marked` stay marked. REQUIRES that no vertex is at q.
+/// Fills `zone` from a cell in conflict. `marks`: marks(cell), set(cell, mark) and set_if(cell, conflict), passed by value; all
+/// cells must be unseen before, and the cells of the zone and of `zone.marked` stay marked. REQUIRES that no vertex is at q. If
+/// memory runs out, `zone` holds all that is marked.
 ///
-/// The functional of a neighbor that is not known to be in conflict is evaluated at every visit, and both lists are written but
-/// only one of them advances: cheaper than branches that depend on the data. If memory runs out, `zone` holds all that is
-/// marked.
+/// Which neighbor is new, in conflict or on the horizon cannot be predicted, and each wrong guess costs as much as an
+/// evaluation. So cells are searched in blocks: first all neighbors not yet known to be in conflict are collected, then each is
+/// evaluated and written to the zone and to the horizon, of which at most one advances; no branch depends on the data. The
+/// memory of the neighbors of cells ahead in the list is asked for early.
 template <int K, Geometry G, class Marks>
-void find_conflict_zone(const CellStore<K>& cells, const G& geometry, const typename G::Query& q, Index first, Marks& marks,
+void find_conflict_zone(const CellStore<K>& cells, const G& geometry, const typename G::Query& q, Index first, Marks marks,
                         ConflictZone& zone, StageCounts& counts) {
-  const int facets = cells.dimension() + 1;
+  constexpr std::size_t cells_ahead = 4;
+  const auto facets = static_cast<std::size_t>(cells.dimension()) + 1;
   zone.num_cells = zone.num_facets = 0;
   zone.marked.clear();
-  zone.reserve(1);
+  zone.reserve(1, facets);
+  const auto functional = geometry.evaluator(q);
   zone.cells[0] = first;
-  zone.values[0] = geometry.value(first, q);
+  zone.values[0] = functional.value(first);
   zone.num_cells = 1;
-  marks.set_mark(first, Mark::in_conflict);
-  std::uint64_t filtered = 0;
-  for (std::size_t next = 0; next < zone.num_cells; ++next) {
-    zone.reserve(static_cast<std::size_t>(facets));
-    const Index cell = zone.cells[next];
-    const Index* neighbors = cells.neighbors(cell);
-    const double value = zone.values[next];
-    for (int i = 0; i < facets; ++i) {
-      const Index neighbor = neighbors[i];
-      const Mark mark = marks.mark(neighbor);
-      if (mark == Mark::in_conflict) continue;
-      const double neighbor_value = geometry.value(neighbor, q);
-      const Sign side = geometry.filter_side(neighbor, neighbor_value, q);
-      bool conflict = side == Sign::negative;
-      if (side == Sign::zero && mark == Mark::unseen) [[unlikely]] {
-        conflict = in_conflict_exactly(cells, geometry, neighbor, q, counts);
-        if (!conflict) {
-          zone.marked.push_back(neighbor);
-          marks.set_mark(neighbor, Mark::not_in_conflict);
+  marks.set(first, Mark::in_conflict);
+  std::uint64_t evaluated = 0, uncertain = 0;
+  for (std::size_t next = 0; next < zone.num_cells;) {
+    zone.reserve(ConflictZone::block_size * facets, facets);
+    Index* const zone_cells = zone.cells.data();
+    double* const zone_values = zone.values.data();
+    HorizonFacet* const horizon = zone.horizon.data();
+    ConflictZone::Candidate* const candidates = zone.candidates.data();
+    std::size_t num_cells = zone.num_cells, num_facets = zone.num_facets;
+    const std::size_t end = std::min(next + ConflictZone::block_size, num_cells);
+
+    std::size_t num_candidates = 0;
+    for (; next < end; ++next) {
+      if (next + cells_ahead < num_cells) {
+        const Index* const ahead = cells.neighbors(zone_cells[next + cells_ahead]);
+        for (std::size_t i = 0; i < facets; ++i) cells.prefetch(ahead[i]);
+      }
+      const Index* const neighbors = cells.neighbors(zone_cells[next]);
+      for (std::size_t i = 0; i < facets; ++i) {
+        const Index neighbor = neighbors[i];
+        candidates[num_candidates] = {neighbor, static_cast<std::uint32_t>(next), static_cast<std::uint32_t>(i)};
+        num_candidates += marks(neighbor) != Mark::in_conflict;
+      }
+    }
+    for (std::size_t c = 0; c < num_candidates; ++c) {
+      const auto [neighbor, from, slot] = candidates[c];
+      const double value = functional.value(neighbor);
+      const Mark mark = marks(neighbor);
+      bool conflict = std::signbit(value);
+      if (!(std::fabs(value) > functional.threshold(neighbor))) [[unlikely]] {
+        ++uncertain;
+        conflict = mark == Mark::in_conflict;
+        if (mark == Mark::unseen) {
+          conflict = in_conflict_exactly(cells, geometry, neighbor, q, counts);
+          if (!conflict) {
+            zone.num_cells = num_cells;
+            zone.marked.push_back(neighbor);
+            marks.set(neighbor, Mark::not_in_conflict);
+          }
         }
       }
-      filtered += side != Sign::zero;
-      zone.cells[zone.num_cells] = neighbor;
-      zone.values[zone.num_cells] = neighbor_value;
-      zone.num_cells += conflict;
-      zone.horizon[zone.num_facets] = {cell, i, value, neighbor_value};
-      zone.num_facets += !conflict;
-      if (conflict) marks.set_mark(neighbor, Mark::in_conflict);
+      zone_cells[num_cells] = neighbor;
+      zone_values[num_cells] = value;
+      HorizonFacet& facet = horizon[num_facets];
+      facet.survivor_value = value;
+      facet.survivor = neighbor;
+      facet.dead = from;
+      facet.slot = static_cast<int>(slot);
+      num_cells += conflict & (mark == Mark::unseen);
+      num_facets += !conflict;
+      marks.set_if(neighbor, conflict);
     }
+    evaluated += num_candidates;
+    zone.num_cells = num_cells;
+    zone.num_facets = num_facets;
   }
-  counts.filter += filtered;
+  counts.filter += evaluated - uncertain;
 }
 
 /// Takes back the marks that find_conflict_zone() has set.
 template <class Marks>
-void unmark(Marks& marks, const ConflictZone& zone) {
-  for (std::size_t i = 0; i < zone.num_cells; ++i) marks.set_mark(zone.cells[i], Mark::unseen);
-  for (const Index cell : zone.marked) marks.set_mark(cell, Mark::unseen);
+void unmark(Marks marks, const ConflictZone& zone) {
+  for (std::size_t i = 0; i < zone.num_cells; ++i) marks.set(zone.cells[i], Mark::unseen);
+  for (const Index cell : zone.marked) marks.set(cell, Mark::unseen);
 }
 
 /// Marks kept outside the cells, for queries that must not change them.
 class SeparateMarks {
  public:
-  Mark mark(Index cell) const {
+  explicit SeparateMarks(std::unordered_map<Index, Mark>& marks) : marks_(marks) {}
+  Mark operator()(Index cell) const {
     const auto found = marks_.find(cell);
     return found == marks_.end() ? Mark::unseen : found->second;
   }
-  void set_mark(Index cell, Mark mark) { marks_[cell] = mark; }
+  void set(Index cell, Mark mark) { marks_[cell] = mark; }
+  void set_if(Index cell, bool conflict) {
+    if (conflict) set(cell, Mark::in_conflict);
+  }
 
  private:
-  std::unordered_map<Index, Mark> marks_;
+  std::unordered_map<Index, Mark>& marks_;
 };
 
 }  // namespace delone::engine

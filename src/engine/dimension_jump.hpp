@@ -23,7 +23,7 @@ void jump(const Complex& old, CellStore<K>& cells, G& geometry, Index q, bool q_
   const int k = old.dimension();                                     // the new cells have slots 0 … k+1
   std::vector<Index> joined(old.num_cell_slots(), invalid_index);    // (σ, q) for every old cell σ
   std::vector<Index> extended(old.num_cell_slots(), invalid_index);  // (σ, ∞) for every finite σ
-  geometry.reserve_cells(cells.reserve(static_cast<std::size_t>(old.num_cells()) + old.num_finite_cells()));
+  cells.reserve(static_cast<std::size_t>(old.num_cells()) + old.num_finite_cells());
   for (const CellId c : old.cells()) joined[index(c)] = cells.allocate();
   for (const CellId c : old.finite_cells()) extended[index(c)] = cells.allocate();
 

@@ -56,11 +56,11 @@ template <int K, Geometry G>
 std::pair<bool, WalkResult> descend(const CellStore<K>& cells, const G& geometry, const typename G::Query& q, Index start) {
   WalkResult result{start};
   double value = geometry.value(start, q);
-  if (geometry.filter_side(start, value, q) == Sign::negative) return {true, result};
+  if (geometry.filter_side(start, value) == Sign::negative) return {true, result};
   if (geometry.is_infinite(start)) {
     result.cell = cells.neighbors(start)[cells.infinite_slot(start)];
     value = geometry.value(result.cell, q);
-    if (geometry.filter_side(result.cell, value, q) == Sign::negative) return {true, result};
+    if (geometry.filter_side(result.cell, value) == Sign::negative) return {true, result};
   }
   for (;;) {
     ++result.visited;
@@ -69,7 +69,7 @@ std::pair<bool, WalkResult> descend(const CellStore<K>& cells, const G& geometry
     for (int i = 0; i <= cells.dimension(); ++i) {
       const Index neighbor = neighbors[i];
       const double h = geometry.value(neighbor, q);
-      if (geometry.filter_side(neighbor, h, q) == Sign::negative) {
+      if (geometry.filter_side(neighbor, h) == Sign::negative) {
         result.cell = neighbor;
         return {true, result};
       }

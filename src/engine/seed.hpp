@@ -15,7 +15,7 @@ namespace delone::engine {
 template <int K, Geometry G>
 void seed(CellStore<K>& cells, G& geometry, std::span<const Index> vertices) {
   const int k = cells.dimension();
-  geometry.reserve_cells(cells.reserve(static_cast<std::size_t>(k) + 2));
+  cells.reserve(static_cast<std::size_t>(k) + 2);
   const Index finite = cells.allocate();
   for (int i = 0; i <= k; ++i) cells.vertices(finite)[i] = vertices[static_cast<std::size_t>(i)];
   // Infinite cell i has the infinite vertex in place of vertex i, and two slots exchanged: in the same slots, the vertices

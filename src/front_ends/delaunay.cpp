@@ -132,8 +132,9 @@ struct Triangulation::Impl {
     if (at == v && track) {
       const Complex now = complex();
       cell_of_vertex.resize(v + 1);  // one more: cannot fail
-      for (const Index cell : hull->created())
-        for (int i = 0; i <= now.dimension(); ++i) cell_of_vertex[index(now.vertex(CellId{cell}, i))] = CellId{cell};
+      for (const HorizonFacet& facet : hull->star())
+        for (int i = 0; i <= now.dimension(); ++i)
+          cell_of_vertex[index(now.vertex(CellId{facet.created}, i))] = CellId{facet.created};
     }
     return at;
   }

@@ -54,8 +54,8 @@ class Hull {
   /// Inserts vertex v, starting at cell `start` or, if that is invalid, where the last insertion ended. Returns v, or the
   /// vertex that is at the same point.
   virtual Index insert(Index v, Index start) = 0;
-  /// The cells made by the last insertion.
-  virtual std::span<const Index> created() const = 0;
+  /// The facets that the cells of the last insertion were made from.
+  virtual std::span<const HorizonFacet> star() const = 0;
 
   virtual HullLocation locate(const double* query, Index start) const = 0;
   virtual std::vector<CellId> conflict_zone(const double* query, Index start) const = 0;

@@ -22,11 +22,13 @@ class HullOfDimension final : public Hull {
   HullOfDimension(const std::vector<int>& axes, const VertexPoints& points, const geometry::Frame& frame,
                   const engine::Effort& effort)
       : points_(points),
-        cells_(static_cast<int>(axes.size())),
-        geometry_(axes, points.ambient, points.coordinates, points.grid, frame),
+        memory_(static_cast<int>(axes.size())),
+        cells_(memory_),
+        geometry_(memory_, axes, points.ambient, points.coordinates, points.grid, frame),
         effort_(effort) {}
 
   void seed(std::span<const Index> vertices) override {
+    geometry_.set_rows(points_.num_vertices());
     std::vector<Index> oriented(vertices.begin(), vertices.end());
     if (geometry_.orientation(oriented.data()) == Sign::negative) std::swap(oriented[0], oriented[1]);
     engine::seed(cells_, geometry_, oriented);
@@ -35,6 +37,7 @@ class HullOfDimension final : public Hull {
   }
 
   void jump(const Complex& old, Index q) override {
+    geometry_.set_rows(points_.num_vertices());
     const CellId finite = *old.finite_cells().begin();
     std::vector<Index> simplex;
     for (int i = 0; i <= old.dimension(); ++i) simplex.push_back(index(old.vertex(finite, i)));
@@ -46,7 +49,7 @@ class HullOfDimension final : public Hull {
 
   const geometry::Frame& frame() const override { return geometry_.frame(); }
   void set_frame(geometry::Frame frame) override {
-    geometry_.set_frame(std::move(frame));
+    geometry_.set_frame(std::move(frame), points_.num_vertices());
     for (Index cell = 0; cell < cells_.num_slots(); ++cell) {
       if (cells_.is_vacant(cell)) continue;
       const int infinite_slot = cells_.infinite_slot(cell);
@@ -58,14 +61,14 @@ class HullOfDimension final : public Hull {
     const Index from = start == invalid_index ? last_ : start;
     const Index at = engine::insert(cells_, geometry_, v, geometry_.make_query(points_.point(v)), from, work_, effort_);
     if (at == v) {
-      for (const Index cell : work_.created) num_infinite_ += geometry_.is_infinite(cell) ? 1 : 0;
+      for (const HorizonFacet& facet : work_.star()) num_infinite_ += geometry_.is_infinite(facet.created) ? 1 : 0;
       for (std::size_t i = 0; i < work_.zone.num_cells; ++i)
         num_infinite_ -= geometry_.is_infinite(work_.zone.cells[i]) ? 1 : 0;
-      last_ = work_.created.back();
+      last_ = work_.star().back().created;
     }
     return at;
   }
-  std::span<const Index> created() const override { return work_.created; }
+  std::span<const HorizonFacet> star() const override { return work_.star(); }
 
   HullLocation locate(const double* query, Index start) const override {
     StageCounts uncounted;
@@ -90,9 +93,9 @@ class HullOfDimension final : public Hull {
     const Query q = geometry_.make_query(query, grid);
     const engine::WalkResult found = engine::locate(cells_, geometry_, q, start == invalid_index ? last_ : start, uncounted);
     if (found.vertex != invalid_index) return {};
-    engine::SeparateMarks marks;
+    std::unordered_map<Index, Mark> marks;
     engine::ConflictZone zone;
-    engine::find_conflict_zone(cells_, geometry_, q, found.cell, marks, zone, uncounted);
+    engine::find_conflict_zone(cells_, geometry_, q, found.cell, engine::SeparateMarks(marks), zone, uncounted);
     std::vector<CellId> result;
     for (std::size_t i = 0; i < zone.num_cells; ++i) result.push_back(CellId{zone.cells[i]});
     return result;
@@ -108,7 +111,7 @@ class HullOfDimension final : public Hull {
             num_infinite_,      num_vertices,    cell_of_vertex};
   }
   const engine::Effort& effort() const override { return effort_; }
-  std::size_t bytes() const override { return cells_.bytes() + geometry_.bytes(); }
+  std::size_t bytes() const override { return cells_.bytes(); }
 
  private:
   kernel::Grid grid_with(const double* query) const {
@@ -125,6 +128,7 @@ class HullOfDimension final : public Hull {
   }
 
   const VertexPoints& points_;
+  CellMemory<K> memory_;
   engine::CellStore<K> cells_;
   Geometry geometry_;
   engine::Workspace work_;

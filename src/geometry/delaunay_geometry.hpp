@@ -22,12 +22,10 @@ namespace delone::geometry {
 template <int K>
 struct Query {
   Query(const double* at, const kernel::Grid& grid_of_all, std::size_t dimension)
-      : point(at), grid(&grid_of_all), image(dimension) {}
+      : point(at), grid(&grid_of_all), row(dimension + 1) {}
   const double* point;
   const kernel::Grid* grid;
-  kernel::Buffer<double, K> image;
-  double lift = 0;
-  bool in_frame = false;
+  kernel::Buffer<double, K + (K > 0)> row;  ///< the image on the axes of the flat and the lift; not a number outside the frame
 };
 
 template <int K>
@@ -37,22 +35,31 @@ class DelaunayGeometry {
 
   /// `coordinates`: the points of the vertices, `flat.ambient` doubles each, indexed by vertex id (vertex 0 is a dummy).
   /// Both references must outlive this object; they may grow.
-  DelaunayGeometry(std::vector<int> axes, int ambient, const std::vector<double>& coordinates, const kernel::Grid& grid,
-                   Frame frame)
+  DelaunayGeometry(CellMemory<K>& cells, std::vector<int> axes, int ambient, const std::vector<double>& coordinates,
+                   const kernel::Grid& grid, Frame frame)
       : axes_(std::move(axes)),
         ambient_(ambient),
         coordinates_(coordinates),
         grid_(grid),
         frame_(std::move(frame)),
-        functionals_(dimension()) {
+        functionals_(cells) {
     functionals_.set_frame(frame_, axes_);
   }
 
   int dimension() const { return K > 0 ? K : static_cast<int>(axes_.size()); }
   const Frame& frame() const { return frame_; }
-  void set_frame(Frame frame) {
+  /// All cells must be created anew after it. The rows of the first `vertices` vertices are computed, that of the infinite
+  /// vertex apart.
+  void set_frame(Frame frame, Index vertices) {
     frame_ = std::move(frame);
     functionals_.set_frame(frame_, axes_);
+    set_rows(vertices);
+  }
+  /// Computes the rows of vertices 1 … `vertices`.
+  void set_rows(Index vertices) {
+    rows_.reserve((static_cast<std::size_t>(vertices) + 1) * row_size());
+    std::fill_n(rows_.data(), row_size(), 0.0);
+    for (Index v = 1; v <= vertices; ++v) write_row(point(v), rows_.data() + v * row_size());
   }
 
   /// A query at the point of a vertex.
@@ -61,9 +68,10 @@ class DelaunayGeometry {
   /// A query anywhere; `grid` is one for the vertices and the point, and must outlive the query.
   Query make_query(const double* point, const kernel::Grid& grid) const {
     Query q(point, grid, axes_.size());
-    for (int r = 0; r < dimension(); ++r) q.image[static_cast<std::size_t>(r)] = frame_.image(point, axis(r));
-    q.lift = frame_.lift(point);
-    q.in_frame = frame_.contains(point);
+    if (frame_.contains(point))
+      write_row(point, q.row.data());
+    else
+      std::fill_n(q.row.data(), dimension() + 1, std::numeric_limits<double>::quiet_NaN());
     return q;
   }
 
@@ -72,18 +80,16 @@ class DelaunayGeometry {
   }
   bool is_at(Index vertex, const Query& q) const { return kernel::equal_points(point(vertex), q.point, ambient_); }
 
-  void reserve_cells(std::size_t cells) { functionals_.reserve(cells); }
-  std::size_t bytes() const { return functionals_.bytes(); }
-
   /// h̃(q), approximately the functional of the cell. Functionals of finite cells are comparable with each other.
-  double value(Index cell, const Query& q) const { return functionals_.value(cell, q.image.data(), q.lift); }
+  double value(Index cell, const Query& q) const { return evaluator(q).value(cell); }
+  auto evaluator(const Query& q) const { return functionals_.evaluator(q.row.data()); }
   bool is_infinite(Index cell) const { return functionals_.is_infinite(cell); }
   /// |value − h| stays below it for all queries in the frame.
   double threshold(Index cell) const { return functionals_.threshold(cell); }
 
   /// Stage filter_: the sign of h(q) if h̃(q) = `value` proves it, else zero.
-  Sign filter_side(Index cell, double value, const Query& q) const {
-    const double bound = q.in_frame ? threshold(cell) : std::numeric_limits<double>::infinity();
+  Sign filter_side(Index cell, double value) const {
+    const double bound = threshold(cell);
     return value < -bound ? Sign::negative : value > bound ? Sign::positive : Sign::zero;
   }
 
@@ -121,13 +127,28 @@ class DelaunayGeometry {
   /// Computes what is cached for a cell by elimination. `apex` is the slot of a finite vertex.
   void create(Index cell, const Index* vertices, int infinite_slot, int apex);
 
-  /// The same for a cell that joins q, in slot `apex`, to the facet between a dead cell and a survivor.
-  void create_across(Index cell, const Index* vertices, int infinite_slot, int apex, const Query& q, const FacetSide& dead,
-                     const FacetSide& survivor);
+  /// Makes room for a star of vertex v. Throws std::bad_alloc, and then changes nothing.
+  void reserve_star(Index v, std::size_t facets) {
+    functionals_.reserve_star(facets);
+    rows_.reserve(growing((static_cast<std::size_t>(v) + 1) * row_size()));
+  }
+  /// Computes what is cached for the created cells of a star of vertex v at q, from the cells on the two sides of each facet.
+  /// Returns the facets for whose cells that would be too inaccurate: they must be created singly.
+  std::span<const std::uint32_t> create_star(Index v, const Query& q, std::span<const HorizonFacet> facets) {
+    std::copy_n(q.row.data(), row_size(), rows_.data() + v * row_size());
+    return functionals_.combine(facets, rows_.data(), q.row.data());
+  }
 
  private:
   int axis(int r) const { return axes_[static_cast<std::size_t>(r)]; }
   kernel::Flat flat() const { return {ambient_, axes_}; }
+
+  std::size_t row_size() const { return static_cast<std::size_t>(dimension()) + 1; }
+  std::size_t growing(std::size_t size) const { return size <= rows_.capacity() ? size : size + size / 2; }
+  void write_row(const double* point, double* row) const {
+    for (int r = 0; r < dimension(); ++r) row[r] = frame_.image(point, axis(r));
+    row[dimension()] = frame_.lift(point);
+  }
 
   auto gather(const Index* vertices) const {
     const int size = dimension() + 1;
@@ -142,6 +163,7 @@ class DelaunayGeometry {
   const kernel::Grid& grid_;
   Frame frame_;
   Functionals<K> functionals_;
+  GrowableArray<double> rows_;  // of the vertices in the frame
 };
 
 template <int K>
@@ -150,9 +172,8 @@ void DelaunayGeometry<K>::create(Index cell, const Index* vertices, int infinite
   kernel::Buffer<double, (K > 0) * (K + 1) * (K + 1)> rows(static_cast<std::size_t>((k + 1) * (k + 1)));
   double* row = rows.data();
   const auto append = [&](int slot) {
-    const double* x = point(vertices[slot]);
-    for (int r = 0; r < k; ++r) *row++ = frame_.image(x, axis(r));
-    *row++ = frame_.lift(x);
+    write_row(point(vertices[slot]), row);
+    row += k + 1;
   };
   append(apex);
   for (int i = 0; i <= k; ++i)
@@ -165,14 +186,6 @@ void DelaunayGeometry<K>::create(Index cell, const Index* vertices, int infinite
     const int position = infinite_slot - (infinite_slot > apex ? 1 : 0);
     functionals_.template solve<true>(cell, rows.data(), (apex + position + k) % 2 == 0);
   }
-}
-
-template <int K>
-void DelaunayGeometry<K>::create_across(Index cell, const Index* vertices, int infinite_slot, int apex, const Query& q,
-                                        const FacetSide& dead, const FacetSide& survivor) {
-  const auto value_at_vertex = [&](Index at, Index vertex) { return value(at, make_query(point(vertex))); };
-  const bool combined = q.in_frame && functionals_.combine(cell, dead, survivor, q.image.data(), q.lift, value_at_vertex);
-  if (!combined) create(cell, vertices, infinite_slot, apex);
 }
 
 }  // namespace delone::geometry

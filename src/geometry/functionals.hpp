@@ -8,10 +8,11 @@
 // Knows images and lifts; neither vertices nor exact arithmetic. Proofs: docs/predicates.md, "The filter" and "The pencil".
 #pragma once
 
-#include "facet_side.hpp"
+#include "cell_memory.hpp"
 #include "geometry/frame.hpp"
 #include "geometry/record.hpp"
-#include "growable_array.hpp"
+#include "geometry/star_kernel.hpp"
+#include "horizon_facet.hpp"
 #include "kernel/buffer.hpp"
 
 #include <delone/types.hpp>
@@ -19,6 +20,7 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
+#include <span>
 #include <vector>
 
 namespace delone::geometry {
@@ -27,24 +29,47 @@ namespace delone::geometry {
 template <int K>
 class Functionals {
  public:
-  explicit Functionals(int dimension) : dimension_(dimension) {}
+  explicit Functionals(CellMemory<K>& memory) : memory_(memory) {}
 
   /// Takes over the constants of a frame. All functionals must be computed anew after it.
   void set_frame(const Frame& frame, const std::vector<int>& axes);
 
-  void reserve(std::size_t cells) { records_.reserve(cells * stride()); }
-  std::size_t bytes() const { return records_.capacity() * sizeof(double); }
+  /// The functionals at one row: a copy of all that evaluations need.
+  class Evaluator {
+   public:
+    Evaluator(const CellMemory<K>& memory, const double* row)
+        : records_(memory.record(0)),
+          row_(static_cast<std::size_t>(memory.dimension()) + 1),
+          k_(memory.dimension()),
+          stride_(memory.stride()) {
+      std::copy_n(row, k() + 1, row_.data());
+    }
+    /// h̃ of a cell.
+    double value(Index cell) const {
+      const double* record = this->record(cell);
+      Pair sums{record[k()], 0};
+      for (int r = 0; r + 1 < k(); r += 2) sums += load_pair(record + r) * load_pair(row_.data() + r);
+      double h = sums[0] + sums[1];
+      if (k() % 2 == 1) h += record[k() - 1] * row_.data()[k() - 1];
+      const std::uint64_t finite = certificate::finite_mask(std::bit_cast<std::uint64_t>(record[k() + 1]));
+      return h + std::bit_cast<double>(std::bit_cast<std::uint64_t>(row_.data()[k()]) & finite);
+    }
+    /// |value − h| is below it for all points of the frame's box.
+    double threshold(Index cell) const { return certificate::threshold(std::bit_cast<std::uint64_t>(record(cell)[k() + 1])); }
 
-  /// h̃ at an image and a lift.
-  double value(Index cell, const double* image, double lift) const {
-    const double* record = row(cell);
-    double h = record[k()];
-    for (int r = 0; r < k(); ++r) h += record[r] * image[r];
-    return is_infinite(cell) ? h : h + lift;
-  }
-  /// |value − h| is below it for all points of the frame's box.
-  double threshold(Index cell) const { return std::fabs(certificate(cell).threshold); }
-  bool is_infinite(Index cell) const { return std::signbit(certificate(cell).threshold); }
+   private:
+    int k() const { return K > 0 ? K : k_; }
+    const double* record(Index cell) const { return records_ + cell * (K > 0 ? CellMemory<K>(K).stride() : stride_); }
+
+    const double* records_;
+    kernel::Buffer<double, K + (K > 0)> row_;
+    int k_;
+    std::size_t stride_;
+  };
+  Evaluator evaluator(const double* row) const { return {memory_, row}; }
+
+  double threshold(Index cell) const { return certificate::threshold(packed(cell)); }
+  bool is_infinite(Index cell) const { return certificate::infinite(packed(cell)); }
 
   /// Computes a functional by elimination from the rows (k images and the lift) of the finite vertices, the apex first.
   /// `positive`: for an infinite cell, the sign of the coefficient ±1 is that of the edge vectors' determinant, else its
@@ -52,25 +77,42 @@ class Functionals {
   template <bool Infinite>
   void solve(Index cell, const double* rows, bool positive);
 
-  /// Computes a functional from those of the cells on the two sides of a facet, the first in conflict with q: the functionals
-  /// that vanish on the facet are a pencil, and the new one is its member that vanishes at q. `value_at_vertex(cell, v)` is
-  /// the functional of a cell at a vertex. False, and nothing done, if the certificate would be too weak.
-  template <class ValueAtVertex>
-  bool combine(Index cell, const FacetSide& dead, const FacetSide& survivor, const double* q_image, double q_lift,
-               ValueAtVertex&& value_at_vertex);
-
- private:
-  int k() const { return K > 0 ? K : dimension_; }
-  std::size_t stride() const { return static_cast<std::size_t>(k()) + 2; }
-  const double* row(Index cell) const { return records_.data() + static_cast<std::size_t>(cell) * stride(); }
-  double* row(Index cell) { return records_.data() + static_cast<std::size_t>(cell) * stride(); }
-  Certificate certificate(Index cell) const { return load_certificate(row(cell) + k() + 1); }
-  void certify(Index cell, double threshold, double error, double determinant, bool infinite) {
-    store_certificate(row(cell) + k() + 1, make_certificate(threshold, error, determinant, infinite));
+  /// Computes the functionals of a star's cells from those of the cells on the two sides of each facet: the functionals that
+  /// vanish on the facet are a pencil, and the new one is its member that vanishes at the new vertex. `rows`: of all vertices.
+  /// Returns the facets whose certificates would be too weak: their cells must be solved for.
+  std::span<const std::uint32_t> combine(std::span<const HorizonFacet> facets, const double* rows, const double* query_row) {
+    const StarTask task{facets,           k(),         true,      memory_.record(0),
+                        memory_.stride(), rows,        query_row, frame_constants(),
+                        scratch_.data(),  weak_.data()};
+    return {weak_.data(), combine_star(task)};
+  }
+  /// Makes room for a star. Throws std::bad_alloc.
+  void reserve_star(std::size_t facets) {
+    if (weak_.size() < facets) weak_.resize(2 * facets);
+    scratch_.resize(star_scratch(k()));
   }
 
-  int dimension_;
-  GrowableArray<double> records_;  // per cell: k coefficients, the constant, the certificate
+ private:
+  /// Two doubles that are added and multiplied at once, on every processor.
+  using Pair = double __attribute__((vector_size(16)));
+  using UnalignedPair = double __attribute__((vector_size(16), aligned(8)));
+  static Pair load_pair(const double* from) { return *reinterpret_cast<const UnalignedPair*>(from); }
+
+  int k() const { return memory_.dimension(); }
+  const double* record(Index cell) const { return memory_.record(cell); }
+  double* record(Index cell) { return memory_.record(cell); }
+  std::uint64_t packed(Index cell) const { return std::bit_cast<std::uint64_t>(record(cell)[k() + 1]); }
+  void certify(Index cell, double threshold, double error, double determinant, bool infinite) {
+    record(cell)[k() + 1] = std::bit_cast<double>(certificate::pack(threshold, error, determinant, infinite));
+  }
+
+  FrameConstants frame_constants() const {
+    return {evaluation_error_, largest_lift_, finite_spread_, infinite_spread_, 0.0, spheres_, extent_ratio_.data()};
+  }
+
+  CellMemory<K>& memory_;            // per cell: k coefficients, the constant, the certificate
+  std::vector<double> scratch_;      // of combine()
+  std::vector<std::uint32_t> weak_;  // of combine()
 
   // Constants of the frame.
   double largest_lift_ = 0;
@@ -104,5 +146,4 @@ void Functionals<K>::set_frame(const Frame& frame, const std::vector<int>& axes)
 
 }  // namespace delone::geometry
 
-#include "geometry/combine.hpp"
 #include "geometry/solve.hpp"

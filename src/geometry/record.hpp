@@ -1,47 +1,48 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What is cached for a cell, in k + 2 doubles: the functional's k coefficients and constant, and packed into the last the
-// threshold of the filter, the error at the vertices and the determinant, which the functionals of later cells are made from.
+// What is cached for a cell, in k + 2 doubles: the functional's k + 1 coefficients, and packed into the last its certificate:
+// the threshold of the filter, the error at the vertices and the determinant, which those of later cells are made from.
 #pragma once
 
+#include <algorithm>
 #include <bit>
 #include <cmath>
 #include <cstdint>
-#include <cstring>
-#include <limits>
 
 namespace delone::geometry {
 
-/// A positive number in 16 bits: sign-less binary32 cut to 8 significant bits, rounded towards a chosen side.
-inline std::uint16_t pack_up(double x) {
-  constexpr double largest = 0x1p126;
-  if (!(x < largest)) return 0x7f80;  // infinity
-  const float f = static_cast<float>(x * (1 + 0x1p-22)) + std::numeric_limits<float>::min();
-  return static_cast<std::uint16_t>((std::bit_cast<std::uint32_t>(f) + 0xffff) >> 16);
-}
-inline std::uint16_t pack_down(double x) {
-  const float f = static_cast<float>(x * (1 - 0x1p-22));
-  return f >= std::numeric_limits<float>::min() ? static_cast<std::uint16_t>(std::bit_cast<std::uint32_t>(f) >> 16)
-                                                : std::uint16_t{0};
-}
-inline double unpack(std::uint16_t bits) { return std::bit_cast<float>(static_cast<std::uint32_t>(bits) << 16); }
+/// The certificate of a functional h̃ that stands for h (docs/predicates.md, "The filter"), in 64 bits. Fields are binary32
+/// without sign, in full or cut to 16 bits, always rounded to the safe side:
+///   bits  0…30  threshold    |h̃ − h| with rounded evaluation stays below it in the frame's box
+///   bit     31  infinite     whether the cell is infinite
+///   bits 32…46  error        a bound on |h̃| at the cell's own vertices
+///   bits 48…62  determinant  a lower bound on |det| of the edge vectors; 0: none is known
+/// Bits 47 and 63 are the engine's (cell_memory.hpp).
+/// All numbers are kept in [smallest, largest], so that each is a normal binary32; but the determinant may be 0, and a
+/// threshold beyond the largest is infinite.
+namespace certificate {
 
-/// The certificate of a functional h̃ that stands for h (docs/predicates.md, "The filter").
-struct Certificate {
-  float threshold;      ///< |h̃ − h| with rounded evaluation stays below it in the frame's box; negated for an infinite cell
-  std::uint16_t error;  ///< packed bound on |h̃| at the cell's own vertices
-  std::uint16_t determinant;  ///< packed lower bound on |det| of the edge vectors; 0: none is known
-};
-static_assert(sizeof(Certificate) == sizeof(double));
+constexpr double smallest = 0x1p-126, largest = 0x1p126;
+/// Between the bits of a number as binary64 and as binary32: the exponents' bias and the width of the fractions.
+constexpr std::uint64_t bias = std::uint64_t{1023 - 127} << 52;
+constexpr int fraction_shift = 52 - 23;
+constexpr int short_shift = fraction_shift + 16;
 
-inline Certificate make_certificate(double threshold, double error, double determinant, bool infinite) {
-  // Rounded up to float; whatever is not a number or too large means: never certain.
-  constexpr double largest = std::numeric_limits<float>::max() / 2;
-  const float t = threshold < largest ? static_cast<float>(threshold * (1 + 0x1p-22)) + std::numeric_limits<float>::min()
-                                      : std::numeric_limits<float>::infinity();
-  return {infinite ? -t : t, pack_up(error), pack_down(determinant)};
+inline std::uint64_t pack(double threshold, double error, double determinant, bool infinite) {
+  constexpr std::uint64_t infinity = 0x7f800000;  // also for not-a-number: never certain
+  const auto clamped = [](double x) { return x < largest ? std::max(x, smallest) : largest; };
+  const auto bits = [](double x) { return std::bit_cast<std::uint64_t>(x) - bias; };
+  const std::uint64_t up = threshold < largest ? (bits(clamped(threshold)) >> fraction_shift) + 1 : infinity;
+  const std::uint64_t error_up = (bits(clamped(error)) >> short_shift) + 1;
+  const std::uint64_t down = determinant >= smallest ? bits(std::min(determinant, largest)) >> short_shift : 0;
+  return up | std::uint64_t{infinite} << 31 | error_up << 32 | down << 48;
 }
 
-inline Certificate load_certificate(const double* slot) { return std::bit_cast<Certificate>(*slot); }
-inline void store_certificate(double* slot, const Certificate& certificate) { *slot = std::bit_cast<double>(certificate); }
+inline double threshold(std::uint64_t packed) { return std::fabs(std::bit_cast<float>(static_cast<std::uint32_t>(packed))); }
+inline bool infinite(std::uint64_t packed) { return (packed >> 31 & 1) != 0; }
+/// All ones for a finite cell, zero for an infinite one: it is hard to predict which a cell is.
+inline std::uint64_t finite_mask(std::uint64_t packed) {
+  return ~static_cast<std::uint64_t>(static_cast<std::int64_t>(packed << 32) >> 63);
+}
 
+}  // namespace certificate
 }  // namespace delone::geometry

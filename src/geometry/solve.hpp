@@ -16,7 +16,7 @@ void Functionals<K>::solve(Index cell, const double* rows, bool positive) {
   constexpr int N = K > 0 ? (Infinite ? K - 1 : K) : 0;  // n, or 0 when it is not known or no more than that
   const auto size = static_cast<std::size_t>(k());
   const auto row_at = [&](int i) { return rows + static_cast<std::ptrdiff_t>(i) * (k() + 1); };
-  double* record = row(cell);
+  double* record = this->record(cell);
 
   kernel::Buffer<double, K * K> columns(size * size);
   kernel::Buffer<int, K> row_of(size);

@@ -5,13 +5,16 @@
 
 #include <gtest/gtest.h>
 
+#include <bit>
+#include <cstdint>
 #include <utility>
 
 namespace delone::engine {
 namespace {
 
 TEST(CellStore, ReusesReleasedSlots) {
-  CellStore<2> cells(2);
+  CellMemory<2> memory(2);
+  CellStore<2> cells(memory);
   cells.reserve(3);
   EXPECT_EQ(cells.allocate(), 0u);
   EXPECT_EQ(cells.allocate(), 1u);
@@ -24,7 +27,8 @@ TEST(CellStore, ReusesReleasedSlots) {
 }
 
 TEST(CellStore, ExhaustedIdsAreAnErrorBeforeAnythingIsAllocated) {
-  CellStore<2> cells(2);
+  CellMemory<2> memory(2);
+  CellStore<2> cells(memory);
   cells.reserve(1);
   cells.allocate();
   try {
@@ -38,11 +42,33 @@ TEST(CellStore, ExhaustedIdsAreAnErrorBeforeAnythingIsAllocated) {
 }
 
 TEST(CellStore, DimensionsAtRunTimeHaveTheSameLayout) {
-  CellStore<0> cells(5);
-  EXPECT_EQ(cells.stride(), CellStore<5>(5).stride());
+  CellMemory<0> memory(5);
+  CellStore<0> cells(memory);
+  EXPECT_EQ(memory.stride(), CellMemory<5>(5).stride());
   cells.reserve(2);
   const Index cell = cells.allocate();
   EXPECT_EQ(cells.neighbors(cell) - cells.vertices(cell), 6);
+}
+
+TEST(CellStore, MarksLiveBesideTheCertificate) {
+  CellMemory<3> memory(3);
+  CellStore<3> cells(memory);
+  cells.reserve(2);
+  const Index cell = cells.allocate(), other = cells.allocate();
+  const double certificate = std::bit_cast<double>(~mark_bits::all);
+  memory.record(cell)[4] = memory.record(other)[4] = certificate;
+  auto marks = cells.marks();
+  for (const Mark mark : {Mark::in_conflict, Mark::not_in_conflict, Mark::unseen}) {
+    marks.set(cell, mark);
+    EXPECT_EQ(marks(cell), mark);
+    EXPECT_EQ(marks(other), Mark::unseen);
+  }
+  EXPECT_EQ(std::bit_cast<std::uint64_t>(memory.record(cell)[4]), ~mark_bits::all);
+  marks.set_if(cell, false);
+  EXPECT_EQ(marks(cell), Mark::unseen);
+  marks.set_if(cell, true);
+  EXPECT_EQ(marks(cell), Mark::in_conflict);
+  EXPECT_EQ(cells.mark(cell), Mark::in_conflict);
 }
 
 TEST(GrowableArray, KeepsEntriesAcrossHeapAndMappedMemory) {

@@ -12,7 +12,10 @@
 
 #include <gtest/gtest.h>
 
+#include <bit>
 #include <cmath>
+#include <cstdint>
+#include <limits>
 #include <numeric>
 #include <vector>
 
@@ -23,7 +26,7 @@ namespace {
 template <int K>
 struct Built {
   Built(std::vector<double> coordinates)
-      : points(K, 0.0), grid(K), cells(K), geometry(all_axes(), K, points, grid, frame(coordinates)) {
+      : points(K, 0.0), grid(K), memory(K), cells(memory), geometry(memory, all_axes(), K, points, grid, frame(coordinates)) {
     kernel::AffineHull hull(K);
     std::vector<Index> simplex, others;
     points.insert(points.end(), coordinates.begin(), coordinates.end());
@@ -33,10 +36,11 @@ struct Built {
       (hull.add(geometry.point(v)) ? simplex : others).push_back(v);
     }
     if (geometry.orientation(simplex.data()) == Sign::negative) std::swap(simplex[0], simplex[1]);
+    geometry.set_rows(n);
     engine::seed(cells, geometry, simplex);
     engine::Workspace work;
     for (const Index v : others) {
-      const Index start = work.created.empty() ? 0 : work.created.back();
+      const Index start = work.star().empty() ? 0 : work.star().back().created;
       engine::insert(cells, geometry, v, geometry.make_query(geometry.point(v)), start, work, effort);
     }
     num_vertices = n;
@@ -58,6 +62,7 @@ struct Built {
 
   std::vector<double> points;
   kernel::Grid grid;
+  CellMemory<K> memory;
   engine::CellStore<K> cells;
   DelaunayGeometry<K> geometry;
   engine::Effort effort;
@@ -80,7 +85,7 @@ double expect_certified_signs_are_right(const char* kind, std::size_t n, std::si
     if (built.cells.is_vacant(cell)) continue;
     const auto q = built.geometry.make_query(built.geometry.point(v));
     if (engine::vertex_at(built.cells, built.geometry, cell, q) != invalid_index) continue;
-    const Sign side = built.geometry.filter_side(cell, built.geometry.value(cell, q), q);
+    const Sign side = built.geometry.filter_side(cell, built.geometry.value(cell, q));
     ++tested;
     if (side == Sign::zero) continue;
     ++certified;
@@ -170,18 +175,31 @@ TEST(Filter, ThresholdsBoundTheTrueError) {
   expect_values_within_thresholds<4>("uniform", 15);
 }
 
-TEST(Record, PacksToTheSafeSide) {
+TEST(Certificate, PacksToTheSafeSide) {
+  const auto field = [](std::uint64_t packed, int shift) {
+    return static_cast<double>(std::bit_cast<float>(static_cast<std::uint32_t>((packed >> shift & 0x7fff) << 16)));
+  };
   for (const double x : {1e-30, 1e-12, 0.3, 1.0, 1.0 + 0x1p-30, 7e5, 3e20}) {
-    EXPECT_GE(unpack(pack_up(x)), x);
-    EXPECT_LE(unpack(pack_up(x)), 1.01 * x);
-    EXPECT_LE(unpack(pack_down(x)), x);
-    EXPECT_GE(unpack(pack_down(x)), 0.99 * x);
+    const std::uint64_t packed = certificate::pack(x, x, x, false);
+    EXPECT_FALSE(certificate::infinite(packed));
+    EXPECT_GT(certificate::threshold(packed), x);
+    EXPECT_LE(certificate::threshold(packed), (1 + 0x1p-21) * x);
+    EXPECT_GT(field(packed, 32), x);
+    EXPECT_LE(field(packed, 32), 1.02 * x);
+    EXPECT_LE(field(packed, 48), x);
+    EXPECT_GE(field(packed, 48), 0.98 * x);
+    EXPECT_EQ(packed & mark_bits::all, 0u);
   }
-  EXPECT_EQ(unpack(pack_down(1e-300)), 0);
-  EXPECT_GT(unpack(pack_up(1e-300)), 1e-300);
-  EXPECT_EQ(unpack(pack_up(1e300)), std::numeric_limits<double>::infinity());
-  EXPECT_TRUE(std::isinf(make_certificate(std::nan(""), 0, 0, false).threshold));
-  EXPECT_TRUE(std::signbit(make_certificate(std::nan(""), 0, 0, true).threshold));
+  EXPECT_GT(certificate::threshold(certificate::pack(1e-300, 1e-300, 1e-300, true)), 1e-300);
+  EXPECT_GT(field(certificate::pack(1, 1e-300, 1, true), 32), 1e-300);
+  EXPECT_EQ(field(certificate::pack(1, 1, 1e-300, true), 48), 0);
+  EXPECT_LE(field(certificate::pack(1, 1, 1e300, true), 48), 1e300);
+  for (const double x : {1e300, std::numeric_limits<double>::infinity(), std::nan("")})
+    EXPECT_TRUE(std::isinf(certificate::threshold(certificate::pack(x, 1, 1, false))));
+  const std::uint64_t unknown = certificate::pack(std::nan(""), 0, 0, true);
+  EXPECT_TRUE(certificate::infinite(unknown));
+  EXPECT_EQ(certificate::finite_mask(unknown), 0u);
+  EXPECT_EQ(~certificate::finite_mask(certificate::pack(1, 1, 1, false)), 0u);
 }
 
 TEST(Frame, MapsItsBoxIntoTheUnitCube) {

@@ -1,0 +1,285 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The pencil identity. With a = h_A(q) < 0 and b = h_B(q) > 0, the functional of the cell that joins q to the common facet of A
+// and B is (b·h_A − a·h_B)/ν, where ν is
+//   A, B finite         b − a                                a convex combination
+//   A finite, B not     b
+//   B finite, A not     −a
+//   neither finite      the largest |b·g_A,r − a·g_B,r|      so that the largest coefficient becomes ±1
+// and in all four cases ν is the height of q over the facet in the units in which that of the opposite vertex of A (in the
+// third row, of B) is the value there of the other functional. Weights are non-negative, so errors at the facet's vertices
+// combine with the same weights and grow with the number of generations at most linearly; at q the error is one evaluation's.
+// The determinant of the new cell's edge vectors follows from that of A (or B) by the ratio of heights over the facet. Proofs:
+// docs/predicates.md, "The pencil".
+#include "geometry/star_kernel.hpp"
+
+#include "cell_memory.hpp"
+#include "geometry/record.hpp"
+
+#include <algorithm>
+#include <bit>
+#include <cstdint>
+
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "geometry/star_kernel.cpp"
+#include <hwy/foreach_target.h>
+// After foreach_target.h
+#include <hwy/highway.h>
+
+#ifndef DELONE_STAR_BLOCK
+#define DELONE_STAR_BLOCK
+namespace delone::geometry {
+
+/// Facets are treated in blocks that fit in the first-level cache.
+constexpr std::size_t block_size = 32;
+/// The arrays of a block, `block_size` entries of 64 bits each. A and B are the cells of a facet, N the new cell.
+enum BlockArray : std::size_t {
+  value_a,
+  value_b,
+  certificate_a,   // in the end that of N
+  certificate_b,   // in the end not zero if the certificate of N is too weak
+  opposite_value,  // of the other functional at the vertex opposite the facet
+  coefficients     // those of A, in the end those of N; then those of B
+};
+
+}  // namespace delone::geometry
+#endif
+
+HWY_BEFORE_NAMESPACE();
+namespace delone::geometry {
+namespace HWY_NAMESPACE {
+namespace hn = hwy::HWY_NAMESPACE;
+
+inline std::uint64_t bits_of(double x) { return std::bit_cast<std::uint64_t>(x); }
+
+/// Gathers what a block is computed from, one facet per lane. K is k, or 0 for any.
+template <int K>
+void gather(const StarTask& task, std::span<const HorizonFacet> facets, double* HWY_RESTRICT block) {
+  const auto entries = static_cast<std::size_t>(K > 0 ? K : task.k) + 1;
+  const bool lifted = task.lifted;
+  const std::size_t stride = K > 0 ? CellMemory<K>(K).stride() : task.stride;
+  const double* HWY_RESTRICT records = task.records;
+  const double* HWY_RESTRICT rows = task.rows;
+  double* const coefficients_of_a = block + coefficients * block_size;
+  double* const coefficients_of_b = coefficients_of_a + entries * block_size;
+  for (std::size_t lane = 0; lane < facets.size(); ++lane) {
+    const HorizonFacet& facet = facets[lane];
+    const double* A = records + facet.dead * stride;
+    const double* B = records + facet.survivor * stride;
+    for (std::size_t r = 0; r < entries; ++r) {
+      coefficients_of_a[r * block_size + lane] = A[r];
+      coefficients_of_b[r * block_size + lane] = B[r];
+    }
+    block[certificate_a * block_size + lane] = A[entries];
+    block[certificate_b * block_size + lane] = B[entries];
+    block[value_a * block_size + lane] = facet.dead_value;
+    block[value_b * block_size + lane] = facet.survivor_value;
+    // The value of B at the vertex of A; with A alone infinite, the other way round.
+    const bool swapped = certificate::infinite(bits_of(A[entries])) & !certificate::infinite(bits_of(B[entries]));
+    const double* other = swapped ? A : B;
+    const double* row = rows + (swapped ? facet.survivor_opposite : facet.dead_opposite) * entries;
+    const double last = row[entries - 1];
+    double even = lifted ? other[entries - 1] : other[entries - 1] * last, odd = 0;
+    for (std::size_t r = 0; r + 1 < entries; ++r) (r % 2 == 0 ? even : odd) += other[r] * row[r];
+    const std::uint64_t reference = bits_of(lifted ? last : 1.0) & certificate::finite_mask(bits_of(other[entries]));
+    block[opposite_value * block_size + lane] = even + odd + std::bit_cast<double>(reference);
+  }
+}
+
+/// Computes a block in place. K is k, or 0 for any.
+template <int K>
+void compute(const StarTask& task, std::size_t count, double* HWY_RESTRICT block) {
+  const hn::CappedTag<double, block_size> d;
+  const hn::RebindToUnsigned<decltype(d)> du;
+  const hn::RebindToSigned<decltype(d)> di;
+  using V = hn::Vec<decltype(d)>;
+  using U = hn::Vec<decltype(du)>;
+  const auto k = static_cast<std::size_t>(K > 0 ? K : task.k);
+  const FrameConstants& frame = task.frame;
+  constexpr double slack = 0x1p-40;    // covers the few roundings of positive quantities
+  constexpr double weakest = 0x1p-10;  // thresholds beyond this fraction of the functional's scale are worth an elimination
+  const V zero = hn::Zero(d), one = hn::Set(d, 1.0);
+  const U bias = hn::Set(du, certificate::bias);
+  for (std::size_t lane = 0; lane < count; lane += hn::Lanes(d)) {
+    const auto load = [&](std::size_t array) { return hn::Load(d, block + array * block_size + lane); };
+    const auto coefficient_a = [&](std::size_t r) { return load(coefficients + r); };
+    const auto coefficient_b = [&](std::size_t r) { return load(coefficients + k + 1 + r); };
+    const U of_a = hn::BitCast(du, load(certificate_a)), of_b = hn::BitCast(du, load(certificate_b));
+    const auto is_infinite = [&](U packed) {
+      return hn::RebindMask(d, hn::MaskFromVec(hn::BroadcastSignBit(hn::BitCast(di, hn::ShiftLeft<32>(packed)))));
+    };
+    const auto unpack = [&](U bits) { return hn::BitCast(d, hn::Add(hn::ShiftLeft<certificate::fraction_shift>(bits), bias)); };
+    const auto unpack_short = [&](U bits) {
+      return hn::BitCast(d, hn::Add(hn::ShiftLeft<certificate::short_shift>(bits), bias));
+    };
+    const U threshold_bits = hn::Set(du, 0x7fffffff), short_bits = hn::Set(du, 0x7fff);
+    const V a = load(value_a), b = load(value_b), minus_a = hn::Neg(a);
+    const V t_a = unpack(hn::And(of_a, threshold_bits)), t_b = unpack(hn::And(of_b, threshold_bits));
+    const V e_a = unpack_short(hn::And(hn::ShiftRight<32>(of_a), short_bits));
+    const V e_b = unpack_short(hn::And(hn::ShiftRight<32>(of_b), short_bits));
+    const auto a_is_infinite = is_infinite(of_a), b_is_infinite = is_infinite(of_b);
+    const auto infinite = hn::And(a_is_infinite, b_is_infinite);
+    const auto swapped = hn::AndNot(b_is_infinite, a_is_infinite);
+    const U packed_determinant =
+        hn::And(hn::ShiftRight<48>(hn::IfThenElse(hn::RebindMask(du, swapped), of_b, of_a)), short_bits);
+    const V old_determinant =
+        hn::IfThenZeroElse(hn::RebindMask(d, hn::Eq(packed_determinant, hn::Zero(du))), unpack_short(packed_determinant));
+
+    V height = hn::IfThenElse(b_is_infinite, b, hn::IfThenElse(a_is_infinite, minus_a, hn::Sub(b, a)));
+    V height_error = hn::Add(hn::IfThenZeroElse(b_is_infinite, t_a), hn::IfThenZeroElse(a_is_infinite, t_b));
+    const bool some_infinite = !hn::AllFalse(d, infinite);
+    if (some_infinite) {
+      V largest = zero, normal_a = zero, normal_b = zero;
+      for (std::size_t r = 0; r < k; ++r) {
+        const V from_a = coefficient_a(r), from_b = coefficient_b(r);
+        const V g = hn::Abs(hn::Add(hn::Mul(b, from_a), hn::Mul(minus_a, from_b)));
+        const auto larger = hn::Gt(g, largest);
+        largest = hn::IfThenElse(larger, g, largest);
+        normal_a = hn::IfThenElse(larger, hn::Abs(from_a), normal_a);
+        normal_b = hn::IfThenElse(larger, hn::Abs(from_b), normal_b);
+      }
+      const V error =
+          hn::Add(hn::Mul(hn::Add(hn::Add(b, normal_b), t_b), t_a), hn::Mul(hn::Add(hn::Add(normal_a, minus_a), t_a), t_b));
+      height = hn::IfThenElse(infinite, largest, height);
+      height_error = hn::IfThenElse(infinite, error, height_error);
+    }
+    const V x = hn::Div(b, height), y = hn::Div(minus_a, height);
+    const V t_other = hn::IfThenElse(swapped, t_a, t_b);
+    const V det = hn::Mul(hn::Mul(old_determinant, hn::Sub(height, height_error)),
+                          hn::Div(hn::Set(d, 1 - slack), hn::Add(load(opposite_value), t_other)));
+
+    const V largest_reference = hn::Set(d, frame.largest_reference);
+    const V reference_weight = hn::IfThenZeroElse(infinite, one);
+    V parts = hn::Mul(hn::Add(hn::IfThenZeroElse(a_is_infinite, x), hn::IfThenZeroElse(b_is_infinite, y)), largest_reference);
+    V magnitude = hn::Mul(reference_weight, largest_reference);
+    V at_q = hn::Mul(reference_weight, hn::Set(d, task.lifted ? task.query_row[k] : 1.0));
+    V gradient_square = zero;  // in the metric of lifts
+    auto normal_is_due = infinite;
+    V g = zero;
+    for (std::size_t r = 0; r <= k; ++r) {
+      const V from_a = hn::Mul(x, coefficient_a(r)), from_b = hn::Mul(y, coefficient_b(r));
+      g = hn::Add(from_a, from_b);
+      parts = hn::Add(parts, hn::Add(hn::Abs(from_a), hn::Abs(from_b)));
+      magnitude = hn::Add(magnitude, hn::Abs(g));
+      if (some_infinite && r < k) {
+        // The normal coefficient is the first whose unscaled magnitude is the height.
+        const V unscaled = hn::Abs(hn::Add(hn::Mul(b, coefficient_a(r)), hn::Mul(minus_a, coefficient_b(r))));
+        const auto is_normal = hn::And(normal_is_due, hn::Eq(unscaled, height));
+        normal_is_due = hn::AndNot(is_normal, normal_is_due);
+        g = hn::IfThenElse(is_normal, hn::CopySign(one, g), g);
+      }
+      at_q = hn::MulAdd(g, hn::Set(d, r < k || !task.lifted ? task.query_row[r] : 1.0), at_q);
+      if (r < k) {
+        const V t = hn::Mul(g, hn::Set(d, frame.extent_ratio[r]));
+        gradient_square = hn::MulAdd(t, t, gradient_square);
+      }
+      hn::Store(g, d, block + (coefficients + r) * block_size + lane);
+    }
+
+    const V rounding = hn::Mul(hn::Set(d, frame.evaluation_error), magnitude);
+    const V error_at_facet = hn::Add(hn::Add(hn::Mul(x, e_a), hn::Mul(y, e_b)), hn::Mul(hn::Set(d, 6 * 0x1p-53), parts));
+    const V error = hn::Mul(hn::Max(error_at_facet, hn::Add(hn::Abs(at_q), rounding)), hn::Set(d, 1 + slack));
+    V power = hn::Set(d, frame.finite_spread);
+    V scale = one;
+    if (frame.uses_radius) {
+      // All vertices are within R of the centre of the approximate sphere: |h̃| ≤ error there.
+      const V radius_error = hn::Mul(hn::Set(d, 8 * 0x1p-53), hn::Add(magnitude, gradient_square));
+      const V radius_square =
+          hn::Add(hn::Add(hn::Sub(hn::Mul(gradient_square, hn::Set(d, 0.25)), g), hn::Add(error, hn::Set(d, frame.excess))),
+                  radius_error);
+      const V radius = hn::Sqrt(radius_square);
+      for (std::size_t r = 1; r < k; ++r) power = hn::Mul(power, radius);
+      scale = radius_square;
+    }
+    power = hn::IfThenElse(infinite, hn::Set(d, frame.infinite_spread), power);
+    scale = hn::IfThenElse(infinite, one, scale);
+    const V spread = hn::Add(one, hn::Div(power, det));
+    const V threshold = hn::Mul(hn::MulAdd(error, spread, rounding), hn::Set(d, 1 + slack));
+    // With not-a-number anywhere, a comparison fails.
+    const V smallest = hn::Set(d, certificate::smallest), largest = hn::Set(d, certificate::largest);
+    const auto usable =
+        hn::And(hn::And(hn::And(hn::Lt(a, zero), hn::Gt(b, zero)), hn::And(hn::Ge(det, smallest), hn::Le(det, largest))),
+                hn::And(hn::Le(threshold, hn::Mul(hn::Set(d, weakest), scale)), hn::Lt(threshold, largest)));
+    const auto pack = [&](V positive) { return hn::Sub(hn::BitCast(du, positive), bias); };
+    const U up = hn::Add(hn::ShiftRight<certificate::fraction_shift>(pack(hn::Max(threshold, smallest))), hn::Set(du, 1));
+    const U error_up = hn::Add(hn::ShiftRight<certificate::short_shift>(pack(hn::Max(error, smallest))), hn::Set(du, 1));
+    const U down = hn::ShiftRight<certificate::short_shift>(pack(det));
+    const U infinite_bit = hn::IfThenElseZero(hn::RebindMask(du, infinite), hn::Set(du, std::uint64_t{1} << 31));
+    const U packed = hn::Or(hn::Or(up, infinite_bit), hn::Or(hn::ShiftLeft<32>(error_up), hn::ShiftLeft<48>(down)));
+    hn::Store(hn::BitCast(d, packed), d, block + certificate_a * block_size + lane);
+    hn::Store(hn::IfThenZeroElse(usable, one), d, block + certificate_b * block_size + lane);
+  }
+}
+
+/// Writes the records of a block. Returns how many entries of `weak` it has written.
+template <int K>
+std::size_t scatter(const StarTask& task, std::span<const HorizonFacet> facets, std::size_t first,
+                    const double* HWY_RESTRICT block, std::uint32_t* HWY_RESTRICT weak) {
+  const auto entries = static_cast<std::size_t>(K > 0 ? K : task.k) + 1;
+  const double* result = block + coefficients * block_size;
+  double* HWY_RESTRICT records = task.records;
+  const std::size_t stride = K > 0 ? CellMemory<K>(K).stride() : task.stride;
+  std::size_t num_weak = 0;
+  for (std::size_t lane = 0; lane < facets.size(); ++lane) {
+    double* record = records + facets[lane].created * stride;
+    for (std::size_t r = 0; r < entries; ++r) record[r] = result[r * block_size + lane];
+    record[entries] = block[certificate_a * block_size + lane];
+    weak[num_weak] = static_cast<std::uint32_t>(first + lane);
+    num_weak += bits_of(block[certificate_b * block_size + lane]) != 0;
+  }
+  return num_weak;
+}
+
+template <int K>
+std::size_t combine_blocks(const StarTask& task, double* block) {
+  std::size_t num_weak = 0;
+  for (std::size_t first = 0; first < task.facets.size(); first += block_size) {
+    const auto facets = task.facets.subspan(first, std::min(block_size, task.facets.size() - first));
+    gather<K>(task, facets, block);
+    compute<K>(task, facets.size(), block);
+    num_weak += scatter<K>(task, facets, first, block, task.weak + num_weak);
+  }
+  return num_weak;
+}
+
+std::size_t combine_star_here(const StarTask& task, double* block) {
+  switch (task.k) {
+    case 2:
+      return combine_blocks<2>(task, block);
+    case 3:
+      return combine_blocks<3>(task, block);
+    case 4:
+      return combine_blocks<4>(task, block);
+    case 5:
+      return combine_blocks<5>(task, block);
+    case 6:
+      return combine_blocks<6>(task, block);
+    case 7:
+      return combine_blocks<7>(task, block);
+    default:
+      return combine_blocks<0>(task, block);
+  }
+}
+
+}  // namespace HWY_NAMESPACE
+}  // namespace delone::geometry
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace delone::geometry {
+
+HWY_EXPORT(combine_star_here);
+
+constexpr std::size_t alignment = 64;
+
+std::size_t star_scratch(int k) {
+  return block_size * (coefficients + 2 * (static_cast<std::size_t>(k) + 1)) + alignment / sizeof(double);
+}
+
+std::size_t combine_star(const StarTask& task) {
+  const std::size_t misaligned = reinterpret_cast<std::uintptr_t>(task.scratch) % alignment / sizeof(double);
+  return HWY_DYNAMIC_DISPATCH(combine_star_here)(task,
+                                                 task.scratch + (misaligned > 0 ? alignment / sizeof(double) - misaligned : 0));
+}
+
+}  // namespace delone::geometry
+#endif

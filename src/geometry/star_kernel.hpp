@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The pencil for all cells of a new star at once, several facets per instruction; compiled for several instruction sets, of
+// which the best that the machine has is chosen at run time.
+#pragma once
+
+#include "horizon_facet.hpp"
+
+#include <delone/types.hpp>
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+
+namespace delone::geometry {
+
+/// What the certificates of a frame's functionals are computed from (docs/predicates.md, "The pencil").
+struct FrameConstants {
+  double evaluation_error;     ///< of a rounded evaluation, relative to the sum of the magnitudes of a functional's terms
+  double largest_reference;    ///< the largest reference entry of a row
+  double finite_spread;        ///< Σ|barycentric coordinates| − 1 is at most finite_spread·R^(k−1)/det in the box
+  double infinite_spread;      ///< the same for infinite cells, over det
+  double excess;               ///< by how much the square of the distance of a vertex from the centre may exceed R²
+  bool uses_radius;            ///< false: finite_spread/det is the bound, whatever the radius
+  const double* extent_ratio;  ///< per axis, the frame's scale over that of lifts
+};
+
+/// The functionals of a star's cells from those of the cells on the two sides of each facet.
+struct StarTask {
+  std::span<const HorizonFacet> facets;
+  int k;
+  bool lifted;              ///< whether rows are (X, 1 | ℓ), else (X | 1)
+  double* records;          ///< of the cells, k + 2 doubles each
+  std::size_t stride;       ///< from a record to the next
+  const double* rows;       ///< of the vertices, k + 1 doubles each: (X, ℓ), or X
+  const double* query_row;  ///< that of the new vertex
+  FrameConstants frame;
+  double* scratch;      ///< star_scratch(k) doubles
+  std::uint32_t* weak;  ///< receives the facets whose certificate would be too weak: their cells need elimination
+};
+
+/// How many doubles of scratch memory a star of dimension k takes.
+std::size_t star_scratch(int k);
+
+/// Computes the records of all created cells, and returns how many entries of `weak` it has written. Cost O(k) per facet.
+std::size_t combine_star(const StarTask& task);
+
+}  // namespace delone::geometry
