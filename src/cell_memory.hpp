@@ -9,6 +9,7 @@
 
 #include <delone/types.hpp>
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 
@@ -36,6 +37,11 @@ class CellMemory {
   std::size_t bytes() const { return words_.capacity() * sizeof(double); }
   /// Makes room for cells, keeping the present ones. Throws std::bad_alloc, and then changes nothing.
   void reserve(std::size_t cells) { words_.reserve(cells * stride()); }
+  /// Copies the first `cells` cells of a memory of the same dimension.
+  void copy(const CellMemory& other, std::size_t cells) {
+    reserve(cells);
+    std::copy_n(other.words_.data(), cells * stride(), words_.data());
+  }
 
  private:
   /// Lines of the cache have 8 words: one word more is no waste if it keeps cells from straddling lines.

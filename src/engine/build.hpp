@@ -26,28 +26,41 @@ struct Effort {
 struct Workspace {
   ConflictZone zone;
   RidgeTable ridges;
+  Index last_cell = 0;            ///< where the last walk ended
+  bool tracks_swallowed = false;  ///< whether insertions fill `swallowed`
+  std::vector<Index> swallowed;   ///< the vertices that lost all their cells by the last insertion
 
   /// The facets that the cells of the last insertion were made from.
   std::span<const HorizonFacet> star() const { return {zone.horizon.data(), zone.num_facets}; }
 };
 
-/// Inserts vertex v, whose point is q, starting the walk at `start`. Returns v, or the vertex that is at q already. Strong
-/// guarantee: if it throws (memory, ids), nothing has changed. REQUIRES q in the affine hull of the vertices.
+/// Inserts vertex v, whose point is q, into a cell in conflict with q. Strong guarantee: if it throws (memory, ids), nothing
+/// has changed. REQUIRES q in the affine hull of the vertices and no vertex at q.
 template <int K, Geometry G>
-Index insert(CellStore<K>& cells, G& geometry, Index v, const typename G::Query& q, Index start, Workspace& work,
-             Effort& effort) {
-  work.zone.num_facets = 0;
-  const WalkResult found = locate(cells, geometry, q, start, effort.stages);
-  effort.visited_cells += found.visited;
-  if (found.vertex != invalid_index) return found.vertex;
+void insert_in_conflict(CellStore<K>& cells, G& geometry, Index v, const typename G::Query& q, Index cell, Workspace& work,
+                        Effort& effort) {
   try {
-    find_conflict_zone(cells, geometry, q, found.cell, cells.marks(), work.zone, effort.stages);
-    retriangulate(cells, geometry, v, q, work.zone, work.ridges);
+    find_conflict_zone(cells, geometry, q, cell, cells.marks(), work.zone, effort.stages);
+    retriangulate(cells, geometry, v, q, work.zone, work.ridges, work.tracks_swallowed ? &work.swallowed : nullptr);
   } catch (...) {
     unmark(cells.marks(), work.zone);
     throw;
   }
   effort.created_cells += work.zone.num_facets;
+}
+
+/// Inserts vertex v, whose point is q, starting the walk at `start`. Returns v; or the vertex that is at q already; or
+/// invalid_index: q is in conflict with no cell, and hidden. Guarantee and REQUIRES as above.
+template <int K, Geometry G>
+Index insert(CellStore<K>& cells, G& geometry, Index v, const typename G::Query& q, Index start, Workspace& work,
+             Effort& effort) {
+  work.zone.num_cells = work.zone.num_facets = 0;
+  work.swallowed.clear();
+  const WalkResult found = locate(cells, geometry, q, start, effort.stages);
+  effort.visited_cells += found.visited;
+  work.last_cell = found.cell;
+  if (found.vertex != invalid_index || found.hidden) return found.vertex;
+  insert_in_conflict(cells, geometry, v, q, found.cell, work, effort);
   return v;
 }
 

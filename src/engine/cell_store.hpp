@@ -48,6 +48,12 @@ class CellStore {
     if (bytes % 64 != 0) __builtin_prefetch(reinterpret_cast<const char*>(record) + bytes - 1);
   }
 
+  /// Takes over which slots are vacant; their contents are the memory's.
+  void copy_slots(const CellStore& other) {
+    num_slots_ = other.num_slots_;
+    vacant_ = other.vacant_;
+  }
+
   Index num_slots() const { return num_slots_; }
   Index num_cells() const { return num_slots_ - static_cast<Index>(vacant_.size()); }
   bool is_vacant(Index cell) const { return vertices(cell)[0] == invalid_index; }

@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// From a start cell to a cell in conflict with a query point (§2.5 of the report), or to the vertex at the query point.
+// From a start cell to a cell in conflict with a query point (§2.5 of the report), or to the vertex at the query point, or to
+// the finding that no cell is in conflict with it: it is hidden, as a point with little weight may be, or inside a hull.
 //
 // 1. Descent: h_A − h_B vanishes on the common facet of two finite cells A and B, so the neighbor with the smaller h(q) is on
 //    the side of q, and walking to the least of the neighbors' values is a walk towards q that may stop at the first cell that
 //    is certified in conflict. Values are rounded: that may mislead the walk, not the answer.
 // 2. Where the descent ends uncertified, a visibility walk with exact orientations. It cannot cycle in a Delaunay triangulation
 //    (Edelsbrunner 1990, doi:10.1007/BF02122779) and ends in a cell that contains q, which q is in conflict with
-//    unless it is one of its vertices, or beyond the hull in an infinite cell in conflict.
+//    unless it is one of its vertices or hidden, or beyond the hull in an infinite cell in conflict.
 #pragma once
 
 #include "engine/conflict.hpp"
@@ -18,6 +19,7 @@ namespace delone::engine {
 struct WalkResult {
   Index cell = invalid_index;    ///< a cell in conflict with q, or one that has the vertex at q
   Index vertex = invalid_index;  ///< the vertex at q, if there is one
+  bool hidden = false;           ///< no cell is in conflict with q, which is in the closed simplex (or cone) of `cell`
   std::uint64_t visited = 0;     ///< cells walked through
 };
 
@@ -46,48 +48,62 @@ WalkResult walk_exactly(const CellStore<K>& cells, const G& geometry, const type
     if (stop_at_conflict && in_conflict_exactly(cells, geometry, cell, q, counts)) return result;
     int slot = 0;
     while (slot <= cells.dimension() && geometry.side_of_facet(cells.vertices(cell), slot, q) != Sign::negative) ++slot;
-    if (slot > cells.dimension()) return result;
+    if (slot > cells.dimension()) {
+      result.hidden = stop_at_conflict;
+      return result;
+    }
     result.cell = cells.neighbors(cell)[slot];
   }
 }
 
-/// The descent: the cell where it ends, certified in conflict (first) or not.
+enum class Descent { uncertain, conflict, hidden };
+
+/// The descent: the cell where it ends, certified in conflict or hidden or neither. q is certified hidden where the functional
+/// of a finite cell is positive at q and certainly less than those of all neighbors, because it is the least of all then.
 template <int K, Geometry G>
-std::pair<bool, WalkResult> descend(const CellStore<K>& cells, const G& geometry, const typename G::Query& q, Index start) {
+std::pair<Descent, WalkResult> descend(const CellStore<K>& cells, const G& geometry, const typename G::Query& q, Index start) {
   WalkResult result{start};
-  double value = geometry.value(start, q);
-  if (geometry.filter_side(start, value) == Sign::negative) return {true, result};
+  const auto functional = geometry.evaluator(q);
+  double value = functional.value(start);
+  if (value < -functional.threshold(start)) return {Descent::conflict, result};
   if (geometry.is_infinite(start)) {
     result.cell = cells.neighbors(start)[cells.infinite_slot(start)];
-    value = geometry.value(result.cell, q);
-    if (geometry.filter_side(result.cell, value) == Sign::negative) return {true, result};
+    value = functional.value(result.cell);
+    if (value < -functional.threshold(result.cell)) return {Descent::conflict, result};
   }
   for (;;) {
     ++result.visited;
     const Index* neighbors = cells.neighbors(result.cell);
+    const double here = value + functional.threshold(result.cell);
+    bool least = value > functional.threshold(result.cell);
     Index best = invalid_index;
     for (int i = 0; i <= cells.dimension(); ++i) {
       const Index neighbor = neighbors[i];
-      const double h = geometry.value(neighbor, q);
-      if (geometry.filter_side(neighbor, h) == Sign::negative) {
+      const double h = functional.value(neighbor), threshold = functional.threshold(neighbor);
+      if (h < -threshold) {
         result.cell = neighbor;
-        return {true, result};
+        return {Descent::conflict, result};
       }
-      if (h < value && !geometry.is_infinite(neighbor)) {
+      const bool infinite = geometry.is_infinite(neighbor);
+      least = least && h - threshold > (infinite ? 0 : here);
+      if (h < value && !infinite) {
         value = h;
         best = neighbor;
       }
     }
-    if (best == invalid_index) return {false, result};
+    if (best == invalid_index) {
+      result.hidden = least;
+      return {least ? Descent::hidden : Descent::uncertain, result};
+    }
     result.cell = best;
   }
 }
 
-/// A cell in conflict with q, or the vertex at q.
+/// A cell in conflict with q, or the vertex at q, or that q is hidden.
 template <int K, Geometry G>
 WalkResult locate(const CellStore<K>& cells, const G& geometry, const typename G::Query& q, Index start, StageCounts& counts) {
-  const auto [certified, descent] = descend(cells, geometry, q, start);
-  if (certified) return descent;
+  const auto [outcome, descent] = descend(cells, geometry, q, start);
+  if (outcome != Descent::uncertain) return descent;
   WalkResult result = walk_exactly(cells, geometry, q, descent.cell, true, counts);
   result.visited += descent.visited;
   return result;

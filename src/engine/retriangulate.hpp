@@ -6,6 +6,9 @@
 #include "engine/conflict_zone.hpp"
 #include "engine/ridge_table.hpp"
 
+#include <algorithm>
+#include <iterator>
+
 namespace delone::engine {
 
 /// Links the created cells of half-ridges by rotating about each ridge, from the dead cell of the facet through the zone until
@@ -35,12 +38,33 @@ void link_by_rotation(CellStore<K>& cells, std::span<const HorizonFacet> facets,
   }
 }
 
+/// The vertices of the zone that are on no horizon facet. Throws std::bad_alloc, and then changes nothing.
+template <int K>
+void find_swallowed(const CellStore<K>& cells, const ConflictZone& zone, std::vector<Index>& swallowed) {
+  std::vector<Index> all, kept;
+  for (std::size_t i = 0; i < zone.num_cells; ++i) {
+    const Index* vertices = cells.vertices(zone.cells[i]);
+    all.insert(all.end(), vertices, vertices + cells.dimension() + 1);
+  }
+  for (std::size_t f = 0; f < zone.num_facets; ++f) {
+    const Index* vertices = cells.vertices(zone.cells[zone.horizon[f].dead]);
+    for (int i = 0; i <= cells.dimension(); ++i)
+      if (i != zone.horizon[f].slot) kept.push_back(vertices[i]);
+  }
+  std::sort(all.begin(), all.end());
+  all.erase(std::unique(all.begin(), all.end()), all.end());
+  std::sort(kept.begin(), kept.end());
+  swallowed.clear();
+  std::set_difference(all.begin(), all.end(), kept.begin(), kept.end(), std::back_inserter(swallowed));
+}
+
 /// Kills the zone and creates the star of vertex v at q; takes the marks back. If memory or ids run out it throws before
-/// anything has changed, the marks included.
+/// anything has changed, the marks included. `swallowed`, if any, receives the vertices that lose all their cells.
 template <int K, Geometry G>
 void retriangulate(CellStore<K>& cells, G& geometry, Index v, const typename G::Query& q, ConflictZone& zone,
-                   RidgeTable& ridges) {
+                   RidgeTable& ridges, std::vector<Index>* swallowed) {
   const int k = cells.dimension();
+  if (swallowed != nullptr) find_swallowed(cells, zone, *swallowed);
   ridges.reserve(zone.num_facets, k);
   geometry.reserve_star(v, zone.num_facets);
   cells.reserve_vacancies(zone.num_cells);

@@ -59,7 +59,7 @@ struct State {
         earlier(other.earlier),
         order_seconds(other.order_seconds),
         build_seconds(other.build_seconds) {
-    if (other.builder) builder.emplace(other.builder->moved_to(sites));
+    if (other.builder) builder.emplace(sites, *other.builder);
   }
   State& operator=(const State&) = delete;
 
@@ -89,11 +89,11 @@ struct State {
   void restart() {
     sites.axes = affine_hull.axes();
     if (builder) {
-      earlier.created_cells += builder->created_cells();
-      earlier.stages.filter += builder->stages().filter;
-      earlier.stages.direct += builder->stages().direct;
-      earlier.stages.exact += builder->stages().exact;
-      earlier.stages.perturbed += builder->stages().perturbed;
+      earlier.created_cells += builder->effort().created_cells;
+      earlier.stages.filter += builder->effort().stages.filter;
+      earlier.stages.direct += builder->effort().stages.direct;
+      earlier.stages.exact += builder->effort().stages.exact;
+      earlier.stages.perturbed += builder->effort().stages.perturbed;
     }
     builder.reset();
     if (affine_hull.dimension() >= 1) builder.emplace(sites, basis);
@@ -508,13 +508,13 @@ Statistics Polytope::statistics() const {
   s.created_cells = state.earlier.created_cells;
   StageCounts stages = state.earlier.stages;
   if (state.builder) {
-    s.created_cells += state.builder->created_cells();
+    s.created_cells += state.builder->effort().created_cells;
     s.insertions = state.builder->insertions();
     s.cell_bytes = state.builder->bytes();
-    stages.filter += state.builder->stages().filter;
-    stages.direct += state.builder->stages().direct;
-    stages.exact += state.builder->stages().exact;
-    stages.perturbed += state.builder->stages().perturbed;
+    stages.filter += state.builder->effort().stages.filter;
+    stages.direct += state.builder->effort().stages.direct;
+    stages.exact += state.builder->effort().stages.exact;
+    stages.perturbed += state.builder->effort().stages.perturbed;
   }
   s.filter = stages.filter;
   s.direct = stages.direct;

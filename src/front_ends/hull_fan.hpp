@@ -17,14 +17,40 @@
 
 namespace delone::front_ends {
 
+/// Sets `point` to one near the mean of some sites (rounded to few bits if possible, as that keeps determinants of lattices
+/// exact) that `is_inside(point, grid of all sites and it)` accepts. False if there is none.
+template <class IsInside>
+bool choose_interior_point(const HullSites& sites, const std::vector<Index>& around, std::vector<double>& point,
+                           IsInside is_inside) {
+  const std::size_t d = point.size();
+  std::vector<double> mean(d, 0.0), extent(d, 0.0);
+  for (const Index site : around)
+    for (std::size_t j = 0; j < d; ++j) mean[j] += sites.point(site)[j] / static_cast<double>(around.size());
+  for (const Index site : around)
+    for (std::size_t j = 0; j < d; ++j) extent[j] = std::max(extent[j], std::fabs(sites.point(site)[j] - mean[j]));
+  for (const bool coarse : {true, false}) {
+    point = mean;
+    for (std::size_t j = 0; coarse && j < d; ++j) {
+      if (!(extent[j] > 0x1p-900 && extent[j] < 0x1p900)) continue;
+      const double unit = std::ldexp(1.0, std::ilogb(extent[j]) - 7);
+      if (std::fabs(mean[j] / unit) < 0x1p52) point[j] = std::nearbyint(mean[j] / unit) * unit;
+    }
+    kernel::Grid grid = sites.grid;
+    grid.include(point.data());
+    const bool found =
+        std::all_of(point.begin(), point.end(), [](double x) { return std::isfinite(x); }) && is_inside(point.data(), grid);
+    if (found) return true;
+  }
+  return false;
+}
+
 class HullFan {
  public:
   /// `scale`: that of the normals given later.
   HullFan(int ambient, double scale) : scale_(scale), center_(static_cast<std::size_t>(ambient), 0.0) {}
 
-  /// Sets o to a point near the mean of some sites (rounded to few bits if possible, as that keeps determinants of lattices
-  /// exact) that `is_inside(point, grid of all sites and it)` accepts. If there is none, locate() must not be called: a hull
-  /// may be so small that no double is inside.
+  /// Sets o by choose_interior_point(). If it finds none, walk() must not be called: a hull may be so small that no double is
+  /// inside.
   template <class IsInside>
   bool choose_center(const HullSites& sites, const std::vector<Index>& around, IsInside is_inside);
   bool has_center() const { return has_center_; }
@@ -55,26 +81,8 @@ class HullFan {
 
 template <class IsInside>
 bool HullFan::choose_center(const HullSites& sites, const std::vector<Index>& around, IsInside is_inside) {
-  const std::size_t d = center_.size();
-  std::vector<double> mean(d, 0.0), extent(d, 0.0);
-  for (const Index site : around)
-    for (std::size_t j = 0; j < d; ++j) mean[j] += sites.point(site)[j] / static_cast<double>(around.size());
-  for (const Index site : around)
-    for (std::size_t j = 0; j < d; ++j) extent[j] = std::max(extent[j], std::fabs(sites.point(site)[j] - mean[j]));
-  for (const bool coarse : {true, false}) {
-    center_ = mean;
-    for (std::size_t j = 0; coarse && j < d; ++j) {
-      if (!(extent[j] > 0x1p-900 && extent[j] < 0x1p900)) continue;
-      const double unit = std::ldexp(1.0, std::ilogb(extent[j]) - 7);
-      if (std::fabs(mean[j] / unit) < 0x1p52) center_[j] = std::nearbyint(mean[j] / unit) * unit;
-    }
-    kernel::Grid grid = sites.grid;
-    grid.include(center_.data());
-    has_center_ = std::all_of(center_.begin(), center_.end(), [](double x) { return std::isfinite(x); }) &&
-                  is_inside(center_.data(), grid);
-    if (has_center_) return true;
-  }
-  return false;
+  has_center_ = choose_interior_point(sites, around, center_, is_inside);
+  return has_center_;
 }
 
 }  // namespace delone::front_ends

@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The cached functionals of all cells: for each cell an affine function h of (X, ℓ), the image of a point in the frame and its
-// lift, that vanishes at the cell's vertices, with a certified threshold. A point is in conflict iff h < 0 there.
+// The cached functionals of all cells: for each cell a linear function h of rows that vanishes at the cell's vertices, with a
+// certified threshold. A point is in conflict iff h < 0 at its row. Rows have k + 1 entries and a reference entry, in which all
+// finite functionals have the coefficient 1:
 //
-// Finite cell: h = ℓ + g·X + c, the power with respect to the circumsphere, up to the frame's scaling.
-// Infinite cell: h = g·X + c with one coefficient ±1, positive on the side of the hull.
+// Lifted, (X, 1 | ℓ): the image of a point in the frame and its lift.
+//   Finite cell: h = ℓ + g·X + c, the power with respect to the circumsphere, up to the frame's scaling.
+//   Infinite cell: h = g·X + c with one coefficient ±1, positive on the side of the hull.
+// Not lifted, (X | 1): the image of a point of R^(k+1) relative to a point inside the hull. All cells are finite: h = 1 + g·X.
 //
 // Knows images and lifts; neither vertices nor exact arithmetic. Proofs: docs/predicates.md, "The filter" and "The pencil".
 #pragma once
@@ -26,13 +29,15 @@
 namespace delone::geometry {
 
 /// K is the dimension of the cells, or 0 when it is chosen at run time.
-template <int K>
+template <int K, bool Lifted = true>
 class Functionals {
  public:
   explicit Functionals(CellMemory<K>& memory) : memory_(memory) {}
 
   /// Takes over the constants of a frame. All functionals must be computed anew after it.
-  void set_frame(const Frame& frame, const std::vector<int>& axes);
+  void set_frame(const Frame& frame, const std::vector<int>& axes) requires(Lifted);
+  /// The same for rows that are not lifted, whose entries are in [−1, 1] and off by at most one rounding.
+  void set_frame() requires(!Lifted);
 
   /// The functionals at one row: a copy of all that evaluations need.
   class Evaluator {
@@ -47,10 +52,12 @@ class Functionals {
     /// h̃ of a cell.
     double value(Index cell) const {
       const double* record = this->record(cell);
-      Pair sums{record[k()], 0};
-      for (int r = 0; r + 1 < k(); r += 2) sums += load_pair(record + r) * load_pair(row_.data() + r);
+      const int varying = Lifted ? k() : k() + 1;  // the other entries are 1
+      Pair sums{Lifted ? record[k()] : 1.0, 0};
+      for (int r = 0; r + 1 < varying; r += 2) sums += load_pair(record + r) * load_pair(row_.data() + r);
       double h = sums[0] + sums[1];
-      if (k() % 2 == 1) h += record[k() - 1] * row_.data()[k() - 1];
+      if (varying % 2 == 1) h += record[varying - 1] * row_.data()[varying - 1];
+      if constexpr (!Lifted) return h;
       const std::uint64_t finite = certificate::finite_mask(std::bit_cast<std::uint64_t>(record[k() + 1]));
       return h + std::bit_cast<double>(std::bit_cast<std::uint64_t>(row_.data()[k()]) & finite);
     }
@@ -75,7 +82,9 @@ class Functionals {
   /// `positive`: for an infinite cell, the sign of the coefficient ±1 is that of the edge vectors' determinant, else its
   /// opposite.
   template <bool Infinite>
-  void solve(Index cell, const double* rows, bool positive);
+  void solve(Index cell, const double* rows, bool positive) requires(Lifted);
+  /// The same for rows that are not lifted, k + 1 of them.
+  void solve(Index cell, const double* rows) requires(!Lifted);
 
   /// Computes the functionals of a star's cells from those of the cells on the two sides of each facet: the functionals that
   /// vanish on the facet are a pencil, and the new one is its member that vanishes at the new vertex. `rows`: of all vertices.
@@ -106,8 +115,19 @@ class Functionals {
     record(cell)[k() + 1] = std::bit_cast<double>(certificate::pack(threshold, error, determinant, infinite));
   }
 
+  void give_up(Index cell, bool infinite);
+
   FrameConstants frame_constants() const {
-    return {evaluation_error_, largest_lift_, finite_spread_, infinite_spread_, 0.0, spheres_, extent_ratio_.data()};
+    // In flats and in hulls nothing says how large values are near a cell: a guess, which only decides what is solved anew.
+    constexpr double of_radius_square = 0x1p-10, of_one = 0x1p-26;
+    return {evaluation_error_,
+            largest_lift_,
+            finite_spread_,
+            infinite_spread_,
+            0.0,
+            spheres_,
+            spheres_ ? of_radius_square : of_one,
+            extent_ratio_.data()};
   }
 
   CellMemory<K>& memory_;            // per cell: k coefficients, the constant, the certificate
@@ -123,10 +143,21 @@ class Functionals {
   bool spheres_ = false;              // whether functionals of finite cells describe spheres (the flat is the whole space)
 };
 
-template <int K>
-void Functionals<K>::set_frame(const Frame& frame, const std::vector<int>& axes) {
+template <int K, bool Lifted>
+void Functionals<K, Lifted>::set_frame() requires(!Lifted) {
+  const double n = k() + 1;
+  largest_lift_ = 1;
+  evaluation_error_ = 1.01 * (n + 8) * 0x1p-53;
+  extent_ratio_.assign(static_cast<std::size_t>(k()), 1.0);
+  // Rows x = Σλ_i·v_i: by Cramer's rule and Hadamard's inequality |λ_i| ≤ (√n)^n/det.
+  finite_spread_ = 1.001 * n * std::pow(n, n / 2);
+  spheres_ = false;
+}
+
+template <int K, bool Lifted>
+void Functionals<K, Lifted>::set_frame(const Frame& frame, const std::vector<int>& axes) requires(Lifted) {
   const double n = k();
-  largest_lift_ = frame.ambient();
+  largest_lift_ = frame.largest_lift();
   evaluation_error_ = 1.01 * (n + frame.ambient() + 8) * 0x1p-53;
   spheres_ = k() == frame.ambient();
   extent_ratio_.clear();

@@ -9,9 +9,9 @@
 
 namespace delone::geometry {
 
-template <int K>
+template <int K, bool Lifted>
 template <bool Infinite>
-void Functionals<K>::solve(Index cell, const double* rows, bool positive) {
+void Functionals<K, Lifted>::solve(Index cell, const double* rows, bool positive) requires(Lifted) {
   const int n = Infinite ? k() - 1 : k();                // the vertices besides the apex
   constexpr int N = K > 0 ? (Infinite ? K - 1 : K) : 0;  // n, or 0 when it is not known or no more than that
   const auto size = static_cast<std::size_t>(k());
@@ -30,11 +30,8 @@ void Functionals<K>::solve(Index cell, const double* rows, bool positive) {
                                        2.02 * kernel::unit_roundoff * std::sqrt(static_cast<double>(k()))};
   const kernel::CertifiedDeterminant det = kernel::factor<N>(columns.data(), n, k(), entry_error, row_of.data());
   const double least_determinant = std::fabs(det.value) - det.error;
-  if (!(least_determinant > 0)) {  // too flat to say anything: never certain, and never attractive to a walk
-    constexpr double infinity = std::numeric_limits<double>::infinity();
-    std::fill(record, record + k(), 0.0);
-    record[k()] = infinity;
-    certify(cell, infinity, infinity, 0, Infinite);
+  if (!(least_determinant > 0)) {
+    give_up(cell, Infinite);
     return;
   }
   if constexpr (Infinite) record[k() - 1] = positive == (det.value > 0) ? 1.0 : -1.0;
@@ -58,6 +55,49 @@ void Functionals<K>::solve(Index cell, const double* rows, bool positive) {
   const double spread =
       1 + 4.5 * std::sqrt(static_cast<double>(n)) * det.norm_product * det.inverse_norm_sum / least_determinant;
   certify(cell, error * spread + rounding, error, least_determinant, Infinite);
+}
+
+template <int K, bool Lifted>
+void Functionals<K, Lifted>::solve(Index cell, const double* rows) requires(!Lifted) {
+  const int n = k() + 1;
+  constexpr int N = K > 0 ? K + 1 : 0;
+  const auto size = static_cast<std::size_t>(n);
+  kernel::Buffer<double, N * N> columns(size * size);
+  kernel::Buffer<int, N> row_of(size);
+  kernel::Buffer<double, N> ones(size);
+  std::copy_n(rows, size * size, columns.data());
+  std::fill_n(ones.data(), size, 1.0);
+  const kernel::EntryError entry_error{0, 1.01 * kernel::unit_roundoff * std::sqrt(static_cast<double>(n))};
+  const kernel::CertifiedDeterminant det = kernel::factor<N>(columns.data(), n, n, entry_error, row_of.data());
+  const double least_determinant = std::fabs(det.value) - det.error;
+  if (!(least_determinant > 0)) {
+    give_up(cell, false);
+    return;
+  }
+  double* record = this->record(cell);
+  kernel::solve_transposed<N>(columns.data(), n, n, row_of.data(), ones.data(), record);
+
+  double residual = 0, magnitude = 1;
+  for (int i = 0; i < n; ++i) {
+    double sum = 1;
+    for (int r = 0; r < n; ++r) sum += record[r] * rows[i * n + r];
+    residual = std::max(residual, std::fabs(sum));
+    magnitude += std::fabs(record[i]);
+  }
+  const double rounding = evaluation_error_ * magnitude;
+  const double error = residual + rounding;
+  // As above, with coefficients in place of barycentric coordinates and the row of a point, at most √n long, replacing one.
+  const double spread = 1.2 * std::sqrt(static_cast<double>(n)) * det.norm_product * det.inverse_norm_sum / least_determinant;
+  certify(cell, error * spread + rounding, error, least_determinant, false);
+}
+
+/// Too flat to say anything: never certain, and never attractive to a walk.
+template <int K, bool Lifted>
+void Functionals<K, Lifted>::give_up(Index cell, bool infinite) {
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  std::fill_n(record(cell), k() + 1, 0.0);
+  if (Lifted) record(cell)[k()] = infinity;
+  certify(cell, infinity, infinity, 0, infinite);
 }
 
 }  // namespace delone::geometry

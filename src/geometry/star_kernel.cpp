@@ -95,8 +95,7 @@ void compute(const StarTask& task, std::size_t count, double* HWY_RESTRICT block
   using U = hn::Vec<decltype(du)>;
   const auto k = static_cast<std::size_t>(K > 0 ? K : task.k);
   const FrameConstants& frame = task.frame;
-  constexpr double slack = 0x1p-40;    // covers the few roundings of positive quantities
-  constexpr double weakest = 0x1p-10;  // thresholds beyond this fraction of the functional's scale are worth an elimination
+  constexpr double slack = 0x1p-40;  // covers the few roundings of positive quantities
   const V zero = hn::Zero(d), one = hn::Set(d, 1.0);
   const U bias = hn::Set(du, certificate::bias);
   for (std::size_t lane = 0; lane < count; lane += hn::Lanes(d)) {
@@ -198,7 +197,7 @@ void compute(const StarTask& task, std::size_t count, double* HWY_RESTRICT block
     const V smallest = hn::Set(d, certificate::smallest), largest = hn::Set(d, certificate::largest);
     const auto usable =
         hn::And(hn::And(hn::And(hn::Lt(a, zero), hn::Gt(b, zero)), hn::And(hn::Ge(det, smallest), hn::Le(det, largest))),
-                hn::And(hn::Le(threshold, hn::Mul(hn::Set(d, weakest), scale)), hn::Lt(threshold, largest)));
+                hn::And(hn::Le(threshold, hn::Mul(hn::Set(d, frame.weakest), scale)), hn::Lt(threshold, largest)));
     const auto pack = [&](V positive) { return hn::Sub(hn::BitCast(du, positive), bias); };
     const U up = hn::Add(hn::ShiftRight<certificate::fraction_shift>(pack(hn::Max(threshold, smallest))), hn::Set(du, 1));
     const U error_up = hn::Add(hn::ShiftRight<certificate::short_shift>(pack(hn::Max(error, smallest))), hn::Set(du, 1));

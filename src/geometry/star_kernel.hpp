@@ -21,6 +21,7 @@ struct FrameConstants {
   double infinite_spread;      ///< the same for infinite cells, over det
   double excess;               ///< by how much the square of the distance of a vertex from the centre may exceed R²
   bool uses_radius;            ///< false: finite_spread/det is the bound, whatever the radius
+  double weakest;              ///< thresholds beyond this multiple of R² (of 1 without radius) are worth an elimination
   const double* extent_ratio;  ///< per axis, the frame's scale over that of lifts
 };
 

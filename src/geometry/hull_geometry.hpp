@@ -1,0 +1,164 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What joins the kernel to the engine for convex hulls: cells are the facets of a simplicial polytope in a flat of dimension
+// k + 1, and a point q is in conflict with a cell iff it is beyond its hyperplane.
+//
+// All is seen from a point o strictly inside. Functionals are h(x) = 1 + g·X, where X is x relative to o in units of the box,
+// so h(o) = 1: the cells' functionals are the points of the polar polytope. Cells and o make the simplices of a fan; the walls
+// between them are what a walk crosses.
+#pragma once
+
+#include "cell_memory.hpp"
+#include "geometry/functionals.hpp"
+#include "kernel/hull_stages.hpp"
+
+#include <delone/types.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <vector>
+
+namespace delone::geometry {
+
+/// A point to be tested against cells.
+template <int K>
+struct HullQuery {
+  explicit HullQuery(const double* at, std::size_t size) : point(at), row(size) {}
+  const double* point;
+  kernel::Buffer<double, K + (K > 0)> row;
+};
+
+/// K is the dimension of the cells, or 0 when it is chosen at run time.
+template <int K>
+class HullGeometry {
+  static constexpr int D = K > 0 ? K + 1 : 0;  // of the flat
+
+ public:
+  using Query = HullQuery<K>;
+
+  /// `coordinates`: the points, `ambient` doubles each; vertex v is point v − 1. `center` is o; if it is not strictly inside
+  /// the simplex of the vertices `inner`, the filter is never certain. `grid` is one for the points and o. The references must
+  /// outlive this object; what they refer to may grow.
+  HullGeometry(CellMemory<K>& cells, std::vector<int> axes, int ambient, const std::vector<double>& coordinates,
+               const kernel::Grid& grid, const std::vector<double>& center, bool center_is_inside, std::vector<Index> inner)
+      : axes_(std::move(axes)),
+        ambient_(ambient),
+        coordinates_(coordinates),
+        grid_(grid),
+        center_(center),
+        center_is_inside_(center_is_inside),
+        inner_(std::move(inner)),
+        scale_(axes_.size(), std::numeric_limits<double>::quiet_NaN()),
+        functionals_(cells) {
+    functionals_.set_frame();
+  }
+
+  int dimension() const { return K > 0 ? K : static_cast<int>(axes_.size()) - 1; }
+
+  /// Takes over the box that all points are in, and computes their rows. All cells must be created anew after it.
+  void set_box(const double* low, const double* high) {
+    for (std::size_t r = 0; r < axes_.size(); ++r) {
+      const auto axis = static_cast<std::size_t>(axes_[r]);
+      const double half = std::max(high[axis] - center_[axis], center_[axis] - low[axis]);
+      // A power of two; none for what would overflow or is too small to be scaled: the filter is never certain then.
+      scale_[r] = center_is_inside_ && half > 0x1p-900 && half < 0x1p900 ? std::ldexp(1.0, -std::ilogb(half) - 1)
+                                                                         : std::numeric_limits<double>::quiet_NaN();
+    }
+    const std::size_t n = coordinates_.size() / static_cast<std::size_t>(ambient_);
+    rows_.reserve((n + 1) * axes_.size());
+    std::fill_n(rows_.data(), axes_.size(), 0.0);
+    for (std::size_t v = 1; v <= n; ++v) write_row(point(static_cast<Index>(v)), rows_.data() + v * axes_.size());
+  }
+
+  /// REQUIRES a point in the flat and in the box.
+  Query make_query(const double* point) const {
+    Query q(point, axes_.size());
+    write_row(point, q.row.data());
+    return q;
+  }
+  const double* point(Index vertex) const {
+    return coordinates_.data() + (static_cast<std::size_t>(vertex) - 1) * static_cast<std::size_t>(ambient_);
+  }
+  bool is_at(Index vertex, const Query& q) const { return kernel::equal_points(point(vertex), q.point, ambient_); }
+
+  double value(Index cell, const Query& q) const { return evaluator(q).value(cell); }
+  auto evaluator(const Query& q) const { return functionals_.evaluator(q.row.data()); }
+  bool is_infinite(Index) const { return false; }
+  Sign filter_side(Index cell, double value) const {
+    const double bound = functionals_.threshold(cell);
+    return value < -bound ? Sign::negative : value > bound ? Sign::positive : Sign::zero;
+  }
+
+  /// The exact side of q, never zero: positive inside. REQUIRES that q is none of the vertices.
+  Sign exact_side(const Index* vertices, int, const Query& q, StageCounts& counts) const {
+    const Sign exact = side(vertices, q.point, counts);
+    if (exact != Sign::zero) return exact;
+    ++counts.perturbed;
+    const double* inner = center_.data();
+    if (!center_is_inside_) {
+      StageCounts uncounted;
+      inner = point(*std::find_if(inner_.begin(), inner_.end(),
+                                  [&](Index v) { return side(vertices, point(v), uncounted) != Sign::zero; }));
+    }
+    return kernel::perturbed_hull_side<D>(flat(), gather(vertices).data(), q.point, inner, grid_);
+  }
+  /// The exact side of a point, zero on the hyperplane.
+  Sign side(const Index* vertices, const double* point, StageCounts& counts) const {
+    return kernel::hull_side<D>(flat(), gather(vertices).data(), point, grid_, counts);
+  }
+
+  /// The exact side of the wall between o and the facet `slot` of a cell that q is on: positive is the side of the cell.
+  Sign side_of_facet(const Index* vertices, int slot, const Query& q) const {
+    auto points = gather(vertices);
+    points[static_cast<std::size_t>(slot)] = q.point;
+    StageCounts uncounted;
+    return kernel::hull_side<D>(flat(), points.data(), center_.data(), grid_, uncounted);
+  }
+
+  /// Makes room for a star of vertex v. Throws std::bad_alloc, and then changes nothing.
+  void reserve_star(Index v, std::size_t facets) {
+    functionals_.reserve_star(facets);
+    const std::size_t size = (static_cast<std::size_t>(v) + 1) * axes_.size();
+    if (size > rows_.capacity()) rows_.reserve(size + size / 2);
+  }
+  /// Computes what is cached for the created cells of a star of vertex v at q; returns the facets for whose cells that would be
+  /// too inaccurate: they must be created singly.
+  std::span<const std::uint32_t> create_star(Index v, const Query& q, std::span<const HorizonFacet> facets) {
+    std::copy_n(q.row.data(), axes_.size(), rows_.data() + v * axes_.size());
+    return functionals_.combine(facets, rows_.data(), q.row.data());
+  }
+  /// Computes what is cached for a cell by elimination.
+  void create(Index cell, const Index* vertices, int, int) {
+    const std::size_t n = axes_.size();
+    kernel::Buffer<double, D * D> rows(n * n);
+    for (std::size_t i = 0; i < n; ++i) write_row(point(vertices[i]), rows.data() + i * n);
+    functionals_.solve(cell, rows.data());
+  }
+
+ private:
+  kernel::Flat flat() const { return {ambient_, axes_}; }
+  void write_row(const double* point, double* row) const {
+    for (std::size_t r = 0; r < axes_.size(); ++r) {
+      const auto axis = static_cast<std::size_t>(axes_[r]);
+      row[r] = (point[axis] - center_[axis]) * scale_[r];
+    }
+  }
+  auto gather(const Index* vertices) const {
+    kernel::Buffer<const double*, D> points(axes_.size());
+    for (std::size_t i = 0; i < axes_.size(); ++i) points[i] = point(vertices[i]);
+    return points;
+  }
+
+  std::vector<int> axes_;
+  int ambient_;
+  const std::vector<double>& coordinates_;
+  const kernel::Grid& grid_;
+  const std::vector<double>& center_;
+  bool center_is_inside_;
+  std::vector<Index> inner_;   // vertices that are on no common hyperplane
+  std::vector<double> scale_;  // per axis of the flat
+  Functionals<K, false> functionals_;
+  GrowableArray<double> rows_;  // of the vertices
+};
+
+}  // namespace delone::geometry
