@@ -31,6 +31,8 @@ using Run = std::function<int()>;
 Run add_delaunay(CLI::App& app);
 Run add_hull(CLI::App& app);
 Run add_voronoi(CLI::App& app);
+Run add_regular(CLI::App& app);
+Run add_power(CLI::App& app);
 Run add_locate(CLI::App& app);
 Run add_check(CLI::App& app);
 Run add_generate(CLI::App& app);

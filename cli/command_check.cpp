@@ -60,7 +60,9 @@ int run_check(const CheckCommandOptions& options) {
   if (report.ok) {
     if (reached >= static_cast<std::size_t>(CheckLevel::local_convexity))
       text += fmt::format("ties: {} facets between two cells on one sphere\n", report.ties);
-    text += options.level == 6 ? "a Delaunay triangulation of all its points, exactly\n" : "no violation up to this level\n";
+    const char* kind = data.weights.empty() ? "Delaunay" : "regular";
+    text += options.level == 6 ? fmt::format("a {} triangulation of all its points, exactly\n", kind)
+                               : std::string("no violation up to this level\n");
     if (options.canonical) text += "ties are decided as the symbolic perturbation decides them\n";
   } else {
     text += fmt::format("violation: {}\n", report.violation);

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// delone voronoi: points in, Voronoi diagram out, and what it cost.
+// delone voronoi, delone power: points in, Voronoi or power diagram out, and what it cost.
 #include "command.hpp"
 #include "interrupt.hpp"
 #include "output.hpp"
 #include "progress_bar.hpp"
+#include "weighted_input.hpp"
 
 #include <fmt/format.h>
 #include <sys/resource.h>
@@ -14,6 +15,8 @@
 #include <filesystem>
 #include <memory>
 #include <optional>
+#include <type_traits>
+#include <utility>
 
 namespace delone::cli {
 namespace {
@@ -33,7 +36,8 @@ std::size_t peak_rss_bytes() {
 }
 
 struct VoronoiOptions {
-  PointInput input;
+  WeightedInput weighted;  // the points; of a power diagram with weights
+  bool power = false;
   std::string output, output_format, volumes;
   std::vector<double> box;  // low by axis, then high
   std::uint64_t seed = 0;
@@ -90,17 +94,17 @@ void check_outputs(const VoronoiOptions& options, int dimension) {
 }
 
 nlohmann::ordered_json stats_json(const Triangulation& t, const VoronoiDiagram& diagram, const Seconds& seconds,
-                                  std::uint64_t seed) {
+                                  const VoronoiOptions& options) {
   const Statistics s = t.statistics();
   const std::size_t num_cells = t.complex().num_cells();
   nlohmann::ordered_json json;
-  json["command"] = "voronoi";
+  json["command"] = options.power ? "power" : "voronoi";
   json["dimension"] = t.dimension();
   json["affine_dimension"] = t.affine_dimension();
   json["points"] = t.num_points();
   json["vertices"] = t.num_vertices();
   json["duplicates"] = t.num_duplicates();
-  json["hidden"] = 0;
+  json["hidden"] = t.num_points() - t.num_vertices() - t.num_duplicates();
   json["cells"] = t.num_finite_cells();
   json["infinite_cells"] = t.num_infinite_cells();
   json["hash"] = t.hash().hex();
@@ -116,36 +120,32 @@ nlohmann::ordered_json stats_json(const Triangulation& t, const VoronoiDiagram& 
   json["created_cells"] = s.created_cells;
   json["stages"] = {{"filter", s.filter}, {"direct", s.direct}, {"exact", s.exact}, {"perturbed", s.perturbed}};
   json["threads"] = 1;
-  json["seed"] = seed;
+  json["seed"] = options.seed;
   json["version"] = DELONE_VERSION;
   return json;
 }
 
-std::string summary(const Triangulation& t, const VoronoiDiagram& diagram, const Seconds& seconds, const std::string& name) {
-  std::string text = fmt::format("{}: Voronoi diagram of {} points in dimension {}\n", name, t.num_points(), t.dimension());
+std::string summary(const Triangulation& t, const VoronoiDiagram& diagram, const Seconds& seconds,
+                    const VoronoiOptions& options) {
+  std::string text = fmt::format("{}: {} of {} points in dimension {}\n", input_name(options.weighted.input.path),
+                                 options.power ? "power diagram" : "Voronoi diagram", t.num_points(), t.dimension());
   const auto line = [&](const char* what, const std::string& value) { text += fmt::format("  {:<18}{}\n", what, value); };
   line("affine dimension", fmt::format("{}{}", t.affine_dimension(),
                                        t.affine_dimension() < 0               ? " (no points)"
                                        : t.affine_dimension() < t.dimension() ? " (flat: the diagram inside the flat)"
                                                                               : ""));
-  line("regions", fmt::format("{}, {} of them unbounded ({} duplicate points)", diagram.num_regions(),
-                              diagram.num_unbounded_regions(), t.num_duplicates()));
-  line("Voronoi vertices", fmt::format("{} of {} cells", diagram.num_vertices(), t.num_finite_cells()));
+  line("regions",
+       fmt::format(
+           "{}, {} of them unbounded ({}{} duplicate points)", diagram.num_regions(), diagram.num_unbounded_regions(),
+           options.power ? fmt::format("{} hidden, ", t.num_points() - t.num_vertices() - t.num_duplicates()) : std::string(),
+           t.num_duplicates()));
+  line(options.power ? "power vertices" : "Voronoi vertices",
+       fmt::format("{} of {} cells", diagram.num_vertices(), t.num_finite_cells()));
   line("ridges", fmt::format("{}, and {} rays", diagram.num_ridges(), diagram.num_rays()));
   line("time", fmt::format("{:.3f} s (reading {:.3f}, triangulating {:.3f}, diagram {:.3f})", seconds.total, seconds.read,
                            seconds.build, seconds.diagram));
   line("peak memory", fmt::format("{:.1f} MB", static_cast<double>(peak_rss_bytes()) / 1e6));
   return text;
-}
-
-Triangulation build(const PointTable& table, const VoronoiOptions& options) {
-  ProgressBar bar(options.quiet);
-  const StageGuard guard(Stage::building);
-  Options build_options;
-  build_options.seed = options.seed;
-  build_options.progress = bar.callback();
-  return about(input_name(options.input.path),
-               [&] { return Triangulation(table.coordinates, table.dimension, build_options); });
 }
 
 /// One line per region: the row of its point, and its volume.
@@ -156,24 +156,26 @@ std::string volumes_text(const VoronoiDiagram& diagram, const std::optional<Box>
   return text;
 }
 
-int run_voronoi(const VoronoiOptions& options) {
-  if (options.stats && (options.output == "-" || options.volumes == "-"))
-    throw UsageError("--stats wants standard output for itself");
-  if (options.output == "-" && options.volumes == "-") throw UsageError("--output - and --volumes - both want standard output");
-  const auto start = Clock::now();
-  Seconds seconds;
-  PointTable table = options.input.read();
-  seconds.read = seconds_since(start);
-  check_outputs(options, table.dimension);
-  const std::optional<Box> box = chosen_box(options, table.dimension);
-
+/// The triangulation by `build`, its diagram, and what was asked for.
+template <class Build>
+int run_with(Build build, const std::optional<Box>& box, Seconds seconds, Clock::time_point start,
+             const VoronoiOptions& options) {
+  const std::string name = input_name(options.weighted.input.path);
   auto stage_start = Clock::now();
-  const Triangulation triangulation = build(table, options);
-  table = {};
+  const auto triangulation = about(name, [&] {
+    ProgressBar bar(options.quiet);
+    const StageGuard guard(Stage::building);
+    Options build_options;
+    build_options.seed = options.seed;
+    build_options.progress = bar.callback();
+    return build(build_options);
+  });
   seconds.build = seconds_since(stage_start);
 
   stage_start = Clock::now();
-  const auto diagram = about(input_name(options.input.path), [&] { return VoronoiDiagram(triangulation); });
+  using Diagram =
+      std::conditional_t<WeightedTriangulation<std::decay_t<decltype(triangulation)>>, PowerDiagram, VoronoiDiagram>;
+  const auto diagram = about(name, [&] { return Diagram(triangulation); });
   const std::string volumes = options.volumes.empty() ? "" : about(options.volumes, [&] { return volumes_text(diagram, box); });
   seconds.diagram = seconds_since(stage_start);
 
@@ -183,17 +185,46 @@ int run_voronoi(const VoronoiOptions& options) {
   seconds.write = seconds_since(stage_start);
   seconds.total = seconds_since(start);
   if (options.stats)
-    print_output(stats_json(triangulation, diagram, seconds, options.seed).dump(2) + "\n");
+    print_output(stats_json(triangulation, diagram, seconds, options).dump(2) + "\n");
   else if (options.output.empty() && options.volumes.empty())
-    print_output(summary(triangulation, diagram, seconds, input_name(options.input.path)));
+    print_output(summary(triangulation, diagram, seconds, options));
   return exit_status::ok;
 }
 
-}  // namespace
+int run_voronoi(const VoronoiOptions& options) {
+  if (options.stats && (options.output == "-" || options.volumes == "-"))
+    throw UsageError("--stats wants standard output for itself");
+  if (options.output == "-" && options.volumes == "-") throw UsageError("--output - and --volumes - both want standard output");
+  const auto start = Clock::now();
+  Seconds seconds;
+  std::vector<double> weights;
+  PointTable table = options.power ? options.weighted.read(weights) : options.weighted.input.read();
+  seconds.read = seconds_since(start);
+  check_outputs(options, table.dimension);
+  const std::optional<Box> box = chosen_box(options, table.dimension);
+  const auto taken = [&] { return std::exchange(table, PointTable{}); };  // freed after the triangulation
+  if (options.power)
+    return run_with(
+        [&](const Options& build_options) {
+          const PointTable points = taken();
+          return RegularTriangulation(points.coordinates, weights, points.dimension, build_options);
+        },
+        box, seconds, start, options);
+  return run_with(
+      [&](const Options& build_options) {
+        const PointTable points = taken();
+        return Triangulation(points.coordinates, points.dimension, build_options);
+      },
+      box, seconds, start, options);
+}
 
-Run add_voronoi(CLI::App& app) {
+Run add_diagram(CLI::App& app, bool power) {
   auto options = std::make_shared<VoronoiOptions>();
-  options->input.add_to(app, "IN", "Points: a file, or - for standard input");
+  options->power = power;
+  if (power)
+    options->weighted.add_to(app);
+  else
+    options->weighted.input.add_to(app, "IN", "Points: a file, or - for standard input");
   app.add_option("-o,--output", options->output, "Write the diagram there; without it a summary is printed")->type_name("OUT");
   app.add_option("--output-format", options->output_format, "Format of OUT, if not told by its extension")
       ->check(CLI::IsMember(voronoi_formats()));
@@ -208,5 +239,10 @@ Run add_voronoi(CLI::App& app) {
   app.add_flag("-q,--quiet", options->quiet, "No progress bar, no notes");
   return [options] { return run_voronoi(*options); };
 }
+
+}  // namespace
+
+Run add_voronoi(CLI::App& app) { return add_diagram(app, false); }
+Run add_power(CLI::App& app) { return add_diagram(app, true); }
 
 }  // namespace delone::cli

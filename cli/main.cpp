@@ -47,6 +47,8 @@ int run(int argc, char** argv) {
   add("delaunay", "Triangulate points", add_delaunay);
   add("hull", "Compute the convex hull of points, or its lower or upper part", add_hull);
   add("voronoi", "Make the Voronoi diagram of points", add_voronoi);
+  add("regular", "Triangulate weighted points", add_regular);
+  add("power", "Make the power diagram of weighted points", add_power);
   add("locate", "Triangulate points, then say where query points lie", add_locate);
   add("check", "Check a triangulation exactly, whoever made it", add_check);
   add("generate", "Make a named set of points", add_generate);

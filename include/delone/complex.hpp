@@ -20,7 +20,8 @@ struct ComplexData {
   std::vector<SignedIndex> cells;      ///< m×(k+1), point rows; positively oriented when k = d
   std::vector<SignedIndex> neighbors;  ///< m×(k+1), neighbor i is opposite vertex i; −1 beyond the hull. May be empty: unknown
   std::vector<SignedIndex>
-      vertex_of_point;  ///< n, the row each point was merged into (itself for a vertex). May be empty: unknown
+      vertex_of_point;  ///< n, the row each point was merged into (itself for a vertex; −1: hidden). May be empty: unknown
+  std::vector<double> weights{};  ///< n, of a regular triangulation; empty: points have no weights
 
   std::size_t num_points() const { return dimension < 1 ? 0 : points.size() / static_cast<std::size_t>(dimension); }
   std::size_t num_cells() const {
@@ -71,9 +72,10 @@ class Complex {
 
   Complex() = default;
   /// `links`: for each slot, k+1 vertices and then k+1 neighbors, `stride` entries from one slot to the next.
-  /// A vacant slot has invalid_index as its first vertex.
+  /// A vacant slot has invalid_index as its first vertex. `cell_of_vertex`: by vertex id, `num_vertex_slots` entries,
+  /// num_finite_vertices + 1 if that is 0; invalid_cell where there is no vertex.
   Complex(const Index* links, std::size_t stride, int dimension, Index num_slots, Index num_finite_cells,
-          Index num_infinite_cells, Index num_finite_vertices, const CellId* cell_of_vertex)
+          Index num_infinite_cells, Index num_finite_vertices, const CellId* cell_of_vertex, Index num_vertex_slots = 0)
       : links_(links),
         stride_(stride),
         dimension_(dimension),
@@ -81,23 +83,29 @@ class Complex {
         num_finite_cells_(num_finite_cells),
         num_infinite_cells_(num_infinite_cells),
         num_finite_vertices_(num_finite_vertices),
+        num_vertex_slots_(num_vertex_slots > 0 ? num_vertex_slots : num_finite_vertices + 1),
         cell_of_vertex_(cell_of_vertex) {}
 
   /// k, the dimension of the cells; −1 for the complex of no points.
   int dimension() const { return dimension_; }
-  Index num_vertices() const { return num_finite_vertices_; }  ///< finite vertices; their ids are 1 … num_vertices()
+  /// Finite vertices. Their ids are 1 … num_vertices(), unless points are hidden: these leave gaps among the ids.
+  Index num_vertices() const { return num_finite_vertices_; }
+  Index num_vertex_slots() const { return num_vertex_slots_; }  ///< size for payload arrays indexed by vertex
   Index num_finite_cells() const { return num_finite_cells_; }
   Index num_infinite_cells() const { return num_infinite_cells_; }  ///< = number of hull facets
   Index num_cells() const { return num_finite_cells_ + num_infinite_cells_; }
   Index num_cell_slots() const { return num_slots_; }  ///< size for payload arrays indexed by cell
 
   bool is_cell(CellId c) const { return delone::index(c) < num_slots_ && row(c)[0] != invalid_index; }
+  bool is_vertex(VertexId v) const { return delone::index(v) < num_vertex_slots_ && incident_cell(v) != invalid_cell; }
   bool is_infinite(CellId c) const { return infinite_index(c) >= 0; }
   bool is_infinite(VertexId v) const { return v == infinite_vertex; }
 
   CellRange cells() const;
   CellRange finite_cells() const;
   CellRange infinite_cells() const;
+  /// The finite vertices in increasing id. O(slots).
+  std::vector<VertexId> finite_vertices() const;
 
   /// Vertex i of cell c, 0 ≤ i ≤ k. Cells are coherently oriented: replacing one vertex of a cell by another point on the
   /// same side of the opposite facet keeps the orientation.
@@ -143,7 +151,7 @@ class Complex {
   const Index* links_ = nullptr;
   std::size_t stride_ = 0;
   int dimension_ = -1;
-  Index num_slots_ = 0, num_finite_cells_ = 0, num_infinite_cells_ = 0, num_finite_vertices_ = 0;
+  Index num_slots_ = 0, num_finite_cells_ = 0, num_infinite_cells_ = 0, num_finite_vertices_ = 0, num_vertex_slots_ = 0;
   const CellId* cell_of_vertex_ = nullptr;
 };
 
@@ -164,7 +172,8 @@ inline Complex::CellRange Complex::finite_cells() const { return {*this, Which::
 inline Complex::CellRange Complex::infinite_cells() const { return {*this, Which::infinite}; }
 
 /// The canonical hash of a triangulation: 128 bits that depend on the coordinates of the vertices and on the set of finite
-/// cells only; not on ids, order of insertion, seed, duplicates, or the sign of zeros. As 32 hexadecimal digits.
+/// cells only; not on ids, order of insertion, seed, duplicates, or the sign of zeros. As 32 hexadecimal digits. If vertices
+/// have different weights, it depends on these, too; on hidden points never.
 struct CanonicalHash {
   std::uint64_t high = 0, low = 0;
   friend bool operator==(const CanonicalHash&, const CanonicalHash&) = default;

@@ -65,8 +65,8 @@ struct Location {
 };
 
 struct InsertResult {
-  VertexId vertex = invalid_vertex;  ///< the vertex at that point
-  bool inserted = false;             ///< false: a duplicate of an earlier point
+  VertexId vertex = invalid_vertex;  ///< the vertex at that point; invalid_vertex if the point is hidden
+  bool inserted = false;             ///< false: a duplicate of an earlier point, or hidden
 };
 
 /// The Delaunay triangulation of points in R^d, d chosen at run time.
@@ -99,9 +99,10 @@ class Triangulation {
 
   int dimension() const;           ///< d
   int affine_dimension() const;    ///< k ≤ d; 0 for one distinct point, −1 for none
-  std::size_t num_points() const;  ///< rows inserted, duplicates included
-  Index num_vertices() const;      ///< distinct points
-  std::size_t num_duplicates() const { return num_points() - num_vertices(); }
+  std::size_t num_points() const;  ///< rows inserted, duplicates and hidden points included
+  std::size_t num_rows() const;    ///< rows known: after a cancellation some of them are not inserted
+  Index num_vertices() const;      ///< distinct points that are not hidden
+  std::size_t num_duplicates() const;
   Index num_finite_cells() const { return complex().num_finite_cells(); }
   Index num_infinite_cells() const { return complex().num_infinite_cells(); }
 
@@ -116,7 +117,7 @@ class Triangulation {
   std::span<const double> point(VertexId v) const;
   /// The first input row at a finite vertex.
   std::size_t row_of(VertexId v) const;
-  /// The vertex at an input row.
+  /// The vertex at an input row, row < num_rows(); invalid_vertex for a row that was not inserted, or is hidden.
   VertexId vertex_at(std::size_t row) const;
   /// The k coordinate axes onto which the affine hull projects one-to-one, increasing; all d axes when k = d.
   std::vector<int> axes() const;
@@ -135,10 +136,38 @@ class Triangulation {
   CanonicalHash hash() const;
   Statistics statistics() const;
 
- private:
+ protected:
   struct Impl;
+  explicit Triangulation(std::unique_ptr<Impl> impl);
+  Impl& impl() { return *impl_; }
+  const Impl& impl() const { return *impl_; }
+
+ private:
   std::unique_ptr<Impl> impl_;
 };
+
+namespace detail {
+
+/// A class of the size of D doubles that, if it names its entries' type, holds doubles.
+template <int D, class Element>
+constexpr bool is_point() {
+  if constexpr (requires { typename Element::value_type; })
+    return sizeof(Element) == D * sizeof(double) && std::same_as<typename Element::value_type, double>;
+  else
+    return sizeof(Element) == D * sizeof(double) && std::is_class_v<Element>;
+}
+
+/// The coordinates of a contiguous range of points of D doubles each, or of doubles.
+template <int D, class Range>
+std::span<const double> as_coordinates(const Range& points) {
+  using Element = std::remove_cv_t<std::ranges::range_value_t<Range>>;
+  static_assert(std::same_as<Element, double> || is_point<D, Element>(),
+                "a point must be D contiguous doubles, such as std::array<double, D>");
+  return {reinterpret_cast<const double*>(std::ranges::data(points)),
+          std::ranges::size(points) * sizeof(Element) / sizeof(double)};
+}
+
+}  // namespace detail
 
 /// The Delaunay triangulation of points in R^D. Compiled for D = 1…8; larger D uses the run-time-dimension engine.
 template <int D>
@@ -153,30 +182,11 @@ class Delaunay : public Triangulation {
   template <std::ranges::contiguous_range Range>
   requires std::ranges::sized_range<Range> &&
       (!std::same_as<std::remove_cvref_t<Range>, Delaunay>)explicit Delaunay(const Range& points, const Options& options = {})
-      : Triangulation(as_coordinates(points), D, options) {}
+      : Triangulation(detail::as_coordinates<D>(points), D, options) {}
 
   template <std::ranges::contiguous_range Range>
   requires std::ranges::sized_range<Range>
-  void insert_range(const Range& points) { Triangulation::insert_range(as_coordinates(points)); }
-
- private:
-  /// A class of the size of D doubles that, if it names its entries' type, holds doubles.
-  template <class Element>
-  static constexpr bool is_point() {
-    if constexpr (requires { typename Element::value_type; })
-      return sizeof(Element) == D * sizeof(double) && std::same_as<typename Element::value_type, double>;
-    else
-      return sizeof(Element) == D * sizeof(double) && std::is_class_v<Element>;
-  }
-
-  template <class Range>
-  static std::span<const double> as_coordinates(const Range& points) {
-    using Element = std::remove_cv_t<std::ranges::range_value_t<Range>>;
-    static_assert(std::same_as<Element, double> || is_point<Element>(),
-                  "a point must be D contiguous doubles, such as std::array<double, D>");
-    return {reinterpret_cast<const double*>(std::ranges::data(points)),
-            std::ranges::size(points) * sizeof(Element) / sizeof(double)};
-  }
+  void insert_range(const Range& points) { Triangulation::insert_range(detail::as_coordinates<D>(points)); }
 };
 
 }  // namespace delone

@@ -12,5 +12,6 @@
 #include <delone/lower_hull.hpp>
 #include <delone/point_sets.hpp>
 #include <delone/predicates.hpp>
+#include <delone/regular.hpp>
 #include <delone/types.hpp>
 #include <delone/voronoi.hpp>

@@ -35,16 +35,44 @@ void add_distinct(const std::vector<front_ends::PointTag>& tags, front_ends::Has
   }
 }
 
+/// Tags of points with weights. Hidden points have no part in the hash, nor have weights if those of the vertices are all
+/// equal.
+std::vector<front_ends::PointTag> weighted_tags(const ComplexData& data, front_ends::HashAccumulator& hash) {
+  const std::size_t n = data.num_points(), d = static_cast<std::size_t>(data.dimension);
+  if (data.weights.size() != n)
+    throw Error(Errc::invalid_argument, "delone::canonical_hash: " + std::to_string(data.weights.size()) + " weights for " +
+                                            std::to_string(n) + " points");
+  std::vector<std::size_t> vertices;
+  for (const SignedIndex row : data.cells)
+    if (row >= 0 && static_cast<std::size_t>(row) < n) vertices.push_back(static_cast<std::size_t>(row));
+  std::sort(vertices.begin(), vertices.end());
+  vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
+  const bool weights_differ = std::any_of(vertices.begin(), vertices.end(),
+                                          [&](std::size_t row) { return data.weights[row] != data.weights[vertices.front()]; });
+  std::vector<front_ends::PointTag> tags(n);
+  std::vector<double> point(d + 1);
+  for (const std::size_t row : vertices) {
+    std::copy_n(data.points.begin() + static_cast<std::ptrdiff_t>(row * d), d, point.begin());
+    point[d] = data.weights[row];
+    tags[row] = front_ends::point_tag(point.data(), data.dimension + (weights_differ ? 1 : 0));
+    hash.add_vertex(tags[row]);
+  }
+  return tags;
+}
+
 }  // namespace
 
 CanonicalHash canonical_hash(const ComplexData& data) {
   const std::size_t n = data.num_points();
   std::vector<front_ends::PointTag> tags(n);
-  for (std::size_t row = 0; row < n; ++row)
-    tags[row] = front_ends::point_tag(data.points.data() + row * static_cast<std::size_t>(data.dimension), data.dimension);
-
   front_ends::HashAccumulator hash;
-  add_distinct(tags, hash);
+  if (data.weights.empty()) {
+    for (std::size_t row = 0; row < n; ++row)
+      tags[row] = front_ends::point_tag(data.points.data() + row * static_cast<std::size_t>(data.dimension), data.dimension);
+    add_distinct(tags, hash);
+  } else {
+    tags = weighted_tags(data, hash);
+  }
   const std::size_t corners = static_cast<std::size_t>(data.affine_dimension + 1);
   for (std::size_t cell = 0; cell < data.num_cells(); ++cell) {
     front_ends::PointTag sum;

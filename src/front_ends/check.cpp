@@ -41,11 +41,16 @@ void check_storage(const ComplexData& data) {
   if (!data.vertex_of_point.empty() && data.vertex_of_point.size() != n)
     throw Violation{fmt::format("{} entries in vertex_of_point for {} points", data.vertex_of_point.size(), n), {}, {}};
 
+  if (!data.weights.empty() && data.weights.size() != n)
+    throw Violation{fmt::format("{} weights for {} points", data.weights.size(), n), {}, {}};
+
   for (std::size_t i = 0; i < data.points.size(); ++i)
     if (!std::isfinite(data.points[i])) {
       const std::size_t row = i / static_cast<std::size_t>(d);
       throw Violation{fmt::format("point {} has a coordinate that is not finite", row), {}, {row}};
     }
+  for (std::size_t row = 0; row < data.weights.size(); ++row)
+    if (!std::isfinite(data.weights[row])) throw Violation{fmt::format("the weight of point {} is not finite", row), {}, {row}};
   const std::size_t m = data.num_cells();
   std::vector<SignedIndex> sorted(corners);
   for (std::size_t c = 0; c < m; ++c) {
@@ -66,7 +71,8 @@ void check_storage(const ComplexData& data) {
           {i / corners},
           {}};
   for (std::size_t row = 0; row < data.vertex_of_point.size(); ++row)
-    if (data.vertex_of_point[row] < 0 || static_cast<std::size_t>(data.vertex_of_point[row]) >= n)
+    if (data.vertex_of_point[row] < (data.weights.empty() ? 0 : -1) ||
+        (data.vertex_of_point[row] >= 0 && static_cast<std::size_t>(data.vertex_of_point[row]) >= n))
       throw Violation{
           fmt::format("vertex_of_point sends point {} to row {}, but there are {} points", row, data.vertex_of_point[row], n),
           {},
@@ -75,9 +81,21 @@ void check_storage(const ComplexData& data) {
 
 namespace {
 
+/// Each point followed by its weight; nothing where points have none.
+std::vector<double> weighted_rows(const ComplexData& data) {
+  std::vector<double> rows;
+  const auto d = static_cast<std::ptrdiff_t>(data.dimension);
+  for (std::size_t row = 0; row < data.weights.size(); ++row) {
+    const auto point = data.points.begin() + static_cast<std::ptrdiff_t>(row) * d;
+    rows.insert(rows.end(), point, point + d);
+    rows.push_back(data.weights[row]);
+  }
+  return rows;
+}
+
 bool equal_points(const Examined& examined, std::size_t a, std::size_t b) {
   const double* p = examined.point(static_cast<SignedIndex>(a));
-  return std::equal(p, p + examined.data.dimension, examined.point(static_cast<SignedIndex>(b)));
+  return std::equal(p, p + examined.row_size(), examined.point(static_cast<SignedIndex>(b)));
 }
 
 // For each row a vertex row with equal coordinates, or −1 where there is none.
@@ -86,7 +104,8 @@ std::vector<SignedIndex> derived_vertices(const Examined& examined, const std::v
   std::vector<std::size_t> table(capacity, n);
   std::vector<SignedIndex> vertex_of_point(n, -1);
   const auto place_of = [&](std::size_t row) {
-    std::size_t place = point_tag(examined.point(static_cast<SignedIndex>(row)), examined.data.dimension).low & (capacity - 1);
+    std::size_t place =
+        point_tag(examined.point(static_cast<SignedIndex>(row)), static_cast<int>(examined.row_size())).low & (capacity - 1);
     while (table[place] != n && !equal_points(examined, table[place], row)) place = (place + 1) & (capacity - 1);
     return place;
   };
@@ -108,7 +127,7 @@ std::vector<SignedIndex> derived_vertices(const Examined& examined, const std::v
 
 }  // namespace
 
-void check_completeness(const Examined& examined) {
+void check_completeness(const Examined& examined, const Volumes& volumes, bool canonical) {
   const ComplexData& data = examined.data;
   const std::size_t n = data.num_points();
   std::vector<bool> is_vertex(n, false);
@@ -117,8 +136,14 @@ void check_completeness(const Examined& examined) {
   const bool derive = data.vertex_of_point.empty();
   const std::vector<SignedIndex> derived = derive ? derived_vertices(examined, is_vertex) : std::vector<SignedIndex>{};
   const std::vector<SignedIndex>& vertex_of_point = derive ? derived : data.vertex_of_point;
+  std::vector<std::size_t> hidden;
   for (std::size_t row = 0; row < n; ++row) {
     const SignedIndex vertex = vertex_of_point[row];
+    if (vertex < 0 && examined.weighted()) {
+      if (is_vertex[row]) throw Violation{fmt::format("point {} is a vertex of a cell, but hidden", row), {}, {row}};
+      hidden.push_back(row);
+      continue;
+    }
     if (vertex < 0) throw Violation{fmt::format("point {} is neither a vertex of a cell nor equal to one", row), {}, {row}};
     const auto at = static_cast<std::size_t>(vertex);
     if (!is_vertex[at])
@@ -144,6 +169,7 @@ void check_completeness(const Examined& examined) {
         fmt::format("the affine dimension is given as {}, but the points span {}", data.affine_dimension, hull.dimension()),
         {},
         {}};
+  check_hidden(examined, volumes, hidden, canonical);
 }
 
 }  // namespace front_ends
@@ -162,6 +188,7 @@ CheckReport check(const ComplexData& data, const CheckOptions& options) {
       switch (report.reached) {
         case CheckLevel::storage:
           check_storage(data);
+          examined.weighted_rows = weighted_rows(data);
           break;
         case CheckLevel::incidence:
           check_incidence(examined, options.oriented);
@@ -176,7 +203,7 @@ CheckReport check(const ComplexData& data, const CheckOptions& options) {
           report.ties = check_local_convexity(examined, *volumes, options.canonical);
           break;
         case CheckLevel::completeness:
-          check_completeness(examined);
+          check_completeness(examined, volumes.value_or(Volumes{}), options.canonical);
           break;
       }
     }

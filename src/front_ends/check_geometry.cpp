@@ -17,11 +17,14 @@
 // perturbed sign at inner facets and for nothing at the hull.
 #include "front_ends/check_stages.hpp"
 #include "kernel/predicates.hpp"
+#include "random.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <numeric>
+#include <tuple>
+#include <utility>
 
 namespace delone::front_ends {
 
@@ -31,7 +34,7 @@ namespace {
 class Geometry {
  public:
   Geometry(const Examined& examined, const std::vector<int>& axes)
-      : examined_(examined), flat_{examined.data.dimension, axes}, points_(examined.corners) {}
+      : examined_(examined), flat_{examined.data.dimension, axes, examined.form()}, points_(examined.corners) {}
 
   // The orientation of cell c.
   Sign orientation(std::size_t c) {
@@ -211,7 +214,53 @@ void check_covered_once(const Examined& examined, const Volumes& volumes, Geomet
   }
 }
 
+/// The cell whose closed simplex has the point, by a walk; or the one behind the hull facet that the point is beyond. Facets
+/// are tried from a random one on: such a walk ends with probability 1 in any triangulation (Devillers, Pion, Teillaud,
+/// "Walking in a triangulation", doi:10.1142/S0129054102001047).
+std::pair<std::size_t, bool> find_cell(const Examined& examined, const Volumes& volumes, Geometry& geometry, SignedIndex row,
+                                       std::size_t start, std::uint64_t& random) {
+  for (std::size_t c = start;;) {
+    const std::size_t corners = examined.corners, first = (random = random::mix(random + 1)) % corners;
+    std::size_t step = 0;
+    while (step < corners && geometry.orientation(c, (first + step) % corners, row) != -volumes.orientation[c]) ++step;
+    if (step == corners) return {c, true};
+    const SignedIndex across = examined.neighbors[c * corners + (first + step) % corners];
+    if (across < 0) return {c, false};
+    c = static_cast<std::size_t>(across);
+  }
+}
+
 }  // namespace
+
+void check_hidden(const Examined& examined, const Volumes& volumes, std::span<const std::size_t> rows, bool canonical) {
+  Geometry geometry(examined, volumes.axes);
+  std::uint64_t random = 0;
+  std::size_t c = 0;
+  for (const std::size_t at : rows) {
+    const auto row = static_cast<SignedIndex>(at);
+    if (examined.corners > 1) {
+      bool found;
+      std::tie(c, found) = find_cell(examined, volumes, geometry, row, c, random);
+      if (!found)
+        throw Violation{fmt::format("point {} is no vertex, but outside the hull: beyond a facet of cell {} {}", at, c,
+                                    braces(examined.cell(c))),
+                        {c},
+                        {at}};
+    }
+    for (const SignedIndex vertex : examined.cell(c))
+      if (std::equal(examined.point(row), examined.point(row) + examined.row_size(), examined.point(vertex)))
+        throw Violation{fmt::format("point {} is given as hidden, but equal to the vertex {}", at, vertex),
+                        {c},
+                        {at, static_cast<std::size_t>(vertex)}};
+    const Sign sign = canonical ? geometry.in_sphere_perturbed(c, volumes.orientation[c], row)
+                                : geometry.in_sphere(c, volumes.orientation[c], row);
+    if (sign == Sign::negative)
+      throw Violation{fmt::format("point {} is given as hidden, but in conflict with cell {} {}{}", at, c,
+                                  braces(examined.cell(c)), canonical ? ", ties perturbed" : ""),
+                      {c},
+                      {at}};
+  }
+}
 
 std::size_t check_local_convexity(const Examined& examined, const Volumes& volumes, bool canonical) {
   if (examined.corners == 1) return 0;

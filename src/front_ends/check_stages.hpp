@@ -3,6 +3,8 @@
 // check() turns it into a report, so no stage has to thread a result through its loops.
 #pragma once
 
+#include "kernel/flat.hpp"
+
 #include <delone/check.hpp>
 #include <delone/complex.hpp>
 
@@ -23,6 +25,8 @@ struct Violation {
 struct Examined {
   const ComplexData& data;
   std::size_t corners;  ///< k+1, vertices of a cell
+  /// For weighted points: each point and then its weight. Filled after level 1.
+  std::vector<double> weighted_rows{};
 
   /// Filled by level 2, from the cells alone: m×(k+1), −1 beyond the hull.
   std::vector<SignedIndex> neighbors{};
@@ -35,8 +39,12 @@ struct Examined {
   std::span<const SignedIndex> hull_facet(std::size_t h) const {
     return {hull_vertices.data() + h * (corners - 1), corners - 1};
   }
+  bool weighted() const { return !data.weights.empty(); }
+  kernel::RowForm form() const { return weighted() ? kernel::RowForm::weighted_point : kernel::RowForm::point; }
+  std::size_t row_size() const { return static_cast<std::size_t>(data.dimension) + (weighted() ? 1 : 0); }
+  /// The coordinates of a point, and its weight if it has one.
   const double* point(SignedIndex row) const {
-    return data.points.data() + static_cast<std::size_t>(row) * static_cast<std::size_t>(data.dimension);
+    return (weighted() ? weighted_rows : data.points).data() + static_cast<std::size_t>(row) * row_size();
   }
 };
 
@@ -69,6 +77,9 @@ void check_incidence(Examined& examined, bool oriented);
 void check_sphere(Examined& examined);
 Volumes check_volume(const Examined& examined, bool oriented);
 std::size_t check_local_convexity(const Examined& examined, const Volumes& volumes, bool canonical);  // returns the ties
-void check_completeness(const Examined& examined);
+/// Points that are no vertices nor equal to one must be hidden, if there are weights: in the closed simplex of a cell that is
+/// not in conflict with them.
+void check_hidden(const Examined& examined, const Volumes& volumes, std::span<const std::size_t> rows, bool canonical);
+void check_completeness(const Examined& examined, const Volumes& volumes, bool canonical);
 
 }  // namespace delone::front_ends

@@ -58,6 +58,14 @@ std::vector<CellId> Complex::neighbors(CellId c) const {
   return result;
 }
 
+std::vector<VertexId> Complex::finite_vertices() const {
+  std::vector<VertexId> result;
+  result.reserve(num_finite_vertices_);
+  for (Index v = 1; v < num_vertex_slots_; ++v)
+    if (is_vertex(VertexId{v})) result.push_back(VertexId{v});
+  return result;
+}
+
 int Complex::mirror_index(CellId c, int i) const {
   // Two cells of a simplicial sphere share at most one facet, so the neighbor that is c is found once.
   const CellId other = neighbor(c, i);
@@ -155,7 +163,7 @@ std::vector<VertexId> Complex::faces(int j) const {
   };
 
   // Faces are first spread over their lowest vertices; what is left to sort is small and close together in memory.
-  std::vector<std::size_t> end_of(static_cast<std::size_t>(num_finite_vertices_) + 2, 0);
+  std::vector<std::size_t> end_of(static_cast<std::size_t>(num_vertex_slots_) + 1, 0);
   for_each_face([&](const std::vector<VertexId>& face) { ++end_of[index(face[0]) + 1]; });
   for (std::size_t v = 1; v < end_of.size(); ++v) end_of[v] += end_of[v - 1];
   std::vector<VertexId> rest(end_of.back() * width);

@@ -16,18 +16,20 @@
 
 namespace delone {
 
-/// The points of the vertices, which the hull reads: d coordinates each, by vertex id; vertex 0 is a dummy.
+/// The points of the vertices, which the hull reads: d coordinates each, and then the weight if points have one, by vertex id;
+/// vertex 0 is a dummy.
 struct VertexPoints {
-  explicit VertexPoints(int dimension)
-      : ambient(dimension), coordinates(static_cast<std::size_t>(dimension), 0.0), grid(dimension) {}
+  VertexPoints(int dimension, bool has_weights)
+      : ambient(dimension), weighted(has_weights), coordinates(row_size(), 0.0), grid(dimension, has_weights) {}
   int ambient;
+  bool weighted;
   std::vector<double> coordinates;
   kernel::Grid grid;
 
-  Index num_vertices() const { return static_cast<Index>(coordinates.size() / static_cast<std::size_t>(ambient)) - 1; }
-  const double* point(Index v) const {
-    return coordinates.data() + static_cast<std::size_t>(v) * static_cast<std::size_t>(ambient);
-  }
+  std::size_t row_size() const { return static_cast<std::size_t>(ambient) + (weighted ? 1 : 0); }
+  /// The largest vertex id; of weighted points some vertices may have no cell.
+  Index last_vertex() const { return static_cast<Index>(coordinates.size() / row_size()) - 1; }
+  const double* point(Index v) const { return coordinates.data() + static_cast<std::size_t>(v) * row_size(); }
 };
 
 /// Where a query lies: the cell the walk ended in, and for a finite one the slots of the smallest face that contains it.
@@ -37,7 +39,7 @@ struct HullLocation {
   std::vector<VertexId> face;
 };
 
-/// A Delaunay triangulation of points that span a k-flat, 1 ≤ k ≤ d.
+/// A Delaunay or regular triangulation of points that span a k-flat, 1 ≤ k ≤ d.
 class Hull {
  public:
   virtual ~Hull() = default;
@@ -52,16 +54,21 @@ class Hull {
   virtual void set_frame(geometry::Frame frame) = 0;
 
   /// Inserts vertex v, starting at cell `start` or, if that is invalid, where the last insertion ended. Returns v, or the
-  /// vertex that is at the same point.
+  /// vertex that is at the same point with the same weight, or invalid_index if v is hidden.
   virtual Index insert(Index v, Index start) = 0;
   /// The facets that the cells of the last insertion were made from.
   virtual std::span<const HorizonFacet> star() const = 0;
+  /// Whether insertions find out which vertices lose all their cells. At first they do not: it costs.
+  virtual void track_swallowed(bool wanted) = 0;
+  /// The vertices that the last insertion took all cells from, if that was tracked.
+  virtual std::span<const Index> swallowed() const = 0;
 
+  /// A query has a weight where points have one; where it lies depends on its coordinates only.
   virtual HullLocation locate(const double* query, Index start) const = 0;
   virtual std::vector<CellId> conflict_zone(const double* query, Index start) const = 0;
   virtual Sign in_sphere(Index cell, const double* query) const = 0;
 
-  virtual Complex complex(Index num_vertices, const CellId* cell_of_vertex) const = 0;
+  virtual Complex complex(Index num_vertices, std::span<const CellId> cell_of_vertex) const = 0;
   virtual const engine::Effort& effort() const = 0;
   virtual std::size_t bytes() const = 0;
 };

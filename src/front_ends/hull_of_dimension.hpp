@@ -28,7 +28,7 @@ class HullOfDimension final : public Hull {
         effort_(effort) {}
 
   void seed(std::span<const Index> vertices) override {
-    geometry_.set_rows(points_.num_vertices());
+    geometry_.set_rows(points_.last_vertex());
     std::vector<Index> oriented(vertices.begin(), vertices.end());
     if (geometry_.orientation(oriented.data()) == Sign::negative) std::swap(oriented[0], oriented[1]);
     engine::seed(cells_, geometry_, oriented);
@@ -37,7 +37,7 @@ class HullOfDimension final : public Hull {
   }
 
   void jump(const Complex& old, Index q) override {
-    geometry_.set_rows(points_.num_vertices());
+    geometry_.set_rows(points_.last_vertex());
     const CellId finite = *old.finite_cells().begin();
     std::vector<Index> simplex;
     for (int i = 0; i <= old.dimension(); ++i) simplex.push_back(index(old.vertex(finite, i)));
@@ -49,7 +49,7 @@ class HullOfDimension final : public Hull {
 
   const geometry::Frame& frame() const override { return geometry_.frame(); }
   void set_frame(geometry::Frame frame) override {
-    geometry_.set_frame(std::move(frame), points_.num_vertices());
+    geometry_.set_frame(std::move(frame), points_.last_vertex());
     for (Index cell = 0; cell < cells_.num_slots(); ++cell) {
       if (cells_.is_vacant(cell)) continue;
       const int infinite_slot = cells_.infinite_slot(cell);
@@ -65,15 +65,20 @@ class HullOfDimension final : public Hull {
       for (std::size_t i = 0; i < work_.zone.num_cells; ++i)
         num_infinite_ -= geometry_.is_infinite(work_.zone.cells[i]) ? 1 : 0;
       last_ = work_.star().back().created;
+    } else {
+      last_ = work_.last_cell;
     }
     return at;
   }
   std::span<const HorizonFacet> star() const override { return work_.star(); }
+  void track_swallowed(bool wanted) override { work_.tracks_swallowed = wanted; }
+  std::span<const Index> swallowed() const override { return work_.swallowed; }
 
   HullLocation locate(const double* query, Index start) const override {
     StageCounts uncounted;
     const kernel::Grid grid = grid_with(query);
-    const Query q = geometry_.make_query(query, grid);
+    Query q = geometry_.make_query(query, grid);
+    q.compared = points_.ambient;
     const Index near = engine::descend(cells_, geometry_, q, start == invalid_index ? last_ : start).second.cell;
     const engine::WalkResult found = engine::walk_exactly(cells_, geometry_, q, near, false, uncounted);
     HullLocation location{found.cell, cells_.infinite_slot(found.cell) >= 0, {}};
@@ -92,7 +97,7 @@ class HullOfDimension final : public Hull {
     const kernel::Grid grid = grid_with(query);
     const Query q = geometry_.make_query(query, grid);
     const engine::WalkResult found = engine::locate(cells_, geometry_, q, start == invalid_index ? last_ : start, uncounted);
-    if (found.vertex != invalid_index) return {};
+    if (found.vertex != invalid_index || found.hidden) return {};
     std::unordered_map<Index, Mark> marks;
     engine::ConflictZone zone;
     engine::find_conflict_zone(cells_, geometry_, q, found.cell, engine::SeparateMarks(marks), zone, uncounted);
@@ -106,9 +111,16 @@ class HullOfDimension final : public Hull {
     return geometry_.unperturbed_side(cells_.vertices(cell), geometry_.make_query(query, grid));
   }
 
-  Complex complex(Index num_vertices, const CellId* cell_of_vertex) const override {
-    return {cells_.vertices(0), cells_.stride(), cells_.dimension(), cells_.num_slots(), cells_.num_cells() - num_infinite_,
-            num_infinite_,      num_vertices,    cell_of_vertex};
+  Complex complex(Index num_vertices, std::span<const CellId> cell_of_vertex) const override {
+    return {cells_.vertices(0),
+            cells_.stride(),
+            cells_.dimension(),
+            cells_.num_slots(),
+            cells_.num_cells() - num_infinite_,
+            num_infinite_,
+            num_vertices,
+            cell_of_vertex.data(),
+            static_cast<Index>(cell_of_vertex.size())};
   }
   const engine::Effort& effort() const override { return effort_; }
   std::size_t bytes() const override { return cells_.bytes(); }

@@ -22,13 +22,36 @@ VoronoiBuilder::VoronoiBuilder(const Triangulation& triangulation, const std::fu
       d_(static_cast<std::size_t>(triangulation.dimension())),
       axes_(triangulation.axes()) {}
 
-void VoronoiBuilder::collect_sites() {
-  for (const CellId c : complex_.finite_cells())
-    for (int i = 0; i <= k_; ++i) {
-      const Index v = index(complex_.vertex(c, i));
-      if (v >= row_of_vertex_.size()) row_of_vertex_.resize(v + 1, -1);
-      row_of_vertex_[v] = 0;
+void VoronoiBuilder::sort_cells() {
+  row_of_vertex_.resize(1, -1);
+  if (k_ < 0) return;
+  std::vector<Index> next(2, 0);
+  vertex_of_cell_.assign(complex_.num_cell_slots(), -1);
+  for (const CellId c : complex_.finite_cells()) {
+    Index largest = 0;
+    for (int i = 0; i <= k_; ++i) largest = std::max(largest, index(complex_.vertex(c, i)));
+    if (largest >= row_of_vertex_.size()) {
+      row_of_vertex_.resize(largest + 1, -1);
+      next.resize(largest + 2, 0);
     }
+    for (int i = 0; i <= k_; ++i) row_of_vertex_[index(complex_.vertex(c, i))] = 0;
+    vertex_of_cell_[index(c)] = static_cast<SignedIndex>(largest);
+    ++next[largest + 1];
+  }
+  std::partial_sum(next.begin(), next.end(), next.begin());
+  cells_.resize(complex_.num_finite_cells());
+  for (Index slot = 0; slot < vertex_of_cell_.size(); ++slot) {
+    if (vertex_of_cell_[slot] < 0) continue;
+    const Index place = next[static_cast<std::size_t>(vertex_of_cell_[slot])]++;
+    cells_[place] = CellId{slot};
+    vertex_of_cell_[slot] = static_cast<SignedIndex>(place);
+  }
+  corners_.reserve(cells_.size() * static_cast<std::size_t>(k_ + 1));
+  for (const CellId c : cells_)
+    for (int i = 0; i <= k_; ++i) corners_.push_back(complex_.vertex(c, i));
+}
+
+void VoronoiBuilder::collect_sites() {
   region_of_vertex_.assign(row_of_vertex_.size(), -1);
   coordinates_.resize(row_of_vertex_.size() * d_);
   if (weight_) weights_.resize(row_of_vertex_.size());
@@ -58,24 +81,6 @@ void VoronoiBuilder::collect_sites() {
   }
 }
 
-void VoronoiBuilder::sort_cells() {
-  if (k_ < 0) return;
-  std::vector<Index> next(row_of_vertex_.size() + 1, 0);
-  const auto largest_vertex = [&](CellId c) {
-    Index largest = 0;
-    for (int i = 0; i <= k_; ++i) largest = std::max(largest, index(complex_.vertex(c, i)));
-    return largest;
-  };
-  for (const CellId c : complex_.cells()) ++next[largest_vertex(c) + 1];
-  std::partial_sum(next.begin(), next.end(), next.begin());
-  cells_.resize(complex_.num_cells());
-  for (const CellId c : complex_.cells()) cells_[next[largest_vertex(c)]++] = c;
-  vertex_of_cell_.assign(complex_.num_cell_slots(), -1);
-  SignedIndex count = 0;
-  for (const CellId c : cells_)
-    if (!complex_.is_infinite(c)) vertex_of_cell_[index(c)] = count++;
-}
-
 void VoronoiBuilder::find_centers() {
   if (k_ < 1) return;
   bool aligned = true;
@@ -85,33 +90,38 @@ void VoronoiBuilder::find_centers() {
   }
   front_ends::CenterFinder finder(triangulation_.dimension(), axes_, aligned);
   const auto corners = static_cast<std::size_t>(k_) + 1;
-  std::vector<const double*> points(corners);
-  std::vector<double> weights(corners);
-  centers_.resize(complex_.num_finite_cells() * d_);
-  double* center = centers_.data();
-  for (const CellId c : cells_) {
-    if (vertex_of_cell_[index(c)] < 0) continue;
-    for (std::size_t i = 0; i < corners; ++i) {
-      const VertexId v = complex_.vertex(c, static_cast<int>(i));
-      points[i] = point(v);
-      if (weight_) weights[i] = weights_[index(v)];
-    }
-    finder.find(points.data(), weight_ ? weights.data() : nullptr, center);
-    center += d_;
+  constexpr std::size_t block = front_ends::CenterFinder::block;
+  std::vector<const double*> points(corners * block);
+  std::vector<double> weights(weight_ ? corners * block : 0);
+  centers_.resize(cells_.size() * d_);
+  for (std::size_t first = 0; first < cells_.size(); first += block) {
+    const std::size_t count = std::min(block, cells_.size() - first);
+    for (std::size_t cell = 0; cell < count; ++cell)
+      for (std::size_t i = 0; i < corners; ++i) {
+        const VertexId v = corners_[(first + cell) * corners + i];
+        points[cell * corners + i] = point(v);
+        if (weight_) weights[cell * corners + i] = weights_[index(v)];
+      }
+    finder.find_block(count, points.data(), weight_ ? weights.data() : nullptr, centers_.data() + first * d_);
   }
 }
 
 Index VoronoiBuilder::root(Index cell) {
+  if (!has_merged_) return cell;
   while (parent_[cell] != cell) cell = parent_[cell] = parent_[parent_[cell]];
   return cell;
 }
 
 /// The smaller slot becomes the root.
 void VoronoiBuilder::unite(Index a, Index b) {
+  if (!has_merged_) {
+    parent_.resize(complex_.num_cell_slots());
+    std::iota(parent_.begin(), parent_.end(), Index{0});
+    has_merged_ = true;
+  }
   a = root(a);
   b = root(b);
   parent_[std::max(a, b)] = std::min(a, b);
-  has_merged_ = true;
 }
 
 bool VoronoiBuilder::is_on_sphere(CellId cell, VertexId v) const {
@@ -127,15 +137,15 @@ bool VoronoiBuilder::is_on_sphere(CellId cell, VertexId v) const {
 }
 
 void VoronoiBuilder::merge_finite_cells() {
-  parent_.resize(complex_.num_cell_slots());
-  std::iota(parent_.begin(), parent_.end(), Index{0});
   if (k_ < 2) return;
-  for (const CellId c : cells_) {
-    if (vertex_of_cell_[index(c)] < 0) continue;
+  for (std::size_t place = 0; place < cells_.size(); ++place) {
+    const CellId c = cells_[place];
+    const double* here = centers_.data() + place * d_;
     for (int i = 0; i <= k_; ++i) {
       const CellId other = complex_.neighbor(c, i);
-      if (index(other) < index(c) || vertex_of_cell_[index(other)] < 0) continue;
-      if (!std::equal(center(c), center(c) + d_, center(other)) || root(index(c)) == root(index(other))) continue;
+      const SignedIndex there = vertex_of_cell_[index(other)];
+      if (there < 0 || static_cast<std::size_t>(there) > place || !std::equal(here, here + d_, center(other))) continue;
+      if (root(index(c)) == root(index(other))) continue;
       if (is_on_sphere(c, complex_.vertex(other, complex_.mirror_index(c, i)))) unite(index(c), index(other));
     }
   }
@@ -163,62 +173,73 @@ void VoronoiBuilder::merge_infinite_cells() {
 
 /// Centres move to the number of their vertex, which is at most their place.
 void VoronoiBuilder::number_vertices() {
-  if (k_ < 1) return;
-  std::vector<SignedIndex> number_of_root(has_merged_ ? complex_.num_cell_slots() : 0, -1);
-  SignedIndex count = 0;
-  for (const CellId c : cells_) {
-    SignedIndex& vertex = vertex_of_cell_[index(c)];
-    if (vertex < 0) continue;
-    SignedIndex* number = has_merged_ ? &number_of_root[root(index(c))] : nullptr;
-    if (number != nullptr && *number >= 0) {
-      vertex = *number;
-      continue;
+  if (has_merged_) {
+    std::vector<SignedIndex> number_of_root(complex_.num_cell_slots(), -1);
+    SignedIndex count = 0;
+    for (const CellId c : cells_) {
+      SignedIndex& number = number_of_root[root(index(c))];
+      if (number < 0) {
+        std::copy_n(center(c), d_, centers_.data() + static_cast<std::size_t>(count) * d_);
+        number = count++;
+      }
+      vertex_of_cell_[index(c)] = number;
     }
-    std::copy_n(center(c), d_, centers_.data() + static_cast<std::size_t>(count) * d_);
-    vertex = count++;
-    if (number != nullptr) *number = vertex;
+    centers_.resize(static_cast<std::size_t>(count) * d_);
+    centers_.shrink_to_fit();
   }
-  centers_.resize(static_cast<std::size_t>(count) * d_);
   out_.vertices_ = std::move(centers_);
-  if (has_merged_) out_.vertices_.shrink_to_fit();
 }
 
-void VoronoiBuilder::collect_regions() {
+void VoronoiBuilder::collect_stars() {
   const std::size_t num_regions = site_of_region_.size();
   out_.bounded_.assign(num_regions, k_ > 0 ? 1 : 0);
   for (const CellId c : complex_.infinite_cells())
     for (int i = 0; i <= k_; ++i)
       if (complex_.vertex(c, i) != infinite_vertex)
         out_.bounded_[static_cast<std::size_t>(region_of(complex_.vertex(c, i)))] = 0;
-  out_.region_offsets_.reserve(num_regions + 1);
+  if (k_ == 2) return;
+  auto& offsets = out_.region_offsets_;
+  offsets.assign(num_regions + 1, 0);
+  const auto for_each_corner = [&](auto&& visit) {
+    const VertexId* corner = corners_.data();
+    for (std::size_t place = 0; k_ > 0 && place < cells_.size(); ++place)
+      for (int i = 0; i <= k_; ++i) visit(static_cast<std::size_t>(region_of(*corner++)), static_cast<SignedIndex>(place));
+  };
+  for_each_corner([&](std::size_t r, SignedIndex) { ++offsets[r + 1]; });
+  for (std::size_t r = 0; r < num_regions; ++r) offsets[r + 1] += offsets[r] + (out_.bounded_[r] ? 0 : 1);
+  out_.region_vertices_.assign(static_cast<std::size_t>(offsets.back()), -1);
+  std::vector<std::int64_t> next(num_regions);
+  for (std::size_t r = 0; r < num_regions; ++r) next[r] = offsets[r] + (out_.bounded_[r] ? 0 : 1);
+  for_each_corner(
+      [&](std::size_t r, SignedIndex place) { out_.region_vertices_[static_cast<std::size_t>(next[r]++)] = place; });
+  corners_ = {};
+}
+
+/// Lists become shorter where cells have merged, so that they can move forward in place.
+void VoronoiBuilder::collect_regions() {
+  auto& items = out_.region_vertices_;
+  auto& offsets = out_.region_offsets_;
+  const std::size_t num_regions = site_of_region_.size();
   if (k_ == 2) {
+    offsets.reserve(num_regions + 1);
     for (std::size_t r = 0; r < num_regions; ++r) walk_region(static_cast<Index>(r), site_of_region_[r]);
     return;
   }
-  // Lists by vertex id, filled in sorted order and hence nearly sorted; then in the order of regions.
-  std::vector<std::size_t> ends(row_of_vertex_.size() + 1, 0);
-  std::vector<SignedIndex> items;
-  if (k_ > 0) {
-    const auto for_each_corner = [&](auto&& visit) {
-      for (const CellId c : cells_)
-        for (int i = 0; vertex_of_cell_[index(c)] >= 0 && i <= k_; ++i) visit(index(complex_.vertex(c, i)), c);
-    };
-    for_each_corner([&](Index v, CellId) { ++ends[v + 1]; });
-    std::partial_sum(ends.begin(), ends.end(), ends.begin());
-    items.resize(ends.back());
-    for_each_corner([&](Index v, CellId c) { items[ends[v]++] = vertex_of_cell_[index(c)]; });
-  }
-  out_.region_vertices_.reserve(items.size() + out_.num_unbounded_regions());
+  if (!has_merged_) return;
+  auto end = items.begin();
+  std::int64_t first = 0;
   for (std::size_t r = 0; r < num_regions; ++r) {
-    const Index v = index(site_of_region_[r]);
-    const auto first = items.begin() + static_cast<std::ptrdiff_t>(v == 0 ? 0 : ends[v - 1]);
-    auto last = items.begin() + static_cast<std::ptrdiff_t>(ends[v]);
-    if (!std::is_sorted(first, last)) std::sort(first, last);
-    last = std::unique(first, last);
-    if (!out_.bounded_[r]) out_.region_vertices_.push_back(-1);
-    out_.region_vertices_.insert(out_.region_vertices_.end(), first, last);
-    out_.region_offsets_.push_back(static_cast<std::int64_t>(out_.region_vertices_.size()));
+    const auto begin = items.begin() + static_cast<std::ptrdiff_t>(first);
+    first = offsets[r + 1];
+    const auto last = items.begin() + static_cast<std::ptrdiff_t>(first);
+    for (auto item = begin; item != last; ++item)
+      if (*item >= 0) *item = vertex_of_cell_[index(cells_[static_cast<std::size_t>(*item)])];
+    if (!std::is_sorted(begin, last)) std::sort(begin, last);
+    end = std::unique_copy(begin, last, end);
+    offsets[r + 1] = end - items.begin();
   }
+  items.erase(end, items.end());
+  items.shrink_to_fit();
 }
 
 /// k = 2: once around the site. Cells are coherently oriented, so crossing the edge opposite the vertex that follows the site
@@ -263,7 +284,6 @@ void VoronoiBuilder::collect_rays() {
 void VoronoiBuilder::keep_cells() {
   if (k_ <= 3) return;
   for (const CellId c : cells_) {
-    if (vertex_of_cell_[index(c)] < 0) continue;
     out_.cell_vertex_.push_back(vertex_of_cell_[index(c)]);
     for (int i = 0; i <= k_; ++i) out_.cell_regions_.push_back(region_of(complex_.vertex(c, i)));
   }

@@ -15,23 +15,25 @@ class VoronoiBuilder {
   VoronoiBuilder(const Triangulation& triangulation, const std::function<double(VertexId)>& weight, VoronoiDiagram& out);
 
   void run() {
-    collect_sites();
     sort_cells();
+    collect_sites();
     find_centers();
     merge_finite_cells();
     merge_infinite_cells();
     number_vertices();
-    collect_regions();
+    collect_stars();
     collect_ridges();
+    collect_regions();
     collect_rays();
     keep_cells();
   }
 
  private:
-  void collect_sites();
-  /// By the largest vertex: the last round of an insertion along a space-filling curve has most vertices, so that cells that
-  /// follow each other are close to each other, in space and thus in memory. Half of the time depends on it.
+  /// Finite cells by their largest vertex: the last round of an insertion along a space-filling curve has most vertices, so
+  /// that cells that follow each other are close to each other, in space and thus in memory. Half of the time depends on it.
   void sort_cells();
+  /// The vertices of finite cells: hidden points have no region.
+  void collect_sites();
   /// The centre of every finite cell, in sorted order.
   void find_centers();
   /// Cells of one sphere become one class. They are connected: they triangulate one polytope. As centres are rounded correctly,
@@ -41,6 +43,9 @@ class VoronoiBuilder {
   /// sphere: their unbounded edges are then the same.
   void merge_infinite_cells();
   void number_vertices();
+  /// The finite cells of each site, as places, increasing: where no cells merge, places are Voronoi vertices and this is the
+  /// list of the region. Not for k = 2.
+  void collect_stars();
   void collect_regions();
   void walk_region(Index region, VertexId site);
   void collect_ridges();
@@ -73,10 +78,11 @@ class VoronoiBuilder {
   std::vector<VertexId> site_of_region_;
   std::vector<double> coordinates_, weights_;                  // by vertex id
   std::vector<SignedIndex> region_of_vertex_, row_of_vertex_;  // −1: not a site
-  std::vector<CellId> cells_;                                  // sorted
-  std::vector<double> centers_;                                // by place among the sorted finite cells, then by Voronoi vertex
-  std::vector<Index> parent_;                                  // by slot: the classes of cells, a forest
-  std::vector<SignedIndex> vertex_of_cell_;                    // by slot: the place in centers_; −1 for infinite cells
+  std::vector<CellId> cells_;                                  // the finite ones, sorted
+  std::vector<VertexId> corners_;                              // k+1 for each of cells_, until collect_stars() has them
+  std::vector<double> centers_;                                // by place in cells_, then by Voronoi vertex
+  std::vector<Index> parent_;                // by slot: the classes of cells, a forest; empty: no cells merged
+  std::vector<SignedIndex> vertex_of_cell_;  // by slot: the place in centers_; −1: not a finite cell
   bool has_merged_ = false;
   std::unordered_map<Index, std::vector<VertexId>> sites_of_class_;  // of classes of more than one cell: sorted
 };

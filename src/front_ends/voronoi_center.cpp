@@ -136,6 +136,31 @@ void CenterFinder::find(const double* const* points, const double* weights, doub
   find_exactly(points, weights, center);
 }
 
+void CenterFinder::find_block(std::size_t count, const double* const* points, const double* weights, double* centers) {
+  const auto d = static_cast<std::size_t>(dimension_), k = axes_.size();
+  if (certified_ == nullptr || weights != nullptr || k != d || (k != 2 && k != 3)) {
+    for (std::size_t cell = 0; cell < count; ++cell)
+      find(points + cell * (k + 1), weights == nullptr ? nullptr : weights + cell * (k + 1), centers + cell * d);
+    return;
+  }
+  constexpr std::size_t most_entries = 4 * 3;
+  alignas(64) double corners[most_entries * block], found[3 * block], settled[block];
+  for (std::size_t cell = 0; cell < block; ++cell) {
+    const double* const* of_cell = points + std::min(cell, count - 1) * (k + 1);  // the last one fills the block
+    for (std::size_t i = 0; i <= k; ++i)
+      for (std::size_t j = 0; j < d; ++j) corners[(i * d + j) * block + cell] = of_cell[i][j];
+  }
+  find_centers_in_lanes(d, corners, found, settled);
+  for (std::size_t cell = 0; cell < count; ++cell) {
+    double* center = centers + cell * d;
+    for (std::size_t j = 0; j < d; ++j) center[j] = found[j * block + cell];
+    if (settled[cell] == 0) {
+      ++num_exact_;
+      find_exactly(points + cell * (k + 1), nullptr, center);
+    }
+  }
+}
+
 template <int N>
 bool CenterFinder::find_certified(const double* const* points, const double* weights, double* center) const {
   const std::size_t n = N > 0 ? static_cast<std::size_t>(N) : axes_.size();

@@ -4,6 +4,8 @@
 // of one sphere have bitwise equal centres, so only cells with equal centres need an exact comparison.
 #pragma once
 
+#include "front_ends/voronoi_center_kernel.hpp"
+
 #include <cstddef>
 #include <cstdint>
 #include <vector>
@@ -19,6 +21,11 @@ class CenterFinder {
   /// The point of the flat with equal power |x − p|² − w to all k+1 points, each coordinate the nearest double (see
   /// nearest_double). `weights`: k+1, or null for 0. REQUIRES affinely independent points.
   void find(const double* const* points, const double* weights, double* center);
+
+  /// find() for `count` ≤ `block` cells, k+1 points and weights each; centres one after the other. Triangles in the plane and
+  /// tetrahedra in space without weights are treated several at a time.
+  static constexpr std::size_t block = center_block;
+  void find_block(std::size_t count, const double* const* points, const double* weights, double* centers);
 
   /// Whether q (in the flat) has the same power as the points with respect to their common power sphere, exactly.
   bool on_sphere(const double* const* points, const double* weights, const double* q, double weight_of_q) const;

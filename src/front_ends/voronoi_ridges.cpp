@@ -19,9 +19,7 @@ void VoronoiBuilder::add_ridge(VertexId s, VertexId t, std::span<const SignedInd
 
 void VoronoiBuilder::collect_ridges() {
   if (k_ == 1)
-    for (const CellId c : cells_)
-      if (vertex_of_cell_[index(c)] >= 0)
-        add_ridge(complex_.vertex(c, 0), complex_.vertex(c, 1), {&vertex_of_cell_[index(c)], 1});
+    for (const CellId c : cells_) add_ridge(complex_.vertex(c, 0), complex_.vertex(c, 1), {&vertex_of_cell_[index(c)], 1});
   if (k_ == 2) collect_ridges_in_plane();
   if (k_ == 3) collect_ridges_in_space();
   if (k_ > 3) collect_ridges_by_region();
@@ -32,7 +30,7 @@ void VoronoiBuilder::collect_ridges_in_plane() {
     for (int i = 0; i < 3; ++i) {
       const CellId other = complex_.neighbor(c, i);
       const VertexId s = complex_.vertex(c, (i + 1) % 3), t = complex_.vertex(c, (i + 2) % 3);
-      if (index(other) < index(c) || s == infinite_vertex || t == infinite_vertex) continue;
+      if (index(other) < index(c) && vertex_of_cell_[index(other)] >= 0) continue;
       if (root(index(c)) == root(index(other))) continue;
       std::array<SignedIndex, 2> ends{vertex_of_cell_[index(c)], vertex_of_cell_[index(other)]};
       if (ends[1] < 0) std::swap(ends[0], ends[1]);
@@ -40,55 +38,103 @@ void VoronoiBuilder::collect_ridges_in_plane() {
     }
 }
 
-/// k = 3: the cells around an edge in cyclic order, from the one with the smallest slot. The dual is a polygon if these are of
-/// at least three classes; classes are met in one run each, as they are faces of a convex polygon's boundary.
+namespace {
+
+/// The cells of a complex of dimension 3 side by side in the order of their places, so that walks stay in the cache.
+struct PlacedCell {
+  Index vertices[4], neighbors[4];
+
+  Index index_of(Index vertex) const {
+    return (vertices[1] == vertex ? 1 : 0) + (vertices[2] == vertex ? 2 : 0) + (vertices[3] == vertex ? 3 : 0);
+  }
+};
+
+/// The cells around the edge from corner a to corner b of a cell, counterclockwise about that direction.
+void walk_around(const std::vector<PlacedCell>& cells, Index first, Index a, Index b, std::vector<Index>& ring) {
+  // Corners c and d such that (a, b, c, d) is an even permutation.
+  constexpr Index others[4][4][2] = {{{0, 0}, {2, 3}, {3, 1}, {1, 2}},
+                                     {{3, 2}, {0, 0}, {0, 3}, {2, 0}},
+                                     {{1, 3}, {3, 0}, {0, 0}, {0, 1}},
+                                     {{2, 1}, {0, 2}, {1, 0}, {0, 0}}};
+  const PlacedCell& start = cells[first];
+  const Index edge = start.vertices[a] ^ start.vertices[b];
+  Index shared = start.vertices[others[a][b][1]];  // with the edge the facet that was crossed
+  ring.assign(1, first);
+  for (Index at = start.neighbors[others[a][b][0]]; at != first;) {
+    ring.push_back(at);
+    const PlacedCell& cell = cells[at];
+    at = cell.neighbors[cell.index_of(shared)];
+    shared ^= edge ^ cell.vertices[0] ^ cell.vertices[1] ^ cell.vertices[2] ^ cell.vertices[3];
+  }
+}
+
+}  // namespace
+
+/// k = 3: the cells around an edge in cyclic order, each edge from its smaller vertex and the first cell of both. The dual is a
+/// polygon if these are of at least three classes; classes are met in one run each, as they are faces of a convex polygon's
+/// boundary.
 void VoronoiBuilder::collect_ridges_in_space() {
-  // An edge by its corners, and the other two corners such that the four are an even permutation.
-  constexpr int edges[6][4] = {{0, 1, 2, 3}, {0, 2, 3, 1}, {0, 3, 1, 2}, {1, 2, 0, 3}, {1, 3, 2, 0}, {2, 3, 0, 1}};
+  std::vector<CellId> order = cells_;  // finite cells, then infinite ones
+  order.reserve(complex_.num_cells());
+  for (const CellId c : complex_.infinite_cells()) order.push_back(c);
+  std::vector<Index> place_of_cell(complex_.num_cell_slots());
+  for (Index place = 0; place < order.size(); ++place) place_of_cell[index(order[place])] = place;
+  std::vector<PlacedCell> cells(order.size());
+  for (Index place = 0; place < order.size(); ++place)
+    for (int i = 0; i < 4; ++i) {
+      cells[place].vertices[i] = index(complex_.vertex(order[place], i));
+      cells[place].neighbors[i] = place_of_cell[index(complex_.neighbor(order[place], i))];
+    }
+  place_of_cell = {};
+
+  // Every cell is around six edges, an infinite one around three finite ones; S³ has as many edges as vertices and cells.
+  out_.ridge_vertices_.reserve(6 * std::size_t{complex_.num_finite_cells()} + 3 * std::size_t{complex_.num_infinite_cells()});
+  out_.ridge_points_.reserve(2 * (site_of_region_.size() + complex_.num_cells()));
+  out_.ridge_offsets_.reserve(1 + site_of_region_.size() + complex_.num_cells());
+  std::vector<Index> met(row_of_vertex_.size(), 0);  // the last vertex whose edge to this one was met
   std::vector<Index> ring;
   std::vector<SignedIndex> vertices;
-  for (const CellId c : cells_) {
-    for (const auto& edge : edges) {
-      VertexId s = complex_.vertex(c, edge[0]), t = complex_.vertex(c, edge[1]);
-      if (s == infinite_vertex || t == infinite_vertex) continue;
-      // Most edges are seen first from another cell, which the two cells beside this one tell without a walk.
-      if (index(complex_.neighbor(c, edge[2])) < index(c) || index(complex_.neighbor(c, edge[3])) < index(c)) continue;
-      int leave = edge[2];
-      VertexId pivot = complex_.vertex(c, edge[3]);
-      if (row_of(s) > row_of(t)) {  // counterclockwise about the direction from the smaller to the larger
-        std::swap(s, t);
-        leave = edge[3];
-        pivot = complex_.vertex(c, edge[2]);
-      }
-      ring.assign(1, index(c));
-      CellId at = complex_.neighbor(c, leave);
-      for (; index(at) > index(c); at = complex_.neighbor(at, leave)) {
-        ring.push_back(index(at));
-        VertexId fresh = infinite_vertex;
-        for (int i = 0; i < 4; ++i) {
-          const VertexId v = complex_.vertex(at, i);
-          if (v == pivot)
-            leave = i;
-          else if (v != s && v != t)
-            fresh = v;
+  for (Index s = 1; s < row_of_vertex_.size(); ++s) {
+    if (row_of_vertex_[s] < 0) continue;
+    const auto region = static_cast<std::size_t>(region_of_vertex_[s]);
+    for (const SignedIndex place : out_.region(region)) {
+      if (place < 0) continue;
+      const auto first = static_cast<Index>(place);
+      for (Index b = 0; b < 4; ++b) {
+        const Index t = cells[first].vertices[b];
+        if (t <= s || met[t] == s) continue;
+        met[t] = s;
+        const Index a = cells[first].index_of(s);
+        if (row_of_vertex_[s] < row_of_vertex_[t])
+          walk_around(cells, first, a, b, ring);
+        else
+          walk_around(cells, first, b, a, ring);
+        if (has_merged_) {
+          const auto class_of = [&](Index cell) { return root(index(order[cell])); };
+          const auto same_class = [&](Index p, Index q) { return class_of(p) == class_of(q); };
+          ring.erase(std::unique(ring.begin(), ring.end(), same_class), ring.end());
+          if (ring.size() > 1 && same_class(ring.front(), ring.back())) ring.pop_back();
+          if (ring.size() < 3) continue;
         }
-        pivot = fresh;
+        vertices.clear();
+        for (const Index cell : ring) {
+          SignedIndex vertex = cell < cells_.size() ? static_cast<SignedIndex>(cell) : -1;
+          if (has_merged_ && vertex >= 0) vertex = vertex_of_cell_[index(order[cell])];
+          if (vertex >= 0 || vertices.empty() || vertices.back() >= 0) vertices.push_back(vertex);
+        }
+        if (!out_.bounded_[region]) {
+          if (vertices.front() == -1 && vertices.back() == -1) vertices.pop_back();
+          const auto infinity = std::find(vertices.begin(), vertices.end(), -1);
+          if (infinity != vertices.end()) std::rotate(vertices.begin(), infinity, vertices.end());
+        }
+        add_ridge(VertexId{s}, VertexId{t}, vertices);
       }
-      if (at != c) continue;  // seen from another cell
-      if (has_merged_) {
-        for (Index& cell : ring) cell = root(cell);
-        ring.erase(std::unique(ring.begin(), ring.end()), ring.end());
-        if (ring.size() > 1 && ring.front() == ring.back()) ring.pop_back();
-        if (ring.size() < 3) continue;
-      }
-      vertices.clear();
-      for (const Index cell : ring)
-        if (vertices.empty() || vertices.back() != -1 || vertex_of_cell_[cell] != -1) vertices.push_back(vertex_of_cell_[cell]);
-      if (vertices.front() == -1 && vertices.back() == -1) vertices.pop_back();
-      const auto infinity = std::find(vertices.begin(), vertices.end(), -1);
-      if (infinity != vertices.end()) std::rotate(vertices.begin(), infinity, vertices.end());
-      add_ridge(s, t, vertices);
     }
+  }
+  if (has_merged_) {
+    out_.ridge_vertices_.shrink_to_fit();
+    out_.ridge_points_.shrink_to_fit();
+    out_.ridge_offsets_.shrink_to_fit();
   }
 }
 

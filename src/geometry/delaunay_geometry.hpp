@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What joins the kernel to the engine: the conflict test of Delaunay triangulations, from the cached functional of a cell
-// (stage filter_) to the exact stages. A point q is in conflict with a cell iff h(q) < 0.
+// What joins the kernel to the engine: the conflict test of Delaunay and regular triangulations, from the cached functional of
+// a cell (stage filter_) to the exact stages. A point q is in conflict with a cell iff h(q) < 0.
 #pragma once
 
 #include "geometry/frame.hpp"
@@ -17,14 +17,15 @@
 
 namespace delone::geometry {
 
-/// A point to be tested against cells: its coordinates, its image in the frame, whether the filter may be used on it, and a
+/// A point to be tested against cells: its coordinates (then its weight, if points have one), its image in the frame, and a
 /// grid that all vertices and the point itself lie on.
 template <int K>
 struct Query {
-  Query(const double* at, const kernel::Grid& grid_of_all, std::size_t dimension)
-      : point(at), grid(&grid_of_all), row(dimension + 1) {}
+  Query(const double* at, const kernel::Grid& grid_of_all, std::size_t dimension, int row_size)
+      : point(at), grid(&grid_of_all), compared(row_size), row(dimension + 1) {}
   const double* point;
   const kernel::Grid* grid;
+  int compared;  ///< how many entries a vertex at the query must share: without the weight, any vertex at its coordinates is
   kernel::Buffer<double, K + (K > 0)> row;  ///< the image on the axes of the flat and the lift; not a number outside the frame
 };
 
@@ -33,12 +34,13 @@ class DelaunayGeometry {
  public:
   using Query = geometry::Query<K>;
 
-  /// `coordinates`: the points of the vertices, `flat.ambient` doubles each, indexed by vertex id (vertex 0 is a dummy).
-  /// Both references must outlive this object; they may grow.
+  /// `coordinates`: the points of the vertices, `ambient` doubles each and then the weight if the frame is of weighted points,
+  /// indexed by vertex id (vertex 0 is a dummy). Both references must outlive this object; they may grow.
   DelaunayGeometry(CellMemory<K>& cells, std::vector<int> axes, int ambient, const std::vector<double>& coordinates,
                    const kernel::Grid& grid, Frame frame)
       : axes_(std::move(axes)),
         ambient_(ambient),
+        form_(frame.weighted() ? kernel::RowForm::weighted_point : kernel::RowForm::point),
         coordinates_(coordinates),
         grid_(grid),
         frame_(std::move(frame)),
@@ -67,7 +69,7 @@ class DelaunayGeometry {
 
   /// A query anywhere; `grid` is one for the vertices and the point, and must outlive the query.
   Query make_query(const double* point, const kernel::Grid& grid) const {
-    Query q(point, grid, axes_.size());
+    Query q(point, grid, axes_.size(), flat().row_size());
     if (frame_.contains(point))
       write_row(point, q.row.data());
     else
@@ -76,9 +78,9 @@ class DelaunayGeometry {
   }
 
   const double* point(Index vertex) const {
-    return coordinates_.data() + static_cast<std::size_t>(vertex) * static_cast<std::size_t>(ambient_);
+    return coordinates_.data() + static_cast<std::size_t>(vertex) * static_cast<std::size_t>(flat().row_size());
   }
-  bool is_at(Index vertex, const Query& q) const { return kernel::equal_points(point(vertex), q.point, ambient_); }
+  bool is_at(Index vertex, const Query& q) const { return kernel::equal_points(point(vertex), q.point, q.compared); }
 
   /// h̃(q), approximately the functional of the cell. Functionals of finite cells are comparable with each other.
   double value(Index cell, const Query& q) const { return evaluator(q).value(cell); }
@@ -141,7 +143,7 @@ class DelaunayGeometry {
 
  private:
   int axis(int r) const { return axes_[static_cast<std::size_t>(r)]; }
-  kernel::Flat flat() const { return {ambient_, axes_}; }
+  kernel::Flat flat() const { return {ambient_, axes_, form_}; }
 
   std::size_t row_size() const { return static_cast<std::size_t>(dimension()) + 1; }
   std::size_t growing(std::size_t size) const { return size <= rows_.capacity() ? size : size + size / 2; }
@@ -159,6 +161,7 @@ class DelaunayGeometry {
 
   std::vector<int> axes_;
   int ambient_;
+  kernel::RowForm form_;
   const std::vector<double>& coordinates_;
   const kernel::Grid& grid_;
   Frame frame_;

@@ -90,7 +90,7 @@ class Functionals {
   /// vanish on the facet are a pencil, and the new one is its member that vanishes at the new vertex. `rows`: of all vertices.
   /// Returns the facets whose certificates would be too weak: their cells must be solved for.
   std::span<const std::uint32_t> combine(std::span<const HorizonFacet> facets, const double* rows, const double* query_row) {
-    const StarTask task{facets,           k(),         true,      memory_.record(0),
+    const StarTask task{facets,           k(),         Lifted,    memory_.record(0),
                         memory_.stride(), rows,        query_row, frame_constants(),
                         scratch_.data(),  weak_.data()};
     return {weak_.data(), combine_star(task)};
@@ -118,16 +118,7 @@ class Functionals {
   void give_up(Index cell, bool infinite);
 
   FrameConstants frame_constants() const {
-    // In flats and in hulls nothing says how large values are near a cell: a guess, which only decides what is solved anew.
-    constexpr double of_radius_square = 0x1p-10, of_one = 0x1p-26;
-    return {evaluation_error_,
-            largest_lift_,
-            finite_spread_,
-            infinite_spread_,
-            0.0,
-            spheres_,
-            spheres_ ? of_radius_square : of_one,
-            extent_ratio_.data()};
+    return {evaluation_error_, largest_lift_, finite_spread_, infinite_spread_, spheres_, extent_ratio_.data()};
   }
 
   CellMemory<K>& memory_;            // per cell: k coefficients, the constant, the certificate
@@ -136,9 +127,10 @@ class Functionals {
 
   // Constants of the frame.
   double largest_lift_ = 0;
-  double evaluation_error_ = 0;       // relative to the sum of the magnitudes of a functional's terms
-  double finite_spread_ = 0;          // Σ|barycentric coordinates| − 1 is at most finite_spread·R^(k−1)/det in the box
-  double infinite_spread_ = 0;        // the same for infinite cells, over det
+  double evaluation_error_ = 0;  // relative to the sum of the magnitudes of a functional's terms
+  double finite_spread_ = 0;     // Σ|barycentric coordinates| − 1 is at most finite_spread·R^(k−1)/det in the box, with
+                                 // spheres_; else the power of R is in it
+  double infinite_spread_ = 0;   // the same for infinite cells, over det
   std::vector<double> extent_ratio_;  // per axis, the frame's scale over that of lifts
   bool spheres_ = false;              // whether functionals of finite cells describe spheres (the flat is the whole space)
 };
@@ -171,6 +163,8 @@ void Functionals<K, Lifted>::set_frame(const Frame& frame, const std::vector<int
   // The largest (n−1)-simplex in a ball is regular: (n−1)!·volume = n^(n/2)/(n−1)^((n−1)/2)·R^(n−1).
   const double regular = std::pow(n, n / 2) / std::pow(std::max(n - 1, 1.0), (n - 1) / 2);
   finite_spread_ = 1.001 * 2 * std::sqrt(diagonal) * (n + 1) * regular / volume_ratio;
+  // In a flat spheres say little about where vertices are, but the box does: R is the length of its half diagonal.
+  if (!spheres_) finite_spread_ *= std::pow(diagonal, (n - 1) / 2);
   const double m = n - 1;
   infinite_spread_ = 1.001 * 4 * m * m * std::pow(std::max(m - 1, 1.0), (m - 1) / 2) * std::pow(2.0, m - 1);
 }

@@ -95,7 +95,8 @@ void compute(const StarTask& task, std::size_t count, double* HWY_RESTRICT block
   using U = hn::Vec<decltype(du)>;
   const auto k = static_cast<std::size_t>(K > 0 ? K : task.k);
   const FrameConstants& frame = task.frame;
-  constexpr double slack = 0x1p-40;  // covers the few roundings of positive quantities
+  constexpr double slack = 0x1p-40;    // covers the few roundings of positive quantities
+  constexpr double weakest = 0x1p-10;  // thresholds beyond this fraction of the functional's scale are worth an elimination
   const V zero = hn::Zero(d), one = hn::Set(d, 1.0);
   const U bias = hn::Set(du, certificate::bias);
   for (std::size_t lane = 0; lane < count; lane += hn::Lanes(d)) {
@@ -178,13 +179,11 @@ void compute(const StarTask& task, std::size_t count, double* HWY_RESTRICT block
     const V error_at_facet = hn::Add(hn::Add(hn::Mul(x, e_a), hn::Mul(y, e_b)), hn::Mul(hn::Set(d, 6 * 0x1p-53), parts));
     const V error = hn::Mul(hn::Max(error_at_facet, hn::Add(hn::Abs(at_q), rounding)), hn::Set(d, 1 + slack));
     V power = hn::Set(d, frame.finite_spread);
-    V scale = one;
+    V scale = height;  // without a radius, how large values are near the cell
     if (frame.uses_radius) {
       // All vertices are within R of the centre of the approximate sphere: |h̃| ≤ error there.
       const V radius_error = hn::Mul(hn::Set(d, 8 * 0x1p-53), hn::Add(magnitude, gradient_square));
-      const V radius_square =
-          hn::Add(hn::Add(hn::Sub(hn::Mul(gradient_square, hn::Set(d, 0.25)), g), hn::Add(error, hn::Set(d, frame.excess))),
-                  radius_error);
+      const V radius_square = hn::Add(hn::Add(hn::Sub(hn::Mul(gradient_square, hn::Set(d, 0.25)), g), error), radius_error);
       const V radius = hn::Sqrt(radius_square);
       for (std::size_t r = 1; r < k; ++r) power = hn::Mul(power, radius);
       scale = radius_square;
@@ -197,7 +196,7 @@ void compute(const StarTask& task, std::size_t count, double* HWY_RESTRICT block
     const V smallest = hn::Set(d, certificate::smallest), largest = hn::Set(d, certificate::largest);
     const auto usable =
         hn::And(hn::And(hn::And(hn::Lt(a, zero), hn::Gt(b, zero)), hn::And(hn::Ge(det, smallest), hn::Le(det, largest))),
-                hn::And(hn::Le(threshold, hn::Mul(hn::Set(d, frame.weakest), scale)), hn::Lt(threshold, largest)));
+                hn::And(hn::Le(threshold, hn::Mul(hn::Set(d, weakest), scale)), hn::Lt(threshold, largest)));
     const auto pack = [&](V positive) { return hn::Sub(hn::BitCast(du, positive), bias); };
     const U up = hn::Add(hn::ShiftRight<certificate::fraction_shift>(pack(hn::Max(threshold, smallest))), hn::Set(du, 1));
     const U error_up = hn::Add(hn::ShiftRight<certificate::short_shift>(pack(hn::Max(error, smallest))), hn::Set(du, 1));

@@ -19,9 +19,7 @@ struct FrameConstants {
   double largest_reference;    ///< the largest reference entry of a row
   double finite_spread;        ///< Σ|barycentric coordinates| − 1 is at most finite_spread·R^(k−1)/det in the box
   double infinite_spread;      ///< the same for infinite cells, over det
-  double excess;               ///< by how much the square of the distance of a vertex from the centre may exceed R²
   bool uses_radius;            ///< false: finite_spread/det is the bound, whatever the radius
-  double weakest;              ///< thresholds beyond this multiple of R² (of 1 without radius) are worth an elimination
   const double* extent_ratio;  ///< per axis, the frame's scale over that of lifts
 };
 

@@ -22,6 +22,7 @@ struct RawComplex {
   PointTable points;
   std::optional<IndexMatrix> cells, neighbors;
   std::optional<std::vector<SignedIndex>> vertex_of_point;
+  std::optional<std::vector<double>> weights;
   std::optional<std::int64_t> affine_dimension;
 };
 

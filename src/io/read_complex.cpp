@@ -40,6 +40,12 @@ ComplexData assemble(RawComplex raw, const std::string& name) {
            raw.vertex_of_point->size());
     data.vertex_of_point = std::move(*raw.vertex_of_point);
   }
+  if (raw.weights) {
+    if (raw.weights->size() != data.num_points())
+      fail(Errc::bad_format, "{}: weights: expected {} numbers, one per point, found {}", name, data.num_points(),
+           raw.weights->size());
+    data.weights = std::move(*raw.weights);
+  }
   data.cells = std::move(raw.cells->items);
   return data;
 }
@@ -89,6 +95,11 @@ ComplexData read_npz_complex(std::string_view bytes, const std::string& name) {
     if (found->array.shape.size() != 1)
       fail(Errc::bad_format, "{}: expected a 1-D array, found shape {}", found->name, shape_text(found->array.shape));
     raw.vertex_of_point = to_indices(found->array, found->name);
+  }
+  if (const auto found = find_member(zip, "weights", name)) {
+    if (found->array.shape.size() != 1)
+      fail(Errc::bad_format, "{}: expected a 1-D array, found shape {}", found->name, shape_text(found->array.shape));
+    raw.weights = points_of(found->array, found->name).coordinates;
   }
   if (const auto found = find_member(zip, "affine_dimension", name)) {
     const auto value = to_indices(found->array, found->name);

@@ -34,6 +34,7 @@ class Handler : public nlohmann::json_sax<Json> {
            points_.columns);
     raw_.points.dimension = static_cast<int>(dimension);
     require_finite(raw_.points.coordinates, raw_.points.dimension, name_ + ": points");
+    if (raw_.weights) require_finite(*raw_.weights, 1, name_ + ": weights");
     return assemble(std::move(raw_), name_);
   }
 
@@ -66,6 +67,9 @@ class Handler : public nlohmann::json_sax<Json> {
     } else if (key == "vertex_of_point") {
       kind_ = Kind::list;
       indices_ = &raw_.vertex_of_point.emplace();
+    } else if (key == "weights") {
+      kind_ = Kind::list;
+      raw_.weights.emplace();
     } else if (key == "dimension" || key == "affine_dimension") {
       kind_ = Kind::scalar;
     }
@@ -91,18 +95,18 @@ class Handler : public nlohmann::json_sax<Json> {
 
   bool number_integer(std::int64_t value) override {
     if (skipping()) return true;
-    if (at_coordinate()) return coordinate(static_cast<double>(value));
+    if (at_number()) return coordinate(static_cast<double>(value));
     return integer(value);
   }
   bool number_unsigned(std::uint64_t value) override {
     if (skipping()) return true;
-    if (at_coordinate()) return coordinate(static_cast<double>(value));
+    if (at_number()) return coordinate(static_cast<double>(value));
     if (value > static_cast<std::uint64_t>(std::numeric_limits<std::int64_t>::max())) too_large(fmt::format("{}", value));
     return integer(static_cast<std::int64_t>(value));
   }
   bool number_float(double value, const std::string& text) override {
     if (skipping()) return true;
-    if (!at_coordinate()) wrong(in_quotes(text));
+    if (!at_number()) wrong(in_quotes(text));
     return coordinate(value);
   }
   bool null() override { return skipping() || (wrong("null"), true); }
@@ -115,6 +119,7 @@ class Handler : public nlohmann::json_sax<Json> {
     if (error.id == number_overflow) {
       if (matrix_ == &points_ && depth_ == 2)
         throw Error(Errc::not_finite, place() + ": " + describe_not_finite(token), {points_.rows});
+      if (at_number()) throw Error(Errc::not_finite, place() + ": " + describe_not_finite(token), {raw_.weights->size()});
       too_large(token);
     }
     // "[json.exception.parse_error.101] parse error at line 1, column 5: …"
@@ -135,16 +140,20 @@ class Handler : public nlohmann::json_sax<Json> {
   /// True inside the value of a member that nobody asked for.
   bool skipping() const { return kind_ == Kind::ignored; }
   bool at_coordinate() const { return matrix_ == &points_ && depth_ == 2; }
+  bool in_weights() const { return kind_ == Kind::list && indices_ == nullptr; }
+  /// Where any number may stand, not integers only.
+  bool at_number() const { return at_coordinate() || (in_weights() && depth_ == 1); }
   std::string place() const {
     if (kind_ == Kind::none) return name_;
     if (kind_ == Kind::matrix && depth_ > 0) return fmt::format("{}: {}: row {}", name_, member_, matrix_->rows);
-    if (kind_ == Kind::list && depth_ > 0) return fmt::format("{}: {}: row {}", name_, member_, indices_->size());
+    if (kind_ == Kind::list && depth_ > 0)
+      return fmt::format("{}: {}: row {}", name_, member_, in_weights() ? raw_.weights->size() : indices_->size());
     return fmt::format("{}: {}", name_, member_);
   }
   [[noreturn]] void wrong(const std::string& found) const {
     std::string_view expected = "an object";
     if (kind_ == Kind::matrix) expected = depth_ == 0 ? "an array of arrays" : depth_ == 1 ? "an array" : "a number";
-    if (kind_ == Kind::list) expected = depth_ == 0 ? "an array" : "an integer";
+    if (kind_ == Kind::list) expected = depth_ == 0 ? "an array" : in_weights() ? "a number" : "an integer";
     if (kind_ == Kind::scalar) expected = "an integer";
     if (kind_ == Kind::matrix && depth_ == 2 && indices_ != nullptr) expected = "an integer";
     fail(Errc::bad_format, "{}: expected {}, found {}", place(), expected, found);
@@ -153,7 +162,7 @@ class Handler : public nlohmann::json_sax<Json> {
     fail(Errc::bad_format, "{}: {} does not fit the {}-bit indices of this build", place(), text, 8 * sizeof(SignedIndex));
   }
   bool coordinate(double value) {
-    raw_.points.coordinates.push_back(value);
+    (in_weights() ? *raw_.weights : raw_.points.coordinates).push_back(value);
     ++column_;
     return true;
   }

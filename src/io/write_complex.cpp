@@ -33,7 +33,9 @@ void validate(const ComplexData& data, const std::string& name) {
   if (!data.neighbors.empty() && data.neighbors.size() != data.cells.size()) wrong("cells and neighbors differ in size");
   if (!data.vertex_of_point.empty() && data.vertex_of_point.size() != data.num_points())
     wrong("vertex_of_point has another size than the points");
+  if (!data.weights.empty() && data.weights.size() != data.num_points()) wrong("the weights have another size than the points");
   require_finite(data.points, data.dimension, name);
+  require_finite(data.weights, 1, name);
 }
 
 /// For formats whose readers follow the rows without a check.
@@ -75,6 +77,9 @@ void write_npz(AtomicFile& file, const ComplexData& data) {
   if (data.neighbors.size() == data.cells.size()) add_indices("neighbors.npy", data.neighbors, header);
   if (data.vertex_of_point.size() == data.num_points())
     add_indices("vertex_of_point.npy", data.vertex_of_point, npy_header(npy_index_type, {data.num_points()}));
+  if (!data.weights.empty())
+    zip.add("weights.npy", npy_header("f8", {data.num_points()}),
+            little_endian_bytes(std::span<const double>(data.weights), storage));
   const std::int64_t dimension = data.affine_dimension;
   zip.add("affine_dimension.npy", npy_header("i8", {}), little_endian_bytes(std::span(&dimension, 1), storage));
   zip.finish();
@@ -82,15 +87,18 @@ void write_npz(AtomicFile& file, const ComplexData& data) {
 
 void write_json(AtomicFile& file, const ComplexData& data) {
   file.print("{{\n\"dimension\": {},\n\"affine_dimension\": {},\n", data.dimension, data.affine_dimension);
+  const auto put_number = [&](auto x) {
+    // "-0" would be read as an integer, and those have no negative zero.
+    if (x == 0)
+      file.write(std::signbit(static_cast<double>(x)) ? "-0.0" : "0");
+    else
+      file.put(x);
+  };
   const auto matrix = [&](const char* member, const auto& items, std::size_t columns) {
     file.print("\"{}\": [", member);
     for (std::size_t i = 0; i < items.size(); ++i) {
       file.write(i == 0 ? "\n[" : i % columns == 0 ? "],\n[" : ", ");
-      // "-0" would be read as an integer, and those have no negative zero.
-      if (items[i] == 0)
-        file.write(std::signbit(static_cast<double>(items[i])) ? "-0.0" : "0");
-      else
-        file.put(items[i]);
+      put_number(items[i]);
     }
     file.write(items.empty() ? "]" : "]\n]");
   };
@@ -106,6 +114,14 @@ void write_json(AtomicFile& file, const ComplexData& data) {
     for (std::size_t i = 0; i < data.vertex_of_point.size(); ++i) {
       if (i > 0) file.write(", ");
       file.put(data.vertex_of_point[i]);
+    }
+    file.write("]");
+  }
+  if (!data.weights.empty()) {
+    file.write(",\n\"weights\": [");
+    for (std::size_t i = 0; i < data.weights.size(); ++i) {
+      if (i > 0) file.write(", ");
+      put_number(data.weights[i]);
     }
     file.write("]");
   }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The Delaunay triangulation by its definition: every subset of k+1 points is tried against every other point, in integers
-// without error. Slow and simple, and written without a look at the library's predicates, so that the two can disagree.
+// The Delaunay or regular triangulation by its definition: every subset of k+1 points is tried against every other point, in
+// integers without error. Slow and simple, and written without a look at the library's predicates, so that the two can
+// disagree.
 #pragma once
 
 #include <delone/complex.hpp>
@@ -42,11 +43,11 @@ inline Integer determinant(Matrix a) {
 
 inline Sign sign_of(const Integer& x) { return x < 0 ? Sign::negative : x > 0 ? Sign::positive : Sign::zero; }
 
-/// Points as integers: all coordinates times one power of two, which changes no orientation, sphere or order.
-inline Matrix scaled_to_integers(std::span<const double> coordinates, int dimension) {
+/// The largest e so that all numbers are multiples of 2^e; 0 if all are 0.
+inline int common_exponent(std::span<const double> numbers) {
   int lowest = 0;
   bool any = false;
-  for (const double x : coordinates)
+  for (const double x : numbers)
     if (x != 0) {
       int exponent;
       auto mantissa = static_cast<std::int64_t>(std::ldexp(std::frexp(x, &exponent), 53));
@@ -54,6 +55,11 @@ inline Matrix scaled_to_integers(std::span<const double> coordinates, int dimens
       lowest = any ? std::min(lowest, exponent) : exponent;
       any = true;
     }
+  return lowest;
+}
+
+/// Points as integers: all coordinates in units of 2^lowest, which changes no orientation, sphere or order.
+inline Matrix scaled_to_integers(std::span<const double> coordinates, int dimension, int lowest) {
   Matrix rows;
   for (std::size_t i = 0; i < coordinates.size(); ++i) {
     if (i % static_cast<std::size_t>(dimension) == 0) rows.emplace_back();
@@ -68,24 +74,37 @@ inline Matrix scaled_to_integers(std::span<const double> coordinates, int dimens
   }
   return rows;
 }
+inline Matrix scaled_to_integers(std::span<const double> coordinates, int dimension) {
+  return scaled_to_integers(coordinates, dimension, common_exponent(coordinates));
+}
 
-/// Exact answers about n points of R^d and, if given, some queries (rows n, n+1, …), which are no vertices.
+/// Exact answers about n points of R^d and, if given, some queries (rows n, n+1, …), which are no vertices. Points may have
+/// weights, which lower their lifts; then vertices() are the distinct weighted points, some of them hidden.
 class BruteForce {
  public:
   using Rows = std::vector<SignedIndex>;
 
-  BruteForce(std::span<const double> points, int dimension, std::span<const double> queries = {})
-      : d_(static_cast<std::size_t>(dimension)), num_points_(points.size() / d_), coordinates_(points.begin(), points.end()) {
+  BruteForce(std::span<const double> points, int dimension, std::span<const double> queries = {},
+             std::span<const double> weights = {})
+      : d_(static_cast<std::size_t>(dimension)),
+        num_points_(points.size() / d_),
+        coordinates_(points.begin(), points.end()),
+        weights_(weights.begin(), weights.end()) {
     coordinates_.insert(coordinates_.end(), queries.begin(), queries.end());
-    rows_ = scaled_to_integers(coordinates_, dimension);
+    int lowest = common_exponent(coordinates_);
+    // A weight is a number of units of an area.
+    if (!weights.empty()) lowest = std::min(lowest, (common_exponent(weights) - 1) / 2 - 1);
+    rows_ = scaled_to_integers(coordinates_, dimension, lowest);
+    const Matrix weight_rows = scaled_to_integers(weights, 1, 2 * lowest);
     for (const auto& row : rows_) {
       Integer lift = 0;
       for (const Integer& x : row) lift += x * x;
+      if (lifts_.size() < weight_rows.size()) lift -= weight_rows[lifts_.size()][0];
       lifts_.push_back(lift);
     }
     for (std::size_t row = 0; row < num_points_; ++row) {
       std::size_t first = 0;
-      while (rows_[first] != rows_[row]) ++first;
+      while (rows_[first] != rows_[row] || lifts_[first] != lifts_[row]) ++first;
       first_row_.push_back(static_cast<SignedIndex>(first));
       if (first == row) vertices_.push_back(static_cast<SignedIndex>(row));
     }
@@ -96,7 +115,7 @@ class BruteForce {
   /// The distinct points: the first row of each.
   const Rows& vertices() const { return vertices_; }
   SignedIndex first_row(SignedIndex row) const { return first_row_[at(row)]; }
-  bool equal(SignedIndex a, SignedIndex b) const { return rows_[at(a)] == rows_[at(b)]; }
+  bool equal(SignedIndex a, SignedIndex b) const { return rows_[at(a)] == rows_[at(b)] && lifts_[at(a)] == lifts_[at(b)]; }
 
   /// Whether the point of this row lies in the affine hull of the points.
   bool in_flat(SignedIndex row) const {
@@ -169,7 +188,7 @@ class BruteForce {
     return false;
   }
 
-  /// The Delaunay cells: increasing rows of distinct points, sorted.
+  /// The cells: increasing rows of distinct points, sorted.
   std::vector<Rows> cells() const {
     std::vector<Rows> result;
     const std::size_t size = basis_.size();
@@ -201,6 +220,10 @@ class BruteForce {
       if (orientation(cell) == Sign::negative) std::swap(cell[0], cell[1]);
       data.cells.insert(data.cells.end(), cell.begin(), cell.end());
     }
+    data.weights = weights_;
+    if (!weights_.empty())
+      for (SignedIndex& row : data.vertex_of_point)
+        if (std::find(data.cells.begin(), data.cells.end(), row) == data.cells.end()) row = -1;
     return data;
   }
 
@@ -259,7 +282,7 @@ class BruteForce {
   }
 
   std::size_t d_, num_points_;
-  std::vector<double> coordinates_;
+  std::vector<double> coordinates_, weights_;
   Matrix rows_;
   std::vector<Integer> lifts_;
   Rows first_row_, vertices_, basis_;

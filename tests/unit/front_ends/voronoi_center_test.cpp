@@ -107,6 +107,39 @@ TEST_P(CenterOfDimension, CertifiedEqualsExact) {
   EXPECT_LE(num_easy, d == 1 ? 50u : 2u) << "the certified path gives up on random simplices";
 }
 
+// Blocks of all sizes, in lanes for d = 2, 3: from lattices, nearly flat cells and the ends of the range, all in one block.
+TEST_P(CenterOfDimension, BlocksEqualSingleCells) {
+  const int d = GetParam();
+  const auto size = static_cast<std::size_t>(d);
+  std::vector<int> axes(size);
+  std::iota(axes.begin(), axes.end(), 0);
+  CenterFinder blocks(d, axes, true), slow(d, axes, false);
+  test::Random random(static_cast<std::uint64_t>(d) + 100);
+  std::size_t kind = 0;
+  for (std::size_t count = 1; count <= CenterFinder::block; ++count) {
+    std::vector<std::vector<double>> cells;
+    while (cells.size() < count) {
+      const int scale = ++kind % 13 == 0 ? -900 : kind % 17 == 0 ? 480 : 0;
+      std::vector<double> x;
+      for (std::size_t i = 0; i < (size + 1) * size; ++i)
+        x.push_back(kind % 4 == 0                    ? random.real()
+                    : kind % 4 == 1                  ? std::ldexp(random.integer(-3, 3), scale)
+                    : kind % 4 == 2                  ? 1e6 + random.real()
+                    : i % size == 0 && kind % 8 == 3 ? std::ldexp(random.real(), -40)
+                                                     : std::ldexp(random.real() - 0.5, scale));
+      if (orientation(x, d) != Sign::zero) cells.push_back(x);
+    }
+    std::vector<const double*> points;
+    for (const auto& x : cells)
+      for (std::size_t i = 0; i <= size; ++i) points.push_back(x.data() + i * size);
+    std::vector<double> found(count * size), expected(count * size);
+    blocks.find_block(count, points.data(), nullptr, found.data());
+    for (std::size_t c = 0; c < count; ++c) slow.find(points.data() + c * (size + 1), nullptr, expected.data() + c * size);
+    EXPECT_EQ(found, expected) << count << " cells";
+  }
+  EXPECT_LT(blocks.num_exact(), slow.num_exact());
+}
+
 TEST(SimplePolytope, CubesAndCoincidentCorners) {
   for (std::size_t d = 1; d <= 6; ++d) {
     SimplePolytope polytope;

@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "weighted_input.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <charconv>
+#include <filesystem>
+#include <optional>
+#include <utility>
+
+namespace delone::cli {
+namespace {
+
+std::optional<std::size_t> as_number(const std::string& text) {
+  std::size_t number = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
+  if (error != std::errc() || end != text.data() + text.size()) return std::nullopt;
+  return number;
+}
+
+/// Takes a column out of a table.
+std::vector<double> take_column(PointTable& table, std::size_t column) {
+  const auto width = static_cast<std::size_t>(table.dimension);
+  std::vector<double> taken, rest;
+  for (std::size_t i = 0; i < table.coordinates.size(); ++i)
+    (i % width == column ? taken : rest).push_back(table.coordinates[i]);
+  table.coordinates = std::move(rest);
+  --table.dimension;
+  if (column < table.column_names.size())
+    table.column_names.erase(table.column_names.begin() + static_cast<std::ptrdiff_t>(column));
+  return taken;
+}
+
+/// The weights as a file of one column.
+std::vector<double> read_weights(const std::string& path, std::size_t expected) {
+  PointTable table = about(input_name(path), [&] { return read_points(path); });
+  if (table.num_points() > 0 && table.dimension != 1)
+    throw Error(Errc::bad_format,
+                fmt::format("{}: expected one weight per row, found {} columns", input_name(path), table.dimension));
+  if (table.num_points() != expected)
+    throw Error(Errc::bad_format, fmt::format("{}: expected {} weights, one per point, found {}", input_name(path), expected,
+                                              table.num_points()));
+  return std::move(table.coordinates);
+}
+
+}  // namespace
+
+void WeightedInput::add_to(CLI::App& command) {
+  input.add_to(command, "IN", "Points: a file, or - for standard input");
+  command
+      .add_option("--weights", weights, "The weights: a column of IN by its name or number from 0, or a file with one per row")
+      ->required()
+      ->type_name("COLUMN|FILE");
+}
+
+PointTable WeightedInput::read(std::vector<double>& weights_read) const {
+  const std::optional<std::size_t> number = as_number(weights);
+  const std::string name = input_name(input.path);
+  std::error_code unused;
+  const bool is_file = !number && (weights == "-" || std::filesystem::exists(weights, unused));
+  if (is_file && weights == "-" && input.path == "-")
+    throw UsageError("points and weights cannot both come from standard input");
+  PointInput all = input;
+  // Chosen columns are the coordinates; the weight is read behind them.
+  const bool appended = !is_file && !input.options.columns.empty();
+  if (appended) all.options.columns.push_back(weights);
+  PointTable table = all.read();
+  if (is_file) {
+    weights_read = read_weights(weights, table.num_points());
+    return table;
+  }
+  std::size_t column = static_cast<std::size_t>(table.dimension) - 1;
+  if (!appended && number) {
+    column = *number;
+  } else if (!appended) {
+    const auto found = std::find(table.column_names.begin(), table.column_names.end(), weights);
+    if (found == table.column_names.end())
+      throw Error(Errc::cannot_open, fmt::format("{}: --weights '{}' is neither a column nor a file", name, weights));
+    column = static_cast<std::size_t>(found - table.column_names.begin());
+  }
+  if (column >= static_cast<std::size_t>(table.dimension))
+    throw Error(Errc::bad_format, fmt::format("{}: --weights: there is no column {}; the columns are 0 to {}", name, column,
+                                              table.dimension - 1));
+  if (table.dimension < 2)
+    throw Error(Errc::bad_dimension, fmt::format("{}: beside the weights there is no column of coordinates", name));
+  weights_read = take_column(table, column);
+  return table;
+}
+
+}  // namespace delone::cli

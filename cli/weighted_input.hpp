@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Points with weights: the weights are a column of the input, or a file of their own.
+#pragma once
+
+#include "command.hpp"
+
+#include <string>
+#include <vector>
+
+namespace delone::cli {
+
+struct WeightedInput {
+  PointInput input;
+  std::string weights;  ///< a column's name, a column's number, or a file
+
+  void add_to(CLI::App& command);
+  /// The points, and one finite weight for each. Errors name the file.
+  PointTable read(std::vector<double>& weights_read) const;
+};
+
+}  // namespace delone::cli
