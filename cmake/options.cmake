@@ -6,8 +6,13 @@ option(DELONE_INSTALL "Install rules and the CMake package" ${PROJECT_IS_TOP_LEV
 option(DELONE_DEVELOPER_MODE "Build the tests and the examples" OFF)
 option(DELONE_FUZZ "Build the fuzz targets with libFuzzer (needs clang)" OFF)
 option(DELONE_WERROR "Treat warnings as errors" ${DELONE_DEVELOPER_MODE})
+set(DELONE_LARGEST_COMPILED_DIMENSION 8 CACHE STRING
+  "Engines are compiled for 1 … this dimension (8 at most); larger ones use the engine whose dimension is a variable")
 set(DELONE_SANITIZE "" CACHE STRING "Sanitizers for -fsanitize=, for example address,undefined")
 
+if(NOT DELONE_LARGEST_COMPILED_DIMENSION MATCHES "^[1-8]$")
+  message(FATAL_ERROR "DELONE_LARGEST_COMPILED_DIMENSION is 1 to 8")
+endif()
 if(DELONE_64BIT_IDS)
   set(DELONE_64BIT_IDS_VALUE 1)
 else()

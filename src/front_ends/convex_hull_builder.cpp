@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "front_ends/convex_hull_builder.hpp"
 
+#include "front_ends/dispatch.hpp"
 #include "front_ends/hull_fan.hpp"
 
 #include <algorithm>
@@ -11,27 +12,12 @@
 namespace delone::front_ends {
 namespace {
 
-/// The only place where the dimension of a hull picks a compiled engine.
+/// Cells have one dimension less than the flat.
 std::unique_ptr<HullBoundary> boundary_of_simplex(const HullSites& sites, const HullView& view,
                                                   const std::vector<Index>& simplex) {
-  switch (sites.axes.size()) {
-    case 2:
-      return make_hull_boundary<1>(sites, view, simplex);
-    case 3:
-      return make_hull_boundary<2>(sites, view, simplex);
-    case 4:
-      return make_hull_boundary<3>(sites, view, simplex);
-    case 5:
-      return make_hull_boundary<4>(sites, view, simplex);
-    case 6:
-      return make_hull_boundary<5>(sites, view, simplex);
-    case 7:
-      return make_hull_boundary<6>(sites, view, simplex);
-    case 8:
-      return make_hull_boundary<7>(sites, view, simplex);
-    default:
-      return make_hull_boundary<0>(sites, view, simplex);
-  }
+  return with_compiled_dimension(sites.axes.size(), [&](auto dimension) {
+    return make_hull_boundary<(dimension() > 1 ? dimension() - 1 : 0)>(sites, view, simplex);
+  });
 }
 
 }  // namespace
