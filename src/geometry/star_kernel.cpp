@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The pencil identity. With a = h_A(q) < 0 and b = h_B(q) > 0, the functional of the cell that joins q to the common facet of A
+// The pencil identity. With a = h_A(q) ≤ 0 and b = h_B(q) ≥ 0, the functional of the cell that joins q to the common facet of A
 // and B is (b·h_A − a·h_B)/ν, where ν is
 //   A, B finite         b − a                                a convex combination
 //   A finite, B not     b
@@ -112,7 +112,8 @@ void compute(const StarTask& task, std::size_t count, double* HWY_RESTRICT block
       return hn::BitCast(d, hn::Add(hn::ShiftLeft<certificate::short_shift>(bits), bias));
     };
     const U threshold_bits = hn::Set(du, 0x7fffffff), short_bits = hn::Set(du, 0x7fff);
-    const V a = load(value_a), b = load(value_b), minus_a = hn::Neg(a);
+    // Exact stages may have decided: true values have the right signs, so 0 is closer to them than a computed wrong sign.
+    const V a = hn::Min(load(value_a), zero), b = hn::Max(load(value_b), zero), minus_a = hn::Neg(a);
     const V t_a = unpack(hn::And(of_a, threshold_bits)), t_b = unpack(hn::And(of_b, threshold_bits));
     const V e_a = unpack_short(hn::And(hn::ShiftRight<32>(of_a), short_bits));
     const V e_b = unpack_short(hn::And(hn::ShiftRight<32>(of_b), short_bits));
@@ -194,9 +195,8 @@ void compute(const StarTask& task, std::size_t count, double* HWY_RESTRICT block
     const V threshold = hn::Mul(hn::MulAdd(error, spread, rounding), hn::Set(d, 1 + slack));
     // With not-a-number anywhere, a comparison fails.
     const V smallest = hn::Set(d, certificate::smallest), largest = hn::Set(d, certificate::largest);
-    const auto usable =
-        hn::And(hn::And(hn::And(hn::Lt(a, zero), hn::Gt(b, zero)), hn::And(hn::Ge(det, smallest), hn::Le(det, largest))),
-                hn::And(hn::Le(threshold, hn::Mul(hn::Set(d, weakest), scale)), hn::Lt(threshold, largest)));
+    const auto usable = hn::And(hn::And(hn::Ge(det, smallest), hn::Le(det, largest)),
+                                hn::And(hn::Le(threshold, hn::Mul(hn::Set(d, weakest), scale)), hn::Lt(threshold, largest)));
     const auto pack = [&](V positive) { return hn::Sub(hn::BitCast(du, positive), bias); };
     const U up = hn::Add(hn::ShiftRight<certificate::fraction_shift>(pack(hn::Max(threshold, smallest))), hn::Set(du, 1));
     const U error_up = hn::Add(hn::ShiftRight<certificate::short_shift>(pack(hn::Max(error, smallest))), hn::Set(du, 1));
