@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Is a cell in conflict with a query point? The filter first, then the exact stages.
+// Is a cell in conflict with a query point? The exact stages, for where the filter is not certain.
 #pragma once
 
 #include "engine/cell_store.hpp"
@@ -17,19 +17,6 @@ bool in_conflict_exactly(const CellStore<K>& cells, const G& geometry, Index cel
   const Sign side = geometry.exact_side(cells.vertices(cell), infinite_slot, q, counts);
   if (side != Sign::zero) return side == Sign::negative;
   return in_conflict_exactly(cells, geometry, cells.neighbors(cell)[infinite_slot], q, counts);
-}
-
-/// The conflict test; `value` becomes h̃(q).
-template <int K, Geometry G>
-bool in_conflict(const CellStore<K>& cells, const G& geometry, Index cell, const typename G::Query& q, double& value,
-                 StageCounts& counts) {
-  value = geometry.value(cell, q);
-  const Sign side = geometry.filter_side(cell, value);
-  if (side != Sign::zero) {
-    ++counts.filter;
-    return side == Sign::negative;
-  }
-  return in_conflict_exactly(cells, geometry, cell, q, counts);
 }
 
 /// The vertex of the cell at q, or invalid_index.

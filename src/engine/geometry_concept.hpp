@@ -16,14 +16,11 @@ namespace delone::engine {
 /// Answers about a query point q and a cell, given as a slot (cached functional) or as its k+1 vertices (exact).
 template <class G>
 concept Geometry = requires(G geometry, const G& known, Index cell, const Index* vertices, int slot, const typename G::Query& q,
-                            StageCounts& counts, std::size_t size, double value, std::span<const HorizonFacet> facets) {
-  /// Approximately h(q); among finite cells, the smaller the closer to a conflict.
-  { known.value(cell, q) } -> std::same_as<double>;
-  /// The same for many cells, by a copy: value(cell), and threshold(cell): |value − h(q)| is below it.
+                            StageCounts& counts, std::size_t size, std::span<const HorizonFacet> facets) {
+  /// A copy of what it takes to evaluate functionals at q. value(cell): approximately h(q); among finite cells, the smaller the
+  /// closer to a conflict. threshold(cell): |value − h(q)| is below it. A value that is not a number says nothing.
   { known.evaluator(q).value(cell) } -> std::same_as<double>;
   { known.evaluator(q).threshold(cell) } -> std::same_as<double>;
-  /// The certified sign of h(q) from that value, or zero: uncertain. Negative: in conflict.
-  { known.filter_side(cell, value) } -> std::same_as<Sign>;
   /// The exact sign of h(q), ties perturbed; zero only if the cell is infinite and q on its hyperplane.
   { known.exact_side(vertices, slot, q, counts) } -> std::same_as<Sign>;
   /// The exact side of facet `slot` of a finite cell that q lies on: positive is the side of the cell.

@@ -58,11 +58,6 @@ class HullFan {
   /// Takes over the normal of a cell: k numbers.
   void update(const HullSites& sites, const SimplicialHull& hull, std::size_t c, const double* normal);
   void resize(std::size_t cells, std::size_t k) { gradient_.resize(cells * k); }
-  void reserve(std::size_t cells, std::size_t k) { gradient_.reserve(cells * k); }
-  void move(std::size_t from, std::size_t to, std::size_t k) {
-    for (std::size_t j = 0; j < k; ++j) gradient_[to * k + j] = gradient_[from * k + j];
-  }
-  std::size_t bytes() const { return gradient_.capacity() * sizeof(double); }
 
   /// A cell near the ray from o to q. O(k) per cell that is passed.
   std::size_t descend(const HullSites& sites, const SimplicialHull& hull, const double* q, std::size_t start) const;

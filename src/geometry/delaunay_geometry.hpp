@@ -86,14 +86,8 @@ class DelaunayGeometry {
   double value(Index cell, const Query& q) const { return evaluator(q).value(cell); }
   auto evaluator(const Query& q) const { return functionals_.evaluator(q.row.data()); }
   bool is_infinite(Index cell) const { return functionals_.is_infinite(cell); }
-  /// |value − h| stays below it for all queries in the frame.
+  /// |value − h| stays below it for all queries in the frame. Stage filter_: a value beyond it has the sign of h.
   double threshold(Index cell) const { return functionals_.threshold(cell); }
-
-  /// Stage filter_: the sign of h(q) if h̃(q) = `value` proves it, else zero.
-  Sign filter_side(Index cell, double value) const {
-    const double bound = threshold(cell);
-    return value < -bound ? Sign::negative : value > bound ? Sign::positive : Sign::zero;
-  }
 
   /// Stages direct_ to perturbed_: the sign of h(q) for the cell of these k+1 vertices, `infinite_slot` −1 for a finite cell.
   /// Zero only for an infinite cell with q exactly on its hyperplane. REQUIRES that q is none of the vertices.

@@ -81,14 +81,8 @@ class HullGeometry {
   }
   bool is_at(Index vertex, const Query& q) const { return kernel::equal_points(point(vertex), q.point, ambient_); }
 
-  double value(Index cell, const Query& q) const { return evaluator(q).value(cell); }
   auto evaluator(const Query& q) const { return functionals_.evaluator(q.row.data()); }
   bool is_infinite(Index) const { return false; }
-  Sign filter_side(Index cell, double value) const {
-    const double bound = functionals_.threshold(cell);
-    return value < -bound ? Sign::negative : value > bound ? Sign::positive : Sign::zero;
-  }
-
   /// The exact side of q, never zero: positive inside. REQUIRES that q is none of the vertices.
   Sign exact_side(const Index* vertices, int, const Query& q, StageCounts& counts) const {
     const Sign exact = side(vertices, q.point, counts);

@@ -85,7 +85,8 @@ double expect_certified_signs_are_right(const char* kind, std::size_t n, std::si
     if (built.cells.is_vacant(cell)) continue;
     const auto q = built.geometry.make_query(built.geometry.point(v));
     if (engine::vertex_at(built.cells, built.geometry, cell, q) != invalid_index) continue;
-    const Sign side = built.geometry.filter_side(cell, built.geometry.value(cell, q));
+    const double value = built.geometry.value(cell, q), threshold = built.geometry.threshold(cell);
+    const Sign side = value < -threshold ? Sign::negative : value > threshold ? Sign::positive : Sign::zero;
     ++tested;
     if (side == Sign::zero) continue;
     ++certified;
