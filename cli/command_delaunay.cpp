@@ -1,34 +1,19 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // delone delaunay: points in, triangulation out, and what it cost.
 #include "command.hpp"
+#include "cost.hpp"
 #include "interrupt.hpp"
 #include "output.hpp"
 #include "progress_bar.hpp"
 
 #include <fmt/format.h>
-#include <sys/resource.h>
 #include <nlohmann/json.hpp>
 
-#include <chrono>
 #include <cstdio>
 #include <memory>
 
 namespace delone::cli {
 namespace {
-
-using Clock = std::chrono::steady_clock;
-
-double seconds_since(Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); }
-
-std::size_t peak_rss_bytes() {
-  rusage usage{};
-  getrusage(RUSAGE_SELF, &usage);
-#ifdef __APPLE__
-  return static_cast<std::size_t>(usage.ru_maxrss);
-#else
-  return static_cast<std::size_t>(usage.ru_maxrss) * 1024;
-#endif
-}
 
 struct DelaunayOptions {
   PointInput input;
@@ -37,13 +22,6 @@ struct DelaunayOptions {
   std::uint64_t seed = 0;
   std::string order = "automatic";
   bool stats = false, quiet = false, runtime_dimension = false;
-};
-
-/// The threads that do the work, whatever was asked for: this version builds with one.
-constexpr int threads_used = 1;
-
-struct Seconds {
-  double read = 0, build = 0, write = 0, total = 0;
 };
 
 nlohmann::ordered_json stats_json(const Triangulation& t, const std::string& hash, const Seconds& seconds, std::uint64_t seed) {
@@ -60,18 +38,7 @@ nlohmann::ordered_json stats_json(const Triangulation& t, const std::string& has
   json["cells"] = t.num_finite_cells();
   json["infinite_cells"] = t.num_infinite_cells();
   json["hash"] = hash;
-  json["seconds"] = {{"read", seconds.read},
-                     {"order", s.order_seconds},
-                     {"build", seconds.build - s.order_seconds},
-                     {"write", seconds.write},
-                     {"total", seconds.total}};
-  json["peak_rss_bytes"] = peak_rss_bytes();
-  json["bytes_per_cell"] = num_cells == 0 ? 0.0 : static_cast<double>(s.cell_bytes) / static_cast<double>(num_cells);
-  json["created_cells"] = s.created_cells;
-  json["stages"] = {{"filter", s.filter}, {"direct", s.direct}, {"exact", s.exact}, {"perturbed", s.perturbed}};
-  json["threads"] = threads_used;
-  json["seed"] = seed;
-  json["version"] = DELONE_VERSION;
+  add_cost(json, s, num_cells, seconds, seed);
   return json;
 }
 
@@ -99,8 +66,7 @@ Triangulation build(const PointTable& table, const DelaunayOptions& options) {
   const StageGuard guard(Stage::building);
   Options build_options;
   build_options.seed = options.seed;
-  if (options.order == "given") build_options.order = InsertionOrder::as_given;
-  if (options.order == "shuffled") build_options.order = InsertionOrder::shuffled;
+  build_options.order = insertion_order(options.order);
   build_options.force_runtime_dimension = options.runtime_dimension;
   build_options.progress = bar.callback();
   return about(input_name(options.input.path),

@@ -1,34 +1,19 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // delone hull: points in, convex hull out, or its lower or upper part with respect to the last coordinate.
 #include "command.hpp"
+#include "cost.hpp"
 #include "interrupt.hpp"
 #include "output.hpp"
 #include "progress_bar.hpp"
 
 #include <fmt/format.h>
-#include <sys/resource.h>
 #include <nlohmann/json.hpp>
 
-#include <chrono>
 #include <cmath>
 #include <memory>
 
 namespace delone::cli {
 namespace {
-
-using Clock = std::chrono::steady_clock;
-
-double seconds_since(Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); }
-
-std::size_t peak_rss_bytes() {
-  rusage usage{};
-  getrusage(RUSAGE_SELF, &usage);
-#ifdef __APPLE__
-  return static_cast<std::size_t>(usage.ru_maxrss);
-#else
-  return static_cast<std::size_t>(usage.ru_maxrss) * 1024;
-#endif
-}
 
 struct HullOptions {
   PointInput input;
@@ -38,15 +23,10 @@ struct HullOptions {
   bool lower = false, upper = false, stats = false, quiet = false;
 };
 
-struct Seconds {
-  double read = 0, build = 0, write = 0, total = 0;
-};
-
 Options build_options(const HullOptions& options, ProgressBar& bar) {
   Options result;
   result.seed = options.seed;
-  if (options.order == "given") result.order = InsertionOrder::as_given;
-  if (options.order == "shuffled") result.order = InsertionOrder::shuffled;
+  result.order = insertion_order(options.order);
   result.progress = bar.callback();
   return result;
 }
@@ -54,22 +34,6 @@ Options build_options(const HullOptions& options, ProgressBar& bar) {
 /// Numbers that JSON has no form for become null.
 nlohmann::ordered_json number(double x) {
   return std::isfinite(x) ? nlohmann::ordered_json(x) : nlohmann::ordered_json(nullptr);
-}
-
-void add_cost(nlohmann::ordered_json& json, const Statistics& s, std::size_t cells, const Seconds& seconds,
-              const HullOptions& options) {
-  json["seconds"] = {{"read", seconds.read},
-                     {"order", s.order_seconds},
-                     {"build", seconds.build - s.order_seconds},
-                     {"write", seconds.write},
-                     {"total", seconds.total}};
-  json["peak_rss_bytes"] = peak_rss_bytes();
-  json["bytes_per_cell"] = cells == 0 ? 0.0 : static_cast<double>(s.cell_bytes) / static_cast<double>(cells);
-  json["created_cells"] = s.created_cells;
-  json["stages"] = {{"filter", s.filter}, {"direct", s.direct}, {"exact", s.exact}, {"perturbed", s.perturbed}};
-  json["threads"] = 1;
-  json["seed"] = options.seed;
-  json["version"] = DELONE_VERSION;
 }
 
 nlohmann::ordered_json stats_json(const Polytope& hull, const Seconds& seconds, const HullOptions& options) {
@@ -93,7 +57,7 @@ nlohmann::ordered_json stats_json(const Polytope& hull, const Seconds& seconds, 
   json["area"] = number(area.value);
   json["area_error"] = number(area.error);
   json["hash"] = hull.hash().hex();
-  add_cost(json, hull.statistics(), hull.num_cells(), seconds, options);
+  add_cost(json, hull.statistics(), hull.num_cells(), seconds, options.seed);
   return json;
 }
 
@@ -109,7 +73,7 @@ nlohmann::ordered_json stats_json(const LowerHull& hull, const Seconds& seconds,
   json["facets"] = hull.num_facets();
   json["hash"] = canonical_hash(hull.to_data()).hex();
   const Statistics s = hull.num_points() == 0 ? Statistics{} : hull.polytope().statistics();
-  add_cost(json, s, hull.num_points() == 0 ? 0 : hull.polytope().num_cells(), seconds, options);
+  add_cost(json, s, hull.num_points() == 0 ? 0 : hull.polytope().num_cells(), seconds, options.seed);
   return json;
 }
 

@@ -1,44 +1,25 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // delone regular: weighted points in, regular triangulation out, and what it cost.
 #include "command.hpp"
+#include "cost.hpp"
 #include "interrupt.hpp"
 #include "output.hpp"
 #include "progress_bar.hpp"
 #include "weighted_input.hpp"
 
 #include <fmt/format.h>
-#include <sys/resource.h>
 #include <nlohmann/json.hpp>
 
-#include <chrono>
 #include <memory>
 
 namespace delone::cli {
 namespace {
-
-using Clock = std::chrono::steady_clock;
-
-double seconds_since(Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); }
-
-std::size_t peak_rss_bytes() {
-  rusage usage{};
-  getrusage(RUSAGE_SELF, &usage);
-#ifdef __APPLE__
-  return static_cast<std::size_t>(usage.ru_maxrss);
-#else
-  return static_cast<std::size_t>(usage.ru_maxrss) * 1024;
-#endif
-}
 
 struct RegularOptions {
   WeightedInput input;
   std::string output, output_format;
   std::uint64_t seed = 0;
   bool stats = false, quiet = false;
-};
-
-struct Seconds {
-  double read = 0, build = 0, write = 0, total = 0;
 };
 
 nlohmann::ordered_json stats_json(const RegularTriangulation& t, const Seconds& seconds, std::uint64_t seed) {
@@ -55,18 +36,7 @@ nlohmann::ordered_json stats_json(const RegularTriangulation& t, const Seconds& 
   json["cells"] = t.num_finite_cells();
   json["infinite_cells"] = t.num_infinite_cells();
   json["hash"] = t.hash().hex();
-  json["seconds"] = {{"read", seconds.read},
-                     {"order", s.order_seconds},
-                     {"build", seconds.build - s.order_seconds},
-                     {"write", seconds.write},
-                     {"total", seconds.total}};
-  json["peak_rss_bytes"] = peak_rss_bytes();
-  json["bytes_per_cell"] = num_cells == 0 ? 0.0 : static_cast<double>(s.cell_bytes) / static_cast<double>(num_cells);
-  json["created_cells"] = s.created_cells;
-  json["stages"] = {{"filter", s.filter}, {"direct", s.direct}, {"exact", s.exact}, {"perturbed", s.perturbed}};
-  json["threads"] = 1;
-  json["seed"] = seed;
-  json["version"] = DELONE_VERSION;
+  add_cost(json, s, num_cells, seconds, seed);
   return json;
 }
 

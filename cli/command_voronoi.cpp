@@ -1,16 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // delone voronoi, delone power: points in, Voronoi or power diagram out, and what it cost.
 #include "command.hpp"
+#include "cost.hpp"
 #include "interrupt.hpp"
 #include "output.hpp"
 #include "progress_bar.hpp"
 #include "weighted_input.hpp"
 
 #include <fmt/format.h>
-#include <sys/resource.h>
 #include <nlohmann/json.hpp>
 
-#include <chrono>
 #include <cmath>
 #include <filesystem>
 #include <memory>
@@ -20,20 +19,6 @@
 
 namespace delone::cli {
 namespace {
-
-using Clock = std::chrono::steady_clock;
-
-double seconds_since(Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); }
-
-std::size_t peak_rss_bytes() {
-  rusage usage{};
-  getrusage(RUSAGE_SELF, &usage);
-#ifdef __APPLE__
-  return static_cast<std::size_t>(usage.ru_maxrss);
-#else
-  return static_cast<std::size_t>(usage.ru_maxrss) * 1024;
-#endif
-}
 
 struct VoronoiOptions {
   WeightedInput weighted;  // the points; of a power diagram with weights
@@ -49,8 +34,8 @@ const std::vector<std::string>& voronoi_formats() {
   return formats;
 }
 
-struct Seconds {
-  double read = 0, build = 0, diagram = 0, write = 0, total = 0;
+struct DiagramSeconds : Seconds {
+  double diagram = 0;
 };
 
 /// The box of --box; none if it was not given. Checked before the work.
@@ -93,7 +78,7 @@ void check_outputs(const VoronoiOptions& options, int dimension) {
   }
 }
 
-nlohmann::ordered_json stats_json(const Triangulation& t, const VoronoiDiagram& diagram, const Seconds& seconds,
+nlohmann::ordered_json stats_json(const Triangulation& t, const VoronoiDiagram& diagram, const DiagramSeconds& seconds,
                                   const VoronoiOptions& options) {
   const Statistics s = t.statistics();
   const std::size_t num_cells = t.complex().num_cells();
@@ -113,19 +98,12 @@ nlohmann::ordered_json stats_json(const Triangulation& t, const VoronoiDiagram& 
   json["unbounded_regions"] = diagram.num_unbounded_regions();
   json["ridges"] = diagram.num_ridges();
   json["rays"] = diagram.num_rays();
-  json["seconds"] = {{"read", seconds.read},       {"order", s.order_seconds}, {"build", seconds.build - s.order_seconds},
-                     {"diagram", seconds.diagram}, {"write", seconds.write},   {"total", seconds.total}};
-  json["peak_rss_bytes"] = peak_rss_bytes();
-  json["bytes_per_cell"] = num_cells == 0 ? 0.0 : static_cast<double>(s.cell_bytes) / static_cast<double>(num_cells);
-  json["created_cells"] = s.created_cells;
-  json["stages"] = {{"filter", s.filter}, {"direct", s.direct}, {"exact", s.exact}, {"perturbed", s.perturbed}};
-  json["threads"] = 1;
-  json["seed"] = options.seed;
-  json["version"] = DELONE_VERSION;
+  add_cost(json, s, num_cells, seconds, options.seed);
+  json["seconds"]["diagram"] = seconds.diagram;
   return json;
 }
 
-std::string summary(const Triangulation& t, const VoronoiDiagram& diagram, const Seconds& seconds,
+std::string summary(const Triangulation& t, const VoronoiDiagram& diagram, const DiagramSeconds& seconds,
                     const VoronoiOptions& options) {
   std::string text = fmt::format("{}: {} of {} points in dimension {}\n", input_name(options.weighted.input.path),
                                  options.power ? "power diagram" : "Voronoi diagram", t.num_points(), t.dimension());
@@ -158,7 +136,7 @@ std::string volumes_text(const VoronoiDiagram& diagram, const std::optional<Box>
 
 /// The triangulation by `build`, its diagram, and what was asked for.
 template <class Build>
-int run_with(Build build, const std::optional<Box>& box, Seconds seconds, Clock::time_point start,
+int run_with(Build build, const std::optional<Box>& box, DiagramSeconds seconds, Clock::time_point start,
              const VoronoiOptions& options) {
   const std::string name = input_name(options.weighted.input.path);
   auto stage_start = Clock::now();
@@ -196,7 +174,7 @@ int run_voronoi(const VoronoiOptions& options) {
     throw UsageError("--stats wants standard output for itself");
   if (options.output == "-" && options.volumes == "-") throw UsageError("--output - and --volumes - both want standard output");
   const auto start = Clock::now();
-  Seconds seconds;
+  DiagramSeconds seconds;
   std::vector<double> weights;
   PointTable table = options.power ? options.weighted.read(weights) : options.weighted.input.read();
   seconds.read = seconds_since(start);
