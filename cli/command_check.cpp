@@ -17,6 +17,7 @@ struct CheckCommandOptions {
   int level = 6;
   bool canonical = false;
   bool any_orientation = false;
+  bool furthest_site = false;
 };
 
 struct Level {
@@ -48,6 +49,7 @@ int run_check(const CheckCommandOptions& options) {
   check_options.up_to = static_cast<CheckLevel>(options.level);
   check_options.canonical = options.canonical;
   check_options.oriented = !options.any_orientation;
+  check_options.furthest_site = options.furthest_site;
   const CheckReport report = about(options.path, [&] { return check(data, check_options); });
 
   std::string text = fmt::format("{}: {} points in dimension {}, affine dimension {}, {} cells\n", options.path,
@@ -55,12 +57,14 @@ int run_check(const CheckCommandOptions& options) {
   const auto reached = static_cast<std::size_t>(report.reached);
   for (std::size_t i = 1; i <= levels.size() && i <= reached; ++i) {
     const bool failed = !report.ok && i == reached;
-    text += fmt::format("level {}  {:<17}{:<8}{}\n", i, levels[i - 1].name, failed ? "FAILED" : "ok", levels[i - 1].meaning);
+    const bool other_side = options.furthest_site && i == static_cast<std::size_t>(CheckLevel::local_convexity);
+    text += fmt::format("level {}  {:<17}{:<8}{}\n", i, levels[i - 1].name, failed ? "FAILED" : "ok",
+                        other_side ? "no vertex outside the sphere of a cell, the hull is convex" : levels[i - 1].meaning);
   }
   if (report.ok) {
     if (reached >= static_cast<std::size_t>(CheckLevel::local_convexity))
       text += fmt::format("ties: {} facets between two cells on one sphere\n", report.ties);
-    const char* kind = data.weights.empty() ? "Delaunay" : "regular";
+    const char* kind = options.furthest_site ? "furthest-site Delaunay" : data.weights.empty() ? "Delaunay" : "regular";
     text += options.level == 6 ? fmt::format("a {} triangulation of all its points, exactly\n", kind)
                                : std::string("no violation up to this level\n");
     if (options.canonical) text += "ties are decided as the symbolic perturbation decides them\n";
@@ -82,6 +86,8 @@ Run add_check(CLI::App& app) {
   app.add_flag("--canonical", options->canonical, "Ask also for the choice among ties that delone makes");
   app.add_flag("--any-orientation", options->any_orientation,
                "Take cells as sets of vertices, as Qhull and SciPy write them: their order means nothing");
+  app.add_flag("--furthest-site", options->furthest_site,
+               "Ask that no point is outside the sphere of a cell; points that are not extreme are no vertices");
   app.add_option("--points", options->points.path, "Take the points from this file instead")->type_name("FILE");
   std::string footer = "Levels:\n";
   for (std::size_t i = 0; i < levels.size(); ++i)

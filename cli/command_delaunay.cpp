@@ -21,10 +21,14 @@ struct DelaunayOptions {
   int threads = 1;
   std::uint64_t seed = 0;
   std::string order = "automatic";
-  bool stats = false, quiet = false, runtime_dimension = false;
+  bool stats = false, quiet = false, runtime_dimension = false, furthest_site = false;
 };
 
-nlohmann::ordered_json stats_json(const Triangulation& t, const std::string& hash, const Seconds& seconds, std::uint64_t seed) {
+/// The rows that are neither vertices nor duplicates of one.
+std::size_t num_hidden(const Triangulation& t) { return t.num_points() - t.num_vertices() - t.num_duplicates(); }
+
+nlohmann::ordered_json stats_json(const Triangulation& t, const std::string& hash, const Seconds& seconds,
+                                  const DelaunayOptions& options) {
   const Statistics s = t.statistics();
   const std::size_t num_cells = t.complex().num_cells();
   nlohmann::ordered_json json;
@@ -34,24 +38,27 @@ nlohmann::ordered_json stats_json(const Triangulation& t, const std::string& has
   json["points"] = t.num_points();
   json["vertices"] = t.num_vertices();
   json["duplicates"] = t.num_duplicates();
-  json["hidden"] = 0;
+  json["hidden"] = num_hidden(t);
   json["cells"] = t.num_finite_cells();
   json["infinite_cells"] = t.num_infinite_cells();
   json["hash"] = hash;
-  add_cost(json, s, num_cells, seconds, seed);
+  add_cost(json, s, num_cells, seconds, options.seed);
   return json;
 }
 
-std::string summary(const Triangulation& t, const std::string& hash, const Seconds& seconds, const std::string& name) {
+std::string summary(const Triangulation& t, const std::string& hash, const Seconds& seconds, const DelaunayOptions& options) {
   const Statistics s = t.statistics();
-  std::string text =
-      fmt::format("{}: Delaunay triangulation of {} points in dimension {}\n", name, t.num_points(), t.dimension());
+  const char* kind = options.furthest_site ? "furthest-site Delaunay" : "Delaunay";
+  std::string text = fmt::format("{}: {} triangulation of {} points in dimension {}\n", input_name(options.input.path), kind,
+                                 t.num_points(), t.dimension());
   const auto line = [&](const char* what, const std::string& value) { text += fmt::format("  {:<18}{}\n", what, value); };
   line("affine dimension", fmt::format("{}{}", t.affine_dimension(),
                                        t.affine_dimension() < 0               ? " (no points)"
                                        : t.affine_dimension() < t.dimension() ? " (flat: triangulated inside its flat)"
                                                                               : ""));
-  line("vertices", fmt::format("{} ({} duplicate points)", t.num_vertices(), t.num_duplicates()));
+  line("vertices", options.furthest_site
+                       ? fmt::format("{} ({} hidden, {} duplicate points)", t.num_vertices(), num_hidden(t), t.num_duplicates())
+                       : fmt::format("{} ({} duplicate points)", t.num_vertices(), t.num_duplicates()));
   line("cells", fmt::format("{}, and {} hull facets", t.num_finite_cells(), t.num_infinite_cells()));
   line("hash", hash);
   line("conflict tests", fmt::format("{} by filter, {} direct, {} exact, {} ties", s.filter, s.direct, s.exact, s.perturbed));
@@ -61,7 +68,7 @@ std::string summary(const Triangulation& t, const std::string& hash, const Secon
   return text;
 }
 
-Triangulation build(const PointTable& table, const DelaunayOptions& options) {
+std::unique_ptr<Triangulation> build(const PointTable& table, const DelaunayOptions& options) {
   ProgressBar bar(options.quiet);
   const StageGuard guard(Stage::building);
   Options build_options;
@@ -69,8 +76,11 @@ Triangulation build(const PointTable& table, const DelaunayOptions& options) {
   build_options.order = insertion_order(options.order);
   build_options.force_runtime_dimension = options.runtime_dimension;
   build_options.progress = bar.callback();
-  return about(input_name(options.input.path),
-               [&] { return Triangulation(table.coordinates, table.dimension, build_options); });
+  return about(input_name(options.input.path), [&]() -> std::unique_ptr<Triangulation> {
+    if (options.furthest_site)
+      return std::make_unique<FurthestSiteTriangulation>(table.coordinates, table.dimension, build_options);
+    return std::make_unique<Triangulation>(table.coordinates, table.dimension, build_options);
+  });
 }
 
 int run_delaunay(const DelaunayOptions& options) {
@@ -84,7 +94,8 @@ int run_delaunay(const DelaunayOptions& options) {
     fmt::print(stderr, "delone: note: this version builds with one thread, not {}\n", options.threads);
 
   const auto build_start = Clock::now();
-  const Triangulation triangulation = build(table, options);
+  const std::unique_ptr<const Triangulation> built = build(table, options);
+  const Triangulation& triangulation = *built;
   seconds.build = seconds_since(build_start);
 
   std::string hash;
@@ -101,9 +112,9 @@ int run_delaunay(const DelaunayOptions& options) {
   }
   seconds.total = seconds_since(start);
   if (options.stats) {
-    print_output(stats_json(triangulation, hash, seconds, options.seed).dump(2) + "\n");
+    print_output(stats_json(triangulation, hash, seconds, options).dump(2) + "\n");
   } else if (options.output.empty()) {
-    print_output(summary(triangulation, hash, seconds, input_name(options.input.path)));
+    print_output(summary(triangulation, hash, seconds, options));
   }
   return exit_status::ok;
 }
@@ -121,6 +132,8 @@ Run add_delaunay(CLI::App& app) {
   add_seed(app, options->seed, "Seed of the insertion order; the result does not depend on it");
   app.add_option("--order", options->order, "Insertion order; the result does not depend on it")
       ->check(CLI::IsMember({"automatic", "given", "shuffled"}));
+  app.add_flag("--furthest-site", options->furthest_site,
+               "The furthest-site triangulation: spheres that have all points inside, instead of none");
   app.add_flag("--runtime-dimension", options->runtime_dimension, "Use the engine that is not compiled for one dimension");
   app.add_flag("--stats", options->stats, "Print one JSON object about the result and its cost, and nothing else");
   app.add_flag("-q,--quiet", options->quiet, "No progress bar, no notes");

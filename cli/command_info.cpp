@@ -47,6 +47,12 @@ std::string describe(const ComplexData& data) {
     for (std::size_t i = 0; i < data.vertex_of_point.size(); ++i)
       vertices += data.vertex_of_point[i] == static_cast<SignedIndex>(i) ? 1 : 0;
     line("vertices", fmt::format("{}", vertices));
+    const auto hidden = std::count(data.vertex_of_point.begin(), data.vertex_of_point.end(), -1);
+    if (hidden > 0) line("hidden points", fmt::format("{}", hidden));
+  }
+  if (!data.weights.empty()) {
+    const auto [low, high] = std::minmax_element(data.weights.begin(), data.weights.end());
+    line("weights", fmt::format("{} ... {}", *low, *high));
   }
   line("hash", canonical_hash(data).hex());
   return text;

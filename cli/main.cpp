@@ -46,6 +46,7 @@ int run(int argc, char** argv) {
   };
   add("delaunay", "Triangulate points", add_delaunay);
   add("hull", "Compute the convex hull of points, or its lower or upper part", add_hull);
+  add("halfspaces", "Intersect halfspaces", add_halfspaces);
   add("voronoi", "Make the Voronoi diagram of points", add_voronoi);
   add("regular", "Triangulate weighted points", add_regular);
   add("power", "Make the power diagram of weighted points", add_power);

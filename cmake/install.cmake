@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: BSD-3-Clause
 # Install rules: the library with its public headers, the command, and a CMake package that offers delone::delone.
-# What the library links is private; of it, only Highway has to be present where a static library is used.
+# What the library links is private; of it, only Highway and fmt have to be present where a static library is used.
 include(GNUInstallDirs)
 include(CMakePackageConfigHelpers)
 

@@ -2,8 +2,10 @@
 # Options of the build. A parent project that adds this one by add_subdirectory gets the library only.
 option(DELONE_64BIT_IDS "Use 64-bit ids for vertices and cells" OFF)
 option(DELONE_BUILD_CLI "Build the command `delone`" ${PROJECT_IS_TOP_LEVEL})
+option(DELONE_BUILD_PYTHON "Build the Python module `delone` (needs pybind11, and a Python with NumPy)" OFF)
 option(DELONE_INSTALL "Install rules and the CMake package" ${PROJECT_IS_TOP_LEVEL})
 option(DELONE_DEVELOPER_MODE "Build the tests and the examples" OFF)
+option(DELONE_OPTIMIZE_TESTS "Compile the tests of a release build with its full optimisation, which takes twice as long" OFF)
 option(DELONE_FUZZ "Build the fuzz targets with libFuzzer (needs clang)" OFF)
 option(DELONE_WERROR "Treat warnings as errors" ${DELONE_DEVELOPER_MODE})
 set(DELONE_LARGEST_COMPILED_DIMENSION 8 CACHE STRING

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The six levels of exact checks of a Delaunay triangulation, our own or anybody's.
+// The six levels of exact checks of a Delaunay, regular or furthest-site triangulation, our own or anybody's.
 #pragma once
 
 #include <delone/complex.hpp>
@@ -26,6 +26,9 @@ struct CheckOptions {
   /// Ask that cells are oriented: coherently, and positively when k = d. Without, cells are sets of vertices (Qhull and SciPy
   /// do not orient theirs), and level 4 asks that neighbors lie on different sides of their common facet.
   bool oriented = true;
+  /// Ask for a furthest-site Delaunay triangulation: no point outside the sphere of a cell; points that are not extreme are no
+  /// vertices.
+  bool furthest_site = false;
 };
 
 struct CheckReport {

@@ -116,9 +116,20 @@ class Complex {
   std::vector<VertexId> vertices(CellId c) const;
   std::vector<CellId> neighbors(CellId c) const;
   /// The index, in neighbor i of c, of the vertex opposite the shared facet. O(k).
-  int mirror_index(CellId c, int i) const;
+  int mirror_index(CellId c, int i) const {
+    // Two cells of a simplicial sphere share at most one facet, so the neighbor that is c is found once.
+    const Index* const neighbors = row(neighbor(c, i)) + dimension_ + 1;
+    int j = 0;
+    while (j < dimension_ && neighbors[j] != delone::index(c)) ++j;
+    return j;
+  }
   /// The index of vertex v in cell c, or −1. O(k).
-  int index_of(CellId c, VertexId v) const;
+  int index_of(CellId c, VertexId v) const {
+    const Index* const vertices = row(c);
+    for (int i = 0; i <= dimension_; ++i)
+      if (vertices[i] == delone::index(v)) return i;
+    return -1;
+  }
   /// The index of the infinite vertex in c, or −1 if c is finite. O(k).
   int infinite_index(CellId c) const { return index_of(c, infinite_vertex); }
 

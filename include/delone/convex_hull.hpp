@@ -115,17 +115,18 @@ class Polytope {
   int affine_dimension() const;    ///< k ≤ d; 0 for one distinct point, −1 for none
   std::size_t num_points() const;  ///< rows inserted, duplicates included
   std::size_t num_duplicates() const;
-  std::size_t num_cells() const;                                       ///< simplices of the boundary
-  std::size_t num_vertices() const { return data().vertices.size(); }  ///< extreme points
-  std::size_t num_facets() const { return data().num_facets(); }       ///< of the polytope
-  std::size_t num_ridges() const { return data().num_ridges(); }       ///< of the polytope
-  PointKind kind(std::size_t row) const;                               ///< O(1) after data()
-  std::size_t count(PointKind kind) const;                             ///< rows of that kind
-  std::span<const double> point(std::size_t row) const;                ///< the d coordinates of a row
-  std::vector<int> axes() const;                                       ///< as Triangulation::axes()
+  std::size_t num_cells() const;                         ///< simplices of the boundary
+  std::size_t num_vertices() const;                      ///< extreme points
+  std::size_t num_facets() const;                        ///< of the polytope
+  std::size_t num_ridges() const;                        ///< of the polytope
+  PointKind kind(std::size_t row) const;                 ///< O(1) after the first call
+  std::size_t count(PointKind kind) const;               ///< rows of that kind
+  std::span<const double> point(std::size_t row) const;  ///< the d coordinates of a row
+  std::vector<int> axes() const;                         ///< as Triangulation::axes()
 
-  /// The hull as arrays, without `points`; computed on first use after a change, O(cells·k²) and a walk per interior point;
-  /// valid until the next insertion. Cells are numbered in no particular order; for k = 1 cell 0 is the lower end on the axis.
+  /// The hull as arrays, without `points`; valid until the next insertion. Computed on first use after a change, O(cells·k³)
+  /// and more where cells share hyperplanes. The numbers, kinds and measures above and below do not need it. Cells are numbered
+  /// in no particular order; for k = 1 cell 0 is the lower end on the axis.
   ///
   /// `equations` are rounded: for every x of the hull the exact signed distance from the facet's hyperplane differs from that
   /// of the row, evaluated without error, by at most the entry of `equation_errors`. For k < d the normals are parallel to the
@@ -134,9 +135,9 @@ class Polytope {
   /// A copy of data(), with the points.
   HullData to_data(bool with_points = true) const;
 
-  /// The k-dimensional volume, and the (k−1)-dimensional volume of the boundary, each a compensated sum over the cells,
-  /// O(m·d³). The error bound covers the arithmetic to first order, with slack; it is infinite where numbers overflow. For k =
-  /// 1 the area is 2, the number of end points; for k < 1 both are 0.
+  /// The k-dimensional volume, and the (k−1)-dimensional volume of the boundary, each a compensated sum over the cells, both
+  /// O(m·d³) together. The error bound covers the arithmetic to first order, with slack; it is infinite where numbers overflow.
+  /// For k = 1 the area is 2, the number of end points; for k < 1 both are 0.
   Measure volume() const;
   Measure area() const;
 

@@ -8,6 +8,8 @@
 #include <delone/convex_hull.hpp>
 #include <delone/delaunay.hpp>
 #include <delone/error.hpp>
+#include <delone/furthest_site.hpp>
+#include <delone/halfspaces.hpp>
 #include <delone/io.hpp>
 #include <delone/lower_hull.hpp>
 #include <delone/point_sets.hpp>

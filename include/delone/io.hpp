@@ -8,6 +8,7 @@
 #include <functional>
 #include <string>
 #include <string_view>
+#include <variant>
 #include <vector>
 
 namespace delone {
@@ -53,6 +54,13 @@ void write_hull(const std::string& path, const HullData& data, const std::string
 
 /// Reads a triangulation back: npz (ours; also any .npz with `points` and `cells` or `simplices`), json, off/nOFF.
 ComplexData read_complex(const std::string& path, const std::string& format = {});
+
+/// Reads a hull back that write_hull() wrote as npz or json. The shapes of all arrays are checked; check_hull() examines what
+/// they hold.
+HullData read_hull(const std::string& path, const std::string& format = {});
+
+/// Reads whichever of the two a file holds: a hull if it has the array facet_of_cell, else a triangulation.
+std::variant<ComplexData, HullData> read_complex_or_hull(const std::string& path, const std::string& format = {});
 
 /// Writes points as .npy, .csv, .tsv, .txt/.xyz/.pts, .off, or qhull form ("-" is standard output), by extension or `format`.
 void write_points(const std::string& path, const PointTable& points, const std::string& format = {});

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <delone/delaunay.hpp>
+#include <delone/furthest_site.hpp>
 #include <delone/types.hpp>
 
 #include <concepts>
@@ -56,6 +57,8 @@ class VoronoiDiagram {
   /// Of a weighted triangulation take the PowerDiagram.
   template <WeightedTriangulation T>
   explicit VoronoiDiagram(const T&) = delete;
+  /// Its dual is another diagram.
+  explicit VoronoiDiagram(const FurthestSiteTriangulation&) = delete;
 
   int dimension() const { return dimension_; }                ///< d
   int affine_dimension() const { return affine_dimension_; }  ///< k

@@ -15,12 +15,11 @@ namespace delone::engine {
 /// the horizon (Boissonnat and Teillaud 1993, doi:10.1016/0304-3975(93)90024-N).
 template <int K>
 void link_by_rotation(CellStore<K>& cells, std::span<const HorizonFacet> facets, std::span<const std::uint32_t> half_ridges) {
-  const auto k = static_cast<std::uint32_t>(cells.dimension());
   // Within the zone, a dead cell gets the new cell in place of the neighbor across each of its horizon facets.
   for (const HorizonFacet& facet : facets) cells.neighbors(facet.dead)[facet.slot] = facet.created;
   for (const std::uint32_t half : half_ridges) {
-    const HorizonFacet& facet = facets[half / k];
-    const int slot = RidgeTable::slot(static_cast<int>(half % k), facet.slot);
+    const HorizonFacet& facet = facets[RidgeTable::facet(half, cells.dimension())];
+    const int slot = RidgeTable::slot(half, cells.dimension(), facet.slot);
     Index cell = facet.dead;
     int cross = slot;  // the facet to leave `cell` by: it contains the ridge, as does the facet opposite slot `other`
     int other = facet.slot;

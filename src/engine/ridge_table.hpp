@@ -15,8 +15,8 @@
 #include <algorithm>
 #include <bit>
 #include <cstdint>
-#include <numeric>
 #include <span>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -29,14 +29,15 @@ class RidgeTable {
 
   /// Makes room for the star over `facets` facets of cells of dimension k. Throws std::bad_alloc.
   void reserve(std::size_t facets, int k) {
-    const std::size_t halves = facets * static_cast<std::size_t>(k);
+    const std::size_t halves = facets << facet_shift(k);
     if (halves >= hashes_.size()) {
       hashes_.resize(2 * halves + 1);
-      unmatched_.resize(4 * halves + 2);
+      unmatched_.resize(2 * hashes_.size());
     }
     if (created_.size() < facets) created_.resize(2 * facets);
-    const std::size_t entries = std::bit_ceil(entries_per_half * std::max<std::size_t>(halves, 1));
-    if (entries_.size() < entries) entries_.resize(entries, 0);
+    const std::size_t size = num_entries(facets, k);
+    if (is_small(facets, k) ? small_.size() < size : large_.size() < size)
+      is_small(facets, k) ? small_.resize(size, 0) : large_.resize(size, 0);
   }
 
   /// Links the created cells of all facets across their ridges. Returns the half-ridges that it could not match, which the
@@ -44,23 +45,42 @@ class RidgeTable {
   template <int K>
   std::span<const std::uint32_t> link(CellStore<K>& cells, std::span<const HorizonFacet> facets);
 
-  /// A half-ridge is numbered facet · k + j for the j-th slot other than that of the apex.
-  static int slot(int j, int apex) { return j + (j >= apex ? 1 : 0); }
-
- private:
-  static constexpr std::size_t entries_per_half = 2;
-  static constexpr std::uint64_t one = std::uint64_t{1} << 32;
-
-  /// Sums of tags are to be different for different sets of vertices, as a rule.
-  static std::uint64_t tag(Index vertex) {
-    std::uint64_t x = (static_cast<std::uint64_t>(vertex) + 1) * 0x9e3779b97f4a7c15;
-    x ^= x >> 32;
-    return x * 0xd6e8feb86659fd93;
+  /// The facet of a half-ridge, and its slot in the created cell. `apex`: the slot of the new vertex there.
+  static std::uint32_t facet(std::uint32_t half, int k) { return half >> facet_shift(k); }
+  static int slot(std::uint32_t half, int k, int apex) {
+    return slot(static_cast<int>(half & ((1u << facet_shift(k)) - 1)), apex);
   }
 
+ private:
+  /// A half-ridge is numbered facet · 2^facet_shift + j for the j-th slot other than that of the apex.
+  static int facet_shift(int k) { return std::bit_width(static_cast<unsigned>(k) - 1); }
+  static int slot(int j, int apex) { return j + (j >= apex ? 1 : 0); }
+
+  /// Entries count in the bits above those that the sum of two half-ridges takes. What more than two add to the sum may carry
+  /// into the count, less than one for every two of them: a count that is more than 2 cannot look like 2 as long as one and a
+  /// half times all half-ridges do not overflow it. That holds for 2^15 half-ridges with 16 bits for each part.
+  template <class Entry>
+  static constexpr int sum_bits = 4 * sizeof(Entry);
+  static bool is_small(std::size_t facets, int k) { return facets << facet_shift(k) <= std::size_t{1} << 15; }
+  static std::size_t num_entries(std::size_t facets, int k) {
+    return std::bit_ceil(2 * std::max<std::size_t>(facets * static_cast<std::size_t>(k), 1));
+  }
+
+  /// Sums of tags are to be different for different sets of vertices, as a rule.
+  static std::uint32_t tag(Index vertex) {
+    auto x = static_cast<std::uint32_t>(vertex) * 0x9e3779b1;
+    x ^= x >> 16;
+    return x * 0x85ebca6b;
+  }
+
+  template <int K>
+  void hash(const CellStore<K>& cells, std::span<const HorizonFacet> facets);
+  template <class Entry, int K>
+  std::span<const std::uint32_t> match(std::vector<Entry>& table, CellStore<K>& cells, std::span<const HorizonFacet> facets);
+
   int rounds_;
-  std::vector<std::uint64_t>
-      entries_;  // all zero between calls: in the high half how many selected it, in the low half their sum
+  std::vector<std::uint32_t> small_;   // entries, all zero between calls: above how many selected it, below their sum
+  std::vector<std::uint64_t> large_;   // the same for stars that need the room
   std::vector<std::uint32_t> hashes_;  // of the ridges of all half-ridges
   std::vector<std::uint32_t> unmatched_;
   std::vector<Index> created_;
@@ -68,62 +88,87 @@ class RidgeTable {
 
 template <int K>
 std::span<const std::uint32_t> RidgeTable::link(CellStore<K>& cells, std::span<const HorizonFacet> facets) {
-  const auto k = static_cast<std::uint32_t>(cells.dimension());
-  const auto halves = static_cast<std::uint32_t>(facets.size()) * k;
-  const int shift = 32 - (std::bit_width(std::bit_ceil(entries_per_half * std::max<std::size_t>(halves, 1))) - 1);
-  std::uint64_t* const entries = entries_.data();
-  Index* const created = created_.data();
-  std::uint32_t* unmatched = unmatched_.data();
-  std::uint32_t* spare = unmatched + halves + 1;
+  const int k = cells.dimension();
+  hash(cells, facets);
+  if (rounds_ == 0) {
+    std::uint32_t left = 0;
+    for (std::uint32_t f = 0; f < facets.size(); ++f)
+      for (int j = 0; j < k; ++j) unmatched_[left++] = (f << facet_shift(k)) + static_cast<std::uint32_t>(j);
+    return {unmatched_.data(), left};
+  }
+  return is_small(facets.size(), k) ? match(small_, cells, facets) : match(large_, cells, facets);
+}
 
+template <int K>
+void RidgeTable::hash(const CellStore<K>& cells, std::span<const HorizonFacet> facets) {
+  const auto k = static_cast<std::uint32_t>(cells.dimension());
   std::uint32_t* hash = hashes_.data();
-  for (std::size_t f = 0; f < facets.size(); ++f, hash += k) {
-    created[f] = facets[f].created;
-    const Index* vertices = cells.vertices(created[f]);
+  for (std::size_t f = 0; f < facets.size(); ++f, hash += std::size_t{1} << facet_shift(cells.dimension())) {
+    created_[f] = facets[f].created;
+    const Index* vertices = cells.vertices(facets[f].created);
     const auto apex = static_cast<std::uint32_t>(facets[f].slot);
-    std::uint64_t sum = 0;
+    std::uint32_t sum = 0;
     for (std::uint32_t i = 0; i <= k; ++i) sum += tag(vertices[i]);
     sum -= tag(vertices[apex]);
     // What is written for the apex is overwritten by the next.
-    for (std::uint32_t i = 0; i <= k; ++i) hash[i - (i > apex)] = static_cast<std::uint32_t>((sum - tag(vertices[i])) >> 32);
+    for (std::uint32_t i = 0; i <= k; ++i) hash[i - (i > apex)] = sum - tag(vertices[i]);
   }
+}
 
-  if (rounds_ == 0) {
-    std::iota(unmatched, unmatched + halves, 0u);
-    return {unmatched, halves};
-  }
+template <class Entry, int K>
+std::span<const std::uint32_t> RidgeTable::match(std::vector<Entry>& table, CellStore<K>& cells,
+                                                 std::span<const HorizonFacet> facets) {
+  constexpr Entry one = Entry{1} << sum_bits<Entry>;
+  const int k = cells.dimension();
+  const std::uint32_t step = 1u << facet_shift(k);
+  const std::size_t size = num_entries(facets.size(), k);
+  const int shift = 32 - (std::bit_width(size) - 1);
+  Entry* const entries = table.data();
+  const std::uint32_t* const hashes = hashes_.data();
+  const Index* const created = created_.data();
+  std::uint32_t* unmatched = unmatched_.data();
+  std::uint32_t* spare = unmatched + hashes_.size();
 
   std::uint32_t left = 0;
-  for (std::uint32_t half = 0; half < halves; ++half) entries[hashes_[half] >> shift] += one + half;
-  hash = hashes_.data();
-  for (std::uint32_t f = 0, half = 0; f < facets.size(); ++f) {
+  const auto last = static_cast<std::uint32_t>(facets.size()) * step;
+  for (std::uint32_t first = 0; first < last; first += step)
+    for (std::uint32_t j = 0; j < static_cast<std::uint32_t>(k); ++j)
+      entries[hashes[first + j] >> shift] += static_cast<Entry>(one + first + j);
+  for (std::uint32_t f = 0, first = 0; first < last; ++f, first += step) {
     Index* neighbors = cells.neighbors(created[f]);
     const int apex = facets[f].slot;
-    for (std::uint32_t j = 0; j < k; ++j, ++half) {
-      const std::uint64_t entry = entries[hash[half] >> shift];
-      const bool matched = entry >> 32 == 2;
-      const std::uint32_t other = matched ? static_cast<std::uint32_t>(entry) - half : half;
-      neighbors[slot(static_cast<int>(j), apex)] = created[other / k];
+    for (int j = 0; j < k; ++j) {
+      const std::uint32_t half = first + static_cast<std::uint32_t>(j);
+      const Entry entry = entries[hashes[half] >> shift];
+      const bool matched = entry >> sum_bits<Entry> == 2;
+      const std::uint32_t other = matched ? static_cast<std::uint32_t>(entry - 2 * one) - half : half;
+      neighbors[slot(j, apex)] = created[facet(other, k)];
       unmatched[left] = half;
       left += !matched;
     }
   }
-  for (std::uint32_t half = 0; half < halves; ++half) entries[hashes_[half] >> shift] = 0;
+  if constexpr (std::is_same_v<Entry, std::uint32_t>)  // it is in the cache, so that filling it is faster
+    std::fill_n(entries, size, Entry{0});
+  else
+    for (std::uint32_t first = 0; first < last; first += step)
+      for (std::uint32_t j = 0; j < static_cast<std::uint32_t>(k); ++j) entries[hashes[first + j] >> shift] = 0;
 
   std::uint32_t multiplier = 0x9e3779b9;
   for (int round = 1; round < rounds_ && left > 0; ++round, multiplier *= 0x85ebca6b) {
+    const auto entry_of = [&](std::uint32_t half) -> Entry& { return entries[hashes[half] * multiplier >> shift]; };
     const std::uint32_t count = std::exchange(left, 0u);
-    for (std::uint32_t i = 0; i < count; ++i) entries[hashes_[unmatched[i]] * multiplier >> shift] += one + unmatched[i];
+    for (std::uint32_t i = 0; i < count; ++i) entry_of(unmatched[i]) += static_cast<Entry>(one + unmatched[i]);
     for (std::uint32_t i = 0; i < count; ++i) {
       const std::uint32_t half = unmatched[i];
-      const std::uint64_t entry = entries[hashes_[half] * multiplier >> shift];
-      const bool matched = entry >> 32 == 2;
-      const std::uint32_t other = matched ? static_cast<std::uint32_t>(entry) - half : half;
-      cells.neighbors(created[half / k])[slot(static_cast<int>(half % k), facets[half / k].slot)] = created[other / k];
+      const Entry entry = entry_of(half);
+      const bool matched = entry >> sum_bits<Entry> == 2;
+      const std::uint32_t other = matched ? static_cast<std::uint32_t>(entry - 2 * one) - half : half;
+      const std::uint32_t f = facet(half, k);
+      cells.neighbors(created[f])[slot(half, k, facets[f].slot)] = created[facet(other, k)];
       spare[left] = half;
       left += !matched;
     }
-    for (std::uint32_t i = 0; i < count; ++i) entries[hashes_[unmatched[i]] * multiplier >> shift] = 0;
+    for (std::uint32_t i = 0; i < count; ++i) entry_of(unmatched[i]) = 0;
     std::swap(unmatched, spare);
   }
   return {unmatched, left};

@@ -69,7 +69,14 @@ CanonicalHash canonical_hash(const ComplexData& data) {
   if (data.weights.empty()) {
     for (std::size_t row = 0; row < n; ++row)
       tags[row] = front_ends::point_tag(data.points.data() + row * static_cast<std::size_t>(data.dimension), data.dimension);
-    add_distinct(tags, hash);
+    if (std::find(data.vertex_of_point.begin(), data.vertex_of_point.end(), -1) == data.vertex_of_point.end()) {
+      add_distinct(tags, hash);
+    } else {  // hidden points have no part in it
+      std::vector<front_ends::PointTag> visible;
+      for (std::size_t row = 0; row < n; ++row)
+        if (row >= data.vertex_of_point.size() || data.vertex_of_point[row] >= 0) visible.push_back(tags[row]);
+      add_distinct(visible, hash);
+    }
   } else {
     tags = weighted_tags(data, hash);
   }

@@ -26,7 +26,7 @@ std::vector<SignedIndex> facet_vertices(std::span<const SignedIndex> cell, std::
   return rows;
 }
 
-void check_storage(const ComplexData& data) {
+void check_storage(const ComplexData& data, bool furthest) {
   const int d = data.dimension, k = data.affine_dimension;
   if (d < 1) throw Violation{fmt::format("the dimension is {}, less than 1", d), {}, {}};
   if (k < -1 || k > d) throw Violation{fmt::format("the affine dimension is {}, outside -1...{}", k, d), {}, {}};
@@ -41,6 +41,7 @@ void check_storage(const ComplexData& data) {
   if (!data.vertex_of_point.empty() && data.vertex_of_point.size() != n)
     throw Violation{fmt::format("{} entries in vertex_of_point for {} points", data.vertex_of_point.size(), n), {}, {}};
 
+  if (furthest && !data.weights.empty()) throw Violation{"a furthest-site triangulation has no weights", {}, {}};
   if (!data.weights.empty() && data.weights.size() != n)
     throw Violation{fmt::format("{} weights for {} points", data.weights.size(), n), {}, {}};
 
@@ -71,7 +72,7 @@ void check_storage(const ComplexData& data) {
           {i / corners},
           {}};
   for (std::size_t row = 0; row < data.vertex_of_point.size(); ++row)
-    if (data.vertex_of_point[row] < (data.weights.empty() ? 0 : -1) ||
+    if (data.vertex_of_point[row] < (data.weights.empty() && !furthest ? 0 : -1) ||
         (data.vertex_of_point[row] >= 0 && static_cast<std::size_t>(data.vertex_of_point[row]) >= n))
       throw Violation{
           fmt::format("vertex_of_point sends point {} to row {}, but there are {} points", row, data.vertex_of_point[row], n),
@@ -139,7 +140,7 @@ void check_completeness(const Examined& examined, const Volumes& volumes, bool c
   std::vector<std::size_t> hidden;
   for (std::size_t row = 0; row < n; ++row) {
     const SignedIndex vertex = vertex_of_point[row];
-    if (vertex < 0 && examined.weighted()) {
+    if (vertex < 0 && examined.may_hide()) {
       if (is_vertex[row]) throw Violation{fmt::format("point {} is a vertex of a cell, but hidden", row), {}, {row}};
       hidden.push_back(row);
       continue;
@@ -177,7 +178,7 @@ void check_completeness(const Examined& examined, const Volumes& volumes, bool c
 CheckReport check(const ComplexData& data, const CheckOptions& options) {
   using namespace front_ends;
   CheckReport report;
-  Examined examined{data, static_cast<std::size_t>(std::max(0, data.affine_dimension + 1))};
+  Examined examined{data, static_cast<std::size_t>(std::max(0, data.affine_dimension + 1)), options.furthest_site};
   std::optional<Volumes> volumes;
   try {
     for (int level = 1; level <= std::clamp(static_cast<int>(options.up_to), 1, 6); ++level) {
@@ -187,7 +188,7 @@ CheckReport check(const ComplexData& data, const CheckOptions& options) {
       if (is_empty && report.reached != CheckLevel::completeness) continue;
       switch (report.reached) {
         case CheckLevel::storage:
-          check_storage(data);
+          check_storage(data, options.furthest_site);
           examined.weighted_rows = weighted_rows(data);
           break;
         case CheckLevel::incidence:
@@ -209,9 +210,7 @@ CheckReport check(const ComplexData& data, const CheckOptions& options) {
     }
     report.ok = true;
   } catch (Violation& violation) {
-    report.violation = std::move(violation.message);
-    report.cells = std::move(violation.cells);
-    report.points = std::move(violation.points);
+    violation.move_to(report);
   }
   return report;
 }

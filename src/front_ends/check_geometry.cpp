@@ -15,6 +15,9 @@
 // Perturbed ties move the lifted points up and down only, by amounts that make the lifted surface strictly convex; the region
 // stays, and coplanar hull facets stay coplanar and are decided by the facets inside. So `canonical` asks for the
 // perturbed sign at inner facets and for nothing at the hull.
+//
+// All of that holds for other lifts, too: |x|² less weights, and −|x|², for which the empty-sphere property is that no point is
+// outside the sphere.
 #include "front_ends/check_stages.hpp"
 #include "kernel/predicates.hpp"
 #include "random.hpp"
@@ -145,18 +148,17 @@ std::size_t check_inner_facets(const Examined& examined, const Volumes& volumes,
     const SignedIndex apex = b[mirror(a, i, b)];
     const Sign sign = geometry.in_sphere(c, volumes.orientation[c], apex);
     if (sign == Sign::negative)
-      throw Violation{
-          fmt::format("the vertex {} of cell {} {} is inside the sphere of cell {} {}", apex, other, braces(b), c, braces(a)),
-          {c, other},
-          {static_cast<std::size_t>(apex)}};
+      throw Violation{fmt::format("the vertex {} of cell {} {} is {} the sphere of cell {} {}", apex, other, braces(b),
+                                  examined.furthest ? "outside" : "inside", c, braces(a)),
+                      {c, other},
+                      {static_cast<std::size_t>(apex)}};
     if (sign == Sign::positive) continue;
     ++ties;
     if (canonical && geometry.in_sphere_perturbed(c, volumes.orientation[c], apex) != Sign::positive)
-      throw Violation{
-          fmt::format("the vertex {} of cell {} {} is on the sphere of cell {} {}, and inside when ties are perturbed", apex,
-                      other, braces(b), c, braces(a)),
-          {c, other},
-          {static_cast<std::size_t>(apex)}};
+      throw Violation{fmt::format("the vertex {} of cell {} {} is on the sphere of cell {} {}, and {} when ties are perturbed",
+                                  apex, other, braces(b), c, braces(a), examined.furthest ? "outside" : "inside"),
+                      {c, other},
+                      {static_cast<std::size_t>(apex)}};
   }
   return ties;
 }

@@ -19,12 +19,21 @@ namespace delone::front_ends {
 struct Violation {
   std::string message;
   std::vector<std::size_t> cells, points;
+
+  /// Hands all over to a report, of a triangulation or a hull.
+  template <class Report>
+  void move_to(Report& report) {
+    report.violation = std::move(message);
+    report.cells = std::move(cells);
+    report.points = std::move(points);
+  }
 };
 
 /// The cells, plus what the topological stages derive from them.
 struct Examined {
   const ComplexData& data;
-  std::size_t corners;  ///< k+1, vertices of a cell
+  std::size_t corners;    ///< k+1, vertices of a cell
+  bool furthest = false;  ///< whether spheres shall have all points inside, not outside
   /// For weighted points: each point and then its weight. Filled after level 1.
   std::vector<double> weighted_rows{};
 
@@ -40,7 +49,11 @@ struct Examined {
     return {hull_vertices.data() + h * (corners - 1), corners - 1};
   }
   bool weighted() const { return !data.weights.empty(); }
-  kernel::RowForm form() const { return weighted() ? kernel::RowForm::weighted_point : kernel::RowForm::point; }
+  /// Whether points may be neither vertices nor equal to one.
+  bool may_hide() const { return weighted() || furthest; }
+  kernel::RowForm form() const {
+    return furthest ? kernel::RowForm::furthest_point : weighted() ? kernel::RowForm::weighted_point : kernel::RowForm::point;
+  }
   std::size_t row_size() const { return static_cast<std::size_t>(data.dimension) + (weighted() ? 1 : 0); }
   /// The coordinates of a point, and its weight if it has one.
   const double* point(SignedIndex row) const {
@@ -72,12 +85,12 @@ struct Volumes {
   std::vector<Sign> orientation;
 };
 
-void check_storage(const ComplexData& data);
+void check_storage(const ComplexData& data, bool furthest = false);
 void check_incidence(Examined& examined, bool oriented);
 void check_sphere(Examined& examined);
 Volumes check_volume(const Examined& examined, bool oriented);
 std::size_t check_local_convexity(const Examined& examined, const Volumes& volumes, bool canonical);  // returns the ties
-/// Points that are no vertices nor equal to one must be hidden, if there are weights: in the closed simplex of a cell that is
+/// Points that are no vertices nor equal to one must be hidden, if they may be: in the closed simplex of a cell that is
 /// not in conflict with them.
 void check_hidden(const Examined& examined, const Volumes& volumes, std::span<const std::size_t> rows, bool canonical);
 void check_completeness(const Examined& examined, const Volumes& volumes, bool canonical);

@@ -66,20 +66,6 @@ std::vector<VertexId> Complex::finite_vertices() const {
   return result;
 }
 
-int Complex::mirror_index(CellId c, int i) const {
-  // Two cells of a simplicial sphere share at most one facet, so the neighbor that is c is found once.
-  const CellId other = neighbor(c, i);
-  int j = 0;
-  while (j < dimension_ && neighbor(other, j) != c) ++j;
-  return j;
-}
-
-int Complex::index_of(CellId c, VertexId v) const {
-  for (int i = 0; i <= dimension_; ++i)
-    if (vertex(c, i) == v) return i;
-  return -1;
-}
-
 std::vector<CellId> Complex::star(VertexId v) const {
   std::vector<CellId> cells;
   if (dimension_ < 0) return cells;

@@ -80,17 +80,17 @@ void ConvexHullBuilder::grow_box(const double* point, double margin) {
 }
 
 /// k = 1: the ends of a range of numbers.
-bool ConvexHullBuilder::insert_end(Index site) {
+Insertion ConvexHullBuilder::insert_end(Index site) {
   const int axis = sites_.axes[0];
   const double x = sites_.point(site)[axis];
   const bool below = x < sites_.point(ends_[0])[axis];
-  if (!below && !(x > sites_.point(ends_[1])[axis])) return false;
+  if (!below && !(x > sites_.point(ends_[1])[axis])) return Insertion::interior;
   ends_[below ? 0 : 1] = site;
   ++ends_effort_.created_cells;
-  return true;
+  return Insertion::vertex;
 }
 
-bool ConvexHullBuilder::insert(Index site) {
+Insertion ConvexHullBuilder::insert(Index site) {
   const double* point = sites_.point(site);
   if (boundary_) {
     view_.grid.include(point);
@@ -101,16 +101,17 @@ bool ConvexHullBuilder::insert(Index site) {
       boundary_->update_box();
     }
   }
-  if (!(boundary_ ? boundary_->insert(site) : insert_end(site))) return false;
+  const Insertion outcome = boundary_ ? boundary_->insert(site) : insert_end(site);
+  if (outcome != Insertion::vertex) return outcome;
   ++insertions_;
   hull_is_current_ = false;
-  return true;
+  return outcome;
 }
 
 const SimplicialHull& ConvexHullBuilder::hull() const {
   const std::lock_guard lock(mutex_);
   if (!hull_is_current_) {
-    hull_ = boundary_ ? boundary_->to_simplicial_hull() : SimplicialHull{1, {ends_[0], ends_[1]}, {1, 0}};
+    hull_ = boundary_ ? boundary_->to_simplicial_hull() : SimplicialHull{1, {ends_[0], ends_[1]}, {1, 0}, {}};
     hull_is_current_ = true;
   }
   return hull_;

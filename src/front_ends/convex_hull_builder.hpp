@@ -19,18 +19,22 @@ class ConvexHullBuilder {
   /// A copy that reads the sites from another place.
   ConvexHullBuilder(const HullSites& sites, const ConvexHullBuilder& other);
 
-  /// Inserts a site, distinct from all earlier ones. False if it is in conflict with no cell: it is hidden. If it throws, the
-  /// boundary is as it was.
-  bool insert(Index site);
+  /// Inserts a site, distinct from all earlier ones. If it throws, the boundary is as it was.
+  Insertion insert(Index site);
 
   /// Made on the first call after an insertion; `const` calls may come from several threads.
   const SimplicialHull& hull() const;
+  /// None for k = 1.
+  const HullBoundary* boundary() const { return boundary_.get(); }
+  /// A point strictly inside, on the axes, if `has_center()`.
+  const std::vector<double>& center() const { return view_.center; }
+  bool has_center() const { return view_.is_inside; }
   const engine::Effort& effort() const { return boundary_ ? boundary_->effort() : ends_effort_; }
   std::uint64_t insertions() const { return insertions_; }
   std::size_t bytes() const { return boundary_ ? boundary_->bytes() : sizeof(ends_); }
 
  private:
-  bool insert_end(Index site);
+  Insertion insert_end(Index site);
   void choose_center(const std::vector<Index>& simplex);
   void grow_box(const double* point, double margin);
 

@@ -47,7 +47,7 @@ class ExaminedHull {
           {},
           {}};
     sites.axes = affine_hull.axes();
-    normals.emplace(hull.dimension < 1 ? 1 : hull.dimension, difference_scale(sites));
+    normals.emplace(hull.dimension < 1 ? 1 : hull.dimension);
     records.resize(hull.num_cells() * normals->stride());
     for (std::size_t c = 0; c < hull.num_cells(); ++c)
       normals->compute(sites, hull.cell(c), hull.dimension == 1 && c == 0, records.data() + c * normals->stride());
@@ -199,12 +199,17 @@ void check_support(ExaminedHull& examined) {
 void check_faces(ExaminedHull& examined, const HullData& data) {
   const SimplicialHull& hull = examined.hull;
   const std::size_t n = examined.sites.size();
-  const PolytopeFaces faces = find_faces(
-      hull, n, [&](std::size_t c, std::size_t i) { return examined.side(c, apex_across(hull, c, i)) == Sign::zero; });
+  std::vector<std::pair<Index, Index>> pairs;
+  for (std::size_t c = 0; hull.dimension > 1 && c < hull.num_cells(); ++c)
+    for (std::size_t i = 0; i < hull.corners(); ++i)
+      if (const Index across = hull.neighbors_of(c)[i]; across > c && examined.side(c, apex_across(hull, c, i)) == Sign::zero)
+        pairs.emplace_back(static_cast<Index>(c), across);
+  const PolytopeFaces faces = find_faces(hull, n, pairs);
+  const Lists facet_sites = find_facet_sites(hull, faces);
   if (!data.facet_of_cell.empty()) {
-    if (faces.facets.size() != data.num_facets())
-      throw Violation{fmt::format("{} facets are given, the cells make {}", data.num_facets(), faces.facets.size()), {}, {}};
-    std::vector<SignedIndex> given_of(faces.facets.size(), -1);
+    if (faces.num_facets() != data.num_facets())
+      throw Violation{fmt::format("{} facets are given, the cells make {}", data.num_facets(), faces.num_facets()), {}, {}};
+    std::vector<SignedIndex> given_of(faces.num_facets(), -1);
     for (std::size_t c = 0; c < hull.num_cells(); ++c) {
       SignedIndex& given = given_of[faces.facet_of_cell[c]];
       if (given < 0) given = data.facet_of_cell[c];
@@ -214,9 +219,9 @@ void check_faces(ExaminedHull& examined, const HullData& data) {
             {c},
             {}};
     }
-    for (std::size_t f = 0; f < faces.facets.size(); ++f) {
+    for (std::size_t f = 0; f < faces.num_facets(); ++f) {
       const auto given = static_cast<std::size_t>(given_of[f]);
-      const std::vector<SignedIndex> expected(faces.facets[f].begin(), faces.facets[f].end());
+      const std::vector<SignedIndex> expected(facet_sites[f].begin(), facet_sites[f].end());
       const std::span<const SignedIndex> actual(data.facet_vertices.data() + data.facet_offsets[given],
                                                 data.facet_vertices.data() + data.facet_offsets[given + 1]);
       if (!std::equal(expected.begin(), expected.end(), actual.begin(), actual.end()))
@@ -290,9 +295,7 @@ HullCheckReport check_hull(const HullData& data, HullCheckLevel up_to) {
     }
     report.ok = true;
   } catch (Violation& violation) {
-    report.violation = std::move(violation.message);
-    report.cells = std::move(violation.cells);
-    report.points = std::move(violation.points);
+    violation.move_to(report);
   }
   return report;
 }

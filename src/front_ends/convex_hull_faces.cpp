@@ -60,53 +60,117 @@ bool has_company(Index v, const Lists& sites_of_facet, std::span<const Index> fa
   });
 }
 
-}  // namespace
-
-PolytopeFaces find_faces(const SimplicialHull& hull, std::size_t num_sites,
-                         const std::function<bool(std::size_t, std::size_t)>& is_flat) {
-  const std::size_t m = hull.num_cells(), k = hull.corners();
-  PolytopeFaces faces;
-  faces.is_extreme.assign(num_sites, 0);
-
+/// The facets in increasing numbers of their first cells.
+void number_facets(const SimplicialHull& hull, std::span<const std::pair<Index, Index>> coplanar, PolytopeFaces& faces) {
+  const std::size_t m = hull.num_cells();
   UnionFind sets(m);
-  for (std::size_t c = 0; k > 1 && c < m; ++c)
-    for (std::size_t i = 0; i < k; ++i)
-      if (hull.neighbors_of(c)[i] > c && is_flat(c, i)) sets.unite(static_cast<Index>(c), hull.neighbors_of(c)[i]);
+  for (const auto& [a, b] : coplanar) sets.unite(a, b);
   faces.facet_of_cell.resize(m);
-  std::size_t num_facets = 0;
+  Index num_facets = 0;
   for (std::size_t c = 0; c < m; ++c) {
     const Index root = sets.root(static_cast<Index>(c));
-    faces.facet_of_cell[c] = root == c ? static_cast<Index>(num_facets++) : faces.facet_of_cell[root];
+    faces.facet_of_cell[c] = root == c ? num_facets++ : faces.facet_of_cell[root];
   }
+  std::vector<std::size_t>& offsets = faces.cells_of_facet.offsets;
+  offsets.assign(num_facets + std::size_t{1}, 0);
+  for (const Index f : faces.facet_of_cell) ++offsets[f + std::size_t{1}];
+  std::partial_sum(offsets.begin(), offsets.end(), offsets.begin());
+  std::vector<std::size_t> next(offsets.begin(), offsets.end() - 1);
+  faces.cells_of_facet.items.resize(m);
+  for (std::size_t c = 0; c < m; ++c) faces.cells_of_facet.items[next[faces.facet_of_cell[c]]++] = static_cast<Index>(c);
+}
+
+/// Calls visit(facet, other facet with a larger number, cell of the facet, vertex of the cell opposite the ridge) for each
+/// ridge, in increasing order of the pairs of facets. Two facets share one ridge at most.
+template <class Visit>
+void for_each_ridge(const SimplicialHull& hull, const PolytopeFaces& faces, Visit visit) {
+  struct Side {
+    Index facet, cell;
+    std::size_t vertex;
+  };
+  std::vector<Side> sides;
+  for (Index f = 0; hull.dimension > 1 && f < faces.num_facets(); ++f) {
+    sides.clear();
+    for (const Index c : faces.cells_of_facet[f]) {
+      const auto neighbors = hull.neighbors_of(c);
+      for (std::size_t i = 0; i < neighbors.size(); ++i)
+        if (const Index other = faces.facet_of_cell[neighbors[i]]; other > f) sides.push_back({other, c, i});
+    }
+    std::sort(sides.begin(), sides.end(), [](const Side& a, const Side& b) { return a.facet < b.facet; });
+    for (std::size_t i = 0; i < sides.size(); ++i)
+      if (i == 0 || sides[i].facet != sides[i - 1].facet) visit(f, sides[i].facet, sides[i].cell, sides[i].vertex);
+  }
+}
+
+}  // namespace
+
+PolytopeFaces find_faces(const SimplicialHull& hull, std::size_t num_sites, std::span<const std::pair<Index, Index>> coplanar) {
+  PolytopeFaces faces;
+  number_facets(hull, coplanar, faces);
+  faces.is_extreme.assign(num_sites, 0);
+  std::vector<Index> merged;  // cells of facets that have several
+  for (std::size_t c = 0; c < hull.num_cells(); ++c)
+    if (faces.cells_of_facet[faces.facet_of_cell[c]].size() > 1)
+      merged.push_back(static_cast<Index>(c));
+    else
+      for (const Index site : hull.cell(c)) faces.is_extreme[site] = 1;
+  if (merged.empty()) return faces;
 
   std::vector<std::pair<Index, Index>> facet_and_site, site_and_facet;
-  for (std::size_t c = 0; c < m; ++c)
+  for (const Index c : merged)
     for (const Index site : hull.cell(c)) {
       facet_and_site.emplace_back(faces.facet_of_cell[c], site);
-      site_and_facet.emplace_back(site, faces.facet_of_cell[c]);
+      if (!faces.is_extreme[site]) site_and_facet.emplace_back(site, faces.facet_of_cell[c]);
     }
-  const Lists sites_of_facet = grouped(std::move(facet_and_site), num_facets);
+  const Lists sites_of_facet = grouped(std::move(facet_and_site), faces.num_facets());
   const Lists facets_of_site = grouped(std::move(site_and_facet), num_sites);
   for (std::size_t v = 0; v < num_sites; ++v)
     if (const auto facets = facets_of_site[v]; !facets.empty())
       faces.is_extreme[v] = !has_company(static_cast<Index>(v), sites_of_facet, facets);
-  const auto add_extreme = [&](Lists& lists, std::span<const Index> sites) {
-    std::copy_if(sites.begin(), sites.end(), std::back_inserter(lists.items), [&](Index v) { return faces.is_extreme[v]; });
-    lists.offsets.push_back(lists.items.size());
-  };
-  for (std::size_t f = 0; f < num_facets; ++f) add_extreme(faces.facets, sites_of_facet[f]);
-
-  std::vector<std::pair<Index, Index>> adjacent;
-  for (std::size_t c = 0; k > 1 && c < m; ++c)
-    for (const Index across : hull.neighbors_of(c))
-      if (const Index a = faces.facet_of_cell[c], b = faces.facet_of_cell[across]; a < b) adjacent.emplace_back(a, b);
-  std::sort(adjacent.begin(), adjacent.end());
-  adjacent.erase(std::unique(adjacent.begin(), adjacent.end()), adjacent.end());
-  for (const auto& [a, b] : adjacent) {
-    faces.facets_of_ridge.insert(faces.facets_of_ridge.end(), {a, b});
-    faces.ridges.add(intersection(faces.facets[a], faces.facets[b]));
-  }
   return faces;
+}
+
+Lists find_facet_sites(const SimplicialHull& hull, const PolytopeFaces& faces) {
+  Lists lists;
+  lists.offsets.reserve(faces.num_facets() + 1);
+  lists.items.reserve(faces.num_facets() * hull.corners());
+  std::vector<Index> sites;
+  for (std::size_t f = 0; f < faces.num_facets(); ++f) {
+    sites.clear();
+    for (const Index c : faces.cells_of_facet[f])
+      for (const Index site : hull.cell(c))
+        if (faces.is_extreme[site]) sites.push_back(site);
+    std::sort(sites.begin(), sites.end());
+    sites.erase(std::unique(sites.begin(), sites.end()), sites.end());
+    lists.add(sites);
+  }
+  return lists;
+}
+
+std::size_t count_ridges(const SimplicialHull& hull, const PolytopeFaces& faces) {
+  if (hull.dimension > 1 && faces.num_facets() == hull.num_cells()) return hull.neighbors.size() / 2;
+  std::size_t count = 0;
+  for_each_ridge(hull, faces, [&](Index, Index, Index, std::size_t) { ++count; });
+  return count;
+}
+
+PolytopeRidges find_ridges(const SimplicialHull& hull, const PolytopeFaces& faces, const Lists& facet_sites) {
+  PolytopeRidges ridges;
+  std::vector<Index> sites;
+  for_each_ridge(hull, faces, [&](Index a, Index b, Index c, std::size_t vertex) {
+    ridges.facets.insert(ridges.facets.end(), {a, b});
+    if (faces.cells_of_facet[a].size() > 1 && faces.cells_of_facet[b].size() > 1) {
+      ridges.sites.add(intersection(facet_sites[a], facet_sites[b]));
+      return;
+    }
+    // One of the two is a simplex, and the ridge a facet of it.
+    const auto cell = hull.cell(c);
+    sites.assign(cell.begin(), cell.end());
+    sites.erase(sites.begin() + static_cast<std::ptrdiff_t>(vertex));
+    std::sort(sites.begin(), sites.end());
+    ridges.sites.add(sites);
+  });
+  return ridges;
 }
 
 std::vector<Index> common_vertices(const Lists& facets, std::span<const Index> which) {

@@ -3,8 +3,7 @@
 // double is inside the hull, all cells are asked.
 #pragma once
 
-#include "front_ends/hull_fan.hpp"
-#include "front_ends/hull_normal.hpp"
+#include "front_ends/convex_hull_builder.hpp"
 #include "front_ends/simplicial_hull.hpp"
 
 #include <cstddef>
@@ -14,12 +13,13 @@ namespace delone::front_ends {
 
 class HullLocator {
  public:
-  /// Both must outlive this object, unchanged. O(cells·k⁴).
-  HullLocator(const HullSites& sites, const SimplicialHull& hull);
+  /// Both must outlive this object, unchanged. O(1).
+  HullLocator(const HullSites& sites, const ConvexHullBuilder& builder)
+      : sites_(sites), builder_(builder), hull_(builder.hull()) {}
 
   struct Result {
     std::size_t cell;
-    Sign side;  ///< of q on the cell's hyperplane: + q is inside the hull, 0 on its boundary, − beyond
+    Sign side;  ///< of q: + inside the hull, 0 on its boundary and the cell's hyperplane, − beyond the cell's hyperplane
   };
   /// REQUIRES q in the flat, k ≥ 1; `grid` is one for the sites and q.
   Result locate(const double* q, const kernel::Grid& grid) const;
@@ -28,17 +28,14 @@ class HullLocator {
   /// ridges if q is on the boundary or outside, respectively. Increasing.
   std::vector<Index> cells_on_side(std::size_t first, Sign side, const double* q, const kernel::Grid& grid) const;
 
+ private:
   /// The exact side, with the filter.
   Sign side(std::size_t cell, const double* q, const kernel::Grid& grid, std::vector<const double*>& scratch) const;
-
- private:
   Result search_all(const double* q, const kernel::Grid& grid) const;
 
   const HullSites& sites_;
+  const ConvexHullBuilder& builder_;
   const SimplicialHull& hull_;
-  HullNormals certified_;
-  std::vector<double> normals_;  // m×(k+1)
-  HullFan fan_;
 };
 
 }  // namespace delone::front_ends

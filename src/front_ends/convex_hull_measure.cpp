@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "front_ends/convex_hull_measure.hpp"
 
+#include "front_ends/dispatch.hpp"
 #include "front_ends/hull_normal.hpp"
 
 #include <algorithm>
@@ -41,6 +42,108 @@ std::vector<double> triangular_diagonal(std::vector<std::vector<double>>& column
 /// x·2^exponent for exponents of any size.
 double times_power(double x, std::int64_t exponent) {
   return std::ldexp(x, static_cast<int>(std::clamp<std::int64_t>(exponent, -10000, 10000)));
+}
+
+std::vector<const double*>& gather(const HullSites& sites, std::span<const Index> cell, std::vector<const double*>& points) {
+  points.clear();
+  for (const Index site : cell) points.push_back(sites.point(site));
+  return points;
+}
+
+template <int D>
+HullMeasures measure(const HullSites& sites, const SimplicialHull& hull) {
+  HullNormal<D> normal(hull.dimension);
+  MeasureSum volume, area;
+  std::vector<const double*> points;
+  const Index apex = hull.cells[0];
+  for (std::size_t c = 0; c < hull.num_cells(); ++c) {
+    const auto cell = hull.cell(c);
+    gather(sites, cell, points);
+    // Areas within a flat are not those of its projection.
+    const bool is_known = hull.dimension > 1 && hull.dimension == sites.ambient &&
+                          normal.compute(points.data(), sites.axes, false) && normal.has_measures();
+    const bool has_apex = std::find(cell.begin(), cell.end(), apex) != cell.end();
+    if (is_known) {
+      area.add(normal.content());
+      if (!has_apex) volume.add(normal.cone(sites.point(apex), sites.axes));
+    } else {
+      area.add(simplex_volume(points, sites.ambient));
+      points.push_back(sites.point(apex));
+      if (!has_apex) volume.add(simplex_volume(points, sites.ambient));
+    }
+  }
+  return {volume.result(), area.result()};
+}
+
+/// A bound on the distance of two sites.
+double extent_of(const HullSites& sites) {
+  double square = 0;  // of the diagonal of the box of all sites
+  for (int j = 0; j < sites.ambient; ++j) {
+    double low = sites.point(0)[j], high = low;
+    for (Index site = 1; site < sites.size(); ++site) {
+      low = std::min(low, sites.point(site)[j]);
+      high = std::max(high, sites.point(site)[j]);
+    }
+    square += (high - low) * (high - low);
+  }
+  return 1.01 * std::sqrt(square) + 1e-150;  // squares may underflow
+}
+
+/// A normal without a bound, for flats and where elimination fails: what is left of the way to a point inside after the
+/// directions of the edges have been taken out, twice for accuracy.
+void orthogonalize(const std::vector<const double*>& points, const double* inner, std::size_t d, double* normal) {
+  std::vector<std::vector<double>> basis;
+  const auto direction = [&](const double* x) {
+    std::vector<double> v(d);
+    double largest = 0;
+    for (std::size_t j = 0; j < d; ++j) v[j] = x[j] / 2 - points[0][j] / 2, largest = std::max(largest, std::fabs(v[j]));
+    if (largest > 0)
+      for (double& t : v) t = std::ldexp(t, -std::ilogb(largest));
+    for (int pass = 0; pass < 2; ++pass)
+      for (const auto& b : basis) {
+        double dot = 0;
+        for (std::size_t j = 0; j < d; ++j) dot += b[j] * v[j];
+        for (std::size_t j = 0; j < d; ++j) v[j] -= dot * b[j];
+      }
+    double square = 0;
+    for (const double t : v) square += t * t;
+    for (double& t : v) t /= square > 0 ? std::sqrt(square) : 1.0;
+    return v;
+  };
+  for (std::size_t i = 1; i < points.size(); ++i) basis.push_back(direction(points[i]));
+  const std::vector<double> inwards = direction(inner);
+  for (std::size_t j = 0; j < d; ++j) normal[j] = 0.0 - inwards[j];
+}
+
+template <int D>
+void fill_equations(const HullSites& sites, const SimplicialHull& hull, std::span<const Index> facet_of_cell,
+                    const std::function<const double*(std::size_t)>& inner, FacetEquations& result) {
+  const std::size_t d = static_cast<std::size_t>(sites.ambient), k = hull.corners();
+  const double extent = extent_of(sites);
+  HullNormal<D> normal(hull.dimension);
+  std::vector<const double*> points;
+  for (std::size_t c = 0; c < hull.num_cells(); ++c) {
+    gather(sites, hull.cell(c), points);
+    const bool is_known = k == d && normal.compute(points.data(), sites.axes, k == 1 && c == 0);
+    // Two vectors as far apart as error(), each divided by its length, are within 2·error()/length(); the roundings of the
+    // length and of the quotients add (k + 5)·u.
+    const double error =
+        is_known ? 1.01 * (2 * normal.error() / normal.length() + static_cast<double>(k + 5) * 0x1p-53) * extent : infinity;
+    double* const equation = result.equations.data() + facet_of_cell[c] * (d + 1);
+    double& best = result.errors[facet_of_cell[c]];
+    if (best >= 0 && error >= best) continue;  // the best cell of the facet
+    if (is_known)
+      for (std::size_t j = 0; j < d; ++j) equation[j] = normal.normal()[j] / normal.length();
+    else
+      orthogonalize(points, inner(c), d, equation);
+    double offset = 0, magnitude = 0;
+    for (std::size_t j = 0; j < d; ++j) {
+      offset -= equation[j] * points[0][j];
+      magnitude += std::fabs(equation[j] * points[0][j]);
+    }
+    equation[d] = offset;
+    best = error + 1.01 * static_cast<double>(d + 1) * 0x1p-53 * magnitude;
+  }
 }
 
 }  // namespace
@@ -93,57 +196,20 @@ Measure simplex_volume(std::span<const double* const> points, int ambient) {
           times_power(bound / factorial, exponent) + std::numeric_limits<double>::denorm_min()};
 }
 
-double facet_equation(const HullSites& sites, const SimplicialHull& hull, std::size_t cell, const double* inner, double extent,
-                      double* equation) {
-  const std::size_t d = static_cast<std::size_t>(sites.ambient), k = hull.corners();
-  const auto vertices = hull.cell(cell);
-  const double* base = sites.point(vertices[0]);
-  double error = infinity;
-  if (k == d) {
-    HullNormals normals(static_cast<int>(k), 1.0);
-    std::vector<double> record(k + 1);
-    normals.compute(sites, vertices, k == 1 && cell == 0, record.data());
-    double square = 0;
-    for (std::size_t j = 0; j < k; ++j) square += record[j] * record[j];
-    const double length = std::sqrt(square), off = record[k] * std::sqrt(static_cast<double>(k));
-    if (length > 2 * off) {
-      for (std::size_t j = 0; j < d; ++j) equation[j] = record[j] / length;
-      // Two vectors as far apart as `off`, each divided by its length, are within 2·off/length; the roundings of the length
-      // and of the quotients add (k + 5)·u.
-      error = 1.01 * (2 * off / length + static_cast<double>(k + 5) * 0x1p-53) * extent;
-    }
-  }
-  if (!std::isfinite(error)) {
-    // What is left of the way to a point inside after the directions of the edges have been taken out, twice for accuracy.
-    std::vector<std::vector<double>> basis;
-    const auto direction = [&](const double* x) {
-      std::vector<double> v(d);
-      double largest = 0;
-      for (std::size_t j = 0; j < d; ++j) v[j] = x[j] / 2 - base[j] / 2, largest = std::max(largest, std::fabs(v[j]));
-      if (largest > 0)
-        for (double& t : v) t = std::ldexp(t, -std::ilogb(largest));
-      for (int pass = 0; pass < 2; ++pass)
-        for (const auto& b : basis) {
-          double dot = 0;
-          for (std::size_t j = 0; j < d; ++j) dot += b[j] * v[j];
-          for (std::size_t j = 0; j < d; ++j) v[j] -= dot * b[j];
-        }
-      double square = 0;
-      for (const double t : v) square += t * t;
-      for (double& t : v) t /= square > 0 ? std::sqrt(square) : 1.0;
-      return v;
-    };
-    for (std::size_t i = 1; i < k; ++i) basis.push_back(direction(sites.point(vertices[i])));
-    const std::vector<double> inwards = direction(inner);
-    for (std::size_t j = 0; j < d; ++j) equation[j] = 0.0 - inwards[j];
-  }
-  double offset = 0, magnitude = 0;
-  for (std::size_t j = 0; j < d; ++j) {
-    offset -= equation[j] * base[j];
-    magnitude += std::fabs(equation[j] * base[j]);
-  }
-  equation[d] = offset;
-  return error + 1.01 * static_cast<double>(d + 1) * 0x1p-53 * magnitude;
+HullMeasures measure_hull(const HullSites& sites, const SimplicialHull& hull) {
+  if (hull.num_cells() == 0) return {};
+  HullMeasures measures = with_compiled_dimension(hull.corners(), [&](auto k) { return measure<k()>(sites, hull); });
+  if (hull.dimension == 1) measures.area = {static_cast<double>(hull.num_cells()), 0};
+  return measures;
+}
+
+FacetEquations facet_equations(const HullSites& sites, const SimplicialHull& hull, std::span<const Index> facet_of_cell,
+                               std::size_t num_facets, const std::function<const double*(std::size_t)>& inner) {
+  FacetEquations result{std::vector<double>(num_facets * (static_cast<std::size_t>(sites.ambient) + 1)),
+                        std::vector<double>(num_facets, -1)};
+  if (num_facets > 0)
+    with_compiled_dimension(hull.corners(), [&](auto k) { fill_equations<k()>(sites, hull, facet_of_cell, inner, result); });
+  return result;
 }
 
 }  // namespace delone::front_ends

@@ -14,7 +14,7 @@ namespace delone {
 
 Triangulation::Triangulation(int dimension, const Options& options) {
   if (dimension < 1) throw Error(Errc::bad_dimension, "the dimension must be at least 1");
-  impl_ = std::make_unique<Impl>(dimension, false, options);
+  impl_ = std::make_unique<Impl>(dimension, kernel::RowForm::point, options);
 }
 Triangulation::Triangulation(std::unique_ptr<Impl> impl) : impl_(std::move(impl)) {}
 Triangulation::Triangulation(std::span<const double> coordinates, int dimension, const Options& options)
@@ -64,7 +64,7 @@ VertexId Triangulation::vertex_at(std::size_t row) const {
 
 Location Triangulation::locate(std::span<const double> query, std::optional<CellId> hint) const {
   // The least weight leads a walk by values of functionals to the cell that contains the point.
-  const double lightest = impl_->hull && impl_->weighted ? impl_->hull->frame().low().back() : 0.0;
+  const double lightest = impl_->hull && impl_->weighted() ? impl_->hull->frame().low().back() : 0.0;
   std::vector<double> storage;
   const double* q = impl_->checked_query(query, lightest, storage);
   const Index start = impl_->checked_hint(hint);
@@ -108,7 +108,7 @@ ComplexData Triangulation::to_data(bool with_points) const {
     if (!with_points) continue;
     const double* point = v == invalid_vertex ? nullptr : impl_->points.point(index(v));
     for (std::size_t j = 0; j < impl_->ambient(); ++j) data.points.push_back(point == nullptr ? unknown : point[j]);
-    if (impl_->weighted) data.weights.push_back(point == nullptr ? unknown : point[impl_->ambient()]);
+    if (impl_->weighted()) data.weights.push_back(point == nullptr ? unknown : point[impl_->ambient()]);
   }
   std::vector<SignedIndex> number(now.num_cell_slots(), -1);
   SignedIndex count = 0;
@@ -127,8 +127,8 @@ ComplexData Triangulation::to_data(bool with_points) const {
 CanonicalHash Triangulation::hash() const {
   const std::vector<VertexId> vertices = complex().finite_vertices();
   const auto weight = [&](VertexId v) { return impl_->points.point(index(v))[impl_->ambient()]; };
-  const bool with_weights = impl_->weighted && std::any_of(vertices.begin(), vertices.end(),
-                                                           [&](VertexId v) { return weight(v) != weight(vertices.front()); });
+  const bool with_weights = impl_->weighted() && std::any_of(vertices.begin(), vertices.end(),
+                                                             [&](VertexId v) { return weight(v) != weight(vertices.front()); });
   std::vector<front_ends::PointTag> tags(complex().num_vertex_slots());  // by vertex id
   front_ends::HashAccumulator hash;
   for (const VertexId v : vertices) {

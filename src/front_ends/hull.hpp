@@ -5,6 +5,7 @@
 
 #include "engine/build.hpp"
 #include "geometry/frame.hpp"
+#include "kernel/flat.hpp"
 #include "kernel/grid.hpp"
 
 #include <delone/complex.hpp>
@@ -19,15 +20,16 @@ namespace delone {
 /// The points of the vertices, which the hull reads: d coordinates each, and then the weight if points have one, by vertex id;
 /// vertex 0 is a dummy.
 struct VertexPoints {
-  VertexPoints(int dimension, bool has_weights)
-      : ambient(dimension), weighted(has_weights), coordinates(row_size(), 0.0), grid(dimension, has_weights) {}
+  VertexPoints(int dimension, kernel::RowForm given)
+      : ambient(dimension), form(given), coordinates(row_size(), 0.0), grid(dimension, weighted()) {}
   int ambient;
-  bool weighted;
+  kernel::RowForm form;
   std::vector<double> coordinates;
   kernel::Grid grid;
 
-  std::size_t row_size() const { return static_cast<std::size_t>(ambient) + (weighted ? 1 : 0); }
-  /// The largest vertex id; of weighted points some vertices may have no cell.
+  bool weighted() const { return form == kernel::RowForm::weighted_point; }
+  std::size_t row_size() const { return static_cast<std::size_t>(ambient) + (weighted() ? 1 : 0); }
+  /// The largest vertex id; where points may be hidden some vertices have no cell.
   Index last_vertex() const { return static_cast<Index>(coordinates.size() / row_size()) - 1; }
   const double* point(Index v) const { return coordinates.data() + static_cast<std::size_t>(v) * row_size(); }
 };
@@ -39,7 +41,7 @@ struct HullLocation {
   std::vector<VertexId> face;
 };
 
-/// A Delaunay or regular triangulation of points that span a k-flat, 1 ≤ k ≤ d.
+/// A Delaunay, regular or furthest-site triangulation of points that span a k-flat, 1 ≤ k ≤ d.
 class Hull {
  public:
   virtual ~Hull() = default;
@@ -66,7 +68,8 @@ class Hull {
   /// A query has a weight where points have one; where it lies depends on its coordinates only.
   virtual HullLocation locate(const double* query, Index start) const = 0;
   virtual std::vector<CellId> conflict_zone(const double* query, Index start) const = 0;
-  virtual Sign in_sphere(Index cell, const double* query) const = 0;
+  /// Negative if the query is in conflict with a finite cell, ties not perturbed.
+  virtual Sign unperturbed_side(Index cell, const double* query) const = 0;
 
   virtual Complex complex(Index num_vertices, std::span<const CellId> cell_of_vertex) const = 0;
   virtual const engine::Effort& effort() const = 0;

@@ -9,6 +9,7 @@
 #include <delone/types.hpp>
 
 #include <memory>
+#include <utility>
 #include <vector>
 
 namespace delone::front_ends {
@@ -21,19 +22,31 @@ struct HullView {
   std::vector<double> low, high;  ///< a box for all sites
 };
 
+/// What has become of a new site: a vertex of the boundary; none, as it is in conflict with no cell; none, and in the interior.
+enum class Insertion { vertex, hidden, interior };
+
 /// The boundary of the hull of sites that span a k-flat, k ≥ 2. Its cells have k vertices; site i is vertex i + 1.
 class HullBoundary {
  public:
   virtual ~HullBoundary() = default;
 
-  /// Inserts a site. False if it is in conflict with no cell. Strong guarantee.
-  virtual bool insert(Index site) = 0;
+  /// Inserts a site. Strong guarantee.
+  virtual Insertion insert(Index site) = 0;
   /// Takes over the view's box, which has changed.
   virtual void update_box() = 0;
   /// A copy that reads sites and view from other places.
   virtual std::unique_ptr<HullBoundary> copy(const HullSites& sites, const HullView& view) const = 0;
 
   virtual SimplicialHull to_simplicial_hull() const = 0;
+  /// The pairs of neighboring cells that lie in one hyperplane, exactly. `hull`: what to_simplicial_hull() gave.
+  virtual std::vector<std::pair<Index, Index>> coplanar_neighbors(const SimplicialHull& hull) const = 0;
+
+  /// The side of a cell's hyperplane that a point of the flat is on, by the filter: + inside, − beyond, zero if uncertain.
+  virtual Sign certain_side(Index slot, const double* q) const = 0;
+  /// A cell near the ray from the centre to a point of the flat, and what is certain: − the point is beyond its hyperplane, +
+  /// it is in the interior of the hull. Starts from the best of some cells. O(k) per cell that is passed.
+  virtual std::pair<Index, Sign> descend(const double* q, const std::vector<Index>& starts) const = 0;
+
   virtual const engine::Effort& effort() const = 0;
   virtual std::size_t bytes() const = 0;
 };

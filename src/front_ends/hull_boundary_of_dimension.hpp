@@ -7,6 +7,8 @@
 #include "front_ends/hull_boundary.hpp"
 #include "geometry/hull_geometry.hpp"
 
+#include <algorithm>
+#include <cmath>
 #include <utility>
 
 namespace delone::front_ends {
@@ -26,18 +28,22 @@ class HullBoundaryOfDimension final : public HullBoundary {
     effort_.created_cells = cells_.num_cells();
   }
 
-  bool insert(Index site) override {
+  Insertion insert(Index site) override {
     const Index v = site + 1;
     const auto q = geometry_.make_query(sites_.point(site));
     if (view_.is_inside) {
-      if (engine::insert(cells_, geometry_, v, q, work_.last_cell, work_, effort_) == invalid_index) return false;
+      if (engine::insert(cells_, geometry_, v, q, work_.last_cell, work_, effort_) == invalid_index) {
+        // q is in the cone of the cell where the walk ended.
+        const auto h = geometry_.evaluator(q);
+        return h.value(work_.last_cell) > h.threshold(work_.last_cell) ? Insertion::interior : Insertion::hidden;
+      }
     } else {
       const Index cell = find_conflict(q);
-      if (cell == invalid_index) return false;
+      if (cell == invalid_index) return Insertion::hidden;
       engine::insert_in_conflict(cells_, geometry_, v, q, cell, work_, effort_);
     }
     work_.last_cell = work_.star().back().created;
-    return true;
+    return Insertion::vertex;
   }
 
   void update_box() override {
@@ -55,20 +61,64 @@ class HullBoundaryOfDimension final : public HullBoundary {
     const std::size_t k = static_cast<std::size_t>(cells_.dimension()) + 1;
     hull.dimension = static_cast<int>(k);
     std::vector<Index> compact(cells_.num_slots(), invalid_index);
-    Index next = 0;
-    for (Index cell = 0; cell < cells_.num_slots(); ++cell)
-      if (!cells_.is_vacant(cell)) compact[cell] = next++;
-    hull.cells.reserve(next * k);
-    hull.neighbors.reserve(next * k);
+    hull.slots.reserve(cells_.num_cells());
     for (Index cell = 0; cell < cells_.num_slots(); ++cell) {
       if (cells_.is_vacant(cell)) continue;
+      compact[cell] = static_cast<Index>(hull.slots.size());
+      hull.slots.push_back(cell);
+    }
+    hull.cells.reserve(hull.slots.size() * k);
+    hull.neighbors.reserve(hull.slots.size() * k);
+    for (const Index cell : hull.slots)
       for (std::size_t i = 0; i < k; ++i) {
         hull.cells.push_back(cells_.vertices(cell)[i] - 1);
         hull.neighbors.push_back(compact[cells_.neighbors(cell)[i]]);
       }
-    }
     return hull;
   }
+
+  std::vector<std::pair<Index, Index>> coplanar_neighbors(const SimplicialHull& hull) const override {
+    std::vector<std::pair<Index, Index>> pairs;
+    StageCounts uncounted;
+    const auto is_certainly_inside = [&](Index cell, Index vertex) {
+      const auto q = geometry_.make_query(geometry_.point(vertex));
+      const auto h = geometry_.evaluator(q);
+      return h.value(cell) > h.threshold(cell);
+    };
+    for (Index c = 0; c < hull.num_cells(); ++c) {
+      const Index cell = hull.slots[c];
+      for (int i = 0; i <= cells_.dimension(); ++i) {
+        const Index across = cells_.neighbors(cell)[i];
+        if (across < cell) continue;
+        const Index opposite = cells_.vertices(across)[mirror_index(cell, across)];
+        // One cell is convex at the ridge iff the other is.
+        if (is_certainly_inside(cell, opposite) || is_certainly_inside(across, cells_.vertices(cell)[i])) continue;
+        if (geometry_.side(cells_.vertices(cell), geometry_.point(opposite), uncounted) == Sign::zero)
+          pairs.emplace_back(c, hull.neighbors_of(c)[static_cast<std::size_t>(i)]);
+      }
+    }
+    return pairs;
+  }
+
+  Sign certain_side(Index slot, const double* point) const override {
+    const auto q = geometry_.make_query(point);
+    const auto h = geometry_.evaluator(q);
+    const double value = h.value(slot), threshold = h.threshold(slot) * reach(q);
+    return value > threshold ? Sign::positive : value < -threshold ? Sign::negative : Sign::zero;
+  }
+
+  std::pair<Index, Sign> descend(const double* point, const std::vector<Index>& starts) const override {
+    const auto q = geometry_.make_query(point);
+    const auto h = geometry_.evaluator(q);
+    const Index start =
+        *std::min_element(starts.begin(), starts.end(), [&](Index a, Index b) { return h.value(a) < h.value(b); });
+    const auto [outcome, walk] = engine::descend(cells_, geometry_, q, start);
+    if (reach(q) > 1) return {walk.cell, certain_side(walk.cell, point) == Sign::negative ? Sign::negative : Sign::zero};
+    return {walk.cell, outcome == engine::Descent::conflict ? Sign::negative
+                       : outcome == engine::Descent::hidden ? Sign::positive
+                                                            : Sign::zero};
+  }
+
   const engine::Effort& effort() const override { return effort_; }
   std::size_t bytes() const override { return cells_.bytes(); }
 
@@ -95,6 +145,22 @@ class HullBoundaryOfDimension final : public HullBoundary {
     std::vector<Index> vertices = simplex_;
     for (Index& v : vertices) ++v;
     return vertices;
+  }
+
+  int mirror_index(Index cell, Index across) const {
+    const Index* back = cells_.neighbors(across);
+    int i = 0;
+    while (back[i] != cell) ++i;
+    return i;
+  }
+
+  /// Thresholds are for rows in [−1, 1]. Functionals are off by a linear function of the row, and evaluations round in
+  /// proportion to it, so for a row outside the threshold grows by this factor.
+  double reach(const typename geometry::HullGeometry<K>::Query& q) const {
+    double largest = 1;
+    for (std::size_t r = 0; r < sites_.axes.size(); ++r)
+      if (const double x = std::fabs(q.row[r]); !(x <= largest)) largest = x;
+    return largest > 1 ? largest * (1 + 0x1p-50) : 1;
   }
 
   /// A cell in conflict with q, or invalid_index: all cells are asked.

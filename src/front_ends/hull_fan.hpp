@@ -1,17 +1,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The fan of a boundary: seen from a point o strictly inside, the cells are cones that cover space. A query q leaves the hull,
 // if at all, through the cell whose cone it is in, so q is inside, on the boundary or outside as it is inside, on or beyond the
-// hyperplane of that cell. Steps towards it:
-// 1. Descent: with h_C linear, 1 on the hyperplane of cell C and 0 at o, the cell that the ray from o to q leaves by has the
-//    largest h_C(q) of all (linear programming on the polar polytope). Move to a neighbor with a larger one, in binary64.
-// 2. Visibility walk from there, exactly: leave a cone by a wall that has q on its other side. Boundaries of convex polytopes
-//    have no cycles of cells as seen along rays (Edelsbrunner 1990, doi:10.1007/BF02122779). Where cells share a hyperplane,
-//    the perturbation moves vertices on their rays, which makes the boundary convex at all ridges and leaves the fan as it is.
+// hyperplane of that cell. Where the descent of the engine ends uncertain, a visibility walk finds the cone, exactly: leave a
+// cone by a wall that has q on its other side. Boundaries of convex polytopes have no cycles of cells as seen along rays
+// (Edelsbrunner 1990, doi:10.1007/BF02122779). Where cells share a hyperplane, the perturbation moves vertices on their rays,
+// which makes the boundary convex at all ridges and leaves the fan as it is.
 #pragma once
 
-#include "front_ends/hull_normal.hpp"
 #include "front_ends/simplicial_hull.hpp"
 
+#include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <vector>
 
@@ -44,40 +43,8 @@ bool choose_interior_point(const HullSites& sites, const std::vector<Index>& aro
   return false;
 }
 
-class HullFan {
- public:
-  /// `scale`: that of the normals given later.
-  HullFan(int ambient, double scale) : scale_(scale), center_(static_cast<std::size_t>(ambient), 0.0) {}
-
-  /// Sets o by choose_interior_point(). If it finds none, walk() must not be called: a hull may be so small that no double is
-  /// inside.
-  template <class IsInside>
-  bool choose_center(const HullSites& sites, const std::vector<Index>& around, IsInside is_inside);
-  bool has_center() const { return has_center_; }
-
-  /// Takes over the normal of a cell: k numbers.
-  void update(const HullSites& sites, const SimplicialHull& hull, std::size_t c, const double* normal);
-  void resize(std::size_t cells, std::size_t k) { gradient_.resize(cells * k); }
-
-  /// A cell near the ray from o to q. O(k) per cell that is passed.
-  std::size_t descend(const HullSites& sites, const SimplicialHull& hull, const double* q, std::size_t start) const;
-  /// h of a cell at q, approximately.
-  double value(const HullSites& sites, std::size_t c, const double* q, std::size_t k) const;
-  /// A cell whose closed cone contains q, exactly. `grid` is one for the sites and q.
-  std::size_t walk(const HullSites& sites, const SimplicialHull& hull, const double* q, std::size_t start,
-                   const kernel::Grid& grid) const;
-
- private:
-  double scale_;
-  bool has_center_ = false;
-  std::vector<double> center_;    // o, in R^d; only its coordinates on the axes matter
-  std::vector<double> gradient_;  // m×k, of h over the scale of the normals
-};
-
-template <class IsInside>
-bool HullFan::choose_center(const HullSites& sites, const std::vector<Index>& around, IsInside is_inside) {
-  has_center_ = choose_interior_point(sites, around, center_, is_inside);
-  return has_center_;
-}
+/// A cell whose closed cone contains q, seen from `center`, exactly. `grid` is one for the sites and q.
+std::size_t walk_cones(const HullSites& sites, const SimplicialHull& hull, const std::vector<double>& center, const double* q,
+                       std::size_t start, const kernel::Grid& grid);
 
 }  // namespace delone::front_ends

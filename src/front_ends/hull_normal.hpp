@@ -1,117 +1,175 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The outward normal of k points of R^k in binary64 with a certified bound: the filter of everything that asks for the side of
-// a hyperplane again and again, and the equations of facets.
+// The hyperplane through k points of R^k in binary64 with certified bounds, from one elimination, O(k³): its outward normal
+// (the filter of check_hull, and the equations of facets), the (k−1)-volume of the simplex of the points and the k-volume of
+// its join with a point. Proof: docs/predicates.md, "Normals of hull cells".
 //
-// N_j = (−1)^j·det(edges without coordinate j), so that N·x = det(x, e_1, …, e_(k−1)): positive outwards for a cell oriented as
-// in simplicial_hull.hpp. Edges are scaled to length about 1 by powers of two, which scales N by a positive factor. Each
-// determinant comes from kernel::factor with its bound.
+// With e_1 … e_(k−1) the edges, N·x = det(x, e_1, …, e_(k−1)): positive outwards for a cell oriented as in simplicial_hull.hpp,
+// and |N| is (k−1)! times the volume. Edges are scaled to length about 1 by powers of two, which scales N by a positive factor.
+// Elimination picks k−1 coordinates as pivots; with y ⊥ e_i and y = 1 at the coordinate p that is left, N = N_p·y.
 #pragma once
 
 #include "front_ends/simplicial_hull.hpp"
+#include "kernel/buffer.hpp"
 #include "kernel/determinant.hpp"
 
+#include <delone/convex_hull.hpp>
+
 #include <algorithm>
+#include <bit>
 #include <cmath>
+#include <cstdint>
 #include <limits>
 #include <span>
 #include <vector>
 
 namespace delone::front_ends {
 
+/// D is k, or 0 when it is chosen at run time.
+template <int D>
+class HullNormal {
+ public:
+  explicit HullNormal(int k)
+      : k_(static_cast<std::size_t>(k)),
+        edges_((k_ - 1) * k_),
+        factors_((k_ - 1) * k_),
+        row_of_(k_),
+        zeros_(k_),
+        normal_(k_),
+        factorial_(std::tgamma(static_cast<double>(k))) {}
+
+  /// The hyperplane through points[0 … k−1] on the given axes. False if binary64 cannot tell.
+  bool compute(const double* const* points, std::span<const int> axes, bool reversed) {
+    points_base_ = points[0];
+    int exponent = 0;
+    for (std::size_t i = 0; i + 1 < k(); ++i) {
+      double* edge = edges_.data() + i * k();
+      double largest = 0;
+      for (std::size_t j = 0; j < k(); ++j) {
+        const auto axis = static_cast<std::size_t>(axes[j]);
+        edge[j] = points[i + 1][axis] - points_base_[axis];
+        largest = std::max(largest, std::fabs(edge[j]));
+      }
+      if (!(largest > 0x1p-1000 && largest < 0x1p1000)) return false;
+      const auto biased = static_cast<int>(std::bit_cast<std::uint64_t>(largest) >> 52);
+      const double scale = std::bit_cast<double>(static_cast<std::uint64_t>(2046 - biased) << 52);
+      for (std::size_t j = 0; j < k(); ++j) edge[j] *= scale;
+      exponent += biased - 1023;
+    }
+    std::copy_n(edges_.data(), (k() - 1) * k(), factors_.data());
+    const int n = static_cast<int>(k()) - 1;
+    constexpr int N = D > 1 ? D - 1 : 0;
+    const kernel::CertifiedDeterminant det =
+        kernel::factor<N>(factors_.data(), n, n + 1, {1.01 * kernel::unit_roundoff, 0}, row_of_.data());
+    const double least = std::fabs(det.value) - det.error;
+    if (!(least > 0)) return false;
+    std::fill_n(zeros_.data(), k(), 0.0);
+    normal_[k() - 1] = 1;
+    kernel::solve_transposed<N>(factors_.data(), n, n + 1, row_of_.data(), zeros_.data(), normal_.data());
+
+    double residual = 0, square = 0;
+    for (std::size_t i = 0; i + 1 < k(); ++i) {
+      const double* edge = edges_.data() + i * k();
+      double sum = 0, magnitude = 0;
+      for (std::size_t j = 0; j < k(); ++j) {
+        const double product = edge[j] * normal_[j];
+        sum += product;
+        magnitude += std::fabs(product);
+      }
+      residual = std::max(residual, std::fabs(sum) + rounding(3) * magnitude);
+    }
+    for (std::size_t j = 0; j < k(); ++j) square += normal_[j] * normal_[j];
+    length_ = std::sqrt(square);
+    error_ = 1.01 * (residual + 1e-290) * det.norm_product * det.inverse_norm_sum / least;
+    if (k() == 1) error_ = 0;
+    // N is (−1)^(k−1) times the determinant of (e_1, …, e_(k−1), x).
+    if ((det.value > 0) == (reversed != (k() % 2 == 0)))
+      for (std::size_t j = 0; j < k(); ++j) normal_[j] = -normal_[j];
+    weight_ = std::ldexp(std::fabs(det.value), exponent);
+    weight_error_ = std::ldexp(det.error, exponent);
+    return error_ < 0.125 * length_;
+  }
+
+  /// Outwards, one entry ±1: within error(), in 2-norm, of a normal of the hyperplane.
+  const double* normal() const { return normal_.data(); }
+  double error() const { return error_; }
+  double length() const { return length_; }
+
+  /// The (k−1)-volume of the simplex. Both measures need volumes of edges' parallelepipeds that are normal numbers.
+  bool has_measures() const { return weight_ > 1e-250 && weight_ < 1e250; }
+  Measure content() const {
+    const double value = weight_ * length_ / factorial_;
+    return {value, 1.01 * (weight_ * error_ + weight_error_ * (length_ + error_)) / factorial_ + rounding(8) * value};
+  }
+  /// The k-volume of the simplex of the points and an apex that is not beyond the hyperplane.
+  Measure cone(const double* apex, std::span<const int> axes) const {
+    double height = 0, magnitude = 0, square = 0;
+    for (std::size_t j = 0; j < k(); ++j) {
+      const auto axis = static_cast<std::size_t>(axes[j]);
+      const double t = points_base_[axis] - apex[axis];
+      height += normal_[j] * t;
+      magnitude += std::fabs(normal_[j] * t);
+      square += t * t;
+    }
+    const double height_error = error_ * std::sqrt(square) + rounding(3) * magnitude + 1e-150 * error_ + 1e-320;
+    const double factorial = factorial_ * static_cast<double>(k()), value = weight_ * std::max(height, 0.0) / factorial;
+    return {value, 1.01 * (weight_ * height_error + weight_error_ * (std::fabs(height) + height_error)) / factorial +
+                       rounding(8) * value + std::numeric_limits<double>::denorm_min()};
+  }
+
+ private:
+  std::size_t k() const { return D > 0 ? static_cast<std::size_t>(D) : k_; }
+  /// γ_(k + more).
+  double rounding(int more) const { return 1.01 * (static_cast<double>(k()) + more) * kernel::unit_roundoff; }
+
+  static constexpr int entries = D > 1 ? (D - 1) * D : 0;
+
+  std::size_t k_;
+  kernel::Buffer<double, entries> edges_, factors_;  // columns
+  kernel::Buffer<int, D> row_of_;
+  kernel::Buffer<double, D> zeros_, normal_;
+  double factorial_;  // (k−1)!
+  const double* points_base_ = nullptr;
+  double length_ = 0, error_ = 0;
+  double weight_ = 0, weight_error_ = 0;  // |N_p|, unscaled
+};
+
+/// Normals of many cells, to be kept and asked for sides.
 class HullNormals {
  public:
-  /// `scale`: a power of two that brings differences of coordinates to at most a few units.
-  explicit HullNormals(int k, double scale) : k_(static_cast<std::size_t>(k)), scale_(scale) {}
+  explicit HullNormals(int k) : normal_(k), k_(static_cast<std::size_t>(k)) {}
 
   std::size_t stride() const { return k_ + 1; }
 
-  /// Writes N_0 … N_(k−1), then a bound on the error of each of them, or infinity: nothing is known.
+  /// Writes a normal, k numbers, then a bound on its error in 2-norm, or infinity: nothing is known.
   void compute(const HullSites& sites, std::span<const Index> cell, bool reversed, double* record) {
-    const std::size_t n = k_ - 1;
-    edges_.assign(n * k_, 0.0);
-    for (std::size_t i = 0; i < n; ++i) {
-      double largest = 0;
-      double* edge = edges_.data() + i * k_;
-      for (std::size_t j = 0; j < k_; ++j) {
-        const int axis = sites.axes[j];
-        edge[j] = sites.point(cell[i + 1])[axis] - sites.point(cell[0])[axis];
-        largest = std::max(largest, std::fabs(edge[j]));
-      }
-      if (!std::isfinite(largest)) return fail(record);
-      if (largest == 0) continue;
-      const int exponent = -std::ilogb(largest);  // exact: entries that underflow are far below the bound's allowance
-      for (std::size_t j = 0; j < k_; ++j) edge[j] = std::ldexp(edge[j], exponent);
-    }
-    double error = 0;
-    for (std::size_t j = 0; j < k_; ++j) {
-      double value = 1;
-      if (n > 0) {
-        minor_.clear();
-        for (std::size_t i = 0; i < n; ++i)
-          for (std::size_t r = 0; r < k_; ++r)
-            if (r != j) minor_.push_back(edges_[i * k_ + r]);
-        row_of_.resize(n);
-        // An edge along coordinate j makes the minor 0, but for entries that the scaling took below the least double: side()
-        // allows for those.
-        if (has_zero_column(n)) {
-          value = 0;
-        } else {
-          const kernel::CertifiedDeterminant det = kernel::factor<0>(minor_.data(), static_cast<int>(n), static_cast<int>(n),
-                                                                     {1.01 * kernel::unit_roundoff, 0}, row_of_.data());
-          value = det.value;
-          error = std::max(error, det.error);
-        }
-      }
-      record[j] = (j % 2 == 1) != reversed ? -value : value;
-    }
-    if (!std::isfinite(error)) return fail(record);
-    record[k_] = error;
+    points_.clear();
+    for (const Index site : cell) points_.push_back(sites.point(site));
+    const bool known = normal_.compute(points_.data(), sites.axes, reversed);
+    for (std::size_t j = 0; j < k_; ++j) record[j] = known ? normal_.normal()[j] : 0.0;
+    record[k_] = known ? normal_.error() : std::numeric_limits<double>::infinity();
   }
 
   /// The side of the hyperplane through `base` that q is on, if the normal proves it, else zero: + inside, − beyond.
   Sign side(const HullSites& sites, const double* record, const double* base, const double* q) const {
-    double value = 0, magnitude = 0, length = 0, weight = 0;
+    double value = 0, magnitude = 0, length = 0;
     for (std::size_t j = 0; j < k_; ++j) {
-      const int axis = sites.axes[j];
-      const double t = (q[axis] - base[axis]) * scale_;
+      const auto axis = static_cast<std::size_t>(sites.axes[j]);
+      const double t = q[axis] - base[axis];
       value += record[j] * t;
       magnitude += std::fabs(record[j] * t);
       length += std::fabs(t);
-      weight += std::fabs(record[j]);
     }
-    // Rounded differences, products and sums: γ_(k+2) of the magnitude; errors of the normal; t and products that underflow.
+    // Rounded differences, products and sums: γ_(k+2) of the magnitude; the error of the normal; products that underflow.
     const double n = static_cast<double>(k_);
     const double bound =
-        1.01 * (record[k_] * length + (n + 3) * kernel::unit_roundoff * magnitude) + kernel::underflow_allowance * (weight + n);
+        1.01 * (record[k_] * length + (n + 3) * kernel::unit_roundoff * magnitude) + kernel::underflow_allowance;
     return value > bound ? Sign::negative : value < -bound ? Sign::positive : Sign::zero;
   }
 
-  double scale() const { return scale_; }
-
  private:
-  bool has_zero_column(std::size_t n) const {
-    for (std::size_t i = 0; i < n; ++i)
-      if (std::all_of(minor_.begin() + static_cast<std::ptrdiff_t>(i * n),
-                      minor_.begin() + static_cast<std::ptrdiff_t>((i + 1) * n), [](double x) { return x == 0; }))
-        return true;
-    return false;
-  }
-  void fail(double* record) const {
-    std::fill(record, record + k_, 0.0);
-    record[k_] = std::numeric_limits<double>::infinity();
-  }
-
+  HullNormal<0> normal_;
   std::size_t k_;
-  double scale_;
-  std::vector<double> edges_, minor_;
-  std::vector<int> row_of_;
+  std::vector<const double*> points_;
 };
-
-/// A power of two that brings differences of these points to at most a few units, as far as there is one.
-inline double difference_scale(const HullSites& sites) {
-  double largest = 0;
-  for (const double x : sites.coordinates) largest = std::max(largest, std::fabs(x));
-  return largest == 0 ? 1.0 : std::ldexp(1.0, std::clamp(-std::ilogb(largest), -1000, 1000));
-}
 
 }  // namespace delone::front_ends

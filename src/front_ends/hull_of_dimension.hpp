@@ -106,7 +106,7 @@ class HullOfDimension final : public Hull {
     return result;
   }
 
-  Sign in_sphere(Index cell, const double* query) const override {
+  Sign unperturbed_side(Index cell, const double* query) const override {
     const kernel::Grid grid = grid_with(query);
     return geometry_.unperturbed_side(cells_.vertices(cell), geometry_.make_query(query, grid));
   }

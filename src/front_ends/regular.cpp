@@ -22,8 +22,9 @@ auto guarded(Work work) {
 }  // namespace
 
 RegularTriangulation::RegularTriangulation(int dimension, const Options& options)
-    : Triangulation(dimension < 1 ? throw Error(Errc::bad_dimension, "the dimension must be at least 1")
-                                  : guarded([&] { return std::make_unique<Impl>(dimension, true, options); })) {}
+    : Triangulation(dimension < 1 ? throw Error(Errc::bad_dimension, "the dimension must be at least 1") : guarded([&] {
+        return std::make_unique<Impl>(dimension, kernel::RowForm::weighted_point, options);
+      })) {}
 RegularTriangulation::RegularTriangulation(std::span<const double> coordinates, std::span<const double> weights, int dimension,
                                            const Options& options)
     : RegularTriangulation(dimension, options) {
@@ -46,20 +47,9 @@ double RegularTriangulation::weight(VertexId v) const {
   return impl().points.point(impl().checked_vertex(v))[impl().ambient()];
 }
 
-bool RegularTriangulation::is_hidden(std::size_t row) const {
-  if (row >= num_rows()) throw Error(Errc::invalid_argument, "not a row of the input");
-  const VertexId v = impl().vertex_of_row[row];
-  return v != invalid_vertex && !impl().is_visible(index(v));
-}
-
+bool RegularTriangulation::is_hidden(std::size_t row) const { return impl().is_hidden(row); }
 std::size_t RegularTriangulation::num_hidden() const { return impl().num_hidden(); }
-
-std::vector<std::size_t> RegularTriangulation::hidden_rows() const {
-  std::vector<std::size_t> rows;
-  for (std::size_t row = 0; row < num_rows(); ++row)
-    if (is_hidden(row)) rows.push_back(row);
-  return rows;
-}
+std::vector<std::size_t> RegularTriangulation::hidden_rows() const { return impl().hidden_rows(); }
 
 CellId RegularTriangulation::hiding_cell(std::size_t row, std::optional<CellId> hint) const {
   if (!is_hidden(row)) throw Error(Errc::invalid_argument, "row " + std::to_string(row) + " is not hidden");

@@ -2,14 +2,12 @@
 // Insertion: points to vertices, affine dimensions, duplicates, hidden points, rows.
 #include "front_ends/triangulation_impl.hpp"
 
+#include "front_ends/point_rows.hpp"
 #include "front_ends/progress_meter.hpp"
-#include "order/insertion_order.hpp"
 
 #include <algorithm>
 #include <chrono>
-#include <cmath>
 #include <limits>
-#include <numeric>
 #include <string>
 #include <utility>
 
@@ -26,18 +24,6 @@ void reserve_one_more(std::vector<T>& items) {
   if (items.size() == items.capacity()) items.reserve(2 * items.size() + 2);
 }
 
-/// Throws if a number is not finite; rows have `width` of them, and are named by `what`.
-void require_finite(std::span<const double> numbers, std::size_t width, const std::string& what) {
-  std::vector<std::size_t> rows;
-  for (std::size_t i = 0; i < numbers.size(); ++i)
-    if (!std::isfinite(numbers[i]) && (rows.empty() || rows.back() != i / width)) rows.push_back(i / width);
-  if (rows.empty()) return;
-  throw Error(Errc::not_finite,
-              what + " of point " + std::to_string(rows.front()) + " is not finite" +
-                  (rows.size() > 1 ? " (and of " + std::to_string(rows.size() - 1) + " more points)" : ""),
-              rows);
-}
-
 /// Each point followed by its weight.
 std::vector<double> weighted_rows(PointsView points, std::span<const double> weights) {
   std::vector<double> rows;
@@ -51,12 +37,12 @@ std::vector<double> weighted_rows(PointsView points, std::span<const double> wei
 
 }  // namespace
 
-Triangulation::Impl::Impl(int d, bool has_weights, const Options& given)
-    : dimension(d), weighted(has_weights), options(given), points(d, has_weights), affine_hull(d) {}
+Triangulation::Impl::Impl(int d, kernel::RowForm form, const Options& given)
+    : dimension(d), options(given), points(d, form), affine_hull(d) {}
 
 void Triangulation::Impl::check_finite(std::span<const double> coordinates, std::span<const double> weights) const {
-  require_finite(coordinates, ambient(), "a coordinate");
-  require_finite(weights, 1, "the weight");
+  front_ends::require_finite(coordinates, ambient(), "a coordinate");
+  front_ends::require_finite(weights, 1, "the weight");
 }
 
 /// Makes `rows` more rows known, none of them inserted yet. Throws before anything has changed.
@@ -98,7 +84,7 @@ Index Triangulation::Impl::insert_row(std::size_t row, const double* point, Inde
   Index at = v;
   try {
     if (!hull->frame().contains(point)) hull->set_frame(frame_with(point, point, 1.0));
-    hull->track_swallowed(weighted && track);
+    hull->track_swallowed(may_hide() && track);
     at = hull->insert(v, start);
   } catch (...) {
     drop_last_vertex();
@@ -127,7 +113,7 @@ void Triangulation::Impl::update_cells_of_vertices() {
 /// All points are in one place: the heaviest is the vertex, equal ones are duplicates, lighter ones hidden.
 Index Triangulation::Impl::insert_at_only_vertex(std::size_t row, const double* point) {
   const Index only = only_vertex();
-  if (!weighted || point[ambient()] == points.point(only)[ambient()]) {
+  if (!weighted() || point[ambient()] == points.point(only)[ambient()]) {
     assign(row, only);
     return only;
   }
@@ -190,7 +176,7 @@ geometry::Frame Triangulation::Impl::frame_with(const double* low, const double*
     if (!hull || lows[j] < hull->frame().low()[j]) lows[j] = std::max(lows[j] - extent, std::min(lows[j], -largest));
     if (!hull || highs[j] > hull->frame().high()[j]) highs[j] = std::min(highs[j] + extent, std::max(highs[j], largest));
   }
-  return {std::move(lows), std::move(highs), weighted};
+  return {std::move(lows), std::move(highs), points.form};
 }
 
 /// The first sphere of a batch: the frame of the whole box, and a simplex of the batch's affine hull found along the order.
@@ -233,12 +219,12 @@ void Triangulation::Impl::insert_range(std::span<const double> coordinates, std:
   check_finite(coordinates, weights);
   if (n == 0) return;
   const PointsView view(coordinates, dimension);
-  const std::vector<double> with_weights = weighted ? weighted_rows(view, weights) : std::vector<double>{};
-  const std::span<const double> rows = weighted ? std::span<const double>(with_weights) : coordinates;
+  const std::vector<double> with_weights = weighted() ? weighted_rows(view, weights) : std::vector<double>{};
+  const std::span<const double> rows = weighted() ? std::span<const double>(with_weights) : coordinates;
   const std::size_t first_row = add_rows(n);
 
   auto start = Clock::now();
-  const std::vector<Index> order = insertion_order(view);
+  const std::vector<Index> order = front_ends::insertion_order(view, options);
   statistics.order_seconds += seconds_since(start);
 
   start = Clock::now();
@@ -279,21 +265,6 @@ InsertResult Triangulation::Impl::insert(std::span<const double> point, double w
   }
 }
 
-std::vector<Index> Triangulation::Impl::insertion_order(PointsView view) const {
-  switch (options.order) {
-    case InsertionOrder::shuffled:
-      return order::shuffled_order(view.size(), options.seed);
-    case InsertionOrder::as_given: {
-      std::vector<Index> rows(view.size());
-      std::iota(rows.begin(), rows.end(), Index{0});
-      return rows;
-    }
-    case InsertionOrder::automatic:
-      break;
-  }
-  return order::brio_order(view, options.seed);
-}
-
 void Triangulation::Impl::find_cells_of_vertices() {
   if (affine_hull.dimension() < 0) return;
   cell_of_vertex.assign(points.last_vertex() + 1, invalid_cell);
@@ -314,15 +285,28 @@ Complex Triangulation::Impl::complex() const {
 
 /// Inserted rows without a vertex that has cells.
 std::size_t Triangulation::Impl::num_hidden() const {
-  if (!weighted) return 0;
+  if (!may_hide()) return 0;
   return static_cast<std::size_t>(std::count_if(vertex_of_row.begin(), vertex_of_row.end(),
                                                 [&](VertexId v) { return v != invalid_vertex && !is_visible(index(v)); }));
+}
+
+bool Triangulation::Impl::is_hidden(std::size_t row) const {
+  if (row >= vertex_of_row.size()) throw Error(Errc::invalid_argument, "not a row of the input");
+  const VertexId v = vertex_of_row[row];
+  return v != invalid_vertex && !is_visible(index(v));
+}
+
+std::vector<std::size_t> Triangulation::Impl::hidden_rows() const {
+  std::vector<std::size_t> rows;
+  for (std::size_t row = 0; row < vertex_of_row.size(); ++row)
+    if (is_hidden(row)) rows.push_back(row);
+  return rows;
 }
 
 const double* Triangulation::Impl::checked_query(std::span<const double> query, double weight, std::vector<double>& row) const {
   if (query.size() != ambient()) throw Error(Errc::bad_dimension, "the query has not as many coordinates as the space");
   check_finite(query, {&weight, 1});
-  if (!weighted) return query.data();
+  if (!weighted()) return query.data();
   row.assign(query.begin(), query.end());
   row.push_back(weight);
   return row.data();
@@ -346,7 +330,7 @@ std::vector<CellId> Triangulation::Impl::conflict_zone(std::span<const double> q
   const Index start = checked_hint(hint);
   if (affine_hull.dimension() < dimension && !affine_hull.contains(q)) return {};
   if (hull) return hull->conflict_zone(q, start);
-  const bool is_heavier = weighted && weight > points.point(single_links[0])[ambient()];
+  const bool is_heavier = weighted() && weight > points.point(single_links[0])[ambient()];
   return is_heavier ? std::vector<CellId>{CellId{0}} : std::vector<CellId>{};
 }
 
@@ -357,8 +341,11 @@ Sign Triangulation::Impl::in_sphere(CellId cell, std::span<const double> query, 
   if (!now.is_cell(cell) || now.is_infinite(cell)) throw Error(Errc::invalid_argument, "not a finite cell");
   if (affine_hull.dimension() < dimension && !affine_hull.contains(q))
     throw Error(Errc::invalid_argument, "the query is outside the affine hull of the points");
-  if (hull) return hull->in_sphere(index(cell), q);
-  if (!weighted) return Sign::zero;
+  if (hull) {
+    const Sign side = hull->unperturbed_side(index(cell), q);
+    return points.form == kernel::RowForm::furthest_point ? -side : side;
+  }
+  if (!weighted()) return Sign::zero;
   const double weight_of_vertex = points.point(single_links[0])[ambient()];
   return weight > weight_of_vertex ? Sign::negative : weight < weight_of_vertex ? Sign::positive : Sign::zero;
 }

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What Triangulation and RegularTriangulation share: points to vertices, affine dimensions, duplicates, hidden points, rows;
-// the engine does the rest.
+// What Triangulation, RegularTriangulation and FurthestSiteTriangulation share: points to vertices, affine dimensions,
+// duplicates, hidden points, rows; the engine does the rest.
 //
-// Every row that was inserted has a vertex id, its own or that of an earlier equal row. Weighted points may be hidden, at once
-// or by later insertions: their ids keep their points and have no cell. Hidden points stay hidden, as more points only lower
-// the lifted surface.
+// Every row that was inserted has a vertex id, its own or that of an earlier equal row. Points with weights, and those for
+// which vertices are furthest, may be hidden, at once or by later insertions: their ids keep their points and have no cell.
+// Hidden points stay hidden, as more points only lower the lifted surface.
 #pragma once
 
 #include "front_ends/dispatch.hpp"
@@ -20,10 +20,9 @@
 namespace delone {
 
 struct Triangulation::Impl {
-  Impl(int d, bool has_weights, const Options& given);
+  Impl(int d, kernel::RowForm form, const Options& given);
 
   int dimension;
-  bool weighted;
   Options options;
   VertexPoints points;
   kernel::AffineHull affine_hull;
@@ -42,13 +41,17 @@ struct Triangulation::Impl {
   std::size_t ambient() const { return static_cast<std::size_t>(dimension); }
   /// A row of the input as the engine reads it: the coordinates, and the weight if points have one.
   std::size_t row_size() const { return points.row_size(); }
+  bool weighted() const { return points.weighted(); }
+  bool may_hide() const { return points.form != kernel::RowForm::point; }
   bool is_visible(Index v) const { return v < cell_of_vertex.size() && cell_of_vertex[v] != invalid_cell; }
 
   /// `weights`: one per point, or none: all are 0.
   void insert_range(std::span<const double> coordinates, std::span<const double> weights = {});
   InsertResult insert(std::span<const double> point, double weight, std::optional<CellId> hint);
   Complex complex() const;
+  bool is_hidden(std::size_t row) const;  // throws unless `row` is one
   std::size_t num_hidden() const;
+  std::vector<std::size_t> hidden_rows() const;
 
   /// A query of d coordinates and its weight, checked, as a row. REQUIRES that `row` outlives the use.
   const double* checked_query(std::span<const double> query, double weight, std::vector<double>& row) const;
@@ -71,7 +74,6 @@ struct Triangulation::Impl {
   void find_cells_of_vertices();
   geometry::Frame frame_with(const double* low, const double* high, double margin) const;
   void start_batch(std::span<const double> rows, std::size_t first_row, std::span<const Index> order);
-  std::vector<Index> insertion_order(PointsView view) const;
 };
 
 }  // namespace delone

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What joins the kernel to the engine: the conflict test of Delaunay and regular triangulations, from the cached functional of
-// a cell (stage filter_) to the exact stages. A point q is in conflict with a cell iff h(q) < 0.
+// What joins the kernel to the engine: the conflict test of Delaunay, regular and furthest-site triangulations, from the cached
+// functional of a cell (stage filter_) to the exact stages. A point q is in conflict with a cell iff h(q) < 0.
 #pragma once
 
 #include "geometry/frame.hpp"
@@ -40,7 +40,6 @@ class DelaunayGeometry {
                    const kernel::Grid& grid, Frame frame)
       : axes_(std::move(axes)),
         ambient_(ambient),
-        form_(frame.weighted() ? kernel::RowForm::weighted_point : kernel::RowForm::point),
         coordinates_(coordinates),
         grid_(grid),
         frame_(std::move(frame)),
@@ -104,7 +103,8 @@ class DelaunayGeometry {
     return kernel::perturbed_in_sphere<K>(flat, points.data(), q.point, *q.grid);
   }
 
-  /// The sign of the power of q with respect to the sphere of a finite cell, ties not perturbed.
+  /// The sign of h(q) for a finite cell, ties not perturbed: that of the power of q with respect to its sphere, or, for
+  /// furthest points, its opposite.
   Sign unperturbed_side(const Index* vertices, const Query& q) const {
     StageCounts uncounted;
     return kernel::in_sphere<K>(flat(), gather(vertices).data(), q.point, *q.grid, uncounted);
@@ -137,7 +137,7 @@ class DelaunayGeometry {
 
  private:
   int axis(int r) const { return axes_[static_cast<std::size_t>(r)]; }
-  kernel::Flat flat() const { return {ambient_, axes_, form_}; }
+  kernel::Flat flat() const { return {ambient_, axes_, frame_.form()}; }
 
   std::size_t row_size() const { return static_cast<std::size_t>(dimension()) + 1; }
   std::size_t growing(std::size_t size) const { return size <= rows_.capacity() ? size : size + size / 2; }
@@ -155,7 +155,6 @@ class DelaunayGeometry {
 
   std::vector<int> axes_;
   int ambient_;
-  kernel::RowForm form_;
   const std::vector<double>& coordinates_;
   const kernel::Grid& grid_;
   Frame frame_;

@@ -2,6 +2,8 @@
 // The frame of the cached functionals: coordinates relative to the centre of a box, scaled by powers of two to [−1, 1].
 #pragma once
 
+#include "kernel/flat.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
@@ -12,15 +14,16 @@ namespace delone::geometry {
 /// A box in R^ambient and the affine map x ↦ ((x_j − c_j)·s_j)_j, which sends it into [−1, 1]^ambient; for weighted points also
 /// a range of weights. Each image coordinate is off by at most one rounding of a number of magnitude ≤ 1, as s_j is a power of
 /// two. The lift is Σ((x_j − c_j)·s)² + (w_0 − w)·s² with one s for all axes and w_0 the heaviest weight of the range: at least
-/// 0, at most largest_lift(), relative error (ambient + 4) roundings.
+/// 0, at most largest_lift(), relative error (ambient + 4) roundings. Of furthest points it is −Σ((x_j − c_j)·s)².
 class Frame {
  public:
   Frame() = default;
 
   /// The frame of the box [low, high]; with weights, the last entries are the range of the weights. REQUIRES finite bounds,
   /// low ≤ high.
-  Frame(std::vector<double> low, std::vector<double> high, bool weighted = false)
-      : low_(std::move(low)), high_(std::move(high)), weighted_(weighted) {
+  Frame(std::vector<double> low, std::vector<double> high, kernel::RowForm form = kernel::RowForm::point)
+      : low_(std::move(low)), high_(std::move(high)), form_(form), sign_(form == kernel::RowForm::furthest_point ? -1 : 1) {
+    const bool weighted = form == kernel::RowForm::weighted_point;
     int largest = smallest_exponent;
     const auto ambient = low_.size() - (weighted ? 1 : 0);
     for (std::size_t j = 0; j < ambient; ++j) {
@@ -70,15 +73,16 @@ class Frame {
       sum += t * t;
     }
     if (weights_differ_) sum += (heaviest_ - x[center_.size()] * weight_scale_) * (lift_scale_ / weight_scale_) * lift_scale_;
-    return sum;
+    return sign_ * sum;
   }
+  /// The magnitudes of lifts are at most that.
   double largest_lift() const { return ambient() + (weights_differ_ ? 1 : 0); }
 
   /// The bounds of the box, and then of the weights if there are any.
   const std::vector<double>& low() const { return low_; }
   const std::vector<double>& high() const { return high_; }
   int ambient() const { return static_cast<int>(center_.size()); }
-  bool weighted() const { return weighted_; }
+  kernel::RowForm form() const { return form_; }
 
  private:
   /// Boxes narrower than 2^smallest_exponent are not scaled up further: the scale would overflow.
@@ -87,7 +91,9 @@ class Frame {
   std::vector<double> low_, high_, center_, scale_;
   double lift_scale_ = 1, weight_scale_ = 1;
   double heaviest_ = 0;  // times weight_scale_
-  bool weighted_ = false, weights_differ_ = false;
+  kernel::RowForm form_ = kernel::RowForm::point;
+  double sign_ = 1;  // of squares in a lift
+  bool weights_differ_ = false;
 };
 
 }  // namespace delone::geometry

@@ -132,7 +132,7 @@ class Functionals {
                                  // spheres_; else the power of R is in it
   double infinite_spread_ = 0;   // the same for infinite cells, over det
   std::vector<double> extent_ratio_;  // per axis, the frame's scale over that of lifts
-  bool spheres_ = false;              // whether functionals of finite cells describe spheres (the flat is the whole space)
+  bool spheres_ = false;              // whether functionals of finite cells describe spheres that tell where vertices are
 };
 
 template <int K, bool Lifted>
@@ -151,7 +151,7 @@ void Functionals<K, Lifted>::set_frame(const Frame& frame, const std::vector<int
   const double n = k();
   largest_lift_ = frame.largest_lift();
   evaluation_error_ = 1.01 * (n + frame.ambient() + 8) * 0x1p-53;
-  spheres_ = k() == frame.ambient();
+  spheres_ = k() == frame.ambient() && frame.form() != kernel::RowForm::furthest_point;
   extent_ratio_.clear();
   double diagonal = 0, volume_ratio = 1;
   for (const int axis : axes) {
@@ -163,7 +163,8 @@ void Functionals<K, Lifted>::set_frame(const Frame& frame, const std::vector<int
   // The largest (n−1)-simplex in a ball is regular: (n−1)!·volume = n^(n/2)/(n−1)^((n−1)/2)·R^(n−1).
   const double regular = std::pow(n, n / 2) / std::pow(std::max(n - 1, 1.0), (n - 1) / 2);
   finite_spread_ = 1.001 * 2 * std::sqrt(diagonal) * (n + 1) * regular / volume_ratio;
-  // In a flat spheres say little about where vertices are, but the box does: R is the length of its half diagonal.
+  // In a flat, and if spheres have all vertices inside, they say little about where vertices are, but the box does: R is the
+  // length of its half diagonal.
   if (!spheres_) finite_spread_ *= std::pow(diagonal, (n - 1) / 2);
   const double m = n - 1;
   infinite_spread_ = 1.001 * 4 * m * m * std::pow(std::max(m - 1, 1.0), (m - 1) / 2) * std::pow(2.0, m - 1);

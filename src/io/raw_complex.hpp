@@ -32,5 +32,7 @@ ComplexData assemble(RawComplex raw, const std::string& name);
 
 ComplexData read_npz_complex(std::string_view bytes, const std::string& name);
 ComplexData read_json_complex(std::string_view bytes, const std::string& name);
+/// `format`: npz, json or off.
+ComplexData read_complex_in(const std::string& format, std::string_view bytes, const std::string& name);
 
 }  // namespace delone::io

@@ -110,17 +110,18 @@ ComplexData read_npz_complex(std::string_view bytes, const std::string& name) {
   return assemble(std::move(raw), name);
 }
 
+ComplexData read_complex_in(const std::string& format, std::string_view bytes, const std::string& name) {
+  if (format == "npz") return read_npz_complex(bytes, name);
+  if (format == "json") return read_json_complex(bytes, name);
+  return read_off_complex(bytes, name);
+}
+
 }  // namespace io
 
 ComplexData read_complex(const std::string& path, const std::string& format) {
   const std::string chosen = io::choose_format(path, format, "json", {"npz", "json", "off"}, "reading a triangulation");
   const std::string name = io::input_name(path);
-  return io::guarded(name, [&] {
-    const io::Bytes file = io::read_all(path);
-    if (chosen == "npz") return io::read_npz_complex(file.view(), name);
-    if (chosen == "json") return io::read_json_complex(file.view(), name);
-    return io::read_off_complex(file.view(), name);
-  });
+  return io::guarded(name, [&] { return io::read_complex_in(chosen, io::read_all(path).view(), name); });
 }
 
 }  // namespace delone

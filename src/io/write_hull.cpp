@@ -3,6 +3,7 @@
 #include "io/atomic_file.hpp"
 #include "io/collect.hpp"
 #include "io/file.hpp"
+#include "io/hull_arrays.hpp"
 #include "io/npy.hpp"
 #include "io/write_npy.hpp"
 #include "io/zip.hpp"
@@ -31,27 +32,6 @@ void validate(const HullData& data, const std::string& name) {
     wrong("the equations are not as many as the facets");
   if (data.point_kinds.size() != data.num_points()) wrong("point_kinds has another size than the points");
   require_finite(data.points, data.dimension, name);
-}
-
-/// Calls visit(name, items, shape) for every array of a hull, in the order of docs/formats.md.
-template <class Visit>
-void for_each_array(const HullData& data, const std::vector<SignedIndex>& kinds, Visit visit) {
-  using Shape = std::initializer_list<std::size_t>;
-  const auto d = static_cast<std::size_t>(data.dimension), k = static_cast<std::size_t>(std::max(data.affine_dimension, 0));
-  visit("points", data.points, Shape{data.num_points(), d});
-  visit("cells", data.cells, Shape{data.num_cells(), k});
-  visit("neighbors", data.neighbors, Shape{data.num_cells(), k});
-  visit("facet_of_cell", data.facet_of_cell, Shape{data.num_cells()});
-  visit("facet_offsets", data.facet_offsets, Shape{data.facet_offsets.size()});
-  visit("facet_vertices", data.facet_vertices, Shape{data.facet_vertices.size()});
-  visit("equations", data.equations, Shape{data.num_facets(), d + 1});
-  visit("equation_errors", data.equation_errors, Shape{data.num_facets()});
-  visit("ridge_facets", data.ridge_facets, Shape{data.num_ridges(), 2});
-  visit("ridge_offsets", data.ridge_offsets, Shape{data.ridge_offsets.size()});
-  visit("ridge_vertices", data.ridge_vertices, Shape{data.ridge_vertices.size()});
-  visit("vertices", data.vertices, Shape{data.vertices.size()});
-  visit("vertex_of_point", data.vertex_of_point, Shape{data.num_points()});
-  visit("point_kinds", kinds, Shape{data.num_points()});
 }
 
 void write_hull_npz(AtomicFile& file, const HullData& data, const std::vector<SignedIndex>& kinds) {

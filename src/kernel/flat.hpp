@@ -10,6 +10,7 @@ namespace delone::kernel {
 enum class RowForm {
   point,           ///< x: `ambient` coordinates; its homogeneous row is (x, 1)
   weighted_point,  ///< x, w: a weight follows the coordinates; lifted to |x|² − w
+  furthest_point,  ///< x, lifted to −|x|²: the spheres of lower hulls have all other points inside
   homogeneous,     ///< `ambient` entries; positive multiples are the same ray, the zero row is none
 };
 
@@ -25,6 +26,7 @@ struct Flat {
   /// k
   int dimension() const { return static_cast<int>(axes.size()) - (form == RowForm::homogeneous ? 1 : 0); }
   bool weighted() const { return form == RowForm::weighted_point; }
+  bool furthest() const { return form == RowForm::furthest_point; }
   /// How many doubles a row has.
   int row_size() const { return ambient + (weighted() ? 1 : 0); }
 };

@@ -49,6 +49,8 @@ Sign orientation(const Flat& flat, const double* const* points, const Grid& grid
 /// times (−1)^(k+1) is the sign of |q − c|² − r² (docs/predicates.md, "Signs").
 /// Weighted points: relative to the sphere orthogonal to the k+1 weighted points, |p_i − c|² − r² = w_i, the sign of
 /// |q − c|² − r² − w_q; lifts are |p_i − q|² − w_i + w_q. For k = 0 it is − if q is heavier than the point, + if lighter.
+/// Furthest points: the opposite sign, − outside, as all lifts are negated: −|p|² + |q|² is −|p − q|² but for a multiple of p −
+/// q.
 template <int K>
 Sign in_sphere(const Flat& flat, const double* const* points, const double* q, const Grid& grid, StageCounts& counts) {
   Sign sign;
@@ -59,7 +61,7 @@ Sign in_sphere(const Flat& flat, const double* const* points, const double* q, c
     sign = exact_sphere(flat, points, q);
     ++counts.exact;
   }
-  return flat.dimension() % 2 == 0 ? -sign : sign;
+  return (flat.dimension() % 2 == 0) != flat.furthest() ? -sign : sign;
 }
 
 /// The pattern of both tie-breaks. Of size+1 rows (a cell's or a facet's, and q) that are dependent, the largest in the order

@@ -4,6 +4,7 @@
 #include "degenerate.hpp"
 
 #include <delone/delaunay.hpp>
+#include <delone/furthest_site.hpp>
 
 #include <gtest/gtest.h>
 
@@ -17,19 +18,21 @@ namespace delone {
 namespace {
 
 #if DELONE_HAVE_QHULL
-// The cells of Qhull's Delaunay triangulation; none if Qhull reports an error or had to merge facets.
-test::Cells qhull_cells(std::vector<double> points, int dimension) {
+// The cells of Qhull's Delaunay triangulation, or of the furthest-site one; none if Qhull reports an error or had to merge
+// facets.
+test::Cells qhull_cells(std::vector<double> points, int dimension, bool furthest = false) {
   test::Cells cells;
   qhT state;
   qhT* qh = &state;
   qh_zero(qh, stderr);
-  char command[] = "qhull d Qbb";
+  char nearest_sites[] = "qhull d Qbb", furthest_sites[] = "qhull d Qbb Qu";
+  char* const command = furthest ? furthest_sites : nearest_sites;
   const int n = static_cast<int>(points.size()) / dimension;
   if (qh_new_qhull(qh, dimension, n, points.data(), False, command, nullptr, stderr) == 0) {
     facetT* facet;
     vertexT *vertex, **vertexp;
     FORALLfacets {
-      if (facet->upperdelaunay) continue;
+      if ((facet->upperdelaunay != 0) != furthest) continue;
       cells.emplace_back();
       FOREACHvertex_(facet->vertices) cells.back().push_back(qh_pointid(qh, vertex->point));
       std::sort(cells.back().begin(), cells.back().end());
@@ -58,6 +61,23 @@ TEST_P(QhullIn, UniformPointsAgree) {
     test::Random random(seed);
     for (int i = 0; i < sizes[d - 2] * d; ++i) points.push_back(random.real());
     EXPECT_TRUE(test::same_cells(qhull_cells(points, d), test::sorted_cells(Triangulation(points, d).to_data())))
+        << "seed " << seed << '\n'
+        << test::to_text(points, d);
+  }
+#else
+  GTEST_SKIP() << "this build found no Qhull";
+#endif
+}
+
+TEST_P(QhullIn, FurthestSitesAgree) {
+#if DELONE_HAVE_QHULL
+  const int d = GetParam(), sizes[] = {2000, 1000, 400, 150, 70, 40};
+  for (std::uint64_t seed = 1; seed <= 3; ++seed) {
+    std::vector<double> points;
+    test::Random random(seed);
+    for (int i = 0; i < sizes[d - 2] * d; ++i) points.push_back(random.real());
+    EXPECT_TRUE(
+        test::same_cells(qhull_cells(points, d, true), test::sorted_cells(FurthestSiteTriangulation(points, d).to_data())))
         << "seed " << seed << '\n'
         << test::to_text(points, d);
   }

@@ -33,8 +33,8 @@ TEST(CheckLevels, UniformPoints) {
   const struct {
     int dimension;
     std::size_t n;
-  } cases[] = {{1, 100000}, {2, 200000}, {3, 200000}, {4, 20000}, {5, 3000}, {6, 500},
-               {7, 120},    {8, 50},     {9, 30},     {10, 22},   {11, 19},  {12, 18}};
+  } cases[] = {{1, 20000}, {2, 40000}, {3, 40000}, {4, 4000}, {5, 800}, {6, 200},
+               {7, 80},    {8, 50},    {9, 30},    {10, 22},  {11, 19}, {12, 18}};
   for (const auto& [d, n] : cases) {
     const CheckReport report = expect_correct({"uniform", d, make_point_set("uniform", d, test::scaled_count(n), 1)});
     EXPECT_EQ(report.ties, 0u);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The Delaunay or regular triangulation by its definition: every subset of k+1 points is tried against every other point, in
-// integers without error. Slow and simple, and written without a look at the library's predicates, so that the two can
-// disagree.
+// The Delaunay, regular or furthest-site triangulation by its definition: every subset of k+1 points is tried against every
+// other point, in integers without error. Slow and simple, and written without a look at the library's predicates, so that the
+// two can disagree.
 #pragma once
 
 #include <delone/complex.hpp>
@@ -39,6 +39,24 @@ inline Integer determinant(Matrix a) {
     previous = a[p][p];
   }
   return negative ? Integer(-previous) : previous;
+}
+
+/// The columns in which an elimination finds pivots, as far left as possible: their number is the rank.
+inline std::vector<std::size_t> pivot_columns(Matrix a) {
+  std::vector<std::size_t> pivots;
+  for (std::size_t column = 0; !a.empty() && column < a[0].size(); ++column) {
+    const std::size_t p = pivots.size();
+    std::size_t pivot = p;
+    while (pivot < a.size() && a[pivot][column] == 0) ++pivot;
+    if (pivot == a.size()) continue;
+    std::swap(a[pivot], a[p]);
+    for (std::size_t i = p + 1; i < a.size(); ++i) {
+      const Integer factor = a[i][column];
+      for (std::size_t j = column; j < a[i].size(); ++j) a[i][j] = Integer(a[i][j] * a[p][column] - factor * a[p][j]);
+    }
+    pivots.push_back(column);
+  }
+  return pivots;
 }
 
 inline Sign sign_of(const Integer& x) { return x < 0 ? Sign::negative : x > 0 ? Sign::positive : Sign::zero; }
@@ -79,17 +97,19 @@ inline Matrix scaled_to_integers(std::span<const double> coordinates, int dimens
 }
 
 /// Exact answers about n points of R^d and, if given, some queries (rows n, n+1, …), which are no vertices. Points may have
-/// weights, which lower their lifts; then vertices() are the distinct weighted points, some of them hidden.
+/// weights, which lower their lifts; then vertices() are the distinct weighted points, some of them hidden. `furthest`: all
+/// lifts are negated.
 class BruteForce {
  public:
   using Rows = std::vector<SignedIndex>;
 
   BruteForce(std::span<const double> points, int dimension, std::span<const double> queries = {},
-             std::span<const double> weights = {})
+             std::span<const double> weights = {}, bool furthest = false)
       : d_(static_cast<std::size_t>(dimension)),
         num_points_(points.size() / d_),
         coordinates_(points.begin(), points.end()),
-        weights_(weights.begin(), weights.end()) {
+        weights_(weights.begin(), weights.end()),
+        may_hide_(furthest || !weights.empty()) {
     coordinates_.insert(coordinates_.end(), queries.begin(), queries.end());
     int lowest = common_exponent(coordinates_);
     // A weight is a number of units of an area.
@@ -100,7 +120,7 @@ class BruteForce {
       Integer lift = 0;
       for (const Integer& x : row) lift += x * x;
       if (lifts_.size() < weight_rows.size()) lift -= weight_rows[lifts_.size()][0];
-      lifts_.push_back(lift);
+      lifts_.push_back(furthest ? Integer(-lift) : lift);
     }
     for (std::size_t row = 0; row < num_points_; ++row) {
       std::size_t first = 0;
@@ -123,7 +143,7 @@ class BruteForce {
     for (std::size_t i = 1; i < basis_.size(); ++i) differences.push_back(difference(basis_[i], basis_[0]));
     if (basis_.empty()) return false;
     differences.push_back(difference(row, basis_[0]));
-    return rank(differences).size() == basis_.size() - 1;
+    return pivot_columns(differences).size() == basis_.size() - 1;
   }
 
   /// The sign of det(p_i − p_0) on the axes of the flat; k+1 rows.
@@ -221,7 +241,7 @@ class BruteForce {
       data.cells.insert(data.cells.end(), cell.begin(), cell.end());
     }
     data.weights = weights_;
-    if (!weights_.empty())
+    if (may_hide_)
       for (SignedIndex& row : data.vertex_of_point)
         if (std::find(data.cells.begin(), data.cells.end(), row) == data.cells.end()) row = -1;
     return data;
@@ -245,24 +265,6 @@ class BruteForce {
     return result;
   }
 
-  // The pivot columns of an elimination: their number is the rank.
-  static std::vector<std::size_t> rank(Matrix a) {
-    std::vector<std::size_t> pivots;
-    for (std::size_t column = 0; !a.empty() && column < a[0].size(); ++column) {
-      const std::size_t p = pivots.size();
-      std::size_t pivot = p;
-      while (pivot < a.size() && a[pivot][column] == 0) ++pivot;
-      if (pivot == a.size()) continue;
-      std::swap(a[pivot], a[p]);
-      for (std::size_t i = p + 1; i < a.size(); ++i) {
-        const Integer factor = a[i][column];
-        for (std::size_t j = column; j < a[i].size(); ++j) a[i][j] = a[i][j] * a[p][column] - factor * a[p][j];
-      }
-      pivots.push_back(column);
-    }
-    return pivots;
-  }
-
   void find_flat() {
     Matrix differences;
     for (const SignedIndex vertex : vertices_) {
@@ -272,7 +274,7 @@ class BruteForce {
       }
       if (basis_.size() == d_ + 1) break;
       differences.push_back(difference(vertex, basis_[0]));
-      if (auto pivots = rank(differences); pivots.size() == differences.size()) {
+      if (auto pivots = pivot_columns(differences); pivots.size() == differences.size()) {
         axes_ = std::move(pivots);
         basis_.push_back(vertex);
       } else {
@@ -283,6 +285,7 @@ class BruteForce {
 
   std::size_t d_, num_points_;
   std::vector<double> coordinates_, weights_;
+  bool may_hide_;
   Matrix rows_;
   std::vector<Integer> lifts_;
   Rows first_row_, vertices_, basis_;

@@ -122,20 +122,7 @@ class HullBruteForce {
       a.emplace_back();
       for (std::size_t j = 0; j < d_; ++j) a.back().push_back(points_[at(rows[i])][j] - points_[at(rows[0])][j]);
     }
-    std::vector<std::size_t> columns;
-    for (std::size_t column = 0; column < d_ && columns.size() < a.size(); ++column) {
-      const std::size_t p = columns.size();
-      std::size_t pivot = p;
-      while (pivot < a.size() && a[pivot][column] == 0) ++pivot;
-      if (pivot == a.size()) continue;
-      std::swap(a[pivot], a[p]);
-      for (std::size_t i = p + 1; i < a.size(); ++i) {
-        const Integer factor = a[i][column];
-        for (std::size_t j = 0; j < d_; ++j) a[i][j] = Integer(a[i][j] * a[p][column] - factor * a[p][j]);
-      }
-      columns.push_back(column);
-    }
-    return columns;
+    return pivot_columns(std::move(a));
   }
   std::size_t span_of(const Rows& rows) const { return pivots(rows).size(); }
 

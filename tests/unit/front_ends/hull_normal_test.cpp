@@ -37,7 +37,7 @@ TEST_P(HullNormalIn, WhatIsCertainIsRight) {
     SCOPED_TRACE(set.name);
     const HullSites sites = sites_of(set);
     if (sites.size() < static_cast<std::size_t>(d) + 1) continue;
-    HullNormals normals(d, difference_scale(sites));
+    HullNormals normals(d);
     std::vector<double> record(normals.stride());
     test::Random random(3);
     for (int i = 0; i < 40; ++i) {
@@ -61,7 +61,7 @@ TEST_P(HullNormalIn, RandomPointsNeedNoExactStage) {
   test::Random random(4);
   for (int i = 0; i < 200 * d; ++i) set.points.push_back(random.real());
   const HullSites sites = sites_of(set);
-  HullNormals normals(d, difference_scale(sites));
+  HullNormals normals(d);
   std::vector<double> record(normals.stride());
   for (Index first = 0; first + static_cast<Index>(d) < sites.size(); first += static_cast<Index>(d) + 1) {
     std::vector<Index> cell(static_cast<std::size_t>(d));

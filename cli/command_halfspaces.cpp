@@ -1,0 +1,208 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// delone halfspaces: inequalities in, the polyhedron that they describe out.
+#include "command.hpp"
+#include "cost.hpp"
+#include "interrupt.hpp"
+#include "output.hpp"
+#include "progress_bar.hpp"
+
+#include <delone/halfspaces.hpp>
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include <charconv>
+#include <cmath>
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <string_view>
+
+namespace delone::cli {
+namespace {
+
+struct HalfspacesOptions {
+  PointInput input;
+  std::string interior, output, output_format;
+  std::uint64_t seed = 0;
+  std::string order = "automatic";
+  bool stats = false, quiet = false;
+};
+
+/// "1,2.5,-3" as numbers; nothing if it is something else, a path say.
+std::optional<std::vector<double>> numbers_in(std::string_view text) {
+  std::vector<double> numbers;
+  for (;;) {
+    const std::string_view field = text.substr(0, text.find(','));
+    double value = 0;
+    const auto [end, error] = std::from_chars(field.data(), field.data() + field.size(), value);
+    if (error != std::errc() || end != field.data() + field.size()) return std::nullopt;
+    numbers.push_back(value);
+    if (field.size() == text.size()) return numbers;
+    text.remove_prefix(field.size() + 1);
+  }
+}
+
+/// The point of --interior: d numbers, or a file with one point.
+std::vector<double> interior_point(const HalfspacesOptions& options, int dimension) {
+  auto numbers = numbers_in(options.interior);
+  if (!numbers) {
+    const PointTable table = read_points(options.interior);
+    if (table.num_points() != 1)
+      throw Error(Errc::bad_format,
+                  fmt::format("{}: expected one interior point, found {}", options.interior, table.num_points()));
+    numbers = table.coordinates;
+  }
+  if (numbers->size() != static_cast<std::size_t>(dimension))
+    throw UsageError(fmt::format("--interior: expected {} coordinates, found {}", dimension, numbers->size()));
+  return *numbers;
+}
+
+/// Throws what the writing would throw in the end, as far as that is known before the work.
+void check_output(const HalfspacesOptions& options, int dimension) {
+  check_writable(options.output);
+  const std::string name = options.output == "-" ? "standard output" : options.output;
+  std::string format = options.output_format;
+  if (format.empty()) {
+    format = std::filesystem::path(options.output).extension().string();
+    if (options.output == "-" || format.size() < 2)
+      throw Error(Errc::unsupported, name + ": name the format with --output-format");
+    format.erase(0, 1);
+  }
+  if (format == "off" && dimension != 3)
+    throw Error(Errc::unsupported, name + ": format 'off' needs a bounded intersection in dimension 3");
+  if (format != "npz" && format != "json" && format != "off")
+    throw Error(Errc::unsupported,
+                fmt::format("{}: unknown format '{}' for writing an intersection (known: npz, json, off)", name, format));
+}
+
+const char* name_of(IntersectionState state) {
+  return state == IntersectionState::full ? "full" : state == IntersectionState::flat ? "flat" : "empty";
+}
+
+nlohmann::ordered_json number(double x) {
+  return std::isfinite(x) ? nlohmann::ordered_json(x) : nlohmann::ordered_json(nullptr);
+}
+
+nlohmann::ordered_json stats_json(const HalfspaceIntersection& found, const Seconds& seconds,
+                                  const HalfspacesOptions& options) {
+  const IntersectionData& data = found.data();
+  nlohmann::ordered_json json;
+  json["command"] = "halfspaces";
+  json["dimension"] = found.dimension();
+  json["halfspaces"] = found.num_halfspaces();
+  json["state"] = name_of(found.state());
+  json["witness"] = data.witness;
+  json["rank"] = data.rank;
+  json["bounded"] = data.bounded;
+  json["interior_point"] = data.interior_point;
+  json["vertices"] = data.num_vertices();
+  json["directions"] = data.num_directions();
+  json["edges"] = data.num_edges();
+  json["rays"] = data.num_rays();
+  json["facets"] = data.num_facets();
+  json["touching"] = found.count(HalfspaceKind::touching);
+  json["redundant"] = found.count(HalfspaceKind::redundant);
+  json["duplicates"] = found.count(HalfspaceKind::duplicate);
+  json["trivial"] = found.count(HalfspaceKind::trivial);
+  json["cells"] = found.num_cells();
+  json["volume"] = number(found.volume());
+  add_cost(json, found.statistics(), found.num_cells(), seconds, options.seed);
+  return json;
+}
+
+std::string summary(const HalfspaceIntersection& found, const Seconds& seconds, const HalfspacesOptions& options) {
+  const IntersectionData& data = found.data();
+  std::string text = fmt::format("{}: intersection of {} halfspaces in dimension {}\n", input_name(options.input.path),
+                                 found.num_halfspaces(), found.dimension());
+  const auto line = [&](const char* what, const std::string& value) { text += fmt::format("  {:<18}{}\n", what, value); };
+  if (found.state() != IntersectionState::full) {
+    std::string rows;
+    for (const SignedIndex r : data.witness) rows += fmt::format("{}{}", rows.empty() ? "" : ", ", r);
+    line("no interior point", fmt::format("{}: halfspaces {} have none in common",
+                                          found.state() == IntersectionState::flat ? "flat" : "empty", rows));
+  } else {
+    line("rank", fmt::format("{}{}", data.rank,
+                             data.rank < found.dimension() ? fmt::format(" (the intersection contains {}-dimensional flats)",
+                                                                         found.dimension() - data.rank)
+                                                           : ""));
+    line("vertices", fmt::format("{}, {} edges", data.num_vertices(), data.num_edges()));
+    line("bounded", data.bounded ? "yes" : fmt::format("no: {} directions, {} rays", data.num_directions(), data.num_rays()));
+    line("facets", fmt::format("{}", data.num_facets()));
+    line("other halfspaces", fmt::format("{} redundant, {} of them touching; {} duplicates, {} trivial",
+                                         found.count(HalfspaceKind::redundant) + found.count(HalfspaceKind::touching),
+                                         found.count(HalfspaceKind::touching), found.count(HalfspaceKind::duplicate),
+                                         found.count(HalfspaceKind::trivial)));
+    if (data.bounded) line("volume", fmt::format("{}", found.volume()));
+  }
+  const Statistics s = found.statistics();
+  line("conflict tests", fmt::format("{} by filter, {} direct, {} exact, {} ties", s.filter, s.direct, s.exact, s.perturbed));
+  line("time", fmt::format("{:.3f} s (reading {:.3f}, building {:.3f})", seconds.total, seconds.read, seconds.build));
+  return text;
+}
+
+int run_halfspaces(const HalfspacesOptions& options) {
+  if (options.stats && options.output == "-") throw UsageError("--stats and --output - both want standard output");
+  const auto start = Clock::now();
+  Seconds seconds;
+  const PointTable table = options.input.read();
+  seconds.read = seconds_since(start);
+  const std::string name = input_name(options.input.path);
+  if (table.dimension < 2)
+    throw Error(Errc::bad_dimension, name + ": a halfspace takes two numbers at least, a normal and an offset");
+  const int dimension = table.dimension - 1;
+  std::vector<double> interior;
+  if (!options.interior.empty()) interior = interior_point(options, dimension);
+  if (!options.output.empty()) check_output(options, dimension);
+  ProgressBar bar(options.quiet);
+  const auto build_start = Clock::now();
+  const HalfspaceIntersection found = [&] {
+    const StageGuard guard(Stage::building);
+    Options build_options;
+    build_options.seed = options.seed;
+    build_options.order = insertion_order(options.order);
+    build_options.progress = bar.callback();
+    return about(name, [&] {
+      return interior.empty() ? HalfspaceIntersection(table.coordinates, dimension, build_options)
+                              : HalfspaceIntersection(table.coordinates, dimension, interior, build_options);
+    });
+  }();
+  about(name, [&] { found.data(); });
+  seconds.build = seconds_since(build_start);
+  bar.clear();
+  if (!options.output.empty()) {
+    const auto write_start = Clock::now();
+    const StageGuard guard(options.output == "-" ? Stage::plain : Stage::writing);
+    about(options.output == "-" ? "standard output" : options.output,
+          [&] { write_halfspaces(options.output, found.to_data(), options.output_format); });
+    seconds.write = seconds_since(write_start);
+  }
+  seconds.total = seconds_since(start);
+  if (options.stats)
+    print_output(stats_json(found, seconds, options).dump(2) + "\n");
+  else if (options.output.empty())
+    print_output(summary(found, seconds, options));
+  return exit_status::ok;
+}
+
+}  // namespace
+
+Run add_halfspaces(CLI::App& app) {
+  auto options = std::make_shared<HalfspacesOptions>();
+  options->input.add_to(app, "IN", "Halfspaces: rows of a normal and an offset, n.x + c <= 0; a file, or - for standard input");
+  app.add_option("--interior", options->interior,
+                 "A point strictly inside all halfspaces: numbers, or a file with one point; found if not given")
+      ->type_name("X,Y,...|FILE");
+  app.add_option("-o,--output", options->output, "Write the intersection there; without it a summary is printed")
+      ->type_name("OUT");
+  app.add_option("--output-format", options->output_format, "Format of OUT, if not told by its extension")
+      ->check(CLI::IsMember({"npz", "json", "off"}));
+  add_seed(app, options->seed, "Seed of the insertion order; the result does not depend on it");
+  app.add_option("--order", options->order, "Insertion order; the result does not depend on it")
+      ->check(CLI::IsMember({"automatic", "given", "shuffled"}));
+  app.add_flag("--stats", options->stats, "Print one JSON object about the result and its cost, and nothing else");
+  app.add_flag("-q,--quiet", options->quiet, "No progress bar, no notes");
+  return [options] { return run_halfspaces(*options); };
+}
+
+}  // namespace delone::cli

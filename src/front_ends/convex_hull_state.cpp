@@ -1,0 +1,163 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "front_ends/convex_hull_state.hpp"
+
+#include "front_ends/canonical_hash.hpp"
+#include "front_ends/point_rows.hpp"
+
+#include <algorithm>
+#include <chrono>
+#include <numeric>
+
+namespace delone::front_ends {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+double seconds_since(Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); }
+
+const SimplicialHull no_cells{};
+
+}  // namespace
+
+HullState::HullState(const HullState& other)
+    : sites_(other.sites_),
+      affine_hull_(other.affine_hull_),
+      basis_(other.basis_),
+      row_of_site_(other.row_of_site_),
+      site_of_row_(other.site_of_row_),
+      is_surely_interior_(other.is_surely_interior_),
+      site_at_(other.site_at_),
+      earlier_(other.earlier_) {
+  if (other.builder_) builder_.emplace(sites_, *other.builder_);
+}
+
+Index HullState::find_site(std::uint64_t tag, const double* point) const {
+  return site_at_.find(tag, [&](Index site) { return kernel::equal_points(sites_.point(site), point, sites_.ambient); });
+}
+
+/// A new site, not yet part of the boundary.
+Index HullState::add_site(const double* point, std::size_t row, std::uint64_t tag) {
+  const auto site = static_cast<Index>(sites_.size());
+  row_of_site_.push_back(static_cast<Index>(row));
+  is_surely_interior_.push_back(0);
+  sites_.coordinates.insert(sites_.coordinates.end(), point, point + ambient());
+  sites_.grid.include(point);
+  site_at_.add(tag, site);
+  return site;
+}
+
+/// Takes back a site that was added, perhaps not wholly.
+void HullState::drop_last_site(Index site, std::uint64_t tag) {
+  row_of_site_.resize(site);
+  is_surely_interior_.resize(site);
+  sites_.coordinates.resize(site * ambient());
+  site_at_.remove_last(tag, site);
+}
+
+/// Lets a site raise the affine dimension; true if it did.
+bool HullState::raise(Index site) {
+  if (affine_hull_.dimension() == sites_.ambient || !affine_hull_.add(sites_.point(site))) return false;
+  basis_.push_back(site);
+  return true;
+}
+
+bool HullState::raises_dimension(const double* point) const {
+  return affine_hull_.dimension() < sites_.ambient && !affine_hull_.contains(point);
+}
+
+/// Starts anew with the simplex of the basis.
+void HullState::restart() {
+  sites_.axes = affine_hull_.axes();
+  note_effort(earlier_);
+  builder_.reset();
+  std::fill(is_surely_interior_.begin(), is_surely_interior_.end(), char{0});
+  if (affine_hull_.dimension() >= 1) builder_.emplace(sites_, basis_);
+}
+
+void HullState::insert(Index site) {
+  if (builder_->insert(site) == Insertion::interior) is_surely_interior_[site] = 1;
+}
+
+void HullState::insert_range(std::span<const double> coordinates, const Options& options) {
+  const std::size_t n = coordinates.size() / ambient(), first_row = num_rows();
+  const auto first_site = static_cast<Index>(sites_.size());
+  auto start = Clock::now();
+  site_of_row_.reserve(first_row + n);
+  for (std::size_t i = 0; i < n; ++i) {
+    const double* point = coordinates.data() + i * ambient();
+    const std::uint64_t tag = point_tag(point, sites_.ambient).low;
+    const Index site = find_site(tag, point);
+    site_of_row_.push_back(site != invalid_index ? site : add_site(point, first_row + i, tag));
+  }
+  std::vector<Index> order =
+      insertion_order({std::span<const double>(sites_.coordinates).subspan(first_site * ambient()), sites_.ambient}, options);
+  for (Index& site : order) site += first_site;
+  earlier_.order_seconds += seconds_since(start);
+
+  start = Clock::now();
+  bool raised = false;
+  for (const Index site : order) raised |= raise(site);
+  if (raised) {
+    // Sites of earlier calls are inserted again.
+    restart();
+    std::vector<Index> all(first_site);
+    std::iota(all.begin(), all.end(), Index{0});
+    order.insert(order.begin(), all.begin(), all.end());
+    for (const Index site : basis_) order.erase(std::find(order.begin(), order.end(), site));
+  }
+  ProgressMeter progress(options.progress, order.size());
+  for (std::size_t i = 0; builder_ && i < order.size(); ++i) {
+    insert(order[i]);
+    progress(i + 1);
+  }
+  earlier_.build_seconds += seconds_since(start);
+}
+
+HullInsertResult HullState::insert_in_flat(const double* point) {
+  HullInsertResult result;
+  result.row = num_rows();
+  site_of_row_.reserve(result.row + 1);
+  const std::uint64_t tag = point_tag(point, sites_.ambient).low;
+  if (const Index site = find_site(tag, point); site != invalid_index) {
+    site_of_row_.push_back(site);
+    result.duplicate = true;
+    return result;
+  }
+  const auto site = static_cast<Index>(sites_.size());
+  try {
+    add_site(point, result.row, tag);
+    const Insertion outcome = builder_->insert(site);
+    result.inserted = outcome == Insertion::vertex;
+    is_surely_interior_[site] = outcome == Insertion::interior ? 1 : 0;
+  } catch (...) {
+    drop_last_site(site, tag);
+    throw;
+  }
+  site_of_row_.push_back(site);
+  return result;
+}
+
+const SimplicialHull& HullState::hull() const { return builder_ ? builder_->hull() : no_cells; }
+
+/// Adds what the builder has done.
+void HullState::note_effort(Statistics& sum) const {
+  if (!builder_) return;
+  const engine::Effort& effort = builder_->effort();
+  sum.created_cells += effort.created_cells;
+  sum.filter += effort.stages.filter;
+  sum.direct += effort.stages.direct;
+  sum.exact += effort.stages.exact;
+  sum.perturbed += effort.stages.perturbed;
+}
+
+Statistics HullState::statistics() const {
+  Statistics result = earlier_;
+  note_effort(result);
+  if (builder_) {
+    result.insertions = builder_->insertions();
+    result.cell_bytes = builder_->bytes();
+  }
+  return result;
+}
+
+}  // namespace delone::front_ends

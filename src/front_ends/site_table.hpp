@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Which site is at a point: a hash table with open addressing and linear probing, at most half full. Sites are numbered in the
+// order in which they are added.
+#pragma once
+
+#include <delone/types.hpp>
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace delone::front_ends {
+
+class SiteTable {
+ public:
+  /// The site with this tag for which is_at(site) holds, or invalid_index.
+  template <class IsAt>
+  Index find(std::uint64_t tag, IsAt is_at) const {
+    if (entries_.empty()) return invalid_index;
+    for (std::size_t at = tag & mask();; at = (at + 1) & mask()) {
+      const Entry& entry = entries_[at];
+      if (entry.site == invalid_index) return invalid_index;
+      if (entry.tag == tag && is_at(entry.site)) return entry.site;
+    }
+  }
+
+  /// Throws std::bad_alloc, and then changes nothing.
+  void add(std::uint64_t tag, Index site) {
+    if (2 * (size_ + 1) > entries_.size()) grow();
+    place(entries_, {tag, site});
+    ++size_;
+  }
+
+  /// Takes back a site that was added last, or not at all: no later one was pushed on by it.
+  void remove_last(std::uint64_t tag, Index site) {
+    if (entries_.empty()) return;
+    std::size_t at = tag & mask();
+    while (entries_[at].site != site && entries_[at].site != invalid_index) at = (at + 1) & mask();
+    if (entries_[at].site == invalid_index) return;
+    entries_[at] = {};
+    --size_;
+  }
+
+ private:
+  struct Entry {
+    std::uint64_t tag = 0;
+    Index site = invalid_index;
+  };
+
+  std::size_t mask() const { return entries_.size() - 1; }
+  static void place(std::vector<Entry>& entries, const Entry& entry) {
+    std::size_t at = entry.tag & (entries.size() - 1);
+    while (entries[at].site != invalid_index) at = (at + 1) & (entries.size() - 1);
+    entries[at] = entry;
+  }
+  void grow() {
+    std::vector<Entry> larger(entries_.empty() ? 16 : 2 * entries_.size());
+    for (const Entry& entry : entries_)
+      if (entry.site != invalid_index) place(larger, entry);
+    entries_ = std::move(larger);
+  }
+
+  std::vector<Entry> entries_;
+  std::size_t size_ = 0;
+};
+
+}  // namespace delone::front_ends

@@ -1,0 +1,157 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What joins the kernel to the engine for intersections of halfspaces: vertices are homogeneous rows (n, c), and a row q is in
+// conflict with a cell iff it is beyond the linear hyperplane of the cell's rows. The cells bound a cone.
+//
+// Decisions are determinants of the rows as given. The filter sees the cone cut off by a hyperplane: the dual points n/s with
+// s = −(n·p + c), p an interior point, which are kept in pairs of doubles; so their images in the box are off by less than one
+// rounding, and everything that holds for the functionals of convex hulls holds here (hull_geometry.hpp).
+#pragma once
+
+#include "geometry/hull_geometry.hpp"
+
+namespace delone::geometry {
+
+/// Rows and their dual points by site. Vertex v of the engine is site v − 1.
+struct DualSites {
+  std::size_t row_size = 0;   ///< d + 1
+  std::vector<int> axes;      ///< k + 1 columns on which the linear hull of the rows projects one-to-one; the last is column d
+  std::vector<double> rows;   ///< n×(d+1), as given
+  std::vector<double> duals;  ///< n×2k: n_j/s on the first k axes, rounded, then what the rounding left over
+
+  int dimension() const { return static_cast<int>(axes.size()) - 1; }
+  std::size_t size() const { return row_size == 0 ? 0 : rows.size() / row_size; }
+  const double* row(Index site) const { return rows.data() + static_cast<std::size_t>(site) * row_size; }
+  const double* dual(Index site) const {
+    return duals.data() + static_cast<std::size_t>(site) * 2 * static_cast<std::size_t>(dimension());
+  }
+  kernel::Flat flat() const { return {static_cast<int>(row_size), axes, kernel::RowForm::homogeneous}; }
+};
+
+/// What a cone is seen from: a row strictly inside, with its dual point as in DualSites, and a box for all dual points.
+struct DualView {
+  std::vector<double> center, dual_of_center;
+  bool is_inside = false;         ///< whether the centre is strictly inside the cone of the first simplex
+  std::vector<double> low, high;  ///< by axis, k each
+};
+
+/// K is the dimension of the cells, or 0 when it is chosen at run time.
+template <int K>
+class HalfspaceGeometry {
+  static constexpr int D = K > 0 ? K + 1 : 0;  // of the space of dual points
+
+ public:
+  using Query = HullQuery<K>;
+
+  /// The references must outlive this object; what they refer to may grow. `inner`: vertices whose rows are on no common
+  /// hyperplane, for a view from nowhere.
+  HalfspaceGeometry(CellMemory<K>& cells, const DualSites& sites, const DualView& view, std::vector<Index> inner)
+      : sites_(sites),
+        view_(view),
+        inner_(std::move(inner)),
+        scale_(static_cast<std::size_t>(sites.dimension()), std::numeric_limits<double>::quiet_NaN()),
+        functionals_(cells) {
+    functionals_.set_frame();
+  }
+
+  int dimension() const { return K > 0 ? K : static_cast<int>(scale_.size()) - 1; }
+
+  /// Takes over the view's box. All cells must be created anew after it.
+  void update_box() {
+    for (std::size_t j = 0; j < scale_.size(); ++j) {
+      const double center = view_.is_inside ? view_.dual_of_center[j] : 0;
+      const double half = std::max(view_.high[j] - center, center - view_.low[j]);
+      // Images are at most 1/2 and a few roundings; no scale, and the filter never certain, for what cannot be scaled.
+      scale_[j] = view_.is_inside && half > 0x1p-900 && half < 0x1p900 ? std::ldexp(1.0, -std::ilogb(half) - 2)
+                                                                       : std::numeric_limits<double>::quiet_NaN();
+    }
+    const auto n = static_cast<Index>(sites_.size());
+    rows_.reserve((n + 1) * scale_.size());
+    std::fill_n(rows_.data(), scale_.size(), 0.0);
+    for (Index v = 1; v <= n; ++v) write_image(v, rows_.data() + v * scale_.size());
+  }
+
+  /// REQUIRES a site whose dual point is in the box.
+  Query make_query(Index vertex) const {
+    Query q(row(vertex), scale_.size());
+    write_image(vertex, q.row.data());
+    return q;
+  }
+  const double* row(Index vertex) const { return sites_.row(vertex - 1); }
+  bool is_at(Index vertex, const Query& q) const { return kernel::equal_rows(sites_.flat(), row(vertex), q.point); }
+
+  auto evaluator(const Query& q) const { return functionals_.evaluator(q.row.data()); }
+  bool is_infinite(Index) const { return false; }
+  /// The exact side of q, never zero: positive inside. REQUIRES that q is none of the vertices.
+  Sign exact_side(const Index* vertices, int, const Query& q, StageCounts& counts) const {
+    const Sign exact = side(vertices, q.point, counts);
+    if (exact != Sign::zero) return exact;
+    ++counts.perturbed;
+    const double* inner = view_.center.data();
+    if (!view_.is_inside) {
+      StageCounts uncounted;
+      inner = row(*std::find_if(inner_.begin(), inner_.end(),
+                                [&](Index v) { return side(vertices, row(v), uncounted) != Sign::zero; }));
+    }
+    return kernel::perturbed_hull_side<D>(sites_.flat(), gather(vertices).data(), q.point, inner, no_grid_);
+  }
+  /// The exact side of a row, zero on the hyperplane.
+  Sign side(const Index* vertices, const double* row, StageCounts& counts) const {
+    return kernel::hull_side<D>(sites_.flat(), gather(vertices).data(), row, no_grid_, counts);
+  }
+  /// The exact side of the wall between the centre and the facet `slot` of a cell that q is on: positive is the side of the
+  /// cell.
+  Sign side_of_facet(const Index* vertices, int slot, const Query& q) const {
+    auto rows = gather(vertices);
+    rows[static_cast<std::size_t>(slot)] = q.point;
+    StageCounts uncounted;
+    return kernel::hull_side<D>(sites_.flat(), rows.data(), view_.center.data(), no_grid_, uncounted);
+  }
+
+  /// Makes room for a star of vertex v. Throws std::bad_alloc, and then changes nothing.
+  void reserve_star(Index v, std::size_t facets) {
+    functionals_.reserve_star(facets);
+    const std::size_t size = (static_cast<std::size_t>(v) + 1) * scale_.size();
+    if (size > rows_.capacity()) rows_.reserve(size + size / 2);
+  }
+  /// Computes what is cached for the created cells of a star of vertex v at q; returns the facets for whose cells that would be
+  /// too inaccurate: they must be created singly.
+  std::span<const std::uint32_t> create_star(Index v, const Query& q, std::span<const HorizonFacet> facets) {
+    std::copy_n(q.row.data(), scale_.size(), rows_.data() + v * scale_.size());
+    return functionals_.combine(facets, rows_.data(), q.row.data());
+  }
+  /// Computes what is cached for a cell by elimination.
+  void create(Index cell, const Index* vertices, int, int) {
+    const std::size_t n = scale_.size();
+    kernel::Buffer<double, D * D> rows(n * n);
+    for (std::size_t i = 0; i < n; ++i) write_image(vertices[i], rows.data() + i * n);
+    functionals_.solve(cell, rows.data());
+  }
+
+ private:
+  /// The difference of two pairs, rounded once but for terms of the second order (docs/predicates.md, "Halfspaces").
+  void write_image(Index vertex, double* image) const {
+    const std::size_t k = scale_.size();
+    const double* dual = sites_.dual(vertex - 1);
+    const double* center = view_.dual_of_center.data();
+    for (std::size_t j = 0; j < k; ++j) {
+      const double difference = dual[j] - center[j], part = difference - dual[j];
+      const double lost = (dual[j] - (difference - part)) - (center[j] + part);
+      image[j] = (difference + (lost + (dual[k + j] - center[k + j]))) * scale_[j];
+    }
+  }
+  auto gather(const Index* vertices) const {
+    kernel::Buffer<const double*, D> rows(scale_.size());
+    for (std::size_t i = 0; i < scale_.size(); ++i) rows[i] = row(vertices[i]);
+    return rows;
+  }
+
+  const DualSites& sites_;
+  const DualView& view_;
+  std::vector<Index> inner_;
+  std::vector<double> scale_;  // per axis
+  Functionals<K, false> functionals_;
+  GrowableArray<double> rows_;     // images of the vertices
+  const kernel::Grid no_grid_{1};  // homogeneous rows need none
+};
+
+}  // namespace delone::geometry

@@ -1,0 +1,49 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""delone regular and delone power: points with weights."""
+import json
+import unittest
+
+from cli_support import Case, STATS, np
+
+
+class Regular(Case):
+    def test_equal_weights_give_the_delaunay_triangulation(self):
+        for kind, d, n in (("uniform", 3, 60), ("grid", 3, 27), ("flat", 3, 20)):
+            points, weights = self.path("points.npy"), self.path("weights.npy")
+            self.output("generate", kind, "-d", d, "-n", n, "-o", points)
+            np.save(weights, np.full((n, 1), 2.5))
+            plain = json.loads(self.output("delaunay", points, "--stats"))
+            regular = json.loads(self.output("regular", points, "--weights", weights, "--stats"))
+            self.assertEqual(set(STATS) - set(regular), set())
+            self.assertEqual((regular["command"], regular["hash"], regular["hidden"]), ("regular", plain["hash"], 0))
+
+    def test_hidden_points_and_duplicates(self):
+        balls = self.path("balls.csv")
+        with open(balls, "w") as f:
+            f.write("x,y,w\n0,0,0\n4,0,0\n0,4,0\n4,4,1\n1,1,-9\n0,0,0\n0,0,-1\n")
+        stats = json.loads(self.output("regular", balls, "--weights", "w", "--stats"))
+        self.assertEqual((stats["points"], stats["vertices"], stats["duplicates"], stats["hidden"], stats["cells"]), (7, 4, 1, 2, 2))
+        self.output("regular", balls, "--weights", "2", "-o", self.path("balls.npz"))
+        with np.load(self.path("balls.npz")) as arrays:
+            np.testing.assert_array_equal(arrays["weights"].ravel(), [0, 0, 0, 1, -9, 0, -1])
+        self.assertIn("regular triangulation", self.output("check", self.path("balls.npz")))
+
+    def test_power_diagram(self):
+        balls = self.path("balls.csv")
+        with open(balls, "w") as f:
+            f.write("x,y,w\n0,0,0\n2,0,1\n")
+        rows = self.output("power", balls, "--weights", "w", "--volumes", "-", "--box", "-1,-1,3,1").split()[1:]
+        # The border is where x² = (x − 2)² − 1: at x = 3/4.
+        self.assertEqual([round(float(row.split(",")[1]), 12) for row in rows], [3.5, 4.5])
+
+    def test_refusals(self):
+        points = self.path("points.csv")
+        with open(points, "w") as f:
+            f.write("x,y,w\n0,0,1\n1,0,nan\n0,1,1\n")
+        self.run_delone("regular", points, "--weights", "w", status=2)
+        self.run_delone("regular", points, "--weights", "volume", status=2)
+        self.run_delone("regular", points, status=64)
+
+
+if __name__ == "__main__":
+    unittest.main()

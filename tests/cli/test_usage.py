@@ -1,0 +1,33 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""Options, help and version; what is refused with status 64."""
+import unittest
+
+from cli_support import Case
+
+
+class Usage(Case):
+    def test_bad_options(self):
+        points = self.uniform(2, 5)
+        for arguments in ([], ["triangulate"], ["delaunay"], ["delaunay", points, "--no-such-option"],
+                          ["delaunay", points, "--threads", "0"], ["delaunay", points, "--threads", "two"],
+                          ["delaunay", points, "--seed", "-1"], ["delaunay", points, "--order", "sorted"],
+                          ["delaunay", points, "--format", "bmp"], ["delaunay", points, "--output-format", "bmp"],
+                          ["delaunay", points, "--stats", "-o", "-", "--output-format", "txt"], ["delaunay", points, points],
+                          ["check", points, "--level", "7"], ["check"], ["locate", points],
+                          ["generate", "uniform", "-n", "5"], ["generate", "unheard_of", "-d", "2", "-n", "5"],
+                          ["generate", "uniform", "-d", "0", "-n", "5"], ["generate", "uniform", "-d", "2", "-n", "-5"],
+                          ["generate", "uniform", "-d", "2", "-n", "1.5"], ["generate", "uniform", "-d", "2", "-n", "five"],
+                          ["generate", "flat", "-d", "1", "-n", "5"], ["locate", "-", "--queries", "-"]):
+            self.complaint(*arguments, status=64)
+
+    def test_help_and_version(self):
+        self.assertRegex(self.output("--version"), r"\Adelone \d+\.\d+\.\d+\n\Z")
+        for command in ("delaunay", "locate", "check", "generate", "info"):
+            self.assertIn(command, self.output("--help"))
+            self.assertIn(f"delone {command}", self.output(command, "--help"))
+        for kind in ("uniform", "cospherical", "mixed_scales"):
+            self.assertIn(kind, self.output("generate", "--help"))
+
+
+if __name__ == "__main__":
+    unittest.main()
