@@ -28,6 +28,14 @@ class Regular(Case):
             np.testing.assert_array_equal(arrays["weights"].ravel(), [0, 0, 0, 1, -9, 0, -1])
         self.assertIn("regular triangulation", self.output("check", self.path("balls.npz")))
 
+    def test_info_tells_weights_and_hidden_points(self):
+        balls = self.file("balls.csv", "x,y,w\n0,0,0\n4,0,0\n0,4,0\n4,4,1\n1,1,-9\n0,0,0\n")
+        for name in ("balls.npz", "balls.json"):
+            self.output("regular", balls, "--weights", "w", "-o", self.path(name))
+            lines = [line.split() for line in self.output("info", self.path(name)).splitlines()]
+            for line in ("vertices 4", "hidden points 1", "weights -9 ... 1"):
+                self.assertIn(line.split(), lines)
+
     def test_power_diagram(self):
         balls = self.path("balls.csv")
         with open(balls, "w") as f:
