@@ -1,22 +1,38 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Is a cell in conflict with a query point? The exact stages, for where the filter is not certain.
+// Is a cell in conflict with a query point? All stages, from the filter to the perturbation.
 #pragma once
 
 #include "engine/cell_store.hpp"
 #include "engine/geometry_concept.hpp"
 
+#include <cmath>
+
 namespace delone::engine {
 
-/// The exact conflict test, without the filter. A query exactly on the hyperplane of an infinite cell conflicts with it iff it
+/// The exact conflict test. A query exactly on the hyperplane of an infinite cell conflicts with it iff it
 /// conflicts with the finite cell on the other side of the hull facet: the perturbation moves points along that hyperplane.
 /// REQUIRES that q is none of the vertices of the cell, nor of the finite neighbor of an infinite cell.
 template <int K, Geometry G>
 bool in_conflict_exactly(const CellStore<K>& cells, const G& geometry, Index cell, const typename G::Query& q,
                          StageCounts& counts) {
-  const int infinite_slot = cells.infinite_slot(cell);
-  const Sign side = geometry.exact_side(cells.vertices(cell), infinite_slot, q, counts);
-  if (side != Sign::zero) return side == Sign::negative;
-  return in_conflict_exactly(cells, geometry, cells.neighbors(cell)[infinite_slot], q, counts);
+  const auto functional = geometry.evaluator(q);
+  for (;;) {
+    const double value = functional.value(cell);
+    if (std::fabs(value) > functional.threshold(cell)) {
+      ++counts.filter;
+      return std::signbit(value);
+    }
+    const Index* vertices = cells.vertices(cell);
+    const bool infinite = geometry.is_infinite(cell);
+    const int infinite_slot = infinite ? cells.infinite_slot(cell) : -1;
+    if (geometry.proves_tie(cell, value, q)) {
+      ++counts.filter;
+    } else if (const Sign side = geometry.exact_side(vertices, infinite_slot, q, counts); side != Sign::zero) {
+      return side == Sign::negative;
+    }
+    if (!infinite) return geometry.perturbed_side(vertices, q, counts) == Sign::negative;
+    cell = cells.neighbors(cell)[infinite_slot];
+  }
 }
 
 /// The vertex of the cell at q, or invalid_index.

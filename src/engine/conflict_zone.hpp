@@ -61,6 +61,7 @@ void find_conflict_zone(const CellStore<K>& cells, const G& geometry, const type
   const auto functional = geometry.evaluator(q);
   zone.cells[0] = first;
   zone.values[0] = functional.value(first);
+  if (geometry.proves_tie(first, zone.values[0], q)) zone.values[0] = -0.0;
   zone.num_cells = 1;
   marks.set(first, Mark::in_conflict);
   std::uint64_t evaluated = 0, uncertain = 0;
@@ -88,7 +89,7 @@ void find_conflict_zone(const CellStore<K>& cells, const G& geometry, const type
     }
     for (std::size_t c = 0; c < num_candidates; ++c) {
       const auto [neighbor, from, slot] = candidates[c];
-      const double value = functional.value(neighbor);
+      double value = functional.value(neighbor);
       const Mark mark = marks(neighbor);
       bool conflict = std::signbit(value);
       if (!(std::fabs(value) > functional.threshold(neighbor))) [[unlikely]] {
@@ -102,6 +103,7 @@ void find_conflict_zone(const CellStore<K>& cells, const G& geometry, const type
             marks.set(neighbor, Mark::not_in_conflict);
           }
         }
+        if (geometry.proves_tie(neighbor, value, q)) value = conflict ? -0.0 : 0.0;
       }
       zone_cells[num_cells] = neighbor;
       zone_values[num_cells] = value;

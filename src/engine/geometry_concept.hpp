@@ -16,13 +16,17 @@ namespace delone::engine {
 /// Answers about a query point q and a cell, given as a slot (cached functional) or as its k+1 vertices (exact).
 template <class G>
 concept Geometry = requires(G geometry, const G& known, Index cell, const Index* vertices, int slot, const typename G::Query& q,
-                            StageCounts& counts, std::size_t size, std::span<const HorizonFacet> facets) {
+                            double value, StageCounts& counts, std::size_t size, std::span<const HorizonFacet> facets) {
   /// A copy of what it takes to evaluate functionals at q. value(cell): approximately h(q); among finite cells, the smaller the
   /// closer to a conflict. threshold(cell): |value − h(q)| is below it. A value that is not a number says nothing.
   { known.evaluator(q).value(cell) } -> std::same_as<double>;
   { known.evaluator(q).threshold(cell) } -> std::same_as<double>;
-  /// The exact sign of h(q), ties perturbed; zero only if the cell is infinite and q on its hyperplane.
+  /// Whether a value within the threshold proves that h(q) is exactly zero.
+  { known.proves_tie(cell, value, q) } -> std::same_as<bool>;
+  /// The exact sign of h(q).
   { known.exact_side(vertices, slot, q, counts) } -> std::same_as<Sign>;
+  /// The sign of a perturbed h(q) for a finite cell with h(q) = 0: never zero.
+  { known.perturbed_side(vertices, q, counts) } -> std::same_as<Sign>;
   /// The exact side of facet `slot` of a finite cell that q lies on: positive is the side of the cell.
   { known.side_of_facet(vertices, slot, q) } -> std::same_as<Sign>;
   { known.is_at(cell, q) } -> std::same_as<bool>;

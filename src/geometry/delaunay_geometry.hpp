@@ -5,6 +5,7 @@
 
 #include "geometry/frame.hpp"
 #include "geometry/functionals.hpp"
+#include "geometry/lattice.hpp"
 #include "kernel/stages.hpp"
 
 #include <delone/types.hpp>
@@ -26,6 +27,7 @@ struct Query {
   const double* point;
   const kernel::Grid* grid;
   int compared;  ///< how many entries a vertex at the query must share: without the weight, any vertex at its coordinates is
+  LatticeBounds bounds;
   kernel::Buffer<double, K + (K > 0)> row;  ///< the image on the axes of the flat and the lift; not a number outside the frame
 };
 
@@ -44,7 +46,7 @@ class DelaunayGeometry {
         grid_(grid),
         frame_(std::move(frame)),
         functionals_(cells) {
-    functionals_.set_frame(frame_, axes_);
+    adopt_frame();
   }
 
   int dimension() const { return K > 0 ? K : static_cast<int>(axes_.size()); }
@@ -53,7 +55,7 @@ class DelaunayGeometry {
   /// vertex apart.
   void set_frame(Frame frame, Index vertices) {
     frame_ = std::move(frame);
-    functionals_.set_frame(frame_, axes_);
+    adopt_frame();
     set_rows(vertices);
   }
   /// Computes the rows of vertices 1 … `vertices`.
@@ -69,6 +71,7 @@ class DelaunayGeometry {
   /// A query anywhere; `grid` is one for the vertices and the point, and must outlive the query.
   Query make_query(const double* point, const kernel::Grid& grid) const {
     Query q(point, grid, axes_.size(), flat().row_size());
+    q.bounds = lattice_.bounds(grid, axes_);
     if (frame_.contains(point))
       write_row(point, q.row.data());
     else
@@ -88,8 +91,11 @@ class DelaunayGeometry {
   /// |value − h| stays below it for all queries in the frame. Stage filter_: a value beyond it has the sign of h.
   double threshold(Index cell) const { return functionals_.threshold(cell); }
 
-  /// Stages direct_ to perturbed_: the sign of h(q) for the cell of these k+1 vertices, `infinite_slot` −1 for a finite cell.
-  /// Zero only for an infinite cell with q exactly on its hyperplane. REQUIRES that q is none of the vertices.
+  /// Stage filter_, too: whether a value within the threshold proves that h(q) is exactly zero.
+  bool proves_tie(Index cell, double value, const Query& q) const { return functionals_.proves_zero(cell, value, q.bounds); }
+
+  /// Stages direct_ and exact_: the sign of h(q) for the cell of these k+1 vertices, `infinite_slot` −1 for a finite cell.
+  /// REQUIRES that q is none of the vertices.
   Sign exact_side(const Index* vertices, int infinite_slot, const Query& q, StageCounts& counts) const {
     auto points = gather(vertices);
     const kernel::Flat flat = this->flat();
@@ -97,10 +103,12 @@ class DelaunayGeometry {
       points[static_cast<std::size_t>(infinite_slot)] = q.point;
       return -kernel::orientation<K>(flat, points.data(), *q.grid, counts);
     }
-    const Sign sign = kernel::in_sphere<K>(flat, points.data(), q.point, *q.grid, counts);
-    if (sign != Sign::zero) return sign;
+    return kernel::in_sphere<K>(flat, points.data(), q.point, *q.grid, counts);
+  }
+  /// Stage perturbed_, for a finite cell with h(q) = 0: never zero.
+  Sign perturbed_side(const Index* vertices, const Query& q, StageCounts& counts) const {
     ++counts.perturbed;
-    return kernel::perturbed_in_sphere<K>(flat, points.data(), q.point, *q.grid);
+    return kernel::perturbed_in_sphere<K>(flat(), gather(vertices).data(), q.point, *q.grid);
   }
 
   /// The sign of h(q) for a finite cell, ties not perturbed: that of the power of q with respect to its sphere, or, for
@@ -132,10 +140,15 @@ class DelaunayGeometry {
   /// Returns the facets for whose cells that would be too inaccurate: they must be created singly.
   std::span<const std::uint32_t> create_star(Index v, const Query& q, std::span<const HorizonFacet> facets) {
     std::copy_n(q.row.data(), row_size(), rows_.data() + v * row_size());
-    return functionals_.combine(facets, rows_.data(), q.row.data());
+    return functionals_.combine(facets, rows_.data(), q.row.data(), q.bounds);
   }
 
  private:
+  void adopt_frame() {
+    functionals_.set_frame(frame_, axes_);
+    lattice_ = Lattice(frame_, axes_);
+  }
+
   int axis(int r) const { return axes_[static_cast<std::size_t>(r)]; }
   kernel::Flat flat() const { return {ambient_, axes_, frame_.form()}; }
 
@@ -158,6 +171,7 @@ class DelaunayGeometry {
   const std::vector<double>& coordinates_;
   const kernel::Grid& grid_;
   Frame frame_;
+  Lattice lattice_;
   Functionals<K> functionals_;
   GrowableArray<double> rows_;  // of the vertices in the frame
 };

@@ -13,6 +13,7 @@
 
 #include "cell_memory.hpp"
 #include "geometry/frame.hpp"
+#include "geometry/lattice.hpp"
 #include "geometry/record.hpp"
 #include "geometry/star_kernel.hpp"
 #include "horizon_facet.hpp"
@@ -76,6 +77,14 @@ class Functionals {
   Evaluator evaluator(const double* row) const { return {memory_, row}; }
 
   double threshold(Index cell) const { return certificate::threshold(packed(cell)); }
+  /// Whether a value that is within the threshold proves that h is exactly zero there. False for not-a-number.
+  bool proves_zero(Index cell, double value, const LatticeBounds& bounds) const {
+    const double largest_error = 2 * threshold(cell);
+    if (!(2 * std::fabs(value) <= largest_error)) return false;
+    if (largest_error <= bounds.least_value(is_infinite(cell))) return true;
+    // The bound from the box is too small for most spheres of a fine grid.
+    return spheres_ && !is_infinite(cell) && largest_error * largest_determinant(cell) <= bounds.numerator;
+  }
   bool is_infinite(Index cell) const { return certificate::infinite(packed(cell)); }
 
   /// Computes a functional by elimination from the rows (k images and the lift) of the finite vertices, the apex first.
@@ -89,11 +98,15 @@ class Functionals {
   /// Computes the functionals of a star's cells from those of the cells on the two sides of each facet: the functionals that
   /// vanish on the facet are a pencil, and the new one is its member that vanishes at the new vertex. `rows`: of all vertices.
   /// Returns the facets whose certificates would be too weak: their cells must be solved for.
-  std::span<const std::uint32_t> combine(std::span<const HorizonFacet> facets, const double* rows, const double* query_row) {
+  std::span<const std::uint32_t> combine(std::span<const HorizonFacet> facets, const double* rows, const double* query_row,
+                                         const LatticeBounds& bounds) {
     const StarTask task{facets,           k(),         Lifted,    memory_.record(0),
                         memory_.stride(), rows,        query_row, frame_constants(),
                         scratch_.data(),  weak_.data()};
-    return {weak_.data(), combine_star(task)};
+    const std::size_t num_weak = combine_star(task);
+    const auto left = std::remove_if(weak_.begin(), weak_.begin() + static_cast<std::ptrdiff_t>(num_weak),
+                                     [&](std::uint32_t f) { return adopt(facets[f], query_row, bounds); });
+    return {weak_.data(), static_cast<std::size_t>(left - weak_.begin())};
   }
   /// Makes room for a star. Throws std::bad_alloc.
   void reserve_star(std::size_t facets) {
@@ -115,7 +128,12 @@ class Functionals {
     record(cell)[k() + 1] = std::bit_cast<double>(certificate::pack(threshold, error, determinant, infinite));
   }
 
+  /// An upper bound on the determinant of the edge vectors of a finite cell, from the radius of its sphere. REQUIRES spheres_.
+  double largest_determinant(Index cell) const;
   void give_up(Index cell, bool infinite);
+  /// If the new vertex is exactly on the spheres of both cells of a facet, they are one sphere, which is that of the new cell
+  /// too: takes over its functional, and returns true.
+  bool adopt(const HorizonFacet& facet, const double* query_row, const LatticeBounds& bounds);
 
   FrameConstants frame_constants() const {
     return {evaluation_error_, largest_lift_, finite_spread_, infinite_spread_, spheres_, extent_ratio_.data()};
@@ -131,9 +149,42 @@ class Functionals {
   double finite_spread_ = 0;     // Σ|barycentric coordinates| − 1 is at most finite_spread·R^(k−1)/det in the box, with
                                  // spheres_; else the power of R is in it
   double infinite_spread_ = 0;   // the same for infinite cells, over det
-  std::vector<double> extent_ratio_;  // per axis, the frame's scale over that of lifts
-  bool spheres_ = false;              // whether functionals of finite cells describe spheres that tell where vertices are
+  std::vector<double> extent_ratio_;   // per axis, the frame's scale over that of lifts
+  double largest_in_unit_sphere_ = 0;  // determinant of the edge vectors of a simplex whose sphere has radius 1
+  bool spheres_ = false;               // whether functionals of finite cells describe spheres that tell where vertices are
 };
+
+template <int K, bool Lifted>
+bool Functionals<K, Lifted>::adopt(const HorizonFacet& facet, const double* query_row, const LatticeBounds& bounds) {
+  const bool infinite = is_infinite(facet.survivor);
+  if (is_infinite(facet.dead) != infinite || !proves_zero(facet.dead, facet.dead_value, bounds) ||
+      !proves_zero(facet.survivor, facet.survivor_value, bounds))
+    return false;
+  const double* source = record(facet.survivor);
+  std::copy_n(source, k() + 1, record(facet.created));
+  double magnitude = Lifted && infinite ? 0 : largest_lift_;
+  for (int r = 0; r <= k(); ++r) magnitude += std::fabs(source[r]);
+  const double error_at_query = std::fabs(evaluator(query_row).value(facet.survivor)) + evaluation_error_ * magnitude;
+  certify(facet.created, threshold(facet.survivor), std::max(error_at_query, certificate::error(packed(facet.survivor))),
+          bounds.least_determinant(infinite), infinite);
+  return true;
+}
+
+template <int K, bool Lifted>
+double Functionals<K, Lifted>::largest_determinant(Index cell) const {
+  const double* source = record(cell);
+  double magnitude = largest_lift_ + std::fabs(source[k()]), gradient_square = 0;
+  for (int r = 0; r < k(); ++r) {
+    magnitude += std::fabs(source[r]);
+    const double t = source[r] * extent_ratio_[static_cast<std::size_t>(r)];
+    gradient_square += t * t;
+  }
+  const double radius_square =
+      0.25 * gradient_square - source[k()] + certificate::error(packed(cell)) + 8 * 0x1p-53 * (magnitude + gradient_square);
+  double bound = largest_in_unit_sphere_ * (k() % 2 == 1 ? std::sqrt(radius_square) : 1);
+  for (int r = 1; r < k(); r += 2) bound *= radius_square;
+  return bound;
+}
 
 template <int K, bool Lifted>
 void Functionals<K, Lifted>::set_frame() requires(!Lifted) {
@@ -162,6 +213,7 @@ void Functionals<K, Lifted>::set_frame(const Frame& frame, const std::vector<int
   }
   // The largest (n−1)-simplex in a ball is regular: (n−1)!·volume = n^(n/2)/(n−1)^((n−1)/2)·R^(n−1).
   const double regular = std::pow(n, n / 2) / std::pow(std::max(n - 1, 1.0), (n - 1) / 2);
+  largest_in_unit_sphere_ = 1.001 * std::pow(n + 1, (n + 1) / 2) / std::pow(n, n / 2) / volume_ratio;
   finite_spread_ = 1.001 * 2 * std::sqrt(diagonal) * (n + 1) * regular / volume_ratio;
   // In a flat, and if spheres have all vertices inside, they say little about where vertices are, but the box does: R is the
   // length of its half diagonal.

@@ -81,10 +81,14 @@ class HalfspaceGeometry {
 
   auto evaluator(const Query& q) const { return functionals_.evaluator(q.row.data()); }
   bool is_infinite(Index) const { return false; }
-  /// The exact side of q, never zero: positive inside. REQUIRES that q is none of the vertices.
+  /// Dual points lie on no grid that would prove anything.
+  bool proves_tie(Index, double, const Query&) const { return false; }
+  /// The exact side of q: positive inside.
   Sign exact_side(const Index* vertices, int, const Query& q, StageCounts& counts) const {
-    const Sign exact = side(vertices, q.point, counts);
-    if (exact != Sign::zero) return exact;
+    return side(vertices, q.point, counts);
+  }
+  /// The side of the perturbed q if it is on the hyperplane, never zero. REQUIRES that q is none of the vertices.
+  Sign perturbed_side(const Index* vertices, const Query& q, StageCounts& counts) const {
     ++counts.perturbed;
     const double* inner = view_.center.data();
     if (!view_.is_inside) {
@@ -117,7 +121,7 @@ class HalfspaceGeometry {
   /// too inaccurate: they must be created singly.
   std::span<const std::uint32_t> create_star(Index v, const Query& q, std::span<const HorizonFacet> facets) {
     std::copy_n(q.row.data(), scale_.size(), rows_.data() + v * scale_.size());
-    return functionals_.combine(facets, rows_.data(), q.row.data());
+    return functionals_.combine(facets, rows_.data(), q.row.data(), {});
   }
   /// Computes what is cached for a cell by elimination.
   void create(Index cell, const Index* vertices, int, int) {

@@ -9,6 +9,7 @@
 
 #include "cell_memory.hpp"
 #include "geometry/functionals.hpp"
+#include "geometry/lattice.hpp"
 #include "kernel/hull_stages.hpp"
 
 #include <delone/types.hpp>
@@ -25,6 +26,7 @@ template <int K>
 struct HullQuery {
   explicit HullQuery(const double* at, std::size_t size) : point(at), row(size) {}
   const double* point;
+  LatticeBounds bounds;
   kernel::Buffer<double, K + (K > 0)> row;
 };
 
@@ -64,6 +66,7 @@ class HullGeometry {
       scale_[r] = center_is_inside_ && half > 0x1p-900 && half < 0x1p900 ? std::ldexp(1.0, -std::ilogb(half) - 1)
                                                                          : std::numeric_limits<double>::quiet_NaN();
     }
+    lattice_ = Lattice(scale_);
     const std::size_t n = coordinates_.size() / static_cast<std::size_t>(ambient_);
     rows_.reserve((n + 1) * axes_.size());
     std::fill_n(rows_.data(), axes_.size(), 0.0);
@@ -73,6 +76,7 @@ class HullGeometry {
   /// REQUIRES a point in the flat and in the box.
   Query make_query(const double* point) const {
     Query q(point, axes_.size());
+    q.bounds = lattice_.bounds(grid_, axes_);
     write_row(point, q.row.data());
     return q;
   }
@@ -83,10 +87,14 @@ class HullGeometry {
 
   auto evaluator(const Query& q) const { return functionals_.evaluator(q.row.data()); }
   bool is_infinite(Index) const { return false; }
-  /// The exact side of q, never zero: positive inside. REQUIRES that q is none of the vertices.
+  /// Whether a value within the threshold proves that q is exactly on the hyperplane.
+  bool proves_tie(Index cell, double value, const Query& q) const { return functionals_.proves_zero(cell, value, q.bounds); }
+  /// The exact side of q: positive inside.
   Sign exact_side(const Index* vertices, int, const Query& q, StageCounts& counts) const {
-    const Sign exact = side(vertices, q.point, counts);
-    if (exact != Sign::zero) return exact;
+    return side(vertices, q.point, counts);
+  }
+  /// The side of the perturbed q if it is on the hyperplane, never zero. REQUIRES that q is none of the vertices.
+  Sign perturbed_side(const Index* vertices, const Query& q, StageCounts& counts) const {
     ++counts.perturbed;
     const double* inner = center_.data();
     if (!center_is_inside_) {
@@ -119,7 +127,7 @@ class HullGeometry {
   /// too inaccurate: they must be created singly.
   std::span<const std::uint32_t> create_star(Index v, const Query& q, std::span<const HorizonFacet> facets) {
     std::copy_n(q.row.data(), axes_.size(), rows_.data() + v * axes_.size());
-    return functionals_.combine(facets, rows_.data(), q.row.data());
+    return functionals_.combine(facets, rows_.data(), q.row.data(), q.bounds);
   }
   /// Computes what is cached for a cell by elimination.
   void create(Index cell, const Index* vertices, int, int) {
@@ -151,6 +159,7 @@ class HullGeometry {
   bool center_is_inside_;
   std::vector<Index> inner_;   // vertices that are on no common hyperplane
   std::vector<double> scale_;  // per axis of the flat
+  Lattice lattice_;
   Functionals<K, false> functionals_;
   GrowableArray<double> rows_;  // of the vertices
 };

@@ -38,6 +38,9 @@ inline std::uint64_t pack(double threshold, double error, double determinant, bo
 }
 
 inline double threshold(std::uint64_t packed) { return std::fabs(std::bit_cast<float>(static_cast<std::uint32_t>(packed))); }
+inline double error(std::uint64_t packed) {
+  return std::bit_cast<float>(static_cast<std::uint32_t>(packed >> 32 & 0x7fff) << 16);
+}
 inline bool infinite(std::uint64_t packed) { return (packed >> 31 & 1) != 0; }
 /// All ones for a finite cell, zero for an infinite one: it is hard to predict which a cell is.
 inline std::uint64_t finite_mask(std::uint64_t packed) {

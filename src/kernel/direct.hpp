@@ -100,8 +100,15 @@ template <int K>
 std::optional<Sign> direct_orientation(const Flat& flat, const double* const* points, const double* base, const Grid& grid) {
   const int k = K > 0 ? K : flat.dimension();
   Buffer<double, K * K> a(static_cast<std::size_t>(k) * static_cast<std::size_t>(k));
+  if constexpr (detail::tabulates_minors<K>)
+    if (grid.is_small()) {
+      for (int r = 0; r < k; ++r)
+        for (int i = 0; i < k; ++i)
+          a[static_cast<std::size_t>(i * k + r)] =
+              points[i][flat.axes[static_cast<std::size_t>(r)]] - base[flat.axes[static_cast<std::size_t>(r)]];
+      return detail::sign_by_exact_minors<K>(a.data());
+    }
   Buffer<int, K> row_of(static_cast<std::size_t>(k));
-  const bool small = detail::tabulates_minors<K> && grid.is_small();
   int unit_exponent = 0;
   for (int r = 0; r < k; ++r) {
     const int axis = flat.axes[static_cast<std::size_t>(r)];
@@ -112,14 +119,11 @@ std::optional<Sign> direct_orientation(const Flat& flat, const double* const* po
       largest = std::max(largest, std::fabs(difference));
     }
     if (largest == 0) return Sign::zero;  // binary64 differences vanish only when they are exactly zero
-    if (small) continue;
     if (!(largest < 1e300)) return std::nullopt;
     const auto [scale, exponent] = detail::normalisation(largest);
     for (int i = 0; i < k; ++i) a[static_cast<std::size_t>(i * k + r)] *= scale;
     unit_exponent += grid.exponent(axis) - exponent;
   }
-  if constexpr (detail::tabulates_minors<K>)
-    if (small) return detail::sign_by_exact_minors<K>(a.data());
   const CertifiedDeterminant det = factor<K>(a.data(), k, k, {1.01 * unit_roundoff, 0}, row_of.data());
   return detail::certified_sign(det, detail::power_of_two(unit_exponent));
 }

@@ -40,6 +40,12 @@ class Grid {
   /// Whether every minor of a determinant of differences and lifts is exact in binary64, whatever the points of the set:
   /// a multiple of its grid unit by less than 2^53 (docs/predicates.md, "Small lattices").
   bool is_small() const { return is_small_; }
+  /// A number that is exact in binary64 and orders points lexicographically. REQUIRES is_small().
+  double lexicographic_key(const double* point) const {
+    double key = 0;
+    for (const Axis& axis : axes_) key += (*point++ - axis.low) * axis.key_weight;
+    return key;
+  }
 
  private:
   static constexpr int unlimited = std::numeric_limits<int>::max();
@@ -48,12 +54,13 @@ class Grid {
     int exponent = unlimited;
     double low = std::numeric_limits<double>::infinity();
     double high = -std::numeric_limits<double>::infinity();
+    double key_weight = 0;  // of lexicographic_key(): more than all following axes together can add up to
 
     /// Returns whether that changed anything.
     bool include(double x) {
       const int lowest_bit = trailing_exponent(x);
       if (lowest_bit >= exponent && x >= low && x <= high) return false;
-      *this = {std::min(exponent, lowest_bit), std::min(low, x), std::max(high, x)};
+      *this = {std::min(exponent, lowest_bit), std::min(low, x), std::max(high, x), 0};
       return true;
     }
   };
@@ -97,6 +104,17 @@ class Grid {
     bits += lift_bits;
     for (std::size_t i = 2; i <= axes_.size() + 1; ++i) bits += std::log2(static_cast<double>(i));  // terms of a determinant
     if (bits > 53) is_small_ = false;
+    if (is_small_) weigh_axes();
+  }
+
+  void weigh_axes() {
+    int bits = 0;  // of the keys of the following axes
+    for (auto axis = axes_.rbegin(); axis != axes_.rend(); ++axis) {
+      axis->key_weight = 0;
+      if (!(axis->high > axis->low)) continue;
+      axis->key_weight = std::ldexp(1.0, bits - axis->exponent);
+      bits += std::ilogb(axis->high - axis->low) + 1 - axis->exponent + 1;
+    }
   }
 
   std::vector<Axis> axes_;

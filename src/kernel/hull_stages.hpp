@@ -59,14 +59,13 @@ template <int K>
 Sign perturbed_hull_side(const Flat& flat, const double* const* facet, const double* q, const double* inner, const Grid& grid,
                          Sign side_of_inner = Sign::positive) {
   const int k = K > 0 ? K : flat.dimension();
-  const auto less = [&](const double* a, const double* b) {
-    return flat.form == RowForm::homogeneous ? compare_rays(a, b, flat.ambient) < 0
-                                             : lexicographically_less(a, b, flat.ambient);
-  };
   StageCounts uncounted;
-  return largest_decides<K>(facet, k, q, less, [&](const double* const* moved) {
+  const auto volume = [&](const double* const* moved) {
     return hull_side<K>(flat, moved, inner, grid, uncounted) * side_of_inner;
-  });
+  };
+  if (flat.form != RowForm::homogeneous) return largest_point_decides<K>(facet, k, q, flat.ambient, grid, volume);
+  const auto less = [&](const double* a, const double* b) { return compare_rays(a, b, flat.ambient) < 0; };
+  return largest_decides<K>(facet, k, q, std::identity(), less, volume);
 }
 
 /// The sign of n·p + c for a row (n, c) of dimension+1 doubles: the side of the hyperplane that p is on.

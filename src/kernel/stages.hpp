@@ -12,6 +12,9 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstring>
+#include <functional>
+#include <type_traits>
+#include <utility>
 
 namespace delone::kernel {
 
@@ -67,27 +70,44 @@ Sign in_sphere(const Flat& flat, const double* const* points, const double* q, c
 /// The pattern of both tie-breaks. Of size+1 rows (a cell's or a facet's, and q) that are dependent, the largest in the order
 /// `less` that matters decides: q itself, for +; vertices[i], for minus the sign of `volume` with q put in place i, if that is
 /// not zero: the sign of the coefficient of vertices[i] in the combination of the vertices that makes q.
-template <int K, class Less, class Volume>
-Sign largest_decides(const double* const* vertices, int size, const double* q, Less less, Volume volume) {
-  Buffer<int, K + (K > 0)> order(static_cast<std::size_t>(size));
+/// `key_of`: what `less` compares of a row.
+template <int K, class KeyOf, class Less, class Volume>
+Sign largest_decides(const double* const* vertices, int size, const double* q, KeyOf key_of, Less less, Volume volume) {
+  using Key = std::decay_t<decltype(key_of(q))>;
+  Buffer<Key, K + (K > 0)> keys(static_cast<std::size_t>(size));
+  Buffer<std::size_t, K + (K > 0)> larger(static_cast<std::size_t>(size));  // than q: only these can decide before q does
   Buffer<const double*, K + (K > 0)> moved(static_cast<std::size_t>(size));
-  int larger = 0;  // the vertices larger than q, in decreasing order: only these can decide before q does
-  for (int i = 0; i < size; ++i) {
-    moved[static_cast<std::size_t>(i)] = vertices[i];
-    if (!less(q, vertices[i])) continue;
-    int rank = larger++;
-    for (; rank > 0 && less(vertices[order[static_cast<std::size_t>(rank - 1)]], vertices[i]); --rank)
-      order[static_cast<std::size_t>(rank)] = order[static_cast<std::size_t>(rank - 1)];
-    order[static_cast<std::size_t>(rank)] = i;
+  const Key key_of_q = key_of(q);
+  std::size_t left = 0;
+  for (std::size_t i = 0; i < static_cast<std::size_t>(size); ++i) {
+    moved[i] = vertices[i];
+    keys[i] = key_of(vertices[i]);
+    larger[left] = i;
+    left += less(key_of_q, keys[i]) ? 1 : 0;
   }
-  for (int rank = 0; rank < larger; ++rank) {
-    const auto i = static_cast<std::size_t>(order[static_cast<std::size_t>(rank)]);
+  // As a rule the first decides, so that they are not sorted.
+  while (left > 0) {
+    std::size_t largest = 0;
+    for (std::size_t j = 1; j < left; ++j) largest = less(keys[larger[largest]], keys[larger[j]]) ? j : largest;
+    const std::size_t i = std::exchange(larger[largest], larger[left - 1]);
+    --left;
     moved[i] = q;
     const Sign coefficient = volume(moved.data());
     moved[i] = vertices[i];
     if (coefficient != Sign::zero) return -coefficient;
   }
   return Sign::positive;
+}
+
+/// The same for points in their lexicographic order.
+template <int K, class Volume>
+Sign largest_point_decides(const double* const* vertices, int size, const double* q, int ambient, const Grid& grid,
+                           Volume volume) {
+  if (grid.is_small())
+    return largest_decides<K>(
+        vertices, size, q, [&](const double* p) { return grid.lexicographic_key(p); }, std::less<>(), volume);
+  const auto less = [&](const double* a, const double* b) { return lexicographically_less(a, b, ambient); };
+  return largest_decides<K>(vertices, size, q, std::identity(), less, volume);
 }
 
 /// The tie-break of Devillers and Teillaud (2011, doi:10.1016/j.comgeo.2010.09.010) for a q exactly on the sphere of k+1
@@ -99,9 +119,8 @@ Sign largest_decides(const double* const* vertices, int size, const double* q, L
 template <int K>
 Sign perturbed_in_sphere(const Flat& flat, const double* const* points, const double* q, const Grid& grid) {
   const int k = K > 0 ? K : flat.dimension();
-  const auto less = [&](const double* a, const double* b) { return lexicographically_less(a, b, flat.ambient); };
-  return largest_decides<K>(points, k + 1, q, less,
-                            [&](const double* const* moved) { return orientation<K>(flat, moved, grid); });
+  return largest_point_decides<K>(points, k + 1, q, flat.ambient, grid,
+                                  [&](const double* const* moved) { return orientation<K>(flat, moved, grid); });
 }
 
 }  // namespace delone::kernel

@@ -51,6 +51,24 @@ TEST(Grid, FindsTheLowestBit) {
   EXPECT_EQ(trailing_exponent(0.0), std::numeric_limits<int>::max());
 }
 
+TEST(Grid, KeysOfSmallLatticesAreInLexicographicOrder) {
+  for (const double unit : {1.0, 0.125, 4096.0})
+    for (const int ambient : {1, 2, 3, 4}) {
+      std::vector<std::vector<double>> points;
+      Grid grid(ambient);
+      for (int i = 0; i < 60; ++i) {
+        std::vector<double> point;
+        // The last axis is the widest, and every axis has equal entries.
+        for (int j = 0; j < ambient; ++j) point.push_back(unit * ((i * (7 + 4 * j)) % (3 + 4 * j) - 2));
+        grid.include(point.data());
+        points.push_back(point);
+      }
+      ASSERT_TRUE(grid.is_small());
+      for (const auto& p : points)
+        for (const auto& q : points) EXPECT_EQ(grid.lexicographic_key(p.data()) < grid.lexicographic_key(q.data()), p < q);
+    }
+}
+
 TEST(Grid, KnowsWhetherDeterminantsAreExactInBinary64) {
   const auto is_small = [](std::vector<double> coordinates, int ambient) {
     Grid grid(ambient);
