@@ -67,7 +67,7 @@ Location Triangulation::locate(std::span<const double> query, std::optional<Cell
   const double lightest = impl_->hull && impl_->weighted() ? impl_->hull->frame().low().back() : 0.0;
   std::vector<double> storage;
   const double* q = impl_->checked_query(query, lightest, storage);
-  const Index start = impl_->checked_hint(hint);
+  const Index start = hint ? impl_->checked_hint(hint) : impl_->start_near(q);
   Location location;
   if (affine_dimension() < dimension() && !impl_->affine_hull.contains(q)) return location;
   if (!impl_->hull) {  // one point, and the query is in its affine hull: at it

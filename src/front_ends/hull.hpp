@@ -65,6 +65,8 @@ class Hull {
   /// The vertices that the last insertion took all cells from, if that was tracked.
   virtual std::span<const Index> swallowed() const = 0;
 
+  /// The cell where a walk to a point ends that may stop early: one near it, as a rule.
+  virtual Index descend(const double* query, Index start) const = 0;
   /// A query has a weight where points have one; where it lies depends on its coordinates only.
   virtual HullLocation locate(const double* query, Index start) const = 0;
   virtual std::vector<CellId> conflict_zone(const double* query, Index start) const = 0;

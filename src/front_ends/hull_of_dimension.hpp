@@ -74,6 +74,11 @@ class HullOfDimension final : public Hull {
   void track_swallowed(bool wanted) override { work_.tracks_swallowed = wanted; }
   std::span<const Index> swallowed() const override { return work_.swallowed; }
 
+  Index descend(const double* query, Index start) const override {
+    const Query q = geometry_.make_query(query);
+    return engine::descend(cells_, geometry_, q, start == invalid_index ? last_ : start).second.cell;
+  }
+
   HullLocation locate(const double* query, Index start) const override {
     StageCounts uncounted;
     const kernel::Grid grid = grid_with(query);

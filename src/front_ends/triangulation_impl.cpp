@@ -2,12 +2,14 @@
 // Insertion: points to vertices, affine dimensions, duplicates, hidden points, rows.
 #include "front_ends/triangulation_impl.hpp"
 
+#include "front_ends/landmarks.hpp"
 #include "front_ends/point_rows.hpp"
 #include "front_ends/progress_meter.hpp"
 
 #include <algorithm>
 #include <chrono>
 #include <limits>
+#include <new>
 #include <string>
 #include <utility>
 
@@ -39,6 +41,7 @@ std::vector<double> weighted_rows(PointsView points, std::span<const double> wei
 
 Triangulation::Impl::Impl(int d, kernel::RowForm form, const Options& given)
     : dimension(d), options(given), points(d, form), affine_hull(d) {}
+Triangulation::Impl::~Impl() = default;
 
 void Triangulation::Impl::check_finite(std::span<const double> coordinates, std::span<const double> weights) const {
   front_ends::require_finite(coordinates, ambient(), "a coordinate");
@@ -228,9 +231,11 @@ void Triangulation::Impl::insert_range(std::span<const double> coordinates, std:
   statistics.order_seconds += seconds_since(start);
 
   start = Clock::now();
+  const Index before = points.last_vertex();
   front_ends::ProgressMeter progress(options.progress, n);
   const auto finish = [&] {
     find_cells_of_vertices();
+    if (landmarks) add_landmarks(before + 1, points.last_vertex());
     statistics.build_seconds += seconds_since(start);
   };
   try {
@@ -253,16 +258,48 @@ void Triangulation::Impl::insert_range(std::span<const double> coordinates, std:
 InsertResult Triangulation::Impl::insert(std::span<const double> point, double weight, std::optional<CellId> hint) {
   std::vector<double> storage;
   const double* row_of_point = checked_query(point, weight, storage);
-  const Index start = checked_hint(hint);
+  Index start = checked_hint(hint);
   const Index before = points.last_vertex();
+  // Functionals of furthest points lead nowhere.
+  if (!hint && points.form != kernel::RowForm::furthest_point) {
+    if (!landmarks) add_landmarks(1, before);
+    start = start_near(row_of_point);
+  }
   const std::size_t row = add_rows(1);
   try {
     const Index v = insert_row(row, row_of_point, start, true);
-    return {VertexId{v}, v != invalid_index && v > before};
+    const bool is_new = v != invalid_index && v > before;
+    if (is_new && landmarks && Landmarks::include(v)) add_landmarks(v, v);
+    return {VertexId{v}, is_new};
   } catch (...) {
     vertex_of_row.resize(row);
     throw;
   }
+}
+
+/// Adds those of the vertices first … last that belong to the sample. Without memory for them there are no landmarks.
+void Triangulation::Impl::add_landmarks(Index first, Index last) {
+  try {
+    if (!landmarks) landmarks = std::make_unique<Landmarks>(dimension);
+    std::vector<Index> vertices;
+    std::vector<double> coordinates;
+    for (Index v = first; v <= last; ++v) {
+      if (!Landmarks::include(v)) continue;
+      vertices.push_back(v);
+      coordinates.insert(coordinates.end(), points.point(v), points.point(v) + ambient());
+    }
+    if (vertices.size() == 1)
+      landmarks->add(vertices.front(), coordinates);
+    else
+      landmarks->add(vertices, coordinates);
+  } catch (const std::bad_alloc&) {
+    landmarks.reset();
+  }
+}
+
+Index Triangulation::Impl::start_near(const double* point) const {
+  const Index v = landmarks ? landmarks->near(point) : invalid_index;
+  return v != invalid_index && is_visible(v) ? index(cell_of_vertex[v]) : invalid_index;
 }
 
 void Triangulation::Impl::find_cells_of_vertices() {

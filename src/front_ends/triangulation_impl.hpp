@@ -21,6 +21,7 @@ namespace delone {
 
 struct Triangulation::Impl {
   Impl(int d, kernel::RowForm form, const Options& given);
+  ~Impl();
 
   int dimension;
   Options options;
@@ -33,6 +34,8 @@ struct Triangulation::Impl {
   std::size_t num_rows_inserted = 0;
   Index num_vertices = 0;  // those that have cells
   Statistics statistics;
+  class Landmarks;
+  std::unique_ptr<Landmarks> landmarks;  // from the first insertion on that has no hint
 
   /// The links of the complex of one point, a finite and an infinite cell of one vertex each.
   Index single_links[4] = {0, 1, 0, 0};
@@ -49,6 +52,8 @@ struct Triangulation::Impl {
   void insert_range(std::span<const double> coordinates, std::span<const double> weights = {});
   InsertResult insert(std::span<const double> point, double weight, std::optional<CellId> hint);
   Complex complex() const;
+  /// Where to start a walk to a point without a hint: a cell, or invalid_index for where the last insertion was.
+  Index start_near(const double* point) const;
   bool is_hidden(std::size_t row) const;  // throws unless `row` is one
   std::size_t num_hidden() const;
   std::vector<std::size_t> hidden_rows() const;
@@ -70,6 +75,7 @@ struct Triangulation::Impl {
   Index insert_row(std::size_t row, const double* point, Index start, bool track);
   Index insert_at_only_vertex(std::size_t row, const double* point);
   Index raise(std::size_t row, const double* point, kernel::AffineHull grown);
+  void add_landmarks(Index first, Index last);
   void update_cells_of_vertices();
   void find_cells_of_vertices();
   geometry::Frame frame_with(const double* low, const double* high, double margin) const;
