@@ -98,6 +98,12 @@ class Triangulation {
   /// (docs/decisions/0006-walks-start-in-a-sample.md). A batch is still faster.
   InsertResult insert(std::span<const double> point, std::optional<CellId> hint = std::nullopt);
 
+  /// Releases what only insertions need: from then on a cell takes 8(k+1) bytes, and the ids of cells change, without gaps.
+  /// Everything keeps working: queries are as exact as ever and some ten times slower, and the next insertion first restores
+  /// what was released, O(k³) per cell. Cost O(cells·k), and for a moment the memory of both. Throws Errc::out_of_memory, and
+  /// then changes nothing.
+  void compact();
+
   int dimension() const;           ///< d
   int affine_dimension() const;    ///< k ≤ d; 0 for one distinct point, −1 for none
   std::size_t num_points() const;  ///< rows inserted, duplicates and hidden points included

@@ -9,12 +9,12 @@
 
 namespace delone::engine {
 
-/// The exact conflict test. A query exactly on the hyperplane of an infinite cell conflicts with it iff it
-/// conflicts with the finite cell on the other side of the hull facet: the perturbation moves points along that hyperplane.
-/// REQUIRES that q is none of the vertices of the cell, nor of the finite neighbor of an infinite cell.
-template <int K, Geometry G>
-bool in_conflict_exactly(const CellStore<K>& cells, const G& geometry, Index cell, const typename G::Query& q,
-                         StageCounts& counts) {
+/// The exact conflict test. Cells: a CellStore, or what has vertices and neighbors like one. A query exactly on the hyperplane
+/// of an infinite cell conflicts with it iff it conflicts with the finite cell on the other side of the hull facet: the
+/// perturbation moves points along that hyperplane. REQUIRES that q is none of the vertices of the cell, nor of the finite
+/// neighbor of an infinite cell.
+template <class Cells, QueryGeometry G>
+bool in_conflict_exactly(const Cells& cells, const G& geometry, Index cell, const typename G::Query& q, StageCounts& counts) {
   const auto functional = geometry.evaluator(q);
   for (;;) {
     const double value = functional.value(cell);
@@ -36,8 +36,8 @@ bool in_conflict_exactly(const CellStore<K>& cells, const G& geometry, Index cel
 }
 
 /// The vertex of the cell at q, or invalid_index.
-template <int K, Geometry G>
-Index vertex_at(const CellStore<K>& cells, const G& geometry, Index cell, const typename G::Query& q) {
+template <class Cells, QueryGeometry G>
+Index vertex_at(const Cells& cells, const G& geometry, Index cell, const typename G::Query& q) {
   const Index* v = cells.vertices(cell);
   for (int i = 0; i <= cells.dimension(); ++i)
     if (v[i] != index(infinite_vertex) && geometry.is_at(v[i], q)) return v[i];

@@ -50,8 +50,8 @@ struct ConflictZone {
 /// evaluation. So cells are searched in blocks: first all neighbors not yet known to be in conflict are collected, then each is
 /// evaluated and written to the zone and to the horizon, of which at most one advances; no branch depends on the data. The
 /// memory of the neighbors of cells ahead in the list is asked for early.
-template <int K, Geometry G, class Marks>
-void find_conflict_zone(const CellStore<K>& cells, const G& geometry, const typename G::Query& q, Index first, Marks marks,
+template <class Cells, QueryGeometry G, class Marks>
+void find_conflict_zone(const Cells& cells, const G& geometry, const typename G::Query& q, Index first, Marks marks,
                         ConflictZone& zone, StageCounts& counts) {
   constexpr std::size_t cells_ahead = 4;
   const auto facets = static_cast<std::size_t>(cells.dimension()) + 1;

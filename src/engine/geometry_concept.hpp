@@ -15,8 +15,8 @@ namespace delone::engine {
 
 /// Answers about a query point q and a cell, given as a slot (cached functional) or as its k+1 vertices (exact).
 template <class G>
-concept Geometry = requires(G geometry, const G& known, Index cell, const Index* vertices, int slot, const typename G::Query& q,
-                            double value, StageCounts& counts, std::size_t size, std::span<const HorizonFacet> facets) {
+concept QueryGeometry = requires(const G& known, Index cell, const Index* vertices, int slot, const typename G::Query& q,
+                                 double value, StageCounts& counts) {
   /// A copy of what it takes to evaluate functionals at q. value(cell): approximately h(q); among finite cells, the smaller the
   /// closer to a conflict. threshold(cell): |value − h(q)| is below it. A value that is not a number says nothing.
   { known.evaluator(q).value(cell) } -> std::same_as<double>;
@@ -31,6 +31,13 @@ concept Geometry = requires(G geometry, const G& known, Index cell, const Index*
   { known.side_of_facet(vertices, slot, q) } -> std::same_as<Sign>;
   { known.is_at(cell, q) } -> std::same_as<bool>;
   { known.is_infinite(cell) } -> std::same_as<bool>;
+};
+
+/// The same, and functionals for new cells.
+template <class G>
+concept Geometry = QueryGeometry<G> &&
+    requires(G geometry, Index cell, const Index* vertices, int slot, const typename G::Query& q, std::size_t size,
+             std::span<const HorizonFacet> facets) {
   /// Computes what is cached for a new cell; the third argument is the slot of the infinite vertex or −1, the fourth that of a
   /// finite vertex.
   {geometry.create(cell, vertices, slot, slot)};

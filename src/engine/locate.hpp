@@ -25,9 +25,9 @@ struct WalkResult {
 
 /// The exact part. `stop_at_conflict` false: goes on to the finite cell that contains q (on its boundary, perhaps), or to an
 /// infinite cell whose hull facet has q strictly beyond it.
-template <int K, Geometry G>
-WalkResult walk_exactly(const CellStore<K>& cells, const G& geometry, const typename G::Query& q, Index start,
-                        bool stop_at_conflict, StageCounts& counts) {
+template <class Cells, QueryGeometry G>
+WalkResult walk_exactly(const Cells& cells, const G& geometry, const typename G::Query& q, Index start, bool stop_at_conflict,
+                        StageCounts& counts) {
   WalkResult result{start};
   if (const int slot = cells.infinite_slot(start); slot >= 0 && !stop_at_conflict) result.cell = cells.neighbors(start)[slot];
   for (;;) {
@@ -60,8 +60,8 @@ enum class Descent { uncertain, conflict, hidden };
 
 /// The descent: the cell where it ends, certified in conflict or hidden or neither. q is certified hidden where the functional
 /// of a finite cell is positive at q and certainly less than those of all neighbors, because it is the least of all then.
-template <int K, Geometry G>
-std::pair<Descent, WalkResult> descend(const CellStore<K>& cells, const G& geometry, const typename G::Query& q, Index start) {
+template <class Cells, QueryGeometry G>
+std::pair<Descent, WalkResult> descend(const Cells& cells, const G& geometry, const typename G::Query& q, Index start) {
   WalkResult result{start};
   const auto functional = geometry.evaluator(q);
   double value = functional.value(start);
@@ -100,8 +100,8 @@ std::pair<Descent, WalkResult> descend(const CellStore<K>& cells, const G& geome
 }
 
 /// A cell in conflict with q, or the vertex at q, or that q is hidden.
-template <int K, Geometry G>
-WalkResult locate(const CellStore<K>& cells, const G& geometry, const typename G::Query& q, Index start, StageCounts& counts) {
+template <class Cells, QueryGeometry G>
+WalkResult locate(const Cells& cells, const G& geometry, const typename G::Query& q, Index start, StageCounts& counts) {
   const auto [outcome, descent] = descend(cells, geometry, q, start);
   if (outcome != Descent::uncertain) return descent;
   WalkResult result = walk_exactly(cells, geometry, q, descent.cell, true, counts);

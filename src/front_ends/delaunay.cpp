@@ -43,6 +43,14 @@ InsertResult Triangulation::insert(std::span<const double> point, std::optional<
   }
 }
 
+void Triangulation::compact() {
+  try {
+    impl_->compact();
+  } catch (const std::bad_alloc&) {
+    throw Error(Errc::out_of_memory, "not enough memory for a second copy of the cells");
+  }
+}
+
 int Triangulation::dimension() const { return impl_->dimension; }
 int Triangulation::affine_dimension() const { return impl_->affine_hull.dimension(); }
 std::size_t Triangulation::num_points() const { return impl_->num_rows_inserted; }
@@ -64,19 +72,19 @@ VertexId Triangulation::vertex_at(std::size_t row) const {
 
 Location Triangulation::locate(std::span<const double> query, std::optional<CellId> hint) const {
   // The least weight leads a walk by values of functionals to the cell that contains the point.
-  const double lightest = impl_->hull && impl_->weighted() ? impl_->hull->frame().low().back() : 0.0;
+  const double lightest = impl_->queries() != nullptr && impl_->weighted() ? impl_->queries()->frame().low().back() : 0.0;
   std::vector<double> storage;
   const double* q = impl_->checked_query(query, lightest, storage);
   const Index start = hint ? impl_->checked_hint(hint) : impl_->start_near(q);
   Location location;
   if (affine_dimension() < dimension() && !impl_->affine_hull.contains(q)) return location;
-  if (!impl_->hull) {  // one point, and the query is in its affine hull: at it
+  if (impl_->queries() == nullptr) {  // one point, and the query is in its affine hull: at it
     location.kind = Location::Kind::on_vertex;
     location.cell = CellId{0};
     location.face = {impl_->complex().vertex(CellId{0}, 0)};
     return location;
   }
-  HullLocation found = impl_->hull->locate(q, start);
+  HullLocation found = impl_->queries()->locate(q, start);
   location.cell = CellId{found.cell};
   location.face = std::move(found.face);
   const int face_dimension = location.face_dimension();
@@ -146,15 +154,15 @@ CanonicalHash Triangulation::hash() const {
 
 Statistics Triangulation::statistics() const {
   Statistics s = impl_->statistics;
-  if (impl_->hull) {
-    const engine::Effort& effort = impl_->hull->effort();
+  if (const HullQueries* const hull = impl_->queries(); hull != nullptr) {
+    const engine::Effort& effort = hull->effort();
     s.created_cells = effort.created_cells;
     s.visited_cells = effort.visited_cells;
     s.filter = effort.stages.filter;
     s.direct = effort.stages.direct;
     s.exact = effort.stages.exact;
     s.perturbed = effort.stages.perturbed;
-    s.cell_bytes = impl_->hull->bytes();
+    s.cell_bytes = hull->bytes();
   }
   s.insertions = num_vertices();
   return s;

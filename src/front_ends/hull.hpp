@@ -32,6 +32,12 @@ struct VertexPoints {
   /// The largest vertex id; where points may be hidden some vertices have no cell.
   Index last_vertex() const { return static_cast<Index>(coordinates.size() / row_size()) - 1; }
   const double* point(Index v) const { return coordinates.data() + static_cast<std::size_t>(v) * row_size(); }
+  /// A grid for the points and a query.
+  kernel::Grid grid_with(const double* query) const {
+    kernel::Grid larger = grid;
+    larger.include(query);
+    return larger;
+  }
 };
 
 /// Where a query lies: the cell the walk ended in, and for a finite one the slots of the smallest face that contains it.
@@ -41,18 +47,37 @@ struct HullLocation {
   std::vector<VertexId> face;
 };
 
-/// A Delaunay, regular or furthest-site triangulation of points that span a k-flat, 1 ≤ k ≤ d.
-class Hull {
+/// A Delaunay, regular or furthest-site triangulation of points that span a k-flat, 1 ≤ k ≤ d, that does not change.
+class HullQueries {
  public:
-  virtual ~Hull() = default;
+  virtual ~HullQueries() = default;
 
+  /// The box that insertions must stay in to profit from the filter.
+  virtual const geometry::Frame& frame() const = 0;
+
+  /// A query has a weight where points have one; where it lies depends on its coordinates only. A walk that is not given a cell
+  /// to start from starts where the last insertion ended.
+  virtual HullLocation locate(const double* query, Index start) const = 0;
+  virtual std::vector<CellId> conflict_zone(const double* query, Index start) const = 0;
+  /// Negative if the query is in conflict with a finite cell, ties not perturbed.
+  virtual Sign unperturbed_side(Index cell, const double* query) const = 0;
+
+  virtual Complex complex(Index num_vertices, std::span<const CellId> cell_of_vertex) const = 0;
+  virtual const engine::Effort& effort() const = 0;
+  virtual std::size_t bytes() const = 0;
+};
+
+/// The same, while points are inserted.
+class Hull : public HullQueries {
+ public:
   /// Starts from k+1 affinely independent vertices.
   virtual void seed(std::span<const Index> vertices) = 0;
   /// Starts from a triangulation of dimension k−1 and a vertex outside its flat.
   virtual void jump(const Complex& old, Index q) = 0;
+  /// Starts from a triangulation of the same points. Its cells keep their ids if it has no vacant slots.
+  virtual void restore(const Complex& old) = 0;
 
-  /// The box that insertions must stay in to profit from the filter; changing it recomputes all cached functionals.
-  virtual const geometry::Frame& frame() const = 0;
+  /// Changing the frame recomputes all cached functionals.
   virtual void set_frame(geometry::Frame frame) = 0;
 
   /// Inserts vertex v, starting at cell `start` or, if that is invalid, where the last insertion ended. Returns v, or the
@@ -67,15 +92,6 @@ class Hull {
 
   /// The cell where a walk to a point ends that may stop early: one near it, as a rule.
   virtual Index descend(const double* query, Index start) const = 0;
-  /// A query has a weight where points have one; where it lies depends on its coordinates only.
-  virtual HullLocation locate(const double* query, Index start) const = 0;
-  virtual std::vector<CellId> conflict_zone(const double* query, Index start) const = 0;
-  /// Negative if the query is in conflict with a finite cell, ties not perturbed.
-  virtual Sign unperturbed_side(Index cell, const double* query) const = 0;
-
-  virtual Complex complex(Index num_vertices, std::span<const CellId> cell_of_vertex) const = 0;
-  virtual const engine::Effort& effort() const = 0;
-  virtual std::size_t bytes() const = 0;
 };
 
 /// A hull of the flat that projects one-to-one on `axes`. K = axes.size(), or 0 for any number of axes.

@@ -6,6 +6,7 @@
 #include "engine/dimension_jump.hpp"
 #include "engine/seed.hpp"
 #include "front_ends/hull.hpp"
+#include "front_ends/hull_queries.hpp"
 #include "geometry/delaunay_geometry.hpp"
 
 #include <algorithm>
@@ -47,14 +48,24 @@ class HullOfDimension final : public Hull {
     effort_.created_cells += cells_.num_cells();
   }
 
+  void restore(const Complex& old) override {
+    geometry_.set_rows(points_.last_vertex());
+    cells_.reserve(old.num_cells());
+    std::vector<Index> id(old.num_cell_slots(), invalid_index);
+    for (const CellId c : old.cells()) id[index(c)] = cells_.allocate();
+    for (const CellId c : old.cells())
+      for (int i = 0; i <= old.dimension(); ++i) {
+        cells_.vertices(id[index(c)])[i] = index(old.vertex(c, i));
+        cells_.neighbors(id[index(c)])[i] = id[index(old.neighbor(c, i))];
+      }
+    create_functionals();
+    recount();
+  }
+
   const geometry::Frame& frame() const override { return geometry_.frame(); }
   void set_frame(geometry::Frame frame) override {
     geometry_.set_frame(std::move(frame), points_.last_vertex());
-    for (Index cell = 0; cell < cells_.num_slots(); ++cell) {
-      if (cells_.is_vacant(cell)) continue;
-      const int infinite_slot = cells_.infinite_slot(cell);
-      geometry_.create(cell, cells_.vertices(cell), infinite_slot, infinite_slot == 0 ? 1 : 0);
-    }
+    create_functionals();
   }
 
   Index insert(Index v, Index start) override {
@@ -80,39 +91,20 @@ class HullOfDimension final : public Hull {
   }
 
   HullLocation locate(const double* query, Index start) const override {
-    StageCounts uncounted;
-    const kernel::Grid grid = grid_with(query);
+    const kernel::Grid grid = points_.grid_with(query);
     Query q = geometry_.make_query(query, grid);
     q.compared = points_.ambient;
-    const Index near = engine::descend(cells_, geometry_, q, start == invalid_index ? last_ : start).second.cell;
-    const engine::WalkResult found = engine::walk_exactly(cells_, geometry_, q, near, false, uncounted);
-    HullLocation location{found.cell, cells_.infinite_slot(found.cell) >= 0, {}};
-    if (found.vertex != invalid_index) {
-      location.face.push_back(VertexId{found.vertex});
-    } else if (!location.outside) {
-      const Index* vertices = cells_.vertices(found.cell);
-      for (int i = 0; i <= cells_.dimension(); ++i)
-        if (geometry_.side_of_facet(vertices, i, q) == Sign::positive) location.face.push_back(VertexId{vertices[i]});
-    }
-    return location;
+    return front_ends::locate(cells_, geometry_, q, start == invalid_index ? last_ : start);
   }
 
   std::vector<CellId> conflict_zone(const double* query, Index start) const override {
-    StageCounts uncounted;
-    const kernel::Grid grid = grid_with(query);
+    const kernel::Grid grid = points_.grid_with(query);
     const Query q = geometry_.make_query(query, grid);
-    const engine::WalkResult found = engine::locate(cells_, geometry_, q, start == invalid_index ? last_ : start, uncounted);
-    if (found.vertex != invalid_index || found.hidden) return {};
-    std::unordered_map<Index, Mark> marks;
-    engine::ConflictZone zone;
-    engine::find_conflict_zone(cells_, geometry_, q, found.cell, engine::SeparateMarks(marks), zone, uncounted);
-    std::vector<CellId> result;
-    for (std::size_t i = 0; i < zone.num_cells; ++i) result.push_back(CellId{zone.cells[i]});
-    return result;
+    return front_ends::conflict_zone(cells_, geometry_, q, start == invalid_index ? last_ : start);
   }
 
   Sign unperturbed_side(Index cell, const double* query) const override {
-    const kernel::Grid grid = grid_with(query);
+    const kernel::Grid grid = points_.grid_with(query);
     return geometry_.unperturbed_side(cells_.vertices(cell), geometry_.make_query(query, grid));
   }
 
@@ -131,10 +123,12 @@ class HullOfDimension final : public Hull {
   std::size_t bytes() const override { return cells_.bytes(); }
 
  private:
-  kernel::Grid grid_with(const double* query) const {
-    kernel::Grid grid = points_.grid;
-    grid.include(query);
-    return grid;
+  void create_functionals() {
+    for (Index cell = 0; cell < cells_.num_slots(); ++cell) {
+      if (cells_.is_vacant(cell)) continue;
+      const int infinite_slot = cells_.infinite_slot(cell);
+      geometry_.create(cell, cells_.vertices(cell), infinite_slot, infinite_slot == 0 ? 1 : 0);
+    }
   }
 
   void recount() {

@@ -2,6 +2,7 @@
 // Insertion: points to vertices, affine dimensions, duplicates, hidden points, rows.
 #include "front_ends/triangulation_impl.hpp"
 
+#include "front_ends/compact_hull.hpp"
 #include "front_ends/landmarks.hpp"
 #include "front_ends/point_rows.hpp"
 #include "front_ends/progress_meter.hpp"
@@ -221,6 +222,7 @@ void Triangulation::Impl::insert_range(std::span<const double> coordinates, std:
     throw Error(Errc::bad_dimension, std::to_string(weights.size()) + " weights for " + std::to_string(n) + " points");
   check_finite(coordinates, weights);
   if (n == 0) return;
+  expand();
   const PointsView view(coordinates, dimension);
   const std::vector<double> with_weights = weighted() ? weighted_rows(view, weights) : std::vector<double>{};
   const std::span<const double> rows = weighted() ? std::span<const double>(with_weights) : coordinates;
@@ -259,6 +261,7 @@ InsertResult Triangulation::Impl::insert(std::span<const double> point, double w
   std::vector<double> storage;
   const double* row_of_point = checked_query(point, weight, storage);
   Index start = checked_hint(hint);
+  expand();
   const Index before = points.last_vertex();
   // Functionals of furthest points lead nowhere.
   if (!hint && points.form != kernel::RowForm::furthest_point) {
@@ -275,6 +278,29 @@ InsertResult Triangulation::Impl::insert(std::span<const double> point, double w
     vertex_of_row.resize(row);
     throw;
   }
+}
+
+void Triangulation::Impl::compact() {
+  landmarks.reset();
+  if (hull) {
+    compacted = make_compact_hull(affine_hull.axes(), points, *hull, complex());
+    hull.reset();
+    find_cells_of_vertices();
+  }
+  points.coordinates.shrink_to_fit();
+  cell_of_vertex.shrink_to_fit();
+  row_of_vertex.shrink_to_fit();
+  vertex_of_row.shrink_to_fit();
+}
+
+/// Makes insertions possible again after compact(): cells keep their ids.
+void Triangulation::Impl::expand() {
+  if (!compacted) return;
+  auto restored =
+      make_hull(affine_hull.axes(), points, compacted->frame(), compacted->effort(), options.force_runtime_dimension);
+  restored->restore(complex());
+  hull = std::move(restored);
+  compacted.reset();
 }
 
 /// Adds those of the vertices first … last that belong to the sample. Without memory for them there are no landmarks.
@@ -314,7 +340,7 @@ void Triangulation::Impl::find_cells_of_vertices() {
 }
 
 Complex Triangulation::Impl::complex() const {
-  if (hull) return hull->complex(num_vertices, cell_of_vertex);
+  if (queries() != nullptr) return queries()->complex(num_vertices, cell_of_vertex);
   if (affine_hull.dimension() == 0)
     return {single_links, 2, 0, 2, 1, 1, 1, cell_of_vertex.data(), static_cast<Index>(cell_of_vertex.size())};
   return {};
@@ -366,7 +392,7 @@ std::vector<CellId> Triangulation::Impl::conflict_zone(std::span<const double> q
   const double* q = checked_query(query, weight, storage);
   const Index start = checked_hint(hint);
   if (affine_hull.dimension() < dimension && !affine_hull.contains(q)) return {};
-  if (hull) return hull->conflict_zone(q, start);
+  if (queries() != nullptr) return queries()->conflict_zone(q, start);
   const bool is_heavier = weighted() && weight > points.point(single_links[0])[ambient()];
   return is_heavier ? std::vector<CellId>{CellId{0}} : std::vector<CellId>{};
 }
@@ -378,8 +404,8 @@ Sign Triangulation::Impl::in_sphere(CellId cell, std::span<const double> query, 
   if (!now.is_cell(cell) || now.is_infinite(cell)) throw Error(Errc::invalid_argument, "not a finite cell");
   if (affine_hull.dimension() < dimension && !affine_hull.contains(q))
     throw Error(Errc::invalid_argument, "the query is outside the affine hull of the points");
-  if (hull) {
-    const Sign side = hull->unperturbed_side(index(cell), q);
+  if (queries() != nullptr) {
+    const Sign side = queries()->unperturbed_side(index(cell), q);
     return points.form == kernel::RowForm::furthest_point ? -side : side;
   }
   if (!weighted()) return Sign::zero;

@@ -27,10 +27,11 @@ struct Triangulation::Impl {
   Options options;
   VertexPoints points;
   kernel::AffineHull affine_hull;
-  std::unique_ptr<Hull> hull;           // none while the affine dimension is below 1
-  std::vector<CellId> cell_of_vertex;   // by vertex id; invalid_cell for hidden points
-  std::vector<Index> row_of_vertex{0};  // the first row at each vertex
-  std::vector<VertexId> vertex_of_row;  // invalid_vertex for a row that was not inserted (cancelled)
+  std::unique_ptr<Hull> hull;              // none while the affine dimension is below 1, and after compact()
+  std::unique_ptr<HullQueries> compacted;  // after compact(), until the next insertion
+  std::vector<CellId> cell_of_vertex;      // by vertex id; invalid_cell for hidden points
+  std::vector<Index> row_of_vertex{0};     // the first row at each vertex
+  std::vector<VertexId> vertex_of_row;     // invalid_vertex for a row that was not inserted (cancelled)
   std::size_t num_rows_inserted = 0;
   Index num_vertices = 0;  // those that have cells
   Statistics statistics;
@@ -51,6 +52,9 @@ struct Triangulation::Impl {
   /// `weights`: one per point, or none: all are 0.
   void insert_range(std::span<const double> coordinates, std::span<const double> weights = {});
   InsertResult insert(std::span<const double> point, double weight, std::optional<CellId> hint);
+  void compact();
+  /// The triangulation, if the affine dimension is at least 1.
+  const HullQueries* queries() const { return hull ? hull.get() : compacted.get(); }
   Complex complex() const;
   /// Where to start a walk to a point without a hint: a cell, or invalid_index for where the last insertion was.
   Index start_near(const double* point) const;
@@ -75,6 +79,7 @@ struct Triangulation::Impl {
   Index insert_row(std::size_t row, const double* point, Index start, bool track);
   Index insert_at_only_vertex(std::size_t row, const double* point);
   Index raise(std::size_t row, const double* point, kernel::AffineHull grown);
+  void expand();
   void add_landmarks(Index first, Index last);
   void update_cells_of_vertices();
   void find_cells_of_vertices();

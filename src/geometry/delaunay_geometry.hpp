@@ -6,7 +6,7 @@
 #include "geometry/frame.hpp"
 #include "geometry/functionals.hpp"
 #include "geometry/lattice.hpp"
-#include "kernel/stages.hpp"
+#include "geometry/point_predicates.hpp"
 
 #include <delone/types.hpp>
 
@@ -18,21 +18,20 @@
 
 namespace delone::geometry {
 
-/// A point to be tested against cells: its coordinates (then its weight, if points have one), its image in the frame, and a
-/// grid that all vertices and the point itself lie on.
+/// A point to be tested against cells: its image in the frame, and what its grid says.
 template <int K>
-struct Query {
+struct Query : PointQuery {
   Query(const double* at, const kernel::Grid& grid_of_all, std::size_t dimension, int row_size)
-      : point(at), grid(&grid_of_all), compared(row_size), row(dimension + 1) {}
-  const double* point;
-  const kernel::Grid* grid;
-  int compared;  ///< how many entries a vertex at the query must share: without the weight, any vertex at its coordinates is
+      : PointQuery{at, &grid_of_all, row_size}, row(dimension + 1) {}
   LatticeBounds bounds;
   kernel::Buffer<double, K + (K > 0)> row;  ///< the image on the axes of the flat and the lift; not a number outside the frame
 };
 
 template <int K>
-class DelaunayGeometry {
+class DelaunayGeometry : public PointPredicates<K> {
+  using PointPredicates<K>::flat;
+  using PointPredicates<K>::gather;
+
  public:
   using Query = geometry::Query<K>;
 
@@ -40,16 +39,15 @@ class DelaunayGeometry {
   /// indexed by vertex id (vertex 0 is a dummy). Both references must outlive this object; they may grow.
   DelaunayGeometry(CellMemory<K>& cells, std::vector<int> axes, int ambient, const std::vector<double>& coordinates,
                    const kernel::Grid& grid, Frame frame)
-      : axes_(std::move(axes)),
-        ambient_(ambient),
-        coordinates_(coordinates),
+      : PointPredicates<K>(std::move(axes), ambient, frame.form(), coordinates),
         grid_(grid),
         frame_(std::move(frame)),
         functionals_(cells) {
     adopt_frame();
   }
 
-  int dimension() const { return K > 0 ? K : static_cast<int>(axes_.size()); }
+  using PointPredicates<K>::dimension;
+  using PointPredicates<K>::point;
   const Frame& frame() const { return frame_; }
   /// All cells must be created anew after it. The rows of the first `vertices` vertices are computed, that of the infinite
   /// vertex apart.
@@ -66,23 +64,18 @@ class DelaunayGeometry {
   }
 
   /// A query at the point of a vertex.
-  Query make_query(const double* point) const { return make_query(point, grid_); }
+  Query make_query(const double* at) const { return make_query(at, grid_); }
 
   /// A query anywhere; `grid` is one for the vertices and the point, and must outlive the query.
-  Query make_query(const double* point, const kernel::Grid& grid) const {
-    Query q(point, grid, axes_.size(), flat().row_size());
+  Query make_query(const double* at, const kernel::Grid& grid) const {
+    Query q(at, grid, axes_.size(), flat().row_size());
     q.bounds = lattice_.bounds(grid, axes_);
-    if (frame_.contains(point))
-      write_row(point, q.row.data());
+    if (frame_.contains(at))
+      write_row(at, q.row.data());
     else
       std::fill_n(q.row.data(), dimension() + 1, std::numeric_limits<double>::quiet_NaN());
     return q;
   }
-
-  const double* point(Index vertex) const {
-    return coordinates_.data() + static_cast<std::size_t>(vertex) * static_cast<std::size_t>(flat().row_size());
-  }
-  bool is_at(Index vertex, const Query& q) const { return kernel::equal_points(point(vertex), q.point, q.compared); }
 
   /// h̃(q), approximately the functional of the cell. Functionals of finite cells are comparable with each other.
   double value(Index cell, const Query& q) const { return evaluator(q).value(cell); }
@@ -93,37 +86,6 @@ class DelaunayGeometry {
 
   /// Stage filter_, too: whether a value within the threshold proves that h(q) is exactly zero.
   bool proves_tie(Index cell, double value, const Query& q) const { return functionals_.proves_zero(cell, value, q.bounds); }
-
-  /// Stages direct_ and exact_: the sign of h(q) for the cell of these k+1 vertices, `infinite_slot` −1 for a finite cell.
-  /// REQUIRES that q is none of the vertices.
-  Sign exact_side(const Index* vertices, int infinite_slot, const Query& q, StageCounts& counts) const {
-    auto points = gather(vertices);
-    const kernel::Flat flat = this->flat();
-    if (infinite_slot >= 0) {
-      points[static_cast<std::size_t>(infinite_slot)] = q.point;
-      return -kernel::orientation<K>(flat, points.data(), *q.grid, counts);
-    }
-    return kernel::in_sphere<K>(flat, points.data(), q.point, *q.grid, counts);
-  }
-  /// Stage perturbed_, for a finite cell with h(q) = 0: never zero.
-  Sign perturbed_side(const Index* vertices, const Query& q, StageCounts& counts) const {
-    ++counts.perturbed;
-    return kernel::perturbed_in_sphere<K>(flat(), gather(vertices).data(), q.point, *q.grid);
-  }
-
-  /// The sign of h(q) for a finite cell, ties not perturbed: that of the power of q with respect to its sphere, or, for
-  /// furthest points, its opposite.
-  Sign unperturbed_side(const Index* vertices, const Query& q) const {
-    StageCounts uncounted;
-    return kernel::in_sphere<K>(flat(), gather(vertices).data(), q.point, *q.grid, uncounted);
-  }
-
-  /// The exact sign of the barycentric coordinate of q at vertex `slot` of a finite, positively oriented cell.
-  Sign side_of_facet(const Index* vertices, int slot, const Query& q) const {
-    auto points = gather(vertices);
-    points[static_cast<std::size_t>(slot)] = q.point;
-    return kernel::orientation<K>(flat(), points.data(), *q.grid);
-  }
 
   /// The orientation of k+1 finite vertices.
   Sign orientation(const Index* vertices) const { return kernel::orientation<K>(flat(), gather(vertices).data(), grid_); }
@@ -150,25 +112,16 @@ class DelaunayGeometry {
   }
 
   int axis(int r) const { return axes_[static_cast<std::size_t>(r)]; }
-  kernel::Flat flat() const { return {ambient_, axes_, frame_.form()}; }
 
   std::size_t row_size() const { return static_cast<std::size_t>(dimension()) + 1; }
   std::size_t growing(std::size_t size) const { return size <= rows_.capacity() ? size : size + size / 2; }
-  void write_row(const double* point, double* row) const {
-    for (int r = 0; r < dimension(); ++r) row[r] = frame_.image(point, axis(r));
-    row[dimension()] = frame_.lift(point);
+  void write_row(const double* at, double* row) const {
+    for (int r = 0; r < dimension(); ++r) row[r] = frame_.image(at, axis(r));
+    row[dimension()] = frame_.lift(at);
   }
 
-  auto gather(const Index* vertices) const {
-    const int size = dimension() + 1;
-    kernel::Buffer<const double*, K + (K > 0)> points(static_cast<std::size_t>(size));
-    for (int i = 0; i < size; ++i) points[static_cast<std::size_t>(i)] = point(vertices[i]);
-    return points;
-  }
+  using PointPredicates<K>::axes_;
 
-  std::vector<int> axes_;
-  int ambient_;
-  const std::vector<double>& coordinates_;
   const kernel::Grid& grid_;
   Frame frame_;
   Lattice lattice_;

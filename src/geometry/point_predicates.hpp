@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The exact stages of the conflict test of Delaunay, regular and furthest-site triangulations, for cells given by their
+// vertices. Knows points; nothing of cached functionals.
+#pragma once
+
+#include "kernel/buffer.hpp"
+#include "kernel/stages.hpp"
+
+#include <delone/types.hpp>
+
+#include <utility>
+#include <vector>
+
+namespace delone::geometry {
+
+/// A point to be tested against cells: its coordinates (then its weight, if points have one), and a grid that all vertices and
+/// the point itself lie on.
+struct PointQuery {
+  const double* point;
+  const kernel::Grid* grid;
+  int compared;  ///< how many entries a vertex at the query must share: without the weight, any vertex at its coordinates is
+};
+
+/// K is the dimension of the flat, or 0 when it is chosen at run time.
+template <int K>
+class PointPredicates {
+ public:
+  /// `coordinates`: the points of the vertices, `ambient` doubles each and then the weight if points have one, indexed by
+  /// vertex id (vertex 0 is a dummy). They must outlive this object; they may grow.
+  PointPredicates(std::vector<int> axes, int ambient, kernel::RowForm form, const std::vector<double>& coordinates)
+      : axes_(std::move(axes)), ambient_(ambient), form_(form), coordinates_(coordinates) {}
+
+  int dimension() const { return K > 0 ? K : static_cast<int>(axes_.size()); }
+  const double* point(Index vertex) const {
+    return coordinates_.data() + static_cast<std::size_t>(vertex) * static_cast<std::size_t>(flat().row_size());
+  }
+  bool is_at(Index vertex, const PointQuery& q) const { return kernel::equal_points(point(vertex), q.point, q.compared); }
+
+  /// Stages direct_ and exact_: the sign of h(q) for the cell of these k+1 vertices, `infinite_slot` −1 for a finite cell.
+  /// REQUIRES that q is none of the vertices.
+  Sign exact_side(const Index* vertices, int infinite_slot, const PointQuery& q, StageCounts& counts) const {
+    auto points = gather(vertices);
+    const kernel::Flat flat = this->flat();
+    if (infinite_slot >= 0) {
+      points[static_cast<std::size_t>(infinite_slot)] = q.point;
+      return -kernel::orientation<K>(flat, points.data(), *q.grid, counts);
+    }
+    return kernel::in_sphere<K>(flat, points.data(), q.point, *q.grid, counts);
+  }
+  /// Stage perturbed_, for a finite cell with h(q) = 0: never zero.
+  Sign perturbed_side(const Index* vertices, const PointQuery& q, StageCounts& counts) const {
+    ++counts.perturbed;
+    return kernel::perturbed_in_sphere<K>(flat(), gather(vertices).data(), q.point, *q.grid);
+  }
+
+  /// The sign of h(q) for a finite cell, ties not perturbed: that of the power of q with respect to its sphere, or, for
+  /// furthest points, its opposite.
+  Sign unperturbed_side(const Index* vertices, const PointQuery& q) const {
+    StageCounts uncounted;
+    return kernel::in_sphere<K>(flat(), gather(vertices).data(), q.point, *q.grid, uncounted);
+  }
+
+  /// The exact sign of the barycentric coordinate of q at vertex `slot` of a finite, positively oriented cell.
+  Sign side_of_facet(const Index* vertices, int slot, const PointQuery& q) const {
+    auto points = gather(vertices);
+    points[static_cast<std::size_t>(slot)] = q.point;
+    return kernel::orientation<K>(flat(), points.data(), *q.grid);
+  }
+
+ protected:
+  kernel::Flat flat() const { return {ambient_, axes_, form_}; }
+  auto gather(const Index* vertices) const {
+    const int size = dimension() + 1;
+    kernel::Buffer<const double*, K + (K > 0)> points(static_cast<std::size_t>(size));
+    for (int i = 0; i < size; ++i) points[static_cast<std::size_t>(i)] = point(vertices[i]);
+    return points;
+  }
+
+  std::vector<int> axes_;
+
+ private:
+  int ambient_;
+  kernel::RowForm form_;
+  const std::vector<double>& coordinates_;
+};
+
+}  // namespace delone::geometry
