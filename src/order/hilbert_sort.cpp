@@ -13,8 +13,13 @@
 #include "order/insertion_order.hpp"
 #include "order/select.hpp"
 
+#include <algorithm>
 #include <array>
+#include <bit>
 #include <cstddef>
+#include <cstdint>
+#include <utility>
+#include <vector>
 
 namespace delone::order {
 namespace {
@@ -115,7 +120,7 @@ void sort_packed(const Curve& curve, const Position& position, Packed* first, Pa
 }
 
 template <int D>
-void sort_in_dimension(PointsView points, std::span<Index> rows, const Position& start) {
+void sort_by_halves(const Position& start, PointsView points, std::span<Index> rows) {
   std::vector<PackedRow<D>> packed(rows.size());
   for (std::size_t i = 0; i < rows.size(); ++i) {
     const double* x = points.data() + static_cast<std::size_t>(rows[i]) * D;
@@ -124,6 +129,116 @@ void sort_in_dimension(PointsView points, std::span<Index> rows, const Position&
   }
   sort_packed(Curve(D), start, packed.data(), packed.data() + packed.size());
   for (std::size_t i = 0; i < rows.size(); ++i) rows[i] = packed[i].row;
+}
+
+/// The curve as an automaton: a state for each frame (e, δ); the corner of a subcube gives its number on the curve and the
+/// state in it.
+template <int D>
+class Automaton {
+ public:
+  static constexpr std::uint32_t num_corners = 1u << D, num_states = D << D;
+  struct Step {
+    std::uint8_t digit, next;
+  };
+
+  Automaton() {
+    const Curve curve(D);
+    for (std::uint32_t state = 0; state < num_states; ++state)
+      for (std::uint32_t digit = 0; digit < num_corners; ++digit) {
+        Position p = position(state);
+        std::uint32_t corner = 0;
+        for (int b = D - 1; b >= 0; --b) {
+          const bool second = (digit >> b & 1) != 0;
+          corner |= static_cast<std::uint32_t>(curve.first_is_high(p) != second) << p.axis;
+          p = curve.half(p, second);
+        }
+        steps_[state * num_corners + corner] = {static_cast<std::uint8_t>(digit), static_cast<std::uint8_t>(state_of(p))};
+      }
+  }
+  Step step(std::uint32_t state, std::uint32_t corner) const { return steps_[state * num_corners + corner]; }
+
+  static std::uint32_t state_of(const Position& p) {
+    return static_cast<std::uint32_t>(p.axis) << D | static_cast<std::uint32_t>(p.corner);
+  }
+  static Position position(std::uint32_t state) {
+    Position p;
+    p.corner = state & (num_corners - 1);
+    p.axis = static_cast<int>(state >> D);
+    return p;
+  }
+
+ private:
+  std::array<Step, std::size_t{num_states} * num_corners> steps_;
+};
+
+/// Sorts 64-bit words by their upper halves, of which only the lowest `bits` bits are not zero.
+void sort_by_upper_half(std::vector<std::uint64_t>& words, int bits) {
+  constexpr int digit_bits = 11;
+  std::vector<std::uint64_t> other(words.size());
+  for (int shift = 32; shift < 32 + bits; shift += digit_bits) {
+    std::array<std::size_t, std::size_t{1} << digit_bits> begin{};
+    const auto digit = [shift](std::uint64_t word) { return word >> shift & ((std::uint64_t{1} << digit_bits) - 1); };
+    for (const std::uint64_t word : words) ++begin[digit(word)];
+    std::size_t sum = 0;
+    for (std::size_t& count : begin) sum += std::exchange(count, sum);
+    for (const std::uint64_t word : words) other[begin[digit(word)]++] = word;
+    words.swap(other);
+  }
+}
+
+/// Splits the box of the points into equal cubes, about one per point, and sorts the points by the cubes' numbers on the curve:
+/// a few instructions per bit, where halving takes a few passes. Halves only what is left together in one cube.
+template <int D>
+void sort_by_cubes(const Position& start, PointsView points, std::span<Index> rows) {
+  static const Automaton<D> automaton;
+  const int levels = (static_cast<int>(std::bit_width(rows.size())) + D - 1) / D;  // D·levels is at most 32 + D − 1
+  const auto cubes = static_cast<double>(std::uint64_t{1} << levels);
+  std::vector<std::array<double, D>> near(rows.size());  // the points beside each other: they are read twice
+  std::array<double, D> low, high, scale;
+  std::copy_n(points.data() + std::size_t{rows[0]} * D, D, low.begin());
+  high = low;
+  for (std::size_t i = 0; i < rows.size(); ++i)
+    for (std::size_t j = 0; j < D; ++j) {
+      const double x = near[i][j] = points.data()[std::size_t{rows[i]} * D + j];
+      low[j] = std::min(low[j], x);
+      high[j] = std::max(high[j], x);
+    }
+  for (std::size_t j = 0; j < D; ++j) {
+    scale[j] = cubes / (high[j] - low[j]);
+    if (!(scale[j] > 0 && scale[j] < 1e300)) return sort_by_halves<D>(start, points, rows);  // flat, tiny or huge
+  }
+  std::vector<std::uint64_t> words(rows.size());
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    std::array<std::uint32_t, D> cube;
+    for (std::size_t j = 0; j < D; ++j)
+      cube[j] = static_cast<std::uint32_t>(std::min((near[i][j] - low[j]) * scale[j], cubes - 1));
+    std::uint32_t state = Automaton<D>::state_of(start);
+    std::uint64_t number = 0;
+    for (int level = levels - 1; level >= 0; --level) {
+      std::uint32_t corner = 0;
+      for (std::size_t j = 0; j < D; ++j) corner |= (cube[j] >> level & 1) << j;
+      const auto [digit, next] = automaton.step(state, corner);
+      number = number << D | digit;
+      state = next;
+    }
+    words[i] = number << 32 | rows[i];
+  }
+  sort_by_upper_half(words, D * levels);
+  constexpr std::size_t few = 8;
+  for (std::size_t first = 0, last; first < rows.size(); first = last) {
+    for (last = first; last < rows.size() && words[last] >> 32 == words[first] >> 32; ++last)
+      rows[last] = static_cast<Index>(words[last]);
+    if (last - first > few) sort_by_halves<D>(start, points, rows.subspan(first, last - first));
+  }
+}
+
+template <int D>
+void sort_in_dimension(const Position& start, PointsView points, std::span<Index> rows) {
+  constexpr std::size_t many = 1000;
+  if (rows.size() < many || D * ((std::bit_width(rows.size()) + D - 1) / D) > 32 || sizeof(Index) > 4)
+    sort_by_halves<D>(start, points, rows);
+  else
+    sort_by_cubes<D>(start, points, rows);
 }
 
 /// Any dimension: the coordinate in use is gathered anew for each split.
@@ -146,13 +261,13 @@ void hilbert_sort(PointsView points, std::span<Index> rows, int first_axis) {
   start.axis = first_axis;
   switch (points.dimension()) {
     case 1:
-      return sort_in_dimension<1>(points, rows, start);
+      return sort_by_halves<1>(start, points, rows);
     case 2:
-      return sort_in_dimension<2>(points, rows, start);
+      return sort_in_dimension<2>(start, points, rows);
     case 3:
-      return sort_in_dimension<3>(points, rows, start);
+      return sort_in_dimension<3>(start, points, rows);
     case 4:
-      return sort_in_dimension<4>(points, rows, start);
+      return sort_in_dimension<4>(start, points, rows);
     default:
       break;
   }

@@ -86,9 +86,9 @@ INSTANTIATE_TEST_SUITE_P(Grids, HilbertGrid,
 
 TEST(HilbertSort, HalvesOfAnyLevelAreSeparated) {
   // The property that appendix A rests on: each half of a half, … of the order lies on one side of a median hyperplane.
-  const auto x = uniform_points(3, 4096, 3);
+  const auto x = uniform_points(3, 512, 3);
   const auto rows = sorted_rows(x, 3);
-  for (std::size_t width = 4096; width >= 2; width /= 2)
+  for (std::size_t width = 512; width >= 2; width /= 2)
     for (std::size_t begin = 0; begin < rows.size(); begin += width) {
       bool separated = false;
       for (std::size_t axis = 0; axis < 3; ++axis) {
@@ -112,6 +112,25 @@ TEST(HilbertSort, KeepsConsecutivePointsClose) {
   for (std::size_t i = 1; i < rows.size(); ++i)
     length += std::hypot(x[2 * rows[i]] - x[2 * rows[i - 1]], x[2 * rows[i] + 1] - x[2 * rows[i - 1] + 1]);
   EXPECT_LT(length / 10000, 1.4 / 100);
+}
+
+TEST(HilbertSort, KeepsPointsOfAClusterClose) {
+  // Most points are in one of the cubes that the box is split into, and further apart points come before and after them.
+  auto x = uniform_points(2, 10000, 5);
+  for (std::size_t i = 0; i < 8000; ++i) {
+    x[2 * i] = 0.3 + x[2 * i] * 1e-6;
+    x[2 * i + 1] = 0.7 + x[2 * i + 1] * 1e-6;
+  }
+  const auto rows = sorted_rows(x, 2);
+  double within = 0;
+  std::size_t steps = 0;
+  for (std::size_t i = 1; i < rows.size(); ++i)
+    if (rows[i] < 8000 && rows[i - 1] < 8000) {
+      within += std::hypot(x[2 * rows[i]] - x[2 * rows[i - 1]], x[2 * rows[i] + 1] - x[2 * rows[i - 1] + 1]);
+      ++steps;
+    }
+  EXPECT_GT(steps, 7900u);
+  EXPECT_LT(within / 8000, 1.6e-6 / std::sqrt(8000));
 }
 
 TEST(HilbertSort, IsBlindToScaleAndOffsetOfEachAxis) {
