@@ -14,6 +14,7 @@
 #include <charconv>
 #include <cmath>
 #include <filesystem>
+#include <limits>
 #include <memory>
 #include <optional>
 #include <string_view>
@@ -80,6 +81,9 @@ const char* name_of(IntersectionState state) {
   return state == IntersectionState::full ? "full" : state == IntersectionState::flat ? "flat" : "empty";
 }
 
+/// In higher dimensions volumes cost more than the intersection.
+bool has_volume(const HalfspaceIntersection& found) { return found.is_bounded() && found.dimension() <= 3; }
+
 nlohmann::ordered_json number(double x) {
   return std::isfinite(x) ? nlohmann::ordered_json(x) : nlohmann::ordered_json(nullptr);
 }
@@ -106,7 +110,7 @@ nlohmann::ordered_json stats_json(const HalfspaceIntersection& found, const Seco
   json["duplicates"] = found.count(HalfspaceKind::duplicate);
   json["trivial"] = found.count(HalfspaceKind::trivial);
   json["cells"] = found.num_cells();
-  json["volume"] = number(found.volume());
+  json["volume"] = number(has_volume(found) ? found.volume() : std::numeric_limits<double>::quiet_NaN());
   add_cost(json, found.statistics(), found.num_cells(), seconds, options.seed);
   return json;
 }
@@ -133,7 +137,7 @@ std::string summary(const HalfspaceIntersection& found, const Seconds& seconds, 
                                          found.count(HalfspaceKind::redundant) + found.count(HalfspaceKind::touching),
                                          found.count(HalfspaceKind::touching), found.count(HalfspaceKind::duplicate),
                                          found.count(HalfspaceKind::trivial)));
-    if (data.bounded) line("volume", fmt::format("{}", found.volume()));
+    if (has_volume(found)) line("volume", fmt::format("{}", found.volume()));
   }
   const Statistics s = found.statistics();
   line("conflict tests", fmt::format("{} by filter, {} direct, {} exact, {} ties", s.filter, s.direct, s.exact, s.perturbed));

@@ -145,7 +145,8 @@ class HalfspaceIntersection {
   /// A copy of data(), with the halfspaces.
   IntersectionData to_data() const;
 
-  /// The d-volume of the convex hull of the rounded vertices; infinity if unbounded, 0 if flat or empty. Cost: a convex hull.
+  /// The d-volume of the convex hull of the rounded vertices; infinity if unbounded, 0 if flat or empty. Cost: that hull, which
+  /// from d = 5 on may take far longer than the intersection, as rounded vertices are not in the hyperplanes of their facets.
   double volume() const;
   /// Volume and surface area of the convex hull of the rounded dual points (and of the origin, if unbounded). NaN for k < d.
   double dual_volume() const;
@@ -177,9 +178,10 @@ struct IntersectionCheckReport {
 };
 
 /// Examines an intersection (with its halfspaces), level after level, stopping at the first violation, in integers and
-/// independently of how it was made. The graph of a polyhedron is connected, so level 3 proves that no vertex is missing. Flat
-/// and empty intersections are examined by their witness only. Cost: v·m determinants for level 2; for level 3 the number of
-/// (k−1)-subsets of the rows of each vertex, times their number: k where k facets meet, many in very degenerate vertices.
+/// independently of how it was made; `lineality` and the dual arrays, which are rounded, are not looked at. The graph of a
+/// polyhedron is connected, so level 3 proves that no vertex is missing. Flat and empty intersections are examined by their
+/// witness only. Cost: v·m determinants for level 2; for level 3 the number of (k−1)-subsets of the rows of each vertex, times
+/// their number: k where k facets meet, many in very degenerate vertices.
 IntersectionCheckReport check_halfspaces(const IntersectionData& data,
                                          IntersectionCheckLevel up_to = IntersectionCheckLevel::completeness);
 
@@ -187,5 +189,9 @@ IntersectionCheckReport check_halfspaces(const IntersectionData& data,
 /// (k = d = 3 and bounded: vertices and facets as polygons). The file appears whole or not at all; "-" is standard output
 /// (json, off). Errors: cannot_write, unsupported, out_of_memory.
 void write_halfspaces(const std::string& path, const IntersectionData& data, const std::string& format = {});
+
+/// Reads an intersection back that write_halfspaces() wrote as npz or json. The shapes of all arrays are checked;
+/// check_halfspaces() examines what they hold. Errors: cannot_open; bad_format, bad_dimension, not_finite naming the member.
+IntersectionData read_halfspaces(const std::string& path, const std::string& format = {});
 
 }  // namespace delone

@@ -110,19 +110,24 @@ class InteriorProgram {
     std::optional<std::size_t> worst;
     double largest = -1;
     for (std::size_t i = 0; i < rows_.size(); ++i) {
-      // n·x + c + w·t over w: the point's coordinates are off by a rounding, and so are products and sums.
+      // n·x + c + w·t, then over w. Each coordinate of the point is off by a rounding, or by half of the least double: that
+      // counts where it is multiplied by more than 1. Products and sums are rounded. Beyond the doubles nothing is certain.
       const double* r = row(i);
       const double weight = std::ldexp(1.0, weight_exponent_[i]);
       double sum = r[d_] + weight * rounded_[d_], magnitude = std::abs(r[d_]) + std::abs(weight * rounded_[d_]);
+      double factors = weight;
       for (std::size_t j = 0; j < d_; ++j) {
         const double term = r[j] * rounded_[j];
         sum += term;
         magnitude += std::abs(term);
+        factors += std::abs(r[j]);
       }
-      const double error = 1.01 * static_cast<double>(d_ + 6) * 0x1p-53 * magnitude + 1e-300;
-      if (sum <= -error) continue;
-      const double violation = sum >= error && sum / weight < std::numeric_limits<double>::infinity() ? sum / weight : 0;
-      if (violation <= largest || (!(sum >= error) && !is_violated(i))) continue;
+      const double error = 1.01 * (static_cast<double>(d_ + 6) * 0x1p-53 * magnitude + factors * 0x1p-1074) + 1e-300;
+      const bool is_bounded = error < std::numeric_limits<double>::infinity();
+      if (is_bounded && sum <= -error) continue;
+      const bool is_certain = is_bounded && sum >= error;
+      const double violation = is_certain ? sum / weight : 0;
+      if (violation <= largest || (!is_certain && !is_violated(i))) continue;
       worst = i;
       largest = violation;
       if (first) return worst;

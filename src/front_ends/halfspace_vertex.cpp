@@ -64,15 +64,18 @@ bool find_certified(std::span<const double* const> rows, std::span<const int> co
     double largest = 0;
     for (std::size_t j = 0; j < n; ++j) largest = std::max(largest, std::abs(rows[i][columns[j]]));
     if (!(largest > 0x1p-1000)) return false;
-    const int exponent = -std::ilogb(largest) - 1;
+    const double scale = std::ldexp(1.0, -std::ilogb(largest) - 1);
     for (std::size_t j = 0; j <= n; ++j) {
-      const double entry = rows[i][columns[j]], scaled = std::ldexp(entry, exponent);
+      const double entry = rows[i][columns[j]], scaled = entry * scale;
       if (!is_moderate(scaled) || (scaled == 0) != (entry == 0)) return false;
       (j < n ? system.a[i * n + j] : system.b[i]) = j < n ? scaled : -scaled;
     }
   }
   std::vector<double> work = system.a, inverse(n * n), x(n), correction(n), tail(n);
-  if (!approximate_inverse<0>(work.data(), inverse.data(), n)) return false;
+  if (!(n == 2   ? approximate_inverse<2>(work.data(), inverse.data(), n)
+        : n == 3 ? approximate_inverse<3>(work.data(), inverse.data(), n)
+                 : approximate_inverse<0>(work.data(), inverse.data(), n)))
+    return false;
   const double alpha = inverse_defect<0>(system.a.data(), inverse.data(), n);
   if (!(alpha < 0.5)) return false;
   for (std::size_t j = 0; j < n; ++j) {

@@ -12,6 +12,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <iterator>
 #include <numeric>
 #include <optional>
@@ -84,7 +85,14 @@ class IntersectionChecker {
                          [&](SignedIndex i) { return i >= 0 && static_cast<std::size_t>(i) < size; });
     };
     if (!in_range(data_.first_of_halfspace, m) || !in_range(data_.witness, m)) return wrong("a row is out of range");
-    if (data_.state != IntersectionState::full) return std::nullopt;
+    if (data_.state != IntersectionState::full) {
+      const bool is_bare = !data_.bounded && data_.kinds.empty() && data_.vertices.empty() && data_.vertex_halfspaces.empty() &&
+                           data_.directions.empty() && data_.direction_halfspaces.empty() && data_.edges.empty() &&
+                           data_.rays.empty() && data_.facet_halfspaces.empty() && data_.facet_vertices.empty() &&
+                           data_.facet_directions.empty();
+      return is_bare ? std::nullopt : wrong("an intersection without interior points has faces or kinds");
+    }
+    if (!data_.witness.empty()) return wrong("an intersection with interior points has a witness");
     const auto are_lists = [](const std::vector<SignedIndex>& offsets, const std::vector<SignedIndex>& items) {
       return !offsets.empty() && offsets.front() == 0 && std::is_sorted(offsets.begin(), offsets.end()) &&
              static_cast<std::size_t>(offsets.back()) == items.size();
@@ -99,13 +107,16 @@ class IntersectionChecker {
         std::any_of(data_.axes.begin(), data_.axes.end(), [&](int a) { return a < 0 || static_cast<std::size_t>(a) >= d_; }))
       return wrong("the axes are not as many coordinates as the rank");
     if (data_.vertices.size() != v * d_ || data_.directions.size() != u * d_ || data_.kinds.size() != m ||
-        data_.lineality.size() != (d_ - k_) * d_ || data_.facet_offsets.size() != f + 1 ||
+        data_.lineality.size() != (d_ - k_) * d_ || data_.interior_point.size() != d_ || data_.facet_offsets.size() != f + 1 ||
         data_.facet_direction_offsets.size() != f + 1 || data_.edges.size() % 2 != 0 || data_.rays.size() % 2 != 0)
       return wrong("an array has another size than the others ask for");
     if (!in_range(data_.vertex_halfspaces, m) || !in_range(data_.direction_halfspaces, m) ||
         !in_range(data_.facet_halfspaces, m) || !in_range(data_.facet_vertices, v) || !in_range(data_.facet_directions, u) ||
         !in_range(data_.edges, v))
       return wrong("a row, vertex or direction is out of range");
+    if (std::adjacent_find(data_.facet_halfspaces.begin(), data_.facet_halfspaces.end(), std::greater_equal<>()) !=
+        data_.facet_halfspaces.end())
+      return wrong("the rows of the facets are not increasing");
     for (std::size_t i = 0; i < data_.rays.size(); ++i)
       if (data_.rays[i] < 0 || static_cast<std::size_t>(data_.rays[i]) >= (i % 2 == 0 ? v : u))
         return wrong("a vertex or direction of a ray is out of range");
@@ -168,8 +179,36 @@ class IntersectionChecker {
     return std::any_of(row, row + d_, [](double x) { return x != 0; });
   }
 
+  /// With k < d the rows are examined on the axes alone: there they must lose nothing.
+  std::optional<Violation> check_rank() const {
+    if (k_ == d_) return std::nullopt;
+    std::vector<IntegerRow> normals, on_axes;
+    for (std::size_t r = 0; r < data_.num_halfspaces(); ++r) {
+      normals.push_back(front_ends::integer_row(&data_.halfspaces[r * (d_ + 1)], d_));
+      on_axes.push_back(row(r));
+      on_axes.back().pop_back();
+    }
+    if (independent_rows(normals).size() == k_ && independent_rows(on_axes).size() == k_) return std::nullopt;
+    return Violation{"the normals have another rank, or project on the axes not one-to-one", {}, {}};
+  }
+
+  std::optional<Violation> check_interior_point() const {
+    if (!std::all_of(data_.interior_point.begin(), data_.interior_point.end(), [](double x) { return std::isfinite(x); }))
+      return Violation{"a coordinate of the interior point is not finite", {}, {}};
+    if (!data_.interior_point_is_exact) return std::nullopt;
+    std::vector<double> homogeneous = data_.interior_point;
+    homogeneous.push_back(1);
+    const IntegerRow p = front_ends::integer_row(homogeneous.data(), d_ + 1);
+    for (std::size_t r = 0; r < data_.num_halfspaces(); ++r)
+      if (has_normal(r) && value(front_ends::integer_row(&data_.halfspaces[r * (d_ + 1)], d_ + 1), p) >= 0)
+        return Violation{"the interior point is not strictly inside halfspace " + std::to_string(r), {}, {r}};
+    return std::nullopt;
+  }
+
   /// Exact homogeneous coordinates of all vertices and directions, and what is tight where.
   std::optional<Violation> check_support() {
+    if (auto wrong = check_rank()) return wrong;
+    if (auto wrong = check_interior_point()) return wrong;
     for (std::size_t r = 0; r < data_.num_halfspaces(); ++r) rows_.push_back(row(r));
     is_facet_.assign(rows_.size(), 0);
     for (const SignedIndex r : data_.facet_halfspaces) is_facet_[static_cast<std::size_t>(r)] = 1;
@@ -177,7 +216,6 @@ class IntersectionChecker {
       if (auto wrong = check_point(v, data_.halfspaces_of_vertex(v), true)) return wrong;
     for (std::size_t u = 0; u < data_.num_directions(); ++u)
       if (auto wrong = check_point(u, data_.halfspaces_of_direction(u), false)) return wrong;
-    std::vector<IntegerRow> sorted = points_;
     std::vector<Rows> lists;
     for (std::size_t v = 0; v < data_.num_vertices(); ++v)
       lists.emplace_back(data_.halfspaces_of_vertex(v).begin(), data_.halfspaces_of_vertex(v).end());
@@ -213,6 +251,10 @@ class IntersectionChecker {
                                    : std::abs(data_.direction(i)[axis] - unit[axis]) <= 1e-14;
       if (!right) return Violation{"a coordinate of " + name + " is not the nearest double", concerned, {}};
     }
+    for (std::size_t j = 0; j < d_; ++j)
+      if ((is_vertex ? data_.vertex(i) : data_.direction(i))[j] != 0 &&
+          !std::binary_search(data_.axes.begin(), data_.axes.end(), static_cast<int>(j)))
+        return Violation{"a coordinate of " + name + " that is no axis is not 0", concerned, {}};
     if (!is_vertex) z->push_back(0);
     Rows on;
     for (std::size_t r = 0; r < rows_.size(); ++r) {

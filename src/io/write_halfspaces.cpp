@@ -3,6 +3,7 @@
 #include "io/atomic_file.hpp"
 #include "io/collect.hpp"
 #include "io/file.hpp"
+#include "io/intersection_arrays.hpp"
 #include "io/npy.hpp"
 #include "io/write_npy.hpp"
 #include "io/zip.hpp"
@@ -18,45 +19,24 @@ namespace delone {
 namespace io {
 namespace {
 
-/// Calls visit(name, items, shape) for every array, in the order of docs/formats.md.
-template <class Visit>
-void for_each_array(const IntersectionData& data, Visit visit) {
-  using Shape = std::initializer_list<std::size_t>;
-  const auto d = static_cast<std::size_t>(data.dimension), m = data.num_halfspaces();
-  const std::vector<SignedIndex> axes(data.axes.begin(), data.axes.end());
-  std::vector<SignedIndex> kinds;
-  for (const HalfspaceKind kind : data.kinds) kinds.push_back(static_cast<SignedIndex>(kind));
-  visit("halfspaces", data.halfspaces, Shape{m, d + 1});
-  visit("first_of_halfspace", data.first_of_halfspace, Shape{m});
-  visit("kinds", kinds, Shape{kinds.size()});
-  visit("witness", data.witness, Shape{data.witness.size()});
-  visit("interior_point", data.interior_point, Shape{data.interior_point.size()});
-  visit("axes", axes, Shape{axes.size()});
-  visit("vertices", data.vertices, Shape{data.num_vertices(), d});
-  visit("vertex_offsets", data.vertex_offsets, Shape{data.vertex_offsets.size()});
-  visit("vertex_halfspaces", data.vertex_halfspaces, Shape{data.vertex_halfspaces.size()});
-  visit("directions", data.directions, Shape{data.num_directions(), d});
-  visit("direction_offsets", data.direction_offsets, Shape{data.direction_offsets.size()});
-  visit("direction_halfspaces", data.direction_halfspaces, Shape{data.direction_halfspaces.size()});
-  visit("edges", data.edges, Shape{data.num_edges(), 2});
-  visit("rays", data.rays, Shape{data.num_rays(), 2});
-  visit("facet_halfspaces", data.facet_halfspaces, Shape{data.num_facets()});
-  visit("facet_offsets", data.facet_offsets, Shape{data.facet_offsets.size()});
-  visit("facet_vertices", data.facet_vertices, Shape{data.facet_vertices.size()});
-  visit("facet_direction_offsets", data.facet_direction_offsets, Shape{data.facet_direction_offsets.size()});
-  visit("facet_directions", data.facet_directions, Shape{data.facet_directions.size()});
-  visit("lineality", data.lineality, Shape{data.lineality.size() / d, d});
-  visit("dual_points", data.dual_points, Shape{data.dual_points.size() / d, d});
-  visit("dual_equations", data.dual_equations, Shape{data.dual_equations.size() / (d + 1), d + 1});
-}
+/// What IntersectionData holds as other types than arrays in files do.
+struct Converted {
+  std::vector<SignedIndex> axes, kinds;
+  explicit Converted(const IntersectionData& data) : axes(data.axes.begin(), data.axes.end()) {
+    for (const HalfspaceKind kind : data.kinds) kinds.push_back(static_cast<SignedIndex>(kind));
+  }
+};
 
 void write_npz(AtomicFile& file, const IntersectionData& data) {
   ZipWriter zip(file);
   std::string storage;
-  for_each_array(data, [&]<class T>(const char* name, const std::vector<T>& items, std::initializer_list<std::size_t> shape) {
-    constexpr std::string_view type = std::is_same_v<T, double> ? std::string_view("f8") : npy_index_type;
-    zip.add(std::string(name) + ".npy", npy_header(type, shape), little_endian_bytes(std::span<const T>(items), storage));
-  });
+  const Converted converted(data);
+  for_each_array(data, converted.axes, converted.kinds,
+                 [&]<class T>(const char* name, const std::vector<T>& items, std::initializer_list<std::size_t> shape) {
+                   constexpr std::string_view type = std::is_same_v<T, double> ? std::string_view("f8") : npy_index_type;
+                   zip.add(std::string(name) + ".npy", npy_header(type, shape),
+                           little_endian_bytes(std::span<const T>(items), storage));
+                 });
   const auto add_scalar = [&](const char* name, std::int64_t value) {
     zip.add(std::string(name) + ".npy", npy_header("i8", {}),
             little_endian_bytes(std::span<const std::int64_t>(&value, 1), storage));
@@ -65,6 +45,7 @@ void write_npz(AtomicFile& file, const IntersectionData& data) {
   add_scalar("rank", data.rank);
   add_scalar("state", static_cast<std::int64_t>(data.state));
   add_scalar("bounded", data.bounded);
+  add_scalar("interior_point_is_exact", data.interior_point_is_exact);
   zip.finish();
 }
 
@@ -80,21 +61,23 @@ void put_number(AtomicFile& file, double x) {
 void put_number(AtomicFile& file, SignedIndex x) { file.put(x); }
 
 void write_json(AtomicFile& file, const IntersectionData& data) {
-  const char* const states[] = {"full", "flat", "empty"};
-  file.print("{{\n\"dimension\": {},\n\"rank\": {},\n\"state\": \"{}\",\n\"bounded\": {}", data.dimension, data.rank,
-             states[static_cast<int>(data.state)], data.bounded);
-  for_each_array(data, [&]<class T>(const char* name, const std::vector<T>& items, std::initializer_list<std::size_t> shape) {
-    file.print(",\n\"{}\": [", name);
-    const std::size_t columns = shape.size() == 2 ? *(shape.begin() + 1) : 0;
-    for (std::size_t i = 0; i < items.size(); ++i) {
-      if (columns > 0)
-        file.write(i == 0 ? "\n[" : i % columns == 0 ? "],\n[" : ", ");
-      else if (i > 0)
-        file.write(", ");
-      put_number(file, items[i]);
-    }
-    file.write(columns > 0 && !items.empty() ? "]\n]" : "]");
-  });
+  file.print("{{\n\"dimension\": {},\n\"rank\": {},\n\"state\": \"{}\",\n\"bounded\": {},\n\"interior_point_is_exact\": {}",
+             data.dimension, data.rank, state_names[static_cast<std::size_t>(data.state)], data.bounded,
+             data.interior_point_is_exact);
+  const Converted converted(data);
+  for_each_array(data, converted.axes, converted.kinds,
+                 [&]<class T>(const char* name, const std::vector<T>& items, std::initializer_list<std::size_t> shape) {
+                   file.print(",\n\"{}\": [", name);
+                   const std::size_t columns = shape.size() == 2 ? *(shape.begin() + 1) : 0;
+                   for (std::size_t i = 0; i < items.size(); ++i) {
+                     if (columns > 0)
+                       file.write(i == 0 ? "\n[" : i % columns == 0 ? "],\n[" : ", ");
+                     else if (i > 0)
+                       file.write(", ");
+                     put_number(file, items[i]);
+                   }
+                   file.write(columns > 0 && !items.empty() ? "]\n]" : "]");
+                 });
   file.write("\n}\n");
 }
 

@@ -1,0 +1,308 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What must hold for all intersections of halfspaces: nothing depends on the interior point, on the order of the rows or on
+// their lengths; hulls and intersections are dual to each other; rows may come one after the other; the check finds what is
+// wrong.
+#include "scale.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <delone/convex_hull.hpp>
+#include <delone/halfspaces.hpp>
+#include <delone/point_sets.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <map>
+#include <numeric>
+#include <random>
+#include <set>
+
+namespace {
+
+using namespace delone;
+using namespace delone::test;
+using Rows = std::vector<SignedIndex>;
+
+Rows list(std::span<const SignedIndex> items) { return {items.begin(), items.end()}; }
+
+std::vector<double> random_rows(std::mt19937& random, int d, int m, bool coarse) {
+  std::normal_distribution<double> normal;
+  std::vector<double> rows;
+  for (int r = 0; r < m; ++r) {
+    for (int j = 0; j < d; ++j) rows.push_back(coarse ? std::round(1.5 * normal(random)) : normal(random));
+    rows.push_back(coarse ? -1 - static_cast<double>(random() % 2) : -1 - std::abs(normal(random)) / 4);
+  }
+  return rows;
+}
+
+/// Vertices by their facets; directions likewise.
+std::map<Rows, std::vector<double>> vertices_of(const IntersectionData& data, const Rows& rename) {
+  std::map<Rows, std::vector<double>> result;
+  for (std::size_t v = 0; v < data.num_vertices(); ++v) {
+    Rows rows;
+    for (const SignedIndex r : data.halfspaces_of_vertex(v)) rows.push_back(rename[static_cast<std::size_t>(r)]);
+    std::sort(rows.begin(), rows.end());
+    result.emplace(rows, std::vector<double>(data.vertex(v).begin(), data.vertex(v).end()));
+  }
+  return result;
+}
+std::set<Rows> directions_of(const IntersectionData& data, const Rows& rename) {
+  std::set<Rows> result;
+  for (std::size_t u = 0; u < data.num_directions(); ++u) {
+    Rows rows;
+    for (const SignedIndex r : data.halfspaces_of_direction(u)) rows.push_back(rename[static_cast<std::size_t>(r)]);
+    std::sort(rows.begin(), rows.end());
+    result.insert(rows);
+  }
+  return result;
+}
+Rows identity(std::size_t m) {
+  Rows rows(m);
+  std::iota(rows.begin(), rows.end(), 0);
+  return rows;
+}
+
+/// The same polyhedron, whose row rename[r] is row r here.
+void expect_same(const IntersectionData& a, const IntersectionData& b, const Rows& rename) {
+  ASSERT_EQ(a.state, b.state);
+  EXPECT_EQ(a.bounded, b.bounded);
+  EXPECT_EQ(vertices_of(a, identity(a.kinds.size())), vertices_of(b, rename));
+  EXPECT_EQ(directions_of(a, identity(a.kinds.size())), directions_of(b, rename));
+  EXPECT_EQ(a.num_edges(), b.num_edges());
+  EXPECT_EQ(a.num_rays(), b.num_rays());
+  for (std::size_t r = 0; r < rename.size(); ++r) EXPECT_EQ(a.kinds[static_cast<std::size_t>(rename[r])], b.kinds[r]);
+}
+
+std::vector<double> permuted(const std::vector<double>& rows, std::size_t width, const Rows& order) {
+  std::vector<double> result;
+  for (const SignedIndex r : order)
+    result.insert(result.end(), rows.begin() + static_cast<std::ptrdiff_t>(static_cast<std::size_t>(r) * width),
+                  rows.begin() + static_cast<std::ptrdiff_t>((static_cast<std::size_t>(r) + 1) * width));
+  return result;
+}
+
+TEST(Halfspaces, NothingDependsOnInteriorPointOrderAndLength) {
+  std::mt19937 random(11);
+  for (std::size_t repeat = 0; repeat < scaled_count(40); ++repeat) {
+    const int d = 1 + static_cast<int>(repeat % 5);
+    const auto width = static_cast<std::size_t>(d) + 1;
+    std::vector<double> rows = random_rows(random, d, 6 + 4 * d, repeat % 2 == 0);
+    // Duplicates have numbers that depend on the order: each row once.
+    const IntersectionData given = HalfspaceIntersection(rows, d, std::vector<double>(static_cast<std::size_t>(d), 0.0)).data();
+    Rows first;
+    for (std::size_t r = 0; r < given.kinds.size(); ++r)
+      if (given.kinds[r] != HalfspaceKind::duplicate) first.push_back(static_cast<SignedIndex>(r));
+    rows = permuted(rows, width, first);
+    const IntersectionData data = HalfspaceIntersection(rows, d).to_data();
+    std::vector<double> near(static_cast<std::size_t>(d));
+    for (double& x : near) x = std::ldexp(1.0 + static_cast<double>(random() % 100), -12);
+    if (const IntersectionCheckReport report = check_halfspaces(data); !report.ok) FAIL() << report.violation;
+    bool inside = true;
+    for (std::size_t r = 0; r < first.size(); ++r) {
+      double sum = rows[r * width + width - 1];
+      for (std::size_t j = 0; j < near.size(); ++j) sum += rows[r * width + j] * near[j];
+      inside = inside && sum < -0.01;
+    }
+    if (inside) expect_same(data, HalfspaceIntersection(rows, d, near).data(), identity(first.size()));
+
+    Rows order = identity(first.size());
+    std::shuffle(order.begin(), order.end(), random);
+    expect_same(data, HalfspaceIntersection(permuted(rows, width, order), d).data(), order);
+
+    std::vector<double> longer = rows;
+    for (std::size_t r = 0; r < first.size(); ++r) {
+      const int exponent = static_cast<int>(random() % 1990) - 995;
+      bool exact = true;
+      for (std::size_t j = 0; j < width; ++j)
+        exact = exact && std::ldexp(std::ldexp(rows[r * width + j], exponent), -exponent) == rows[r * width + j];
+      for (std::size_t j = 0; exact && j < width; ++j) longer[r * width + j] = std::ldexp(rows[r * width + j], exponent);
+    }
+    expect_same(data, HalfspaceIntersection(longer, d).data(), identity(first.size()));
+    Options options;
+    options.force_runtime_dimension = true;
+    options.order = InsertionOrder::shuffled;
+    options.seed = repeat;
+    expect_same(data, HalfspaceIntersection(longer, d, options).data(), identity(first.size()));
+    if (HasFailure()) FAIL() << "dimension " << d << ", repeat " << repeat;
+  }
+}
+
+TEST(Halfspaces, RowsMayComeOneAfterTheOther) {
+  std::mt19937 random(12);
+  for (std::size_t repeat = 0; repeat < scaled_count(30); ++repeat) {
+    const int d = 1 + static_cast<int>(repeat % 4);
+    const auto width = static_cast<std::size_t>(d) + 1;
+    const std::vector<double> rows = random_rows(random, d, 5 + 4 * d, repeat % 3 != 0);
+    const std::vector<double> origin(static_cast<std::size_t>(d), 0.0);
+    HalfspaceIntersection growing({}, d, origin);
+    for (std::size_t at = 0; at < rows.size();) {
+      const std::size_t next = std::min(rows.size(), at + width * (1 + random() % 3));
+      growing.add_halfspaces(std::span(rows).subspan(at, next - at));
+      at = next;
+      const IntersectionData whole = HalfspaceIntersection(std::span(rows).first(at), d, origin).data();
+      expect_same(whole, growing.data(), identity(at / width));
+      EXPECT_EQ(whole.rank, growing.rank());
+    }
+    if (const IntersectionCheckReport report = check_halfspaces(growing.to_data()); !report.ok) FAIL() << report.violation;
+    if (HasFailure()) return;
+  }
+}
+
+/// The points of a lattice in a ball are so dual to the facets of their hull: n·x ≤ 1 for integer n has the points as facets.
+TEST(Halfspaces, DualOfTheHullHasTheExtremePointsAsFacets) {
+  std::mt19937 random(13);
+  for (std::size_t repeat = 0; repeat < scaled_count(24); ++repeat) {
+    const int d = 2 + static_cast<int>(repeat % 4);
+    const auto size = static_cast<std::size_t>(d);
+    std::uniform_int_distribution<int> coordinate(-3, 3);
+    std::vector<double> points;
+    for (std::size_t j = 0; j < size; ++j)
+      for (const double sign : {-1.0, 1.0})  // the origin is inside
+        for (std::size_t c = 0; c < size; ++c) points.push_back(c == j ? sign : 0.0);
+    for (int i = 0; i < 30; ++i)
+      for (std::size_t j = 0; j < size; ++j) points.push_back(coordinate(random));
+    std::vector<double> rows;
+    for (std::size_t i = 0; i < points.size(); i += size) {
+      rows.insert(rows.end(), points.begin() + static_cast<std::ptrdiff_t>(i),
+                  points.begin() + static_cast<std::ptrdiff_t>(i + size));
+      rows.push_back(-1);
+    }
+    const Polytope hull(points, d);
+    const HullData& polytope = hull.data();
+    const HalfspaceIntersection dual(rows, d, std::vector<double>(size, 0.0));
+    const IntersectionData& data = dual.data();
+    EXPECT_TRUE(data.bounded);
+    EXPECT_EQ(data.facet_halfspaces, polytope.vertices);
+    EXPECT_EQ(data.num_vertices(), polytope.num_facets());
+    EXPECT_EQ(data.num_edges(), polytope.num_ridges());
+    std::set<Rows> facets, vertices;
+    for (std::size_t f = 0; f < polytope.num_facets(); ++f)
+      facets.insert(list(std::span(polytope.facet_vertices)
+                             .subspan(static_cast<std::size_t>(polytope.facet_offsets[f]),
+                                      static_cast<std::size_t>(polytope.facet_offsets[f + 1] - polytope.facet_offsets[f]))));
+    for (std::size_t v = 0; v < data.num_vertices(); ++v) vertices.insert(list(data.halfspaces_of_vertex(v)));
+    EXPECT_EQ(facets, vertices);
+    for (std::size_t r = 0; r < polytope.point_kinds.size(); ++r)
+      EXPECT_EQ(static_cast<int>(data.kinds[r] == HalfspaceKind::touching),
+                static_cast<int>(polytope.point_kinds[r] == PointKind::boundary))
+          << r;
+    EXPECT_NEAR(dual.dual_volume() / hull.volume().value, 1, 1e-12);
+    EXPECT_NEAR(dual.dual_area() / hull.area().value, 1, 1e-12);
+    EXPECT_EQ(data.dual_points, points);
+    if (HasFailure()) return;
+  }
+}
+
+TEST(Halfspaces, ExtremeRanges) {
+  constexpr double tiny = std::numeric_limits<double>::denorm_min(), huge = std::numeric_limits<double>::max();
+  for (const double size : {tiny, 1e-300, 1e-160, 1e160, 1e300, huge / 2})
+    for (int d = 1; d <= 3; ++d) {
+      std::vector<double> rows;
+      for (int j = 0; j < d; ++j)
+        for (const double sign : {-1.0, 1.0}) {
+          for (int c = 0; c < d; ++c) rows.push_back(c == j ? sign : 0.0);
+          rows.push_back(-size);
+        }
+      const HalfspaceIntersection box(rows, d);
+      ASSERT_EQ(box.state(), IntersectionState::full) << size;
+      EXPECT_EQ(box.num_vertices(), std::size_t{1} << d) << size;
+      for (const double x : box.data().vertices) EXPECT_EQ(std::abs(x), size);
+      const IntersectionCheckReport report = check_halfspaces(box.to_data());
+      EXPECT_TRUE(report.ok) << report.violation << " " << size;
+    }
+  // Beyond the doubles: x ≤ huge/tiny.
+  const HalfspaceIntersection far({{tiny, 0, -huge, -1, 0, -1, 0, 1, -1, 0, -1, -1}}, 2);
+  EXPECT_EQ(far.num_vertices(), 4u);
+  EXPECT_TRUE(far.is_bounded());
+}
+
+TEST(Halfspaces, Errors) {
+  const std::vector<double> origin{0, 0};
+  const auto error_of = [](auto work) {
+    try {
+      work();
+    } catch (const Error& e) {
+      return e;
+    }
+    return Error(Errc::unsupported, "none");
+  };
+  EXPECT_EQ(error_of([] { HalfspaceIntersection({}, 0); }).code(), Errc::bad_dimension);
+  EXPECT_EQ(error_of([] { HalfspaceIntersection({{1, 2, 3, 4}}, 2); }).code(), Errc::bad_dimension);
+  const Error nan = error_of([] { HalfspaceIntersection({{1, 2, 3, 1, NAN, 2}}, 2); });
+  EXPECT_EQ(nan.code(), Errc::not_finite);
+  EXPECT_EQ(nan.rows(), std::vector<std::size_t>{1});
+  const Error outside = error_of([&] { HalfspaceIntersection({{1, 0, -1, 0, 1, 0, 1, 1, 2}}, 2, origin); });
+  EXPECT_EQ(outside.code(), Errc::invalid_argument);
+  EXPECT_EQ(outside.rows(), (std::vector<std::size_t>{1, 2}));
+  EXPECT_EQ(error_of([&] { HalfspaceIntersection({{1, 0, -1}}, 2, {{0, 0, 0}}); }).code(), Errc::bad_dimension);
+  HalfspaceIntersection half({{1, 0, -1}}, 2, origin);
+  EXPECT_EQ(error_of([&] { half.add_halfspaces({{0, 1, 1}}); }).rows(), std::vector<std::size_t>{1});
+  EXPECT_EQ(half.num_halfspaces(), 1u);
+  Options cancelling;
+  cancelling.progress = [](double) { return false; };
+  EXPECT_EQ(error_of([&] {
+              HalfspaceIntersection({{1, 0, -1, 0, 1, -1, -1, -1, -1}}, 2, origin, cancelling);
+            }).code(),
+            Errc::cancelled);
+}
+
+TEST(Halfspaces, TheCheckFindsWhatIsWrong) {
+  std::mt19937 random(14);
+  const std::vector<double> rows = random_rows(random, 3, 14, true);
+  const IntersectionData data = HalfspaceIntersection(rows, 3).to_data();
+  ASSERT_TRUE(check_halfspaces(data).ok);
+  const auto level_of = [](const IntersectionData& wrong) {
+    const IntersectionCheckReport report = check_halfspaces(wrong);
+    EXPECT_FALSE(report.ok);
+    EXPECT_FALSE(report.violation.empty());
+    return report.reached;
+  };
+  IntersectionData wrong = data;
+  wrong.vertices.pop_back();
+  EXPECT_EQ(level_of(wrong), IntersectionCheckLevel::storage);
+  wrong = data;
+  wrong.vertices[0] = std::nextafter(wrong.vertices[0], 10.0);
+  EXPECT_EQ(level_of(wrong), IntersectionCheckLevel::support);
+  wrong = data;
+  wrong.vertex_halfspaces[0] = wrong.vertex_halfspaces[1];
+  EXPECT_EQ(level_of(wrong), IntersectionCheckLevel::support);
+  wrong = data;
+  wrong.edges.resize(wrong.edges.size() - 2);
+  EXPECT_EQ(level_of(wrong), IntersectionCheckLevel::completeness);
+  wrong = data;
+  wrong.bounded = !wrong.bounded;
+  EXPECT_EQ(level_of(wrong), IntersectionCheckLevel::completeness);
+  for (std::size_t r = 0; r < data.kinds.size(); ++r) {
+    wrong = data;
+    wrong.kinds[r] = data.kinds[r] == HalfspaceKind::redundant ? HalfspaceKind::touching : HalfspaceKind::redundant;
+    EXPECT_EQ(level_of(wrong), IntersectionCheckLevel::completeness);
+  }
+  wrong = data;
+  wrong.facet_halfspaces[1] = wrong.facet_halfspaces[0];
+  EXPECT_EQ(level_of(wrong), IntersectionCheckLevel::storage);
+  wrong = data;
+  for (std::size_t j = 0; j < 3; ++j) wrong.interior_point[j] = 2 * data.vertex(0)[j];  // the origin is inside
+  EXPECT_EQ(level_of(wrong), IntersectionCheckLevel::support);
+  // A strip, of rank 1; a square that is said to be one.
+  wrong = HalfspaceIntersection({{1, 0, -1, -1, 0, -1}}, 2).to_data();
+  EXPECT_TRUE(check_halfspaces(wrong).ok);
+  wrong.vertices[1] = 1;
+  EXPECT_EQ(level_of(wrong), IntersectionCheckLevel::support);
+  wrong.vertices[1] = 0;
+  for (const double x : {0.0, 1.0, -2.0, 0.0, -1.0, -2.0}) wrong.halfspaces.push_back(x);
+  for (const SignedIndex r : {2, 3}) {
+    wrong.first_of_halfspace.push_back(r);
+    wrong.kinds.push_back(HalfspaceKind::redundant);
+  }
+  EXPECT_EQ(level_of(wrong), IntersectionCheckLevel::support);
+  IntersectionData flat = HalfspaceIntersection({{1, 0, -1, -1, 0, 1, 0, 1, 0}}, 2).to_data();
+  EXPECT_TRUE(check_halfspaces(flat).ok);
+  flat.bounded = true;
+  EXPECT_EQ(level_of(flat), IntersectionCheckLevel::storage);
+  flat.bounded = false;
+  flat.state = IntersectionState::empty;
+  EXPECT_EQ(level_of(flat), IntersectionCheckLevel::support);
+}
+
+}  // namespace
