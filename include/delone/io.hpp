@@ -4,6 +4,7 @@
 
 #include <delone/complex.hpp>
 #include <delone/convex_hull.hpp>
+#include <delone/halfspaces.hpp>
 
 #include <functional>
 #include <string>
@@ -59,8 +60,9 @@ ComplexData read_complex(const std::string& path, const std::string& format = {}
 /// they hold.
 HullData read_hull(const std::string& path, const std::string& format = {});
 
-/// Reads whichever of the two a file holds: a hull if it has the array facet_of_cell, else a triangulation.
-std::variant<ComplexData, HullData> read_complex_or_hull(const std::string& path, const std::string& format = {});
+/// Reads whichever a file holds: a hull if it has the array facet_of_cell, an intersection of halfspaces if it has
+/// first_of_halfspace, else a triangulation.
+std::variant<ComplexData, HullData, IntersectionData> read_any(const std::string& path, const std::string& format = {});
 
 /// Writes points as .npy, .csv, .tsv, .txt/.xyz/.pts, .off, or qhull form ("-" is standard output), by extension or `format`.
 void write_points(const std::string& path, const PointTable& points, const std::string& format = {});

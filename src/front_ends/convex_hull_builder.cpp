@@ -90,17 +90,20 @@ Insertion ConvexHullBuilder::insert_end(Index site) {
   return Insertion::vertex;
 }
 
-Insertion ConvexHullBuilder::insert(Index site) {
-  const double* point = sites_.point(site);
-  if (boundary_) {
+void ConvexHullBuilder::include_sites(Index first) {
+  if (!boundary_) return;
+  bool in_box = true;
+  for (Index site = first; site < sites_.size(); ++site) {
+    const double* point = sites_.point(site);
     view_.grid.include(point);
-    bool in_box = true;
     for (std::size_t j = 0; j < view_.low.size(); ++j) in_box &= view_.low[j] <= point[j] && point[j] <= view_.high[j];
-    if (!in_box) {
-      grow_box(point, 2.0);
-      boundary_->update_box();
-    }
   }
+  if (in_box) return;
+  for (Index site = first; site < sites_.size(); ++site) grow_box(sites_.point(site), 2.0);
+  boundary_->update_box();
+}
+
+Insertion ConvexHullBuilder::insert(Index site) {
   const Insertion outcome = boundary_ ? boundary_->insert(site) : insert_end(site);
   if (outcome != Insertion::vertex) return outcome;
   ++insertions_;

@@ -6,105 +6,70 @@
 // 3), so as one moves on the boundary the number of cells that cover a point of general position does not change: it grows and
 // falls only at ridges, where one cell ends and the other begins on the other side. It is one at a point of cell 0 (level 4),
 // hence everywhere. (As Mehlhorn et al., doi:10.1016/S0925-7721(98)00036-4, check hulls.)
-#include "front_ends/canonical_hash.hpp"
-#include "front_ends/check_stages.hpp"
-#include "front_ends/convex_hull_faces.hpp"
-#include "front_ends/hull_normal.hpp"
-#include "front_ends/simplicial_hull.hpp"
-#include "kernel/predicates.hpp"
+#include "front_ends/convex_hull_check.hpp"
 
 #include <delone/convex_hull.hpp>
 
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <map>
-#include <numeric>
-#include <unordered_map>
 
 namespace delone {
 namespace front_ends {
 namespace {
 
-/// The hull as the engine's front end sees it: rows are sites.
-class ExaminedHull {
- public:
-  ExaminedHull(const HullData& data, const std::vector<double>& points) : sites(data.dimension), data_(data) {
-    sites.coordinates = points;
-    for (std::size_t row = 0; row < sites.size(); ++row) sites.grid.include(sites.point(static_cast<Index>(row)));
-    hull.dimension = data.affine_dimension;
-    hull.cells.assign(data.cells.begin(), data.cells.end());
-  }
-
-  /// The affine hull of the points, which must have the dimension that was given.
-  void find_flat() {
-    kernel::AffineHull affine_hull(sites.ambient);
-    for (Index row = 0; row < sites.size() && affine_hull.dimension() < sites.ambient; ++row)
-      if (affine_hull.add(sites.point(row))) basis.push_back(row);
-    if (affine_hull.dimension() != hull.dimension)
-      throw Violation{
-          fmt::format("the affine dimension is given as {}, but the points span {}", hull.dimension, affine_hull.dimension()),
-          {},
-          {}};
-    sites.axes = affine_hull.axes();
-    normals.emplace(hull.dimension < 1 ? 1 : hull.dimension);
-    records.resize(hull.num_cells() * normals->stride());
-    for (std::size_t c = 0; c < hull.num_cells(); ++c)
-      normals->compute(sites, hull.cell(c), hull.dimension == 1 && c == 0, records.data() + c * normals->stride());
-  }
-
-  Sign side(std::size_t c, Index row) {
-    const auto cell = hull.cell(c);
-    if (std::find(cell.begin(), cell.end(), row) != cell.end()) return Sign::zero;
-    const double* q = sites.point(row);
-    const Sign sign = normals->side(sites, records.data() + c * normals->stride(), sites.point(cell[0]), q);
-    return sign != Sign::zero ? sign : side_of_cell(sites, hull, c, q, sites.grid, scratch);
-  }
-  /// The sign of det(v_i − base) for the cell with vertex i replaced.
-  Sign replaced(std::size_t c, std::size_t i, Index row, Index base) {
-    scratch.assign(1, sites.point(base));
-    for (const Index v : hull.cell(c)) scratch.push_back(sites.point(v));
-    scratch[i + 1] = sites.point(row);
-    return kernel::orientation<0>(sites.flat(), scratch.data(), sites.grid);
-  }
-
-  std::string text(std::size_t c) const {
-    const auto corners = hull.corners();
-    return braces(std::span<const SignedIndex>(data_.cells).subspan(c * corners, corners));
-  }
-
-  HullSites sites;
-  SimplicialHull hull;
-  std::vector<Index> basis;
-  std::optional<HullNormals> normals;
-  std::vector<double> records;
-  std::vector<const double*> scratch;
-
- private:
-  const HullData& data_;
-};
-
-void check_hull_storage(const HullData& data, const ComplexData& boundary) {
-  if (data.affine_dimension < 1) {
-    if (data.dimension < 1) throw Violation{fmt::format("the dimension is {}, less than 1", data.dimension), {}, {}};
-    if (!data.cells.empty())
-      throw Violation{fmt::format("there are cells, but the affine dimension is {}", data.affine_dimension), {}, {}};
+/// Lists of rows: offsets that divide the rows, which are in range.
+void check_lists(const char* what, const std::vector<SignedIndex>& offsets, const std::vector<SignedIndex>& rows,
+                 std::size_t n) {
+  if (offsets.empty()) {
+    if (!rows.empty()) throw Violation{fmt::format("the {}s have vertices, but no offsets", what), {}, {}};
     return;
   }
-  if (data.affine_dimension > data.dimension)
+  if (offsets.front() != 0 || static_cast<std::size_t>(offsets.back()) != rows.size())
+    throw Violation{fmt::format("the offsets of the {}s go from {} to {}, for {} vertices", what, offsets.front(),
+                                offsets.back(), rows.size()),
+                    {},
+                    {}};
+  for (std::size_t i = 0; i + 1 < offsets.size(); ++i)
+    if (offsets[i] > offsets[i + 1])
+      throw Violation{fmt::format("the offsets of the {}s fall from {} to {}", what, offsets[i], offsets[i + 1]), {}, {}};
+  for (const SignedIndex row : rows)
+    if (row < 0 || static_cast<std::size_t>(row) >= n)
+      throw Violation{fmt::format("a {} has the vertex {}, but there are {} points", what, row, n), {}, {}};
+}
+
+void check_hull_storage(const HullData& data, const ComplexData& boundary) {
+  if (data.affine_dimension < -1 || data.affine_dimension > data.dimension)
     throw Violation{fmt::format("the affine dimension is {}, outside -1...{}", data.affine_dimension, data.dimension), {}, {}};
   check_storage(boundary);
-  if (data.cells.empty()) throw Violation{"there is no cell", {}, {}};
-  const std::size_t f = data.num_facets();
-  if (!data.facet_of_cell.empty() && data.facet_of_cell.size() != data.num_cells())
+  const std::size_t n = boundary.num_points(), m = data.num_cells(), f = data.num_facets();
+  const auto expect_size = [](const char* what, std::size_t actual, const char* of, std::size_t expected) {
+    if (actual != 0 && actual != expected)
+      throw Violation{fmt::format("{} entries in {} for {} {}", actual, what, expected, of), {}, {}};
+  };
+  if (data.affine_dimension >= 1 && m == 0) throw Violation{"there is no cell", {}, {}};
+  if (data.affine_dimension < 1 && f + data.num_ridges() > 0)
+    throw Violation{fmt::format("there are facets or ridges, but the affine dimension is {}", data.affine_dimension), {}, {}};
+  expect_size("facet_of_cell", data.facet_of_cell.size(), "cells", m);
+  expect_size("equations", data.equations.size() / (static_cast<std::size_t>(data.dimension) + 1), "facets", f);
+  expect_size("equation_errors", data.equation_errors.size(), "facets", f);
+  expect_size("vertex_of_point", data.vertex_of_point.size(), "points", n);
+  expect_size("point_kinds", data.point_kinds.size(), "points", n);
+  if (data.ridge_offsets.size() != data.num_ridges() + 1 && !(data.ridge_offsets.empty() && data.num_ridges() == 0))
     throw Violation{
-        fmt::format("{} entries in facet_of_cell for {} cells", data.facet_of_cell.size(), data.num_cells()), {}, {}};
+        fmt::format("{} entries in ridge_offsets for {} ridges", data.ridge_offsets.size(), data.num_ridges()), {}, {}};
+  check_lists("facet", data.facet_offsets, data.facet_vertices, n);
+  check_lists("ridge", data.ridge_offsets, data.ridge_vertices, n);
   for (std::size_t c = 0; c < data.facet_of_cell.size(); ++c)
     if (data.facet_of_cell[c] < 0 || static_cast<std::size_t>(data.facet_of_cell[c]) >= f)
       throw Violation{
           fmt::format("cell {} is part of facet {}, but there are {} facets", c, data.facet_of_cell[c], f), {c}, {}};
-  if (!data.point_kinds.empty() && data.point_kinds.size() != boundary.num_points())
-    throw Violation{fmt::format("{} kinds for {} points", data.point_kinds.size(), boundary.num_points()), {}, {}};
+  for (std::size_t i = 0; i < data.ridge_facets.size(); ++i)
+    if (data.ridge_facets[i] < 0 || static_cast<std::size_t>(data.ridge_facets[i]) >= f)
+      throw Violation{fmt::format("ridge {} is of facet {}, but there are {} facets", i / 2, data.ridge_facets[i], f), {}, {}};
+  for (const SignedIndex row : data.vertices)
+    if (row < 0 || static_cast<std::size_t>(row) >= n)
+      throw Violation{fmt::format("the extreme points include {}, but there are {} points", row, n), {}, {}};
 }
 
 void check_closed(ExaminedHull& examined, const ComplexData& boundary) {
@@ -131,16 +96,6 @@ void check_closed(ExaminedHull& examined, const ComplexData& boundary) {
     const auto other = static_cast<std::size_t>(std::find(reached.begin(), reached.end(), 0) - reached.begin());
     throw Violation{fmt::format("the boundary falls apart: cell {} cannot be reached from cell 0", other), {0, other}, {}};
   }
-}
-
-/// The vertex opposite the ridge that cell c shares across its vertex i.
-Index apex_across(const SimplicialHull& hull, std::size_t c, std::size_t i) {
-  const auto cell = hull.cell(c);
-  const auto other = hull.cell(hull.neighbors_of(c)[i]);
-  return *std::find_if(other.begin(), other.end(), [&](Index v) {
-    const auto at = std::find(cell.begin(), cell.end(), v);
-    return at == cell.end() || at == cell.begin() + static_cast<std::ptrdiff_t>(i);
-  });
 }
 
 std::size_t check_convexity(ExaminedHull& examined) {
@@ -196,65 +151,6 @@ void check_support(ExaminedHull& examined) {
   }
 }
 
-void check_faces(ExaminedHull& examined, const HullData& data) {
-  const SimplicialHull& hull = examined.hull;
-  const std::size_t n = examined.sites.size();
-  std::vector<std::pair<Index, Index>> pairs;
-  for (std::size_t c = 0; hull.dimension > 1 && c < hull.num_cells(); ++c)
-    for (std::size_t i = 0; i < hull.corners(); ++i)
-      if (const Index across = hull.neighbors_of(c)[i]; across > c && examined.side(c, apex_across(hull, c, i)) == Sign::zero)
-        pairs.emplace_back(static_cast<Index>(c), across);
-  const PolytopeFaces faces = find_faces(hull, n, pairs);
-  const Lists facet_sites = find_facet_sites(hull, faces);
-  if (!data.facet_of_cell.empty()) {
-    if (faces.num_facets() != data.num_facets())
-      throw Violation{fmt::format("{} facets are given, the cells make {}", data.num_facets(), faces.num_facets()), {}, {}};
-    std::vector<SignedIndex> given_of(faces.num_facets(), -1);
-    for (std::size_t c = 0; c < hull.num_cells(); ++c) {
-      SignedIndex& given = given_of[faces.facet_of_cell[c]];
-      if (given < 0) given = data.facet_of_cell[c];
-      if (given != data.facet_of_cell[c])
-        throw Violation{
-            fmt::format("cell {} is part of facet {}, but lies in the hyperplane of facet {}", c, data.facet_of_cell[c], given),
-            {c},
-            {}};
-    }
-    for (std::size_t f = 0; f < faces.num_facets(); ++f) {
-      const auto given = static_cast<std::size_t>(given_of[f]);
-      const std::vector<SignedIndex> expected(facet_sites[f].begin(), facet_sites[f].end());
-      const std::span<const SignedIndex> actual(data.facet_vertices.data() + data.facet_offsets[given],
-                                                data.facet_vertices.data() + data.facet_offsets[given + 1]);
-      if (!std::equal(expected.begin(), expected.end(), actual.begin(), actual.end()))
-        throw Violation{
-            fmt::format("facet {} has the extreme points {}, given are {}", given, braces(expected), braces(actual)), {}, {}};
-    }
-  }
-  std::unordered_map<std::string_view, Index> first_at;
-  const auto bytes = [&](std::vector<double>& key, Index row) {
-    key.assign(examined.sites.point(row), examined.sites.point(row) + examined.sites.ambient);
-    for (double& x : key) x += 0.0;  // −0 equals +0
-    return std::string_view(reinterpret_cast<const char*>(key.data()), key.size() * sizeof(double));
-  };
-  std::vector<std::vector<double>> keys(n);
-  for (Index row = 0; row < n && !data.point_kinds.empty(); ++row) {
-    const bool duplicate = !first_at.emplace(bytes(keys[row], row), row).second;
-    PointKind kind = duplicate ? PointKind::duplicate : faces.is_extreme[row] ? PointKind::extreme : PointKind::interior;
-    if (hull.dimension == 0 && row == 0) kind = PointKind::extreme;
-    for (std::size_t c = 0; kind == PointKind::interior && c < hull.num_cells(); ++c)
-      if (examined.side(c, row) == Sign::zero) kind = PointKind::boundary;
-    if (kind != data.point_kinds[row]) {
-      constexpr const char* names[] = {"extreme", "on the boundary", "in the interior", "a duplicate"};
-      throw Violation{fmt::format("point {} is {}, but is said to be {}", row, names[static_cast<int>(kind)],
-                                  names[static_cast<int>(data.point_kinds[row]) & 3]),
-                      {},
-                      {row}};
-    }
-    const bool listed = std::binary_search(data.vertices.begin(), data.vertices.end(), static_cast<SignedIndex>(row));
-    if (listed != (kind == PointKind::extreme))
-      throw Violation{fmt::format("point {} is {}in the list of extreme points", row, listed ? "" : "not "), {}, {row}};
-  }
-}
-
 }  // namespace
 }  // namespace front_ends
 
@@ -263,7 +159,7 @@ HullCheckReport check_hull(const HullData& data, HullCheckLevel up_to) {
   HullCheckReport report;
   ComplexData boundary;  // cells of k vertices: a complex of dimension k−1
   boundary.dimension = data.dimension;
-  boundary.affine_dimension = data.affine_dimension - 1;
+  boundary.affine_dimension = std::max(data.affine_dimension - 1, -1);
   boundary.points = data.points;
   boundary.cells = data.cells;
   boundary.neighbors = data.neighbors;
@@ -289,7 +185,7 @@ HullCheckReport check_hull(const HullData& data, HullCheckLevel up_to) {
           if (has_cells) check_support(*examined);
           break;
         case HullCheckLevel::completeness:
-          check_faces(*examined, data);
+          check_hull_faces(*examined, data);
           break;
       }
     }

@@ -63,6 +63,14 @@ bool has_company(Index v, const Lists& sites_of_facet, std::span<const Index> fa
 /// The facets in increasing numbers of their first cells.
 void number_facets(const SimplicialHull& hull, std::span<const std::pair<Index, Index>> coplanar, PolytopeFaces& faces) {
   const std::size_t m = hull.num_cells();
+  if (coplanar.empty()) {  // each cell is a facet
+    faces.facet_of_cell.resize(m);
+    std::iota(faces.facet_of_cell.begin(), faces.facet_of_cell.end(), Index{0});
+    faces.cells_of_facet.items = faces.facet_of_cell;
+    faces.cells_of_facet.offsets.resize(m + 1);
+    std::iota(faces.cells_of_facet.offsets.begin(), faces.cells_of_facet.offsets.end(), std::size_t{0});
+    return;
+  }
   UnionFind sets(m);
   for (const auto& [a, b] : coplanar) sets.unite(a, b);
   faces.facet_of_cell.resize(m);
@@ -108,13 +116,16 @@ PolytopeFaces find_faces(const SimplicialHull& hull, std::size_t num_sites, std:
   PolytopeFaces faces;
   number_facets(hull, coplanar, faces);
   faces.is_extreme.assign(num_sites, 0);
+  if (coplanar.empty()) {
+    for (const Index site : hull.cells) faces.is_extreme[site] = 1;
+    return faces;
+  }
   std::vector<Index> merged;  // cells of facets that have several
   for (std::size_t c = 0; c < hull.num_cells(); ++c)
     if (faces.cells_of_facet[faces.facet_of_cell[c]].size() > 1)
       merged.push_back(static_cast<Index>(c));
     else
       for (const Index site : hull.cell(c)) faces.is_extreme[site] = 1;
-  if (merged.empty()) return faces;
 
   std::vector<std::pair<Index, Index>> facet_and_site, site_and_facet;
   for (const Index c : merged)

@@ -2,11 +2,12 @@
 #include "front_ends/convex_hull_state.hpp"
 
 #include "front_ends/canonical_hash.hpp"
+#include "front_ends/convex_hull_outermost.hpp"
 #include "front_ends/point_rows.hpp"
 
 #include <algorithm>
 #include <chrono>
-#include <numeric>
+#include <utility>
 
 namespace delone::front_ends {
 namespace {
@@ -78,37 +79,100 @@ void HullState::insert(Index site) {
   if (builder_->insert(site) == Insertion::interior) is_surely_interior_[site] = 1;
 }
 
-void HullState::insert_range(std::span<const double> coordinates, const Options& options) {
+/// Rows to sites.
+void HullState::add_rows(std::span<const double> coordinates) {
   const std::size_t n = coordinates.size() / ambient(), first_row = num_rows();
-  const auto first_site = static_cast<Index>(sites_.size());
-  auto start = Clock::now();
   site_of_row_.reserve(first_row + n);
+  site_at_.reserve(sites_.size() + n);
+  sites_.coordinates.reserve(sites_.coordinates.size() + coordinates.size());
+  // Tags are known some rows ahead: the table is large, and what is asked of it is not in the cache.
+  constexpr std::size_t ahead = 16;
+  std::uint64_t tags[ahead];
+  const auto foresee = [&](std::size_t i) {
+    if (i >= n) return;
+    tags[i % ahead] = point_tag(coordinates.data() + i * ambient(), sites_.ambient).low;
+    site_at_.prefetch(tags[i % ahead]);
+  };
+  for (std::size_t i = 0; i < ahead; ++i) foresee(i);
   for (std::size_t i = 0; i < n; ++i) {
     const double* point = coordinates.data() + i * ambient();
-    const std::uint64_t tag = point_tag(point, sites_.ambient).low;
+    const std::uint64_t tag = tags[i % ahead];
+    foresee(i + ahead);
     const Index site = find_site(tag, point);
     site_of_row_.push_back(site != invalid_index ? site : add_site(point, first_row + i, tag));
   }
-  std::vector<Index> order =
-      insertion_order({std::span<const double>(sites_.coordinates).subspan(first_site * ambient()), sites_.ambient}, options);
-  for (Index& site : order) site += first_site;
+}
+
+/// Takes out the sites that are in the interior already, if a sample says that they are many.
+void HullState::drop_interior(std::vector<Index>& sites, ProgressMeter& progress) {
+  constexpr std::size_t sample = 64, rows_per_report = 1024;
+  if (sites.size() < 2 * sample) return;
+  std::size_t interior = 0;
+  for (std::size_t i = 0; i < sample; ++i) interior += builder_->is_surely_interior(sites[i * (sites.size() / sample)]) ? 1 : 0;
+  if (interior < sample / 4) return;
+  std::size_t seen = 0;
+  std::erase_if(sites, [&](Index site) {
+    if (++seen % rows_per_report == 0) progress(0);
+    const bool is_interior = builder_->is_surely_interior(site);
+    is_surely_interior_[site] = is_interior ? 1 : 0;
+    return is_interior;
+  });
+}
+
+void HullState::put_in_order(std::vector<Index>& sites, const Options& options) const {
+  std::vector<double> coordinates;
+  coordinates.reserve(sites.size() * ambient());
+  for (const Index site : sites) coordinates.insert(coordinates.end(), sites_.point(site), sites_.point(site) + ambient());
+  std::vector<Index> order = insertion_order({coordinates, sites_.ambient}, options);
+  for (Index& at : order) at = sites[at];
+  sites = std::move(order);
+}
+
+void HullState::insert_range(std::span<const double> coordinates, const Options& options) {
+  const auto first_site = static_cast<Index>(sites_.size());
+  auto start = Clock::now();
+  add_rows(coordinates);
   earlier_.order_seconds += seconds_since(start);
 
   start = Clock::now();
+  std::vector<Index> outermost;
+  if (options.order != InsertionOrder::as_given) outermost = outermost_sites(sites_, first_site);
   bool raised = false;
-  for (const Index site : order) raised |= raise(site);
-  if (raised) {
-    // Sites of earlier calls are inserted again.
+  for (const Index site : outermost) raised |= raise(site);
+  for (Index site = first_site; site < sites_.size() && affine_hull_.dimension() < sites_.ambient; ++site)
+    raised |= raise(site);
+  if (raised)
     restart();
-    std::vector<Index> all(first_site);
-    std::iota(all.begin(), all.end(), Index{0});
-    order.insert(order.begin(), all.begin(), all.end());
-    for (const Index site : basis_) order.erase(std::find(order.begin(), order.end(), site));
+  else if (builder_)
+    builder_->include_sites(first_site);
+  if (!builder_) {
+    earlier_.build_seconds += seconds_since(start);
+    return;
   }
-  ProgressMeter progress(options.progress, order.size());
-  for (std::size_t i = 0; builder_ && i < order.size(); ++i) {
-    insert(order[i]);
-    progress(i + 1);
+
+  // Sites of earlier calls are inserted again into a boundary that begins anew.
+  std::vector<char> is_done(sites_.size(), 0);
+  if (raised)
+    for (const Index site : basis_) is_done[site] = 1;
+  std::vector<Index> pending;
+  for (Index site = raised ? 0 : first_site; site < sites_.size(); ++site)
+    if (!is_done[site]) pending.push_back(site);
+  ProgressMeter progress(options.progress, pending.size());
+  for (const Index site : outermost)
+    if (!std::exchange(is_done[site], 1)) insert(site);
+  std::erase_if(pending, [&](Index site) { return is_done[site] != 0; });
+  if (!outermost.empty()) drop_interior(pending, progress);
+  earlier_.build_seconds += seconds_since(start);
+
+  start = Clock::now();
+  put_in_order(pending, options);
+  earlier_.order_seconds += seconds_since(start);
+
+  start = Clock::now();
+  const std::size_t done = sites_.size() - (raised ? 0 : first_site) - pending.size();
+  for (std::size_t i = 0; i < pending.size(); ++i) {
+    insert(pending[i]);
+    progress(done + i + 1);
   }
   earlier_.build_seconds += seconds_since(start);
 }
@@ -126,6 +190,7 @@ HullInsertResult HullState::insert_in_flat(const double* point) {
   const auto site = static_cast<Index>(sites_.size());
   try {
     add_site(point, result.row, tag);
+    builder_->include_sites(site);
     const Insertion outcome = builder_->insert(site);
     result.inserted = outcome == Insertion::vertex;
     is_surely_interior_[site] = outcome == Insertion::interior ? 1 : 0;

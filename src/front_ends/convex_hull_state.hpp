@@ -56,7 +56,10 @@ class HullState {
   bool raise(Index site);
   void restart();
   void note_effort(Statistics& sum) const;
+  void add_rows(std::span<const double> coordinates);
   void insert(Index site);
+  void drop_interior(std::vector<Index>& sites, ProgressMeter& progress);
+  void put_in_order(std::vector<Index>& sites, const Options& options) const;
 
   HullSites sites_;
   kernel::AffineHull affine_hull_;

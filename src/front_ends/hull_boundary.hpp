@@ -32,6 +32,8 @@ class HullBoundary {
 
   /// Inserts a site. Strong guarantee.
   virtual Insertion insert(Index site) = 0;
+  /// Whether a site is in the interior for certain; false says nothing. Walks from where the last insertion or question ended.
+  virtual bool is_surely_interior(Index site) = 0;
   /// Takes over the view's box, which has changed.
   virtual void update_box() = 0;
   /// A copy that reads sites and view from other places.

@@ -8,13 +8,17 @@
 #include "geometry/hull_geometry.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstddef>
 #include <utility>
 
 namespace delone::front_ends {
 
 template <int K>
 class HullBoundaryOfDimension final : public HullBoundary {
+  using Query = typename geometry::HullGeometry<K>::Query;
+
  public:
   HullBoundaryOfDimension(const HullSites& sites, const HullView& view, std::vector<Index> simplex)
       : HullBoundaryOfDimension(sites, view, std::move(simplex), nullptr) {
@@ -32,6 +36,7 @@ class HullBoundaryOfDimension final : public HullBoundary {
     const Index v = site + 1;
     const auto q = geometry_.make_query(sites_.point(site));
     if (view_.is_inside) {
+      if (walk(q) == Sign::positive) return Insertion::interior;
       if (engine::insert(cells_, geometry_, v, q, work_.last_cell, work_, effort_) == invalid_index) {
         // q is in the cone of the cell where the walk ended.
         const auto h = geometry_.evaluator(q);
@@ -44,6 +49,10 @@ class HullBoundaryOfDimension final : public HullBoundary {
     }
     work_.last_cell = work_.star().back().created;
     return Insertion::vertex;
+  }
+
+  bool is_surely_interior(Index site) override {
+    return view_.is_inside && walk(geometry_.make_query(sites_.point(site))) == Sign::positive;
   }
 
   void update_box() override {
@@ -67,12 +76,13 @@ class HullBoundaryOfDimension final : public HullBoundary {
       compact[cell] = static_cast<Index>(hull.slots.size());
       hull.slots.push_back(cell);
     }
-    hull.cells.reserve(hull.slots.size() * k);
-    hull.neighbors.reserve(hull.slots.size() * k);
+    hull.cells.resize(hull.slots.size() * k);
+    hull.neighbors.resize(hull.slots.size() * k);
+    Index *vertex = hull.cells.data(), *neighbor = hull.neighbors.data();
     for (const Index cell : hull.slots)
       for (std::size_t i = 0; i < k; ++i) {
-        hull.cells.push_back(cells_.vertices(cell)[i] - 1);
-        hull.neighbors.push_back(compact[cells_.neighbors(cell)[i]]);
+        *vertex++ = cells_.vertices(cell)[i] - 1;
+        *neighbor++ = compact[cells_.neighbors(cell)[i]];
       }
     return hull;
   }
@@ -85,8 +95,11 @@ class HullBoundaryOfDimension final : public HullBoundary {
       const auto h = geometry_.evaluator(q);
       return h.value(cell) > h.threshold(cell);
     };
+    constexpr std::size_t ahead = 4;  // cells whose neighbors are on the way from memory
     for (Index c = 0; c < hull.num_cells(); ++c) {
       const Index cell = hull.slots[c];
+      if (c + ahead < hull.num_cells())
+        for (int i = 0; i <= cells_.dimension(); ++i) cells_.prefetch(cells_.neighbors(hull.slots[c + ahead])[i]);
       for (int i = 0; i <= cells_.dimension(); ++i) {
         const Index across = cells_.neighbors(cell)[i];
         if (across < cell) continue;
@@ -114,9 +127,7 @@ class HullBoundaryOfDimension final : public HullBoundary {
         *std::min_element(starts.begin(), starts.end(), [&](Index a, Index b) { return h.value(a) < h.value(b); });
     const auto [outcome, walk] = engine::descend(cells_, geometry_, q, start);
     if (reach(q) > 1) return {walk.cell, certain_side(walk.cell, point) == Sign::negative ? Sign::negative : Sign::zero};
-    return {walk.cell, outcome == engine::Descent::conflict ? Sign::negative
-                       : outcome == engine::Descent::hidden ? Sign::positive
-                                                            : Sign::zero};
+    return {walk.cell, certain_sign(outcome, q, walk.cell)};
   }
 
   const engine::Effort& effort() const override { return effort_; }
@@ -147,6 +158,45 @@ class HullBoundaryOfDimension final : public HullBoundary {
     return vertices;
   }
 
+  /// What a descent that ended in `cell` has proved: − q is beyond some cell, + it is in the interior of the hull.
+  Sign certain_sign(engine::Descent outcome, const Query& q, Index cell) const {
+    if (outcome == engine::Descent::conflict) return Sign::negative;
+    return outcome == engine::Descent::hidden || is_above_plateau(q, cell) ? Sign::positive : Sign::zero;
+  }
+  /// Walks towards q from where the last walk ended.
+  Sign walk(const Query& q) {
+    const auto [outcome, walk] = engine::descend(cells_, geometry_, q, work_.last_cell);
+    work_.last_cell = walk.cell;
+    return certain_sign(outcome, q, walk.cell);
+  }
+
+  /// Whether q is in the interior for certain, by the cells around one whose functional is nearly the least at q: cells of one
+  /// facet of the polytope have equal functionals, of which the descent knows no least.
+  ///
+  /// A set of cells is collected until each neighbor outside of it is certainly greater than the cell of the set it is a
+  /// neighbor of. The cell of the set that is truly the least then has no lesser neighbor, nor has any cell of its facet, all
+  /// of which are in the set; so it is the least of all (a local minimum of a linear function on the polar polytope), and
+  /// positive as all of the set are.
+  bool is_above_plateau(const Query& q, Index cell) const {
+    constexpr std::size_t most_cells = 32;
+    std::array<Index, most_cells> plateau{cell};
+    std::size_t size = 1;
+    const auto h = geometry_.evaluator(q);
+    for (std::size_t next = 0; next < size; ++next) {
+      const double value = h.value(plateau[next]), threshold = h.threshold(plateau[next]);
+      if (!(value > threshold)) return false;
+      const Index* neighbors = cells_.neighbors(plateau[next]);
+      for (int i = 0; i <= cells_.dimension(); ++i) {
+        if (h.value(neighbors[i]) - h.threshold(neighbors[i]) > value + threshold) continue;
+        const auto end = plateau.begin() + static_cast<std::ptrdiff_t>(size);
+        if (std::find(plateau.begin(), end, neighbors[i]) != end) continue;
+        if (size == most_cells) return false;
+        plateau[size++] = neighbors[i];
+      }
+    }
+    return true;
+  }
+
   int mirror_index(Index cell, Index across) const {
     const Index* back = cells_.neighbors(across);
     int i = 0;
@@ -156,7 +206,7 @@ class HullBoundaryOfDimension final : public HullBoundary {
 
   /// Thresholds are for rows in [−1, 1]. Functionals are off by a linear function of the row, and evaluations round in
   /// proportion to it, so for a row outside the threshold grows by this factor.
-  double reach(const typename geometry::HullGeometry<K>::Query& q) const {
+  double reach(const Query& q) const {
     double largest = 1;
     for (std::size_t r = 0; r < sites_.axes.size(); ++r)
       if (const double x = std::fabs(q.row[r]); !(x <= largest)) largest = x;
@@ -164,7 +214,7 @@ class HullBoundaryOfDimension final : public HullBoundary {
   }
 
   /// A cell in conflict with q, or invalid_index: all cells are asked.
-  Index find_conflict(const typename geometry::HullGeometry<K>::Query& q) {
+  Index find_conflict(const Query& q) {
     for (Index cell = 0; cell < cells_.num_slots(); ++cell)
       if (!cells_.is_vacant(cell) && engine::in_conflict_exactly(cells_, geometry_, cell, q, effort_.stages)) return cell;
     return invalid_index;

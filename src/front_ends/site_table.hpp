@@ -24,6 +24,15 @@ class SiteTable {
     }
   }
 
+  /// Makes room for n sites in all.
+  void reserve(std::size_t n) {
+    while (2 * n > entries_.size()) grow();
+  }
+  /// Asks the memory for what find() and add() will look at.
+  void prefetch(std::uint64_t tag) const {
+    if (!entries_.empty()) __builtin_prefetch(&entries_[tag & mask()], 1);
+  }
+
   /// Throws std::bad_alloc, and then changes nothing.
   void add(std::uint64_t tag, Index site) {
     if (2 * (size_ + 1) > entries_.size()) grow();

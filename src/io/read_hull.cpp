@@ -3,6 +3,7 @@
 #include "io/collect.hpp"
 #include "io/file.hpp"
 #include "io/hull_arrays.hpp"
+#include "io/intersection_arrays.hpp"
 #include "io/npy.hpp"
 #include "io/raw_complex.hpp"
 #include "io/text_cursor.hpp"
@@ -195,13 +196,13 @@ HullData read_json_hull(std::string_view bytes, const std::string& name) {
   });
 }
 
-bool holds_hull(std::string_view bytes, const std::string& format, const std::string& name) {
-  // No text that a complex may hold has quotes, but for names.
-  if (format == "json") return bytes.find('"' + std::string(hull_mark) + '"') != std::string_view::npos;
+bool holds_array(const char* array, std::string_view bytes, const std::string& format, const std::string& name) {
+  // No text that these files may hold has quotes, but for names.
+  if (format == "json") return bytes.find('"' + std::string(array) + '"') != std::string_view::npos;
   if (format != "npz") return false;
   const ZipReader zip(bytes, name);
   for (const ZipMember& member : zip.members())
-    if (member.name == std::string(hull_mark) + ".npy") return true;
+    if (member.name == std::string(array) + ".npy") return true;
   return false;
 }
 
@@ -217,14 +218,16 @@ HullData read_hull(const std::string& path, const std::string& format) {
   });
 }
 
-std::variant<ComplexData, HullData> read_complex_or_hull(const std::string& path, const std::string& format) {
-  using Result = std::variant<ComplexData, HullData>;
+std::variant<ComplexData, HullData, IntersectionData> read_any(const std::string& path, const std::string& format) {
+  using Result = std::variant<ComplexData, HullData, IntersectionData>;
   const std::string chosen =
-      io::choose_format(path, format, "json", {"npz", "json", "off"}, "reading a triangulation or a hull");
+      io::choose_format(path, format, "json", {"npz", "json", "off"}, "reading a triangulation, a hull or an intersection");
   const std::string name = io::input_name(path);
   return io::guarded(name, [&]() -> Result {
     const io::Bytes file = io::read_all(path);
-    if (!io::holds_hull(file.view(), chosen, name)) return io::read_complex_in(chosen, file.view(), name);
+    if (io::holds_array(io::intersection_mark, file.view(), chosen, name))
+      return io::read_intersection_in(chosen, file.view(), name);
+    if (!io::holds_array(io::hull_mark, file.view(), chosen, name)) return io::read_complex_in(chosen, file.view(), name);
     return chosen == "npz" ? io::read_npz_hull(file.view(), name) : io::read_json_hull(file.view(), name);
   });
 }

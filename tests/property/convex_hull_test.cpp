@@ -339,6 +339,23 @@ TEST(CheckHull, FindsWhatIsWrong) {
   bad = good;
   bad.facet_of_cell[0] = bad.facet_of_cell[0] == 0 ? 1 : 0;
   EXPECT_EQ(reached(bad), HullCheckLevel::completeness);
+  bad = good;
+  for (SignedIndex& facet : bad.facet_of_cell) facet = std::min<SignedIndex>(facet, 4);  // two facets as one
+  EXPECT_EQ(reached(bad), HullCheckLevel::completeness);
+  bad = good;
+  bad.ridge_facets.resize(22), bad.ridge_offsets.pop_back(), bad.ridge_vertices.resize(22);  // 11 ridges
+  EXPECT_EQ(reached(bad), HullCheckLevel::completeness);
+  bad.ridge_facets.push_back(0);
+  bad.ridge_facets.push_back(6);
+  EXPECT_EQ(reached(bad), HullCheckLevel::storage);
+  bad = good;
+  std::swap(bad.facet_vertices[0], bad.facet_vertices[1]);
+  EXPECT_EQ(reached(bad), HullCheckLevel::completeness);
+  bad = good;
+  bad.equations[3] += 16 * (bad.equation_errors[0] + 0x1p-52);
+  EXPECT_EQ(reached(bad), HullCheckLevel::completeness);
+  bad.equation_errors.clear();  // nothing is promised
+  EXPECT_TRUE(check_hull(bad).ok);
 }
 
 }  // namespace
