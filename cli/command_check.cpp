@@ -1,12 +1,18 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// delone check: the six levels, exactly, on a triangulation from any program.
+// delone check: the six levels, exactly, on a triangulation from any program; the five of a hull or of a Voronoi diagram and
+// the three of an intersection of halfspaces on what delone wrote.
+#include "check_halfspaces.hpp"
+#include "check_voronoi.hpp"
 #include "command.hpp"
 #include "output.hpp"
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <memory>
+#include <utility>
+#include <variant>
 
 namespace delone::cli {
 namespace {
@@ -31,20 +37,75 @@ constexpr std::array<Level, 6> levels{{{"storage", "sizes, ranges, no repeated v
                                        {"local convexity", "no vertex inside the sphere of a cell, the hull is convex"},
                                        {"completeness", "every point is a vertex or a duplicate of one"}}};
 
-ComplexData read(const CheckCommandOptions& options) {
-  ComplexData data = about(options.path, [&] { return read_complex(options.path, options.format); });
-  if (options.points.path.empty()) return data;
+constexpr std::array<Level, 5> hull_levels{
+    {{"storage", "sizes, ranges, no repeated vertex in a cell"},
+     {"incidence", "every ridge in two cells, neighbors mutual, coherent orientation, connected"},
+     {"convexity", "no cell is flat, the boundary is convex at every ridge"},
+     {"support", "no point is beyond a cell, the cells cover the boundary once"},
+     {"completeness", "facets, extreme points and kinds of points are those of the polytope"}}};
+
+/// Takes the points from the other file if one is given.
+template <class Data>
+void replace_points(Data& data, const CheckCommandOptions& options, const char* what) {
+  if (options.points.path.empty()) return;
   PointTable table = options.points.read();
   if (data.num_points() != 0 && data.dimension != table.dimension)
-    throw Error(Errc::bad_dimension, fmt::format("{}: points of dimension {} for a triangulation in dimension {}",
-                                                 options.points.path, table.dimension, data.dimension));
+    throw Error(Errc::bad_dimension, fmt::format("{}: points of dimension {} for a {} in dimension {}", options.points.path,
+                                                 table.dimension, what, data.dimension));
   data.dimension = table.dimension;
   data.points = std::move(table.coordinates);
-  return data;
+}
+
+int run_hull_check(HullData data, const CheckCommandOptions& options) {
+  if (options.canonical || options.any_orientation || options.furthest_site)
+    throw UsageError(
+        fmt::format("{} is a hull; --canonical, --any-orientation and --furthest-site are for triangulations", options.path));
+  replace_points(data, options, "hull");
+  const auto level = std::min(static_cast<std::size_t>(options.level), hull_levels.size());
+  const HullCheckReport report = about(options.path, [&] { return check_hull(data, static_cast<HullCheckLevel>(level)); });
+  std::string text =
+      fmt::format("{}: the hull of {} points in dimension {}, affine dimension {}, {} facets, {} cells\n", options.path,
+                  data.num_points(), data.dimension, data.affine_dimension, data.num_facets(), data.num_cells());
+  const auto reached = static_cast<std::size_t>(report.reached);
+  for (std::size_t i = 1; i <= reached; ++i)
+    text += fmt::format("level {}  {:<17}{:<8}{}\n", i, hull_levels[i - 1].name, !report.ok && i == reached ? "FAILED" : "ok",
+                        hull_levels[i - 1].meaning);
+  if (report.ok) {
+    if (report.reached >= HullCheckLevel::convexity)
+      text += fmt::format("coplanar: {} ridges between two cells in one hyperplane\n", report.coplanar_ridges);
+    text += level == hull_levels.size() ? "the convex hull of all its points, exactly\n" : "no violation up to this level\n";
+  } else {
+    text += fmt::format("violation: {}\n", report.violation);
+  }
+  print_output(text);
+  return report.ok ? exit_status::ok : exit_status::check_failed;
+}
+
+/// Whether the file is a Voronoi or power diagram; no other option than --level is for these.
+bool is_diagram(const CheckCommandOptions& options) {
+  if (!about(options.path, [&] { return holds_voronoi(options.path, options.format); })) return false;
+  if (options.canonical || options.any_orientation || options.furthest_site || !options.points.path.empty())
+    throw UsageError(fmt::format(
+        "{} is a Voronoi diagram; --canonical, --any-orientation, --furthest-site and --points are for triangulations",
+        options.path));
+  return true;
 }
 
 int run_check(const CheckCommandOptions& options) {
-  const ComplexData data = read(options);
+  if (is_diagram(options)) return run_voronoi_check(options.path, options.format, options.level);
+  std::variant<ComplexData, HullData, IntersectionData> file =
+      about(options.path, [&] { return read_any(options.path, options.format); });
+  if (const IntersectionData* found = std::get_if<IntersectionData>(&file)) {
+    if (options.canonical || options.any_orientation || options.furthest_site || !options.points.path.empty())
+      throw UsageError(
+          fmt::format("{} is an intersection of halfspaces; --canonical, --any-orientation, --furthest-site and "
+                      "--points are for triangulations and hulls",
+                      options.path));
+    return run_halfspaces_check(*found, options.path, options.level);
+  }
+  if (HullData* hull = std::get_if<HullData>(&file)) return run_hull_check(std::move(*hull), options);
+  ComplexData& data = std::get<ComplexData>(file);
+  replace_points(data, options, "triangulation");
   CheckOptions check_options;
   check_options.up_to = static_cast<CheckLevel>(options.level);
   check_options.canonical = options.canonical;
@@ -79,7 +140,10 @@ int run_check(const CheckCommandOptions& options) {
 
 Run add_check(CLI::App& app) {
   auto options = std::make_shared<CheckCommandOptions>();
-  app.add_option("COMPLEX", options->path, "A triangulation: .npz, .json or .off")->required()->type_name("");
+  app.add_option("COMPLEX", options->path,
+                 "A triangulation: .npz, .json or .off; or a hull, an intersection, a Voronoi or power diagram: .npz or .json")
+      ->required()
+      ->type_name("");
   app.add_option("--format", options->format, "Format of COMPLEX, if not told by its extension")
       ->check(CLI::IsMember(readable_complex_formats()));
   app.add_option("--level", options->level, "The highest level to check")->check(CLI::Range(1, 6));
@@ -92,6 +156,11 @@ Run add_check(CLI::App& app) {
   std::string footer = "Levels:\n";
   for (std::size_t i = 0; i < levels.size(); ++i)
     footer += fmt::format("  {}  {:<17}{}\n", i + 1, levels[i].name, levels[i].meaning);
+  footer += "Levels of hulls:\n";
+  for (std::size_t i = 0; i < hull_levels.size(); ++i)
+    footer += fmt::format("  {}  {:<17}{}\n", i + 1, hull_levels[i].name, hull_levels[i].meaning);
+  footer += voronoi_levels_text();
+  footer += halfspaces_check_footer();
   app.footer(footer + "Exit status: 0 no violation, 1 a violation, which is printed.");
   return [options] { return run_check(*options); };
 }

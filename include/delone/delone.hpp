@@ -10,8 +10,10 @@
 #include <delone/error.hpp>
 #include <delone/furthest_site.hpp>
 #include <delone/halfspaces.hpp>
+#include <delone/interpolation.hpp>
 #include <delone/io.hpp>
 #include <delone/lower_hull.hpp>
+#include <delone/point_locator.hpp>
 #include <delone/point_sets.hpp>
 #include <delone/predicates.hpp>
 #include <delone/regular.hpp>

@@ -30,6 +30,31 @@ struct ClippedRegion {
   bool empty() const { return faces.empty(); }
 };
 
+/// How much of a diagram is made.
+enum class VoronoiParts {
+  regions,  ///< vertices, regions, rays: the smaller part of the work. Without ridges there are no volumes, and nothing is
+            ///< clipped
+  all,
+};
+
+/// The arrays of a diagram, as files hold them (docs/formats.md): what the members of VoronoiDiagram of these names give.
+struct VoronoiData {
+  int dimension = 1, affine_dimension = -1;  ///< d and k
+  std::vector<double> points;                ///< n×d, hidden points included; NaN for rows that were not inserted
+  std::vector<double> weights;               ///< n, of a power diagram only
+  std::vector<double> vertices;
+  std::vector<SignedIndex> ridge_points, ridge_vertices, region_vertices, point_region;
+  std::vector<std::int64_t> ridge_offsets{0}, region_offsets{0};
+  std::vector<SignedIndex> ray_vertices, ray_points;
+  std::vector<double> ray_directions;
+
+  std::size_t num_points() const { return point_region.size(); }
+  std::size_t num_vertices() const { return dimension < 1 ? 0 : vertices.size() / static_cast<std::size_t>(dimension); }
+  std::size_t num_ridges() const { return ridge_offsets.empty() ? 0 : ridge_offsets.size() - 1; }
+  std::size_t num_regions() const { return region_offsets.empty() ? 0 : region_offsets.size() - 1; }
+  std::size_t num_rays() const { return ray_vertices.size(); }
+};
+
 /// A triangulation whose vertices have weights: the power of x with respect to a vertex at p is |x − p|² − weight.
 template <class T>
 concept WeightedTriangulation = std::derived_from<T, Triangulation> && requires(const T& t, VertexId v) {
@@ -53,12 +78,12 @@ concept WeightedTriangulation = std::derived_from<T, Triangulation> && requires(
 /// Cost: one solve of k equations per cell, and the size of the output. Errors: out_of_memory.
 class VoronoiDiagram {
  public:
-  explicit VoronoiDiagram(const Triangulation& triangulation);
+  explicit VoronoiDiagram(const Triangulation& triangulation, VoronoiParts parts = VoronoiParts::all);
   /// Of a weighted triangulation take the PowerDiagram.
   template <WeightedTriangulation T>
-  explicit VoronoiDiagram(const T&) = delete;
+  explicit VoronoiDiagram(const T&, VoronoiParts = VoronoiParts::all) = delete;
   /// Its dual is another diagram.
-  explicit VoronoiDiagram(const FurthestSiteTriangulation&) = delete;
+  explicit VoronoiDiagram(const FurthestSiteTriangulation&, VoronoiParts = VoronoiParts::all) = delete;
 
   int dimension() const { return dimension_; }                ///< d
   int affine_dimension() const { return affine_dimension_; }  ///< k
@@ -73,6 +98,8 @@ class VoronoiDiagram {
   std::span<const double> vertices() const { return vertices_; }
   std::span<const double> vertex(std::size_t i) const { return std::span(vertices_).subspan(i * ambient(), ambient()); }
 
+  /// Whether ridges were asked for. Volumes, clipping and files need them: without, these throw Errc::invalid_argument.
+  bool has_ridges() const { return has_ridges_; }
   /// num_ridges()×2 input rows: the two sites of each ridge. Their bisector contains the ridge.
   std::span<const SignedIndex> ridge_points() const { return ridge_points_; }
   /// The vertices of a ridge; −1 first if it is unbounded. In cyclic order for k = 3, counterclockwise about the direction from
@@ -94,6 +121,9 @@ class VoronoiDiagram {
   /// The d coordinates of the site of a region, and its weight (0 in a Voronoi diagram).
   std::span<const double> site(std::size_t region) const { return std::span(sites_).subspan(region * ambient(), ambient()); }
   double weight(std::size_t region) const { return weights_.empty() ? 0 : weights_[region]; }
+
+  /// A plain copy, with the points of all input rows: what write_voronoi() writes. Throws invalid_argument without ridges.
+  VoronoiData to_data() const;
 
   /// The unbounded edges, one for each facet of the convex hull (hull facets in one hyperplane whose cells have one sphere
   /// share theirs): the vertex each starts from, its direction (num_rays()×d, outward unit vectors in the flat, rounded), and
@@ -121,7 +151,7 @@ class VoronoiDiagram {
   Box bounding_box(double margin = 0.1) const;
 
  protected:
-  VoronoiDiagram(const Triangulation& triangulation, const std::function<double(VertexId)>& weight);
+  VoronoiDiagram(const Triangulation& triangulation, const std::function<double(VertexId)>& weight, VoronoiParts parts);
 
  private:
   friend class VoronoiBuilder;
@@ -135,18 +165,21 @@ class VoronoiDiagram {
   std::vector<std::vector<Index>> cells_of_regions() const;
   std::vector<double> volumes_of(const std::vector<unsigned char>& wanted) const;
   double bisector_distance(std::size_t from, std::size_t to) const;
+  void require_ridges() const;
   void check_box(const Box& box) const;
   bool is_inside(std::size_t region, const Box& box) const;
 
   int dimension_ = 1, affine_dimension_ = -1;
+  bool has_ridges_ = true, is_weighted_ = false;
   std::vector<double> sites_, weights_;  // by region
+  std::vector<double> hidden_;           // d coordinates and the weight of each row without a region, NaN if not inserted
   std::vector<double> vertices_;
   std::vector<SignedIndex> ridge_points_, ridge_vertices_, region_vertices_, region_points_, point_region_;
   std::vector<std::int64_t> ridge_offsets_{0}, region_offsets_{0};
   std::vector<unsigned char> bounded_;  // by region
   std::vector<SignedIndex> ray_vertices_, ray_points_;
   std::vector<double> ray_directions_;
-  // For k > 3: the k+1 regions and the vertex of every finite cell; its faces are what volumes are made of.
+  // For k > 3, with ridges: the k+1 regions and the vertex of every finite cell; its faces are what volumes are made of.
   std::vector<SignedIndex> cell_regions_, cell_vertex_;
 };
 
@@ -155,19 +188,49 @@ class VoronoiDiagram {
 class PowerDiagram : public VoronoiDiagram {
  public:
   template <WeightedTriangulation T>
-  explicit PowerDiagram(const T& triangulation)
-      : VoronoiDiagram(triangulation, [&triangulation](VertexId v) { return static_cast<double>(triangulation.weight(v)); }) {}
+  explicit PowerDiagram(const T& triangulation, VoronoiParts parts = VoronoiParts::all)
+      : VoronoiDiagram(
+            triangulation, [&triangulation](VertexId v) { return static_cast<double>(triangulation.weight(v)); }, parts) {}
 };
 
 /// Writes a diagram; the format is `format` or the extension of the path:
-///   npz   vertices, ridge_points, ridge_vertices with ridge_offsets, region_vertices with region_offsets, point_region,
-///         ray_vertices, ray_directions, ray_points, points, affine_dimension
+///   npz   the arrays of VoronoiData, and affine_dimension
 ///   json  the same members, lists as lists
 ///   svg   d = 2: a picture, clipped to the box
 ///   vtu   d = 2, 3: the regions clipped to the box as polygons or polyhedra, each with its `region` and `point`, for ParaView
 /// `box`: by default bounding_box(). The file appears whole or not at all; "-" is standard output (json, svg).
-/// Errors: cannot_write, unsupported, out_of_memory; invalid_argument for a bad box.
+/// Errors: cannot_write, unsupported, out_of_memory; invalid_argument for a bad box, and for a diagram without ridges.
 void write_voronoi(const std::string& path, const VoronoiDiagram& diagram, const Box* box = nullptr,
                    const std::string& format = {});
+
+/// Reads the arrays back that write_voronoi() wrote as npz or json, or another program under these names. Their shapes are
+/// checked; check_voronoi() examines what they hold. Errors: cannot_open, bad_format, not_finite (points, weights; rows() names
+/// them), unsupported, out_of_memory.
+VoronoiData read_voronoi(const std::string& path, const std::string& format = {});
+/// Whether a file is one that read_voronoi() is for: it has the arrays ridge_points and point_region. False for standard input.
+bool holds_voronoi(const std::string& path, const std::string& format = {});
+
+enum class VoronoiCheckLevel : int {
+  storage = 1,   ///< array sizes; rows and vertices in range; −1 only first; nothing twice in a list
+  regions = 2,   ///< each point is in the region of its site, or hidden; the vertices of all regions, in their order for k = 2
+  vertices = 3,  ///< each coordinate is the double nearest to that of the exact centre
+  ridges = 4,    ///< the pairs of regions with a common facet, its vertices, in their order for k = 3
+  rays = 5,      ///< the unbounded edges and their sites; directions up to 2⁻³⁰
+};
+
+struct VoronoiCheckReport {
+  bool ok = false;
+  VoronoiCheckLevel reached =
+      VoronoiCheckLevel::storage;  ///< the highest level examined: the failing one, or the last asked for
+  std::string violation;           ///< the first violation, naming rows of arrays; empty when ok
+};
+
+/// Examines whether the arrays are the Voronoi diagram of their points, the power diagram if there are weights, level after
+/// level, stopping at the first violation. Numbers of vertices and regions, the order of ridges and rays and where cyclic lists
+/// start are free; so are directions around lists when k < d. From level 2 on the points are triangulated anew, that
+/// triangulation is examined by check(), and the arrays are compared with its diagram: vertices by their sets of regions, rays
+/// by the sites of their hull facets, exactly. Cost: that of triangulating and of check(). Errors: bad_dimension, not_finite,
+/// out_of_memory, invalid_argument (arrays whose sizes do not fit each other are a violation of level 1, no error).
+VoronoiCheckReport check_voronoi(const VoronoiData& data, VoronoiCheckLevel up_to = VoronoiCheckLevel::rays);
 
 }  // namespace delone

@@ -94,10 +94,15 @@ class DiagramClipper {
 
 }  // namespace
 
-VoronoiDiagram::VoronoiDiagram(const Triangulation& triangulation) : VoronoiDiagram(triangulation, nullptr) {}
+VoronoiDiagram::VoronoiDiagram(const Triangulation& triangulation, VoronoiParts parts)
+    : VoronoiDiagram(triangulation, nullptr, parts) {}
 
-VoronoiDiagram::VoronoiDiagram(const Triangulation& triangulation, const std::function<double(VertexId)>& weight)
-    : dimension_(triangulation.dimension()), affine_dimension_(triangulation.affine_dimension()) {
+VoronoiDiagram::VoronoiDiagram(const Triangulation& triangulation, const std::function<double(VertexId)>& weight,
+                               VoronoiParts parts)
+    : dimension_(triangulation.dimension()),
+      affine_dimension_(triangulation.affine_dimension()),
+      has_ridges_(parts == VoronoiParts::all),
+      is_weighted_(weight != nullptr) {
   guarded([&] { VoronoiBuilder(triangulation, weight, *this).run(); });
 }
 
@@ -152,6 +157,7 @@ std::vector<std::vector<Index>> VoronoiDiagram::cells_of_regions() const {
 }
 
 std::vector<double> VoronoiDiagram::ridge_volumes() const {
+  require_ridges();
   return guarded([&] {
     const auto cells = cells_of_regions();
     std::vector<double> volumes(num_ridges());
@@ -179,6 +185,7 @@ std::vector<double> VoronoiDiagram::volumes_of(const std::vector<unsigned char>&
 }
 
 std::vector<double> VoronoiDiagram::region_volumes() const {
+  require_ridges();
   return guarded([&] {
     std::vector<double> volumes = volumes_of(bounded_);
     for (std::size_t r = 0; r < volumes.size(); ++r)
@@ -187,7 +194,40 @@ std::vector<double> VoronoiDiagram::region_volumes() const {
   });
 }
 
+VoronoiData VoronoiDiagram::to_data() const {
+  require_ridges();
+  return guarded([&] {
+    VoronoiData data{dimension_,
+                     affine_dimension_,
+                     {},
+                     {},
+                     vertices_,
+                     ridge_points_,
+                     ridge_vertices_,
+                     region_vertices_,
+                     point_region_,
+                     ridge_offsets_,
+                     region_offsets_,
+                     ray_vertices_,
+                     ray_points_,
+                     ray_directions_};
+    const double* hidden = hidden_.data();
+    for (const SignedIndex region : point_region_) {
+      const double* point = region < 0 ? hidden : site(static_cast<std::size_t>(region)).data();
+      data.points.insert(data.points.end(), point, point + ambient());
+      if (is_weighted_) data.weights.push_back(region < 0 ? hidden[ambient()] : weight(static_cast<std::size_t>(region)));
+      if (region < 0) hidden += ambient() + 1;
+    }
+    return data;
+  });
+}
+
+void VoronoiDiagram::require_ridges() const {
+  if (!has_ridges_) throw Error(Errc::invalid_argument, "the Voronoi diagram was made without ridges");
+}
+
 void VoronoiDiagram::check_box(const Box& box) const {
+  require_ridges();
   const auto wrong = [](const std::string& what) { throw Error(Errc::invalid_argument, "the box " + what); };
   if (box.low.size() != ambient() || box.high.size() != ambient())
     wrong("has not as many coordinates as the space, " + std::to_string(dimension_));

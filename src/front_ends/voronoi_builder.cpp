@@ -2,6 +2,7 @@
 // Sites, vertices, regions and rays. Ridges are in voronoi_ridges.cpp.
 #include "front_ends/voronoi_builder.hpp"
 
+#include "front_ends/stored_points.hpp"
 #include "front_ends/voronoi_center.hpp"
 #include "kernel/predicates.hpp"
 
@@ -47,8 +48,12 @@ void VoronoiBuilder::sort_cells() {
     vertex_of_cell_[slot] = static_cast<SignedIndex>(place);
   }
   corners_.reserve(cells_.size() * static_cast<std::size_t>(k_ + 1));
+  neighbors_.reserve(corners_.capacity());
   for (const CellId c : cells_)
-    for (int i = 0; i <= k_; ++i) corners_.push_back(complex_.vertex(c, i));
+    for (int i = 0; i <= k_; ++i) {
+      corners_.push_back(complex_.vertex(c, i));
+      neighbors_.push_back(complex_.neighbor(c, i));
+    }
 }
 
 void VoronoiBuilder::collect_sites() {
@@ -78,6 +83,10 @@ void VoronoiBuilder::collect_sites() {
     }
     const VertexId v = triangulation_.vertex_at(row);
     if (index(v) < region_of_vertex_.size()) out_.point_region_[row] = region_of(v);
+    if (out_.point_region_[row] >= 0) continue;
+    const double* hidden = front_ends::StoredPoints::of_row(triangulation_, row);
+    for (std::size_t j = 0; j <= d_; ++j)
+      out_.hidden_.push_back(hidden == nullptr ? std::nan("") : j < d_ || weight_ ? hidden[j] : 0.0);
   }
 }
 
@@ -142,7 +151,7 @@ void VoronoiBuilder::merge_finite_cells() {
     const CellId c = cells_[place];
     const double* here = centers_.data() + place * d_;
     for (int i = 0; i <= k_; ++i) {
-      const CellId other = complex_.neighbor(c, i);
+      const CellId other = neighbors_[place * static_cast<std::size_t>(k_ + 1) + static_cast<std::size_t>(i)];
       const SignedIndex there = vertex_of_cell_[index(other)];
       if (there < 0 || static_cast<std::size_t>(there) > place || !std::equal(here, here + d_, center(other))) continue;
       if (root(index(c)) == root(index(other))) continue;
@@ -212,11 +221,12 @@ void VoronoiBuilder::collect_stars() {
   for (std::size_t r = 0; r < num_regions; ++r) next[r] = offsets[r] + (out_.bounded_[r] ? 0 : 1);
   for_each_corner(
       [&](std::size_t r, SignedIndex place) { out_.region_vertices_[static_cast<std::size_t>(next[r]++)] = place; });
-  corners_ = {};
 }
 
 /// Lists become shorter where cells have merged, so that they can move forward in place.
 void VoronoiBuilder::collect_regions() {
+  corners_ = {};
+  neighbors_ = {};
   auto& items = out_.region_vertices_;
   auto& offsets = out_.region_offsets_;
   const std::size_t num_regions = site_of_region_.size();
@@ -278,14 +288,6 @@ void VoronoiBuilder::collect_rays() {
     const double* opposite = point(complex_.vertex(behind, complex_.mirror_index(c, apex)));
     const std::vector<double> direction = front_ends::outward_direction(facet, opposite, d_);
     out_.ray_directions_.insert(out_.ray_directions_.end(), direction.begin(), direction.end());
-  }
-}
-
-void VoronoiBuilder::keep_cells() {
-  if (k_ <= 3) return;
-  for (const CellId c : cells_) {
-    out_.cell_vertex_.push_back(vertex_of_cell_[index(c)]);
-    for (int i = 0; i <= k_; ++i) out_.cell_regions_.push_back(region_of(complex_.vertex(c, i)));
   }
 }
 

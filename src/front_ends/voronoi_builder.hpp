@@ -22,10 +22,9 @@ class VoronoiBuilder {
     merge_infinite_cells();
     number_vertices();
     collect_stars();
-    collect_ridges();
+    if (out_.has_ridges_) collect_ridges();
     collect_regions();
     collect_rays();
-    keep_cells();
   }
 
  private:
@@ -57,7 +56,6 @@ class VoronoiBuilder {
   bool is_ridge(VertexId s, VertexId t, std::span<const Index> star);
   void add_ridge(VertexId s, VertexId t, std::span<const SignedIndex> vertices);
   void collect_rays();
-  void keep_cells();
 
   Index root(Index cell);
   void unite(Index a, Index b);
@@ -79,7 +77,8 @@ class VoronoiBuilder {
   std::vector<double> coordinates_, weights_;                  // by vertex id
   std::vector<SignedIndex> region_of_vertex_, row_of_vertex_;  // −1: not a site
   std::vector<CellId> cells_;                                  // the finite ones, sorted
-  std::vector<VertexId> corners_;                              // k+1 for each of cells_, until collect_stars() has them
+  std::vector<VertexId> corners_;                              // k+1 for each of cells_, until all lists are made
+  std::vector<CellId> neighbors_;                              // as many; those of the complex lie far from each other
   std::vector<double> centers_;                                // by place in cells_, then by Voronoi vertex
   std::vector<Index> parent_;                // by slot: the classes of cells, a forest; empty: no cells merged
   std::vector<SignedIndex> vertex_of_cell_;  // by slot: the place in centers_; −1: not a finite cell

@@ -138,26 +138,31 @@ void CenterFinder::find(const double* const* points, const double* weights, doub
 
 void CenterFinder::find_block(std::size_t count, const double* const* points, const double* weights, double* centers) {
   const auto d = static_cast<std::size_t>(dimension_), k = axes_.size();
-  if (certified_ == nullptr || weights != nullptr || k != d || (k != 2 && k != 3)) {
+  if (certified_ == nullptr || k != d || k < least_center_lanes || k > most_center_lanes) {
     for (std::size_t cell = 0; cell < count; ++cell)
       find(points + cell * (k + 1), weights == nullptr ? nullptr : weights + cell * (k + 1), centers + cell * d);
     return;
   }
-  constexpr std::size_t most_entries = 4 * 3;
-  alignas(64) double corners[most_entries * block], found[3 * block], settled[block];
+  constexpr std::size_t most = most_center_lanes;
+  alignas(64) double corners[(most + 1) * most * block], weights_of_corners[(most + 1) * block];
+  alignas(64) double found[most * block], settled[block];
   for (std::size_t cell = 0; cell < block; ++cell) {
     const double* const* of_cell = points + std::min(cell, count - 1) * (k + 1);  // the last one fills the block
     for (std::size_t i = 0; i <= k; ++i)
       for (std::size_t j = 0; j < d; ++j) corners[(i * d + j) * block + cell] = of_cell[i][j];
+    for (std::size_t i = 0; weights != nullptr && i <= k; ++i)
+      weights_of_corners[i * block + cell] = weights[std::min(cell, count - 1) * (k + 1) + i];
   }
-  find_centers_in_lanes(d, corners, found, settled);
+  find_centers_in_lanes(d, corners, weights == nullptr ? nullptr : weights_of_corners, found, settled);
   for (std::size_t cell = 0; cell < count; ++cell) {
     double* center = centers + cell * d;
     for (std::size_t j = 0; j < d; ++j) center[j] = found[j * block + cell];
-    if (settled[cell] == 0) {
-      ++num_exact_;
-      find_exactly(points + cell * (k + 1), nullptr, center);
-    }
+    if (settled[cell] != 0) continue;
+    const double* of_cell = weights == nullptr ? nullptr : weights + cell * (k + 1);
+    // Up to n = 3 one path does what the other did; beyond, row exchanges may help.
+    if (k > 3 && (this->*certified_)(points + cell * (k + 1), of_cell, center)) continue;
+    ++num_exact_;
+    find_exactly(points + cell * (k + 1), of_cell, center);
   }
 }
 

@@ -22,8 +22,8 @@ class CenterFinder {
   /// nearest_double). `weights`: k+1, or null for 0. REQUIRES affinely independent points.
   void find(const double* const* points, const double* weights, double* center);
 
-  /// find() for `count` ≤ `block` cells, k+1 points and weights each; centres one after the other. Triangles in the plane and
-  /// tetrahedra in space without weights are treated several at a time.
+  /// find() for `count` ≤ `block` cells, k+1 points and weights each; centres one after the other. Cells of full
+  /// dimension are treated several at a time in 2 to 5 dimensions.
   static constexpr std::size_t block = center_block;
   void find_block(std::size_t count, const double* const* points, const double* weights, double* centers);
 

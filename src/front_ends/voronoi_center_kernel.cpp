@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Operation for operation what CenterFinder::find_certified() does, so that its proof is the proof of this; what gives up there
-// clears a lane of a mask here. Products whose error is wanted use a fused multiplication where the machine has one, which
-// gives the same pair as Dekker's.
+// clears a lane of a mask here. Only the approximate inverse is another one, by elimination without row exchanges for n > 3:
+// its defect is bounded whatever it is. Products whose error is wanted use a fused multiplication where the machine has one,
+// which gives the same pair as Dekker's.
 #include "front_ends/voronoi_center_kernel.hpp"
 
 #include "front_ends/linear_bound.hpp"
 
+#include <algorithm>
 #include <cstdint>
 
 #undef HWY_TARGET_INCLUDE
@@ -51,7 +53,7 @@ inline Pair<V> two_product([[maybe_unused]] D d, V a, V b) {
 #endif
 }
 
-/// approximate_inverse() for n = 2, 3.
+/// An approximate inverse; not a number where there is none.
 template <int N, class D, class V = hn::Vec<D>>
 inline void invert(D d, const V* a, V* inverse) {
   const auto minor = [](V p, V q, V r, V s) { return hn::Sub(hn::Mul(p, q), hn::Mul(r, s)); };
@@ -62,6 +64,20 @@ inline void invert(D d, const V* a, V* inverse) {
     inverse[1] = hn::Mul(hn::Neg(a[1]), scale);
     inverse[2] = hn::Mul(hn::Neg(a[2]), scale);
     inverse[3] = hn::Mul(a[0], scale);
+  } else if constexpr (N > 3) {
+    // Gauss–Jordan in place: after step s, columns 0 … s are those of the inverse.
+    std::copy_n(a, N * N, inverse);
+    for (int s = 0; s < N; ++s) {
+      const V scale = hn::Div(one, inverse[s * N + s]);
+      inverse[s * N + s] = one;
+      for (int c = 0; c < N; ++c) inverse[s * N + c] = hn::Mul(inverse[s * N + c], scale);
+      for (int r = 0; r < N; ++r) {
+        if (r == s) continue;
+        const V factor = inverse[r * N + s];
+        inverse[r * N + s] = hn::Zero(d);
+        for (int c = 0; c < N; ++c) inverse[r * N + c] = hn::Sub(inverse[r * N + c], hn::Mul(factor, inverse[s * N + c]));
+      }
+    }
   } else {
     const V c0 = minor(a[4], a[8], a[5], a[7]), c1 = minor(a[5], a[6], a[3], a[8]), c2 = minor(a[3], a[7], a[4], a[6]);
     const V scale = hn::Div(one, hn::Add(hn::Add(hn::Mul(a[0], c0), hn::Mul(a[1], c1)), hn::Mul(a[2], c2)));
@@ -78,7 +94,8 @@ inline void invert(D d, const V* a, V* inverse) {
 }
 
 template <int N>
-void find(const double* HWY_RESTRICT corners, double* HWY_RESTRICT centers, double* HWY_RESTRICT settled) {
+void find(const double* HWY_RESTRICT corners, const double* HWY_RESTRICT weights, double* HWY_RESTRICT centers,
+          double* HWY_RESTRICT settled) {
   constexpr std::size_t n = static_cast<std::size_t>(N);
   const hn::CappedTag<double, center_block> d;
   const hn::RebindToUnsigned<decltype(d)> du;
@@ -125,9 +142,15 @@ void find(const double* HWY_RESTRICT corners, double* HWY_RESTRICT centers, doub
       alpha = hn::Max(alpha, row);
     }
 
+    const auto weight_difference = [&](std::size_t i) {
+      if (weights == nullptr) return Pair<V>{zero, zero};
+      const Pair<V> difference =
+          two_sum(hn::LoadU(d, weights + (i + 1) * center_block + lane), hn::Neg(hn::LoadU(d, weights + lane)));
+      return Pair<V>{hn::Mul(hn::Mul(difference.high, scale), scale), hn::Mul(hn::Mul(difference.low, scale), scale)};
+    };
     V right[n];
     for (std::size_t i = 0; i < n; ++i) {
-      right[i] = zero;
+      right[i] = hn::Neg(weight_difference(i).high);
       for (std::size_t j = 0; j < n; ++j) right[i] = hn::Add(right[i], hn::Mul(high[i * n + j], high[i * n + j]));
     }
     const V too_large = hn::Set(d, 1e8);
@@ -141,7 +164,8 @@ void find(const double* HWY_RESTRICT corners, double* HWY_RESTRICT centers, doub
     }
     constexpr double second_order = 1.01 * 5 * static_cast<double>((n + 3) * (n + 3)) * u * u;
     for (std::size_t i = 0; i < n; ++i) {
-      V sum = zero, rest = zero, magnitude = zero;
+      const Pair<V> weight = weight_difference(i);
+      V sum = hn::Neg(weight.high), rest = hn::Neg(weight.low), magnitude = hn::Abs(weight.high);
       for (std::size_t j = 0; j < n; ++j) {
         const V a = high[i * n + j], a_low = low[i * n + j];
         const Pair<V> factor = two_sum(a, hn::Neg(z[j]));
@@ -185,11 +209,17 @@ void find(const double* HWY_RESTRICT corners, double* HWY_RESTRICT centers, doub
   }
 }
 
-void find_centers_here(std::size_t n, const double* corners, double* centers, double* settled) {
-  if (n == 2)
-    find<2>(corners, centers, settled);
-  else
-    find<3>(corners, centers, settled);
+void find_centers_here(std::size_t n, const double* corners, const double* weights, double* centers, double* settled) {
+  switch (n) {
+    case 2:
+      return find<2>(corners, weights, centers, settled);
+    case 3:
+      return find<3>(corners, weights, centers, settled);
+    case 4:
+      return find<4>(corners, weights, centers, settled);
+    default:
+      return find<5>(corners, weights, centers, settled);
+  }
 }
 
 }  // namespace HWY_NAMESPACE
@@ -201,8 +231,8 @@ namespace delone::front_ends {
 
 HWY_EXPORT(find_centers_here);
 
-void find_centers_in_lanes(std::size_t n, const double* corners, double* centers, double* settled) {
-  HWY_DYNAMIC_DISPATCH(find_centers_here)(n, corners, centers, settled);
+void find_centers_in_lanes(std::size_t n, const double* corners, const double* weights, double* centers, double* settled) {
+  HWY_DYNAMIC_DISPATCH(find_centers_here)(n, corners, weights, centers, settled);
 }
 
 }  // namespace delone::front_ends

@@ -81,11 +81,16 @@ void VoronoiBuilder::collect_ridges_in_space() {
   for (Index place = 0; place < order.size(); ++place) place_of_cell[index(order[place])] = place;
   std::vector<PlacedCell> cells(order.size());
   for (Index place = 0; place < order.size(); ++place)
-    for (int i = 0; i < 4; ++i) {
-      cells[place].vertices[i] = index(complex_.vertex(order[place], i));
-      cells[place].neighbors[i] = place_of_cell[index(complex_.neighbor(order[place], i))];
+    for (Index i = 0; i < 4; ++i) {
+      const bool is_finite = place < cells_.size();
+      const int corner = static_cast<int>(i);
+      cells[place].vertices[i] = index(is_finite ? corners_[4 * place + i] : complex_.vertex(order[place], corner));
+      const CellId neighbor = is_finite ? neighbors_[4 * place + i] : complex_.neighbor(order[place], corner);
+      cells[place].neighbors[i] = place_of_cell[index(neighbor)];
     }
   place_of_cell = {};
+  corners_ = {};
+  neighbors_ = {};
 
   // Every cell is around six edges, an infinite one around three finite ones; S³ has as many edges as vertices and cells.
   out_.ridge_vertices_.reserve(6 * std::size_t{complex_.num_finite_cells()} + 3 * std::size_t{complex_.num_infinite_cells()});
@@ -138,47 +143,103 @@ void VoronoiBuilder::collect_ridges_in_space() {
   }
 }
 
-/// k > 3: the cells of each region, sorted by the other regions they belong to.
+/// k > 3: the cells of each region, distributed over the later regions they belong to, by counting. The corners of each cell
+/// are sorted, so that those are what follows the region.
 void VoronoiBuilder::collect_ridges_by_region() {
   const auto corners = static_cast<std::size_t>(k_) + 1;
-  std::vector<std::size_t> offsets(site_of_region_.size() + 1, 0);
-  const auto for_each_corner = [&](auto&& visit) {
-    for (const CellId c : complex_.cells())
-      for (std::size_t i = 0; i < corners; ++i)
-        if (const VertexId v = complex_.vertex(c, static_cast<int>(i)); v != infinite_vertex)
-          visit(static_cast<std::size_t>(region_of(v)), c);
+  const std::size_t num_regions = site_of_region_.size();
+  std::vector<CellId> order = cells_;  // finite cells, then infinite ones
+  order.reserve(complex_.num_cells());
+  for (const CellId c : complex_.infinite_cells()) order.push_back(c);
+  std::vector<SignedIndex>& regions = out_.cell_regions_;  // of the corners of these; −1: the infinite vertex
+  regions.reserve(order.size() * corners);
+  for (const VertexId v : corners_) regions.push_back(region_of(v));
+  for (const CellId c : complex_.infinite_cells())
+    for (int i = 0; i <= k_; ++i) regions.push_back(region_of(complex_.vertex(c, i)));
+  for (auto first = regions.begin(); first != regions.end();) {
+    const auto last = first + static_cast<std::ptrdiff_t>(corners);
+    for (auto next = first + 1; next != last; ++next)  // few, so by insertion
+      for (auto at = next; at != first && at[-1] > *at; --at) std::swap(at[-1], *at);
+    first = last;
+  }
+  corners_ = {};
+  neighbors_ = {};
+  // The finite cells of a region are its list of vertices by now.
+  std::vector<std::size_t> offsets(num_regions + 1, 0);
+  const auto for_each_infinite_corner = [&](auto&& visit) {
+    for (std::size_t place = cells_.size(); place < order.size(); ++place)
+      for (std::size_t i = 1; i < corners; ++i)
+        visit(static_cast<std::size_t>(regions[place * corners + i]), static_cast<Index>(place));
   };
-  for_each_corner([&](std::size_t r, CellId) { ++offsets[r + 1]; });
-  for (std::size_t r = 0; r < site_of_region_.size(); ++r) offsets[r + 1] += offsets[r];
-  std::vector<Index> cells(offsets.back());
+  for_each_infinite_corner([&](std::size_t r, Index) { ++offsets[r + 1]; });
+  for (std::size_t r = 0; r < num_regions; ++r) offsets[r + 1] += offsets[r];
+  std::vector<Index> infinite_cells(offsets.back());
   std::vector<std::size_t> next(offsets.begin(), offsets.end() - 1);
-  for_each_corner([&](std::size_t r, CellId c) { cells[next[r]++] = index(c); });
+  for_each_infinite_corner([&](std::size_t r, Index place) { infinite_cells[next[r]++] = place; });
 
-  std::vector<std::pair<SignedIndex, Index>> entries;  // another region, a cell of both
-  std::vector<Index> star;
-  std::vector<SignedIndex> vertices;
-  for (std::size_t r = 0; r < site_of_region_.size(); ++r) {
-    entries.clear();
-    for (std::size_t e = offsets[r]; e < offsets[r + 1]; ++e)
-      for (std::size_t i = 0; i < corners; ++i) {
-        const VertexId v = complex_.vertex(CellId{cells[e]}, static_cast<int>(i));
-        if (v != infinite_vertex && region_of(v) > static_cast<SignedIndex>(r)) entries.emplace_back(region_of(v), cells[e]);
+  // Where no cells merge, every finite cell is at an edge for each two of its corners.
+  out_.ridge_vertices_.reserve(cells_.size() * (corners * (corners - 1) / 2) + infinite_cells.size());
+  std::vector<Index> count(num_regions, 0), cells, stars, slots;
+  std::vector<SignedIndex> others, vertices;
+  for (std::size_t r = 0; r < num_regions; ++r) {
+    cells.clear();
+    for (const SignedIndex place : out_.region(r))
+      if (place >= 0) cells.push_back(static_cast<Index>(place));
+    cells.insert(cells.end(), infinite_cells.begin() + static_cast<std::ptrdiff_t>(offsets[r]),
+                 infinite_cells.begin() + static_cast<std::ptrdiff_t>(offsets[r + 1]));
+    const auto for_each_later = [&](auto&& visit) {
+      for (std::size_t e = 0; e < cells.size(); ++e) {
+        constexpr std::size_t ahead = 12;
+        if (e + ahead < cells.size()) __builtin_prefetch(regions.data() + cells[e + ahead] * corners);
+        const Index place = cells[e];
+        const SignedIndex* const first = regions.data() + place * corners;
+        std::size_t not_later = 0;  // counted, not searched: without a branch that depends on the data
+        for (std::size_t i = 0; i < corners; ++i) not_later += first[i] <= static_cast<SignedIndex>(r) ? 1 : 0;
+        for (std::size_t i = not_later; i < corners; ++i) visit(first[i], place);
       }
-    std::sort(entries.begin(), entries.end());
-    for (std::size_t first = 0, last = 0; first < entries.size(); first = last) {
-      star.clear();
-      vertices.clear();
-      for (; last < entries.size() && entries[last].first == entries[first].first; ++last) {
-        star.push_back(entries[last].second);
-        vertices.push_back(vertex_of_cell_[star.back()]);
+    };
+    others.clear();
+    for_each_later([&](SignedIndex other, Index) {
+      if (count[static_cast<std::size_t>(other)]++ == 0) others.push_back(other);
+    });
+    std::sort(others.begin(), others.end());
+    Index end = 0;
+    for (const SignedIndex other : others) {
+      const Index size = count[static_cast<std::size_t>(other)];
+      count[static_cast<std::size_t>(other)] = end;  // from now on, where the star is filled next
+      end += size;
+    }
+    stars.resize(end);
+    for_each_later([&](SignedIndex other, Index place) { stars[count[static_cast<std::size_t>(other)]++] = place; });
+    Index first = 0;
+    for (const SignedIndex other : others) {
+      // Finite cells, then infinite ones.
+      const auto star = std::span(stars).subspan(first, count[static_cast<std::size_t>(other)] - first);
+      first = std::exchange(count[static_cast<std::size_t>(other)], 0);
+      const VertexId s = site_of_region_[r], t = site_of_region_[static_cast<std::size_t>(other)];
+      if (has_merged_) {
+        slots.clear();
+        for (const Index place : star) slots.push_back(index(order[place]));
+        if (!is_ridge(s, t, slots)) continue;
       }
-      const VertexId s = site_of_region_[r], t = site_of_region_[static_cast<std::size_t>(entries[first].first)];
-      if (has_merged_ && !is_ridge(s, t, star)) continue;
-      std::sort(vertices.begin(), vertices.end());
-      vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
+      vertices.assign(star.back() < cells_.size() ? 0 : 1, -1);
+      for (const Index place : star) {
+        if (place >= cells_.size()) break;
+        vertices.push_back(has_merged_ ? vertex_of_cell_[index(order[place])] : static_cast<SignedIndex>(place));
+      }
+      if (has_merged_) {
+        std::sort(vertices.begin(), vertices.end());
+        vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
+      }
       add_ridge(s, t, vertices);
     }
   }
+  if (has_merged_) out_.ridge_vertices_.shrink_to_fit();
+  // Volumes are made of the faces of finite cells.
+  regions.resize(cells_.size() * corners);
+  regions.shrink_to_fit();
+  out_.cell_vertex_.reserve(cells_.size());
+  for (const CellId c : cells_) out_.cell_vertex_.push_back(vertex_of_cell_[index(c)]);
 }
 
 /// The finite vertices of the cells of a class, sorted.

@@ -8,8 +8,8 @@ namespace delone::io {
 
 class AtomicFile;
 
-void write_voronoi_npz(AtomicFile& file, const VoronoiDiagram& diagram);
-void write_voronoi_json(AtomicFile& file, const VoronoiDiagram& diagram);
+void write_voronoi_npz(AtomicFile& file, const VoronoiData& data);
+void write_voronoi_json(AtomicFile& file, const VoronoiData& data);
 /// Throws unsupported unless d = 2.
 void write_voronoi_svg(AtomicFile& file, const VoronoiDiagram& diagram, const Box& box);
 /// Throws unsupported unless d = 2 or 3.

@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// All barycentric coordinates of a point in a simplex at once, up to a common factor, with a certified bound of their errors.
+//
+// With the rows a_j = p_j − q of K+1 vertices, the coordinate at vertex i is proportional to w_i = (−1)^i·det(a_j, j ≠ i):
+// expand det(a_j, 1), which is (−1)^K·det(p_1 − p_0, …, p_K − p_0) whatever q is, along its last column. For a positively
+// oriented simplex the w_i are positive inside.
+//
+// The K+1 determinants come from one table of the minors of the first columns, by the rows they take (Laplace expansion along
+// the last column). The error: a minor of s columns is a sum of products, each of which meets the rounding of the difference of
+// its new entry, of the product, and of s−1 sums, beside those of the smaller minor: e_1 = 1, e_s = e_(s−1) + s + 1, so
+// e_K = K(K+3)/2 − 1 in all. The computed value is thus the sum over the K! permutations with each product off by a factor
+// within 1 ± γ(e_K) (Higham 2002, lemma 3.1), and |ŵ − w| ≤ γ(e_K)·K!·Π_c max_j |a_jc| with exact differences; computed ones
+// are smaller by at most 1 − u each, and the product of the bound has K more roundings: γ(e_K + 3K) covers both.
+// Underflow: with all column maxima in [2^−100, 2^100], a product that underflows is off by 2^−1075, times at most the minors
+// of the other columns; the bound's share of the same columns is at least 2^−53·2^−600, so that even 2^20 such errors vanish in
+// the slack of 1 %. Nothing overflows: K!·2^600.
+#pragma once
+
+#include "kernel/determinant.hpp"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <cstddef>
+#include <utility>
+
+namespace delone::front_ends {
+
+template <int K>
+class CellMinors {
+  static_assert(K >= 1 && K <= 6);
+
+ public:
+  /// Evaluates the vertices; false if the numbers are outside the range of the bound.
+  bool evaluate(const double* const* vertices, const double* q) {
+    double bound = slack;
+    for (int c = 0; c < K; ++c) {
+      double largest = 0;
+      for (int j = 0; j <= K; ++j) {
+        const double difference = vertices[j][c] - q[c];
+        a_[j * K + c] = difference;
+        largest = std::max(largest, std::fabs(difference));
+      }
+      if (!(largest >= 0x1p-100 && largest <= 0x1p100)) return false;
+      bound *= largest;
+    }
+    bound_ = bound;
+    minors_[0] = 1;
+    [&]<unsigned... S>(std::integer_sequence<unsigned, S...>) { ((minors_[S + 1] = minor<S + 1>()), ...); }
+    (std::make_integer_sequence<unsigned, (2u << K) - 2>{});
+    for (int i = 0; i <= K; ++i) {
+      const double det = minors_[((2u << K) - 1) ^ (1u << i)];
+      weights_[i] = i % 2 == 0 ? det : -det;
+    }
+    return true;
+  }
+  double weight(int i) const { return weights_[i]; }
+  double bound() const { return bound_; }  ///< no weight is off by as much
+
+ private:
+  static constexpr double factorial = K == 1 ? 1 : K == 2 ? 2 : K == 3 ? 6 : K == 4 ? 24 : K == 5 ? 120 : 720;
+  static constexpr double slack = 1.01 * (K * (K + 3) / 2 - 1 + 3 * K) * kernel::unit_roundoff * factorial;
+
+  /// The minor of the rows of a bit set and as many first columns.
+  template <unsigned Rows>
+  double minor() const {
+    constexpr int column = std::popcount(Rows) - 1;
+    double sum = 0;
+    [&]<int... R>(std::integer_sequence<int, R...>) {
+      const auto add = [&]<int Row>(std::integral_constant<int, Row>) {
+        if constexpr ((Rows >> Row & 1) != 0) {
+          const double term = a_[Row * K + column] * minors_[Rows & ~(1u << Row)];
+          sum = std::popcount(Rows >> Row) % 2 == 0 ? sum - term : sum + term;
+        }
+      };
+      (add(std::integral_constant<int, R>{}), ...);
+    }
+    (std::make_integer_sequence<int, K + 1>{});
+    return sum;
+  }
+
+  double a_[(K + 1) * K];
+  double minors_[2u << K];
+  double weights_[K + 1];
+  double bound_ = 0;
+};
+
+}  // namespace delone::front_ends
