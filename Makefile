@@ -6,9 +6,11 @@ SHELL := /bin/bash
 
 jobs := $(shell nproc)
 launcher := $(if $(shell command -v ccache),-DCMAKE_CXX_COMPILER_LAUNCHER=ccache)
+python_of_build = $(shell sed -n 's/^_\?Python_EXECUTABLE:[A-Z]*=//p' build/release/CMakeCache.txt | head -n 1)
+python_with_plots = $(shell for p in python3 /usr/bin/python3; do $$p -c "import matplotlib, scipy" 2>/dev/null && echo $$p && break; done)
 sources = $(shell git ls-files --cached --others --exclude-standard '*.hpp' '*.cpp')
 
-.PHONY: build demo test test-release test-asan bench docs lint format clean help
+.PHONY: build python wheel demo test test-release test-asan bench paper docs lint format clean help
 
 help:                 ## this list
 	@sed -n 's/^\([a-z-]*\):.*## /\1\t/p' Makefile | expand -t 16
@@ -17,6 +19,14 @@ build:                ## the command, at build/release/delone, and the library
 	tools/install_dependencies.sh build
 	cmake --preset release $(launcher) >/dev/null
 	cmake --build --preset release -j $(jobs)
+
+python:               ## the Python module: PYTHONPATH=build/release/python
+	tools/install_dependencies.sh python
+	cmake --preset release $(launcher) -DDELONE_BUILD_PYTHON=ON >/dev/null
+	cmake --build --preset release -j $(jobs)
+
+wheel: python         ## a wheel, in build/wheels
+	DELONE_BUILD_DIR=build/release $(python_of_build) -m pip wheel --no-build-isolation --no-deps --no-index -w build/wheels .
 
 demo: build           ## three real data sets: triangulated, checked, drawn
 	tools/demo.sh build/release build/demo
@@ -35,12 +45,19 @@ test-asan:            ## unit, property and fuzz tests, smaller, with AddressSan
 	cmake --build --preset asan -j $(jobs)
 	ctest --preset asan
 
-bench: build          ## the standard constructions, timed; takes minutes
+bench: python         ## the standard constructions, timed; takes minutes
 	tools/install_dependencies.sh bench
 	python3 benchmarks/construction.py build/release/delone
+	PYTHONPATH=build/release/python $(python_of_build) benchmarks/python.py
 
-docs: build           ## run the programs and commands of the documentation, follow its links
-	tools/check_docs.py build/release
+paper:                ## the experiments of the report, docs/experiments.md: hours; QUICK=1: minutes; HULL=/path/to/hull
+	tools/install_dependencies.sh paper
+	cmake --preset bench $(launcher) >/dev/null
+	cmake --build --preset bench -j $(jobs)
+	PYTHONPATH=benchmarks $(python_with_plots) -m paper --build build/bench $(if $(QUICK),--quick) $(if $(HULL),--hull $(HULL)) $(PAPER)
+
+docs: python          ## run the programs and commands of the documentation, follow its links
+	tools/check_docs.py build/release --python $(python_of_build)
 
 lint:                 ## formatting, layering, clang-tidy
 	tools/install_dependencies.sh lint test

@@ -4,69 +4,128 @@
 
   construction.py build/release/delone                     a table
   construction.py NEW --against OLD                        both in turn, input by input, and the ratios NEW/OLD
-  construction.py build/release/delone --record            also benchmarks/history/DATE-COMMIT.json
+  construction.py build/release/delone --record            also benchmarks/history/DATE-COMMIT-construction.json
 
-Figures are medians over the rounds: seconds for ordering and building (reading and writing apart), nanoseconds per created cell
-(building only), bytes reserved per cell, and the peak memory of the process. Quote ratios of one run, not seconds of two.
+Rounds go through all inputs in turn. Figures are medians over the rounds and, where it says so, least values: seconds and
+processor seconds (user and system) for ordering and building, nanoseconds of processor time per created cell for building, bytes
+reserved per cell, and the peak memory of the process. The processor time of a run is split like its wall time, of which the command
+knows reading, ordering, building and the rest. `vs` is the ratio of nanoseconds per created cell to those of the reference input, which
+is uniform. Quote ratios of one run, not seconds of two.
 """
 import argparse
-import datetime
 import json
+import os
 import pathlib
-import platform
 import statistics
 import subprocess
 import sys
 import tempfile
 
-ROOT = pathlib.Path(__file__).resolve().parent.parent
+import record
 
-# name -> (kind, dimension, number of points)
+DATA = record.ROOT / "data"
+
+# name -> (kind or file, dimension, points, reference); a file has its columns in place of the dimension.
 STANDARD = {
-    "uniform 2D 1e6": ("uniform", 2, 1_000_000),
-    "uniform 3D 1e6": ("uniform", 3, 1_000_000),
-    "uniform 4D 1e5": ("uniform", 4, 100_000),
-    "uniform 5D 1e4": ("uniform", 5, 10_000),
-    "uniform 6D 1e3": ("uniform", 6, 1_000),
-    "uniform 7D 1e3": ("uniform", 7, 1_000),
-    "grid 100^3": ("grid", 3, 1_000_000),
-    "grid 18^4": ("grid", 4, 104_976),
-    "grid 8^5": ("grid", 5, 32_768),
+    "uniform 2D 1e6": ("uniform", 2, 1_000_000, None),
+    "uniform 3D 1e6": ("uniform", 3, 1_000_000, None),
+    "uniform 4D 1e5": ("uniform", 4, 100_000, None),
+    "uniform 5D 1e4": ("uniform", 5, 10_000, None),
+    "uniform 6D 1e3": ("uniform", 6, 1_000, None),
+    "uniform 6D 4e3": ("uniform", 6, 4_000, None),
+    "uniform 7D 1e3": ("uniform", 7, 1_000, None),
+    "uniform 8D 256": ("uniform", 8, 256, None),
+    "lattice 100^3": ("grid", 3, 1_000_000, "uniform 3D 1e6"),
+    "lattice 18^4": ("grid", 4, 104_976, "uniform 4D 1e5"),
+    "lattice 8^5": ("grid", 5, 32_768, "uniform 5D 1e4"),
+    "lattice 5^6": ("grid", 6, 15_625, "uniform 6D 4e3"),
+    "cube {0,1}^6": ("cube01", 6, 64, "uniform 6D 1e3"),
+    "cube {0,1}^7": ("cube01", 7, 128, "uniform 7D 1e3"),
+    "cube {0,1}^8": ("cube01", 8, 256, "uniform 8D 256"),
+    "hypersurface 3D 1e5": ("manifold", 3, 100_000, "uniform 3D 1e6"),
+    "hypersurface 3D 1e6": ("manifold", 3, 1_000_000, "uniform 3D 1e6"),
+    "hypersurface 4D 1e5": ("manifold", 4, 100_000, "uniform 4D 1e5"),
+    "hypersurface 5D 1e4": ("manifold", 5, 10_000, "uniform 5D 1e4"),
+    "hypersurface 6D 2e3": ("manifold", 6, 2_000, "uniform 6D 4e3"),
+    "clusters 3D 1e6": ("clusters", 3, 1_000_000, "uniform 3D 1e6"),
+    "clusters 5D 1e4": ("clusters", 5, 10_000, "uniform 5D 1e4"),
+    "uniform 3D 1800": ("uniform", 3, 1_800, None),
+    "uniform 5D 400": ("uniform", 5, 400, None),
+    "uniform 6D 400": ("uniform", 6, 400, None),
+    "bunny 3D": ("bunny.csv", "x,y,z", 1_839, "uniform 3D 1800"),
+    "earthquakes 3D": ("earthquakes.csv", "longitude,latitude,depth_km", 1_707, "uniform 3D 1800"),
+    "earthquakes 5D": ("earthquakes.csv", "longitude,latitude,depth_km,magnitude,time_ms", 1_707, "uniform 5D 1e4"),
+    "cars 5D": ("cars.csv", "Miles_per_Gallon,Displacement,Horsepower,Weight_in_lbs,Acceleration", 392, "uniform 5D 400"),
+    "cars 6D": ("cars.csv", "Miles_per_Gallon,Cylinders,Displacement,Horsepower,Weight_in_lbs,Acceleration", 392, "uniform 6D 400"),
 }
 
 
-def construct(command, path):
+def arguments_of(command, name, folder):
+    """What the command reads: its own points in a file, or columns of a real one."""
+    kind, dimension, n, _ = STANDARD[name]
+    if kind.endswith(".csv"):
+        return [str(DATA / kind), "--columns", dimension]
+    path = f"{folder}/points-{list(STANDARD).index(name)}.npy"
+    if not os.path.exists(path):
+        subprocess.run([command, "generate", kind, "-d", str(dimension), "-n", str(n), "--seed", "1", "-o", path], check=True)
+    return [path]
+
+
+def construct(command, arguments):
     """The statistics of one construction."""
-    done = subprocess.run([command, "delaunay", path, "--stats", "--quiet"], check=True, capture_output=True, text=True)
-    stats = json.loads(done.stdout)
-    stats["construction_seconds"] = stats["seconds"]["order"] + stats["seconds"]["build"]
-    stats["ns_per_created_cell"] = 1e9 * stats["seconds"]["build"] / stats["created_cells"]
-    return stats
+    process = subprocess.Popen([command, "delaunay", *arguments, "--stats", "--quiet"], stdout=subprocess.PIPE, text=True)
+    output = process.stdout.read()
+    _, status, usage = os.wait4(process.pid, 0)
+    process.returncode = os.waitstatus_to_exitcode(status)
+    if process.returncode != 0:
+        sys.exit(f"{command} ended with status {process.returncode}")
+    run = json.loads(output)
+    seconds = run["seconds"]
+    run["seconds"] = seconds["order"] + seconds["build"]
+    processor = (usage.ru_utime + usage.ru_stime) / seconds["total"]
+    run["cpu_seconds"] = processor * run["seconds"]
+    run["ns_per_created_cell"] = 1e9 * processor * seconds["build"] / run["created_cells"]
+    run["system_share"] = usage.ru_stime / (usage.ru_utime + usage.ru_stime)
+    return run
 
 
 def summary(runs):
     """The figures of several runs on one input."""
     last = runs[-1]
-    median = {key: statistics.median(run[key] for run in runs)
-              for key in ("construction_seconds", "ns_per_created_cell", "bytes_per_cell", "peak_rss_bytes")}
-    return {**median, **{key: last[key] for key in ("hash", "points", "cells", "infinite_cells", "created_cells", "stages")}}
+    timed = ("seconds", "cpu_seconds", "ns_per_created_cell")
+    return {**{key: statistics.median(run[key] for run in runs) for key in (*timed, "system_share", "bytes_per_cell", "peak_rss_bytes")},
+            **{f"least_{key}": min(run[key] for run in runs) for key in timed}, "rounds": len(runs),
+            **{key: last[key] for key in ("hash", "points", "cells", "infinite_cells", "created_cells", "stages")}}
 
 
-def machine():
-    try:
-        model = next(line.split(":", 1)[1].strip() for line in open("/proc/cpuinfo") if line.startswith("model name"))
-    except (OSError, StopIteration):
-        model = platform.processor()
-    return f"{model}, {platform.system()} {platform.machine()}"
+HEADING = (f"{'input':<20}{'cells':>10}{'created':>11}{'seconds':>9}{'cpu s':>9}{'ns/cell':>9}{'least':>8}{'B/cell':>8}{'peak MB':>9}{'vs':>6}"
+           "  stages direct/exact/perturbed")
 
 
-def cache_entry(command, name):
-    """A variable of the CMake cache of the build that the command is from."""
-    cache = pathlib.Path(command).resolve().parent / "CMakeCache.txt"
-    for line in cache.read_text().splitlines() if cache.exists() else []:
-        if line.startswith(name + ":"):
-            return line.split("=", 1)[1]
-    return "unknown"
+def line(name, figures):
+    stages = figures["stages"]
+    return (f"{name:<20}{figures['cells']:>10}{figures['created_cells']:>11}{figures['seconds']:>9.3f}{figures['cpu_seconds']:>9.3f}"
+            f"{figures['ns_per_created_cell']:>9.1f}{figures['least_ns_per_created_cell']:>8.1f}{figures['bytes_per_cell']:>8.1f}"
+            f"{figures['peak_rss_bytes'] / 1e6:>9.1f}{figures.get('vs_reference', 0):>6.2f}"
+            f"  {stages['direct']}/{stages['exact']}/{stages['perturbed']}"
+            + (f"  {figures['ratio']:.3f}" if "ratio" in figures else ""))
+
+
+def evaluate(runs):
+    """The figures of all inputs, from name -> the runs of each command."""
+    results = {}
+    for name, of_command in runs.items():
+        if not of_command[-1]:
+            continue
+        figures = results[name] = summary(of_command[0])
+        reference = STANDARD[name][3]
+        if runs.get(reference, [[]])[0]:
+            # Round by round, so that both were measured at about the same time.
+            figures["vs_reference"] = statistics.median(a["ns_per_created_cell"] / b["ns_per_created_cell"]
+                                                        for a, b in zip(of_command[0], runs[reference][0]))
+        if len(of_command) == 2:
+            figures["ratio"] = statistics.median(new["cpu_seconds"] / old["cpu_seconds"] for new, old in zip(*of_command))
+    return results
 
 
 def main():
@@ -75,46 +134,28 @@ def main():
     parser.add_argument("--against", metavar="OLD", help="another build of the command")
     parser.add_argument("--rounds", type=int, default=3)
     parser.add_argument("--only", action="append", metavar="TEXT", help="inputs whose name contains TEXT")
-    parser.add_argument("--record", action="store_true", help="write the figures to benchmarks/history/")
+    parser.add_argument("--record", action="store_true", help="write the figures to benchmarks/history/, after each input")
     options = parser.parse_args()
     commands = [options.command] + ([options.against] if options.against else [])
     names = [name for name in STANDARD if not options.only or any(text in name for text in options.only)]
+    runs = {name: [[] for _ in commands] for name in names}
 
-    print(f"{'input':<16}{'cells':>10}{'created':>11}{'seconds':>9}{'ns/cell':>9}{'B/cell':>8}{'peak MB':>9}  stages direct/exact/perturbed"
-          + ("  ratio" if options.against else ""))
-    results = {}
     with tempfile.TemporaryDirectory() as folder:
-        for name in names:
-            kind, dimension, n = STANDARD[name]
-            path = f"{folder}/points.npy"
-            subprocess.run([options.command, "generate", kind, "-d", str(dimension), "-n", str(n), "--seed", "1", "-o", path], check=True)
-            runs = [[] for _ in commands]
-            for _ in range(options.rounds):
+        for number in range(options.rounds):
+            for name in names:
+                arguments = arguments_of(options.command, name, folder)
                 for which, command in enumerate(commands):
-                    runs[which].append(construct(command, path))
-            figures = results[name] = summary(runs[0])
-            stages = figures["stages"]
-            line = (f"{name:<16}{figures['cells']:>10}{figures['created_cells']:>11}{figures['construction_seconds']:>9.3f}"
-                    f"{figures['ns_per_created_cell']:>9.1f}{figures['bytes_per_cell']:>8.1f}{figures['peak_rss_bytes'] / 1e6:>9.1f}"
-                    f"  {stages['direct']}/{stages['exact']}/{stages['perturbed']}")
-            if options.against:
-                ratios = [new["construction_seconds"] / old["construction_seconds"] for new, old in zip(*runs)]
-                figures["ratio"] = statistics.median(ratios)
-                line += f"  {figures['ratio']:.3f}"
-                if runs[0][-1]["hash"] != runs[1][-1]["hash"]:
-                    sys.exit(f"{line}\nthe two builds disagree on {name}")
-            print(line, flush=True)
+                    runs[name][which].append(construct(command, arguments))
+                if len(commands) == 2 and runs[name][0][-1]["hash"] != runs[name][1][-1]["hash"]:
+                    sys.exit(f"the two builds disagree on {name}")
+                print(".", end="", file=sys.stderr, flush=True)
+                results = evaluate(runs)
+                if options.record:  # at once: nothing is lost when a long run is stopped
+                    record.write("construction", options.command, results)
 
-    if options.record:
-        commit = subprocess.run(["git", "describe", "--always", "--dirty"], cwd=ROOT, capture_output=True, text=True).stdout.strip()
-        date = datetime.date.today().isoformat()
-        record = {"date": date, "commit": commit, "machine": machine(), "threads": 1, "rounds": options.rounds,
-                  "compiler": subprocess.run([cache_entry(options.command, "CMAKE_CXX_COMPILER"), "--version"], capture_output=True,
-                                             text=True).stdout.split("\n")[0],
-                  "flags": cache_entry(options.command, "CMAKE_CXX_FLAGS_RELEASE"), "results": results}
-        history = ROOT / "benchmarks" / "history"
-        history.mkdir(exist_ok=True)
-        (history / f"{date}-{commit}.json").write_text(json.dumps(record, indent=1) + "\n")
+    print(HEADING + ("  ratio" if options.against else ""))
+    for name, figures in results.items():
+        print(line(name, figures))
 
 
 if __name__ == "__main__":

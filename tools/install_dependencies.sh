@@ -1,13 +1,16 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: BSD-3-Clause
-# Installs the packages that are missing on Debian and Ubuntu:  tools/install_dependencies.sh [build] [test] [bench] [lint] [fuzz]
+# Installs the packages that are missing on Debian and Ubuntu:  tools/install_dependencies.sh [build] [python] [test] [bench] [paper] [lint] [fuzz]
 # Says nothing and touches nothing when all are there. Elsewhere it prints what is needed and leaves the rest to you.
 set -euo pipefail
 
 build=(g++ cmake ninja-build libcli11-dev libfmt-dev nlohmann-json3-dev libfast-float-dev libboost-dev libhwy-dev)
-test=(libgtest-dev libgmock-dev librapidcheck-dev libqhull-dev libcgal-dev libeigen3-dev libgmp-dev libmpfr-dev
-      python3 python3-numpy)
-bench=(python3)
+python=(python3 python3-dev python3-numpy pybind11-dev python3-pybind11 python3-pip python3-setuptools python3-wheel python3-venv)
+test=(libgtest-dev libgmock-dev librapidcheck-dev libqhull-dev libcdd-dev lrslib libcgal-dev libeigen3-dev libgmp-dev
+      libmpfr-dev python3-scipy python3-pytest python3-hypothesis python3-matplotlib)
+bench=(python3 python3-scipy libbenchmark-dev)
+paper=(python3 python3-numpy python3-scipy python3-matplotlib libqhull-dev libcdd-dev lrslib libcgal-dev libeigen3-dev
+       libgmp-dev libmpfr-dev libtbb-dev)
 lint=(clang-format clang-tidy python3)
 fuzz=(clang)
 
@@ -15,11 +18,13 @@ wanted=()
 for group in "${@:-build}"; do
   case $group in
     build) wanted+=("${build[@]}") ;;
-    test) wanted+=("${build[@]}" "${test[@]}") ;;
-    bench) wanted+=("${build[@]}" "${bench[@]}") ;;
+    python) wanted+=("${build[@]}" "${python[@]}") ;;
+    test) wanted+=("${build[@]}" "${python[@]}" "${test[@]}") ;;
+    bench) wanted+=("${build[@]}" "${python[@]}" "${bench[@]}") ;;
+    paper) wanted+=("${build[@]}" "${bench[@]}" "${paper[@]}") ;;
     lint) wanted+=("${build[@]}" "${lint[@]}") ;;
     fuzz) wanted+=("${build[@]}" "${fuzz[@]}") ;;
-    *) echo "usage: $0 [build] [test] [bench] [lint] [fuzz]" >&2; exit 64 ;;
+    *) echo "usage: $0 [build] [python] [test] [bench] [paper] [lint] [fuzz]" >&2; exit 64 ;;
   esac
 done
 

@@ -1,0 +1,164 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// A batch of points through the engine as the library sends it, but one step at a time and with an observer that is told when
+// an insertion passes from one phase to the next. The engine is unchanged: the observer sits in the geometry, which the engine
+// asks for an evaluator when a walk and when the search of a conflict zone begin, and for memory and functionals when a star is
+// made.
+#pragma once
+
+#include "engine/build.hpp"
+#include "engine/seed.hpp"
+#include "front_ends/hull.hpp"
+#include "geometry/delaunay_geometry.hpp"
+#include "kernel/predicates.hpp"
+#include "order/insertion_order.hpp"
+
+#include <delone/types.hpp>
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <utility>
+#include <vector>
+
+namespace benchmarks {
+
+using delone::Index;
+
+/// What an observer is told, in this order. The base class does not care.
+struct Observer {
+  void begins() {}     ///< an insertion: the walk follows
+  void evaluates() {}  ///< an evaluator is asked for: by the walk, then by the search of the conflict zone, then by tests
+  void reserves() {}   ///< the conflict zone is complete; slots, vertices and mirrors follow
+  void creates() {}    ///< functionals follow
+  void created() {}    ///< functionals are done, or one more of those that need elimination; gluing and releasing follow
+  void ends(const delone::engine::Workspace& /*work*/) {}
+};
+
+template <int K, class Observer>
+class ObservedGeometry : public delone::geometry::DelaunayGeometry<K> {
+  using Base = delone::geometry::DelaunayGeometry<K>;
+
+ public:
+  using Query = typename Base::Query;
+
+  template <class... Arguments>
+  explicit ObservedGeometry(Observer& observer, Arguments&&... arguments)
+      : Base(std::forward<Arguments>(arguments)...), observer_(observer) {}
+
+  auto evaluator(const Query& q) const {
+    observer_.evaluates();
+    return Base::evaluator(q);
+  }
+  void create(Index cell, const Index* vertices, int infinite_slot, int apex) {
+    Base::create(cell, vertices, infinite_slot, apex);
+    observer_.created();
+  }
+  void reserve_star(Index v, std::size_t facets) {
+    observer_.reserves();
+    Base::reserve_star(v, facets);
+  }
+  auto create_star(Index v, const Query& q, std::span<const delone::HorizonFacet> facets) {
+    observer_.creates();
+    const auto weak = Base::create_star(v, q, facets);
+    observer_.created();
+    return weak;
+  }
+
+ private:
+  Observer& observer_;
+};
+
+/// The Delaunay triangulation of points that span R^K.
+template <int K, class Observer>
+class EngineRun {
+ public:
+  EngineRun(delone::PointsView points, Observer& observer)
+      : points_(points),
+        observer_(observer),
+        vertices_(K, delone::kernel::RowForm::point),
+        memory_(K),
+        cells_(memory_),
+        geometry_(observer, memory_, all_axes(), K, vertices_.coordinates, vertices_.grid, frame_of(points)) {}
+
+  /// Inserts all points, in the order that the library would choose.
+  void insert_all() {
+    const std::vector<Index> order = delone::order::brio_order(points_, 0);
+    vertices_.coordinates.reserve((order.size() + 1) * K);
+    const std::vector<bool> used = start(order);
+    for (const Index row : order)
+      if (!used[row]) insert(row);
+  }
+
+  const delone::engine::Effort& effort() const { return effort_; }
+  const delone::CellMemory<K>& memory() const { return memory_; }
+  const delone::engine::CellStore<K>& cells() const { return cells_; }
+  const ObservedGeometry<K, Observer>& geometry() const { return geometry_; }
+
+ private:
+  static std::vector<int> all_axes() {
+    std::vector<int> axes;
+    for (int axis = 0; axis < K; ++axis) axes.push_back(axis);
+    return axes;
+  }
+  static delone::geometry::Frame frame_of(delone::PointsView points) {
+    std::vector<double> low(points[0].begin(), points[0].end()), high = low;
+    for (std::size_t i = 0; i < points.size(); ++i)
+      for (std::size_t j = 0; j < K; ++j) {
+        low[j] = std::min(low[j], points[i][j]);
+        high[j] = std::max(high[j], points[i][j]);
+      }
+    return {std::move(low), std::move(high)};
+  }
+
+  Index append(Index row) {
+    const double* point = points_[row].data();
+    vertices_.grid.include(point);
+    vertices_.coordinates.insert(vertices_.coordinates.end(), point, point + K);
+    return vertices_.last_vertex();
+  }
+
+  /// The first simplex, of the first points in the order that span space. Returns which rows are its vertices.
+  std::vector<bool> start(const std::vector<Index>& order) {
+    std::vector<bool> used(order.size(), false);
+    delone::kernel::AffineHull hull(K);
+    std::vector<Index> simplex;
+    for (const Index row : order) {
+      if (hull.dimension() == K) break;
+      if (!hull.add(points_[row].data())) continue;
+      simplex.push_back(append(row));
+      used[row] = true;
+    }
+    geometry_.set_rows(vertices_.last_vertex());
+    if (geometry_.orientation(simplex.data()) == delone::Sign::negative) std::swap(simplex[0], simplex[1]);
+    delone::engine::seed(cells_, geometry_, simplex);
+    effort_.created_cells += cells_.num_cells();
+    return used;
+  }
+
+  void insert(Index row) {
+    const Index v = append(row);
+    const auto q = geometry_.make_query(vertices_.point(v));
+    observer_.begins();
+    const Index at = delone::engine::insert(cells_, geometry_, v, q, last_, work_, effort_);
+    if (at != v) {  // a duplicate
+      vertices_.coordinates.resize(vertices_.coordinates.size() - K);
+      last_ = work_.last_cell;
+      return;
+    }
+    observer_.ends(work_);
+    last_ = work_.star().back().created;
+  }
+
+  delone::PointsView points_;
+  Observer& observer_;
+  delone::VertexPoints vertices_;
+  delone::CellMemory<K> memory_;
+  delone::engine::CellStore<K> cells_;
+  ObservedGeometry<K, Observer> geometry_;
+  delone::engine::Workspace work_;
+  delone::engine::Effort effort_;
+  Index last_ = 0;
+};
+
+}  // namespace benchmarks

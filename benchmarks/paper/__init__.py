@@ -1,0 +1,8 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""The experiments of section 5 of the report, measured on this machine and written up as docs/experiments.md.
+
+S. Hornus and J.-D. Boissonnat, "An efficient implementation of Delaunay triangulations in medium dimensions", INRIA RR-6743 (2008).
+
+plan.py says what is measured, runner.py how, programs.py by whom; results are records in one JSON file, from which tables.py and
+plots.py make what experiments.md.in asks for. No number of the result is written by hand.
+"""

@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// delone's convex hull, through the interface of its rivals. Timed are the boundary and what the other programs find with it:
+// which cells merge into facets and which points are extreme. `data_seconds`: all the rest that Polytope::data() has, after
+// that. Options: --order automatic|given|shuffled, --seed S.
+#include "rival.hpp"
+
+#include <delone/convex_hull.hpp>
+
+#include <chrono>
+#include <optional>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+namespace {
+
+class Delone {
+ public:
+  Delone(const rival::Arguments& arguments, delone::PointTable&& table)
+      : table_(std::move(table)), order_(arguments.option("order", "automatic")) {
+    options_.seed = std::stoull(arguments.option("seed", "0"));
+    if (order_ == "shuffled")
+      options_.order = delone::InsertionOrder::shuffled;
+    else if (order_ == "given")
+      options_.order = delone::InsertionOrder::as_given;
+    else if (order_ != "automatic")
+      throw std::invalid_argument("--order is automatic, given or shuffled");
+  }
+
+  rival::Program program() const { return {"delone", DELONE_VERSION, DELONE_BENCHMARK_FLAGS}; }
+
+  void construct() {
+    result_.emplace(table_.coordinates, table_.dimension, options_);
+    num_facets_ = result_->num_facets();
+    num_vertices_ = result_->num_vertices();
+  }
+
+  void reset() { result_.reset(); }
+  std::size_t num_cells() const { return result_->num_cells(); }
+
+  rival::Cells cells() const {
+    const delone::HullData& data = result_->data();
+    return {data.affine_dimension, {data.cells.begin(), data.cells.end()}};
+  }
+
+  nlohmann::json details() const {
+    const auto start = std::chrono::steady_clock::now();
+    result_->data();
+    const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start;
+    const delone::Statistics s = result_->statistics();
+    return {{"order", order_},
+            {"order_seconds", s.order_seconds},
+            {"build_seconds", s.build_seconds},
+            {"data_seconds", elapsed.count()},
+            {"facets", num_facets_},
+            {"vertices", num_vertices_},
+            {"created_cells", s.created_cells},
+            {"cell_bytes", s.cell_bytes},
+            {"stages", {{"filter", s.filter}, {"direct", s.direct}, {"exact", s.exact}, {"perturbed", s.perturbed}}}};
+  }
+
+ private:
+  delone::PointTable table_;
+  std::string order_;
+  delone::Options options_;
+  std::optional<delone::Polytope> result_;
+  std::size_t num_facets_ = 0, num_vertices_ = 0;
+};
+
+}  // namespace
+
+int main(int argc, char** argv) { return rival::run<Delone>(argc, argv); }

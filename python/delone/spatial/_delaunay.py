@@ -1,0 +1,200 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""scipy.spatial.Delaunay, exact."""
+from __future__ import annotations
+
+import warnings
+from functools import cached_property
+
+import numpy as np
+
+import delone
+from delone import _core
+
+from . import _geometry, _options
+from ._base import OfPoints, QhullError, as_points
+
+
+# A transform is left out (NaN) if fewer than about three of its digits would mean anything; the rule of scipy.
+SMALLEST_RECIPROCAL_CONDITION = 1000 * np.finfo(float).eps
+
+
+class Delaunay(OfPoints):
+    """Delaunay triangulation in any dimension, with the arguments and attributes of `scipy.spatial.Delaunay`.
+
+    Parameters
+    ----------
+    points : (npoints, ndim) finite floats
+        The points. Duplicates are merged; flat input is triangulated within its flat.
+    furthest_site : bool
+        Triangulate for the furthest-site Voronoi diagram instead: the upper hull of the lifted points.
+    incremental : bool
+        Allow `add_points`.
+    qhull_options : str, optional
+        Qhull's options, see docs/from-qhull.md; ValueError for one that has no meaning here. Default "Qbb Qc Qz".
+
+    Attributes
+    ----------
+    points, ndim, npoints, min_bound, max_bound
+        The points, d, their number, and their bounding box.
+    simplices : (nsimplex, ndim+1) int32
+        Rows of points. Positively oriented: counterclockwise in the plane. For flat input of affine dimension k, k+1 columns.
+    neighbors : (nsimplex, ndim+1) int32
+        The simplex opposite each vertex; −1 on the boundary.
+    affine_dimension : int
+        k, of the smallest flat that contains all points (not in scipy).
+    coplanar : (ncoplanar, 3) int32
+        Duplicate rows: the row, a simplex and the vertex at the same place. Empty if the options leave out Qc.
+    good : (nsimplex,) int32
+        Ones.
+    furthest_site : bool
+
+    The cells are a function of the set of points, with exact signs and ties broken consistently; see docs/degeneracy.md.
+    Cost: that of `delone.Delaunay`; attributes below are computed on first use.
+    """
+
+    _derived = ("simplices", "neighbors", "coplanar", "good", "_paraboloid",
+                "transform", "equations", "vertex_to_simplex", "vertex_neighbor_vertices")
+
+    def __init__(self, points, furthest_site=False, incremental=False, qhull_options=None):
+        points = as_points(points)
+        self._options = _options.parse(qhull_options, kind="delaunay", furthest_site=furthest_site, incremental=incremental)
+        self.furthest_site = self._options.furthest
+        self._start(points, incremental)
+
+    def _rebuild(self):
+        self._core = (delone.FurthestSite if self._options.furthest else delone.Delaunay)(self._points)
+
+    def _extend(self, rows):
+        self._core.add_points(rows)
+
+    def _update(self):
+        self._forget()
+        core = self._core
+        self.simplices, self.neighbors = np.array(core.cells), np.array(core.neighbors)
+        self.nsimplex = len(self.simplices)
+        self.affine_dimension = core.affine_dimension
+
+    def _need_full_dimension(self, what: str) -> None:
+        if self.affine_dimension < self.ndim:
+            raise QhullError(f"{what}: the points span a flat of dimension {self.affine_dimension} in {self.ndim} dimensions")
+
+    @cached_property
+    def good(self) -> np.ndarray:
+        return np.ones(self.nsimplex, np.intc)
+
+    @cached_property
+    def coplanar(self) -> np.ndarray:
+        duplicates = self._core.duplicates
+        if not self._options.keep_coplanar:
+            duplicates = duplicates[:0]
+        row, vertex = duplicates.T
+        return np.stack([row, self._core.cell_of_point[row], vertex], axis=1).astype(np.intc)
+
+    @cached_property
+    def _paraboloid(self) -> tuple[float, float]:
+        return _geometry.paraboloid(self._points, self._options.scaled, self._options.at_infinity)
+
+    @property
+    def paraboloid_scale(self) -> float:
+        """The factor of the last coordinate of lifted points."""
+        return self._paraboloid[0]
+
+    @property
+    def paraboloid_shift(self) -> float:
+        """What is added to the last coordinate of lifted points."""
+        return self._paraboloid[1]
+
+    @cached_property
+    def transform(self) -> np.ndarray:
+        """(nsimplex, ndim+1, ndim): barycentric coordinates c of x in simplex i but the last are
+        ``transform[i, :ndim] @ (x - transform[i, ndim])``. NaN for simplices so thin that less than three digits would be right.
+        Raises QhullError for flat input."""
+        self._need_full_dimension("transform")
+        transform, condition = _core._transforms(self._core.points, self._core.cells)
+        with np.errstate(invalid="ignore"):
+            transform[~(condition * SMALLEST_RECIPROCAL_CONDITION <= 1)] = np.nan
+        return transform
+
+    @cached_property
+    def equations(self) -> np.ndarray:
+        """(nsimplex, ndim+2): unit normal, downward (upward for furthest sites), and offset of the hyperplane of each simplex on
+        the paraboloid. Raises QhullError for flat input."""
+        self._need_full_dimension("equations")
+        return _geometry.hyperplanes(self._core.points, self._core.cells, *self._paraboloid, upper=self._options.furthest)
+
+    @cached_property
+    def vertex_to_simplex(self) -> np.ndarray:
+        """(npoints,) int32: a simplex of which each point, or the earlier one it equals, is a vertex; −1 if there is none."""
+        found = np.array(self._core.cell_of_point)
+        if not self._options.keep_coplanar:
+            found[self._core.duplicates[:, 0]] = -1
+        return found
+
+    @cached_property
+    def vertex_neighbor_vertices(self) -> tuple[np.ndarray, np.ndarray]:
+        """(indptr, indices) int32: the points joined to point p by an edge are ``indices[indptr[p]:indptr[p+1]]``, increasing."""
+        indptr, indices = self._core.vertex_neighbors
+        return np.array(indptr, np.intc), np.array(indices)
+
+    @property
+    def convex_hull(self) -> np.ndarray:
+        """(nfaces, ndim) int32: the facets of simplices without a neighbor. Each has a simplex: points within hull facets count."""
+        return _geometry.boundary_facets(self.simplices, self.neighbors)
+
+    @property
+    def vertices(self) -> np.ndarray:
+        """Old name of `simplices`."""
+        warnings.warn("Delaunay attribute 'vertices' is deprecated in favour of 'simplices'", DeprecationWarning, stacklevel=2)
+        return self.simplices
+
+    def find_simplex(self, xi, bruteforce=False, tol=None):
+        """The simplex that contains each point: (…) int32 for xi of shape (…, ndim); −1 outside, and for NaN.
+
+        Exact: a point is outside if it is, and no point inside is missed. Of a point on a face of several simplices one of them
+        is told. ``tol``: if positive, points outside with barycentric coordinates in [−tol, 1+tol] of a simplex of the boundary
+        count as inside; O(points outside · boundary). ``bruteforce`` makes no difference. Cost: a walk per point.
+        """
+        xi = np.asanyarray(xi)
+        if xi.ndim == 0 or xi.shape[-1] != self.ndim:
+            raise ValueError("wrong dimensionality in xi")
+        queries = np.ascontiguousarray(xi.reshape(-1, self.ndim), dtype=np.float64)
+        finite = np.isfinite(queries).all(axis=1)
+        if finite.all():
+            found = np.array(self._core.find_simplex(queries))
+        else:
+            found = np.full(len(queries), -1, np.intc)
+            found[finite] = self._core.find_simplex(queries[finite])
+        if tol is not None and tol > 0 and self.affine_dimension == self.ndim:
+            outside = np.flatnonzero((found == -1) & finite)
+            found[outside] = self._find_near_boundary(queries[outside], tol)
+        return found.reshape(xi.shape[:-1])
+
+    def _find_near_boundary(self, queries: np.ndarray, tol: float) -> np.ndarray:
+        boundary = np.flatnonzero((self._core.neighbors == -1).any(axis=1)).astype(np.intc)
+        transform = self.transform[boundary]
+        found = np.full(len(queries), -1, np.intc)
+        step = max(1, 1_000_000 // max(1, len(boundary)))
+        with np.errstate(invalid="ignore"):
+            for begin in range(0, len(queries), step):
+                from_last = queries[begin:begin + step, None, :] - transform[None, :, -1]
+                c = np.einsum("fij,qfj->qfi", transform[:, :-1], from_last)
+                c = np.concatenate([c, 1 - c.sum(axis=-1, keepdims=True)], axis=-1)
+                inside = ((c >= -tol) & (c <= 1 + tol)).all(axis=-1)
+                found[begin:begin + step] = np.where(inside.any(axis=1), boundary[inside.argmax(axis=1)], -1)
+        return found
+
+    def plane_distance(self, xi):
+        """(…, nsimplex): the signed distances of the lifted xi, (…, ndim), from the hyperplanes of all simplices."""
+        xi = np.asarray(xi, dtype=np.float64)
+        if xi.shape[-1] != self.ndim:
+            raise ValueError("xi has different dimensionality than triangulation")
+        return self.lift_points(xi) @ self.equations[:, :-1].T + self.equations[:, -1]
+
+    def lift_points(self, x):
+        """(…, ndim+1): points, (…, ndim), with the height of their lifted images on the (scaled) paraboloid."""
+        return _geometry.lift(np.asarray(x, dtype=np.float64), *self._paraboloid)
+
+
+def tsearch(tri, xi):
+    """The simplex of the triangulation ``tri`` that contains each point of ``xi``: ``tri.find_simplex(xi)``."""
+    return tri.find_simplex(xi)

@@ -1,0 +1,54 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""The arrays of scipy that the library itself has not, in NumPy: lifted points, hyperplanes on the paraboloid, hull facets.
+
+These are rounded numbers; nothing combinatorial is decided with them.
+"""
+from __future__ import annotations
+
+import numpy as np
+
+from delone import _core
+
+
+def paraboloid(points: np.ndarray, scaled: bool, at_infinity: bool) -> tuple[float, float]:
+    """(scale, shift) of the last coordinate of lifted points. Scaled, it covers [0, the largest |coordinate|], including, if
+    asked for, a point at infinity that is a tenth higher than the highest lifted point."""
+    if not scaled:
+        return 1.0, 0.0
+    with np.errstate(all="ignore"):
+        heights = (points**2).sum(axis=1)
+        lowest, highest = heights.min(), heights.max() * (1.1 if at_infinity else 1.0)
+        scale = np.abs(points).max() / (highest - lowest)
+    return (float(scale), float(-lowest * scale)) if np.isfinite(scale) and scale > 0 else (1.0, 0.0)
+
+
+def lift(points: np.ndarray, scale: float, shift: float) -> np.ndarray:
+    """(…, d+1): the points with their height on the paraboloid."""
+    return np.concatenate([points, ((points**2).sum(axis=-1) * scale + shift)[..., None]], axis=-1)
+
+
+def hyperplanes(points: np.ndarray, simplices: np.ndarray, scale: float, shift: float, upper: bool = False) -> np.ndarray:
+    """(m, d+2): unit normal and offset of the hyperplane of each lifted simplex, downward, or upward for `upper`."""
+    with np.errstate(all="ignore"):
+        lifted = lift(points, scale, shift)
+        equations = _core._hyperplanes(points, simplices, lifted[:, -1])
+        for i in np.flatnonzero(~np.isfinite(equations).all(axis=1)):  # nearly vertical, or numbers beyond the range
+            last = lifted[simplices[i, -1]]
+            edges = lifted[simplices[i, :-1]] - last
+            normal = np.linalg.svd(edges)[2][-1] if np.isfinite(edges).all() else np.full(len(last), np.nan)
+            normal *= -1 if normal[-1] > 0 else 1
+            equations[i] = *normal, -normal @ last
+    return -equations if upper else equations
+
+
+def boundary_facets(simplices: np.ndarray, neighbors: np.ndarray) -> np.ndarray:
+    """(f, k): the facets without a neighbor, in the order of simplices and of their opposite vertices."""
+    cell, opposite = np.nonzero(neighbors == -1)
+    keep = np.arange(simplices.shape[1]) != opposite[:, None]
+    return simplices[cell][keep].reshape(len(cell), simplices.shape[1] - 1)
+
+
+def lists(items: np.ndarray, offsets: np.ndarray) -> list[list[int]]:
+    """The lists that are stored one after the other in `items`: list i from offsets[i] to offsets[i+1]."""
+    items, offsets = items.tolist(), offsets.tolist()
+    return [items[begin:end] for begin, end in zip(offsets, offsets[1:])]

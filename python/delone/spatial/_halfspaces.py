@@ -1,0 +1,119 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""scipy.spatial.HalfspaceIntersection, exact."""
+from __future__ import annotations
+
+from functools import cached_property
+
+import numpy as np
+
+import delone
+
+from . import _geometry, _options
+from ._base import Incremental, QhullError, as_points
+
+
+class HalfspaceIntersection(Incremental):
+    """Intersection of halfspaces in any dimension, with the arguments and attributes of `scipy.spatial.HalfspaceIntersection`.
+
+    Parameters
+    ----------
+    halfspaces : (nineq, ndim+1) finite floats
+        Rows [A; b] of the inequalities A x + b ≤ 0.
+    interior_point : (ndim,) finite floats
+        A point strictly inside all halfspaces, exactly: QhullError if it is not. (`delone.HalfspaceIntersection` finds one.)
+    incremental : bool
+        Allow `add_halfspaces`.
+    qhull_options : str, optional
+        Qhull's options, see docs/from-qhull.md; ValueError for one that has no meaning here.
+
+    Attributes
+    ----------
+    halfspaces, interior_point, ndim, nineq
+        What was given, and its size.
+    intersections : (ninter, ndim) float64
+        The vertices of the intersection, each coordinate the double nearest to the exact one. Where more than ndim hyperplanes
+        meet in a point, it is listed once. Of an unbounded intersection the finite vertices.
+    is_bounded : bool
+        Whether the intersection is a polytope (not in scipy 1.10).
+    dual_points : (nineq, ndim) float64
+        The dual point of each halfspace, −A / (A·interior_point + b).
+    dual_facets : list of lists of int
+        For each intersection the halfspaces whose facets meet in it, increasing.
+    dual_vertices : (nvertices,) int64
+        The halfspaces that are not redundant, increasing.
+    dual_equations : (ninter, ndim+1) float64
+        For each intersection the unit normal and offset of the dual facet.
+    dual_area, dual_volume : float
+        Surface area and volume of the hull of the dual points.
+    """
+
+    _derived = ("intersections", "dual_points", "dual_facets", "dual_vertices", "dual_equations", "dual_area", "dual_volume")
+
+    def __init__(self, halfspaces, interior_point, incremental=False, qhull_options=None):
+        halfspaces = as_points(halfspaces, "halfspaces")
+        if np.ma.isMaskedArray(interior_point):
+            raise ValueError("Input interior point cannot be a masked array")
+        self.interior_point = np.ascontiguousarray(interior_point, dtype=np.float64)
+        if self.interior_point.shape != (halfspaces.shape[1] - 1,):
+            raise ValueError("Feasible point must be a (ndim-1,) array")
+        self._options = _options.parse(qhull_options, kind="halfspaces", incremental=incremental)
+        self._start(halfspaces, incremental)
+
+    @property
+    def halfspaces(self) -> np.ndarray:
+        """The halfspaces, (nineq, ndim+1)."""
+        return self._points
+
+    def add_halfspaces(self, halfspaces, restart: bool = False) -> None:
+        """Adds halfspaces, (n, ndim+1), as the next rows; see `Delaunay.add_points`. QhullError if the interior point is not strictly
+        inside them."""
+        self._add_rows(halfspaces, restart)
+
+    def _rebuild(self):
+        with _not_inside():
+            self._core = delone.HalfspaceIntersection(self._points, self.interior_point)
+
+    def _extend(self, rows):
+        with _not_inside():
+            self._core.add_halfspaces(rows)
+
+    def _update(self):
+        self._forget()
+        core = self._core
+        self.nineq, self.ndim = len(self._points), self._points.shape[1] - 1
+        self.intersections, self.is_bounded = np.array(core.vertices), bool(core.is_bounded)
+
+    @cached_property
+    def dual_points(self) -> np.ndarray:
+        return np.array(self._core.dual_points)
+
+    @cached_property
+    def dual_equations(self) -> np.ndarray:
+        return np.array(self._core.dual_equations)
+
+    @cached_property
+    def dual_facets(self) -> list[list[int]]:
+        return _geometry.lists(self._core.vertex_halfspaces, self._core.vertex_offsets)
+
+    @cached_property
+    def dual_vertices(self) -> np.ndarray:
+        return np.array(self._core.facet_halfspaces, np.int64)
+
+    @cached_property
+    def dual_area(self) -> float:
+        return float(self._core.dual_area)
+
+    @cached_property
+    def dual_volume(self) -> float:
+        return float(self._core.dual_volume)
+
+
+class _not_inside:
+    """What the library says of an interior point that is not strictly inside is a QhullError, as in scipy."""
+
+    def __enter__(self):
+        return self
+
+    def __exit__(self, kind, error, traceback):
+        if kind is not None and issubclass(kind, delone.InputError):
+            raise QhullError(str(error)) from error

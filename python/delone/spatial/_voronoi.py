@@ -1,0 +1,102 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""scipy.spatial.Voronoi, exact."""
+from __future__ import annotations
+
+from functools import cached_property
+
+import numpy as np
+
+import delone
+
+from . import _geometry, _options
+from ._base import OfPoints, as_points
+
+
+class Voronoi(OfPoints):
+    """Voronoi diagram in any dimension, with the arguments and attributes of `scipy.spatial.Voronoi`.
+
+    Parameters
+    ----------
+    points : (npoints, ndim) finite floats
+        The points. Duplicates share a region; flat input has its diagram within its flat.
+    furthest_site : bool
+        The diagram of the furthest instead of the nearest points.
+    incremental : bool
+        Allow `add_points`.
+    qhull_options : str, optional
+        Qhull's options, see docs/from-qhull.md; ValueError for one that has no meaning here. Default "Qbb Qc Qz".
+
+    Attributes
+    ----------
+    points, ndim, npoints, min_bound, max_bound
+        The points, d, their number, and their bounding box.
+    vertices : (nvertices, ndim) float64
+        The distinct Voronoi vertices, each coordinate the double nearest to the exact one.
+    affine_dimension : int
+        k, of the smallest flat that contains all points (not in scipy).
+    ridge_points : (nridges, 2) int32
+        The points on both sides of each ridge. As in scipy, ridges with fewer than k vertices, infinity counted as one, are left
+        out; `delone.Voronoi` has them all.
+    ridge_vertices : list of lists of int
+        The vertices of each ridge, −1 first if it is unbounded; in cyclic order in 3 dimensions.
+    regions : list of lists of int
+        The vertices of each region, −1 first if it is unbounded; in cyclic order in the plane. With option Qz, which the default
+        has, the last one is empty, as in scipy. So are those of points that are not the furthest anywhere.
+    point_region : (npoints,) int64
+        The region of each point. Duplicates have −1 if the options leave out Qc.
+    ridge_dict : dict
+        The vertices of the ridge between two points.
+    furthest_site : bool
+    """
+
+    _derived = ("vertices", "ridge_points", "ridge_vertices", "regions", "point_region", "ridge_dict",
+                "_num_hidden", "_listed_ridges", "_ridges", "_regions", "_ray_points", "_ray_directions")
+
+    def __init__(self, points, furthest_site=False, incremental=False, qhull_options=None):
+        points = as_points(points)
+        self._options = _options.parse(qhull_options, kind="voronoi", furthest_site=furthest_site, incremental=incremental)
+        self.furthest_site = self._options.furthest
+        self._start(points, incremental)
+
+    def _rebuild(self):
+        self._core = (delone.FurthestSite if self._options.furthest else delone.Delaunay)(self._points)
+
+    def _extend(self, rows):
+        self._core.add_points(rows)
+
+    def _update(self):
+        self._forget()
+        diagram = delone.Voronoi(self._core)
+        self.affine_dimension = self._core.affine_dimension
+        self.vertices = np.array(diagram.vertices)
+        self.point_region = diagram.point_region.astype(np.intp)
+        hidden = np.flatnonzero(self.point_region == -1)
+        self.point_region[hidden] = diagram.num_regions + np.arange(len(hidden))
+        self._num_hidden = len(hidden)
+        if not self._options.keep_coplanar:
+            self.point_region[self._core.duplicates[:, 0]] = -1
+        # As in scipy, where infinity counts as one vertex, ridges with fewer than k vertices are left out: the cones at one vertex,
+        # and the like, that are dual to edges of the convex hull with few cells about them.
+        counts = np.diff(diagram.ridge_offsets)
+        self._listed_ridges = np.flatnonzero(counts >= self.affine_dimension)
+        self.ridge_points = diagram.ridge_points[self._listed_ridges]
+        self._ridges = diagram.ridge_vertices, diagram.ridge_offsets
+        self._regions = diagram.region_vertices, diagram.region_offsets
+        self._ray_points, self._ray_directions = diagram.ray_points, diagram.ray_directions
+        if not self._incremental:
+            del self._core
+
+    @cached_property
+    def ridge_vertices(self) -> list[list[int]]:
+        ridges = _geometry.lists(*self._ridges)
+        return [ridges[i] for i in self._listed_ridges.tolist()]
+
+    @cached_property
+    def regions(self) -> list[list[int]]:
+        regions = _geometry.lists(*self._regions)
+        regions = [[] if region == [-1] else region for region in regions] + [[] for _ in range(self._num_hidden)]
+        return regions + [[]] if self._options.at_infinity else regions
+
+    @cached_property
+    def ridge_dict(self) -> dict[tuple[int, int], list[int]]:
+        return dict(zip(map(tuple, self.ridge_points.tolist()), self.ridge_vertices))

@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// NumPy arrays in and out: inputs as C-contiguous float64 without a copy where they are that already, outputs as read-only
+// views that keep their owner alive.
+#pragma once
+
+#include <pybind11/numpy.h>
+#include <pybind11/pybind11.h>
+
+#include <delone/types.hpp>
+
+#include <cstddef>
+#include <memory>
+#include <span>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace delone::python {
+
+namespace py = pybind11;
+
+/// Any array-like of real numbers as C-contiguous float64. ValueError, naming the row, if an integer (or a long double, or
+/// another number object) is not exact in float64, and for masked, complex or ragged input; `name` is the argument's.
+/// Values may be NaN or infinite.
+py::array_t<double> as_doubles(const py::object& object, const std::string& name);
+
+inline std::span<const double> numbers(const py::array_t<double>& array) {
+  return {array.data(), static_cast<std::size_t>(array.size())};
+}
+
+/// An (n, d) array of points, d ≥ 1. ValueError for another shape.
+py::array_t<double> as_points(const py::object& object, const std::string& name);
+
+/// Queries of shape (…, d), and arrays of answers, one for each.
+class Queries {
+ public:
+  Queries(const py::object& object, int dimension);
+  std::span<const double> coordinates() const { return numbers(array_); }
+  std::size_t size() const { return size_; }
+  /// A new array of shape (…, further).
+  template <class T>
+  py::array_t<T> answers(std::initializer_list<std::size_t> further = {}) const {
+    std::vector<py::ssize_t> shape = shape_;
+    for (const std::size_t length : further) shape.push_back(static_cast<py::ssize_t>(length));
+    return py::array_t<T>(shape);
+  }
+  /// Answers to a single query of shape (d,) as a scalar, if they are one number.
+  static py::object scalar_if_single(const py::array& answers) {
+    return answers.ndim() == 0 ? py::object(answers[py::tuple()]) : py::object(answers);
+  }
+
+ private:
+  py::array_t<double> array_;
+  std::vector<py::ssize_t> shape_;  // without the last one
+  std::size_t size_ = 0;
+};
+
+/// A read-only array of memory that `owner` keeps.
+template <class T>
+py::array view(std::span<const T> items, std::vector<py::ssize_t> shape, std::shared_ptr<const void> owner) {
+  using Owner = std::shared_ptr<const void>;
+  auto keep = std::make_unique<Owner>(std::move(owner));
+  const py::capsule base(keep.get(), [](void* p) { delete static_cast<Owner*>(p); });
+  static_cast<void>(keep.release());
+  py::array_t<T> array(std::move(shape), items.data(), base);
+  py::detail::array_proxy(array.ptr())->flags &= ~py::detail::npy_api::NPY_ARRAY_WRITEABLE_;
+  return array;
+}
+
+/// Rows of `width` numbers; `rows` matters where the width is 0.
+template <class T, class Owner>
+py::array rows_view(const std::vector<T>& items, std::size_t rows, std::size_t width, const std::shared_ptr<Owner>& owner) {
+  return view<T>(items, {static_cast<py::ssize_t>(rows), static_cast<py::ssize_t>(width)}, owner);
+}
+template <class T, class Owner>
+py::array list_view(const std::vector<T>& items, const std::shared_ptr<Owner>& owner) {
+  return view<T>(items, {static_cast<py::ssize_t>(items.size())}, owner);
+}
+
+/// The same for numbers that nothing else holds.
+template <class T>
+py::array rows_view(std::vector<T>&& items, std::size_t rows, std::size_t width) {
+  const auto owner = std::make_shared<const std::vector<T>>(std::move(items));
+  return rows_view(*owner, rows, width, owner);
+}
+template <class T>
+py::array list_view(std::vector<T>&& items) {
+  const auto owner = std::make_shared<const std::vector<T>>(std::move(items));
+  return list_view(*owner, owner);
+}
+
+}  // namespace delone::python

@@ -1,0 +1,246 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// delone.HalfspaceIntersection.
+#include "arrays.hpp"
+#include "module.hpp"
+#include "running.hpp"
+
+#include <pybind11/stl.h>
+
+#include <delone/halfspaces.hpp>
+
+#include <memory>
+#include <mutex>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace delone::python {
+namespace {
+
+using namespace py::literals;
+
+const char* name_of(IntersectionState state) {
+  return state == IntersectionState::full ? "full" : state == IntersectionState::flat ? "flat" : "empty";
+}
+
+/// An intersection and its arrays.
+class HeldIntersection {
+ public:
+  HeldIntersection(const py::object& halfspaces, const py::object& interior_point, const BuildArguments& arguments,
+                   const py::object& progress)
+      : arguments_(arguments) {
+    const auto rows = as_rows(halfspaces);
+    dimension_ = static_cast<int>(rows.shape(1)) - 1;
+    py::array_t<double> interior(0);
+    has_interior_ = !interior_point.is_none();
+    if (has_interior_) interior = as_doubles(interior_point, "interior_point");
+    if (has_interior_ && (interior.ndim() != 1 || interior.shape(0) != dimension_))
+      throw py::value_error("interior_point: an array of shape (" + std::to_string(dimension_) + ",), not " +
+                            std::string(py::str(interior.attr("shape"))));
+    guard_.change(progress, [&, h = numbers(rows), p = numbers(interior)] {
+      const Options options = arguments_.to_options(guard_.progress());
+      if (has_interior_)
+        intersection_.emplace(h, dimension_, p, options);
+      else
+        intersection_.emplace(h, dimension_, options);
+    });
+  }
+
+  int dimension() const { return dimension_; }
+  const BuildArguments& arguments() const { return arguments_; }
+  bool has_interior_point() const { return has_interior_; }
+
+  template <class Question>
+  auto ask(Question question) const {
+    return guard_.ask([&](Supervisor&) { return question(*intersection_); });
+  }
+
+  void add(const py::object& halfspaces, const py::object& progress) {
+    const auto rows = as_rows(halfspaces);
+    if (rows.shape(1) != dimension_ + 1)
+      throw py::value_error("halfspaces: " + std::to_string(rows.shape(1)) + " numbers per row, not " +
+                            std::to_string(dimension_ + 1));
+    guard_.change(progress, [&, h = numbers(rows)] {
+      intersection_->add_halfspaces(h);
+      data_.reset();
+    });
+  }
+
+  /// The arrays, which later additions leave alone.
+  std::shared_ptr<const IntersectionData> data() const {
+    return ask([this](const HalfspaceIntersection& intersection) {
+      const std::lock_guard lock(data_mutex_);
+      if (!data_) data_ = std::make_shared<const IntersectionData>(intersection.to_data());
+      return data_;
+    });
+  }
+
+ private:
+  static py::array_t<double> as_rows(const py::object& halfspaces) {
+    auto rows = as_points(halfspaces, "halfspaces");
+    if (rows.shape(1) < 2) throw py::value_error("halfspaces: an array of shape (m, d+1), d at least 1");
+    return rows;
+  }
+
+  BuildArguments arguments_;
+  int dimension_ = 0;
+  bool has_interior_ = false;
+  Guard guard_;  // of all below
+  std::optional<HalfspaceIntersection> intersection_;
+  mutable std::mutex data_mutex_;  // of data_, besides the guard
+  mutable std::shared_ptr<const IntersectionData> data_;
+};
+
+/// Rows of `extra` more than d numbers.
+template <std::vector<double> IntersectionData::*Member, std::size_t extra = 0>
+py::array rows_of(const HeldIntersection& held) {
+  const auto data = held.data();
+  const auto width = static_cast<std::size_t>(held.dimension()) + extra;
+  return rows_view((*data).*Member, ((*data).*Member).size() / width, width, data);
+}
+template <std::vector<SignedIndex> IntersectionData::*Member>
+py::array list_of(const HeldIntersection& held) {
+  const auto data = held.data();
+  return list_view((*data).*Member, data);
+}
+template <std::vector<SignedIndex> IntersectionData::*Member>
+py::array pairs_of(const HeldIntersection& held) {
+  const auto data = held.data();
+  return rows_view((*data).*Member, ((*data).*Member).size() / 2, 2, data);
+}
+/// Offsets; [0] where there are no lists.
+template <std::vector<SignedIndex> IntersectionData::*Member>
+py::array offsets_of(const HeldIntersection& held) {
+  const auto data = held.data();
+  if (((*data).*Member).empty()) return list_view(std::vector<SignedIndex>{0});
+  return list_view((*data).*Member, data);
+}
+
+py::array interior_point(const HeldIntersection& held) {
+  const auto data = held.data();
+  return list_view(data->interior_point, data);
+}
+
+py::array kinds(const HeldIntersection& held) {
+  const auto data = held.data();
+  return view<std::uint8_t>({reinterpret_cast<const std::uint8_t*>(data->kinds.data()), data->kinds.size()},
+                            {static_cast<py::ssize_t>(data->kinds.size())}, data);
+}
+
+std::string repr(const HeldIntersection& held) {
+  return held.ask([](const HalfspaceIntersection& h) {
+    std::string text = "<delone.HalfspaceIntersection: " + std::to_string(h.num_halfspaces()) + " halfspaces in dimension " +
+                       std::to_string(h.dimension());
+    if (h.state() != IntersectionState::full) return text + ", " + name_of(h.state()) + ">";
+    return text + ", " + std::to_string(h.num_vertices()) + " vertices, " + std::to_string(h.num_facets()) + " facets" +
+           (h.is_bounded() ? ">" : ", unbounded>");
+  });
+}
+
+py::tuple state(const HeldIntersection& held) {
+  const BuildArguments& a = held.arguments();
+  return py::make_tuple(rows_of<&IntersectionData::halfspaces, 1>(held),
+                        held.has_interior_point() ? py::object(interior_point(held)) : py::none(), a.seed, a.order, a.threads);
+}
+
+std::unique_ptr<HeldIntersection> restored(const py::tuple& state) {
+  if (state.size() != 5) throw py::value_error("not the state of an intersection");
+  return std::make_unique<HeldIntersection>(
+      state[0], state[1], BuildArguments{state[2].cast<std::uint64_t>(), state[3].cast<std::string>(), state[4].cast<int>()},
+      py::none());
+}
+
+template <class Question>
+auto asking(Question question) {
+  return [question](const HeldIntersection& held) { return held.ask(question); };
+}
+
+}  // namespace
+
+void bind_halfspaces(py::module_& module) {
+  using Data = IntersectionData;
+  using Intersection = HalfspaceIntersection;
+  py::class_<HeldIntersection> type(
+      module, "HalfspaceIntersection",
+      "HalfspaceIntersection(halfspaces, interior_point=None, *, seed=0, order='automatic', threads=1, progress=None)\n\n"
+      "The points x with A x + b <= 0, for halfspaces (m, d+1) with the rows [A, b]: vertices, facets and edges of a\n"
+      "polyhedron, exactly. interior_point: (d,), strictly inside all of them; without one it is found.\n\n"
+      "An intersection that is flat or empty is a result, see `state`. Where it contains lines (rank k < d), vertices and\n"
+      "the like are those of its section by the coordinates `axes`, and `lineality` spans the lines. Arguments as in\n"
+      "Delaunay. Raises InputError, a ValueError, for NaN and infinities, and if interior_point is not strictly inside.");
+  type.def(py::init([](const py::object& halfspaces, const py::object& interior_point, std::uint64_t seed, std::string order,
+                       int threads, const py::object& progress) {
+             return std::make_unique<HeldIntersection>(halfspaces, interior_point,
+                                                       BuildArguments{seed, std::move(order), threads}, progress);
+           }),
+           "halfspaces"_a, "interior_point"_a = py::none(), py::kw_only(), "seed"_a = 0, "order"_a = "automatic",
+           "threads"_a = 1, "progress"_a = py::none());
+  type.def(
+      "add_halfspaces", &HeldIntersection::add, "halfspaces"_a, py::kw_only(), "progress"_a = py::none(),
+      "Adds halfspaces, (n, d+1), as the next rows; the interior point must be strictly inside them. If it raises, nothing\n"
+      "has changed. Arrays taken before stay as they are.");
+  type.def_property_readonly("dimension", &HeldIntersection::dimension, "d, the number of coordinates.")
+      .def_property_readonly("rank", asking([](const Intersection& h) { return h.rank(); }),
+                             "k, the rank of the normals: d-k is the dimension of the lines in the intersection.")
+      .def_property_readonly("state", asking([](const Intersection& h) { return name_of(h.state()); }),
+                             "'full', 'flat' (points, but none strictly inside) or 'empty'.")
+      .def_property_readonly("is_bounded", asking([](const Intersection& h) { return h.is_bounded(); }),
+                             "Whether the intersection is a polytope.")
+      .def_property_readonly("num_halfspaces", asking([](const Intersection& h) { return h.num_halfspaces(); }), "m.")
+      .def_property_readonly("num_vertices", asking([](const Intersection& h) { return h.num_vertices(); }), "v.")
+      .def_property_readonly("num_facets", asking([](const Intersection& h) { return h.num_facets(); }), "f.")
+      .def("__len__", asking([](const Intersection& h) { return h.num_facets(); }))
+      .def_property_readonly("halfspaces", &rows_of<&Data::halfspaces, 1>, "(m, d+1) float64, read-only.")
+      .def_property_readonly("interior_point", &interior_point,
+                             "(d,): the one given, or found (rounded); empty if the state is not 'full'.")
+      .def_property_readonly("witness", &list_of<&Data::witness>,
+                             "At most d+1 rows that have no interior point in common, if the state is not 'full'.")
+      .def_property_readonly(
+          "axes", [](const HeldIntersection& h) { return py::tuple(py::cast(h.data()->axes)); },
+          "k coordinates onto which the normals project one-to-one.")
+      .def_property_readonly("vertices", &rows_of<&Data::vertices>,
+                             "(v, d), each coordinate the double nearest to the exact one.")
+      .def_property_readonly("vertex_offsets", &offsets_of<&Data::vertex_offsets>, "(v+1,), see vertex_halfspaces.")
+      .def_property_readonly("vertex_halfspaces", &list_of<&Data::vertex_halfspaces>,
+                             "The rows of the facets that meet in vertex i are\n"
+                             "vertex_halfspaces[vertex_offsets[i]:vertex_offsets[i+1]], increasing.")
+      .def_property_readonly("directions", &rows_of<&Data::directions>, "(r, d) unit vectors: the extreme ones to infinity.")
+      .def_property_readonly("direction_offsets", &offsets_of<&Data::direction_offsets>, "(r+1,), see direction_halfspaces.")
+      .def_property_readonly("direction_halfspaces", &list_of<&Data::direction_halfspaces>,
+                             "The rows of the facets that contain direction i are\n"
+                             "direction_halfspaces[direction_offsets[i]:direction_offsets[i+1]].")
+      .def_property_readonly("edges", &pairs_of<&Data::edges>, "(e, 2) vertices: the bounded edges.")
+      .def_property_readonly("rays", &pairs_of<&Data::rays>, "(u, 2): the vertex and the direction of each unbounded edge.")
+      .def_property_readonly("facet_halfspaces", &list_of<&Data::facet_halfspaces>, "(f,) the row of each facet, increasing.")
+      .def_property_readonly("facet_offsets", &offsets_of<&Data::facet_offsets>, "(f+1,), see facet_vertices.")
+      .def_property_readonly(
+          "facet_vertices", &list_of<&Data::facet_vertices>,
+          "The vertices of facet i are facet_vertices[facet_offsets[i]:facet_offsets[i+1]]: for k = 3 along\n"
+          "its border, counterclockwise seen from outside when k = d; otherwise increasing.")
+      .def_property_readonly("lineality", &rows_of<&Data::lineality>, "(d-k, d) unit vectors that span the lines inside.")
+      .def_property_readonly("first_of_halfspace", &list_of<&Data::first_of_halfspace>,
+                             "(m,) the first row that is the same halfspace.")
+      .def_property_readonly(
+          "kinds", &kinds,
+          "(m,) uint8: 0 a facet, 1 redundant and touching, 2 redundant, 3 a duplicate of an earlier row, 4\n"
+          "no condition at all.")
+      .def_property_readonly("dual_points", &rows_of<&Data::dual_points>,
+                             "(m, d): -A / (A p + b) with the interior point p, rounded.")
+      .def_property_readonly("dual_equations", &rows_of<&Data::dual_equations, 1>,
+                             "(v, d+1): unit normal and offset of the facet of the dual points' hull for each vertex, rounded.")
+      .def_property_readonly("volume", asking([](const Intersection& h) { return h.volume(); }),
+                             "The d-volume: infinite if unbounded, 0 if flat or empty. Computed at every call; in many\n"
+                             "dimensions it may take longer than the intersection.")
+      .def_property_readonly("dual_volume", asking([](const Intersection& h) { return h.dual_volume(); }),
+                             "The volume of the hull of the dual points (and of the origin, if unbounded). NaN for k < d.")
+      .def_property_readonly("dual_area", asking([](const Intersection& h) { return h.dual_area(); }),
+                             "The surface area of the same.")
+      .def_property_readonly(
+          "statistics",
+          [](const HeldIntersection& h) { return as_dict(h.ask([](const Intersection& i) { return i.statistics(); })); },
+          "What the construction has cost: a dict of counts, seconds and bytes.")
+      .def("__repr__", &repr)
+      .def(py::pickle(&state, &restored));
+}
+
+}  // namespace delone::python

@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The exceptions of the module, each also the built-in exception that says most about it; options and statistics.
+#include "running.hpp"
+
+#include <new>
+
+namespace delone::python {
+namespace {
+
+struct Types {
+  py::object base, input, memory, cancelled;
+};
+
+/// Kept for the life of the interpreter, as the module itself is.
+Types& types() {
+  static auto* const all = new Types;
+  return *all;
+}
+
+py::object make(py::module_& module, const char* name, const py::tuple& bases, const char* doc) {
+  py::dict members;
+  members["__doc__"] = doc;
+  members["__module__"] = "delone";
+  py::object type = py::reinterpret_steal<py::object>(
+      PyObject_CallFunction(reinterpret_cast<PyObject*>(&PyType_Type), "sOO", name, bases.ptr(), members.ptr()));
+  if (!type) throw py::error_already_set();
+  module.attr(name) = type;
+  return type;
+}
+
+const py::object& type_of(Errc code) {
+  switch (code) {
+    case Errc::not_finite:
+    case Errc::bad_dimension:
+    case Errc::invalid_argument:
+    case Errc::bad_format:
+      return types().input;
+    case Errc::out_of_memory:
+      return types().memory;
+    case Errc::cancelled:
+      return types().cancelled;
+    case Errc::too_many:
+    case Errc::cannot_open:
+    case Errc::cannot_write:
+    case Errc::unsupported:
+      break;
+  }
+  return types().base;
+}
+
+void translate(std::exception_ptr pointer) {
+  try {
+    if (pointer) std::rethrow_exception(pointer);
+  } catch (const Error& error) {
+    const py::object exception = type_of(error.code())(error.what());
+    py::list rows;
+    for (const std::size_t row : error.rows()) rows.append(row);
+    exception.attr("rows") = rows;
+    PyErr_SetObject(reinterpret_cast<PyObject*>(Py_TYPE(exception.ptr())), exception.ptr());
+  } catch (const std::bad_alloc&) {
+    PyErr_SetString(types().memory.ptr(), "not enough memory");
+  }
+}
+
+}  // namespace
+
+Options BuildArguments::to_options() const {
+  Options options;
+  options.seed = seed;
+  if (order == "shuffled")
+    options.order = InsertionOrder::shuffled;
+  else if (order == "given")
+    options.order = InsertionOrder::as_given;
+  else if (order != "automatic")
+    throw py::value_error("order: 'automatic', 'given' or 'shuffled', not '" + order + "'");
+  if (threads < 1) throw py::value_error("threads: at least 1, not " + std::to_string(threads));
+  return options;
+}
+
+py::dict as_dict(const Statistics& s) {
+  using namespace py::literals;
+  return py::dict("created_cells"_a = s.created_cells, "visited_cells"_a = s.visited_cells, "insertions"_a = s.insertions,
+                  "filter"_a = s.filter, "direct"_a = s.direct, "exact"_a = s.exact, "perturbed"_a = s.perturbed,
+                  "order_seconds"_a = s.order_seconds, "build_seconds"_a = s.build_seconds, "cell_bytes"_a = s.cell_bytes);
+}
+
+void bind_errors(py::module_& module) {
+  const auto builtin = [](PyObject* type) { return py::reinterpret_borrow<py::object>(type); };
+  Types& t = types();
+  t.base = make(module, "Error", py::make_tuple(builtin(PyExc_Exception)),
+                "Whatever the library cannot do. `rows`: the rows of the input concerned, a list.");
+  t.base.attr("rows") = py::tuple();
+  t.input = make(module, "InputError", py::make_tuple(t.base, builtin(PyExc_ValueError)),
+                 "Input or an argument that can have no result, such as NaN.");
+  t.memory = make(module, "OutOfMemoryError", py::make_tuple(t.base, builtin(PyExc_MemoryError)), "Not enough memory.");
+  t.cancelled = make(module, "CancelledError", py::make_tuple(t.base), "The progress function returned False.");
+  py::register_exception_translator(translate);
+}
+
+}  // namespace delone::python

@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// One function for each group of classes.
+#pragma once
+
+#include <pybind11/pybind11.h>
+
+namespace delone::python {
+
+void bind_triangulations(pybind11::module_& module);
+void bind_interpolator(pybind11::module_& module);
+void bind_convex_hull(pybind11::module_& module);
+void bind_voronoi(pybind11::module_& module);
+void bind_halfspaces(pybind11::module_& module);
+void bind_cell_maps(pybind11::module_& module);
+
+}  // namespace delone::python

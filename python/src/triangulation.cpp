@@ -1,0 +1,150 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Insertions, what is computed on demand, and recovery from insertions that were broken off. See triangulation.hpp.
+#include "triangulation.hpp"
+
+#include <utility>
+
+namespace delone::python {
+namespace {
+
+/// Says which thread is changing an object, as long as it is.
+class Changing {
+ public:
+  explicit Changing(std::atomic<std::thread::id>& thread) : thread_(thread) { thread_ = std::this_thread::get_id(); }
+  Changing(const Changing&) = delete;
+  Changing& operator=(const Changing&) = delete;
+  ~Changing() { thread_ = std::thread::id(); }
+
+ private:
+  std::atomic<std::thread::id>& thread_;
+};
+
+}  // namespace
+
+HeldTriangulation::HeldTriangulation(Form form, int dimension, const BuildArguments& arguments)
+    : form_(form), dimension_(dimension), arguments_(arguments), engine_(make_engine()) {}
+
+std::shared_ptr<Triangulation> HeldTriangulation::make_engine() const {
+  Options options = arguments_.to_options();
+  options.progress = [watch = watch_](double fraction) {
+    return watch->supervisor == nullptr || watch->supervisor->go_on(fraction);
+  };
+  switch (form_) {
+    case Form::regular:
+      return std::make_shared<RegularTriangulation>(dimension_, options);
+    case Form::furthest_site:
+      return std::make_shared<FurthestSiteTriangulation>(dimension_, options);
+    case Form::delaunay:
+      break;
+  }
+  return std::make_shared<Triangulation>(dimension_, options);
+}
+
+void HeldTriangulation::insert(Triangulation& engine, std::span<const double> coordinates,
+                               std::span<const double> weights) const {
+  if (form_ == Form::regular)
+    static_cast<RegularTriangulation&>(engine).insert_range(coordinates, weights);
+  else
+    engine.insert_range(coordinates);
+}
+
+void HeldTriangulation::refuse_reentry() const {
+  if (changing_.load() == std::this_thread::get_id()) throw std::runtime_error("the object is being changed");
+}
+
+void HeldTriangulation::add(std::span<const double> coordinates, std::span<const double> weights, Supervisor& supervisor) {
+  with_engine(supervisor, [](const Triangulation&) {});  // recovers, if need be
+  const std::unique_lock lock(mutex_);
+  if (is_stale_) throw std::runtime_error("another thread's insertion was broken off");
+  const Changing changing(changing_);
+  batches_.reserve(batches_.size() + 1);
+  watch_->supervisor = &supervisor;
+  try {
+    insert(*engine_, coordinates, weights);
+  } catch (...) {
+    watch_->supervisor = nullptr;
+    is_stale_ = engine_->num_rows() != num_rows_;
+    throw;
+  }
+  watch_->supervisor = nullptr;
+  if (engine_->num_rows() == num_rows_) return;
+  batches_.push_back(engine_->num_rows() - num_rows_);
+  num_rows_ = engine_->num_rows();
+  ++version_;
+  const std::lock_guard derived(derived_mutex_);
+  cells_.reset();
+  points_.reset();
+  weights_.reset();
+  locator_.reset();
+}
+
+/// Inserts the rows that are ours into a new engine, batch by batch, so that cells get the same numbers.
+void HeldTriangulation::rebuild(Supervisor& supervisor) const {
+  const std::unique_lock lock(mutex_);
+  if (!is_stale_) return;
+  const Changing changing(changing_);
+  const ComplexData old = engine_->to_data();
+  const auto engine = make_engine();
+  watch_->supervisor = &supervisor;
+  try {
+    std::size_t first = 0;
+    const auto d = static_cast<std::size_t>(dimension_);
+    for (const std::size_t rows : batches_) {
+      insert(*engine, std::span(old.points).subspan(first * d, rows * d),
+             form_ == Form::regular ? std::span(old.weights).subspan(first, rows) : std::span<const double>());
+      first += rows;
+    }
+  } catch (...) {
+    watch_->supervisor = nullptr;
+    throw;
+  }
+  watch_->supervisor = nullptr;
+  const std::lock_guard derived(derived_mutex_);
+  locator_.reset();
+  engine_ = engine;
+  is_stale_ = false;
+}
+
+std::shared_ptr<const Cells> HeldTriangulation::cells_of(const Triangulation& engine) const {
+  const std::lock_guard lock(derived_mutex_);
+  if (cells_) return cells_;
+  auto cells = std::make_shared<Cells>();
+  cells->data = engine.to_data(false);
+  const Complex complex = engine.complex();
+  cells->number_of_slot.assign(complex.num_cell_slots(), -1);
+  SignedIndex count = 0;
+  for (const CellId c : complex.finite_cells()) cells->number_of_slot[index(c)] = count++;
+  cells_ = std::move(cells);
+  return cells_;
+}
+
+const PointLocator& HeldTriangulation::locator_of(const Triangulation& engine) const {
+  const std::lock_guard lock(derived_mutex_);
+  if (!locator_) locator_ = std::make_unique<PointLocator>(engine);
+  return *locator_;
+}
+
+std::shared_ptr<const std::vector<double>> HeldTriangulation::row_data(Supervisor& supervisor, bool want_weights) const {
+  return with_engine(supervisor, [&](const Triangulation& engine) {
+    const std::lock_guard lock(derived_mutex_);
+    if (!points_) {
+      ComplexData data = engine.to_data();
+      points_ = std::make_shared<const std::vector<double>>(std::move(data.points));
+      weights_ = std::make_shared<const std::vector<double>>(std::move(data.weights));
+    }
+    return want_weights ? weights_ : points_;
+  });
+}
+std::shared_ptr<const std::vector<double>> HeldTriangulation::points(Supervisor& supervisor) const {
+  return row_data(supervisor, false);
+}
+std::shared_ptr<const std::vector<double>> HeldTriangulation::weights(Supervisor& supervisor) const {
+  return row_data(supervisor, true);
+}
+
+std::vector<std::size_t> HeldTriangulation::batches() const {
+  const std::shared_lock lock(mutex_);
+  return batches_;
+}
+
+}  // namespace delone::python

@@ -1,0 +1,112 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// A triangulation as Python holds it: the engine, what is computed from it on demand, and the locks that let threads share it.
+//
+// Everything below the line `without the GIL` is called without it. Queries share a lock, changes have it alone. Nothing asks
+// for the GIL while it waits for a lock that a thread with the GIL could want: Supervisor takes it for a moment, under a lock,
+// and threads that wait for that lock have let it go.
+#pragma once
+
+#include "running.hpp"
+
+#include <delone/furthest_site.hpp>
+#include <delone/point_locator.hpp>
+#include <delone/regular.hpp>
+
+#include <atomic>
+#include <memory>
+#include <mutex>
+#include <shared_mutex>
+#include <span>
+#include <stdexcept>
+#include <thread>
+#include <vector>
+
+namespace delone::python {
+
+enum class Form { delaunay, regular, furthest_site };
+
+/// A plain copy of the combinatorics, which arrays are views of: further insertions leave it alone.
+struct Cells {
+  ComplexData data;                         // without points
+  std::vector<SignedIndex> number_of_slot;  // the row in data.cells of each CellId, −1 for infinite cells
+};
+
+class HeldTriangulation {
+ public:
+  HeldTriangulation(Form form, int dimension, const BuildArguments& arguments);
+
+  Form form() const { return form_; }
+  int dimension() const { return dimension_; }
+  const BuildArguments& arguments() const { return arguments_; }
+
+  // Without the GIL:
+
+  /// Adds points, all or none. REQUIRES as many weights as points for a regular triangulation, and none for others.
+  void add(std::span<const double> coordinates, std::span<const double> weights, Supervisor& supervisor);
+
+  /// Calls work(engine) with the engine as it should be.
+  template <class Work>
+  auto with_engine(Supervisor& supervisor, Work work) const {
+    refuse_reentry();
+    for (;;) {
+      {
+        const std::shared_lock lock(mutex_);
+        if (!is_stale_) return work(static_cast<const Triangulation&>(*engine_));
+      }
+      rebuild(supervisor);
+    }
+  }
+  /// Calls work(engine, locator, cells).
+  template <class Work>
+  auto with_locator(Supervisor& supervisor, Work work) const {
+    return with_engine(supervisor, [&](const Triangulation& engine) {
+      const std::shared_ptr<const Cells> numbers = cells_of(engine);
+      return work(engine, locator_of(engine), *numbers);
+    });
+  }
+
+  std::shared_ptr<const Cells> cells(Supervisor& supervisor) const {
+    return with_engine(supervisor, [&](const Triangulation& engine) { return cells_of(engine); });
+  }
+  std::shared_ptr<const std::vector<double>> points(Supervisor& supervisor) const;
+  std::shared_ptr<const std::vector<double>> weights(Supervisor& supervisor) const;
+  std::vector<std::size_t> batches() const;
+
+  /// Changes with every insertion. Under with_engine() it stands still.
+  std::uint64_t version() const { return version_; }
+
+ private:
+  std::shared_ptr<Triangulation> make_engine() const;
+  void insert(Triangulation& engine, std::span<const double> coordinates, std::span<const double> weights) const;
+  void rebuild(Supervisor& supervisor) const;
+  void refuse_reentry() const;
+  std::shared_ptr<const Cells> cells_of(const Triangulation& engine) const;
+  const PointLocator& locator_of(const Triangulation& engine) const;
+  std::shared_ptr<const std::vector<double>> row_data(Supervisor& supervisor, bool want_weights) const;
+
+  /// What the engine's progress function asks: whoever is waiting for the present change.
+  struct Watch {
+    Supervisor* supervisor = nullptr;
+  };
+
+  Form form_;
+  int dimension_;
+  BuildArguments arguments_;
+  std::shared_ptr<Watch> watch_ = std::make_shared<Watch>();
+
+  mutable std::shared_mutex mutex_;  // of all below
+  mutable std::shared_ptr<Triangulation> engine_;
+  std::size_t num_rows_ = 0;
+  std::vector<std::size_t> batches_;
+  /// The last insertion was broken off: the engine has rows that are not ours, and is rebuilt without them before its next use.
+  mutable bool is_stale_ = false;
+  std::atomic<std::uint64_t> version_{0};
+  mutable std::atomic<std::thread::id> changing_;
+
+  mutable std::mutex derived_mutex_;  // of all below, besides the other
+  mutable std::shared_ptr<const Cells> cells_;
+  mutable std::shared_ptr<const std::vector<double>> points_, weights_;
+  mutable std::unique_ptr<PointLocator> locator_;
+};
+
+}  // namespace delone::python

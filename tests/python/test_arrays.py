@@ -1,0 +1,155 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""What may be given as an array, what is refused, what is copied, and how long arrays live."""
+import gc
+import tracemalloc
+from fractions import Fraction
+
+import numpy as np
+import pytest
+
+import delone
+
+SQUARE = [[0, 0], [3, 0], [0, 3], [3, 3], [1, 2]]
+EXPECTED = delone.Delaunay(np.array(SQUARE, float)).hash
+
+
+@pytest.mark.parametrize("dtype", ["f2", "f4", "f8", "longdouble", ">f8", "<f4", ">i4", "i1", "i2", "i4", "i8", "u1", "u2", "u4", "u8", "O"])
+@pytest.mark.parametrize("order", ["C", "F"])
+def test_every_dtype_and_order(dtype, order):
+    assert delone.Delaunay(np.array(SQUARE, dtype=dtype, order=order)).hash == EXPECTED
+
+
+def test_array_likes():
+    array = np.array(SQUARE, float)
+    wide = np.full((10, 6), np.nan)
+    wide[::2, 1:5:3] = SQUARE
+    fixed = array.copy()
+    fixed.flags.writeable = False
+    memory = memoryview(array)
+
+    class Convertible:
+        def __array__(self, dtype=None, copy=None):
+            return array if dtype is None else array.astype(dtype)
+
+    unaligned = np.frombuffer(b"x" + array.tobytes(), dtype="V80", count=1, offset=1).view("f8").reshape(5, 2)
+    for points in (SQUARE, tuple(map(tuple, SQUARE)), wide[::2, 1:5:3], array[::-1][::-1], fixed, memory, Convertible(), np.asmatrix(array),
+                   [[Fraction(x) for x in row] for row in SQUARE], np.ma.array(array), unaligned):
+        assert delone.Delaunay(points).hash == EXPECTED
+    assert delone.Delaunay(np.array([[True], [False]])).num_vertices == 2
+
+
+@pytest.mark.parametrize("dtype, value", [
+    ("i8", 2**53 + 1), ("i8", -(2**53) - 1), ("i8", 2**63 - 1), ("u8", 2**64 - 1), ("u8", 2**63 + 1), ("O", 2**53 + 1), ("O", Fraction(1, 3)), ("O", 2**70 + 1),
+])
+def test_numbers_that_are_not_exact_are_refused(dtype, value):
+    points = np.array([[0, 0], [1, value], [2, 0]], dtype=dtype)
+    with pytest.raises(ValueError, match=r"points: row 1: .* is not exact in double precision"):
+        delone.Delaunay(points)
+
+
+@pytest.mark.parametrize("value", [2**53, -(2**53), 2**62, -(2**63), 2**53 + 2, 2**60 + 2**10])
+def test_large_numbers_that_are_exact_are_taken(value):
+    assert delone.Delaunay(np.array([[0], [value]], dtype="i8")).points[1, 0] == value
+    if value > 0:
+        assert delone.Delaunay(np.array([[0], [value]], dtype="u8")).points[1, 0] == value
+    assert delone.Delaunay([[0], [value]]).points[1, 0] == value
+
+
+def test_long_doubles_must_be_exact():
+    if np.finfo(np.longdouble).nmant > 52:
+        with pytest.raises(ValueError, match="row 1"):
+            delone.Delaunay(np.array([[0], [np.longdouble(1) + np.finfo(np.longdouble).eps]]))
+
+
+@pytest.mark.parametrize("points, message", [
+    ([1.0, 2.0], r"points: an array of shape \(n, d\), d at least 1, not \(2,\)"),
+    (3.0, r"points: an array of shape \(n, d\), d at least 1, not \(\)"),
+    (np.zeros((2, 2, 2)), r"points: an array of shape \(n, d\), d at least 1, not \(2, 2, 2\)"),
+    (np.zeros((3, 0)), r"points: an array of shape \(n, d\), d at least 1, not \(3, 0\)"),
+    ([["a", "b"]], "points: not numbers, but <U1"),
+    (np.array([["2001-01-01"]], dtype="M8"), "points: not numbers, but datetime64"),
+    ([[1j, 0]], "points: complex numbers are not real"),
+    (np.ma.array([[1.0, 2.0]], mask=[[True, False]]), "points: masked values are not numbers"),
+])
+def test_what_is_no_array_of_points(points, message):
+    with pytest.raises(ValueError, match=message):
+        delone.Delaunay(points)
+
+
+@pytest.mark.parametrize("make", [delone.Delaunay, delone.FurthestSite, delone.ConvexHull, delone.Voronoi, lambda p: delone.Regular(p, [0] * len(p))])
+@pytest.mark.parametrize("bad", [np.nan, np.inf, -np.inf])
+def test_rows_that_are_not_finite_are_named(make, bad):
+    with pytest.raises(delone.InputError, match="3") as raised:
+        make([[0, 0], [1, 0], [0, 1], [bad, 0], [2, 2]])
+    assert raised.value.rows == [3] and isinstance(raised.value, ValueError) and isinstance(raised.value, delone.Error)
+
+
+def test_wrong_number_of_coordinates_in_later_rows():
+    for made in (delone.Delaunay(SQUARE), delone.ConvexHull(SQUARE), delone.FurthestSite(SQUARE)):
+        with pytest.raises(ValueError, match="points: 3 coordinates per row, not 2"):
+            made.add_points([[1, 2, 3]])
+
+
+def peak(action):
+    """Bytes that NumPy had at most at a time while it ran."""
+    gc.collect()
+    tracemalloc.start()
+    try:
+        action()
+        return tracemalloc.get_traced_memory()[1]
+    finally:
+        tracemalloc.stop()
+
+
+def test_contiguous_doubles_are_not_copied_and_others_are():
+    points = np.random.default_rng(0).random((20_000, 2))
+    queries = np.random.default_rng(1).random((200_000, 2))
+    t = delone.Delaunay(points)
+    assert peak(lambda: delone.Delaunay(points)) < points.nbytes / 10
+    assert peak(lambda: t.find_simplex(queries)) < 0.4 * queries.nbytes  # the answers are a quarter
+    assert peak(lambda: delone.Delaunay(np.asfortranarray(points))) >= points.nbytes
+    assert peak(lambda: t.cells) < 10_000 and peak(lambda: t.points) < 10_000
+
+
+def test_arrays_outlive_what_they_came_from():
+    points = np.random.default_rng(0).random((500, 3))
+    t, hull, v = delone.Delaunay(points), delone.ConvexHull(points), delone.Voronoi(points)
+    arrays = [t.cells, t.neighbors, t.points, t.vertex_of_point, t.hull_facets, hull.cells, hull.equations, hull.points, v.vertices, v.ridge_vertices,
+              v.region(3), v.points, v.ray_directions]
+    copies = [array.copy() for array in arrays]
+    del t, hull, v
+    gc.collect()
+    for array, copy in zip(arrays, copies):
+        np.testing.assert_array_equal(array, copy)
+
+
+def test_arrays_stay_as_they_are_when_points_are_added():
+    points = np.random.default_rng(0).random((500, 2))
+    for made in (delone.Delaunay(points), delone.ConvexHull(points), delone.FurthestSite(points)):
+        arrays = made.cells, made.neighbors, made.points
+        copies = [array.copy() for array in arrays]
+        assert made.cells.__array_interface__["data"] == arrays[0].__array_interface__["data"]  # a view, not a copy
+        made.add_points([[2, 2], [-1, 0.5]])
+        assert len(made.points) == 502 and len(made.cells) != len(arrays[0])
+        for array, copy in zip(arrays, copies):
+            np.testing.assert_array_equal(array, copy)
+
+
+def test_arrays_are_read_only_and_contiguous():
+    points = np.random.default_rng(0).random((60, 3))
+    t, hull, v, h = delone.Delaunay(points), delone.ConvexHull(points), delone.Voronoi(points), delone.HalfspaceIntersection([[1, -1], [-1, -1]])
+    for made in (t, hull, v, h):
+        for name in dir(type(made)):
+            value = getattr(made, name)
+            if isinstance(value, np.ndarray) and name not in ("transform", "is_bounded"):
+                assert value.flags.c_contiguous and not value.flags.writeable, name
+                assert value.dtype in (np.float64, np.int32, np.int64, np.uint8), name
+    with pytest.raises(ValueError):
+        t.cells[0, 0] = 5
+
+
+def test_changing_the_input_afterwards_changes_nothing():
+    points = np.array(SQUARE, float)
+    t = delone.Delaunay(points)
+    points[:] = 7
+    assert t.hash == EXPECTED and t.points.tolist() == SQUARE

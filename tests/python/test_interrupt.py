@@ -1,0 +1,136 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""Ctrl-C, and progress functions: long work ends within a second, and nothing has changed."""
+import os
+import signal
+import subprocess
+import sys
+import threading
+import time
+
+import numpy as np
+import pytest
+
+import delone
+
+# Each would take minutes.
+LONG = {
+    "Delaunay": "delone.Delaunay(random.random((300_000, 6)))",
+    "Regular": "delone.Regular(random.random((300_000, 6)), np.zeros(300_000))",
+    "ConvexHull": "delone.ConvexHull(random.standard_normal((100_000, 8)))",
+    "HalfspaceIntersection": "delone.HalfspaceIntersection(np.c_[random.standard_normal((20_000, 7)), -np.ones(20_000)], [0] * 7)",
+    "spatial": "delone.spatial.Delaunay(random.random((300_000, 6)))",
+    "queries": "t.find_simplex(queries)",
+}
+
+PROGRAM = """
+import sys, time
+import numpy as np
+import delone, delone.spatial
+random = np.random.default_rng(0)
+{prepare}
+print("ready", flush=True)
+try:
+    {long}
+except KeyboardInterrupt:
+    print("interrupted", flush=True)
+"""
+
+
+@pytest.mark.skipif(os.name != "posix", reason="signals as POSIX has them")
+@pytest.mark.parametrize("name", LONG)
+def test_ctrl_c_ends_a_long_build(name):
+    prepare = "t = delone.Delaunay(random.random((2000, 5))); queries = np.tile(random.random((1_000_000, 5)), (3, 1))" if name == "queries" else ""
+    program = subprocess.Popen([sys.executable, "-c", PROGRAM.format(prepare=prepare, long=LONG[name])], stdout=subprocess.PIPE, text=True)
+    try:
+        assert program.stdout.readline() == "ready\n"
+        time.sleep(0.8)
+        begin = time.perf_counter()
+        program.send_signal(signal.SIGINT)
+        assert program.stdout.readline() == "interrupted\n"
+        assert time.perf_counter() - begin < 1.5  # a second, and what a busy machine takes to tell
+        assert program.wait(10) == 0
+    finally:
+        program.kill()
+        program.stdout.close()
+        program.wait()
+
+
+class Alarm(Exception):
+    pass
+
+
+@pytest.fixture
+def alarm():
+    """alarm(seconds): an exception then, from a signal handler."""
+    if not hasattr(signal, "setitimer"):
+        pytest.skip("no interval timers")
+
+    def ring(signum, frame):
+        raise Alarm
+
+    before = signal.signal(signal.SIGALRM, ring)
+    yield lambda seconds: signal.setitimer(signal.ITIMER_REAL, seconds)
+    signal.setitimer(signal.ITIMER_REAL, 0)
+    signal.signal(signal.SIGALRM, before)
+
+
+@pytest.mark.parametrize("make", [delone.Delaunay, delone.FurthestSite, delone.ConvexHull])
+def test_after_an_interrupted_addition_everything_is_as_before(make, alarm):
+    random = np.random.default_rng(1)
+    first, many, more = random.standard_normal((300, 6)), random.standard_normal((40_000, 6)) * 3, random.standard_normal((10, 6))
+    made = make(first)
+    cells, digest = made.cells.copy(), made.hash
+    alarm(0.4)
+    with pytest.raises(Alarm):
+        made.add_points(many)
+    assert made.num_points == 300 and made.hash == digest and len(made.points) == 300
+    if make is not delone.ConvexHull:
+        np.testing.assert_array_equal(made.cells, cells)
+    made.add_points(more)
+    assert made.hash == make(np.concatenate([first, more])).hash
+
+
+def test_progress():
+    fractions = []
+    points = np.random.default_rng(2).random((4000, 5))
+    delone.Delaunay(points, progress=fractions.append)
+    assert len(fractions) >= 2 and fractions == sorted(fractions) and 0 <= fractions[0] and fractions[-1] <= 1
+
+
+@pytest.mark.parametrize("make", [
+    lambda progress: delone.Delaunay(np.random.default_rng(3).random((100_000, 6)), progress=progress),
+    lambda progress: delone.Regular(np.random.default_rng(3).random((100_000, 6)), np.zeros(100_000), progress=progress),
+    lambda progress: delone.ConvexHull(np.random.default_rng(3).standard_normal((50_000, 8)), progress=progress),
+    lambda progress: delone.HalfspaceIntersection(
+        np.c_[np.random.default_rng(3).standard_normal((20_000, 7)), -np.ones(20_000)], [0] * 7, progress=progress),
+])
+def test_progress_can_stop_and_raise(make):
+    with pytest.raises(delone.CancelledError):
+        make(lambda fraction: False)
+
+    def fail(fraction):
+        raise ZeroDivisionError("from the progress function")
+
+    with pytest.raises(ZeroDivisionError, match="from the progress function"):
+        make(fail)
+
+
+def test_signals_are_for_the_main_thread():
+    """A build in another thread goes on when the main thread is interrupted, and stops by its progress function."""
+    stop, result = threading.Event(), []
+
+    def build():
+        try:
+            delone.Delaunay(np.random.default_rng(4).random((100_000, 6)), progress=lambda fraction: not stop.is_set())
+        except delone.Error as error:
+            result.append(type(error))
+
+    thread = threading.Thread(target=build)
+    thread.start()
+    with pytest.raises(KeyboardInterrupt):
+        signal.raise_signal(signal.SIGINT)
+        time.sleep(1)
+    assert thread.is_alive()
+    stop.set()
+    thread.join(10)
+    assert result == [delone.CancelledError]

@@ -1,0 +1,170 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""Where delone.spatial gives more than scipy does: flat, duplicate, cospherical and coplanar points. docs/from-scipy.md lists these
+differences; each has its test here.
+"""
+import numpy as np
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+
+import delone
+from delone import spatial
+from spatial_support import QUICK, lattice_points, rows_as_set
+
+PLANE_IN_SPACE = np.array([[0, 0, 1], [1, 0, 1], [0, 1, 1], [1, 1, 1], [0.3, 0.4, 1]])
+
+
+def test_flat_points_are_triangulated_in_their_flat():
+    tri = spatial.Delaunay(PLANE_IN_SPACE)
+    assert (tri.ndim, tri.affine_dimension, tri.simplices.shape) == (3, 2, (4, 3))
+    assert tri.convex_hull.shape == (4, 2)
+    found = tri.find_simplex([[0.1, 0.3, 1], [0.1, 0.3, 1 + 1e-15], [2, 2, 1]])
+    assert found[0] >= 0 and found[1] == found[2] == -1
+    for attribute in ("transform", "equations"):
+        with pytest.raises(spatial.QhullError, match="flat of dimension 2 in 3 dimensions"):
+            getattr(tri, attribute)
+    with pytest.raises(spatial.QhullError):
+        tri.plane_distance([[0, 0, 0]])
+
+
+def test_flat_points_have_a_hull_in_their_flat():
+    hull = spatial.ConvexHull(PLANE_IN_SPACE)
+    assert hull.vertices.tolist() == [0, 1, 2, 3]
+    assert rows_as_set(hull.simplices) == {(0, 1), (1, 3), (2, 3), (0, 2)}
+    assert (hull.volume, hull.area) == (0, pytest.approx(2))
+    with pytest.raises(spatial.QhullError, match="flat of dimension 2"):
+        hull.equations
+    line = spatial.ConvexHull(np.outer(np.arange(5), [1.0, 2, 2]))
+    assert (line.vertices.tolist(), line.volume, line.area) == ([0, 4], 0, 0)
+    segment = spatial.ConvexHull([[0, 0], [3, 4], [1.5, 2]])
+    assert (segment.vertices.tolist(), segment.volume, segment.area) == ([0, 1], 0, pytest.approx(10))
+
+
+def test_the_measures_of_a_flat_hull_are_limits():
+    thick = PLANE_IN_SPACE.copy()
+    thick[0, 2] += 1e-9
+    flat, thin = spatial.ConvexHull(PLANE_IN_SPACE), spatial.ConvexHull(thick)
+    np.testing.assert_allclose([flat.volume, flat.area], [thin.volume, thin.area], atol=1e-8)
+
+
+def test_flat_points_have_a_diagram_in_their_flat():
+    diagram = spatial.Voronoi([[0, 0, 1], [2, 0, 1], [0, 2, 1], [2, 2, 1]])
+    assert diagram.vertices.tolist() == [[1, 1, 1]]
+    assert len(diagram.ridge_points) == 4 and diagram.regions == [[-1, 0]] * 4 + [[]]
+
+
+@pytest.mark.parametrize("points", [[[1.0, 2.0]], [[1.0, 2.0]] * 3, [[0.0, 0], [1, 1]], [[0.0], [2], [1]], [[0.0, 0], [1, 0], [0, 1]]])
+def test_few_points_have_results(points):
+    tri, hull, diagram = spatial.Delaunay(points), spatial.ConvexHull(points), spatial.Voronoi(points)
+    k = tri.affine_dimension
+    assert hull.affine_dimension == k and tri.simplices.shape[1] == k + 1
+    assert len(tri.simplices) == len(np.unique(points, axis=0)) - k
+    assert (tri.find_simplex(points) >= 0).all()
+    assert len(hull.vertices) == min(k + 1, 3)
+    assert len(diagram.point_region) == len(points)
+
+
+def test_duplicates_are_the_only_coplanar_points():
+    points = np.random.default_rng(2).random((20, 3))
+    points = np.concatenate([points, points[3:6], points[3:4]])
+    tri = spatial.Delaunay(points)
+    np.testing.assert_array_equal(tri.coplanar[:, [0, 2]], [[20, 3], [21, 4], [22, 5], [23, 3]])
+    assert (tri.simplices[tri.coplanar[:, 1]] == tri.coplanar[:, 2:]).any(axis=1).all()
+    assert (tri.simplices[tri.vertex_to_simplex[20:]] == tri.coplanar[:, 2:]).any(axis=1).all()
+    assert not np.isin(np.arange(20, 24), tri.simplices).any()
+    bare = spatial.Delaunay(points, qhull_options="Qbb")
+    assert bare.coplanar.shape == (0, 3) and (bare.vertex_to_simplex[20:] == -1).all()
+
+    diagram = spatial.Voronoi(points)
+    np.testing.assert_array_equal(diagram.point_region[20:], diagram.point_region[[3, 4, 5, 3]])
+    assert (spatial.Voronoi(points, qhull_options="Qbb").point_region[20:] == -1).all()
+
+
+@given(points=lattice_points(), queries=st.integers(0, 2**32 - 1))
+@QUICK
+def test_lattices_are_triangulated_without_flat_simplices(points, queries):
+    tri = spatial.Delaunay(points)
+    assert rows_as_set(tri.simplices) == rows_as_set(delone.Delaunay(points).cells)
+    distinct = np.unique(points, axis=0)
+    assert len(np.unique(tri.simplices)) == len(distinct)
+    assert len(tri.coplanar) == len(points) - len(distinct)
+    assert (tri.find_simplex(points) >= 0).all()
+    # Every point of the hull is found, and found where it is: half-integers are on faces of all dimensions.
+    random = np.random.default_rng(queries)
+    middles = (points[random.integers(len(points), size=20)] + points[random.integers(len(points), size=20)]) / 2
+    found = tri.find_simplex(middles)
+    assert (found >= 0).all()
+    corners = points[tri.simplices[found]]
+    assert (middles >= corners.min(axis=1)).all() and (middles <= corners.max(axis=1)).all()
+    if tri.affine_dimension == tri.ndim:
+        volumes = np.linalg.det(corners[:, :-1] - corners[:, -1:])
+        assert (np.abs(volumes) > 0.5).all()
+        assert np.isfinite(tri.transform).all() and np.isfinite(tri.equations).all()
+
+
+@given(points=lattice_points())
+@QUICK
+def test_simplices_of_hulls_of_lattices_use_extreme_points_only(points):
+    hull = spatial.ConvexHull(points, qhull_options="Qc")
+    core = delone.ConvexHull(points)
+    assert sorted(hull.vertices) == core.vertices.tolist()
+    if hull.affine_dimension > 0:
+        assert np.unique(hull.simplices).tolist() == core.vertices.tolist()
+    if hull.affine_dimension == hull.ndim:
+        distances = points @ hull.equations[:, :-1].T + hull.equations[:, -1]
+        assert distances.max() < 1e-9
+        np.testing.assert_allclose(hull.volume, core.volume, rtol=1e-12)
+    # Together with the vertices, `coplanar` has all points of the boundary.
+    boundary = core.point_kinds[core.vertex_of_point] < 2
+    if hull.affine_dimension > 0:
+        assert sorted([*hull.vertices, *hull.coplanar[:, 0]]) == np.flatnonzero(boundary).tolist()
+        assert np.isin(hull.coplanar[:, 2], hull.vertices).all()
+
+
+def test_a_point_within_an_edge_is_no_vertex_of_the_hull():
+    hull = spatial.ConvexHull([[0, 0], [2, 0], [2, 2], [0, 2], [1, 0], [1, 1]], qhull_options="Qc")
+    assert hull.vertices.tolist() == [0, 1, 2, 3]
+    assert rows_as_set(hull.simplices) == {(0, 1), (1, 2), (2, 3), (0, 3)}
+    assert hull.coplanar[:, 0].tolist() == [4]
+
+
+def test_cospherical_points_share_a_voronoi_vertex():
+    grid = np.array([[x, y] for x in range(3) for y in range(3)], dtype=float)
+    diagram = spatial.Voronoi(grid)
+    assert sorted(diagram.vertices.tolist()) == [[0.5, 0.5], [0.5, 1.5], [1.5, 0.5], [1.5, 1.5]]
+    assert len(diagram.ridge_points) == 12
+
+
+def test_location_has_no_tolerance_unless_asked():
+    tri = spatial.Delaunay([[0, 0], [1, 0], [0, 1]])
+    near = [[0.5, 0.5], [0.5, np.nextafter(0.5, 1)], [0.5, 0.5 + 1e-9], [-1e-9, 0.5], [3, 3], [np.nan, 0], [np.inf, 0]]
+    assert tri.find_simplex(near).tolist() == [0, -1, -1, -1, -1, -1, -1]
+    assert tri.find_simplex(near, tol=1e-8).tolist() == [0, 0, 0, 0, -1, -1, -1]
+
+
+def test_near_sides_of_the_hull_are_found_with_a_tolerance():
+    random = np.random.default_rng(4)
+    points = random.random((60, 3))
+    tri = spatial.Delaunay(points)
+    weights = random.dirichlet([1, 1, 1], size=len(tri.convex_hull))
+    on_hull = np.einsum("fi,fij->fj", weights, points[tri.convex_hull])
+    assert (tri.find_simplex(on_hull, tol=1e-12) >= 0).all()
+    assert (tri.find_simplex(on_hull + 0.1 * (on_hull - points.mean(axis=0)), tol=1e-12) == -1).all()
+
+
+def test_needles_have_no_transform_but_are_located():
+    points = np.array([[0, 0], [1, 0], [0.5, 1e-15], [0.5, 1]])
+    tri = spatial.Delaunay(points)
+    needles = np.isnan(tri.transform).any(axis=(1, 2))
+    assert needles.sum() == 1 and np.isnan(tri.transform[needles]).all()
+    assert np.isfinite(tri.equations).all()
+    inside = [[0.5, 5e-16]]
+    assert needles[tri.find_simplex(inside)].all()
+
+
+@pytest.mark.parametrize("scale", [1e-300, 1e-160, 1e160, 1e300])
+def test_extreme_coordinates_do_not_change_what_is_exact(scale):
+    points = np.random.default_rng(4).integers(0, 1 << 20, (40, 3)).astype(float)
+    plain, scaled = spatial.Delaunay(points), spatial.Delaunay(points * 2.0**int(np.log2(scale)))
+    assert rows_as_set(plain.simplices) == rows_as_set(scaled.simplices)
+    scaled.equations, scaled.transform  # rounded, perhaps to infinity, but without an error

@@ -1,0 +1,118 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""Many threads: queries at once, queries beside insertions, and no thread keeps the interpreter to itself."""
+import threading
+import time
+from concurrent.futures import ThreadPoolExecutor
+
+import numpy as np
+import pytest
+
+import delone
+
+
+def run_together(actions):
+    """Starts all actions at the same time; returns their results, or raises what one of them raised."""
+    barrier = threading.Barrier(len(actions))
+
+    def wait_and(action):
+        barrier.wait()
+        return action()
+
+    with ThreadPoolExecutor(len(actions)) as pool:
+        return [future.result(timeout=60) for future in [pool.submit(wait_and, action) for action in actions]]
+
+
+def test_queries_at_once():
+    random = np.random.default_rng(0)
+    points, queries = random.random((3000, 3)), random.random((4000, 3)) * 1.1
+    values = points.sum(axis=1)
+    reference = delone.Delaunay(points)
+    expected = reference.find_simplex(queries), reference.nearest(queries)[0], reference.cells.copy(), reference.vertex_neighbors[1].copy()
+    function = delone.LinearInterpolator(reference, values)
+    interpolated = function(queries)
+    for _ in range(3):
+        t = delone.Delaunay(points)  # new: what is made on first use is made by several threads at once
+        results = run_together([lambda: t.find_simplex(queries), lambda: t.nearest(queries)[0], lambda: t.cells, lambda: t.vertex_neighbors[1],
+                                lambda: t.find_simplex(queries[:100]), lambda: function(queries), lambda: t.hash])
+        for result, wanted in zip(results, expected):
+            np.testing.assert_array_equal(result, wanted)
+        np.testing.assert_array_equal(results[5], interpolated)
+        assert results[6] == reference.hash
+
+
+def test_hulls_and_diagrams_at_once():
+    points = np.random.default_rng(1).standard_normal((2000, 3))
+    hull = delone.ConvexHull(points)
+    results = run_together([lambda: hull.contains(points * 1.01), lambda: hull.volume, lambda: hull.facets[1], lambda: delone.Voronoi(points).vertices] * 2)
+    for a, b in zip(results[:4], results[4:]):
+        np.testing.assert_array_equal(a, b)
+    intersection = delone.HalfspaceIntersection(np.c_[points[:200], -np.ones(200)])
+    results = run_together([lambda: intersection.vertices, lambda: intersection.volume] * 2)
+    np.testing.assert_array_equal(results[0], results[2])
+
+
+@pytest.mark.parametrize("make", [delone.Delaunay, delone.ConvexHull])
+def test_queries_beside_insertions_see_all_of_them_or_none(make):
+    points = np.random.default_rng(2).random((1200, 3))
+    sizes = [200 + 100 * i for i in range(11)]
+    expected = {make(points[:n]).hash for n in sizes}
+    made = make(points[:200])
+    seen = []
+
+    def ask():
+        while made.num_points < 1200:
+            seen.append(made.hash)
+            cells = made.cells
+            assert cells.min() >= 0
+            made.locate(points[:20])
+
+    def add():
+        for n in sizes[1:]:
+            made.add_points(points[n - 100:n])
+
+    run_together([ask, ask, add])
+    assert set(seen) <= expected and made.hash == make(points).hash
+
+
+def test_two_threads_may_insert():
+    points = np.random.default_rng(3).random((1000, 2))
+    t = delone.Delaunay(points[:100])
+    run_together([lambda i=i: t.add_points(points[i:i + 100]) for i in range(100, 1000, 100)])
+    assert t.num_points == 1000 and t.hash == delone.Delaunay(points).hash
+
+
+def test_other_threads_run_during_construction():
+    points = np.random.default_rng(4).random((2000, 5))
+    ticks = []
+    done = threading.Event()
+
+    def tick():
+        while not done.is_set():
+            ticks.append(time.perf_counter())
+            time.sleep(0.001)
+
+    ticker = threading.Thread(target=tick)
+    ticker.start()
+    begin = time.perf_counter()
+    delone.Delaunay(points)
+    end = time.perf_counter()
+    done.set()
+    ticker.join()
+    during = [t for t in ticks if begin < t < end]
+    assert len(during) >= 10 * (end - begin), f"{len(during)} ticks in {end - begin:.2f} s"
+
+
+def test_a_progress_function_that_asks_its_object_is_told_off():
+    made = delone.Delaunay([[0.0] * 5])
+    errors = []
+
+    def progress(fraction):
+        try:
+            made.find_simplex([0.5] * 5)
+        except RuntimeError as error:
+            errors.append(str(error))
+        return not errors
+
+    with pytest.raises(delone.CancelledError):
+        made.add_points(np.random.default_rng(5).random((20_000, 5)), progress=progress)
+    assert errors == ["the object is being changed"] and made.num_points == 1

@@ -1,0 +1,140 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""delone.Voronoi and PowerDiagram: against scipy, volumes of boxes, and diagrams that are known."""
+import numpy as np
+import pytest
+from hypothesis import given
+
+import delone
+from spatial_support import QUICK, general_points, lattice_points
+
+
+def lists(offsets, items):
+    return [tuple(items[a:b].tolist()) for a, b in zip(offsets, offsets[1:])]
+
+
+@pytest.mark.parametrize("dimension", range(2, 6))
+def test_diagram_is_that_of_scipy(dimension):
+    scipy_spatial = pytest.importorskip("scipy.spatial")
+    points = np.random.default_rng(dimension).random((60, dimension))
+    ours, theirs = delone.Voronoi(points), scipy_spatial.Voronoi(points)
+    order, their_order = np.lexsort(ours.vertices.T), np.lexsort(theirs.vertices.T)
+    np.testing.assert_allclose(ours.vertices[order], theirs.vertices[their_order], rtol=1e-6, atol=1e-6)
+    number = np.empty(len(order) + 1, int)
+    number[their_order], number[-1] = order, -1
+    mine = {frozenset(pair): frozenset(ridge) for pair, ridge in zip(ours.ridge_points.tolist(), lists(ours.ridge_offsets, ours.ridge_vertices))}
+    for pair, ridge in zip(theirs.ridge_points.tolist(), theirs.ridge_vertices):
+        assert mine[frozenset(pair)] == frozenset(number[ridge].tolist())
+
+
+@QUICK
+@given(lattice_points())
+def test_arrays_fit_together(points):
+    v = delone.Voronoi(points)
+    distinct = len(np.unique(points, axis=0))
+    assert v.num_regions == distinct == len(v.is_bounded) and v.num_points == len(points) and v.points.tolist() == points.tolist()
+    assert (points[v.region_points[v.point_region]] == points).all()
+    regions, ridges = lists(v.region_offsets, v.region_vertices), lists(v.ridge_offsets, v.ridge_vertices)
+    assert [v.region(i).tolist() for i in range(v.num_regions)] == list(map(list, regions))
+    assert [v.ridge(i).tolist() for i in range(v.num_ridges)] == list(map(list, ridges))
+    assert [(-1 not in region) and region != () for region in regions] == v.is_bounded.tolist() or v.affine_dimension < 1
+    for pair, ridge in zip(v.ridge_points, ridges):  # vertices of a ridge are as near to its two sites as to any
+        for vertex in v.vertices[[i for i in ridge if i >= 0]]:
+            distances = np.linalg.norm(points - vertex, axis=1)
+            np.testing.assert_allclose(distances[pair], distances.min(), rtol=1e-9, atol=1e-9)
+    assert v.ray_directions.shape == (v.num_rays, points.shape[1]) and v.ray_points.shape[0] == len(v.ray_vertices) == v.num_rays
+    with pytest.raises(IndexError):
+        v.region(v.num_regions)
+    with pytest.raises(IndexError):
+        v.ridge(v.num_ridges)
+
+
+@QUICK
+@given(general_points(dimension=3))
+def test_volumes_fill_a_box(points):
+    v = delone.Voronoi(points)
+    low, high = v.bounding_box(0.5)
+    volumes = v.region_volumes((low, high))
+    assert np.isclose(volumes.sum(), np.prod(high - low), rtol=1e-9)
+    whole = v.region_volumes()
+    assert (np.isinf(whole) == ~v.is_bounded).all() and (volumes <= whole * (1 + 1e-9)).all()
+    assert (np.isinf(v.ridge_volumes()) == [-1 in ridge for ridge in lists(v.ridge_offsets, v.ridge_vertices)]).all()
+
+
+def test_square():
+    v = delone.Voronoi([[0, 0], [2, 0], [0, 2], [2, 2], [1, 1], [1, 1]])
+    assert sorted(v.vertices.tolist()) == [[0, 1], [1, 0], [1, 2], [2, 1]]
+    assert v.is_bounded.tolist() == [False] * 4 + [True] and v.point_region.tolist() == [0, 1, 2, 3, 4, 4]
+    np.testing.assert_allclose(v.region_volumes(), [np.inf] * 4 + [2], rtol=1e-15)
+    np.testing.assert_allclose(v.region_volumes(([0, 0], [2, 2])), [0.5, 0.5, 0.5, 0.5, 2], rtol=1e-15)
+    assert repr(v) == "<delone.Voronoi: 6 points in dimension 2, 5 regions, 4 vertices>"
+    assert [x.tolist() for x in v.bounding_box(0.5)] == [[-1, -1], [3, 3]]
+
+
+def test_flat_input():
+    v = delone.Voronoi([[0, 0, 3], [2, 0, 3], [6, 0, 3]])
+    assert v.affine_dimension == 1 and sorted(v.vertices.tolist()) == [[1, 0, 3], [4, 0, 3]]
+    assert v.region_volumes(([0, 0, 0], [6, 2, 5])).tolist() == [10, 30, 20]
+    assert delone.Voronoi([[1.0, 2.0]]).num_regions == 1 and delone.Voronoi(np.zeros((0, 2))).num_regions == 0
+
+
+@pytest.mark.parametrize("box, error, message", [
+    ([0, 1], ValueError, r"box: \(low, high\)"),
+    (([0, 0], [0, 1]), delone.InputError, "box"),
+    (([0, 0, 0], [1, 1, 1]), delone.InputError, "box"),
+])
+def test_bad_boxes(box, error, message):
+    with pytest.raises(error, match=message):
+        delone.Voronoi([[0, 0], [1, 0], [0, 1]]).region_volumes(box)
+
+
+def test_it_is_data_of_its_own():
+    t = delone.Delaunay(np.random.default_rng(0).random((40, 2)))
+    v = delone.Voronoi(t)
+    vertices = v.vertices
+    before = vertices.copy()
+    t.add_points([[0.5, 0.5]])
+    assert v.num_points == 40 and (v.vertices == before).all()
+    del v, t
+    assert (vertices == before).all() and not vertices.flags.writeable
+
+
+def test_power_diagram():
+    points, weights = np.random.default_rng(1).random((50, 3)), np.random.default_rng(2).random(50) * 0.02
+    r = delone.Regular(points, weights)
+    p = delone.PowerDiagram(r)
+    assert p.weights.tolist() == weights.tolist() and (p.point_region[r.hidden] == -1).all()
+    assert p.num_regions == r.num_vertices and sorted(p.vertices.tolist()) == sorted(delone.PowerDiagram(points, weights).vertices.tolist())
+    low, high = p.bounding_box()
+    assert np.isclose(p.region_volumes((low, high)).sum(), np.prod(high - low))
+    box = np.random.default_rng(3).random((2000, 3)) * (high - low) + low
+    rows, _ = r.nearest(box)
+    share = np.bincount(p.point_region[rows], minlength=p.num_regions) / 2000
+    assert abs(share - p.region_volumes((low, high)) / np.prod(high - low)).max() < 0.03
+    assert np.allclose(delone.PowerDiagram(points, np.zeros(50)).region_volumes(), delone.Voronoi(points).region_volumes())
+    assert repr(p).startswith("<delone.PowerDiagram: 50 points in dimension 3")
+
+
+def test_triangulations_of_another_kind():
+    with pytest.raises(TypeError, match="PowerDiagram"):
+        delone.Voronoi(delone.Regular([[0.0, 0.0]], [0.0]))
+    with pytest.raises(TypeError, match="Regular"):
+        delone.PowerDiagram(delone.Delaunay([[0.0, 0.0]]))
+
+
+@QUICK
+@given(lattice_points())
+def test_furthest_sites(points):
+    f = delone.FurthestSite(points)
+    v = delone.Voronoi(f)
+    assert not v.is_bounded.any() and (v.point_region == -1).tolist() == [row in f.hidden for row in range(len(points))]
+    for pair, ridge in zip(v.ridge_points, lists(v.ridge_offsets, v.ridge_vertices)):
+        for vertex in v.vertices[[i for i in ridge if i >= 0]]:
+            distances = np.linalg.norm(points - vertex, axis=1)
+            np.testing.assert_allclose(distances[pair], distances.max(), rtol=1e-9, atol=1e-9)
+    for vertex, direction, sites in zip(v.ray_vertices, v.ray_directions, v.ray_points):
+        distances = np.linalg.norm(points - (v.vertices[vertex] + direction), axis=1)
+        np.testing.assert_allclose(distances[sites], distances.max(), rtol=1e-9, atol=1e-9)
+    assert np.isinf(v.region_volumes()).all()
+    if f.num_vertices > 0:
+        with pytest.raises(delone.Error, match="furthest"):
+            v.region_volumes(v.bounding_box())

@@ -1,0 +1,241 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""The tools of benchmarks/paper on tiny input and made-up records, without any peer.
+
+  DELONE=build/release/delone python3 tests/tools/test_paper.py [unittest arguments]
+"""
+import json
+import os
+import pathlib
+import subprocess
+import sys
+import tempfile
+import unittest
+
+try:
+    import matplotlib  # noqa: F401  (render.py needs it)
+    import numpy as np
+except ImportError as missing:
+    print(f"skipped: {missing}", file=sys.stderr)
+    sys.exit(77)
+
+ROOT = pathlib.Path(__file__).resolve().parents[2]
+sys.path[:0] = [str(ROOT / "benchmarks"), str(ROOT / "benchmarks" / "rivals")]
+from paper import fit, inputs, plan, plots, programs, render, report_2008, results, runner, scoreboard, tables  # noqa: E402
+
+DELONE = os.path.abspath(os.environ["DELONE"])
+
+# A stand-in for a peer: it takes the interface, and behaves as its last argument says.
+STAND_IN = """
+import json, sys, time
+points, behaviour = sys.argv[1], sys.argv[-3] if "--repeat" in sys.argv else sys.argv[-1]
+if behaviour == "sleep": time.sleep(60)
+while behaviour == "spin": pass
+if behaviour == "grow":
+    kept = bytearray(400_000_000)
+    for i in range(0, len(kept), 4096): kept[i] = 1
+    time.sleep(60)
+if behaviour == "fail":
+    print("stand-in: QH6154 initial simplex is flat", file=sys.stderr)
+    sys.exit(2)
+print(json.dumps({"program": "stand-in", "version": "1", "flags": "", "points": 1, "dimension": 2, "seconds": [0.5, 0.1, 0.3],
+                  "cpu_seconds": [0.2, 0.2, 0.2], "cells": 7, "peak_bytes": 1000000, "input_bytes": 1000}))
+"""
+
+
+def record(experiment, program, dimension, points, kind="uniform", seconds=1e-5, **more):
+    """A made-up record whose time grows linearly."""
+    time = seconds * points
+    cells = 6 * points
+    return {"experiment": experiment, "kind": kind, "dimension": dimension, "points": points, "program": program, "name": program.upper(),
+            "outcome": "ok", "seconds": [1.1 * time] * 3, "cpu_seconds": [time, 0.9 * time, 2 * time], "cells": cells, "peak_bytes": 100 * cells,
+            "input_bytes": 10 * points, "version": "1.0", "flags": "-O3", "created_cells": 3 * cells, "visited_cells": 2 * points,
+            "insertions": points, **more}
+
+
+def document():
+    """Records of every experiment, some of them without a result."""
+    sizes = (1000, 2000, 4000)
+    records = [record("uniform", key, d, n, seconds=s) for d in (2, 3, 4) for n in sizes
+               for key, s in (("delone", 1e-5), ("cgal_d", 3e-5), ("qhull", 0.5e-5), ("scipy", 4e-5))]
+    records += [record("uniform", f"cgal_{d}", d, n) for d in (2, 3) for n in sizes]
+    records += [record("order", key, 3, n, visited_cells=v * n) for n in sizes
+                for key, v in (("delone", 2), ("delone:report", 3), ("delone:curve", 4), ("delone:shuffled", 40))]
+    records += [record("manifold", key, 3, n, "manifold") for n in sizes for key in ("delone", "qhull")]
+    records += [record("small", "delone", 2, 100), record("hulls", "hull_delone", 3, 100, "sphere"),
+                {"experiment": "small", "kind": "uniform", "dimension": 2, "points": 100, "program": "lrs", "name": "lrs", "outcome": "too slow",
+                 "message": "more than 8 s"}]
+    records += [record("degenerate", "delone", 2, 100, "grid", verdict={"accepted": True, "level": "", "violation": ""}),
+                record("degenerate", "qhull", 2, 100, "grid", verdict={"accepted": False, "level": "volume", "violation": "cell 3 | is `flat`"}),
+                {"experiment": "degenerate", "kind": "flat", "dimension": 4, "points": 9, "program": "qhull", "name": "QHULL", "outcome": "failed",
+                 "message": "QH6154 initial simplex is flat"}]
+    about = {"date": "2008-11-30", "commit": "abc", "quick": True, "machine": "a machine", "cores": 2, "memory_bytes": 2**34, "system": "Debian",
+             "compiler": "c++ 12", "rounds": 3, "limit_seconds": 8.0, "limit_memory": 1.4e10, "load": [0.1, 0.2], "elapsed_seconds": 300}
+    return {"about": about, "records": records}
+
+
+class Fits(unittest.TestCase):
+    def test_a_power_law_is_found(self):
+        sizes = [1000, 2000, 4000, 64000]
+        k, alpha = fit.power_law(sizes, [99e-4 * n ** 1.236 for n in sizes])
+        self.assertAlmostEqual(k, 99e-4, places=9)
+        self.assertAlmostEqual(alpha, 1.236, places=9)
+
+    def test_one_size_has_no_fit(self):
+        self.assertIsNone(fit.power_law([1000, 1000], [1, 2]))
+
+    def test_ratios_are_taken_turn_by_turn(self):
+        self.assertEqual(fit.median_ratio([2, 20, 3], [1, 10, 1]), 2)  # the ratio of the medians would be 3
+        self.assertIsNone(fit.median_ratio([], []))
+
+    def test_extrapolation_is_between_linear_and_cubic(self):
+        self.assertIsNone(fit.extrapolate([], 10))
+        self.assertAlmostEqual(fit.extrapolate([(10, 3.0)], 100), 30)
+        self.assertAlmostEqual(fit.extrapolate([(10, 1.0), (100, 1.0)], 1000), 10)
+        self.assertAlmostEqual(fit.extrapolate([(10, 1.0), (100, 100.0)], 1000), 1e4)
+        self.assertAlmostEqual(fit.extrapolate([(10, 1.0), (20, 1e6)], 40), 8e6)
+
+    def test_constants_of_the_report(self):
+        for d, value in ((2, 6), (3, 27.07), (4, 158.89)):
+            self.assertAlmostEqual(report_2008.cells_at_a_vertex(d), value, places=2)
+        self.assertAlmostEqual(report_2008.seconds(2, 1_000_000), 7.8 * 1e6 ** 0.0011, places=9)
+
+
+class Running(unittest.TestCase):
+    def setUp(self):
+        made = tempfile.TemporaryDirectory()
+        self.addCleanup(made.cleanup)
+        self.folder = pathlib.Path(made.name)
+        self.script = self.folder / "stand_in.py"
+        self.script.write_text(STAND_IN)
+
+    def program(self, key, behaviour):
+        return programs.Program(key, key, str(self.script), (behaviour,))
+
+    def runner(self, *behaviours, seconds=10.0, memory=2e8):
+        limits = runner.Limits(seconds, memory, 2, 60.0)
+        catalogue = {behaviour: self.program(behaviour, behaviour) for behaviour in behaviours}
+        return runner.Runner(catalogue, self.folder, DELONE, limits, self.folder, lambda line: None)
+
+    def case(self, *keys, points=20):
+        return plan.Case("uniform", "uniform", 2, points, keys)
+
+    def test_programs_take_turns_and_medians_are_kept(self):
+        records = self.runner("good", "other").measure(self.case("good", "missing", "other"))
+        self.assertEqual([r["program"] for r in records], ["good", "other"])
+        for r in records:
+            self.assertEqual((r["outcome"], r["seconds"], r["cells"], r["points"]), ("ok", [0.3, 0.3], 7, 20))
+
+    def test_a_failure_keeps_its_message_and_ends_the_series(self):
+        run = self.runner("fail")
+        (record,) = run.measure(self.case("fail"))
+        self.assertEqual((record["outcome"], record["message"]), ("failed", "QH6154 initial simplex is flat"))
+        (record,) = run.measure(self.case("fail", points=40))
+        self.assertEqual(record["outcome"], "not tried")
+
+    def test_limits_of_time_and_memory(self):
+        for behaviour, seconds in (("spin", 1), ("sleep", 0.02)):
+            (record,) = self.runner(behaviour, seconds=seconds).measure(self.case(behaviour))
+            self.assertEqual(record["outcome"], "too slow", record)
+        (record,) = self.runner("grow").measure(self.case("grow"))
+        self.assertEqual(record["outcome"], "too large")
+
+    def test_what_would_take_too_long_is_not_tried(self):
+        run = self.runner("good")
+        run.history[("uniform", "uniform", 2, "good")] = [(10, 1.0, 10), (20, 4.0, 20)]
+        (record,) = run.measure(self.case("good", points=80))
+        self.assertEqual((record["outcome"], record["message"]), ("not tried", "would take about 64 s"))
+
+    def test_real_data(self):
+        for name, (_, columns) in inputs.REAL.items():
+            path = self.folder / "real.npy"
+            self.assertEqual(inputs.write(f"real:{name}", len(columns), 0, path, DELONE), len(np.load(path)))
+            self.assertEqual(np.load(path).shape[1], len(columns))
+
+    def test_the_interface_in_python(self):
+        fake = self.folder / "hull"  # prints the two triangles of a square and two infinite ones
+        fake.write_text("#!/bin/sh\ncase \"$*\" in *-fvn*) printf '0 1 2\\n1 2 3\\n-1 0 1\\n3 -1 2\\n';; esac\n")
+        fake.chmod(0o755)
+        points, cells = self.folder / "square.npy", self.folder / "cells.npy"
+        np.save(points, np.array([[0, 0], [1, 0], [0, 1], [1, 1.5]]))
+        command = programs.catalogue(str(fake))["clarkson"].command_line(self.folder, points, 2)
+        outcome, report = runner.run_limited([*command, "--repeat", "2", "--cells", str(cells)], 60, 1e9)
+        self.assertEqual(outcome, "ok", report)
+        self.assertEqual((report["cells"], len(report["seconds"]), report["flags"]), (2, 2, "-d -m1e+06"))
+        self.assertEqual(np.load(cells).tolist(), [[0, 1, 2], [1, 2, 3]])
+
+
+class Scoreboard(unittest.TestCase):
+    SQUARE = np.array([[0.0, 0], [1, 0], [0, 1], [1, 1]])
+
+    def judge(self, cells):
+        with tempfile.TemporaryDirectory() as folder:
+            return scoreboard.judge(self.SQUARE, np.array(cells), DELONE, pathlib.Path(folder))
+
+    def test_either_diagonal_of_a_square_is_right(self):
+        self.assertTrue(self.judge([[0, 1, 2], [1, 2, 3]])["accepted"])
+        self.assertTrue(self.judge([[0, 1, 3], [0, 2, 3]])["accepted"])
+
+    def test_a_hole_and_an_overlap_are_not(self):
+        for cells in ([[0, 1, 2]], [[0, 1, 2], [0, 1, 3]], [[0, 1, 2], [1, 2, 9]]):
+            verdict = self.judge(cells)
+            self.assertFalse(verdict["accepted"])
+            self.assertTrue(verdict["level"] and verdict["violation"], verdict)
+
+
+class WritingUp(unittest.TestCase):
+    def test_the_whole_page_is_written_and_the_same_again(self):
+        with tempfile.TemporaryDirectory() as folder:
+            folder = pathlib.Path(folder)
+            (folder / "records.json").write_text(json.dumps(document()), encoding="utf-8")
+            done = subprocess.run([sys.executable, "-B", "-m", "paper", "--render", str(folder / "records.json"), "--docs", str(folder)],
+                                  env={**os.environ, "PYTHONPATH": str(ROOT / "benchmarks")}, capture_output=True, text=True)
+            self.assertEqual(done.returncode, 0, done.stderr)
+            page = (folder / "experiments.md").read_text(encoding="utf-8")
+            pictures = {p.name: p.read_text(encoding="utf-8") for p in folder.rglob("*.svg")}
+            found = results.Results(document())
+            with plots.plt.rc_context(plots.STYLE):
+                plots.figure_2(found, folder)
+            self.assertEqual((folder / "figure-2.svg").read_text(encoding="utf-8"), pictures["figure-2.svg"])
+            self.assertEqual(page, render.fill(render.TEMPLATE.read_text(encoding="utf-8"), render.pieces(found)))
+        for picture in pictures:
+            self.assertIn(f"pictures/experiments/{picture})", page)
+        self.assertEqual(page.count(".svg)"), len(pictures))
+        self.assertNotIn("{{", page)
+        self.assertIn("QH6154 initial simplex is flat", page)
+        self.assertIn("**volume**", page)
+        self.assertIn("too slow", page)
+
+    def test_ratios_of_one_turn(self):
+        found = results.Results(document())
+        ours, theirs = (found.at("uniform", "uniform", 2, 1000, key) for key in ("delone", "cgal_d"))
+        self.assertAlmostEqual(results.cpu_ratio(theirs, ours), 3)
+        self.assertIsNone(results.cpu_ratio(None, ours))
+        self.assertEqual(found.dimensions("uniform"), [2, 3, 4])
+
+    def test_a_template_and_its_pieces_must_agree(self):
+        with self.assertRaises(KeyError):
+            render.fill("{{unknown}}", {})
+        with self.assertRaises(KeyError):
+            render.fill("nothing", {"unused": 1})
+
+    def test_numbers(self):
+        self.assertEqual([tables.number(x) for x in (0, 0.012345, 0.5, 12.34, 1234.5, 7.8e-6, None)],
+                         ["0", "0.0123", "0.50", "12.3", "1234", "7.80·10⁻⁶", "–"])
+        self.assertEqual(tables.count(1024000), "1 024 000")
+        self.assertEqual(tables.table(["a"], [["x|y"]]).splitlines()[-1], "| x\\|y |")
+
+    def test_plans(self):
+        for quick in (True, False):
+            planned = plan.cases(quick)
+            self.assertEqual(len(planned), len(set(planned)))
+            known = set(programs.catalogue("hull"))
+            self.assertLessEqual({key for case in planned for key in case.programs}, known)
+            last = {}
+            for case in planned:  # sizes of a series grow
+                series = (case.experiment, case.kind, case.dimension)
+                self.assertGreaterEqual(case.points, last.get(series, 0), case)
+                last[series] = case.points
+
+
+if __name__ == "__main__":
+    unittest.main()
