@@ -74,7 +74,7 @@ def touch():
     rows = []
     for name, f in touched.items():
         dimension = name.split("/")[1]
-        total = whole[f"phases/{dimension}"]["whole"] if f"phases/{dimension}" in whole else None
+        total = whole.get(name.replace("touch", "phases"), {}).get("whole")
         rows.append((dimension, number(f["bytes_per_cell"]), number(f["megabytes"]), number(f["warm"], 2), number(f["fresh"], 2),
                      *((number(total), number(total / f["fresh"], 2)) if total else ("", ""))))
     head = ("uniform", "bytes per cell", "memory, MB", "touching it, ns", "fresh pages included, ns", "construction, ns", "ratio")

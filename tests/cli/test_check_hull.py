@@ -77,7 +77,7 @@ class Hulls(Case):
 
     def test_wrong_points(self):
         points = self.good["points"].copy()
-        points[26] += 1  # a corner: further out
+        points[26] = 0.5  # a corner, now inside the others' hull
         self.assertIn("beyond", self.violation(3, points=points))
         points = self.good["points"].copy()
         points[13] = [1, 1, np.nextafter(2, 3)]  # from the centre
@@ -89,7 +89,8 @@ class Hulls(Case):
     def test_wrong_facets(self):
         of = self.good["facet_of_cell"]
         self.violation(1, **self.without_facet(5, of))
-        self.assertIn("5 facets are given", self.violation(5, **self.without_facet(5, np.minimum(of, 4))))
+        self.assertIn("5 facets are given", self.violation(5, **self.without_facet(5, np.minimum(of, 4)),
+                                                          ridge_facets=np.minimum(self.good["ridge_facets"], 4)))
         self.assertIn("hyperplane", self.violation(5, **self.changed("facet_of_cell", 0, 1 - of[0] if of[0] < 2 else 0)))
         self.assertIn("facet 0 has", self.violation(5, **self.changed("facet_vertices", 0, 13)))
         self.violation(1, **self.changed("facet_offsets", 1, 1000))
@@ -125,7 +126,7 @@ class Hulls(Case):
             np.savez(self.path("bad.npz"), **{key: value for key, value in self.good.items() if key != name})
             if name not in ("facet_of_cell", "points"):  # without the first it is no hull
                 self.assertIn(name, self.complaint("check", self.path("bad.npz")))
-        for name in ("equations", "ridge_facets", "point_kinds", "cells"):
+        for name in ("equations", "point_kinds", "cells"):
             np.savez(self.path("bad.npz"), **{**self.good, name: self.good[name][1:]})
             self.assertIn("expected shape", self.complaint("check", self.path("bad.npz")))
         np.savez(self.path("bad.npz"), **self.changed("point_kinds", 0, 7), **{k: v for k, v in self.good.items() if k != "point_kinds"})
