@@ -230,11 +230,7 @@ void VoronoiBuilder::collect_regions() {
   auto& items = out_.region_vertices_;
   auto& offsets = out_.region_offsets_;
   const std::size_t num_regions = site_of_region_.size();
-  if (k_ == 2) {
-    offsets.reserve(num_regions + 1);
-    for (std::size_t r = 0; r < num_regions; ++r) walk_region(static_cast<Index>(r), site_of_region_[r]);
-    return;
-  }
+  if (k_ == 2) return collect_regions_in_plane();
   if (!has_merged_) return;
   auto end = items.begin();
   std::int64_t first = 0;
@@ -252,10 +248,34 @@ void VoronoiBuilder::collect_regions() {
   items.shrink_to_fit();
 }
 
+/// k = 2. Vertices near each other were inserted near each other, as a rule, while regions come in the order of the input:
+/// lists are made in the order of vertices, which stays in the cache, and then moved to their places.
+void VoronoiBuilder::collect_regions_in_plane() {
+  const std::size_t num_regions = site_of_region_.size();
+  std::vector<SignedIndex> lists;
+  lists.reserve(3 * cells_.size() + complex_.num_infinite_cells());
+  std::vector<std::size_t> begin(num_regions), size(num_regions);
+  for (Index v = 1; v < row_of_vertex_.size(); ++v) {
+    if (row_of_vertex_[v] < 0) continue;
+    const auto r = static_cast<std::size_t>(region_of_vertex_[v]);
+    begin[r] = lists.size();
+    walk_region(r, VertexId{v}, lists);
+    size[r] = lists.size() - begin[r];
+  }
+  out_.region_vertices_.reserve(lists.size());
+  out_.region_offsets_.reserve(num_regions + 1);
+  for (std::size_t r = 0; r < num_regions; ++r) {
+    constexpr std::size_t ahead = 16;
+    if (r + ahead < num_regions) __builtin_prefetch(lists.data() + begin[r + ahead]);
+    const auto first = lists.begin() + static_cast<std::ptrdiff_t>(begin[r]);
+    out_.region_vertices_.insert(out_.region_vertices_.end(), first, first + static_cast<std::ptrdiff_t>(size[r]));
+    out_.region_offsets_.push_back(static_cast<std::int64_t>(out_.region_vertices_.size()));
+  }
+}
+
 /// k = 2: once around the site. Cells are coherently oriented, so crossing the edge opposite the vertex that follows the site
 /// goes counterclockwise.
-void VoronoiBuilder::walk_region(Index region, VertexId site) {
-  auto& items = out_.region_vertices_;
+void VoronoiBuilder::walk_region(std::size_t region, VertexId site, std::vector<SignedIndex>& items) {
   const auto first = static_cast<std::ptrdiff_t>(items.size());
   const CellId start = complex_.incident_cell(site);
   CellId c = start;
@@ -268,7 +288,6 @@ void VoronoiBuilder::walk_region(Index region, VertexId site) {
     items.pop_back();
   if (!out_.bounded_[region])
     std::rotate(items.begin() + first, std::find(items.begin() + first, items.end(), -1), items.end());
-  out_.region_offsets_.push_back(static_cast<std::int64_t>(items.size()));
 }
 
 void VoronoiBuilder::collect_rays() {

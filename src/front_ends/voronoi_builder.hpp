@@ -46,7 +46,8 @@ class VoronoiBuilder {
   /// list of the region. Not for k = 2.
   void collect_stars();
   void collect_regions();
-  void walk_region(Index region, VertexId site);
+  void collect_regions_in_plane();
+  void walk_region(std::size_t region, VertexId site, std::vector<SignedIndex>& items);
   void collect_ridges();
   void collect_ridges_in_plane();
   void collect_ridges_in_space();
