@@ -5,8 +5,8 @@
   PYTHONPATH=build/release/python benchmarks/python.py               a table
   PYTHONPATH=build/release/python benchmarks/python.py --record      also benchmarks/history/DATE-COMMIT-python.json
 
-In each round both work on the same arrays, in turn; figures are medians of processor times over the rounds, ratios are medians of ratios. Construction
-includes the arrays of simplices and neighbors; scipy computes hyperplanes at once as well, so "with equations" has them for both.
+In each round both work on the same arrays, in turn; figures are medians of processor times over the rounds, ratios are medians of
+ratios. Construction includes the arrays of simplices and neighbors; scipy computes hyperplanes at once as well, so "with equations" has them for both.
 """
 import argparse
 import datetime

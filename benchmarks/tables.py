@@ -112,7 +112,18 @@ def kernel():
     return table(("ns per call", *dimensions), [(", ".join(key), *(rows[key].get(d, "") for d in dimensions)) for key in shown])
 
 
-TABLES = {"construction": construction, "degenerate": degenerate, "phases": phases, "touch": touch, "order": order, "kernel": kernel}
+def hulls():
+    rivals = ("Qhull", "CGAL 3D", "CGAL dD", "cddlib", "lrs")
+    rows = []
+    for name, programs in record.newest("hulls")["results"].items():
+        figures = {f["program"]: f for f in programs.values()}
+        own = figures.pop("delone")
+        ratios = (number(figures[rival]["cpu_seconds"] / own["cpu_seconds"], 2) if rival in figures else "" for rival in rivals)
+        rows.append((name, f"{own['facets']:,}".replace(",", " "), f"{own['cpu_seconds']:.2g}", *ratios))
+    return table(("points", "facets", "delone, processor s", *(f"{rival} ÷ delone" for rival in rivals)), rows)
+
+
+TABLES = {"construction": construction, "degenerate": degenerate, "phases": phases, "touch": touch, "order": order, "kernel": kernel, "hulls": hulls}
 
 
 def block(match):
