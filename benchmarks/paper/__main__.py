@@ -85,6 +85,8 @@ def measure(options, path):
         document["records"] = kept["records"]
         document["about"]["elapsed_seconds"] = kept["about"]["elapsed_seconds"]
         document["about"]["load"][0] = kept["about"]["load"][0]
+        document["about"]["commit"] = kept["about"]["commit"]
+        document["about"]["notes"] = ["It was measured in several sittings."]
     cases = [case for case in plan.cases(options.quick) if not options.only or case.experiment in options.only]
     with tempfile.TemporaryDirectory(prefix="paper-") as folder:
         run = runner.Runner(catalogue, options.build, delone, limits, folder, lambda text: print(text, flush=True))

@@ -54,6 +54,8 @@ def crossings(results, key):
         if pairs:
             words.append(f"{d}D: " + ("at every size measured" if not slower else
                                       "at no size measured" if slower[-1] == pairs[-1][0] else f"above {tables.count(slower[-1])} points"))
+    if words and all(word.endswith("at every size measured") for word in words):
+        return "at every size measured in every dimension"
     return "; ".join(words) if words else "not measured"
 
 
@@ -107,7 +109,8 @@ def pieces(results):
         "compiler": about["compiler"],
         "load": f"{about['load'][0]:.1f} at its start and {about['load'][1]:.1f} at its end, on {about['cores']} cores",
         "busy": busy(about),
-        "rounds": about["rounds"],
+        "rounds": rounds(results),
+        "notes": "".join(f"{note} " for note in about.get("notes", [])),
         "limits": f"{about['limit_seconds']:g} seconds of processor time and {about['limit_memory'] / 2**30:.0f} GiB",
         "elapsed": f"{about['elapsed_seconds'] / 60:.0f} minutes",
         "versions": tables.versions(results),
@@ -139,6 +142,14 @@ def pieces(results):
         "scoreboard": tables.scoreboard(results),
         "wrong": tables.what_was_wrong(results),
     }
+
+
+def rounds(results):
+    """How often the programs took turns; short cases have more rounds."""
+    found = [len(r["seconds"]) for r in results.records if r["outcome"] == "ok"]
+    low, high = min(found), max(found)
+    few = sum(n == 1 for n in found) / len(found)
+    return f"{high} times" if low == high else f"{low} to {high} times" + (f" ({100 * few:.0f} % of the figures are of one round)" if few else "")
 
 
 def busy(about):

@@ -60,16 +60,40 @@ class Cgal3 {
   }
 
   void reset() { triangulation_.reset(); }
-  std::size_t num_cells() const { return triangulation_->number_of_finite_cells(); }
+
+  /// Points that span less than space are triangulated in their plane or on their line.
+  std::size_t num_cells() const {
+    switch (triangulation_->dimension()) {
+      case 3:
+        return triangulation_->number_of_finite_cells();
+      case 2:
+        return triangulation_->number_of_finite_facets();
+      case 1:
+        return triangulation_->number_of_finite_edges();
+      default:
+        return triangulation_->number_of_vertices();
+    }
+  }
 
   rival::Cells cells() const {
     const rival::RowsByCoordinates row_of(coordinates_, 3);
-    rival::Cells cells{4, {}};
-    for (const auto& cell : triangulation_->finite_cell_handles())
-      for (int i = 0; i < 4; ++i) {
+    const int dimension = triangulation_->dimension();
+    rival::Cells cells{dimension + 1, {}};
+    const auto add = [&](const auto& cell) {
+      for (int i = 0; i <= dimension; ++i) {
         const auto& p = cell->vertex(i)->point();
         cells.rows.push_back(row_of(std::array{p.x(), p.y(), p.z()}));
       }
+    };
+    // The vertices of a face of less dimension are the first of those of the cell that stands for it.
+    if (dimension == 3)
+      for (const auto& cell : triangulation_->finite_cell_handles()) add(cell);
+    else if (dimension == 2)
+      for (const auto& facet : triangulation_->finite_facets()) add(facet.first);
+    else if (dimension == 1)
+      for (const auto& edge : triangulation_->finite_edges()) add(edge.first);
+    else
+      throw std::runtime_error("a triangulation of less than two points is not written");
     return cells;
   }
 

@@ -44,6 +44,42 @@ class Regular(Case):
         # The border is where x² = (x − 2)² − 1: at x = 3/4.
         self.assertEqual([round(float(row.split(",")[1]), 12) for row in rows], [3.5, 4.5])
 
+    def test_weights_reach_the_files_to_the_bit(self):
+        points = np.array([[0, 0], [4, 0], [0, 4], [4, 4], [1, 1], [0, 0]]) * 0.1
+        weights = np.array([0.1, -0.0, 5e-324, 1 / 3, -1.7976931348623157e308, -1e-310])
+        table = self.file("balls.csv", "x,y,w\n" + "".join(f"{x!r},{y!r},{w!r}\n" for (x, y), w in
+                                                           zip(points.tolist(), weights.tolist())))
+        arguments = [(table, "--weights", "w"), (self.file("points.npy", points), "--weights", self.file("weights.npy", weights)),
+                     (self.path("points.npy"), "--weights", self.file("weights.txt", "\n".join(map(repr, weights.tolist()))))]
+        for given in arguments:
+            self.output("regular", *given, "-o", self.path("out.npz"))
+            self.output("regular", *given, "-o", self.path("out.json"))
+            with np.load(self.path("out.npz")) as arrays:
+                self.assertEqual(arrays["weights"].tobytes(), weights.tobytes(), given)
+                self.assertEqual(arrays["points"].tobytes(), points.tobytes(), given)
+            with open(self.path("out.json")) as f:
+                self.assertEqual(np.array(json.load(f)["weights"], float).tobytes(), weights.tobytes(), given)
+            for name in ("out.npz", "out.json"):
+                self.assertIn("regular triangulation", self.output("check", self.path(name)))
+
+    def test_weights_that_do_not_fit(self):
+        points = self.file("points.npy", np.arange(10.0).reshape(5, 2) ** 2)
+        for command in ("regular", "power"):
+            def refused(weights, pattern):
+                path = self.file("weights.npy", np.array(weights, float))
+                self.assertRegex(self.complaint(command, points, "--weights", path), "weights.npy: " + pattern)
+            refused(range(4), "expected 5 weights, one per point, found 4")
+            refused(range(6), "expected 5 weights, one per point, found 6")
+            refused([], "expected 5 weights, one per point, found 0")
+            refused(np.ones((5, 2)), "expected one weight per row, found 2 columns")
+            refused([0, 1, 2, np.nan, 4], "row 3: .*nan")
+            refused([0, -np.inf, 2, np.nan, 4], "row 1: .*inf.*1 more row")
+            lines = self.file("weights.txt", "0\n1\nnan\n3\n4\n")
+            self.assertRegex(self.complaint(command, points, "--weights", lines), "weights.txt:3: .*nan")
+            table = self.file("balls.csv", "x,y,w\n0,0,1\n1,0,nan\n0,1,1\n")
+            self.assertRegex(self.complaint(command, table, "--weights", "w"), "balls.csv:3: .*nan")
+            self.assertIn("no column 3; the columns are 0 to 2", self.complaint(command, self.file("balls.csv", "0,0,1\n1,0,1\n"), "--weights", 3))
+
     def test_refusals(self):
         points = self.path("points.csv")
         with open(points, "w") as f:
