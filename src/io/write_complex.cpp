@@ -35,7 +35,7 @@ void validate(const ComplexData& data, const std::string& name) {
     wrong("vertex_of_point has another size than the points");
   if (!data.weights.empty() && data.weights.size() != data.num_points()) wrong("the weights have another size than the points");
   require_finite(data.points, data.dimension, name);
-  require_finite(data.weights, 1, name);
+  require_finite(data.weights, 1, name + ": weights");
 }
 
 /// For formats whose readers follow the rows without a check.

@@ -55,15 +55,20 @@ ComplexData one_cell(int k, int d) {
   return data;
 }
 
+bool same_bits(const std::vector<double>& a, const std::vector<double>& b) {
+  return a.size() == b.size() && (a.empty() || std::memcmp(a.data(), b.data(), a.size() * sizeof(double)) == 0);
+}
+
 void expect_same(const ComplexData& a, const ComplexData& b, bool all_members, const std::string& what) {
   EXPECT_EQ(a.dimension, b.dimension) << what;
   EXPECT_EQ(a.affine_dimension, b.affine_dimension) << what;
   ASSERT_EQ(a.points.size(), b.points.size()) << what;
-  EXPECT_TRUE(a.points.empty() || std::memcmp(a.points.data(), b.points.data(), a.points.size() * sizeof(double)) == 0) << what;
+  EXPECT_TRUE(same_bits(a.points, b.points)) << what;
   EXPECT_EQ(a.cells, b.cells) << what;
   if (all_members) {
     EXPECT_EQ(a.neighbors, b.neighbors) << what;
     EXPECT_EQ(a.vertex_of_point, b.vertex_of_point) << what;
+    EXPECT_TRUE(same_bits(a.weights, b.weights)) << what;
   }
 }
 
@@ -77,6 +82,66 @@ TEST_F(ComplexFiles, RoundTrips) {
       expect_same(read_complex(path(name)), data, std::string(name) != "a.off",
                   std::string(name) + " k=" + std::to_string(data.affine_dimension) + " d=" + std::to_string(data.dimension));
     }
+}
+
+TEST_F(ComplexFiles, WeightsRoundTripToTheBit) {
+  using Limits = std::numeric_limits<double>;
+  for (const std::vector<double>& weights : {std::vector<double>{0.1, -0.0, Limits::max(), Limits::denorm_min(), -2},
+                                             {1, 2, 3, 4, 5},
+                                             {-Limits::max(), 1e300, 1e-310, 0, 1 / 3.}}) {
+    ComplexData data = square();
+    data.weights = weights;
+    data.vertex_of_point[4] = -1;  // hidden
+    for (const char* name : {"a.npz", "a.json"}) {
+      write_complex(path(name), data);
+      expect_same(read_complex(path(name)), data, true, name);
+    }
+  }
+  write_complex(path("a.npz"), square());
+  EXPECT_TRUE(read_complex(path("a.npz")).weights.empty()) << "no weights are not weights of 0";
+}
+
+TEST_F(ComplexFiles, WeightFaults) {
+  const std::string points = npy_of<double>("<f8", "(3, 2)", {0, 0, 1, 0, 0, 1}),
+                    cells = npy_of<std::int32_t>("<i4", "(1, 3)", {0, 1, 2});
+  const auto from_npz = [&](Errc code, const std::vector<std::string>& parts, const std::string& weights) {
+    return expect_error(code, parts, [&] {
+      read_complex(npz("a.npz", {{"points", points}, {"cells", cells}, {"weights", weights}}));
+    });
+  };
+  from_npz(Errc::bad_format, {"a.npz: weights", "expected 3 numbers, one per point, found 2"},
+           npy_of<double>("<f8", "(2,)", {0, 1}));
+  from_npz(Errc::bad_format, {"a.npz: weights", "expected 3 numbers", "found 0"}, npy("<f8", "(0,)", ""));
+  from_npz(Errc::bad_format, {"a.npz: weights", "1-D", "(3, 1)"}, npy_of<double>("<f8", "(3, 1)", {0, 1, 2}));
+  EXPECT_EQ(from_npz(Errc::not_finite, {"a.npz: weights: row 1", "nan"}, npy_of<double>("<f8", "(3,)", {0, NAN, 2})),
+            (std::vector<std::size_t>{1}));
+  EXPECT_EQ(from_npz(Errc::not_finite, {"a.npz: weights: row 0", "inf", "1 more row"},
+                     npy_of<double>("<f8", "(3,)", {INFINITY, 0, NAN})),
+            (std::vector<std::size_t>{0, 2}));
+
+  const auto from_json = [&](Errc code, const std::vector<std::string>& parts, const std::string& weights) {
+    return expect_error(code, parts, [&] {
+      read_complex(file("a.json", "{\"points\": [[0,0],[1,0],[0,1]], \"cells\": [[0,1,2]], \"weights\": " + weights + "}"));
+    });
+  };
+  from_json(Errc::bad_format, {"a.json: weights", "expected 3 numbers, one per point, found 4"}, "[1, 2, 3, 4]");
+  from_json(Errc::bad_format, {"a.json: weights", "expected 3 numbers", "found 0"}, "[]");
+  from_json(Errc::bad_format, {"a.json: weights: row 1", "expected a number", "null"}, "[0, null, 2]");
+  from_json(Errc::bad_format, {"a.json: weights: row 2", "expected a number", "'x'"}, "[0, 1, \"x\"]");
+  from_json(Errc::bad_format, {"a.json: weights", "an array"}, "[[0], [1], [2]]");
+  from_json(Errc::bad_format, {"a.json: weights", "expected an array", "7"}, "7");
+  from_json(Errc::bad_format, {"not valid JSON"}, "[0, NaN, 2]");
+  EXPECT_EQ(from_json(Errc::not_finite, {"a.json: weights: row 2", "1e999"}, "[0, 1, 1e999]"), (std::vector<std::size_t>{2}));
+
+  for (const char* name : {"b.npz", "b.json"}) {
+    ComplexData data = square();
+    data.weights = {0, 1, 2, NAN, 4};
+    EXPECT_EQ(expect_error(Errc::not_finite, {"weights: row 3"}, [&] { write_complex(path(name), data); }),
+              (std::vector<std::size_t>{3}));
+    data.weights = {0, 1, 2, 3};
+    expect_error(Errc::invalid_argument, {"weights"}, [&] { write_complex(path(name), data); });
+    EXPECT_FALSE(std::filesystem::exists(path(name)));
+  }
 }
 
 TEST_F(ComplexFiles, UnknownMembersStayUnknown) {
