@@ -4,6 +4,7 @@
 
 #include "engine/build.hpp"
 #include "engine/seed.hpp"
+#include "front_ends/boundary_cells.hpp"
 #include "front_ends/halfspace_boundary.hpp"
 
 #include <utility>
@@ -17,7 +18,7 @@ class HalfspaceBoundaryOfDimension final : public HalfspaceBoundary {
  public:
   HalfspaceBoundaryOfDimension(const DualSites& sites, const DualView& view, std::vector<Index> simplex)
       : HalfspaceBoundaryOfDimension(sites, view, std::move(simplex), nullptr) {
-    std::vector<Index> vertices = this->vertices();
+    std::vector<Index> vertices = vertices_of(simplex_);
     const Index last = vertices.back();
     vertices.pop_back();
     StageCounts uncounted;
@@ -32,7 +33,7 @@ class HalfspaceBoundaryOfDimension final : public HalfspaceBoundary {
     if (view_.is_inside) {
       if (engine::insert(cells_, geometry_, v, q, work_.last_cell, work_, effort_) == invalid_index) return false;
     } else {
-      const Index cell = find_conflict(q);
+      const Index cell = find_conflict(cells_, geometry_, q, effort_.stages);
       if (cell == invalid_index) return false;
       engine::insert_in_conflict(cells_, geometry_, v, q, cell, work_, effort_);
     }
@@ -42,34 +43,14 @@ class HalfspaceBoundaryOfDimension final : public HalfspaceBoundary {
 
   void update_box() override {
     geometry_.update_box();
-    for (Index cell = 0; cell < cells_.num_slots(); ++cell)
-      if (!cells_.is_vacant(cell)) geometry_.create(cell, cells_.vertices(cell), -1, 0);
+    create_functionals(cells_, geometry_);
   }
 
   std::unique_ptr<HalfspaceBoundary> copy(const DualSites& sites, const DualView& view) const override {
     return std::unique_ptr<HalfspaceBoundary>(new HalfspaceBoundaryOfDimension(sites, view, simplex_, this));
   }
 
-  SimplicialHull to_simplicial_hull() const override {
-    SimplicialHull hull;
-    const std::size_t k = static_cast<std::size_t>(cells_.dimension()) + 1;
-    hull.dimension = static_cast<int>(k);
-    std::vector<Index> compact(cells_.num_slots(), invalid_index);
-    hull.slots.reserve(cells_.num_cells());
-    for (Index cell = 0; cell < cells_.num_slots(); ++cell) {
-      if (cells_.is_vacant(cell)) continue;
-      compact[cell] = static_cast<Index>(hull.slots.size());
-      hull.slots.push_back(cell);
-    }
-    hull.cells.reserve(hull.slots.size() * k);
-    hull.neighbors.reserve(hull.slots.size() * k);
-    for (const Index cell : hull.slots)
-      for (std::size_t i = 0; i < k; ++i) {
-        hull.cells.push_back(cells_.vertices(cell)[i] - 1);
-        hull.neighbors.push_back(compact[cells_.neighbors(cell)[i]]);
-      }
-    return hull;
-  }
+  SimplicialHull to_simplicial_hull() const override { return simplicial_hull_of(cells_); }
 
   std::vector<std::pair<Index, Index>> coplanar_neighbors(const SimplicialHull& hull) const override {
     std::vector<std::pair<Index, Index>> pairs;
@@ -121,27 +102,13 @@ class HalfspaceBoundaryOfDimension final : public HalfspaceBoundary {
         simplex_(std::move(simplex)),
         memory_(sites.dimension() - 1),
         cells_(memory_),
-        geometry_(memory_, sites, view, vertices()) {
+        geometry_(memory_, sites, view, vertices_of(simplex_)) {
     geometry_.update_box();
     if (other == nullptr) return;
     memory_.copy(other->memory_, other->cells_.num_slots());
     cells_.copy_slots(other->cells_);
     work_.last_cell = other->work_.last_cell;
     effort_ = other->effort_;
-  }
-
-  /// Those of the first simplex.
-  std::vector<Index> vertices() const {
-    std::vector<Index> vertices = simplex_;
-    for (Index& v : vertices) ++v;
-    return vertices;
-  }
-
-  /// A cell in conflict with q, or invalid_index: all cells are asked.
-  Index find_conflict(const Query& q) {
-    for (Index cell = 0; cell < cells_.num_slots(); ++cell)
-      if (!cells_.is_vacant(cell) && engine::in_conflict_exactly(cells_, geometry_, cell, q, effort_.stages)) return cell;
-    return invalid_index;
   }
 
   const DualView& view_;

@@ -4,6 +4,7 @@
 
 #include "engine/build.hpp"
 #include "engine/seed.hpp"
+#include "front_ends/boundary_cells.hpp"
 #include "front_ends/hull_boundary.hpp"
 #include "geometry/hull_geometry.hpp"
 
@@ -22,7 +23,7 @@ class HullBoundaryOfDimension final : public HullBoundary {
  public:
   HullBoundaryOfDimension(const HullSites& sites, const HullView& view, std::vector<Index> simplex)
       : HullBoundaryOfDimension(sites, view, std::move(simplex), nullptr) {
-    std::vector<Index> vertices = this->vertices();
+    std::vector<Index> vertices = vertices_of(simplex_);
     const Index last = vertices.back();
     vertices.pop_back();
     StageCounts uncounted;
@@ -43,7 +44,7 @@ class HullBoundaryOfDimension final : public HullBoundary {
         return h.value(work_.last_cell) > h.threshold(work_.last_cell) ? Insertion::interior : Insertion::hidden;
       }
     } else {
-      const Index cell = find_conflict(q);
+      const Index cell = find_conflict(cells_, geometry_, q, effort_.stages);
       if (cell == invalid_index) return Insertion::hidden;
       engine::insert_in_conflict(cells_, geometry_, v, q, cell, work_, effort_);
     }
@@ -57,35 +58,14 @@ class HullBoundaryOfDimension final : public HullBoundary {
 
   void update_box() override {
     geometry_.set_box(view_.low.data(), view_.high.data());
-    for (Index cell = 0; cell < cells_.num_slots(); ++cell)
-      if (!cells_.is_vacant(cell)) geometry_.create(cell, cells_.vertices(cell), -1, 0);
+    create_functionals(cells_, geometry_);
   }
 
   std::unique_ptr<HullBoundary> copy(const HullSites& sites, const HullView& view) const override {
     return std::unique_ptr<HullBoundary>(new HullBoundaryOfDimension(sites, view, simplex_, this));
   }
 
-  SimplicialHull to_simplicial_hull() const override {
-    SimplicialHull hull;
-    const std::size_t k = static_cast<std::size_t>(cells_.dimension()) + 1;
-    hull.dimension = static_cast<int>(k);
-    std::vector<Index> compact(cells_.num_slots(), invalid_index);
-    hull.slots.reserve(cells_.num_cells());
-    for (Index cell = 0; cell < cells_.num_slots(); ++cell) {
-      if (cells_.is_vacant(cell)) continue;
-      compact[cell] = static_cast<Index>(hull.slots.size());
-      hull.slots.push_back(cell);
-    }
-    hull.cells.resize(hull.slots.size() * k);
-    hull.neighbors.resize(hull.slots.size() * k);
-    Index *vertex = hull.cells.data(), *neighbor = hull.neighbors.data();
-    for (const Index cell : hull.slots)
-      for (std::size_t i = 0; i < k; ++i) {
-        *vertex++ = cells_.vertices(cell)[i] - 1;
-        *neighbor++ = compact[cells_.neighbors(cell)[i]];
-      }
-    return hull;
-  }
+  SimplicialHull to_simplicial_hull() const override { return simplicial_hull_of(cells_); }
 
   std::vector<std::pair<Index, Index>> coplanar_neighbors(const SimplicialHull& hull) const override {
     std::vector<std::pair<Index, Index>> pairs;
@@ -103,7 +83,7 @@ class HullBoundaryOfDimension final : public HullBoundary {
       for (int i = 0; i <= cells_.dimension(); ++i) {
         const Index across = cells_.neighbors(cell)[i];
         if (across < cell) continue;
-        const Index opposite = cells_.vertices(across)[mirror_index(cell, across)];
+        const Index opposite = cells_.vertices(across)[cells_.slot_of_neighbor(across, cell)];
         // One cell is convex at the ridge iff the other is.
         if (is_certainly_inside(cell, opposite) || is_certainly_inside(across, cells_.vertices(cell)[i])) continue;
         if (geometry_.side(cells_.vertices(cell), geometry_.point(opposite), uncounted) == Sign::zero)
@@ -142,20 +122,14 @@ class HullBoundaryOfDimension final : public HullBoundary {
         simplex_(std::move(simplex)),
         memory_(static_cast<int>(sites.axes.size()) - 1),
         cells_(memory_),
-        geometry_(memory_, sites.axes, sites.ambient, sites.coordinates, view.grid, view.center, view.is_inside, vertices()) {
+        geometry_(memory_, sites.axes, sites.ambient, sites.coordinates, view.grid, view.center, view.is_inside,
+                  vertices_of(simplex_)) {
     geometry_.set_box(view.low.data(), view.high.data());
     if (other == nullptr) return;
     memory_.copy(other->memory_, other->cells_.num_slots());
     cells_.copy_slots(other->cells_);
     work_.last_cell = other->work_.last_cell;
     effort_ = other->effort_;
-  }
-
-  /// Those of the first simplex.
-  std::vector<Index> vertices() const {
-    std::vector<Index> vertices = simplex_;
-    for (Index& v : vertices) ++v;
-    return vertices;
   }
 
   /// What a descent that ended in `cell` has proved: − q is beyond some cell, + it is in the interior of the hull.
@@ -197,13 +171,6 @@ class HullBoundaryOfDimension final : public HullBoundary {
     return true;
   }
 
-  int mirror_index(Index cell, Index across) const {
-    const Index* back = cells_.neighbors(across);
-    int i = 0;
-    while (back[i] != cell) ++i;
-    return i;
-  }
-
   /// Thresholds are for rows in [−1, 1]. Functionals are off by a linear function of the row, and evaluations round in
   /// proportion to it, so for a row outside the threshold grows by this factor.
   double reach(const Query& q) const {
@@ -211,13 +178,6 @@ class HullBoundaryOfDimension final : public HullBoundary {
     for (std::size_t r = 0; r < sites_.axes.size(); ++r)
       if (const double x = std::fabs(q.row[r]); !(x <= largest)) largest = x;
     return largest > 1 ? largest * (1 + 0x1p-50) : 1;
-  }
-
-  /// A cell in conflict with q, or invalid_index: all cells are asked.
-  Index find_conflict(const Query& q) {
-    for (Index cell = 0; cell < cells_.num_slots(); ++cell)
-      if (!cells_.is_vacant(cell) && engine::in_conflict_exactly(cells_, geometry_, cell, q, effort_.stages)) return cell;
-    return invalid_index;
   }
 
   const HullSites& sites_;
