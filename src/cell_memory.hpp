@@ -22,7 +22,7 @@ enum class Mark : std::uint8_t { unseen = 0, in_conflict = 1, not_in_conflict = 
 template <int K>
 class CellMemory {
  public:
-  explicit CellMemory(int dimension) : dimension_(dimension) {}
+  explicit CellMemory(int dimension) : dimension_(dimension), words_(pages_for(dimension)) {}
 
   int dimension() const { return K > 0 ? K : dimension_; }
   /// From a cell to the next, in words.
@@ -44,10 +44,14 @@ class CellMemory {
   }
 
  private:
-  /// Lines of the cache have 8 words: one word more is no waste if it keeps cells from straddling lines.
+  /// Insertion in a sorted order stays near where it was, so that large pages gain nothing while stars are small
+  /// (docs/performance.md, "Memory").
+  static Pages pages_for(int dimension) { return dimension >= 5 ? Pages::large : Pages::usual; }
+
+  /// Lines of the cache have 8 words: one word more is no waste if it keeps cells from straddling more lines than they need.
   static constexpr std::size_t stride_of(std::size_t k) {
     const std::size_t words = k + 2 + (2 * (k + 1) * sizeof(Index) + sizeof(double) - 1) / sizeof(double);
-    return words % 4 == 3 ? words + 1 : words;
+    return words % 8 == 7 ? words + 1 : words;
   }
 
   int dimension_;

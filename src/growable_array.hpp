@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // A large array of trivial entries that grows without being copied: on Linux its pages are moved to a larger range of
-// addresses, and large pages are asked for; elsewhere it is reallocated.
+// addresses; elsewhere it is reallocated.
 #pragma once
 
 #include <algorithm>
@@ -16,18 +16,22 @@
 
 namespace delone {
 
+/// The size of the pages to ask the system for.
+enum class Pages { usual, large };
+
 /// Entries beyond those ever written are unspecified. Memory that was never touched costs nothing on Linux.
 template <class T>
 class GrowableArray {
   static_assert(std::is_trivially_copyable_v<T>);
 
  public:
-  GrowableArray() = default;
+  explicit GrowableArray(Pages pages = Pages::usual) : pages_(pages) {}
   GrowableArray(GrowableArray&& other) noexcept
-      : entries_(std::exchange(other.entries_, nullptr)), capacity_(std::exchange(other.capacity_, 0)) {}
+      : entries_(std::exchange(other.entries_, nullptr)), capacity_(std::exchange(other.capacity_, 0)), pages_(other.pages_) {}
   GrowableArray& operator=(GrowableArray&& other) noexcept {
     std::swap(entries_, other.entries_);
     std::swap(capacity_, other.capacity_);
+    std::swap(pages_, other.pages_);
     return *this;
   }
   ~GrowableArray() { release(); }
@@ -55,7 +59,7 @@ class GrowableArray {
         std::copy(entries_, entries_ + capacity_, static_cast<T*>(moved));
         std::free(entries_);
       }
-      madvise(moved, bytes, MADV_HUGEPAGE);  // a wish: failure is no error
+      if (pages_ == Pages::large) madvise(moved, bytes, MADV_HUGEPAGE);  // a wish: failure is no error
       entries_ = static_cast<T*>(moved);
       capacity_ = bytes / sizeof(T);
       return;
@@ -89,6 +93,7 @@ class GrowableArray {
 
   T* entries_ = nullptr;
   std::size_t capacity_ = 0;
+  Pages pages_;
 };
 
 }  // namespace delone

@@ -25,13 +25,13 @@ namespace benchmarks {
 
 using delone::Index;
 
-/// What an observer is told, in this order. The base class does not care.
+/// What an observer is told, in this order; of creation block by block. The base class does not care.
 struct Observer {
   void begins() {}     ///< an insertion: the walk follows
   void evaluates() {}  ///< an evaluator is asked for: by the walk, then by the search of the conflict zone, then by tests
-  void reserves() {}   ///< the conflict zone is complete; slots, vertices and mirrors follow
+  void reserves() {}   ///< the conflict zone is complete; slots, vertices, mirrors and keys of ridges follow
   void creates() {}    ///< functionals follow
-  void created() {}    ///< functionals are done, or one more of those that need elimination; gluing and releasing follow
+  void created() {}    ///< functionals are done, or one more of those that need elimination; the next block follows, or gluing
   void ends(const delone::engine::Workspace& /*work*/) {}
 };
 

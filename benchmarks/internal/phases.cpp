@@ -26,7 +26,7 @@ namespace {
 
 using benchmarks::ThreadUsage;
 
-enum Phase { walk, search, slots, functionals, gluing, num_phases };
+enum Phase : std::size_t { walk, search, slots, functionals, gluing, num_phases };
 constexpr std::array<const char*, num_phases> phase_names{"walk", "search", "slots", "functionals", "gluing"};
 
 /// A clock of the system, in nanoseconds.
@@ -64,26 +64,27 @@ class Stopwatch : public benchmarks::Observer {
     timing_ = ++insertions_ % stride_ == 0;
     if (!timing_) return;
     evaluators_ = 0;
+    spent_.fill(0);
     before_ = ThreadUsage::now();
-    at_[0] = clock_.now();
+    last_ = clock_.now();
   }
   void evaluates() {
-    if (timing_ && ++evaluators_ == 2) look(1);
+    if (timing_ && ++evaluators_ == 2) ends_phase(walk);
   }
-  void reserves() { look(2); }
-  void creates() { look(3); }
-  void created() { look(4); }
+  void reserves() { ends_phase(search); }
+  // These two in turn, once for each block of cells and once more for each cell that needs elimination.
+  void creates() { ends_phase(slots); }
+  void created() { ends_phase(functionals); }
   void ends(const delone::engine::Workspace& work) {
     if (!timing_) return;
-    look(5);
+    ends_phase(gluing);
     timing_ = false;
     const ThreadUsage during = ThreadUsage::now() - before_;
     ++seen_;
     if (during.fresh_pages > 0 || (during.interruptions > 0 && !clock_.stops_for_others())) return;
     ++kept_;
     created_ += work.zone.num_facets;
-    for (std::size_t phase = 0; phase < num_phases; ++phase)
-      ns_[phase] += at_[phase + 1] - at_[phase] - (phase == walk ? 2 : 1) * look_;
+    for (std::size_t phase = 0; phase < num_phases; ++phase) ns_[phase] += spent_[phase];
   }
 
   /// Nanoseconds per created cell.
@@ -91,8 +92,11 @@ class Stopwatch : public benchmarks::Observer {
   double kept() const { return static_cast<double>(kept_) / static_cast<double>(seen_); }
 
  private:
-  void look(std::size_t i) {
-    if (timing_) at_[i] = clock_.now();
+  void ends_phase(Phase phase) {
+    if (!timing_) return;
+    const double now = clock_.now();
+    spent_[phase] += now - last_ - look_;
+    last_ = now;
   }
 
   Clock clock_;
@@ -102,8 +106,8 @@ class Stopwatch : public benchmarks::Observer {
   int evaluators_ = 0;
   std::uint64_t insertions_ = 0, seen_ = 0, kept_ = 0, created_ = 0;
   ThreadUsage before_;
-  std::array<double, num_phases + 1> at_{};
-  std::array<double, num_phases> ns_{};
+  double last_ = 0;
+  std::array<double, num_phases> spent_{}, ns_{};  // by the insertion that is timed, and by all that count
 };
 
 template <int K>

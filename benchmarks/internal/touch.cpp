@@ -97,7 +97,7 @@ void touch(benchmark::State& state) {
     return 1e9 * (benchmarks::thread_seconds() - start) / created;
   };
   for (auto _ : state) {
-    delone::GrowableArray<std::uint64_t> words;
+    delone::GrowableArray<std::uint64_t> words(K >= 5 ? delone::Pages::large : delone::Pages::usual);
     words.reserve(num_words);
     fresh = std::min(fresh, measured(words.data()));
     warm = std::min(warm, measured(words.data()));

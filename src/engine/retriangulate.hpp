@@ -11,6 +11,10 @@
 
 namespace delone::engine {
 
+/// How many cells of a star are created at a time, so that their records, and those of the cells they are made from, stay in
+/// the cache through all steps.
+constexpr std::size_t star_block = 64;
+
 /// Links the created cells of half-ridges by rotating about each ridge, from the dead cell of the facet through the zone until
 /// the horizon (Boissonnat and Teillaud 1993, doi:10.1016/0304-3975(93)90024-N).
 template <int K>
@@ -70,28 +74,33 @@ void retriangulate(CellStore<K>& cells, G& geometry, Index v, const typename G::
   cells.reserve(zone.num_facets);
   const std::span<HorizonFacet> facets{zone.horizon.data(), zone.num_facets};
 
-  for (std::size_t f = 0; f < facets.size(); ++f) {
-    if (f + 8 < facets.size()) cells.prefetch(facets[f + 8].survivor);
-    HorizonFacet& facet = facets[f];
-    facet.dead_value = zone.values[facet.dead];
-    facet.dead = zone.cells[facet.dead];
-    facet.created = cells.allocate();
-    const Index* dead_vertices = cells.vertices(facet.dead);
-    Index* vertices = cells.vertices(facet.created);
-    for (int i = 0; i <= k; ++i) vertices[i] = dead_vertices[i];
-    facet.dead_opposite = dead_vertices[facet.slot];
-    vertices[facet.slot] = v;
-    cells.neighbors(facet.created)[facet.slot] = facet.survivor;
-    const int mirror = cells.slot_of_neighbor(facet.survivor, facet.dead);
-    cells.neighbors(facet.survivor)[mirror] = facet.created;
-    facet.survivor_opposite = cells.vertices(facet.survivor)[mirror];
-  }
-  for (const std::uint32_t f : geometry.create_star(v, q, facets)) {
-    const Index cell = facets[f].created;
-    geometry.create(cell, cells.vertices(cell), cells.infinite_slot(cell), facets[f].slot);
+  for (std::size_t first = 0; first < facets.size(); first += star_block) {
+    const std::size_t last = std::min(first + star_block, facets.size());
+    for (std::size_t f = first; f < last; ++f) {
+      if (f + 8 < facets.size()) cells.prefetch(facets[f + 8].survivor);
+      HorizonFacet& facet = facets[f];
+      facet.dead_value = zone.values[facet.dead];
+      facet.dead = zone.cells[facet.dead];
+      facet.created = cells.allocate();
+      const Index* dead_vertices = cells.vertices(facet.dead);
+      Index* vertices = cells.vertices(facet.created);
+      for (int i = 0; i <= k; ++i) vertices[i] = dead_vertices[i];
+      facet.dead_opposite = dead_vertices[facet.slot];
+      vertices[facet.slot] = v;
+      cells.neighbors(facet.created)[facet.slot] = facet.survivor;
+      const int mirror = cells.slot_of_neighbor(facet.survivor, facet.dead);
+      cells.neighbors(facet.survivor)[mirror] = facet.created;
+      facet.survivor_opposite = cells.vertices(facet.survivor)[mirror];
+    }
+    ridges.hash(cells, facets, first, last);
+    for (const std::uint32_t f : geometry.create_star(v, q, facets.subspan(first, last - first))) {
+      const Index cell = facets[first + f].created;
+      geometry.create(cell, cells.vertices(cell), cells.infinite_slot(cell), facets[first + f].slot);
+    }
   }
   if (const auto unmatched = ridges.link(cells, facets); !unmatched.empty()) link_by_rotation(cells, facets, unmatched);
-  unmark(cells.marks(), zone);
+  // Slots that are allocated anew have no marks.
+  for (const Index cell : zone.marked) cells.marks().set(cell, Mark::unseen);
   for (std::size_t i = 0; i < zone.num_cells; ++i) cells.release(zone.cells[i]);
 }
 

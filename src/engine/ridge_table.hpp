@@ -40,8 +40,11 @@ class RidgeTable {
       is_small(facets, k) ? small_.resize(size, 0) : large_.resize(size, 0);
   }
 
-  /// Links the created cells of all facets across their ridges. Returns the half-ridges that it could not match, which the
-  /// caller must link. REQUIRES reserve().
+  /// Hashes the ridges of the facets first … last − 1, whose created cells have their vertices. REQUIRES reserve().
+  template <int K>
+  void hash(const CellStore<K>& cells, std::span<const HorizonFacet> facets, std::size_t first, std::size_t last);
+  /// Links the created cells of all facets across their ridges, once all are hashed. Returns the half-ridges that it could not
+  /// match, which the caller must link.
   template <int K>
   std::span<const std::uint32_t> link(CellStore<K>& cells, std::span<const HorizonFacet> facets);
 
@@ -73,8 +76,6 @@ class RidgeTable {
     return x * 0x85ebca6b;
   }
 
-  template <int K>
-  void hash(const CellStore<K>& cells, std::span<const HorizonFacet> facets);
   template <class Entry, int K>
   std::span<const std::uint32_t> match(std::vector<Entry>& table, CellStore<K>& cells, std::span<const HorizonFacet> facets);
 
@@ -89,7 +90,6 @@ class RidgeTable {
 template <int K>
 std::span<const std::uint32_t> RidgeTable::link(CellStore<K>& cells, std::span<const HorizonFacet> facets) {
   const int k = cells.dimension();
-  hash(cells, facets);
   if (rounds_ == 0) {
     std::uint32_t left = 0;
     for (std::uint32_t f = 0; f < facets.size(); ++f)
@@ -100,10 +100,10 @@ std::span<const std::uint32_t> RidgeTable::link(CellStore<K>& cells, std::span<c
 }
 
 template <int K>
-void RidgeTable::hash(const CellStore<K>& cells, std::span<const HorizonFacet> facets) {
+void RidgeTable::hash(const CellStore<K>& cells, std::span<const HorizonFacet> facets, std::size_t first, std::size_t last) {
   const auto k = static_cast<std::uint32_t>(cells.dimension());
-  std::uint32_t* hash = hashes_.data();
-  for (std::size_t f = 0; f < facets.size(); ++f, hash += std::size_t{1} << facet_shift(cells.dimension())) {
+  std::uint32_t* hash = hashes_.data() + (first << facet_shift(cells.dimension()));
+  for (std::size_t f = first; f < last; ++f, hash += std::size_t{1} << facet_shift(cells.dimension())) {
     created_[f] = facets[f].created;
     const Index* vertices = cells.vertices(facets[f].created);
     const auto apex = static_cast<std::uint32_t>(facets[f].slot);
