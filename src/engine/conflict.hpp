@@ -14,7 +14,8 @@ namespace delone::engine {
 /// perturbation moves points along that hyperplane. REQUIRES that q is none of the vertices of the cell, nor of the finite
 /// neighbor of an infinite cell.
 template <class Cells, QueryGeometry G>
-bool in_conflict_exactly(const Cells& cells, const G& geometry, Index cell, const typename G::Query& q, StageCounts& counts) {
+[[gnu::noinline]] bool in_conflict_exactly(const Cells& cells, const G& geometry, Index cell, const typename G::Query& q,
+                                           StageCounts& counts) {
   const auto functional = geometry.evaluator(q);
   for (;;) {
     const double value = functional.value(cell);
@@ -27,6 +28,9 @@ bool in_conflict_exactly(const Cells& cells, const G& geometry, Index cell, cons
     const int infinite_slot = infinite ? cells.infinite_slot(cell) : -1;
     if (geometry.proves_tie(cell, value, q)) {
       ++counts.filter;
+    } else if (std::fabs(value) > geometry.threshold_at(cell, q)) {
+      ++counts.filter;
+      return std::signbit(value);
     } else if (const Sign side = geometry.exact_side(vertices, infinite_slot, q, counts); side != Sign::zero) {
       return side == Sign::negative;
     }

@@ -21,6 +21,8 @@ concept QueryGeometry = requires(const G& known, Index cell, const Index* vertic
   /// closer to a conflict. threshold(cell): |value − h(q)| is below it. A value that is not a number says nothing.
   { known.evaluator(q).value(cell) } -> std::same_as<double>;
   { known.evaluator(q).threshold(cell) } -> std::same_as<double>;
+  /// Another threshold, for this query alone and at some cost.
+  { known.threshold_at(cell, q) } -> std::same_as<double>;
   /// Whether a value within the threshold proves that h(q) is exactly zero.
   { known.proves_tie(cell, value, q) } -> std::same_as<bool>;
   /// The exact sign of h(q).

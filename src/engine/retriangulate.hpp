@@ -69,7 +69,7 @@ void retriangulate(CellStore<K>& cells, G& geometry, Index v, const typename G::
   const int k = cells.dimension();
   if (swallowed != nullptr) find_swallowed(cells, zone, *swallowed);
   ridges.reserve(zone.num_facets, k);
-  geometry.reserve_star(v, zone.num_facets);
+  geometry.reserve_star(v, std::min(zone.num_facets, star_block));
   cells.reserve_vacancies(zone.num_cells);
   cells.reserve(zone.num_facets);
   const std::span<HorizonFacet> facets{zone.horizon.data(), zone.num_facets};

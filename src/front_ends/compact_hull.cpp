@@ -58,6 +58,7 @@ class ExactGeometry : public geometry::PointPredicates<0> {
     double threshold(Index) const { return 0; }
   };
   Evaluator evaluator(const Query&) const { return {}; }
+  double threshold_at(Index, const Query&) const { return 0; }
   bool proves_tie(Index, double, const Query&) const { return false; }
   bool is_infinite(Index cell) const { return cells_.infinite_slot(cell) >= 0; }
 

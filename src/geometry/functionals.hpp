@@ -77,13 +77,18 @@ class Functionals {
   Evaluator evaluator(const double* row) const { return {memory_, row}; }
 
   double threshold(Index cell) const { return certificate::threshold(packed(cell)); }
+  /// The same for one row alone: less if the row is near the vertices of the cell. `rows`: of all vertices. Cost O(k²).
+  double threshold_at(Index cell, const double* rows, const double* row) const requires(Lifted);
   /// Whether a value that is within the threshold proves that h is exactly zero there. False for not-a-number.
   bool proves_zero(Index cell, double value, const LatticeBounds& bounds) const {
     const double largest_error = 2 * threshold(cell);
     if (!(2 * std::fabs(value) <= largest_error)) return false;
     if (largest_error <= bounds.least_value(is_infinite(cell))) return true;
-    // The bound from the box is too small for most spheres of a fine grid.
-    return spheres_ && !is_infinite(cell) && largest_error * largest_determinant(cell) <= bounds.numerator;
+    // The bound from the box is too small for most spheres of a fine grid. A lower bound on the determinant saves the upper
+    // one.
+    const auto proved_with = [&](double determinant) { return largest_error * determinant <= bounds.numerator; };
+    return spheres_ && !is_infinite(cell) && proved_with(certificate::determinant(packed(cell))) &&
+           proved_with(largest_determinant(cell));
   }
   bool is_infinite(Index cell) const { return certificate::infinite(packed(cell)); }
 
@@ -100,17 +105,27 @@ class Functionals {
   /// Returns the facets whose certificates would be too weak: their cells must be solved for.
   std::span<const std::uint32_t> combine(std::span<const HorizonFacet> facets, const double* rows, const double* query_row,
                                          const LatticeBounds& bounds) {
-    const StarTask task{facets,           k(),         Lifted,    memory_.record(0),
-                        memory_.stride(), rows,        query_row, frame_constants(),
-                        scratch_.data(),  weak_.data()};
+    StarTask task{facets,    k(),     Lifted,  memory_.record(0), memory_.stride(), rows,
+                  query_row, 0x1p-10, nullptr, frame_constants(), scratch_.data(),  weak_.data()};
     const std::size_t num_weak = combine_star(task);
     const auto left = std::remove_if(weak_.begin(), weak_.begin() + static_cast<std::ptrdiff_t>(num_weak),
                                      [&](std::uint32_t f) { return adopt(facets[f], query_row, bounds); });
-    return {weak_.data(), static_cast<std::size_t>(left - weak_.begin())};
+    const std::span<std::uint32_t> weak(weak_.data(), static_cast<std::size_t>(left - weak_.begin()));
+    // In few dimensions elimination costs no more.
+    if constexpr (Lifted && (K == 0 || K >= 4))
+      if (!weak.empty()) return combine_near(task, weak);
+    return weak;
   }
   /// Makes room for a star. Throws std::bad_alloc.
   void reserve_star(std::size_t facets) {
-    if (weak_.size() < facets) weak_.resize(2 * facets);
+    if (weak_.size() < facets) {
+      weak_.resize(2 * facets);
+      if constexpr (Lifted) {
+        near_facets_.resize(2 * facets);
+        near_thresholds_.resize(4 * facets);
+        still_weak_.resize(2 * facets);
+      }
+    }
     scratch_.resize(star_scratch(k()));
   }
 
@@ -135,20 +150,45 @@ class Functionals {
   /// too: takes over its functional, and returns true.
   bool adopt(const HorizonFacet& facet, const double* query_row, const LatticeBounds& bounds);
 
-  FrameConstants frame_constants() const {
-    return {evaluation_error_, largest_lift_, finite_spread_, infinite_spread_, spheres_, extent_ratio_.data()};
+  /// Combines the cells of weak facets anew, with thresholds for the points where functionals are evaluated instead of the box.
+  /// Returns those that are still weak.
+  std::span<const std::uint32_t> combine_near(StarTask task, std::span<std::uint32_t> weak) requires(Lifted);
+  /// Lowers the threshold of a finite cell to what its edges at the apex give. Returns whether elimination could hardly do
+  /// better.
+  bool sharpen(Index cell, int apex, const double* rows) requires(Lifted);
+  /// Of a row from the finite vertices of a cell but one, rounded up.
+  struct Distances {
+    double product = 1, inverse_sum = 0;
+    /// The bounds below need both: neither has underflown.
+    bool are_usable() const { return product > 0x1p-900; }
+  };
+  Distances distances(Index cell, const double* rows, const double* row, int excluded = -1) const requires(Lifted);
+  /// The sum of the magnitudes of the functional's terms in the box, at most.
+  double magnitude(Index cell) const {
+    double sum = Lifted && is_infinite(cell) ? 0 : largest_lift_;
+    for (int r = 0; r <= k(); ++r) sum += std::fabs(record(cell)[r]);
+    return sum;
   }
 
-  CellMemory<K>& memory_;            // per cell: k coefficients, the constant, the certificate
-  std::vector<double> scratch_;      // of combine()
-  std::vector<std::uint32_t> weak_;  // of combine()
+  FrameConstants frame_constants() const {
+    return {evaluation_error_, largest_lift_, finite_spread_,      infinite_spread_,
+            largest_radius_,   spheres_,      extent_ratio_.data()};
+  }
+
+  CellMemory<K>& memory_;                  // per cell: k coefficients, the constant, the certificate
+  std::vector<double> scratch_;            // of combine()
+  std::vector<std::uint32_t> weak_;        // of combine()
+  std::vector<HorizonFacet> near_facets_;  // of combine_near()
+  std::vector<double> near_thresholds_;
+  std::vector<std::uint32_t> still_weak_;
 
   // Constants of the frame.
   double largest_lift_ = 0;
   double evaluation_error_ = 0;  // relative to the sum of the magnitudes of a functional's terms
   double finite_spread_ = 0;     // Σ|barycentric coordinates| − 1 is at most finite_spread·R^(k−1)/det in the box, with
                                  // spheres_; else the power of R is in it
-  double infinite_spread_ = 0;   // the same for infinite cells, over det
+  double largest_radius_ = 0;
+  double infinite_spread_ = 0;         // the same for infinite cells, over det
   std::vector<double> extent_ratio_;   // per axis, the frame's scale over that of lifts
   double largest_in_unit_sphere_ = 0;  // determinant of the edge vectors of a simplex whose sphere has radius 1
   bool spheres_ = false;               // whether functionals of finite cells describe spheres that tell where vertices are
@@ -162,9 +202,8 @@ bool Functionals<K, Lifted>::adopt(const HorizonFacet& facet, const double* quer
     return false;
   const double* source = record(facet.survivor);
   std::copy_n(source, k() + 1, record(facet.created));
-  double magnitude = Lifted && infinite ? 0 : largest_lift_;
-  for (int r = 0; r <= k(); ++r) magnitude += std::fabs(source[r]);
-  const double error_at_query = std::fabs(evaluator(query_row).value(facet.survivor)) + evaluation_error_ * magnitude;
+  const double error_at_query =
+      std::fabs(evaluator(query_row).value(facet.survivor)) + evaluation_error_ * magnitude(facet.survivor);
   certify(facet.created, threshold(facet.survivor), std::max(error_at_query, certificate::error(packed(facet.survivor))),
           bounds.least_determinant(infinite), infinite);
   return true;
@@ -217,6 +256,7 @@ void Functionals<K, Lifted>::set_frame(const Frame& frame, const std::vector<int
   finite_spread_ = 1.001 * 2 * std::sqrt(diagonal) * (n + 1) * regular / volume_ratio;
   // In a flat, and if spheres have all vertices inside, they say little about where vertices are, but the box does: R is the
   // length of its half diagonal.
+  largest_radius_ = 1.001 * std::sqrt(diagonal);
   if (!spheres_) finite_spread_ *= std::pow(diagonal, (n - 1) / 2);
   const double m = n - 1;
   infinite_spread_ = 1.001 * 4 * m * m * std::pow(std::max(m - 1, 1.0), (m - 1) / 2) * std::pow(2.0, m - 1);
@@ -224,4 +264,5 @@ void Functionals<K, Lifted>::set_frame(const Frame& frame, const std::vector<int
 
 }  // namespace delone::geometry
 
+#include "geometry/near.hpp"
 #include "geometry/solve.hpp"

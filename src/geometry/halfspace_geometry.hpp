@@ -81,6 +81,8 @@ class HalfspaceGeometry {
 
   auto evaluator(const Query& q) const { return functionals_.evaluator(q.row.data()); }
   bool is_infinite(Index) const { return false; }
+  /// There is no better one.
+  double threshold_at(Index, const Query&) const { return std::numeric_limits<double>::infinity(); }
   /// Dual points lie on no grid that would prove anything.
   bool proves_tie(Index, double, const Query&) const { return false; }
   /// The exact side of q: positive inside.

@@ -27,19 +27,31 @@ constexpr std::uint64_t bias = std::uint64_t{1023 - 127} << 52;
 constexpr int fraction_shift = 52 - 23;
 constexpr int short_shift = fraction_shift + 16;
 
-inline std::uint64_t pack(double threshold, double error, double determinant, bool infinite) {
+/// The field of a threshold, rounded up.
+inline std::uint64_t pack_threshold(double threshold) {
   constexpr std::uint64_t infinity = 0x7f800000;  // also for not-a-number: never certain
+  if (!(threshold < largest)) return infinity;
+  return ((std::bit_cast<std::uint64_t>(std::max(threshold, smallest)) - bias) >> fraction_shift) + 1;
+}
+
+inline std::uint64_t pack(double threshold, double error, double determinant, bool infinite) {
   const auto clamped = [](double x) { return x < largest ? std::max(x, smallest) : largest; };
   const auto bits = [](double x) { return std::bit_cast<std::uint64_t>(x) - bias; };
-  const std::uint64_t up = threshold < largest ? (bits(clamped(threshold)) >> fraction_shift) + 1 : infinity;
   const std::uint64_t error_up = (bits(clamped(error)) >> short_shift) + 1;
   const std::uint64_t down = determinant >= smallest ? bits(std::min(determinant, largest)) >> short_shift : 0;
-  return up | std::uint64_t{infinite} << 31 | error_up << 32 | down << 48;
+  return pack_threshold(threshold) | std::uint64_t{infinite} << 31 | error_up << 32 | down << 48;
 }
 
 inline double threshold(std::uint64_t packed) { return std::fabs(std::bit_cast<float>(static_cast<std::uint32_t>(packed))); }
 inline double error(std::uint64_t packed) {
   return std::bit_cast<float>(static_cast<std::uint32_t>(packed >> 32 & 0x7fff) << 16);
+}
+inline double determinant(std::uint64_t packed) {
+  return std::bit_cast<float>(static_cast<std::uint32_t>(packed >> 48 & 0x7fff) << 16);
+}
+/// With another threshold.
+inline std::uint64_t with_threshold(std::uint64_t packed, double threshold) {
+  return (packed & ~std::uint64_t{0x7fffffff}) | pack_threshold(threshold);
 }
 inline bool infinite(std::uint64_t packed) { return (packed >> 31 & 1) != 0; }
 /// All ones for a finite cell, zero for an infinite one: it is hard to predict which a cell is.

@@ -53,7 +53,7 @@ inline std::uint64_t bits_of(double x) { return std::bit_cast<std::uint64_t>(x);
 
 /// Gathers what a block is computed from, one facet per lane. K is k, or 0 for any.
 template <int K>
-void gather(const StarTask& task, std::span<const HorizonFacet> facets, double* HWY_RESTRICT block) {
+void gather(const StarTask& task, std::span<const HorizonFacet> facets, const double* thresholds, double* HWY_RESTRICT block) {
   const auto entries = static_cast<std::size_t>(K > 0 ? K : task.k) + 1;
   const bool lifted = task.lifted;
   const std::size_t stride = K > 0 ? CellMemory<K>(K).stride() : task.stride;
@@ -83,6 +83,12 @@ void gather(const StarTask& task, std::span<const HorizonFacet> facets, double* 
     const std::uint64_t reference = bits_of(lifted ? last : 1.0) & certificate::finite_mask(bits_of(other[entries]));
     block[opposite_value * block_size + lane] = even + odd + std::bit_cast<double>(reference);
   }
+  if (thresholds == nullptr) return;
+  for (std::size_t lane = 0; lane < facets.size(); ++lane)
+    for (const std::size_t cell : {0, 1}) {
+      double& packed = block[(certificate_a + cell) * block_size + lane];
+      packed = std::bit_cast<double>(certificate::with_threshold(bits_of(packed), thresholds[2 * lane + cell]));
+    }
 }
 
 /// Computes a block in place. K is k, or 0 for any.
@@ -95,8 +101,7 @@ void compute(const StarTask& task, std::size_t count, double* HWY_RESTRICT block
   using U = hn::Vec<decltype(du)>;
   const auto k = static_cast<std::size_t>(K > 0 ? K : task.k);
   const FrameConstants& frame = task.frame;
-  constexpr double slack = 0x1p-40;    // covers the few roundings of positive quantities
-  constexpr double weakest = 0x1p-10;  // thresholds beyond this fraction of the functional's scale are worth an elimination
+  constexpr double slack = 0x1p-40;  // covers the few roundings of positive quantities
   const V zero = hn::Zero(d), one = hn::Set(d, 1.0);
   const U bias = hn::Set(du, certificate::bias);
   for (std::size_t lane = 0; lane < count; lane += hn::Lanes(d)) {
@@ -185,7 +190,7 @@ void compute(const StarTask& task, std::size_t count, double* HWY_RESTRICT block
       // All vertices are within R of the centre of the approximate sphere: |h̃| ≤ error there.
       const V radius_error = hn::Mul(hn::Set(d, 8 * 0x1p-53), hn::Add(magnitude, gradient_square));
       const V radius_square = hn::Add(hn::Add(hn::Sub(hn::Mul(gradient_square, hn::Set(d, 0.25)), g), error), radius_error);
-      const V radius = hn::Sqrt(radius_square);
+      const V radius = hn::Min(hn::Sqrt(radius_square), hn::Set(d, frame.largest_radius));
       for (std::size_t r = 1; r < k; ++r) power = hn::Mul(power, radius);
       scale = radius_square;
     }
@@ -195,8 +200,9 @@ void compute(const StarTask& task, std::size_t count, double* HWY_RESTRICT block
     const V threshold = hn::Mul(hn::MulAdd(error, spread, rounding), hn::Set(d, 1 + slack));
     // With not-a-number anywhere, a comparison fails.
     const V smallest = hn::Set(d, certificate::smallest), largest = hn::Set(d, certificate::largest);
-    const auto usable = hn::And(hn::And(hn::Ge(det, smallest), hn::Le(det, largest)),
-                                hn::And(hn::Le(threshold, hn::Mul(hn::Set(d, weakest), scale)), hn::Lt(threshold, largest)));
+    const auto usable =
+        hn::And(hn::And(hn::Ge(det, smallest), hn::Le(det, largest)),
+                hn::And(hn::Le(threshold, hn::Mul(hn::Set(d, task.weakest), scale)), hn::Lt(threshold, largest)));
     const auto pack = [&](V positive) { return hn::Sub(hn::BitCast(du, positive), bias); };
     const U up = hn::Add(hn::ShiftRight<certificate::fraction_shift>(pack(hn::Max(threshold, smallest))), hn::Set(du, 1));
     const U error_up = hn::Add(hn::ShiftRight<certificate::short_shift>(pack(hn::Max(error, smallest))), hn::Set(du, 1));
@@ -232,7 +238,7 @@ std::size_t combine_blocks(const StarTask& task, double* block) {
   std::size_t num_weak = 0;
   for (std::size_t first = 0; first < task.facets.size(); first += block_size) {
     const auto facets = task.facets.subspan(first, std::min(block_size, task.facets.size() - first));
-    gather<K>(task, facets, block);
+    gather<K>(task, facets, task.thresholds == nullptr ? nullptr : task.thresholds + 2 * first, block);
     compute<K>(task, facets.size(), block);
     num_weak += scatter<K>(task, facets, first, block, task.weak + num_weak);
   }

@@ -19,6 +19,7 @@ struct FrameConstants {
   double largest_reference;    ///< the largest reference entry of a row
   double finite_spread;        ///< Σ|barycentric coordinates| − 1 is at most finite_spread·R^(k−1)/det in the box
   double infinite_spread;      ///< the same for infinite cells, over det
+  double largest_radius;       ///< of a ball that contains the box
   bool uses_radius;            ///< false: finite_spread/det is the bound, whatever the radius
   const double* extent_ratio;  ///< per axis, the frame's scale over that of lifts
 };
@@ -27,11 +28,13 @@ struct FrameConstants {
 struct StarTask {
   std::span<const HorizonFacet> facets;
   int k;
-  bool lifted;              ///< whether rows are (X, 1 | ℓ), else (X | 1)
-  double* records;          ///< of the cells, k + 2 doubles each
-  std::size_t stride;       ///< from a record to the next
-  const double* rows;       ///< of the vertices, k + 1 doubles each: (X, ℓ), or X
-  const double* query_row;  ///< that of the new vertex
+  bool lifted;               ///< whether rows are (X, 1 | ℓ), else (X | 1)
+  double* records;           ///< of the cells, k + 2 doubles each
+  std::size_t stride;        ///< from a record to the next
+  const double* rows;        ///< of the vertices, k + 1 doubles each: (X, ℓ), or X
+  const double* query_row;   ///< that of the new vertex
+  double weakest;            ///< thresholds beyond this fraction of the functional's scale are worth an elimination
+  const double* thresholds;  ///< for each facet those of A and B to go by in place of the cached ones; null: none
   FrameConstants frame;
   double* scratch;      ///< star_scratch(k) doubles
   std::uint32_t* weak;  ///< receives the facets whose certificate would be too weak: their cells need elimination

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The pencil's bound holds: |h̃ − h| ≤ threshold in exact rational arithmetic and no certified sign is wrong, for cells of all
 // four kinds (made of finite and infinite cells in all combinations), in full dimension and in flats, with weights and without,
-// and for hulls; on random, lattice and near-degenerate points.
+// and for hulls; on random, lattice and near-degenerate points, thresholds for single queries included.
 #include "brute_force.hpp"
 #include "engine/build.hpp"
 #include "engine/seed.hpp"
@@ -36,7 +36,7 @@ Rational quotient(Integer numerator, Integer denominator) {
   return {numerator, denominator};
 }
 
-enum class Shape { random, lattice, nudged_lattice, thin };
+enum class Shape { random, lattice, nudged_lattice, thin, surface };
 
 /// Distinct points with integer coordinates, so many that half of them can be queries.
 struct Sample {
@@ -46,7 +46,7 @@ struct Sample {
   std::size_t n;
 
   std::string name() const {
-    static constexpr const char* shapes[] = {"random", "lattice", "nudged lattice", "thin"};
+    static constexpr const char* shapes[] = {"random", "lattice", "nudged lattice", "thin", "surface"};
     return std::string(shapes[static_cast<int>(shape)]) + (weighted ? ", weighted, " : ", ") + std::to_string(k) +
            "-flat of R^" + std::to_string(ambient);
   }
@@ -66,6 +66,8 @@ struct Sample {
         constexpr std::int64_t spacing = 1 << 24;
         if (shape == Shape::random) {
           x.push_back(below(1 << 26));
+        } else if (shape == Shape::surface) {  // a parabola over the first coordinate: cells are flat, spheres large
+          x.push_back(i + 1 < k || k == 1 ? below(1 << 26) : x[0] * (x[0] >> 13) >> 14);
         } else if (shape == Shape::thin) {  // the last coordinate is 2^20 times smaller
           x.push_back(below(i + 1 < k ? 1 << 26 : 1 << 6));
         } else {
@@ -109,7 +111,7 @@ Integer value_at(const IntegerRow& function, const IntegerRow& row) {
 /// How many cells of what origin were tested: [A infinite][B infinite], or by elimination.
 struct Tally {
   std::array<std::array<std::size_t, 2>, 2> cells{};
-  std::size_t eliminated = 0, pairs = 0, certified = 0;
+  std::size_t eliminated = 0, pairs = 0, certified = 0, certified_near = 0;
 };
 
 /// A geometry that remembers what each cell was made from.
@@ -139,14 +141,16 @@ struct Recording : Base {
 
 /// Compares what the filter says of a cell at a query with the truth: `numerator`/`denominator` is h up to a positive factor,
 /// and h is `scale` times it. `exactly`: also the value, within its bound.
-template <class Evaluator>
-void expect_right(const Evaluator& h, Index cell, const Integer& numerator, const Integer& denominator, double scale,
-                  bool exactly, Tally& tally) {
-  const double value = h.value(cell), threshold = h.threshold(cell);
+template <class G>
+void expect_right(const G& geometry, const typename G::Query& q, Index cell, const Integer& numerator,
+                  const Integer& denominator, double scale, bool exactly, Tally& tally) {
+  const auto h = geometry.evaluator(q);
+  const double value = h.value(cell), threshold = std::min(h.threshold(cell), geometry.threshold_at(cell, q));
   const Sign said = value < -threshold ? Sign::negative : value > threshold ? Sign::positive : Sign::zero;
   ++tally.pairs;
   if (said != Sign::zero) {
     ++tally.certified;
+    tally.certified_near += std::fabs(value) <= h.threshold(cell);
     ASSERT_EQ(said, test::sign_of(numerator) * test::sign_of(denominator)) << "cell " << cell;
   }
   if (exactly && std::isfinite(threshold)) {
@@ -240,8 +244,7 @@ void expect_right_triangulation(const Sample& sample, std::uint64_t seed, Tally&
       if (infinite_slot >= 0 && v <= n / 2) {
         ASSERT_GE(test::sign_of(numerator) * test::sign_of(denominator), Sign::zero);
       }
-      ASSERT_NO_FATAL_FAILURE(
-          expect_right(geometry.evaluator(q), cell, numerator, denominator, scale, (cell + v) % 16 == 0, tally));
+      ASSERT_NO_FATAL_FAILURE(expect_right(geometry, q, cell, numerator, denominator, scale, (cell + v) % 16 == 0, tally));
     }
   }
 }
@@ -308,12 +311,12 @@ void expect_right_hull(const Sample& sample, std::uint64_t seed, Tally& tally) {
     for (Index v = 1; v <= n; ++v) {
       const auto q = geometry.make_query(geometry.point(v));
       ASSERT_NO_FATAL_FAILURE(
-          expect_right(geometry.evaluator(q), cell, value_at(function, rows[v]), denominator, 1, (cell + v) % 16 == 0, tally));
+          expect_right(geometry, q, cell, value_at(function, rows[v]), denominator, 1, (cell + v) % 16 == 0, tally));
     }
   }
 }
 
-constexpr Shape shapes[] = {Shape::random, Shape::lattice, Shape::nudged_lattice, Shape::thin};
+constexpr Shape shapes[] = {Shape::random, Shape::lattice, Shape::nudged_lattice, Shape::thin, Shape::surface};
 
 template <int K>
 void expect_right_triangulations(std::size_t n, std::size_t rounds) {
@@ -329,6 +332,7 @@ void expect_right_triangulations(std::size_t n, std::size_t rounds) {
           EXPECT_GT(tally.cells[a_infinite][b_infinite], 0u)
               << K << "-flat of R^" << ambient << ": A infinite " << a_infinite << ", B infinite " << b_infinite;
       EXPECT_GT(tally.certified, tally.pairs / 2);
+      EXPECT_GT(tally.certified_near, 0u);
     }
 }
 
