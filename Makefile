@@ -50,7 +50,7 @@ bench: python         ## the standard constructions, timed; takes minutes
 	python3 benchmarks/construction.py build/release/delone
 	PYTHONPATH=build/release/python $(python_of_build) benchmarks/python.py
 
-paper:                ## the experiments of the report, docs/experiments.md: hours; QUICK=1: minutes; HULL=/path/to/hull
+paper:                ## the experiments of the report, docs/experiments.md: an hour; QUICK=1: minutes; HULL=/path/to/hull
 	tools/install_dependencies.sh paper
 	cmake --preset bench $(launcher) >/dev/null
 	cmake --build --preset bench -j $(jobs)

@@ -1,9 +1,12 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """The figures of the report, redrawn from the records, as SVG. Files are the same for the same records."""
+import math
+
 import matplotlib
 
 matplotlib.use("svg")
 import matplotlib.pyplot as plt  # noqa: E402  (after the choice of the backend)
+from matplotlib import ticker  # noqa: E402
 
 from . import report_2008  # noqa: E402
 from .results import cells_at_a_vertex, cpu  # noqa: E402
@@ -22,6 +25,7 @@ def megabytes(record):
 
 
 def series(axis, records, x, y, style="-o", label=None, color=None, width=1.4):
+    records = [r for r in records if y(r) > 0]  # the memory of a process that ended before it was looked at is not known
     if records:
         axis.plot([x(r) for r in records], [y(r) for r in records], style, label=label, color=color, markersize=3, linewidth=width)
 
@@ -35,10 +39,30 @@ def figure(panels):
     return made, list(axes[0])
 
 
+def plain(value, _):
+    """1 000 000, 20 or 0.05; powers of ten beyond."""
+    if 1e-3 <= value < 1e7:
+        return f"{value:,.0f}".replace(",", " ") if value >= 1000 else f"{value:.3g}"
+    return f"$10^{{{math.log10(value):g}}}$"
+
+
+def ticks(axis):
+    """Numbers at a logarithmic axis, between the powers of ten, too, where it has few of these."""
+    if axis.get_scale() != "log":
+        return
+    low, high = axis.get_view_interval()
+    decades = math.log10(high / low)
+    axis.set_major_locator(ticker.LogLocator(subs=(1.0,) if decades > 2.5 else (1.0, 3.0) if decades > 1.5 else (1.0, 2.0, 5.0)))
+    axis.set_major_formatter(ticker.FuncFormatter(plain))
+    axis.set_minor_formatter(ticker.NullFormatter())
+
+
 def label(axis, title, x="points", y=""):
     axis.set_title(title, fontsize=9)
     axis.set_xlabel(x)
     axis.set_ylabel(y)
+    ticks(axis.xaxis)
+    ticks(axis.yaxis)
     if axis.get_legend_handles_labels()[0]:
         axis.legend(fontsize=7, frameon=False)
 
@@ -91,6 +115,7 @@ def figure_3(results, folder):
         time.plot(sizes, [a / b for a, b in zip(seconds["delone:report"], seconds["delone:shuffled"])], "--", color=COLORS[d], linewidth=0.9)
     label(visited, "visited cells per insertion\n(dashed: rounds as in 2008)")
     label(ratio, "walk: shuffled / sorted")
+    time.axhline(1.0, linestyle=":", color="black", linewidth=0.9)
     label(time, "time: sorted / shuffled")
     save(made, folder, "figure-3")
 
@@ -100,12 +125,14 @@ def compare(results, folder, name, experiment, drawn, dimensions):
     made, (time, space) = figure(2)
     for d in dimensions:
         ours = results.ok(experiment, "delone", d)
-        series(time, ours, points, cpu, "--", color=COLORS[d])
+        series(time, ours, points, cpu, "--", color=COLORS[d], label=f"{d}D")
         series(space, ours, points, megabytes, "--", color=COLORS[d])
         for key, style in drawn.items():
             theirs = results.ok(experiment, key, d)
-            series(time, theirs, points, cpu, style, label=f"{results.name(key)}, {d}D", color=COLORS[d])
+            series(time, theirs, points, cpu, style, color=COLORS[d])
             series(space, theirs, points, megabytes, style, color=COLORS[d])
+    for key, style in {"delone": "--", **drawn}.items():
+        space.plot([], [], style, color="black", markersize=3, linewidth=1.4, label=results.name(key))
     label(time, "processor seconds (dashed: delone)")
     label(space, "peak memory of the process, MB")
     save(made, folder, name)
@@ -134,5 +161,7 @@ def all_figures(results, folder):
         figure_4(results, folder)
         uniform = results.dimensions("uniform")
         compare(results, folder, "figure-5", "uniform", {"qhull": "-o"}, uniform)
+        if results.ok("uniform", "clarkson"):
+            compare(results, folder, "figure-6", "uniform", {"clarkson": "-o"}, uniform)
         compare(results, folder, "figure-7-cgal", "uniform", {"cgal_d": "-s"}, uniform)
         compare(results, folder, "figure-7-cddlib", "small", {"cddlib": "-o", "cddlib_gmp": "-s", "lrs": "-^"}, results.dimensions("small"))

@@ -39,7 +39,7 @@ def catalogue(clarkson_hull=""):
         Program("delone:shuffled", "delone, shuffled", "delone_delaunay", ("--order", "shuffled")),
         Program("cgal_2", "CGAL 2D", "delaunay_cgal_2", dimensions=range(2, 3)),
         Program("cgal_3", "CGAL 3D", "delaunay_cgal_3", dimensions=range(3, 4)),
-        Program("cgal_3_parallel", "CGAL 3D, two threads", "delaunay_cgal_3_parallel", ("--threads", "2"), range(3, 4)),
+        Program("cgal_3_parallel", "CGAL 3D, 2 threads", "delaunay_cgal_3_parallel", ("--threads", "2"), range(3, 4)),
         Program("cgal_d", "CGAL dD", "delaunay_cgal_d{d}", dimensions=range(2, 8)),
         Program("qhull", "Qhull", "delaunay_qhull"),
         Program("qhull_qt", "Qhull, Qt", "delaunay_qhull", ("--options", "d Qbb Qc Q12 Qz Qt")),

@@ -5,7 +5,7 @@ import pathlib
 import re
 
 from . import plots, report_2008, tables
-from .results import Results, cpu, cpu_ratio, memory_ratio
+from .results import Results, cpu, cpu_ratio, memory_ratio, wall
 
 TEMPLATE = pathlib.Path(__file__).with_name("experiments.md.in")
 
@@ -92,8 +92,34 @@ def created(results):
 
 
 def kind_of_run(about):
-    return ("This is a quick run: small sizes, few rounds. Its times are short and its fits rough." if about["quick"] else
-            "This is a full run.")
+    """What kind of run it was, and what it left out, all from the record."""
+    words = ["This is a quick run: small sizes, short limits; its times are short and its fits rough." if about["quick"] else "This is a full run."]
+    if about["sittings"] > 1:
+        words.append(f"It was measured in {about['sittings']} sittings.")
+    if about["missing"]:
+        words.append(f"Not installed or not built here, and so not measured: {', '.join(about['missing'])}.")
+    if about["left_out"]:
+        words.append(f"It had {about['minutes']:g} minutes, in which these inputs no longer fitted: {left_out(about['left_out'])}.")
+    return " ".join(words)
+
+
+def left_out(keys):
+    """"section 5.1, 6D, n = 64 000 and more" for "uniform uniform 6 64000" and "uniform uniform 6 128000"."""
+    sizes = {}
+    place = list(NAMES)
+    for key in sorted(keys, key=lambda key: (place.index(key.split()[0]), *key.split()[1:3])):
+        experiment, kind, dimension, points = key.split()
+        kind = "" if kind in ("uniform", "manifold") else kind.removeprefix("real:") + ", "
+        sizes.setdefault(f"{NAMES[experiment]}, {kind}{dimension}D", []).append(int(points))
+    words = []
+    for series, points in sizes.items():
+        size = f", n = {tables.count(min(points))}" if min(points) else ""
+        words.append(f"{series}{size}{' and more' if len(points) > 1 else ''}")
+    return "; ".join(words)
+
+
+NAMES = {"uniform": "section 5.1", "order": "section 5.2", "manifold": "section 5.4", "small": "cddlib and lrs", "hulls": "convex hulls",
+         "degenerate": "degenerate input", "tiny": "degenerate input of few points"}
 
 
 def pieces(results):
@@ -107,11 +133,10 @@ def pieces(results):
         "system": about["system"],
         "memory": f"{about['memory_bytes'] / 2**30:.0f} GiB",
         "compiler": about["compiler"],
-        "load": f"{about['load'][0]:.1f} at its start and {about['load'][1]:.1f} at its end, on {about['cores']} cores",
-        "busy": busy(about),
+        "load": load(results),
         "rounds": rounds(results),
-        "notes": "".join(f"{note} " for note in about.get("notes", [])),
-        "limits": f"{about['limit_seconds']:g} seconds of processor time and {about['limit_memory'] / 2**30:.0f} GiB",
+        "limits": limits(about),
+        "agreement": agreement(results),
         "elapsed": f"{about['elapsed_seconds'] / 60:.0f} minutes",
         "versions": tables.versions(results),
         "table_1": tables.fits(results),
@@ -129,41 +154,83 @@ def pieces(results):
         "qhull_largest": per_dimension(results, "qhull"),
         "qhull_memory": memory_words(results, "qhull", [4, 5]),
         "clarkson": clarkson(results),
-        "small": tables.by_program(results, "small"),
+        "small": tables.with_failures(results, "small"),
         "cgal_d": tables.against(results, "cgal_d"),
         "cgal_d_largest": per_dimension(results, "cgal_d"),
         "cgal_d_spread": spread(ratios_to_delone(results, "uniform", "cgal_d")),
         "cgal_d_then": then_and_now(results, "cgal_d"),
         "created": created(results),
         "scipy": tables.against(results, "scipy"),
-        "hulls": tables.by_program(results, "hulls"),
+        "hulls": tables.with_failures(results, "hulls"),
         "degenerate": tables.by_program(results, "degenerate"),
         "accepted": tables.accepted(results),
-        "scoreboard": tables.scoreboard(results),
+        "scoreboard": tables.scoreboard(results, "degenerate"),
+        "tiny": tables.by_program(results, "tiny"),
+        "tiny_scoreboard": tables.scoreboard(results, "tiny"),
         "wrong": tables.what_was_wrong(results),
     }
 
 
 def rounds(results):
-    """How often the programs took turns; short cases have more rounds."""
+    """How often the programs took turns; what is short has more turns."""
+    limits = results.about["limits"]
     found = [len(r["seconds"]) for r in results.records if r["outcome"] == "ok"]
-    low, high = min(found), max(found)
-    few = sum(n == 1 for n in found) / len(found)
-    return f"{high} times" if low == high else f"{low} to {high} times" + (f" ({100 * few:.0f} % of the figures are of one round)" if few else "")
+    one = sum(n == 1 for n in found)
+    if limits["rounds"] == 1:
+        return "once"
+    return (f"up to {limits['rounds']} times: a program that has taken more than {limits['turn_seconds']:g} s on an input has no further turn, so that "
+            f"{one} of the {len(found)} figures are of one turn")
 
 
-def busy(about):
-    """A warning, where other work went on."""
-    if max(about["load"]) <= about["cores"]:
-        return "It was quiet."
-    return "It was busy with other work, which shows in all times, and most where caches matter: take the ratios, and those roughly."
+def agreement(results):
+    """Do the programs find the same number of cells? Not asked of degenerate input, where a choice among ties decides it."""
+    inputs, different = 0, []
+    for experiment in ("uniform", "order", "manifold", "small", "hulls"):
+        for kind, d, n in results.inputs(experiment):
+            found = [r for r in results.of(experiment, kind=kind, dimension=d) if r["points"] == n and r["outcome"] == "ok"]
+            inputs += len(found) > 1
+            others = [r for r in found if r["cells"] != found[0]["cells"]]
+            if others:
+                words = ", ".join(f"{r['name']} {tables.count(r['cells'])}" for r in [found[0], *others])
+                different.append(f"{NAMES[experiment]}, {d}D, n = {tables.count(n)}: {words}")
+    agreeing = f"{inputs - len(different)} of {inputs}" if different else f"all {inputs}"
+    said = f"On {agreeing} inputs that are not degenerate all programs return the same number of cells."
+    return said + (f" The others: {'; '.join(different)}." if different else "")
+
+
+def limits(about):
+    given = about["limits"]
+    words = f"{given['seconds']:g} seconds of processor time and {given['memory_bytes'] / 2**30:.0f} GiB"
+    if given["own_seconds"] != given["seconds"]:
+        words += f"; delone, whose sizes go further, {given['own_seconds']:g} seconds"
+    if given["enumerator_seconds"] != given["seconds"]:
+        words += f"; cddlib and lrs {given['enumerator_seconds']:g}"
+    return words
+
+
+def load(results):
+    """How busy the machine was: its load, and what the clock says beside the processor time of programs of one thread."""
+    about = results.about
+    words = f"The load of the machine was {about['load'][0]:.1f} at the start and {about['load'][1]:.1f} at the end, on {about['cores']} cores"
+    waits = sorted(wall(r) / cpu(r) for r in results.records if r["outcome"] == "ok" and r.get("threads", 1) == 1 and cpu(r) > 0.1)
+    if not waits:
+        return words + "."
+    median, tenth = waits[len(waits) // 2], waits[9 * len(waits) // 10]
+    words += f"; by the clock, constructions of one thread took {median:.2f} times their processor time in the median, {tenth:.2f} in the worst tenth"
+    return words + (": it was quiet." if tenth < 1.2 else ": other work went on beside, which shows in all times, and most where caches matter.")
 
 
 def clarkson(results):
-    records = results.of("small", "clarkson")
-    if not records:
-        return "_No executable of Hull was named in this run._"
-    return f"With the executable named, Hull {spread(ratios_to_delone(results, 'small', 'clarkson'))} as delone; the table of section 5.7 has the figures."
+    """The report's figures in a row, the executable's beside them, and its picture where there was one."""
+    found = [ratio for d in results.dimensions("uniform") if (ratio := largest(results, "clarkson", d))]
+    memory = ratios_to_delone(results, "uniform", "clarkson", memory_ratio)
+    rows = [["the report, Hull 0.7 to its program", "about 2 ×", "“much more”"],
+            ["here, Hull to delone", f"{tables.times(min(found))} to {tables.times(max(found))}" if found else "no executable was named",
+             f"{tables.times(min(memory))} to {tables.times(max(memory))}" if memory else tables.NONE]]
+    words = tables.table(["", "time, largest input of each dimension", "memory"], rows)
+    if found:
+        words += f"\n\n![Time and memory beside Hull](pictures/experiments/figure-6.svg)\n\n{tables.against(results, 'clarkson')}"
+    return words
 
 
 def fill(template, values):

@@ -4,6 +4,7 @@
 A record is what one program did on one input: experiment, kind, dimension, points, program, outcome ("ok", "failed", "too slow", "too
 large", "not tried"), message, and, when ok, the report of the adapter with one entry of seconds and cpu_seconds for each round.
 """
+import dataclasses
 import json
 import math
 import pathlib
@@ -14,18 +15,27 @@ import subprocess
 import tempfile
 import time
 
-from . import fit, inputs
+from . import estimates, fit, inputs
 
 POLL_SECONDS = 0.05
 WALL_FACTOR = 30  # a process may take so many times its processor time by the clock: others may use the machine
+ENUMERATORS = ("cddlib", "cddlib_gmp", "lrs", "hull_cddlib", "hull_cddlib_gmp", "hull_lrs")
 
 
+@dataclasses.dataclass(frozen=True)
 class Limits:
-    def __init__(self, seconds, memory_bytes, rounds, case_seconds):
-        self.seconds = seconds            # processor time, for one process
-        self.memory_bytes = memory_bytes  # for one process
-        self.rounds = rounds              # at most
-        self.case_seconds = case_seconds  # processor time: no new round of a case begins after this
+    seconds: float             # processor time of one process of a peer
+    own_seconds: float         # of one of delone, whose figures go further than those of its peers
+    enumerator_seconds: float  # of one that enumerates facets, and soon takes very long
+    memory_bytes: float        # of one process
+    rounds: int                # at most
+    turn_seconds: float        # a program that has taken so much on an input has no further turn
+
+    def of(self, program):
+        """The processor time that one process of a program may take."""
+        if program.removeprefix("hull_").startswith("delone"):
+            return self.own_seconds
+        return self.enumerator_seconds if program in ENUMERATORS else self.seconds
 
 
 def resident_bytes(pid):
@@ -50,7 +60,10 @@ def run_limited(command, seconds, memory_bytes):
 
     with tempfile.TemporaryFile("w+") as out, tempfile.TemporaryFile("w+") as err:
         start = time.monotonic()
-        process = subprocess.Popen(command, stdin=subprocess.DEVNULL, stdout=out, stderr=err, text=True, preexec_fn=limit)
+        try:
+            process = subprocess.Popen(command, stdin=subprocess.DEVNULL, stdout=out, stderr=err, text=True, preexec_fn=limit)
+        except OSError as error:
+            return "failed", str(error)
         try:
             while True:
                 try:
@@ -77,8 +90,10 @@ def run_limited(command, seconds, memory_bytes):
         return "failed", lines[-1].split(": ", 1)[-1][:300] if lines else f"ended with {ended}"
 
 
-def repeats(points, dimension):
+def repeats(program, points, dimension):
     """How often one process constructs: several times where once takes about a millisecond."""
+    if program in ENUMERATORS:
+        return 1
     return 5 if points <= 2000 and dimension <= 3 else 3 if points <= 1000 and dimension <= 4 else 1
 
 
@@ -100,17 +115,14 @@ class Runner:
             if not command:
                 continue
             records[key] = {"experiment": case.experiment, "kind": case.kind, "dimension": case.dimension, "points": points,
-                            "program": key, "name": program.name, "outcome": "ok", "seconds": [], "cpu_seconds": []}
-            records[key]["command"] = command + ["--repeat", str(repeats(points, case.dimension))]
+                            "program": key, "name": program.name, "outcome": "ok", "seconds": [], "cpu_seconds": [], "turn_seconds": []}
+            records[key]["command"] = command + ["--repeat", str(repeats(key, points, case.dimension))]
             reason = self.reason_to_skip(case, key, points)
             if reason:
                 records[key].update(outcome="not tried", message=reason)
-        start = cpu_seconds_of_children()
-        for round_number in range(self.limits.rounds):
-            if round_number > 0 and cpu_seconds_of_children() - start > self.limits.case_seconds:
-                break
+        for _ in range(self.limits.rounds):
             for record in records.values():
-                if record["outcome"] == "ok":
+                if record["outcome"] == "ok" and sum(record["turn_seconds"]) <= self.limits.turn_seconds:
                     self.run_once(record)
         for key, record in records.items():
             record.pop("command")
@@ -119,7 +131,9 @@ class Runner:
         return list(records.values())
 
     def run_once(self, record):
-        outcome, result = run_limited(record["command"], self.limits.seconds, self.limits.memory_bytes)
+        start = cpu_seconds_of_children()
+        outcome, result = run_limited(record["command"], self.limits.of(record["program"]), self.limits.memory_bytes)
+        record["turn_seconds"].append(round(cpu_seconds_of_children() - start, 3))
         if outcome != "ok":
             record.update(outcome=outcome, message=result)
             return
@@ -132,19 +146,32 @@ class Runner:
 
     def reason_to_skip(self, case, key, points):
         """Why a larger input of a series is not tried: the program stopped at a smaller one, or is expected to."""
-        history = self.history.get((case.experiment, case.kind, case.dimension, key), [])
+        history = self.history.get((*case.series(), key), [])
         if isinstance(history, str):
             return history
         seconds = fit.extrapolate([(n, s) for n, s, _ in history], points)
         memory = fit.extrapolate([(n, m) for n, _, m in history], points)
-        if seconds and seconds > self.limits.seconds:
+        if seconds and seconds > self.limits.of(key):
             return f"would take about {seconds:.0f} s"
         if memory and memory > self.limits.memory_bytes:
             return f"would take about {memory / 1e9:.0f} GB"
         return None
 
+    def expected_seconds(self, case):
+        """What a case will take, from the smaller inputs of its series; what estimates.py knows where there are none."""
+        total = 0.0
+        for key in case.programs:
+            program = self.programs.get(key)
+            if not program or not program.command_line(self.build, "points.npy", case.dimension) or self.reason_to_skip(case, key, case.points):
+                continue
+            seconds = fit.extrapolate([(n, s) for n, s, _ in self.history.get((*case.series(), key), [])], case.points)
+            if seconds is None:
+                seconds = estimates.construction_seconds(case.experiment, key, case.dimension, case.points)
+            total += estimates.process_seconds(key, min(seconds, self.limits.of(key)), self.limits)
+        return total
+
     def remember(self, case, key, record):
-        series = (case.experiment, case.kind, case.dimension, key)
+        series = (*case.series(), key)
         if record["outcome"] != "ok":
             self.history[series] = record["message"]
         elif not isinstance(self.history.get(series), str):

@@ -10,7 +10,7 @@ from . import runner
 
 FAILED = re.compile(r"^level (\d)\s+(.*?)\s+FAILED", re.M)
 VIOLATION = re.compile(r"^violation: (.*)$", re.M)
-CHECK_SECONDS = 600
+CHECK_SECONDS = 120
 
 
 def judge(points, cells, delone, folder):
@@ -36,7 +36,7 @@ def verdicts(case, records, programs, build, delone, limits, folder):
         if record["outcome"] != "ok":
             continue
         command = programs[record["program"]].command_line(build, path, case.dimension)
-        outcome, result = runner.run_limited([*command, "--cells", str(cells_path)], limits.seconds, limits.memory_bytes)
+        outcome, result = runner.run_limited([*command, "--cells", str(cells_path)], limits.of(record["program"]), limits.memory_bytes)
         if outcome != "ok":
             level = "not simplices" if "no simplex" in result else outcome
             record["verdict"] = {"accepted": None, "level": level, "violation": result}

@@ -44,18 +44,23 @@ def times(value):
     return NONE if value is None else f"{number(value)} ×"
 
 
+def has_threads(record):
+    return record.get("threads", 1) > 1
+
+
 def outcome(record):
-    """Processor seconds, or why there are none."""
+    """Processor seconds, by the clock where there are several threads, or why there are none."""
     if record is None:
         return NONE
-    return number(cpu(record)) if record["outcome"] == "ok" else record["outcome"]
+    return number(wall(record) if has_threads(record) else cpu(record)) if record["outcome"] == "ok" else record["outcome"]
 
 
 def fits(results):
     rows = []
     for d in results.dimensions("uniform"):
         records = results.ok("uniform", "delone", d)
-        fitted = time_fit(records)
+        thousands = [r for r in records if r["points"] >= 1000]  # the report's range; what is smaller bends the line
+        fitted = time_fit(thousands if len(thousands) >= 3 else records)
         printed = report_2008.FIT.get(d)
         quicker = None
         if printed and records:
@@ -73,8 +78,20 @@ def uniform(results):
     rows = [[r["dimension"], count(r["points"]), count(r["cells"]), number(cpu(r)), number(wall(r)), number(r["cells"] / cpu(r)),
              number(r["peak_bytes"] / 1e6), bytes_per_cell(r), number(1e9 * cpu(r) / r["created_cells"])]
             for r in results.ok("uniform", "delone")]
-    rows += [[r["dimension"], count(r["points"]), r["outcome"], *[NONE] * 6] for r in results.of("uniform", "delone") if r["outcome"] != "ok"]
+    rows += [[r["dimension"], count(r["points"]), f"{r['outcome']}: {r['message']}", *[NONE] * 6]
+             for r in stopping(results.of("uniform", "delone")) if r["outcome"] != "ok"]
     return table(["d", "n", "cells", "CPU s", "wall s", "cells per s", "peak MB", "bytes per cell", "ns per created cell"], rows)
+
+
+def stopping(records):
+    """Records up to the first of each dimension that has no result, in a list of one program by dimension and size."""
+    kept, stopped = [], set()
+    for r in records:
+        if r["dimension"] not in stopped:
+            kept.append(r)
+        if r["outcome"] != "ok":
+            stopped.add(r["dimension"])
+    return kept
 
 
 def bytes_per_cell(record):
@@ -112,11 +129,11 @@ def orders(results):
 def specialised(results):
     rows = []
     for key, d in (("cgal_2", 2), ("cgal_3", 3), ("cgal_3_parallel", 3)):
-        for r in results.of("uniform", key, dimension=d):
+        for r in stopping(results.of("uniform", key, dimension=d)):
             ours = results.at("uniform", "uniform", d, r["points"], "delone")
-            ratio = (wall_ratio if key == "cgal_3_parallel" else cpu_ratio)(ours, r)
-            rows.append([r["name"], count(r["points"]), outcome(ours), outcome(r), NONE if r["outcome"] != "ok" else number(wall(r)), times(ratio),
-                         times(memory_ratio(ours, r))])
+            ratio = (wall_ratio if has_threads(r) else cpu_ratio)(ours, r)
+            theirs = [number(cpu(r)), number(wall(r))] if r["outcome"] == "ok" else [r["outcome"], NONE]
+            rows.append([r["name"], count(r["points"]), outcome(ours), *theirs, times(ratio), times(memory_ratio(ours, r))])
     return table(["who", "n", "delone, CPU s", "theirs, CPU s", "theirs, wall s", "time: delone / theirs", "memory: delone / theirs"], rows)
 
 
@@ -141,7 +158,7 @@ def manifold(results):
 def against(results, key):
     """One general peer on uniform points."""
     rows = []
-    for r in results.of("uniform", key):
+    for r in stopping(results.of("uniform", key)):
         ours = results.at("uniform", "uniform", r["dimension"], r["points"], "delone")
         rows.append([r["dimension"], count(r["points"]), outcome(ours), outcome(r), times(cpu_ratio(r, ours)),
                      number(ours["peak_bytes"] / 1e6) if ours and ours["outcome"] == "ok" else NONE,
@@ -151,7 +168,7 @@ def against(results, key):
 
 
 def by_program(results, experiment):
-    """Processor seconds of every program, ratios to the first in parentheses."""
+    """Seconds of every program, ratios to the first in parentheses."""
     keys = results.programs(experiment)
     rows = []
     for kind, d, n in results.inputs(experiment):
@@ -160,19 +177,26 @@ def by_program(results, experiment):
         row = [f"{kind.removeprefix('real:')} {d}D", count(n), count(cells) if cells is not None else NONE, outcome(first)]
         for key in keys[1:]:
             record = results.at(experiment, kind, d, n, key)
-            ratio = cpu_ratio(record, first)
+            ratio = (wall_ratio if record and has_threads(record) else cpu_ratio)(record, first)
             row.append(outcome(record) + (f" ({times(ratio)})" if ratio else ""))
         rows.append(row)
     return table(["input", "n", "cells", *(results.name(key) for key in keys)], rows)
 
 
-def scoreboard(results):
-    keys = results.programs("degenerate")
+def with_failures(results, experiment):
+    """by_program(), and what the programs said that failed."""
+    failed = [f"- {r['kind']} {r['dimension']}D, n = {count(r['points'])}: {r['name']} failed: {plain(r['message'])}"
+              for r in results.of(experiment) if r["outcome"] == "failed"]
+    return "\n".join([by_program(results, experiment), *([""] if failed else []), *failed])
+
+
+def scoreboard(results, experiment):
+    keys = results.programs(experiment)
     rows = []
-    for kind, d, n in results.inputs("degenerate"):
+    for kind, d, n in results.inputs(experiment):
         row = [f"{kind.removeprefix('real:')} {d}D", count(n)]
         for key in keys:
-            record = results.at("degenerate", kind, d, n, key)
+            record = results.at(experiment, kind, d, n, key)
             row.append(NONE if record is None else verdict(record))
         rows.append(row)
     return table(["input", "n", *(results.name(key) for key in keys)], rows)
@@ -190,16 +214,16 @@ def verdict(record):
 
 
 def what_was_wrong(results):
-    lines = []
-    if not results.of("degenerate"):
-        return "_Not measured in this run._"
-    for r in results.of("degenerate"):
+    """The message of every failure; the programs that say the same of the same input are named together."""
+    found = {}
+    for r in [*results.of("degenerate"), *results.of("tiny")]:
         judged = r.get("verdict", {})
-        where = f"- {r['name']}, {r['kind'].removeprefix('real:')} {r['dimension']}D, n = {count(r['points'])}"
-        if r["outcome"] != "ok":
-            lines.append(f"{where}: {r['outcome']}: {plain(r['message'])}")
+        where = f"{r['kind'].removeprefix('real:')} {r['dimension']}D, n = {count(r['points'])}"
+        if r["outcome"] == "failed":
+            found.setdefault((where, f"no result: {plain(r['message'])}"), []).append(r["name"])
         elif judged.get("accepted") is False:
-            lines.append(f"{where}: {judged['level']}: {plain(judged['violation'])}")
+            found.setdefault((where, f"{judged['level']}: {plain(judged['violation'])}"), []).append(r["name"])
+    lines = [f"- {where}: {'; '.join(dict.fromkeys(names))}: {message}" for (where, message), names in found.items()]
     return "\n".join(lines) if lines else "Nothing."
 
 
@@ -209,15 +233,19 @@ def plain(text):
 
 
 def accepted(results):
-    """How many results of each program were accepted."""
+    """How many results of each program were accepted, with what each rests on."""
     rows = []
-    for key in results.programs("degenerate"):
-        records = results.of("degenerate", key)
-        yes = sum(r.get("verdict", {}).get("accepted") is True for r in records)
-        wrong = sum(r.get("verdict", {}).get("accepted") is False for r in records)
-        rows.append([results.name(key), len(records), yes, wrong, sum(r["outcome"] == "failed" for r in records),
-                     len(records) - yes - wrong - sum(r["outcome"] == "failed" for r in records)])
-    return table(["who", "inputs", "accepted", "not a Delaunay triangulation", "no result", "not judged"], rows)
+    for experiment in ("degenerate", "tiny"):
+        for key in results.programs(experiment):
+            if (experiment, key) == ("tiny", "delone"):
+                continue  # its row is that of the larger inputs
+            records = results.of(experiment, key)
+            yes = sum(r.get("verdict", {}).get("accepted") is True for r in records)
+            wrong = sum(r.get("verdict", {}).get("accepted") is False for r in records)
+            none = sum(r["outcome"] == "failed" for r in records)
+            no_simplices = sum(r.get("verdict", {}).get("level") == "not simplices" for r in records)
+            rows.append([results.name(key), len(records), yes, wrong, none, no_simplices, len(records) - yes - wrong - none - no_simplices])
+    return table(["who", "inputs", "accepted", "not a Delaunay triangulation", "no result", "cells that are no simplices", "too slow, or not decided"], rows)
 
 
 def versions(results):

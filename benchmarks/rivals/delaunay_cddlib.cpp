@@ -12,8 +12,10 @@
 #include <gmp.h>
 #endif
 
+#include <set>
 #include <stdexcept>
 #include <string>
+#include <vector>
 
 namespace {
 
@@ -26,13 +28,15 @@ class Cddlib {
     generators_->representation = dd_Generator;
     dd_Arow square{};
     dd_InitializeArow(2, &square);
+    std::set<std::vector<double>> seen;
     for (dd_rowrange row = 0; row < n; ++row) {
+      const auto point = table.coordinates.begin() + static_cast<std::ptrdiff_t>(row) * dimension_;
+      repeated_.push_back(!seen.emplace(point, point + dimension_).second);
       mytype* out = generators_->matrix[row];
       dd_set_si(out[0], 1);
       dd_set(out[dimension_ + 1], dd_purezero);
       for (int axis = 0; axis < dimension_; ++axis) {
-        dd_set_d(out[axis + 1], table.coordinates[static_cast<std::size_t>(row) * static_cast<std::size_t>(dimension_) +
-                                                  static_cast<std::size_t>(axis)]);
+        dd_set_d(out[axis + 1], point[axis]);
         dd_mul(square[0], out[axis + 1], out[axis + 1]);
         dd_add(out[dimension_ + 1], out[dimension_ + 1], square[0]);
       }
@@ -78,18 +82,22 @@ class Cddlib {
     return count;
   }
 
+  /// Of points that span less than their space each equation takes one from the size of a cell; of equal points the first is
+  /// meant.
   rival::Cells cells() const {
-    rival::Cells cells{dimension_ + 1, {}};
+    const int size = dimension_ + 1 - static_cast<int>(set_card(inequalities_->linset));
+    rival::Cells cells{size, {}};
     dd_SetFamilyPtr incidence = dd_CopyIncidence(polyhedron_);
     for (dd_rowrange row = 0; row < inequalities_->rowsize; ++row) {
       if (!is_cell(row)) continue;
-      if (set_card(incidence->set[row]) != dimension_ + 1) {
+      const std::size_t before = cells.rows.size();
+      for (std::size_t point = 0; point < num_points_; ++point)
+        if (!repeated_[point] && set_member(static_cast<long>(point) + 1, incidence->set[row]))
+          cells.rows.push_back(static_cast<std::int64_t>(point));
+      if (cells.rows.size() - before != static_cast<std::size_t>(size)) {
         dd_FreeSetFamily(incidence);
         throw std::runtime_error("a cell is no simplex");
       }
-      for (std::size_t point = 0; point < num_points_; ++point)
-        if (set_member(static_cast<long>(point) + 1, incidence->set[row]))
-          cells.rows.push_back(static_cast<std::int64_t>(point));
     }
     dd_FreeSetFamily(incidence);
     return cells;
@@ -103,6 +111,7 @@ class Cddlib {
 
   int dimension_;
   std::size_t num_points_;
+  std::vector<bool> repeated_;  ///< equal to a point before it
   dd_MatrixPtr generators_ = nullptr;
   dd_PolyhedraPtr polyhedron_ = nullptr;
   dd_MatrixPtr inequalities_ = nullptr;

@@ -51,10 +51,18 @@ class Lrs:
         return sum(1 for _ in self.facets())
 
     def cells(self):
-        rows = [[int(word) - 1 for word in facet] for facet in self.facets()]
-        if any(len(row) != self.points.shape[1] + 1 for row in rows):
+        """Of points that span less than their space each equation takes one from the size of a cell; of equal points the first is meant."""
+        size = self.points.shape[1] + 1 - self.num_equations()
+        first = {}
+        meant = [first.setdefault(tuple(point), row) for row, point in enumerate(self.points.tolist())]
+        rows = [sorted({meant[int(word) - 1] for word in facet}) for facet in self.facets()]
+        if any(len(row) != size for row in rows):
             raise rival.Refused("a cell is no simplex")
-        return np.array(rows, dtype=np.int64).reshape(len(rows), -1)
+        return np.array(rows, dtype=np.int64).reshape(len(rows), size)
+
+    def num_equations(self):
+        with open(self.output, encoding="ascii") as lines:
+            return next((int(line.split()[1]) for line in lines if line.startswith("linearity")), 0)
 
 
 if __name__ == "__main__":

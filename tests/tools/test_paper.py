@@ -3,6 +3,9 @@
 
   DELONE=build/release/delone python3 tests/tools/test_paper.py [unittest arguments]
 """
+import contextlib
+import dataclasses
+import io
 import json
 import os
 import pathlib
@@ -10,6 +13,7 @@ import subprocess
 import sys
 import tempfile
 import unittest
+from unittest import mock
 
 try:
     import matplotlib  # noqa: F401  (render.py needs it)
@@ -20,7 +24,8 @@ except ImportError as missing:
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 sys.path[:0] = [str(ROOT / "benchmarks"), str(ROOT / "benchmarks" / "rivals")]
-from paper import fit, inputs, plan, plots, programs, render, report_2008, results, runner, scoreboard, tables  # noqa: E402
+from paper import __main__ as command  # noqa: E402
+from paper import estimates, fit, inputs, plan, plots, programs, render, report_2008, results, runner, scoreboard, tables  # noqa: E402
 
 DELONE = os.path.abspath(os.environ["DELONE"])
 
@@ -40,6 +45,9 @@ if behaviour == "fail":
 print(json.dumps({"program": "stand-in", "version": "1", "flags": "", "points": 1, "dimension": 2, "seconds": [0.5, 0.1, 0.3],
                   "cpu_seconds": [0.2, 0.2, 0.2], "cells": 7, "peak_bytes": 1000000, "input_bytes": 1000}))
 """
+
+
+LIMITS = runner.Limits(8.0, 60.0, 2.0, 1.4e10, 3, 4.0)
 
 
 def record(experiment, program, dimension, points, kind="uniform", seconds=1e-5, **more):
@@ -68,8 +76,11 @@ def document():
                 record("degenerate", "qhull", 2, 100, "grid", verdict={"accepted": False, "level": "volume", "violation": "cell 3 | is `flat`"}),
                 {"experiment": "degenerate", "kind": "flat", "dimension": 4, "points": 9, "program": "qhull", "name": "QHULL", "outcome": "failed",
                  "message": "QH6154 initial simplex is flat"}]
+    records += [record("tiny", "delone", 4, 16, "flat", verdict={"accepted": True, "level": "", "violation": ""}),
+                record("tiny", "lrs", 4, 16, "flat", verdict={"accepted": None, "level": "not simplices", "violation": "a cell is no simplex"})]
     about = {"date": "2008-11-30", "commit": "abc", "quick": True, "machine": "a machine", "cores": 2, "memory_bytes": 2**34, "system": "Debian",
-             "compiler": "c++ 12", "rounds": 3, "limit_seconds": 8.0, "limit_memory": 1.4e10, "load": [0.1, 0.2], "elapsed_seconds": 300}
+             "compiler": "c++ 12", "limits": dataclasses.asdict(LIMITS), "minutes": None, "load": [0.1, 0.2], "elapsed_seconds": 300, "sittings": 1,
+             "missing": [], "left_out": []}
     return {"about": about, "records": records}
 
 
@@ -111,8 +122,8 @@ class Running(unittest.TestCase):
     def program(self, key, behaviour):
         return programs.Program(key, key, str(self.script), (behaviour,))
 
-    def runner(self, *behaviours, seconds=10.0, memory=2e8):
-        limits = runner.Limits(seconds, memory, 2, 60.0)
+    def runner(self, *behaviours, seconds=10.0, memory=2e8, turn_seconds=60.0):
+        limits = runner.Limits(seconds, seconds, seconds, memory, 2, turn_seconds)
         catalogue = {behaviour: self.program(behaviour, behaviour) for behaviour in behaviours}
         return runner.Runner(catalogue, self.folder, DELONE, limits, self.folder, lambda line: None)
 
@@ -131,6 +142,44 @@ class Running(unittest.TestCase):
         self.assertEqual((record["outcome"], record["message"]), ("failed", "QH6154 initial simplex is flat"))
         (record,) = run.measure(self.case("fail", points=40))
         self.assertEqual(record["outcome"], "not tried")
+
+    def test_what_is_long_has_no_further_turn(self):
+        (record,) = self.runner("good", turn_seconds=0.0).measure(self.case("good"))
+        self.assertEqual((len(record["seconds"]), len(record["turn_seconds"])), (1, 1))
+        self.assertGreater(record["turn_seconds"][0], 0)
+
+    def test_limits_of_each_program(self):
+        keys = ("delone:curve", "hull_delone", "qhull", "hull_qhull", "lrs", "hull_cddlib_gmp")
+        self.assertEqual([LIMITS.of(key) for key in keys], [60, 60, 8, 8, 2, 2])
+
+    def test_what_a_case_is_expected_to_take(self):
+        run = self.runner("good")
+        run.programs["qhull"] = run.programs["good"]
+        small, large = self.case("qhull", "missing", points=10_000), self.case("qhull", points=4_000_000)
+        self.assertAlmostEqual(run.expected_seconds(small), 2 * (0.03 + 1.1 * estimates.construction_seconds("uniform", "qhull", 2, 10_000)))
+        run.history[("uniform", "uniform", 2, "qhull")] = [(1_000_000, 2.0, 10)]
+        self.assertAlmostEqual(run.expected_seconds(large), 2 * (0.03 + 1.1 * 8.0))
+        run.history[("uniform", "uniform", 2, "qhull")] = [(1_000_000, 4.0, 10)]
+        self.assertEqual(run.expected_seconds(large), 0.0)  # it would not be tried
+
+    def sitting(self, *more):
+        """Measures two cases with a stand-in; the document."""
+        path = self.folder / "records.json"
+        options = command.arguments(["--build", str(self.folder), "--delone", DELONE, "--quick", "--results", str(path), *more])
+        planned = [self.case("good", "scipy", points=n) for n in (20, 40)]
+        catalogue = {"good": self.program("good", "good"), "scipy": programs.Program("scipy", "SciPy", "not built")}
+        with mock.patch.object(plan, "cases", lambda quick: planned), mock.patch.object(programs, "catalogue", lambda hull: catalogue), \
+                contextlib.redirect_stdout(io.StringIO()):
+            return command.measure(options, path)
+
+    def test_what_does_not_fit_in_the_time_is_listed_and_can_be_measured_later(self):
+        document = self.sitting("--minutes", "1e-9")
+        self.assertEqual((document["records"], document["about"]["left_out"]), ([], ["uniform uniform 2 20", "uniform uniform 2 40"]))
+        document = self.sitting("--minutes", "5", "--resume")
+        self.assertEqual([r["points"] for r in document["records"]], [20, 40])
+        self.assertEqual({key: document["about"][key] for key in ("left_out", "sittings", "missing")}, {"left_out": [], "sittings": 2, "missing": ["SciPy"]})
+        again = self.sitting("--resume")
+        self.assertEqual(again["records"], document["records"])
 
     def test_limits_of_time_and_memory(self):
         for behaviour, seconds in (("spin", 1), ("sleep", 0.02)):
@@ -205,6 +254,52 @@ class WritingUp(unittest.TestCase):
         self.assertIn("**volume**", page)
         self.assertIn("too slow", page)
 
+    def test_what_is_said_of_the_run(self):
+        made = document()
+        about = made["about"]
+        self.assertIn("quick run", render.kind_of_run(about))
+        about.update(quick=False, sittings=2, minutes=58, missing=["lrs"],
+                     left_out=["degenerate real:cars 5 0", "hulls sphere 8 500", "uniform uniform 6 64000", "uniform uniform 6 128000"])
+        words = render.kind_of_run(about)
+        for part in ("full run", "2 sittings", "not measured: lrs.", "58 minutes", "section 5.1, 6D, n = 64 000 and more; "
+                     "convex hulls, sphere, 8D, n = 500; degenerate input, cars, 5D."):
+            self.assertIn(part, words)
+        self.assertIn("3 times", render.rounds(results.Results(made)))
+        self.assertIn("8 seconds", render.limits(about))
+
+    def test_how_busy_the_machine_was(self):
+        for wait, word in ((1.01, "it was quiet"), (1.5, "other work went on")):
+            made = document()
+            made["records"] = [{**record("uniform", "delone", 2, 1000), "seconds": [wait], "cpu_seconds": [1.0]}]
+            self.assertIn(word, render.load(results.Results(made)))
+
+    def test_programs_that_find_other_cells_are_named(self):
+        made = document()
+        self.assertIn("all ", render.agreement(results.Results(made)))
+        next(r for r in made["records"] if (r["program"], r["dimension"], r["points"]) == ("qhull", 4, 2000))["cells"] = 11_999
+        self.assertIn("section 5.1, 4D, n = 2 000: DELONE 12 000, QHULL 11 999.", render.agreement(results.Results(made)))
+
+    def test_an_executable_of_hull_has_its_figure(self):
+        made = document()
+        self.assertIn("no executable was named", render.clarkson(results.Results(made)))
+        made["records"] += [record("uniform", "clarkson", d, n, seconds=7e-5) for d in (2, 3) for n in (1000, 2000)]
+        with tempfile.TemporaryDirectory() as folder:
+            page = render.write(made, folder).read_text(encoding="utf-8")
+            self.assertTrue((pathlib.Path(folder) / "pictures" / "experiments" / "figure-6.svg").exists())
+        self.assertIn("| 7.00 × to 7.00 × |", page)
+        self.assertIn("pictures/experiments/figure-6.svg", page)
+
+    def test_failures_follow_the_table(self):
+        made = document()
+        self.assertNotIn("failed", tables.with_failures(results.Results(made), "small"))
+        made["records"].append({"experiment": "small", "kind": "uniform", "dimension": 3, "points": 1000, "program": "cddlib", "name": "cddlib",
+                                "outcome": "failed", "message": "error 16"})
+        self.assertEqual(tables.with_failures(results.Results(made), "small").splitlines()[-2:], ["", "- uniform 3D, n = 1 000: cddlib failed: `error 16`"])
+
+    def test_of_a_program_that_stopped_one_line_says_so(self):
+        records = [{**record("uniform", "qhull", d, n), "outcome": "ok" if n < 2000 else "not tried"} for d in (2, 3) for n in (1000, 2000, 4000)]
+        self.assertEqual([(r["dimension"], r["points"]) for r in tables.stopping(records)], [(2, 1000), (2, 2000), (3, 1000), (3, 2000)])
+
     def test_ratios_of_one_turn(self):
         found = results.Results(document())
         ours, theirs = (found.at("uniform", "uniform", 2, 1000, key) for key in ("delone", "cgal_d"))
@@ -232,9 +327,14 @@ class WritingUp(unittest.TestCase):
             self.assertLessEqual({key for case in planned for key in case.programs}, known)
             last = {}
             for case in planned:  # sizes of a series grow
-                series = (case.experiment, case.kind, case.dimension)
-                self.assertGreaterEqual(case.points, last.get(series, 0), case)
-                last[series] = case.points
+                self.assertGreaterEqual(case.points, last.get(case.series(), 0), case)
+                last[case.series()] = case.points
+            ordered = plan.by_importance(planned, LIMITS)
+            self.assertCountEqual(ordered, planned)
+            last = {}
+            for case in ordered:  # there, too
+                self.assertGreaterEqual(case.points, last.get(case.series(), 0), case)
+                last[case.series()] = case.points
 
 
 if __name__ == "__main__":
