@@ -244,15 +244,19 @@ void Triangulation::Impl::insert_range(std::span<const double> coordinates, std:
     points.coordinates.reserve(points.coordinates.size() + rows.size() + row_size());
     row_of_vertex.reserve(row_of_vertex.size() + n);
     start_batch(rows, first_row, order);
-    constexpr std::size_t ahead = 8;
+    // The rows are met in no order of their own: many at a time, so that the processor need not wait for each.
+    constexpr std::size_t block = 64;
+    const std::size_t width = row_size();
+    std::vector<double> next(block * width);
     for (std::size_t i = 0; i < n; ++i) {
-      if (i + ahead < n) {  // rows are met in no order of their own
-        __builtin_prefetch(rows.data() + order[i + ahead] * row_size());
-        __builtin_prefetch(vertex_of_row.data() + first_row + order[i + ahead], 1);
-      }
+      if (i % block == 0)
+        for (std::size_t j = i; j < std::min(i + block, n); ++j) {
+          std::copy_n(rows.data() + order[j] * width, width, next.data() + (j - i) * width);
+          __builtin_prefetch(vertex_of_row.data() + first_row + order[j], 1);
+        }
       const std::size_t row = order[i];
       if (vertex_of_row[first_row + row] == invalid_vertex)
-        insert_row(first_row + row, rows.data() + row * row_size(), invalid_index, false);
+        insert_row(first_row + row, next.data() + i % block * width, invalid_index, false);
       progress(i + 1);
     }
   } catch (...) {
