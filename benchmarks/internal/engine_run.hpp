@@ -140,7 +140,9 @@ class EngineRun {
     const Index v = append(row);
     const auto q = geometry_.make_query(vertices_.point(v));
     observer_.begins();
-    const Index at = delone::engine::insert(cells_, geometry_, v, q, last_, work_, effort_);
+    const delone::geometry::DelaunayGeometry<K>& unobserved = geometry_;
+    const Index start = work_.star().empty() ? last_ : delone::engine::start_in_star(unobserved, q, work_.star());
+    const Index at = delone::engine::insert(cells_, geometry_, v, q, start, work_, effort_);
     if (at != v) {  // a duplicate
       vertices_.coordinates.resize(vertices_.coordinates.size() - K);
       last_ = work_.last_cell;

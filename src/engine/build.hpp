@@ -13,6 +13,8 @@
 #include "engine/locate.hpp"
 #include "engine/retriangulate.hpp"
 
+#include <limits>
+
 namespace delone::engine {
 
 /// What insertions have cost.
@@ -33,6 +35,27 @@ struct Workspace {
   /// The facets that the cells of the last insertion were made from.
   std::span<const HorizonFacet> star() const { return {zone.horizon.data(), zone.num_facets}; }
 };
+
+/// The cell of a star for a walk to q to start from: one in conflict with q, or else the one with the least value, of some. In
+/// a sorted order the star of the last vertex is near q, but where cells are flat a walk from any of them may be long.
+/// REQUIRES that the star is not empty.
+template <Geometry G>
+Index start_in_star(const G& geometry, const typename G::Query& q, std::span<const HorizonFacet> star) {
+  constexpr std::size_t most = 64;
+  const auto functional = geometry.evaluator(q);
+  Index best = star.back().created;
+  double least = std::numeric_limits<double>::infinity();
+  for (std::size_t f = 0, step = star.size() / most + 1; f < star.size(); f += step) {
+    const Index cell = star[f].created;
+    const double value = functional.value(cell);
+    if (value < -functional.threshold(cell)) return cell;
+    if (value < least && !geometry.is_infinite(cell)) {
+      least = value;
+      best = cell;
+    }
+  }
+  return best;
+}
 
 /// Inserts vertex v, whose point is q, into a cell in conflict with q. Strong guarantee: if it throws (memory, ids), nothing
 /// has changed. REQUIRES q in the affine hull of the vertices and no vertex at q.

@@ -69,8 +69,9 @@ class HullOfDimension final : public Hull {
   }
 
   Index insert(Index v, Index start) override {
-    const Index from = start == invalid_index ? last_ : start;
-    const Index at = engine::insert(cells_, geometry_, v, geometry_.make_query(points_.point(v)), from, work_, effort_);
+    const Query q = geometry_.make_query(points_.point(v));
+    if (start == invalid_index) start = work_.star().empty() ? last_ : engine::start_in_star(geometry_, q, work_.star());
+    const Index at = engine::insert(cells_, geometry_, v, q, start, work_, effort_);
     if (at == v) {
       for (const HorizonFacet& facet : work_.star()) num_infinite_ += geometry_.is_infinite(facet.created) ? 1 : 0;
       for (std::size_t i = 0; i < work_.zone.num_cells; ++i)
