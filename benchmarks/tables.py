@@ -58,7 +58,7 @@ def degenerate():
     return table(head, rows)
 
 
-PHASES = {"walk": "walk", "search": "conflict zone", "slots": "creation: slots, vertices, mirrors", "functionals": "creation: functionals",
+PHASES = {"walk": "walk", "search": "conflict zone", "slots": "creation: slots, vertices, mirrors, hashes", "functionals": "creation: functionals",
           "gluing": "gluing, releasing", "order": "order", "pages": "kernel: fresh pages", "rest": "rest", "whole": "**whole**"}
 
 
