@@ -96,6 +96,8 @@ def begin(options, limits, path, missing):
         kept = json.loads(path.read_text(encoding="utf-8"))
         before, now = kept["about"], document["about"]
         now.update(elapsed_seconds=before["elapsed_seconds"], load=[before["load"][0], 0.0], sittings=before["sittings"] + 1)
+        if before["minutes"] and now["minutes"]:
+            now["minutes"] += before["minutes"]
         if now["commit"] not in before["commit"].split(" and "):
             now["commit"] = f"{before['commit']} and {now['commit']}"
         document["records"] = kept["records"]
