@@ -217,7 +217,7 @@ def load(results):
         return words + "."
     median, tenth = waits[len(waits) // 2], waits[9 * len(waits) // 10]
     words += f"; by the clock, constructions of one thread took {median:.2f} times their processor time in the median, {tenth:.2f} in the worst tenth"
-    return words + (": it was quiet." if tenth < 1.2 else ": other work went on beside, which shows in all times, and most where caches matter.")
+    return words + (": it was quiet." if tenth < 1.2 and max(about["load"]) < 2 else ": other work went on beside, which shows in all times, and most where caches matter.")
 
 
 def clarkson(results):

@@ -67,6 +67,7 @@ void insert_in_conflict(CellStore<K>& cells, G& geometry, Index v, const typenam
     retriangulate(cells, geometry, v, q, work.zone, work.ridges, work.tracks_swallowed ? &work.swallowed : nullptr);
   } catch (...) {
     unmark(cells.marks(), work.zone);
+    work.zone.num_cells = work.zone.num_facets = 0;  // there is no star
     throw;
   }
   effort.created_cells += work.zone.num_facets;
