@@ -21,7 +21,7 @@ namespace delone {
 
 /// How a batch of points is ordered before insertion. The result never depends on it.
 enum class InsertionOrder {
-  automatic,  ///< the policy measured best: BRIO rounds along a Hilbert curve, or few points of 7D and more shuffled
+  automatic,  ///< BRIO rounds sorted along a Hilbert curve, the policy measured best for this size and dimension
   as_given,   ///< the order of the input
   shuffled,   ///< a random permutation
 };

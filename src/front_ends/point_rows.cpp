@@ -33,9 +33,6 @@ std::vector<Index> insertion_order(PointsView points, const Options& options) {
     case InsertionOrder::automatic:
       break;
   }
-  // Few points of many dimensions: a random order creates fewer cells, and walks are nothing next to them (docs/performance.md,
-  // "Order and walks"). More points than that are in a flat of few dimensions, where walks are long.
-  if (points.dimension() >= 7 && points.size() <= 4096) return order::shuffled_order(points.size(), options.seed);
   return order::brio_order(points, options.seed);
 }
 
