@@ -34,7 +34,7 @@ class Interrupts(Case):
         start = time.monotonic()
         process.send_signal(signal_number)
         out, _ = process.communicate(timeout=30)
-        self.assertLess(time.monotonic() - start, 1.5)  # a second, and what a busy machine adds to it
+        self.assertLess(time.monotonic() - start, 3)  # a second, and what a busy machine adds to it
         self.assertEqual(process.returncode, status or 128 + signal_number)
         self.assertEqual(out, b"")
         self.assertEqual(sorted(os.listdir(self.folder.name)), before)
@@ -55,7 +55,7 @@ class Interrupts(Case):
 
     def test_while_writing(self):
         # The signal is sent as soon as the temporary file is seen; the text form takes the longest to write.
-        points = self.uniform(2, 200000)
+        points = self.uniform(2, 500000)
 
         def wait(process):
             while not glob.glob(self.path(".delone-partial-*")):
