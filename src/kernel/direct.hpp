@@ -6,6 +6,7 @@
 #include "kernel/determinant.hpp"
 #include "kernel/flat.hpp"
 #include "kernel/grid.hpp"
+#include "kernel/minors.hpp"
 
 #include <delone/types.hpp>
 
@@ -17,7 +18,6 @@
 #include <limits>
 #include <optional>
 #include <span>
-#include <utility>
 
 namespace delone::kernel {
 
@@ -55,41 +55,10 @@ inline std::optional<Sign> certified_sign(const CertifiedDeterminant& det, doubl
   return std::nullopt;
 }
 
-/// Up to how many columns the table of minors is faster than elimination.
-template <int N>
-inline constexpr bool tabulates_minors = N > 0 && N <= 6;
-
-/// The minor of the first |Columns| rows and the columns of a bit set, from the minors of one row less: Laplace expansion along
-/// the last row, in which the cofactor of the last column is positive and signs alternate.
-template <int N, unsigned Columns>
-double minor_from_smaller(const double* a, const double* minors) {
-  constexpr int last_row = std::popcount(Columns) - 1;
-  double sum = 0;
-  [&]<int... C>(std::integer_sequence<int, C...>) {
-    const auto add = [&]<int Column>(std::integral_constant<int, Column>) {
-      if constexpr ((Columns >> Column & 1) != 0) {
-        constexpr bool negative = std::popcount(Columns >> Column) % 2 == 0;
-        const double term = a[last_row * N + Column] * minors[Columns & ~(1u << Column)];
-        sum = negative ? sum - term : sum + term;
-      }
-    };
-    (add(std::integral_constant<int, C>{}), ...);
-  }
-  (std::make_integer_sequence<int, N>{});
-  return sum;
-}
-
-/// The sign of the determinant of N rows of N entries by a table of the minors of the first rows, without a loop.
-/// REQUIRES that all minors and partial sums are exact in binary64.
+/// The sign of the determinant of N rows of N entries. REQUIRES that all minors and partial sums are exact in binary64.
 template <int N>
 Sign sign_by_exact_minors(const double* a) {
-  double minors[std::size_t{1} << N];
-  minors[0] = 1;
-  [&]<unsigned... S>(std::integer_sequence<unsigned, S...>) {
-    ((minors[S + 1] = minor_from_smaller<N, S + 1>(a, minors)), ...);
-  }
-  (std::make_integer_sequence<unsigned, (1u << N) - 1>{});
-  const double det = minors[(1u << N) - 1];
+  const double det = determinant_by_minors<N>(a);
   return det > 0 ? Sign::positive : det < 0 ? Sign::negative : Sign::zero;
 }
 
@@ -100,7 +69,7 @@ template <int K>
 std::optional<Sign> direct_orientation(const Flat& flat, const double* const* points, const double* base, const Grid& grid) {
   const int k = K > 0 ? K : flat.dimension();
   Buffer<double, K * K> a(static_cast<std::size_t>(k) * static_cast<std::size_t>(k));
-  if constexpr (detail::tabulates_minors<K>)
+  if constexpr (tabulates_minors<K>)
     if (grid.is_small()) {
       for (int r = 0; r < k; ++r)
         for (int i = 0; i < k; ++i)
@@ -155,7 +124,7 @@ std::optional<Sign> direct_sphere(const Flat& flat, const double* const* points,
     largest_of_all = std::max(largest_of_all, largest);
   }
   if (!(largest_of_all < 1e300)) return std::nullopt;
-  const bool small = detail::tabulates_minors<N> && grid.is_small();
+  const bool small = tabulates_minors<N> && grid.is_small();
   auto [common_scale, common_exponent] = small ? detail::Normalisation{1, 0} : detail::normalisation(largest_of_all);
   if (flat.weighted() && !small) {
     double largest = 0;
@@ -191,7 +160,7 @@ std::optional<Sign> direct_sphere(const Flat& flat, const double* const* points,
       lift_parts[static_cast<std::size_t>(i)] = lift + std::fabs(weight);
       lift -= weight;
     }
-  if constexpr (detail::tabulates_minors<N>)
+  if constexpr (tabulates_minors<N>)
     if (small) return detail::sign_by_exact_minors<N>(a.data());
   for (int r = 0; r < k; ++r) {
     double largest = 0;
