@@ -29,6 +29,8 @@
 
 namespace delone::geometry {
 
+class EdgeProducts;
+
 /// K is the dimension of the cells, or 0 when it is chosen at run time.
 template <int K, bool Lifted = true>
 class Functionals {
@@ -105,27 +107,15 @@ class Functionals {
   /// Returns the facets whose certificates would be too weak: their cells must be solved for.
   std::span<const std::uint32_t> combine(std::span<const HorizonFacet> facets, const double* rows, const double* query_row,
                                          const LatticeBounds& bounds) {
-    StarTask task{facets,    k(),     Lifted,  memory_.record(0), memory_.stride(), rows,
-                  query_row, 0x1p-10, nullptr, frame_constants(), scratch_.data(),  weak_.data()};
-    const std::size_t num_weak = combine_star(task);
+    const std::size_t num_weak = combine_star({facets, k(), Lifted, memory_.record(0), memory_.stride(), rows, query_row,
+                                               frame_constants(), scratch_.data(), weak_.data()});
     const auto left = std::remove_if(weak_.begin(), weak_.begin() + static_cast<std::ptrdiff_t>(num_weak),
-                                     [&](std::uint32_t f) { return adopt(facets[f], query_row, bounds); });
-    const std::span<std::uint32_t> weak(weak_.data(), static_cast<std::size_t>(left - weak_.begin()));
-    // In few dimensions elimination costs no more.
-    if constexpr (Lifted && (K == 0 || K >= 4))
-      if (!weak.empty()) return combine_near(task, weak);
-    return weak;
+                                     [&](std::uint32_t f) { return certify_weak(facets[f], rows, query_row, bounds); });
+    return {weak_.data(), static_cast<std::size_t>(left - weak_.begin())};
   }
   /// Makes room for a star. Throws std::bad_alloc.
   void reserve_star(std::size_t facets) {
-    if (weak_.size() < facets) {
-      weak_.resize(2 * facets);
-      if constexpr (Lifted) {
-        near_facets_.resize(2 * facets);
-        near_thresholds_.resize(4 * facets);
-        still_weak_.resize(2 * facets);
-      }
-    }
+    if (weak_.size() < facets) weak_.resize(2 * facets);
     scratch_.resize(star_scratch(k()));
   }
 
@@ -150,19 +140,20 @@ class Functionals {
   /// too: takes over its functional, and returns true.
   bool adopt(const HorizonFacet& facet, const double* query_row, const LatticeBounds& bounds);
 
-  /// Combines the cells of weak facets anew, with thresholds for the points where functionals are evaluated instead of the box.
-  /// Returns those that are still weak.
-  std::span<const std::uint32_t> combine_near(StarTask task, std::span<std::uint32_t> weak) requires(Lifted);
-  /// Lowers the threshold of a finite cell to what its edges at the apex give. Returns whether elimination could hardly do
-  /// better.
-  bool sharpen(Index cell, int apex, const double* rows) requires(Lifted);
-  /// Of a row from the finite vertices of a cell but one, rounded up.
-  struct Distances {
-    double product = 1, inverse_sum = 0;
-    /// The bounds below need both: neither has underflown.
-    bool are_usable() const { return product > 0x1p-900; }
-  };
-  Distances distances(Index cell, const double* rows, const double* row, int excluded = -1) const requires(Lifted);
+  /// Finds a certificate for a new cell whose own is too weak, without elimination. Returns whether there is one.
+  bool certify_weak(const HorizonFacet& facet, const double* rows, const double* query_row, const LatticeBounds& bounds) {
+    if (adopt(facet, query_row, bounds)) return true;
+    if constexpr (Lifted) return !is_infinite(facet.created) && certify_by_edges(facet.created, facet.slot, rows);
+    return false;
+  }
+  /// Certifies the functional of a finite cell by its values at the vertices and the determinant of its edges at the apex.
+  /// Returns whether elimination could hardly do better; else nothing has changed.
+  bool certify_by_edges(Index cell, int apex, const double* rows) requires(Lifted);
+  /// The edges from a row to the finite vertices of a cell, never too short; `normal`, of length 1, if heights are wanted.
+  template <bool WithHeights>
+  EdgeProducts edges_from(const double* row, Index cell, const double* rows, const double* normal) const requires(Lifted);
+  /// At least the square of |x| + edge_error_, from x².
+  double widened(double square) const { return 1.0625 * square + 17 * edge_error_ * edge_error_; }
   /// The sum of the magnitudes of the functional's terms in the box, at most.
   double magnitude(Index cell) const {
     double sum = Lifted && is_infinite(cell) ? 0 : largest_lift_;
@@ -175,12 +166,9 @@ class Functionals {
             largest_radius_,   spheres_,      extent_ratio_.data()};
   }
 
-  CellMemory<K>& memory_;                  // per cell: k coefficients, the constant, the certificate
-  std::vector<double> scratch_;            // of combine()
-  std::vector<std::uint32_t> weak_;        // of combine()
-  std::vector<HorizonFacet> near_facets_;  // of combine_near()
-  std::vector<double> near_thresholds_;
-  std::vector<std::uint32_t> still_weak_;
+  CellMemory<K>& memory_;            // per cell: k coefficients, the constant, the certificate
+  std::vector<double> scratch_;      // of combine()
+  std::vector<std::uint32_t> weak_;  // of combine()
 
   // Constants of the frame.
   double largest_lift_ = 0;
@@ -190,6 +178,8 @@ class Functionals {
   double largest_radius_ = 0;
   double infinite_spread_ = 0;         // the same for infinite cells, over det
   std::vector<double> extent_ratio_;   // per axis, the frame's scale over that of lifts
+  std::vector<double> lift_weight_;    // per axis, of the square of an image in the lift: 1/extent_ratio²
+  double edge_error_ = 0;              // of edges between rows, and of their heights over planes
   double largest_in_unit_sphere_ = 0;  // determinant of the edge vectors of a simplex whose sphere has radius 1
   bool spheres_ = false;               // whether functionals of finite cells describe spheres that tell where vertices are
 };
@@ -243,10 +233,13 @@ void Functionals<K, Lifted>::set_frame(const Frame& frame, const std::vector<int
   evaluation_error_ = 1.01 * (n + frame.ambient() + 8) * 0x1p-53;
   spheres_ = k() == frame.ambient() && frame.form() != kernel::RowForm::furthest_point;
   extent_ratio_.clear();
+  lift_weight_.clear();
+  edge_error_ = 2.1 * (n + 3) * std::sqrt(n) * 0x1p-53;
   double diagonal = 0, volume_ratio = 1;
   for (const int axis : axes) {
     const double ratio = frame.extent_ratio(axis);
     extent_ratio_.push_back(ratio);
+    lift_weight_.push_back(1 / (ratio * ratio));
     diagonal += 1 / (ratio * ratio);
     volume_ratio /= ratio;
   }

@@ -1,95 +1,128 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Thresholds from the distances of points. Those that are cached hold in the whole box, and bound a cell by its sphere; of flat
-// cells, as among points of a surface, they say too little near the cell, where nearly all queries are. Proofs:
+// Certificates from the edges between points. Those of the pencil hold in the whole box, and know of a cell its sphere only; of
+// flat cells, as among points of a surface, they say too little near the cell, where nearly all queries are. Proofs:
 // docs/predicates.md, "Near a cell".
 #pragma once
 
 #include "geometry/functionals.hpp"
+#include "kernel/minors.hpp"
 
 #include <algorithm>
 #include <cmath>
 
 namespace delone::geometry {
 
-template <int K, bool Lifted>
-auto Functionals<K, Lifted>::distances(Index cell, const double* rows, const double* row, int excluded) const -> Distances
-    requires(Lifted) {
-  const double image_error = 3 * 0x1p-53 * k();
-  const Index* vertices = memory_.links(cell);
-  Distances result;
-  for (int i = 0; i <= k(); ++i) {
-    if (i == excluded || vertices[i] == index(infinite_vertex)) continue;
-    const double* vertex = rows + static_cast<std::size_t>(vertices[i]) * (static_cast<std::size_t>(k()) + 1);
-    double square = 0;
-    for (int r = 0; r < k(); ++r) square += (vertex[r] - row[r]) * (vertex[r] - row[r]);
-    const double distance = std::sqrt(square) + image_error;
-    result.product *= distance;
-    result.inverse_sum += 1 / distance;
+/// Sums of products of the squared lengths d_i² of edges from a point and their squared heights t_i² over a plane through it,
+/// of all edges but one. No term is divided by another.
+class EdgeProducts {
+ public:
+  void add(double square, double square_of_height = 0) {
+    flat_ = flat_ * square + one_missing_ * square_of_height + one_replaced_;
+    one_replaced_ = one_replaced_ * square + all_ * square_of_height;
+    one_missing_ = one_missing_ * square + all_;
+    all_ *= square;
   }
-  return result;
+  double all() const { return all_; }                  ///< Π d_i²
+  double one_missing() const { return one_missing_; }  ///< Σ_i Π_(j≠i) d_j²
+  double flat() const { return flat_; }                ///< Σ_i Σ_(j≠i) t_j²·Π_(l≠i,j) d_l²
+
+  /// Sums beyond it, of so few edges, have lost nothing by underflow that matters.
+  static constexpr double smallest = 0x1p-800;
+  static constexpr int most_edges = 16;
+
+ private:
+  double all_ = 1, one_missing_ = 0, one_replaced_ = 0, flat_ = 0;
+};
+
+template <int K, bool Lifted>
+template <bool WithHeights>
+EdgeProducts Functionals<K, Lifted>::edges_from(const double* row, Index cell, const double* rows, const double* normal) const
+    requires(Lifted) {
+  const Index* vertices = memory_.links(cell);
+  EdgeProducts edges;
+  for (int i = 0; i <= k(); ++i) {
+    if (vertices[i] == index(infinite_vertex)) continue;
+    const double* vertex = rows + static_cast<std::size_t>(vertices[i]) * (static_cast<std::size_t>(k()) + 1);
+    double square = 0, height = 0;
+    for (int r = 0; r < k(); ++r) {
+      const double entry = vertex[r] - row[r];
+      square += entry * entry;
+      if constexpr (WithHeights) height += entry * normal[r];
+    }
+    edges.add(widened(square), WithHeights ? widened(height * height) : 0);
+  }
+  return edges;
 }
 
 template <int K, bool Lifted>
 [[gnu::noinline]] double Functionals<K, Lifted>::threshold_at(Index cell, const double* rows, const double* row) const
     requires(Lifted) {
+  if (k() > EdgeProducts::most_edges) return threshold(cell);
   const std::uint64_t bits = packed(cell);
-  const Distances from_row = distances(cell, rows, row);
-  const double spread = from_row.product * from_row.inverse_sum / certificate::determinant(bits);
+  double square;  // of a bound on the sum of the magnitudes of determinants
+  if (certificate::infinite(bits)) {
+    square = k() * edges_from<false>(row, cell, rows, nullptr).one_missing();
+  } else {
+    // The plane that touches the sphere's concentric one through the row.
+    kernel::Buffer<double, K + (K == 0)> normal(static_cast<std::size_t>(k()));
+    double length = 0;
+    for (int r = 0; r < k(); ++r) {
+      const auto j = static_cast<std::size_t>(r);
+      normal[j] = record(cell)[r] + 2 * lift_weight_[j] * row[r];
+      length += normal[j] * normal[j];
+    }
+    const double inverse = 1 / std::sqrt(length);
+    for (int r = 0; r < k(); ++r) normal[static_cast<std::size_t>(r)] *= inverse;
+    const EdgeProducts edges = edges_from<true>(row, cell, rows, normal.data());
+    square = (k() + 1) * std::min(edges.one_missing(), k() * edges.flat());
+  }
+  const double spread = std::sqrt(square) / certificate::determinant(bits);
   const double bound = (certificate::error(bits) * spread + evaluation_error_ * magnitude(cell)) * (1 + 0x1p-30);
-  return from_row.are_usable() && bound < threshold(cell) ? bound : threshold(cell);
+  return square > EdgeProducts::smallest && bound < threshold(cell) ? bound : threshold(cell);
 }
 
 template <int K, bool Lifted>
-bool Functionals<K, Lifted>::sharpen(Index cell, int apex, const double* rows) requires(Lifted) {
-  constexpr double gain = 16;  // what elimination may gain before it is worth its time
-  const std::uint64_t bits = packed(cell);
-  const double* row = rows + static_cast<std::size_t>(memory_.links(cell)[apex]) * (static_cast<std::size_t>(k()) + 1);
-  const Distances edges = distances(cell, rows, row, apex);
-  const double spread =
-      1 + 4.5 * std::sqrt(static_cast<double>(k())) * edges.product * edges.inverse_sum / certificate::determinant(bits);
-  const double rounding = evaluation_error_ * magnitude(cell);
-  const double bound = certificate::error(bits) * spread + rounding;
-  if (!edges.are_usable() || !(certificate::error(bits) <= gain * rounding)) return false;
-  if (bound < threshold(cell)) record(cell)[k() + 1] = std::bit_cast<double>(certificate::with_threshold(bits, bound));
-  return true;
-}
+bool Functionals<K, Lifted>::certify_by_edges(Index cell, int apex, const double* rows) requires(Lifted) {
+  if constexpr (!kernel::tabulates_minors<K>) {
+    return false;
+  } else {
+    constexpr double gain = 16;  // what elimination may gain before it is worth its time
+    const double* functional = record(cell);
+    const auto row = [&](int slot) { return rows + static_cast<std::size_t>(memory_.links(cell)[slot]) * (K + 1); };
+    const auto value_at = [&](const double* x) {
+      double sum = x[K] + functional[K];
+      for (int r = 0; r < K; ++r) sum += functional[r] * x[r];
+      return sum;
+    };
+    const double* const origin = row(apex);
+    double residual = std::fabs(value_at(origin));
+    double entries[K * K];
+    EdgeProducts edges;
+    for (int i = 0, filled = 0; i <= K; ++i) {
+      if (i == apex) continue;
+      const double* const vertex = row(i);
+      residual = std::max(residual, std::fabs(value_at(vertex)));
+      double square = 0;
+      for (int r = 0; r < K; ++r) {
+        const double entry = vertex[r] - origin[r];
+        entries[filled++] = entry;
+        square += entry * entry;
+      }
+      edges.add(widened(square));
+    }
+    const double rounding = evaluation_error_ * magnitude(cell), error = residual + rounding;
+    if (!(error <= gain * rounding && rounding < 1)) return false;
 
-template <int K, bool Lifted>
-[[gnu::noinline]] std::span<const std::uint32_t> Functionals<K, Lifted>::combine_near(
-    StarTask task, std::span<std::uint32_t> weak) requires(Lifted) {
-  const auto row = [&](Index vertex) {
-    return task.rows + static_cast<std::size_t>(vertex) * (static_cast<std::size_t>(k()) + 1);
-  };
-  // Of two infinite cells, errors of coefficients count.
-  const auto first_finite = std::partition(weak.begin(), weak.end(), [&](std::uint32_t f) {
-    return is_infinite(task.facets[f].dead) && is_infinite(task.facets[f].survivor);
-  });
-  const auto num_infinite = static_cast<std::size_t>(first_finite - weak.begin());
-  const std::span<std::uint32_t> finite = weak.subspan(num_infinite);
-  for (std::size_t i = 0; i < finite.size(); ++i) {
-    const HorizonFacet& facet = task.facets[finite[i]];
-    double a = threshold_at(facet.dead, task.rows, task.query_row);
-    double b = threshold_at(facet.survivor, task.rows, task.query_row);
-    if (is_infinite(facet.dead))
-      a = std::max(a, threshold_at(facet.dead, task.rows, row(facet.survivor_opposite)));
-    else
-      b = std::max(b, threshold_at(facet.survivor, task.rows, row(facet.dead_opposite)));
-    near_facets_[i] = facet;
-    near_thresholds_[2 * i] = a;
-    near_thresholds_[2 * i + 1] = b;
+    const double others = std::sqrt(K * edges.one_missing());  // ≥ Σ_i Π_(j≠i) of the lengths
+    constexpr double expansion_error = 1.01 * (K * (K + 1) / 2) * kernel::unit_roundoff;
+    const double most_terms = std::sqrt(std::pow(static_cast<double>(K), K) * edges.all());  // ≥ the permanent of magnitudes
+    const double determinant_error = edge_error_ * others + expansion_error * most_terms;
+    const double determinant = std::fabs(kernel::determinant_by_minors<K>(entries)) - determinant_error * (1 + 0x1p-30);
+    if (!(determinant > certificate::smallest)) return false;
+    const double spread = 1 + 4.01 * std::sqrt(static_cast<double>(K)) * others / determinant;
+    certify(cell, error * spread + rounding, error, determinant, false);
+    return true;
   }
-  task.facets = {near_facets_.data(), finite.size()};
-  task.thresholds = near_thresholds_.data();
-  task.weakest = std::numeric_limits<double>::infinity();
-  task.weak = still_weak_.data();
-  const std::size_t num_uncertified = combine_star(task);
-  std::size_t num_weak = 0, next = 0;
-  for (std::size_t i = 0; i < finite.size(); ++i) {
-    const bool is_certified = next == num_uncertified || still_weak_[next] != i;
-    if (!is_certified) ++next;
-    if (!is_certified || !sharpen(near_facets_[i].created, near_facets_[i].slot, task.rows)) finite[num_weak++] = finite[i];
-  }
-  return weak.first(num_infinite + num_weak);
 }
 
 }  // namespace delone::geometry

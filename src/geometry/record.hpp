@@ -49,10 +49,6 @@ inline double error(std::uint64_t packed) {
 inline double determinant(std::uint64_t packed) {
   return std::bit_cast<float>(static_cast<std::uint32_t>(packed >> 48 & 0x7fff) << 16);
 }
-/// With another threshold.
-inline std::uint64_t with_threshold(std::uint64_t packed, double threshold) {
-  return (packed & ~std::uint64_t{0x7fffffff}) | pack_threshold(threshold);
-}
 inline bool infinite(std::uint64_t packed) { return (packed >> 31 & 1) != 0; }
 /// All ones for a finite cell, zero for an infinite one: it is hard to predict which a cell is.
 inline std::uint64_t finite_mask(std::uint64_t packed) {

@@ -31,6 +31,8 @@ namespace delone::geometry {
 
 /// Facets are treated in blocks that fit in the first-level cache.
 constexpr std::size_t block_size = 32;
+/// A threshold beyond this fraction of the functional's scale would leave too many tests open.
+constexpr double weakest = 0x1p-10;
 /// The arrays of a block, `block_size` entries of 64 bits each. A and B are the cells of a facet, N the new cell.
 enum BlockArray : std::size_t {
   value_a,
@@ -53,7 +55,7 @@ inline std::uint64_t bits_of(double x) { return std::bit_cast<std::uint64_t>(x);
 
 /// Gathers what a block is computed from, one facet per lane. K is k, or 0 for any.
 template <int K>
-void gather(const StarTask& task, std::span<const HorizonFacet> facets, const double* thresholds, double* HWY_RESTRICT block) {
+void gather(const StarTask& task, std::span<const HorizonFacet> facets, double* HWY_RESTRICT block) {
   const auto entries = static_cast<std::size_t>(K > 0 ? K : task.k) + 1;
   const bool lifted = task.lifted;
   const std::size_t stride = K > 0 ? CellMemory<K>(K).stride() : task.stride;
@@ -83,12 +85,6 @@ void gather(const StarTask& task, std::span<const HorizonFacet> facets, const do
     const std::uint64_t reference = bits_of(lifted ? last : 1.0) & certificate::finite_mask(bits_of(other[entries]));
     block[opposite_value * block_size + lane] = even + odd + std::bit_cast<double>(reference);
   }
-  if (thresholds == nullptr) return;
-  for (std::size_t lane = 0; lane < facets.size(); ++lane)
-    for (const std::size_t cell : {0, 1}) {
-      double& packed = block[(certificate_a + cell) * block_size + lane];
-      packed = std::bit_cast<double>(certificate::with_threshold(bits_of(packed), thresholds[2 * lane + cell]));
-    }
 }
 
 /// Computes a block in place. K is k, or 0 for any.
@@ -200,9 +196,8 @@ void compute(const StarTask& task, std::size_t count, double* HWY_RESTRICT block
     const V threshold = hn::Mul(hn::MulAdd(error, spread, rounding), hn::Set(d, 1 + slack));
     // With not-a-number anywhere, a comparison fails.
     const V smallest = hn::Set(d, certificate::smallest), largest = hn::Set(d, certificate::largest);
-    const auto usable =
-        hn::And(hn::And(hn::Ge(det, smallest), hn::Le(det, largest)),
-                hn::And(hn::Le(threshold, hn::Mul(hn::Set(d, task.weakest), scale)), hn::Lt(threshold, largest)));
+    const auto usable = hn::And(hn::And(hn::Ge(det, smallest), hn::Le(det, largest)),
+                                hn::And(hn::Le(threshold, hn::Mul(hn::Set(d, weakest), scale)), hn::Lt(threshold, largest)));
     const auto pack = [&](V positive) { return hn::Sub(hn::BitCast(du, positive), bias); };
     const U up = hn::Add(hn::ShiftRight<certificate::fraction_shift>(pack(hn::Max(threshold, smallest))), hn::Set(du, 1));
     const U error_up = hn::Add(hn::ShiftRight<certificate::short_shift>(pack(hn::Max(error, smallest))), hn::Set(du, 1));
@@ -238,7 +233,7 @@ std::size_t combine_blocks(const StarTask& task, double* block) {
   std::size_t num_weak = 0;
   for (std::size_t first = 0; first < task.facets.size(); first += block_size) {
     const auto facets = task.facets.subspan(first, std::min(block_size, task.facets.size() - first));
-    gather<K>(task, facets, task.thresholds == nullptr ? nullptr : task.thresholds + 2 * first, block);
+    gather<K>(task, facets, block);
     compute<K>(task, facets.size(), block);
     num_weak += scatter<K>(task, facets, first, block, task.weak + num_weak);
   }

@@ -28,13 +28,11 @@ struct FrameConstants {
 struct StarTask {
   std::span<const HorizonFacet> facets;
   int k;
-  bool lifted;               ///< whether rows are (X, 1 | ℓ), else (X | 1)
-  double* records;           ///< of the cells, k + 2 doubles each
-  std::size_t stride;        ///< from a record to the next
-  const double* rows;        ///< of the vertices, k + 1 doubles each: (X, ℓ), or X
-  const double* query_row;   ///< that of the new vertex
-  double weakest;            ///< thresholds beyond this fraction of the functional's scale are worth an elimination
-  const double* thresholds;  ///< for each facet those of A and B to go by in place of the cached ones; null: none
+  bool lifted;              ///< whether rows are (X, 1 | ℓ), else (X | 1)
+  double* records;          ///< of the cells, k + 2 doubles each
+  std::size_t stride;       ///< from a record to the next
+  const double* rows;       ///< of the vertices, k + 1 doubles each: (X, ℓ), or X
+  const double* query_row;  ///< that of the new vertex
   FrameConstants frame;
   double* scratch;      ///< star_scratch(k) doubles
   std::uint32_t* weak;  ///< receives the facets whose certificate would be too weak: their cells need elimination
