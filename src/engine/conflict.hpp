@@ -11,12 +11,11 @@ namespace delone::engine {
 
 /// The exact conflict test. Cells: a CellStore, or what has vertices and neighbors like one. A query exactly on the hyperplane
 /// of an infinite cell conflicts with it iff it conflicts with the finite cell on the other side of the hull facet: the
-/// perturbation moves points along that hyperplane. REQUIRES that q is none of the vertices of the cell, nor of the finite
-/// neighbor of an infinite cell.
-template <class Cells, QueryGeometry G>
+/// perturbation moves points along that hyperplane. `functional`: the geometry's evaluator for q. REQUIRES that q is none of
+/// the vertices of the cell, nor of the finite neighbor of an infinite cell.
+template <class Cells, QueryGeometry G, class Evaluator>
 [[gnu::noinline]] bool in_conflict_exactly(const Cells& cells, const G& geometry, Index cell, const typename G::Query& q,
-                                           StageCounts& counts) {
-  const auto functional = geometry.evaluator(q);
+                                           const Evaluator& functional, StageCounts& counts) {
   for (;;) {
     const double value = functional.value(cell);
     if (std::fabs(value) > functional.threshold(cell)) {

@@ -96,7 +96,7 @@ void find_conflict_zone(const Cells& cells, const G& geometry, const typename G:
         ++uncertain;
         conflict = mark == Mark::in_conflict;
         if (mark == Mark::unseen) {
-          conflict = in_conflict_exactly(cells, geometry, neighbor, q, counts);
+          conflict = in_conflict_exactly(cells, geometry, neighbor, q, functional, counts);
           if (!conflict) {
             zone.num_cells = num_cells;
             zone.marked.push_back(neighbor);

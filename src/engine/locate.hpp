@@ -40,12 +40,13 @@ WalkResult walk_exactly(const Cells& cells, const G& geometry, const typename G:
       // Reached across its hull facet, strictly; or the start, where q may be at the vertex opposite the facet.
       const Index finite = cells.neighbors(cell)[infinite_slot];
       if (!stop_at_conflict) return result;
-      if (vertex_at(cells, geometry, finite, q) == invalid_index && in_conflict_exactly(cells, geometry, cell, q, counts))
+      if (vertex_at(cells, geometry, finite, q) == invalid_index &&
+          in_conflict_exactly(cells, geometry, cell, q, geometry.evaluator(q), counts))
         return result;
       result.cell = finite;
       continue;
     }
-    if (stop_at_conflict && in_conflict_exactly(cells, geometry, cell, q, counts)) return result;
+    if (stop_at_conflict && in_conflict_exactly(cells, geometry, cell, q, geometry.evaluator(q), counts)) return result;
     int slot = 0;
     while (slot <= cells.dimension() && geometry.side_of_facet(cells.vertices(cell), slot, q) != Sign::negative) ++slot;
     if (slot > cells.dimension()) {

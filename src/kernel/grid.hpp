@@ -40,6 +40,9 @@ class Grid {
   /// Whether every minor of a determinant of differences and lifts is exact in binary64, whatever the points of the set:
   /// a multiple of its grid unit by less than 2^53 (docs/predicates.md, "Small lattices").
   bool is_small() const { return is_small_; }
+  /// The sum of the coordinates times these, or of differences of coordinates, is exact in binary64 and orders points
+  /// lexicographically: an axis outweighs all later ones. REQUIRES is_small().
+  double key_weight(int axis) const { return axes_[static_cast<std::size_t>(axis)].key_weight; }
   /// A number that is exact in binary64 and orders points lexicographically. REQUIRES is_small().
   double lexicographic_key(const double* point) const {
     double key = 0;

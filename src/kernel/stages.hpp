@@ -110,6 +110,32 @@ Sign largest_point_decides(const double* const* vertices, int size, const double
   return largest_decides<K>(vertices, size, q, std::identity(), less, volume);
 }
 
+/// perturbed_in_sphere() of points of R^K on a small grid, where everything is exact: from the differences of points and q
+/// alone.
+template <int K>
+Sign perturbed_in_sphere_on_grid(const double* const* points, const double* q, const Grid& grid) {
+  double differences[K + 1][K], keys[K + 1];  // keys: of the points less that of q
+  for (int i = 0; i <= K; ++i) {
+    keys[i] = 0;
+    for (int r = 0; r < K; ++r) {
+      differences[i][r] = points[i][r] - q[r];
+      keys[i] += differences[i][r] * grid.key_weight(r);
+    }
+  }
+  for (;;) {
+    int largest = 0;
+    for (int i = 1; i <= K; ++i) largest = keys[i] > keys[largest] ? i : largest;
+    if (!(keys[largest] > 0)) return Sign::positive;
+    // The orientation with q in place of that point, which takes as many exchanges to come first.
+    double others[K * K];
+    for (int i = 0; i < K; ++i)
+      for (int r = 0; r < K; ++r) others[i * K + r] = differences[i + (i >= largest)][r];
+    const double volume = largest % 2 == 0 ? determinant_by_minors<K>(others) : -determinant_by_minors<K>(others);
+    if (volume != 0) return volume > 0 ? Sign::negative : Sign::positive;
+    keys[largest] = 0;
+  }
+}
+
 /// The tie-break of Devillers and Teillaud (2011, doi:10.1016/j.comgeo.2010.09.010) for a q exactly on the sphere of k+1
 /// positively oriented points: every point is lifted by its own infinitesimal, larger for lexicographically larger points.
 /// The first point, from the largest down, whose lifting moves q off the sphere decides:
@@ -119,6 +145,8 @@ Sign largest_point_decides(const double* const* vertices, int size, const double
 template <int K>
 Sign perturbed_in_sphere(const Flat& flat, const double* const* points, const double* q, const Grid& grid) {
   const int k = K > 0 ? K : flat.dimension();
+  if constexpr (tabulates_minors<K>)
+    if (flat.ambient == k && grid.is_small()) return perturbed_in_sphere_on_grid<K>(points, q, grid);
   return largest_point_decides<K>(points, k + 1, q, flat.ambient, grid,
                                   [&](const double* const* moved) { return orientation<K>(flat, moved, grid); });
 }
