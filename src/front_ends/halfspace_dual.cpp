@@ -5,7 +5,7 @@
 // remainder of the division by the leading part are exact, and the correction is rounded in the third order.
 #include "front_ends/halfspace_dual.hpp"
 
-#include "front_ends/double_pair.hpp"
+#include "kernel/double_double.hpp"
 #include "kernel/grid.hpp"
 
 #include <algorithm>
@@ -29,21 +29,21 @@ bool find_in_pairs(const double* row, const std::vector<double>& p, std::span<co
   for (std::size_t j = 0; j < d; ++j) {
     const double n = std::ldexp(row[j], exponent);
     if (!is_moderate(n, 0x1p200) || !is_moderate(p[j], 0x1p200) || (n == 0) != (row[j] == 0)) return false;
-    const Pair product = two_product(n, p[j]);
-    const Pair next = two_sum(sum, product.high);
+    const kernel::DoubleDouble product = kernel::two_product(n, p[j]);
+    const kernel::DoubleDouble next = kernel::two_sum(sum, product.high);
     sum = next.high;
     rest += next.low + product.low;
     magnitude += std::abs(product.high);
   }
   const double terms = static_cast<double>(d) + 3;
-  const Pair s = two_sum(-sum, -rest);
+  const kernel::DoubleDouble s = kernel::two_sum(-sum, -rest);
   if ((offset == 0) != (row[d] == 0) || !(s.high > 0) || !(2.1 * terms * terms * 0x1p-106 * magnitude <= 0x1p-71 * s.high))
     return false;
   const std::size_t k = axes.size();
   for (std::size_t j = 0; j < k; ++j) {
     const double n = std::ldexp(row[axes[j]], exponent);
     dual[j] = n / s.high;
-    const Pair back = two_product(dual[j], s.high);
+    const kernel::DoubleDouble back = kernel::two_product(dual[j], s.high);
     dual[k + j] = (((n - back.high) - back.low) - dual[j] * s.low) / s.high;
   }
   return true;

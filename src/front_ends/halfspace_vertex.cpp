@@ -14,9 +14,9 @@
 // it.
 #include "front_ends/halfspace_vertex.hpp"
 
-#include "front_ends/double_pair.hpp"
 #include "front_ends/halfspace_dual.hpp"
 #include "front_ends/linear_bound.hpp"
+#include "kernel/double_double.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -41,8 +41,8 @@ struct System {
     for (std::size_t i = 0; i < n; ++i) {
       double sum = b[i], rest = 0, magnitude = std::abs(b[i]), lost = 0;
       for (std::size_t j = 0; j < n; ++j) {
-        const Pair product = two_product(-a[i * n + j], x[j]);
-        const Pair next = two_sum(sum, product.high);
+        const kernel::DoubleDouble product = kernel::two_product(-a[i * n + j], x[j]);
+        const kernel::DoubleDouble next = kernel::two_sum(sum, product.high);
         sum = next.high;
         rest += next.low + product.low;
         lost += std::abs(next.low) + std::abs(product.low);
@@ -98,7 +98,7 @@ bool find_certified(std::span<const double* const> rows, std::span<const int> co
     bool settled = true;
     std::vector<double> improved(n);
     for (std::size_t j = 0; j < n; ++j) {
-      const Pair sum = two_sum(x[j], correction[j]);
+      const kernel::DoubleDouble sum = kernel::two_sum(x[j], correction[j]);
       const double radius = 1.01 * (alpha * zeta + tail[j]) + 4 * u * std::abs(sum.low);
       const double below = sum.high + (sum.low - radius), above = sum.high + (sum.low + radius);
       settled = settled && below == above;

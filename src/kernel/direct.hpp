@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Stage `direct_`: orientation and sphere determinants in binary64, translated to a point, and determinants of homogeneous
-// rows, with a certified bound; and the proof of exact zeros for numbers on a coarse grid.
+// Stage `direct_`: orientation and sphere determinants in floating point, translated to a point, and determinants of
+// homogeneous rows, with a certified bound; and the proof of exact zeros for numbers on a coarse grid. Up to 6 columns the
+// determinant is expanded in a table of minors, as it is; beyond, it is scaled and eliminated. What binary64 leaves open is
+// asked of numbers of twice its precision.
 #pragma once
 
 #include "kernel/determinant.hpp"
+#include "kernel/double_double_stage.hpp"
 #include "kernel/flat.hpp"
 #include "kernel/grid.hpp"
 #include "kernel/minors.hpp"
@@ -24,7 +27,7 @@ namespace delone::kernel {
 namespace detail {
 
 /// 2^e, or 0 or infinity where that is below or above the normal doubles. (std::ldexp is a call, and this is a hot path.)
-inline double power_of_two(int e) {
+inline double power_of_two(std::int64_t e) {
   if (e < -1022) return 0;
   if (e > 1023) return std::numeric_limits<double>::infinity();
   return std::bit_cast<double>(static_cast<std::uint64_t>(e + 1023) << 52);
@@ -48,11 +51,14 @@ inline int upper_exponent(double x) {
   return biased != 0 ? biased - 1022 : -1010 - std::countl_zero(bits << 1 >> 1);
 }
 
-inline std::optional<Sign> certified_sign(const CertifiedDeterminant& det, double grid_unit) {
-  if (det.sign_is_certain()) return det.value > 0 ? Sign::positive : Sign::negative;
-  // The exact determinant is an integer multiple of grid_unit; one that is smaller than a unit is zero.
-  if (std::fabs(det.value) + det.error < grid_unit) return Sign::zero;
+/// The sign of a value that is off by at most `error`, where the exact one is an integer multiple of grid_unit.
+inline std::optional<Sign> certified_sign(double value, double error, double grid_unit) {
+  if (std::fabs(value) > error) return value > 0 ? Sign::positive : Sign::negative;
+  if (std::fabs(value) + error < grid_unit) return Sign::zero;
   return std::nullopt;
+}
+inline std::optional<Sign> certified_sign(const CertifiedDeterminant& det, double grid_unit) {
+  return certified_sign(det.value, det.error, grid_unit);
 }
 
 /// The sign of the determinant of N rows of N entries. REQUIRES that all minors and partial sums are exact in binary64.
@@ -62,21 +68,95 @@ Sign sign_by_exact_minors(const double* a) {
   return det > 0 ? Sign::positive : det < 0 ? Sign::negative : Sign::zero;
 }
 
-}  // namespace detail
+/// Unscaled differences up to this, and lifts up to its square, overflow in no determinant, and all that underflows there is
+/// below `unscaled_underflow` (docs/predicates.md, "By minors").
+inline constexpr double moderate = 0x1p60;
+inline constexpr double unscaled_underflow = 0x1p-700;
 
-/// The sign of det(p_i − base), i < k, over the axes of the flat; nullopt when binary64 cannot tell. K is k, or 0 for run time.
+/// The sign of the determinant of N rows of which every term meets `roundings` roundings before the minors are expanded.
+/// `last_parts[i]`: the magnitudes of what the last entry of row i is made of. `unit_exponent` returns the exponent of the grid
+/// that the determinant is on.
+template <int N, class UnitExponent>
+std::optional<Sign> sign_by_minors(const double* a, const double* last_parts, double roundings, UnitExponent unit_exponent) {
+  Magnitude parts[N * N];
+  for (int i = 0; i < N; ++i) {
+    for (int r = 0; r + 1 < N; ++r) parts[i * N + r].value = std::fabs(a[i * N + r]);
+    parts[i * N + N - 1].value = last_parts[i];
+  }
+  const double value = determinant_by_minors<N>(a);
+  const double permanent = determinant_by_minors<N>(parts).value;
+  const double error = 1.01 * (roundings + N * (N + 1) / 2) * unit_roundoff * permanent + unscaled_underflow;
+  if (std::fabs(value) > error) return value > 0 ? Sign::positive : Sign::negative;
+  return certified_sign(value, error, power_of_two(unit_exponent()));
+}
+
+/// direct_orientation by minors, without scaling.
 template <int K>
-std::optional<Sign> direct_orientation(const Flat& flat, const double* const* points, const double* base, const Grid& grid) {
+std::optional<Sign> orientation_by_minors(const Flat& flat, const double* const* points, const double* base, const Grid& grid) {
+  double a[K * K];
+  for (int i = 0; i < K; ++i)
+    for (int r = 0; r < K; ++r) {
+      const int axis = flat.axes[static_cast<std::size_t>(r)];
+      a[i * K + r] = points[i][axis] - base[axis];
+    }
+  if (grid.is_small()) return sign_by_exact_minors<K>(a);
+  double last[K];
+  double largest = 0;
+  for (int i = 0; i < K; ++i) last[i] = std::fabs(a[i * K + K - 1]);
+  for (const double difference : a) largest = std::max(largest, std::fabs(difference));
+  if (!(largest <= moderate)) return std::nullopt;
+  return sign_by_minors<K>(a, last, K, [&] {
+    std::int64_t unit_exponent = 0;
+    for (int r = 0; r < K; ++r) unit_exponent += grid.exponent(flat.axes[static_cast<std::size_t>(r)]);
+    return unit_exponent;
+  });
+}
+
+/// direct_sphere, likewise.
+template <int K>
+std::optional<Sign> sphere_by_minors(const Flat& flat, const double* const* points, const double* q, const Grid& grid) {
+  constexpr int N = K + 1;
+  double a[N * N], lift_parts[N];  // |p_i − q|² + |w_i − w_q|
+  for (int i = 0; i < N; ++i) {
+    double lift = 0;
+    for (int r = 0; r < K; ++r) {
+      const int axis = flat.axes[static_cast<std::size_t>(r)];
+      const double difference = points[i][axis] - q[axis];
+      a[i * N + r] = difference;
+      lift += difference * difference;
+    }
+    if (flat.ambient != K) {
+      lift = 0;
+      for (int j = 0; j < flat.ambient; ++j) {
+        const double difference = points[i][j] - q[j];
+        lift += difference * difference;
+      }
+    }
+    lift_parts[i] = lift;
+    if (flat.weighted()) {
+      const double weight = points[i][flat.ambient] - q[flat.ambient];
+      lift -= weight;
+      lift_parts[i] += std::fabs(weight);
+    }
+    a[i * N + K] = lift;
+  }
+  if (grid.is_small()) return sign_by_exact_minors<N>(a);
+  double largest = 0;
+  for (const double part : lift_parts) largest = std::max(largest, part);
+  if (!(largest <= moderate * moderate)) return std::nullopt;
+  return sign_by_minors<N>(a, lift_parts, K + flat.ambient + 3, [&] {
+    std::int64_t unit_exponent = grid.lift_exponent();
+    for (int r = 0; r < K; ++r) unit_exponent += grid.exponent(flat.axes[static_cast<std::size_t>(r)]);
+    return unit_exponent;
+  });
+}
+
+/// direct_orientation by scaled elimination.
+template <int K>
+std::optional<Sign> orientation_by_elimination(const Flat& flat, const double* const* points, const double* base,
+                                               const Grid& grid) {
   const int k = K > 0 ? K : flat.dimension();
   Buffer<double, K * K> a(static_cast<std::size_t>(k) * static_cast<std::size_t>(k));
-  if constexpr (tabulates_minors<K>)
-    if (grid.is_small()) {
-      for (int r = 0; r < k; ++r)
-        for (int i = 0; i < k; ++i)
-          a[static_cast<std::size_t>(i * k + r)] =
-              points[i][flat.axes[static_cast<std::size_t>(r)]] - base[flat.axes[static_cast<std::size_t>(r)]];
-      return detail::sign_by_exact_minors<K>(a.data());
-    }
   Buffer<int, K> row_of(static_cast<std::size_t>(k));
   int unit_exponent = 0;
   for (int r = 0; r < k; ++r) {
@@ -89,18 +169,17 @@ std::optional<Sign> direct_orientation(const Flat& flat, const double* const* po
     }
     if (largest == 0) return Sign::zero;  // binary64 differences vanish only when they are exactly zero
     if (!(largest < 1e300)) return std::nullopt;
-    const auto [scale, exponent] = detail::normalisation(largest);
+    const auto [scale, exponent] = normalisation(largest);
     for (int i = 0; i < k; ++i) a[static_cast<std::size_t>(i * k + r)] *= scale;
     unit_exponent += grid.exponent(axis) - exponent;
   }
   const CertifiedDeterminant det = factor<K>(a.data(), k, k, {1.01 * unit_roundoff, 0}, row_of.data());
-  return detail::certified_sign(det, detail::power_of_two(unit_exponent));
+  return certified_sign(det, power_of_two(unit_exponent));
 }
 
-/// The sign of det(p_i − q, |p_i − q|² − w_i + w_q), i = 0 … k, all weights 0 for points without; nullopt when binary64 cannot
-/// tell. Weighted points may have k = 0.
+/// direct_sphere, likewise.
 template <int K>
-std::optional<Sign> direct_sphere(const Flat& flat, const double* const* points, const double* q, const Grid& grid) {
+std::optional<Sign> sphere_by_elimination(const Flat& flat, const double* const* points, const double* q, const Grid& grid) {
   constexpr int N = K > 0 ? K + 1 : 0;
   const int k = K > 0 ? K : flat.dimension();
   const int n = k + 1;
@@ -124,17 +203,16 @@ std::optional<Sign> direct_sphere(const Flat& flat, const double* const* points,
     largest_of_all = std::max(largest_of_all, largest);
   }
   if (!(largest_of_all < 1e300)) return std::nullopt;
-  const bool small = tabulates_minors<N> && grid.is_small();
-  auto [common_scale, common_exponent] = small ? detail::Normalisation{1, 0} : detail::normalisation(largest_of_all);
-  if (flat.weighted() && !small) {
+  auto [common_scale, common_exponent] = normalisation(largest_of_all);
+  if (flat.weighted()) {
     double largest = 0;
     for (int i = 0; i < n; ++i) largest = std::max(largest, std::fabs(points[i][flat.ambient] - q[flat.ambient]));
     if (largest == 0 && largest_of_all == 0) return Sign::zero;  // only for k = 0
     if (!(largest < 1e300)) return std::nullopt;
     if (largest > 0) {  // squares of differences and weights are scaled alike, all to at most 1
-      const int half = (detail::normalisation(largest).exponent + 1) >> 1;
+      const int half = (normalisation(largest).exponent + 1) >> 1;
       common_exponent = std::max(common_exponent, half);
-      common_scale = detail::power_of_two(-common_exponent);
+      common_scale = power_of_two(-common_exponent);
     }
   }
   for (int i = 0; i < n; ++i) {
@@ -160,12 +238,10 @@ std::optional<Sign> direct_sphere(const Flat& flat, const double* const* points,
       lift_parts[static_cast<std::size_t>(i)] = lift + std::fabs(weight);
       lift -= weight;
     }
-  if constexpr (tabulates_minors<N>)
-    if (small) return detail::sign_by_exact_minors<N>(a.data());
   for (int r = 0; r < k; ++r) {
     double largest = 0;
     for (int i = 0; i < n; ++i) largest = std::max(largest, std::fabs(a[static_cast<std::size_t>(i * n + r)]));
-    const auto [scale, exponent] = detail::normalisation(largest);
+    const auto [scale, exponent] = normalisation(largest);
     for (int i = 0; i < n; ++i) a[static_cast<std::size_t>(i * n + r)] *= scale;
     unit_exponent += grid.exponent(flat.axes[static_cast<std::size_t>(r)]) - exponent;
   }
@@ -183,7 +259,33 @@ std::optional<Sign> direct_sphere(const Flat& flat, const double* const* points,
     relative_error = 1.01 * (flat.ambient + 4) * unit_roundoff * cancellation;
   }
   const CertifiedDeterminant det = factor<N>(a.data(), n, n, {relative_error, 0}, row_of.data());
-  return detail::certified_sign(det, detail::power_of_two(unit_exponent));
+  return certified_sign(det, power_of_two(unit_exponent));
+}
+
+}  // namespace detail
+
+/// The sign of det(p_i − base), i < k, over the axes of the flat; nullopt when floating point cannot tell. K is k, or 0 for run
+/// time.
+template <int K>
+std::optional<Sign> direct_orientation(const Flat& flat, const double* const* points, const double* base, const Grid& grid) {
+  std::optional<Sign> sign;
+  if constexpr (tabulates_minors<K>)
+    sign = detail::orientation_by_minors<K>(flat, points, base, grid);
+  else
+    sign = detail::orientation_by_elimination<K>(flat, points, base, grid);
+  return sign ? sign : double_double_orientation(flat, points, base, grid);
+}
+
+/// The sign of det(p_i − q, |p_i − q|² − w_i + w_q), i = 0 … k, all weights 0 for points without; nullopt when floating point
+/// cannot tell. Weighted points may have k = 0.
+template <int K>
+std::optional<Sign> direct_sphere(const Flat& flat, const double* const* points, const double* q, const Grid& grid) {
+  std::optional<Sign> sign;
+  if constexpr (tabulates_minors<K + (K > 0)>)
+    sign = detail::sphere_by_minors<K>(flat, points, q, grid);
+  else
+    sign = detail::sphere_by_elimination<K>(flat, points, q, grid);
+  return sign ? sign : double_double_sphere(flat, points, q, grid);
 }
 
 /// The sign of the determinant of N rows of `row_size` doubles, restricted to N columns `axes`; nullopt when binary64 cannot

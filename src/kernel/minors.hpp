@@ -20,13 +20,18 @@ namespace detail {
 template <int N, unsigned Columns, class Number>
 Number minor_from_smaller(const Number* a, const Number* minors) {
   constexpr int last_row = std::popcount(Columns) - 1;
+  if constexpr (last_row == 0) return a[std::countr_zero(Columns)];
   Number sum{};
   [&]<int... C>(std::integer_sequence<int, C...>) {
     const auto add = [&]<int Column>(std::integral_constant<int, Column>) {
       if constexpr ((Columns >> Column & 1) != 0) {
         constexpr bool negative = std::popcount(Columns >> Column) % 2 == 0;
+        constexpr bool first = (Columns & ((1u << Column) - 1)) == 0;
         const Number term = a[last_row * N + Column] * minors[Columns & ~(1u << Column)];
-        sum = negative ? sum - term : sum + term;
+        if constexpr (first)
+          sum = negative ? -term : term;
+        else
+          sum = negative ? sum - term : sum + term;
       }
     };
     (add(std::integral_constant<int, C>{}), ...);
@@ -42,13 +47,21 @@ Number minor_from_smaller(const Number* a, const Number* minors) {
 /// magnitudes (barring underflow).
 template <int N, class Number>
 Number determinant_by_minors(const Number* a) {
-  Number minors[std::size_t{1} << N];
-  minors[0] = Number{1};
+  Number minors[std::size_t{1} << N];  // by the set of columns; that of none is not used
   [&]<unsigned... S>(std::integer_sequence<unsigned, S...>) {
     ((minors[S + 1] = detail::minor_from_smaller<N, S + 1>(a, minors)), ...);
   }
   (std::make_integer_sequence<unsigned, (1u << N) - 1>{});
   return minors[(1u << N) - 1];
 }
+
+/// A non-negative number that is never subtracted: determinant_by_minors() of magnitudes is their permanent.
+struct Magnitude {
+  double value;
+  friend Magnitude operator-(Magnitude x) { return x; }
+  friend Magnitude operator+(Magnitude x, Magnitude y) { return {x.value + y.value}; }
+  friend Magnitude operator-(Magnitude x, Magnitude y) { return x + y; }
+  friend Magnitude operator*(Magnitude x, Magnitude y) { return {x.value * y.value}; }
+};
 
 }  // namespace delone::kernel

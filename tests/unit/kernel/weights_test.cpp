@@ -90,10 +90,20 @@ TEST(WeightedSphere, DirectStageProvesZerosOnGrids) {
   EXPECT_EQ(direct<0>(weighted(2, {0, 0, 0, s, 0, 9, s, s, 9 + s, 0, s, s + 1})), Sign::positive);
 }
 
-TEST(WeightedSphere, DirectStagePassesOnWhatWeightsCancel) {
+TEST(WeightedSphere, TwiceThePrecisionDecidesWhatWeightsCancel) {
   // Lifts of about 1e16 cancel but for one; the last bit of the coordinates decides.
   const double x = 1e8 / 3;
   RowCase c = weighted(1, {0, 0, x, x * x, 2 * x, std::nextafter(4 * x * x, 0)});
+  EXPECT_EQ(detail::sphere_by_minors<1>(c.flat(), c.rows.data(), c.q(), c.grid), std::nullopt);
+  EXPECT_EQ(detail::sphere_by_elimination<1>(c.flat(), c.rows.data(), c.q(), c.grid), std::nullopt);
+  StageCounts counts;
+  EXPECT_EQ(side<1>(c, counts), true_side_of_sphere(lifted_rows(c)));
+  EXPECT_EQ(counts.direct, 1u);
+}
+
+TEST(WeightedSphere, DirectStagePassesOnWhatWeightsCancel) {
+  // All lifts cancel but for one weight that no number of twice the precision has beside them.
+  RowCase c = weighted(1, {0, 1e-60, 1, 1, 2, 4});
   EXPECT_EQ(direct<1>(c), std::nullopt);
   StageCounts counts;
   EXPECT_EQ(side<1>(c, counts), true_side_of_sphere(lifted_rows(c)));
@@ -232,9 +242,10 @@ TEST(WeightedSphere, TheBoundCountsWhatWeightsCancelInShortColumns) {
     add(0, near());
     all.insert(all.end(), {0, 0, 0, 0});
     RowCase c(RowForm::weighted_point, 3, all, {0, 1});
-    const auto sign = direct<2>(c);
+    const auto sign = detail::sphere_by_elimination<2>(c.flat(), c.rows.data(), c.q(), c.grid);
     EXPECT_EQ(sign.value_or(exact(c)), exact(c));
     uncertain += !sign;
+    EXPECT_EQ(direct<2>(c).value_or(exact(c)), exact(c));
     StageCounts counts;
     EXPECT_EQ(side<2>(c, counts), true_side_of_sphere(lifted_rows(c)));
   }

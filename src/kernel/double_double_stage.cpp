@@ -1,0 +1,140 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Differences of coordinates and weights are pairs without error; lifts and minors are rounded to pairs. Every term of the
+// determinant is off by a few 2^−103 of itself, the determinant thus by as much of the permanent of the magnitudes
+// (docs/predicates.md, "Double-double"). Coordinates are scaled by powers of two, each axis to at most 1, lifts alike.
+#include "kernel/double_double_stage.hpp"
+
+#include "kernel/direct.hpp"
+#include "kernel/double_double.hpp"
+#include "kernel/minors.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+
+namespace delone::kernel {
+namespace {
+
+constexpr std::size_t most_columns = 6;
+static_assert(tabulates_minors<most_columns> && !tabulates_minors<most_columns + 1>);
+
+/// Of sums (relative to the magnitudes of both terms) and of products.
+constexpr double rounding_error = 9 * unit_roundoff * unit_roundoff;
+/// Covers what underflows, with entries of at most 2^32.
+constexpr double scaled_underflow = 0x1p-800;
+constexpr double largest_difference = 1e300;
+
+DoubleDouble difference(double a, double b) { return two_sum(a, -b); }
+DoubleDouble scaled(const DoubleDouble& x, double scale) { return {x.high * scale, x.low * scale}; }
+
+/// Rows of n entries, and the magnitudes of what these are made of.
+struct Rows {
+  explicit Rows(std::size_t size) : n(size) {}  // NOLINT: entries are written before they are read
+  std::size_t n;
+  DoubleDouble entries[most_columns * most_columns];
+  Magnitude parts[most_columns * most_columns];
+
+  void set(std::size_t row, std::size_t column, const DoubleDouble& entry) {
+    entries[row * n + column] = entry;
+    parts[row * n + column].value = std::fabs(entry.high);
+  }
+};
+
+template <int N>
+std::optional<Sign> sign_by_minors(const Rows& rows, double roundings, double grid_unit) {
+  const double value = determinant_by_minors<N>(rows.entries).high;
+  if (!std::isfinite(value)) return std::nullopt;
+  const double permanent = determinant_by_minors<N>(rows.parts).value;
+  const double error = 1.01 * (roundings + N * (N + 1) / 2) * rounding_error * permanent + scaled_underflow +
+                       unit_roundoff * std::fabs(value);  // the low part
+  return detail::certified_sign(value, error, grid_unit);
+}
+
+/// The sign of a determinant on a grid of 2^unit_exponent, of entries that are off by `roundings` roundings.
+std::optional<Sign> sign_of(const Rows& rows, double roundings, std::int64_t unit_exponent) {
+  const double grid_unit = detail::power_of_two(unit_exponent);
+  switch (rows.n) {
+    case 1:
+      return sign_by_minors<1>(rows, roundings, grid_unit);
+    case 2:
+      return sign_by_minors<2>(rows, roundings, grid_unit);
+    case 3:
+      return sign_by_minors<3>(rows, roundings, grid_unit);
+    case 4:
+      return sign_by_minors<4>(rows, roundings, grid_unit);
+    case 5:
+      return sign_by_minors<5>(rows, roundings, grid_unit);
+    default:
+      return sign_by_minors<6>(rows, roundings, grid_unit);
+  }
+}
+
+/// The largest |p_i − base| along an axis.
+double extent(std::size_t n, int axis, const double* const* points, const double* base) {
+  double largest = 0;
+  for (std::size_t i = 0; i < n; ++i) largest = std::max(largest, std::fabs(points[i][axis] - base[axis]));
+  return largest;
+}
+
+/// Fills column r with p_i − base, scaled by 2^−e to at most 1; returns e.
+int fill(Rows& rows, std::size_t r, int axis, const double* const* points, const double* base, double largest) {
+  const auto [scale, exponent] = detail::normalisation(largest);
+  for (std::size_t i = 0; i < rows.n; ++i) rows.set(i, r, scaled(difference(points[i][axis], base[axis]), scale));
+  return exponent;
+}
+
+}  // namespace
+
+std::optional<Sign> double_double_orientation(const Flat& flat, const double* const* points, const double* base,
+                                              const Grid& grid) {
+  Rows rows(flat.axes.size());
+  if (rows.n == 0 || rows.n > most_columns) return std::nullopt;
+  std::int64_t unit_exponent = 0;
+  for (std::size_t r = 0; r < rows.n; ++r) {
+    const int axis = flat.axes[r];
+    const double largest = extent(rows.n, axis, points, base);
+    if (largest == 0) return Sign::zero;  // binary64 differences vanish only when they are exactly zero
+    if (!(largest < largest_difference)) return std::nullopt;
+    unit_exponent += grid.exponent(axis) - fill(rows, r, axis, points, base, largest);
+  }
+  return sign_of(rows, 0, unit_exponent);
+}
+
+std::optional<Sign> double_double_sphere(const Flat& flat, const double* const* points, const double* q, const Grid& grid) {
+  const std::size_t k = flat.axes.size();
+  Rows rows(k + 1);
+  if (rows.n > most_columns) return std::nullopt;
+  std::int64_t unit_exponent = grid.lift_exponent();
+  for (std::size_t r = 0; r < k; ++r) {
+    const int axis = flat.axes[r];
+    const double largest = extent(rows.n, axis, points, q);
+    if (largest == 0) return Sign::zero;  // binary64 differences vanish only when they are exactly zero
+    if (!(largest < largest_difference)) return std::nullopt;
+    unit_exponent += grid.exponent(axis) - fill(rows, r, axis, points, q, largest);
+  }
+  double largest = 0;
+  for (int j = 0; j < flat.ambient; ++j) largest = std::max(largest, extent(rows.n, j, points, q));
+  const double largest_weight = flat.weighted() ? extent(rows.n, flat.ambient, points, q) : 0;
+  if (!(largest < largest_difference && largest_weight < largest_difference)) return std::nullopt;
+  // Squares of differences and weights are scaled alike, all to at most 1.
+  int exponent = -1000;
+  if (largest > 0) exponent = detail::normalisation(largest).exponent;
+  if (largest_weight > 0) exponent = std::max(exponent, (detail::normalisation(largest_weight).exponent + 1) >> 1);
+  const double scale = detail::power_of_two(-exponent);
+  for (std::size_t i = 0; i < rows.n; ++i) {
+    DoubleDouble lift{};
+    for (int j = 0; j < flat.ambient; ++j) {
+      const DoubleDouble along = scaled(difference(points[i][j], q[j]), scale);
+      lift = lift + along * along;
+    }
+    rows.set(i, k, lift);
+    if (!flat.weighted()) continue;
+    const DoubleDouble weight = scaled(scaled(difference(points[i][flat.ambient], q[flat.ambient]), scale), scale);
+    rows.entries[i * rows.n + k] = lift - weight;
+    rows.parts[i * rows.n + k].value += std::fabs(weight.high);
+  }
+  return sign_of(rows, flat.ambient + 1, unit_exponent - 2 * exponent);
+}
+
+}  // namespace delone::kernel
