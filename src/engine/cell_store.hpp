@@ -51,18 +51,19 @@ class CellStore {
   /// Takes over which slots are vacant; their contents are the memory's.
   void copy_slots(const CellStore& other) {
     num_slots_ = other.num_slots_;
+    num_vacant_ = other.num_vacant_;
     vacant_ = other.vacant_;
   }
 
   Index num_slots() const { return num_slots_; }
-  Index num_cells() const { return num_slots_ - static_cast<Index>(vacant_.size()); }
+  Index num_cells() const { return num_slots_ - static_cast<Index>(num_vacant_); }
   bool is_vacant(Index cell) const { return vertices(cell)[0] == invalid_index; }
   std::size_t bytes() const { return memory_.bytes() + vacant_.capacity() * sizeof(Index); }
 
   /// Makes room for `count` more cells, so that as many calls of allocate() cannot fail. Throws
   /// Errc::too_many when the ids are exhausted.
   void reserve(std::size_t count) {
-    const std::size_t fresh = count > vacant_.size() ? count - vacant_.size() : 0;
+    const std::size_t fresh = count > num_vacant_ ? count - num_vacant_ : 0;
     if (fresh > max_index - num_slots_) throw Error(Errc::too_many, "the triangulation has more cells than this build has ids");
     const std::size_t slots = num_slots_ + fresh, present = memory_.capacity();
     if (slots > present) memory_.reserve(std::min<std::size_t>(std::max(slots, present + present / 2 + 64), max_index));
@@ -70,19 +71,24 @@ class CellStore {
 
   /// Makes room for `count` more vacant slots, so that as many calls of release() cannot fail.
   void reserve_vacancies(std::size_t count) {
-    if (vacant_.capacity() < vacant_.size() + count) vacant_.reserve(2 * (vacant_.size() + count));
+    if (vacant_.size() < num_vacant_ + count) vacant_.resize(2 * (num_vacant_ + count));
   }
 
   /// A vacant slot. REQUIRES a reserve() that covers it.
   Index allocate() {
-    const Index cell = vacant_.empty() ? num_slots_++ : vacant_.back();
-    if (!vacant_.empty()) vacant_.pop_back();
+    // Which of the two it is cannot be predicted: there is no branch.
+    const bool vacant = num_vacant_ > 0;
+    const Index mask = Index{0} - static_cast<Index>(vacant);
+    const Index cell = (vacant_[num_vacant_ - vacant] & mask) | (num_slots_ & ~mask);
+    num_vacant_ -= vacant;
+    num_slots_ += !vacant;
     memory_.record(cell)[dimension() + 1] = 0;
     return cell;
   }
+  /// Makes a slot vacant. REQUIRES a reserve_vacancies() that covers it.
   void release(Index cell) {
     vertices(cell)[0] = invalid_index;
-    vacant_.push_back(cell);
+    vacant_[num_vacant_++] = cell;
   }
 
   /// The marks of all cells; valid until cells are allocated.
@@ -91,6 +97,10 @@ class CellStore {
     explicit Marks(CellMemory<K>& memory)
         : words_(memory.record(0) + memory.dimension() + 1), dimension_(memory.dimension()), stride_(memory.stride()) {}
     Mark operator()(Index cell) const { return mark_bits::read(std::bit_cast<std::uint64_t>(word(cell))); }
+    bool is_unseen(Index cell) const { return (std::bit_cast<std::uint64_t>(word(cell)) & mark_bits::all) == 0; }
+    bool is_in_conflict(Index cell) const {
+      return (std::bit_cast<std::uint64_t>(word(cell)) >> mark_bits::in_conflict & 1) != 0;
+    }
     void set(Index cell, Mark mark) {
       word(cell) = std::bit_cast<double>((std::bit_cast<std::uint64_t>(word(cell)) & ~mark_bits::all) | mark_bits::write(mark));
     }
@@ -110,16 +120,17 @@ class CellStore {
   Mark mark(Index cell) { return marks()(cell); }
 
  private:
-  /// Which of the k+1 entries the value is, without a branch that depends on the data.
+  /// Which of the k+1 entries the value is, without a branch that depends on the data. REQUIRES that no two are.
   int find(const Index* entries, Index value) const {
     int found = 0;
-    for (int i = 1; i <= dimension(); ++i) found = entries[i] == value ? i : found;
+    for (int i = 1; i <= dimension(); ++i) found |= i & -static_cast<int>(entries[i] == value);
     return found;
   }
 
   CellMemory<K>& memory_;
   Index num_slots_ = 0;
-  std::vector<Index> vacant_;
+  std::size_t num_vacant_ = 0;
+  std::vector<Index> vacant_{0};  // the first num_vacant_ entries; the others are unspecified
 };
 
 }  // namespace delone::engine

@@ -79,18 +79,21 @@ void retriangulate(CellStore<K>& cells, G& geometry, Index v, const typename G::
     for (std::size_t f = first; f < last; ++f) {
       if (f + 8 < facets.size()) cells.prefetch(facets[f + 8].survivor);
       HorizonFacet& facet = facets[f];
-      facet.dead_value = zone.values[facet.dead];
-      facet.dead = zone.cells[facet.dead];
-      facet.created = cells.allocate();
-      const Index* dead_vertices = cells.vertices(facet.dead);
-      Index* vertices = cells.vertices(facet.created);
+      const Index dead = zone.cells[facet.dead], survivor = facet.survivor, created = cells.allocate();
+      const int slot = facet.slot;
+      const Index* dead_vertices = cells.vertices(dead);
+      Index* vertices = cells.vertices(created);
       for (int i = 0; i <= k; ++i) vertices[i] = dead_vertices[i];
-      facet.dead_opposite = dead_vertices[facet.slot];
-      vertices[facet.slot] = v;
-      cells.neighbors(facet.created)[facet.slot] = facet.survivor;
-      const int mirror = cells.slot_of_neighbor(facet.survivor, facet.dead);
-      cells.neighbors(facet.survivor)[mirror] = facet.created;
-      facet.survivor_opposite = cells.vertices(facet.survivor)[mirror];
+      vertices[slot] = v;
+      ridges.note<K>(static_cast<std::uint32_t>(f), vertices, slot);
+      cells.neighbors(created)[slot] = survivor;
+      const int mirror = cells.slot_of_neighbor(survivor, dead);
+      cells.neighbors(survivor)[mirror] = created;
+      facet.dead_value = zone.values[facet.dead];
+      facet.dead = dead;
+      facet.created = created;
+      facet.dead_opposite = dead_vertices[slot];
+      facet.survivor_opposite = cells.vertices(survivor)[mirror];
     }
     ridges.hash(cells, facets, first, last);
     for (const std::uint32_t f : geometry.create_star(v, q, facets.subspan(first, last - first))) {

@@ -6,6 +6,9 @@
 // of a ridge select the same entry; so an entry that exactly two have selected holds the two halves of one ridge: the sum less
 // one half is the other, exactly, whatever the quality of the hash. Half-ridges in fuller entries are hashed anew, among
 // themselves.
+//
+// In two dimensions ridges are vertices and the horizon is a cycle of edges, each of which ends where another one begins: a
+// small table of where edges begin links nearly all stars. Where two vertices share an entry, hashing does.
 #pragma once
 
 #include "engine/cell_store.hpp"
@@ -13,6 +16,7 @@
 #include "horizon_facet.hpp"
 
 #include <algorithm>
+#include <array>
 #include <bit>
 #include <cstdint>
 #include <span>
@@ -40,9 +44,17 @@ class RidgeTable {
       is_small(facets, k) ? small_.resize(size, 0) : large_.resize(size, 0);
   }
 
+  /// Takes note of a created cell of facet f as soon as it has its vertices, that of the apex in slot `apex`.
+  template <int K>
+  void note(std::uint32_t f, const Index* vertices, int apex) {
+    if constexpr (K == 2) beginning_at(vertices[next_slot[apex]]) = f;
+  }
   /// Hashes the ridges of the facets first … last − 1, whose created cells have their vertices. REQUIRES reserve().
   template <int K>
-  void hash(const CellStore<K>& cells, std::span<const HorizonFacet> facets, std::size_t first, std::size_t last);
+  void hash(const CellStore<K>& cells, std::span<const HorizonFacet> facets, std::size_t first, std::size_t last) {
+    if constexpr (K != 2)
+      hash_ridges(cells, facets, first, last);  // link() does it for the few stars of triangles that need it
+  }
   /// Links the created cells of all facets across their ridges, once all are hashed. Returns the half-ridges that it could not
   /// match, which the caller must link.
   template <int K>
@@ -76,6 +88,16 @@ class RidgeTable {
     return x * 0x85ebca6b;
   }
 
+  /// Seen from the apex of a triangle, its edge goes from the vertex in the next slot to that in the one after it.
+  static constexpr int next_slot[] = {1, 2, 0};
+  std::uint32_t& beginning_at(Index vertex) { return beginning_[vertex % beginning_.size()]; }
+
+  template <int K>
+  void hash_ridges(const CellStore<K>& cells, std::span<const HorizonFacet> facets, std::size_t first, std::size_t last);
+  /// Links the triangles of a star along the cycle of its edges. Returns whether each vertex has an entry of its own; else the
+  /// links are of no use.
+  bool link_cycle(CellStore<2>& cells, std::span<const HorizonFacet> facets);
+
   template <class Entry, int K>
   std::span<const std::uint32_t> match(std::vector<Entry>& table, CellStore<K>& cells, std::span<const HorizonFacet> facets);
 
@@ -85,6 +107,7 @@ class RidgeTable {
   std::vector<std::uint32_t> hashes_;  // of the ridges of all half-ridges
   std::vector<std::uint32_t> unmatched_;
   std::vector<Index> created_;
+  std::array<std::uint32_t, 1024> beginning_{};  // which edge of a cycle begins at a vertex, by the low bits of its id
 };
 
 template <int K>
@@ -96,11 +119,16 @@ std::span<const std::uint32_t> RidgeTable::link(CellStore<K>& cells, std::span<c
       for (int j = 0; j < k; ++j) unmatched_[left++] = (f << facet_shift(k)) + static_cast<std::uint32_t>(j);
     return {unmatched_.data(), left};
   }
+  if constexpr (K == 2) {
+    if (link_cycle(cells, facets)) return {};
+    hash_ridges(cells, facets, 0, facets.size());
+  }
   return is_small(facets.size(), k) ? match(small_, cells, facets) : match(large_, cells, facets);
 }
 
 template <int K>
-void RidgeTable::hash(const CellStore<K>& cells, std::span<const HorizonFacet> facets, std::size_t first, std::size_t last) {
+void RidgeTable::hash_ridges(const CellStore<K>& cells, std::span<const HorizonFacet> facets, std::size_t first,
+                             std::size_t last) {
   const auto k = static_cast<std::uint32_t>(cells.dimension());
   std::uint32_t* hash = hashes_.data() + (first << facet_shift(cells.dimension()));
   for (std::size_t f = first; f < last; ++f, hash += std::size_t{1} << facet_shift(cells.dimension())) {
@@ -113,6 +141,20 @@ void RidgeTable::hash(const CellStore<K>& cells, std::span<const HorizonFacet> f
     // What is written for the apex is overwritten by the next.
     for (std::uint32_t i = 0; i <= k; ++i) hash[i - (i > apex)] = sum - tag(vertices[i]);
   }
+}
+
+inline bool RidgeTable::link_cycle(CellStore<2>& cells, std::span<const HorizonFacet> facets) {
+  bool matched = true;
+  for (const HorizonFacet& facet : facets) {
+    const int begin = next_slot[facet.slot], end = next_slot[begin];
+    const Index vertex = cells.vertices(facet.created)[end];
+    const HorizonFacet& other = facets[beginning_at(vertex)];  // some edge begins here, so that the entry is of this star
+    const int begin_of_other = next_slot[other.slot];
+    matched &= cells.vertices(other.created)[begin_of_other] == vertex;
+    cells.neighbors(facet.created)[begin] = other.created;
+    cells.neighbors(other.created)[next_slot[begin_of_other]] = facet.created;
+  }
+  return matched;
 }
 
 template <class Entry, int K>

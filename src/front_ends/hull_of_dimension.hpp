@@ -73,9 +73,7 @@ class HullOfDimension final : public Hull {
     if (start == invalid_index) start = work_.star().empty() ? last_ : engine::start_in_star(geometry_, q, work_.star());
     const Index at = engine::insert(cells_, geometry_, v, q, start, work_, effort_);
     if (at == v) {
-      for (const HorizonFacet& facet : work_.star()) num_infinite_ += geometry_.is_infinite(facet.created) ? 1 : 0;
-      for (std::size_t i = 0; i < work_.zone.num_cells; ++i)
-        num_infinite_ -= geometry_.is_infinite(work_.zone.cells[i]) ? 1 : 0;
+      count_infinite();
       last_ = work_.star().back().created;
     } else {
       last_ = work_.last_cell;
@@ -130,6 +128,15 @@ class HullOfDimension final : public Hull {
       const int infinite_slot = cells_.infinite_slot(cell);
       geometry_.create(cell, cells_.vertices(cell), infinite_slot, infinite_slot == 0 ? 1 : 0);
     }
+  }
+
+  /// After an insertion.
+  void count_infinite() {
+    Index dead = 0;
+    for (std::size_t i = 0; i < work_.zone.num_cells; ++i) dead += geometry_.is_infinite(work_.zone.cells[i]) ? 1 : 0;
+    if (dead == 0) return;  // then the infinite vertex is on no facet of the zone
+    num_infinite_ -= dead;
+    for (const HorizonFacet& facet : work_.star()) num_infinite_ += geometry_.is_infinite(facet.created) ? 1 : 0;
   }
 
   void recount() {

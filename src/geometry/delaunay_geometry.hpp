@@ -104,7 +104,7 @@ class DelaunayGeometry : public PointPredicates<K> {
   /// Computes what is cached for the created cells of a star of vertex v at q, from the cells on the two sides of each facet.
   /// Returns the facets for whose cells that would be too inaccurate: they must be created singly.
   std::span<const std::uint32_t> create_star(Index v, const Query& q, std::span<const HorizonFacet> facets) {
-    std::copy_n(q.row.data(), row_size(), rows_.data() + v * row_size());
+    std::memcpy(rows_.data() + v * row_size(), q.row.data(), row_size() * sizeof(double));
     return functionals_.combine(facets, rows_.data(), q.row.data(), q.bounds);
   }
 

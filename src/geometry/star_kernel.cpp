@@ -16,6 +16,7 @@
 #include "geometry/record.hpp"
 
 #include <algorithm>
+#include <atomic>
 #include <bit>
 #include <cstdint>
 
@@ -65,6 +66,7 @@ void gather(const StarTask& task, std::span<const HorizonFacet> facets, double* 
   double* const coefficients_of_b = coefficients_of_a + entries * block_size;
   for (std::size_t lane = 0; lane < facets.size(); ++lane) {
     const HorizonFacet& facet = facets[lane];
+    std::atomic_signal_fence(std::memory_order_seq_cst);  // one loop, not several: each costs a misprediction at its end
     const double* A = records + facet.dead * stride;
     const double* B = records + facet.survivor * stride;
     for (std::size_t r = 0; r < entries; ++r) {
