@@ -251,7 +251,7 @@ void Triangulation::Impl::insert_range(std::span<const double> coordinates, std:
     for (std::size_t i = 0; i < n; ++i) {
       if (i % block == 0)
         for (std::size_t j = i; j < std::min(i + block, n); ++j) {
-          std::copy_n(rows.data() + order[j] * width, width, next.data() + (j - i) * width);
+          for (std::size_t c = 0; c < width; ++c) next[(j - i) * width + c] = rows[order[j] * width + c];
           __builtin_prefetch(vertex_of_row.data() + first_row + order[j], 1);
         }
       const std::size_t row = order[i];

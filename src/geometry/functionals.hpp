@@ -50,7 +50,10 @@ class Functionals {
           row_(static_cast<std::size_t>(memory.dimension()) + 1),
           k_(memory.dimension()),
           stride_(memory.stride()) {
-      std::copy_n(row, k() + 1, row_.data());
+      // In pairs, as they are read: what is read must not be put together from several recent writes.
+      int r = 0;
+      for (; r < k(); r += 2) store_pair(row_.data() + r, load_pair(row + r));
+      if (r == k()) row_.data()[r] = row[r];
     }
     /// h̃ of a cell.
     double value(Index cell) const {
@@ -124,6 +127,7 @@ class Functionals {
   using Pair = double __attribute__((vector_size(16)));
   using UnalignedPair = double __attribute__((vector_size(16), aligned(8)));
   static Pair load_pair(const double* from) { return *reinterpret_cast<const UnalignedPair*>(from); }
+  static void store_pair(double* to, Pair pair) { *reinterpret_cast<UnalignedPair*>(to) = pair; }
 
   int k() const { return memory_.dimension(); }
   const double* record(Index cell) const { return memory_.record(cell); }
