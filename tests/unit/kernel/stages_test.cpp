@@ -12,6 +12,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <numeric>
@@ -213,6 +214,52 @@ TEST(Perturbation, AZeroBarycentricCoordinatePassesToTheNextPoint) {
   const Case c(3, {0, 0, 0, 1, 1, 0, 0, 1, 0, 1, 1, 1, 1, 0, 0});
   ASSERT_EQ(orientation<3>(c.flat(), c.points.data(), c.grid), Sign::positive);
   EXPECT_EQ(perturbed_in_sphere<3>(c.flat(), c.points.data(), c.q, c.grid), Sign::negative);
+}
+
+/// Corners of a cube are cospherical, and barycentric coordinates of many are 0.
+template <int K>
+void expect_the_same_on_a_grid_as_without() {
+  random::Generator generator(static_cast<std::uint64_t>(K));
+  int compared = 0, negative = 0;
+  while (compared < static_cast<int>(test::scaled_count(400))) {
+    std::vector<double> corners;
+    for (int i = 0; i < (K + 2) * K; ++i) corners.push_back(static_cast<double>(generator.below(2)));
+    Case c(K, std::move(corners));
+    const Sign side = orientation<K>(c.flat(), c.points.data(), c.grid);
+    const auto is_at_query = [&](const double* p) { return equal_points(p, c.q, K); };
+    if (side == Sign::zero || std::any_of(c.points.begin(), c.points.end() - 1, is_at_query)) continue;
+    if (side == Sign::negative) std::swap(c.points[0], c.points[1]);
+    ASSERT_TRUE(K <= 6 ? c.grid.is_small() : c.grid.has_small_products());
+    const Sign sign = perturbed_in_sphere<K>(c.flat(), c.points.data(), c.q, c.grid);
+    EXPECT_EQ(sign, perturbed_in_sphere<0>(c.flat(), c.points.data(), c.q, c.grid));
+    ++compared;
+    negative += sign == Sign::negative;
+  }
+  EXPECT_GT(negative, 0);
+  EXPECT_LT(negative, compared);
+}
+
+TEST(Perturbation, IsTheSameOnSmallGridsAsWithoutThem) {
+  expect_the_same_on_a_grid_as_without<2>();
+  expect_the_same_on_a_grid_as_without<3>();
+  expect_the_same_on_a_grid_as_without<5>();
+  expect_the_same_on_a_grid_as_without<6>();
+  expect_the_same_on_a_grid_as_without<7>();
+  expect_the_same_on_a_grid_as_without<8>();
+}
+
+TEST(Grid, KnowsWhenProductsOfMinorsAreExact) {
+  const auto grid_of_side = [](int dimension, double side) {
+    Grid grid(dimension);
+    grid.include(std::vector<double>(static_cast<std::size_t>(dimension), 0.0).data());
+    grid.include(std::vector<double>(static_cast<std::size_t>(dimension), side).data());
+    grid.include(std::vector<double>(static_cast<std::size_t>(dimension), 1.0).data());
+    return grid;
+  };
+  EXPECT_TRUE(grid_of_side(8, 1).has_small_products());     // 8! < 2^16, and a bit for each axis
+  EXPECT_FALSE(grid_of_side(8, 2).has_small_products());    // two bits each: 32 in all
+  EXPECT_TRUE(grid_of_side(2, 4095).has_small_products());  // 12 bits each, and one
+  EXPECT_FALSE(grid_of_side(2, 8191).has_small_products());
 }
 
 TEST(Perturbation, IsNeverZeroAndAntisymmetricOnCospherical) {
