@@ -153,11 +153,15 @@ class Functionals {
   /// Certifies the functional of a finite cell by its values at the vertices and the determinant of its edges at the apex.
   /// Returns whether elimination could hardly do better; else nothing has changed.
   bool certify_by_edges(Index cell, int apex, const double* rows) requires(Lifted);
-  /// The edges from a row to the finite vertices of a cell, never too short; `normal`, of length 1, if heights are wanted.
+  /// The edges from a row to the finite vertices of a cell, never too short; if heights are wanted, along a normal of any
+  /// length, times that.
   template <bool WithHeights>
-  EdgeProducts edges_from(const double* row, Index cell, const double* rows, const double* normal) const requires(Lifted);
-  /// At least the square of |x| + edge_error_, from x².
-  double widened(double square) const { return 1.0625 * square + 17 * edge_error_ * edge_error_; }
+  EdgeProducts edges_from(const double* row, Index cell, const double* rows, const double* normal,
+                          double square_of_normal) const requires(Lifted);
+  /// At least the square of s·(|x| + edge_error_), from (s·x)² and s².
+  double widened(double square, double square_of_scale = 1) const {
+    return 1.0625 * square + 17 * edge_error_ * edge_error_ * square_of_scale;
+  }
   /// The sum of the magnitudes of the functional's terms in the box, at most.
   double magnitude(Index cell) const {
     double sum = Lifted && is_infinite(cell) ? 0 : largest_lift_;

@@ -36,8 +36,8 @@ class EdgeProducts {
 
 template <int K, bool Lifted>
 template <bool WithHeights>
-EdgeProducts Functionals<K, Lifted>::edges_from(const double* row, Index cell, const double* rows, const double* normal) const
-    requires(Lifted) {
+EdgeProducts Functionals<K, Lifted>::edges_from(const double* row, Index cell, const double* rows, const double* normal,
+                                                double square_of_normal) const requires(Lifted) {
   const Index* vertices = memory_.links(cell);
   EdgeProducts edges;
   for (int i = 0; i <= k(); ++i) {
@@ -49,7 +49,7 @@ EdgeProducts Functionals<K, Lifted>::edges_from(const double* row, Index cell, c
       square += entry * entry;
       if constexpr (WithHeights) height += entry * normal[r];
     }
-    edges.add(widened(square), WithHeights ? widened(height * height) : 0);
+    edges.add(widened(square), WithHeights ? widened(height * height, square_of_normal) : 0);
   }
   return edges;
 }
@@ -61,20 +61,18 @@ template <int K, bool Lifted>
   const std::uint64_t bits = packed(cell);
   double square;  // of a bound on the sum of the magnitudes of determinants
   if (certificate::infinite(bits)) {
-    square = k() * edges_from<false>(row, cell, rows, nullptr).one_missing();
+    square = k() * edges_from<false>(row, cell, rows, nullptr, 0).one_missing();
   } else {
-    // The plane that touches the sphere's concentric one through the row.
+    // Heights are over the plane that touches the sphere's concentric one through the row, times the length of a normal.
     kernel::Buffer<double, K + (K == 0)> normal(static_cast<std::size_t>(k()));
-    double length = 0;
+    double square_of_normal = 0;
     for (int r = 0; r < k(); ++r) {
       const auto j = static_cast<std::size_t>(r);
       normal[j] = record(cell)[r] + 2 * lift_weight_[j] * row[r];
-      length += normal[j] * normal[j];
+      square_of_normal += normal[j] * normal[j];
     }
-    const double inverse = 1 / std::sqrt(length);
-    for (int r = 0; r < k(); ++r) normal[static_cast<std::size_t>(r)] *= inverse;
-    const EdgeProducts edges = edges_from<true>(row, cell, rows, normal.data());
-    square = (k() + 1) * std::min(edges.one_missing(), k() * edges.flat());
+    const EdgeProducts edges = edges_from<true>(row, cell, rows, normal.data(), square_of_normal);
+    square = (k() + 1) * std::min(edges.one_missing() * square_of_normal, k() * edges.flat()) / square_of_normal;
   }
   const double spread = std::sqrt(square) / certificate::determinant(bits);
   const double bound = (certificate::error(bits) * spread + evaluation_error_ * magnitude(cell)) * (1 + 0x1p-30);
