@@ -40,8 +40,12 @@ class RidgeTable {
     }
     if (created_.size() < facets) created_.resize(2 * facets);
     const std::size_t size = num_entries(facets, k);
-    if (is_small(facets, k) ? small_.size() < size : large_.size() < size)
-      is_small(facets, k) ? small_.resize(size, 0) : large_.resize(size, 0);
+    if (fits(narrow_bits, facets, k)) {
+      if (narrow_.size() < size) narrow_.resize(size, 0);
+      if (!fits(short_bits, facets, k) && wide_.size() < rest_size(size)) wide_.resize(rest_size(size), 0);
+    } else if (wide_.size() < size) {
+      wide_.resize(size, 0);
+    }
   }
 
   /// Takes note of a created cell of facet f as soon as it has its vertices, that of the apex in slot `apex`.
@@ -73,13 +77,21 @@ class RidgeTable {
 
   /// Entries count in the bits above those that the sum of two half-ridges takes. What more than two add to the sum may carry
   /// into the count, less than one for every two of them: a count that is more than 2 cannot look like 2 as long as one and a
-  /// half times all half-ridges do not overflow it. That holds for 2^15 half-ridges with 16 bits for each part.
-  template <class Entry>
-  static constexpr int sum_bits = 4 * sizeof(Entry);
-  static bool is_small(std::size_t facets, int k) { return facets << facet_shift(k) <= std::size_t{1} << 15; }
-  static std::size_t num_entries(std::size_t facets, int k) {
-    return std::bit_ceil(2 * std::max<std::size_t>(facets * static_cast<std::size_t>(k), 1));
+  /// half times all half-ridges do not overflow it. That holds for 2^15 half-ridges with 16 bits for each part, and for all
+  /// with
+  /// 32. With 24 bits of 32 for the sum, a count may come round to 2: then more half-ridges have found another than there are
+  /// entries with two, times two, and nothing is believed.
+  static constexpr int short_bits = 16, narrow_bits = 24, wide_bits = 32;
+  static bool fits(int sum_bits, std::size_t facets, int k) {
+    return facets << facet_shift(k) <= std::size_t{1} << (sum_bits - 1);
   }
+  /// A table that outgrows the cache is better fuller, though more is left by it.
+  static std::size_t num_entries(std::size_t facets, int k) {
+    return std::bit_ceil((fits(short_bits + 1, facets, k) ? 2 : 1) *
+                         std::max<std::size_t>(facets * static_cast<std::size_t>(k), 1));
+  }
+  /// Entries for what the first round leaves in a narrow table of that size.
+  static std::size_t rest_size(std::size_t size) { return std::max<std::size_t>(size / 2, 2); }
 
   /// Sums of tags are to be different for different sets of vertices, as a rule.
   static std::uint32_t tag(Index vertex) {
@@ -98,32 +110,50 @@ class RidgeTable {
   /// links are of no use.
   bool link_cycle(CellStore<2>& cells, std::span<const HorizonFacet> facets);
 
-  template <class Entry, int K>
-  std::span<const std::uint32_t> match(std::vector<Entry>& table, CellStore<K>& cells, std::span<const HorizonFacet> facets);
+  /// Hashes all half-ridges and links the created cells of those that match. Returns how many of unmatched_ are left.
+  template <int SumBits, class Entry, int K>
+  std::uint32_t match_all(Entry* entries, std::size_t size, CellStore<K>& cells, std::span<const HorizonFacet> facets);
+  /// The same for those that are left, round after round.
+  template <int SumBits, class Entry, int K>
+  std::span<const std::uint32_t> match_rest(Entry* entries, std::size_t size, std::uint32_t left, CellStore<K>& cells,
+                                            std::span<const HorizonFacet> facets);
+  std::uint32_t all_unmatched(std::size_t facets, int k);
 
   int rounds_;
-  std::vector<std::uint32_t> small_;   // entries, all zero between calls: above how many selected it, below their sum
-  std::vector<std::uint64_t> large_;   // the same for stars that need the room
+  std::vector<std::uint32_t> narrow_;  // entries, all zero between calls: above how many selected it, below their sum
+  std::vector<std::uint64_t> wide_;    // the same for stars that need the room, and for what is left of others
   std::vector<std::uint32_t> hashes_;  // of the ridges of all half-ridges
   std::vector<std::uint32_t> unmatched_;
   std::vector<Index> created_;
   std::array<std::uint32_t, 1024> beginning_{};  // which edge of a cycle begins at a vertex, by the low bits of its id
 };
 
+inline std::uint32_t RidgeTable::all_unmatched(std::size_t facets, int k) {
+  std::uint32_t left = 0;
+  for (std::uint32_t f = 0; f < facets; ++f)
+    for (int j = 0; j < k; ++j) unmatched_[left++] = (f << facet_shift(k)) + static_cast<std::uint32_t>(j);
+  return left;
+}
+
 template <int K>
 std::span<const std::uint32_t> RidgeTable::link(CellStore<K>& cells, std::span<const HorizonFacet> facets) {
   const int k = cells.dimension();
-  if (rounds_ == 0) {
-    std::uint32_t left = 0;
-    for (std::uint32_t f = 0; f < facets.size(); ++f)
-      for (int j = 0; j < k; ++j) unmatched_[left++] = (f << facet_shift(k)) + static_cast<std::uint32_t>(j);
-    return {unmatched_.data(), left};
-  }
+  if (rounds_ == 0) return {unmatched_.data(), all_unmatched(facets.size(), k)};
   if constexpr (K == 2) {
     if (link_cycle(cells, facets)) return {};
     hash_ridges(cells, facets, 0, facets.size());
   }
-  return is_small(facets.size(), k) ? match(small_, cells, facets) : match(large_, cells, facets);
+  const std::size_t size = num_entries(facets.size(), k);
+  if (fits(short_bits, facets.size(), k)) {
+    const std::uint32_t left = match_all<short_bits>(narrow_.data(), size, cells, facets);
+    return match_rest<short_bits>(narrow_.data(), size, left, cells, facets);
+  }
+  if (fits(narrow_bits, facets.size(), k)) {
+    const std::uint32_t left = match_all<narrow_bits>(narrow_.data(), size, cells, facets);
+    return match_rest<wide_bits>(wide_.data(), rest_size(size), left, cells, facets);
+  }
+  const std::uint32_t left = match_all<wide_bits>(wide_.data(), size, cells, facets);
+  return match_rest<wide_bits>(wide_.data(), size, left, cells, facets);
 }
 
 template <int K>
@@ -157,19 +187,16 @@ inline bool RidgeTable::link_cycle(CellStore<2>& cells, std::span<const HorizonF
   return matched;
 }
 
-template <class Entry, int K>
-std::span<const std::uint32_t> RidgeTable::match(std::vector<Entry>& table, CellStore<K>& cells,
-                                                 std::span<const HorizonFacet> facets) {
-  constexpr Entry one = Entry{1} << sum_bits<Entry>;
+template <int SumBits, class Entry, int K>
+std::uint32_t RidgeTable::match_all(Entry* entries, std::size_t size, CellStore<K>& cells,
+                                    std::span<const HorizonFacet> facets) {
+  constexpr Entry one = Entry{1} << SumBits;
   const int k = cells.dimension();
   const std::uint32_t step = 1u << facet_shift(k);
-  const std::size_t size = num_entries(facets.size(), k);
   const int shift = 32 - (std::bit_width(size) - 1);
-  Entry* const entries = table.data();
   const std::uint32_t* const hashes = hashes_.data();
   const Index* const created = created_.data();
-  std::uint32_t* unmatched = unmatched_.data();
-  std::uint32_t* spare = unmatched + hashes_.size();
+  std::uint32_t* const unmatched = unmatched_.data();
 
   std::uint32_t left = 0;
   const auto last = static_cast<std::uint32_t>(facets.size()) * step;
@@ -182,31 +209,51 @@ std::span<const std::uint32_t> RidgeTable::match(std::vector<Entry>& table, Cell
     for (int j = 0; j < k; ++j) {
       const std::uint32_t half = first + static_cast<std::uint32_t>(j);
       const Entry entry = entries[hashes[half] >> shift];
-      const bool matched = entry >> sum_bits<Entry> == 2;
-      const std::uint32_t other = matched ? static_cast<std::uint32_t>(entry - 2 * one) - half : half;
+      const bool matched = entry >> SumBits == 2;
+      const std::uint32_t sum = static_cast<std::uint32_t>(entry - 2 * one);
+      std::uint32_t other = matched ? sum - half : half;
+      if constexpr (SumBits == narrow_bits) other = std::min(other, last - 1);  // what comes of a count that came round
       neighbors[slot(j, apex)] = created[facet(other, k)];
       unmatched[left] = half;
       left += !matched;
     }
   }
-  if constexpr (std::is_same_v<Entry, std::uint32_t>)  // it is in the cache, so that filling it is faster
+  if constexpr (SumBits == narrow_bits) {
+    std::size_t pairs = 0;
+    for (std::size_t i = 0; i < size; ++i) {
+      pairs += entries[i] >> SumBits == 2;
+      entries[i] = 0;
+    }
+    if (2 * pairs + left != facets.size() * static_cast<std::size_t>(k)) return all_unmatched(facets.size(), k);
+  } else if constexpr (std::is_same_v<Entry, std::uint32_t>) {  // it is in the cache, so that filling it is faster
     std::fill_n(entries, size, Entry{0});
-  else
+  } else {
     for (std::uint32_t first = 0; first < last; first += step)
       for (std::uint32_t j = 0; j < static_cast<std::uint32_t>(k); ++j) entries[hashes[first + j] >> shift] = 0;
+  }
+  return left;
+}
 
+template <int SumBits, class Entry, int K>
+std::span<const std::uint32_t> RidgeTable::match_rest(Entry* entries, std::size_t size, std::uint32_t left, CellStore<K>& cells,
+                                                      std::span<const HorizonFacet> facets) {
+  constexpr Entry one = Entry{1} << SumBits;
+  const int k = cells.dimension();
+  const int shift = 32 - (std::bit_width(size) - 1);
+  std::uint32_t* unmatched = unmatched_.data();
+  std::uint32_t* spare = unmatched + hashes_.size();
   std::uint32_t multiplier = 0x9e3779b9;
   for (int round = 1; round < rounds_ && left > 0; ++round, multiplier *= 0x85ebca6b) {
-    const auto entry_of = [&](std::uint32_t half) -> Entry& { return entries[hashes[half] * multiplier >> shift]; };
+    const auto entry_of = [&](std::uint32_t half) -> Entry& { return entries[hashes_[half] * multiplier >> shift]; };
     const std::uint32_t count = std::exchange(left, 0u);
     for (std::uint32_t i = 0; i < count; ++i) entry_of(unmatched[i]) += static_cast<Entry>(one + unmatched[i]);
     for (std::uint32_t i = 0; i < count; ++i) {
       const std::uint32_t half = unmatched[i];
       const Entry entry = entry_of(half);
-      const bool matched = entry >> sum_bits<Entry> == 2;
+      const bool matched = entry >> SumBits == 2;
       const std::uint32_t other = matched ? static_cast<std::uint32_t>(entry - 2 * one) - half : half;
       const std::uint32_t f = facet(half, k);
-      cells.neighbors(created[f])[slot(half, k, facets[f].slot)] = created[facet(other, k)];
+      cells.neighbors(created_[f])[slot(half, k, facets[f].slot)] = created_[facet(other, k)];
       spare[left] = half;
       left += !matched;
     }

@@ -7,6 +7,7 @@
 #include "geometry/delaunay_geometry.hpp"
 #include "kernel/predicates.hpp"
 #include "random.hpp"
+#include "scale.hpp"
 
 #include <gtest/gtest.h>
 
@@ -72,6 +73,11 @@ TEST(RidgeTable, FindsWhatRotationFinds) {
   expect_hashing_finds_what_rotation_finds<4>(150, 0);
   expect_hashing_finds_what_rotation_finds<5>(80, 3);
   expect_hashing_finds_what_rotation_finds<6>(40, 0);
+}
+
+// More half-ridges in a star than half of the bits of an entry can number.
+TEST(RidgeTable, FindsWhatRotationFindsInLargeStars) {
+  expect_hashing_finds_what_rotation_finds<7>(static_cast<Index>(std::max<std::size_t>(test::scaled_count(150), 40)), 0);
 }
 
 }  // namespace
