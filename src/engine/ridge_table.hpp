@@ -34,11 +34,11 @@ class RidgeTable {
   /// Makes room for the star over `facets` facets of cells of dimension k. Throws std::bad_alloc.
   void reserve(std::size_t facets, int k) {
     const std::size_t halves = facets << facet_shift(k);
-    if (halves >= hashes_.size()) {
-      hashes_.resize(2 * halves + 1);
-      unmatched_.resize(2 * hashes_.size());
+    if (halves >= std::min(hashes_.capacity(), unmatched_.capacity() / 2)) {
+      unmatched_.reserve(4 * halves + 2);
+      hashes_.reserve(2 * halves + 1);
     }
-    if (created_.size() < facets) created_.resize(2 * facets);
+    if (created_.capacity() < facets) created_.reserve(2 * facets);
     const std::size_t size = num_entries(facets, k);
     if (fits(narrow_bits, facets, k)) {
       if (narrow_.size() < size) narrow_.resize(size, 0);
@@ -120,11 +120,11 @@ class RidgeTable {
   std::uint32_t all_unmatched(std::size_t facets, int k);
 
   int rounds_;
-  std::vector<std::uint32_t> narrow_;  // entries, all zero between calls: above how many selected it, below their sum
-  std::vector<std::uint64_t> wide_;    // the same for stars that need the room, and for what is left of others
-  std::vector<std::uint32_t> hashes_;  // of the ridges of all half-ridges
-  std::vector<std::uint32_t> unmatched_;
-  std::vector<Index> created_;
+  std::vector<std::uint32_t> narrow_;    // entries, all zero between calls: above how many selected it, below their sum
+  std::vector<std::uint64_t> wide_;      // the same for stars that need the room, and for what is left of others
+  GrowableArray<std::uint32_t> hashes_;  // of the ridges of all half-ridges
+  GrowableArray<std::uint32_t> unmatched_;
+  GrowableArray<Index> created_;
   std::array<std::uint32_t, 1024> beginning_{};  // which edge of a cycle begins at a vertex, by the low bits of its id
 };
 
@@ -241,7 +241,7 @@ std::span<const std::uint32_t> RidgeTable::match_rest(Entry* entries, std::size_
   const int k = cells.dimension();
   const int shift = 32 - (std::bit_width(size) - 1);
   std::uint32_t* unmatched = unmatched_.data();
-  std::uint32_t* spare = unmatched + hashes_.size();
+  std::uint32_t* spare = unmatched + unmatched_.capacity() / 2;
   std::uint32_t multiplier = 0x9e3779b9;
   for (int round = 1; round < rounds_ && left > 0; ++round, multiplier *= 0x85ebca6b) {
     const auto entry_of = [&](std::uint32_t half) -> Entry& { return entries[hashes_[half] * multiplier >> shift]; };
