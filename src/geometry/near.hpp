@@ -64,7 +64,7 @@ template <int K, bool Lifted>
     square = k() * edges_from<false>(row, cell, rows, nullptr, 0).one_missing();
   } else {
     // Heights are over the plane that touches the sphere's concentric one through the row, times the length of a normal.
-    kernel::Buffer<double, K + (K == 0)> normal(static_cast<std::size_t>(k()));
+    kernel::Buffer<double, K> normal(static_cast<std::size_t>(k()));
     double square_of_normal = 0;
     for (int r = 0; r < k(); ++r) {
       const auto j = static_cast<std::size_t>(r);
