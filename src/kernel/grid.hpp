@@ -40,7 +40,7 @@ class Grid {
   /// Whether every minor of a determinant of differences and lifts is exact in binary64, whatever the points of the set:
   /// a multiple of its grid unit by less than 2^53 (docs/predicates.md, "Small lattices").
   bool is_small() const { return is_small_; }
-  /// Whether, besides, the product of any two minors of differences is exact.
+  /// Whether the grid is small, and besides differences of products of two minors of differences are exact.
   bool has_small_products() const { return has_small_products_; }
   /// The sum of the coordinates times these, or of differences of coordinates, is exact in binary64 and orders points
   /// lexicographically: an axis outweighs all later ones. REQUIRES is_small().
@@ -109,9 +109,8 @@ class Grid {
     }
     double terms = 0;  // bits of how many terms a determinant of differences has
     for (std::size_t i = 2; i <= axes_.size(); ++i) terms += std::log2(static_cast<double>(i));
+    if (bits + lift_bits + terms + std::log2(static_cast<double>(axes_.size() + 1)) > 53) is_small_ = false;
     has_small_products_ = is_small_ && bits + terms <= 26;
-    bits += lift_bits + terms + std::log2(static_cast<double>(axes_.size() + 1));
-    if (bits > 53) is_small_ = false;
     if (is_small_) weigh_axes();
   }
 

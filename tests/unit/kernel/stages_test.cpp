@@ -216,22 +216,24 @@ TEST(Perturbation, AZeroBarycentricCoordinatePassesToTheNextPoint) {
   EXPECT_EQ(perturbed_in_sphere<3>(c.flat(), c.points.data(), c.q, c.grid), Sign::negative);
 }
 
-/// Corners of a cube are cospherical, and barycentric coordinates of many are 0.
+/// Corners of a box are cospherical, and barycentric coordinates of many are 0. `length`: of the box along the first axis.
 template <int K>
-void expect_the_same_on_a_grid_as_without() {
+void expect_the_same_on_a_grid_as_without(double length) {
+  SCOPED_TRACE(testing::Message() << "dimension " << K << ", a box of length " << length);
   random::Generator generator(static_cast<std::uint64_t>(K));
   int compared = 0, negative = 0;
   while (compared < static_cast<int>(test::scaled_count(400))) {
     std::vector<double> corners;
-    for (int i = 0; i < (K + 2) * K; ++i) corners.push_back(static_cast<double>(generator.below(2)));
+    for (int i = 0; i < (K + 2) * K; ++i)
+      corners.push_back(static_cast<double>(generator.below(2)) * (i % K == 0 ? length : 1));
     Case c(K, std::move(corners));
     const Sign side = orientation<K>(c.flat(), c.points.data(), c.grid);
     const auto is_at_query = [&](const double* p) { return equal_points(p, c.q, K); };
     if (side == Sign::zero || std::any_of(c.points.begin(), c.points.end() - 1, is_at_query)) continue;
     if (side == Sign::negative) std::swap(c.points[0], c.points[1]);
-    ASSERT_TRUE(K <= 6 ? c.grid.is_small() : c.grid.has_small_products());
+    ASSERT_TRUE(length > 1 || c.grid.has_small_products());
     const Sign sign = perturbed_in_sphere<K>(c.flat(), c.points.data(), c.q, c.grid);
-    EXPECT_EQ(sign, perturbed_in_sphere<0>(c.flat(), c.points.data(), c.q, c.grid));
+    EXPECT_EQ(sign, perturbed_in_sphere<0>(c.flat(), c.points.data(), c.q, Grid(K)));
     ++compared;
     negative += sign == Sign::negative;
   }
@@ -240,12 +242,14 @@ void expect_the_same_on_a_grid_as_without() {
 }
 
 TEST(Perturbation, IsTheSameOnSmallGridsAsWithoutThem) {
-  expect_the_same_on_a_grid_as_without<2>();
-  expect_the_same_on_a_grid_as_without<3>();
-  expect_the_same_on_a_grid_as_without<5>();
-  expect_the_same_on_a_grid_as_without<6>();
-  expect_the_same_on_a_grid_as_without<7>();
-  expect_the_same_on_a_grid_as_without<8>();
+  for (const double length : {1.0, 0x1p20, 0x1p40}) {  // long boxes have few bits per axis, but lifts of many
+    expect_the_same_on_a_grid_as_without<2>(length);
+    expect_the_same_on_a_grid_as_without<3>(length);
+    expect_the_same_on_a_grid_as_without<5>(length);
+    expect_the_same_on_a_grid_as_without<6>(length);
+    expect_the_same_on_a_grid_as_without<7>(length);
+    expect_the_same_on_a_grid_as_without<8>(length);
+  }
 }
 
 TEST(Grid, KnowsWhenProductsOfMinorsAreExact) {
@@ -260,6 +264,12 @@ TEST(Grid, KnowsWhenProductsOfMinorsAreExact) {
   EXPECT_FALSE(grid_of_side(8, 2).has_small_products());    // two bits each: 32 in all
   EXPECT_TRUE(grid_of_side(2, 4095).has_small_products());  // 12 bits each, and one
   EXPECT_FALSE(grid_of_side(2, 8191).has_small_products());
+
+  Grid long_box(7);  // a bit for each axis, but lifts of too many
+  long_box.include(std::vector<double>{0, 0, 0, 0, 0, 0, 0}.data());
+  long_box.include(std::vector<double>{0x1p20, 1, 1, 1, 1, 1, 1}.data());
+  EXPECT_FALSE(long_box.is_small());
+  EXPECT_FALSE(long_box.has_small_products());
 }
 
 TEST(Perturbation, IsNeverZeroAndAntisymmetricOnCospherical) {
