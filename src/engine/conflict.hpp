@@ -6,36 +6,70 @@
 #include "engine/geometry_concept.hpp"
 
 #include <cmath>
+#include <span>
 
 namespace delone::engine {
 
-/// The exact conflict test. Cells: a CellStore, or what has vertices and neighbors like one. A query exactly on the hyperplane
-/// of an infinite cell conflicts with it iff it conflicts with the finite cell on the other side of the hull facet: the
-/// perturbation moves points along that hyperplane. `functional`: the geometry's evaluator for q. REQUIRES that q is none of
-/// the vertices of the cell, nor of the finite neighbor of an infinite cell.
+/// What the stages before the perturbation say of a cell and a query.
+struct Unperturbed {
+  Sign side;            ///< the sign of h(q)
+  bool is_proved_zero;  ///< by the value of the cell's functional
+  Index deciding;       ///< on a tie, the finite cell whose perturbed side decides
+};
+
+/// For a `value` of the cell's functional that is within the threshold. Cells: a CellStore, or what has vertices and neighbors
+/// like one. A query exactly on the hyperplane of an infinite cell conflicts with it iff it conflicts with the finite cell on
+/// the other side of the hull facet: the perturbation moves points along that hyperplane. `functional`: the geometry's
+/// evaluator for q. REQUIRES that q is none of the vertices of the cell, nor of the finite neighbor of an infinite cell.
 template <class Cells, QueryGeometry G, class Evaluator>
-[[gnu::noinline]] bool in_conflict_exactly(const Cells& cells, const G& geometry, Index cell, const typename G::Query& q,
-                                           const Evaluator& functional, StageCounts& counts) {
-  for (;;) {
-    const double value = functional.value(cell);
-    if (std::fabs(value) > functional.threshold(cell)) {
+[[gnu::noinline]] Unperturbed unperturbed_side(const Cells& cells, const G& geometry, Index cell, double value,
+                                               const typename G::Query& q, const Evaluator& functional, StageCounts& counts) {
+  Unperturbed known{Sign::zero, geometry.proves_tie(cell, value, q), cell};
+  for (bool is_tie = known.is_proved_zero;; is_tie = geometry.proves_tie(known.deciding, value, q)) {
+    const Index* vertices = cells.vertices(known.deciding);
+    const bool infinite = geometry.is_infinite(known.deciding);
+    const int infinite_slot = infinite ? cells.infinite_slot(known.deciding) : -1;
+    if (is_tie) {
       ++counts.filter;
-      return std::signbit(value);
+    } else if (std::fabs(value) > geometry.threshold_at(known.deciding, q)) {
+      ++counts.filter;
+      known.side = std::signbit(value) ? Sign::negative : Sign::positive;
+    } else {
+      known.side = geometry.exact_side(vertices, infinite_slot, q, counts);
     }
-    const Index* vertices = cells.vertices(cell);
-    const bool infinite = geometry.is_infinite(cell);
-    const int infinite_slot = infinite ? cells.infinite_slot(cell) : -1;
-    if (geometry.proves_tie(cell, value, q)) {
+    if (known.side != Sign::zero || !infinite) return known;
+    known.deciding = cells.neighbors(known.deciding)[infinite_slot];
+    value = functional.value(known.deciding);
+    if (std::fabs(value) > functional.threshold(known.deciding)) {
       ++counts.filter;
-    } else if (std::fabs(value) > geometry.threshold_at(cell, q)) {
-      ++counts.filter;
-      return std::signbit(value);
-    } else if (const Sign side = geometry.exact_side(vertices, infinite_slot, q, counts); side != Sign::zero) {
-      return side == Sign::negative;
+      known.side = std::signbit(value) ? Sign::negative : Sign::positive;
+      return known;
     }
-    if (!infinite) return geometry.perturbed_side(vertices, q, counts) == Sign::negative;
-    cell = cells.neighbors(cell)[infinite_slot];
   }
+}
+
+/// The exact conflict test.
+template <class Cells, QueryGeometry G, class Evaluator>
+bool in_conflict_exactly(const Cells& cells, const G& geometry, Index cell, const typename G::Query& q,
+                         const Evaluator& functional, StageCounts& counts) {
+  const double value = functional.value(cell);
+  if (std::fabs(value) > functional.threshold(cell)) {
+    ++counts.filter;
+    return std::signbit(value);
+  }
+  const Unperturbed known = unperturbed_side(cells, geometry, cell, value, q, functional, counts);
+  const Sign side = known.side != Sign::zero ? known.side : geometry.perturbed_side(cells.vertices(known.deciding), q, counts);
+  return side == Sign::negative;
+}
+
+/// The perturbed sides of several finite cells that q is exactly on the spheres of.
+template <QueryGeometry G>
+void perturbed_sides(const G& geometry, std::span<const Index* const> cells, const typename G::Query& q, Sign* sides,
+                     StageCounts& counts) {
+  if constexpr (requires { geometry.perturbed_sides(cells, q, sides, counts); })
+    geometry.perturbed_sides(cells, q, sides, counts);
+  else
+    for (const Index* vertices : cells) *sides++ = geometry.perturbed_side(vertices, q, counts);
 }
 
 /// The vertex of the cell at q, or invalid_index.

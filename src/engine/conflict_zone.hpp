@@ -21,15 +21,34 @@ struct ConflictZone {
     Index cell;
     std::uint32_t from, slot;
   };
+  /// A cell of a block that the filter leaves open, and what the other stages say of it.
+  struct Undecided {
+    Index cell;
+    double value;  ///< h̃(q)
+    Unperturbed known;
+  };
+  /// A neighbor that the filter leaves open: the cell of an undecided one, or of one that is known not to be in conflict.
+  struct Open : Candidate {
+    double value;
+    std::uint32_t undecided;  ///< which, or none
+    static constexpr std::uint32_t none = 0xffffffff;
+  };
   static constexpr std::size_t block_size = 16;
 
   std::size_t num_cells = 0;
   std::size_t num_facets = 0;
+  std::size_t num_marked = 0;
   GrowableArray<Index> cells;           ///< in conflict
   GrowableArray<double> values;         ///< h̃(q) of each
   GrowableArray<HorizonFacet> horizon;  ///< facets to cells that are not
-  std::vector<Index> marked;            ///< cells not in conflict that are marked so, as it took the exact stages to know
-  std::vector<Candidate> candidates;    ///< of the block that is searched
+  GrowableArray<Index> marked;          ///< cells of the horizon that are marked, as it took the exact stages to know
+  // Of the block that is searched.
+  std::vector<Candidate> candidates;
+  std::vector<Undecided> undecided;
+  std::vector<Open> open;
+  std::vector<const Index*> tied;  ///< the vertices of the cells that decide the ties
+  std::vector<Sign> sides;         ///< of these cells
+  std::size_t num_undecided = 0, num_open = 0;
 
   /// Makes room for `more` cells and as many horizon facets, and for the candidates of a block. Throws
   /// std::bad_alloc. Cells must have as many facets as at the first call.
@@ -44,21 +63,69 @@ struct ConflictZone {
     cells.reserve(size);
     values.reserve(size);
     horizon.reserve(size);
-    candidates.resize(block_size * facets_of_cell + 1);
+    marked.reserve(size);  // no more than there are facets
+    const std::size_t neighbors = block_size * facets_of_cell;
+    candidates.resize(neighbors + 1);
+    undecided.resize(neighbors);
+    open.resize(neighbors);
+    tied.resize(neighbors);
+    sides.resize(neighbors);
     room_ = size;
   }
 
   std::size_t room_ = 0;  // what all arrays have
 };
 
+/// Decides the cells of a block that the filter has left open, all ties together, and adds them to the zone or to its horizon.
+/// Returns how many neighbors these were.
+template <class Cells, QueryGeometry G, class Evaluator, class Marks>
+[[gnu::noinline]] std::size_t decide_open(const Cells& cells, const G& geometry, const typename G::Query& q,
+                                          const Evaluator& functional, Marks marks, ConflictZone& zone, StageCounts& counts) {
+  const std::span<ConflictZone::Undecided> undecided{zone.undecided.data(), zone.num_undecided};
+  std::size_t num_tied = 0;
+  for (ConflictZone::Undecided& open : undecided) {
+    open.known = unperturbed_side(cells, geometry, open.cell, open.value, q, functional, counts);
+    if (open.known.side == Sign::zero) zone.tied[num_tied++] = cells.vertices(open.known.deciding);
+  }
+  perturbed_sides(geometry, {zone.tied.data(), num_tied}, q, zone.sides.data(), counts);
+  const std::size_t num_cells = zone.num_cells, num_facets = zone.num_facets;
+  std::size_t side = 0;
+  for (ConflictZone::Undecided& open : undecided) {
+    const bool is_tied = open.known.side == Sign::zero;
+    const bool conflict = (is_tied ? zone.sides[side] : open.known.side) == Sign::negative;
+    side += is_tied;
+    if (open.known.is_proved_zero) open.value = conflict ? -0.0 : 0.0;
+    marks.set(open.cell, conflict ? Mark::in_conflict : Mark::not_in_conflict);
+    zone.cells[zone.num_cells] = open.cell;
+    zone.values[zone.num_cells] = open.value;
+    zone.num_cells += conflict;
+    zone.marked[zone.num_marked] = open.cell;
+    zone.num_marked += !conflict;
+  }
+  zone.num_undecided = 0;
+  for (const ConflictZone::Open& open : std::span(zone.open.data(), zone.num_open)) {
+    HorizonFacet& facet = zone.horizon[zone.num_facets];
+    facet.survivor = open.cell;
+    facet.dead = static_cast<Index>(open.from);
+    facet.slot = static_cast<int>(open.slot);
+    facet.survivor_value = open.undecided != ConflictZone::Open::none      ? undecided[open.undecided].value
+                           : geometry.proves_tie(open.cell, open.value, q) ? 0.0
+                                                                           : open.value;
+    zone.num_facets += marks(open.cell) != Mark::in_conflict;
+  }
+  zone.num_open = 0;
+  return zone.num_cells - num_cells + zone.num_facets - num_facets;
+}
+
 /// Fills `zone` from a cell in conflict. `marks`: marks(cell), is_unseen(cell), is_in_conflict(cell), set(cell, mark) and
 /// set_if(cell, conflict), passed by value; all cells must be unseen before, and the cells of the zone and of `zone.marked`
-/// stay marked. REQUIRES that no vertex is at q. If memory runs out, `zone` holds all that is marked.
+/// stay marked. REQUIRES that no vertex is at q. If memory runs out, unmark() takes back all marks.
 ///
 /// Which neighbor is new, in conflict or on the horizon cannot be predicted, and each wrong guess costs as much as an
 /// evaluation. So cells are searched in blocks: first all neighbors not yet known to be in conflict are collected, then each is
 /// evaluated and written to the zone and to the horizon, of which at most one advances; no branch depends on the data. The
-/// memory of the neighbors of cells ahead in the list is asked for early.
+/// memory of the neighbors of cells ahead in the list is asked for early. What the filter leaves open is decided at the end of
+/// the block.
 ///
 /// In two dimensions the zone is a tree, unless vertices lose all their cells: the only neighbor known to be in conflict is
 /// that which a cell was found from. To evaluate it again costs less than to collect the others, and mispredicts fewer ends of
@@ -69,8 +136,7 @@ void find_conflict_zone(const Cells& cells, const G& geometry, const typename G:
   constexpr std::size_t cells_ahead = 4;
   const auto facets = static_cast<std::size_t>(cells.dimension()) + 1;
   const bool is_tree = facets <= 3;
-  zone.num_cells = zone.num_facets = 0;
-  zone.marked.clear();
+  zone.num_cells = zone.num_facets = zone.num_marked = 0;
   zone.reserve(1, facets);
   const auto functional = geometry.evaluator(q);
   zone.cells[0] = first;
@@ -79,6 +145,20 @@ void find_conflict_zone(const Cells& cells, const G& geometry, const typename G:
   zone.num_cells = 1;
   marks.set(first, Mark::in_conflict);
   std::uint64_t evaluated = 0, uncertain = 0;
+  zone.num_undecided = zone.num_open = 0;
+  const auto leave_open = [&](Index cell, double value, std::size_t from, std::size_t slot) {
+    const Mark mark = marks(cell);
+    if (mark == Mark::in_conflict) {
+      uncertain += !is_tree;
+      return;
+    }
+    ConflictZone::Open& open = zone.open[zone.num_open++];
+    open = {{cell, static_cast<std::uint32_t>(from), static_cast<std::uint32_t>(slot)}, value, ConflictZone::Open::none};
+    if (mark != Mark::unseen) return;
+    marks.set(cell, Mark::not_in_conflict);  // until it is decided
+    open.undecided = static_cast<std::uint32_t>(zone.num_undecided);
+    zone.undecided[zone.num_undecided++] = {cell, value, {}};
+  };
   for (std::size_t next = 0; next < zone.num_cells;) {
     zone.reserve(ConflictZone::block_size * facets, facets);
     Index* const zone_cells = zone.cells.data();
@@ -88,21 +168,10 @@ void find_conflict_zone(const Cells& cells, const G& geometry, const typename G:
     const auto examine = [&](Index neighbor, std::size_t from, std::size_t slot) {
       double value = functional.value(neighbor);
       const bool unseen = marks.is_unseen(neighbor);
-      bool conflict = std::signbit(value);
+      const bool conflict = std::signbit(value);
       if (!(std::fabs(value) > functional.threshold(neighbor))) [[unlikely]] {
-        const Mark mark = marks(neighbor);
-        uncertain += mark != Mark::in_conflict || !is_tree;  // what counts as evaluated below
-        if (mark == Mark::in_conflict) return;
-        conflict = false;
-        if (mark == Mark::unseen) {
-          zone.num_cells = num_cells;
-          conflict = in_conflict_exactly(cells, geometry, neighbor, q, functional, counts);
-          if (!conflict) {
-            zone.marked.push_back(neighbor);
-            marks.set(neighbor, Mark::not_in_conflict);
-          }
-        }
-        if (geometry.proves_tie(neighbor, value, q)) value = conflict ? -0.0 : 0.0;
+        leave_open(neighbor, value, from, slot);
+        return;
       }
       zone_cells[num_cells] = neighbor;
       zone_values[num_cells] = value;
@@ -143,6 +212,10 @@ void find_conflict_zone(const Cells& cells, const G& geometry, const typename G:
     }
     zone.num_cells = num_cells;
     zone.num_facets = num_facets;
+    if (const std::size_t open = zone.num_open; open > 0) {
+      const std::size_t added = decide_open(cells, geometry, q, functional, marks, zone, counts);
+      uncertain += is_tree ? added : open;  // what counts as evaluated
+    }
   }
   if (is_tree) evaluated = zone.num_cells - 1 + zone.num_facets;
   counts.filter += evaluated - uncertain;
@@ -152,7 +225,8 @@ void find_conflict_zone(const Cells& cells, const G& geometry, const typename G:
 template <class Marks>
 void unmark(Marks marks, const ConflictZone& zone) {
   for (std::size_t i = 0; i < zone.num_cells; ++i) marks.set(zone.cells[i], Mark::unseen);
-  for (const Index cell : zone.marked) marks.set(cell, Mark::unseen);
+  for (std::size_t i = 0; i < zone.num_marked; ++i) marks.set(zone.marked[i], Mark::unseen);
+  for (std::size_t i = 0; i < zone.num_undecided; ++i) marks.set(zone.undecided[i].cell, Mark::unseen);
 }
 
 /// Marks kept outside the cells, for queries that must not change them.

@@ -103,7 +103,7 @@ void retriangulate(CellStore<K>& cells, G& geometry, Index v, const typename G::
   }
   if (const auto unmatched = ridges.link(cells, facets); !unmatched.empty()) link_by_rotation(cells, facets, unmatched);
   // Slots that are allocated anew have no marks.
-  for (const Index cell : zone.marked) cells.marks().set(cell, Mark::unseen);
+  for (std::size_t i = 0; i < zone.num_marked; ++i) cells.marks().set(zone.marked[i], Mark::unseen);
   for (std::size_t i = 0; i < zone.num_cells; ++i) cells.release(zone.cells[i]);
 }
 

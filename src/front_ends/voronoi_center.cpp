@@ -24,6 +24,7 @@
 #include "front_ends/linear_bound.hpp"
 #include "front_ends/voronoi_exact.hpp"
 #include "kernel/buffer.hpp"
+#include "kernel/double_double.hpp"
 #include "kernel/grid.hpp"
 
 #include <algorithm>
@@ -36,22 +37,9 @@ namespace {
 
 constexpr double u = unit_roundoff;
 
-struct Pair {
-  double high, low;
-};
-/// a + b exactly, barring overflow (Knuth).
-inline Pair two_sum(double a, double b) {
-  const double sum = a + b, part = sum - a;
-  return {sum, (a - (sum - part)) + (b - part)};
-}
-/// a·b exactly, barring underflow and |a|, |b| beyond 2^990 (Dekker, Veltkamp).
-inline Pair two_product(double a, double b) {
-  constexpr double splitter = 0x1p27 + 1;
-  const double product = a * b;
-  const double a_scaled = splitter * a, a_high = a_scaled - (a_scaled - a), a_low = a - a_high;
-  const double b_scaled = splitter * b, b_high = b_scaled - (b_scaled - b), b_low = b - b_high;
-  return {product, ((a_high * b_high - product) + a_high * b_low + a_low * b_high) + a_low * b_low};
-}
+using kernel::DoubleDouble;
+using kernel::two_product;
+using kernel::two_sum;
 
 /// Points and weights as integers: differences from point 0 in units of 2^grid, weight differences in units of 2^(2·grid).
 struct IntegerPoints {
@@ -176,7 +164,7 @@ bool CenterFinder::find_certified(const double* const* points, const double* wei
   for (std::size_t i = 0; i < n; ++i)
     for (std::size_t j = 0; j < n; ++j) {
       const auto axis = static_cast<std::size_t>(axes_[j]);
-      const Pair edge = two_sum(points[i + 1][axis], -origin[axis]);
+      const DoubleDouble edge = two_sum(points[i + 1][axis], -origin[axis]);
       high[i * n + j] = edge.high;
       low[i * n + j] = edge.low;
       largest = std::max(largest, std::abs(edge.high));
@@ -194,9 +182,9 @@ bool CenterFinder::find_certified(const double* const* points, const double* wei
   if (!(alpha < 0.5)) return false;
 
   const auto weight_difference = [&](std::size_t i) {
-    Pair difference{0, 0};
+    DoubleDouble difference{0, 0};
     if (weights != nullptr) difference = two_sum(weights[i + 1], -weights[0]);
-    return Pair{difference.high * scale * scale, difference.low * scale * scale};
+    return DoubleDouble{difference.high * scale * scale, difference.low * scale * scale};
   };
   for (std::size_t i = 0; i < n; ++i) {
     right[i] = -weight_difference(i).high;
@@ -213,14 +201,14 @@ bool CenterFinder::find_certified(const double* const* points, const double* wei
   }
   const double second_order = 1.01 * 5 * static_cast<double>((n + 3) * (n + 3)) * u * u;
   for (std::size_t i = 0; i < n; ++i) {
-    const Pair weight = weight_difference(i);
+    const DoubleDouble weight = weight_difference(i);
     double sum = -weight.high, rest = -weight.low, magnitude = std::abs(weight.high);
     for (std::size_t j = 0; j < n; ++j) {
       const double a = high[i * n + j], a_low = low[i * n + j];
-      const Pair factor = two_sum(a, -z[j]);
+      const DoubleDouble factor = two_sum(a, -z[j]);
       const double factor_low = factor.low + a_low;
-      const Pair product = two_product(a, factor.high);
-      const Pair next = two_sum(sum, product.high);
+      const DoubleDouble product = two_product(a, factor.high);
+      const DoubleDouble next = two_sum(sum, product.high);
       sum = next.high;
       rest += (next.low + product.low) + (a * factor_low + a_low * factor.high);
       magnitude += std::abs(a) * (std::abs(a) + std::abs(z[j]));
@@ -244,9 +232,9 @@ bool CenterFinder::find_certified(const double* const* points, const double* wei
   for (std::size_t j = 0; j < static_cast<std::size_t>(dimension_); ++j) center[j] = origin[j] + 0.0;
   for (std::size_t j = 0; j < n; ++j) {
     const auto axis = static_cast<std::size_t>(axes_[j]);
-    const Pair start = two_sum(origin[axis], z[j] * unscale);
+    const DoubleDouble start = two_sum(origin[axis], z[j] * unscale);
     const double middle = start.low + correction[j] * unscale;
-    const Pair rounded = two_sum(start.high, middle);
+    const DoubleDouble rounded = two_sum(start.high, middle);
     // The sum `middle` is rounded, and so are the ends of the interval below.
     const double radius = 1.01 * (alpha * zeta + tail[j]) * unscale + 2 * u * std::abs(middle) + 4 * u * std::abs(rounded.low);
     const double below = rounded.high + (rounded.low - radius), above = rounded.high + (rounded.low + radius);

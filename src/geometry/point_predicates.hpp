@@ -5,9 +5,11 @@
 
 #include "kernel/buffer.hpp"
 #include "kernel/stages.hpp"
+#include "kernel/tie_kernel.hpp"
 
 #include <delone/types.hpp>
 
+#include <span>
 #include <utility>
 #include <vector>
 
@@ -51,6 +53,20 @@ class PointPredicates {
   Sign perturbed_side(const Index* vertices, const PointQuery& q, StageCounts& counts) const {
     ++counts.perturbed;
     return kernel::perturbed_in_sphere<K>(flat(), gather(vertices).data(), q.point, *q.grid);
+  }
+
+  /// The same for many cells.
+  void perturbed_sides(std::span<const Index* const> cells, const PointQuery& q, Sign* sides, StageCounts& counts) const {
+    const kernel::Flat flat = this->flat();
+    if (flat.ambient != flat.dimension() || !kernel::can_break_together(flat.ambient) || !q.grid->is_small()) {
+      for (const Index* vertices : cells) *sides++ = perturbed_side(vertices, q, counts);
+      return;
+    }
+    counts.perturbed += cells.size();
+    kernel::Buffer<double, K> key_weights(axes_.size());
+    for (const int axis : axes_) key_weights[static_cast<std::size_t>(axis)] = q.grid->key_weight(axis);
+    kernel::break_ties({flat.ambient, cells, coordinates_.data(), static_cast<std::size_t>(flat.row_size()), q.point,
+                        key_weights.data(), sides});
   }
 
   /// The sign of h(q) for a finite cell, ties not perturbed: that of the power of q with respect to its sphere, or, for

@@ -117,7 +117,9 @@ std::vector<double> random_rows(Kind kind, int rows, int ambient, bool weighted,
     if (weighted) {
       const double u = generator.uniform();
       // Weights that cancel the squares lift all points to 0, but for rounding.
-      x.push_back(generator.below(3) == 0 ? nudged(square, generator) : kind == Kind::lattice ? std::floor(9 * u) : scale * u);
+      x.push_back(generator.below(3) == 0 ? nudged(std::min(square, 1e308), generator)
+                  : kind == Kind::lattice ? std::floor(9 * u)
+                                          : scale * u);
     }
     all.insert(all.end(), x.begin(), x.end());
   }

@@ -221,6 +221,8 @@ template <int K>
 void expect_the_same_on_a_grid_as_without(double length) {
   SCOPED_TRACE(testing::Message() << "dimension " << K << ", a box of length " << length);
   random::Generator generator(static_cast<std::uint64_t>(K));
+  Grid fine(K);  // holds the points, and is not small
+  for (const double x : {0.0, length, 1.0 / 3}) fine.include(std::vector<double>(static_cast<std::size_t>(K), x).data());
   int compared = 0, negative = 0;
   while (compared < static_cast<int>(test::scaled_count(400))) {
     std::vector<double> corners;
@@ -233,7 +235,7 @@ void expect_the_same_on_a_grid_as_without(double length) {
     if (side == Sign::negative) std::swap(c.points[0], c.points[1]);
     ASSERT_TRUE(length > 1 || c.grid.has_small_products());
     const Sign sign = perturbed_in_sphere<K>(c.flat(), c.points.data(), c.q, c.grid);
-    EXPECT_EQ(sign, perturbed_in_sphere<0>(c.flat(), c.points.data(), c.q, Grid(K)));
+    EXPECT_EQ(sign, perturbed_in_sphere<0>(c.flat(), c.points.data(), c.q, fine));
     ++compared;
     negative += sign == Sign::negative;
   }

@@ -1,0 +1,139 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// perturbed_in_sphere_on_grid() with a cell in every lane. On a small grid all that is computed is exact
+// (docs/predicates.md, "Small lattices"), in whatever order and with whatever instructions.
+#include "kernel/tie_kernel.hpp"
+
+#include <algorithm>
+#include <bit>
+#include <utility>
+
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "kernel/tie_kernel.cpp"
+#include <hwy/foreach_target.h>
+// After foreach_target.h
+#include <hwy/highway.h>
+
+#ifndef DELONE_TIE_LIMITS
+#define DELONE_TIE_LIMITS
+namespace delone::kernel {
+constexpr std::size_t most_lanes = 8;
+}
+#endif
+
+HWY_BEFORE_NAMESPACE();
+namespace delone::kernel {
+namespace HWY_NAMESPACE {
+namespace hn = hwy::HWY_NAMESPACE;
+
+/// The minor of the first |Columns| rows of N entries and a set of columns, from those of one row less, by sets of columns
+/// (kernel/minors.hpp).
+template <int N, unsigned Columns, class V>
+HWY_INLINE V minor_from_smaller(const V* a, const V* minors) {
+  constexpr int last_row = std::popcount(Columns) - 1;
+  constexpr int last = std::bit_width(Columns) - 1;
+  V minor = a[last_row * N + last];
+  if constexpr (last_row > 0) {
+    minor = hn::Mul(minor, minors[Columns & ~(1u << last)]);
+    [&]<int... C>(std::integer_sequence<int, C...>) {
+      const auto add = [&]<int Column>(std::integral_constant<int, Column>) {
+        if constexpr (Column < last && (Columns >> Column & 1) != 0) {
+          constexpr bool negative = std::popcount(Columns >> Column) % 2 == 0;
+          const V entry = a[last_row * N + Column], smaller = minors[Columns & ~(1u << Column)];
+          minor = negative ? hn::NegMulAdd(entry, smaller, minor) : hn::MulAdd(entry, smaller, minor);
+        }
+      };
+      (add(std::integral_constant<int, C>{}), ...);
+    }
+    (std::make_integer_sequence<int, N>{});
+  }
+  return minor;
+}
+
+template <int N, class V>
+HWY_INLINE V determinant(const V* a) {
+  V minors[std::size_t{1} << N];
+  [&]<unsigned... S>(std::integer_sequence<unsigned, S...>) {
+    ((minors[S + 1] = minor_from_smaller<N, S + 1>(a, minors)), ...);
+  }
+  (std::make_integer_sequence<unsigned, (1u << N) - 1>{});
+  return minors[(1u << N) - 1];
+}
+
+template <int K>
+void break_ties_in(const TieTask& task) {
+  const hn::CappedTag<double, most_lanes> d;
+  using V = hn::Vec<decltype(d)>;
+  HWY_ALIGN double differences[(K + 1) * K * most_lanes];  // of the points and the query
+  HWY_ALIGN double sides[most_lanes];
+  const V zero = hn::Zero(d), one = hn::Set(d, 1.0);
+  for (std::size_t first = 0; first < task.cells.size(); first += hn::Lanes(d)) {
+    const std::size_t lanes = hn::Lanes(d), used = std::min(lanes, task.cells.size() - first);
+    for (std::size_t lane = 0; lane < lanes; ++lane) {  // lanes to spare repeat the last cell
+      const Index* const vertices = task.cells[first + std::min(lane, used - 1)];
+      for (std::size_t i = 0; i <= K; ++i) {
+        const double* const point = task.coordinates + vertices[i] * task.row_size;
+        for (std::size_t r = 0; r < K; ++r) differences[(i * K + r) * most_lanes + lane] = point[r] - task.query[r];
+      }
+    }
+    const auto difference = [&](std::size_t i, std::size_t r) { return hn::Load(d, differences + (i * K + r) * most_lanes); };
+    V keys[K + 1];  // of the differences
+    for (std::size_t i = 0; i <= K; ++i) {
+      keys[i] = zero;
+      for (std::size_t r = 0; r < K; ++r) keys[i] = hn::MulAdd(difference(i, r), hn::Set(d, task.key_weights[r]), keys[i]);
+    }
+    V side = zero;
+    for (;;) {
+      V largest = keys[0], at = zero;
+      for (std::size_t i = 1; i <= K; ++i) {
+        const auto larger = hn::Gt(keys[i], largest);
+        largest = hn::IfThenElse(larger, keys[i], largest);
+        at = hn::IfThenElse(larger, hn::Set(d, static_cast<double>(i)), at);
+      }
+      // The query itself, if it is larger than all points that are left.
+      side = hn::IfThenElse(hn::And(hn::Eq(side, zero), hn::Le(largest, zero)), one, side);
+      if (hn::AllFalse(d, hn::Eq(side, zero))) break;
+      V others[K * K];  // the differences of all other points
+      V is_odd = zero;  // whether it takes an odd number of exchanges to bring the query to the front
+      for (std::size_t i = 0; i < K; ++i) {
+        const auto before = hn::Lt(hn::Set(d, static_cast<double>(i)), at);
+        is_odd = hn::IfThenElse(before, hn::Sub(one, is_odd), is_odd);
+        for (std::size_t r = 0; r < K; ++r) others[i * K + r] = hn::IfThenElse(before, difference(i, r), difference(i + 1, r));
+      }
+      const V volume = determinant<K>(others);
+      const V sign = hn::IfThenElse(hn::Lt(volume, zero), one, hn::IfThenElse(hn::Gt(volume, zero), hn::Neg(one), zero));
+      side = hn::IfThenElse(hn::Eq(side, zero), hn::IfThenElse(hn::Gt(is_odd, zero), hn::Neg(sign), sign), side);
+      for (std::size_t i = 0; i <= K; ++i)
+        keys[i] = hn::IfThenElse(hn::Eq(at, hn::Set(d, static_cast<double>(i))), zero, keys[i]);
+    }
+    hn::Store(side, d, sides);
+    for (std::size_t lane = 0; lane < used; ++lane)
+      task.sides[first + lane] = sides[lane] < 0 ? Sign::negative : Sign::positive;
+  }
+}
+
+void break_ties_here(const TieTask& task) {
+  switch (task.k) {
+    case 3:
+      return break_ties_in<3>(task);
+    case 4:
+      return break_ties_in<4>(task);
+    case 5:
+      return break_ties_in<5>(task);
+    case 6:
+      return break_ties_in<6>(task);
+  }
+}
+
+}  // namespace HWY_NAMESPACE
+}  // namespace delone::kernel
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace delone::kernel {
+
+HWY_EXPORT(break_ties_here);
+
+void break_ties(const TieTask& task) { HWY_DYNAMIC_DISPATCH(break_ties_here)(task); }
+
+}  // namespace delone::kernel
+#endif
