@@ -8,7 +8,10 @@
 #include "horizon_facet.hpp"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
+#include <cstdint>
+#include <span>
 #include <unordered_map>
 #include <vector>
 
@@ -94,7 +97,7 @@ template <class Cells, QueryGeometry G, class Evaluator, class Marks>
     const bool is_tied = open.known.side == Sign::zero;
     const bool conflict = (is_tied ? zone.sides[side] : open.known.side) == Sign::negative;
     side += is_tied;
-    if (open.known.is_proved_zero) open.value = conflict ? -0.0 : 0.0;
+    if (open.known.is_proved_zero) open.value = std::bit_cast<double>(std::uint64_t{conflict} << 63);  // −0 in conflict
     marks.set(open.cell, conflict ? Mark::in_conflict : Mark::not_in_conflict);
     zone.cells[zone.num_cells] = open.cell;
     zone.values[zone.num_cells] = open.value;
