@@ -7,6 +7,7 @@
 #include <gtest/gtest.h>
 
 #include <new>
+#include <span>
 #include <vector>
 
 namespace delone::engine {
@@ -18,17 +19,21 @@ struct FailingGeometry : geometry::DelaunayGeometry<2> {
     if (fails) throw std::bad_alloc();
     DelaunayGeometry::reserve_star(v, facets);
   }
-  bool fails = false;
+  void perturbed_sides(std::span<const Index* const> tied, const Query& q, Sign* sides, StageCounts& counts) const {
+    if (fails_at_ties) throw std::bad_alloc();
+    DelaunayGeometry::perturbed_sides(tied, q, sides, counts);
+  }
+  bool fails = false, fails_at_ties = false;
 };
 
 TEST(Insert, ThatFailsLeavesNoStarAndNoMarks) {
-  const std::vector<double> points{0, 0, 0, 0, 8, 0, 0, 8, 2, 2, 3, 3};  // that of vertex 0 is a dummy
+  const std::vector<double> points{0, 0, 0, 0, 8, 0, 0, 8, 2, 2, 3, 3, 0, 6};  // that of vertex 0 is a dummy
   kernel::Grid grid(2);
   for (std::size_t i = 2; i < points.size(); i += 2) grid.include(points.data() + i);
   CellMemory<2> memory(2);
   CellStore<2> cells(memory);
   FailingGeometry geometry(memory, std::vector<int>{0, 1}, 2, points, grid, geometry::Frame({0, 0}, {8, 8}));
-  geometry.set_rows(5);
+  geometry.set_rows(6);
   seed(cells, geometry, std::vector<Index>{1, 2, 3});
   Workspace work;
   Effort effort;
@@ -40,15 +45,24 @@ TEST(Insert, ThatFailsLeavesNoStarAndNoMarks) {
   const Index start = work.star().back().created;
   const Index before = cells.num_cells();
 
+  const auto expect_nothing_has_changed = [&] {
+    EXPECT_TRUE(work.star().empty());
+    EXPECT_EQ(cells.num_cells(), before);
+    for (Index cell = 0; cell < cells.num_slots(); ++cell)
+      EXPECT_TRUE(cells.is_vacant(cell) || cells.mark(cell) == Mark::unseen);
+  };
   geometry.fails = true;
   EXPECT_THROW(insert_from(start, 5), std::bad_alloc);
-  EXPECT_TRUE(work.star().empty());
-  EXPECT_EQ(cells.num_cells(), before);
-  for (Index cell = 0; cell < cells.num_slots(); ++cell) EXPECT_TRUE(cells.is_vacant(cell) || cells.mark(cell) == Mark::unseen);
-
+  expect_nothing_has_changed();
   geometry.fails = false;
+  geometry.fails_at_ties = true;  // 6 is on the circle of 2, 3 and 4
+  EXPECT_THROW(insert_from(start, 6), std::bad_alloc);
+  expect_nothing_has_changed();
+
+  geometry.fails_at_ties = false;
   EXPECT_EQ(insert_from(start, 5), 5u);
   EXPECT_EQ(cells.num_cells(), before + 2);
+  EXPECT_EQ(insert_from(start, 6), 6u);
 }
 
 }  // namespace
