@@ -120,30 +120,4 @@ void solve_transposed(const double* columns, int run_time_n, int rows, const int
   for (int s = n - 1; s >= 0; --s) std::swap(x[s], x[row_of[s]]);
 }
 
-/// The determinant of N rows of N entries by elimination without fractions (Bareiss 1968, doi:10.2307/2004533), whose
-/// intermediate values are minors. REQUIRES that differences of products of two minors are exact in binary64. `a` is
-/// overwritten.
-template <int N>
-double fraction_free_determinant(double* a) {
-  const auto row = [&](int i) { return a + i * N; };
-  double previous = 1;
-  bool negative = false;
-  for (int s = 0; s + 1 < N; ++s) {
-    int pivot = s;
-    while (pivot < N && row(pivot)[s] == 0) ++pivot;
-    if (pivot == N) return 0;
-    if (pivot != s) {
-      std::swap_ranges(row(s), row(s) + N, row(pivot));
-      negative = !negative;
-    }
-    for (int i = s + 1; i < N; ++i) {
-      const double first = row(i)[s];
-      for (int c = s + 1; c < N; ++c) row(i)[c] = (row(s)[s] * row(i)[c] - first * row(s)[c]) / previous;
-    }
-    previous = row(s)[s];
-  }
-  const double det = row(N - 1)[N - 1];
-  return negative ? -det : det;
-}
-
 }  // namespace delone::kernel

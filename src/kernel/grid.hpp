@@ -40,8 +40,6 @@ class Grid {
   /// Whether every minor of a determinant of differences and lifts is exact in binary64, whatever the points of the set:
   /// a multiple of its grid unit by less than 2^53 (docs/predicates.md, "Small lattices").
   bool is_small() const { return is_small_; }
-  /// Whether the grid is small, and besides differences of products of two minors of differences are exact.
-  bool has_small_products() const { return has_small_products_; }
   /// The sum of the coordinates times these, or of differences of coordinates, is exact in binary64 and orders points
   /// lexicographically: an axis outweighs all later ones. REQUIRES is_small().
   double key_weight(int axis) const { return axes_[static_cast<std::size_t>(axis)].key_weight; }
@@ -71,7 +69,6 @@ class Grid {
   };
 
   void measure() {
-    has_small_products_ = false;
     finest_ = unlimited;
     for (const Axis& axis : axes_) finest_ = std::min(finest_, axis.exponent);
     const bool weights_differ = weight_.high > weight_.low;  // equal weights cancel, whatever grid they lie on
@@ -107,10 +104,9 @@ class Grid {
       if (widest > 0) lift_bits += 2.0 * finest_ - lift_exponent_;
       lift_bits = 1 + std::max(lift_bits, static_cast<double>(top - lift_exponent_));
     }
-    double terms = 0;  // bits of how many terms a determinant of differences has
-    for (std::size_t i = 2; i <= axes_.size(); ++i) terms += std::log2(static_cast<double>(i));
-    if (bits + lift_bits + terms + std::log2(static_cast<double>(axes_.size() + 1)) > 53) is_small_ = false;
-    has_small_products_ = is_small_ && bits + terms <= 26;
+    bits += lift_bits;
+    for (std::size_t i = 2; i <= axes_.size() + 1; ++i) bits += std::log2(static_cast<double>(i));
+    if (bits > 53) is_small_ = false;
     if (is_small_) weigh_axes();
   }
 
@@ -130,7 +126,6 @@ class Grid {
   int finest_ = unlimited;
   int lift_exponent_ = unlimited;
   bool is_small_ = false;
-  bool has_small_products_ = false;
 };
 
 }  // namespace delone::kernel

@@ -130,11 +130,7 @@ Sign perturbed_in_sphere_on_grid(const double* const* points, const double* q, c
     double others[K * K];
     for (int i = 0; i < K; ++i)
       for (int r = 0; r < K; ++r) others[i * K + r] = differences[i + (i >= largest)][r];
-    double volume;
-    if constexpr (tabulates_minors<K>)
-      volume = determinant_by_minors<K>(others);
-    else
-      volume = fraction_free_determinant<K>(others);
+    const double volume = determinant_by_minors<K>(others);
     if (volume != 0) return (volume > 0) == (largest % 2 == 0) ? Sign::negative : Sign::positive;
     keys[largest] = 0;
   }
@@ -149,9 +145,8 @@ Sign perturbed_in_sphere_on_grid(const double* const* points, const double* q, c
 template <int K>
 Sign perturbed_in_sphere(const Flat& flat, const double* const* points, const double* q, const Grid& grid) {
   const int k = K > 0 ? K : flat.dimension();
-  if constexpr (K > 0)
-    if (flat.ambient == k && (tabulates_minors<K> ? grid.is_small() : grid.has_small_products()))
-      return perturbed_in_sphere_on_grid<K>(points, q, grid);
+  if constexpr (tabulates_minors<K>)
+    if (flat.ambient == k && grid.is_small()) return perturbed_in_sphere_on_grid<K>(points, q, grid);
   return largest_point_decides<K>(points, k + 1, q, flat.ambient, grid,
                                   [&](const double* const* moved) { return orientation<K>(flat, moved, grid); });
 }

@@ -121,6 +121,10 @@ void break_ties_here(const TieTask& task) {
       return break_ties_in<5>(task);
     case 6:
       return break_ties_in<6>(task);
+    case 7:
+      return break_ties_in<7>(task);
+    case 8:
+      return break_ties_in<8>(task);
   }
 }
 

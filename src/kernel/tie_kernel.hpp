@@ -21,8 +21,8 @@ struct TieTask {
   Sign* sides;                ///< receives perturbed_in_sphere() for each cell
 };
 
-/// The dimensions of cells whose determinants are expanded in a table of minors; in fewer than 3, one at a time is as fast.
-constexpr bool can_break_together(int k) { return k >= 3 && k <= 6; }
+/// The dimensions in which tables of minors are small; in fewer than 3, one at a time is as fast.
+constexpr bool can_break_together(int k) { return k >= 3 && k <= 8; }
 
 void break_ties(const TieTask& task);
 

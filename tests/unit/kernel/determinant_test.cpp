@@ -129,39 +129,5 @@ TEST(Determinant, SolvesForTheFunctionalOfItsColumns) {
   }
 }
 
-template <int N>
-void expect_fraction_free_elimination_is_exact() {
-  random::Generator generator(N);
-  int singular = 0, regular = 0;
-  for (std::size_t round = 0; round < test::scaled_count(300); ++round) {
-    std::vector<double> a;
-    test::Matrix exact;
-    for (int i = 0; i < N; ++i) {
-      exact.emplace_back();
-      for (int j = 0; j < N; ++j) {
-        const auto entry = static_cast<int>(generator.below(3)) - 1;
-        // Columns on grids of their own.
-        a.push_back(std::ldexp(entry, j % 2 == 0 ? -j : 3 * j));
-        exact.back().push_back(entry);
-      }
-    }
-    int exponent = 0;
-    for (int j = 0; j < N; ++j) exponent += j % 2 == 0 ? -j : 3 * j;
-    const test::Integer truth = test::determinant(exact);
-    ++(truth == 0 ? singular : regular);
-    EXPECT_EQ(fraction_free_determinant<N>(a.data()), std::ldexp(truth.convert_to<double>(), exponent));
-  }
-  EXPECT_GT(singular, 0);
-  EXPECT_GT(regular, 0);
-}
-
-TEST(FractionFreeElimination, IsExactWhereProductsOfMinorsAre) {
-  expect_fraction_free_elimination_is_exact<1>();
-  expect_fraction_free_elimination_is_exact<2>();
-  expect_fraction_free_elimination_is_exact<3>();
-  expect_fraction_free_elimination_is_exact<7>();
-  expect_fraction_free_elimination_is_exact<8>();
-}
-
 }  // namespace
 }  // namespace delone::kernel

@@ -233,7 +233,7 @@ void expect_the_same_on_a_grid_as_without(double length) {
     const auto is_at_query = [&](const double* p) { return equal_points(p, c.q, K); };
     if (side == Sign::zero || std::any_of(c.points.begin(), c.points.end() - 1, is_at_query)) continue;
     if (side == Sign::negative) std::swap(c.points[0], c.points[1]);
-    ASSERT_TRUE(length > 1 || c.grid.has_small_products());
+    ASSERT_TRUE(length > 1 || c.grid.is_small());
     const Sign sign = perturbed_in_sphere<K>(c.flat(), c.points.data(), c.q, c.grid);
     EXPECT_EQ(sign, perturbed_in_sphere<0>(c.flat(), c.points.data(), c.q, fine));
     ++compared;
@@ -252,26 +252,6 @@ TEST(Perturbation, IsTheSameOnSmallGridsAsWithoutThem) {
     expect_the_same_on_a_grid_as_without<7>(length);
     expect_the_same_on_a_grid_as_without<8>(length);
   }
-}
-
-TEST(Grid, KnowsWhenProductsOfMinorsAreExact) {
-  const auto grid_of_side = [](int dimension, double side) {
-    Grid grid(dimension);
-    grid.include(std::vector<double>(static_cast<std::size_t>(dimension), 0.0).data());
-    grid.include(std::vector<double>(static_cast<std::size_t>(dimension), side).data());
-    grid.include(std::vector<double>(static_cast<std::size_t>(dimension), 1.0).data());
-    return grid;
-  };
-  EXPECT_TRUE(grid_of_side(8, 1).has_small_products());     // 8! < 2^16, and a bit for each axis
-  EXPECT_FALSE(grid_of_side(8, 2).has_small_products());    // two bits each: 32 in all
-  EXPECT_TRUE(grid_of_side(2, 4095).has_small_products());  // 12 bits each, and one
-  EXPECT_FALSE(grid_of_side(2, 8191).has_small_products());
-
-  Grid long_box(7);  // a bit for each axis, but lifts of too many
-  long_box.include(std::vector<double>{0, 0, 0, 0, 0, 0, 0}.data());
-  long_box.include(std::vector<double>{0x1p20, 1, 1, 1, 1, 1, 1}.data());
-  EXPECT_FALSE(long_box.is_small());
-  EXPECT_FALSE(long_box.has_small_products());
 }
 
 TEST(Perturbation, IsNeverZeroAndAntisymmetricOnCospherical) {

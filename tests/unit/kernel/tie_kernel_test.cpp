@@ -73,6 +73,8 @@ TEST(TieKernel, BreaksTiesAsTheScalarStagesDo) {
   expect_the_same_as_one_at_a_time<4>();
   expect_the_same_as_one_at_a_time<5>();
   expect_the_same_as_one_at_a_time<6>();
+  expect_the_same_as_one_at_a_time<7>();
+  expect_the_same_as_one_at_a_time<8>();
 }
 
 }  // namespace
