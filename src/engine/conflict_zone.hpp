@@ -169,7 +169,7 @@ void find_conflict_zone(const Cells& cells, const G& geometry, const typename G:
     HorizonFacet* const horizon = zone.horizon.data();
     std::size_t num_cells = zone.num_cells, num_facets = zone.num_facets;
     const auto examine = [&](Index neighbor, std::size_t from, std::size_t slot) {
-      double value = functional.value(neighbor);
+      const double value = functional.value(neighbor);
       const bool unseen = marks.is_unseen(neighbor);
       const bool conflict = std::signbit(value);
       if (!(std::fabs(value) > functional.threshold(neighbor))) [[unlikely]] {
