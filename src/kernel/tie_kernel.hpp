@@ -24,6 +24,10 @@ struct TieTask {
 /// The dimensions in which tables of minors are small; in fewer than 3, one at a time is as fast.
 constexpr bool can_break_together(int k) { return k >= 3 && k <= 8; }
 
+/// Breaks the ties as perturbed_in_sphere() does one at a time: after Devillers and Teillaud (2011,
+/// doi:10.1016/j.comgeo.2010.09.010), exactly (docs/predicates.md, "Small lattices"). Cost: k·2^k per cell and determinant, of
+/// which there is one for every larger point, from the largest on, up to the first that is not zero. REQUIRES that the query is
+/// no vertex of the cells.
 void break_ties(const TieTask& task);
 
 }  // namespace delone::kernel
