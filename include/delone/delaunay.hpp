@@ -31,7 +31,8 @@ struct Options {
   std::uint64_t seed = 0;  ///< of the random rounds of the insertion order
   InsertionOrder order = InsertionOrder::automatic;
   bool force_runtime_dimension = false;  ///< use the run-time-dimension engine even for k ≤ 8
-  /// Called from the building thread about every 20 ms with the fraction done, 0…1; return false to cancel (Errc::cancelled).
+  /// Called from the building thread about every 20 ms with the fraction done, 0…1; return false to cancel (Errc::cancelled). A
+  /// batch that is wrapped (some hundred points in 7 or 8 dimensions) stays at 0 until it is done.
   std::function<bool(double)> progress = {};
 };
 

@@ -48,11 +48,25 @@ class CellStore {
     if (bytes % 64 != 0) __builtin_prefetch(reinterpret_cast<const char*>(record) + bytes - 1);
   }
 
+  /// The same for its vertices and neighbors alone.
+  void prefetch_links(Index cell) const {
+    const auto* links = reinterpret_cast<const char*>(vertices(cell));
+    const std::size_t bytes = 2 * (static_cast<std::size_t>(dimension()) + 1) * sizeof(Index);
+    for (std::size_t byte = 0; byte < bytes; byte += 64) __builtin_prefetch(links + byte);
+    __builtin_prefetch(links + bytes - 1);
+  }
+
   /// Takes over which slots are vacant; their contents are the memory's.
   void copy_slots(const CellStore& other) {
     num_slots_ = other.num_slots_;
     num_vacant_ = other.num_vacant_;
     vacant_ = other.vacant_;
+  }
+
+  /// Removes all cells.
+  void clear() {
+    num_slots_ = 0;
+    num_vacant_ = 0;
   }
 
   Index num_slots() const { return num_slots_; }

@@ -11,6 +11,7 @@
 #include <delone/complex.hpp>
 #include <delone/types.hpp>
 
+#include <functional>
 #include <memory>
 #include <span>
 #include <vector>
@@ -72,6 +73,10 @@ class Hull : public HullQueries {
  public:
   /// Starts from k+1 affinely independent vertices.
   virtual void seed(std::span<const Index> vertices) = 0;
+  /// Starts from all vertices, if they can be wrapped: returns false, and has no cells, where rounded numbers do not say how,
+  /// and if there are ties. REQUIRES that points are of full dimension, and neither weighted nor sought for what is furthest.
+  /// `tick` is called often; what it throws is passed on.
+  virtual bool wrap(const std::function<void()>& tick) = 0;
   /// Starts from a triangulation of dimension k−1 and a vertex outside its flat.
   virtual void jump(const Complex& old, Index q) = 0;
   /// Starts from a triangulation of the same points. Its cells keep their ids if it has no vacant slots.

@@ -11,6 +11,7 @@
 #include <chrono>
 #include <limits>
 #include <new>
+#include <numeric>
 #include <string>
 #include <utility>
 
@@ -36,6 +37,27 @@ std::vector<double> weighted_rows(PointsView points, std::span<const double> wei
     rows.push_back(weights.empty() ? 0.0 : weights[i]);
   }
   return rows;
+}
+
+/// Of equal rows the first in the order, in the order.
+std::vector<Index> distinct_rows(std::span<const double> rows, std::size_t width, std::span<const Index> order) {
+  const auto compare = [&](std::size_t a, std::size_t b) {
+    const double* x = rows.data() + order[a] * width;
+    const double* y = rows.data() + order[b] * width;
+    return std::lexicographical_compare_three_way(x, x + width, y, y + width);
+  };
+  std::vector<std::size_t> places(order.size());
+  std::iota(places.begin(), places.end(), std::size_t{0});
+  std::sort(places.begin(), places.end(), [&](std::size_t a, std::size_t b) {
+    const auto by_coordinates = compare(a, b);
+    return by_coordinates != 0 ? by_coordinates < 0 : a < b;
+  });
+  places.erase(std::unique(places.begin(), places.end(), [&](std::size_t a, std::size_t b) { return compare(a, b) == 0; }),
+               places.end());
+  std::sort(places.begin(), places.end());
+  std::vector<Index> distinct;
+  for (const std::size_t place : places) distinct.push_back(order[place]);
+  return distinct;
 }
 
 }  // namespace
@@ -184,7 +206,8 @@ geometry::Frame Triangulation::Impl::frame_with(const double* low, const double*
 }
 
 /// The first sphere of a batch: the frame of the whole box, and a simplex of the batch's affine hull found along the order.
-void Triangulation::Impl::start_batch(std::span<const double> rows, std::size_t first_row, std::span<const Index> order) {
+void Triangulation::Impl::start_batch(std::span<const double> rows, std::size_t first_row, std::span<const Index> order,
+                                      const std::function<void()>& tick) {
   const std::size_t width = row_size();
   std::vector<double> low(rows.begin(), rows.begin() + static_cast<std::ptrdiff_t>(width)), high = low;
   for (std::size_t i = 0; i < rows.size(); ++i) {
@@ -211,7 +234,42 @@ void Triangulation::Impl::start_batch(std::span<const double> rows, std::size_t 
     return;
   }
   hull = make_hull(affine_hull.axes(), points, frame_with(low.data(), high.data(), 0.0), {}, options.force_runtime_dimension);
-  hull->seed(simplex);
+  if (!wrap_batch(rows, first_row, order, simplex, tick)) hull->seed(simplex);
+}
+
+/// Whether wrapping n points costs less than inserting them (docs/decisions/0007-small-sets-in-high-dimensions-are-wrapped.md).
+bool Triangulation::Impl::is_worth_wrapping(std::size_t n) const {
+  if (points.form != kernel::RowForm::point || affine_hull.dimension() != dimension) return false;
+  return (dimension == 7 && 200 <= n && n <= 4000) || (dimension == 8 && 100 <= n && n <= 4000);
+}
+
+/// Makes all distinct points of a batch vertices at once. Returns false, and nothing has changed, if that is not to be done or
+/// fails; duplicates are left to be inserted. REQUIRES a hull without cells, and that all vertices are those of the simplex.
+bool Triangulation::Impl::wrap_batch(std::span<const double> rows, std::size_t first_row, std::span<const Index> order,
+                                     std::span<const Index> simplex, const std::function<void()>& tick) {
+  if (!is_worth_wrapping(order.size()) || points.last_vertex() != simplex.size()) return false;
+  std::vector<Index> others;
+  try {
+    others = distinct_rows(rows, row_size(), order);
+  } catch (const std::bad_alloc&) {  // insertion does with less
+    return false;
+  }
+  std::erase_if(others, [&](Index row) { return vertex_of_row[first_row + row] != invalid_vertex; });
+  for (const Index row : others) append(rows.data() + static_cast<std::size_t>(row) * row_size());
+  const auto drop = [&] { points.coordinates.resize(points.coordinates.size() - others.size() * row_size()); };
+  try {
+    if (!hull->wrap(tick)) {
+      drop();
+      return false;
+    }
+  } catch (...) {
+    drop();
+    hull->seed(simplex);
+    throw;
+  }
+  Index v = static_cast<Index>(simplex.size());
+  for (const Index row : others) assign(first_row + row, ++v);
+  return true;
 }
 
 void Triangulation::Impl::insert_range(std::span<const double> coordinates, std::span<const double> weights) {
@@ -243,7 +301,7 @@ void Triangulation::Impl::insert_range(std::span<const double> coordinates, std:
   try {
     points.coordinates.reserve(points.coordinates.size() + rows.size() + row_size());
     row_of_vertex.reserve(row_of_vertex.size() + n);
-    start_batch(rows, first_row, order);
+    start_batch(rows, first_row, order, [&] { progress(0); });
     // The rows are met in no order of their own: many at a time, so that the processor need not wait for each.
     constexpr std::size_t block = 64;
     const std::size_t width = row_size();

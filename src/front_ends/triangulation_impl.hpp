@@ -84,7 +84,11 @@ struct Triangulation::Impl {
   void update_cells_of_vertices();
   void find_cells_of_vertices();
   geometry::Frame frame_with(const double* low, const double* high, double margin) const;
-  void start_batch(std::span<const double> rows, std::size_t first_row, std::span<const Index> order);
+  void start_batch(std::span<const double> rows, std::size_t first_row, std::span<const Index> order,
+                   const std::function<void()>& tick);
+  bool is_worth_wrapping(std::size_t n) const;
+  bool wrap_batch(std::span<const double> rows, std::size_t first_row, std::span<const Index> order,
+                  std::span<const Index> simplex, const std::function<void()>& tick);
 };
 
 }  // namespace delone

@@ -14,6 +14,7 @@
 #include <cmath>
 #include <cstring>
 #include <limits>
+#include <span>
 #include <vector>
 
 namespace delone::geometry {
@@ -63,6 +64,9 @@ class DelaunayGeometry : public PointPredicates<K> {
     for (Index v = 1; v <= vertices; ++v) write_row(point(v), rows_.data() + v * row_size());
   }
 
+  /// The images and lifts of the vertices, k + 1 doubles each.
+  const double* rows() const { return rows_.data(); }
+
   /// A query at the point of a vertex.
   Query make_query(const double* at) const { return make_query(at, grid_); }
 
@@ -93,8 +97,12 @@ class DelaunayGeometry : public PointPredicates<K> {
   /// The orientation of k+1 finite vertices.
   Sign orientation(const Index* vertices) const { return kernel::orientation<K>(flat(), gather(vertices).data(), grid_); }
 
-  /// Computes what is cached for a cell by elimination. `apex` is the slot of a finite vertex.
-  void create(Index cell, const Index* vertices, int infinite_slot, int apex);
+  /// Computes what is cached for a cell by elimination. `apex` is the slot of a finite vertex. Returns the orientation of the
+  /// vertices, zero if that is not certain, or the cell infinite, or the apex not in slot 0.
+  Sign create(Index cell, const Index* vertices, int infinite_slot, int apex);
+
+  /// The same for finite cells whose vertices have rows, many at once, apexes in slot 0.
+  void create(std::span<const Index> cells, std::span<const Index* const> vertices, Sign* orientations);
 
   /// Makes room for a star of vertex v. Throws std::bad_alloc, and then changes nothing.
   void reserve_star(Index v, std::size_t facets) {
@@ -133,7 +141,7 @@ class DelaunayGeometry : public PointPredicates<K> {
 };
 
 template <int K>
-void DelaunayGeometry<K>::create(Index cell, const Index* vertices, int infinite_slot, int apex) {
+Sign DelaunayGeometry<K>::create(Index cell, const Index* vertices, int infinite_slot, int apex) {
   const int k = dimension();
   kernel::Buffer<double, (K > 0) * (K + 1) * (K + 1)> rows(static_cast<std::size_t>((k + 1) * (k + 1)));
   double* row = rows.data();
@@ -145,13 +153,25 @@ void DelaunayGeometry<K>::create(Index cell, const Index* vertices, int infinite
   for (int i = 0; i <= k; ++i)
     if (i != apex && i != infinite_slot) append(i);
   if (infinite_slot < 0) {
-    functionals_.template solve<false>(cell, rows.data(), true);
+    const Sign sign = functionals_.template solve<false>(cell, rows.data(), true);
+    return apex == 0 ? sign : Sign::zero;
   } else {
     // The sign that makes h negative where a point in the slot of the infinite vertex would make a positively oriented cell
     // (docs/predicates.md, "Signs").
     const int position = infinite_slot - (infinite_slot > apex ? 1 : 0);
     functionals_.template solve<true>(cell, rows.data(), (apex + position + k) % 2 == 0);
+    return Sign::zero;
   }
+}
+
+template <int K>
+void DelaunayGeometry<K>::create(std::span<const Index> cells, std::span<const Index* const> vertices, Sign* orientations) {
+  for (std::size_t first = 0; first < cells.size(); first += simplex_lanes) {
+    const std::size_t count = std::min(simplex_lanes, cells.size() - first);
+    functionals_.solve(cells.subspan(first, count), vertices.subspan(first, count), rows_.data(), orientations + first);
+  }
+  for (std::size_t i = 0; i < cells.size(); ++i)
+    if (orientations[i] == Sign::zero) orientations[i] = create(cells[i], vertices[i], -1, 0);
 }
 
 }  // namespace delone::geometry

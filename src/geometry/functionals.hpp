@@ -15,6 +15,7 @@
 #include "geometry/frame.hpp"
 #include "geometry/lattice.hpp"
 #include "geometry/record.hpp"
+#include "geometry/simplex_kernel.hpp"
 #include "geometry/star_kernel.hpp"
 #include "horizon_facet.hpp"
 #include "kernel/buffer.hpp"
@@ -99,9 +100,14 @@ class Functionals {
 
   /// Computes a functional by elimination from the rows (k images and the lift) of the finite vertices, the apex first.
   /// `positive`: for an infinite cell, the sign of the coefficient ±1 is that of the edge vectors' determinant, else its
-  /// opposite.
+  /// opposite. Returns the sign of that determinant, zero if it is not certain; rows that are cyclically ordered otherwise have
+  /// another.
   template <bool Infinite>
-  void solve(Index cell, const double* rows, bool positive) requires(Lifted);
+  Sign solve(Index cell, const double* rows, bool positive) requires(Lifted);
+  /// The same for up to simplex_lanes finite cells at once, given their vertices; `rows`: of all vertices. Where a sign is
+  /// zero, the functional is to be computed singly.
+  void solve(std::span<const Index> cells, std::span<const Index* const> vertices, const double* rows,
+             Sign* signs) requires(Lifted);
   /// The same for rows that are not lifted, k + 1 of them.
   void solve(Index cell, const double* rows) requires(!Lifted);
 
@@ -163,8 +169,9 @@ class Functionals {
     return 1.0625 * square + 17 * edge_error_ * edge_error_ * square_of_scale;
   }
   /// The sum of the magnitudes of the functional's terms in the box, at most.
-  double magnitude(Index cell) const {
-    double sum = Lifted && is_infinite(cell) ? 0 : largest_lift_;
+  double magnitude(Index cell) const { return sum_of_magnitudes(cell, Lifted && is_infinite(cell) ? 0 : largest_lift_); }
+  /// The same, given what the reference entry adds to it.
+  double sum_of_magnitudes(Index cell, double sum) const {
     for (int r = 0; r <= k(); ++r) sum += std::fabs(record(cell)[r]);
     return sum;
   }
@@ -175,7 +182,7 @@ class Functionals {
   }
 
   CellMemory<K>& memory_;            // per cell: k coefficients, the constant, the certificate
-  std::vector<double> scratch_;      // of combine()
+  std::vector<double> scratch_;      // of combine() and solve()
   std::vector<std::uint32_t> weak_;  // of combine()
 
   // Constants of the frame.

@@ -9,6 +9,7 @@
 
 #include <delone/types.hpp>
 
+#include <optional>
 #include <span>
 #include <utility>
 #include <vector>
@@ -81,6 +82,34 @@ class PointPredicates {
     auto points = gather(vertices);
     points[static_cast<std::size_t>(slot)] = q.point;
     return kernel::orientation<K>(flat(), points.data(), *q.grid);
+  }
+
+  /// Of the given vertices the one that is strictly beyond facet `slot` of a finite cell and whose sphere through the facet is
+  /// the first to be met there; infinite_vertex if none is beyond, and nothing on a tie. The cell may be oriented either way.
+  /// `grid`: one that all vertices lie on. REQUIRES that none of them is a vertex of the cell.
+  std::optional<Index> first_beyond(const Index* cell, int slot, std::span<const Index> vertices,
+                                    const kernel::Grid& grid) const {
+    std::vector<Index> simplex(cell, cell + dimension() + 1);
+    const auto orientation = [&] { return kernel::orientation<K>(flat(), gather(simplex.data()).data(), grid); };
+    const Sign inner = orientation();
+    Index first = index(infinite_vertex);
+    Index& apex = simplex[static_cast<std::size_t>(slot)];
+    Index& other = simplex[slot == 0 ? 1 : 0];
+    Index& another = simplex[slot <= 1 ? 2 : 1];
+    if (inner == Sign::positive) std::swap(other, another);  // now simplices beyond are positively oriented
+    for (const Index v : vertices) {
+      apex = v;
+      if (orientation() != Sign::positive) continue;
+      Sign side = Sign::negative;
+      if (first != index(infinite_vertex)) {
+        apex = first;
+        StageCounts uncounted;
+        side = exact_side(simplex.data(), -1, {point(v), &grid, flat().row_size()}, uncounted);
+      }
+      if (side == Sign::zero) return std::nullopt;
+      if (side == Sign::negative) first = v;
+    }
+    return first;
   }
 
  protected:

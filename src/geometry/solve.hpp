@@ -6,12 +6,13 @@
 #include "kernel/determinant.hpp"
 
 #include <algorithm>
+#include <cstdint>
 
 namespace delone::geometry {
 
 template <int K, bool Lifted>
 template <bool Infinite>
-void Functionals<K, Lifted>::solve(Index cell, const double* rows, bool positive) requires(Lifted) {
+Sign Functionals<K, Lifted>::solve(Index cell, const double* rows, bool positive) requires(Lifted) {
   const int n = Infinite ? k() - 1 : k();                // the vertices besides the apex
   constexpr int N = K > 0 ? (Infinite ? K - 1 : K) : 0;  // n, or 0 when it is not known or no more than that
   const auto size = static_cast<std::size_t>(k());
@@ -32,7 +33,7 @@ void Functionals<K, Lifted>::solve(Index cell, const double* rows, bool positive
   const double least_determinant = std::fabs(det.value) - det.error;
   if (!(least_determinant > 0)) {
     give_up(cell, Infinite);
-    return;
+    return Sign::zero;
   }
   if constexpr (Infinite) record[k() - 1] = positive == (det.value > 0) ? 1.0 : -1.0;
   kernel::solve_transposed<N>(columns.data(), n, k(), row_of.data(), heights.data(), record);
@@ -55,6 +56,30 @@ void Functionals<K, Lifted>::solve(Index cell, const double* rows, bool positive
   const double spread =
       1 + 4.5 * std::sqrt(static_cast<double>(n)) * det.norm_product * det.inverse_norm_sum / least_determinant;
   certify(cell, error * spread + rounding, error, least_determinant, Infinite);
+  return det.value > 0 ? Sign::positive : Sign::negative;
+}
+
+template <int K, bool Lifted>
+void Functionals<K, Lifted>::solve(std::span<const Index> cells, std::span<const Index* const> vertices, const double* rows,
+                                   Sign* signs) requires(Lifted) {
+  constexpr std::size_t alignment = 64 / sizeof(double);
+  scratch_.resize(simplex_scratch(k()) + alignment);
+  const std::size_t misaligned = reinterpret_cast<std::uintptr_t>(scratch_.data()) / sizeof(double) % alignment;
+  double* const functions = scratch_.data() + (misaligned > 0 ? alignment - misaligned : 0);
+  const SimplexTask task{k(), vertices, rows, functions};
+  SimplexCertificate certificates[simplex_lanes];
+  solve_simplices(task);
+  certify_simplices(task, certificates);
+  const auto width = static_cast<std::size_t>(k()) + 1;
+  for (std::size_t lane = 0; lane < cells.size(); ++lane) {
+    const SimplexCertificate& proved = certificates[lane];
+    signs[lane] = proved.orientation;
+    if (proved.orientation == Sign::zero) continue;
+    for (std::size_t r = 0; r < width; ++r) record(cells[lane])[r] = lane_entry(functions, width * width + r, lane);
+    const double rounding = evaluation_error_ * sum_of_magnitudes(cells[lane], largest_lift_);
+    const double error = proved.residual + rounding;
+    certify(cells[lane], error * proved.spread + rounding, error, proved.determinant, false);
+  }
 }
 
 template <int K, bool Lifted>

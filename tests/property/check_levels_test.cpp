@@ -55,7 +55,12 @@ TEST(CheckLevels, UniformPointsOneAfterTheOther) {
 }
 
 TEST(CheckLevels, LatticesAreAllTies) {
-  for (const auto& [d, side] : {std::pair{1, 1000}, {2, 120}, {3, 24}, {4, 8}, {5, 4}, {6, 3}}) {
+  const struct {
+    int d;
+    std::size_t usual_side, small_side;
+  } cases[] = {{1, 1000, 1000}, {2, 120, 50}, {3, 24, 11}, {4, 8, 5}, {5, 4, 3}, {6, 3, 2}};
+  for (const auto& [d, usual_side, small_side] : cases) {
+    const int side = static_cast<int>(test::scaled_size(usual_side, small_side));
     const CheckReport report = expect_correct(test::lattice(d, side));
     EXPECT_TRUE(d == 1 || report.ties > 0);
     // A lattice far from the origin, where |x|² leaves binary64.
@@ -72,9 +77,10 @@ TEST(CheckLevels, LatticesAreAllTies) {
 }
 
 TEST(CheckLevels, ZeroOneVectors) {
-  for (int d = 1; d <= 7; ++d) expect_correct(test::lattice(d, 2));
+  for (int d = 1; d <= static_cast<int>(test::scaled_size(7, 6)); ++d) expect_correct(test::lattice(d, 2));
   // Samples of 8 … 10 dimensions: all vectors together have some 10^5 … 10^7 cells.
-  for (int d = 8; d <= 10; ++d) expect_correct(test::sampled(test::lattice(d, 2), d == 8 ? 40 : 24, 5));
+  for (int d = 8; d <= 10; ++d)
+    expect_correct(test::sampled(test::lattice(d, 2), d == 8 ? test::scaled_size(40, 24) : test::scaled_size(24, 18), 5));
 }
 
 TEST(CheckLevels, EveryNamedKind) {
@@ -95,9 +101,9 @@ TEST(CheckLevels, EveryNamedKind) {
 }
 
 TEST(CheckLevels, DegenerateSets) {
-  static constexpr std::size_t usual[] = {400, 400, 200, 100, 50, 24};
+  static constexpr std::size_t usual[] = {400, 400, 200, 100, 50, 24}, small[] = {200, 200, 100, 50, 25, 16};
   for (int d = 1; d <= 6; ++d)
-    for (const PointSet& set : test::degenerate_sets(d, usual[d - 1], 11)) {
+    for (const PointSet& set : test::degenerate_sets(d, test::scaled_size(usual[d - 1], small[d - 1]), 11)) {
       const CheckReport report = expect_correct(set);
       ASSERT_TRUE(report.ok) << test::to_text(set.points, d);
     }

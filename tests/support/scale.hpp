@@ -16,4 +16,10 @@ inline std::size_t scaled_count(std::size_t usual) {
   return name == "small" ? std::max<std::size_t>(1, usual / 10) : name == "large" ? 10 * usual : usual;
 }
 
+/// A size of which the work is a power, as the side of a lattice: the second one in a small run.
+inline std::size_t scaled_size(std::size_t usual, std::size_t small) {
+  const char* scale = std::getenv("DELONE_TEST_SCALE");
+  return scale != nullptr && std::string_view(scale) == "small" ? small : usual;
+}
+
 }  // namespace delone::test

@@ -5,6 +5,7 @@
 
 #include "brute_force.hpp"
 #include "degenerate.hpp"
+#include "scale.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -58,7 +59,7 @@ void add_neighbors(ComplexData& data) {
 }
 
 TEST(Check, SoundComplexesPass) {
-  for (int d = 1; d <= 5; ++d)
+  for (int d = 1; d <= static_cast<int>(test::scaled_size(5, 4)); ++d)
     for (const test::PointSet& set : test::degenerate_sets(d, static_cast<std::size_t>(d) + 4, 1)) {
       ComplexData data = test::BruteForce(set.points, d).to_data();
       EXPECT_TRUE(check_all(data).ok) << set.name << ": " << check_all(data).violation;

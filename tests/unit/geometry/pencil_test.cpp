@@ -339,8 +339,8 @@ void expect_right_triangulations(std::size_t n, std::size_t rounds) {
 }
 
 TEST(Pencil, KeepsItsBoundInThePlaneAndInPlanes) { expect_right_triangulations<2>(80, 3); }
-TEST(Pencil, KeepsItsBoundInSpaceAndInFlatsOfThreeDimensions) { expect_right_triangulations<3>(60, 2); }
-TEST(Pencil, KeepsItsBoundInFourDimensions) { expect_right_triangulations<4>(36, 1); }
+TEST(Pencil, KeepsItsBoundInSpaceAndInFlatsOfThreeDimensions) { expect_right_triangulations<3>(test::scaled_size(60, 36), 2); }
+TEST(Pencil, KeepsItsBoundInFourDimensions) { expect_right_triangulations<4>(test::scaled_size(36, 24), 1); }
 
 template <int K>
 void expect_right_hulls(std::size_t n, std::size_t rounds) {

@@ -1,0 +1,189 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Gift wrapping: all cells of a triangulation, each created once, beside one that is there already. Across a facet that has one
+// cell so far lies the cell whose sphere is the first to be met when that of the one is moved beyond the facet. Where a vertex
+// has many of the others for neighbors this is several times cheaper than insertions, five of six of whose cells do not last
+// (docs/decisions/0007-small-sets-in-high-dimensions-are-wrapped.md).
+//
+// The search works with rounded numbers, so what comes of it is a proposal; prove.hpp proves it, or not.
+#pragma once
+
+#include "engine/cell_store.hpp"
+#include "engine/facet_table.hpp"
+#include "open_cell.hpp"
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <span>
+#include <unordered_set>
+#include <vector>
+
+namespace delone::engine {
+
+/// Says what is beyond facets, where it is certain enough for a proposal.
+template <class S>
+concept FacetSearch = requires(S search, Index* vertices, std::span<const OpenCell> cells, Index* apexes) {
+  /// The k+1 vertices of a cell to start from. Returns whether one was found.
+  { search.first_cell(vertices) } -> std::same_as<bool>;
+  /// For up to S::batch_size cells, k+1 apexes each: across each open facet the vertex of the cell there that is not on the
+  /// facet. Returns false where two vertices are too close to call.
+  { search.find_apexes(cells, apexes) } -> std::same_as<bool>;
+};
+
+/// Fills an empty store. The vertices of a cell are in ascending order, whatever orientation that gives.
+template <int K, FacetSearch S>
+class Wrapping {
+ public:
+  /// Vertices are 1 … num_vertices and the infinite one.
+  Wrapping(CellStore<K>& cells, S& search, Index num_vertices) : cells_(cells), search_(search), keys_(num_vertices + 1) {
+    for (Index v = 0; v <= num_vertices; ++v) keys_[v] = mixed(v);
+  }
+
+  /// Returns whether all facets have found two cells. If it does not, or throws (memory, ids), the cells make no sense. `tick`
+  /// is called often, and may throw.
+  bool run(const std::function<void()>& tick) {
+    std::array<Index, K + 1> first;
+    if (!search_.first_cell(first.data())) return false;
+    std::sort(first.begin(), first.end());
+    cells_.reserve(1);
+    add(described(first));
+    while (true) {
+      tick();
+      const std::size_t taken = take_cells();
+      if (taken == 0) return facets_.size() == 0;
+      if (!search_.find_apexes({batch_.data(), taken}, apexes_.data()) || !add_neighbors(taken)) return false;
+    }
+  }
+
+ private:
+  static constexpr std::size_t batch_size = S::batch_size;
+  /// How many cells ahead of their creation the lines of the table are asked for.
+  static constexpr std::size_t ahead = 4;
+
+  /// A cell to be created.
+  struct NewCell {
+    std::array<Index, K + 1> vertices;
+    std::array<std::uint64_t, K + 1> facet_keys;
+    std::uint64_t key;
+  };
+  /// Where it belongs.
+  struct Place {
+    Index beside;
+    int slot;  ///< of the facet of `beside`
+  };
+
+  /// 64 bits that look random (Steele, Lea, Flood, Fast splittable pseudorandom number generators, 2014,
+  /// doi:10.1145/2714064.2660195).
+  static std::uint64_t mixed(std::uint64_t x) {
+    x += 0x9e3779b97f4a7c15;
+    x = (x ^ x >> 30) * 0xbf58476d1ce4e5b9;
+    x = (x ^ x >> 27) * 0x94d049bb133111eb;
+    return x ^ x >> 31;
+  }
+
+  /// The key of a set of vertices is the sum of theirs; that of a facet the same, never 0.
+  NewCell described(const std::array<Index, K + 1>& vertices) const {
+    NewCell cell{vertices, {}, 0};
+    for (const Index v : vertices) cell.key += keys_[v];
+    for (std::size_t i = 0; i <= K; ++i) {
+      const std::uint64_t key = cell.key - keys_[vertices[i]];
+      cell.facet_keys[i] = key + (key == 0);
+      facets_.prefetch(cell.facet_keys[i]);
+    }
+    return cell;
+  }
+
+  /// The cell beyond facet `slot` of a cell: its vertices with the apex in place of one, in order.
+  NewCell described(Place place, Index apex) const {
+    const Index* old = cells_.vertices(place.beside);
+    std::array<Index, K + 1> vertices;
+    std::size_t i = 0;
+    for (int j = 0; j <= K; ++j) {
+      if (j == place.slot) continue;
+      if (i == static_cast<std::size_t>(j - (j > place.slot)) && apex < old[j]) vertices[i++] = apex;
+      vertices[i++] = old[j];
+    }
+    if (i <= K) vertices[i] = apex;
+    return described(vertices);
+  }
+
+  /// Creates a cell and links it with those that have its facets already. REQUIRES reserved memory. Returns whether it is new,
+  /// as far as samples tell: after a wrong proposal wrapping never ends, but finds the same cells again and again.
+  bool add(const NewCell& made) {
+    const Index cell = cells_.allocate();
+    std::copy(made.vertices.begin(), made.vertices.end(), cells_.vertices(cell));
+    std::uint32_t open = 0;
+    std::array<std::uint32_t, K + 1> others;
+    for (std::uint32_t i = 0; i <= K; ++i) {
+      others[i] = facets_.match(made.facet_keys[i], static_cast<std::uint32_t>(cell) * (K + 1) + i);
+      const bool is_open = others[i] == FacetTable::none;
+      open |= std::uint32_t{is_open} << i;
+      cells_.neighbors(cell)[i] = is_open ? invalid_index : others[i] / (K + 1);
+      __builtin_prefetch(cells_.neighbors(is_open ? cell : others[i] / (K + 1)), 1);
+    }
+    for (std::uint32_t i = 0; i <= K; ++i)
+      if ((open >> i & 1) == 0) cells_.neighbors(others[i] / (K + 1))[others[i] % (K + 1)] = cell;
+    if (open != 0 && made.vertices[0] != index(infinite_vertex)) waiting_[std::popcount(open)].push_back(cell);
+    return made.key % 256 != 0 || sample_.insert(made.key).second;
+  }
+
+  std::uint32_t open_slots(Index cell) const {
+    std::uint32_t open = 0;
+    for (int i = 0; i <= K; ++i) open |= std::uint32_t{cells_.neighbors(cell)[i] == invalid_index} << i;
+    return open;
+  }
+
+  /// Fills the batch with cells that have open facets. Those had fewest when they were created go first, so that dents of what
+  /// is there are filled, and few facets are open at a time.
+  std::size_t take_cells() {
+    std::size_t taken = 0;
+    for (auto& waiting : waiting_)
+      while (!waiting.empty() && taken < batch_size) {
+        const Index cell = waiting.back();
+        waiting.pop_back();
+        const std::uint32_t open = open_slots(cell);
+        if (open == 0) continue;
+        taken_[taken] = cell;
+        batch_[taken++] = {cells_.vertices(cell), open};
+      }
+    return taken;
+  }
+
+  bool add_neighbors(std::size_t taken) {
+    std::size_t count = 0;
+    for (std::size_t b = 0; b < taken; ++b)
+      for (std::uint32_t open = batch_[b].open_slots; open != 0; open &= open - 1) {
+        const int slot = std::countr_zero(open);
+        places_[count] = {taken_[b], slot};
+        found_[count++] = apexes_[b * (K + 1) + static_cast<std::size_t>(slot)];
+      }
+    cells_.reserve(count);
+    if (cells_.num_slots() + count > FacetTable::none / (K + 1)) return false;
+    facets_.reserve(count * (K + 1));
+    for (std::size_t i = 0; i < count + ahead; ++i) {
+      if (i < count) new_cells_[i] = described(places_[i], found_[i]);
+      if (i < ahead) continue;
+      const Place place = places_[i - ahead];
+      // A cell of the same batch may have been the neighbor.
+      if (cells_.neighbors(place.beside)[place.slot] == invalid_index && !add(new_cells_[i - ahead])) return false;
+    }
+    return true;
+  }
+
+  CellStore<K>& cells_;
+  S& search_;
+  std::vector<std::uint64_t> keys_;                // of the vertices
+  FacetTable facets_;                              // those with one cell: cell · (k + 1) + slot
+  std::array<std::vector<Index>, K + 2> waiting_;  // finite cells, by how many open facets they had at first
+  std::unordered_set<std::uint64_t> sample_;       // of the keys of cells
+  std::array<Index, batch_size> taken_;
+  std::array<OpenCell, batch_size> batch_;
+  std::array<Index, batch_size*(K + 1)> apexes_, found_;
+  std::array<Place, batch_size*(K + 1)> places_;
+  std::array<NewCell, batch_size*(K + 1)> new_cells_;
+};
+
+}  // namespace delone::engine

@@ -1,0 +1,377 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// With the barycentric coordinates λ_i of a cell as affine functions of the image X, its functional is h = ℓ − Σ ℓ_i·λ_i(X), ℓ
+// the lift; it is positive outside its sphere. The spheres through facet i are the members h + t·λ_i of a pencil, and a vertex
+// p beyond the facet, where λ_i < 0, is on that of t = h(p)/−λ_i(p). The cell beyond has the vertex with the least t.
+//
+// In binary32 each t is replaced by something that is hardly ever above it; vertices that may have the least t, seldom more
+// than one, are computed again in binary64.
+#include "geometry/facet_search.hpp"
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "geometry/facet_search.cpp"
+#include <hwy/foreach_target.h>
+// After foreach_target.h
+#include <hwy/highway.h>
+
+#ifndef DELONE_FACET_SEARCH
+#define DELONE_FACET_SEARCH
+namespace delone::geometry {
+
+/// Vertices are in blocks of as many, the images' first entries side by side, then the second ones, …, then the lifts.
+constexpr std::size_t block = 16;
+/// The height of vertices that are not to be met: those of the cell itself, and those that fill the last block. So is their
+/// ratio.
+constexpr float out_of_reach = std::numeric_limits<float>::infinity();
+constexpr float largest_ratio = std::numeric_limits<float>::max();
+/// What may be wrong with a ratio because it is computed with an approximate reciprocal, relatively.
+constexpr float coarseness = 0x1p-7f;
+
+/// So many blocks are looked at for all facets of a batch before the next ones are: they stay in the first-level cache.
+constexpr std::size_t tile_blocks = 16;
+
+/// All that one dispatched call works on.
+struct SearchTask {
+  int k;
+  std::size_t num_blocks;
+  const float* images;
+  float* heights;  ///< h at the vertices of a tile
+  std::span<const OpenCell> cells;
+  const float* height_functions;  ///< of each cell, k + 1 numbers
+  std::span<SoughtFacet> facets;  ///< in the order of their cells
+};
+
+}  // namespace delone::geometry
+#endif
+
+HWY_BEFORE_NAMESPACE();
+namespace delone::geometry {
+namespace HWY_NAMESPACE {
+namespace hn = hwy::HWY_NAMESPACE;
+
+/// The coefficients of an affine function in all lanes. K is k, or 0 for any: then they are loaded where they are needed.
+template <int K, class D>
+struct InLanes {
+  InLanes(D tag, Affine function) : d(tag), from(function) {
+    for (std::size_t r = 0; r < K; ++r) kept[r] = hn::Set(d, function[r]);
+  }
+  hn::Vec<D> operator[](std::size_t r) const { return K > 0 ? kept[r] : hn::Set(d, from[r]); }
+  D d;
+  Affine from;
+  hn::Vec<D> kept[K > 0 ? K : 1];
+};
+
+/// Writes the values of an affine function plus the lift at the vertices of the blocks from `first` on. K is k, or 0 for any.
+template <int K>
+void write_heights(const SearchTask& task, std::size_t first, std::size_t end, Affine h) {
+  const hn::CappedTag<float, block> d;
+  using V = hn::Vec<decltype(d)>;
+  const auto k = static_cast<std::size_t>(K > 0 ? K : task.k);
+  const InLanes<K, decltype(d)> coefficients(d, h);
+  const V constant = hn::Set(d, h[k]);
+  const float* HWY_RESTRICT images = task.images;
+  float* HWY_RESTRICT heights = task.heights;
+  for (std::size_t b = first; b < end; ++b)
+    for (std::size_t lane = 0; lane < block; lane += hn::Lanes(d)) {
+      const float* const image = images + b * block * (k + 1) + lane;
+      V even = constant, odd = hn::Load(d, image + k * block);
+      for (std::size_t r = 0; r < k; ++r) {
+        V& sum = r % 2 == 0 ? even : odd;
+        sum = hn::MulAdd(hn::Load(d, image + r * block), coefficients[r], sum);
+      }
+      hn::Store(hn::Add(even, odd), d, heights + (b - first) * block + lane);
+    }
+}
+
+/// Writes heights over the values of an affine function where that is positive, and brings the least up to date.
+template <int K>
+void write_ratios(const SearchTask& task, std::size_t first, std::size_t end, SoughtFacet& facet) {
+  const hn::CappedTag<float, block> d;
+  using V = hn::Vec<decltype(d)>;
+  const auto k = static_cast<std::size_t>(K > 0 ? K : task.k);
+  const InLanes<K, decltype(d)> coefficients(d, facet.beyond);
+  const V constant = hn::Set(d, facet.beyond[k]), never = hn::Set(d, out_of_reach), zero = hn::Zero(d);
+  const float* HWY_RESTRICT images = task.images;
+  const float* HWY_RESTRICT heights = task.heights;
+  float* HWY_RESTRICT ratios = facet.ratios;
+  V least = never;
+  for (std::size_t b = first; b < end; ++b)
+    for (std::size_t lane = 0; lane < block; lane += hn::Lanes(d)) {
+      const float* const image = images + b * block * (k + 1) + lane;
+      V even = constant, odd = zero;
+      for (std::size_t r = 0; r < k; ++r) {
+        V& sum = r % 2 == 0 ? even : odd;
+        sum = hn::MulAdd(hn::Load(d, image + r * block), coefficients[r], sum);
+      }
+      const V value = hn::Add(even, odd);
+      const V ratio = hn::Mul(hn::Load(d, heights + (b - first) * block + lane), hn::ApproximateReciprocal(value));
+      const V kept = hn::IfThenElse(hn::Gt(value, zero), ratio, never);
+      least = hn::Min(least, kept);
+      hn::Store(kept, d, ratios + b * block + lane);
+    }
+  facet.least = std::min(facet.least, hn::GetLane(hn::MinOfLanes(d, least)));
+}
+
+template <int K>
+void search_tiles(const SearchTask& task) {
+  const auto width = static_cast<std::size_t>(K > 0 ? K : task.k) + 1;
+  for (std::size_t first = 0; first < task.num_blocks; first += tile_blocks) {
+    const std::size_t end = std::min(first + tile_blocks, task.num_blocks);
+    std::size_t facet = 0;
+    for (std::size_t cell = 0; cell < task.cells.size(); ++cell) {
+      write_heights<K>(task, first, end, task.height_functions + cell * width);
+      for (std::size_t i = 0; i < width; ++i) {
+        const std::size_t place = task.cells[cell].vertices[i] - 1 - first * block;  // wraps where it is less than 0
+        if (place < (end - first) * block) task.heights[place] = out_of_reach;
+      }
+      for (; facet < task.facets.size() && task.facets[facet].cell == cell; ++facet)
+        write_ratios<K>(task, first, end, task.facets[facet]);
+    }
+  }
+}
+
+void search_here(const SearchTask& task) {
+  switch (task.k) {
+    case 7:
+      return search_tiles<7>(task);
+    case 8:
+      return search_tiles<8>(task);
+    default:
+      return search_tiles<0>(task);
+  }
+}
+
+/// Writes the numbers of the vertices whose ratio is at most the bound; returns how many there are.
+std::size_t list_below_here(const float* ratios, std::size_t num_blocks, float bound, std::uint32_t* list) {
+  const hn::CappedTag<float, block> d;
+  const auto limit = hn::Set(d, bound);
+  std::size_t count = 0;
+  constexpr std::size_t stretch = 4 * block;  // looked at as one
+  const std::size_t end = num_blocks * block;
+  for (std::size_t first = 0; first < end; first += stretch) {
+    const std::size_t last = std::min(first + stretch, end);
+    auto least = hn::Load(d, ratios + first);
+    for (std::size_t i = first + hn::Lanes(d); i < last; i += hn::Lanes(d)) least = hn::Min(least, hn::Load(d, ratios + i));
+    if (hn::AllFalse(d, hn::Le(least, limit))) continue;
+    for (std::size_t i = first; i < last; i += hn::Lanes(d)) {
+      const auto below = hn::Le(hn::Load(d, ratios + i), limit);
+      if (hn::AllFalse(d, below)) continue;
+      for (std::size_t lane = i; lane < i + hn::Lanes(d); ++lane)
+        if (ratios[lane] <= bound) list[count++] = static_cast<std::uint32_t>(lane);
+    }
+  }
+  return count;
+}
+
+}  // namespace HWY_NAMESPACE
+}  // namespace delone::geometry
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace delone::geometry {
+
+HWY_EXPORT(search_here);
+HWY_EXPORT(list_below_here);
+
+namespace {
+
+constexpr std::size_t line = 64;
+
+/// The first entry at the start of a line of the cache. REQUIRES a line to spare.
+template <class T>
+T* aligned(std::vector<T>& storage) {
+  return reinterpret_cast<T*>((reinterpret_cast<std::uintptr_t>(storage.data()) + line - 1) / line * line);
+}
+
+}  // namespace
+
+FacetSearch::FacetSearch(int k, const double* rows, Index num_vertices, Arbiter arbiter)
+    : k_(k),
+      rows_(rows),
+      num_vertices_(num_vertices),
+      num_blocks_((num_vertices + block - 1) / block),
+      arbiter_(std::move(arbiter)) {
+  const auto width = static_cast<std::size_t>(k) + 1;
+  storage_.resize(num_blocks_ * block * (width + batch_size * width) + tile_blocks * block + line / sizeof(float));
+  scratch_.resize(simplex_scratch(k) + line / sizeof(double));
+  list_.resize(num_blocks_ * block);
+  float* const images = aligned(storage_);
+  for (std::size_t b = 0; b < num_blocks_; ++b)
+    for (std::size_t lane = 0; lane < block; ++lane) {
+      const std::size_t v = b * block + lane + 1;
+      for (std::size_t r = 0; r < width; ++r) {
+        const float filling = r + 1 < width ? 0 : out_of_reach;
+        images[(b * width + r) * block + lane] = v <= num_vertices ? static_cast<float>(rows[v * width + r]) : filling;
+      }
+      if (v <= num_vertices) largest_lift_ = std::max(largest_lift_, std::fabs(rows[v * width + width - 1]));
+    }
+}
+
+bool FacetSearch::first_cell(Index* vertices) const {
+  const auto k = static_cast<std::size_t>(k_), width = k + 1;
+  const auto row = [&](Index v) { return rows_ + v * width; };
+  // A functional that is nowhere negative: at first the lift less the least lift. It is turned about the vertices where it is 0
+  // until there is another.
+  Index lowest = 1;
+  for (Index v = 2; v <= num_vertices_; ++v)
+    if (row(v)[k] < row(lowest)[k]) lowest = v;
+  std::vector<double> functional(width, 0.0), normal(k);
+  functional[k] = -row(lowest)[k];
+  std::vector<std::vector<double>> basis;  // orthonormal, of the span of the edges
+  const auto without_basis = [&](std::vector<double>& x) {
+    for (const auto& b : basis) {
+      double along = 0;
+      for (std::size_t r = 0; r < k; ++r) along += b[r] * x[r];
+      for (std::size_t r = 0; r < k; ++r) x[r] -= along * b[r];
+    }
+    double square = 0;
+    for (const double c : x) square += c * c;
+    return std::sqrt(square);
+  };
+  vertices[0] = lowest;
+  for (std::size_t found = 1; found <= k; ++found) {
+    double longest = 0;
+    for (std::size_t axis = 0; axis < k; ++axis) {
+      std::vector<double> direction(k, 0.0);
+      direction[axis] = 1;
+      const double length = without_basis(direction);
+      if (length > longest) {
+        longest = length;
+        normal = direction;
+      }
+    }
+    Index best = invalid_index;
+    double least = std::numeric_limits<double>::infinity();
+    for (const double side : {1.0, -1.0}) {
+      if (best != invalid_index) break;
+      for (Index v = 1; v <= num_vertices_; ++v) {
+        if (std::find(vertices, vertices + found, v) != vertices + found) continue;
+        double beyond = 0, height = row(v)[k] + functional[k];
+        for (std::size_t r = 0; r < k; ++r) {
+          beyond -= side * normal[r] * (row(v)[r] - row(lowest)[r]);
+          height += functional[r] * row(v)[r];
+        }
+        if (beyond > 1e-9 && height < least * beyond) {
+          least = height / beyond;
+          best = v;
+        }
+      }
+      if (best == invalid_index) continue;
+      for (std::size_t r = 0; r < k; ++r) {
+        functional[r] += least * side * normal[r];
+        functional[k] -= least * side * normal[r] * row(lowest)[r];
+      }
+    }
+    if (best == invalid_index) return false;
+    vertices[found] = best;
+    std::vector<double> edge(k);
+    for (std::size_t r = 0; r < k; ++r) edge[r] = row(best)[r] - row(lowest)[r];
+    const double length = without_basis(edge);
+    for (double& c : edge) c /= length;
+    basis.push_back(std::move(edge));
+  }
+  return true;
+}
+
+bool FacetSearch::find_apexes(std::span<const OpenCell> cells, Index* apexes) {
+  const auto k = static_cast<std::size_t>(k_), width = k + 1;
+  double* const functions = aligned(scratch_);
+  std::array<const Index*, batch_size> simplices;
+  std::transform(cells.begin(), cells.end(), simplices.begin(), [](const OpenCell& cell) { return cell.vertices; });
+  solve_simplices({k_, {simplices.data(), cells.size()}, rows_, functions});
+
+  float* const images = aligned(storage_);
+  float* const heights = images + num_blocks_ * block * width;
+  float* const ratios = heights + tile_blocks * block;
+  const std::size_t most_facets = batch_size * width;
+  std::array<Scale, batch_size> scales;
+  functions_.resize((batch_size + most_facets) * width);
+  float* const height_functions = functions_.data();
+  std::vector<SoughtFacet>& facets = facets_;
+  facets.clear();
+  for (std::size_t lane = 0; lane < cells.size(); ++lane) {
+    const auto coefficient = [&](std::size_t f, std::size_t r) { return lane_entry(functions, f * width + r, lane); };
+    const auto magnitude = [&](std::size_t f) {
+      double sum = 0;
+      for (std::size_t r = 0; r <= k; ++r) sum += std::fabs(coefficient(f, r));
+      return sum;
+    };
+    Scale& scale = scales[lane];
+    for (std::size_t f = 0; f <= k; ++f) scale.spread += scale.slots[f] = magnitude(f);
+    scale.height = magnitude(width) + largest_lift_;
+    const double unit = static_cast<double>(k) * 0x1p-24;
+    float* const h = height_functions + lane * width;
+    for (std::size_t r = 0; r <= k; ++r) h[r] = static_cast<float>(coefficient(width, r));
+    h[k] -= static_cast<float>(unit * scale.height);
+    for (std::uint32_t open = cells[lane].open_slots; open != 0; open &= open - 1) {
+      const auto slot = static_cast<std::size_t>(std::countr_zero(open));
+      float* const beyond = functions_.data() + (batch_size + facets.size()) * width;
+      for (std::size_t r = 0; r <= k; ++r) beyond[r] = -static_cast<float>(coefficient(slot, r));
+      beyond[k] += static_cast<float>(unit * scale.slots[slot]);
+      facets.push_back({lane, slot, beyond, ratios + facets.size() * num_blocks_ * block, out_of_reach});
+    }
+  }
+  HWY_DYNAMIC_DISPATCH(search_here)({k_, num_blocks_, images, heights, cells, height_functions, facets});
+
+  for (const SoughtFacet& facet : facets) {
+    const std::optional<Index> apex = settle(facet, cells[facet.cell].vertices, functions, scales[facet.cell]);
+    if (!apex) return false;
+    apexes[facet.cell * width + facet.slot] = *apex;
+  }
+  return true;
+}
+
+/// The apex, in binary64 or by the arbiter.
+std::optional<Index> FacetSearch::settle(const SoughtFacet& facet, const Index* vertices, double* functions,
+                                         const Scale& scale) {
+  const auto k = static_cast<std::size_t>(k_), width = k + 1;
+  ++num_settled_;
+  if (facet.least > largest_ratio) return index(infinite_vertex);
+  if (!std::isfinite(facet.least)) return std::nullopt;  // the cell is too flat for binary32
+  const auto coefficient = [&](std::size_t f, std::size_t r) { return lane_entry(functions, f * width + r, facet.cell); };
+  // Barycentric coordinates magnify rounding errors at the vertices.
+  const double unit = 8 * 0x1p-53 * scale.spread;
+  const double height_error = unit * scale.height, error = unit * scale.slots[facet.slot];
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  Candidate best;
+  for (float bound = facet.least + 3 * coarseness * std::fabs(facet.least);;) {
+    const std::size_t listed = HWY_DYNAMIC_DISPATCH(list_below_here)(facet.ratios, num_blocks_, bound, list_.data());
+    best = {index(infinite_vertex), 0, infinity};
+    candidates_.clear();
+    for (std::size_t c = 0; c < listed; ++c) {
+      const Index v = static_cast<Index>(list_[c]) + 1;
+      const double* const row = rows_ + v * width;
+      double height = row[k] + coefficient(width, k), beyond = -coefficient(facet.slot, k);
+      for (std::size_t r = 0; r < k; ++r) {
+        height += coefficient(width, r) * row[r];
+        beyond -= coefficient(facet.slot, r) * row[r];
+      }
+      if (beyond < -error) continue;
+      const bool is_beyond = beyond > 2 * error;
+      candidates_.push_back({v, is_beyond ? (height - height_error) / (beyond + error) : -infinity,
+                             is_beyond ? (height + height_error) / (beyond - error) : infinity});
+      if (candidates_.back().high < best.high) best = candidates_.back();
+    }
+    // Whatever has a lesser ratio than the best is in the list if the bound is clear of that.
+    const double needed = best.high + coarseness * std::fabs(best.high);
+    if (needed <= bound || bound >= largest_ratio) break;
+    bound = static_cast<float>(std::min<double>(needed + coarseness * std::fabs(needed), largest_ratio));
+  }
+  std::erase_if(candidates_, [&](const Candidate& c) { return c.low > best.high; });
+  if (candidates_.size() <= 1 && best.high < infinity) return best.vertex;
+  contenders_.clear();
+  for (const Candidate& c : candidates_) contenders_.push_back(c.vertex);
+  // Where vertices are close to many spheres insertion is not slower.
+  num_asked_ += contenders_.size();
+  if (num_asked_ > 1000 + num_settled_ / 4) return std::nullopt;
+  return arbiter_(vertices, static_cast<int>(facet.slot), contenders_);
+}
+
+}  // namespace delone::geometry
+#endif

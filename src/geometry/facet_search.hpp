@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What is beyond a facet: of all vertices there, the one whose sphere through the facet is the first. Every vertex is looked
+// at, many per instruction, in binary32; the few that are left in binary64. Not proved: see engine/prove.hpp.
+#pragma once
+
+#include "geometry/simplex_kernel.hpp"
+#include "open_cell.hpp"
+
+#include <delone/types.hpp>
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <span>
+#include <vector>
+
+namespace delone::geometry {
+
+/// An affine function of images: k coefficients and the constant.
+using Affine = const float*;
+
+/// An open facet of a batch.
+struct SoughtFacet {
+  std::size_t cell;  ///< in the batch
+  std::size_t slot;
+  Affine beyond;  ///< positive beyond the facet
+  float* ratios;  ///< of each vertex: where in the pencil of the facet its sphere is
+  float least;    ///< of them
+};
+
+/// Of the given vertices the one that is strictly beyond facet `slot` of a finite cell and whose sphere through the facet is
+/// the first, or infinite_vertex if none is beyond; nothing on a tie. Exact.
+using Arbiter = std::function<std::optional<Index>(const Index* cell, int slot, std::span<const Index> vertices)>;
+
+class FacetSearch {
+ public:
+  static constexpr std::size_t batch_size = simplex_lanes;
+
+  /// `rows`: the images and lifts of the vertices 1 … num_vertices, k + 1 doubles each, those of vertex 0 unused; they must
+  /// outlive this object. The arbiter is asked where rounded numbers leave several vertices. REQUIRES 2 ≤ k < 32.
+  FacetSearch(int k, const double* rows, Index num_vertices, Arbiter arbiter);
+
+  /// The vertices of a cell of the Delaunay triangulation, unless rounding deceives. Returns false if the images seem to be
+  /// flat. Cost O(n·k²).
+  bool first_cell(Index* vertices) const;
+
+  /// For up to batch_size finite cells, k + 1 apexes each: the vertex across every open facet, or infinite_vertex if there is
+  /// none; other entries are not written. Returns false on a tie, and where
+  /// the arbiter would be asked too often. Cost O(k³ + n·k·facets) per
+  /// cell.
+  bool find_apexes(std::span<const OpenCell> cells, Index* apexes);
+
+ private:
+  /// The magnitudes of a cell's functions in the frame's box, at most.
+  struct Scale {
+    double height = 0;
+    std::array<double, 32> slots{};
+    double spread = 0;  ///< of all slots together
+  };
+  /// A vertex that may be the apex, and between which bounds its ratio is, as far as can be told.
+  struct Candidate {
+    Index vertex;
+    double low, high;
+  };
+  std::optional<Index> settle(const SoughtFacet& facet, const Index* vertices, double* functions, const Scale& scale);
+
+  int k_;
+  const double* rows_;
+  Index num_vertices_;
+  std::size_t num_blocks_;
+  double largest_lift_ = 0;
+  std::vector<float> storage_;       // images and lifts of the vertices; heights of a tile; the ratios of each facet
+  std::vector<float> functions_;     // of a batch
+  std::vector<SoughtFacet> facets_;  // of a batch
+  std::vector<double> scratch_;      // of simplices
+  std::vector<std::uint32_t> list_;
+  std::vector<Candidate> candidates_;
+  std::vector<Index> contenders_;
+  Arbiter arbiter_;
+  std::size_t num_settled_ = 0, num_asked_ = 0;  // facets, and vertices that the arbiter was asked about
+};
+
+}  // namespace delone::geometry
