@@ -24,9 +24,8 @@ class FacetTable {
   std::size_t size() const { return size_; }
   void prefetch(std::uint64_t key) const { __builtin_prefetch(&lines_[place(key)], 1); }
 
-  /// If the key is there, removes it and returns its value; else adds it with the given value and returns `none`. REQUIRES that
-  /// the key is not 0 and reserve() has been called since the table has grown by the number it was called for. Throws
-  /// std::bad_alloc.
+  /// If the key is there, removes it and returns its value; else adds it with the given value and returns `none`. Slow without
+  /// a reserve() that covers it. REQUIRES that the key is not 0. Throws std::bad_alloc.
   std::uint32_t match(std::uint64_t key, std::uint32_t value) {
     Line& line = lines_[place(key)];
     std::uint32_t hits = 0, vacancies = 0;

@@ -14,6 +14,7 @@
 #include <algorithm>
 #include <array>
 #include <bit>
+#include <concepts>
 #include <cstddef>
 #include <cstdint>
 #include <functional>
@@ -29,7 +30,7 @@ concept FacetSearch = requires(S search, Index* vertices, std::span<const OpenCe
   /// The k+1 vertices of a cell to start from. Returns whether one was found.
   { search.first_cell(vertices) } -> std::same_as<bool>;
   /// For up to S::batch_size cells, k+1 apexes each: across each open facet the vertex of the cell there that is not on the
-  /// facet. Returns false where two vertices are too close to call.
+  /// facet. Returns false to give up.
   { search.find_apexes(cells, apexes) } -> std::same_as<bool>;
 };
 

@@ -361,7 +361,8 @@ std::optional<Index> FacetSearch::settle(const SoughtFacet& facet, const Index* 
     // Whatever has a lesser ratio than the best is in the list if the bound is clear of that.
     const double needed = best.high + coarseness * std::fabs(best.high);
     if (needed <= bound || bound >= largest_ratio) break;
-    bound = static_cast<float>(std::min<double>(needed + coarseness * std::fabs(needed), largest_ratio));
+    bound = std::nextafter(static_cast<float>(std::min<double>(needed + coarseness * std::fabs(needed), largest_ratio)),
+                           largest_ratio);
   }
   std::erase_if(candidates_, [&](const Candidate& c) { return c.low > best.high; });
   if (candidates_.size() <= 1 && best.high < infinity) return best.vertex;

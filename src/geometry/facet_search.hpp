@@ -47,9 +47,8 @@ class FacetSearch {
   bool first_cell(Index* vertices) const;
 
   /// For up to batch_size finite cells, k + 1 apexes each: the vertex across every open facet, or infinite_vertex if there is
-  /// none; other entries are not written. Returns false on a tie, and where
-  /// the arbiter would be asked too often. Cost O(k³ + n·k·facets) per
-  /// cell.
+  /// none; other entries are not written. Returns false on a tie, and where the arbiter would be asked too often. Cost
+  /// O(k³ + n·k·facets) per cell.
   bool find_apexes(std::span<const OpenCell> cells, Index* apexes);
 
  private:
