@@ -312,7 +312,7 @@ void certify_simplices(const SimplexTask& task, SimplexCertificate* certificates
     const double growth = lane_entry(arrays.growth, 0, lane);
     const double change = slack * 2 * spread * (1.01 * (k + 4) * u * growth * column_sum + 4.1 * u);
     const double determinant = lane_entry(arrays.determinant, 0, lane);
-    // With these, sums of squares of no more than a few hundred terms are far from overflow. Not true of not-a-number.
+    // Not so for what is not a number, nor where pivots underflow.
     const bool is_proved = farthest < 1.0 / 64 && change < 1.0 / 64 && std::fabs(determinant) > 1e-240;
     certificates[lane] = {!is_proved        ? Sign::zero
                           : determinant > 0 ? Sign::positive
