@@ -37,6 +37,8 @@ class CellMemory {
   std::size_t bytes() const { return words_.capacity() * sizeof(double); }
   /// Makes room for cells, keeping the present ones. Throws std::bad_alloc, and then changes nothing.
   void reserve(std::size_t cells) { words_.reserve(cells * stride()); }
+  /// Cells to come are met in no order: what they are mapped to is to be in large pages.
+  void use_large_pages() { words_.use_large_pages(); }
   /// Copies the first `cells` cells of a memory of the same dimension.
   void copy(const CellMemory& other, std::size_t cells) {
     reserve(cells);

@@ -42,6 +42,14 @@ class GrowableArray {
   const T& operator[](std::size_t i) const { return entries_[i]; }
   std::size_t capacity() const { return capacity_; }
 
+  /// From now on, what is mapped is in large pages, as far as the system has them.
+  void use_large_pages() {
+    pages_ = Pages::large;
+#ifdef __linux__
+    if (is_mapped()) ask_for_pages(entries_, rounded_up(capacity_ * sizeof(T)));
+#endif
+  }
+
   /// Makes room for at least `size` entries, keeping the present ones. Throws std::bad_alloc, and then changes nothing.
   void reserve(std::size_t size) {
     if (size <= capacity_) return;
@@ -59,7 +67,7 @@ class GrowableArray {
         std::copy(entries_, entries_ + capacity_, static_cast<T*>(moved));
         std::free(entries_);
       }
-      if (pages_ == Pages::large) madvise(moved, bytes, MADV_HUGEPAGE);  // a wish: failure is no error
+      ask_for_pages(moved, bytes);
       entries_ = static_cast<T*>(moved);
       capacity_ = bytes / sizeof(T);
       return;
@@ -80,6 +88,11 @@ class GrowableArray {
     constexpr std::size_t page = std::size_t{2} << 20;
     return bytes < mapped_from ? bytes : (bytes + page - 1) / page * page;
   }
+#ifdef __linux__
+  void ask_for_pages(void* mapped, std::size_t bytes) const {
+    if (pages_ == Pages::large) madvise(mapped, bytes, MADV_HUGEPAGE);  // a wish: failure is no error
+  }
+#endif
   void release() {
 #ifdef __linux__
     if (is_mapped()) {

@@ -40,16 +40,23 @@ class CellStore {
     return -1;
   }
 
+  // Calls of functions that do nothing but prefetch are dropped by GCC as calls without effect, unless it inlines them early.
+
   /// Asks for the memory of a cell ahead of its use.
-  void prefetch(Index cell) const {
+  [[gnu::always_inline]] void prefetch(Index cell) const {
     const double* record = memory_.record(cell);
     const std::size_t bytes = memory_.stride() * sizeof(double);
     for (std::size_t line = 0; line < bytes; line += 64) __builtin_prefetch(reinterpret_cast<const char*>(record) + line);
     if (bytes % 64 != 0) __builtin_prefetch(reinterpret_cast<const char*>(record) + bytes - 1);
   }
 
-  /// The same for its vertices and neighbors alone.
-  void prefetch_links(Index cell) const {
+  /// The same for all its neighbors.
+  [[gnu::always_inline]] void prefetch_neighbors(Index cell) const {
+    const Index* const across = neighbors(cell);
+    for (int i = 0; i <= dimension(); ++i) prefetch(across[i]);
+  }
+  /// The same for the vertices and neighbors of a cell alone.
+  [[gnu::always_inline]] void prefetch_links(Index cell) const {
     const auto* links = reinterpret_cast<const char*>(vertices(cell));
     const std::size_t bytes = 2 * (static_cast<std::size_t>(dimension()) + 1) * sizeof(Index);
     for (std::size_t byte = 0; byte < bytes; byte += 64) __builtin_prefetch(links + byte);

@@ -198,11 +198,9 @@ void find_conflict_zone(const Cells& cells, const G& geometry, const typename G:
       ConflictZone::Candidate* const candidates = zone.candidates.data();
       const std::size_t end = std::min(next + ConflictZone::block_size, num_cells);
       std::size_t num_candidates = 0;
+      for (std::size_t i = next; i < std::min(next + cells_ahead, end); ++i) cells.prefetch_neighbors(zone_cells[i]);
       for (; next < end; ++next) {
-        if (next + cells_ahead < num_cells) {
-          const Index* const ahead = cells.neighbors(zone_cells[next + cells_ahead]);
-          for (std::size_t i = 0; i < facets; ++i) cells.prefetch(ahead[i]);
-        }
+        if (next + cells_ahead < num_cells) cells.prefetch_neighbors(zone_cells[next + cells_ahead]);
         const Index* const neighbors = cells.neighbors(zone_cells[next]);
         for (std::size_t i = 0; i < facets; ++i) {
           const Index neighbor = neighbors[i];

@@ -22,7 +22,7 @@ class FacetTable {
   FacetTable() : FacetTable(fewest_lines) {}
 
   std::size_t size() const { return size_; }
-  void prefetch(std::uint64_t key) const { __builtin_prefetch(&lines_[place(key)], 1); }
+  [[gnu::always_inline]] void prefetch(std::uint64_t key) const { __builtin_prefetch(&lines_[place(key)], 1); }
 
   /// If the key is there, removes it and returns its value; else adds it with the given value and returns `none`. Slow without
   /// a reserve() that covers it. REQUIRES that the key is not 0. Throws std::bad_alloc.

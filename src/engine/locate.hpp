@@ -78,6 +78,7 @@ std::pair<Descent, WalkResult> descend(const Cells& cells, const G& geometry, co
     const double here = value + functional.threshold(result.cell);
     bool least = value > functional.threshold(result.cell);
     Index best = invalid_index;
+    cells.prefetch_neighbors(result.cell);
     for (int i = 0; i <= cells.dimension(); ++i) {
       const Index neighbor = neighbors[i];
       const double h = functional.value(neighbor), threshold = functional.threshold(neighbor);

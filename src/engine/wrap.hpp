@@ -26,7 +26,7 @@ namespace delone::engine {
 
 /// Says what is beyond facets, where it is certain enough for a proposal.
 template <class S>
-concept FacetSearch = requires(S search, Index* vertices, std::span<const OpenCell> cells, Index* apexes) {
+concept SearchBeyondFacets = requires(S search, Index* vertices, std::span<const OpenCell> cells, Index* apexes) {
   /// The k+1 vertices of a cell to start from. Returns whether one was found.
   { search.first_cell(vertices) } -> std::same_as<bool>;
   /// For up to S::batch_size cells, k+1 apexes each: across each open facet the vertex of the cell there that is not on the
@@ -35,7 +35,7 @@ concept FacetSearch = requires(S search, Index* vertices, std::span<const OpenCe
 };
 
 /// Fills an empty store. The vertices of a cell are in ascending order, whatever orientation that gives.
-template <int K, FacetSearch S>
+template <int K, SearchBeyondFacets S>
 class Wrapping {
  public:
   /// Vertices are 1 … num_vertices and the infinite one.

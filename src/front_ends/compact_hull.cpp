@@ -37,7 +37,7 @@ class CompactCells {
       if (vertices(cell)[i] == index(infinite_vertex)) return i;
     return -1;
   }
-  void prefetch(Index) const {}
+  void prefetch_neighbors(Index) const {}
 
  private:
   int dimension_;

@@ -78,8 +78,7 @@ class HullBoundaryOfDimension final : public HullBoundary {
     constexpr std::size_t ahead = 4;  // cells whose neighbors are on the way from memory
     for (Index c = 0; c < hull.num_cells(); ++c) {
       const Index cell = hull.slots[c];
-      if (c + ahead < hull.num_cells())
-        for (int i = 0; i <= cells_.dimension(); ++i) cells_.prefetch(cells_.neighbors(hull.slots[c + ahead])[i]);
+      if (c + ahead < hull.num_cells()) cells_.prefetch_neighbors(hull.slots[c + ahead]);
       for (int i = 0; i <= cells_.dimension(); ++i) {
         const Index across = cells_.neighbors(cell)[i];
         if (across < cell) continue;

@@ -7,6 +7,7 @@
 #include "engine/prove.hpp"
 #include "engine/seed.hpp"
 #include "engine/wrap.hpp"
+#include "front_ends/covers_once.hpp"
 #include "front_ends/hull.hpp"
 #include "front_ends/hull_queries.hpp"
 #include "geometry/delaunay_geometry.hpp"
@@ -91,6 +92,11 @@ class HullOfDimension final : public Hull {
     create_functionals();
   }
 
+  void expect_scattered_insertions() override {
+    memory_.use_large_pages();
+    geometry_.use_large_pages();
+  }
+
   Index insert(Index v, Index start) override {
     const Query q = geometry_.make_query(points_.point(v));
     if (start == invalid_index) start = work_.star().empty() ? last_ : engine::start_in_star(geometry_, q, work_.star());
@@ -166,60 +172,8 @@ class HullOfDimension final : public Hull {
     std::vector<Query> queries;
     queries.reserve(last + 1);
     for (Index v = 0; v <= last; ++v) queries.push_back(geometry_.make_query(points_.point(v)));
-    return engine::Proof<K, Geometry>(cells_, geometry_, queries, effort_.stages).run(tick) && covers_once();
-  }
-
-  /// Proves that cells which are locally right do not cover space more than once, by one point that is in one finite cell and
-  /// on the inner side of all infinite ones. It lies between a vertex with the least of all coordinates along an axis and all
-  /// other vertices, so that only cells of that vertex can contain it. Returns false also where no such point is found.
-  bool covers_once() const {
-    for (int axis = 0; axis < points_.ambient; ++axis) {
-      const auto coordinate = [&](Index v) { return points_.point(v)[axis]; };
-      Index first = 1;
-      for (Index v = 2; v <= points_.last_vertex(); ++v)
-        if (coordinate(v) < coordinate(first)) first = v;
-      double second = std::numeric_limits<double>::infinity();
-      for (Index v = 1; v <= points_.last_vertex(); ++v)
-        if (v != first) second = std::min(second, coordinate(v));
-      std::vector<Index> around;
-      for (Index cell = 0; cell < cells_.num_slots(); ++cell) {
-        const Index* v = cells_.vertices(cell);
-        if (!geometry_.is_infinite(cell) && std::find(v, v + K + 1, first) != v + K + 1) around.push_back(cell);
-      }
-      const Index* v = cells_.vertices(around.front());
-      std::vector<double> inside(static_cast<std::size_t>(points_.ambient));
-      for (std::size_t j = 0; j < inside.size(); ++j)
-        for (int i = 0; i <= K; ++i) inside[j] += points_.point(v[i])[j] / (K + 1);
-      const double step = (second - coordinate(first)) / 2 / (inside[static_cast<std::size_t>(axis)] - coordinate(first));
-      for (std::size_t j = 0; j < inside.size(); ++j)
-        inside[j] = points_.point(first)[j] + step * (inside[j] - points_.point(first)[j]);
-      const double at = inside[static_cast<std::size_t>(axis)];
-      if (!(coordinate(first) < at && at < second)) continue;
-      return is_in_one_of(around, inside.data());
-    }
-    return false;
-  }
-
-  /// Whether a point is inside exactly one of the given finite cells and on the boundary of none, and on the inner side of all
-  /// infinite cells.
-  bool is_in_one_of(std::span<const Index> finite_cells, const double* point) const {
-    const kernel::Grid grid = points_.grid_with(point);
-    const Query q = geometry_.make_query(point, grid);
-    int containing = 0;
-    for (const Index cell : finite_cells) {
-      Sign least = Sign::positive;
-      for (int i = 0; i <= K && least != Sign::negative; ++i)
-        least = std::min(least, geometry_.side_of_facet(cells_.vertices(cell), i, q));
-      if (least == Sign::zero) return false;
-      containing += least == Sign::positive ? 1 : 0;
-    }
-    const auto functional = geometry_.evaluator(q);
-    StageCounts uncounted;
-    for (Index cell = 0; cell < cells_.num_slots(); ++cell)
-      if (geometry_.is_infinite(cell) && !(functional.value(cell) > functional.threshold(cell)) &&
-          geometry_.exact_side(cells_.vertices(cell), cells_.infinite_slot(cell), q, uncounted) != Sign::positive)
-        return false;
-    return containing == 1;
+    return engine::Proof<K, Geometry>(cells_, geometry_, queries, effort_.stages).run(tick) &&
+           covers_once(cells_, geometry_, points_);
   }
 
   /// After an insertion.

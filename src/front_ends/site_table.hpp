@@ -29,7 +29,7 @@ class SiteTable {
     while (2 * n > entries_.size()) grow();
   }
   /// Asks the memory for what find() and add() will look at.
-  void prefetch(std::uint64_t tag) const {
+  [[gnu::always_inline]] void prefetch(std::uint64_t tag) const {
     if (!entries_.empty()) __builtin_prefetch(&entries_[tag & mask()], 1);
   }
 

@@ -66,6 +66,8 @@ class DelaunayGeometry : public PointPredicates<K> {
 
   /// The images and lifts of the vertices, k + 1 doubles each.
   const double* rows() const { return rows_.data(); }
+  /// Vertices to come are met in no order.
+  void use_large_pages() { rows_.use_large_pages(); }
 
   /// A query at the point of a vertex.
   Query make_query(const double* at) const { return make_query(at, grid_); }

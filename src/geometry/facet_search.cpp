@@ -55,37 +55,48 @@ namespace delone::geometry {
 namespace HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
 
-/// The coefficients of an affine function in all lanes. K is k, or 0 for any: then they are loaded where they are needed.
+/// An affine function, its coefficients in all lanes. K is k, or 0 for any: then they are loaded where they are needed.
 template <int K, class D>
-struct InLanes {
-  InLanes(D tag, Affine function) : d(tag), from(function) {
-    for (std::size_t r = 0; r < K; ++r) kept[r] = hn::Set(d, function[r]);
+class InLanes {
+ public:
+  using V = hn::Vec<D>;
+
+  InLanes(D d, const SearchTask& task, Affine function)
+      : d_(d), k_(static_cast<std::size_t>(K > 0 ? K : task.k)), from_(function), constant_(hn::Set(d, function[k_])) {
+    for (std::size_t r = 0; r < K; ++r) kept_[r] = hn::Set(d, function[r]);
   }
-  hn::Vec<D> operator[](std::size_t r) const { return K > 0 ? kept[r] : hn::Set(d, from[r]); }
-  D d;
-  Affine from;
-  hn::Vec<D> kept[K > 0 ? K : 1];
+
+  /// The sum of `start` and the values at the vertices of a block, or part of one, from this image on.
+  HWY_INLINE V plus_values(V start, const float* image) const {
+    V even = constant_, odd = start;
+    for (std::size_t r = 0; r < k_; ++r) {
+      V& sum = r % 2 == 0 ? even : odd;
+      sum = hn::MulAdd(hn::Load(d_, image + r * block), K > 0 ? kept_[r] : hn::Set(d_, from_[r]), sum);
+    }
+    return hn::Add(even, odd);
+  }
+
+ private:
+  D d_;
+  std::size_t k_;
+  Affine from_;
+  V constant_;
+  V kept_[K > 0 ? K : 1];
 };
 
 /// Writes the values of an affine function plus the lift at the vertices of the blocks from `first` on. K is k, or 0 for any.
 template <int K>
 void write_heights(const SearchTask& task, std::size_t first, std::size_t end, Affine h) {
   const hn::CappedTag<float, block> d;
-  using V = hn::Vec<decltype(d)>;
   const auto k = static_cast<std::size_t>(K > 0 ? K : task.k);
-  const InLanes<K, decltype(d)> coefficients(d, h);
-  const V constant = hn::Set(d, h[k]);
+  const InLanes<K, decltype(d)> function(d, task, h);
   const float* HWY_RESTRICT images = task.images;
   float* HWY_RESTRICT heights = task.heights;
   for (std::size_t b = first; b < end; ++b)
     for (std::size_t lane = 0; lane < block; lane += hn::Lanes(d)) {
       const float* const image = images + b * block * (k + 1) + lane;
-      V even = constant, odd = hn::Load(d, image + k * block);
-      for (std::size_t r = 0; r < k; ++r) {
-        V& sum = r % 2 == 0 ? even : odd;
-        sum = hn::MulAdd(hn::Load(d, image + r * block), coefficients[r], sum);
-      }
-      hn::Store(hn::Add(even, odd), d, heights + (b - first) * block + lane);
+      const auto lift = hn::Load(d, image + k * block);
+      hn::Store(function.plus_values(lift, image), d, heights + (b - first) * block + lane);
     }
 }
 
@@ -95,21 +106,15 @@ void write_ratios(const SearchTask& task, std::size_t first, std::size_t end, So
   const hn::CappedTag<float, block> d;
   using V = hn::Vec<decltype(d)>;
   const auto k = static_cast<std::size_t>(K > 0 ? K : task.k);
-  const InLanes<K, decltype(d)> coefficients(d, facet.beyond);
-  const V constant = hn::Set(d, facet.beyond[k]), never = hn::Set(d, out_of_reach), zero = hn::Zero(d);
+  const InLanes<K, decltype(d)> function(d, task, facet.beyond);
+  const V never = hn::Set(d, out_of_reach), zero = hn::Zero(d);
   const float* HWY_RESTRICT images = task.images;
   const float* HWY_RESTRICT heights = task.heights;
   float* HWY_RESTRICT ratios = facet.ratios;
   V least = never;
   for (std::size_t b = first; b < end; ++b)
     for (std::size_t lane = 0; lane < block; lane += hn::Lanes(d)) {
-      const float* const image = images + b * block * (k + 1) + lane;
-      V even = constant, odd = zero;
-      for (std::size_t r = 0; r < k; ++r) {
-        V& sum = r % 2 == 0 ? even : odd;
-        sum = hn::MulAdd(hn::Load(d, image + r * block), coefficients[r], sum);
-      }
-      const V value = hn::Add(even, odd);
+      const V value = function.plus_values(zero, images + b * block * (k + 1) + lane);
       const V ratio = hn::Mul(hn::Load(d, heights + (b - first) * block + lane), hn::ApproximateReciprocal(value));
       const V kept = hn::IfThenElse(hn::Gt(value, zero), ratio, never);
       least = hn::Min(least, kept);

@@ -100,8 +100,8 @@ class Functionals {
 
   /// Computes a functional by elimination from the rows (k images and the lift) of the finite vertices, the apex first.
   /// `positive`: for an infinite cell, the sign of the coefficient ±1 is that of the edge vectors' determinant, else its
-  /// opposite. Returns the sign of that determinant, zero if it is not certain; rows that are cyclically ordered otherwise have
-  /// another.
+  /// opposite. Returns the sign of that determinant, zero if it is not certain. A cyclic shift of the vertices may
+  /// reverse it: what is said of the given rows holds of vertices only where the apex is in slot 0.
   template <bool Infinite>
   Sign solve(Index cell, const double* rows, bool positive) requires(Lifted);
   /// The same for up to simplex_lanes finite cells at once, given their vertices; `rows`: of all vertices. Where a sign is

@@ -4,6 +4,7 @@
 
 #include "compare.hpp"
 #include "engine/prove.hpp"
+#include "front_ends/covers_once.hpp"
 #include "front_ends/dispatch.hpp"
 #include "geometry/delaunay_geometry.hpp"
 #include "geometry/facet_search.hpp"
@@ -260,14 +261,13 @@ TEST(Wrap, BuildsBatchesOfFewPointsInSevenDimensions) {
 template <int K>
 struct Proposed {
   explicit Proposed(const Coordinates& coordinates)
-      : points(K, 0.0),
-        grid(K),
+      : points(K, kernel::RowForm::point),
         memory(K),
         cells(memory),
-        geometry(memory, all_axes(K), K, points, grid, frame_of(K, coordinates)),
+        geometry(memory, all_axes(K), K, points.coordinates, points.grid, frame_of(K, coordinates)),
         num_vertices(static_cast<Index>(coordinates.size() / K)) {
-    points.insert(points.end(), coordinates.begin(), coordinates.end());
-    for (Index v = 1; v <= num_vertices; ++v) grid.include(geometry.point(v));
+    points.coordinates.insert(points.coordinates.end(), coordinates.begin(), coordinates.end());
+    for (Index v = 1; v <= num_vertices; ++v) points.grid.include(geometry.point(v));
     geometry.set_rows(num_vertices);
   }
 
@@ -276,7 +276,7 @@ struct Proposed {
     cells.clear();
     geometry::FacetSearch search(K, geometry.rows(), vertices,
                                  [this](const Index* cell, int slot, std::span<const Index> among) {
-                                   return geometry.first_beyond(cell, slot, among, grid);
+                                   return geometry.first_beyond(cell, slot, among, points.grid);
                                  });
     ASSERT_TRUE((Wrapping<K, geometry::FacetSearch>(cells, search, vertices).run([] {})));
   }
@@ -317,8 +317,7 @@ struct Proposed {
     return Proof<K, geometry::DelaunayGeometry<K>>(cells, geometry, queries, counts).run([] {});
   }
 
-  Coordinates points;
-  kernel::Grid grid;
+  VertexPoints points;
   CellMemory<K> memory;
   CellStore<K> cells;
   geometry::DelaunayGeometry<K> geometry;
@@ -473,6 +472,33 @@ TEST(Proof, NoticesTies) {
                                    test::Cells{{1, 2, 3}, {1, 2, 4}, {0, 1, 4}, {0, 2, 4}, {0, 1, 3}, {0, 2, 3}}}) {
     ASSERT_TRUE(collinear.propose(cells));
     EXPECT_FALSE(collinear.is_proved());
+  }
+}
+
+// Ten triangles around one vertex that turn about it twice: everything is right but their number.
+TEST(CoversOnce, NoticesTwoTurnsAboutAVertex) {
+  const auto around = [](int turns) {
+    Coordinates points{0, 0};
+    for (int i = 0; i < 5 * turns; ++i) {
+      const double angle = 2 * 3.14159265358979 * (i / 5.0 + i / 1000.0), radius = 1 + i / 100.0;
+      points.insert(points.end(), {radius * std::cos(angle), radius * std::sin(angle)});
+    }
+    return points;
+  };
+  const auto fan = [](SignedIndex size) {
+    test::Cells cells;
+    for (SignedIndex i = 0; i < size; ++i) {
+      const SignedIndex a = i + 2, b = (i + 1) % size + 2;
+      cells.push_back({1, std::min(a, b), std::max(a, b)});
+      cells.push_back({0, std::min(a, b), std::max(a, b)});
+    }
+    return cells;
+  };
+  for (const int turns : {1, 2}) {
+    Proposed<2> proposed(around(turns));
+    ASSERT_TRUE(proposed.propose(fan(5 * turns)));
+    ASSERT_TRUE(proposed.is_proved());
+    EXPECT_EQ(covers_once(proposed.cells, proposed.geometry, proposed.points), turns == 1);
   }
 }
 
