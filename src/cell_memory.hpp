@@ -39,6 +39,8 @@ class CellMemory {
   void reserve(std::size_t cells) { words_.reserve(cells * stride()); }
   /// Cells to come are met in no order: what they are mapped to is to be in large pages.
   void use_large_pages() { words_.use_large_pages(); }
+  /// Says that cells before `cells`, of which there is room for, will now be written.
+  void prepare(std::size_t cells) { words_.prepare(cells * stride()); }
   /// Copies the first `cells` cells of a memory of the same dimension.
   void copy(const CellMemory& other, std::size_t cells) {
     reserve(cells);

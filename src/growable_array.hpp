@@ -27,10 +27,14 @@ class GrowableArray {
  public:
   explicit GrowableArray(Pages pages = Pages::usual) : pages_(pages) {}
   GrowableArray(GrowableArray&& other) noexcept
-      : entries_(std::exchange(other.entries_, nullptr)), capacity_(std::exchange(other.capacity_, 0)), pages_(other.pages_) {}
+      : entries_(std::exchange(other.entries_, nullptr)),
+        capacity_(std::exchange(other.capacity_, 0)),
+        prepared_(std::exchange(other.prepared_, 0)),
+        pages_(other.pages_) {}
   GrowableArray& operator=(GrowableArray&& other) noexcept {
     std::swap(entries_, other.entries_);
     std::swap(capacity_, other.capacity_);
+    std::swap(prepared_, other.prepared_);
     std::swap(pages_, other.pages_);
     return *this;
   }
@@ -69,6 +73,7 @@ class GrowableArray {
       }
       ask_for_pages(moved, bytes);
       entries_ = static_cast<T*>(moved);
+      prepared_ = std::min(prepared_, capacity_);
       capacity_ = bytes / sizeof(T);
       return;
     }
@@ -79,9 +84,17 @@ class GrowableArray {
     capacity_ = bytes / sizeof(T);
   }
 
+  /// Says that the entries before `size`, of which there is room for, will soon have been written. Pages that were never
+  /// touched are fetched many at a time: one by one, each costs the processor an exception.
+  void prepare(std::size_t size) {
+    if (size > prepared_) [[unlikely]]
+      populate(size);
+  }
+
  private:
   /// From this size on, memory is mapped; smaller arrays come from the heap.
   static constexpr std::size_t mapped_from = std::size_t{4} << 20;
+  static constexpr std::size_t populated_at_once = std::size_t{256} << 10;
 
   static std::size_t rounded_up(std::size_t bytes) {
     // Mapped ranges are whole large pages, and a multiple of the entry's size where that matters: the rest is left unused.
@@ -93,6 +106,16 @@ class GrowableArray {
     if (pages_ == Pages::large) madvise(mapped, bytes, MADV_HUGEPAGE);  // a wish: failure is no error
   }
 #endif
+  [[gnu::noinline]] void populate([[maybe_unused]] std::size_t size) {
+    [[maybe_unused]] const std::size_t begin = prepared_ * sizeof(T) / populated_at_once * populated_at_once;
+    prepared_ = capacity_;  // also where it cannot be done
+#if defined(__linux__) && defined(MADV_POPULATE_WRITE)
+    if (!is_mapped()) return;
+    const std::size_t end =
+        std::min((size * sizeof(T) / populated_at_once + 1) * populated_at_once, rounded_up(capacity_ * sizeof(T)));
+    if (madvise(reinterpret_cast<char*>(entries_) + begin, end - begin, MADV_POPULATE_WRITE) == 0) prepared_ = end / sizeof(T);
+#endif
+  }
   void release() {
 #ifdef __linux__
     if (is_mapped()) {
@@ -106,6 +129,7 @@ class GrowableArray {
 
   T* entries_ = nullptr;
   std::size_t capacity_ = 0;
+  std::size_t prepared_ = 0;
   Pages pages_;
 };
 

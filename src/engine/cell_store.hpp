@@ -88,6 +88,7 @@ class CellStore {
     if (fresh > max_index - num_slots_) throw Error(Errc::too_many, "the triangulation has more cells than this build has ids");
     const std::size_t slots = num_slots_ + fresh, present = memory_.capacity();
     if (slots > present) memory_.reserve(std::min<std::size_t>(std::max(slots, present + present / 2 + 64), max_index));
+    memory_.prepare(slots);
   }
 
   /// Makes room for `count` more vacant slots, so that as many calls of release() cannot fail.

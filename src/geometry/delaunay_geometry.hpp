@@ -109,7 +109,9 @@ class DelaunayGeometry : public PointPredicates<K> {
   /// Makes room for a star of vertex v. Throws std::bad_alloc, and then changes nothing.
   void reserve_star(Index v, std::size_t facets) {
     functionals_.reserve_star(facets);
-    rows_.reserve(growing((static_cast<std::size_t>(v) + 1) * row_size()));
+    const std::size_t size = (static_cast<std::size_t>(v) + 1) * row_size();
+    rows_.reserve(growing(size));
+    rows_.prepare(size);
   }
   /// Computes what is cached for the created cells of a star of vertex v at q, from the cells on the two sides of each facet.
   /// Returns the facets for whose cells that would be too inaccurate: they must be created singly.

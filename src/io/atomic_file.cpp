@@ -4,12 +4,15 @@
 
 #include "io/file.hpp"
 
+#include <fmt/compile.h>
+
 #include <atomic>
 #include <cerrno>
 #include <chrono>
 #include <cstdint>
 #include <filesystem>
 #include <system_error>
+#include <utility>
 
 namespace delone::io {
 
@@ -75,6 +78,26 @@ void AtomicFile::write(const void* data, std::size_t size) {
     return;
   }
   buffer_.append(bytes, bytes + size);
+  if (buffer_.size() >= flush_at) flush();
+}
+
+void AtomicFile::print_formatted(fmt::string_view format, fmt::format_args args) {
+  fmt::vformat_to(fmt::appender(buffer_), format, args);
+  if (buffer_.size() >= flush_at) flush();
+}
+
+void AtomicFile::put_number(double value) {
+  fmt::format_to(fmt::appender(buffer_), FMT_COMPILE("{}"), value);
+  if (buffer_.size() >= flush_at) flush();
+}
+
+void AtomicFile::put_number(long long value) {
+  fmt::format_to(fmt::appender(buffer_), FMT_COMPILE("{}"), value);
+  if (buffer_.size() >= flush_at) flush();
+}
+
+void AtomicFile::put_number(unsigned long long value) {
+  fmt::format_to(fmt::appender(buffer_), FMT_COMPILE("{}"), value);
   if (buffer_.size() >= flush_at) flush();
 }
 

@@ -3,15 +3,13 @@
 // the destructor if that was not reached. Text is collected in a buffer and every write is checked.
 #pragma once
 
-#include <fmt/compile.h>
 #include <fmt/format.h>
 
 #include <cstddef>
 #include <cstdio>
-#include <iterator>
 #include <string>
 #include <string_view>
-#include <utility>
+#include <type_traits>
 
 namespace delone::io {
 
@@ -26,14 +24,17 @@ class AtomicFile {
 
   template <class... Args>
   void print(fmt::format_string<Args...> format, Args&&... args) {
-    fmt::format_to(std::back_inserter(buffer_), format, std::forward<Args>(args)...);
-    if (buffer_.size() >= flush_at) flush();
+    print_formatted(format, fmt::make_format_args(args...));
   }
   /// A number in decimal, a double in the fewest digits that read back as the same value.
   template <class Number>
   void put(Number value) {
-    fmt::format_to(std::back_inserter(buffer_), FMT_COMPILE("{}"), value);
-    if (buffer_.size() >= flush_at) flush();
+    if constexpr (std::is_integral_v<Number>)
+      put_number(static_cast<std::conditional_t<std::is_signed_v<Number>, long long, unsigned long long>>(value));
+    else {
+      static_assert(std::is_same_v<Number, double>);
+      put_number(value);
+    }
   }
   void put(char c) { buffer_.push_back(c); }
   void write(std::string_view text) { write(text.data(), text.size()); }
@@ -48,6 +49,11 @@ class AtomicFile {
  private:
   static constexpr std::size_t flush_at = std::size_t{1} << 16;
 
+  // Compiled once, as formatting takes seconds to compile.
+  void print_formatted(fmt::string_view format, fmt::format_args args);
+  void put_number(double value);
+  void put_number(long long value);
+  void put_number(unsigned long long value);
   void flush();
   void write_now(const char* data, std::size_t size);
   [[noreturn]] void fail_with(int error) const;

@@ -7,6 +7,8 @@
 #include <bit>
 #include <utility>
 
+// Vectors of these are no longer than those of SSE2, and the unrolled minors take their time to compile for each.
+#define HWY_DISABLED_TARGETS (HWY_SSSE3 | HWY_SSE4)
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "kernel/tie_kernel.cpp"
 #include <hwy/foreach_target.h>

@@ -72,19 +72,27 @@ TEST(CellStore, MarksLiveBesideTheCertificate) {
 }
 
 TEST(GrowableArray, KeepsEntriesAcrossHeapAndMappedMemory) {
-  GrowableArray<Index> array;
-  std::size_t filled = 0;
-  for (std::size_t size = 10; size < 20'000'000; size = size * 5 / 2) {
-    array.reserve(size);
-    ASSERT_GE(array.capacity(), size);
-    for (; filled < size; filled += 7) array[filled] = static_cast<Index>(filled);
-    for (std::size_t i = 0; i < filled; i += 7) ASSERT_EQ(array[i], i);
+  for (const bool is_prepared : {false, true}) {
+    GrowableArray<Index> array;
+    std::size_t filled = 0;
+    for (std::size_t size = 10; size < 20'000'000; size = size * 5 / 2) {
+      array.reserve(size);
+      ASSERT_GE(array.capacity(), size);
+      if (size > 1'000'000) array.use_large_pages();
+      for (; filled < size; filled += 7) {
+        if (is_prepared) array.prepare(filled + 1);
+        array[filled] = static_cast<Index>(filled);
+      }
+      if (is_prepared) array.prepare(array.capacity());
+      for (std::size_t i = 0; i < filled; i += 7) ASSERT_EQ(array[i], i);
+    }
+    GrowableArray<Index> moved = std::move(array);
+    EXPECT_EQ(array.capacity(), 0u);
+    EXPECT_EQ(moved[7], 7u);
+    array = std::move(moved);
+    array.prepare(array.capacity());
+    EXPECT_EQ(array[7], 7u);
   }
-  GrowableArray<Index> moved = std::move(array);
-  EXPECT_EQ(array.capacity(), 0u);
-  EXPECT_EQ(moved[7], 7u);
-  array = std::move(moved);
-  EXPECT_EQ(array[7], 7u);
 }
 
 TEST(GrowableArray, AsksForNoImpossibleMemory) {
