@@ -90,7 +90,7 @@ int main(int argc, char** argv) {
   for (const std::size_t n : {300, 1'000, 3'000}) add(5, n, all);
   add(5, 10'000, batch);
   for (const std::size_t n : {100, 300, 1'000}) add(6, n, all);
-  for (const std::size_t n : {100, 300}) add(7, n, batch);
+  for (const std::size_t n : {100, 190}) add(7, n, batch);  // more are wrapped
   benchmark::Initialize(&argc, argv);
   if (benchmark::ReportUnrecognizedArguments(argc, argv)) return 1;
   benchmark::RunSpecifiedBenchmarks();
