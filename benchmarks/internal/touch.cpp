@@ -114,7 +114,7 @@ BENCHMARK(touch<3>)->Name("touch/3D")->Arg(1'000'000)->Iterations(5);
 BENCHMARK(touch<4>)->Name("touch/4D")->Arg(100'000)->Iterations(5);
 BENCHMARK(touch<5>)->Name("touch/5D")->Arg(10'000)->Iterations(5);
 BENCHMARK(touch<6>)->Name("touch/6D")->Arg(1'000)->Iterations(5);
-BENCHMARK(touch<7>)->Name("touch/7D")->Arg(300)->Iterations(5);
+BENCHMARK(touch<7>)->Name("touch/7D")->Arg(190)->Iterations(5);  // more are wrapped
 
 }  // namespace
 
