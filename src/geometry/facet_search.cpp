@@ -7,6 +7,8 @@
 // than one, are computed again in binary64.
 #include "geometry/facet_search.hpp"
 
+#include "geometry/cache_line.hpp"
+
 #include <algorithm>
 #include <array>
 #include <bit>
@@ -184,18 +186,6 @@ namespace delone::geometry {
 HWY_EXPORT(search_here);
 HWY_EXPORT(list_below_here);
 
-namespace {
-
-constexpr std::size_t line = 64;
-
-/// The first entry at the start of a line of the cache. REQUIRES a line to spare.
-template <class T>
-T* aligned(std::vector<T>& storage) {
-  return reinterpret_cast<T*>((reinterpret_cast<std::uintptr_t>(storage.data()) + line - 1) / line * line);
-}
-
-}  // namespace
-
 FacetSearch::FacetSearch(int k, const double* rows, Index num_vertices, Arbiter arbiter)
     : k_(k),
       rows_(rows),
@@ -203,10 +193,10 @@ FacetSearch::FacetSearch(int k, const double* rows, Index num_vertices, Arbiter 
       num_blocks_((num_vertices + block - 1) / block),
       arbiter_(std::move(arbiter)) {
   const auto width = static_cast<std::size_t>(k) + 1;
-  storage_.resize(num_blocks_ * block * (width + batch_size * width) + tile_blocks * block + line / sizeof(float));
-  scratch_.resize(simplex_scratch(k) + line / sizeof(double));
+  storage_.resize(num_blocks_ * block * (width + batch_size * width) + tile_blocks * block + cache_line_of<float>);
+  scratch_.resize(simplex_scratch(k) + cache_line_of<double>);
   list_.resize(num_blocks_ * block);
-  float* const images = aligned(storage_);
+  float* const images = at_cache_line(storage_.data());
   for (std::size_t b = 0; b < num_blocks_; ++b)
     for (std::size_t lane = 0; lane < block; ++lane) {
       const std::size_t v = b * block + lane + 1;
@@ -286,12 +276,12 @@ bool FacetSearch::first_cell(Index* vertices) const {
 
 bool FacetSearch::find_apexes(std::span<const OpenCell> cells, Index* apexes) {
   const auto k = static_cast<std::size_t>(k_), width = k + 1;
-  double* const functions = aligned(scratch_);
+  double* const functions = at_cache_line(scratch_.data());
   std::array<const Index*, batch_size> simplices;
   std::transform(cells.begin(), cells.end(), simplices.begin(), [](const OpenCell& cell) { return cell.vertices; });
   solve_simplices({k_, {simplices.data(), cells.size()}, rows_, functions});
 
-  float* const images = aligned(storage_);
+  float* const images = at_cache_line(storage_.data());
   float* const heights = images + num_blocks_ * block * width;
   float* const ratios = heights + tile_blocks * block;
   const std::size_t most_facets = batch_size * width;

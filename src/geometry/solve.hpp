@@ -2,11 +2,11 @@
 // A functional by elimination, O(k³): for first cells, after a dimension jump, and where the pencil's certificate is too weak.
 #pragma once
 
+#include "geometry/cache_line.hpp"
 #include "geometry/functionals.hpp"
 #include "kernel/determinant.hpp"
 
 #include <algorithm>
-#include <cstdint>
 
 namespace delone::geometry {
 
@@ -62,10 +62,8 @@ Sign Functionals<K, Lifted>::solve(Index cell, const double* rows, bool positive
 template <int K, bool Lifted>
 void Functionals<K, Lifted>::solve(std::span<const Index> cells, std::span<const Index* const> vertices, const double* rows,
                                    Sign* signs) requires(Lifted) {
-  constexpr std::size_t alignment = 64 / sizeof(double);
-  scratch_.resize(simplex_scratch(k()) + alignment);
-  const std::size_t misaligned = reinterpret_cast<std::uintptr_t>(scratch_.data()) / sizeof(double) % alignment;
-  double* const functions = scratch_.data() + (misaligned > 0 ? alignment - misaligned : 0);
+  scratch_.resize(simplex_scratch(k()) + cache_line_of<double>);
+  double* const functions = at_cache_line(scratch_.data());
   const SimplexTask task{k(), vertices, rows, functions};
   SimplexCertificate certificates[simplex_lanes];
   solve_simplices(task);

@@ -13,6 +13,7 @@
 #include "geometry/star_kernel.hpp"
 
 #include "cell_memory.hpp"
+#include "geometry/cache_line.hpp"
 #include "geometry/record.hpp"
 
 #include <algorithm>
@@ -270,16 +271,12 @@ namespace delone::geometry {
 
 HWY_EXPORT(combine_star_here);
 
-constexpr std::size_t alignment = 64;
-
 std::size_t star_scratch(int k) {
-  return block_size * (coefficients + 2 * (static_cast<std::size_t>(k) + 1)) + alignment / sizeof(double);
+  return block_size * (coefficients + 2 * (static_cast<std::size_t>(k) + 1)) + cache_line_of<double>;
 }
 
 std::size_t combine_star(const StarTask& task) {
-  const std::size_t misaligned = reinterpret_cast<std::uintptr_t>(task.scratch) % alignment / sizeof(double);
-  return HWY_DYNAMIC_DISPATCH(combine_star_here)(task,
-                                                 task.scratch + (misaligned > 0 ? alignment / sizeof(double) - misaligned : 0));
+  return HWY_DYNAMIC_DISPATCH(combine_star_here)(task, at_cache_line(task.scratch));
 }
 
 }  // namespace delone::geometry
