@@ -161,9 +161,9 @@ class HullOfDimension final : public Hull {
 
   bool wrap_all(const std::function<void()>& tick) {
     const Index last = points_.last_vertex();
-    geometry_.set_rows(last);
+    geometry_.keep_rows(last);
     {
-      geometry::FacetSearch search(K, geometry_.rows(), last,
+      geometry::FacetSearch search(K, geometry_.kept_rows(), last,
                                    [this](const Index* cell, int slot, std::span<const Index> vertices) {
                                      return geometry_.first_beyond(cell, slot, vertices, points_.grid);
                                    });

@@ -303,19 +303,18 @@ void Triangulation::Impl::insert_range(std::span<const double> coordinates, std:
     points.coordinates.reserve(points.coordinates.size() + rows.size() + row_size());
     row_of_vertex.reserve(row_of_vertex.size() + n);
     start_batch(rows, first_row, order, [&] { progress(0); });
-    // The rows are met in no order of their own: many at a time, so that the processor need not wait for each.
-    constexpr std::size_t block = 64;
+    // The rows are met in no order of their own.
+    constexpr std::size_t rows_ahead = 32;
     const std::size_t width = row_size();
-    std::vector<double> next(block * width);
     for (std::size_t i = 0; i < n; ++i) {
-      if (i % block == 0)
-        for (std::size_t j = i; j < std::min(i + block, n); ++j) {
-          for (std::size_t c = 0; c < width; ++c) next[(j - i) * width + c] = rows[order[j] * width + c];
-          __builtin_prefetch(vertex_of_row.data() + first_row + order[j], 1);
-        }
+      if (i + rows_ahead < n) {
+        const std::size_t ahead = order[i + rows_ahead];
+        __builtin_prefetch(rows.data() + ahead * width);
+        __builtin_prefetch(vertex_of_row.data() + first_row + ahead, 1);
+      }
       const std::size_t row = order[i];
       if (vertex_of_row[first_row + row] == invalid_vertex)
-        insert_row(first_row + row, next.data() + i % block * width, invalid_index, false);
+        insert_row(first_row + row, rows.data() + row * width, invalid_index, false);
       progress(i + 1);
     }
   } catch (...) {

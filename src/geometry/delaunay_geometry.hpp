@@ -50,22 +50,25 @@ class DelaunayGeometry : public PointPredicates<K> {
   using PointPredicates<K>::dimension;
   using PointPredicates<K>::point;
   const Frame& frame() const { return frame_; }
-  /// All cells must be created anew after it. The rows of the first `vertices` vertices are computed, that of the infinite
-  /// vertex apart.
+  /// All cells must be created anew after it. Makes the rows of the first `vertices` vertices known.
   void set_frame(Frame frame, Index vertices) {
     frame_ = std::move(frame);
     adopt_frame();
     set_rows(vertices);
   }
-  /// Computes the rows of vertices 1 … `vertices`.
+  /// Makes the rows of vertices 1 … `vertices` known.
   void set_rows(Index vertices) {
+    if (!computes_rows_) keep_rows(vertices);
+  }
+  /// Computes these rows, and keeps them.
+  void keep_rows(Index vertices) {
     rows_.reserve((static_cast<std::size_t>(vertices) + 1) * row_size());
     std::fill_n(rows_.data(), row_size(), 0.0);
     for (Index v = 1; v <= vertices; ++v) write_row(point(v), rows_.data() + v * row_size());
   }
 
-  /// The images and lifts of the vertices, k + 1 doubles each.
-  const double* rows() const { return rows_.data(); }
+  /// The images and lifts of the vertices, k + 1 doubles each. REQUIRES keep_rows().
+  const double* kept_rows() const { return rows_.data(); }
   /// Vertices to come are met in no order.
   void use_large_pages() { rows_.use_large_pages(); }
 
@@ -75,7 +78,7 @@ class DelaunayGeometry : public PointPredicates<K> {
   /// A query anywhere; `grid` is one for the vertices and the point, and must outlive the query.
   Query make_query(const double* at, const kernel::Grid& grid) const {
     Query q(at, grid, axes_.size(), flat().row_size());
-    q.bounds = lattice_.bounds(grid, axes_);
+    q.bounds = &grid == &grid_ && grid.revision() == bounds_revision_ ? bounds_ : lattice_.bounds(grid, axes_);
     if (frame_.contains(at))
       write_row(at, q.row.data());
     else
@@ -91,7 +94,7 @@ class DelaunayGeometry : public PointPredicates<K> {
   double threshold(Index cell) const { return functionals_.threshold(cell); }
 
   /// The same for this query alone, at a greater cost.
-  double threshold_at(Index cell, const Query& q) const { return functionals_.threshold_at(cell, rows_.data(), q.row.data()); }
+  double threshold_at(Index cell, const Query& q) const { return functionals_.threshold_at(cell, rows(), q.row.data()); }
 
   /// Stage filter_, too: whether a value within the threshold proves that h(q) is exactly zero.
   bool proves_tie(Index cell, double value, const Query& q) const { return functionals_.proves_zero(cell, value, q.bounds); }
@@ -103,12 +106,17 @@ class DelaunayGeometry : public PointPredicates<K> {
   /// vertices, zero if that is not certain, or the cell infinite, or the apex not in slot 0.
   Sign create(Index cell, const Index* vertices, int infinite_slot, int apex);
 
-  /// The same for finite cells whose vertices have rows, many at once, apexes in slot 0.
+  /// The same for finite cells, many at once, apexes in slot 0. REQUIRES keep_rows().
   void create(std::span<const Index> cells, std::span<const Index* const> vertices, Sign* orientations);
 
   /// Makes room for a star of vertex v. Throws std::bad_alloc, and then changes nothing.
   void reserve_star(Index v, std::size_t facets) {
     functionals_.reserve_star(facets);
+    if (grid_.revision() != bounds_revision_) {
+      bounds_ = lattice_.bounds(grid_, axes_);
+      bounds_revision_ = grid_.revision();
+    }
+    if (computes_rows_) return;
     const std::size_t size = (static_cast<std::size_t>(v) + 1) * row_size();
     rows_.reserve(growing(size));
     rows_.prepare(size);
@@ -116,14 +124,25 @@ class DelaunayGeometry : public PointPredicates<K> {
   /// Computes what is cached for the created cells of a star of vertex v at q, from the cells on the two sides of each facet.
   /// Returns the facets for whose cells that would be too inaccurate: they must be created singly.
   std::span<const std::uint32_t> create_star(Index v, const Query& q, std::span<const HorizonFacet> facets) {
-    std::memcpy(rows_.data() + v * row_size(), q.row.data(), row_size() * sizeof(double));
-    return functionals_.combine(facets, rows_.data(), q.row.data(), q.bounds);
+    if (!computes_rows_) std::memcpy(rows_.data() + v * row_size(), q.row.data(), row_size() * sizeof(double));
+    return functionals_.combine(facets, rows(), q.row.data(), q.bounds);
   }
 
  private:
   void adopt_frame() {
     functionals_.set_frame(frame_, axes_);
     lattice_ = Lattice(frame_, axes_);
+    bounds_revision_ = 0;
+    bounds_ = {};
+    computes_rows_ = can_compute_rows(K) && dimension() == frame_.ambient() && frame_.form() == kernel::RowForm::point;
+  }
+  VertexRows rows() const {
+    if (!computes_rows_) return rows_.data();
+    return rows_of(point(0));
+  }
+  /// Those of points one after the other.
+  VertexRows rows_of(const double* points) const {
+    return {points, frame_.center().data(), frame_.scale().data(), frame_.lift_scale()};
   }
 
   int axis(int r) const { return axes_[static_cast<std::size_t>(r)]; }
@@ -131,6 +150,13 @@ class DelaunayGeometry : public PointPredicates<K> {
   std::size_t row_size() const { return static_cast<std::size_t>(dimension()) + 1; }
   std::size_t growing(std::size_t size) const { return size <= rows_.capacity() ? size : size + size / 2; }
   void write_row(const double* at, double* row) const {
+    if constexpr (can_compute_rows(K)) {
+      if (computes_rows_) {
+        const auto computed = rows_of(at).template row<K>(0, K);
+        std::copy(computed.begin(), computed.end(), row);
+        return;
+      }
+    }
     for (int r = 0; r < dimension(); ++r) row[r] = frame_.image(at, axis(r));
     row[dimension()] = frame_.lift(at);
   }
@@ -140,8 +166,11 @@ class DelaunayGeometry : public PointPredicates<K> {
   const kernel::Grid& grid_;
   Frame frame_;
   Lattice lattice_;
+  LatticeBounds bounds_;  // for the grid of the vertices as it was in that revision; they say nothing in revision 0
+  std::uint64_t bounds_revision_ = 0;
   Functionals<K> functionals_;
-  GrowableArray<double> rows_;  // of the vertices in the frame
+  bool computes_rows_ = false;
+  GrowableArray<double> rows_;  // of the vertices in the frame, unless they are computed
 };
 
 template <int K>

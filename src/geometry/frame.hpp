@@ -66,6 +66,9 @@ class Frame {
   /// How many times as long a unit of the lift's metric is as one of the image along an axis, s_j/s.
   double extent_ratio(int axis) const { return scale_[static_cast<std::size_t>(axis)] / lift_scale_; }
   double lift_scale() const { return lift_scale_; }
+  /// Per axis, what is subtracted from coordinates and what they are then multiplied with.
+  const std::vector<double>& center() const { return center_; }
+  const std::vector<double>& scale() const { return scale_; }
   /// The exponents of these powers of two.
   int scale_exponent(int axis) const { return std::ilogb(scale_[static_cast<std::size_t>(axis)]); }
   int lift_scale_exponent() const { return std::ilogb(lift_scale_); }

@@ -17,6 +17,7 @@
 #include "geometry/record.hpp"
 #include "geometry/simplex_kernel.hpp"
 #include "geometry/star_kernel.hpp"
+#include "geometry/vertex_rows.hpp"
 #include "horizon_facet.hpp"
 #include "kernel/buffer.hpp"
 
@@ -84,7 +85,7 @@ class Functionals {
 
   double threshold(Index cell) const { return certificate::threshold(packed(cell)); }
   /// The same for one row alone: less if the row is near the vertices of the cell. `rows`: of all vertices. Cost O(k²).
-  double threshold_at(Index cell, const double* rows, const double* row) const requires(Lifted);
+  double threshold_at(Index cell, const VertexRows& rows, const double* row) const requires(Lifted);
   /// Whether a value that is within the threshold proves that h is exactly zero there. False for not-a-number.
   bool proves_zero(Index cell, double value, const LatticeBounds& bounds) const {
     const double largest_error = 2 * threshold(cell);
@@ -114,7 +115,7 @@ class Functionals {
   /// Computes the functionals of a star's cells from those of the cells on the two sides of each facet: the functionals that
   /// vanish on the facet are a pencil, and the new one is its member that vanishes at the new vertex. `rows`: of all vertices.
   /// Returns the facets whose certificates would be too weak: their cells must be solved for.
-  std::span<const std::uint32_t> combine(std::span<const HorizonFacet> facets, const double* rows, const double* query_row,
+  std::span<const std::uint32_t> combine(std::span<const HorizonFacet> facets, const VertexRows& rows, const double* query_row,
                                          const LatticeBounds& bounds) {
     const std::size_t num_weak = combine_star({facets, k(), Lifted, memory_.record(0), memory_.stride(), rows, query_row,
                                                frame_constants(), scratch_.data(), weak_.data()});
@@ -151,18 +152,18 @@ class Functionals {
   bool adopt(const HorizonFacet& facet, const double* query_row, const LatticeBounds& bounds);
 
   /// Finds a certificate for a new cell whose own is too weak, without elimination. Returns whether there is one.
-  bool certify_weak(const HorizonFacet& facet, const double* rows, const double* query_row, const LatticeBounds& bounds) {
+  bool certify_weak(const HorizonFacet& facet, const VertexRows& rows, const double* query_row, const LatticeBounds& bounds) {
     if (adopt(facet, query_row, bounds)) return true;
     if constexpr (Lifted) return !is_infinite(facet.created) && certify_by_edges(facet.created, facet.slot, rows);
     return false;
   }
   /// Certifies the functional of a finite cell by its values at the vertices and the determinant of its edges at the apex.
   /// Returns whether elimination could hardly do better; else nothing has changed.
-  bool certify_by_edges(Index cell, int apex, const double* rows) requires(Lifted);
+  bool certify_by_edges(Index cell, int apex, const VertexRows& rows) requires(Lifted);
   /// The edges from a row to the finite vertices of a cell, never too short; if heights are wanted, along a normal of any
   /// length, times that.
   template <bool WithHeights>
-  EdgeProducts edges_from(const double* row, Index cell, const double* rows, const double* normal,
+  EdgeProducts edges_from(const double* row, Index cell, const VertexRows& rows, const double* normal,
                           double square_of_normal) const requires(Lifted);
   /// At least the square of s·(|x| + edge_error_), from (s·x)² and s².
   double widened(double square, double square_of_scale = 1) const {

@@ -36,13 +36,13 @@ class EdgeProducts {
 
 template <int K, bool Lifted>
 template <bool WithHeights>
-EdgeProducts Functionals<K, Lifted>::edges_from(const double* row, Index cell, const double* rows, const double* normal,
+EdgeProducts Functionals<K, Lifted>::edges_from(const double* row, Index cell, const VertexRows& rows, const double* normal,
                                                 double square_of_normal) const requires(Lifted) {
   const Index* vertices = memory_.links(cell);
   EdgeProducts edges;
   for (int i = 0; i <= k(); ++i) {
     if (vertices[i] == index(infinite_vertex)) continue;
-    const double* vertex = rows + static_cast<std::size_t>(vertices[i]) * (static_cast<std::size_t>(k()) + 1);
+    const auto vertex = rows.template row<K>(vertices[i], k());
     double square = 0, height = 0;
     for (int r = 0; r < k(); ++r) {
       const double entry = vertex[r] - row[r];
@@ -55,7 +55,7 @@ EdgeProducts Functionals<K, Lifted>::edges_from(const double* row, Index cell, c
 }
 
 template <int K, bool Lifted>
-[[gnu::noinline]] double Functionals<K, Lifted>::threshold_at(Index cell, const double* rows, const double* row) const
+[[gnu::noinline]] double Functionals<K, Lifted>::threshold_at(Index cell, const VertexRows& rows, const double* row) const
     requires(Lifted) {
   if (k() > EdgeProducts::most_edges) return threshold(cell);
   const std::uint64_t bits = packed(cell);
@@ -80,25 +80,25 @@ template <int K, bool Lifted>
 }
 
 template <int K, bool Lifted>
-bool Functionals<K, Lifted>::certify_by_edges(Index cell, int apex, const double* rows) requires(Lifted) {
+bool Functionals<K, Lifted>::certify_by_edges(Index cell, int apex, const VertexRows& rows) requires(Lifted) {
   if constexpr (!kernel::tabulates_minors<K>) {
     return false;
   } else {
     constexpr double gain = 16;  // what elimination may gain before it is worth its time
     const double* functional = record(cell);
-    const auto row = [&](int slot) { return rows + static_cast<std::size_t>(memory_.links(cell)[slot]) * (K + 1); };
-    const auto value_at = [&](const double* x) {
+    const auto row = [&](int slot) { return rows.template row<K>(memory_.links(cell)[slot], K); };
+    const auto value_at = [&](const auto& x) {
       double sum = x[K] + functional[K];
       for (int r = 0; r < K; ++r) sum += functional[r] * x[r];
       return sum;
     };
-    const double* const origin = row(apex);
+    const auto origin = row(apex);
     double residual = std::fabs(value_at(origin));
     double entries[K * K];
     EdgeProducts edges;
     for (int i = 0, filled = 0; i <= K; ++i) {
       if (i == apex) continue;
-      const double* const vertex = row(i);
+      const auto vertex = row(i);
       residual = std::max(residual, std::fabs(value_at(vertex)));
       double square = 0;
       for (int r = 0; r < K; ++r) {

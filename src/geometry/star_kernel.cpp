@@ -34,7 +34,7 @@ namespace delone::geometry {
 /// Facets are treated in blocks that fit in the first-level cache.
 constexpr std::size_t block_size = 32;
 /// A threshold beyond this fraction of the functional's scale would leave too many tests open.
-constexpr double weakest = 0x1p-10;
+constexpr double weakest = 0x1p-7;
 /// The arrays of a block, `block_size` entries of 64 bits each. A and B are the cells of a facet, N the new cell.
 enum BlockArray : std::size_t {
   value_a,
@@ -62,7 +62,7 @@ void gather(const StarTask& task, std::span<const HorizonFacet> facets, double* 
   const bool lifted = task.lifted;
   const std::size_t stride = K > 0 ? CellMemory<K>(K).stride() : task.stride;
   const double* HWY_RESTRICT records = task.records;
-  const double* HWY_RESTRICT rows = task.rows;
+  const VertexRows rows = task.rows;
   double* const coefficients_of_a = block + coefficients * block_size;
   double* const coefficients_of_b = coefficients_of_a + entries * block_size;
   for (std::size_t lane = 0; lane < facets.size(); ++lane) {
@@ -81,7 +81,8 @@ void gather(const StarTask& task, std::span<const HorizonFacet> facets, double* 
     // The value of B at the vertex of A; with A alone infinite, the other way round.
     const bool swapped = certificate::infinite(bits_of(A[entries])) & !certificate::infinite(bits_of(B[entries]));
     const double* other = swapped ? A : B;
-    const double* row = rows + (swapped ? facet.survivor_opposite : facet.dead_opposite) * entries;
+    const Index opposite = swapped ? facet.survivor_opposite : facet.dead_opposite;
+    const auto row = rows.row<K>(opposite, static_cast<int>(entries) - 1);
     const double last = row[entries - 1];
     double even = lifted ? other[entries - 1] : other[entries - 1] * last, odd = 0;
     for (std::size_t r = 0; r + 1 < entries; ++r) (r % 2 == 0 ? even : odd) += other[r] * row[r];
@@ -147,10 +148,12 @@ void compute(const StarTask& task, std::size_t count, double* HWY_RESTRICT block
       height = hn::IfThenElse(infinite, largest, height);
       height_error = hn::IfThenElse(infinite, error, height_error);
     }
-    const V x = hn::Div(b, height), y = hn::Div(minus_a, height);
-    const V t_other = hn::IfThenElse(swapped, t_a, t_b);
-    const V det = hn::Mul(hn::Mul(old_determinant, hn::Sub(height, height_error)),
-                          hn::Div(hn::Set(d, 1 - slack), hn::Add(load(opposite_value), t_other)));
+    // Divisions take longest: as few as will do, and none that waits for the radius.
+    const V inverse_height = hn::Div(one, height), x = hn::Mul(b, inverse_height), y = hn::Mul(minus_a, inverse_height);
+    const V opposite_height = hn::Add(load(opposite_value), hn::IfThenElse(swapped, t_a, t_b));
+    const V moved_determinant = hn::Mul(old_determinant, hn::Sub(height, height_error));
+    const V det = hn::Mul(hn::Div(moved_determinant, opposite_height), hn::Set(d, 1 - slack));
+    const V inverse_det = hn::Mul(hn::Div(opposite_height, moved_determinant), hn::Set(d, 1 + 2 * slack));
 
     const V largest_reference = hn::Set(d, frame.largest_reference);
     const V reference_weight = hn::IfThenZeroElse(infinite, one);
@@ -189,13 +192,14 @@ void compute(const StarTask& task, std::size_t count, double* HWY_RESTRICT block
       // All vertices are within R of the centre of the approximate sphere: |h̃| ≤ error there.
       const V radius_error = hn::Mul(hn::Set(d, 8 * 0x1p-53), hn::Add(magnitude, gradient_square));
       const V radius_square = hn::Add(hn::Add(hn::Sub(hn::Mul(gradient_square, hn::Set(d, 0.25)), g), error), radius_error);
-      const V radius = hn::Min(hn::Sqrt(radius_square), hn::Set(d, frame.largest_radius));
-      for (std::size_t r = 1; r < k; ++r) power = hn::Mul(power, radius);
+      const V square = hn::Min(radius_square, hn::Set(d, frame.largest_radius * frame.largest_radius));
+      for (std::size_t r = 2; r < k; r += 2) power = hn::Mul(power, square);
+      if (k % 2 == 0) power = hn::Mul(power, hn::Sqrt(square));
       scale = radius_square;
     }
     power = hn::IfThenElse(infinite, hn::Set(d, frame.infinite_spread), power);
     scale = hn::IfThenElse(infinite, one, scale);
-    const V spread = hn::Add(one, hn::Div(power, det));
+    const V spread = hn::MulAdd(power, inverse_det, one);
     const V threshold = hn::Mul(hn::MulAdd(error, spread, rounding), hn::Set(d, 1 + slack));
     // With not-a-number anywhere, a comparison fails.
     const V smallest = hn::Set(d, certificate::smallest), largest = hn::Set(d, certificate::largest);

@@ -3,6 +3,7 @@
 // which the best that the machine has is chosen at run time.
 #pragma once
 
+#include "geometry/vertex_rows.hpp"
 #include "horizon_facet.hpp"
 
 #include <delone/types.hpp>
@@ -31,7 +32,7 @@ struct StarTask {
   bool lifted;              ///< whether rows are (X, 1 | ℓ), else (X | 1)
   double* records;          ///< of the cells, k + 2 doubles each
   std::size_t stride;       ///< from a record to the next
-  const double* rows;       ///< of the vertices, k + 1 doubles each: (X, ℓ), or X
+  VertexRows rows;          ///< (X, ℓ), or X; computed for can_compute_rows(k) only
   const double* query_row;  ///< that of the new vertex
   FrameConstants frame;
   double* scratch;      ///< star_scratch(k) doubles

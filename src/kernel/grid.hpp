@@ -33,6 +33,8 @@ class Grid {
     if (weighted_) changed = weight_.include(point[axes_.size()]) || changed;
     if (changed) measure();
   }
+  /// Changes whenever any of what follows does; 0 as long as there is no point.
+  std::uint64_t revision() const { return revision_; }
   int exponent(int axis) const { return axes_[static_cast<std::size_t>(axis)].exponent; }
   int finest() const { return finest_; }
   /// Every |p − q|² − (w_p − w_q) of two points is an integer multiple of 2^lift_exponent().
@@ -69,6 +71,7 @@ class Grid {
   };
 
   void measure() {
+    ++revision_;
     finest_ = unlimited;
     for (const Axis& axis : axes_) finest_ = std::min(finest_, axis.exponent);
     const bool weights_differ = weight_.high > weight_.low;  // equal weights cancel, whatever grid they lie on
@@ -123,6 +126,7 @@ class Grid {
   std::vector<Axis> axes_;
   bool weighted_;
   Axis weight_;
+  std::uint64_t revision_ = 0;
   int finest_ = unlimited;
   int lift_exponent_ = unlimited;
   bool is_small_ = false;

@@ -18,6 +18,7 @@
 #include <bit>
 #include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <utility>
 #include <vector>
 
@@ -131,17 +132,17 @@ void sort_by_halves(const Position& start, PointsView points, std::span<Index> r
   for (std::size_t i = 0; i < rows.size(); ++i) rows[i] = packed[i].row;
 }
 
-/// The curve as an automaton: a state for each frame (e, δ); the corner of a subcube gives its number on the curve and the
-/// state in it.
+/// The curve as an automaton: a state for each frame (e, δ). In a cube, the place of a subcube some levels below gives its
+/// number on the curve and the state in it. Each step waits for the one before: a step takes as many levels as it can with a
+/// table that fits the first cache.
 template <int D>
 class Automaton {
  public:
+  static constexpr int levels_per_step = D == 2 ? 4 : D == 3 ? 3 : 2;  // tables of 4, 24 and 32 KB
   static constexpr std::uint32_t num_corners = 1u << D, num_states = D << D;
-  struct Step {
-    std::uint8_t digit, next;
-  };
 
   Automaton() {
+    OneLevel one_level;
     const Curve curve(D);
     for (std::uint32_t state = 0; state < num_states; ++state)
       for (std::uint32_t digit = 0; digit < num_corners; ++digit) {
@@ -152,10 +153,47 @@ class Automaton {
           corner |= static_cast<std::uint32_t>(curve.first_is_high(p) != second) << p.axis;
           p = curve.half(p, second);
         }
-        steps_[state * num_corners + corner] = {static_cast<std::uint8_t>(digit), static_cast<std::uint8_t>(state_of(p))};
+        one_level[state * num_corners + corner] = {digit, state_of(p)};
       }
+    for (std::uint32_t state = 0; state < num_states; ++state) fill(one_level, state, levels_per_step, state << step_bits, 0);
   }
-  Step step(std::uint32_t state, std::uint32_t corner) const { return steps_[state * num_corners + corner]; }
+
+  /// The number on a curve of levels_per_step·steps levels of the cube with these integer coordinates.
+  std::uint64_t number(const Position& start, const std::array<std::uint32_t, D>& cube, int steps) const {
+    std::uint64_t number = 0;
+    std::uint32_t state = state_of(start) << step_bits;
+    for (int shift = levels_per_step * (steps - 1); shift >= 0; shift -= levels_per_step) {
+      std::uint32_t place = 0;
+      for (std::size_t j = 0; j < D; ++j) place |= (cube[j] >> shift & (side - 1)) << (j * levels_per_step);
+      const std::uint32_t step = steps_[state | place];
+      number = number << step_bits | (step & ((1u << step_bits) - 1));
+      state = step & ~((1u << step_bits) - 1);
+    }
+    return number;
+  }
+
+ private:
+  static constexpr int step_bits = D * levels_per_step;
+  static constexpr std::uint32_t side = 1u << levels_per_step;
+
+  struct Step {
+    std::uint32_t digit, next;
+  };
+  using OneLevel = std::array<Step, std::size_t{num_states} * num_corners>;
+
+  /// The entries whose highest levels are those of `entry`, where these lead to `state` and `number`.
+  void fill(const OneLevel& one_level, std::uint32_t state, int levels_left, std::uint32_t entry, std::uint32_t number) {
+    if (levels_left == 0) {
+      steps_[entry] = static_cast<std::uint16_t>(state << step_bits | number);
+      return;
+    }
+    for (std::uint32_t corner = 0; corner < num_corners; ++corner) {
+      std::uint32_t below = entry;
+      for (int j = 0; j < D; ++j) below |= (corner >> j & 1) << (j * levels_per_step + levels_left - 1);
+      const auto [digit, next] = one_level[state * num_corners + corner];
+      fill(one_level, next, levels_left - 1, below, number << D | digit);
+    }
+  }
 
   static std::uint32_t state_of(const Position& p) {
     return static_cast<std::uint32_t>(p.axis) << D | static_cast<std::uint32_t>(p.corner);
@@ -167,23 +205,42 @@ class Automaton {
     return p;
   }
 
- private:
-  std::array<Step, std::size_t{num_states} * num_corners> steps_;
+  /// At state·2^step_bits + the place in the cube, axis 0 in the lowest bits: next state·2^step_bits + number.
+  std::array<std::uint16_t, std::size_t{num_states} << step_bits> steps_;
 };
 
-/// Sorts 64-bit words by their upper halves, of which only the lowest `bits` bits are not zero.
-void sort_by_upper_half(std::vector<std::uint64_t>& words, int bits) {
-  constexpr int digit_bits = 11;
-  std::vector<std::uint64_t> other(words.size());
-  for (int shift = 32; shift < 32 + bits; shift += digit_bits) {
-    std::array<std::size_t, std::size_t{1} << digit_bits> begin{};
-    const auto digit = [shift](std::uint64_t word) { return word >> shift & ((std::uint64_t{1} << digit_bits) - 1); };
-    for (const std::uint64_t word : words) ++begin[digit(word)];
-    std::size_t sum = 0;
-    for (std::size_t& count : begin) sum += std::exchange(count, sum);
-    for (const std::uint64_t word : words) other[begin[digit(word)]++] = word;
-    words.swap(other);
+/// Sorts 64-bit words by the lowest `bits` bits of their upper halves, the others being equal, and writes their lower halves to
+/// `rows`; equal numbers keep their order. Distributes by the highest bits first, so that all that remains happens in parts
+/// that fit the caches. `other` is memory of as many words. Calls crowded(first, last) where more than `few` rows have one
+/// number.
+template <class Crowded>
+void sort_by_number(std::uint64_t* words, std::uint64_t* other, std::size_t size, int bits, Index* rows, std::uint32_t few,
+                    const Crowded& crowded) {
+  constexpr int last_bits = 12, max_bits = 10;
+  if (size == 0) return;
+  if (bits <= last_bits) {
+    std::array<std::uint32_t, std::size_t{1} << last_bits> begin;
+    const std::size_t numbers = std::size_t{1} << bits;
+    const auto number = [numbers](std::uint64_t word) { return word >> 32 & (numbers - 1); };
+    std::fill_n(begin.begin(), numbers, 0u);
+    std::uint32_t sum = 0, most = 0;
+    for (std::size_t i = 0; i < size; ++i) most = std::max(most, ++begin[number(words[i])]);
+    for (std::size_t i = 0; i < numbers; ++i) sum += std::exchange(begin[i], sum);
+    for (std::size_t i = 0; i < size; ++i) rows[begin[number(words[i])]++] = static_cast<Index>(words[i]);
+    if (most <= few) return;
+    for (std::size_t i = 0, first = 0; i < numbers; first = begin[i++])
+      if (begin[i] - first > few) crowded(rows + first, rows + begin[i]);
+    return;
   }
+  const int digit_bits = std::min(bits - last_bits, max_bits), shift = 32 + bits - digit_bits;
+  const std::uint64_t mask = (std::uint64_t{1} << digit_bits) - 1;
+  std::array<std::uint32_t, std::size_t{1} << max_bits> begin{};
+  for (std::size_t i = 0; i < size; ++i) ++begin[words[i] >> shift & mask];
+  std::uint32_t sum = 0;
+  for (std::uint32_t& count : begin) sum += std::exchange(count, sum);
+  for (std::size_t i = 0; i < size; ++i) other[begin[words[i] >> shift & mask]++] = words[i];
+  for (std::size_t digit = 0, first = 0; digit <= mask; first = begin[digit++])
+    sort_by_number(other + first, words + first, begin[digit] - first, bits - digit_bits, rows + first, few, crowded);
 }
 
 /// Splits the box of the points into equal cubes, about one per point, and sorts the points by the cubes' numbers on the curve:
@@ -191,45 +248,45 @@ void sort_by_upper_half(std::vector<std::uint64_t>& words, int bits) {
 template <int D>
 void sort_by_cubes(const Position& start, PointsView points, std::span<Index> rows) {
   static const Automaton<D> automaton;
+  constexpr int levels_per_step = Automaton<D>::levels_per_step;
   const int levels = (static_cast<int>(std::bit_width(rows.size())) + D - 1) / D;  // D·levels is at most 32 + D − 1
+  const int steps = (levels + levels_per_step - 1) / levels_per_step, spare = steps * levels_per_step - levels;
   const auto cubes = static_cast<double>(std::uint64_t{1} << levels);
-  std::vector<std::array<double, D>> near(rows.size());  // the points beside each other: they are read twice
+  const std::size_t size = rows.size();
+  // First the bits of the coordinates, beside each other as they are read twice, then the words to sort: fresh memory is slow.
+  const auto memory = std::make_unique_for_overwrite<std::uint64_t[]>(D * size);
+  const auto point = [&](std::size_t i) { return points.data() + std::size_t{rows[i]} * D; };
   std::array<double, D> low, high, scale;
-  std::copy_n(points.data() + std::size_t{rows[0]} * D, D, low.begin());
+  std::copy_n(point(0), D, low.begin());
   high = low;
-  for (std::size_t i = 0; i < rows.size(); ++i)
+  for (std::size_t i = 0; i < size; ++i) {
+    constexpr std::size_t ahead = 32;
+    const double* next = point(std::min(i + ahead, size - 1));
+    __builtin_prefetch(next);
+    __builtin_prefetch(next + D - 1);  // often in the next line of the cache
     for (std::size_t j = 0; j < D; ++j) {
-      const double x = near[i][j] = points.data()[std::size_t{rows[i]} * D + j];
+      const double x = point(i)[j];
+      memory[i * D + j] = std::bit_cast<std::uint64_t>(x);
       low[j] = std::min(low[j], x);
       high[j] = std::max(high[j], x);
     }
+  }
   for (std::size_t j = 0; j < D; ++j) {
     scale[j] = cubes / (high[j] - low[j]);
     if (!(scale[j] > 0 && scale[j] < 1e300)) return sort_by_halves<D>(start, points, rows);  // flat, tiny or huge
   }
-  std::vector<std::uint64_t> words(rows.size());
-  for (std::size_t i = 0; i < rows.size(); ++i) {
+  for (std::size_t i = 0; i < size; ++i) {
     std::array<std::uint32_t, D> cube;
-    for (std::size_t j = 0; j < D; ++j)
-      cube[j] = static_cast<std::uint32_t>(std::min((near[i][j] - low[j]) * scale[j], cubes - 1));
-    std::uint32_t state = Automaton<D>::state_of(start);
-    std::uint64_t number = 0;
-    for (int level = levels - 1; level >= 0; --level) {
-      std::uint32_t corner = 0;
-      for (std::size_t j = 0; j < D; ++j) corner |= (cube[j] >> level & 1) << j;
-      const auto [digit, next] = automaton.step(state, corner);
-      number = number << D | digit;
-      state = next;
+    for (std::size_t j = 0; j < D; ++j) {
+      const double x = std::bit_cast<double>(memory[i * D + j]);
+      cube[j] = static_cast<std::uint32_t>(static_cast<std::int32_t>(std::min((x - low[j]) * scale[j], cubes - 1))) << spare;
     }
-    words[i] = number << 32 | rows[i];
+    memory[i] = automaton.number(start, cube, steps) >> (D * spare) << 32 | rows[i];
   }
-  sort_by_upper_half(words, D * levels);
-  constexpr std::size_t few = 8;
-  for (std::size_t first = 0, last; first < rows.size(); first = last) {
-    for (last = first; last < rows.size() && words[last] >> 32 == words[first] >> 32; ++last)
-      rows[last] = static_cast<Index>(words[last]);
-    if (last - first > few) sort_by_halves<D>(start, points, rows.subspan(first, last - first));
-  }
+  constexpr std::uint32_t few = 8;
+  sort_by_number(memory.get(), memory.get() + size, size, D * levels, rows.data(), few, [&](Index* first, Index* last) {
+    sort_by_halves<D>(start, points, {first, last});
+  });
 }
 
 template <int D>

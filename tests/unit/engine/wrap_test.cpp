@@ -268,13 +268,13 @@ struct Proposed {
         num_vertices(static_cast<Index>(coordinates.size() / K)) {
     points.coordinates.insert(points.coordinates.end(), coordinates.begin(), coordinates.end());
     for (Index v = 1; v <= num_vertices; ++v) points.grid.include(geometry.point(v));
-    geometry.set_rows(num_vertices);
+    geometry.keep_rows(num_vertices);
   }
 
   /// Proposes a triangulation of the first vertices.
   void wrap(Index vertices) {
     cells.clear();
-    geometry::FacetSearch search(K, geometry.rows(), vertices,
+    geometry::FacetSearch search(K, geometry.kept_rows(), vertices,
                                  [this](const Index* cell, int slot, std::span<const Index> among) {
                                    return geometry.first_beyond(cell, slot, among, points.grid);
                                  });
