@@ -303,7 +303,7 @@ void Triangulation::Impl::insert_range(std::span<const double> coordinates, std:
     points.coordinates.reserve(points.coordinates.size() + rows.size() + row_size());
     row_of_vertex.reserve(row_of_vertex.size() + n);
     start_batch(rows, first_row, order, [&] { progress(0); });
-    // The rows are met in no order of their own.
+    // The rows are met in no order of their own: each is asked for long before its turn.
     constexpr std::size_t rows_ahead = 32;
     const std::size_t width = row_size();
     for (std::size_t i = 0; i < n; ++i) {
