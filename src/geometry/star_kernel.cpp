@@ -153,7 +153,7 @@ void compute(const StarTask& task, std::size_t count, double* HWY_RESTRICT block
     const V opposite_height = hn::Add(load(opposite_value), hn::IfThenElse(swapped, t_a, t_b));
     const V moved_determinant = hn::Mul(old_determinant, hn::Sub(height, height_error));
     const V det = hn::Mul(hn::Div(moved_determinant, opposite_height), hn::Set(d, 1 - slack));
-    const V inverse_det = hn::Mul(hn::Div(opposite_height, moved_determinant), hn::Set(d, 1 + 2 * slack));
+    const V inverse_det = hn::Mul(hn::Div(opposite_height, moved_determinant), hn::Set(d, 1 + 2 * slack));  // ≥ 1/det
 
     const V largest_reference = hn::Set(d, frame.largest_reference);
     const V reference_weight = hn::IfThenZeroElse(infinite, one);

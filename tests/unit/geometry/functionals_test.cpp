@@ -222,5 +222,19 @@ TEST(Frame, MapsItsBoxIntoTheUnitCube) {
   EXPECT_FALSE(frame.contains(outside));
 }
 
+/// What insertions have found out of a grid must not outlive it: on a finer grid a value proves less.
+TEST(Filter, ForgetsAGridThatHasBecomeFiner) {
+  std::vector<double> lattice;
+  for (int i = 0; i < 16; ++i) lattice.insert(lattice.end(), {i % 4 + 0.0, i / 4 + 0.0});
+  Built<2> built(lattice);
+  const double at[] = {0.125, 0.5};
+  const LatticeBounds before = built.geometry.make_query(built.geometry.point(1)).bounds;
+  built.grid.include(at);
+  const LatticeBounds finer = built.geometry.make_query(at).bounds;
+  EXPECT_GT(before.numerator, 0.0);
+  EXPECT_EQ(finer.numerator, before.numerator * 0x1p-10);  // two axes and a square: 3, 1 and 2·3 bits
+  EXPECT_EQ(finer.determinant, before.determinant * 0x1p-4);
+}
+
 }  // namespace
 }  // namespace delone::geometry
