@@ -33,10 +33,10 @@ class CellMemory {
   Index* links(Index cell) { return reinterpret_cast<Index*>(record(cell) + dimension() + 2); }
   const Index* links(Index cell) const { return reinterpret_cast<const Index*>(record(cell) + dimension() + 2); }
 
-  std::size_t capacity() const { return words_.capacity() / stride(); }
+  std::size_t capacity() const { return (std::max(words_.capacity(), spare) - spare) / stride(); }
   std::size_t bytes() const { return words_.capacity() * sizeof(double); }
   /// Makes room for cells, keeping the present ones. Throws std::bad_alloc, and then changes nothing.
-  void reserve(std::size_t cells) { words_.reserve(cells * stride()); }
+  void reserve(std::size_t cells) { words_.reserve(cells * stride() + spare); }
   /// Cells to come are met in no order: what they are mapped to is to be in large pages.
   void use_large_pages() { words_.use_large_pages(); }
   /// Says that cells before `cells`, of which there is room for, will now be written.
@@ -57,6 +57,9 @@ class CellMemory {
     const std::size_t words = k + 2 + (2 * (k + 1) * sizeof(Index) + sizeof(double) - 1) / sizeof(double);
     return words % 8 == 7 ? words + 1 : words;
   }
+
+  /// Words behind the last cell, so that vectors may reach beyond its ids.
+  static constexpr std::size_t spare = 4;
 
   int dimension_;
   GrowableArray<double> words_;

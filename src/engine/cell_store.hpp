@@ -4,6 +4,7 @@
 #pragma once
 
 #include "cell_memory.hpp"
+#include "engine/link_kernel.hpp"
 
 #include <delone/error.hpp>
 #include <delone/types.hpp>
@@ -30,6 +31,9 @@ class CellStore {
   Index* vertices(Index cell) { return memory_.links(cell); }
   const Index* neighbors(Index cell) const { return vertices(cell) + dimension() + 1; }
   Index* neighbors(Index cell) { return vertices(cell) + dimension() + 1; }
+
+  /// The vertices and neighbors of all cells.
+  CellLinks links() { return {vertices(0), stride(), dimension()}; }
 
   int slot_of_vertex(Index cell, Index vertex) const { return find(vertices(cell), vertex); }
   int slot_of_neighbor(Index cell, Index neighbor) const { return find(neighbors(cell), neighbor); }
@@ -106,6 +110,21 @@ class CellStore {
     num_slots_ += !vacant;
     memory_.record(cell)[dimension() + 1] = 0;
     return cell;
+  }
+  /// Calls take(slot) for as many slots as that many calls of allocate() would return.
+  template <class Take>
+  void allocate(std::size_t count, Take&& take) {
+    const auto occupy = [&](Index cell) {
+      memory_.record(cell)[dimension() + 1] = 0;
+      take(cell);
+    };
+    const std::size_t reused = std::min(count, num_vacant_);
+    const Index* vacant = vacant_.data() + num_vacant_;
+    for (std::size_t i = 0; i < reused; ++i) occupy(*--vacant);
+    Index fresh = num_slots_;
+    for (std::size_t i = reused; i < count; ++i) occupy(fresh++);
+    num_vacant_ -= reused;
+    num_slots_ = fresh;
   }
   /// Makes a slot vacant. REQUIRES a reserve_vacancies() that covers it.
   void release(Index cell) {

@@ -23,7 +23,7 @@ void link_by_rotation(CellStore<K>& cells, std::span<const HorizonFacet> facets,
   for (const HorizonFacet& facet : facets) cells.neighbors(facet.dead)[facet.slot] = facet.created;
   for (const std::uint32_t half : half_ridges) {
     const HorizonFacet& facet = facets[RidgeTable::facet(half, cells.dimension())];
-    const int slot = RidgeTable::slot(half, cells.dimension(), facet.slot);
+    const int slot = RidgeTable::slot(half, cells.dimension());
     Index cell = facet.dead;
     int cross = slot;  // the facet to leave `cell` by: it contains the ridge, as does the facet opposite slot `other`
     int other = facet.slot;
@@ -76,24 +76,29 @@ void retriangulate(CellStore<K>& cells, G& geometry, Index v, const typename G::
 
   for (std::size_t first = 0; first < facets.size(); first += star_block) {
     const std::size_t last = std::min(first + star_block, facets.size());
-    for (std::size_t f = first; f < last; ++f) {
-      if (f + 8 < facets.size()) cells.prefetch(facets[f + 8].survivor);
-      HorizonFacet& facet = facets[f];
-      const Index dead = zone.cells[facet.dead], survivor = facet.survivor, created = cells.allocate();
-      const int slot = facet.slot;
-      const Index* dead_vertices = cells.vertices(dead);
-      Index* vertices = cells.vertices(created);
-      for (int i = 0; i <= k; ++i) vertices[i] = dead_vertices[i];
-      vertices[slot] = v;
-      ridges.note<K>(static_cast<std::uint32_t>(f), vertices, slot);
-      cells.neighbors(created)[slot] = survivor;
-      const int mirror = cells.slot_of_neighbor(survivor, dead);
-      cells.neighbors(survivor)[mirror] = created;
-      facet.dead_value = zone.values[facet.dead];
-      facet.dead = dead;
-      facet.created = created;
-      facet.dead_opposite = dead_vertices[slot];
-      facet.survivor_opposite = cells.vertices(survivor)[mirror];
+    if constexpr (K == 2) {  // too few facets for vectors of ids
+      for (std::size_t f = first; f < last; ++f) {
+        if (f + 8 < facets.size()) cells.prefetch(facets[f + 8].survivor);
+        HorizonFacet& facet = facets[f];
+        const Index dead = zone.cells[facet.dead], survivor = facet.survivor, created = cells.allocate();
+        const int slot = facet.slot;
+        const Index* dead_vertices = cells.vertices(dead);
+        Index* vertices = cells.vertices(created);
+        for (int i = 0; i <= k; ++i) vertices[i] = dead_vertices[i];
+        vertices[slot] = v;
+        ridges.note(static_cast<std::uint32_t>(f), vertices, slot);
+        cells.neighbors(created)[slot] = survivor;
+        const int mirror = cells.slot_of_neighbor(survivor, dead);
+        cells.neighbors(survivor)[mirror] = created;
+        facet.dead_value = zone.values[facet.dead];
+        facet.dead = dead;
+        facet.created = created;
+        facet.dead_opposite = dead_vertices[slot];
+        facet.survivor_opposite = cells.vertices(survivor)[mirror];
+      }
+    } else {
+      cells.allocate(last - first, [facet = &facets[first]](Index created) mutable { facet++->created = created; });
+      create_cells(cells.links(), v, {zone.cells.data(), zone.values.data()}, facets.subspan(first, last - first));
     }
     ridges.hash(cells, facets, first, last);
     for (const std::uint32_t f : geometry.create_star(v, q, facets.subspan(first, last - first))) {

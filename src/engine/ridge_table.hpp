@@ -12,6 +12,7 @@
 #pragma once
 
 #include "engine/cell_store.hpp"
+#include "engine/link_kernel.hpp"
 #include "growable_array.hpp"
 #include "horizon_facet.hpp"
 
@@ -20,7 +21,6 @@
 #include <bit>
 #include <cstdint>
 #include <span>
-#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -33,144 +33,137 @@ class RidgeTable {
 
   /// Makes room for the star over `facets` facets of cells of dimension k. Throws std::bad_alloc.
   void reserve(std::size_t facets, int k) {
-    const std::size_t halves = facets << facet_shift(k);
-    if (halves >= std::min(hashes_.capacity(), unmatched_.capacity() / 2)) {
-      unmatched_.reserve(4 * halves + 2);
-      hashes_.reserve(2 * halves + 1);
-    }
-    if (created_.capacity() < facets) created_.reserve(2 * facets);
-    const std::size_t size = num_entries(facets, k);
-    if (fits(narrow_bits, facets, k)) {
-      if (narrow_.size() < size) narrow_.resize(size, 0);
-      if (!fits(short_bits, facets, k) && wide_.size() < rest_size(size)) wide_.resize(rest_size(size), 0);
-    } else if (wide_.size() < size) {
-      wide_.resize(size, 0);
-    }
+    if (k != k_) [[unlikely]]
+      grow(few, k);
+    if (facets > few) [[unlikely]]
+      grow(facets, k);
   }
 
-  /// Takes note of a created cell of facet f as soon as it has its vertices, that of the apex in slot `apex`.
-  template <int K>
-  void note(std::uint32_t f, const Index* vertices, int apex) {
-    if constexpr (K == 2) beginning_at(vertices[next_slot[apex]]) = f;
-  }
+  /// Takes note of a created triangle of facet f as soon as it has its vertices, that of the apex in slot `apex`.
+  void note(std::uint32_t f, const Index* vertices, int apex) { beginning_at(vertices[next_slot[apex]]) = f; }
   /// Hashes the ridges of the facets first … last − 1, whose created cells have their vertices. REQUIRES reserve().
   template <int K>
-  void hash(const CellStore<K>& cells, std::span<const HorizonFacet> facets, std::size_t first, std::size_t last) {
-    if constexpr (K != 2)
-      hash_ridges(cells, facets, first, last);  // link() does it for the few stars of triangles that need it
+  void hash(CellStore<K>& cells, std::span<const HorizonFacet> facets, std::size_t first, std::size_t last) {
+    if constexpr (K == 2) return;  // link() does it for the few stars of triangles that need it
+    if (rounds_ == 0) return;
+    const RidgeEntries table = narrow_table(facets.size(), cells.dimension());
+    hash_ridges(cells.links(), facets, first, last, hashes_.data(), created_.data(),
+                table.entries != nullptr ? &table : nullptr);
   }
   /// Links the created cells of all facets across their ridges, once all are hashed. Returns the half-ridges that it could not
   /// match, which the caller must link.
   template <int K>
   std::span<const std::uint32_t> link(CellStore<K>& cells, std::span<const HorizonFacet> facets);
 
-  /// The facet of a half-ridge, and its slot in the created cell. `apex`: the slot of the new vertex there.
-  static std::uint32_t facet(std::uint32_t half, int k) { return half >> facet_shift(k); }
-  static int slot(std::uint32_t half, int k, int apex) {
-    return slot(static_cast<int>(half & ((1u << facet_shift(k)) - 1)), apex);
-  }
+  /// The facet of a half-ridge, and its slot in the created cell.
+  static std::uint32_t facet(std::uint32_t half, int k) { return half >> half_ridge_shift(k); }
+  static int slot(std::uint32_t half, int k) { return static_cast<int>(half & ((1u << half_ridge_shift(k)) - 1)); }
 
  private:
-  /// A half-ridge is numbered facet · 2^facet_shift + j for the j-th slot other than that of the apex.
-  static int facet_shift(int k) { return std::bit_width(static_cast<unsigned>(k) - 1); }
-  static int slot(int j, int apex) { return j + (j >= apex ? 1 : 0); }
-
   /// Entries count in the bits above those that the sum of two half-ridges takes. What more than two add to the sum may carry
   /// into the count, less than one for every two of them: a count that is more than 2 cannot look like 2 as long as one and a
   /// half times all half-ridges do not overflow it. That holds for 2^15 half-ridges with 16 bits for each part, and for all
-  /// with
-  /// 32. With 24 bits of 32 for the sum, a count may come round to 2: then more half-ridges have found another than there are
-  /// entries with two, times two, and nothing is believed.
+  /// with 32. With 24 bits of 32 for the sum, a count may come round to 2: then more half-ridges have found another than there
+  /// are entries with two, times two, and nothing is believed.
   static constexpr int short_bits = 16, narrow_bits = 24, wide_bits = 32;
   static bool fits(int sum_bits, std::size_t facets, int k) {
-    return facets << facet_shift(k) <= std::size_t{1} << (sum_bits - 1);
+    return facets << half_ridge_shift(k) <= std::size_t{1} << (sum_bits - 1);
   }
-  /// A table that outgrows the cache is better fuller, though more is left by it.
+  /// A table that takes room from others in the first-level cache is better fuller, though more is left by it, and even more so
+  /// one that outgrows it.
   static std::size_t num_entries(std::size_t facets, int k) {
-    return std::bit_ceil((fits(short_bits + 1, facets, k) ? 2 : 1) *
-                         std::max<std::size_t>(facets * static_cast<std::size_t>(k), 1));
+    const std::size_t halves = std::max<std::size_t>(facets * static_cast<std::size_t>(k), 1);
+    return std::bit_ceil(halves * (4 * halves <= least_entries ? 4 : fits(short_bits + 1, facets, k) ? 2 : 1));
+  }
+  /// No star of less than `few` facets has more entries than this, or than one of `few`.
+  static constexpr std::size_t least_entries = 1024;
+
+  /// Makes room for a star of so many facets; if these are `few`, for all smaller ones.
+  [[gnu::noinline]] void grow(std::size_t facets, int k) {
+    const std::size_t halves = facets << half_ridge_shift(k);
+    if (halves >= std::min(hashes_.capacity(), unmatched_.capacity() / 2)) {
+      unmatched_.reserve(4 * halves + 2);
+      hashes_.reserve(2 * halves + 1);
+    }
+    if (created_.capacity() < facets) created_.reserve(2 * facets);
+    if (left_.size() < num_words(halves)) left_.resize(2 * num_words(halves));
+    const std::size_t size = num_entries(facets, k);
+    if (fits(narrow_bits, facets, k)) {
+      if (narrow_.size() <= size) narrow_.resize(std::max(size, least_entries) + 1, 0);
+      if (!fits(short_bits, facets, k) && wide_.size() < rest_size(size)) wide_.resize(rest_size(size), 0);
+    } else if (wide_.size() < size) {
+      wide_.resize(size, 0);
+    }
+    k_ = k;
   }
   /// Entries for what the first round leaves in a narrow table of that size.
   static std::size_t rest_size(std::size_t size) { return std::max<std::size_t>(size / 2, 2); }
 
-  /// Sums of tags are to be different for different sets of vertices, as a rule.
-  static std::uint32_t tag(Index vertex) {
-    auto x = static_cast<std::uint32_t>(vertex) * 0x9e3779b1;
-    x ^= x >> 16;
-    return x * 0x85ebca6b;
+  /// The table for a star, whose entries are null if it needs the wide one.
+  RidgeEntries narrow_table(std::size_t facets, int k) {
+    const int bits = std::bit_width(num_entries(facets, k)) - 1;
+    if (!fits(narrow_bits, facets, k)) return {nullptr, bits, wide_bits};
+    return {narrow_.data(), bits, fits(short_bits, facets, k) ? short_bits : narrow_bits};
   }
+  /// The word whose lowest bits are those of the first byte.
+  static std::uint64_t from_bytes(std::uint64_t bytes) {
+    return std::endian::native == std::endian::big ? __builtin_bswap64(bytes) : bytes;
+  }
+  static std::size_t num_words(std::size_t halves) { return halves / 64 + 1; }
 
   /// Seen from the apex of a triangle, its edge goes from the vertex in the next slot to that in the one after it.
   static constexpr int next_slot[] = {1, 2, 0};
   std::uint32_t& beginning_at(Index vertex) { return beginning_[vertex % beginning_.size()]; }
 
-  template <int K>
-  void hash_ridges(const CellStore<K>& cells, std::span<const HorizonFacet> facets, std::size_t first, std::size_t last);
   /// Links the triangles of a star along the cycle of its edges. Returns whether each vertex has an entry of its own; else the
   /// links are of no use.
   bool link_cycle(CellStore<2>& cells, std::span<const HorizonFacet> facets);
 
-  /// Hashes all half-ridges and links the created cells of those that match. Returns how many of unmatched_ are left.
+  /// Links the created cells of all half-ridges that match. Returns how many of unmatched_ are left.
+  template <int K>
+  std::uint32_t match_narrow(const RidgeEntries& table, CellStore<K>& cells, std::span<const HorizonFacet> facets);
+  /// The same for those that are left, round after round, and by other hashes.
   template <int SumBits, class Entry, int K>
-  std::uint32_t match_all(Entry* entries, std::size_t size, CellStore<K>& cells, std::span<const HorizonFacet> facets);
-  /// The same for those that are left, round after round.
-  template <int SumBits, class Entry, int K>
-  std::span<const std::uint32_t> match_rest(Entry* entries, std::size_t size, std::uint32_t left, CellStore<K>& cells,
-                                            std::span<const HorizonFacet> facets);
-  std::uint32_t all_unmatched(std::size_t facets, int k);
+  std::span<const std::uint32_t> match_rest(Entry* entries, std::size_t size, std::uint32_t left, CellStore<K>& cells);
+  std::uint32_t all_unmatched(std::span<const HorizonFacet> facets, int k);
+
+  /// Stars of so many facets have room from the first one on.
+  static constexpr std::size_t few = 64;
 
   int rounds_;
+  int k_ = -1;                           // of cells that there is room for
   std::vector<std::uint32_t> narrow_;    // entries, all zero between calls: above how many selected it, below their sum
   std::vector<std::uint64_t> wide_;      // the same for stars that need the room, and for what is left of others
   GrowableArray<std::uint32_t> hashes_;  // of the ridges of all half-ridges
   GrowableArray<std::uint32_t> unmatched_;
   GrowableArray<Index> created_;
+  std::vector<std::uint64_t> left_;              // of all half-ridges, a bit each: whether it is not matched
   std::array<std::uint32_t, 1024> beginning_{};  // which edge of a cycle begins at a vertex, by the low bits of its id
 };
 
-inline std::uint32_t RidgeTable::all_unmatched(std::size_t facets, int k) {
+inline std::uint32_t RidgeTable::all_unmatched(std::span<const HorizonFacet> facets, int k) {
   std::uint32_t left = 0;
-  for (std::uint32_t f = 0; f < facets; ++f)
-    for (int j = 0; j < k; ++j) unmatched_[left++] = (f << facet_shift(k)) + static_cast<std::uint32_t>(j);
+  for (std::uint32_t f = 0; f < facets.size(); ++f)
+    for (int i = 0; i <= k; ++i)
+      if (i != facets[f].slot) unmatched_[left++] = (f << half_ridge_shift(k)) + static_cast<std::uint32_t>(i);
   return left;
 }
 
 template <int K>
 std::span<const std::uint32_t> RidgeTable::link(CellStore<K>& cells, std::span<const HorizonFacet> facets) {
   const int k = cells.dimension();
-  if (rounds_ == 0) return {unmatched_.data(), all_unmatched(facets.size(), k)};
-  if constexpr (K == 2) {
+  if (rounds_ == 0) return {unmatched_.data(), all_unmatched(facets, k)};
+  if constexpr (K == 2)
     if (link_cycle(cells, facets)) return {};
-    hash_ridges(cells, facets, 0, facets.size());
-  }
+  const RidgeEntries table = narrow_table(facets.size(), k);
+  if constexpr (K == 2)
+    hash_ridges(cells.links(), facets, 0, facets.size(), hashes_.data(), created_.data(),
+                table.entries != nullptr ? &table : nullptr);
   const std::size_t size = num_entries(facets.size(), k);
-  if (fits(short_bits, facets.size(), k)) {
-    const std::uint32_t left = match_all<short_bits>(narrow_.data(), size, cells, facets);
-    return match_rest<short_bits>(narrow_.data(), size, left, cells, facets);
-  }
-  if (fits(narrow_bits, facets.size(), k)) {
-    const std::uint32_t left = match_all<narrow_bits>(narrow_.data(), size, cells, facets);
-    return match_rest<wide_bits>(wide_.data(), rest_size(size), left, cells, facets);
-  }
-  const std::uint32_t left = match_all<wide_bits>(wide_.data(), size, cells, facets);
-  return match_rest<wide_bits>(wide_.data(), size, left, cells, facets);
-}
-
-template <int K>
-void RidgeTable::hash_ridges(const CellStore<K>& cells, std::span<const HorizonFacet> facets, std::size_t first,
-                             std::size_t last) {
-  const auto k = static_cast<std::uint32_t>(cells.dimension());
-  std::uint32_t* hash = hashes_.data() + (first << facet_shift(cells.dimension()));
-  for (std::size_t f = first; f < last; ++f, hash += std::size_t{1} << facet_shift(cells.dimension())) {
-    created_[f] = facets[f].created;
-    const Index* vertices = cells.vertices(facets[f].created);
-    const auto apex = static_cast<std::uint32_t>(facets[f].slot);
-    std::uint32_t sum = 0;
-    for (std::uint32_t i = 0; i <= k; ++i) sum += tag(vertices[i]);
-    sum -= tag(vertices[apex]);
-    // What is written for the apex is overwritten by the next.
-    for (std::uint32_t i = 0; i <= k; ++i) hash[i - (i > apex)] = sum - tag(vertices[i]);
-  }
+  if (table.entries == nullptr) return match_rest<wide_bits>(wide_.data(), size, all_unmatched(facets, k), cells);
+  const std::uint32_t left = match_narrow(table, cells, facets);
+  if (table.sum_bits == short_bits) return match_rest<short_bits>(narrow_.data(), size, left, cells);
+  return match_rest<wide_bits>(wide_.data(), rest_size(size), left, cells);
 }
 
 inline bool RidgeTable::link_cycle(CellStore<2>& cells, std::span<const HorizonFacet> facets) {
@@ -187,56 +180,28 @@ inline bool RidgeTable::link_cycle(CellStore<2>& cells, std::span<const HorizonF
   return matched;
 }
 
-template <int SumBits, class Entry, int K>
-std::uint32_t RidgeTable::match_all(Entry* entries, std::size_t size, CellStore<K>& cells,
-                                    std::span<const HorizonFacet> facets) {
-  constexpr Entry one = Entry{1} << SumBits;
+template <int K>
+std::uint32_t RidgeTable::match_narrow(const RidgeEntries& table, CellStore<K>& cells, std::span<const HorizonFacet> facets) {
   const int k = cells.dimension();
-  const std::uint32_t step = 1u << facet_shift(k);
-  const int shift = 32 - (std::bit_width(size) - 1);
-  const std::uint32_t* const hashes = hashes_.data();
-  const Index* const created = created_.data();
-  std::uint32_t* const unmatched = unmatched_.data();
-
+  const std::size_t words = num_words(facets.size() << half_ridge_shift(k)), size = std::size_t{1} << table.bits;
+  left_[words - 1] = 0;
+  match_ridges(cells.links(), facets, hashes_.data(), created_.data(), table, reinterpret_cast<std::uint8_t*>(left_.data()));
   std::uint32_t left = 0;
-  const auto last = static_cast<std::uint32_t>(facets.size()) * step;
-  for (std::uint32_t first = 0; first < last; first += step)
-    for (std::uint32_t j = 0; j < static_cast<std::uint32_t>(k); ++j)
-      entries[hashes[first + j] >> shift] += static_cast<Entry>(one + first + j);
-  for (std::uint32_t f = 0, first = 0; first < last; ++f, first += step) {
-    Index* neighbors = cells.neighbors(created[f]);
-    const int apex = facets[f].slot;
-    for (int j = 0; j < k; ++j) {
-      const std::uint32_t half = first + static_cast<std::uint32_t>(j);
-      const Entry entry = entries[hashes[half] >> shift];
-      const bool matched = entry >> SumBits == 2;
-      const std::uint32_t sum = static_cast<std::uint32_t>(entry - 2 * one);
-      std::uint32_t other = matched ? sum - half : half;
-      if constexpr (SumBits == narrow_bits) other = std::min(other, last - 1);  // what comes of a count that came round
-      neighbors[slot(j, apex)] = created[facet(other, k)];
-      unmatched[left] = half;
-      left += !matched;
-    }
-  }
-  if constexpr (SumBits == narrow_bits) {
-    std::size_t pairs = 0;
-    for (std::size_t i = 0; i < size; ++i) {
-      pairs += entries[i] >> SumBits == 2;
-      entries[i] = 0;
-    }
-    if (2 * pairs + left != facets.size() * static_cast<std::size_t>(k)) return all_unmatched(facets.size(), k);
-  } else if constexpr (std::is_same_v<Entry, std::uint32_t>) {  // it is in the cache, so that filling it is faster
-    std::fill_n(entries, size, Entry{0});
-  } else {
-    for (std::uint32_t first = 0; first < last; first += step)
-      for (std::uint32_t j = 0; j < static_cast<std::uint32_t>(k); ++j) entries[hashes[first + j] >> shift] = 0;
-  }
+  for (std::size_t word = 0; word < words; ++word)
+    for (std::uint64_t bits = from_bytes(left_[word]); bits != 0; bits &= bits - 1)
+      unmatched_[left++] = static_cast<std::uint32_t>(64 * word) + static_cast<std::uint32_t>(std::countr_zero(bits));
+  std::size_t pairs = 0;
+  if (table.sum_bits == narrow_bits)
+    for (std::size_t i = 0; i < size; ++i) pairs += table.entries[i] >> narrow_bits == 2;
+  std::fill_n(table.entries, size + 1, 0u);  // it is in the cache, so that filling it is faster than finding what is not zero
+  if (table.sum_bits == narrow_bits && 2 * pairs + left != facets.size() * static_cast<std::size_t>(k))
+    return all_unmatched(facets, k);
   return left;
 }
 
 template <int SumBits, class Entry, int K>
-std::span<const std::uint32_t> RidgeTable::match_rest(Entry* entries, std::size_t size, std::uint32_t left, CellStore<K>& cells,
-                                                      std::span<const HorizonFacet> facets) {
+std::span<const std::uint32_t> RidgeTable::match_rest(Entry* entries, std::size_t size, std::uint32_t left,
+                                                      CellStore<K>& cells) {
   constexpr Entry one = Entry{1} << SumBits;
   const int k = cells.dimension();
   const int shift = 32 - (std::bit_width(size) - 1);
@@ -253,7 +218,7 @@ std::span<const std::uint32_t> RidgeTable::match_rest(Entry* entries, std::size_
       const bool matched = entry >> SumBits == 2;
       const std::uint32_t other = matched ? static_cast<std::uint32_t>(entry - 2 * one) - half : half;
       const std::uint32_t f = facet(half, k);
-      cells.neighbors(created_[f])[slot(half, k, facets[f].slot)] = created_[facet(other, k)];
+      cells.neighbors(created_[f])[slot(half, k)] = created_[facet(other, k)];
       spare[left] = half;
       left += !matched;
     }

@@ -73,6 +73,8 @@ TEST(RidgeTable, FindsWhatRotationFinds) {
   expect_hashing_finds_what_rotation_finds<4>(150, 0);
   expect_hashing_finds_what_rotation_finds<5>(80, 3);
   expect_hashing_finds_what_rotation_finds<6>(40, 0);
+  expect_hashing_finds_what_rotation_finds<8>(20, 0);  // a cell's ids in more than one vector
+  expect_hashing_finds_what_rotation_finds<9>(18, 2);
 }
 
 // More half-ridges in a star than half of the bits of an entry can number.

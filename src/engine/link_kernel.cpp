@@ -1,0 +1,237 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// A cell's vertices, and then its neighbors, fit a vector of eight ids up to 7 dimensions; beyond, and where vectors are
+// shorter, they are treated in several pieces. The last piece may reach beyond them: what is read there is not used, and what
+// is written there is what was there, or will be written next.
+#include "engine/link_kernel.hpp"
+
+#include "cell_memory.hpp"
+
+#include <algorithm>
+#include <bit>
+
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "engine/link_kernel.cpp"
+#include <hwy/foreach_target.h>
+// After foreach_target.h
+#include <hwy/highway.h>
+
+HWY_BEFORE_NAMESPACE();
+namespace delone::engine {
+namespace HWY_NAMESPACE {
+namespace hn = hwy::HWY_NAMESPACE;
+
+// In the following K is k if that is from 2 to 8, 1 if it is at most 1, and 0 if it is more than 8.
+
+/// The vectors for the ids of a cell.
+template <int K>
+using IdTag =
+    hn::FixedTag<std::uint32_t, std::min<std::size_t>({HWY_LANES(std::uint32_t), 8, K > 0 ? std::bit_ceil(K + 1u) : 8})>;
+
+/// The pieces of a cell's ids.
+template <int K>
+struct Pieces {
+  using Ids = hn::Vec<IdTag<K>>;
+  static constexpr std::size_t lanes = hn::MaxLanes(IdTag<K>());
+
+  explicit Pieces(int k) : num_ids(static_cast<std::size_t>(K > 1 ? K : k) + 1) {}
+  std::size_t num() const { return (num_ids + lanes - 1) / lanes; }
+  /// The numbers from one on.
+  HWY_INLINE Ids numbers(std::size_t first) const { return hn::Add(lane, hn::Set(d, static_cast<std::uint32_t>(first))); }
+  /// Which of the lanes from a slot on is another one.
+  HWY_INLINE hn::Mask<IdTag<K>> is(int slot, std::size_t begin) const {
+    return hn::Eq(lane, hn::Set(d, static_cast<std::uint32_t>(slot) - static_cast<std::uint32_t>(begin)));
+  }
+  /// Which of the lanes from a slot on are ids of the cell, but for that of one slot.
+  HWY_INLINE hn::Mask<IdTag<K>> others(int slot, std::size_t begin) const {
+    return hn::AndNot(is(slot, begin), hn::FirstN(d, num_ids - begin));
+  }
+
+  const IdTag<K> d;
+  const Ids lane = hn::Iota(d, 0);
+  const std::size_t num_ids;
+};
+
+template <int K>
+std::size_t stride_of(const CellLinks& links) {
+  return K > 1 ? CellMemory<K>(K).stride() * (sizeof(double) / sizeof(Index)) : links.stride;
+}
+
+/// Survivors are asked for so many facets ahead of their turn.
+constexpr std::size_t ahead = 8;
+
+/// Sums of tags are to be different for different sets of vertices, as a rule.
+template <class D>
+HWY_INLINE hn::Vec<D> tags(D d, const Index* vertices) {
+  auto x = hn::Mul(hn::LoadU(d, vertices), hn::Set(d, 0x9e3779b1u));
+  x = hn::Xor(x, hn::ShiftRight<16>(x));
+  return hn::Mul(x, hn::Set(d, 0x85ebca6bu));
+}
+
+template <int K>
+void create_cells(const CellLinks& links, Index apex, const DeadCells& zone, std::span<HorizonFacet> facets) {
+  const IdTag<K> d;
+  const Pieces<K> pieces(links.k);
+  const std::size_t stride = stride_of<K>(links);
+  const auto of = [&](Index cell) { return links.first + cell * stride; };
+  for (std::size_t f = 0; f < facets.size(); ++f) {
+    HorizonFacet& facet = facets[f];
+    if (f + ahead < facets.size()) {  // the functional too, which the star's are made from
+      const Index* const end = of(facets[f + ahead].survivor) + 2 * pieces.num_ids;
+      const Index* const begin = end - (4 * pieces.num_ids + 2);
+      for (const Index* line = begin; line < end; line += 16) __builtin_prefetch(line);
+      __builtin_prefetch(end - 1);
+    }
+    const Index dead = zone.cells[facet.dead];
+    const Index* const dead_vertices = of(dead);
+    Index* const vertices = of(facet.created);
+    Index* const across_survivor = of(facet.survivor) + pieces.num_ids;
+    std::size_t mirror = 0;
+    for (std::size_t begin = pieces.num() * pieces.lanes; begin > 0;) {
+      begin -= pieces.lanes;
+      hn::StoreU(hn::IfThenElse(pieces.is(facet.slot, begin), hn::Set(d, apex), hn::LoadU(d, dead_vertices + begin)), d,
+                 vertices + begin);
+      // It is one of the neighbors: what is found behind them is found later.
+      const auto is_mirror = hn::Eq(hn::LoadU(d, across_survivor + begin), hn::Set(d, dead));
+      if (K > 0 && K < static_cast<int>(pieces.lanes)) {
+        mirror = hn::FindKnownFirstTrue(d, is_mirror);
+      } else if (!hn::AllFalse(d, is_mirror)) {
+        mirror = begin + hn::FindKnownFirstTrue(d, is_mirror);
+      }
+    }
+    vertices[pieces.num_ids + static_cast<std::size_t>(facet.slot)] = facet.survivor;
+    across_survivor[mirror] = facet.created;
+    facet.dead_value = zone.values[facet.dead];
+    facet.dead = dead;
+    facet.dead_opposite = dead_vertices[facet.slot];
+    facet.survivor_opposite = *(across_survivor - pieces.num_ids + mirror);
+  }
+}
+
+template <int K>
+void hash_ridges(const CellLinks& links, std::span<const HorizonFacet> facets, std::size_t first, std::size_t last,
+                 std::uint32_t* HWY_RESTRICT hashes, Index* HWY_RESTRICT created, const RidgeEntries* table) {
+  const IdTag<K> d;
+  const Pieces<K> pieces(links.k);
+  const std::size_t stride = stride_of<K>(links);
+  const int facet_shift = half_ridge_shift(links.k), hash_shift = table != nullptr ? 32 - table->bits : 0;
+  std::uint32_t* const entries = table != nullptr ? table->entries : nullptr;
+  const std::uint32_t one = table != nullptr ? 1u << table->sum_bits : 0;
+  const auto none = hn::Set(d, table != nullptr ? 1u << table->bits : 0);
+  for (std::size_t f = first; f < last; ++f) {
+    const HorizonFacet& facet = facets[f];
+    created[f] = facet.created;
+    const Index* const vertices = links.first + facet.created * stride;
+    const std::size_t half = f << facet_shift;
+    auto sum = hn::Zero(d);
+    for (std::size_t begin = 0; begin < pieces.num_ids; begin += pieces.lanes)
+      sum = hn::Add(sum, hn::IfThenElseZero(pieces.others(facet.slot, begin), tags(d, vertices + begin)));
+    sum = hn::SumOfLanes(d, sum);
+    for (std::size_t begin = 0; begin < pieces.num_ids; begin += pieces.lanes) {
+      const auto hash = hn::Sub(sum, tags(d, vertices + begin));
+      hn::StoreU(hash, d, hashes + half + begin);
+      if (entries == nullptr) continue;
+      HWY_ALIGN std::uint32_t selected[pieces.lanes];
+      hn::Store(hn::IfThenElse(pieces.others(facet.slot, begin), hn::ShiftRightSame(hash, hash_shift), none), d, selected);
+      auto more = one + static_cast<std::uint32_t>(half + begin);
+      for (std::size_t i = 0; i < std::min(pieces.lanes, pieces.num_ids - begin); ++i) entries[selected[i]] += more++;
+    }
+  }
+}
+
+template <int K>
+void match_ridges(const CellLinks& links, std::span<const HorizonFacet> facets, const std::uint32_t* HWY_RESTRICT hashes,
+                  const Index* HWY_RESTRICT created, const RidgeEntries& table, std::uint8_t* HWY_RESTRICT unmatched) {
+  const IdTag<K> d;
+  const hn::RebindToSigned<IdTag<K>> di;
+  const Pieces<K> pieces(links.k);
+  const std::size_t stride = stride_of<K>(links);
+  const int facet_shift = half_ridge_shift(links.k), hash_shift = 32 - table.bits;
+  const std::uint32_t* const entries = table.entries;
+  const auto last = hn::Set(d, static_cast<std::uint32_t>((facets.size() << facet_shift) - 1));
+  const auto two = hn::Set(d, 2u << table.sum_bits);
+  const std::size_t num_bytes = (std::size_t{1} << facet_shift) / 8;
+  for (std::size_t f = 0; f < facets.size(); ++f, unmatched += num_bytes) {
+    const std::size_t half = f << facet_shift;
+    Index* const neighbors = links.first + created[f] * stride + pieces.num_ids;
+    for (std::size_t byte = (pieces.num_ids + 7) / 8; byte < num_bytes; ++byte) unmatched[byte] = 0;
+    for (std::size_t begin = 0; begin < pieces.num_ids; begin += pieces.lanes) {
+      const auto selected = hn::ShiftRightSame(hn::LoadU(d, hashes + half + begin), hash_shift);
+      const auto entry = hn::GatherIndex(d, entries, hn::BitCast(di, selected));
+      const auto own = pieces.numbers(half + begin);
+      const auto valid = pieces.others(facets[f].slot, begin);
+      const auto pair = hn::Eq(hn::ShiftRightSame(entry, table.sum_bits), hn::Set(d, 2u));
+      const auto matched = hn::And(valid, pair);
+      // The least, for what comes of a count that came round.
+      const auto other = hn::Min(hn::IfThenElse(matched, hn::Sub(hn::Sub(entry, two), own), own), last);
+      const auto across = hn::GatherIndex(d, created, hn::BitCast(di, hn::ShiftRightSame(other, facet_shift)));
+      hn::BlendedStore(across, valid, d, neighbors + begin);
+      std::uint8_t bits[8];
+      hn::StoreMaskBits(d, hn::AndNot(pair, valid), bits);
+      const auto shifted = static_cast<std::uint8_t>(bits[0] << begin % 8);
+      unmatched[begin / 8] = begin % 8 == 0 ? shifted : static_cast<std::uint8_t>(unmatched[begin / 8] | shifted);
+    }
+  }
+}
+
+#define DELONE_FOR_DIMENSION(function, ...) \
+  switch (links.k) {                        \
+    case 0:                                 \
+    case 1:                                 \
+      return function<1>(__VA_ARGS__);      \
+    case 2:                                 \
+      return function<2>(__VA_ARGS__);      \
+    case 3:                                 \
+      return function<3>(__VA_ARGS__);      \
+    case 4:                                 \
+      return function<4>(__VA_ARGS__);      \
+    case 5:                                 \
+      return function<5>(__VA_ARGS__);      \
+    case 6:                                 \
+      return function<6>(__VA_ARGS__);      \
+    case 7:                                 \
+      return function<7>(__VA_ARGS__);      \
+    case 8:                                 \
+      return function<8>(__VA_ARGS__);      \
+    default:                                \
+      return function<0>(__VA_ARGS__);      \
+  }
+
+void create_cells_here(const CellLinks& links, Index apex, const DeadCells& zone, std::span<HorizonFacet> facets) {
+  DELONE_FOR_DIMENSION(create_cells, links, apex, zone, facets)
+}
+void hash_ridges_here(const CellLinks& links, std::span<const HorizonFacet> facets, std::size_t first, std::size_t last,
+                      std::uint32_t* hashes, Index* created, const RidgeEntries* table) {
+  DELONE_FOR_DIMENSION(hash_ridges, links, facets, first, last, hashes, created, table)
+}
+void match_ridges_here(const CellLinks& links, std::span<const HorizonFacet> facets, const std::uint32_t* hashes,
+                       const Index* created, const RidgeEntries& table, std::uint8_t* unmatched) {
+  DELONE_FOR_DIMENSION(match_ridges, links, facets, hashes, created, table, unmatched)
+}
+
+#undef DELONE_FOR_DIMENSION
+
+}  // namespace HWY_NAMESPACE
+}  // namespace delone::engine
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace delone::engine {
+
+HWY_EXPORT(create_cells_here);
+HWY_EXPORT(hash_ridges_here);
+HWY_EXPORT(match_ridges_here);
+
+void create_cells(const CellLinks& links, Index apex, const DeadCells& zone, std::span<HorizonFacet> facets) {
+  HWY_DYNAMIC_DISPATCH(create_cells_here)(links, apex, zone, facets);
+}
+void hash_ridges(const CellLinks& links, std::span<const HorizonFacet> facets, std::size_t first, std::size_t last,
+                 std::uint32_t* hashes, Index* created, const RidgeEntries* table) {
+  HWY_DYNAMIC_DISPATCH(hash_ridges_here)(links, facets, first, last, hashes, created, table);
+}
+void match_ridges(const CellLinks& links, std::span<const HorizonFacet> facets, const std::uint32_t* hashes,
+                  const Index* created, const RidgeEntries& table, std::uint8_t* unmatched) {
+  HWY_DYNAMIC_DISPATCH(match_ridges_here)(links, facets, hashes, created, table, unmatched);
+}
+
+}  // namespace delone::engine
+#endif
