@@ -15,7 +15,7 @@
 
 namespace delone::engine {
 
-/// Where the vertices and neighbors of all cells are. Behind the last cell there is room for link_spare ids more.
+/// Where the vertices and neighbors of all cells are. Behind the last cell there is room for a vector of ids more.
 struct CellLinks {
   Index* first;
   std::size_t stride;  ///< from those of a cell to those of the next
