@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The memory of all cells. What the engine keeps of a cell and what the geometry caches of it are always needed together, so
-// they are side by side:
-//   record   k + 2 words of 64 bits, for geometry/; two bits of the last one are the engine's mark
-//   links    k + 1 vertices and k + 1 neighbors, for engine/
+// The memory of all cells:
+//   functional    k + 1 coefficients, for geometry/
+//   certificate   64 bits, for geometry/; two of them are the engine's mark
+//   links         k + 1 vertices and k + 1 neighbors, for engine/
+// Insertions need all of a cell together, so it is side by side, with two exceptions. In 3D, functional and links fill a line
+// of the cache: certificates are apart. In the dimensions in which points are wrapped, links are: until all cells are there,
+// nothing else of them is needed.
 #pragma once
 
 #include "growable_array.hpp"
@@ -12,39 +15,126 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <utility>
 
 namespace delone {
 
 /// What an insertion has found out about a cell.
 enum class Mark : std::uint8_t { unseen = 0, in_conflict = 1, not_in_conflict = 2 };
 
+/// Where what is kept of a cell is. K is the dimension of the cells, or 0 when it is chosen at run time.
+template <int K>
+class CellLayout {
+ public:
+  explicit CellLayout(int dimension) : dimension_(dimension) {}
+
+  int dimension() const { return K > 0 ? K : dimension_; }
+  std::size_t num_coefficients() const { return static_cast<std::size_t>(dimension()) + 1; }
+  bool certificates_are_apart() const { return dimension() == 3; }
+  bool links_are_apart() const { return dimension() >= 7; }
+
+  /// From a cell to the next, in words.
+  std::size_t functional_stride() const {
+    const std::size_t words = num_coefficients() + !certificates_are_apart() + (links_are_apart() ? 0 : words_of_links());
+    // Lines of the cache have 8 words: one word more is no waste if it keeps cells from straddling more lines than they need.
+    return words % 8 == 7 ? words + 1 : words;
+  }
+  /// The same for links, in ids.
+  std::size_t link_stride() const { return (links_are_apart() ? words_of_links() : functional_stride()) * ids_per_word; }
+  /// Of all that is kept of a cell.
+  std::size_t bytes() const {
+    return (functional_stride() + certificates_are_apart() + (links_are_apart() ? words_of_links() : 0)) * sizeof(double);
+  }
+
+  static constexpr std::size_t ids_per_word = sizeof(double) / sizeof(Index);
+
+ private:
+  std::size_t words_of_links() const { return (2 * num_coefficients() + ids_per_word - 1) / ids_per_word; }
+
+  int dimension_;
+};
+
+/// The functionals and certificates of all cells, valid until memory grows. Word is double or const double.
+template <int K, class Word = double>
+class CellRecords {
+ public:
+  CellRecords(CellLayout<K> layout, Word* functionals, Word* certificates)
+      : layout_(layout), functionals_(functionals), certificates_(certificates) {}
+
+  Word* functional(Index cell) const { return functionals_ + cell * layout_.functional_stride(); }
+  /// The bits of a certificate.
+  Word* certificate(Index cell) const {
+    return layout_.certificates_are_apart() ? certificates_ + cell : functional(cell) + layout_.num_coefficients();
+  }
+
+ private:
+  CellLayout<K> layout_;
+  Word* functionals_;
+  Word* certificates_;  ///< if they are apart
+};
+
 /// K is the dimension of the cells, or 0 when it is chosen at run time.
 template <int K>
 class CellMemory {
  public:
-  explicit CellMemory(int dimension) : dimension_(dimension), words_(pages_for(dimension)) {}
+  explicit CellMemory(int dimension)
+      : layout_(dimension), words_(pages_for(dimension)), certificates_(pages_for(dimension)), links_(pages_for(dimension)) {}
 
-  int dimension() const { return K > 0 ? K : dimension_; }
-  /// From a cell to the next, in words.
-  std::size_t stride() const { return stride_of(static_cast<std::size_t>(dimension())); }
+  int dimension() const { return layout_.dimension(); }
+  const CellLayout<K>& layout() const { return layout_; }
 
-  double* record(Index cell) { return words_.data() + cell * stride(); }
-  const double* record(Index cell) const { return words_.data() + cell * stride(); }
-  Index* links(Index cell) { return reinterpret_cast<Index*>(record(cell) + dimension() + 2); }
-  const Index* links(Index cell) const { return reinterpret_cast<const Index*>(record(cell) + dimension() + 2); }
+  CellRecords<K> records() { return {layout_, words_.data(), certificates_.data()}; }
+  CellRecords<K, const double> records() const { return {layout_, words_.data(), certificates_.data()}; }
+  Index* links(Index cell) { return const_cast<Index*>(std::as_const(*this).links(cell)); }
+  const Index* links(Index cell) const {
+    if (layout_.links_are_apart()) return links_.data() + cell * layout_.link_stride();
+    return reinterpret_cast<const Index*>(words_.data() + cell * layout_.functional_stride() + layout_.num_coefficients() +
+                                          !layout_.certificates_are_apart());
+  }
 
-  std::size_t capacity() const { return (std::max(words_.capacity(), spare) - spare) / stride(); }
-  std::size_t bytes() const { return words_.capacity() * sizeof(double); }
+  /// How many cells there is room for, and for the links of how many.
+  std::size_t capacity() const { return capacity_; }
+  std::size_t link_capacity() const { return link_capacity_; }
+  std::size_t bytes() const {
+    return (words_.capacity() + certificates_.capacity()) * sizeof(double) + links_.capacity() * sizeof(Index);
+  }
   /// Makes room for cells, keeping the present ones. Throws std::bad_alloc, and then changes nothing.
-  void reserve(std::size_t cells) { words_.reserve(cells * stride() + spare); }
+  void reserve(std::size_t cells) {
+    words_.reserve(cells * layout_.functional_stride() + spare);
+    if (layout_.certificates_are_apart()) certificates_.reserve(cells);
+    if (layout_.links_are_apart()) reserve_links(cells);
+    capacity_ = std::max(capacity_, cells);
+    link_capacity_ = std::max(link_capacity_, cells);
+  }
+  /// The same for links, if they are apart.
+  void reserve_links(std::size_t cells) {
+    if (!layout_.links_are_apart()) return reserve(cells);
+    links_.reserve(cells * layout_.link_stride() + spare * CellLayout<K>::ids_per_word);
+    link_capacity_ = std::max(link_capacity_, cells);
+  }
   /// Cells to come are met in no order: what they are mapped to is to be in large pages.
-  void use_large_pages() { words_.use_large_pages(); }
+  void use_large_pages() {
+    words_.use_large_pages();
+    certificates_.use_large_pages();
+    links_.use_large_pages();
+  }
   /// Says that cells before `cells`, of which there is room for, will now be written.
-  void prepare(std::size_t cells) { words_.prepare(cells * stride()); }
+  void prepare(std::size_t cells) {
+    words_.prepare(cells * layout_.functional_stride());
+    if (layout_.certificates_are_apart()) certificates_.prepare(cells);
+    if (layout_.links_are_apart()) links_.prepare(cells * layout_.link_stride());
+  }
+  /// The same for links, if they are apart.
+  void prepare_links(std::size_t cells) {
+    if (!layout_.links_are_apart()) return prepare(cells);
+    links_.prepare(cells * layout_.link_stride());
+  }
   /// Copies the first `cells` cells of a memory of the same dimension.
   void copy(const CellMemory& other, std::size_t cells) {
     reserve(cells);
-    std::copy_n(other.words_.data(), cells * stride(), words_.data());
+    std::copy_n(other.words_.data(), cells * layout_.functional_stride(), words_.data());
+    if (layout_.certificates_are_apart()) std::copy_n(other.certificates_.data(), cells, certificates_.data());
+    if (layout_.links_are_apart()) std::copy_n(other.links_.data(), cells * layout_.link_stride(), links_.data());
   }
 
  private:
@@ -52,17 +142,14 @@ class CellMemory {
   /// (docs/performance.md, "Memory").
   static Pages pages_for(int dimension) { return dimension >= 5 ? Pages::large : Pages::usual; }
 
-  /// Lines of the cache have 8 words: one word more is no waste if it keeps cells from straddling more lines than they need.
-  static constexpr std::size_t stride_of(std::size_t k) {
-    const std::size_t words = k + 2 + (2 * (k + 1) * sizeof(Index) + sizeof(double) - 1) / sizeof(double);
-    return words % 8 == 7 ? words + 1 : words;
-  }
-
   /// Words behind the last cell, so that vectors may reach beyond its ids.
   static constexpr std::size_t spare = 4;
 
-  int dimension_;
-  GrowableArray<double> words_;
+  CellLayout<K> layout_;
+  std::size_t capacity_ = 0, link_capacity_ = 0;
+  GrowableArray<double> words_;         // functionals, and all that is not apart from them
+  GrowableArray<double> certificates_;  // if they are apart
+  GrowableArray<Index> links_;          // if they are apart
 };
 
 /// The marks, in bits that certificates leave free.

@@ -93,7 +93,7 @@ class GrowableArray {
 
  private:
   /// From this size on, memory is mapped; smaller arrays come from the heap.
-  static constexpr std::size_t mapped_from = std::size_t{4} << 20;
+  static constexpr std::size_t mapped_from = std::size_t{1} << 20;
   static constexpr std::size_t populated_at_once = std::size_t{256} << 10;
 
   static std::size_t rounded_up(std::size_t bytes) {

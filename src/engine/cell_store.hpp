@@ -25,7 +25,7 @@ class CellStore {
 
   int dimension() const { return memory_.dimension(); }
   /// From the vertices of a cell to those of the next, in ids.
-  std::size_t stride() const { return memory_.stride() * (sizeof(double) / sizeof(Index)); }
+  std::size_t stride() const { return memory_.layout().link_stride(); }
 
   const Index* vertices(Index cell) const { return memory_.links(cell); }
   Index* vertices(Index cell) { return memory_.links(cell); }
@@ -48,10 +48,11 @@ class CellStore {
 
   /// Asks for the memory of a cell ahead of its use.
   [[gnu::always_inline]] void prefetch(Index cell) const {
-    const double* record = memory_.record(cell);
-    const std::size_t bytes = memory_.stride() * sizeof(double);
-    for (std::size_t line = 0; line < bytes; line += 64) __builtin_prefetch(reinterpret_cast<const char*>(record) + line);
-    if (bytes % 64 != 0) __builtin_prefetch(reinterpret_cast<const char*>(record) + bytes - 1);
+    const CellLayout<K> layout = memory_.layout();
+    const CellRecords<K> records = memory_.records();
+    prefetch_bytes(records.functional(cell), layout.functional_stride() * sizeof(double));
+    if (layout.certificates_are_apart()) __builtin_prefetch(records.certificate(cell));
+    if (layout.links_are_apart()) prefetch_links(cell);
   }
 
   /// The same for all its neighbors.
@@ -61,10 +62,7 @@ class CellStore {
   }
   /// The same for the vertices and neighbors of a cell alone.
   [[gnu::always_inline]] void prefetch_links(Index cell) const {
-    const auto* links = reinterpret_cast<const char*>(vertices(cell));
-    const std::size_t bytes = 2 * (static_cast<std::size_t>(dimension()) + 1) * sizeof(Index);
-    for (std::size_t byte = 0; byte < bytes; byte += 64) __builtin_prefetch(links + byte);
-    __builtin_prefetch(links + bytes - 1);
+    prefetch_bytes(vertices(cell), 2 * (static_cast<std::size_t>(dimension()) + 1) * sizeof(Index));
   }
 
   /// Takes over which slots are vacant; their contents are the memory's.
@@ -88,13 +86,16 @@ class CellStore {
   /// Makes room for `count` more cells, so that as many calls of allocate() cannot fail. Throws
   /// Errc::too_many when the ids are exhausted.
   void reserve(std::size_t count) {
-    const std::size_t fresh = count > num_vacant_ ? count - num_vacant_ : 0;
-    if (fresh > max_index - num_slots_) throw Error(Errc::too_many, "the triangulation has more cells than this build has ids");
-    const std::size_t slots = num_slots_ + fresh, present = memory_.capacity();
-    if (slots > present) memory_.reserve(std::min<std::size_t>(std::max(slots, present + present / 2 + 64), max_index));
+    const std::size_t slots = slots_for(count);
+    if (slots > memory_.capacity()) memory_.reserve(with_slack(slots, memory_.capacity()));
     memory_.prepare(slots);
   }
-
+  /// The same for append().
+  void reserve_links(std::size_t count) {
+    const std::size_t slots = slots_for(count);
+    if (slots > memory_.link_capacity()) memory_.reserve_links(with_slack(slots, memory_.link_capacity()));
+    memory_.prepare_links(slots);
+  }
   /// Makes room for `count` more vacant slots, so that as many calls of release() cannot fail.
   void reserve_vacancies(std::size_t count) {
     if (vacant_.size() < num_vacant_ + count) vacant_.resize(2 * (num_vacant_ + count));
@@ -108,14 +109,14 @@ class CellStore {
     const Index cell = (vacant_[num_vacant_ - vacant] & mask) | (num_slots_ & ~mask);
     num_vacant_ -= vacant;
     num_slots_ += !vacant;
-    memory_.record(cell)[dimension() + 1] = 0;
+    *memory_.records().certificate(cell) = 0;
     return cell;
   }
   /// Calls take(slot) for as many slots as that many calls of allocate() would return.
   template <class Take>
   void allocate(std::size_t count, Take&& take) {
     const auto occupy = [&](Index cell) {
-      memory_.record(cell)[dimension() + 1] = 0;
+      *memory_.records().certificate(cell) = 0;
       take(cell);
     };
     const std::size_t reused = std::min(count, num_vacant_);
@@ -126,6 +127,9 @@ class CellStore {
     num_vacant_ -= reused;
     num_slots_ = fresh;
   }
+  /// A slot behind all others, of which only the links are expected to be written before the next reserve(). REQUIRES a
+  /// reserve_links() that covers it, and no vacant slot.
+  Index append() { return num_slots_++; }
   /// Makes a slot vacant. REQUIRES a reserve_vacancies() that covers it.
   void release(Index cell) {
     vertices(cell)[0] = invalid_index;
@@ -135,8 +139,7 @@ class CellStore {
   /// The marks of all cells; valid until cells are allocated.
   class Marks {
    public:
-    explicit Marks(CellMemory<K>& memory)
-        : words_(memory.record(0) + memory.dimension() + 1), dimension_(memory.dimension()), stride_(memory.stride()) {}
+    explicit Marks(CellMemory<K>& memory) : records_(memory.records()) {}
     Mark operator()(Index cell) const { return mark_bits::read(std::bit_cast<std::uint64_t>(word(cell))); }
     bool is_unseen(Index cell) const { return (std::bit_cast<std::uint64_t>(word(cell)) & mark_bits::all) == 0; }
     bool is_in_conflict(Index cell) const {
@@ -152,15 +155,30 @@ class CellStore {
     }
 
    private:
-    double& word(Index cell) const { return words_[cell * (K > 0 ? CellMemory<K>(K).stride() : stride_)]; }
-    double* words_;
-    int dimension_;
-    std::size_t stride_;
+    double& word(Index cell) const { return *records_.certificate(cell); }
+    CellRecords<K> records_;
   };
   Marks marks() { return Marks(memory_); }
   Mark mark(Index cell) { return marks()(cell); }
 
  private:
+  /// How many slots there will be with `count` more cells.
+  std::size_t slots_for(std::size_t count) const {
+    const std::size_t fresh = count > num_vacant_ ? count - num_vacant_ : 0;
+    if (fresh > max_index - num_slots_) throw Error(Errc::too_many, "the triangulation has more cells than this build has ids");
+    return num_slots_ + fresh;
+  }
+  /// For how many to make room where there is room for `present`.
+  static std::size_t with_slack(std::size_t slots, std::size_t present) {
+    return std::min<std::size_t>(std::max(slots, present + present / 2 + 64), max_index);
+  }
+
+  /// Not where they start at a line: lines that are asked for twice cost little, branches more.
+  [[gnu::always_inline]] static void prefetch_bytes(const void* first, std::size_t bytes) {
+    for (std::size_t byte = 0; byte < bytes; byte += 64) __builtin_prefetch(static_cast<const char*>(first) + byte);
+    if (bytes % 64 != 0) __builtin_prefetch(static_cast<const char*>(first) + bytes - 1);
+  }
+
   /// Which of the k+1 entries the value is, without a branch that depends on the data. REQUIRES that no two are.
   int find(const Index* entries, Index value) const {
     int found = 0;

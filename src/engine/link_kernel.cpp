@@ -53,7 +53,7 @@ struct Pieces {
 
 template <int K>
 std::size_t stride_of(const CellLinks& links) {
-  return K > 1 ? CellMemory<K>(K).stride() * (sizeof(double) / sizeof(Index)) : links.stride;
+  return K > 1 ? CellLayout<K>(K).link_stride() : links.stride;
 }
 
 /// Survivors are asked for so many facets ahead of their turn.

@@ -28,6 +28,7 @@ class Proof {
   /// `queries`: one at every vertex, in the order of their ids; that of vertex 0 is not used.
   Proof(CellStore<K>& cells, G& geometry, std::span<const Query> queries, StageCounts& counts)
       : cells_(cells), geometry_(geometry), queries_(queries), counts_(counts), is_flipped_(cells.num_slots()) {
+    cells_.reserve(0);  // what wraps needs links alone, a proof records too
     evaluators_.reserve(queries.size());
     for (const Query& q : queries) evaluators_.push_back(geometry.evaluator(q));
   }

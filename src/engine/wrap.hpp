@@ -49,7 +49,7 @@ class Wrapping {
     std::array<Index, K + 1> first;
     if (!search_.first_cell(first.data())) return false;
     std::sort(first.begin(), first.end());
-    cells_.reserve(1);
+    cells_.reserve_links(1);
     add(described(first));
     while (true) {
       tick();
@@ -114,7 +114,7 @@ class Wrapping {
   /// Creates a cell and links it with those that have its facets already. REQUIRES reserved memory. Returns whether it is new,
   /// as far as samples tell: after a wrong proposal wrapping never ends, but finds the same cells again and again.
   bool add(const NewCell& made) {
-    const Index cell = cells_.allocate();
+    const Index cell = cells_.append();
     std::copy(made.vertices.begin(), made.vertices.end(), cells_.vertices(cell));
     std::uint32_t open = 0;
     std::array<std::uint32_t, K + 1> others;
@@ -161,7 +161,7 @@ class Wrapping {
         places_[count] = {taken_[b], slot};
         found_[count++] = apexes_[b * (K + 1) + static_cast<std::size_t>(slot)];
       }
-    cells_.reserve(count);
+    cells_.reserve_links(count);
     if (cells_.num_slots() + count > FacetTable::none / (K + 1)) return false;
     facets_.reserve(count * (K + 1));
     for (std::size_t i = 0; i < count + ahead; ++i) {

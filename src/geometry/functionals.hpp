@@ -12,9 +12,10 @@
 #pragma once
 
 #include "cell_memory.hpp"
+#include "geometry/certificate.hpp"
 #include "geometry/frame.hpp"
 #include "geometry/lattice.hpp"
-#include "geometry/record.hpp"
+#include "geometry/pair.hpp"
 #include "geometry/simplex_kernel.hpp"
 #include "geometry/star_kernel.hpp"
 #include "geometry/vertex_rows.hpp"
@@ -48,38 +49,33 @@ class Functionals {
   class Evaluator {
    public:
     Evaluator(const CellMemory<K>& memory, const double* row)
-        : records_(memory.record(0)),
-          row_(static_cast<std::size_t>(memory.dimension()) + 1),
-          k_(memory.dimension()),
-          stride_(memory.stride()) {
-      // In pairs, as they are read: what is read must not be put together from several recent writes.
+        : records_(memory.records()), row_(static_cast<std::size_t>(memory.dimension()) + 1), k_(memory.dimension()) {
       int r = 0;
       for (; r < k(); r += 2) store_pair(row_.data() + r, load_pair(row + r));
       if (r == k()) row_.data()[r] = row[r];
     }
     /// h̃ of a cell.
-    double value(Index cell) const {
-      const double* record = this->record(cell);
+    [[gnu::always_inline]] double value(Index cell) const {
+      const double* g = records_.functional(cell);
       const int varying = Lifted ? k() : k() + 1;  // the other entries are 1
-      Pair sums{Lifted ? record[k()] : 1.0, 0};
-      for (int r = 0; r + 1 < varying; r += 2) sums += load_pair(record + r) * load_pair(row_.data() + r);
+      Pair sums{Lifted ? g[k()] : 1.0, 0};
+      for (int r = 0; r + 1 < varying; r += 2) sums += load_pair(g + r) * load_pair(row_.data() + r);
       double h = sums[0] + sums[1];
-      if (varying % 2 == 1) h += record[varying - 1] * row_.data()[varying - 1];
+      if (varying % 2 == 1) h += g[varying - 1] * row_.data()[varying - 1];
       if constexpr (!Lifted) return h;
-      const std::uint64_t finite = certificate::finite_mask(std::bit_cast<std::uint64_t>(record[k() + 1]));
+      const std::uint64_t finite = certificate::finite_mask(packed(cell));
       return h + std::bit_cast<double>(std::bit_cast<std::uint64_t>(row_.data()[k()]) & finite);
     }
     /// |value − h| is below it for all points of the frame's box.
-    double threshold(Index cell) const { return certificate::threshold(std::bit_cast<std::uint64_t>(record(cell)[k() + 1])); }
+    double threshold(Index cell) const { return certificate::threshold(packed(cell)); }
 
    private:
     int k() const { return K > 0 ? K : k_; }
-    const double* record(Index cell) const { return records_ + cell * (K > 0 ? CellMemory<K>(K).stride() : stride_); }
+    std::uint64_t packed(Index cell) const { return std::bit_cast<std::uint64_t>(*records_.certificate(cell)); }
 
-    const double* records_;
+    CellRecords<K, const double> records_;
     kernel::Buffer<double, K + (K > 0)> row_;
     int k_;
-    std::size_t stride_;
   };
   Evaluator evaluator(const double* row) const { return {memory_, row}; }
 
@@ -117,8 +113,9 @@ class Functionals {
   /// Returns the facets whose certificates would be too weak: their cells must be solved for.
   std::span<const std::uint32_t> combine(std::span<const HorizonFacet> facets, const VertexRows& rows, const double* query_row,
                                          const LatticeBounds& bounds) {
-    const std::size_t num_weak = combine_star({facets, k(), Lifted, memory_.record(0), memory_.stride(), rows, query_row,
-                                               frame_constants(), scratch_.data(), weak_.data()});
+    const auto records = memory_.records();
+    const std::size_t num_weak = combine_star({facets, k(), Lifted, records.functional(0), records.certificate(0), rows,
+                                               query_row, frame_constants(), scratch_.data(), weak_.data()});
     const auto left = std::remove_if(weak_.begin(), weak_.begin() + static_cast<std::ptrdiff_t>(num_weak),
                                      [&](std::uint32_t f) { return certify_weak(facets[f], rows, query_row, bounds); });
     return {weak_.data(), static_cast<std::size_t>(left - weak_.begin())};
@@ -130,18 +127,12 @@ class Functionals {
   }
 
  private:
-  /// Two doubles that are added and multiplied at once, on every processor.
-  using Pair = double __attribute__((vector_size(16)));
-  using UnalignedPair = double __attribute__((vector_size(16), aligned(8)));
-  static Pair load_pair(const double* from) { return *reinterpret_cast<const UnalignedPair*>(from); }
-  static void store_pair(double* to, Pair pair) { *reinterpret_cast<UnalignedPair*>(to) = pair; }
-
   int k() const { return memory_.dimension(); }
-  const double* record(Index cell) const { return memory_.record(cell); }
-  double* record(Index cell) { return memory_.record(cell); }
-  std::uint64_t packed(Index cell) const { return std::bit_cast<std::uint64_t>(record(cell)[k() + 1]); }
+  const double* functional(Index cell) const { return memory_.records().functional(cell); }
+  double* functional(Index cell) { return memory_.records().functional(cell); }
+  std::uint64_t packed(Index cell) const { return std::bit_cast<std::uint64_t>(*memory_.records().certificate(cell)); }
   void certify(Index cell, double threshold, double error, double determinant, bool infinite) {
-    record(cell)[k() + 1] = std::bit_cast<double>(certificate::pack(threshold, error, determinant, infinite));
+    *memory_.records().certificate(cell) = std::bit_cast<double>(certificate::pack(threshold, error, determinant, infinite));
   }
 
   /// An upper bound on the determinant of the edge vectors of a finite cell, from the radius of its sphere. REQUIRES spheres_.
@@ -173,7 +164,7 @@ class Functionals {
   double magnitude(Index cell) const { return sum_of_magnitudes(cell, Lifted && is_infinite(cell) ? 0 : largest_lift_); }
   /// The same, given what the reference entry adds to it.
   double sum_of_magnitudes(Index cell, double sum) const {
-    for (int r = 0; r <= k(); ++r) sum += std::fabs(record(cell)[r]);
+    for (int r = 0; r <= k(); ++r) sum += std::fabs(functional(cell)[r]);
     return sum;
   }
 
@@ -206,8 +197,8 @@ bool Functionals<K, Lifted>::adopt(const HorizonFacet& facet, const double* quer
   if (is_infinite(facet.dead) != infinite || !proves_zero(facet.dead, facet.dead_value, bounds) ||
       !proves_zero(facet.survivor, facet.survivor_value, bounds))
     return false;
-  const double* source = record(facet.survivor);
-  std::copy_n(source, k() + 1, record(facet.created));
+  const double* source = functional(facet.survivor);
+  std::copy_n(source, k() + 1, functional(facet.created));
   const double error_at_query =
       std::fabs(evaluator(query_row).value(facet.survivor)) + evaluation_error_ * magnitude(facet.survivor);
   certify(facet.created, threshold(facet.survivor), std::max(error_at_query, certificate::error(packed(facet.survivor))),
@@ -217,7 +208,7 @@ bool Functionals<K, Lifted>::adopt(const HorizonFacet& facet, const double* quer
 
 template <int K, bool Lifted>
 double Functionals<K, Lifted>::largest_determinant(Index cell) const {
-  const double* source = record(cell);
+  const double* source = functional(cell);
   double magnitude = largest_lift_ + std::fabs(source[k()]), gradient_square = 0;
   for (int r = 0; r < k(); ++r) {
     magnitude += std::fabs(source[r]);

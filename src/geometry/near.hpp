@@ -68,7 +68,7 @@ template <int K, bool Lifted>
     double square_of_normal = 0;
     for (int r = 0; r < k(); ++r) {
       const auto j = static_cast<std::size_t>(r);
-      normal[j] = record(cell)[r] + 2 * lift_weight_[j] * row[r];
+      normal[j] = functional(cell)[r] + 2 * lift_weight_[j] * row[r];
       square_of_normal += normal[j] * normal[j];
     }
     const EdgeProducts edges = edges_from<true>(row, cell, rows, normal.data(), square_of_normal);
@@ -85,7 +85,7 @@ bool Functionals<K, Lifted>::certify_by_edges(Index cell, int apex, const Vertex
     return false;
   } else {
     constexpr double gain = 16;  // what elimination may gain before it is worth its time
-    const double* functional = record(cell);
+    const double* functional = this->functional(cell);
     const auto row = [&](int slot) { return rows.template row<K>(memory_.links(cell)[slot], K); };
     const auto value_at = [&](const auto& x) {
       double sum = x[K] + functional[K];

@@ -17,7 +17,7 @@ Sign Functionals<K, Lifted>::solve(Index cell, const double* rows, bool positive
   constexpr int N = K > 0 ? (Infinite ? K - 1 : K) : 0;  // n, or 0 when it is not known or no more than that
   const auto size = static_cast<std::size_t>(k());
   const auto row_at = [&](int i) { return rows + static_cast<std::ptrdiff_t>(i) * (k() + 1); };
-  double* record = this->record(cell);
+  double* functional = this->functional(cell);
 
   kernel::Buffer<double, K * K> columns(size * size);
   kernel::Buffer<int, K> row_of(size);
@@ -35,21 +35,21 @@ Sign Functionals<K, Lifted>::solve(Index cell, const double* rows, bool positive
     give_up(cell, Infinite);
     return Sign::zero;
   }
-  if constexpr (Infinite) record[k() - 1] = positive == (det.value > 0) ? 1.0 : -1.0;
-  kernel::solve_transposed<N>(columns.data(), n, k(), row_of.data(), heights.data(), record);
+  if constexpr (Infinite) functional[k() - 1] = positive == (det.value > 0) ? 1.0 : -1.0;
+  kernel::solve_transposed<N>(columns.data(), n, k(), row_of.data(), heights.data(), functional);
 
   constexpr double lift_weight = Infinite ? 0 : 1;
   const auto linear_part = [&](const double* x) {
     double sum = lift_weight * x[k()];
-    for (int r = 0; r < k(); ++r) sum += record[r] * x[r];
+    for (int r = 0; r < k(); ++r) sum += functional[r] * x[r];
     return sum;
   };
-  record[k()] = -linear_part(rows);
+  functional[k()] = -linear_part(rows);
 
   double residual = 0;
-  for (int i = 0; i <= n; ++i) residual = std::max(residual, std::fabs(linear_part(row_at(i)) + record[k()]));
+  for (int i = 0; i <= n; ++i) residual = std::max(residual, std::fabs(linear_part(row_at(i)) + functional[k()]));
   double magnitude = lift_weight * largest_lift_;
-  for (int r = 0; r <= k(); ++r) magnitude += std::fabs(record[r]);
+  for (int r = 0; r <= k(); ++r) magnitude += std::fabs(functional[r]);
   const double rounding = evaluation_error_ * magnitude;
   const double error = residual + rounding;
   // Σ|barycentric coordinates| in the box, by Cramer's rule and Hadamard's inequality.
@@ -73,7 +73,7 @@ void Functionals<K, Lifted>::solve(std::span<const Index> cells, std::span<const
     const SimplexCertificate& proved = certificates[lane];
     signs[lane] = proved.orientation;
     if (proved.orientation == Sign::zero) continue;
-    for (std::size_t r = 0; r < width; ++r) record(cells[lane])[r] = lane_entry(functions, width * width + r, lane);
+    for (std::size_t r = 0; r < width; ++r) functional(cells[lane])[r] = lane_entry(functions, width * width + r, lane);
     const double rounding = evaluation_error_ * sum_of_magnitudes(cells[lane], largest_lift_);
     const double error = proved.residual + rounding;
     certify(cells[lane], error * proved.spread + rounding, error, proved.determinant, false);
@@ -97,15 +97,15 @@ void Functionals<K, Lifted>::solve(Index cell, const double* rows) requires(!Lif
     give_up(cell, false);
     return;
   }
-  double* record = this->record(cell);
-  kernel::solve_transposed<N>(columns.data(), n, n, row_of.data(), ones.data(), record);
+  double* functional = this->functional(cell);
+  kernel::solve_transposed<N>(columns.data(), n, n, row_of.data(), ones.data(), functional);
 
   double residual = 0, magnitude = 1;
   for (int i = 0; i < n; ++i) {
     double sum = 1;
-    for (int r = 0; r < n; ++r) sum += record[r] * rows[i * n + r];
+    for (int r = 0; r < n; ++r) sum += functional[r] * rows[i * n + r];
     residual = std::max(residual, std::fabs(sum));
-    magnitude += std::fabs(record[i]);
+    magnitude += std::fabs(functional[i]);
   }
   const double rounding = evaluation_error_ * magnitude;
   const double error = residual + rounding;
@@ -118,8 +118,8 @@ void Functionals<K, Lifted>::solve(Index cell, const double* rows) requires(!Lif
 template <int K, bool Lifted>
 void Functionals<K, Lifted>::give_up(Index cell, bool infinite) {
   constexpr double infinity = std::numeric_limits<double>::infinity();
-  std::fill_n(record(cell), k() + 1, 0.0);
-  if (Lifted) record(cell)[k()] = infinity;
+  std::fill_n(functional(cell), k() + 1, 0.0);
+  if (Lifted) functional(cell)[k()] = infinity;
   certify(cell, infinity, infinity, 0, infinite);
 }
 

@@ -14,7 +14,8 @@
 
 #include "cell_memory.hpp"
 #include "geometry/cache_line.hpp"
-#include "geometry/record.hpp"
+#include "geometry/certificate.hpp"
+#include "geometry/pair.hpp"
 
 #include <algorithm>
 #include <atomic>
@@ -55,38 +56,46 @@ namespace hn = hwy::HWY_NAMESPACE;
 
 inline std::uint64_t bits_of(double x) { return std::bit_cast<std::uint64_t>(x); }
 
+/// The functionals and certificates of all cells. K is k, or 0 for any.
+template <int K>
+CellRecords<K> records_of(const StarTask& task) {
+  return {CellLayout<K>(task.k), task.functionals, task.certificates};
+}
+
 /// Gathers what a block is computed from, one facet per lane. K is k, or 0 for any.
 template <int K>
 void gather(const StarTask& task, std::span<const HorizonFacet> facets, double* HWY_RESTRICT block) {
   const auto entries = static_cast<std::size_t>(K > 0 ? K : task.k) + 1;
   const bool lifted = task.lifted;
-  const std::size_t stride = K > 0 ? CellMemory<K>(K).stride() : task.stride;
-  const double* HWY_RESTRICT records = task.records;
+  const CellRecords<K> records = records_of<K>(task);
   const VertexRows rows = task.rows;
   double* const coefficients_of_a = block + coefficients * block_size;
   double* const coefficients_of_b = coefficients_of_a + entries * block_size;
   for (std::size_t lane = 0; lane < facets.size(); ++lane) {
     const HorizonFacet& facet = facets[lane];
     std::atomic_signal_fence(std::memory_order_seq_cst);  // one loop, not several: each costs a misprediction at its end
-    const double* A = records + facet.dead * stride;
-    const double* B = records + facet.survivor * stride;
+    const double* A = records.functional(facet.dead);
+    const double* B = records.functional(facet.survivor);
+    const double packed_a = *records.certificate(facet.dead), packed_b = *records.certificate(facet.survivor);
     for (std::size_t r = 0; r < entries; ++r) {
       coefficients_of_a[r * block_size + lane] = A[r];
       coefficients_of_b[r * block_size + lane] = B[r];
     }
-    block[certificate_a * block_size + lane] = A[entries];
-    block[certificate_b * block_size + lane] = B[entries];
+    block[certificate_a * block_size + lane] = packed_a;
+    block[certificate_b * block_size + lane] = packed_b;
     block[value_a * block_size + lane] = facet.dead_value;
     block[value_b * block_size + lane] = facet.survivor_value;
     // The value of B at the vertex of A; with A alone infinite, the other way round.
-    const bool swapped = certificate::infinite(bits_of(A[entries])) & !certificate::infinite(bits_of(B[entries]));
-    const double* other = swapped ? A : B;
+    const bool swapped = certificate::infinite(bits_of(packed_a)) & !certificate::infinite(bits_of(packed_b));
+    const Index other_cell = swapped ? facet.dead : facet.survivor;
+    const double* other = records.functional(other_cell);
     const Index opposite = swapped ? facet.survivor_opposite : facet.dead_opposite;
     const auto row = rows.row<K>(opposite, static_cast<int>(entries) - 1);
     const double last = row[entries - 1];
     double even = lifted ? other[entries - 1] : other[entries - 1] * last, odd = 0;
     for (std::size_t r = 0; r + 1 < entries; ++r) (r % 2 == 0 ? even : odd) += other[r] * row[r];
-    const std::uint64_t reference = bits_of(lifted ? last : 1.0) & certificate::finite_mask(bits_of(other[entries]));
+    const std::uint64_t reference =
+        bits_of(lifted ? last : 1.0) & certificate::finite_mask(bits_of(*records.certificate(other_cell)));
     block[opposite_value * block_size + lane] = even + odd + std::bit_cast<double>(reference);
   }
 }
@@ -216,19 +225,28 @@ void compute(const StarTask& task, std::size_t count, double* HWY_RESTRICT block
   }
 }
 
-/// Writes the records of a block. Returns how many entries of `weak` it has written.
+/// Writes the functionals and certificates of a block. Returns how many entries of `weak` it has written.
 template <int K>
 std::size_t scatter(const StarTask& task, std::span<const HorizonFacet> facets, std::size_t first,
                     const double* HWY_RESTRICT block, std::uint32_t* HWY_RESTRICT weak) {
   const auto entries = static_cast<std::size_t>(K > 0 ? K : task.k) + 1;
   const double* result = block + coefficients * block_size;
-  double* HWY_RESTRICT records = task.records;
-  const std::size_t stride = K > 0 ? CellMemory<K>(K).stride() : task.stride;
+  const CellRecords<K> records = records_of<K>(task);
   std::size_t num_weak = 0;
   for (std::size_t lane = 0; lane < facets.size(); ++lane) {
-    double* record = records + facets[lane].created * stride;
-    for (std::size_t r = 0; r < entries; ++r) record[r] = result[r * block_size + lane];
-    record[entries] = block[certificate_a * block_size + lane];
+    double* HWY_RESTRICT functional = records.functional(facets[lane].created);
+    double* HWY_RESTRICT certificate = records.certificate(facets[lane].created);
+    const double packed = block[certificate_a * block_size + lane];
+    const auto entry = [&](std::size_t r) { return result[r * block_size + lane]; };
+    for (std::size_t r = 0; r + 1 < entries; r += 2) store_pair(functional + r, Pair{entry(r), entry(r + 1)});
+    if (entries % 2 == 0) {
+      *certificate = packed;
+    } else if (certificate == functional + entries) {
+      store_pair(functional + entries - 1, Pair{entry(entries - 1), packed});
+    } else {
+      functional[entries - 1] = entry(entries - 1);
+      *certificate = packed;
+    }
     weak[num_weak] = static_cast<std::uint32_t>(first + lane);
     num_weak += bits_of(block[certificate_b * block_size + lane]) != 0;
   }

@@ -29,9 +29,9 @@ struct FrameConstants {
 struct StarTask {
   std::span<const HorizonFacet> facets;
   int k;
-  bool lifted;              ///< whether rows are (X, 1 | ℓ), else (X | 1)
-  double* records;          ///< of the cells, k + 2 doubles each
-  std::size_t stride;       ///< from a record to the next
+  bool lifted;          ///< whether rows are (X, 1 | ℓ), else (X | 1)
+  double* functionals;  ///< of all cells, as in CellRecords
+  double* certificates;
   VertexRows rows;          ///< (X, ℓ), or X; computed for can_compute_rows(k) only
   const double* query_row;  ///< that of the new vertex
   FrameConstants frame;
@@ -42,7 +42,8 @@ struct StarTask {
 /// How many doubles of scratch memory a star of dimension k takes.
 std::size_t star_scratch(int k);
 
-/// Computes the records of all created cells, and returns how many entries of `weak` it has written. Cost O(k) per facet.
+/// Computes the functionals and certificates of all created cells, and returns how many entries of `weak` it has written. Cost
+/// O(k) per facet.
 std::size_t combine_star(const StarTask& task);
 
 }  // namespace delone::geometry

@@ -44,10 +44,55 @@ TEST(CellStore, ExhaustedIdsAreAnErrorBeforeAnythingIsAllocated) {
 TEST(CellStore, DimensionsAtRunTimeHaveTheSameLayout) {
   CellMemory<0> memory(5);
   CellStore<0> cells(memory);
-  EXPECT_EQ(memory.stride(), CellMemory<5>(5).stride());
+  EXPECT_EQ(memory.layout().functional_stride(), CellLayout<5>(5).functional_stride());
   cells.reserve(2);
   const Index cell = cells.allocate();
   EXPECT_EQ(cells.neighbors(cell) - cells.vertices(cell), 6);
+}
+
+TEST(CellMemory, PartsOfCellsAreApartFromThoseOfOthersAndStayAsMemoryGrowsAndIsCopied) {
+  for (int k = 1; k <= 10; ++k) {
+    SCOPED_TRACE(testing::Message() << "dimension " << k);
+    CellMemory<0> memory(k);
+    const auto n = static_cast<std::size_t>(k) + 1;
+    constexpr Index count = 9;
+    // With links alone first, as wrapping does.
+    memory.reserve_links(count);
+    for (Index cell = 0; cell < count; ++cell)
+      for (Index i = 0; i < 2 * n; ++i) memory.links(cell)[i] = 100 * cell + i;
+    memory.reserve(count);
+    for (Index cell = 0; cell < count; ++cell) {
+      for (std::size_t i = 0; i < n; ++i) memory.records().functional(cell)[i] = static_cast<double>(100 * cell + i);
+      *memory.records().certificate(cell) = -1.0 * cell;
+    }
+    const auto expect_all = [&](const CellMemory<0>& of) {
+      for (Index cell = 0; cell < count; ++cell) {
+        for (Index i = 0; i < 2 * n; ++i) ASSERT_EQ(of.links(cell)[i], 100 * cell + i);
+        for (std::size_t i = 0; i < n; ++i) ASSERT_EQ(of.records().functional(cell)[i], static_cast<double>(100 * cell + i));
+        ASSERT_EQ(*of.records().certificate(cell), -1.0 * cell);
+      }
+    };
+    expect_all(memory);
+    memory.reserve(100'000);  // from the heap to pages
+    EXPECT_GE(memory.capacity(), 100'000u);
+    EXPECT_GE(memory.link_capacity(), 100'000u);
+    memory.prepare(100'000);
+    expect_all(memory);
+    CellMemory<0> other(k);
+    other.copy(memory, count);
+    expect_all(other);
+  }
+}
+
+TEST(CellMemory, FillsLinesOfTheCacheWhereItCan) {
+  EXPECT_EQ(CellLayout<2>(2).bytes(), 64u);
+  EXPECT_EQ(CellLayout<3>(3).functional_stride(), 8u);
+  EXPECT_EQ(CellLayout<3>(3).bytes(), 72u);
+  EXPECT_EQ(CellLayout<4>(4).bytes(), 88u);
+  EXPECT_EQ(CellLayout<5>(5).bytes(), 104u);
+  EXPECT_EQ(CellLayout<6>(6).bytes(), 128u);
+  EXPECT_EQ(CellLayout<7>(7).link_stride(), 16u);
+  EXPECT_EQ(CellLayout<7>(7).bytes(), 136u);
 }
 
 TEST(CellStore, MarksLiveBesideTheCertificate) {
@@ -56,14 +101,14 @@ TEST(CellStore, MarksLiveBesideTheCertificate) {
   cells.reserve(2);
   const Index cell = cells.allocate(), other = cells.allocate();
   const double certificate = std::bit_cast<double>(~mark_bits::all);
-  memory.record(cell)[4] = memory.record(other)[4] = certificate;
+  *memory.records().certificate(cell) = *memory.records().certificate(other) = certificate;
   auto marks = cells.marks();
   for (const Mark mark : {Mark::in_conflict, Mark::not_in_conflict, Mark::unseen}) {
     marks.set(cell, mark);
     EXPECT_EQ(marks(cell), mark);
     EXPECT_EQ(marks(other), Mark::unseen);
   }
-  EXPECT_EQ(std::bit_cast<std::uint64_t>(memory.record(cell)[4]), ~mark_bits::all);
+  EXPECT_EQ(std::bit_cast<std::uint64_t>(*memory.records().certificate(cell)), ~mark_bits::all);
   marks.set_if(cell, false);
   EXPECT_EQ(marks(cell), Mark::unseen);
   marks.set_if(cell, true);

@@ -230,12 +230,12 @@ void expect_right_triangulation(const Sample& sample, std::uint64_t seed, Tally&
       denominator = function[K];
       scale = frame.lift_scale() * frame.lift_scale();
     } else {
-      const double* record = memory.record(cell);
-      const auto normal =
-          static_cast<std::size_t>(std::find_if(record, record + K, [](double g) { return std::fabs(g) == 1; }) - record);
+      const double* functional = memory.records().functional(cell);
+      const auto normal = static_cast<std::size_t>(
+          std::find_if(functional, functional + K, [](double g) { return std::fabs(g) == 1; }) - functional);
       if (normal == K) continue;  // too flat, and never certain
       denominator = function[normal];
-      if (record[normal] < 0) denominator = -denominator;
+      if (functional[normal] < 0) denominator = -denominator;
       scale = frame.extent_ratio(axes[normal]) * frame.lift_scale();
     }
     for (Index v = 1; v <= n; ++v) {

@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Two doubles that are added and multiplied, read and written at once, on every processor. What is read soon after it was
+// written has to be written in the same pairs: a processor waits when it must put together what it reads from several recent
+// writes.
+#pragma once
+
+namespace delone::geometry {
+
+using Pair = double __attribute__((vector_size(16)));
+using UnalignedPair = double __attribute__((vector_size(16), aligned(8)));
+
+inline Pair load_pair(const double* from) { return *reinterpret_cast<const UnalignedPair*>(from); }
+inline void store_pair(double* to, Pair pair) { *reinterpret_cast<UnalignedPair*>(to) = pair; }
+
+}  // namespace delone::geometry
