@@ -35,12 +35,14 @@ class CellLayout {
 
   /// From a cell to the next, in words.
   std::size_t functional_stride() const {
-    const std::size_t words = num_coefficients() + !certificates_are_apart() + (links_are_apart() ? 0 : words_of_links());
+    const std::size_t words = links_are_apart() ? words_of_record() : words_before_links() + words_of_links();
     // Lines of the cache have 8 words: one word more is no waste if it keeps cells from straddling more lines than they need.
     return words % 8 == 7 ? words + 1 : words;
   }
   /// The same for links, in ids.
   std::size_t link_stride() const { return (links_are_apart() ? words_of_links() : functional_stride()) * ids_per_word; }
+  /// What is side by side with the links of a cell, before them.
+  std::size_t words_before_links() const { return links_are_apart() ? 0 : words_of_record(); }
   /// Of all that is kept of a cell.
   std::size_t bytes() const {
     return (functional_stride() + certificates_are_apart() + (links_are_apart() ? words_of_links() : 0)) * sizeof(double);
@@ -49,6 +51,7 @@ class CellLayout {
   static constexpr std::size_t ids_per_word = sizeof(double) / sizeof(Index);
 
  private:
+  std::size_t words_of_record() const { return num_coefficients() + !certificates_are_apart(); }
   std::size_t words_of_links() const { return (2 * num_coefficients() + ids_per_word - 1) / ids_per_word; }
 
   int dimension_;
@@ -88,8 +91,7 @@ class CellMemory {
   Index* links(Index cell) { return const_cast<Index*>(std::as_const(*this).links(cell)); }
   const Index* links(Index cell) const {
     if (layout_.links_are_apart()) return links_.data() + cell * layout_.link_stride();
-    return reinterpret_cast<const Index*>(words_.data() + cell * layout_.functional_stride() + layout_.num_coefficients() +
-                                          !layout_.certificates_are_apart());
+    return reinterpret_cast<const Index*>(words_.data() + cell * layout_.functional_stride() + layout_.words_before_links());
   }
 
   /// How many cells there is room for, and for the links of how many.

@@ -33,7 +33,7 @@ class CellStore {
   Index* neighbors(Index cell) { return vertices(cell) + dimension() + 1; }
 
   /// The vertices and neighbors of all cells.
-  CellLinks links() { return {vertices(0), stride(), dimension()}; }
+  CellLinks links() { return {vertices(0), dimension()}; }
 
   int slot_of_vertex(Index cell, Index vertex) const { return find(vertices(cell), vertex); }
   int slot_of_neighbor(Index cell, Index neighbor) const { return find(neighbors(cell), neighbor); }

@@ -51,9 +51,10 @@ struct Pieces {
   const std::size_t num_ids;
 };
 
+/// The layout of cells, known to the compiler from 2D to 8D.
 template <int K>
-std::size_t stride_of(const CellLinks& links) {
-  return K > 1 ? CellLayout<K>(K).link_stride() : links.stride;
+CellLayout<(K > 1 ? K : 0)> layout_of(const CellLinks& links) {
+  return CellLayout<(K > 1 ? K : 0)>(links.k);
 }
 
 /// Survivors are asked for so many facets ahead of their turn.
@@ -71,13 +72,14 @@ template <int K>
 void create_cells(const CellLinks& links, Index apex, const DeadCells& zone, std::span<HorizonFacet> facets) {
   const IdTag<K> d;
   const Pieces<K> pieces(links.k);
-  const std::size_t stride = stride_of<K>(links);
+  const std::size_t stride = layout_of<K>(links).link_stride(),
+                    ids_before_links = layout_of<K>(links).words_before_links() * CellLayout<K>::ids_per_word;
   const auto of = [&](Index cell) { return links.first + cell * stride; };
   for (std::size_t f = 0; f < facets.size(); ++f) {
     HorizonFacet& facet = facets[f];
-    if (f + ahead < facets.size()) {  // the functional too, which the star's are made from
+    if (f + ahead < facets.size()) {  // what is side by side with its links too: the star's functionals are made from it
       const Index* const end = of(facets[f + ahead].survivor) + 2 * pieces.num_ids;
-      const Index* const begin = end - (4 * pieces.num_ids + 2);
+      const Index* const begin = end - 2 * pieces.num_ids - ids_before_links;
       for (const Index* line = begin; line < end; line += 16) __builtin_prefetch(line);
       __builtin_prefetch(end - 1);
     }
@@ -112,7 +114,7 @@ void hash_ridges(const CellLinks& links, std::span<const HorizonFacet> facets, s
                  std::uint32_t* HWY_RESTRICT hashes, Index* HWY_RESTRICT created, const RidgeEntries* table) {
   const IdTag<K> d;
   const Pieces<K> pieces(links.k);
-  const std::size_t stride = stride_of<K>(links);
+  const std::size_t stride = layout_of<K>(links).link_stride();
   const int facet_shift = half_ridge_shift(links.k), hash_shift = table != nullptr ? 32 - table->bits : 0;
   std::uint32_t* const entries = table != nullptr ? table->entries : nullptr;
   const std::uint32_t one = table != nullptr ? 1u << table->sum_bits : 0;
@@ -144,7 +146,7 @@ void match_ridges(const CellLinks& links, std::span<const HorizonFacet> facets, 
   const IdTag<K> d;
   const hn::RebindToSigned<IdTag<K>> di;
   const Pieces<K> pieces(links.k);
-  const std::size_t stride = stride_of<K>(links);
+  const std::size_t stride = layout_of<K>(links).link_stride();
   const int facet_shift = half_ridge_shift(links.k), hash_shift = 32 - table.bits;
   const std::uint32_t* const entries = table.entries;
   const auto last = hn::Set(d, static_cast<std::uint32_t>((facets.size() << facet_shift) - 1));

@@ -15,10 +15,10 @@
 
 namespace delone::engine {
 
-/// Where the vertices and neighbors of all cells are. Behind the last cell there is room for a vector of ids more.
+/// Where the vertices and neighbors of all cells are, laid out as CellLayout says. Behind the last cell there is room for a
+/// vector of ids more.
 struct CellLinks {
   Index* first;
-  std::size_t stride;  ///< from those of a cell to those of the next
   int k;
 };
 

@@ -62,41 +62,54 @@ CellRecords<K> records_of(const StarTask& task) {
   return {CellLayout<K>(task.k), task.functionals, task.certificates};
 }
 
-/// Gathers what a block is computed from, one facet per lane. K is k, or 0 for any.
+/// The value of B at the vertex of A opposite the facet; with A alone infinite, the other way round.
+template <int K>
+HWY_INLINE double value_at_opposite(const StarTask& task, const CellRecords<K>& records, const HorizonFacet& facet) {
+  const auto k = static_cast<std::size_t>(K > 0 ? K : task.k);
+  const auto is_infinite = [&](Index cell) { return certificate::infinite(bits_of(*records.certificate(cell))); };
+  const bool swapped = is_infinite(facet.dead) & !is_infinite(facet.survivor);
+  const Index cell = swapped ? facet.dead : facet.survivor;
+  const Index vertex = swapped ? facet.survivor_opposite : facet.dead_opposite;
+  const double* functional = records.functional(cell);
+  const auto row = task.rows.row<K>(vertex, static_cast<int>(k));
+  const double last = row[k];
+  Pair sums{task.lifted ? functional[k] : functional[k] * last, 0};
+  for (std::size_t r = 0; r + 1 < k; r += 2) sums += load_pair(functional + r) * load_pair(&row[r]);
+  double value = sums[0] + sums[1];
+  if (k % 2 == 1) value += functional[k - 1] * row[k - 1];
+  const std::uint64_t reference =
+      bits_of(task.lifted ? last : 1.0) & certificate::finite_mask(bits_of(*records.certificate(cell)));
+  return value + std::bit_cast<double>(reference);
+}
+
+/// Gathers what a block is computed from, one facet per lane, two facets at a time. K is k, or 0 for any.
 template <int K>
 void gather(const StarTask& task, std::span<const HorizonFacet> facets, double* HWY_RESTRICT block) {
   const auto entries = static_cast<std::size_t>(K > 0 ? K : task.k) + 1;
-  const bool lifted = task.lifted;
   const CellRecords<K> records = records_of<K>(task);
-  const VertexRows rows = task.rows;
-  double* const coefficients_of_a = block + coefficients * block_size;
-  double* const coefficients_of_b = coefficients_of_a + entries * block_size;
-  for (std::size_t lane = 0; lane < facets.size(); ++lane) {
-    const HorizonFacet& facet = facets[lane];
+  for (std::size_t lane = 0; lane < facets.size(); lane += 2) {
+    const HorizonFacet& one = facets[lane];
+    const HorizonFacet& two = facets[std::min(lane + 1, facets.size() - 1)];
     std::atomic_signal_fence(std::memory_order_seq_cst);  // one loop, not several: each costs a misprediction at its end
-    const double* A = records.functional(facet.dead);
-    const double* B = records.functional(facet.survivor);
-    const double packed_a = *records.certificate(facet.dead), packed_b = *records.certificate(facet.survivor);
-    for (std::size_t r = 0; r < entries; ++r) {
-      coefficients_of_a[r * block_size + lane] = A[r];
-      coefficients_of_b[r * block_size + lane] = B[r];
-    }
-    block[certificate_a * block_size + lane] = packed_a;
-    block[certificate_b * block_size + lane] = packed_b;
-    block[value_a * block_size + lane] = facet.dead_value;
-    block[value_b * block_size + lane] = facet.survivor_value;
-    // The value of B at the vertex of A; with A alone infinite, the other way round.
-    const bool swapped = certificate::infinite(bits_of(packed_a)) & !certificate::infinite(bits_of(packed_b));
-    const Index other_cell = swapped ? facet.dead : facet.survivor;
-    const double* other = records.functional(other_cell);
-    const Index opposite = swapped ? facet.survivor_opposite : facet.dead_opposite;
-    const auto row = rows.row<K>(opposite, static_cast<int>(entries) - 1);
-    const double last = row[entries - 1];
-    double even = lifted ? other[entries - 1] : other[entries - 1] * last, odd = 0;
-    for (std::size_t r = 0; r + 1 < entries; ++r) (r % 2 == 0 ? even : odd) += other[r] * row[r];
-    const std::uint64_t reference =
-        bits_of(lifted ? last : 1.0) & certificate::finite_mask(bits_of(*records.certificate(other_cell)));
-    block[opposite_value * block_size + lane] = even + odd + std::bit_cast<double>(reference);
+    const auto put = [&](std::size_t array, double of_one, double of_two) {
+      store_pair(block + array * block_size + lane, Pair{of_one, of_two});
+    };
+    const auto put_cells = [&](Index of_one, Index of_two, std::size_t first_coefficient, std::size_t certificate) {
+      const double* f = records.functional(of_one);
+      const double* g = records.functional(of_two);
+      for (std::size_t r = 0; r + 1 < entries; r += 2) {
+        const Pair from_one = load_pair(f + r), from_two = load_pair(g + r);
+        put(first_coefficient + r, from_one[0], from_two[0]);
+        put(first_coefficient + r + 1, from_one[1], from_two[1]);
+      }
+      if (entries % 2 == 1) put(first_coefficient + entries - 1, f[entries - 1], g[entries - 1]);
+      put(certificate, *records.certificate(of_one), *records.certificate(of_two));
+    };
+    put_cells(one.dead, two.dead, coefficients, certificate_a);
+    put_cells(one.survivor, two.survivor, coefficients + entries, certificate_b);
+    put(value_a, one.dead_value, two.dead_value);
+    put(value_b, one.survivor_value, two.survivor_value);
+    put(opposite_value, value_at_opposite(task, records, one), value_at_opposite(task, records, two));
   }
 }
 
