@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The yardstick: what merely touching the same memory in the same order costs. The cells that each insertion of a real build
-// looks at, kills and creates are recorded; then, on memory of the same size and layout and without any geometry,
+// looks at, kills and creates are recorded; then, on memory of the same size, all of a cell side by side, and without any
+// geometry,
 //   every cell of the conflict zone is read, and every cell beyond its horizon;
 //   for every facet of the horizon a record is written in full, and one neighbor of the survivor;
 //   one word of every dead cell is written.

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What is cached for a cell, in k + 2 doubles: the functional's k + 1 coefficients, and packed into the last its certificate:
-// the threshold of the filter, the error at the vertices and the determinant, which those of later cells are made from.
+// What is cached for a cell beside the k + 1 coefficients of its functional: a certificate of the threshold of the filter, the
+// error at the vertices and the determinant, which those of later cells are made from.
 #pragma once
 
 #include <algorithm>
