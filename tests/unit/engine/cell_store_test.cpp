@@ -44,7 +44,19 @@ TEST(CellStore, ExhaustedIdsAreAnErrorBeforeAnythingIsAllocated) {
 TEST(CellStore, DimensionsAtRunTimeHaveTheSameLayout) {
   CellMemory<0> memory(5);
   CellStore<0> cells(memory);
-  EXPECT_EQ(memory.layout().functional_stride(), CellLayout<5>(5).functional_stride());
+  const auto expect_same = [](const auto& layout) {
+    const CellLayout<0> at_run_time(layout.dimension());
+    EXPECT_EQ(at_run_time.functional_stride(), layout.functional_stride());
+    EXPECT_EQ(at_run_time.certificates_are_apart(), layout.certificates_are_apart());
+    EXPECT_EQ(at_run_time.links_are_apart(), layout.links_are_apart());
+    EXPECT_EQ(at_run_time.link_stride(), layout.link_stride());
+    EXPECT_EQ(at_run_time.words_before_links(), layout.words_before_links());
+  };
+  expect_same(CellLayout<2>(2));
+  expect_same(CellLayout<3>(3));
+  expect_same(CellLayout<5>(5));
+  expect_same(CellLayout<7>(7));
+  expect_same(CellLayout<8>(8));
   cells.reserve(2);
   const Index cell = cells.allocate();
   EXPECT_EQ(cells.neighbors(cell) - cells.vertices(cell), 6);
