@@ -83,7 +83,7 @@ class EngineRun {
 
   /// Inserts all points, in the order that the library would choose.
   void insert_all() {
-    const std::vector<Index> order = delone::order::brio_order(points_, 0);
+    const std::vector<Index> order = delone::order::automatic_order(points_, 0);
     vertices_.coordinates.reserve((order.size() + 1) * K);
     const std::vector<bool> used = start(order);
     for (const Index row : order)

@@ -27,7 +27,7 @@ void sort(benchmark::State& state, int dimension, std::size_t n) {
   double best = std::numeric_limits<double>::infinity();
   for (auto _ : state) {
     const double start = benchmarks::thread_seconds();
-    benchmark::DoNotOptimize(delone::order::brio_order(points, 0));
+    benchmark::DoNotOptimize(delone::order::automatic_order(points, 0));
     best = std::min(best, benchmarks::thread_seconds() - start);
   }
   state.counters["ns_per_point"] = 1e9 * best / static_cast<double>(n);

@@ -129,7 +129,7 @@ void phases(benchmark::State& state) {
     system = std::min(system, whole.system);
 
     const double before_order = benchmarks::thread_seconds();
-    benchmark::DoNotOptimize(delone::order::brio_order(points, 0));
+    benchmark::DoNotOptimize(delone::order::automatic_order(points, 0));
     order = std::min(order, benchmarks::thread_seconds() - before_order);
 
     Stopwatch watch(Clock(K <= 3 ? CLOCK_MONOTONIC : CLOCK_THREAD_CPUTIME_ID), std::max<std::uint64_t>(n / 50'000, 1));

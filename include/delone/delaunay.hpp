@@ -21,14 +21,14 @@ namespace delone {
 
 /// How a batch of points is ordered before insertion. The result never depends on it.
 enum class InsertionOrder {
-  automatic,  ///< BRIO rounds sorted along a Hilbert curve, the policy measured best for this size and dimension
+  automatic,  ///< rounds along a Hilbert curve: of points chosen farthest first, in the plane of random ones
   as_given,   ///< the order of the input
   shuffled,   ///< a random permutation
 };
 
 /// Options of a construction. The result depends on the set of points alone; options change the path, not the end.
 struct Options {
-  std::uint64_t seed = 0;  ///< of the random rounds of the insertion order
+  std::uint64_t seed = 0;  ///< of the random choices of the insertion order
   InsertionOrder order = InsertionOrder::automatic;
   bool force_runtime_dimension = false;  ///< use the run-time-dimension engine even for k ≤ 8
   /// Called from the building thread about every 20 ms with the fraction done, 0…1; return false to cancel (Errc::cancelled). A

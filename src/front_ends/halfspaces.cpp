@@ -3,6 +3,7 @@
 // arrays.
 #include "front_ends/halfspace_arrays.hpp"
 #include "front_ends/halfspace_interior.hpp"
+#include "front_ends/point_rows.hpp"
 #include "front_ends/progress_meter.hpp"
 #include "kernel/predicates.hpp"
 #include "order/insertion_order.hpp"
@@ -172,7 +173,7 @@ struct HalfspaceIntersection::Impl {
       for (Index site = first; site < parts.sites.size(); ++site)
         for (std::size_t j = 0; j < k; ++j)
           duals.push_back(std::isfinite(parts.sites.dual(site)[j]) ? parts.sites.dual(site)[j] : 0.0);
-      order = order::brio_order({duals, parts.rank()}, options.seed);
+      order = front_ends::insertion_order({duals, parts.rank()}, options);
     }
     for (Index& site : order) site += first;
     return order;

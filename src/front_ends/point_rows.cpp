@@ -33,7 +33,7 @@ std::vector<Index> insertion_order(PointsView points, const Options& options) {
     case InsertionOrder::automatic:
       break;
   }
-  return order::brio_order(points, options.seed);
+  return order::automatic_order(points, options.seed);
 }
 
 }  // namespace delone::front_ends

@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Rounds in which points are spread more evenly than at random, so that insertions create fewer cells
+// (docs/decisions/0008-points-are-inserted-farthest-first.md).
+#include "order/farthest_first.hpp"
+#include "order/insertion_order.hpp"
+#include "random.hpp"
+
+#include <algorithm>
+#include <numeric>
+#include <utility>
+
+namespace delone::order {
+namespace {
+
+/// Points along the curve, and the round of each: 0 is the last round; those of kept_round are ordered by the next pass.
+struct Pass {
+  std::vector<Index> rows;
+  std::vector<std::uint8_t> rounds;
+};
+/// Rounds double the points that are there.
+constexpr std::uint8_t kept_round = 3;
+
+/// How many points, side by side on the curve, are chosen from at a time. More are spread better, at a cost per point that
+/// grows with them: it is to stay below two per cent of what the insertion of a point costs.
+std::size_t block_size(int dimension) { return dimension <= 3 ? 256 : dimension == 4 ? 512 : 4096; }
+
+/// All rounds of a pass are inserted for so many points before the next points have their turn: their cells stay in the
+/// cache. From 5 dimensions on stars are too large for that.
+std::size_t stretch_size(int dimension) { return dimension <= 3 ? 1024 : dimension == 4 ? 4096 : ~std::size_t{0}; }
+
+/// Writes the rows of a round, between two places, forwards or backwards; returns the end of what is written. Which point is in
+/// the round cannot be predicted: there is no branch, and one more entry may be written.
+Index* write_round(const Pass& pass, std::uint8_t round, std::size_t begin, std::size_t end, bool backwards, Index* to) {
+  for (std::size_t i = 0; i < end - begin; ++i) {
+    const std::size_t at = backwards ? end - 1 - i : begin + i;
+    *to = pass.rows[at];
+    to += pass.rounds[at] == round;
+  }
+  return to;
+}
+
+}  // namespace
+
+std::vector<Index> spread_order(PointsView points, std::uint64_t seed) {
+  std::vector<Index> rows(points.size());
+  std::iota(rows.begin(), rows.end(), Index{0});
+  if (rows.empty()) return rows;
+  const int d = points.dimension();
+  hilbert_sort(points, rows, d - 1);
+
+  std::vector<Index> order(rows.size() + 1);
+  Index* next = order.data();
+  std::vector<Pass> passes;
+  random::Generator generator(seed);
+  const std::size_t largest_block = block_size(d) + block_size(d) / 2;
+  FarthestFirst farthest(d, std::min(largest_block, rows.size()));
+  std::vector<std::uint32_t> chosen(largest_block / 2);
+  for (bool is_first_to_insert = false; !is_first_to_insert;) {
+    const std::size_t n = rows.size(), num_blocks = std::max<std::size_t>(1, (n + block_size(d) / 2) / block_size(d));
+    is_first_to_insert = num_blocks == 1;
+    Pass pass{std::move(rows), std::vector<std::uint8_t>(n, 0)};
+    for (std::size_t b = 0, begin = 0; b < num_blocks; ++b) {
+      const std::size_t end = begin + (n - begin) / (num_blocks - b), size = end - begin;
+      const std::span<const Index> block(pass.rows.data() + begin, size);
+      farthest.choose(points, block, generator.below(size), {chosen.data(), size / 2});
+      for (std::size_t c = 0; c < size / 2; ++c)
+        pass.rounds[begin + chosen[c]] = c < size / 8 ? kept_round : c < size / 4 ? 2 : 1;
+      if (is_first_to_insert)
+        for (std::size_t c = 0; c < size / 8; ++c) *next++ = block[chosen[c]];
+      begin = end;
+    }
+    rows.assign(n, 0);
+    rows.resize(static_cast<std::size_t>(write_round(pass, kept_round, 0, n, false, rows.data()) - rows.data()));
+    passes.push_back(std::move(pass));
+  }
+
+  // What ends where the curve ends is followed by what starts there.
+  bool backwards = false;
+  for (auto pass = passes.rbegin(); pass != passes.rend(); ++pass) {
+    const std::size_t n = pass->rows.size(), stretch = std::min(stretch_size(d), n);
+    for (std::size_t i = 0; i < n; i += stretch) {
+      const std::size_t length = std::min(stretch, n - i), begin = backwards ? n - i - length : i;
+      bool turned = backwards;
+      for (std::uint8_t round = kept_round; round-- > 0; turned = !turned)
+        next = write_round(*pass, round, begin, begin + length, turned, next);
+    }
+    backwards = !backwards;
+  }
+  order.pop_back();
+  return order;
+}
+
+}  // namespace delone::order
