@@ -14,7 +14,8 @@
 namespace delone::engine {
 
 /// Maps keys to values, each for as long as it is met an odd number of times. A line of the cache has room for five keys; what
-/// does not fit is kept apart. Nothing in match() but that is a branch that depends on the data.
+/// does not fit goes to the line beside it, and what does not fit there is kept apart. Nothing in match() but that is a branch
+/// that depends on the data.
 class FacetTable {
  public:
   static constexpr std::uint32_t none = ~std::uint32_t{0};
@@ -27,30 +28,17 @@ class FacetTable {
   /// If the key is there, removes it and returns its value; else adds it with the given value and returns `none`. Slow without
   /// a reserve() that covers it. REQUIRES that the key is not 0. Throws std::bad_alloc.
   std::uint32_t match(std::uint64_t key, std::uint32_t value) {
-    Line& line = lines_[place(key)];
-    std::uint32_t hits = 0, vacancies = 0;
-    for (int i = 0; i < room; ++i) {
-      hits |= std::uint32_t{line.keys[i] == key} << i;
-      vacancies |= std::uint32_t{line.keys[i] == 0} << i;
-    }
-    if (line.num_elsewhere != 0 && hits == 0) {
-      const auto found = elsewhere_.find(key);
-      if (found != elsewhere_.end()) {
-        const std::uint32_t other = found->second;
-        elsewhere_.erase(found);
-        --line.num_elsewhere;
-        --size_;
-        return other;
-      }
-    }
-    if ((hits | vacancies) == 0) {
-      elsewhere_.emplace(key, value);
-      ++line.num_elsewhere;
-      ++size_;
+    const std::size_t home = place(key);
+    Line& line = lines_[home];
+    const Places places = places_of(line, key);
+    if (places.hits == 0 && (line.num_beside | line.num_elsewhere) != 0) [[unlikely]]
+      if (const std::uint32_t other = take_from_overflow(home, key); other != none) return other;
+    if ((places.hits | places.vacancies) == 0) [[unlikely]] {
+      add_to_overflow(home, key, value);
       return none;
     }
-    const bool is_hit = hits != 0;
-    const int i = __builtin_ctz(is_hit ? hits : vacancies);
+    const bool is_hit = places.hits != 0;
+    const int i = __builtin_ctz(is_hit ? places.hits : places.vacancies);
     const std::uint32_t other = is_hit ? line.values[i] : none;
     line.keys[i] = is_hit ? 0 : key;
     line.values[i] = value;
@@ -74,8 +62,56 @@ class FacetTable {
   struct Line {
     std::uint64_t keys[room];  ///< 0: vacant
     std::uint32_t values[room];
-    std::uint32_t num_elsewhere;
+    std::uint16_t num_beside;     ///< keys of this line that are in the one beside it
+    std::uint16_t num_elsewhere;  ///< and in no line
   };
+  /// Bits of the places of a line.
+  struct Places {
+    std::uint32_t hits, vacancies;
+  };
+
+  static Places places_of(const Line& line, std::uint64_t key) {
+    Places places{0, 0};
+    for (int i = 0; i < room; ++i) {
+      places.hits |= std::uint32_t{line.keys[i] == key} << i;
+      places.vacancies |= std::uint32_t{line.keys[i] == 0} << i;
+    }
+    return places;
+  }
+
+  /// Removes a key that is not in its line from the line beside it, or from what is in no line; `none` if it is in neither.
+  std::uint32_t take_from_overflow(std::size_t home, std::uint64_t key) {
+    Line& line = lines_[home];
+    Line& beside = lines_[home ^ 1];
+    if (const std::uint32_t hits = places_of(beside, key).hits; line.num_beside != 0 && hits != 0) {
+      const int i = __builtin_ctz(hits);
+      beside.keys[i] = 0;
+      --line.num_beside;
+      --size_;
+      return beside.values[i];
+    }
+    if (line.num_elsewhere == 0) return none;
+    const auto found = elsewhere_.find(key);
+    if (found == elsewhere_.end()) return none;
+    const std::uint32_t other = found->second;
+    elsewhere_.erase(found);
+    --line.num_elsewhere;
+    --size_;
+    return other;
+  }
+  void add_to_overflow(std::size_t home, std::uint64_t key, std::uint32_t value) {
+    Line& beside = lines_[home ^ 1];
+    if (const std::uint32_t vacancies = places_of(beside, key).vacancies; vacancies != 0) {
+      const int i = __builtin_ctz(vacancies);
+      beside.keys[i] = key;
+      beside.values[i] = value;
+      ++lines_[home].num_beside;
+    } else {
+      elsewhere_.emplace(key, value);
+      ++lines_[home].num_elsewhere;
+    }
+    ++size_;
+  }
 
   explicit FacetTable(std::size_t lines) : lines_(Pages::large), num_lines_(lines) {
     lines_.reserve(lines);

@@ -35,6 +35,13 @@ constexpr float largest_ratio = std::numeric_limits<float>::max();
 /// What may be wrong with a ratio because it is computed with an approximate reciprocal, relatively.
 constexpr float coarseness = 0x1p-7f;
 
+/// The least ratios are kept of so many blocks together, one in each lane: a stretch.
+constexpr std::size_t stretch_blocks = 4;
+/// How many lanes that takes.
+constexpr std::size_t size_of_minima(std::size_t num_blocks) {
+  return (num_blocks + stretch_blocks - 1) / stretch_blocks * block;
+}
+
 /// So many blocks are looked at for all facets of a batch before the next ones are: they stay in the first-level cache.
 constexpr std::size_t tile_blocks = 16;
 
@@ -113,14 +120,20 @@ void write_ratios(const SearchTask& task, std::size_t first, std::size_t end, So
   const float* HWY_RESTRICT images = task.images;
   const float* HWY_RESTRICT heights = task.heights;
   float* HWY_RESTRICT ratios = facet.ratios;
+  float* HWY_RESTRICT minima = facet.minima;
   V least = never;
-  for (std::size_t b = first; b < end; ++b)
+  for (std::size_t start = first; start < end; start += stretch_blocks)
     for (std::size_t lane = 0; lane < block; lane += hn::Lanes(d)) {
-      const V value = function.plus_values(zero, images + b * block * (k + 1) + lane);
-      const V ratio = hn::Mul(hn::Load(d, heights + (b - first) * block + lane), hn::ApproximateReciprocal(value));
-      const V kept = hn::IfThenElse(hn::Gt(value, zero), ratio, never);
-      least = hn::Min(least, kept);
-      hn::Store(kept, d, ratios + b * block + lane);
+      V least_of_stretch = never;
+      for (std::size_t b = start; b < std::min(start + stretch_blocks, end); ++b) {
+        const V value = function.plus_values(zero, images + b * block * (k + 1) + lane);
+        const V ratio = hn::Mul(hn::Load(d, heights + (b - first) * block + lane), hn::ApproximateReciprocal(value));
+        const V kept = hn::IfThenElse(hn::Gt(value, zero), ratio, never);
+        least_of_stretch = hn::Min(least_of_stretch, kept);
+        hn::Store(kept, d, ratios + b * block + lane);
+      }
+      hn::Store(least_of_stretch, d, minima + start / stretch_blocks * block + lane);
+      least = hn::Min(least, least_of_stretch);
     }
   facet.least = std::min(facet.least, hn::GetLane(hn::MinOfLanes(d, least)));
 }
@@ -155,22 +168,22 @@ void search_here(const SearchTask& task) {
 }
 
 /// Writes the numbers of the vertices whose ratio is at most the bound; returns how many there are.
-std::size_t list_below_here(const float* ratios, std::size_t num_blocks, float bound, std::uint32_t* list) {
+std::size_t list_below_here(const SoughtFacet& facet, std::size_t num_blocks, float bound, std::uint32_t* list) {
   const hn::CappedTag<float, block> d;
   const auto limit = hn::Set(d, bound);
   std::size_t count = 0;
-  constexpr std::size_t stretch = 4 * block;  // looked at as one
-  const std::size_t end = num_blocks * block;
-  for (std::size_t first = 0; first < end; first += stretch) {
-    const std::size_t last = std::min(first + stretch, end);
-    auto least = hn::Load(d, ratios + first);
-    for (std::size_t i = first + hn::Lanes(d); i < last; i += hn::Lanes(d)) least = hn::Min(least, hn::Load(d, ratios + i));
+  for (std::size_t first = 0; first < num_blocks; first += stretch_blocks) {
+    const float* const minima = facet.minima + first / stretch_blocks * block;
+    auto least = hn::Load(d, minima);
+    for (std::size_t lane = hn::Lanes(d); lane < block; lane += hn::Lanes(d))
+      least = hn::Min(least, hn::Load(d, minima + lane));
     if (hn::AllFalse(d, hn::Le(least, limit))) continue;
-    for (std::size_t i = first; i < last; i += hn::Lanes(d)) {
-      const auto below = hn::Le(hn::Load(d, ratios + i), limit);
+    const std::size_t end = std::min(first + stretch_blocks, num_blocks) * block;
+    for (std::size_t i = first * block; i < end; i += hn::Lanes(d)) {
+      const auto below = hn::Le(hn::Load(d, facet.ratios + i), limit);
       if (hn::AllFalse(d, below)) continue;
       for (std::size_t lane = i; lane < i + hn::Lanes(d); ++lane)
-        if (ratios[lane] <= bound) list[count++] = static_cast<std::uint32_t>(lane);
+        if (facet.ratios[lane] <= bound) list[count++] = static_cast<std::uint32_t>(lane);
     }
   }
   return count;
@@ -193,7 +206,8 @@ FacetSearch::FacetSearch(int k, const double* rows, Index num_vertices, Arbiter 
       num_blocks_((num_vertices + block - 1) / block),
       arbiter_(std::move(arbiter)) {
   const auto width = static_cast<std::size_t>(k) + 1;
-  storage_.resize(num_blocks_ * block * (width + batch_size * width) + tile_blocks * block + cache_line_of<float>);
+  const std::size_t per_facet = num_blocks_ * block + size_of_minima(num_blocks_);
+  storage_.resize(num_blocks_ * block * width + batch_size * width * per_facet + tile_blocks * block + cache_line_of<float>);
   scratch_.resize(simplex_scratch(k) + cache_line_of<double>);
   list_.resize(num_blocks_ * block);
   float* const images = at_cache_line(storage_.data());
@@ -285,6 +299,7 @@ bool FacetSearch::find_apexes(std::span<const OpenCell> cells, Index* apexes) {
   float* const heights = images + num_blocks_ * block * width;
   float* const ratios = heights + tile_blocks * block;
   const std::size_t most_facets = batch_size * width;
+  float* const minima = ratios + most_facets * num_blocks_ * block;
   std::array<Scale, batch_size> scales;
   functions_.resize((batch_size + most_facets) * width);
   float* const height_functions = functions_.data();
@@ -309,7 +324,8 @@ bool FacetSearch::find_apexes(std::span<const OpenCell> cells, Index* apexes) {
       float* const beyond = functions_.data() + (batch_size + facets.size()) * width;
       for (std::size_t r = 0; r <= k; ++r) beyond[r] = -static_cast<float>(coefficient(slot, r));
       beyond[k] += static_cast<float>(unit * scale.slots[slot]);
-      facets.push_back({lane, slot, beyond, ratios + facets.size() * num_blocks_ * block, out_of_reach});
+      facets.push_back({lane, slot, beyond, ratios + facets.size() * num_blocks_ * block,
+                        minima + facets.size() * size_of_minima(num_blocks_), out_of_reach});
     }
   }
   HWY_DYNAMIC_DISPATCH(search_here)({k_, num_blocks_, images, heights, cells, height_functions, facets});
@@ -336,7 +352,7 @@ std::optional<Index> FacetSearch::settle(const SoughtFacet& facet, const Index* 
   constexpr double infinity = std::numeric_limits<double>::infinity();
   Candidate best;
   for (float bound = facet.least + 3 * coarseness * std::fabs(facet.least);;) {
-    const std::size_t listed = HWY_DYNAMIC_DISPATCH(list_below_here)(facet.ratios, num_blocks_, bound, list_.data());
+    const std::size_t listed = HWY_DYNAMIC_DISPATCH(list_below_here)(facet, num_blocks_, bound, list_.data());
     best = {index(infinite_vertex), 0, infinity};
     candidates_.clear();
     for (std::size_t c = 0; c < listed; ++c) {

@@ -27,7 +27,8 @@ struct SoughtFacet {
   std::size_t slot;
   Affine beyond;  ///< positive beyond the facet
   float* ratios;  ///< of each vertex: where in the pencil of the facet its sphere is
-  float least;    ///< of them
+  float* minima;  ///< the least of them in each lane of several blocks
+  float least;    ///< of them all
 };
 
 /// Of the given vertices the one that is strictly beyond facet `slot` of a finite cell and whose sphere through the facet is
@@ -70,7 +71,8 @@ class FacetSearch {
   Index num_vertices_;
   std::size_t num_blocks_;
   double largest_lift_ = 0;
-  std::vector<float> storage_;       // images and lifts of the vertices; heights of a tile; the ratios of each facet
+  std::vector<float>
+      storage_;  // images and lifts of the vertices; heights of a tile; the ratios of each facet, and their minima
   std::vector<float> functions_;     // of a batch
   std::vector<SoughtFacet> facets_;  // of a batch
   std::vector<double> scratch_;      // of simplices
