@@ -47,6 +47,7 @@ struct ConflictZone {
   GrowableArray<Index> marked;          ///< cells of the horizon that are marked, as it took the exact stages to know
   // Of the block that is searched.
   std::vector<Candidate> candidates;
+  std::vector<double> candidate_values;  ///< h̃(q) of each
   std::vector<Undecided> undecided;
   std::vector<Open> open;
   std::vector<const Index*> tied;  ///< the vertices of the cells that decide the ties
@@ -69,6 +70,7 @@ struct ConflictZone {
     marked.reserve(size);  // no more than there are facets
     const std::size_t neighbors = block_size * facets_of_cell;
     candidates.resize(neighbors + 1);
+    candidate_values.resize(neighbors);
     undecided.resize(neighbors);
     open.resize(neighbors);
     tied.resize(neighbors);
@@ -125,10 +127,10 @@ template <class Cells, QueryGeometry G, class Evaluator, class Marks>
 /// stay marked. REQUIRES that no vertex is at q. If memory runs out, unmark() takes back all marks.
 ///
 /// Which neighbor is new, in conflict or on the horizon cannot be predicted, and each wrong guess costs as much as an
-/// evaluation. So cells are searched in blocks: first all neighbors not yet known to be in conflict are collected, then each is
-/// evaluated and written to the zone and to the horizon, of which at most one advances; no branch depends on the data. The
-/// memory of the neighbors of cells ahead in the list is asked for early. What the filter leaves open is decided at the end of
-/// the block.
+/// evaluation. So cells are searched in blocks: first all neighbors not yet known to be in conflict are collected, then all are
+/// evaluated, then each is written to the zone and to the horizon, of which at most one advances; no branch depends on the
+/// data, and no evaluation waits for the mark that the one before it writes. The memory of the neighbors of a cell is asked for
+/// as soon as the cell is known to be in conflict. What the filter leaves open is decided at the end of the block.
 ///
 /// In two dimensions the zone is a tree, unless vertices lose all their cells: the only neighbor known to be in conflict is
 /// that which a cell was found from. To evaluate it again costs less than to collect the others, and mispredicts fewer ends of
@@ -136,7 +138,7 @@ template <class Cells, QueryGeometry G, class Evaluator, class Marks>
 template <class Cells, QueryGeometry G, class Marks>
 void find_conflict_zone(const Cells& cells, const G& geometry, const typename G::Query& q, Index first, Marks marks,
                         ConflictZone& zone, StageCounts& counts) {
-  constexpr std::size_t cells_ahead = 4;
+  constexpr std::size_t cells_ahead = 2 * ConflictZone::block_size;  // of which the neighbors are asked for
   const auto facets = static_cast<std::size_t>(cells.dimension()) + 1;
   const bool is_tree = facets <= 3;
   zone.num_cells = zone.num_facets = zone.num_marked = 0;
@@ -147,6 +149,7 @@ void find_conflict_zone(const Cells& cells, const G& geometry, const typename G:
   if (geometry.proves_tie(first, zone.values[0], q)) zone.values[0] = -0.0;
   zone.num_cells = 1;
   marks.set(first, Mark::in_conflict);
+  std::size_t asked_for = 0;
   std::uint64_t evaluated = 0, uncertain = 0;
   zone.num_undecided = zone.num_open = 0;
   const auto leave_open = [&](Index cell, double value, std::size_t from, std::size_t slot) {
@@ -168,8 +171,7 @@ void find_conflict_zone(const Cells& cells, const G& geometry, const typename G:
     double* const zone_values = zone.values.data();
     HorizonFacet* const horizon = zone.horizon.data();
     std::size_t num_cells = zone.num_cells, num_facets = zone.num_facets;
-    const auto examine = [&](Index neighbor, std::size_t from, std::size_t slot) {
-      const double value = functional.value(neighbor);
+    const auto place = [&](Index neighbor, double value, std::size_t from, std::size_t slot) {
       const bool unseen = marks.is_unseen(neighbor);
       const bool conflict = std::signbit(value);
       if (!(std::fabs(value) > functional.threshold(neighbor))) [[unlikely]] {
@@ -192,15 +194,15 @@ void find_conflict_zone(const Cells& cells, const G& geometry, const typename G:
       const std::size_t end = next + ConflictZone::block_size;
       for (; next < std::min(end, num_cells); ++next) {
         const Index* const neighbors = cells.neighbors(zone_cells[next]);
-        for (std::size_t i = 0; i < facets; ++i) examine(neighbors[i], next, i);
+        for (std::size_t i = 0; i < facets; ++i) place(neighbors[i], functional.value(neighbors[i]), next, i);
       }
     } else {
+      for (; asked_for < std::min(num_cells, next + cells_ahead); ++asked_for) cells.prefetch_neighbors(zone_cells[asked_for]);
       ConflictZone::Candidate* const candidates = zone.candidates.data();
+      double* const values = zone.candidate_values.data();
       const std::size_t end = std::min(next + ConflictZone::block_size, num_cells);
       std::size_t num_candidates = 0;
-      for (std::size_t i = next; i < std::min(next + cells_ahead, end); ++i) cells.prefetch_neighbors(zone_cells[i]);
       for (; next < end; ++next) {
-        if (next + cells_ahead < num_cells) cells.prefetch_neighbors(zone_cells[next + cells_ahead]);
         const Index* const neighbors = cells.neighbors(zone_cells[next]);
         for (std::size_t i = 0; i < facets; ++i) {
           const Index neighbor = neighbors[i];
@@ -208,7 +210,9 @@ void find_conflict_zone(const Cells& cells, const G& geometry, const typename G:
           num_candidates += !marks.is_in_conflict(neighbor);
         }
       }
-      for (std::size_t c = 0; c < num_candidates; ++c) examine(candidates[c].cell, candidates[c].from, candidates[c].slot);
+      for (std::size_t c = 0; c < num_candidates; ++c) values[c] = functional.value(candidates[c].cell);
+      for (std::size_t c = 0; c < num_candidates; ++c)
+        place(candidates[c].cell, values[c], candidates[c].from, candidates[c].slot);
       evaluated += num_candidates;
     }
     zone.num_cells = num_cells;
