@@ -68,6 +68,24 @@ HWY_INLINE hn::Vec<D> tags(D d, const Index* vertices) {
   return hn::Mul(x, hn::Set(d, 0x85ebca6bu));
 }
 
+/// The entries at the indices of the first `count` lanes, one by one: gathers take as long, or twice as long.
+template <class D>
+HWY_INLINE hn::Vec<D> look_up(D d, const std::uint32_t* entries, hn::Vec<D> indices, std::size_t count) {
+  HWY_ALIGN std::uint32_t index[hn::MaxLanes(d)];
+  hn::Store(indices, d, index);
+  const hn::FixedTag<std::uint32_t, std::min<std::size_t>(hn::MaxLanes(d), 4)> of_four;
+  const auto four_from = [&](std::size_t first) {
+    auto found = hn::Zero(of_four);
+    for (std::size_t i = 0; i < hn::MaxLanes(of_four); ++i)
+      if (first + i < count) found = hn::InsertLane(found, i, entries[index[first + i]]);
+    return found;
+  };
+#if HWY_TARGET != HWY_SCALAR
+  if constexpr (hn::MaxLanes(d) == 8) return hn::Combine(d, four_from(4), four_from(0));
+#endif
+  if constexpr (hn::MaxLanes(d) <= 4) return four_from(0);
+}
+
 template <int K>
 void create_cells(const CellLinks& links, Index apex, const DeadCells& zone, std::span<HorizonFacet> facets) {
   const IdTag<K> d;
@@ -144,7 +162,6 @@ template <int K>
 void match_ridges(const CellLinks& links, std::span<const HorizonFacet> facets, const std::uint32_t* HWY_RESTRICT hashes,
                   const Index* HWY_RESTRICT created, const RidgeEntries& table, std::uint8_t* HWY_RESTRICT unmatched) {
   const IdTag<K> d;
-  const hn::RebindToSigned<IdTag<K>> di;
   const Pieces<K> pieces(links.k);
   const std::size_t stride = layout_of<K>(links).link_stride();
   const int facet_shift = half_ridge_shift(links.k), hash_shift = 32 - table.bits;
@@ -158,14 +175,15 @@ void match_ridges(const CellLinks& links, std::span<const HorizonFacet> facets, 
     for (std::size_t byte = (pieces.num_ids + 7) / 8; byte < num_bytes; ++byte) unmatched[byte] = 0;
     for (std::size_t begin = 0; begin < pieces.num_ids; begin += pieces.lanes) {
       const auto selected = hn::ShiftRightSame(hn::LoadU(d, hashes + half + begin), hash_shift);
-      const auto entry = hn::GatherIndex(d, entries, hn::BitCast(di, selected));
+      const std::size_t count = std::min(pieces.lanes, pieces.num_ids - begin);
+      const auto entry = look_up(d, entries, selected, count);
       const auto own = pieces.numbers(half + begin);
       const auto valid = pieces.others(facets[f].slot, begin);
       const auto pair = hn::Eq(hn::ShiftRightSame(entry, table.sum_bits), hn::Set(d, 2u));
       const auto matched = hn::And(valid, pair);
       // The least, for what comes of a count that came round.
       const auto other = hn::Min(hn::IfThenElse(matched, hn::Sub(hn::Sub(entry, two), own), own), last);
-      const auto across = hn::GatherIndex(d, created, hn::BitCast(di, hn::ShiftRightSame(other, facet_shift)));
+      const auto across = look_up(d, created, hn::ShiftRightSame(other, facet_shift), count);
       hn::BlendedStore(across, valid, d, neighbors + begin);
       std::uint8_t bits[8];
       hn::StoreMaskBits(d, hn::AndNot(pair, valid), bits);
