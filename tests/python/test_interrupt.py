@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Ctrl-C, and progress functions: long work ends within a second, and nothing has changed."""
+import inspect
 import os
 import signal
 import subprocess
@@ -12,12 +13,19 @@ import pytest
 
 import delone
 
-# Each would take minutes.
+
+def on_sphere(n, dimension):
+    """Points of the unit sphere: none is inside, whatever has been added before."""
+    points = np.random.default_rng(0).standard_normal((n, dimension))
+    return points / np.linalg.norm(points, axis=1, keepdims=True)
+
+
+# Each would take minutes (millions of cells for each thousand points), the queries seconds.
 LONG = {
     "Delaunay": "delone.Delaunay(random.random((300_000, 6)))",
     "Regular": "delone.Regular(random.random((300_000, 6)), np.zeros(300_000))",
-    "ConvexHull": "delone.ConvexHull(random.standard_normal((100_000, 8)))",
-    "HalfspaceIntersection": "delone.HalfspaceIntersection(np.c_[random.standard_normal((20_000, 7)), -np.ones(20_000)], [0] * 7)",
+    "ConvexHull": "delone.ConvexHull(on_sphere(100_000, 8))",
+    "HalfspaceIntersection": "delone.HalfspaceIntersection(np.c_[on_sphere(100_000, 8), -np.ones(100_000)], [0] * 8)",
     "spatial": "delone.spatial.Delaunay(random.random((300_000, 6)))",
     "queries": "t.find_simplex(queries)",
 }
@@ -26,6 +34,8 @@ PROGRAM = """
 import signal, sys, time
 import numpy as np
 import delone, delone.spatial
+
+{on_sphere}
 random = np.random.default_rng(0)
 {prepare}
 signal.signal(signal.SIGPROF, signal.default_int_handler)
@@ -41,8 +51,8 @@ except KeyboardInterrupt:
 
 def program_of(name, after):
     """A process that has prepared its work, and is interrupted after some seconds of processor time (0: it is not)."""
-    prepare = "t = delone.Delaunay(random.random((500, 5))); queries = np.tile(random.random((500_000, 5)), (6, 1))" if name == "queries" else ""
-    code = PROGRAM.format(prepare=prepare, long=LONG[name], after=after)
+    prepare = "t = delone.Delaunay(random.random((500, 5))); queries = np.tile(random.random((500_000, 5)), (12, 1))" if name == "queries" else ""
+    code = PROGRAM.format(on_sphere=inspect.getsource(on_sphere), prepare=prepare, long=LONG[name], after=after)
     program = subprocess.Popen([sys.executable, "-c", code], stdout=subprocess.PIPE, text=True)
     assert program.stdout.readline() == "ready\n"
     return program
@@ -116,7 +126,7 @@ def test_after_an_interrupted_addition_everything_is_as_before(make, alarm):
 
 def test_progress():
     fractions = []
-    points = np.random.default_rng(2).random((3000, 5))
+    points = np.random.default_rng(2).random((30_000, 5))  # some twenty times what passes between two calls
     delone.Delaunay(points, progress=fractions.append)
     assert len(fractions) >= 2 and fractions == sorted(fractions) and 0 <= fractions[0] and fractions[-1] <= 1
 
@@ -124,9 +134,8 @@ def test_progress():
 @pytest.mark.parametrize("make", [
     lambda progress: delone.Delaunay(np.random.default_rng(3).random((100_000, 6)), progress=progress),
     lambda progress: delone.Regular(np.random.default_rng(3).random((100_000, 6)), np.zeros(100_000), progress=progress),
-    lambda progress: delone.ConvexHull(np.random.default_rng(3).standard_normal((50_000, 8)), progress=progress),
-    lambda progress: delone.HalfspaceIntersection(
-        np.c_[np.random.default_rng(3).standard_normal((20_000, 7)), -np.ones(20_000)], [0] * 7, progress=progress),
+    lambda progress: delone.ConvexHull(on_sphere(50_000, 8), progress=progress),
+    lambda progress: delone.HalfspaceIntersection(np.c_[on_sphere(20_000, 8), -np.ones(20_000)], [0] * 8, progress=progress),
 ])
 def test_progress_can_stop_and_raise(make):
     with pytest.raises(delone.CancelledError):
