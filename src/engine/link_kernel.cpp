@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // A cell's vertices, and then its neighbors, fit a vector of eight ids up to 7 dimensions; beyond, and where vectors are
 // shorter, they are treated in several pieces. The last piece may reach beyond them: what is read there is not used, and what
-// is written there is what was there, or will be written next.
+// is written there is what was there, or will be written next. But what is read of neighbors ends with them: the next cell may
+// be in another line of the cache, that nobody needs.
 #include "engine/link_kernel.hpp"
 
 #include "cell_memory.hpp"
@@ -93,6 +94,8 @@ void create_cells(const CellLinks& links, Index apex, const DeadCells& zone, std
   const std::size_t stride = layout_of<K>(links).link_stride(),
                     ids_before_links = layout_of<K>(links).words_before_links() * CellLayout<K>::ids_per_word;
   const auto of = [&](Index cell) { return links.first + cell * stride; };
+  const auto last_start = static_cast<std::ptrdiff_t>(pieces.num_ids) - static_cast<std::ptrdiff_t>(pieces.lanes);
+  const auto first_lane = static_cast<std::size_t>(std::max<std::ptrdiff_t>(-last_start, 0));  // those before are vertices
   for (std::size_t f = 0; f < facets.size(); ++f) {
     HorizonFacet& facet = facets[f];
     if (f + ahead < facets.size()) {  // what is side by side with its links too: the star's functionals are made from it
@@ -105,18 +108,16 @@ void create_cells(const CellLinks& links, Index apex, const DeadCells& zone, std
     const Index* const dead_vertices = of(dead);
     Index* const vertices = of(facet.created);
     Index* const across_survivor = of(facet.survivor) + pieces.num_ids;
-    std::size_t mirror = 0;
+    std::ptrdiff_t mirror = 0;
     for (std::size_t begin = pieces.num() * pieces.lanes; begin > 0;) {
       begin -= pieces.lanes;
       hn::StoreU(hn::IfThenElse(pieces.is(facet.slot, begin), hn::Set(d, apex), hn::LoadU(d, dead_vertices + begin)), d,
                  vertices + begin);
-      // It is one of the neighbors: what is found behind them is found later.
-      const auto is_mirror = hn::Eq(hn::LoadU(d, across_survivor + begin), hn::Set(d, dead));
-      if (K > 0 && K < static_cast<int>(pieces.lanes)) {
-        mirror = hn::FindKnownFirstTrue(d, is_mirror);
-      } else if (!hn::AllFalse(d, is_mirror)) {
-        mirror = begin + hn::FindKnownFirstTrue(d, is_mirror);
-      }
+      const std::ptrdiff_t start = std::min(static_cast<std::ptrdiff_t>(begin), last_start);
+      auto is_mirror = hn::Eq(hn::LoadU(d, across_survivor + start), hn::Set(d, dead));
+      if (first_lane > 0) is_mirror = hn::AndNot(hn::FirstN(d, first_lane), is_mirror);
+      if ((K > 0 && K < static_cast<int>(pieces.lanes)) || !hn::AllFalse(d, is_mirror))
+        mirror = static_cast<std::ptrdiff_t>(hn::FindKnownFirstTrue(d, is_mirror)) + start;
     }
     vertices[pieces.num_ids + static_cast<std::size_t>(facet.slot)] = facet.survivor;
     across_survivor[mirror] = facet.created;

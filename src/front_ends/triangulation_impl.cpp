@@ -303,14 +303,17 @@ void Triangulation::Impl::insert_range(std::span<const double> coordinates, std:
     points.coordinates.reserve(points.coordinates.size() + rows.size() + row_size());
     row_of_vertex.reserve(row_of_vertex.size() + n);
     start_batch(rows, first_row, order, [&] { progress(0); });
-    // The rows are met in no order of their own: each is asked for long before its turn.
-    constexpr std::size_t rows_ahead = 32;
+    // The rows are met in no order of their own: they are asked for long before their turn, and many together, as their pages
+    // have to be looked up too.
+    constexpr std::size_t rows_together = 32;
     const std::size_t width = row_size();
     for (std::size_t i = 0; i < n; ++i) {
-      if (i + rows_ahead < n) {
-        const std::size_t ahead = order[i + rows_ahead];
-        __builtin_prefetch(rows.data() + ahead * width);
-        __builtin_prefetch(vertex_of_row.data() + first_row + ahead, 1);
+      if (i % rows_together == 0) {
+        const std::size_t end = std::min(i + 2 * rows_together, n);
+        for (std::size_t j = i == 0 ? 0 : i + rows_together; j < end; ++j) {
+          __builtin_prefetch(rows.data() + order[j] * width);
+          __builtin_prefetch(vertex_of_row.data() + first_row + order[j], 1);
+        }
       }
       const std::size_t row = order[i];
       if (vertex_of_row[first_row + row] == invalid_vertex)

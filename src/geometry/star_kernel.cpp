@@ -268,9 +268,15 @@ std::size_t scatter(const StarTask& task, std::span<const HorizonFacet> facets, 
 
 template <int K>
 std::size_t combine_blocks(const StarTask& task, double* block) {
+  const int k = K > 0 ? K : task.k;
   std::size_t num_weak = 0;
   for (std::size_t first = 0; first < task.facets.size(); first += block_size) {
     const auto facets = task.facets.subspan(first, std::min(block_size, task.facets.size() - first));
+    // Vertices are met in no order of their own: all that a block needs are asked for together.
+    for (const HorizonFacet& facet : facets) {
+      task.rows.prefetch(facet.dead_opposite, k);
+      task.rows.prefetch(facet.survivor_opposite, k);
+    }
     gather<K>(task, facets, block);
     compute<K>(task, facets.size(), block);
     num_weak += scatter<K>(task, facets, first, block, task.weak + num_weak);
