@@ -25,6 +25,14 @@ class FacetTable {
   std::size_t size() const { return size_; }
   [[gnu::always_inline]] void prefetch(std::uint64_t key) const { __builtin_prefetch(&lines_[place(key)], 1); }
 
+  /// Asks for the line beside that of a key, if the key may be there, or may go there. The line of the key should have come.
+  [[gnu::always_inline]] void prefetch_overflow(std::uint64_t key) const {
+    const std::size_t home = place(key);
+    const Line& line = lines_[home];
+    const bool overflows = line.num_beside != 0 || line.keys[room - 1] != 0;
+    __builtin_prefetch(&lines_[home ^ static_cast<std::size_t>(overflows)], 1);
+  }
+
   /// If the key is there, removes it and returns its value; else adds it with the given value and returns `none`. Slow without
   /// a reserve() that covers it. REQUIRES that the key is not 0. Throws std::bad_alloc.
   std::uint32_t match(std::uint64_t key, std::uint32_t value) {

@@ -12,6 +12,7 @@
 #include <bit>
 #include <cstddef>
 #include <cstdint>
+#include <cstring>
 #include <functional>
 #include <span>
 #include <utility>
@@ -129,15 +130,26 @@ class Proof {
   int mirror_slot(Index cell, int slot, Index neighbor) const {
     const Index* a = cells_.vertices(cell);
     const Index* b = cells_.vertices(neighbor);
-    // Which vertices of the facet the neighbor has in the same place among its own, and which in the next one.
-    std::uint32_t same = 0, next = 0;
-    for (int i = 0; i < K; ++i) {
-      const Index v = a[i + (i >= slot)];
-      same |= std::uint32_t{b[i] == v} << i;
-      next |= std::uint32_t{b[i + 1] == v} << i;
+    // Which vertices of the facet the neighbor has in the same place among its own, and which in the next one: a bit for each.
+    // What is read beyond them are neighbors of the same cell.
+    constexpr std::uint32_t all = (std::uint32_t{1} << K) - 1;
+    static_assert(K >= 2 && K <= 16);
+    FourIds same{}, next{};
+    for (Index begin = 0; begin < K; begin += 4) {
+      const FourIds number = FourIds{0, 1, 2, 3} + begin, bit = FourIds{1, 2, 4, 8} << begin;
+      const FourIds v = number < static_cast<Index>(slot) ? four_ids(a + begin) : four_ids(a + begin + 1);
+      same |= four_ids(b + begin) == v ? bit : FourIds{};
+      next |= four_ids(b + begin + 1) == v ? bit : FourIds{};
     }
-    const int mirror = std::countr_one(same);
-    return next >> mirror == ((std::uint32_t{1} << K) - 1) >> mirror ? mirror : -1;
+    const auto together = [](FourIds x) { return (x[0] | x[1] | x[2] | x[3]) & all; };
+    const int mirror = std::countr_one(together(same));
+    return together(next) >> mirror == all >> mirror ? mirror : -1;
+  }
+  using FourIds = Index __attribute__((vector_size(16)));
+  static FourIds four_ids(const Index* from) {
+    FourIds ids;
+    std::memcpy(&ids, from, sizeof ids);
+    return ids;
   }
 
   bool is_infinite(Index cell) const { return cells_.vertices(cell)[0] == infinite; }

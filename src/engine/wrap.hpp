@@ -145,6 +145,7 @@ class Wrapping {
       while (!waiting.empty() && taken < batch_size) {
         const Index cell = waiting.back();
         waiting.pop_back();
+        if (waiting.size() > batch_size) cells_.prefetch_links(waiting[waiting.size() - batch_size]);
         const std::uint32_t open = open_slots(cell);
         if (open == 0) continue;
         taken_[taken] = cell;
@@ -166,6 +167,8 @@ class Wrapping {
     facets_.reserve(count * (K + 1));
     for (std::size_t i = 0; i < count + ahead; ++i) {
       if (i < count) new_cells_[i] = described(places_[i], found_[i]);
+      if (i >= ahead / 2 && i - ahead / 2 < count)
+        for (const std::uint64_t key : new_cells_[i - ahead / 2].facet_keys) facets_.prefetch_overflow(key);
       if (i < ahead) continue;
       const Place place = places_[i - ahead];
       // A cell of the same batch may have been the neighbor.
