@@ -16,8 +16,8 @@
 namespace delone::kernel {
 namespace {
 
-constexpr std::size_t most_columns = 6;
-static_assert(tabulates_minors<most_columns> && !tabulates_minors<most_columns + 1>);
+/// Minors of more would take as long as integers.
+constexpr std::size_t most_columns = 10;
 
 /// Of sums (relative to the magnitudes of both terms) and of products.
 constexpr double rounding_error = 9 * unit_roundoff * unit_roundoff;
@@ -41,17 +41,27 @@ struct Rows {
   }
 };
 
+/// The determinant of entries or the permanent of magnitudes. N is the number of columns, or 0 for run time.
+template <int N, class Number>
+Number by_minors(const Number* a, std::size_t n) {
+  if constexpr (N > 0) return determinant_by_minors<N>(a);
+  Number minors[std::size_t{1} << most_columns];
+  return determinant_by_minors(a, n, minors);
+}
+
+/// The sign of a determinant on a grid, of entries that are off by `roundings` roundings.
 template <int N>
 std::optional<Sign> sign_by_minors(const Rows& rows, double roundings, double grid_unit) {
-  const double value = determinant_by_minors<N>(rows.entries).high;
+  const double value = by_minors<N>(rows.entries, rows.n).high;
   if (!std::isfinite(value)) return std::nullopt;
-  const double permanent = determinant_by_minors<N>(rows.parts).value;
-  const double error = 1.01 * (roundings + N * (N + 1) / 2) * rounding_error * permanent + scaled_underflow +
+  const double permanent = by_minors<N>(rows.parts, rows.n).value;
+  const auto n = static_cast<double>(rows.n);
+  const double error = 1.01 * (roundings + n * (n + 1) / 2) * rounding_error * permanent + scaled_underflow +
                        unit_roundoff * std::fabs(value);  // the low part
   return detail::certified_sign(value, error, grid_unit);
 }
 
-/// The sign of a determinant on a grid of 2^unit_exponent, of entries that are off by `roundings` roundings.
+/// The same for a grid of 2^unit_exponent.
 std::optional<Sign> sign_of(const Rows& rows, double roundings, std::int64_t unit_exponent) {
   const double grid_unit = detail::power_of_two(unit_exponent);
   switch (rows.n) {
@@ -65,8 +75,10 @@ std::optional<Sign> sign_of(const Rows& rows, double roundings, std::int64_t uni
       return sign_by_minors<4>(rows, roundings, grid_unit);
     case 5:
       return sign_by_minors<5>(rows, roundings, grid_unit);
-    default:
+    case 6:
       return sign_by_minors<6>(rows, roundings, grid_unit);
+    default:
+      return sign_by_minors<0>(rows, roundings, grid_unit);
   }
 }
 

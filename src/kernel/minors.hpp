@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Determinants of a few columns by a table of the minors of the first rows: Laplace expansion without a loop, a branch or a
-// division.
+// Determinants of a few columns by a table of the minors of the first rows: Laplace expansion without a division and, if the
+// number of columns is known to the compiler, without a loop or a branch.
 #pragma once
 
 #include <bit>
@@ -53,6 +53,28 @@ Number determinant_by_minors(const Number* a) {
   }
   (std::make_integer_sequence<unsigned, (1u << N) - 1>{});
   return minors[(1u << N) - 1];
+}
+
+/// The same for a number of columns chosen at run time. REQUIRES room for 2^n minors.
+template <class Number>
+Number determinant_by_minors(const Number* a, std::size_t n, Number* minors) {
+  const std::size_t all = (std::size_t{1} << n) - 1;
+  for (std::size_t columns = 1; columns <= all; ++columns) {
+    const std::size_t last_row = static_cast<std::size_t>(std::popcount(columns)) - 1;
+    const auto term = [&](int column) {
+      const Number& entry = a[last_row * n + static_cast<std::size_t>(column)];
+      return last_row == 0 ? entry : entry * minors[columns & ~(std::size_t{1} << column)];
+    };
+    bool negative = last_row % 2 != 0;  // the cofactor of the last column is positive
+    const Number first = term(std::countr_zero(columns));
+    Number sum = negative ? -first : first;
+    for (std::size_t rest = columns & (columns - 1); rest != 0; rest &= rest - 1) {
+      negative = !negative;
+      sum = negative ? sum - term(std::countr_zero(rest)) : sum + term(std::countr_zero(rest));
+    }
+    minors[columns] = sum;
+  }
+  return minors[all];
 }
 
 /// A non-negative number that is never subtracted: determinant_by_minors() of magnitudes is their permanent.
