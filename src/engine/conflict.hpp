@@ -17,14 +17,10 @@ struct Unperturbed {
   Index deciding;       ///< on a tie, the finite cell whose perturbed side decides
 };
 
-/// For a `value` of the cell's functional that is within the threshold. Cells: a CellStore, or what has vertices and neighbors
-/// like one. A query exactly on the hyperplane of an infinite cell conflicts with it iff it conflicts with the finite cell on
-/// the other side of the hull facet: the perturbation moves points along that hyperplane. `functional`: the geometry's
-/// evaluator for q. REQUIRES that q is none of the vertices of the cell, nor of the finite neighbor of an infinite cell.
+/// What find_unperturbed_side() does if the value does not prove a tie with a finite cell.
 template <class Cells, QueryGeometry G, class Evaluator>
-[[gnu::noinline]] Unperturbed unperturbed_side(const Cells& cells, const G& geometry, Index cell, double value,
-                                               const typename G::Query& q, const Evaluator& functional, StageCounts& counts) {
-  Unperturbed known{Sign::zero, geometry.proves_tie(cell, value, q), cell};
+[[gnu::noinline]] void ask_further_stages(const Cells& cells, const G& geometry, double value, const typename G::Query& q,
+                                          const Evaluator& functional, StageCounts& counts, Unperturbed& known) {
   for (bool is_tie = known.is_proved_zero;; is_tie = geometry.proves_tie(known.deciding, value, q)) {
     const Index* vertices = cells.vertices(known.deciding);
     const bool infinite = geometry.is_infinite(known.deciding);
@@ -37,14 +33,32 @@ template <class Cells, QueryGeometry G, class Evaluator>
     } else {
       known.side = geometry.exact_side(vertices, infinite_slot, q, counts);
     }
-    if (known.side != Sign::zero || !infinite) return known;
+    if (known.side != Sign::zero || !infinite) return;
     known.deciding = cells.neighbors(known.deciding)[infinite_slot];
     value = functional.value(known.deciding);
     if (std::fabs(value) > functional.threshold(known.deciding)) {
       ++counts.filter;
       known.side = std::signbit(value) ? Sign::negative : Sign::positive;
-      return known;
+      return;
     }
+  }
+}
+
+/// For a `value` of the cell's functional that is within the threshold. Cells: a CellStore, or what has vertices and neighbors
+/// like one. A query exactly on the hyperplane of an infinite cell conflicts with it iff it conflicts with the finite cell on
+/// the other side of the hull facet: the perturbation moves points along that hyperplane. `functional`: the geometry's
+/// evaluator for q. `known` is written in place: to return it in registers, parts that were just written would be read
+/// together, for which processors wait. REQUIRES that q is none of the vertices of the cell, nor of the finite neighbor of an
+/// infinite cell.
+template <class Cells, QueryGeometry G, class Evaluator>
+[[gnu::always_inline]] inline void find_unperturbed_side(const Cells& cells, const G& geometry, Index cell, double value,
+                                                         const typename G::Query& q, const Evaluator& functional,
+                                                         StageCounts& counts, Unperturbed& known) {
+  known = {Sign::zero, geometry.proves_tie(cell, value, q), cell};
+  if (known.is_proved_zero && !geometry.is_infinite(cell)) {
+    ++counts.filter;
+  } else {
+    ask_further_stages(cells, geometry, value, q, functional, counts, known);
   }
 }
 
@@ -57,7 +71,8 @@ bool in_conflict_exactly(const Cells& cells, const G& geometry, Index cell, cons
     ++counts.filter;
     return std::signbit(value);
   }
-  const Unperturbed known = unperturbed_side(cells, geometry, cell, value, q, functional, counts);
+  Unperturbed known;
+  find_unperturbed_side(cells, geometry, cell, value, q, functional, counts, known);
   const Sign side = known.side != Sign::zero ? known.side : geometry.perturbed_side(cells.vertices(known.deciding), q, counts);
   return side == Sign::negative;
 }

@@ -89,7 +89,7 @@ template <class Cells, QueryGeometry G, class Evaluator, class Marks>
   const std::span<ConflictZone::Undecided> undecided{zone.undecided.data(), zone.num_undecided};
   std::size_t num_tied = 0;
   for (ConflictZone::Undecided& open : undecided) {
-    open.known = unperturbed_side(cells, geometry, open.cell, open.value, q, functional, counts);
+    find_unperturbed_side(cells, geometry, open.cell, open.value, q, functional, counts, open.known);
     if (open.known.side == Sign::zero) zone.tied[num_tied++] = cells.vertices(open.known.deciding);
   }
   perturbed_sides(geometry, {zone.tied.data(), num_tied}, q, zone.sides.data(), counts);
