@@ -8,9 +8,13 @@ namespace delone {
 Triangulation::Impl::Landmarks::Landmarks(int dimension) : sample_(dimension, kernel::RowForm::point, Options{}) {}
 
 void Triangulation::Impl::Landmarks::add(Index vertex, std::span<const double> point) {
-  vertex_of_row_.reserve(vertex_of_row_.size() + 1);
-  sample_.insert(point, 0.0, std::nullopt);
   vertex_of_row_.push_back(vertex);
+  try {
+    sample_.insert(point, 0.0, std::nullopt);
+  } catch (...) {
+    vertex_of_row_.pop_back();
+    throw;
+  }
 }
 
 void Triangulation::Impl::Landmarks::add(const std::vector<Index>& vertices, std::span<const double> points) {
