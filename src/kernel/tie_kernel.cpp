@@ -51,61 +51,44 @@ HWY_INLINE V minor_from_smaller(const V* a, const V* minors) {
   return minor;
 }
 
-template <int N, class V>
-HWY_INLINE V determinant(const V* a) {
-  V minors[std::size_t{1} << N];
+/// All minors of K rows of K + 1 entries, by sets of columns: those of K columns leave out one each.
+template <int K, class V>
+HWY_INLINE void tabulate_minors(const V* a, V* minors) {
   [&]<unsigned... S>(std::integer_sequence<unsigned, S...>) {
-    ((minors[S + 1] = minor_from_smaller<N, S + 1>(a, minors)), ...);
+    ((minors[S + 1] = minor_from_smaller<K + 1, S + 1>(a, minors)), ...);
   }
-  (std::make_integer_sequence<unsigned, (1u << N) - 1>{});
-  return minors[(1u << N) - 1];
+  (std::make_integer_sequence<unsigned, (1u << (K + 1)) - 2>{});
 }
 
 template <int K>
 void break_ties_in(const TieTask& task) {
   const hn::CappedTag<double, most_lanes> d;
   using V = hn::Vec<decltype(d)>;
-  HWY_ALIGN double differences[(K + 1) * K * most_lanes];  // of the points and the query
+  HWY_ALIGN double differences[K * (K + 1) * most_lanes];  // of the points and the query, axis by axis
   HWY_ALIGN double sides[most_lanes];
-  const V zero = hn::Zero(d), one = hn::Set(d, 1.0);
+  const V zero = hn::Zero(d);
   for (std::size_t first = 0; first < task.cells.size(); first += hn::Lanes(d)) {
     const std::size_t lanes = hn::Lanes(d), used = std::min(lanes, task.cells.size() - first);
     for (std::size_t lane = 0; lane < lanes; ++lane) {  // lanes to spare repeat the last cell
       const Index* const vertices = task.cells[first + std::min(lane, used - 1)];
       for (std::size_t i = 0; i <= K; ++i) {
         const double* const point = task.coordinates + vertices[i] * task.row_size;
-        for (std::size_t r = 0; r < K; ++r) differences[(i * K + r) * most_lanes + lane] = point[r] - task.query[r];
+        for (std::size_t r = 0; r < K; ++r) differences[(r * (K + 1) + i) * most_lanes + lane] = point[r] - task.query[r];
       }
     }
-    const auto difference = [&](std::size_t i, std::size_t r) { return hn::Load(d, differences + (i * K + r) * most_lanes); };
-    V keys[K + 1];  // of the differences
+    V entries[K * (K + 1)], minors[std::size_t{1} << (K + 1)];
+    for (std::size_t e = 0; e < K * (K + 1); ++e) entries[e] = hn::Load(d, differences + e * most_lanes);
+    tabulate_minors<K>(entries, minors);
+    // The query decides unless a point is larger and matters: the largest one, by the orientation with the query in its place,
+    // which takes as many exchanges to come first.
+    V largest = zero, side = hn::Set(d, 1.0);
     for (std::size_t i = 0; i <= K; ++i) {
-      keys[i] = zero;
-      for (std::size_t r = 0; r < K; ++r) keys[i] = hn::MulAdd(difference(i, r), hn::Set(d, task.key_weights[r]), keys[i]);
-    }
-    V side = zero;
-    for (;;) {
-      V largest = keys[0], at = zero;
-      for (std::size_t i = 1; i <= K; ++i) {
-        const auto larger = hn::Gt(keys[i], largest);
-        largest = hn::IfThenElse(larger, keys[i], largest);
-        at = hn::IfThenElse(larger, hn::Set(d, static_cast<double>(i)), at);
-      }
-      // The query itself, if it is larger than all points that are left.
-      side = hn::IfThenElse(hn::And(hn::Eq(side, zero), hn::Le(largest, zero)), one, side);
-      if (hn::AllFalse(d, hn::Eq(side, zero))) break;
-      V others[K * K];  // the differences of all other points
-      V is_odd = zero;  // whether it takes an odd number of exchanges to bring the query to the front
-      for (std::size_t i = 0; i < K; ++i) {
-        const auto before = hn::Lt(hn::Set(d, static_cast<double>(i)), at);
-        is_odd = hn::IfThenElse(before, hn::Sub(one, is_odd), is_odd);
-        for (std::size_t r = 0; r < K; ++r) others[i * K + r] = hn::IfThenElse(before, difference(i, r), difference(i + 1, r));
-      }
-      const V volume = determinant<K>(others);
-      const V sign = hn::IfThenElse(hn::Lt(volume, zero), one, hn::IfThenElse(hn::Gt(volume, zero), hn::Neg(one), zero));
-      side = hn::IfThenElse(hn::Eq(side, zero), hn::IfThenElse(hn::Gt(is_odd, zero), hn::Neg(sign), sign), side);
-      for (std::size_t i = 0; i <= K; ++i)
-        keys[i] = hn::IfThenElse(hn::Eq(at, hn::Set(d, static_cast<double>(i))), zero, keys[i]);
+      V key = zero;  // of the difference
+      for (std::size_t r = 0; r < K; ++r) key = hn::MulAdd(entries[r * (K + 1) + i], hn::Set(d, task.key_weights[r]), key);
+      const V volume = minors[((std::size_t{1} << (K + 1)) - 1) ^ (std::size_t{1} << i)];
+      const auto decides = hn::And(hn::Gt(key, largest), hn::Ne(volume, zero));
+      largest = hn::IfThenElse(decides, key, largest);
+      side = hn::IfThenElse(decides, i % 2 == 0 ? hn::Neg(volume) : volume, side);
     }
     hn::Store(side, d, sides);
     for (std::size_t lane = 0; lane < used; ++lane)
