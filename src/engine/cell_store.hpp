@@ -60,6 +60,8 @@ class CellStore {
     const Index* const across = neighbors(cell);
     for (int i = 0; i <= dimension(); ++i) prefetch(across[i]);
   }
+  /// The same for the neighbor of an infinite cell across its hull facet.
+  [[gnu::always_inline]] void prefetch_across_hull(Index cell) const { prefetch(neighbors(cell)[infinite_slot(cell)]); }
   /// The same for the vertices and neighbors of a cell alone.
   [[gnu::always_inline]] void prefetch_links(Index cell) const {
     prefetch_bytes(vertices(cell), 2 * (static_cast<std::size_t>(dimension()) + 1) * sizeof(Index));

@@ -161,7 +161,8 @@ void find_conflict_zone(const Cells& cells, const G& geometry, const typename G:
     ConflictZone::Open& open = zone.open[zone.num_open++];
     open = {{cell, static_cast<std::uint32_t>(from), static_cast<std::uint32_t>(slot)}, value, ConflictZone::Open::none};
     if (mark != Mark::unseen) return;
-    marks.set(cell, Mark::not_in_conflict);  // until it is decided
+    marks.set(cell, Mark::not_in_conflict);                            // until it is decided
+    if (geometry.is_infinite(cell)) cells.prefetch_across_hull(cell);  // that cell decides ties
     open.undecided = static_cast<std::uint32_t>(zone.num_undecided);
     zone.undecided[zone.num_undecided++] = {cell, value, {}};
   };

@@ -38,6 +38,7 @@ class CompactCells {
     return -1;
   }
   void prefetch_neighbors(Index) const {}
+  void prefetch_across_hull(Index) const {}
 
  private:
   int dimension_;
