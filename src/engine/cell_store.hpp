@@ -37,11 +37,11 @@ class CellStore {
 
   int slot_of_vertex(Index cell, Index vertex) const { return find(vertices(cell), vertex); }
   int slot_of_neighbor(Index cell, Index neighbor) const { return find(neighbors(cell), neighbor); }
-  int infinite_slot(Index cell) const {
+  int infinite_slot(Index cell) const {  // without a branch that nothing foretells
     const Index* v = vertices(cell);
-    for (int i = 0; i <= dimension(); ++i)
-      if (v[i] == index(infinite_vertex)) return i;
-    return -1;
+    int slot = -1;
+    for (int i = 0; i <= dimension(); ++i) slot = v[i] == index(infinite_vertex) ? i : slot;
+    return slot;
   }
 
   // Calls of functions that do nothing but prefetch are dropped by GCC as calls without effect, unless it inlines them early.
