@@ -27,35 +27,45 @@ namespace delone::kernel {
 namespace HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
 
-/// The minor of the first |Columns| rows of N entries and a set of columns, from those of one row less, by sets of columns
+/// Entries of K rows and K + 1 columns, each in all lanes.
+template <int K, class D>
+struct Entries {
+  HWY_INLINE hn::Vec<D> at(int row, int column) const { return hn::Load(d, first + (row * (K + 1) + column) * stride); }
+
+  static constexpr std::ptrdiff_t stride = most_lanes;
+  D d;
+  const double* first;
+};
+
+/// The minor of the first |Columns| rows and a set of columns, from those of one row less, by sets of columns
 /// (kernel/minors.hpp).
-template <int N, unsigned Columns, class V>
-HWY_INLINE V minor_from_smaller(const V* a, const V* minors) {
+template <int K, unsigned Columns, class D>
+HWY_INLINE hn::Vec<D> minor_from_smaller(const Entries<K, D>& entries, const hn::Vec<D>* minors) {
   constexpr int last_row = std::popcount(Columns) - 1;
   constexpr int last = std::bit_width(Columns) - 1;
-  V minor = a[last_row * N + last];
+  auto minor = entries.at(last_row, last);
   if constexpr (last_row > 0) {
     minor = hn::Mul(minor, minors[Columns & ~(1u << last)]);
     [&]<int... C>(std::integer_sequence<int, C...>) {
       const auto add = [&]<int Column>(std::integral_constant<int, Column>) {
         if constexpr (Column < last && (Columns >> Column & 1) != 0) {
           constexpr bool negative = std::popcount(Columns >> Column) % 2 == 0;
-          const V entry = a[last_row * N + Column], smaller = minors[Columns & ~(1u << Column)];
+          const auto entry = entries.at(last_row, Column), smaller = minors[Columns & ~(1u << Column)];
           minor = negative ? hn::NegMulAdd(entry, smaller, minor) : hn::MulAdd(entry, smaller, minor);
         }
       };
       (add(std::integral_constant<int, C>{}), ...);
     }
-    (std::make_integer_sequence<int, N>{});
+    (std::make_integer_sequence<int, K + 1>{});
   }
   return minor;
 }
 
-/// All minors of K rows of K + 1 entries, by sets of columns: those of K columns leave out one each.
-template <int K, class V>
-HWY_INLINE void tabulate_minors(const V* a, V* minors) {
+/// All minors, by sets of columns: those of K columns leave out one each.
+template <int K, class D>
+HWY_INLINE void tabulate_minors(const Entries<K, D>& entries, hn::Vec<D>* minors) {
   [&]<unsigned... S>(std::integer_sequence<unsigned, S...>) {
-    ((minors[S + 1] = minor_from_smaller<K + 1, S + 1>(a, minors)), ...);
+    ((minors[S + 1] = minor_from_smaller<K, S + 1>(entries, minors)), ...);
   }
   (std::make_integer_sequence<unsigned, (1u << (K + 1)) - 2>{});
 }
@@ -76,16 +86,16 @@ void break_ties_in(const TieTask& task) {
         for (std::size_t r = 0; r < K; ++r) differences[(r * (K + 1) + i) * most_lanes + lane] = point[r] - task.query[r];
       }
     }
-    V entries[K * (K + 1)], minors[std::size_t{1} << (K + 1)];
-    for (std::size_t e = 0; e < K * (K + 1); ++e) entries[e] = hn::Load(d, differences + e * most_lanes);
-    tabulate_minors<K>(entries, minors);
+    const Entries<K, decltype(d)> entries{d, differences};
+    V minors[std::size_t{1} << (K + 1)];
+    tabulate_minors(entries, minors);
     // The query decides unless a point is larger and matters: the largest one, by the orientation with the query in its place,
     // which takes as many exchanges to come first.
     V largest = zero, side = hn::Set(d, 1.0);
-    for (std::size_t i = 0; i <= K; ++i) {
+    for (int i = 0; i <= K; ++i) {
       V key = zero;  // of the difference
-      for (std::size_t r = 0; r < K; ++r) key = hn::MulAdd(entries[r * (K + 1) + i], hn::Set(d, task.key_weights[r]), key);
-      const V volume = minors[((std::size_t{1} << (K + 1)) - 1) ^ (std::size_t{1} << i)];
+      for (int r = 0; r < K; ++r) key = hn::MulAdd(entries.at(r, i), hn::Set(d, task.key_weights[r]), key);
+      const V volume = minors[((1u << (K + 1)) - 1) ^ (1u << i)];
       const auto decides = hn::And(hn::Gt(key, largest), hn::Ne(volume, zero));
       largest = hn::IfThenElse(decides, key, largest);
       side = hn::IfThenElse(decides, i % 2 == 0 ? hn::Neg(volume) : volume, side);
