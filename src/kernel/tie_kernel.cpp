@@ -70,6 +70,30 @@ HWY_INLINE void tabulate_minors(const Entries<K, D>& entries, hn::Vec<D>* minors
   (std::make_integer_sequence<unsigned, (1u << (K + 1)) - 2>{});
 }
 
+/// Writes the differences of the vertices of two cells and the query to two lanes side by side.
+template <int K>
+HWY_INLINE void write_differences(const TieTask& task, const Index* cell, const Index* other, double* HWY_RESTRICT lanes) {
+  for (std::size_t i = 0; i <= K; ++i) {
+    const double* const point = task.coordinates + cell[i] * task.row_size;
+    const double* const other_point = task.coordinates + other[i] * task.row_size;
+    const auto entry = [&](std::size_t r) { return lanes + (r * (K + 1) + i) * most_lanes; };
+    std::size_t r = 0;
+#if HWY_TARGET != HWY_SCALAR
+    const hn::FixedTag<double, 2> two;
+    for (; r + 1 < K; r += 2) {
+      const auto origin = hn::LoadU(two, task.query + r);
+      const auto x = hn::Sub(hn::LoadU(two, point + r), origin), y = hn::Sub(hn::LoadU(two, other_point + r), origin);
+      hn::Store(hn::InterleaveLower(two, x, y), two, entry(r));
+      hn::Store(hn::InterleaveUpper(two, x, y), two, entry(r + 1));
+    }
+#endif
+    for (; r < K; ++r) {
+      entry(r)[0] = point[r] - task.query[r];
+      entry(r)[1] = other_point[r] - task.query[r];
+    }
+  }
+}
+
 template <int K>
 void break_ties_in(const TieTask& task) {
   const hn::CappedTag<double, most_lanes> d;
@@ -79,13 +103,9 @@ void break_ties_in(const TieTask& task) {
   const V zero = hn::Zero(d);
   for (std::size_t first = 0; first < task.cells.size(); first += hn::Lanes(d)) {
     const std::size_t lanes = hn::Lanes(d), used = std::min(lanes, task.cells.size() - first);
-    for (std::size_t lane = 0; lane < lanes; ++lane) {  // lanes to spare repeat the last cell
-      const Index* const vertices = task.cells[first + std::min(lane, used - 1)];
-      for (std::size_t i = 0; i <= K; ++i) {
-        const double* const point = task.coordinates + vertices[i] * task.row_size;
-        for (std::size_t r = 0; r < K; ++r) differences[(r * (K + 1) + i) * most_lanes + lane] = point[r] - task.query[r];
-      }
-    }
+    const auto vertices = [&](std::size_t lane) { return task.cells[first + std::min(lane, used - 1)]; };  // the last to spare
+    for (std::size_t lane = 0; lane < lanes; lane += 2)
+      write_differences<K>(task, vertices(lane), vertices(lane + 1), differences + lane);
     const Entries<K, decltype(d)> entries{d, differences};
     V minors[std::size_t{1} << (K + 1)];
     tabulate_minors(entries, minors);
