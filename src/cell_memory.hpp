@@ -80,8 +80,7 @@ class CellRecords {
 template <int K>
 class CellMemory {
  public:
-  explicit CellMemory(int dimension)
-      : layout_(dimension), words_(pages_for(dimension)), certificates_(pages_for(dimension)), links_(pages_for(dimension)) {}
+  explicit CellMemory(int dimension) : layout_(dimension) {}
 
   int dimension() const { return layout_.dimension(); }
   const CellLayout<K>& layout() const { return layout_; }
@@ -114,12 +113,6 @@ class CellMemory {
     links_.reserve(cells * layout_.link_stride() + spare * CellLayout<K>::ids_per_word);
     link_capacity_ = std::max(link_capacity_, cells);
   }
-  /// Cells to come are met in no order: what they are mapped to is to be in large pages.
-  void use_large_pages() {
-    words_.use_large_pages();
-    certificates_.use_large_pages();
-    links_.use_large_pages();
-  }
   /// Says that cells before `cells`, of which there is room for, will now be written.
   void prepare(std::size_t cells) {
     words_.prepare(cells * layout_.functional_stride());
@@ -140,18 +133,14 @@ class CellMemory {
   }
 
  private:
-  /// Insertion in a sorted order stays near where it was, so that large pages gain nothing while stars are small
-  /// (docs/performance.md, "Memory").
-  static Pages pages_for(int dimension) { return dimension >= 5 ? Pages::large : Pages::usual; }
-
   /// Words behind the last cell, so that vectors may reach beyond its ids.
   static constexpr std::size_t spare = 4;
 
   CellLayout<K> layout_;
   std::size_t capacity_ = 0, link_capacity_ = 0;
-  GrowableArray<double> words_;         // functionals, and all that is not apart from them
-  GrowableArray<double> certificates_;  // if they are apart
-  GrowableArray<Index> links_;          // if they are apart
+  GrowableArray<double> words_{Pages::large};         // functionals, and all that is not apart from them
+  GrowableArray<double> certificates_{Pages::large};  // if they are apart
+  GrowableArray<Index> links_{Pages::large};          // if they are apart
 };
 
 /// The marks, in bits that certificates leave free.

@@ -12,12 +12,28 @@
 
 #ifdef __linux__
 #include <sys/mman.h>
+#include <time.h>
 #endif
 
 namespace delone {
 
-/// The size of the pages to ask the system for.
+/// The size of the pages to ask the system for: large ones as long as they are not dear
+/// (docs/decisions/0009-large-pages-while-they-are-cheap.md).
 enum class Pages { usual, large };
+
+/// Keeps account of what large pages cost more than as much memory in usual ones.
+class PriceOfLargePages {
+ public:
+  /// Returns whether it is still low enough to go on.
+  bool pay(double seconds, std::size_t large_pages) {
+    debt_ = std::max(debt_ + seconds - usual_price * static_cast<double>(large_pages), 0.0);
+    return debt_ <= most_debt;
+  }
+
+ private:
+  static constexpr double usual_price = 600e-6, most_debt = 4e-3;  // seconds
+  double debt_ = 0;
+};
 
 /// Entries beyond those ever written are unspecified. Memory that was never touched costs nothing on Linux.
 template <class T>
@@ -30,12 +46,14 @@ class GrowableArray {
       : entries_(std::exchange(other.entries_, nullptr)),
         capacity_(std::exchange(other.capacity_, 0)),
         prepared_(std::exchange(other.prepared_, 0)),
-        pages_(other.pages_) {}
+        pages_(other.pages_),
+        price_(other.price_) {}
   GrowableArray& operator=(GrowableArray&& other) noexcept {
     std::swap(entries_, other.entries_);
     std::swap(capacity_, other.capacity_);
     std::swap(prepared_, other.prepared_);
     std::swap(pages_, other.pages_);
+    std::swap(price_, other.price_);
     return *this;
   }
   ~GrowableArray() { release(); }
@@ -45,14 +63,6 @@ class GrowableArray {
   T& operator[](std::size_t i) { return entries_[i]; }
   const T& operator[](std::size_t i) const { return entries_[i]; }
   std::size_t capacity() const { return capacity_; }
-
-  /// From now on, what is mapped is in large pages, as far as the system has them.
-  void use_large_pages() {
-    pages_ = Pages::large;
-#ifdef __linux__
-    if (is_mapped()) ask_for_pages(entries_, rounded_up(capacity_ * sizeof(T)));
-#endif
-  }
 
   /// Makes room for at least `size` entries, keeping the present ones. Throws std::bad_alloc, and then changes nothing.
   void reserve(std::size_t size) {
@@ -71,7 +81,7 @@ class GrowableArray {
         std::copy(entries_, entries_ + capacity_, static_cast<T*>(moved));
         std::free(entries_);
       }
-      ask_for_pages(moved, bytes);
+      if (pages_ == Pages::large) madvise(moved, bytes, MADV_HUGEPAGE);  // a wish: failure is no error
       entries_ = static_cast<T*>(moved);
       prepared_ = std::min(prepared_, capacity_);
       capacity_ = bytes / sizeof(T);
@@ -94,28 +104,35 @@ class GrowableArray {
  private:
   /// From this size on, memory is mapped; smaller arrays come from the heap.
   static constexpr std::size_t mapped_from = std::size_t{1} << 20;
-  static constexpr std::size_t populated_at_once = std::size_t{256} << 10;
+  static constexpr std::size_t large_page = std::size_t{2} << 20;
+  /// What is populated at a time.
+  std::size_t portion() const { return pages_ == Pages::large ? large_page : std::size_t{256} << 10; }
 
   static std::size_t rounded_up(std::size_t bytes) {
     // Mapped ranges are whole large pages, and a multiple of the entry's size where that matters: the rest is left unused.
-    constexpr std::size_t page = std::size_t{2} << 20;
-    return bytes < mapped_from ? bytes : (bytes + page - 1) / page * page;
+    return bytes < mapped_from ? bytes : (bytes + large_page - 1) / large_page * large_page;
   }
-#ifdef __linux__
-  void ask_for_pages(void* mapped, std::size_t bytes) const {
-    if (pages_ == Pages::large) madvise(mapped, bytes, MADV_HUGEPAGE);  // a wish: failure is no error
-  }
-#endif
   [[gnu::noinline]] void populate([[maybe_unused]] std::size_t size) {
-    [[maybe_unused]] const std::size_t begin = prepared_ * sizeof(T) / populated_at_once * populated_at_once;
+    [[maybe_unused]] const std::size_t begin = prepared_ * sizeof(T) / portion() * portion();
     prepared_ = capacity_;  // also where it cannot be done
 #if defined(__linux__) && defined(MADV_POPULATE_WRITE)
     if (!is_mapped()) return;
-    const std::size_t end =
-        std::min((size * sizeof(T) / populated_at_once + 1) * populated_at_once, rounded_up(capacity_ * sizeof(T)));
+    const std::size_t end = std::min((size * sizeof(T) / portion() + 1) * portion(), rounded_up(capacity_ * sizeof(T)));
+    const double start = processor_seconds();
     if (madvise(reinterpret_cast<char*>(entries_) + begin, end - begin, MADV_POPULATE_WRITE) == 0) prepared_ = end / sizeof(T);
+    if (pages_ == Pages::usual || price_.pay(processor_seconds() - start, (end - begin) / large_page)) return;
+    pages_ = Pages::usual;
+    madvise(entries_, rounded_up(capacity_ * sizeof(T)), MADV_NOHUGEPAGE);  // those to come
 #endif
   }
+#ifdef __linux__
+  /// Of this thread.
+  static double processor_seconds() {
+    timespec now{};
+    clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
+    return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
+  }
+#endif
   void release() {
 #ifdef __linux__
     if (is_mapped()) {
@@ -131,6 +148,7 @@ class GrowableArray {
   std::size_t capacity_ = 0;
   std::size_t prepared_ = 0;
   Pages pages_;
+  PriceOfLargePages price_;
 };
 
 }  // namespace delone

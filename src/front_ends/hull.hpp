@@ -85,9 +85,6 @@ class Hull : public HullQueries {
   /// Changing the frame recomputes all cached functionals.
   virtual void set_frame(geometry::Frame frame) = 0;
 
-  /// Says that insertions to come are anywhere, not each near the one before: what is allocated for them is to be in few pages.
-  virtual void expect_scattered_insertions() = 0;
-
   /// Inserts vertex v, starting at cell `start` or, if that is invalid, where the last insertion ended. Returns v, or the
   /// vertex that is at the same point with the same weight, or invalid_index if v is hidden.
   virtual Index insert(Index v, Index start) = 0;

@@ -92,11 +92,6 @@ class HullOfDimension final : public Hull {
     create_functionals();
   }
 
-  void expect_scattered_insertions() override {
-    memory_.use_large_pages();
-    geometry_.use_large_pages();
-  }
-
   Index insert(Index v, Index start) override {
     const Query q = geometry_.make_query(points_.point(v));
     if (start == invalid_index) start = work_.star().empty() ? last_ : engine::start_in_star(geometry_, q, work_.star());

@@ -161,7 +161,6 @@ Index Triangulation::Impl::raise(std::size_t row, const double* point, kernel::A
     if (grown.dimension() > 0) {
       auto next = make_hull(grown.axes(), points, frame_with(point, point, 1.0), hull ? hull->effort() : engine::Effort{},
                             options.force_runtime_dimension);
-      if (landmarks) next->expect_scattered_insertions();
       if (hull)
         next->jump(complex(), v);
       else
@@ -376,10 +375,7 @@ void Triangulation::Impl::expand() {
 /// Adds those of the vertices first … last that belong to the sample. Without memory for them there are no landmarks.
 void Triangulation::Impl::add_landmarks(Index first, Index last) {
   try {
-    if (!landmarks) {
-      landmarks = std::make_unique<Landmarks>(dimension);
-      if (hull) hull->expect_scattered_insertions();
-    }
+    if (!landmarks) landmarks = std::make_unique<Landmarks>(dimension);
     std::vector<Index> vertices;
     std::vector<double> coordinates;
     for (Index v = first; v <= last; ++v) {

@@ -69,8 +69,6 @@ class DelaunayGeometry : public PointPredicates<K> {
 
   /// The images and lifts of the vertices, k + 1 doubles each. REQUIRES keep_rows().
   const double* kept_rows() const { return rows_.data(); }
-  /// Vertices to come are met in no order.
-  void use_large_pages() { rows_.use_large_pages(); }
 
   /// A query at the point of a vertex.
   Query make_query(const double* at) const { return make_query(at, grid_); }
@@ -170,7 +168,7 @@ class DelaunayGeometry : public PointPredicates<K> {
   std::uint64_t bounds_revision_ = 0;
   Functionals<K> functionals_;
   bool computes_rows_ = false;
-  GrowableArray<double> rows_;  // of the vertices in the frame, unless they are computed
+  GrowableArray<double> rows_{Pages::large};  // of the vertices in the frame, unless they are computed
 };
 
 template <int K>

@@ -128,14 +128,26 @@ TEST(CellStore, MarksLiveBesideTheCertificate) {
   EXPECT_EQ(cells.mark(cell), Mark::in_conflict);
 }
 
+TEST(PriceOfLargePages, FewDearPagesAmongManyAreAccepted) {
+  PriceOfLargePages price;
+  for (int i = 0; i < 100; ++i) EXPECT_TRUE(price.pay(i % 10 == 0 ? 4e-3 : 0.1e-3, 1)) << i;
+  EXPECT_TRUE(price.pay(50e-3, 100));  // a long time, but for many
+}
+
+TEST(PriceOfLargePages, DearPagesAreSoonTooMuch) {
+  PriceOfLargePages price;
+  int accepted = 0;
+  while (price.pay(2e-3, 1)) ++accepted;
+  EXPECT_EQ(accepted, 2);
+}
+
 TEST(GrowableArray, KeepsEntriesAcrossHeapAndMappedMemory) {
-  for (const bool is_prepared : {false, true}) {
-    GrowableArray<Index> array;
+  for (const auto& [is_prepared, pages] : {std::pair{false, Pages::usual}, {true, Pages::usual}, {true, Pages::large}}) {
+    GrowableArray<Index> array(pages);
     std::size_t filled = 0;
     for (std::size_t size = 10; size < 20'000'000; size = size * 5 / 2) {
       array.reserve(size);
       ASSERT_GE(array.capacity(), size);
-      if (size > 1'000'000) array.use_large_pages();
       for (; filled < size; filled += 7) {
         if (is_prepared) array.prepare(filled + 1);
         array[filled] = static_cast<Index>(filled);
