@@ -95,8 +95,8 @@ class Triangulation {
   /// bad_dimension; after cancelled or too_many it holds a valid triangulation of some of the points.
   void insert_range(std::span<const double> coordinates);
   /// Inserts one point (d coordinates) as the next row; `hint` is a cell near it. Expected cost with a good hint: the size
-  /// of the conflict zone; without: also a walk through log(n) samples of the vertices, past about six cells in the last
-  /// (docs/decisions/0006-walks-start-in-a-sample.md). A batch is still faster.
+  /// of the conflict zone; without: also a walk past a few cells, from a vertex close by
+  /// (docs/decisions/0006-walks-start-at-a-vertex-close-by.md). A batch is still faster.
   InsertResult insert(std::span<const double> point, std::optional<CellId> hint = std::nullopt);
 
   /// Releases what only insertions need: from then on a cell takes 8(k+1) bytes, and the ids of cells change, without gaps.

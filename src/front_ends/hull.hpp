@@ -94,9 +94,6 @@ class Hull : public HullQueries {
   virtual void track_swallowed(bool wanted) = 0;
   /// The vertices that the last insertion took all cells from, if that was tracked.
   virtual std::span<const Index> swallowed() const = 0;
-
-  /// The cell where a walk to a point ends that may stop early: one near it, as a rule.
-  virtual Index descend(const double* query, Index start) const = 0;
 };
 
 /// A hull of the flat that projects one-to-one on `axes`. K = axes.size(), or 0 for any number of axes.

@@ -108,11 +108,6 @@ class HullOfDimension final : public Hull {
   void track_swallowed(bool wanted) override { work_.tracks_swallowed = wanted; }
   std::span<const Index> swallowed() const override { return work_.swallowed; }
 
-  Index descend(const double* query, Index start) const override {
-    const Query q = geometry_.make_query(query);
-    return engine::descend(cells_, geometry_, q, start == invalid_index ? last_ : start).second.cell;
-  }
-
   HullLocation locate(const double* query, Index start) const override {
     const kernel::Grid grid = points_.grid_with(query);
     Query q = geometry_.make_query(query, grid);

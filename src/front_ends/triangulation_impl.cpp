@@ -3,7 +3,6 @@
 #include "front_ends/triangulation_impl.hpp"
 
 #include "front_ends/compact_hull.hpp"
-#include "front_ends/landmarks.hpp"
 #include "front_ends/point_rows.hpp"
 #include "front_ends/progress_meter.hpp"
 
@@ -109,7 +108,10 @@ Index Triangulation::Impl::insert_row(std::size_t row, const double* point, Inde
   const Index v = append(point);
   Index at = v;
   try {
-    if (!hull->frame().contains(point)) hull->set_frame(frame_with(point, point, 1.0));
+    if (!hull->frame().contains(point)) {
+      hull->set_frame(frame_with(point, point, 1.0));
+      landmarks.reset();
+    }
     hull->track_swallowed(may_hide() && track);
     at = hull->insert(v, start);
   } catch (...) {
@@ -166,6 +168,7 @@ Index Triangulation::Impl::raise(std::size_t row, const double* point, kernel::A
       else
         next->seed(std::vector<Index>{only_vertex(), v});
       hull = std::move(next);
+      landmarks.reset();
     } else {
       only_vertex() = v;
     }
@@ -215,8 +218,10 @@ void Triangulation::Impl::start_batch(std::span<const double> rows, std::size_t 
     high[i % width] = std::max(high[i % width], rows[i]);
   }
   if (hull) {
-    if (!hull->frame().contains(low.data()) || !hull->frame().contains(high.data()))
+    if (!hull->frame().contains(low.data()) || !hull->frame().contains(high.data())) {
       hull->set_frame(frame_with(low.data(), high.data(), 0.0));
+      landmarks.reset();
+    }
     return;
   }
   std::vector<Index> simplex;
@@ -334,14 +339,14 @@ InsertResult Triangulation::Impl::insert(std::span<const double> point, double w
   const Index before = points.last_vertex();
   // Functionals of furthest points lead nowhere.
   if (!hint && points.form != kernel::RowForm::furthest_point) {
-    if (!landmarks) add_landmarks(1, before);
+    if (!landmarks && hull) add_landmarks(1, before);
     start = start_near(row_of_point);
   }
   const std::size_t row = add_rows(1);
   try {
     const Index v = insert_row(row, row_of_point, start, true);
     const bool is_new = v != invalid_index && v > before;
-    if (is_new && landmarks && Landmarks::include(v)) add_landmarks(v, v);
+    if (is_new && landmarks) add_landmarks(v, v);
     return {VertexId{v}, is_new};
   } catch (...) {
     vertex_of_row.resize(row);
@@ -372,29 +377,19 @@ void Triangulation::Impl::expand() {
   compacted.reset();
 }
 
-/// Adds those of the vertices first … last that belong to the sample. Without memory for them there are no landmarks.
+/// Adds the vertices first … last. Without memory for them there are no landmarks. REQUIRES a hull.
 void Triangulation::Impl::add_landmarks(Index first, Index last) {
   try {
-    if (!landmarks) landmarks = std::make_unique<Landmarks>(dimension);
-    std::vector<Index> vertices;
-    std::vector<double> coordinates;
-    for (Index v = first; v <= last; ++v) {
-      if (!Landmarks::include(v)) continue;
-      vertices.push_back(v);
-      coordinates.insert(coordinates.end(), points.point(v), points.point(v) + ambient());
-    }
-    if (vertices.size() == 1)
-      landmarks->add(vertices.front(), coordinates);
-    else
-      landmarks->add(vertices, coordinates);
+    if (!landmarks) landmarks = std::make_unique<front_ends::Landmarks>(hull->frame(), ambient());
+    for (Index v = first; v <= last; ++v) landmarks->add(v, points.point(v));
   } catch (const std::bad_alloc&) {
     landmarks.reset();
   }
 }
 
 Index Triangulation::Impl::start_near(const double* point) const {
-  const Index v = landmarks ? landmarks->near(point) : invalid_index;
-  return v != invalid_index && is_visible(v) ? index(cell_of_vertex[v]) : invalid_index;
+  const Index v = landmarks ? landmarks->near(point, [&](Index near) { return is_visible(near); }) : invalid_index;
+  return v != invalid_index ? index(cell_of_vertex[v]) : invalid_index;
 }
 
 void Triangulation::Impl::find_cells_of_vertices() {

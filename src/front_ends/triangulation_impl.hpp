@@ -8,6 +8,7 @@
 #pragma once
 
 #include "front_ends/dispatch.hpp"
+#include "front_ends/landmarks.hpp"
 #include "kernel/predicates.hpp"
 
 #include <delone/delaunay.hpp>
@@ -35,8 +36,7 @@ struct Triangulation::Impl {
   std::size_t num_rows_inserted = 0;
   Index num_vertices = 0;  // those that have cells
   Statistics statistics;
-  class Landmarks;
-  std::unique_ptr<Landmarks> landmarks;  // from the first insertion on that has no hint
+  std::unique_ptr<front_ends::Landmarks> landmarks;  // from an insertion without hint on, until the frame changes
 
   /// The links of the complex of one point, a finite and an infinite cell of one vertex each.
   Index single_links[4] = {0, 1, 0, 0};
