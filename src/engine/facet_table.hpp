@@ -3,11 +3,15 @@
 // and go in pairs.
 #pragma once
 
+#include "engine/facet_table_kernel.hpp"
 #include "growable_array.hpp"
 
 #include <algorithm>
+#include <array>
+#include <bit>
 #include <cstddef>
 #include <cstdint>
+#include <span>
 #include <unordered_map>
 #include <utility>
 
@@ -19,6 +23,7 @@ namespace delone::engine {
 class FacetTable {
  public:
   static constexpr std::uint32_t none = ~std::uint32_t{0};
+  static constexpr std::size_t most_at_once = 17;
 
   FacetTable() : FacetTable(fewest_lines) {}
 
@@ -33,25 +38,13 @@ class FacetTable {
     __builtin_prefetch(&lines_[home ^ static_cast<std::size_t>(overflows)], 1);
   }
 
-  /// If the key is there, removes it and returns its value; else adds it with the given value and returns `none`. Slow without
-  /// a reserve() that covers it. REQUIRES that the key is not 0. Throws std::bad_alloc.
-  std::uint32_t match(std::uint64_t key, std::uint32_t value) {
-    const std::size_t home = place(key);
-    Line& line = lines_[home];
-    const Places places = places_of(line, key);
-    if (places.hits == 0 && (line.num_beside | line.num_elsewhere) != 0) [[unlikely]]
-      if (const std::uint32_t other = take_from_overflow(home, key); other != none) return other;
-    if ((places.hits | places.vacancies) == 0) [[unlikely]] {
-      add_to_overflow(home, key, value);
-      return none;
-    }
-    const bool is_hit = places.hits != 0;
-    const int i = __builtin_ctz(is_hit ? places.hits : places.vacancies);
-    const std::uint32_t other = is_hit ? line.values[i] : none;
-    line.keys[i] = is_hit ? 0 : key;
-    line.values[i] = value;
-    size_ += is_hit ? std::size_t{0} - 1 : 1;
-    return other;
+  /// For each of up to most_at_once keys, which are different: if it is there, removes it and gives its value; else adds it
+  /// with the value `first` + its number, and gives `none`. Slow without a reserve() that covers them. REQUIRES that no key is
+  /// 0. Throws std::bad_alloc.
+  void match(std::span<const std::uint64_t> keys, std::uint32_t first, std::uint32_t* others) {
+    std::array<FacetPlaces, most_at_once> places;
+    find_facets(lines_.data(), num_lines_, keys, places.data());
+    for (std::size_t i = 0; i < keys.size(); ++i) others[i] = match(keys[i], first + static_cast<std::uint32_t>(i), places[i]);
   }
 
   /// Makes room for `count` more keys, and gives memory back where far fewer are left. Throws std::bad_alloc, and then nothing
@@ -64,39 +57,44 @@ class FacetTable {
   }
 
  private:
-  static constexpr int room = 5;
+  using Line = FacetLine;
+  static constexpr int room = Line::room;
   static constexpr std::size_t fewest_lines = 1024;
   static constexpr std::size_t most_per_two_lines = 5;  ///< then one line in 25 overflows
-  struct Line {
-    std::uint64_t keys[room];  ///< 0: vacant
-    std::uint32_t values[room];
-    std::uint16_t num_beside;     ///< keys of this line that are in the one beside it
-    std::uint16_t num_elsewhere;  ///< and in no line
-  };
-  /// Bits of the places of a line.
-  struct Places {
-    std::uint32_t hits, vacancies;
-  };
 
-  static Places places_of(const Line& line, std::uint64_t key) {
-    Places places{0, 0};
-    for (int i = 0; i < room; ++i) {
-      places.hits |= std::uint32_t{line.keys[i] == key} << i;
-      places.vacancies |= std::uint32_t{line.keys[i] == 0} << i;
-    }
-    return places;
+  /// `places`: of a key, before other keys were added.
+  [[gnu::always_inline]] std::uint32_t match(std::uint64_t key, std::uint32_t value, FacetPlaces places) {
+    const std::size_t home = place(key);
+    Line& line = lines_[home];
+    // Whether the key is there cannot be predicted; but the rest can, and is asked first.
+    if ((line.num_beside | line.num_elsewhere) != 0) [[unlikely]]
+      if (places.hits == 0)
+        if (const std::uint32_t other = take_from_overflow(home, key); other != none) return other;
+    if ((places.hits | places.vacancies) == 0) [[unlikely]]
+      return add(home, key, value);
+    // Compilers make branches of selections: so these are masks.
+    const std::uint32_t hit = 0u - static_cast<std::uint32_t>(places.hits != 0);
+    const int i = std::countr_zero(places.hits | (places.vacancies & ~hit));
+    const std::uint64_t vacated = static_cast<std::uint64_t>(static_cast<std::int32_t>(hit));
+    if ((line.keys[i] & ~vacated) != 0) [[unlikely]]  // taken since it was looked at
+      return add(home, key, value);
+    const std::uint32_t other = line.values[i] | ~hit;
+    line.keys[i] = key & ~vacated;
+    line.values[i] = value;
+    size_ += (vacated | 1);
+    return other;
   }
 
   /// Removes a key that is not in its line from the line beside it, or from what is in no line; `none` if it is in neither.
   std::uint32_t take_from_overflow(std::size_t home, std::uint64_t key) {
     Line& line = lines_[home];
     Line& beside = lines_[home ^ 1];
-    if (const std::uint32_t hits = places_of(beside, key).hits; line.num_beside != 0 && hits != 0) {
-      const int i = __builtin_ctz(hits);
-      beside.keys[i] = 0;
+    std::uint64_t* const found_beside = std::find(beside.keys, beside.keys + room, key);
+    if (line.num_beside != 0 && found_beside != beside.keys + room) {
+      *found_beside = 0;
       --line.num_beside;
       --size_;
-      return beside.values[i];
+      return beside.values[found_beside - beside.keys];
     }
     if (line.num_elsewhere == 0) return none;
     const auto found = elsewhere_.find(key);
@@ -107,18 +105,24 @@ class FacetTable {
     --size_;
     return other;
   }
-  void add_to_overflow(std::size_t home, std::uint64_t key, std::uint32_t value) {
-    Line& beside = lines_[home ^ 1];
-    if (const std::uint32_t vacancies = places_of(beside, key).vacancies; vacancies != 0) {
-      const int i = __builtin_ctz(vacancies);
-      beside.keys[i] = key;
-      beside.values[i] = value;
+  /// Adds a key where there is room. Returns `none`.
+  std::uint32_t add(std::size_t home, std::uint64_t key, std::uint32_t value) {
+    const auto put = [&](Line& line) {
+      std::uint64_t* const vacant = std::find(line.keys, line.keys + room, 0);
+      if (vacant == line.keys + room) return false;
+      *vacant = key;
+      line.values[vacant - line.keys] = value;
+      return true;
+    };
+    if (put(lines_[home])) {
+    } else if (put(lines_[home ^ 1])) {
       ++lines_[home].num_beside;
     } else {
       elsewhere_.emplace(key, value);
       ++lines_[home].num_elsewhere;
     }
     ++size_;
+    return none;
   }
 
   explicit FacetTable(std::size_t lines) : lines_(Pages::large), num_lines_(lines) {
@@ -129,11 +133,11 @@ class FacetTable {
     FacetTable other(lines);
     for (std::size_t l = 0; l < num_lines_; ++l)
       for (int i = 0; i < room; ++i)
-        if (lines_[l].keys[i] != 0) other.match(lines_[l].keys[i], lines_[l].values[i]);
-    for (const auto& [key, value] : elsewhere_) other.match(key, value);
+        if (const std::uint64_t key = lines_[l].keys[i]; key != 0) other.add(other.place(key), key, lines_[l].values[i]);
+    for (const auto& [key, value] : elsewhere_) other.add(other.place(key), key, value);
     *this = std::move(other);
   }
-  std::size_t place(std::uint64_t key) const { return static_cast<std::size_t>(key >> 20) & (num_lines_ - 1); }
+  std::size_t place(std::uint64_t key) const { return Line::place(key, num_lines_); }
 
   GrowableArray<Line> lines_;
   std::size_t num_lines_;  // a power of two

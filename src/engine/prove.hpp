@@ -95,16 +95,20 @@ class Proof {
       if (cell + ahead < cells_.num_slots())
         for (int i = 0; i <= K; ++i)
           if (const Index n = cells_.neighbors(cell + ahead)[i]; n != invalid_index && n > cell) cells_.prefetch_links(n);
-      for (int i = 0; i <= K; ++i) {
-        const Index neighbor = cells_.neighbors(cell)[i];
-        if (neighbor == invalid_index || neighbor == cell) return false;
-        if (neighbor < cell) continue;
-        if (!check_facet(cell, i, neighbor)) return false;
-        ++num_checked;
+      const Index* const neighbors = cells_.neighbors(cell);
+      std::uint32_t later = 0;  // the neighbors whose facets have not been checked
+      for (int i = 0; i <= K; ++i) later |= std::uint32_t{neighbors[i] > cell} << i;
+      for (std::uint32_t rest = later; rest != 0; rest &= rest - 1) {
+        const int slot = std::countr_zero(rest);
+        if (neighbors[slot] == invalid_index || !check_facet(cell, slot, neighbors[slot])) return false;
       }
-      if (is_flipped_[cell]) {  // no facet of it is looked at again
-        std::swap(cells_.vertices(cell)[0], cells_.vertices(cell)[1]);
-        std::swap(cells_.neighbors(cell)[0], cells_.neighbors(cell)[1]);
+      num_checked += static_cast<std::size_t>(std::popcount(later));
+      // No facet of it is looked at again. Whether it is flipped cannot be predicted: there is no branch.
+      const Index flipped = Index{0} - static_cast<Index>(is_flipped_[cell]);
+      for (Index* const ids : {cells_.vertices(cell), cells_.neighbors(cell)}) {
+        const Index difference = (ids[0] ^ ids[1]) & flipped;
+        ids[0] ^= difference;
+        ids[1] ^= difference;
       }
     }
     return 2 * num_checked == std::size_t{cells_.num_slots()} * (K + 1);  // no link is one-way

@@ -19,6 +19,7 @@
 #include <cstdint>
 #include <functional>
 #include <span>
+#include <type_traits>
 #include <unordered_set>
 #include <vector>
 
@@ -46,11 +47,12 @@ class Wrapping {
   /// Returns whether all facets have found two cells. If it does not, or throws (memory, ids), the cells make no sense. `tick`
   /// is called often, and may throw.
   bool run(const std::function<void()>& tick) {
-    std::array<Index, K + 1> first;
-    if (!search_.first_cell(first.data())) return false;
-    std::sort(first.begin(), first.end());
+    NewCell first;
+    if (!search_.first_cell(first.vertices.data())) return false;
+    std::sort(first.vertices.begin(), first.vertices.end());
+    find_keys(first);
     cells_.reserve_links(1);
-    add(described(first));
+    add(first);
     while (true) {
       tick();
       const std::size_t taken = take_cells();
@@ -86,29 +88,27 @@ class Wrapping {
   }
 
   /// The key of a set of vertices is the sum of theirs; that of a facet the same, never 0.
-  NewCell described(const std::array<Index, K + 1>& vertices) const {
-    NewCell cell{vertices, {}, 0};
-    for (const Index v : vertices) cell.key += keys_[v];
+  void find_keys(NewCell& cell) const {
+    cell.key = 0;
+    for (const Index v : cell.vertices) cell.key += keys_[v];
     for (std::size_t i = 0; i <= K; ++i) {
-      const std::uint64_t key = cell.key - keys_[vertices[i]];
+      const std::uint64_t key = cell.key - keys_[cell.vertices[i]];
       cell.facet_keys[i] = key + (key == 0);
       facets_.prefetch(cell.facet_keys[i]);
     }
-    return cell;
   }
 
-  /// The cell beyond facet `slot` of a cell: its vertices with the apex in place of one, in order.
-  NewCell described(Place place, Index apex) const {
-    const Index* old = cells_.vertices(place.beside);
-    std::array<Index, K + 1> vertices;
-    std::size_t i = 0;
-    for (int j = 0; j <= K; ++j) {
-      if (j == place.slot) continue;
-      if (i == static_cast<std::size_t>(j - (j > place.slot)) && apex < old[j]) vertices[i++] = apex;
-      vertices[i++] = old[j];
+  /// Describes the cell beyond facet `slot` of a cell: its vertices with the apex in place of one, in order.
+  void describe(Place place, Index apex, NewCell& cell) const {
+    const Index* const old = cells_.vertices(place.beside);
+    std::size_t before = 0;
+    for (int i = 0; i < K; ++i) {
+      const Index v = old[i + (i >= place.slot)];
+      cell.vertices[static_cast<std::size_t>(i + (v > apex))] = v;
+      before += v < apex;
     }
-    if (i <= K) vertices[i] = apex;
-    return described(vertices);
+    cell.vertices[before] = apex;
+    find_keys(cell);
   }
 
   /// Creates a cell and links it with those that have its facets already. REQUIRES reserved memory. Returns whether it is new,
@@ -116,19 +116,26 @@ class Wrapping {
   bool add(const NewCell& made) {
     const Index cell = cells_.append();
     std::copy(made.vertices.begin(), made.vertices.end(), cells_.vertices(cell));
-    std::uint32_t open = 0;
     std::array<std::uint32_t, K + 1> others;
+    facets_.match(made.facet_keys, facet(cell, 0), others.data());
+    std::uint32_t num_open = 0;
     for (std::uint32_t i = 0; i <= K; ++i) {
-      others[i] = facets_.match(made.facet_keys[i], static_cast<std::uint32_t>(cell) * (K + 1) + i);
-      const bool is_open = others[i] == FacetTable::none;
-      open |= std::uint32_t{is_open} << i;
-      cells_.neighbors(cell)[i] = is_open ? invalid_index : others[i] / (K + 1);
-      __builtin_prefetch(cells_.neighbors(is_open ? cell : others[i] / (K + 1)), 1);
+      // Which facets are open cannot be predicted: there is no branch, and an open one is linked with itself.
+      const std::uint32_t open = 0u - static_cast<std::uint32_t>(others[i] == FacetTable::none);
+      const std::uint32_t mirror = (facet(cell, i) & open) | (others[i] & ~open);
+      cells_.neighbors(cell)[i] = select(open, invalid_index, mirror / (K + 1));
+      cells_.neighbors(mirror / (K + 1))[mirror % (K + 1)] = select(open, invalid_index, cell);
+      num_open -= open;
     }
-    for (std::uint32_t i = 0; i <= K; ++i)
-      if ((open >> i & 1) == 0) cells_.neighbors(others[i] / (K + 1))[others[i] % (K + 1)] = cell;
-    if (open != 0 && made.vertices[0] != index(infinite_vertex)) waiting_[std::popcount(open)].push_back(cell);
+    if (num_open != 0 && made.vertices[0] != index(infinite_vertex)) waiting_[num_open].push_back(cell);
     return made.key % 256 != 0 || sample_.insert(made.key).second;
+  }
+
+  static std::uint32_t facet(Index cell, std::uint32_t slot) { return static_cast<std::uint32_t>(cell) * (K + 1) + slot; }
+  /// The one of two ids that a mask of no or all bits says.
+  static Index select(std::uint32_t mask, Index a, Index b) {
+    const auto all = static_cast<Index>(static_cast<std::make_signed_t<Index>>(static_cast<std::int32_t>(mask)));
+    return (a & all) | (b & ~all);
   }
 
   std::uint32_t open_slots(Index cell) const {
@@ -147,9 +154,9 @@ class Wrapping {
         waiting.pop_back();
         if (waiting.size() > batch_size) cells_.prefetch_links(waiting[waiting.size() - batch_size]);
         const std::uint32_t open = open_slots(cell);
-        if (open == 0) continue;
         taken_[taken] = cell;
-        batch_[taken++] = {cells_.vertices(cell), open};
+        batch_[taken] = {cells_.vertices(cell), open};
+        taken += open != 0;  // nothing foretells it: no branch
       }
     return taken;
   }
@@ -166,7 +173,7 @@ class Wrapping {
     if (cells_.num_slots() + count > FacetTable::none / (K + 1)) return false;
     facets_.reserve(count * (K + 1));
     for (std::size_t i = 0; i < count + ahead; ++i) {
-      if (i < count) new_cells_[i] = described(places_[i], found_[i]);
+      if (i < count) describe(places_[i], found_[i], new_cells_[i]);
       if (i >= ahead / 2 && i - ahead / 2 < count)
         for (const std::uint64_t key : new_cells_[i - ahead / 2].facet_keys) facets_.prefetch_overflow(key);
       if (i < ahead) continue;

@@ -14,6 +14,7 @@
 #include <bit>
 #include <cmath>
 #include <limits>
+#include <type_traits>
 #include <utility>
 
 #undef HWY_TARGET_INCLUDE
@@ -37,13 +38,13 @@ constexpr float coarseness = 0x1p-7f;
 
 /// The least ratios are kept of so many blocks together, one in each lane: a stretch.
 constexpr std::size_t stretch_blocks = 4;
-/// How many lanes that takes.
-constexpr std::size_t size_of_minima(std::size_t num_blocks) {
-  return (num_blocks + stretch_blocks - 1) / stretch_blocks * block;
-}
 
 /// So many blocks are looked at for all facets of a batch before the next ones are: they stay in the first-level cache.
-constexpr std::size_t tile_blocks = 16;
+constexpr std::size_t tile_blocks = 64;
+static_assert(tile_blocks % stretch_blocks == 0);
+
+/// Vertices whose ratio is no more than that may have the least one.
+constexpr float bound_of(float least) { return least + 3 * coarseness * (least < 0 ? -least : least); }
 
 /// All that one dispatched call works on.
 struct SearchTask {
@@ -75,17 +76,24 @@ class InLanes {
     for (std::size_t r = 0; r < K; ++r) kept_[r] = hn::Set(d, function[r]);
   }
 
-  /// The sum of `start` and the values at the vertices of a block, or part of one, from this image on.
-  HWY_INLINE V plus_values(V start, const float* image) const {
-    V even = constant_, odd = start;
-    for (std::size_t r = 0; r < k_; ++r) {
+  /// The values at the vertices of a block, or part of one, from this image on.
+  HWY_INLINE V values(const float* image) const { return sum(hn::Mul(hn::Load(d_, image), coefficient(0)), image); }
+  /// The same and the lifts.
+  HWY_INLINE V heights(const float* image) const {
+    return sum(hn::MulAdd(hn::Load(d_, image), coefficient(0), hn::Load(d_, image + k_ * block)), image);
+  }
+
+ private:
+  HWY_INLINE V coefficient(std::size_t r) const { return K > 0 ? kept_[r] : hn::Set(d_, from_[r]); }
+  HWY_INLINE V sum(V even, const float* image) const {
+    V odd = constant_;
+    for (std::size_t r = 1; r < k_; ++r) {
       V& sum = r % 2 == 0 ? even : odd;
-      sum = hn::MulAdd(hn::Load(d_, image + r * block), K > 0 ? kept_[r] : hn::Set(d_, from_[r]), sum);
+      sum = hn::MulAdd(hn::Load(d_, image + r * block), coefficient(r), sum);
     }
     return hn::Add(even, odd);
   }
 
- private:
   D d_;
   std::size_t k_;
   Affine from_;
@@ -93,100 +101,143 @@ class InLanes {
   V kept_[K > 0 ? K : 1];
 };
 
-/// Writes the values of an affine function plus the lift at the vertices of the blocks from `first` on. K is k, or 0 for any.
+/// Writes the values of an affine function plus the lift at the vertices of the blocks from `first` on, but for those of the
+/// cell. K is k, or 0 for any.
 template <int K>
-void write_heights(const SearchTask& task, std::size_t first, std::size_t end, Affine h) {
+void write_heights(const SearchTask& task, std::size_t first, std::size_t end, std::size_t cell, float* HWY_RESTRICT heights) {
   const hn::CappedTag<float, block> d;
   const auto k = static_cast<std::size_t>(K > 0 ? K : task.k);
-  const InLanes<K, decltype(d)> function(d, task, h);
+  const InLanes<K, decltype(d)> function(d, task, task.height_functions + cell * (k + 1));
   const float* HWY_RESTRICT images = task.images;
-  float* HWY_RESTRICT heights = task.heights;
+  for (std::size_t start = first; start < end; start += stretch_blocks)
+#pragma GCC unroll 4
+    for (std::size_t b = start; b < start + stretch_blocks; ++b)
+      for (std::size_t lane = 0; lane < block; lane += hn::Lanes(d))
+        hn::Store(function.heights(images + b * block * (k + 1) + lane), d, heights + (b - first) * block + lane);
+  for (std::size_t i = 0; i <= k; ++i) {
+    const std::size_t place = task.cells[cell].vertices[i] - 1 - first * block;  // wraps where it is less than 0
+    if (place < (end - first) * block) heights[place] = out_of_reach;
+  }
+}
+
+/// Heights over the values of an affine function where that is positive.
+template <int K>
+class Ratios {
+ public:
+  using D = hn::CappedTag<float, block>;
+  using V = hn::Vec<D>;
+
+  Ratios(const SearchTask& task, const SoughtFacet& facet)
+      : k_(static_cast<std::size_t>(K > 0 ? K : task.k)), images_(task.images), function_(D(), task, facet.beyond) {}
+
+  /// Of the vertices of a block, or part of one.
+  HWY_INLINE V at(std::size_t b, std::size_t lane, const float* heights) const {
+    const V value = function_.values(images_ + b * block * (k_ + 1) + lane);
+    const V ratio = hn::Mul(hn::Load(D(), heights + lane), hn::ApproximateReciprocal(value));
+    return hn::IfThenElse(hn::Gt(value, hn::Zero(D())), ratio, hn::Set(D(), out_of_reach));
+  }
+
+ private:
+  std::size_t k_;
+  const float* images_;
+  InLanes<K, D> function_;
+};
+
+/// Lists the vertices of some blocks whose ratios are at most the bound, as far as there is room, and counts them. heights: of
+/// these blocks.
+template <int K>
+HWY_INLINE void list_below(const Ratios<K>& ratios, std::size_t first, std::size_t end, const float* heights, float bound,
+                           std::span<std::uint32_t> list, std::size_t& count) {
+  const typename Ratios<K>::D d;
   for (std::size_t b = first; b < end; ++b)
     for (std::size_t lane = 0; lane < block; lane += hn::Lanes(d)) {
-      const float* const image = images + b * block * (k + 1) + lane;
-      const auto lift = hn::Load(d, image + k * block);
-      hn::Store(function.plus_values(lift, image), d, heights + (b - first) * block + lane);
+      std::uint8_t bytes[8];  // written in whole words
+      hn::StoreMaskBits(d, hn::Le(ratios.at(b, lane, heights + (b - first) * block), hn::Set(d, bound)), bytes);
+      std::uint32_t below = bytes[0];
+      if (hn::MaxLanes(d) > 8) below |= std::uint32_t{bytes[1]} << 8;
+      for (; below != 0; below &= below - 1, ++count)
+        if (count < list.size())
+          list[count] = static_cast<std::uint32_t>(b * block + lane) + static_cast<std::uint32_t>(std::countr_zero(below));
     }
 }
 
-/// Writes heights over the values of an affine function where that is positive, and brings the least up to date.
+/// Brings the least ratio of a facet up to date, and lists the vertices of a tile that may have it.
 template <int K>
-void write_ratios(const SearchTask& task, std::size_t first, std::size_t end, SoughtFacet& facet) {
-  const hn::CappedTag<float, block> d;
-  using V = hn::Vec<decltype(d)>;
-  const auto k = static_cast<std::size_t>(K > 0 ? K : task.k);
-  const InLanes<K, decltype(d)> function(d, task, facet.beyond);
-  const V never = hn::Set(d, out_of_reach), zero = hn::Zero(d);
-  const float* HWY_RESTRICT images = task.images;
+void search_tile(const SearchTask& task, std::size_t first, std::size_t end, SoughtFacet& facet) {
+  const typename Ratios<K>::D d;
+  using V = typename Ratios<K>::V;
+  const Ratios<K> ratios(task, facet);
   const float* HWY_RESTRICT heights = task.heights;
-  float* HWY_RESTRICT ratios = facet.ratios;
-  float* HWY_RESTRICT minima = facet.minima;
-  V least = never;
+  HWY_ALIGN float minima[tile_blocks / stretch_blocks * block];
+  V least = hn::Set(d, out_of_reach);
   for (std::size_t start = first; start < end; start += stretch_blocks)
     for (std::size_t lane = 0; lane < block; lane += hn::Lanes(d)) {
-      V least_of_stretch = never;
-      for (std::size_t b = start; b < std::min(start + stretch_blocks, end); ++b) {
-        const V value = function.plus_values(zero, images + b * block * (k + 1) + lane);
-        const V ratio = hn::Mul(hn::Load(d, heights + (b - first) * block + lane), hn::ApproximateReciprocal(value));
-        const V kept = hn::IfThenElse(hn::Gt(value, zero), ratio, never);
-        least_of_stretch = hn::Min(least_of_stretch, kept);
-        hn::Store(kept, d, ratios + b * block + lane);
-      }
-      hn::Store(least_of_stretch, d, minima + start / stretch_blocks * block + lane);
+      V least_of_stretch = hn::Set(d, out_of_reach);
+#pragma GCC unroll 4
+      for (std::size_t b = start; b < start + stretch_blocks; ++b)
+        least_of_stretch = hn::Min(least_of_stretch, ratios.at(b, lane, heights + (b - first) * block));
+      hn::Store(least_of_stretch, d, minima + (start - first) / stretch_blocks * block + lane);
       least = hn::Min(least, least_of_stretch);
     }
-  facet.least = std::min(facet.least, hn::GetLane(hn::MinOfLanes(d, least)));
+  const float least_of_tile = hn::GetLane(hn::MinOfLanes(d, least));
+  facet.least = std::min(facet.least, least_of_tile);
+  const float bound = std::min(bound_of(facet.least), largest_ratio);
+  if (!(least_of_tile <= bound)) return;
+  for (std::size_t start = first; start < end; start += stretch_blocks) {
+    const float* const of_stretch = minima + (start - first) / stretch_blocks * block;
+    auto lowest = hn::Load(d, of_stretch);
+    for (std::size_t lane = hn::Lanes(d); lane < block; lane += hn::Lanes(d))
+      lowest = hn::Min(lowest, hn::Load(d, of_stretch + lane));
+    if (hn::AllFalse(d, hn::Le(lowest, hn::Set(d, bound)))) continue;
+    list_below<K>(ratios, start, start + stretch_blocks, heights + (start - first) * block, bound, facet.listed,
+                  facet.num_listed);
+  }
 }
 
 template <int K>
 void search_tiles(const SearchTask& task) {
-  const auto width = static_cast<std::size_t>(K > 0 ? K : task.k) + 1;
   for (std::size_t first = 0; first < task.num_blocks; first += tile_blocks) {
     const std::size_t end = std::min(first + tile_blocks, task.num_blocks);
     std::size_t facet = 0;
     for (std::size_t cell = 0; cell < task.cells.size(); ++cell) {
-      write_heights<K>(task, first, end, task.height_functions + cell * width);
-      for (std::size_t i = 0; i < width; ++i) {
-        const std::size_t place = task.cells[cell].vertices[i] - 1 - first * block;  // wraps where it is less than 0
-        if (place < (end - first) * block) task.heights[place] = out_of_reach;
-      }
+      write_heights<K>(task, first, end, cell, task.heights);
       for (; facet < task.facets.size() && task.facets[facet].cell == cell; ++facet)
-        write_ratios<K>(task, first, end, task.facets[facet]);
+        search_tile<K>(task, first, end, task.facets[facet]);
     }
+  }
+}
+
+/// Lists all vertices whose ratio is at most the bound; returns how many there are.
+template <int K>
+std::size_t list_all(const SearchTask& task, const SoughtFacet& facet, float bound, std::span<std::uint32_t> list) {
+  const Ratios<K> ratios(task, facet);
+  std::size_t count = 0;
+  for (std::size_t first = 0; first < task.num_blocks; first += tile_blocks) {
+    const std::size_t end = std::min(first + tile_blocks, task.num_blocks);
+    write_heights<K>(task, first, end, facet.cell, task.heights);
+    list_below<K>(ratios, first, end, task.heights, bound, list, count);
+  }
+  return count;
+}
+
+/// Calls f with k as a constant where there is code of its own for it, or 0.
+template <class F>
+auto with_k(int k, F&& f) {
+  switch (k) {
+    case 7:
+      return f(std::integral_constant<int, 7>());
+    case 8:
+      return f(std::integral_constant<int, 8>());
+    default:
+      return f(std::integral_constant<int, 0>());
   }
 }
 
 void search_here(const SearchTask& task) {
-  switch (task.k) {
-    case 7:
-      return search_tiles<7>(task);
-    case 8:
-      return search_tiles<8>(task);
-    default:
-      return search_tiles<0>(task);
-  }
+  with_k(task.k, [&](auto k) { search_tiles<k()>(task); });
 }
-
-/// Writes the numbers of the vertices whose ratio is at most the bound; returns how many there are.
-std::size_t list_below_here(const SoughtFacet& facet, std::size_t num_blocks, float bound, std::uint32_t* list) {
-  const hn::CappedTag<float, block> d;
-  const auto limit = hn::Set(d, bound);
-  std::size_t count = 0;
-  for (std::size_t first = 0; first < num_blocks; first += stretch_blocks) {
-    const float* const minima = facet.minima + first / stretch_blocks * block;
-    auto least = hn::Load(d, minima);
-    for (std::size_t lane = hn::Lanes(d); lane < block; lane += hn::Lanes(d))
-      least = hn::Min(least, hn::Load(d, minima + lane));
-    if (hn::AllFalse(d, hn::Le(least, limit))) continue;
-    const std::size_t end = std::min(first + stretch_blocks, num_blocks) * block;
-    for (std::size_t i = first * block; i < end; i += hn::Lanes(d)) {
-      const auto below = hn::Le(hn::Load(d, facet.ratios + i), limit);
-      if (hn::AllFalse(d, below)) continue;
-      for (std::size_t lane = i; lane < i + hn::Lanes(d); ++lane)
-        if (facet.ratios[lane] <= bound) list[count++] = static_cast<std::uint32_t>(lane);
-    }
-  }
-  return count;
+std::size_t list_here(const SearchTask& task, const SoughtFacet& facet, float bound, std::span<std::uint32_t> list) {
+  return with_k(task.k, [&](auto k) { return list_all<k()>(task, facet, bound, list); });
 }
 
 }  // namespace HWY_NAMESPACE
@@ -197,17 +248,16 @@ HWY_AFTER_NAMESPACE();
 namespace delone::geometry {
 
 HWY_EXPORT(search_here);
-HWY_EXPORT(list_below_here);
+HWY_EXPORT(list_here);
 
 FacetSearch::FacetSearch(int k, const double* rows, Index num_vertices, Arbiter arbiter)
     : k_(k),
       rows_(rows),
       num_vertices_(num_vertices),
-      num_blocks_((num_vertices + block - 1) / block),
+      num_blocks_((num_vertices + block * stretch_blocks - 1) / (block * stretch_blocks) * stretch_blocks),
       arbiter_(std::move(arbiter)) {
   const auto width = static_cast<std::size_t>(k) + 1;
-  const std::size_t per_facet = num_blocks_ * block + size_of_minima(num_blocks_);
-  storage_.resize(num_blocks_ * block * width + batch_size * width * per_facet + tile_blocks * block + cache_line_of<float>);
+  storage_.resize(num_blocks_ * block * width + tile_blocks * block + cache_line_of<float>);
   scratch_.resize(simplex_scratch(k) + cache_line_of<double>);
   list_.resize(num_blocks_ * block);
   float* const images = at_cache_line(storage_.data());
@@ -297,24 +347,25 @@ bool FacetSearch::find_apexes(std::span<const OpenCell> cells, Index* apexes) {
 
   float* const images = at_cache_line(storage_.data());
   float* const heights = images + num_blocks_ * block * width;
-  float* const ratios = heights + tile_blocks * block;
   const std::size_t most_facets = batch_size * width;
-  float* const minima = ratios + most_facets * num_blocks_ * block;
   std::array<Scale, batch_size> scales;
   functions_.resize((batch_size + most_facets) * width);
   float* const height_functions = functions_.data();
   std::vector<SoughtFacet>& facets = facets_;
   facets.clear();
+  std::array<std::array<double, simplex_lanes>, 33> magnitudes;
+  for (std::size_t f = 0; f <= width; ++f) {
+    magnitudes[f] = {};
+    for (std::size_t r = 0; r <= k; ++r)
+      for (std::size_t lane = 0; lane < simplex_lanes; ++lane)
+        magnitudes[f][lane] += std::fabs(lane_entry(functions, f * width + r, lane));
+  }
   for (std::size_t lane = 0; lane < cells.size(); ++lane) {
     const auto coefficient = [&](std::size_t f, std::size_t r) { return lane_entry(functions, f * width + r, lane); };
-    const auto magnitude = [&](std::size_t f) {
-      double sum = 0;
-      for (std::size_t r = 0; r <= k; ++r) sum += std::fabs(coefficient(f, r));
-      return sum;
-    };
     Scale& scale = scales[lane];
-    for (std::size_t f = 0; f <= k; ++f) scale.spread += scale.slots[f] = magnitude(f);
-    scale.height = magnitude(width) + largest_lift_;
+    scale.spread = 0;
+    for (std::size_t f = 0; f <= k; ++f) scale.spread += scale.slots[f] = magnitudes[f][lane];
+    scale.height = magnitudes[width][lane] + largest_lift_;
     const double unit = static_cast<double>(k) * 0x1p-24;
     float* const h = height_functions + lane * width;
     for (std::size_t r = 0; r <= k; ++r) h[r] = static_cast<float>(coefficient(width, r));
@@ -324,14 +375,19 @@ bool FacetSearch::find_apexes(std::span<const OpenCell> cells, Index* apexes) {
       float* const beyond = functions_.data() + (batch_size + facets.size()) * width;
       for (std::size_t r = 0; r <= k; ++r) beyond[r] = -static_cast<float>(coefficient(slot, r));
       beyond[k] += static_cast<float>(unit * scale.slots[slot]);
-      facets.push_back({lane, slot, beyond, ratios + facets.size() * num_blocks_ * block,
-                        minima + facets.size() * size_of_minima(num_blocks_), out_of_reach});
+      SoughtFacet& facet = facets.emplace_back();
+      facet.cell = lane;
+      facet.slot = slot;
+      facet.beyond = beyond;
+      facet.least = out_of_reach;
+      facet.num_listed = 0;
     }
   }
-  HWY_DYNAMIC_DISPATCH(search_here)({k_, num_blocks_, images, heights, cells, height_functions, facets});
+  const SearchTask task{k_, num_blocks_, images, heights, cells, height_functions, facets};
+  HWY_DYNAMIC_DISPATCH(search_here)(task);
 
   for (const SoughtFacet& facet : facets) {
-    const std::optional<Index> apex = settle(facet, cells[facet.cell].vertices, functions, scales[facet.cell]);
+    const std::optional<Index> apex = settle(task, facet, functions, scales[facet.cell]);
     if (!apex) return false;
     apexes[facet.cell * width + facet.slot] = *apex;
   }
@@ -339,7 +395,7 @@ bool FacetSearch::find_apexes(std::span<const OpenCell> cells, Index* apexes) {
 }
 
 /// The apex, in binary64 or by the arbiter.
-std::optional<Index> FacetSearch::settle(const SoughtFacet& facet, const Index* vertices, double* functions,
+std::optional<Index> FacetSearch::settle(const SearchTask& task, const SoughtFacet& facet, double* functions,
                                          const Scale& scale) {
   const auto k = static_cast<std::size_t>(k_), width = k + 1;
   ++num_settled_;
@@ -351,12 +407,15 @@ std::optional<Index> FacetSearch::settle(const SoughtFacet& facet, const Index* 
   const double height_error = unit * scale.height, error = unit * scale.slots[facet.slot];
   constexpr double infinity = std::numeric_limits<double>::infinity();
   Candidate best;
-  for (float bound = facet.least + 3 * coarseness * std::fabs(facet.least);;) {
-    const std::size_t listed = HWY_DYNAMIC_DISPATCH(list_below_here)(facet, num_blocks_, bound, list_.data());
+  bool is_listed = facet.num_listed <= facet.listed.size();
+  for (float bound = bound_of(facet.least);; is_listed = false) {
+    const std::size_t num_listed =
+        is_listed ? facet.num_listed : HWY_DYNAMIC_DISPATCH(list_here)(task, facet, bound, {list_.data(), list_.size()});
+    const std::uint32_t* const listed = is_listed ? facet.listed.data() : list_.data();
     best = {index(infinite_vertex), 0, infinity};
     candidates_.clear();
-    for (std::size_t c = 0; c < listed; ++c) {
-      const Index v = static_cast<Index>(list_[c]) + 1;
+    for (std::size_t c = 0; c < num_listed; ++c) {
+      const Index v = static_cast<Index>(listed[c]) + 1;
       const double* const row = rows_ + v * width;
       double height = row[k] + coefficient(width, k), beyond = -coefficient(facet.slot, k);
       for (std::size_t r = 0; r < k; ++r) {
@@ -382,7 +441,7 @@ std::optional<Index> FacetSearch::settle(const SoughtFacet& facet, const Index* 
   // Where vertices are close to many spheres insertion is not slower.
   num_asked_ += contenders_.size();
   if (num_asked_ > 1000 + num_settled_ / 4) return std::nullopt;
-  return arbiter_(vertices, static_cast<int>(facet.slot), contenders_);
+  return arbiter_(task.cells[facet.cell].vertices, static_cast<int>(facet.slot), contenders_);
 }
 
 }  // namespace delone::geometry

@@ -21,15 +21,17 @@ namespace delone::geometry {
 /// An affine function of images: k coefficients and the constant.
 using Affine = const float*;
 
-/// An open facet of a batch.
+/// An open facet of a batch. The ratio of a vertex says where in the pencil of the facet its sphere is.
 struct SoughtFacet {
   std::size_t cell;  ///< in the batch
   std::size_t slot;
-  Affine beyond;  ///< positive beyond the facet
-  float* ratios;  ///< of each vertex: where in the pencil of the facet its sphere is
-  float* minima;  ///< the least of them in each lane of several blocks
-  float least;    ///< of them all
+  Affine beyond;                        ///< positive beyond the facet
+  float least;                          ///< ratio
+  std::size_t num_listed;               ///< vertices whose ratio may be the least
+  std::array<std::uint32_t, 6> listed;  ///< their numbers, if they are not more
 };
+
+struct SearchTask;
 
 /// Of the given vertices the one that is strictly beyond facet `slot` of a finite cell and whose sphere through the facet is
 /// the first, or infinite_vertex if none is beyond; nothing on a tie. Exact.
@@ -55,24 +57,23 @@ class FacetSearch {
  private:
   /// The magnitudes of a cell's functions in the frame's box, at most.
   struct Scale {
-    double height = 0;
-    std::array<double, 32> slots{};
-    double spread = 0;  ///< of all slots together
+    double height;
+    double spread;  ///< of all slots together
+    std::array<double, 32> slots;
   };
   /// A vertex that may be the apex, and between which bounds its ratio is, as far as can be told.
   struct Candidate {
     Index vertex;
     double low, high;
   };
-  std::optional<Index> settle(const SoughtFacet& facet, const Index* vertices, double* functions, const Scale& scale);
+  std::optional<Index> settle(const SearchTask& task, const SoughtFacet& facet, double* functions, const Scale& scale);
 
   int k_;
   const double* rows_;
   Index num_vertices_;
   std::size_t num_blocks_;
   double largest_lift_ = 0;
-  std::vector<float>
-      storage_;  // images and lifts of the vertices; heights of a tile; the ratios of each facet, and their minima
+  std::vector<float> storage_;       // images and lifts of the vertices; heights of a tile
   std::vector<float> functions_;     // of a batch
   std::vector<SoughtFacet> facets_;  // of a batch
   std::vector<double> scratch_;      // of simplices

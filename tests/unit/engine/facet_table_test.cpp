@@ -7,6 +7,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cstdint>
 #include <unordered_map>
 #include <vector>
@@ -18,22 +19,28 @@ namespace {
 class Compared {
  public:
   void reserve(std::size_t count) { table_.reserve(count); }
-  void match(std::uint64_t key) {
-    table_.prefetch(key);
-    const auto found = expected_.find(key);
-    const std::uint32_t other = found == expected_.end() ? FacetTable::none : found->second;
-    if (found == expected_.end())
-      expected_.emplace(key, ++last_value_);
-    else
-      expected_.erase(found);
-    ASSERT_EQ(table_.match(key, found == expected_.end() ? last_value_ : ++last_value_), other) << "key " << key;
+  /// Meets several keys at once, those that are repeated only once.
+  void match(std::vector<std::uint64_t> keys) {
+    std::sort(keys.begin(), keys.end());
+    keys.erase(std::unique(keys.begin(), keys.end()), keys.end());
+    for (const std::uint64_t key : keys) table_.prefetch(key);
+    std::vector<std::uint32_t> others(keys.size());
+    table_.match(keys, next_value_, others.data());
+    for (std::size_t i = 0; i < keys.size(); ++i, ++next_value_) {
+      const auto found = expected_.find(keys[i]);
+      ASSERT_EQ(others[i], found == expected_.end() ? FacetTable::none : found->second) << "key " << keys[i];
+      if (found == expected_.end())
+        expected_.emplace(keys[i], next_value_);
+      else
+        expected_.erase(found);
+    }
     ASSERT_EQ(table_.size(), expected_.size());
   }
   /// Meets all keys that are there once more.
   void empty() {
     std::vector<std::uint64_t> keys;
     for (const auto& [key, value] : expected_) keys.push_back(key);
-    for (const std::uint64_t key : keys) ASSERT_NO_FATAL_FAILURE(match(key));
+    for (const std::uint64_t key : keys) ASSERT_NO_FATAL_FAILURE(match({key}));
     EXPECT_EQ(table_.size(), 0u);
   }
   std::size_t size() const { return expected_.size(); }
@@ -41,15 +48,19 @@ class Compared {
  private:
   FacetTable table_;
   std::unordered_map<std::uint64_t, std::uint32_t> expected_;
-  std::uint32_t last_value_ = 0;
+  std::uint32_t next_value_ = 0;
 };
 
 /// Meets keys in random order, `count` times in all, and then once more those that are there.
 void expect_the_same(Compared& compared, const std::vector<std::uint64_t>& keys, std::size_t count,
                      random::Generator& generator, std::size_t step = 100) {
-  for (std::size_t i = 0; i < test::scaled_count(count); ++i) {
-    if (i % step == 0) compared.reserve(step);
-    ASSERT_NO_FATAL_FAILURE(compared.match(keys[generator.below(keys.size())]));
+  for (std::size_t i = 0, left = 0; i < test::scaled_count(count);) {
+    std::vector<std::uint64_t> met(1 + generator.below(FacetTable::most_at_once));
+    for (std::uint64_t& key : met) key = keys[generator.below(keys.size())];
+    if (left < met.size()) compared.reserve(left = std::max(step, met.size()));
+    left -= met.size();
+    i += met.size();
+    ASSERT_NO_FATAL_FAILURE(compared.match(met));
   }
 }
 
