@@ -34,8 +34,8 @@ class FacetTable {
   [[gnu::always_inline]] void prefetch_overflow(std::uint64_t key) const {
     const std::size_t home = place(key);
     const Line& line = lines_[home];
-    const bool overflows = line.num_beside != 0 || line.keys[room - 1] != 0;
-    __builtin_prefetch(&lines_[home ^ static_cast<std::size_t>(overflows)], 1);
+    const std::uint64_t overflows = line.num_beside | line.keys[room - 1];  // 0, or not; no branch
+    __builtin_prefetch(&lines_[home ^ static_cast<std::size_t>((overflows | (0 - overflows)) >> 63)], 1);
   }
 
   /// For each of up to most_at_once keys, which are different: if it is there, removes it and gives its value; else adds it

@@ -92,9 +92,12 @@ class Proof {
     std::size_t num_checked = 0;
     for (Index cell = 0; cell < cells_.num_slots(); ++cell) {
       if (cell % batch_size == 0) tick();
-      if (cell + ahead < cells_.num_slots())
-        for (int i = 0; i <= K; ++i)
-          if (const Index n = cells_.neighbors(cell + ahead)[i]; n != invalid_index && n > cell) cells_.prefetch_links(n);
+      if (const Index asking = cell + ahead; asking < cells_.num_slots())
+        for (int i = 0; i <= K; ++i) {  // those of facets that have not been checked then, without a branch
+          const Index n = cells_.neighbors(asking)[i];
+          const Index is_later = Index{0} - static_cast<Index>((n > asking) & (n != invalid_index));
+          cells_.prefetch_links((n & is_later) | (asking & ~is_later));
+        }
       const Index* const neighbors = cells_.neighbors(cell);
       std::uint32_t later = 0;  // the neighbors whose facets have not been checked
       for (int i = 0; i <= K; ++i) later |= std::uint32_t{neighbors[i] > cell} << i;
