@@ -19,7 +19,6 @@
 #include <cstdint>
 #include <functional>
 #include <span>
-#include <type_traits>
 #include <unordered_set>
 #include <vector>
 
@@ -52,7 +51,8 @@ class Wrapping {
     std::sort(first.vertices.begin(), first.vertices.end());
     find_keys(first);
     cells_.reserve_links(1);
-    add(first);
+    create(first);
+    link(first);
     while (true) {
       tick();
       const std::size_t taken = take_cells();
@@ -65,12 +65,16 @@ class Wrapping {
   static constexpr std::size_t batch_size = S::batch_size;
   /// How many cells ahead of their creation the lines of the table are asked for.
   static constexpr std::size_t ahead = 4;
+  /// And how many cells after it they are linked.
+  static constexpr std::size_t behind = 2;
 
   /// A cell to be created.
   struct NewCell {
     std::array<Index, K + 1> vertices;
     std::array<std::uint64_t, K + 1> facet_keys;
     std::uint64_t key;
+    Index cell;
+    std::array<std::uint32_t, K + 1> mirrors;  ///< the facets that are the same as its own, or these, if they are open
   };
   /// Where it belongs.
   struct Place {
@@ -111,33 +115,35 @@ class Wrapping {
     find_keys(cell);
   }
 
-  /// Creates a cell and links it with those that have its facets already. REQUIRES reserved memory. Returns whether it is new,
-  /// as far as samples tell: after a wrong proposal wrapping never ends, but finds the same cells again and again.
-  bool add(const NewCell& made) {
-    const Index cell = cells_.append();
-    std::copy(made.vertices.begin(), made.vertices.end(), cells_.vertices(cell));
-    std::array<std::uint32_t, K + 1> others;
-    facets_.match(made.facet_keys, facet(cell, 0), others.data());
-    std::uint32_t num_open = 0;
+  /// Creates a cell, and finds those that have its facets already. REQUIRES reserved memory. Returns whether it is new, as far
+  /// as samples tell: after a wrong proposal wrapping never ends, but finds the same cells again and again.
+  bool create(NewCell& made) {
+    made.cell = cells_.append();
+    std::copy(made.vertices.begin(), made.vertices.end(), cells_.vertices(made.cell));
+    facets_.match(made.facet_keys, facet(made.cell, 0), made.mirrors.data());
     for (std::uint32_t i = 0; i <= K; ++i) {
       // Which facets are open cannot be predicted: there is no branch, and an open one is linked with itself.
-      const std::uint32_t open = 0u - static_cast<std::uint32_t>(others[i] == FacetTable::none);
-      const std::uint32_t mirror = (facet(cell, i) & open) | (others[i] & ~open);
-      cells_.neighbors(cell)[i] = select(open, invalid_index, mirror / (K + 1));
-      cells_.neighbors(mirror / (K + 1))[mirror % (K + 1)] = select(open, invalid_index, cell);
-      num_open -= open;
+      const std::uint32_t open = 0u - static_cast<std::uint32_t>(made.mirrors[i] == FacetTable::none);
+      made.mirrors[i] = (facet(made.cell, i) & open) | (made.mirrors[i] & ~open);
+      __builtin_prefetch(cells_.neighbors(made.mirrors[i] / (K + 1)), 1);
     }
-    if (num_open != 0 && made.vertices[0] != index(infinite_vertex)) waiting_[num_open].push_back(cell);
     return made.key % 256 != 0 || sample_.insert(made.key).second;
   }
 
-  static std::uint32_t facet(Index cell, std::uint32_t slot) { return static_cast<std::uint32_t>(cell) * (K + 1) + slot; }
-  /// The one of two ids that a mask of no or all bits says.
-  static Index select(std::uint32_t mask, Index a, Index b) {
-    const auto all = static_cast<Index>(static_cast<std::make_signed_t<Index>>(static_cast<std::int32_t>(mask)));
-    return (a & all) | (b & ~all);
+  /// Links a created cell with those.
+  void link(const NewCell& made) {
+    std::uint32_t num_open = 0;
+    for (std::uint32_t i = 0; i <= K; ++i) {
+      const Index neighbor = made.mirrors[i] / (K + 1);
+      const bool is_open = neighbor == made.cell;
+      cells_.neighbors(made.cell)[i] = neighbor | (Index{0} - static_cast<Index>(is_open));
+      cells_.neighbors(neighbor)[made.mirrors[i] % (K + 1)] = made.cell | (Index{0} - static_cast<Index>(is_open));
+      num_open += is_open;
+    }
+    if (num_open != 0 && made.vertices[0] != index(infinite_vertex)) waiting_[num_open].push_back(made.cell);
   }
 
+  static std::uint32_t facet(Index cell, std::uint32_t slot) { return static_cast<std::uint32_t>(cell) * (K + 1) + slot; }
   std::uint32_t open_slots(Index cell) const {
     std::uint32_t open = 0;
     for (int i = 0; i <= K; ++i) open |= std::uint32_t{cells_.neighbors(cell)[i] == invalid_index} << i;
@@ -172,14 +178,22 @@ class Wrapping {
     cells_.reserve_links(count);
     if (cells_.num_slots() + count > FacetTable::none / (K + 1)) return false;
     facets_.reserve(count * (K + 1));
-    for (std::size_t i = 0; i < count + ahead; ++i) {
+    for (std::size_t i = 0; i < count + ahead + behind; ++i) {
       if (i < count) describe(places_[i], found_[i], new_cells_[i]);
       if (i >= ahead / 2 && i - ahead / 2 < count)
         for (const std::uint64_t key : new_cells_[i - ahead / 2].facet_keys) facets_.prefetch_overflow(key);
-      if (i < ahead) continue;
-      const Place place = places_[i - ahead];
-      // A cell of the same batch may have been the neighbor.
-      if (cells_.neighbors(place.beside)[place.slot] == invalid_index && !add(new_cells_[i - ahead])) return false;
+      if (i >= ahead + behind) {
+        if (const NewCell& made = new_cells_[i - ahead - behind]; made.cell != invalid_index) link(made);
+      }
+      if (i >= ahead && i - ahead < count) {
+        const std::size_t c = i - ahead;
+        // A cell of the same batch may have been the neighbor, or may be about to be.
+        bool is_there = cells_.neighbors(places_[c].beside)[places_[c].slot] != invalid_index;
+        for (std::size_t other = c - std::min(c, behind); other < c; ++other)
+          is_there |= new_cells_[other].key == new_cells_[c].key;
+        new_cells_[c].cell = invalid_index;
+        if (!is_there && !create(new_cells_[c])) return false;
+      }
     }
     return true;
   }
