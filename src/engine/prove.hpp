@@ -48,14 +48,14 @@ class Proof {
   static constexpr Index ahead = 6;
 
   bool create_finite_cells(const std::function<void()>& tick) {
-    std::vector<bool> has_cell(queries_.size());
+    std::vector<unsigned char> has_cell(queries_.size());  // written more often than bits should be
     std::array<Index, batch_size> batch;
     std::array<const Index*, batch_size> vertices;
     std::array<Sign, batch_size> orientations;
     std::size_t count = 0;
     for (Index cell = 0; cell < cells_.num_slots(); ++cell) {
       const Index* const v = cells_.vertices(cell);
-      for (int i = 0; i <= K; ++i) has_cell[v[i]] = true;
+      for (int i = 0; i <= K; ++i) has_cell[v[i]] = 1;
       if (!is_infinite(cell)) {
         batch[count] = cell;
         vertices[count++] = v;
@@ -70,7 +70,7 @@ class Proof {
       }
       count = 0;
     }
-    return std::find(has_cell.begin(), has_cell.end(), false) == has_cell.end();
+    return std::find(has_cell.begin(), has_cell.end(), 0) == has_cell.end();
   }
 
   /// Infinite cells are oriented like their finite neighbors.

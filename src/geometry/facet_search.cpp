@@ -143,22 +143,26 @@ class Ratios {
   InLanes<K, D> function_;
 };
 
-/// Lists the vertices of some blocks whose ratios are at most the bound, as far as there is room, and counts them. heights: of
-/// these blocks.
+/// Which of the lanes are at most the bound: a bit for each.
+HWY_INLINE std::uint64_t lanes_below(hn::Vec<hn::CappedTag<float, block>> x, float bound) {
+  const hn::CappedTag<float, block> d;
+  std::uint8_t bytes[8] = {};  // written in whole words
+  hn::StoreMaskBits(d, hn::Le(x, hn::Set(d, bound)), bytes);
+  return hn::MaxLanes(d) > 8 ? bytes[0] | std::uint64_t{bytes[1]} << 8 : bytes[0];
+}
+
+/// Lists the vertices of a stretch whose ratios are at most the bound, as far as there is room, and counts them. heights: of
+/// the stretch. There is no branch that cannot be predicted if it is one vertex.
 template <int K>
-HWY_INLINE void list_below(const Ratios<K>& ratios, std::size_t first, std::size_t end, const float* heights, float bound,
+HWY_INLINE void list_below(const Ratios<K>& ratios, std::size_t start, const float* heights, float bound,
                            std::span<std::uint32_t> list, std::size_t& count) {
-  const typename Ratios<K>::D d;
-  for (std::size_t b = first; b < end; ++b)
-    for (std::size_t lane = 0; lane < block; lane += hn::Lanes(d)) {
-      std::uint8_t bytes[8];  // written in whole words
-      hn::StoreMaskBits(d, hn::Le(ratios.at(b, lane, heights + (b - first) * block), hn::Set(d, bound)), bytes);
-      std::uint32_t below = bytes[0];
-      if (hn::MaxLanes(d) > 8) below |= std::uint32_t{bytes[1]} << 8;
-      for (; below != 0; below &= below - 1, ++count)
-        if (count < list.size())
-          list[count] = static_cast<std::uint32_t>(b * block + lane) + static_cast<std::uint32_t>(std::countr_zero(below));
-    }
+  std::uint64_t below = 0;
+  static_assert(stretch_blocks * block == 64);
+  for (std::size_t i = 0; i < 64; i += hn::Lanes(typename Ratios<K>::D()))
+    below |= lanes_below(ratios.at(start + i / block, i % block, heights + i / block * block), bound) << i;
+  for (; below != 0; below &= below - 1, ++count)
+    if (count < list.size())
+      list[count] = static_cast<std::uint32_t>(start * block) + static_cast<std::uint32_t>(std::countr_zero(below));
 }
 
 /// Brings the least ratio of a facet up to date, and lists the vertices of a tile that may have it.
@@ -183,14 +187,17 @@ void search_tile(const SearchTask& task, std::size_t first, std::size_t end, Sou
   facet.least = std::min(facet.least, least_of_tile);
   const float bound = std::min(bound_of(facet.least), largest_ratio);
   if (!(least_of_tile <= bound)) return;
-  for (std::size_t start = first; start < end; start += stretch_blocks) {
-    const float* const of_stretch = minima + (start - first) / stretch_blocks * block;
-    auto lowest = hn::Load(d, of_stretch);
+  std::uint64_t stretches = 0;  // that have vertices to be listed
+  static_assert(tile_blocks / stretch_blocks <= 64);
+  for (std::size_t i = 0; i < (end - first) / stretch_blocks; ++i) {
+    auto lowest = hn::Load(d, minima + i * block);
     for (std::size_t lane = hn::Lanes(d); lane < block; lane += hn::Lanes(d))
-      lowest = hn::Min(lowest, hn::Load(d, of_stretch + lane));
-    if (hn::AllFalse(d, hn::Le(lowest, hn::Set(d, bound)))) continue;
-    list_below<K>(ratios, start, start + stretch_blocks, heights + (start - first) * block, bound, facet.listed,
-                  facet.num_listed);
+      lowest = hn::Min(lowest, hn::Load(d, minima + i * block + lane));
+    stretches |= std::uint64_t{!hn::AllFalse(d, hn::Le(lowest, hn::Set(d, bound)))} << i;
+  }
+  for (; stretches != 0; stretches &= stretches - 1) {
+    const auto start = static_cast<std::size_t>(std::countr_zero(stretches)) * stretch_blocks;
+    list_below<K>(ratios, first + start, heights + start * block, bound, facet.listed, facet.num_listed);
   }
 }
 
@@ -215,7 +222,8 @@ std::size_t list_all(const SearchTask& task, const SoughtFacet& facet, float bou
   for (std::size_t first = 0; first < task.num_blocks; first += tile_blocks) {
     const std::size_t end = std::min(first + tile_blocks, task.num_blocks);
     write_heights<K>(task, first, end, facet.cell, task.heights);
-    list_below<K>(ratios, first, end, task.heights, bound, list, count);
+    for (std::size_t start = first; start < end; start += stretch_blocks)
+      list_below<K>(ratios, start, task.heights + (start - first) * block, bound, list, count);
   }
   return count;
 }
