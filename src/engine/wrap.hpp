@@ -64,7 +64,7 @@ class Wrapping {
  private:
   static constexpr std::size_t batch_size = S::batch_size;
   /// How many cells ahead of their creation the lines of the table are asked for.
-  static constexpr std::size_t ahead = 4;
+  static constexpr std::size_t ahead = 8;
   /// And how many cells after it they are linked.
   static constexpr std::size_t behind = 2;
 
@@ -136,8 +136,10 @@ class Wrapping {
     for (std::uint32_t i = 0; i <= K; ++i) {
       const Index neighbor = made.mirrors[i] / (K + 1);
       const bool is_open = neighbor == made.cell;
-      cells_.neighbors(made.cell)[i] = neighbor | (Index{0} - static_cast<Index>(is_open));
-      cells_.neighbors(neighbor)[made.mirrors[i] % (K + 1)] = made.cell | (Index{0} - static_cast<Index>(is_open));
+      const Index mask = Index{0} - static_cast<Index>(is_open);
+      static_assert(invalid_index == ~Index{0});
+      cells_.neighbors(made.cell)[i] = neighbor | mask;
+      cells_.neighbors(neighbor)[made.mirrors[i] % (K + 1)] = made.cell | mask;
       num_open += is_open;
     }
     if (num_open != 0 && made.vertices[0] != index(infinite_vertex)) waiting_[num_open].push_back(made.cell);
@@ -180,8 +182,8 @@ class Wrapping {
     facets_.reserve(count * (K + 1));
     for (std::size_t i = 0; i < count + ahead + behind; ++i) {
       if (i < count) describe(places_[i], found_[i], new_cells_[i]);
-      if (i >= ahead / 2 && i - ahead / 2 < count)
-        for (const std::uint64_t key : new_cells_[i - ahead / 2].facet_keys) facets_.prefetch_overflow(key);
+      if (i + 1 >= ahead && i + 1 - ahead < count)
+        for (const std::uint64_t key : new_cells_[i + 1 - ahead].facet_keys) facets_.prefetch_overflow(key);
       if (i >= ahead + behind) {
         if (const NewCell& made = new_cells_[i - ahead - behind]; made.cell != invalid_index) link(made);
       }
