@@ -60,7 +60,7 @@ class FacetTable {
   using Line = FacetLine;
   static constexpr int room = Line::room;
   static constexpr std::size_t fewest_lines = 1024;
-  static constexpr std::size_t most_per_two_lines = 5;  ///< then one line in 25 overflows
+  static constexpr std::size_t most_per_two_lines = 4;  ///< then one line in 60 overflows
 
   /// `places`: of a key, before other keys were added.
   [[gnu::always_inline]] std::uint32_t match(std::uint64_t key, std::uint32_t value, FacetPlaces places) {
