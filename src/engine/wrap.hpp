@@ -146,6 +146,7 @@ class Wrapping {
   }
 
   static std::uint32_t facet(Index cell, std::uint32_t slot) { return static_cast<std::uint32_t>(cell) * (K + 1) + slot; }
+
   std::uint32_t open_slots(Index cell) const {
     std::uint32_t open = 0;
     for (int i = 0; i <= K; ++i) open |= std::uint32_t{cells_.neighbors(cell)[i] == invalid_index} << i;

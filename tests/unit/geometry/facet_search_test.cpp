@@ -74,7 +74,8 @@ bool is_empty(int k, const std::vector<double>& rows, Index n, const std::vector
 
 TEST(FacetSearch, FindsCellsWithEmptySpheres) {
   for (int k = 2; k <= 9; ++k)
-    for (const Index n : {static_cast<Index>(k + 1), static_cast<Index>(k + 2), Index{33}, Index{300}}) {
+    for (const Index n : {static_cast<Index>(k + 1), static_cast<Index>(k + 2), Index{33}, Index{300}, Index{2500}}) {
+      if (n > 1000 && k % 5 != 2) continue;  // more than are looked at at once
       SCOPED_TRACE(testing::Message() << n << " points in dimension " << k);
       random::Generator generator(n);
       const std::vector<double> rows = rows_of(k, random_points(k, n, generator));
@@ -132,6 +133,32 @@ TEST(FacetSearch, LeavesWhatIsCloseToTheArbiter) {
     verdict = 5;
     EXPECT_TRUE(search.find_apexes({&open, 1}, apexes));
     EXPECT_EQ(apexes[2], 5u);
+  }
+}
+
+TEST(FacetSearch, LeavesAllThatAreCloseToTheArbiter) {
+  for (const std::size_t count : {3, 7, 40}) {
+    std::vector<double> points{0.6, 0.8, -0.6, 0.8, 0, 1};
+    std::vector<Index> close;
+    for (std::size_t i = 0; i < count; ++i) {
+      const double angle = -3.14159265358979 * (static_cast<double>(i) + 0.5) / static_cast<double>(count);
+      points.insert(points.end(), {std::cos(angle), std::sin(angle), 3 * std::cos(angle), 2 * std::sin(angle)});
+      close.push_back(static_cast<Index>(4 + 2 * i));
+    }
+    const auto n = static_cast<Index>(3 + 2 * count);
+    const std::vector<double> rows = rows_of(2, points);
+    std::vector<Index> asked;
+    const auto arbiter = [&](const Index*, int, std::span<const Index> vertices) {
+      asked.assign(vertices.begin(), vertices.end());
+      return std::optional<Index>(close.back());
+    };
+    FacetSearch search(2, rows.data(), n, arbiter);
+    const Index cell[] = {1, 2, 3};
+    Index apexes[3];
+    const OpenCell open{cell, 1 << 2};
+    ASSERT_TRUE(search.find_apexes({&open, 1}, apexes));
+    EXPECT_EQ(apexes[2], close.back());
+    EXPECT_EQ(asked, close);
   }
 }
 
