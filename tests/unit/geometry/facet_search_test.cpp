@@ -162,6 +162,26 @@ TEST(FacetSearch, LeavesAllThatAreCloseToTheArbiter) {
   }
 }
 
+// On circles of which each is a little smaller than the one before; binary32 lists them all.
+TEST(FacetSearch, FindsTheFirstOfManyThatAreClose) {
+  for (const std::size_t count : {3, 7, 40}) {
+    std::vector<double> points{0.6, 0.8, -0.6, 0.8, 0, 1};
+    for (std::size_t i = 0; i < count; ++i) {
+      const double center = -1 - 1e-4 * static_cast<double>(count - i), radius = std::hypot(0.6, 0.8 - center);
+      const double angle = -3.14159265358979 * (static_cast<double>(i) + 0.5) / static_cast<double>(count);
+      points.insert(points.end(), {radius * std::cos(angle), center + radius * std::sin(angle)});
+    }
+    const auto n = static_cast<Index>(3 + count);
+    const std::vector<double> rows = rows_of(2, points);
+    FacetSearch search(2, rows.data(), n, undecided);
+    const Index cell[] = {1, 2, 3};
+    Index apexes[3];
+    const OpenCell open{cell, 1 << 2};
+    ASSERT_TRUE(search.find_apexes({&open, 1}, apexes));
+    EXPECT_EQ(apexes[2], n);
+  }
+}
+
 // A vertex may be inside the sphere of a cell, by much or by little, if an earlier one was found wrongly.
 TEST(FacetSearch, EndsAtCellsThatAreNotDelaunay) {
   for (double distance = 0.25; distance > 1e-18; distance /= 2) {
