@@ -17,49 +17,57 @@ struct Unperturbed {
   Index deciding;       ///< on a tie, the finite cell whose perturbed side decides
 };
 
-/// What find_unperturbed_side() does if the value does not prove a tie with a finite cell.
+/// Settles a sign by a value beyond a threshold. Returns whether it is.
+inline bool settle(double value, double threshold, StageCounts& counts, Sign& side) {
+  if (!(std::fabs(value) > threshold)) return false;
+  ++counts.filter;
+  side = std::signbit(value) ? Sign::negative : Sign::positive;
+  return true;
+}
+
+template <QueryGeometry G>
+double threshold_at(const G& geometry, Index cell, const typename G::Query& q) {
+  double threshold;
+  geometry.thresholds_at(std::span(&cell, 1), q, &threshold);
+  return threshold;
+}
+
+/// What find_unperturbed_side() does if no threshold settles the sign, nor the value proves a tie with a finite cell.
 template <class Cells, QueryGeometry G, class Evaluator>
-[[gnu::noinline]] void ask_further_stages(const Cells& cells, const G& geometry, double value, const typename G::Query& q,
+[[gnu::noinline]] void ask_further_stages(const Cells& cells, const G& geometry, const typename G::Query& q,
                                           const Evaluator& functional, StageCounts& counts, Unperturbed& known) {
-  for (bool is_tie = known.is_proved_zero;; is_tie = geometry.proves_tie(known.deciding, value, q)) {
+  for (bool is_tie = known.is_proved_zero;;) {
     const Index* vertices = cells.vertices(known.deciding);
     const bool infinite = geometry.is_infinite(known.deciding);
     const int infinite_slot = infinite ? cells.infinite_slot(known.deciding) : -1;
-    if (is_tie) {
+    if (is_tie)
       ++counts.filter;
-    } else if (std::fabs(value) > geometry.threshold_at(known.deciding, q)) {
-      ++counts.filter;
-      known.side = std::signbit(value) ? Sign::negative : Sign::positive;
-    } else {
+    else
       known.side = geometry.exact_side(vertices, infinite_slot, q, counts);
-    }
     if (known.side != Sign::zero || !infinite) return;
     known.deciding = cells.neighbors(known.deciding)[infinite_slot];
-    value = functional.value(known.deciding);
-    if (std::fabs(value) > functional.threshold(known.deciding)) {
-      ++counts.filter;
-      known.side = std::signbit(value) ? Sign::negative : Sign::positive;
-      return;
-    }
+    const double value = functional.value(known.deciding);
+    if (settle(value, functional.threshold(known.deciding), counts, known.side)) return;
+    is_tie = geometry.proves_tie(known.deciding, value, q);
+    if (!is_tie && settle(value, threshold_at(geometry, known.deciding, q), counts, known.side)) return;
   }
 }
 
 /// For a `value` of the cell's functional that is within the threshold. Cells: a CellStore, or what has vertices and neighbors
 /// like one. A query exactly on the hyperplane of an infinite cell conflicts with it iff it conflicts with the finite cell on
 /// the other side of the hull facet: the perturbation moves points along that hyperplane. `functional`: the geometry's
-/// evaluator for q. `known` is written in place: to return it in registers, parts that were just written would be read
+/// evaluator for q. `threshold`: for q alone, unless the value proves a tie; known: {zero, whether it does, the cell} at first.
+/// `known` is written in place: to return it in registers, parts that were just written would be read
 /// together, for which processors wait. REQUIRES that q is none of the vertices of the cell, nor of the finite neighbor of an
 /// infinite cell.
 template <class Cells, QueryGeometry G, class Evaluator>
-[[gnu::always_inline]] inline void find_unperturbed_side(const Cells& cells, const G& geometry, Index cell, double value,
+[[gnu::always_inline]] inline void find_unperturbed_side(const Cells& cells, const G& geometry, double value, double threshold,
                                                          const typename G::Query& q, const Evaluator& functional,
                                                          StageCounts& counts, Unperturbed& known) {
-  known = {Sign::zero, geometry.proves_tie(cell, value, q), cell};
-  if (known.is_proved_zero && !geometry.is_infinite(cell)) {
+  if (known.is_proved_zero && !geometry.is_infinite(known.deciding))
     ++counts.filter;
-  } else {
-    ask_further_stages(cells, geometry, value, q, functional, counts, known);
-  }
+  else if (known.is_proved_zero || !settle(value, threshold, counts, known.side))
+    ask_further_stages(cells, geometry, q, functional, counts, known);
 }
 
 /// The exact conflict test.
@@ -67,12 +75,12 @@ template <class Cells, QueryGeometry G, class Evaluator>
 bool in_conflict_exactly(const Cells& cells, const G& geometry, Index cell, const typename G::Query& q,
                          const Evaluator& functional, StageCounts& counts) {
   const double value = functional.value(cell);
-  if (std::fabs(value) > functional.threshold(cell)) {
-    ++counts.filter;
-    return std::signbit(value);
+  Unperturbed known{Sign::zero, false, cell};
+  if (!settle(value, functional.threshold(cell), counts, known.side)) {
+    known.is_proved_zero = geometry.proves_tie(cell, value, q);
+    const double threshold = known.is_proved_zero ? 0 : threshold_at(geometry, cell, q);
+    find_unperturbed_side(cells, geometry, value, threshold, q, functional, counts, known);
   }
-  Unperturbed known;
-  find_unperturbed_side(cells, geometry, cell, value, q, functional, counts, known);
   const Sign side = known.side != Sign::zero ? known.side : geometry.perturbed_side(cells.vertices(known.deciding), q, counts);
   return side == Sign::negative;
 }

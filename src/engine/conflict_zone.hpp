@@ -50,6 +50,8 @@ struct ConflictZone {
   std::vector<double> candidate_values;  ///< h̃(q) of each
   std::vector<Undecided> undecided;
   std::vector<Open> open;
+  std::vector<Index> asked;        ///< those that are no proved ties
+  std::vector<double> thresholds;  ///< for q, of these
   std::vector<const Index*> tied;  ///< the vertices of the cells that decide the ties
   std::vector<Sign> sides;         ///< of these cells
   std::size_t num_undecided = 0, num_open = 0;
@@ -73,6 +75,8 @@ struct ConflictZone {
     candidate_values.resize(neighbors);
     undecided.resize(neighbors);
     open.resize(neighbors);
+    asked.resize(neighbors);
+    thresholds.resize(neighbors + 1);
     tied.resize(neighbors);
     sides.resize(neighbors);
     room_ = size;
@@ -87,9 +91,17 @@ template <class Cells, QueryGeometry G, class Evaluator, class Marks>
 [[gnu::noinline]] std::size_t decide_open(const Cells& cells, const G& geometry, const typename G::Query& q,
                                           const Evaluator& functional, Marks marks, ConflictZone& zone, StageCounts& counts) {
   const std::span<ConflictZone::Undecided> undecided{zone.undecided.data(), zone.num_undecided};
-  std::size_t num_tied = 0;
+  std::size_t num_asked = 0, num_tied = 0;
   for (ConflictZone::Undecided& open : undecided) {
-    find_unperturbed_side(cells, geometry, open.cell, open.value, q, functional, counts, open.known);
+    open.known = {Sign::zero, geometry.proves_tie(open.cell, open.value, q), open.cell};
+    zone.asked[num_asked] = open.cell;
+    num_asked += !open.known.is_proved_zero;
+  }
+  geometry.thresholds_at({zone.asked.data(), num_asked}, q, zone.thresholds.data());
+  const double* threshold = zone.thresholds.data();
+  for (ConflictZone::Undecided& open : undecided) {
+    find_unperturbed_side(cells, geometry, open.value, *threshold, q, functional, counts, open.known);
+    threshold += !open.known.is_proved_zero;
     if (open.known.side == Sign::zero) zone.tied[num_tied++] = cells.vertices(open.known.deciding);
   }
   perturbed_sides(geometry, {zone.tied.data(), num_tied}, q, zone.sides.data(), counts);

@@ -16,13 +16,13 @@ namespace delone::engine {
 /// Answers about a query point q and a cell, given as a slot (cached functional) or as its k+1 vertices (exact).
 template <class G>
 concept QueryGeometry = requires(const G& known, Index cell, const Index* vertices, int slot, const typename G::Query& q,
-                                 double value, StageCounts& counts) {
+                                 double value, double* numbers, std::span<const Index> cells, StageCounts& counts) {
   /// A copy of what it takes to evaluate functionals at q. value(cell): approximately h(q); among finite cells, the smaller the
   /// closer to a conflict. threshold(cell): |value − h(q)| is below it. A value that is not a number says nothing.
   { known.evaluator(q).value(cell) } -> std::same_as<double>;
   { known.evaluator(q).threshold(cell) } -> std::same_as<double>;
-  /// Another threshold, for this query alone and at some cost.
-  { known.threshold_at(cell, q) } -> std::same_as<double>;
+  /// Other thresholds of several cells, for this query alone and at some cost.
+  {known.thresholds_at(cells, q, numbers)};
   /// Whether a value within the threshold proves that h(q) is exactly zero.
   { known.proves_tie(cell, value, q) } -> std::same_as<bool>;
   /// The exact sign of h(q).

@@ -4,6 +4,7 @@
 #include "front_ends/hull_queries.hpp"
 #include "geometry/point_predicates.hpp"
 
+#include <algorithm>
 #include <limits>
 
 namespace delone {
@@ -59,7 +60,9 @@ class ExactGeometry : public geometry::PointPredicates<0> {
     double threshold(Index) const { return 0; }
   };
   Evaluator evaluator(const Query&) const { return {}; }
-  double threshold_at(Index, const Query&) const { return 0; }
+  void thresholds_at(std::span<const Index> cells, const Query&, double* thresholds) const {
+    std::fill_n(thresholds, cells.size(), 0.0);
+  }
   bool proves_tie(Index, double, const Query&) const { return false; }
   bool is_infinite(Index cell) const { return cells_.infinite_slot(cell) >= 0; }
 

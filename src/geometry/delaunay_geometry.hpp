@@ -91,8 +91,10 @@ class DelaunayGeometry : public PointPredicates<K> {
   /// |value − h| stays below it for all queries in the frame. Stage filter_: a value beyond it has the sign of h.
   double threshold(Index cell) const { return functionals_.threshold(cell); }
 
-  /// The same for this query alone, at a greater cost.
-  double threshold_at(Index cell, const Query& q) const { return functionals_.threshold_at(cell, rows(), q.row.data()); }
+  /// The same of several cells for this query alone, at a greater cost.
+  void thresholds_at(std::span<const Index> cells, const Query& q, double* thresholds) const {
+    functionals_.thresholds_at(cells, rows(), q.row.data(), thresholds);
+  }
 
   /// Stage filter_, too: whether a value within the threshold proves that h(q) is exactly zero.
   bool proves_tie(Index cell, double value, const Query& q) const { return functionals_.proves_zero(cell, value, q.bounds); }

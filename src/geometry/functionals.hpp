@@ -15,6 +15,7 @@
 #include "geometry/certificate.hpp"
 #include "geometry/frame.hpp"
 #include "geometry/lattice.hpp"
+#include "geometry/near_kernel.hpp"
 #include "geometry/pair.hpp"
 #include "geometry/simplex_kernel.hpp"
 #include "geometry/star_kernel.hpp"
@@ -31,8 +32,6 @@
 #include <vector>
 
 namespace delone::geometry {
-
-class EdgeProducts;
 
 /// K is the dimension of the cells, or 0 when it is chosen at run time.
 template <int K, bool Lifted = true>
@@ -80,8 +79,10 @@ class Functionals {
   Evaluator evaluator(const double* row) const { return {memory_, row}; }
 
   double threshold(Index cell) const { return certificate::threshold(packed(cell)); }
-  /// The same for one row alone: less if the row is near the vertices of the cell. `rows`: of all vertices. Cost O(k²).
-  double threshold_at(Index cell, const VertexRows& rows, const double* row) const requires(Lifted);
+  /// The same of several cells for one row alone: less if the row is near the vertices of the cell. `rows`: of all vertices.
+  /// Cost O(k²) per cell.
+  void thresholds_at(std::span<const Index> cells, const VertexRows& rows, const double* row, double* thresholds) const
+      requires(Lifted);
   /// Whether a value that is within the threshold proves that h is exactly zero there. False for not-a-number.
   bool proves_zero(Index cell, double value, const LatticeBounds& bounds) const {
     const double largest_error = 2 * threshold(cell);
@@ -116,9 +117,11 @@ class Functionals {
     const auto records = memory_.records();
     const std::size_t num_weak = combine_star({facets, k(), Lifted, records.functional(0), records.certificate(0), rows,
                                                query_row, frame_constants(), scratch_.data(), weak_.data()});
-    const auto left = std::remove_if(weak_.begin(), weak_.begin() + static_cast<std::ptrdiff_t>(num_weak),
-                                     [&](std::uint32_t f) { return certify_weak(facets[f], rows, query_row, bounds); });
-    return {weak_.data(), static_cast<std::size_t>(left - weak_.begin())};
+    const auto adopted = std::remove_if(weak_.begin(), weak_.begin() + static_cast<std::ptrdiff_t>(num_weak),
+                                        [&](std::uint32_t f) { return adopt(facets[f], query_row, bounds); });
+    const std::span<std::uint32_t> weak{weak_.begin(), adopted};
+    if constexpr (Lifted && can_certify_by_edges(K)) return weak.first(certify_by_edges(facets, weak, rows, query_row));
+    return weak;
   }
   /// Makes room for a star. Throws std::bad_alloc.
   void reserve_star(std::size_t facets) {
@@ -142,24 +145,11 @@ class Functionals {
   /// too: takes over its functional, and returns true.
   bool adopt(const HorizonFacet& facet, const double* query_row, const LatticeBounds& bounds);
 
-  /// Finds a certificate for a new cell whose own is too weak, without elimination. Returns whether there is one.
-  bool certify_weak(const HorizonFacet& facet, const VertexRows& rows, const double* query_row, const LatticeBounds& bounds) {
-    if (adopt(facet, query_row, bounds)) return true;
-    if constexpr (Lifted) return !is_infinite(facet.created) && certify_by_edges(facet.created, facet.slot, rows);
-    return false;
-  }
-  /// Certifies the functional of a finite cell by its values at the vertices and the determinant of its edges at the apex.
-  /// Returns whether elimination could hardly do better; else nothing has changed.
-  bool certify_by_edges(Index cell, int apex, const VertexRows& rows) requires(Lifted);
-  /// The edges from a row to the finite vertices of a cell, never too short; if heights are wanted, along a normal of any
-  /// length, times that.
-  template <bool WithHeights>
-  EdgeProducts edges_from(const double* row, Index cell, const VertexRows& rows, const double* normal,
-                          double square_of_normal) const requires(Lifted);
-  /// At least the square of s·(|x| + edge_error_), from (s·x)² and s².
-  double widened(double square, double square_of_scale = 1) const {
-    return 1.0625 * square + 17 * edge_error_ * edge_error_ * square_of_scale;
-  }
+  /// Certifies the functionals of finite cells of a star by their values at the vertices and the determinants of their edges at
+  /// the new vertex, where elimination could hardly do better. Returns how many of the `weak` facets are left.
+  std::size_t certify_by_edges(std::span<const HorizonFacet> facets, std::span<std::uint32_t> weak, const VertexRows& rows,
+                               const double* query_row) requires(Lifted);
+  NearTask near_task(std::span<const Index> cells, const VertexRows& rows, const double* row) const;
   /// The sum of the magnitudes of the functional's terms in the box, at most.
   double magnitude(Index cell) const { return sum_of_magnitudes(cell, Lifted && is_infinite(cell) ? 0 : largest_lift_); }
   /// The same, given what the reference entry adds to it.

@@ -9,6 +9,8 @@
 
 #include "geometry/hull_geometry.hpp"
 
+#include <algorithm>
+
 namespace delone::geometry {
 
 /// Rows and their dual points by site. Vertex v of the engine is site v − 1.
@@ -82,7 +84,9 @@ class HalfspaceGeometry {
   auto evaluator(const Query& q) const { return functionals_.evaluator(q.row.data()); }
   bool is_infinite(Index) const { return false; }
   /// There is no better one.
-  double threshold_at(Index, const Query&) const { return std::numeric_limits<double>::infinity(); }
+  void thresholds_at(std::span<const Index> cells, const Query&, double* thresholds) const {
+    std::fill_n(thresholds, cells.size(), std::numeric_limits<double>::infinity());
+  }
   /// Dual points lie on no grid that would prove anything.
   bool proves_tie(Index, double, const Query&) const { return false; }
   /// The exact side of q: positive inside.

@@ -88,7 +88,9 @@ class HullGeometry {
   auto evaluator(const Query& q) const { return functionals_.evaluator(q.row.data()); }
   bool is_infinite(Index) const { return false; }
   /// There is no better one.
-  double threshold_at(Index, const Query&) const { return std::numeric_limits<double>::infinity(); }
+  void thresholds_at(std::span<const Index> cells, const Query&, double* thresholds) const {
+    std::fill_n(thresholds, cells.size(), std::numeric_limits<double>::infinity());
+  }
   /// Whether a value within the threshold proves that q is exactly on the hyperplane.
   bool proves_tie(Index cell, double value, const Query& q) const { return functionals_.proves_zero(cell, value, q.bounds); }
   /// The exact side of q: positive inside.

@@ -4,8 +4,6 @@
 #include "kernel/tie_kernel.hpp"
 
 #include <algorithm>
-#include <bit>
-#include <utility>
 
 // Vectors of these are no longer than those of SSE2, and the unrolled minors take their time to compile for each.
 #define HWY_DISABLED_TARGETS (HWY_SSSE3 | HWY_SSE4)
@@ -14,6 +12,8 @@
 #include <hwy/foreach_target.h>
 // After foreach_target.h
 #include <hwy/highway.h>
+
+#include "kernel/minors-inl.hpp"
 
 #ifndef DELONE_TIE_LIMITS
 #define DELONE_TIE_LIMITS
@@ -26,49 +26,6 @@ HWY_BEFORE_NAMESPACE();
 namespace delone::kernel {
 namespace HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
-
-/// Entries of K rows and K + 1 columns, each in all lanes.
-template <int K, class D>
-struct Entries {
-  HWY_INLINE hn::Vec<D> at(int row, int column) const { return hn::Load(d, first + (row * (K + 1) + column) * stride); }
-
-  static constexpr std::ptrdiff_t stride = most_lanes;
-  D d;
-  const double* first;
-};
-
-/// The minor of the first |Columns| rows and a set of columns, from those of one row less, by sets of columns
-/// (kernel/minors.hpp).
-template <int K, unsigned Columns, class D>
-HWY_INLINE hn::Vec<D> minor_from_smaller(const Entries<K, D>& entries, const hn::Vec<D>* minors) {
-  constexpr int last_row = std::popcount(Columns) - 1;
-  constexpr int last = std::bit_width(Columns) - 1;
-  auto minor = entries.at(last_row, last);
-  if constexpr (last_row > 0) {
-    minor = hn::Mul(minor, minors[Columns & ~(1u << last)]);
-    [&]<int... C>(std::integer_sequence<int, C...>) {
-      const auto add = [&]<int Column>(std::integral_constant<int, Column>) {
-        if constexpr (Column < last && (Columns >> Column & 1) != 0) {
-          constexpr bool negative = std::popcount(Columns >> Column) % 2 == 0;
-          const auto entry = entries.at(last_row, Column), smaller = minors[Columns & ~(1u << Column)];
-          minor = negative ? hn::NegMulAdd(entry, smaller, minor) : hn::MulAdd(entry, smaller, minor);
-        }
-      };
-      (add(std::integral_constant<int, C>{}), ...);
-    }
-    (std::make_integer_sequence<int, K + 1>{});
-  }
-  return minor;
-}
-
-/// All minors, by sets of columns: those of K columns leave out one each.
-template <int K, class D>
-HWY_INLINE void tabulate_minors(const Entries<K, D>& entries, hn::Vec<D>* minors) {
-  [&]<unsigned... S>(std::integer_sequence<unsigned, S...>) {
-    ((minors[S + 1] = minor_from_smaller<K, S + 1>(entries, minors)), ...);
-  }
-  (std::make_integer_sequence<unsigned, (1u << (K + 1)) - 2>{});
-}
 
 /// Writes the differences of the vertices of two cells and the query to two lanes side by side.
 template <int K>
@@ -106,9 +63,9 @@ void break_ties_in(const TieTask& task) {
     const auto vertices = [&](std::size_t lane) { return task.cells[first + std::min(lane, used - 1)]; };  // the last to spare
     for (std::size_t lane = 0; lane < lanes; lane += 2)
       write_differences<K>(task, vertices(lane), vertices(lane + 1), differences + lane);
-    const Entries<K, decltype(d)> entries{d, differences};
+    const Entries<K + 1, most_lanes, decltype(d)> entries{d, differences};
     V minors[std::size_t{1} << (K + 1)];
-    tabulate_minors(entries, minors);
+    tabulate_minors<K>(entries, minors);
     // The query decides unless a point is larger and matters: the largest one, by the orientation with the query in its place,
     // which takes as many exchanges to come first.
     V largest = zero, side = hn::Set(d, 1.0);

@@ -145,7 +145,10 @@ template <class G>
 void expect_right(const G& geometry, const typename G::Query& q, Index cell, const Integer& numerator,
                   const Integer& denominator, double scale, bool exactly, Tally& tally) {
   const auto h = geometry.evaluator(q);
-  const double value = h.value(cell), threshold = std::min(h.threshold(cell), geometry.threshold_at(cell, q));
+  double threshold;
+  geometry.thresholds_at({&cell, 1}, q, &threshold);
+  threshold = std::min(threshold, h.threshold(cell));
+  const double value = h.value(cell);
   const Sign said = value < -threshold ? Sign::negative : value > threshold ? Sign::positive : Sign::zero;
   ++tally.pairs;
   if (said != Sign::zero) {

@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Certificates from the edges between points, several cells per instruction; compiled for several instruction sets, of which
+// the best that the machine has is chosen at run time. Those of the pencil hold in the whole box, and know of a cell its sphere
+// only; of flat cells, as among points of a surface, they say too little near the cell, where nearly all queries are.
+#pragma once
+
+#include "geometry/vertex_rows.hpp"
+
+#include <delone/types.hpp>
+
+#include <cstddef>
+#include <span>
+
+namespace delone::geometry {
+
+/// As many cells are treated at once.
+inline constexpr std::size_t near_lanes = 8;
+
+/// Cells, and a point that edges start at.
+struct NearTask {
+  int k;
+  std::span<const Index> cells;  ///< at least one, at most near_lanes
+  const double* functionals;     ///< of all cells, as in CellRecords
+  const double* certificates;
+  const Index* links;  ///< of all cells, as in CellLayout
+  VertexRows rows;     ///< images and lifts, of all vertices; computed for can_compute_rows(k) only
+  const double* row;   ///< of the point
+  // Constants of the frame.
+  double evaluation_error;    ///< of a rounded evaluation, relative to the sum of the magnitudes of a functional's terms
+  double largest_lift;        ///< of a point of the box
+  double edge_error;          ///< of edges between rows, and of their heights over planes
+  const double* lift_weight;  ///< per axis, of the square of an image in the lift
+};
+
+/// The dimensions in which thresholds for a point can be found.
+constexpr bool can_find_thresholds(int k) { return k >= 1 && k <= 16; }
+
+/// Writes a threshold for this point alone to each cell: the cached one, or less. Cost O(k²) per cell. REQUIRES
+/// can_find_thresholds(k).
+void find_thresholds(const NearTask& task, double* thresholds);
+
+/// What is proved of the functional of a finite cell.
+struct EdgeCertificate {
+  double threshold;    ///< |value − h| is below it for all points of the box
+  double error;        ///< and at the vertices, below it
+  double determinant;  ///< of the edge vectors, at least that in magnitude; 0: nothing is proved
+};
+
+/// The dimensions in which functionals can be certified by edges.
+constexpr bool can_certify_by_edges(int k) { return k >= 2 && k <= 6; }
+
+/// Certifies functionals by their values at the vertices and the determinants of the edges, if elimination could hardly do
+/// better. Cost O(k·2^k) per cell. REQUIRES that the cells are finite, the point is that of `apex`, a vertex of all of them,
+/// and can_certify_by_edges(k).
+void certify_by_edges(const NearTask& task, Index apex, EdgeCertificate* certificates);
+
+}  // namespace delone::geometry

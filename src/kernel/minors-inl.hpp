@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Tables of minors (kernel/minors.hpp) with a matrix in every lane of the processor's vectors: to be included once for each
+// instruction set, after hwy/highway.h.
+#if defined(DELONE_KERNEL_MINORS_INL) == defined(HWY_TARGET_TOGGLE)
+#ifdef DELONE_KERNEL_MINORS_INL
+#undef DELONE_KERNEL_MINORS_INL
+#else
+#define DELONE_KERNEL_MINORS_INL
+#endif
+
+#include <bit>
+#include <cstddef>
+#include <utility>
+
+HWY_BEFORE_NAMESPACE();
+namespace delone::kernel {
+namespace HWY_NAMESPACE {
+
+/// Entries of matrices of Columns columns, row by row, each in Stride lanes.
+template <int Columns, std::ptrdiff_t Stride, class D>
+struct Entries {
+  HWY_INLINE hwy::HWY_NAMESPACE::Vec<D> at(int row, int column) const {
+    return hwy::HWY_NAMESPACE::Load(d, first + (row * Columns + column) * Stride);
+  }
+
+  static constexpr int columns = Columns;
+  D d;
+  const double* first;
+};
+
+/// The minor of the first |Set| rows and a set of columns, from those of one row less, by sets of columns.
+template <unsigned Set, class E, class V>
+HWY_INLINE V minor_from_smaller(const E& entries, const V* minors) {
+  namespace hn = hwy::HWY_NAMESPACE;
+  constexpr int last_row = std::popcount(Set) - 1;
+  constexpr int last = std::bit_width(Set) - 1;
+  V minor = entries.at(last_row, last);
+  if constexpr (last_row > 0) {
+    minor = hn::Mul(minor, minors[Set & ~(1u << last)]);
+    [&]<int... C>(std::integer_sequence<int, C...>) {
+      const auto add = [&]<int Column>(std::integral_constant<int, Column>) {
+        if constexpr (Column < last && (Set >> Column & 1) != 0) {
+          constexpr bool negative = std::popcount(Set >> Column) % 2 == 0;
+          const V entry = entries.at(last_row, Column), smaller = minors[Set & ~(1u << Column)];
+          minor = negative ? hn::NegMulAdd(entry, smaller, minor) : hn::MulAdd(entry, smaller, minor);
+        }
+      };
+      (add(std::integral_constant<int, C>{}), ...);
+    }
+    (std::make_integer_sequence<int, E::columns>{});
+  }
+  return minor;
+}
+
+/// All minors of up to Rows rows, by sets of columns; that of none is not written.
+template <int Rows, class E, class V>
+HWY_INLINE void tabulate_minors(const E& entries, V* minors) {
+  [&]<unsigned... S>(std::integer_sequence<unsigned, S...>) {
+    const auto tabulate = [&]<unsigned Set>(std::integral_constant<unsigned, Set>) {
+      if constexpr (std::popcount(Set) <= Rows) minors[Set] = minor_from_smaller<Set>(entries, minors);
+    };
+    (tabulate(std::integral_constant<unsigned, S + 1>{}), ...);
+  }
+  (std::make_integer_sequence<unsigned, (1u << E::columns) - 1>{});
+}
+
+}  // namespace HWY_NAMESPACE
+}  // namespace delone::kernel
+HWY_AFTER_NAMESPACE();
+
+#endif
