@@ -162,6 +162,23 @@ void expect_right(const G& geometry, const typename G::Query& q, Index cell, con
   }
 }
 
+/// Thresholds for a query do not depend on which cells they are asked for together.
+template <class G>
+void expect_same_thresholds_together(const G& geometry, const typename G::Query& q, const std::vector<Index>& cells,
+                                     random::Generator& generator) {
+  for (std::size_t first = 0; first < cells.size();) {
+    const auto some = std::span(cells).subspan(first).first(std::min(cells.size() - first, 1 + generator.below(20)));
+    std::vector<double> together(some.size());
+    geometry.thresholds_at(some, q, together.data());
+    for (std::size_t i = 0; i < some.size(); ++i) {
+      double alone;
+      geometry.thresholds_at(some.subspan(i, 1), q, &alone);
+      ASSERT_EQ(together[i], alone) << "cell " << some[i];
+    }
+    first += some.size();
+  }
+}
+
 /// Triangulates the first half of a sample, and compares at all of its points.
 template <int K>
 void expect_right_triangulation(const Sample& sample, std::uint64_t seed, Tally& tally) {
@@ -216,8 +233,13 @@ void expect_right_triangulation(const Sample& sample, std::uint64_t seed, Tally&
     row.erase(row.begin() + K);
     return row;
   };
-  for (Index cell = 0; cell < cells.num_slots(); ++cell) {
-    if (cells.is_vacant(cell)) continue;
+  std::vector<Index> alive;
+  for (Index cell = 0; cell < cells.num_slots(); ++cell)
+    if (!cells.is_vacant(cell)) alive.push_back(cell);
+  for (Index v = 1; v <= n; ++v)
+    ASSERT_NO_FATAL_FAILURE(
+        expect_same_thresholds_together(geometry, geometry.make_query(geometry.point(v)), alive, generator));
+  for (const Index cell : alive) {
     geometry.count(cell, tally);
     const Index* vertices = cells.vertices(cell);
     const int infinite_slot = cells.infinite_slot(cell);
@@ -344,6 +366,8 @@ void expect_right_triangulations(std::size_t n, std::size_t rounds) {
 TEST(Pencil, KeepsItsBoundInThePlaneAndInPlanes) { expect_right_triangulations<2>(80, 3); }
 TEST(Pencil, KeepsItsBoundInSpaceAndInFlatsOfThreeDimensions) { expect_right_triangulations<3>(test::scaled_size(60, 36), 2); }
 TEST(Pencil, KeepsItsBoundInFourDimensions) { expect_right_triangulations<4>(test::scaled_size(36, 24), 1); }
+TEST(Pencil, KeepsItsBoundInFiveDimensions) { expect_right_triangulations<5>(test::scaled_size(34, 20), 1); }
+TEST(Pencil, KeepsItsBoundInSixDimensions) { expect_right_triangulations<6>(test::scaled_size(28, 18), 1); }
 
 template <int K>
 void expect_right_hulls(std::size_t n, std::size_t rounds) {
