@@ -9,7 +9,7 @@ python=(python3 python3-dev python3-numpy pybind11-dev python3-pybind11 python3-
 test=(libgtest-dev libgmock-dev librapidcheck-dev libqhull-dev libcdd-dev lrslib libcgal-dev libeigen3-dev libgmp-dev
       libmpfr-dev python3-scipy python3-pytest python3-hypothesis python3-matplotlib)
 bench=(python3 python3-scipy libbenchmark-dev)
-paper=(python3 python3-numpy python3-scipy python3-matplotlib libqhull-dev libcdd-dev lrslib libcgal-dev libeigen3-dev
+paper=(python3 python3-numpy python3-scipy python3-matplotlib libqhull-dev libtet1.5-dev libcdd-dev lrslib libcgal-dev libeigen3-dev
        libgmp-dev libmpfr-dev libtbb-dev)
 lint=(clang-format clang-tidy python3)
 fuzz=(clang)

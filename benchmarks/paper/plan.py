@@ -22,11 +22,12 @@ class Case:
 
 
 GENERAL = ("delone", "cgal_d", "qhull", "clarkson")
-SPECIALISED = {2: ("cgal_2",), 3: ("cgal_3", "cgal_3_parallel")}
+SPECIALISED = {2: ("cgal_2", "triangle", "delaunator", "geogram"), 3: ("cgal_3", "cgal_3_parallel", "hxt", "geogram", "tetgen")}
 ORDERS = ("delone", "delone:report", "delone:curve", "delone:shuffled")
 SMALL = ("delone", "cgal_d", "qhull", "cddlib", "cddlib_gmp", "lrs", "clarkson")
 HULLS = ("hull_delone", "hull_qhull", "hull_cgal", "hull_cddlib", "hull_cddlib_gmp", "hull_lrs")
-DEGENERATE = ("delone", "cgal_2", "cgal_3", "cgal_3_parallel", "cgal_d", "qhull", "qhull_qt", "scipy", "clarkson")
+DEGENERATE = ("delone", "cgal_2", "cgal_3", "cgal_3_parallel", "cgal_d", "triangle", "delaunator", "geogram", "hxt", "tetgen", "qhull", "qhull_qt", "scipy",
+              "clarkson")
 TINY = ("delone", "cddlib", "cddlib_gmp", "lrs")
 REAL = (("earthquakes", 3), ("bunny", 3), ("cars", 5))
 

@@ -4,7 +4,7 @@ run. A name that is not known, and a piece that no template asks for, is an erro
 import pathlib
 import re
 
-from . import plots, report_2008, tables
+from . import plan, plots, report_2008, tables
 from .results import Results, cpu, cpu_ratio, memory_ratio, wall
 
 TEMPLATE = pathlib.Path(__file__).with_name("experiments.md.in")
@@ -68,6 +68,16 @@ def memory_words(results, key, dimensions):
 def ours_against(results, key, dimension):
     ratio = largest(results, key, dimension)
     return f"{tables.number(1 / ratio)} times" if ratio else "an unmeasured multiple of"
+
+
+def specialised_largest(results, dimension):
+    """What the triangulations made for one dimension take at the largest size, one thread, to what delone takes."""
+    words = []
+    for key in plan.SPECIALISED[dimension]:
+        ratio = largest(results, key, dimension)
+        if ratio and not tables.has_threads(results.ok("uniform", key, dimension)[-1]):
+            words.append(f"{results.ok('uniform', key, dimension)[-1]['name']} {tables.times(ratio)}")
+    return ", ".join(words) if words else "not measured"
 
 
 def then_and_now(results, key):
@@ -146,6 +156,8 @@ def pieces(results):
         "specialised": tables.specialised(results),
         "ours_2d": ours_against(results, "cgal_2", 2),
         "ours_3d": ours_against(results, "cgal_3", 3),
+        "specialised_2d": specialised_largest(results, 2),
+        "specialised_3d": specialised_largest(results, 3),
         "slower_2d": report_2008.SLOWER_THAN_SPECIALISED[2],
         "slower_3d": report_2008.SLOWER_THAN_SPECIALISED[3],
         "manifold": tables.manifold(results),

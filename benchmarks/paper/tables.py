@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Tables of the write-up, in Markdown, from the records."""
-from . import report_2008
+from . import plan, report_2008
 from .results import cells_at_a_vertex, cpu, cpu_ratio, memory_ratio, time_fit, wall, wall_ratio
 
 NONE = "–"
@@ -128,13 +128,13 @@ def orders(results):
 
 def specialised(results):
     rows = []
-    for key, d in (("cgal_2", 2), ("cgal_3", 3), ("cgal_3_parallel", 3)):
+    for d, key in ((d, key) for d, keys in plan.SPECIALISED.items() for key in keys):
         for r in stopping(results.of("uniform", key, dimension=d)):
             ours = results.at("uniform", "uniform", d, r["points"], "delone")
             ratio = (wall_ratio if has_threads(r) else cpu_ratio)(ours, r)
             theirs = [number(cpu(r)), number(wall(r))] if r["outcome"] == "ok" else [r["outcome"], NONE]
-            rows.append([r["name"], count(r["points"]), outcome(ours), *theirs, times(ratio), times(memory_ratio(ours, r))])
-    return table(["who", "n", "delone, CPU s", "theirs, CPU s", "theirs, wall s", "time: delone / theirs", "memory: delone / theirs"], rows)
+            rows.append([d, r["name"], count(r["points"]), outcome(ours), *theirs, times(ratio), times(memory_ratio(ours, r))])
+    return table(["d", "who", "n", "delone, CPU s", "theirs, CPU s", "theirs, wall s", "time: delone / theirs", "memory: delone / theirs"], rows)
 
 
 def manifold(results):

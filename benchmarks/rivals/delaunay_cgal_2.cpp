@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // CGAL's Delaunay triangulation of the plane, points given at once (which sorts them spatially).
-#include "cgal_rows.hpp"
 #include "rival.hpp"
+#include "rows_by_coordinates.hpp"
 
 #include <CGAL/Delaunay_triangulation_2.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // CGAL's Delaunay triangulation of space, points given at once (which sorts them spatially). With CGAL_LINKED_WITH_TBB the
 // parallel one; option: --threads N.
-#include "cgal_rows.hpp"
 #include "rival.hpp"
+#include "rows_by_coordinates.hpp"
 
 #include <CGAL/Delaunay_triangulation_3.h>
 #include <CGAL/Delaunay_triangulation_cell_base_3.h>

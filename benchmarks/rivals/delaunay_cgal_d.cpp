@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // CGAL's Delaunay triangulation in any dimension, which grew out of the program of the report, with the dimension compiled in
 // (DIMENSION) and exact predicates; points given at once (which sorts them spatially).
-#include "cgal_rows.hpp"
 #include "rival.hpp"
+#include "rows_by_coordinates.hpp"
 
 #include <CGAL/Delaunay_triangulation.h>
 #include <CGAL/Epick_d.h>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Which row of the input a vertex of CGAL is: found by its coordinates, so that the triangulations that are timed carry nothing
-// but points. Of duplicates the first row is meant.
+// Which row of the input a peer's vertex is: found by its coordinates, so that the triangulations that are timed carry nothing
+// but points, and may permute them. Of duplicates the first row is meant.
 #pragma once
 
 #include <algorithm>
