@@ -68,7 +68,8 @@ std::string summary(const Triangulation& t, const std::string& hash, const Secon
   return text;
 }
 
-std::unique_ptr<Triangulation> build(const PointTable& table, const DelaunayOptions& options) {
+/// Takes the coordinates over, unless they are to be written.
+std::unique_ptr<Triangulation> build(PointTable& table, const DelaunayOptions& options) {
   ProgressBar bar(options.quiet);
   const StageGuard guard(Stage::building);
   Options build_options;
@@ -79,6 +80,8 @@ std::unique_ptr<Triangulation> build(const PointTable& table, const DelaunayOpti
   return about(input_name(options.input.path), [&]() -> std::unique_ptr<Triangulation> {
     if (options.furthest_site)
       return std::make_unique<FurthestSiteTriangulation>(table.coordinates, table.dimension, build_options);
+    if (options.output.empty())
+      return std::make_unique<Triangulation>(std::move(table.coordinates), table.dimension, build_options);
     return std::make_unique<Triangulation>(table.coordinates, table.dimension, build_options);
   });
 }

@@ -101,10 +101,22 @@ class GrowableArray {
       populate(size);
   }
 
+  /// Says that the entries first … last − 1 are not needed any more: they are unspecified from then on. Memory is given back to
+  /// the system in whole pages, each when the whole of it was in one range.
+  void discard([[maybe_unused]] std::size_t first, [[maybe_unused]] std::size_t last) {
+#ifdef __linux__
+    if (!is_mapped()) return;
+    const std::size_t begin = (first * sizeof(T) + small_page - 1) / small_page * small_page,
+                      end = last * sizeof(T) / small_page * small_page;
+    if (begin < end) madvise(reinterpret_cast<char*>(entries_) + begin, end - begin, MADV_DONTNEED);
+#endif
+  }
+
  private:
   /// From this size on, memory is mapped; smaller arrays come from the heap.
   static constexpr std::size_t mapped_from = std::size_t{1} << 20;
   static constexpr std::size_t large_page = std::size_t{2} << 20;
+  static constexpr std::size_t small_page = std::size_t{64} << 10;  // of any machine
   /// What is populated at a time.
   std::size_t portion() const { return pages_ == Pages::large ? large_page : std::size_t{256} << 10; }
 

@@ -19,6 +19,7 @@ class Delone {
  public:
   Delone(const rival::Arguments& arguments, delone::PointTable&& table)
       : table_(std::move(table)), order_(arguments.option("order", "automatic")) {
+    if (arguments.repeat > 1) spare_ = table_.coordinates;
     options_.seed = std::stoull(arguments.option("seed", "0"));
     if (order_ == "shuffled")
       options_.order = delone::InsertionOrder::shuffled;
@@ -32,18 +33,21 @@ class Delone {
 
   void construct() {
     if (order_ != "curve" && order_ != "report") {
-      result_.emplace(table_.coordinates, table_.dimension, options_);
+      result_.emplace(std::move(table_.coordinates), table_.dimension, options_);
       return;
     }
     const auto start = std::chrono::steady_clock::now();
     rows_ = order_ == "curve" ? spatial_sort::curve(table_.coordinates, table_.dimension)
                               : spatial_sort::rounds(table_.coordinates, table_.dimension, options_.seed);
-    const std::vector<double> sorted = spatial_sort::permuted(table_.coordinates, table_.dimension, rows_);
+    std::vector<double> sorted = spatial_sort::permuted(table_.coordinates, table_.dimension, rows_);
     sort_seconds_ = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-    result_.emplace(sorted, table_.dimension, options_);
+    result_.emplace(std::move(sorted), table_.dimension, options_);
   }
 
-  void reset() { result_.reset(); }
+  void reset() {
+    result_.reset();
+    table_.coordinates = spare_;
+  }
   std::size_t num_cells() const { return result_->num_finite_cells(); }
 
   rival::Cells cells() const {
@@ -70,6 +74,7 @@ class Delone {
 
  private:
   delone::PointTable table_;
+  std::vector<double> spare_;  ///< for constructions after the first, as each takes the coordinates over
   std::string order_;
   delone::Options options_;
   std::vector<std::size_t> rows_;  ///< where the adapter sorted the points: their rows, in order of insertion

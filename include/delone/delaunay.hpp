@@ -15,6 +15,7 @@
 #include <ranges>
 #include <span>
 #include <type_traits>
+#include <utility>
 #include <vector>
 
 namespace delone {
@@ -87,6 +88,8 @@ class Triangulation {
   /// The triangulation of n×d coordinates, row-major. Throws as insert_range().
   Triangulation(std::span<const double> coordinates, int dimension, const Options& options = {});
   Triangulation(PointsView points, const Options& options = {});
+  /// The same, of a vector that is taken over: see insert_range().
+  Triangulation(std::vector<double>&& coordinates, int dimension, const Options& options = {});
   Triangulation(Triangulation&&) noexcept;
   Triangulation& operator=(Triangulation&&) noexcept;
   ~Triangulation();
@@ -94,6 +97,9 @@ class Triangulation {
   /// Inserts n points (n·d coordinates) as the next n rows. Errors leave the triangulation as it was for not_finite and
   /// bad_dimension; after cancelled or too_many it holds a valid triangulation of some of the points.
   void insert_range(std::span<const double> coordinates);
+  /// The same, and the vector's memory is released before most cells are created: the peak is lower by the size of the points.
+  /// After not_finite and bad_dimension the vector is as it was, too.
+  void insert_range(std::vector<double>&& coordinates);
   /// Inserts one point (d coordinates) as the next row; `hint` is a cell near it. Expected cost with a good hint: the size
   /// of the conflict zone; without: also a walk past a few cells, from a vertex close by
   /// (docs/decisions/0006-walks-start-at-a-vertex-close-by.md). A batch is still faster.
@@ -147,6 +153,8 @@ class Triangulation {
  protected:
   struct Impl;
   explicit Triangulation(std::unique_ptr<Impl> impl);
+  /// insert_range(), which calls `release` as soon as it has copied the coordinates.
+  void insert_and_release(std::span<const double> coordinates, const std::function<void()>& release);
   Impl& impl() { return *impl_; }
   const Impl& impl() const { return *impl_; }
 
@@ -175,6 +183,10 @@ std::span<const double> as_coordinates(const Range& points) {
           std::ranges::size(points) * sizeof(Element) / sizeof(double)};
 }
 
+/// A container that is about to end, so that it may be emptied.
+template <class Range>
+concept Expiring = !std::is_reference_v<Range> && !std::is_const_v<Range> && !std::ranges::view<Range>;
+
 }  // namespace detail
 
 /// The Delaunay triangulation of points in R^D. Compiled for D = 1…8; larger D uses the run-time-dimension engine.
@@ -191,10 +203,22 @@ class Delaunay : public Triangulation {
   requires std::ranges::sized_range<Range> &&
       (!std::same_as<std::remove_cvref_t<Range>, Delaunay>)explicit Delaunay(const Range& points, const Options& options = {})
       : Triangulation(detail::as_coordinates<D>(points), D, options) {}
+  /// From a container that is taken over: see Triangulation::insert_range().
+  template <std::ranges::contiguous_range Range>
+  requires std::ranges::sized_range<Range> && detail::Expiring<Range> &&
+      (!std::same_as<Range, Delaunay>)explicit Delaunay(Range&& points, const Options& options = {})
+      : Triangulation(D, options) {
+    insert_range(std::move(points));
+  }
 
   template <std::ranges::contiguous_range Range>
   requires std::ranges::sized_range<Range>
   void insert_range(const Range& points) { Triangulation::insert_range(detail::as_coordinates<D>(points)); }
+  template <std::ranges::contiguous_range Range>
+  requires std::ranges::sized_range<Range> && detail::Expiring<Range>
+  void insert_range(Range&& points) {
+    insert_and_release(detail::as_coordinates<D>(points), [&] { const Range taken = std::move(points); });
+  }
 };
 
 }  // namespace delone

@@ -23,13 +23,22 @@ Triangulation::Triangulation(std::span<const double> coordinates, int dimension,
 }
 Triangulation::Triangulation(PointsView points, const Options& options)
     : Triangulation(points.coordinates(), points.dimension(), options) {}
+Triangulation::Triangulation(std::vector<double>&& coordinates, int dimension, const Options& options)
+    : Triangulation(dimension, options) {
+  insert_range(std::move(coordinates));
+}
 Triangulation::Triangulation(Triangulation&&) noexcept = default;
 Triangulation& Triangulation::operator=(Triangulation&&) noexcept = default;
 Triangulation::~Triangulation() = default;
 
-void Triangulation::insert_range(std::span<const double> coordinates) {
+void Triangulation::insert_range(std::span<const double> coordinates) { insert_and_release(coordinates, {}); }
+void Triangulation::insert_range(std::vector<double>&& coordinates) {
+  insert_and_release(coordinates, [&] { const std::vector<double> taken = std::move(coordinates); });
+}
+
+void Triangulation::insert_and_release(std::span<const double> coordinates, const std::function<void()>& release) {
   try {
-    impl_->insert_range(coordinates);
+    impl_->insert_range(coordinates, {}, release);
   } catch (const std::bad_alloc&) {
     throw Error(Errc::out_of_memory, "not enough memory for the triangulation");
   }

@@ -5,6 +5,7 @@
 #include "front_ends/compact_hull.hpp"
 #include "front_ends/point_rows.hpp"
 #include "front_ends/progress_meter.hpp"
+#include "growable_array.hpp"
 
 #include <algorithm>
 #include <chrono>
@@ -58,6 +59,38 @@ std::vector<Index> distinct_rows(std::span<const double> rows, std::size_t width
   for (const std::size_t place : places) distinct.push_back(order[place]);
   return distinct;
 }
+
+/// Copies of rows, in the order of their insertion. Those that have been read are given back to the system, so that in the end,
+/// when memory is short, nothing is left of them.
+class RowsInOrder {
+ public:
+  RowsInOrder(std::span<const double> rows, std::size_t width, std::span<const Index> order) : width_(width) {
+    rows_.reserve(order.size() * width);
+    rows_.prepare(order.size() * width);
+    with_compiled_dimension(width, [&](auto fixed_width) {
+      const std::size_t w = fixed_width > 0 ? std::size_t{fixed_width} : width;
+      const double* const from = rows.data();
+      double* to = rows_.data();
+      // Rows are met in no order of their own: they are asked for long before their turn.
+      constexpr std::size_t ahead = 96;
+      for (std::size_t i = 0; i < order.size(); ++i, to += w) {
+        __builtin_prefetch(from + order[std::min(i + ahead, order.size() - 1)] * w);
+        std::copy_n(from + order[i] * w, w, to);
+      }
+    });
+  }
+
+  /// Valid until the next call. REQUIRES that not all have been read.
+  const double* next() {
+    if (num_read_ % rows_at_once == 0 && num_read_ > 0) rows_.discard((num_read_ - rows_at_once) * width_, num_read_ * width_);
+    return rows_.data() + width_ * num_read_++;
+  }
+
+ private:
+  static constexpr std::size_t rows_at_once = std::size_t{1} << 13;  // whole pages, whatever the width
+  std::size_t width_, num_read_ = 0;
+  GrowableArray<double> rows_;
+};
 
 }  // namespace
 
@@ -277,7 +310,8 @@ bool Triangulation::Impl::wrap_batch(std::span<const double> rows, std::size_t f
   return true;
 }
 
-void Triangulation::Impl::insert_range(std::span<const double> coordinates, std::span<const double> weights) {
+void Triangulation::Impl::insert_range(std::span<const double> coordinates, std::span<const double> weights,
+                                       const std::function<void()>& release) {
   if (coordinates.size() % ambient() != 0)
     throw Error(Errc::bad_dimension, "the number of coordinates is not a multiple of the dimension");
   const std::size_t n = coordinates.size() / ambient();
@@ -287,7 +321,7 @@ void Triangulation::Impl::insert_range(std::span<const double> coordinates, std:
   if (n == 0) return;
   expand();
   const PointsView view(coordinates, dimension);
-  const std::vector<double> with_weights = weighted() ? weighted_rows(view, weights) : std::vector<double>{};
+  std::vector<double> with_weights = weighted() ? weighted_rows(view, weights) : std::vector<double>{};
   const std::span<const double> rows = weighted() ? std::span<const double>(with_weights) : coordinates;
   const std::size_t first_row = add_rows(n);
 
@@ -307,21 +341,20 @@ void Triangulation::Impl::insert_range(std::span<const double> coordinates, std:
     points.coordinates.reserve(points.coordinates.size() + rows.size() + row_size());
     row_of_vertex.reserve(row_of_vertex.size() + n);
     start_batch(rows, first_row, order, [&] { progress(0); });
-    // The rows are met in no order of their own: they are asked for long before their turn, and many together, as their pages
-    // have to be looked up too.
+    RowsInOrder rows_in_order(rows, row_size(), order);
+    with_weights = std::vector<double>();
+    if (release) release();
+    // Where to write vertices has no order of its own: it is asked for long before its turn, and much together, as pages have
+    // to be looked up too.
     constexpr std::size_t rows_together = 32;
-    const std::size_t width = row_size();
     for (std::size_t i = 0; i < n; ++i) {
       if (i % rows_together == 0) {
         const std::size_t end = std::min(i + 2 * rows_together, n);
-        for (std::size_t j = i == 0 ? 0 : i + rows_together; j < end; ++j) {
-          __builtin_prefetch(rows.data() + order[j] * width);
+        for (std::size_t j = i == 0 ? 0 : i + rows_together; j < end; ++j)
           __builtin_prefetch(vertex_of_row.data() + first_row + order[j], 1);
-        }
       }
-      const std::size_t row = order[i];
-      if (vertex_of_row[first_row + row] == invalid_vertex)
-        insert_row(first_row + row, rows.data() + row * width, invalid_index, false);
+      const double* const point = rows_in_order.next();
+      if (vertex_of_row[first_row + order[i]] == invalid_vertex) insert_row(first_row + order[i], point, invalid_index, false);
       progress(i + 1);
     }
   } catch (...) {

@@ -164,6 +164,23 @@ TEST(GrowableArray, KeepsEntriesAcrossHeapAndMappedMemory) {
   }
 }
 
+TEST(GrowableArray, DiscardsNothingBesides) {
+  for (const std::size_t size : {std::size_t{1000}, std::size_t{1'000'000}}) {
+    GrowableArray<Index> array;
+    array.reserve(size);
+    for (std::size_t i = 0; i < size; ++i) array[i] = static_cast<Index>(i);
+    array.discard(0, 0);
+    array.discard(size / 10 + 1, size / 2 + 1);
+    array.discard(size / 2 + 1, size / 2 + 3);
+    for (std::size_t i = 0; i < size; ++i)
+      if (i <= size / 10 || i >= size / 2 + 3) {
+        ASSERT_EQ(array[i], i);
+      }
+    array[size / 4] = 7;  // may be written again
+    EXPECT_EQ(array[size / 4], 7u);
+  }
+}
+
 TEST(GrowableArray, AsksForNoImpossibleMemory) {
   GrowableArray<double> array;
   array.reserve(100);
