@@ -18,9 +18,11 @@ template <class G>
 concept QueryGeometry = requires(const G& known, Index cell, const Index* vertices, int slot, const typename G::Query& q,
                                  double value, double* numbers, std::span<const Index> cells, StageCounts& counts) {
   /// A copy of what it takes to evaluate functionals at q. value(cell): approximately h(q); among finite cells, the smaller the
-  /// closer to a conflict. threshold(cell): |value − h(q)| is below it. A value that is not a number says nothing.
+  /// closer to a conflict. threshold(cell): a value beyond it has the sign of h(q). error(cell, value): |value − h(q)| is below
+  /// it. A value that is not a number says nothing.
   { known.evaluator(q).value(cell) } -> std::same_as<double>;
   { known.evaluator(q).threshold(cell) } -> std::same_as<double>;
+  { known.evaluator(q).error(cell, value) } -> std::same_as<double>;
   /// Other thresholds of several cells, for this query alone and at some cost.
   {known.thresholds_at(cells, q, numbers)};
   /// Whether a value within the threshold proves that h(q) is exactly zero.

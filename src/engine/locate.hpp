@@ -75,7 +75,7 @@ std::pair<Descent, WalkResult> descend(const Cells& cells, const G& geometry, co
   for (;;) {
     ++result.visited;
     const Index* neighbors = cells.neighbors(result.cell);
-    const double here = value + functional.threshold(result.cell);
+    const double here = value + functional.error(result.cell, value);
     bool least = value > functional.threshold(result.cell);
     Index best = invalid_index;
     cells.prefetch_neighbors(result.cell);
@@ -87,7 +87,7 @@ std::pair<Descent, WalkResult> descend(const Cells& cells, const G& geometry, co
         return {Descent::conflict, result};
       }
       const bool infinite = geometry.is_infinite(neighbor);
-      least = least && h - threshold > (infinite ? 0 : here);
+      least = least && (infinite ? h > threshold : h - functional.error(neighbor, h) > here);
       if (h < value && !infinite) {
         value = h;
         best = neighbor;

@@ -58,6 +58,7 @@ class ExactGeometry : public geometry::PointPredicates<0> {
   struct Evaluator {
     double value(Index) const { return std::numeric_limits<double>::quiet_NaN(); }
     double threshold(Index) const { return 0; }
+    double error(Index, double) const { return std::numeric_limits<double>::infinity(); }
   };
   Evaluator evaluator(const Query&) const { return {}; }
   void thresholds_at(std::span<const Index> cells, const Query&, double* thresholds) const {

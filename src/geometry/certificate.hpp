@@ -12,7 +12,7 @@ namespace delone::geometry {
 
 /// The certificate of a functional h̃ that stands for h (docs/predicates.md, "The filter"), in 64 bits. Fields are binary32
 /// without sign, in full or cut to 16 bits, always rounded to the safe side:
-///   bits  0…30  threshold    |h̃ − h| with rounded evaluation stays below it in the frame's box
+///   bits  0…30  threshold    a rounded h̃ beyond it has the sign of h in the frame's box, one within it is off by no more
 ///   bit     31  infinite     whether the cell is infinite
 ///   bits 32…46  error        a bound on |h̃| at the cell's own vertices
 ///   bits 48…62  determinant  a lower bound on |det| of the edge vectors; 0: none is known

@@ -88,7 +88,7 @@ class DelaunayGeometry : public PointPredicates<K> {
   double value(Index cell, const Query& q) const { return evaluator(q).value(cell); }
   auto evaluator(const Query& q) const { return functionals_.evaluator(q.row.data()); }
   bool is_infinite(Index cell) const { return functionals_.is_infinite(cell); }
-  /// |value − h| stays below it for all queries in the frame. Stage filter_: a value beyond it has the sign of h.
+  /// Stage filter_: a value beyond it has the sign of h, for all queries in the frame.
   double threshold(Index cell) const { return functionals_.threshold(cell); }
 
   /// The same of several cells for this query alone, at a greater cost.

@@ -8,6 +8,9 @@
 //   Infinite cell: h = g·X + c with one coefficient ±1, positive on the side of the hull.
 // Not lifted, (X | 1): the image of a point of R^(k+1) relative to a point inside the hull. All cells are finite: h = 1 + g·X.
 //
+// A threshold is one for signs: a value beyond it has the sign of h. Values are off by no more than that, too, but for those of
+// flat cells, whose spheres are far larger than the frame's box: their errors may grow with values, by threshold/bend.
+//
 // Knows images and lifts; neither vertices nor exact arithmetic. Proofs: docs/predicates.md, "The filter" and "The pencil".
 #pragma once
 
@@ -47,8 +50,11 @@ class Functionals {
   /// The functionals at one row: a copy of all that evaluations need.
   class Evaluator {
    public:
-    Evaluator(const CellMemory<K>& memory, const double* row)
-        : records_(memory.records()), row_(static_cast<std::size_t>(memory.dimension()) + 1), k_(memory.dimension()) {
+    Evaluator(const CellMemory<K>& memory, const double* row, double per_bend)
+        : records_(memory.records()),
+          row_(static_cast<std::size_t>(memory.dimension()) + 1),
+          per_bend_(per_bend),
+          k_(memory.dimension()) {
       int r = 0;
       for (; r < k(); r += 2) store_pair(row_.data() + r, load_pair(row + r));
       if (r == k()) row_.data()[r] = row[r];
@@ -65,8 +71,10 @@ class Functionals {
       const std::uint64_t finite = certificate::finite_mask(packed(cell));
       return h + std::bit_cast<double>(std::bit_cast<std::uint64_t>(row_.data()[k()]) & finite);
     }
-    /// |value − h| is below it for all points of the frame's box.
+    /// A value beyond it has the sign of h, for all points of the frame's box; one within it is off by no more.
     double threshold(Index cell) const { return certificate::threshold(packed(cell)); }
+    /// How far a value may be off, at most.
+    double error(Index cell, double value) const { return threshold(cell) * (1 + std::fabs(value) * per_bend_); }
 
    private:
     int k() const { return K > 0 ? K : k_; }
@@ -74,9 +82,10 @@ class Functionals {
 
     CellRecords<K, const double> records_;
     kernel::Buffer<double, K + (K > 0)> row_;
+    double per_bend_;
     int k_;
   };
-  Evaluator evaluator(const double* row) const { return {memory_, row}; }
+  Evaluator evaluator(const double* row) const { return {memory_, row, bend_ > 0 ? 1 / bend_ : 0}; }
 
   double threshold(Index cell) const { return certificate::threshold(packed(cell)); }
   /// The same of several cells for one row alone: less if the row is near the vertices of the cell. `rows`: of all vertices.
@@ -159,8 +168,8 @@ class Functionals {
   }
 
   FrameConstants frame_constants() const {
-    return {evaluation_error_, largest_lift_, finite_spread_,      infinite_spread_,
-            largest_radius_,   spheres_,      extent_ratio_.data()};
+    return {evaluation_error_, largest_lift_, finite_spread_, infinite_spread_,    largest_radius_,
+            spheres_,          bend_,         flatness_,      extent_ratio_.data()};
   }
 
   CellMemory<K>& memory_;            // per cell: k coefficients, the constant, the certificate
@@ -173,6 +182,8 @@ class Functionals {
   double finite_spread_ = 0;     // Σ|barycentric coordinates| − 1 is at most finite_spread·R^(k−1)/det in the box, with
                                  // spheres_; else the power of R is in it
   double largest_radius_ = 0;
+  double bend_ = 0;                    // of lifts over planes that touch them, at most; 0: not known, or not lifted
+  double flatness_ = 0;                // see FrameConstants
   double infinite_spread_ = 0;         // the same for infinite cells, over det
   std::vector<double> extent_ratio_;   // per axis, the frame's scale over that of lifts
   std::vector<double> lift_weight_;    // per axis, of the square of an image in the lift: 1/extent_ratio²
@@ -244,6 +255,12 @@ void Functionals<K, Lifted>::set_frame(const Frame& frame, const std::vector<int
   const double regular = std::pow(n, n / 2) / std::pow(std::max(n - 1, 1.0), (n - 1) / 2);
   largest_in_unit_sphere_ = 1.001 * std::pow(n + 1, (n + 1) / 2) / std::pow(n, n / 2) / volume_ratio;
   finite_spread_ = 1.001 * 2 * std::sqrt(diagonal) * (n + 1) * regular / volume_ratio;
+  if (spheres_ && frame.form() == kernel::RowForm::point) {
+    bend_ = 1.001 * 4 * diagonal;
+    flatness_ = 1.001 * (n + 1) / (8 * std::sqrt(diagonal));
+  } else {
+    bend_ = flatness_ = 0;
+  }
   // In a flat, and if spheres have all vertices inside, they say little about where vertices are, but the box does: R is the
   // length of its half diagonal.
   largest_radius_ = 1.001 * std::sqrt(diagonal);

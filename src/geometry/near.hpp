@@ -22,6 +22,7 @@ NearTask Functionals<K, Lifted>::near_task(std::span<const Index> cells, const V
           evaluation_error_,
           largest_lift_,
           edge_error_,
+          bend_,
           lift_weight_.data()};
 }
 
@@ -40,30 +41,22 @@ void Functionals<K, Lifted>::thresholds_at(std::span<const Index> cells, const V
 template <int K, bool Lifted>
 std::size_t Functionals<K, Lifted>::certify_by_edges(std::span<const HorizonFacet> facets, std::span<std::uint32_t> weak,
                                                      const VertexRows& rows, const double* query_row) requires(Lifted) {
-  std::size_t num_left = 0, num_cells = 0;
-  std::uint32_t of_cell[near_lanes];
+  std::size_t num_left = 0;
   Index cells[near_lanes];
   EdgeCertificate certificates[near_lanes];
-  for (std::size_t i = 0; i < weak.size(); ++i) {
-    const Index created = facets[weak[i]].created;
-    if (is_infinite(created)) {
-      weak[num_left++] = weak[i];
-    } else {
-      of_cell[num_cells] = weak[i];
-      cells[num_cells++] = created;
-    }
-    if (num_cells == 0 || (num_cells < near_lanes && i + 1 < weak.size())) continue;
-    const HorizonFacet& any = facets[of_cell[0]];
-    geometry::certify_by_edges(near_task({cells, num_cells}, rows, query_row), memory_.links(any.created)[any.slot],
+  for (std::size_t first = 0; first < weak.size(); first += near_lanes) {
+    const auto some = weak.subspan(first, std::min(near_lanes, weak.size() - first));
+    for (std::size_t i = 0; i < some.size(); ++i) cells[i] = facets[some[i]].created;
+    const HorizonFacet& any = facets[some[0]];
+    geometry::certify_by_edges(near_task({cells, some.size()}, rows, query_row), memory_.links(any.created)[any.slot],
                                certificates);
-    for (std::size_t c = 0; c < num_cells; ++c) {
-      const EdgeCertificate& proved = certificates[c];
+    for (std::size_t i = 0; i < some.size(); ++i) {
+      const EdgeCertificate& proved = certificates[i];
       if (proved.determinant > 0)
-        certify(cells[c], proved.threshold, proved.error, proved.determinant, false);
+        certify(cells[i], proved.threshold, proved.error, proved.determinant, is_infinite(cells[i]));
       else
-        weak[num_left++] = of_cell[c];
+        weak[num_left++] = some[i];
     }
-    num_cells = 0;
   }
   return num_left;
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Proofs: docs/predicates.md, "Near a cell".
+// Proofs: docs/predicates.md, "Near a cell" and "By edges".
 #include "geometry/near_kernel.hpp"
 
 #include "cell_memory.hpp"
@@ -28,6 +28,9 @@ namespace delone::geometry {
 constexpr double smallest_sum = 0x1p-800;
 constexpr int most_dimensions = 16;
 constexpr double slack = 1 + 0x1p-30;  // covers all relative errors
+
+/// n^(n/2), rounded up: at least the permanent of the magnitudes of n vectors of R^n over the product of their lengths.
+constexpr double most_terms_over_lengths[] = {1, 1, 2, 5.197, 16, 55.91, 216};
 
 static_assert(can_find_thresholds(most_dimensions) && !can_find_thresholds(most_dimensions + 1));
 
@@ -69,11 +72,21 @@ class Gathered {
     }
   }
 
-  /// Gathers the functionals, and the first `width` entries or one more of the rows of `num_vertices` vertices, two cells at a
-  /// time. The vertex `apart` of a cell is not among the first k.
+  /// Gathers the functionals, and the first `width` entries or one more of the rows of `num_vertices` vertices of each cell,
+  /// two cells at a time. The vertex `apart` is none of them, and the infinite vertex, if there is one, the last.
   HWY_INLINE void gather(const NearTask& task, Index apart, std::size_t num_vertices, std::size_t width) {
     const CellLayout<K> layout(task.k);
     const CellRecords<K, const double> records(layout, task.functionals, task.certificates);
+    constexpr Index infinite = index(infinite_vertex);
+    const auto list_vertices = [&](Index cell, Index* vertices) {
+      const Index* const all = task.links + cell * layout.link_stride();
+      std::size_t n = 0;
+      for (std::size_t i = 0; i <= k(); ++i) {  // which vertex it is cannot be predicted: there is no branch
+        vertices[n] = all[i];
+        n += static_cast<std::size_t>((all[i] != apart) & (all[i] != infinite));
+      }
+      vertices[num_vertices - 1] = n < num_vertices ? infinite : vertices[num_vertices - 1];
+    };
     for (std::size_t lane = 0; lane < task.cells.size(); lane += 2) {
       const Index one = task.cells[lane], two = task.cells[std::min(lane + 1, task.cells.size() - 1)];
       const auto put = [&](double* to, const double* from_one, const double* from_two, std::size_t count) {
@@ -88,15 +101,12 @@ class Gathered {
       };
       put(functional(0), records.functional(one), records.functional(two), k() + 1);
       put(certificate(), records.certificate(one), records.certificate(two), 1);
-      const Index* const vertices_of_one = task.links + one * layout.link_stride();
-      const Index* const vertices_of_two = task.links + two * layout.link_stride();
+      Index vertices_of_one[most + 1], vertices_of_two[most + 1];
+      list_vertices(one, vertices_of_one);
+      list_vertices(two, vertices_of_two);
       for (std::size_t i = 0; i < num_vertices; ++i) {
-        const auto row_of = [&](const Index* vertices) {
-          // Which vertex it is cannot be predicted: there is no branch.
-          const Index other = vertices[i < k() ? k() : 0], is_apart = Index{0} - static_cast<Index>(vertices[i] == apart);
-          return task.rows.template row<K>((vertices[i] & ~is_apart) | (other & is_apart), static_cast<int>(k()));
-        };
-        const auto row_of_one = row_of(vertices_of_one), row_of_two = row_of(vertices_of_two);
+        const auto row_of_one = task.rows.template row<K>(vertices_of_one[i], static_cast<int>(k()));
+        const auto row_of_two = task.rows.template row<K>(vertices_of_two[i], static_cast<int>(k()));
         put(vertex(i, 0), &row_of_one[0], &row_of_two[0], width + width % 2 <= k() + 1 ? width + width % 2 : width);
       }
     }
@@ -122,22 +132,41 @@ HWY_INLINE V widened(D d, const NearTask& task, V square, V square_of_scale) {
   return hn::MulAdd(hn::Set(d, 1.0625), square, hn::Mul(error, square_of_scale));
 }
 
-template <int K>
-void find_thresholds_in(const NearTask& task, double* thresholds) {
+/// What certificates say, one cell per lane.
+struct Unpacked {
+  HWY_INLINE Unpacked(const NearTask& task, const double* certificates) {
+    for (std::size_t lane = 0; lane < near_lanes; ++lane) {
+      const auto packed = std::bit_cast<std::uint64_t>(certificates[lane]);
+      thresholds[lane] = certificate::threshold(packed);
+      errors[lane] = certificate::error(packed);
+      determinants[lane] = certificate::determinant(packed);
+      lifts[lane] = certificate::infinite(packed) ? 0 : task.largest_lift;
+    }
+  }
+  HWY_ALIGN double thresholds[near_lanes], errors[near_lanes], determinants[near_lanes];
+  HWY_ALIGN double lifts[near_lanes];  ///< what the lift adds to the magnitude of a functional: 0 for infinite cells
+};
+
+/// Writes the lesser of the cached threshold and that from a bound on the sum of the magnitudes of the determinants of edges
+/// without one, in place of the cached one. `is_proved`: whether the bound is one.
+template <class D, class V, class M>
+HWY_INLINE void lower_threshold(D d, const NearTask& task, V sum, V magnitude, V inverse_determinant, M is_proved, V error,
+                                double* threshold) {
+  const V rounding = hn::Mul(hn::Set(d, task.evaluation_error), magnitude);
+  const V bound = hn::Mul(hn::MulAdd(error, hn::Mul(sum, inverse_determinant), rounding), hn::Set(d, slack));
+  const V cached = hn::Load(d, threshold);
+  hn::Store(hn::IfThenElse(hn::And(is_proved, hn::Lt(bound, cached)), bound, cached), d, threshold);  // cached for NaN
+}
+
+/// For any dimension, from the lengths of edges.
+void find_thresholds_by_lengths(const NearTask& task, double* thresholds) {
   const hn::CappedTag<double, near_lanes> d;
   using V = hn::Vec<decltype(d)>;
-  const auto k = static_cast<std::size_t>(K > 0 ? K : task.k);
+  const auto k = static_cast<std::size_t>(task.k);
   const auto n = static_cast<double>(k);
-  Gathered<K> gathered(task);
+  Gathered<0> gathered(task);
   gathered.gather(task, index(infinite_vertex), k + 1, k);
-  HWY_ALIGN double cached[near_lanes], errors[near_lanes], determinants[near_lanes], lifts[near_lanes];
-  for (std::size_t lane = 0; lane < near_lanes; ++lane) {
-    const auto packed = std::bit_cast<std::uint64_t>(gathered.certificate()[lane]);
-    cached[lane] = certificate::threshold(packed);
-    errors[lane] = certificate::error(packed);
-    determinants[lane] = certificate::determinant(packed);
-    lifts[lane] = certificate::infinite(packed) ? 0 : task.largest_lift;
-  }
+  Unpacked cached(task, gathered.certificate());
   const V zero = hn::Zero(d), one = hn::Set(d, 1.0);
   for (std::size_t lane = 0; lane < task.cells.size(); lane += hn::Lanes(d)) {
     const auto coefficient = [&](std::size_t r) { return hn::Load(d, gathered.functional(r) + lane); };
@@ -145,7 +174,7 @@ void find_thresholds_in(const NearTask& task, double* thresholds) {
       return hn::Add(coefficient(r), hn::Set(d, 2 * task.lift_weight[r] * task.row[r]));
     };
     // Heights are over the plane that touches the sphere's concentric one through the row, times the length of a normal.
-    V square_of_normal = zero, magnitude = hn::Load(d, lifts + lane);
+    V square_of_normal = zero, magnitude = hn::Load(d, cached.lifts + lane);
     const auto is_finite = hn::Gt(magnitude, zero);
     for (std::size_t r = 0; r < k; ++r) {
       square_of_normal = hn::MulAdd(normal(r), normal(r), square_of_normal);
@@ -154,7 +183,7 @@ void find_thresholds_in(const NearTask& task, double* thresholds) {
     magnitude = hn::Add(magnitude, hn::Abs(coefficient(k)));
     // Divisions take longest: none waits for the edges.
     const V inverse_square_of_normal = hn::Div(one, square_of_normal);
-    const V inverse_determinant = hn::Div(one, hn::Load(d, determinants + lane));
+    const V inverse_determinant = hn::Div(one, hn::Load(d, cached.determinants + lane));
     EdgeProducts<V> edges{one, zero, zero, zero};
     V of_infinite = zero;  // without the infinite vertex, which is the last
     for (std::size_t i = 0; i <= k; ++i) {
@@ -168,84 +197,213 @@ void find_thresholds_in(const NearTask& task, double* thresholds) {
       edges.add(widened(d, task, square, one), widened(d, task, hn::Mul(height, height), square_of_normal));
     }
     const V of_finite = hn::Min(edges.one_missing, hn::Mul(hn::Mul(hn::Set(d, n), edges.flat), inverse_square_of_normal));
-    const V square =  // of a bound on the sum of the magnitudes of determinants
-        hn::IfThenElse(is_finite, hn::Mul(hn::Set(d, n + 1), of_finite), hn::Mul(hn::Set(d, n), of_infinite));
-    const V spread = hn::Mul(hn::Sqrt(square), inverse_determinant);
-    const V bound =
-        hn::Mul(hn::MulAdd(hn::Load(d, errors + lane), spread, hn::Mul(hn::Set(d, task.evaluation_error), magnitude)),
-                hn::Set(d, slack));
-    const V threshold = hn::Load(d, cached + lane);
-    const auto is_better = hn::And(hn::Gt(square, hn::Set(d, smallest_sum)), hn::Lt(bound, threshold));  // false for NaN
-    hn::Store(hn::IfThenElse(is_better, bound, threshold), d, cached + lane);
+    const V square = hn::IfThenElse(is_finite, hn::Mul(hn::Set(d, n + 1), of_finite), hn::Mul(hn::Set(d, n), of_infinite));
+    lower_threshold(d, task, hn::Sqrt(square), magnitude, inverse_determinant, hn::Gt(square, hn::Set(d, smallest_sum)),
+                    hn::Load(d, cached.errors + lane), cached.thresholds + lane);
   }
-  std::copy_n(cached, task.cells.size(), thresholds);
+  std::copy_n(cached.thresholds, task.cells.size(), thresholds);
+}
+
+/// The edge to the infinite vertex stands for the direction that the functional of an infinite cell depends on with a
+/// coefficient of ±1: with it in a determinant, that of the other edges without this coordinate is left.
+template <class D, class V>
+HWY_INLINE V edge_to_infinity(D d, V coefficient) {
+  const V one = hn::Set(d, 1.0);
+  return hn::IfThenElseZero(hn::Eq(hn::Abs(coefficient), one), one);
+}
+
+/// From the determinants of edges themselves.
+template <int K>
+void find_thresholds_by_minors(const NearTask& task, double* thresholds) {
+  const hn::CappedTag<double, near_lanes> d;
+  using V = hn::Vec<decltype(d)>;
+  constexpr double expansion_error = 1.01 * (K * (K + 1) / 2) * kernel::unit_roundoff * most_terms_over_lengths[K];
+  Gathered<K> gathered(task);
+  gathered.gather(task, index(infinite_vertex), K + 1, K);
+  Unpacked cached(task, gathered.certificate());
+  HWY_ALIGN double edge_entries[K * (K + 1) * near_lanes];  // an edge per column
+  const V zero = hn::Zero(d), one = hn::Set(d, 1.0), square_of_edge_error = hn::Set(d, task.edge_error * task.edge_error);
+  for (std::size_t lane = 0; lane < task.cells.size(); lane += hn::Lanes(d)) {
+    V magnitude = hn::Load(d, cached.lifts + lane), num_normal = zero;
+    const auto is_finite = hn::Gt(magnitude, zero);
+    const V inverse_determinant = hn::Div(one, hn::Load(d, cached.determinants + lane));
+    for (std::size_t r = 0; r <= K; ++r) magnitude = hn::Add(magnitude, hn::Abs(hn::Load(d, gathered.functional(r) + lane)));
+    EdgeProducts<V> edges{one, zero, zero, zero};
+    V of_infinite = zero;  // without the infinite vertex, which is the last
+    for (std::size_t i = 0; i <= K; ++i) {
+      of_infinite = edges.one_missing;
+      V square = zero;
+      for (std::size_t r = 0; r < K; ++r) {
+        V entry = hn::Sub(hn::Load(d, gathered.vertex(i, r) + lane), hn::Set(d, task.row[r]));
+        if (i == K) {
+          const V to_infinity = edge_to_infinity(d, hn::Load(d, gathered.functional(r) + lane));
+          num_normal = hn::Add(num_normal, to_infinity);
+          entry = hn::IfThenElse(is_finite, entry, to_infinity);
+        }
+        square = hn::MulAdd(entry, entry, square);
+        hn::Store(entry, d, edge_entries + (r * (K + 1) + i) * near_lanes + lane);
+      }
+      edges.add(widened(d, task, square, one), square_of_edge_error);
+    }
+    V minors[std::size_t{1} << (K + 1)];
+    kernel::HWY_NAMESPACE::tabulate_minors<K>(
+        kernel::HWY_NAMESPACE::Entries<K + 1, near_lanes, decltype(d)>{d, edge_entries + lane}, minors);
+    constexpr std::size_t all = (std::size_t{1} << (K + 1)) - 1;
+    V sum = hn::IfThenElseZero(is_finite, hn::Abs(minors[all & ~(std::size_t{1} << K)]));
+    for (std::size_t i = 0; i < K; ++i) sum = hn::Add(sum, hn::Abs(minors[all & ~(std::size_t{1} << i)]));
+    const V by_lengths = hn::Sqrt(hn::Mul(hn::Set(d, K + 1.0), edges.one_missing));
+    sum = hn::Add(hn::MulAdd(hn::Set(d, expansion_error), by_lengths, sum),
+                  hn::Sqrt(hn::Mul(hn::Set(d, K * (K + 1.0)), edges.flat)));
+    // Where it is not certain which direction that is, lengths must do.
+    sum = hn::IfThenElse(hn::Or(is_finite, hn::Eq(num_normal, one)), sum, hn::Sqrt(hn::Mul(hn::Set(d, K), of_infinite)));
+    lower_threshold(d, task, sum, magnitude, inverse_determinant,
+                    hn::Gt(hn::Min(of_infinite, edges.one_missing), hn::Set(d, smallest_sum)),
+                    hn::Load(d, cached.errors + lane), cached.thresholds + lane);
+  }
+  std::copy_n(cached.thresholds, task.cells.size(), thresholds);
 }
 
 void find_thresholds_here(const NearTask& task, double* thresholds) {
   switch (task.k) {
     case 2:
-      return find_thresholds_in<2>(task, thresholds);
+      return find_thresholds_by_minors<2>(task, thresholds);
     case 3:
-      return find_thresholds_in<3>(task, thresholds);
+      return find_thresholds_by_minors<3>(task, thresholds);
     case 4:
-      return find_thresholds_in<4>(task, thresholds);
+      return find_thresholds_by_minors<4>(task, thresholds);
     case 5:
-      return find_thresholds_in<5>(task, thresholds);
+      return find_thresholds_by_minors<5>(task, thresholds);
     case 6:
-      return find_thresholds_in<6>(task, thresholds);
+      return find_thresholds_by_minors<6>(task, thresholds);
     default:
-      return find_thresholds_in<0>(task, thresholds);
+      return find_thresholds_by_lengths(task, thresholds);
   }
+}
+
+/// Sums over the rows of a matrix of edges from one point: of the magnitudes of the products of the row's cofactors with a unit
+/// vector, and, squared, of the lengths of what is left of them across it.
+template <class V>
+struct CofactorSums {
+  V along, square_across;
+};
+
+template <int K, class E, class V>
+HWY_INLINE CofactorSums<V> sum_cofactors(const E& edges, const V* minors, const V* unit) {
+  V below[std::size_t{1} << K];
+  kernel::HWY_NAMESPACE::tabulate_minors<K - 1>(kernel::HWY_NAMESPACE::FromLastRow<E>{edges}, below);
+  CofactorSums<V> sums{hn::Zero(edges.d), hn::Zero(edges.d)};
+  const auto add_row = [&]<int Row, int... Column>(std::integral_constant<int, Row>, std::integer_sequence<int, Column...>) {
+    const V cofactors[] = {kernel::HWY_NAMESPACE::cofactor<K, Row, Column>(minors, below)...};
+    V product = hn::Zero(edges.d);
+    for (int r = 0; r < K; ++r) product = hn::MulAdd(cofactors[r], unit[r], product);
+    sums.along = hn::Add(sums.along, hn::Abs(product));
+    for (int r = 0; r < K; ++r) {
+      const V across = hn::NegMulAdd(product, unit[r], cofactors[r]);
+      sums.square_across = hn::MulAdd(across, across, sums.square_across);
+    }
+  };
+  [&]<int... Row>(std::integer_sequence<int, Row...>) {
+    (add_row(std::integral_constant<int, Row>{}, std::make_integer_sequence<int, K>{}), ...);
+  }
+  (std::make_integer_sequence<int, K>{});
+  return sums;
+}
+
+/// The sign of the coefficient ±1 of an infinite cell, if the determinant of its edges from the apex is positive.
+template <int K>
+double sign_of_normal(const NearTask& task, Index cell, Index apex) {
+  const Index* const vertices = task.links + cell * CellLayout<K>(task.k).link_stride();
+  const auto slot_of = [&](Index v) { return static_cast<int>(std::find(vertices, vertices + K, v) - vertices); };
+  const int infinite_slot = slot_of(index(infinite_vertex)), slot = slot_of(apex);
+  return (slot + infinite_slot - (infinite_slot > slot) + K) % 2 == 0 ? 1 : -1;
 }
 
 template <int K>
 void certify_by_edges_in(const NearTask& task, Index apex, EdgeCertificate* certificates) {
   constexpr double gain = 16;  // what elimination may gain before it is worth its time
-  constexpr double expansion_error = 1.01 * (K * (K + 1) / 2) * kernel::unit_roundoff;
+  constexpr double expansion_error = 1.01 * (K * (K + 1) / 2) * kernel::unit_roundoff * most_terms_over_lengths[K];
+  constexpr double cofactor_error =
+      1.01 * (K * (K + 1) / 2 + (1 << (K - 1))) * kernel::unit_roundoff * most_terms_over_lengths[K] + 0x1p-43;
   const hn::CappedTag<double, near_lanes> d;
   using V = hn::Vec<decltype(d)>;
   Gathered<K> gathered(task);
   gathered.gather(task, apex, K, K + 1);
-  HWY_ALIGN double edge_entries[K * K * near_lanes];
-  HWY_ALIGN double thresholds[near_lanes], errors[near_lanes], determinants[near_lanes];
-  const double most_terms_factor = std::pow(static_cast<double>(K), K),
-               spread_factor = 4.01 * std::sqrt(static_cast<double>(K));
-  const V zero = hn::Zero(d), one = hn::Set(d, 1.0);
+  Unpacked cached(task, gathered.certificate());
+  HWY_ALIGN double edge_entries[K * K * near_lanes];  // an edge per row
+  HWY_ALIGN double thresholds[near_lanes], errors[near_lanes], determinants[near_lanes], signs[near_lanes] = {};
+  for (std::size_t lane = 0; lane < task.cells.size(); ++lane)
+    if (cached.lifts[lane] == 0) signs[lane] = sign_of_normal<K>(task, task.cells[lane], apex);
+  const V zero = hn::Zero(d), one = hn::Set(d, 1.0), square_of_edge_error = hn::Set(d, task.edge_error * task.edge_error);
+  const V diagonal = hn::Set(d, 2.01 * std::sqrt(static_cast<double>(K)));  // of the box of images
   for (std::size_t lane = 0; lane < task.cells.size(); lane += hn::Lanes(d)) {
-    V functional[K + 1], magnitude = hn::Set(d, task.largest_lift);
+    V functional[K + 1], normal[K], magnitude = hn::Load(d, cached.lifts + lane), square_of_normal = zero;
+    const auto is_finite = hn::Gt(magnitude, zero);
     for (std::size_t r = 0; r <= K; ++r) {
       functional[r] = hn::Load(d, gathered.functional(r) + lane);
       magnitude = hn::Add(magnitude, hn::Abs(functional[r]));
     }
-    V at_apex = hn::Add(hn::Set(d, task.row[K]), functional[K]);
-    for (std::size_t r = 0; r < K; ++r) at_apex = hn::MulAdd(functional[r], hn::Set(d, task.row[r]), at_apex);
-    V residual = hn::Abs(at_apex);
+    V at_apex = hn::Add(hn::IfThenElseZero(is_finite, hn::Set(d, task.row[K])), functional[K]);
+    for (std::size_t r = 0; r < K; ++r) {
+      at_apex = hn::MulAdd(functional[r], hn::Set(d, task.row[r]), at_apex);
+      normal[r] = hn::Add(functional[r], hn::Set(d, 2 * task.lift_weight[r] * task.row[r]));  // of a finite cell's sphere
+      square_of_normal = hn::MulAdd(normal[r], normal[r], square_of_normal);
+    }
+    V residual = hn::Abs(at_apex), num_normal = zero, normal_sign = zero;
     EdgeProducts<V> edges{one, zero, zero, zero};
     for (std::size_t i = 0; i < K; ++i) {
-      V value = hn::Add(hn::Load(d, gathered.vertex(i, K) + lane), functional[K]), square = zero;
+      V value = hn::Add(hn::IfThenElseZero(is_finite, hn::Load(d, gathered.vertex(i, K) + lane)), functional[K]), square = zero;
       for (std::size_t r = 0; r < K; ++r) {
-        const V image = hn::Load(d, gathered.vertex(i, r) + lane), entry = hn::Sub(image, hn::Set(d, task.row[r]));
+        const V image = hn::Load(d, gathered.vertex(i, r) + lane);
+        V entry = hn::Sub(image, hn::Set(d, task.row[r]));
         value = hn::MulAdd(functional[r], image, value);
+        if (i == K - 1) {
+          const V to_infinity = edge_to_infinity(d, functional[r]);
+          num_normal = hn::Add(num_normal, to_infinity);
+          normal_sign = hn::MulAdd(to_infinity, functional[r], normal_sign);
+          entry = hn::IfThenElse(is_finite, entry, to_infinity);
+        }
         square = hn::MulAdd(entry, entry, square);
         hn::Store(entry, d, edge_entries + (i * K + r) * near_lanes + lane);
       }
+      if (i == K - 1) value = hn::IfThenElseZero(is_finite, value);
       residual = hn::Max(residual, hn::Abs(value));
-      edges.add(widened(d, task, square, one));
+      edges.add(widened(d, task, square, one), square_of_edge_error);
     }
+    const kernel::HWY_NAMESPACE::Entries<K, near_lanes, decltype(d)> entries{d, edge_entries + lane};
     V minors[std::size_t{1} << K];
-    kernel::HWY_NAMESPACE::tabulate_minors<K>(
-        kernel::HWY_NAMESPACE::Entries<K, near_lanes, decltype(d)>{d, edge_entries + lane}, minors);
+    kernel::HWY_NAMESPACE::tabulate_minors<K>(entries, minors);
+    const V others = hn::Sqrt(hn::Mul(hn::Set(d, K), edges.one_missing));  // ≥ Σ_i Π_(j≠i) of the lengths
+    const V determinant_error =
+        hn::MulAdd(hn::Set(d, task.edge_error), others, hn::Mul(hn::Set(d, expansion_error), hn::Sqrt(edges.all)));
+    const V signed_determinant = minors[(std::size_t{1} << K) - 1];
+    const V by_edges = hn::NegMulAdd(determinant_error, hn::Set(d, slack), hn::Abs(signed_determinant));
+    const V determinant = hn::Max(by_edges, hn::Load(d, cached.determinants + lane));  // the pencil may know it better
+    // The functional of an infinite cell might be its opposite: the orientation must be certain, and tell the same.
+    const V sign = hn::Mul(hn::Mul(signed_determinant, hn::Load(d, signs + lane)), normal_sign);
+    const auto has_sign =
+        hn::Or(is_finite, hn::And(hn::And(hn::Gt(by_edges, zero), hn::Gt(sign, zero)), hn::Eq(num_normal, one)));
 
     const V rounding = hn::Mul(hn::Set(d, task.evaluation_error), magnitude), error = hn::Add(residual, rounding);
-    const V others = hn::Sqrt(hn::Mul(hn::Set(d, K), edges.one_missing));              // ≥ Σ_i Π_(j≠i) of the lengths
-    const V most_terms = hn::Sqrt(hn::Mul(hn::Set(d, most_terms_factor), edges.all));  // ≥ the permanent of magnitudes
-    const V determinant_error =
-        hn::MulAdd(hn::Set(d, task.edge_error), others, hn::Mul(hn::Set(d, expansion_error), most_terms));
-    const V determinant = hn::NegMulAdd(determinant_error, hn::Set(d, slack), hn::Abs(minors[(std::size_t{1} << K) - 1]));
-    const V spread = hn::MulAdd(hn::Set(d, spread_factor), hn::Div(others, determinant), one);
+    const V bend = hn::Set(d, task.bend);
+    const auto is_large = hn::And(hn::And(is_finite, hn::Gt(bend, zero)), hn::Ge(square_of_normal, one));
+    const V inverse_normal = hn::IfThenElseZero(is_large, hn::Div(one, hn::Sqrt(square_of_normal)));
+    for (std::size_t r = 0; r < K; ++r) normal[r] = hn::Mul(normal[r], inverse_normal);
+    CofactorSums<V> cofactors = sum_cofactors<K>(entries, minors, normal);
+    const V cofactor_errors =
+        hn::MulAdd(hn::Set(d, cofactor_error), others, hn::Sqrt(hn::Mul(hn::Set(d, K * (K - 1)), edges.flat)));
+    const V along = hn::Add(cofactors.along, cofactor_errors);
+    const V across = hn::Add(hn::Sqrt(hn::Mul(hn::Set(d, K), cofactors.square_across)), cofactor_errors);
+    const V gradient_error = hn::Div(hn::Mul(hn::Set(d, 2.01), error), determinant);  // over a sum of lengths of cofactors
+    const V kappa = hn::Mul(hn::Mul(gradient_error, along), inverse_normal);
+    const V at_vertices = hn::Add(error, rounding),
+            in_plane = hn::MulAdd(hn::Mul(gradient_error, across), diagonal, at_vertices);
+    const V in_box = hn::MulAdd(hn::Mul(gradient_error, along), diagonal, in_plane);
+    const V near_plane = hn::Mul(hn::MulAdd(kappa, bend, in_plane), hn::MulAdd(hn::Set(d, 3.0), kappa, one));
+    const auto is_flat = hn::And(is_large, hn::Le(kappa, hn::Set(d, 0.25)));
+    const V threshold = hn::IfThenElse(is_flat, hn::Min(in_box, near_plane), in_box);
     const auto is_proved = hn::And(hn::And(hn::Le(error, hn::Mul(hn::Set(d, gain), rounding)), hn::Lt(rounding, one)),
-                                   hn::Gt(determinant, hn::Set(d, certificate::smallest)));  // false for NaN
-    hn::Store(hn::MulAdd(error, spread, rounding), d, thresholds + lane);
+                                   hn::And(hn::Gt(determinant, hn::Set(d, certificate::smallest)), has_sign));
+    hn::Store(hn::Mul(threshold, hn::Set(d, slack)), d, thresholds + lane);
     hn::Store(error, d, errors + lane);
     hn::Store(hn::IfThenElseZero(is_proved, determinant), d, determinants + lane);
   }

@@ -29,6 +29,7 @@ struct NearTask {
   double evaluation_error;    ///< of a rounded evaluation, relative to the sum of the magnitudes of a functional's terms
   double largest_lift;        ///< of a point of the box
   double edge_error;          ///< of edges between rows, and of their heights over planes
+  double bend;                ///< how far lifts deviate from a plane that touches them in the box, at most; 0: not known
   const double* lift_weight;  ///< per axis, of the square of an image in the lift
 };
 
@@ -39,9 +40,9 @@ constexpr bool can_find_thresholds(int k) { return k >= 1 && k <= 16; }
 /// can_find_thresholds(k).
 void find_thresholds(const NearTask& task, double* thresholds);
 
-/// What is proved of the functional of a finite cell.
+/// What is proved of a functional.
 struct EdgeCertificate {
-  double threshold;    ///< |value − h| is below it for all points of the box
+  double threshold;    ///< values beyond it have the sign of h
   double error;        ///< and at the vertices, below it
   double determinant;  ///< of the edge vectors, at least that in magnitude; 0: nothing is proved
 };
@@ -50,8 +51,8 @@ struct EdgeCertificate {
 constexpr bool can_certify_by_edges(int k) { return k >= 2 && k <= 6; }
 
 /// Certifies functionals by their values at the vertices and the determinants of the edges, if elimination could hardly do
-/// better. Cost O(k·2^k) per cell. REQUIRES that the cells are finite, the point is that of `apex`, a vertex of all of them,
-/// and can_certify_by_edges(k).
+/// better. Cost O(k·2^k) per cell. REQUIRES that the point is that of `apex`, a vertex of all cells, can_certify_by_edges(k),
+/// and that the cached determinants are lower bounds.
 void certify_by_edges(const NearTask& task, Index apex, EdgeCertificate* certificates);
 
 }  // namespace delone::geometry

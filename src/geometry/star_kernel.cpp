@@ -36,6 +36,10 @@ namespace delone::geometry {
 constexpr std::size_t block_size = 32;
 /// A threshold beyond this fraction of the functional's scale would leave too many tests open.
 constexpr double weakest = 0x1p-7;
+/// The same of the radius of a sphere that is far larger than the box, over `weakest`.
+constexpr double weakest_of_large = 0x1p-6;
+/// By how much thresholds of such spheres are smaller at least, and the relative error of a value that they allow at most.
+constexpr double largest_shrinking = 2, most_kappa = 0.25;
 /// The arrays of a block, `block_size` entries of 64 bits each. A and B are the cells of a facet, N the new cell.
 enum BlockArray : std::size_t {
   value_a,
@@ -141,14 +145,18 @@ void compute(const StarTask& task, std::size_t count, double* HWY_RESTRICT block
     const U threshold_bits = hn::Set(du, 0x7fffffff), short_bits = hn::Set(du, 0x7fff);
     // Exact stages may have decided: true values have the right signs, so 0 is closer to them than a computed wrong sign.
     const V a = hn::Min(load(value_a), zero), b = hn::Max(load(value_b), zero), minus_a = hn::Neg(a);
-    const V t_a = unpack(hn::And(of_a, threshold_bits)), t_b = unpack(hn::And(of_b, threshold_bits));
+    // How far values may be off, as thresholds of flat cells hold for values within them only.
+    const V per_bend = hn::Set(d, frame.bend > 0 ? 1 / frame.bend : 0);
+    const auto error_of = [&](V threshold, V value) { return hn::MulAdd(hn::Mul(threshold, value), per_bend, threshold); };
+    const V t_a = error_of(unpack(hn::And(of_a, threshold_bits)), minus_a);
+    const V t_b = error_of(unpack(hn::And(of_b, threshold_bits)), b);
     const V e_a = unpack_short(hn::And(hn::ShiftRight<32>(of_a), short_bits));
     const V e_b = unpack_short(hn::And(hn::ShiftRight<32>(of_b), short_bits));
     const auto a_is_infinite = is_infinite(of_a), b_is_infinite = is_infinite(of_b);
     const auto infinite = hn::And(a_is_infinite, b_is_infinite);
     const auto swapped = hn::AndNot(b_is_infinite, a_is_infinite);
-    const U packed_determinant =
-        hn::And(hn::ShiftRight<48>(hn::IfThenElse(hn::RebindMask(du, swapped), of_b, of_a)), short_bits);
+    const auto swapped_bits = hn::RebindMask(du, swapped);
+    const U packed_determinant = hn::And(hn::ShiftRight<48>(hn::IfThenElse(swapped_bits, of_b, of_a)), short_bits);
     const V old_determinant =
         hn::IfThenZeroElse(hn::RebindMask(d, hn::Eq(packed_determinant, hn::Zero(du))), unpack_short(packed_determinant));
 
@@ -172,7 +180,9 @@ void compute(const StarTask& task, std::size_t count, double* HWY_RESTRICT block
     }
     // Divisions take longest: as few as will do, and none that waits for the radius.
     const V inverse_height = hn::Div(one, height), x = hn::Mul(b, inverse_height), y = hn::Mul(minus_a, inverse_height);
-    const V opposite_height = hn::Add(load(opposite_value), hn::IfThenElse(swapped, t_a, t_b));
+    const V opposite = load(opposite_value),
+            opposite_threshold = unpack(hn::And(hn::IfThenElse(swapped_bits, of_a, of_b), threshold_bits));
+    const V opposite_height = hn::Add(opposite, error_of(opposite_threshold, hn::Abs(opposite)));
     const V moved_determinant = hn::Mul(old_determinant, hn::Sub(height, height_error));
     const V det = hn::Mul(hn::Div(moved_determinant, opposite_height), hn::Set(d, 1 - slack));
     const V inverse_det = hn::Mul(hn::Div(opposite_height, moved_determinant), hn::Set(d, 1 + 2 * slack));  // ≥ 1/det
@@ -210,9 +220,10 @@ void compute(const StarTask& task, std::size_t count, double* HWY_RESTRICT block
     const V error = hn::Mul(hn::Max(error_at_facet, hn::Add(hn::Abs(at_q), rounding)), hn::Set(d, 1 + slack));
     V power = hn::Set(d, frame.finite_spread);
     V scale = height;  // without a radius, how large values are near the cell
+    V radius_error = zero;
     if (frame.uses_radius) {
       // All vertices are within R of the centre of the approximate sphere: |h̃| ≤ error there.
-      const V radius_error = hn::Mul(hn::Set(d, 8 * 0x1p-53), hn::Add(magnitude, gradient_square));
+      radius_error = hn::Mul(hn::Set(d, 8 * 0x1p-53), hn::Add(magnitude, gradient_square));
       const V radius_square = hn::Add(hn::Add(hn::Sub(hn::Mul(gradient_square, hn::Set(d, 0.25)), g), error), radius_error);
       const V square = hn::Min(radius_square, hn::Set(d, frame.largest_radius * frame.largest_radius));
       for (std::size_t r = 2; r < k; r += 2) power = hn::Mul(power, square);
@@ -221,8 +232,25 @@ void compute(const StarTask& task, std::size_t count, double* HWY_RESTRICT block
     }
     power = hn::IfThenElse(infinite, hn::Set(d, frame.infinite_spread), power);
     scale = hn::IfThenElse(infinite, one, scale);
-    const V spread = hn::MulAdd(power, inverse_det, one);
-    const V threshold = hn::Mul(hn::MulAdd(error, spread, rounding), hn::Set(d, 1 + slack));
+    V distance_error = hn::Mul(error, hn::Mul(power, inverse_det));  // in the box, beside the error at the vertices
+    V flat_growth = hn::Set(d, 1 + slack);
+    if (frame.bend > 0) {
+      // Spheres far larger than the box are nearly planes in it: where a value is small, the cell's plane is near.
+      const double least_radius = largest_shrinking * frame.flatness * frame.bend;
+      const auto is_large = hn::AndNot(infinite, hn::Gt(scale, hn::Set(d, least_radius * least_radius)));
+      if (!hn::AllFalse(d, is_large)) {
+        const V margin = hn::Add(radius_error, error);
+        const V radius = hn::Sqrt(hn::Max(hn::NegMulAdd(hn::Set(d, 2.0), margin, scale), one));  // no more than it is
+        const V kappa = hn::Mul(distance_error, hn::Div(hn::Set(d, frame.flatness), radius));
+        const auto is_flat =
+            hn::And(hn::And(is_large, hn::Le(kappa, hn::Set(d, most_kappa))),
+                    hn::And(hn::Lt(margin, hn::Set(d, frame.bend / 1024)), hn::Gt(radius, hn::Set(d, least_radius))));
+        distance_error = hn::IfThenElse(is_flat, hn::Mul(kappa, hn::Set(d, 1.004 * frame.bend)), distance_error);
+        flat_growth = hn::IfThenElse(is_flat, hn::MulAdd(hn::Set(d, 3.001), kappa, flat_growth), flat_growth);
+        scale = hn::IfThenElse(is_large, hn::Mul(radius, hn::Set(d, weakest_of_large)), scale);
+      }
+    }
+    const V threshold = hn::Mul(hn::Add(hn::Add(error, distance_error), rounding), flat_growth);
     // With not-a-number anywhere, a comparison fails.
     const V smallest = hn::Set(d, certificate::smallest), largest = hn::Set(d, certificate::largest);
     const auto usable = hn::And(hn::And(hn::Ge(det, smallest), hn::Le(det, largest)),
@@ -230,7 +258,8 @@ void compute(const StarTask& task, std::size_t count, double* HWY_RESTRICT block
     const auto pack = [&](V positive) { return hn::Sub(hn::BitCast(du, positive), bias); };
     const U up = hn::Add(hn::ShiftRight<certificate::fraction_shift>(pack(hn::Max(threshold, smallest))), hn::Set(du, 1));
     const U error_up = hn::Add(hn::ShiftRight<certificate::short_shift>(pack(hn::Max(error, smallest))), hn::Set(du, 1));
-    const U down = hn::ShiftRight<certificate::short_shift>(pack(det));
+    const auto has_determinant = hn::RebindMask(du, hn::And(hn::Ge(det, smallest), hn::Le(det, largest)));
+    const U down = hn::IfThenElseZero(has_determinant, hn::ShiftRight<certificate::short_shift>(pack(det)));
     const U infinite_bit = hn::IfThenElseZero(hn::RebindMask(du, infinite), hn::Set(du, std::uint64_t{1} << 31));
     const U packed = hn::Or(hn::Or(up, infinite_bit), hn::Or(hn::ShiftLeft<32>(error_up), hn::ShiftLeft<48>(down)));
     hn::Store(hn::BitCast(d, packed), d, block + certificate_a * block_size + lane);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Tables of minors (kernel/minors.hpp) with a matrix in every lane of the processor's vectors: to be included once for each
-// instruction set, after hwy/highway.h.
+// instruction set, after hwy/highway.h. All sets are of columns, as bits.
 #if defined(DELONE_KERNEL_MINORS_INL) == defined(HWY_TARGET_TOGGLE)
 #ifdef DELONE_KERNEL_MINORS_INL
 #undef DELONE_KERNEL_MINORS_INL
@@ -26,6 +26,15 @@ struct Entries {
   static constexpr int columns = Columns;
   D d;
   const double* first;
+};
+
+/// The same with the last row first.
+template <class E>
+struct FromLastRow {
+  HWY_INLINE auto at(int row, int column) const { return entries.at(columns - 1 - row, column); }
+
+  static constexpr int columns = E::columns;
+  E entries;
 };
 
 /// The minor of the first |Set| rows and a set of columns, from those of one row less, by sets of columns.
@@ -62,6 +71,53 @@ HWY_INLINE void tabulate_minors(const E& entries, V* minors) {
     (tabulate(std::integral_constant<unsigned, S + 1>{}), ...);
   }
   (std::make_integer_sequence<unsigned, (1u << E::columns) - 1>{});
+}
+
+/// Whether the columns of one set, then another, then a third, each in ascending order, are an odd permutation.
+constexpr bool is_odd(unsigned first, unsigned second, unsigned third) {
+  int inversions = 0;
+  for (int column = 0; column < 32; ++column) {
+    const unsigned below = (1u << column) - 1;
+    if ((first >> column & 1) != 0) inversions += std::popcount((second | third) & below);
+    if ((second >> column & 1) != 0) inversions += std::popcount(third & below);
+  }
+  return inversions % 2 != 0;
+}
+
+/// The cofactor of an entry of a square matrix, up to a sign that depends on the row only, from the minors of the rows above
+/// and below it (those of FromLastRow).
+template <int Columns, int Row, int Column, class V>
+HWY_INLINE V cofactor(const V* above, const V* below) {
+  namespace hn = hwy::HWY_NAMESPACE;
+  constexpr unsigned others = ((1u << Columns) - 1) & ~(1u << Column);
+  constexpr unsigned first = [] {
+    unsigned set = 0;  // as many of the others as there are rows above
+    for (int column = 0; std::popcount(set) < Row; ++column) set |= others & 1u << column;
+    return set;
+  }();
+  const auto term = [&]<unsigned Set>(std::integral_constant<unsigned, Set>) {
+    constexpr unsigned rest = others & ~Set;
+    if constexpr (Set == 0)
+      return below[rest];
+    else if constexpr (rest == 0)
+      return above[Set];
+    else
+      return hn::Mul(above[Set], below[rest]);
+  };
+  V sum = term(std::integral_constant<unsigned, first>{});
+  if constexpr (is_odd(first, 1u << Column, others & ~first)) sum = hn::Neg(sum);
+  [&]<unsigned... S>(std::integer_sequence<unsigned, S...>) {
+    const auto add = [&]<unsigned Set>(std::integral_constant<unsigned, Set>) {
+      if constexpr (std::popcount(Set) == Row && (Set & ~others) == 0 && Set != first) {
+        constexpr unsigned rest = others & ~Set;
+        sum = is_odd(Set, 1u << Column, rest) ? hn::NegMulAdd(above[Set], below[rest], sum)
+                                              : hn::MulAdd(above[Set], below[rest], sum);
+      }
+    };
+    (add(std::integral_constant<unsigned, S>{}), ...);
+  }
+  (std::make_integer_sequence<unsigned, 1u << Columns>{});
+  return sum;
 }
 
 }  // namespace HWY_NAMESPACE
