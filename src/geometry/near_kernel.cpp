@@ -321,6 +321,8 @@ double sign_of_normal(const NearTask& task, Index cell, Index apex) {
 template <int K>
 void certify_by_edges_in(const NearTask& task, Index apex, EdgeCertificate* certificates) {
   constexpr double gain = 16;  // what elimination may gain before it is worth its time
+  // Thresholds that are low enough not to ask for cofactors, which are cheap up to four dimensions.
+  constexpr double low_per_square = 0x1p-9, low_per_radius = 0x1p-10, low_of_infinite = 0x1p-24;
   constexpr double expansion_error = 1.01 * (K * (K + 1) / 2) * kernel::unit_roundoff * most_terms_over_lengths[K];
   constexpr double cofactor_error =
       1.01 * (K * (K + 1) / 2 + (1 << (K - 1))) * kernel::unit_roundoff * most_terms_over_lengths[K] + 0x1p-43;
@@ -384,25 +386,33 @@ void certify_by_edges_in(const NearTask& task, Index apex, EdgeCertificate* cert
         hn::Or(is_finite, hn::And(hn::And(hn::Gt(by_edges, zero), hn::Gt(sign, zero)), hn::Eq(num_normal, one)));
 
     const V rounding = hn::Mul(hn::Set(d, task.evaluation_error), magnitude), error = hn::Add(residual, rounding);
-    const V bend = hn::Set(d, task.bend);
-    const auto is_large = hn::And(hn::And(is_finite, hn::Gt(bend, zero)), hn::Ge(square_of_normal, one));
-    const V inverse_normal = hn::IfThenElseZero(is_large, hn::Div(one, hn::Sqrt(square_of_normal)));
-    for (std::size_t r = 0; r < K; ++r) normal[r] = hn::Mul(normal[r], inverse_normal);
-    CofactorSums<V> cofactors = sum_cofactors<K>(entries, minors, normal);
-    const V cofactor_errors =
-        hn::MulAdd(hn::Set(d, cofactor_error), others, hn::Sqrt(hn::Mul(hn::Set(d, K * (K - 1)), edges.flat)));
-    const V along = hn::Add(cofactors.along, cofactor_errors);
-    const V across = hn::Add(hn::Sqrt(hn::Mul(hn::Set(d, K), cofactors.square_across)), cofactor_errors);
-    const V gradient_error = hn::Div(hn::Mul(hn::Set(d, 2.01), error), determinant);  // over a sum of lengths of cofactors
-    const V kappa = hn::Mul(hn::Mul(gradient_error, along), inverse_normal);
-    const V at_vertices = hn::Add(error, rounding),
-            in_plane = hn::MulAdd(hn::Mul(gradient_error, across), diagonal, at_vertices);
-    const V in_box = hn::MulAdd(hn::Mul(gradient_error, along), diagonal, in_plane);
-    const V near_plane = hn::Mul(hn::MulAdd(kappa, bend, in_plane), hn::MulAdd(hn::Set(d, 3.0), kappa, one));
-    const auto is_flat = hn::And(is_large, hn::Le(kappa, hn::Set(d, 0.25)));
-    const V threshold = hn::IfThenElse(is_flat, hn::Min(in_box, near_plane), in_box);
     const auto is_proved = hn::And(hn::And(hn::Le(error, hn::Mul(hn::Set(d, gain), rounding)), hn::Lt(rounding, one)),
                                    hn::And(hn::Gt(determinant, hn::Set(d, certificate::smallest)), has_sign));
+    const V gradient_error = hn::Div(hn::Mul(hn::Set(d, 2.01), error), determinant);  // over a sum of lengths of cofactors
+    const V at_vertices = hn::Add(error, rounding);
+    V threshold = hn::MulAdd(hn::Mul(gradient_error, others), diagonal, at_vertices);
+    const V length_of_normal = hn::Sqrt(square_of_normal);  // for finite cells in the order of the radius
+    const V low = hn::IfThenElse(
+        is_finite,
+        hn::Min(hn::Mul(square_of_normal, hn::Set(d, low_per_square)), hn::Mul(length_of_normal, hn::Set(d, low_per_radius))),
+        hn::Set(d, low_of_infinite));
+    if (K <= 4 || !hn::AllFalse(d, hn::And(is_proved, hn::Gt(threshold, low)))) {
+      const V bend = hn::Set(d, task.bend);
+      const auto is_large = hn::And(hn::And(is_finite, hn::Gt(bend, zero)), hn::Ge(square_of_normal, one));
+      const V inverse_normal = hn::IfThenElseZero(is_large, hn::Div(one, length_of_normal));
+      for (std::size_t r = 0; r < K; ++r) normal[r] = hn::Mul(normal[r], inverse_normal);
+      const CofactorSums<V> cofactors = sum_cofactors<K>(entries, minors, normal);
+      const V cofactor_errors =
+          hn::MulAdd(hn::Set(d, cofactor_error), others, hn::Sqrt(hn::Mul(hn::Set(d, K * (K - 1)), edges.flat)));
+      const V along = hn::Add(cofactors.along, cofactor_errors);
+      const V across = hn::Add(hn::Sqrt(hn::Mul(hn::Set(d, K), cofactors.square_across)), cofactor_errors);
+      const V kappa = hn::Mul(hn::Mul(gradient_error, along), inverse_normal);
+      const V in_plane = hn::MulAdd(hn::Mul(gradient_error, across), diagonal, at_vertices);
+      const V in_box = hn::MulAdd(hn::Mul(gradient_error, along), diagonal, in_plane);
+      const V near_plane = hn::Mul(hn::MulAdd(kappa, bend, in_plane), hn::MulAdd(hn::Set(d, 3.0), kappa, one));
+      const auto is_flat = hn::And(is_large, hn::Le(kappa, hn::Set(d, 0.25)));
+      threshold = hn::Min(threshold, hn::IfThenElse(is_flat, hn::Min(in_box, near_plane), in_box));
+    }
     hn::Store(hn::Mul(threshold, hn::Set(d, slack)), d, thresholds + lane);
     hn::Store(error, d, errors + lane);
     hn::Store(hn::IfThenElseZero(is_proved, determinant), d, determinants + lane);

@@ -37,7 +37,7 @@ constexpr std::size_t block_size = 32;
 /// A threshold beyond this fraction of the functional's scale would leave too many tests open.
 constexpr double weakest = 0x1p-7;
 /// The same of the radius of a sphere that is far larger than the box, over `weakest`.
-constexpr double weakest_of_large = 0x1p-6;
+constexpr double weakest_of_large = 0x1p-3;
 /// By how much thresholds of such spheres are smaller at least, and the relative error of a value that they allow at most.
 constexpr double largest_shrinking = 2, most_kappa = 0.25;
 /// The arrays of a block, `block_size` entries of 64 bits each. A and B are the cells of a facet, N the new cell.
