@@ -49,8 +49,8 @@ struct Triangulation::Impl {
   bool may_hide() const { return points.form != kernel::RowForm::point; }
   bool is_visible(Index v) const { return v < cell_of_vertex.size() && cell_of_vertex[v] != invalid_cell; }
 
-  /// `weights`: one per point, or none: all are 0. `release`, if there is one, is called when the coordinates are not needed any
-  /// more, before most cells are created.
+  /// `weights`: one per point, or none: all are 0. `release`, if there is one, is called when the coordinates are not needed
+  /// any more, before most cells are created.
   void insert_range(std::span<const double> coordinates, std::span<const double> weights,
                     const std::function<void()>& release = {});
   InsertResult insert(std::span<const double> point, double weight, std::optional<CellId> hint);
