@@ -85,7 +85,7 @@ class Functionals {
     double per_bend_;
     int k_;
   };
-  Evaluator evaluator(const double* row) const { return {memory_, row, bend_ > 0 ? 1 / bend_ : 0}; }
+  Evaluator evaluator(const double* row) const { return {memory_, row, per_bend_}; }
 
   double threshold(Index cell) const { return certificate::threshold(packed(cell)); }
   /// The same of several cells for one row alone: less if the row is near the vertices of the cell. `rows`: of all vertices.
@@ -154,8 +154,8 @@ class Functionals {
   /// too: takes over its functional, and returns true.
   bool adopt(const HorizonFacet& facet, const double* query_row, const LatticeBounds& bounds);
 
-  /// Certifies the functionals of finite cells of a star by their values at the vertices and the determinants of their edges at
-  /// the new vertex, where elimination could hardly do better. Returns how many of the `weak` facets are left.
+  /// Certifies the functionals of cells of a star by their values at the vertices and the determinants and cofactors of their
+  /// edges at the new vertex, where elimination could hardly do better. Returns how many of the `weak` facets are left.
   std::size_t certify_by_edges(std::span<const HorizonFacet> facets, std::span<std::uint32_t> weak, const VertexRows& rows,
                                const double* query_row) requires(Lifted);
   NearTask near_task(std::span<const Index> cells, const VertexRows& rows, const double* row) const;
@@ -168,8 +168,8 @@ class Functionals {
   }
 
   FrameConstants frame_constants() const {
-    return {evaluation_error_, largest_lift_, finite_spread_, infinite_spread_,    largest_radius_,
-            spheres_,          bend_,         flatness_,      extent_ratio_.data()};
+    return {evaluation_error_, largest_lift_, finite_spread_, infinite_spread_, largest_radius_,
+            spheres_,          bend_,         per_bend_,      flatness_,        extent_ratio_.data()};
   }
 
   CellMemory<K>& memory_;            // per cell: k coefficients, the constant, the certificate
@@ -183,6 +183,7 @@ class Functionals {
                                  // spheres_; else the power of R is in it
   double largest_radius_ = 0;
   double bend_ = 0;                    // of lifts over planes that touch them, at most; 0: not known, or not lifted
+  double per_bend_ = 0;                // 1/bend, or 0
   double flatness_ = 0;                // see FrameConstants
   double infinite_spread_ = 0;         // the same for infinite cells, over det
   std::vector<double> extent_ratio_;   // per axis, the frame's scale over that of lifts
@@ -256,10 +257,11 @@ void Functionals<K, Lifted>::set_frame(const Frame& frame, const std::vector<int
   largest_in_unit_sphere_ = 1.001 * std::pow(n + 1, (n + 1) / 2) / std::pow(n, n / 2) / volume_ratio;
   finite_spread_ = 1.001 * 2 * std::sqrt(diagonal) * (n + 1) * regular / volume_ratio;
   if (spheres_ && frame.form() == kernel::RowForm::point) {
-    bend_ = 1.001 * 4 * diagonal;
+    bend_ = 1.001 * 4 * diagonal;  // that is the square of the diagonal of the box
+    per_bend_ = 1 / bend_;
     flatness_ = 1.001 * (n + 1) / (8 * std::sqrt(diagonal));
   } else {
-    bend_ = flatness_ = 0;
+    bend_ = per_bend_ = flatness_ = 0;
   }
   // In a flat, and if spheres have all vertices inside, they say little about where vertices are, but the box does: R is the
   // length of its half diagonal.

@@ -42,8 +42,8 @@ void find_thresholds(const NearTask& task, double* thresholds);
 
 /// What is proved of a functional.
 struct EdgeCertificate {
-  double threshold;    ///< values beyond it have the sign of h
-  double error;        ///< and at the vertices, below it
+  double threshold;    ///< a value beyond it has the sign of h, for all points of the box; one within it is off by no more
+  double error;        ///< |h̃| is below it at the vertices
   double determinant;  ///< of the edge vectors, at least that in magnitude; 0: nothing is proved
 };
 

@@ -38,8 +38,8 @@ constexpr std::size_t block_size = 32;
 constexpr double weakest = 0x1p-7;
 /// The same of the radius of a sphere that is far larger than the box, over `weakest`.
 constexpr double weakest_of_large = 0x1p-3;
-/// By how much thresholds of such spheres are smaller at least, and the relative error of a value that they allow at most.
-constexpr double largest_shrinking = 2, most_kappa = 0.25;
+/// By what factor thresholds of such spheres are smaller at least, and what part of a value may be an error at most.
+constexpr double least_shrinking = 2, most_kappa = 0.25;
 /// The arrays of a block, `block_size` entries of 64 bits each. A and B are the cells of a facet, N the new cell.
 enum BlockArray : std::size_t {
   value_a,
@@ -146,8 +146,9 @@ void compute(const StarTask& task, std::size_t count, double* HWY_RESTRICT block
     // Exact stages may have decided: true values have the right signs, so 0 is closer to them than a computed wrong sign.
     const V a = hn::Min(load(value_a), zero), b = hn::Max(load(value_b), zero), minus_a = hn::Neg(a);
     // How far values may be off, as thresholds of flat cells hold for values within them only.
-    const V per_bend = hn::Set(d, frame.bend > 0 ? 1 / frame.bend : 0);
-    const auto error_of = [&](V threshold, V value) { return hn::MulAdd(hn::Mul(threshold, value), per_bend, threshold); };
+    const auto error_of = [&](V threshold, V value) {
+      return hn::MulAdd(hn::Mul(threshold, value), hn::Set(d, frame.per_bend), threshold);
+    };
     const V t_a = error_of(unpack(hn::And(of_a, threshold_bits)), minus_a);
     const V t_b = error_of(unpack(hn::And(of_b, threshold_bits)), b);
     const V e_a = unpack_short(hn::And(hn::ShiftRight<32>(of_a), short_bits));
@@ -236,7 +237,7 @@ void compute(const StarTask& task, std::size_t count, double* HWY_RESTRICT block
     V flat_growth = hn::Set(d, 1 + slack);
     if (frame.bend > 0) {
       // Spheres far larger than the box are nearly planes in it: where a value is small, the cell's plane is near.
-      const double least_radius = largest_shrinking * frame.flatness * frame.bend;
+      const double least_radius = least_shrinking * frame.flatness * frame.bend;
       const auto is_large = hn::AndNot(infinite, hn::Gt(scale, hn::Set(d, least_radius * least_radius)));
       if (!hn::AllFalse(d, is_large)) {
         const V margin = hn::Add(radius_error, error);

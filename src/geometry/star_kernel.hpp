@@ -23,6 +23,7 @@ struct FrameConstants {
   double largest_radius;       ///< of a ball that contains the box
   bool uses_radius;            ///< false: finite_spread/det is the bound, whatever the radius
   double bend;                 ///< how far lifts deviate from a plane that touches them in the box, at most; 0: not known
+  double per_bend;             ///< 1/bend, or 0 if that is not known
   double flatness;             ///< for radii L beyond the box, that bound times flatness·(bend + |value|)/L is one
   const double* extent_ratio;  ///< per axis, the frame's scale over that of lifts
 };
