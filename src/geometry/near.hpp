@@ -52,7 +52,7 @@ std::size_t Functionals<K, Lifted>::certify_by_edges(std::span<const HorizonFace
                                certificates);
     for (std::size_t i = 0; i < some.size(); ++i) {
       const EdgeCertificate& proved = certificates[i];
-      if (proved.determinant > 0)
+      if (proved.is_final)
         certify(cells[i], proved.threshold, proved.error, proved.determinant, is_infinite(cells[i]));
       else
         weak[num_left++] = some[i];

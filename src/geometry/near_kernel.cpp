@@ -321,6 +321,7 @@ double sign_of_normal(const NearTask& task, Index cell, Index apex) {
 template <int K>
 void certify_by_edges_in(const NearTask& task, Index apex, EdgeCertificate* certificates) {
   constexpr double gain = 16;  // what elimination may gain before it is worth its time
+  constexpr double finer = 4;  // by what factor its bounds on determinants are smaller, at most
   // Thresholds that are low enough not to ask for cofactors, which are cheap up to four dimensions.
   constexpr double low_per_square = 0x1p-9, low_per_radius = 0x1p-10, low_of_infinite = 0x1p-24;
   constexpr double expansion_error = 1.01 * (K * (K + 1) / 2) * kernel::unit_roundoff * most_terms_over_lengths[K];
@@ -332,7 +333,8 @@ void certify_by_edges_in(const NearTask& task, Index apex, EdgeCertificate* cert
   gathered.gather(task, apex, K, K + 1);
   Unpacked cached(task, gathered.certificate());
   HWY_ALIGN double edge_entries[K * K * near_lanes];  // an edge per row
-  HWY_ALIGN double thresholds[near_lanes], errors[near_lanes], determinants[near_lanes], signs[near_lanes] = {};
+  HWY_ALIGN double thresholds[near_lanes], errors[near_lanes], determinants[near_lanes], open[near_lanes];
+  HWY_ALIGN double signs[near_lanes] = {};
   for (std::size_t lane = 0; lane < task.cells.size(); ++lane)
     if (cached.lifts[lane] == 0) signs[lane] = sign_of_normal<K>(task, task.cells[lane], apex);
   const V zero = hn::Zero(d), one = hn::Set(d, 1.0), square_of_edge_error = hn::Set(d, task.edge_error * task.edge_error);
@@ -379,7 +381,8 @@ void certify_by_edges_in(const NearTask& task, Index apex, EdgeCertificate* cert
         hn::MulAdd(hn::Set(d, task.edge_error), others, hn::Mul(hn::Set(d, expansion_error), hn::Sqrt(edges.all)));
     const V signed_determinant = minors[(std::size_t{1} << K) - 1];
     const V by_edges = hn::NegMulAdd(determinant_error, hn::Set(d, slack), hn::Abs(signed_determinant));
-    const V determinant = hn::Max(by_edges, hn::Load(d, cached.determinants + lane));  // the pencil may know it better
+    const V by_pencil = hn::Load(d, cached.determinants + lane);
+    const V determinant = hn::Max(by_edges, by_pencil);  // the pencil may know it better
     // The functional of an infinite cell might be its opposite: the orientation must be certain, and tell the same.
     const V sign = hn::Mul(hn::Mul(signed_determinant, hn::Load(d, signs + lane)), normal_sign);
     const auto has_sign =
@@ -388,6 +391,8 @@ void certify_by_edges_in(const NearTask& task, Index apex, EdgeCertificate* cert
     const V rounding = hn::Mul(hn::Set(d, task.evaluation_error), magnitude), error = hn::Add(residual, rounding);
     const auto is_proved = hn::And(hn::And(hn::Le(error, hn::Mul(hn::Set(d, gain), rounding)), hn::Lt(rounding, one)),
                                    hn::And(hn::Gt(determinant, hn::Set(d, certificate::smallest)), has_sign));
+    const auto is_hopeless = hn::And(hn::And(hn::Eq(by_pencil, zero), hn::Lt(error, hn::Set(d, certificate::largest))),
+                                     hn::Lt(hn::Mul(hn::Set(d, finer), hn::Abs(signed_determinant)), determinant_error));
     const V gradient_error = hn::Div(hn::Mul(hn::Set(d, 2.01), error), determinant);  // over a sum of lengths of cofactors
     const V at_vertices = hn::Add(error, rounding);
     V threshold = hn::MulAdd(hn::Mul(gradient_error, others), diagonal, at_vertices);
@@ -413,12 +418,13 @@ void certify_by_edges_in(const NearTask& task, Index apex, EdgeCertificate* cert
       const auto is_flat = hn::And(is_large, hn::Le(kappa, hn::Set(d, 0.25)));
       threshold = hn::Min(threshold, hn::IfThenElse(is_flat, hn::Min(in_box, near_plane), in_box));
     }
-    hn::Store(hn::Mul(threshold, hn::Set(d, slack)), d, thresholds + lane);
+    hn::Store(hn::IfThenElse(is_proved, hn::Mul(threshold, hn::Set(d, slack)), hn::Inf(d)), d, thresholds + lane);
     hn::Store(error, d, errors + lane);
     hn::Store(hn::IfThenElseZero(is_proved, determinant), d, determinants + lane);
+    hn::Store(hn::IfThenZeroElse(hn::Or(is_proved, is_hopeless), one), d, open + lane);
   }
   for (std::size_t lane = 0; lane < task.cells.size(); ++lane)
-    certificates[lane] = {thresholds[lane], errors[lane], determinants[lane]};
+    certificates[lane] = {thresholds[lane], errors[lane], determinants[lane], open[lane] == 0};
 }
 
 void certify_by_edges_here(const NearTask& task, Index apex, EdgeCertificate* certificates) {

@@ -44,15 +44,16 @@ void find_thresholds(const NearTask& task, double* thresholds);
 struct EdgeCertificate {
   double threshold;    ///< a value beyond it has the sign of h, for all points of the box; one within it is off by no more
   double error;        ///< |h̃| is below it at the vertices
-  double determinant;  ///< of the edge vectors, at least that in magnitude; 0: nothing is proved
+  double determinant;  ///< of the edge vectors, at least that in magnitude; 0: none is known
+  bool is_final;       ///< elimination could hardly prove more; else it is to be asked
 };
 
 /// The dimensions in which functionals can be certified by edges.
 constexpr bool can_certify_by_edges(int k) { return k >= 2 && k <= 6; }
 
-/// Certifies functionals by their values at the vertices and the determinants of the edges, if elimination could hardly do
-/// better. Cost O(k·2^k) per cell. REQUIRES that the point is that of `apex`, a vertex of all cells, can_certify_by_edges(k),
-/// and that the cached determinants are lower bounds.
+/// Certifies functionals by their values at the vertices and the determinants of the edges. Cells too flat for anything to be
+/// proved have an infinite threshold. Cost O(k·2^k) per cell. REQUIRES that the point is that of `apex`, a vertex of all cells,
+/// can_certify_by_edges(k), and that the cached determinants are lower bounds.
 void certify_by_edges(const NearTask& task, Index apex, EdgeCertificate* certificates);
 
 }  // namespace delone::geometry

@@ -36,8 +36,10 @@ namespace delone::geometry {
 constexpr std::size_t block_size = 32;
 /// A threshold beyond this fraction of the functional's scale would leave too many tests open.
 constexpr double weakest = 0x1p-7;
-/// The same of the radius of a sphere that is far larger than the box, over `weakest`.
-constexpr double weakest_of_large = 0x1p-3;
+/// The same of the radius of a sphere that is far larger than the box, and of the normal of an infinite cell. Values are much
+/// smaller near such cells; but certificates by edges, which are better, are cheap up to four dimensions only.
+constexpr double weakest_of_large(std::size_t k) { return k <= 4 ? 0x1p-25 : 0x1p-10; }
+constexpr double weakest_of_infinite(std::size_t k) { return k <= 4 ? 0x1p-20 : 0x1p-7; }
 /// By what factor thresholds of such spheres are smaller at least, and what part of a value may be an error at most.
 constexpr double least_shrinking = 2, most_kappa = 0.25;
 /// The arrays of a block, `block_size` entries of 64 bits each. A and B are the cells of a facet, N the new cell.
@@ -220,45 +222,48 @@ void compute(const StarTask& task, std::size_t count, double* HWY_RESTRICT block
     const V error_at_facet = hn::Add(hn::Add(hn::Mul(x, e_a), hn::Mul(y, e_b)), hn::Mul(hn::Set(d, 6 * 0x1p-53), parts));
     const V error = hn::Mul(hn::Max(error_at_facet, hn::Add(hn::Abs(at_q), rounding)), hn::Set(d, 1 + slack));
     V power = hn::Set(d, frame.finite_spread);
-    V scale = height;  // without a radius, how large values are near the cell
-    V radius_error = zero;
+    V limit = hn::Mul(hn::Set(d, weakest), height);  // without a radius, values near the cell are as large as that
+    V radius_square = zero, radius_error = zero;
     if (frame.uses_radius) {
       // All vertices are within R of the centre of the approximate sphere: |h̃| ≤ error there.
       radius_error = hn::Mul(hn::Set(d, 8 * 0x1p-53), hn::Add(magnitude, gradient_square));
-      const V radius_square = hn::Add(hn::Add(hn::Sub(hn::Mul(gradient_square, hn::Set(d, 0.25)), g), error), radius_error);
+      radius_square = hn::Add(hn::Add(hn::Sub(hn::Mul(gradient_square, hn::Set(d, 0.25)), g), error), radius_error);
       const V square = hn::Min(radius_square, hn::Set(d, frame.largest_radius * frame.largest_radius));
       for (std::size_t r = 2; r < k; r += 2) power = hn::Mul(power, square);
       if (k % 2 == 0) power = hn::Mul(power, hn::Sqrt(square));
-      scale = radius_square;
+      limit = hn::Mul(hn::Set(d, weakest), radius_square);
     }
     power = hn::IfThenElse(infinite, hn::Set(d, frame.infinite_spread), power);
-    scale = hn::IfThenElse(infinite, one, scale);
+    limit = hn::IfThenElse(infinite, hn::Set(d, weakest_of_infinite(k)), limit);
     V distance_error = hn::Mul(error, hn::Mul(power, inverse_det));  // in the box, beside the error at the vertices
     V flat_growth = hn::Set(d, 1 + slack);
     if (frame.bend > 0) {
       // Spheres far larger than the box are nearly planes in it: where a value is small, the cell's plane is near.
       const double least_radius = least_shrinking * frame.flatness * frame.bend;
-      const auto is_large = hn::AndNot(infinite, hn::Gt(scale, hn::Set(d, least_radius * least_radius)));
+      const auto is_large = hn::AndNot(infinite, hn::Gt(radius_square, hn::Set(d, least_radius * least_radius)));
       if (!hn::AllFalse(d, is_large)) {
         const V margin = hn::Add(radius_error, error);
-        const V radius = hn::Sqrt(hn::Max(hn::NegMulAdd(hn::Set(d, 2.0), margin, scale), one));  // no more than it is
+        const V radius = hn::Sqrt(hn::Max(hn::NegMulAdd(hn::Set(d, 2.0), margin, radius_square), one));  // no more than it is
         const V kappa = hn::Mul(distance_error, hn::Div(hn::Set(d, frame.flatness), radius));
         const auto is_flat =
             hn::And(hn::And(is_large, hn::Le(kappa, hn::Set(d, most_kappa))),
                     hn::And(hn::Lt(margin, hn::Set(d, frame.bend / 1024)), hn::Gt(radius, hn::Set(d, least_radius))));
         distance_error = hn::IfThenElse(is_flat, hn::Mul(kappa, hn::Set(d, 1.004 * frame.bend)), distance_error);
         flat_growth = hn::IfThenElse(is_flat, hn::MulAdd(hn::Set(d, 3.001), kappa, flat_growth), flat_growth);
-        scale = hn::IfThenElse(is_large, hn::Mul(radius, hn::Set(d, weakest_of_large)), scale);
+        limit = hn::IfThenElse(is_large, hn::Mul(radius, hn::Set(d, weakest_of_large(k))), limit);
       }
     }
     const V threshold = hn::Mul(hn::Add(hn::Add(error, distance_error), rounding), flat_growth);
     // With not-a-number anywhere, a comparison fails.
     const V smallest = hn::Set(d, certificate::smallest), largest = hn::Set(d, certificate::largest);
     const auto usable = hn::And(hn::And(hn::Ge(det, smallest), hn::Le(det, largest)),
-                                hn::And(hn::Le(threshold, hn::Mul(hn::Set(d, weakest), scale)), hn::Lt(threshold, largest)));
+                                hn::And(hn::Le(threshold, limit), hn::Lt(threshold, largest)));
     const auto pack = [&](V positive) { return hn::Sub(hn::BitCast(du, positive), bias); };
-    const U up = hn::Add(hn::ShiftRight<certificate::fraction_shift>(pack(hn::Max(threshold, smallest))), hn::Set(du, 1));
-    const U error_up = hn::Add(hn::ShiftRight<certificate::short_shift>(pack(hn::Max(error, smallest))), hn::Set(du, 1));
+    // Of certificates that are too weak, the determinant and whether the cell is infinite are still asked for: nothing may
+    // spill.
+    const auto clamped = [&](V bound) { return hn::IfThenElse(hn::Lt(bound, largest), hn::Max(bound, smallest), largest); };
+    const U up = hn::Add(hn::ShiftRight<certificate::fraction_shift>(pack(clamped(threshold))), hn::Set(du, 1));
+    const U error_up = hn::Add(hn::ShiftRight<certificate::short_shift>(pack(clamped(error))), hn::Set(du, 1));
     const auto has_determinant = hn::RebindMask(du, hn::And(hn::Ge(det, smallest), hn::Le(det, largest)));
     const U down = hn::IfThenElseZero(has_determinant, hn::ShiftRight<certificate::short_shift>(pack(det)));
     const U infinite_bit = hn::IfThenElseZero(hn::RebindMask(du, infinite), hn::Set(du, std::uint64_t{1} << 31));

@@ -274,10 +274,11 @@ void expect_right_triangulation(const Sample& sample, std::uint64_t seed, Tally&
       denominator = function[K];
       scale = frame.lift_scale() * frame.lift_scale();
     } else {
+      if (std::isinf(geometry.threshold(cell))) continue;  // too flat, and never certain
       const double* functional = memory.records().functional(cell);
       normal = static_cast<std::size_t>(std::find_if(functional, functional + K, [](double g) { return std::fabs(g) == 1; }) -
                                         functional);
-      if (normal == K) continue;  // too flat, and never certain
+      ASSERT_LT(normal, K);
       denominator = function[normal];
       if (functional[normal] < 0) denominator = -denominator;
       scale = frame.extent_ratio(axes[normal]) * frame.lift_scale();
