@@ -24,7 +24,7 @@ struct ConflictZone {
     Index cell;
     std::uint32_t from, slot;
   };
-  /// A cell of a block that the filter leaves open, and what the other stages say of it.
+  /// A cell that the filter leaves open, and what the other stages say of it.
   struct Undecided {
     Index cell;
     double value;  ///< h̃(q)
@@ -36,7 +36,12 @@ struct ConflictZone {
     std::uint32_t undecided;  ///< which, or none
     static constexpr std::uint32_t none = 0xffffffff;
   };
-  static constexpr std::size_t block_size = 16;
+  /// How many cells are searched at a time, and of how many beyond the first of them the neighbors are asked for. No more than
+  /// some dozens of lines of the cache are under way at once: of larger cells, fewer must do.
+  static constexpr std::size_t block_size(std::size_t facets_of_cell) { return facets_of_cell <= 4 ? 16 : 4; }
+  static constexpr std::size_t cells_ahead(std::size_t facets_of_cell) { return facets_of_cell <= 4 ? 32 : 16; }
+  /// How many open neighbors are worth being decided before everything else has been searched.
+  static constexpr std::size_t enough_open = 16;
 
   std::size_t num_cells = 0;
   std::size_t num_facets = 0;
@@ -48,6 +53,7 @@ struct ConflictZone {
   // Of the block that is searched.
   std::vector<Candidate> candidates;
   std::vector<double> candidate_values;  ///< h̃(q) of each
+  // Of the blocks since the last time that open neighbors were decided.
   std::vector<Undecided> undecided;
   std::vector<Open> open;
   std::vector<Index> asked;        ///< those that are no proved ties
@@ -56,7 +62,7 @@ struct ConflictZone {
   std::vector<Sign> sides;         ///< of these cells
   std::size_t num_undecided = 0, num_open = 0;
 
-  /// Makes room for `more` cells and as many horizon facets, and for the candidates of a block. Throws
+  /// Makes room for `more` cells and as many horizon facets, and for the candidates of a block and what is open. Throws
   /// std::bad_alloc. Cells must have as many facets as at the first call.
   void reserve(std::size_t more, std::size_t facets_of_cell) {
     const std::size_t least = std::max(num_cells, num_facets) + more;
@@ -70,22 +76,22 @@ struct ConflictZone {
     values.reserve(size);
     horizon.reserve(size);
     marked.reserve(size);  // no more than there are facets
-    const std::size_t neighbors = block_size * facets_of_cell;
+    const std::size_t neighbors = block_size(facets_of_cell) * facets_of_cell, most_open = neighbors + enough_open;
     candidates.resize(neighbors + 1);
     candidate_values.resize(neighbors);
-    undecided.resize(neighbors);
-    open.resize(neighbors);
-    asked.resize(neighbors);
-    thresholds.resize(neighbors + 1);
-    tied.resize(neighbors);
-    sides.resize(neighbors);
+    undecided.resize(most_open);
+    open.resize(most_open);
+    asked.resize(most_open);
+    thresholds.resize(most_open + 1);
+    tied.resize(most_open);
+    sides.resize(most_open);
     room_ = size;
   }
 
   std::size_t room_ = 0;  // what all arrays have
 };
 
-/// Decides the cells of a block that the filter has left open, all ties together, and adds them to the zone or to its horizon.
+/// Decides the cells that the filter has left open, all ties together, and adds them to the zone or to its horizon.
 /// Returns how many neighbors these were.
 template <class Cells, QueryGeometry G, class Evaluator, class Marks>
 [[gnu::noinline]] std::size_t decide_open(const Cells& cells, const G& geometry, const typename G::Query& q,
@@ -142,7 +148,7 @@ template <class Cells, QueryGeometry G, class Evaluator, class Marks>
 /// evaluation. So cells are searched in blocks: first all neighbors not yet known to be in conflict are collected, then all are
 /// evaluated, then each is written to the zone and to the horizon, of which at most one advances; no branch depends on the
 /// data, and no evaluation waits for the mark that the one before it writes. The memory of the neighbors of a cell is asked for
-/// as soon as the cell is known to be in conflict. What the filter leaves open is decided at the end of the block.
+/// some blocks ahead. What the filter leaves open waits until it is worth being decided, many together.
 ///
 /// In two dimensions the zone is a tree, unless vertices lose all their cells: the only neighbor known to be in conflict is
 /// that which a cell was found from. To evaluate it again costs less than to collect the others, and mispredicts fewer ends of
@@ -150,8 +156,8 @@ template <class Cells, QueryGeometry G, class Evaluator, class Marks>
 template <class Cells, QueryGeometry G, class Marks>
 void find_conflict_zone(const Cells& cells, const G& geometry, const typename G::Query& q, Index first, Marks marks,
                         ConflictZone& zone, StageCounts& counts) {
-  constexpr std::size_t cells_ahead = 2 * ConflictZone::block_size;  // of which the neighbors are asked for
   const auto facets = static_cast<std::size_t>(cells.dimension()) + 1;
+  const std::size_t block_size = ConflictZone::block_size(facets), cells_ahead = ConflictZone::cells_ahead(facets);
   const bool is_tree = facets <= 3;
   zone.num_cells = zone.num_facets = zone.num_marked = 0;
   zone.reserve(1, facets);
@@ -179,7 +185,7 @@ void find_conflict_zone(const Cells& cells, const G& geometry, const typename G:
     zone.undecided[zone.num_undecided++] = {cell, value, {}};
   };
   for (std::size_t next = 0; next < zone.num_cells;) {
-    zone.reserve(ConflictZone::block_size * facets, facets);
+    zone.reserve(block_size * facets + ConflictZone::enough_open, facets);
     Index* const zone_cells = zone.cells.data();
     double* const zone_values = zone.values.data();
     HorizonFacet* const horizon = zone.horizon.data();
@@ -204,7 +210,7 @@ void find_conflict_zone(const Cells& cells, const G& geometry, const typename G:
     };
 
     if (is_tree) {
-      const std::size_t end = next + ConflictZone::block_size;
+      const std::size_t end = next + block_size;
       for (; next < std::min(end, num_cells); ++next) {
         const Index* const neighbors = cells.neighbors(zone_cells[next]);
         for (std::size_t i = 0; i < facets; ++i) place(neighbors[i], functional.value(neighbors[i]), next, i);
@@ -213,7 +219,7 @@ void find_conflict_zone(const Cells& cells, const G& geometry, const typename G:
       for (; asked_for < std::min(num_cells, next + cells_ahead); ++asked_for) cells.prefetch_neighbors(zone_cells[asked_for]);
       ConflictZone::Candidate* const candidates = zone.candidates.data();
       double* const values = zone.candidate_values.data();
-      const std::size_t end = std::min(next + ConflictZone::block_size, num_cells);
+      const std::size_t end = std::min(next + block_size, num_cells);
       std::size_t num_candidates = 0;
       for (; next < end; ++next) {
         const Index* const neighbors = cells.neighbors(zone_cells[next]);
@@ -230,7 +236,7 @@ void find_conflict_zone(const Cells& cells, const G& geometry, const typename G:
     }
     zone.num_cells = num_cells;
     zone.num_facets = num_facets;
-    if (const std::size_t open = zone.num_open; open > 0) {
+    if (const std::size_t open = zone.num_open; open >= ConflictZone::enough_open || (open > 0 && next == zone.num_cells)) {
       const std::size_t added = decide_open(cells, geometry, q, functional, marks, zone, counts);
       uncertain += is_tree ? added : open;  // what counts as evaluated
     }
