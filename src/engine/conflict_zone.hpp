@@ -46,6 +46,8 @@ struct ConflictZone {
   std::size_t num_cells = 0;
   std::size_t num_facets = 0;
   std::size_t num_marked = 0;
+  std::size_t num_infinite = 0;         ///< of the cells; known when they have been replaced
+  bool is_ordered = true;               ///< whether facets are in the order of their cells in conflict
   GrowableArray<Index> cells;           ///< in conflict
   GrowableArray<double> values;         ///< h̃(q) of each
   GrowableArray<HorizonFacet> horizon;  ///< facets to cells that are not
@@ -126,6 +128,7 @@ template <class Cells, QueryGeometry G, class Evaluator, class Marks>
     zone.num_marked += !conflict;
   }
   zone.num_undecided = 0;
+  zone.is_ordered = false;
   for (const ConflictZone::Open& open : std::span(zone.open.data(), zone.num_open)) {
     HorizonFacet& facet = zone.horizon[zone.num_facets];
     facet.survivor = open.cell;
@@ -159,7 +162,8 @@ void find_conflict_zone(const Cells& cells, const G& geometry, const typename G:
   const auto facets = static_cast<std::size_t>(cells.dimension()) + 1;
   const std::size_t block_size = ConflictZone::block_size(facets), cells_ahead = ConflictZone::cells_ahead(facets);
   const bool is_tree = facets <= 3;
-  zone.num_cells = zone.num_facets = zone.num_marked = 0;
+  zone.num_cells = zone.num_facets = zone.num_marked = zone.num_infinite = 0;
+  zone.is_ordered = true;
   zone.reserve(1, facets);
   const auto functional = geometry.evaluator(q);
   zone.cells[0] = first;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Replaces a conflict zone by the star of the new vertex (§2.6 of the report): one new cell per horizon facet, linked along the
-// ridges of the horizon by hashing, and where that fails by rotating about them through the dead cells.
+// ridges of the horizon by hashing; or as in the report, by rotating about them through the dead cells.
 #pragma once
 
 #include "engine/conflict_zone.hpp"
@@ -15,30 +15,30 @@ namespace delone::engine {
 /// the cache through all steps.
 constexpr std::size_t star_block = 64;
 
-/// Links the created cells of half-ridges by rotating about each ridge, from the dead cell of the facet through the zone until
-/// the horizon (Boissonnat and Teillaud 1993, doi:10.1016/0304-3975(93)90024-N).
+/// Links the created cells of a star by rotating about each ridge, from the dead cell of the facet through the zone until the
+/// horizon (Boissonnat and Teillaud 1993, doi:10.1016/0304-3975(93)90024-N). REQUIRES that no dead cell has been released.
 template <int K>
-void link_by_rotation(CellStore<K>& cells, std::span<const HorizonFacet> facets, std::span<const std::uint32_t> half_ridges) {
+void link_by_rotation(CellStore<K>& cells, std::span<const HorizonFacet> facets) {
   // Within the zone, a dead cell gets the new cell in place of the neighbor across each of its horizon facets.
   for (const HorizonFacet& facet : facets) cells.neighbors(facet.dead)[facet.slot] = facet.created;
-  for (const std::uint32_t half : half_ridges) {
-    const HorizonFacet& facet = facets[RidgeTable::facet(half, cells.dimension())];
-    const int slot = RidgeTable::slot(half, cells.dimension());
-    Index cell = facet.dead;
-    int cross = slot;  // the facet to leave `cell` by: it contains the ridge, as does the facet opposite slot `other`
-    int other = facet.slot;
-    for (;;) {
-      const Index next = cells.neighbors(cell)[cross];
-      if (cells.mark(next) != Mark::in_conflict) {  // a new cell, made from facet `cross`
-        cells.neighbors(facet.created)[slot] = next;
-        break;
+  for (const HorizonFacet& facet : facets)
+    for (int slot = 0; slot <= cells.dimension(); ++slot) {
+      if (slot == facet.slot) continue;
+      Index cell = facet.dead;
+      int cross = slot;  // the facet to leave `cell` by: it contains the ridge, as does the facet opposite slot `other`
+      int other = facet.slot;
+      for (;;) {
+        const Index next = cells.neighbors(cell)[cross];
+        if (cells.mark(next) != Mark::in_conflict) {  // a new cell, made from facet `cross`
+          cells.neighbors(facet.created)[slot] = next;
+          break;
+        }
+        const int entry = cells.slot_of_neighbor(next, cell);
+        cross = cells.slot_of_vertex(next, cells.vertices(cell)[other]);
+        other = entry;
+        cell = next;
       }
-      const int entry = cells.slot_of_neighbor(next, cell);
-      cross = cells.slot_of_vertex(next, cells.vertices(cell)[other]);
-      other = entry;
-      cell = next;
     }
-  }
 }
 
 /// The vertices of the zone that are on no horizon facet. Throws std::bad_alloc, and then changes nothing.
@@ -73,6 +73,14 @@ void retriangulate(CellStore<K>& cells, G& geometry, Index v, const typename G::
   cells.reserve_vacancies(zone.num_cells);
   cells.reserve(zone.num_facets);
   const std::span<HorizonFacet> facets{zone.horizon.data(), zone.num_facets};
+  std::size_t num_released = 0;
+  const auto release = [&](std::size_t end) {
+    for (; num_released < end; ++num_released) {
+      const Index dead = zone.cells[num_released];
+      zone.num_infinite += geometry.is_infinite(dead) ? 1 : 0;
+      cells.release(dead);
+    }
+  };
 
   for (std::size_t first = 0; first < facets.size(); first += star_block) {
     const std::size_t last = std::min(first + star_block, facets.size());
@@ -105,11 +113,17 @@ void retriangulate(CellStore<K>& cells, G& geometry, Index v, const typename G::
       const Index cell = facets[first + f].created;
       geometry.create(cell, cells.vertices(cell), cells.infinite_slot(cell), facets[first + f].slot);
     }
+    // The next block is written where dead cells were that nothing more is made from, while these are in the cache.
+    if (last < facets.size() && zone.is_ordered && ridges.hashes()) release(facets[last].dead);
   }
-  if (const auto unmatched = ridges.link(cells, facets); !unmatched.empty()) link_by_rotation(cells, facets, unmatched);
+  if (ridges.hashes()) {
+    ridges.link(cells, facets);
+  } else {
+    link_by_rotation(cells, facets);
+  }
   // Slots that are allocated anew have no marks.
   for (std::size_t i = 0; i < zone.num_marked; ++i) cells.marks().set(zone.marked[i], Mark::unseen);
-  for (std::size_t i = 0; i < zone.num_cells; ++i) cells.release(zone.cells[i]);
+  release(zone.num_cells);
 }
 
 }  // namespace delone::engine

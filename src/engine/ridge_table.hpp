@@ -5,7 +5,7 @@
 // half-ridges. Each adds itself and a count to the table entry that a hash of the ridge's vertex set selects. Both half-ridges
 // of a ridge select the same entry; so an entry that exactly two have selected holds the two halves of one ridge: the sum less
 // one half is the other, exactly, whatever the quality of the hash. Half-ridges in fuller entries are hashed anew, among
-// themselves.
+// themselves, and those that are still left after some rounds, mostly since their hashes are the same, are compared.
 //
 // In two dimensions ridges are vertices and the horizon is a cycle of edges, each of which ends where another one begins: a
 // small table of where edges begin links nearly all stars. Where two vertices share an entry, hashing does.
@@ -28,8 +28,9 @@ namespace delone::engine {
 
 class RidgeTable {
  public:
-  /// `rounds`: how often half-ridges are hashed before the caller has to link them by other means.
+  /// `rounds`: how often half-ridges are hashed before they are compared. 0: the caller links cells by other means.
   explicit RidgeTable(int rounds = 6) : rounds_(rounds) {}
+  bool hashes() const { return rounds_ > 0; }
 
   /// Makes room for the star over `facets` facets of cells of dimension k. Throws std::bad_alloc.
   void reserve(std::size_t facets, int k) {
@@ -45,21 +46,20 @@ class RidgeTable {
   template <int K>
   void hash(CellStore<K>& cells, std::span<const HorizonFacet> facets, std::size_t first, std::size_t last) {
     if constexpr (K == 2) return;  // link() does it for the few stars of triangles that need it
-    if (rounds_ == 0) return;
+    if (!hashes()) return;
     const RidgeEntries table = narrow_table(facets.size(), cells.dimension());
     hash_ridges(cells.links(), facets, first, last, hashes_.data(), created_.data(),
                 table.entries != nullptr ? &table : nullptr);
   }
-  /// Links the created cells of all facets across their ridges, once all are hashed. Returns the half-ridges that it could not
-  /// match, which the caller must link.
+  /// Links the created cells of all facets across their ridges, once all are hashed. REQUIRES hashes().
   template <int K>
-  std::span<const std::uint32_t> link(CellStore<K>& cells, std::span<const HorizonFacet> facets);
+  void link(CellStore<K>& cells, std::span<const HorizonFacet> facets);
 
+ private:
   /// The facet of a half-ridge, and its slot in the created cell.
   static std::uint32_t facet(std::uint32_t half, int k) { return half >> half_ridge_shift(k); }
   static int slot(std::uint32_t half, int k) { return static_cast<int>(half & ((1u << half_ridge_shift(k)) - 1)); }
 
- private:
   /// Entries count in the bits above those that the sum of two half-ridges takes. What more than two add to the sum may carry
   /// into the count, less than one for every two of them: a count that is more than 2 cannot look like 2 as long as one and a
   /// half times all half-ridges do not overflow it. That holds for 2^15 half-ridges with 16 bits for each part, and for all
@@ -122,9 +122,12 @@ class RidgeTable {
   /// Links the created cells of all half-ridges that match. Returns how many of unmatched_ are left.
   template <int K>
   std::uint32_t match_narrow(const RidgeEntries& table, CellStore<K>& cells, std::span<const HorizonFacet> facets);
-  /// The same for those that are left, round after round, and by other hashes.
+  /// The same for those that are left, round after round, and by other hashes; returns those that are left then.
   template <int SumBits, class Entry, int K>
-  std::span<const std::uint32_t> match_rest(Entry* entries, std::size_t size, std::uint32_t left, CellStore<K>& cells);
+  std::span<std::uint32_t> match_rest(Entry* entries, std::size_t size, std::uint32_t left, CellStore<K>& cells);
+  /// The same for all that are left, by their vertices.
+  template <int K>
+  void compare(CellStore<K>& cells, std::span<std::uint32_t> left);
   std::uint32_t all_unmatched(std::span<const HorizonFacet> facets, int k);
 
   /// Stars of so many facets have room from the first one on.
@@ -150,20 +153,42 @@ inline std::uint32_t RidgeTable::all_unmatched(std::span<const HorizonFacet> fac
 }
 
 template <int K>
-std::span<const std::uint32_t> RidgeTable::link(CellStore<K>& cells, std::span<const HorizonFacet> facets) {
+void RidgeTable::link(CellStore<K>& cells, std::span<const HorizonFacet> facets) {
   const int k = cells.dimension();
-  if (rounds_ == 0) return {unmatched_.data(), all_unmatched(facets, k)};
   if constexpr (K == 2)
-    if (link_cycle(cells, facets)) return {};
+    if (link_cycle(cells, facets)) return;
   const RidgeEntries table = narrow_table(facets.size(), k);
   if constexpr (K == 2)
     hash_ridges(cells.links(), facets, 0, facets.size(), hashes_.data(), created_.data(),
                 table.entries != nullptr ? &table : nullptr);
   const std::size_t size = num_entries(facets.size(), k);
-  if (table.entries == nullptr) return match_rest<wide_bits>(wide_.data(), size, all_unmatched(facets, k), cells);
-  const std::uint32_t left = match_narrow(table, cells, facets);
-  if (table.sum_bits == short_bits) return match_rest<short_bits>(narrow_.data(), size, left, cells);
-  return match_rest<wide_bits>(wide_.data(), rest_size(size), left, cells);
+  const std::uint32_t left = table.entries != nullptr ? match_narrow(table, cells, facets) : all_unmatched(facets, k);
+  if (table.entries != nullptr && table.sum_bits == short_bits)
+    return compare(cells, match_rest<short_bits>(narrow_.data(), size, left, cells));
+  compare(cells, match_rest<wide_bits>(wide_.data(), table.entries != nullptr ? rest_size(size) : size, left, cells));
+}
+
+template <int K>
+void RidgeTable::compare(CellStore<K>& cells, std::span<std::uint32_t> left) {
+  const int k = cells.dimension();
+  const auto cell_of = [&](std::uint32_t half) { return created_[facet(half, k)]; };
+  const auto is_one_ridge = [&](std::uint32_t half, std::uint32_t other) {
+    const std::span<const Index> ids{cells.vertices(cell_of(half)), static_cast<std::size_t>(k) + 1};
+    const std::span<const Index> others{cells.vertices(cell_of(other)), ids.size()};
+    const Index omitted = others[static_cast<std::size_t>(slot(other, k))];
+    for (std::size_t i = 0; i < ids.size(); ++i)
+      if (i != static_cast<std::size_t>(slot(half, k)) &&
+          (ids[i] == omitted || std::find(others.begin(), others.end(), ids[i]) == others.end()))
+        return false;
+    return true;
+  };
+  std::sort(left.begin(), left.end(), [&](std::uint32_t a, std::uint32_t b) { return hashes_[a] < hashes_[b]; });
+  for (std::size_t i = 0; i < left.size(); ++i)
+    for (std::size_t j = i + 1; j < left.size() && hashes_[left[j]] == hashes_[left[i]]; ++j) {
+      if (!is_one_ridge(left[i], left[j])) continue;
+      cells.neighbors(cell_of(left[i]))[slot(left[i], k)] = cell_of(left[j]);
+      cells.neighbors(cell_of(left[j]))[slot(left[j], k)] = cell_of(left[i]);
+    }
 }
 
 inline bool RidgeTable::link_cycle(CellStore<2>& cells, std::span<const HorizonFacet> facets) {
@@ -200,8 +225,7 @@ std::uint32_t RidgeTable::match_narrow(const RidgeEntries& table, CellStore<K>& 
 }
 
 template <int SumBits, class Entry, int K>
-std::span<const std::uint32_t> RidgeTable::match_rest(Entry* entries, std::size_t size, std::uint32_t left,
-                                                      CellStore<K>& cells) {
+std::span<std::uint32_t> RidgeTable::match_rest(Entry* entries, std::size_t size, std::uint32_t left, CellStore<K>& cells) {
   constexpr Entry one = Entry{1} << SumBits;
   const int k = cells.dimension();
   const int shift = 32 - (std::bit_width(size) - 1);

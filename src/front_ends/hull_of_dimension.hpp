@@ -168,10 +168,8 @@ class HullOfDimension final : public Hull {
 
   /// After an insertion.
   void count_infinite() {
-    Index dead = 0;
-    for (std::size_t i = 0; i < work_.zone.num_cells; ++i) dead += geometry_.is_infinite(work_.zone.cells[i]) ? 1 : 0;
-    if (dead == 0) return;  // then the infinite vertex is on no facet of the zone
-    num_infinite_ -= dead;
+    if (work_.zone.num_infinite == 0) return;  // then the infinite vertex is on no facet of the zone
+    num_infinite_ -= static_cast<Index>(work_.zone.num_infinite);
     for (const HorizonFacet& facet : work_.star()) num_infinite_ += geometry_.is_infinite(facet.created) ? 1 : 0;
   }
 

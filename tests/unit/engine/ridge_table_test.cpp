@@ -12,16 +12,19 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstdint>
 #include <numeric>
+#include <utility>
 #include <vector>
 
 namespace delone::engine {
 namespace {
 
-/// The links of all cells after the insertion of points one by one, ridges hashed `rounds` times.
+/// Of each cell the vertices, and those across, after the insertion of points one by one, ridges hashed `rounds` times.
 template <int K>
-std::vector<Index> links(Index n, double grid_size, int rounds) {
+std::vector<std::vector<Index>> links(Index n, double grid_size, int rounds) {
   std::vector<double> points(K, 0.0);
   kernel::Grid grid(K);
   kernel::AffineHull hull(K);
@@ -50,9 +53,20 @@ std::vector<Index> links(Index n, double grid_size, int rounds) {
   for (const Index v : others)
     if (insert(cells, geometry, v, geometry.make_query(geometry.point(v)), start, work, effort) == v)
       start = work.star().back().created;
-  std::vector<Index> all;
-  for (Index cell = 0; cell < cells.num_slots(); ++cell)
-    if (!cells.is_vacant(cell)) all.insert(all.end(), cells.vertices(cell), cells.vertices(cell) + 2 * (K + 1));
+  // Which slot a cell is in depends on when slots become vacant.
+  std::vector<std::vector<Index>> all;
+  for (Index cell = 0; cell < cells.num_slots(); ++cell) {
+    if (cells.is_vacant(cell)) continue;
+    std::array<std::pair<Index, Index>, K + 1> across;
+    for (std::size_t i = 0; i <= K; ++i) {
+      const Index neighbor = cells.neighbors(cell)[i];
+      across[i] = {cells.vertices(cell)[i], cells.vertices(neighbor)[cells.slot_of_neighbor(neighbor, cell)]};
+    }
+    std::sort(across.begin(), across.end());
+    std::vector<Index>& described = all.emplace_back();
+    for (const auto& [vertex, opposite] : across) described.insert(described.end(), {vertex, opposite});
+  }
+  std::sort(all.begin(), all.end());
   return all;
 }
 
@@ -61,7 +75,7 @@ void expect_hashing_finds_what_rotation_finds(Index n, double grid_size) {
   SCOPED_TRACE(testing::Message() << "dimension " << K << ", " << n << " points");
   const auto by_rotation = links<K>(n, grid_size, 0);
   EXPECT_GT(by_rotation.size(), static_cast<std::size_t>(n));
-  EXPECT_EQ(by_rotation, links<K>(n, grid_size, 1));  // what one round leaves, by rotation
+  EXPECT_EQ(by_rotation, links<K>(n, grid_size, 1));  // what one round leaves, by its vertices
   EXPECT_EQ(by_rotation, links<K>(n, grid_size, 6));
 }
 
@@ -75,6 +89,55 @@ TEST(RidgeTable, FindsWhatRotationFinds) {
   expect_hashing_finds_what_rotation_finds<6>(40, 0);
   expect_hashing_finds_what_rotation_finds<8>(20, 0);  // a cell's ids in more than one vector
   expect_hashing_finds_what_rotation_finds<9>(18, 2);
+}
+
+// Two ridges of a star with the same hash are in the same entry whatever the round.
+TEST(RidgeTable, TellsApartRidgesWithTheSameHash) {
+  constexpr int k = 3;
+  const std::size_t halves = std::size_t{1} << half_ridge_shift(k);
+  const Index apex = 1;
+  // Edges {v, v + 1} and the apex, which are ridges opposite slot 3.
+  constexpr std::uint32_t num_edges = 400000;
+  CellMemory<k> memory(k);
+  CellStore<k> cells(memory);
+  cells.reserve(num_edges);
+  std::vector<HorizonFacet> facets(num_edges);
+  for (std::uint32_t f = 0; f < num_edges; ++f) {
+    facets[f].created = cells.allocate();
+    facets[f].slot = 0;
+    const Index vertices[] = {apex, 2 * f + 2, 2 * f + 3, 0};
+    std::copy_n(vertices, k + 1, cells.vertices(facets[f].created));
+  }
+  std::vector<std::uint32_t> hashes(num_edges * halves + 16);
+  std::vector<Index> created(num_edges);
+  hash_ridges(cells.links(), facets, 0, num_edges, hashes.data(), created.data(), nullptr);
+  std::vector<std::pair<std::uint32_t, Index>> by_hash;
+  for (std::uint32_t f = 0; f < num_edges; ++f) by_hash.push_back({hashes[f * halves + 3], 2 * f + 2});
+  std::sort(by_hash.begin(), by_hash.end());
+  const auto same =
+      std::adjacent_find(by_hash.begin(), by_hash.end(), [](const auto& a, const auto& b) { return a.first == b.first; });
+  ASSERT_NE(same, by_hash.end());
+  const Index a = same[0].second, c = same[1].second, b = a + 1, d = c + 1, top = 2 * num_edges + 2, bottom = top + 1;
+  // The star over an octahedron, whose edges ab and cd are opposite.
+  const Index equator[] = {a, b, c, d};
+  facets.resize(8);
+  for (std::uint32_t f = 0; f < 8; ++f) {
+    const Index vertices[] = {apex, equator[f % 4], equator[(f + 1) % 4], f < 4 ? top : bottom};
+    std::copy_n(vertices, k + 1, cells.vertices(facets[f].created));
+  }
+  for (const int rounds : {1, 6}) {
+    for (const HorizonFacet& facet : facets) std::fill_n(cells.neighbors(facet.created), k + 1, invalid_index);
+    RidgeTable ridges(rounds);
+    ridges.reserve(facets.size(), k);
+    ridges.hash(cells, facets, 0, facets.size());
+    ridges.link(cells, facets);
+    for (std::uint32_t f = 0; f < 8; ++f) {
+      const Index* const neighbors = cells.neighbors(facets[f].created);
+      EXPECT_EQ(neighbors[1], facets[f / 4 * 4 + (f + 1) % 4].created);
+      EXPECT_EQ(neighbors[2], facets[f / 4 * 4 + (f + 3) % 4].created);
+      EXPECT_EQ(neighbors[3], facets[(f + 4) % 8].created);
+    }
+  }
 }
 
 // More half-ridges in a star than half of the bits of an entry can number.
