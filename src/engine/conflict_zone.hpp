@@ -52,6 +52,7 @@ struct ConflictZone {
   GrowableArray<double> values;         ///< h̃(q) of each
   GrowableArray<HorizonFacet> horizon;  ///< facets to cells that are not
   GrowableArray<Index> marked;          ///< cells of the horizon that are marked, as it took the exact stages to know
+  std::vector<Index> done;              ///< of each block of a star: before which of the cells none is needed any more
   // Of the block that is searched.
   std::vector<Candidate> candidates;
   std::vector<double> candidate_values;  ///< h̃(q) of each

@@ -41,6 +41,20 @@ void link_by_rotation(CellStore<K>& cells, std::span<const HorizonFacet> facets)
     }
 }
 
+/// Notes for each block of a star before which cell of the zone there is none that a later block is made from. Throws
+/// std::bad_alloc.
+inline void find_done(ConflictZone& zone) {
+  const std::size_t num_blocks = (zone.num_facets + star_block - 1) / star_block;
+  if (zone.done.size() < num_blocks) zone.done.resize(2 * num_blocks);
+  auto needed = static_cast<Index>(zone.num_cells);
+  for (std::size_t b = num_blocks; b-- > 0;) {
+    zone.done[b] = needed;
+    const std::size_t first = b * star_block;
+    const std::size_t last = zone.is_ordered ? first + 1 : std::min(first + star_block, zone.num_facets);
+    for (std::size_t f = first; f < last; ++f) needed = std::min(needed, zone.horizon[f].dead);
+  }
+}
+
 /// The vertices of the zone that are on no horizon facet. Throws std::bad_alloc, and then changes nothing.
 template <int K>
 void find_swallowed(const CellStore<K>& cells, const ConflictZone& zone, std::vector<Index>& swallowed) {
@@ -73,6 +87,8 @@ void retriangulate(CellStore<K>& cells, G& geometry, Index v, const typename G::
   cells.reserve_vacancies(zone.num_cells);
   cells.reserve(zone.num_facets);
   const std::span<HorizonFacet> facets{zone.horizon.data(), zone.num_facets};
+  const bool releases_early = ridges.hashes() && facets.size() > star_block;
+  if (releases_early) find_done(zone);
   std::size_t num_released = 0;
   const auto release = [&](std::size_t end) {
     for (; num_released < end; ++num_released) {
@@ -114,7 +130,7 @@ void retriangulate(CellStore<K>& cells, G& geometry, Index v, const typename G::
       geometry.create(cell, cells.vertices(cell), cells.infinite_slot(cell), facets[first + f].slot);
     }
     // The next block is written where dead cells were that nothing more is made from, while these are in the cache.
-    if (last < facets.size() && zone.is_ordered && ridges.hashes()) release(facets[last].dead);
+    if (releases_early) release(zone.done[first / star_block]);
   }
   if (ridges.hashes()) {
     ridges.link(cells, facets);
