@@ -125,7 +125,8 @@ class RidgeTable {
   /// The same for those that are left, round after round, and by other hashes; returns those that are left then.
   template <int SumBits, class Entry, int K>
   std::span<std::uint32_t> match_rest(Entry* entries, std::size_t size, std::uint32_t left, CellStore<K>& cells);
-  /// The same for all that are left, by their vertices.
+  /// The same for all that are left, by their vertices. The halves of a ridge have the same hash, so only such are compared.
+  /// Takes no memory, as it must not fail: cells have been changed.
   template <int K>
   void compare(CellStore<K>& cells, std::span<std::uint32_t> left);
   std::uint32_t all_unmatched(std::span<const HorizonFacet> facets, int k);
