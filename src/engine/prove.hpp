@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The proof that proposed cells are a Delaunay triangulation, by exact signs (docs/predicates.md, "Wrapping"): every cell is a
 // simplex, every facet has two cells on its two sides, and no vertex opposite a facet is inside the sphere of the cell beyond
-// it. That the cells do not cover space several times is for the caller to prove, by one point.
+// it. That the cells do not cover space several times is proved by one point, of which the caller proves that it is in one
+// finite cell.
+//
+// Functionals are made for some cells at a time, and forgotten: most who ask for a triangulation never ask for them.
 #pragma once
 
 #include "engine/cell_store.hpp"
@@ -14,6 +17,7 @@
 #include <cstdint>
 #include <cstring>
 #include <functional>
+#include <numeric>
 #include <span>
 #include <utility>
 #include <vector>
@@ -26,87 +30,91 @@ class Proof {
   using Evaluator = decltype(std::declval<const G&>().evaluator(std::declval<const Query&>()));
 
  public:
+  /// How many cells `geometry` is to have room for: it is asked for the functionals of so many at a time, which are not kept.
+  static constexpr std::size_t batch_size = 64;
+
   /// `queries`: one at every vertex, in the order of their ids; that of vertex 0 is not used.
   Proof(CellStore<K>& cells, G& geometry, std::span<const Query> queries, StageCounts& counts)
       : cells_(cells), geometry_(geometry), queries_(queries), counts_(counts), is_flipped_(cells.num_slots()) {
-    cells_.reserve(0);  // what wraps needs links alone, a proof records too
     evaluators_.reserve(queries.size());
     for (const Query& q : queries) evaluators_.push_back(geometry.evaluator(q));
   }
 
-  /// Cells have their vertices in ascending order, and no slot is vacant. Creates what is cached for each, and orients them.
-  /// Returns whether all holds, without ties, and every vertex has a cell.
-  /// `tick` is called often, and may throw.
-  bool run(const std::function<void()>& tick) {
-    return create_finite_cells(tick) && create_infinite_cells() && check_facets(tick);
+  /// Cells have their vertices in ascending order, and no slot is vacant. Orients them. Returns whether all holds, without
+  /// ties, every vertex has a cell, and the point is on the inner side of all infinite cells. `tick` is called often, and may
+  /// throw.
+  bool run(const Query& point, const std::function<void()>& tick) {
+    if (!check_finite_cells(tick) || !check_infinite_cells(point)) return false;
+    if (2 * num_checked_ != std::size_t{cells_.num_slots()} * (K + 1)) return false;  // some links are one-way
+    orient();
+    return true;
   }
+  Index num_infinite() const { return static_cast<Index>(infinite_cells_.size()); }
 
  private:
   static constexpr Index infinite = index(infinite_vertex);
-  static constexpr std::size_t batch_size = 64;
   /// How many cells ahead memory is asked for.
   static constexpr Index ahead = 6;
 
-  bool create_finite_cells(const std::function<void()>& tick) {
+  bool check_finite_cells(const std::function<void()>& tick) {
     std::vector<unsigned char> has_cell(queries_.size());  // written more often than bits should be
-    std::array<Index, batch_size> batch;
+    std::array<Index, batch_size> batch, numbers;
+    std::iota(numbers.begin(), numbers.end(), Index{0});
     std::array<const Index*, batch_size> vertices;
     std::array<Sign, batch_size> orientations;
-    std::size_t count = 0;
-    for (Index cell = 0; cell < cells_.num_slots(); ++cell) {
-      const Index* const v = cells_.vertices(cell);
-      for (int i = 0; i <= K; ++i) has_cell[v[i]] = 1;
-      if (!is_infinite(cell)) {
-        batch[count] = cell;
-        vertices[count++] = v;
-      }
-      if (count < batch_size && cell + 1 < cells_.num_slots()) continue;
+    for (Index next = 0; next < cells_.num_slots();) {
       tick();
-      geometry_.create({batch.data(), count}, {vertices.data(), count}, orientations.data());
+      std::size_t count = 0;
+      for (; count < batch_size && next < cells_.num_slots(); ++next) {
+        const Index* const v = cells_.vertices(next);
+        for (int i = 0; i <= K; ++i) has_cell[v[i]] = 1;
+        if (is_infinite(next)) {
+          infinite_cells_.push_back(next);
+        } else {
+          batch[count] = next;
+          vertices[count++] = v;
+        }
+      }
+      geometry_.create({numbers.data(), count}, {vertices.data(), count}, orientations.data());
       for (std::size_t i = 0; i < count; ++i) {
         if (orientations[i] == Sign::zero) orientations[i] = geometry_.orientation(vertices[i]);
         if (orientations[i] == Sign::zero) return false;
         is_flipped_[batch[i]] = orientations[i] == Sign::negative;
       }
-      count = 0;
+      for (std::size_t i = 0; i < count; ++i) {
+        prefetch_earlier(batch[i] + ahead);
+        if (!check_earlier(batch[i], numbers[i], false)) return false;
+      }
     }
     return std::find(has_cell.begin(), has_cell.end(), 0) == has_cell.end();
   }
 
-  /// Infinite cells are oriented like their finite neighbors.
-  bool create_infinite_cells() {
-    for (Index cell = 0; cell < cells_.num_slots(); ++cell) {
-      if (!is_infinite(cell)) continue;
+  /// Infinite cells are oriented like their finite neighbors. Then the hull facet between them has them on its two sides.
+  bool check_infinite_cells(const Query& point) {
+    const Evaluator at_point = geometry_.evaluator(point);
+    for (std::size_t i = 0; i < infinite_cells_.size(); ++i) {
+      if (i + ahead < infinite_cells_.size()) {
+        const Index later = infinite_cells_[i + ahead];
+        prefetch_earlier(later);
+        if (const Index finite = cells_.neighbors(later)[0]; finite != invalid_index) cells_.prefetch_links(finite);
+      }
+      const Index cell = infinite_cells_[i];
       const Index finite = cells_.neighbors(cell)[0];
       if (finite == invalid_index || is_infinite(finite)) return false;
       const int slot = mirror_slot(cell, 0, finite);
-      if (slot < 0) return false;
+      if (slot < 0 || cells_.neighbors(finite)[slot] != cell) return false;
       is_flipped_[cell] = is_flipped_[finite] != (slot % 2 == 0);
-      const auto vertices = oriented(cell);
-      geometry_.create(cell, vertices.data(), is_flipped_[cell], 1 - is_flipped_[cell]);
+      ++num_checked_;
+      geometry_.create(0, oriented(cell).data(), is_flipped_[cell], 1 - is_flipped_[cell]);
+      if (!check_earlier(cell, 0, true)) return false;
+      if (!(at_point.value(0) > at_point.threshold(0)) && exact_side(cell, point) != Sign::positive) return false;
     }
     return true;
   }
 
-  bool check_facets(const std::function<void()>& tick) {
-    std::size_t num_checked = 0;
+  /// Exchanges two vertices of the cells that are oriented negatively. Which these are cannot be predicted: there is no branch.
+  void orient() {
     for (Index cell = 0; cell < cells_.num_slots(); ++cell) {
-      if (cell % batch_size == 0) tick();
-      if (const Index asking = cell + ahead; asking < cells_.num_slots())
-        for (int i = 0; i <= K; ++i) {  // those of facets that have not been checked then, without a branch
-          const Index n = cells_.neighbors(asking)[i];
-          const Index is_later = Index{0} - static_cast<Index>((n > asking) & (n != invalid_index));
-          cells_.prefetch_links((n & is_later) | (asking & ~is_later));
-        }
-      const Index* const neighbors = cells_.neighbors(cell);
-      std::uint32_t later = 0;  // the neighbors whose facets have not been checked
-      for (int i = 0; i <= K; ++i) later |= std::uint32_t{neighbors[i] > cell} << i;
-      for (std::uint32_t rest = later; rest != 0; rest &= rest - 1) {
-        const int slot = std::countr_zero(rest);
-        if (neighbors[slot] == invalid_index || !check_facet(cell, slot, neighbors[slot])) return false;
-      }
-      num_checked += static_cast<std::size_t>(std::popcount(later));
-      // No facet of it is looked at again. Whether it is flipped cannot be predicted: there is no branch.
       const Index flipped = Index{0} - static_cast<Index>(is_flipped_[cell]);
       for (Index* const ids : {cells_.vertices(cell), cells_.neighbors(cell)}) {
         const Index difference = (ids[0] ^ ids[1]) & flipped;
@@ -114,23 +122,46 @@ class Proof {
         ids[1] ^= difference;
       }
     }
-    return 2 * num_checked == std::size_t{cells_.num_slots()} * (K + 1);  // no link is one-way
   }
 
-  bool check_facet(Index cell, int slot, Index neighbor) {
+  /// Asks for the neighbors of a cell that come before it, without a branch.
+  [[gnu::always_inline]] void prefetch_earlier(Index cell) const {  // else GCC drops calls, as without effect
+    if (cell >= cells_.num_slots()) return;
+    for (int i = 0; i <= K; ++i) {
+      const Index n = cells_.neighbors(cell)[i];
+      const Index is_earlier = Index{0} - static_cast<Index>(n < cell);
+      cells_.prefetch_links((n & is_earlier) | (cell & ~is_earlier));
+    }
+  }
+
+  /// Checks the facets to cells of the same kind that come before this one, whose functional is that of a cell of the geometry.
+  bool check_earlier(Index cell, Index number, bool with_infinite) {
+    const Index* const neighbors = cells_.neighbors(cell);
+    std::uint32_t earlier = 0;
+    for (int i = 0; i <= K; ++i) earlier |= std::uint32_t{neighbors[i] < cell} << i;
+    for (; earlier != 0; earlier &= earlier - 1) {
+      const int slot = std::countr_zero(earlier);
+      if (is_infinite(neighbors[slot]) != with_infinite) continue;
+      if (!check_facet(cell, number, slot, neighbors[slot])) return false;
+      ++num_checked_;
+    }
+    return true;
+  }
+
+  bool check_facet(Index cell, Index number, int slot, Index neighbor) {
     const int mirror = mirror_slot(cell, slot, neighbor);
     if (mirror < 0 || cells_.neighbors(neighbor)[mirror] != cell) return false;
     if (is_flipped_[cell] != (is_flipped_[neighbor] != ((slot + mirror) % 2 == 0))) return false;
-    // Between a finite cell and an infinite one it is the latter that says on which side the other's vertex is.
-    const bool asks_neighbor = is_infinite(neighbor) && !is_infinite(cell);
-    const Index asked = asks_neighbor ? neighbor : cell;
-    const Index apex = asks_neighbor ? cells_.vertices(cell)[slot] : cells_.vertices(neighbor)[mirror];
-    if (evaluators_[apex].value(asked) > evaluators_[apex].threshold(asked)) {
+    const Index apex = cells_.vertices(neighbor)[mirror];
+    if (evaluators_[apex].value(number) > evaluators_[apex].threshold(number)) {
       ++counts_.filter;
       return true;
     }
-    return geometry_.exact_side(oriented(asked).data(), is_infinite(asked) ? int{is_flipped_[asked]} : -1, queries_[apex],
-                                counts_) == Sign::positive;
+    return exact_side(cell, queries_[apex]) == Sign::positive;
+  }
+
+  Sign exact_side(Index cell, const Query& q) {
+    return geometry_.exact_side(oriented(cell).data(), is_infinite(cell) ? int{is_flipped_[cell]} : -1, q, counts_);
   }
 
   /// The facet of a neighbor that has the same vertices as facet `slot` of a cell, or −1 if they are no neighbors.
@@ -173,6 +204,8 @@ class Proof {
   StageCounts& counts_;
   std::vector<bool> is_flipped_;  // whether vertices in ascending order are oriented negatively
   std::vector<Evaluator> evaluators_;
+  std::vector<Index> infinite_cells_;
+  std::size_t num_checked_ = 0;  // facets
 };
 
 }  // namespace delone::engine

@@ -7,13 +7,18 @@
 #include "engine/prove.hpp"
 #include "engine/seed.hpp"
 #include "engine/wrap.hpp"
-#include "front_ends/covers_once.hpp"
 #include "front_ends/hull.hpp"
 #include "front_ends/hull_queries.hpp"
+#include "front_ends/point_in_one_cell.hpp"
 #include "geometry/delaunay_geometry.hpp"
 #include "geometry/facet_search.hpp"
 
+#include <delone/error.hpp>
+
 #include <algorithm>
+#include <array>
+#include <atomic>
+#include <mutex>
 #include <new>
 #include <utility>
 #include <vector>
@@ -47,7 +52,8 @@ class HullOfDimension final : public Hull {
     if constexpr (K >= 2) {
       try {
         if (wrap_all(tick)) {
-          recount();
+          last_ = 0;
+          lacks_functionals_ = true;
           effort_.created_cells += cells_.num_cells();
           return true;
         }
@@ -89,10 +95,13 @@ class HullOfDimension final : public Hull {
   const geometry::Frame& frame() const override { return geometry_.frame(); }
   void set_frame(geometry::Frame frame) override {
     geometry_.set_frame(std::move(frame), points_.last_vertex());
+    cells_.reserve(0);  // functionals of what was wrapped may have no memory yet
     create_functionals();
+    lacks_functionals_ = false;
   }
 
   Index insert(Index v, Index start) override {
+    need_functionals();
     const Query q = geometry_.make_query(points_.point(v));
     if (start == invalid_index) start = work_.star().empty() ? last_ : engine::start_in_star(geometry_, q, work_.star());
     const Index at = engine::insert(cells_, geometry_, v, q, start, work_, effort_);
@@ -109,6 +118,7 @@ class HullOfDimension final : public Hull {
   std::span<const Index> swallowed() const override { return work_.swallowed; }
 
   HullLocation locate(const double* query, Index start) const override {
+    need_functionals();
     const kernel::Grid grid = points_.grid_with(query);
     Query q = geometry_.make_query(query, grid);
     q.compared = points_.ambient;
@@ -116,6 +126,7 @@ class HullOfDimension final : public Hull {
   }
 
   std::vector<CellId> conflict_zone(const double* query, Index start) const override {
+    need_functionals();
     const kernel::Grid grid = points_.grid_with(query);
     const Query q = geometry_.make_query(query, grid);
     return front_ends::conflict_zone(cells_, geometry_, q, start == invalid_index ? last_ : start);
@@ -141,6 +152,43 @@ class HullOfDimension final : public Hull {
   std::size_t bytes() const override { return cells_.bytes(); }
 
  private:
+  /// Cells that are wrapped get their functionals when these are asked for. Throws Errc::out_of_memory, and then changes
+  /// nothing.
+  void need_functionals() const {
+    if (!lacks_functionals_.load(std::memory_order_acquire)) [[likely]]
+      return;
+    const std::lock_guard lock(creating_functionals_);
+    if (!lacks_functionals_.load(std::memory_order_relaxed)) return;
+    try {
+      create_functionals_of_wrapped();
+    } catch (const std::bad_alloc&) {
+      throw Error(Errc::out_of_memory, "not enough memory for what queries and insertions need");
+    }
+    lacks_functionals_.store(false, std::memory_order_release);
+  }
+
+  /// Many at a time. REQUIRES that all slots are cells, and that the geometry keeps rows.
+  void create_functionals_of_wrapped() const {
+    memory_.reserve(cells_.num_slots());
+    memory_.prepare(cells_.num_slots());
+    std::array<Index, 64> batch;
+    std::array<const Index*, batch.size()> vertices;
+    std::array<Sign, batch.size()> orientations;
+    std::size_t count = 0;
+    for (Index cell = 0; cell < cells_.num_slots(); ++cell) {
+      const Index* const v = cells_.vertices(cell);
+      if (const int infinite_slot = cells_.infinite_slot(cell); infinite_slot >= 0) {
+        geometry_.create(cell, v, infinite_slot, infinite_slot == 0 ? 1 : 0);
+      } else {
+        batch[count] = cell;
+        vertices[count++] = v;
+      }
+      if (count < batch.size() && cell + 1 < cells_.num_slots()) continue;
+      geometry_.create({batch.data(), count}, {vertices.data(), count}, orientations.data());
+      count = 0;
+    }
+  }
+
   void create_functionals() {
     for (Index cell = 0; cell < cells_.num_slots(); ++cell) {
       if (cells_.is_vacant(cell)) continue;
@@ -150,6 +198,7 @@ class HullOfDimension final : public Hull {
   }
 
   bool wrap_all(const std::function<void()>& tick) {
+    using Proof = engine::Proof<K, Geometry>;
     const Index last = points_.last_vertex();
     geometry_.keep_rows(last);
     {
@@ -159,11 +208,21 @@ class HullOfDimension final : public Hull {
                                    });
       if (!engine::Wrapping<K, geometry::FacetSearch>(cells_, search, last).run(tick)) return false;
     }
+    const auto point = find_point_in_one_cell(cells_, geometry_, points_);
+    if (!point) return false;
+    CellMemory<K> some_cells(K);
+    some_cells.reserve(Proof::batch_size);
+    Geometry geometry_of_some(some_cells, geometry_.axes(), points_.ambient, points_.coordinates, points_.grid,
+                              geometry_.frame());
+    geometry_of_some.keep_rows(last);
     std::vector<Query> queries;
     queries.reserve(last + 1);
-    for (Index v = 0; v <= last; ++v) queries.push_back(geometry_.make_query(points_.point(v)));
-    return engine::Proof<K, Geometry>(cells_, geometry_, queries, effort_.stages).run(tick) &&
-           covers_once(cells_, geometry_, points_);
+    for (Index v = 0; v <= last; ++v) queries.push_back(geometry_of_some.make_query(points_.point(v)));
+    Proof proof(cells_, geometry_of_some, queries, effort_.stages);
+    const kernel::Grid grid = points_.grid_with(point->data());
+    if (!proof.run(geometry_of_some.make_query(point->data(), grid), tick)) return false;
+    num_infinite_ = proof.num_infinite();
+    return true;
   }
 
   /// After an insertion.
@@ -181,13 +240,15 @@ class HullOfDimension final : public Hull {
   }
 
   const VertexPoints& points_;
-  CellMemory<K> memory_;
+  mutable CellMemory<K> memory_;  // mutable for need_functionals() alone
   engine::CellStore<K> cells_;
-  Geometry geometry_;
+  mutable Geometry geometry_;
   engine::Workspace work_;
   engine::Effort effort_;
   Index num_infinite_ = 0;
   Index last_ = 0;  // a cell of the last insertion
+  mutable std::atomic<bool> lacks_functionals_ = false;
+  mutable std::mutex creating_functionals_;
 };
 
 template <int K>

@@ -39,25 +39,24 @@ std::vector<double> weighted_rows(PointsView points, std::span<const double> wei
   return rows;
 }
 
-/// Of equal rows the first in the order, in the order.
-std::vector<Index> distinct_rows(std::span<const double> rows, std::size_t width, std::span<const Index> order) {
+/// For each place in the order the first place with an equal row.
+std::vector<std::size_t> first_equal_rows(std::span<const double> rows, std::size_t width, std::span<const Index> order) {
   const auto compare = [&](std::size_t a, std::size_t b) {
     const double* x = rows.data() + order[a] * width;
     const double* y = rows.data() + order[b] * width;
     return std::lexicographical_compare_three_way(x, x + width, y, y + width);
   };
-  std::vector<std::size_t> places(order.size());
+  std::vector<std::size_t> places(order.size()), first(order.size());
   std::iota(places.begin(), places.end(), std::size_t{0});
   std::sort(places.begin(), places.end(), [&](std::size_t a, std::size_t b) {
     const auto by_coordinates = compare(a, b);
     return by_coordinates != 0 ? by_coordinates < 0 : a < b;
   });
-  places.erase(std::unique(places.begin(), places.end(), [&](std::size_t a, std::size_t b) { return compare(a, b) == 0; }),
-               places.end());
-  std::sort(places.begin(), places.end());
-  std::vector<Index> distinct;
-  for (const std::size_t place : places) distinct.push_back(order[place]);
-  return distinct;
+  for (std::size_t i = 0; i < places.size(); ++i) {
+    const bool is_new = i == 0 || compare(places[i - 1], places[i]) != 0;
+    first[places[i]] = is_new ? places[i] : first[places[i - 1]];
+  }
+  return first;
 }
 
 /// Copies of rows, in the order of their insertion. Those that have been read are given back to the system, so that in the end,
@@ -281,18 +280,21 @@ bool Triangulation::Impl::is_worth_wrapping(std::size_t n) const {
   return (dimension == 7 && 200 <= n && n <= 4000) || (dimension == 8 && 100 <= n && n <= 4000);
 }
 
-/// Makes all distinct points of a batch vertices at once. Returns false, and nothing has changed, if that is not to be done or
-/// fails; duplicates are left to be inserted. REQUIRES a hull without cells, and that all vertices are those of the simplex.
+/// Inserts a batch at once. Returns false, and nothing has changed, if that is not to be done or fails. REQUIRES a hull without
+/// cells, and that all vertices are those of the simplex.
 bool Triangulation::Impl::wrap_batch(std::span<const double> rows, std::size_t first_row, std::span<const Index> order,
                                      std::span<const Index> simplex, const std::function<void()>& tick) {
   if (!is_worth_wrapping(order.size()) || points.last_vertex() != simplex.size()) return false;
-  std::vector<Index> others;
+  std::vector<std::size_t> first_equal;
+  std::vector<Index> others;  // the rows of the vertices to come
   try {
-    others = distinct_rows(rows, row_size(), order);
+    first_equal = first_equal_rows(rows, row_size(), order);
+    for (std::size_t place = 0; place < order.size(); ++place)
+      if (first_equal[place] == place && vertex_of_row[first_row + order[place]] == invalid_vertex)
+        others.push_back(order[place]);
   } catch (const std::bad_alloc&) {  // insertion does with less
     return false;
   }
-  std::erase_if(others, [&](Index row) { return vertex_of_row[first_row + row] != invalid_vertex; });
   for (const Index row : others) append(rows.data() + static_cast<std::size_t>(row) * row_size());
   const auto drop = [&] { points.coordinates.resize(points.coordinates.size() - others.size() * row_size()); };
   try {
@@ -307,6 +309,9 @@ bool Triangulation::Impl::wrap_batch(std::span<const double> rows, std::size_t f
   }
   Index v = static_cast<Index>(simplex.size());
   for (const Index row : others) assign(first_row + row, ++v);
+  for (std::size_t place = 0; place < order.size(); ++place)
+    if (const std::size_t first = first_equal[place]; first != place)
+      assign(first_row + order[place], index(vertex_of_row[first_row + order[first]]));
   return true;
 }
 

@@ -34,6 +34,7 @@ class PointPredicates {
       : axes_(std::move(axes)), ambient_(ambient), form_(form), coordinates_(coordinates) {}
 
   int dimension() const { return K > 0 ? K : static_cast<int>(axes_.size()); }
+  const std::vector<int>& axes() const { return axes_; }
   const double* point(Index vertex) const {
     return coordinates_.data() + static_cast<std::size_t>(vertex) * static_cast<std::size_t>(flat().row_size());
   }

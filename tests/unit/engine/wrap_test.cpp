@@ -4,8 +4,8 @@
 
 #include "compare.hpp"
 #include "engine/prove.hpp"
-#include "front_ends/covers_once.hpp"
 #include "front_ends/dispatch.hpp"
+#include "front_ends/point_in_one_cell.hpp"
 #include "geometry/delaunay_geometry.hpp"
 #include "geometry/facet_search.hpp"
 #include "kernel/predicates.hpp"
@@ -21,7 +21,9 @@
 #include <cmath>
 #include <map>
 #include <numeric>
+#include <span>
 #include <string>
+#include <thread>
 #include <utility>
 #include <vector>
 
@@ -243,6 +245,8 @@ TEST(Wrap, BuildsBatchesOfFewPointsInSevenDimensions) {
   inserting.force_runtime_dimension = true;
   const Triangulation wrapped(points, d), inserted(points, d, inserting);
   EXPECT_EQ(wrapped.hash(), inserted.hash());
+  EXPECT_EQ(wrapped.num_duplicates(), 5u);
+  for (std::size_t row = 0; row < 5; ++row) EXPECT_EQ(wrapped.vertex_at(n + row), wrapped.vertex_at(row));
   const Complex complex = wrapped.complex();
   EXPECT_EQ(wrapped.statistics().created_cells, complex.num_finite_cells() + complex.num_infinite_cells());
   EXPECT_GT(inserted.statistics().created_cells, 2 * wrapped.statistics().created_cells);
@@ -257,18 +261,69 @@ TEST(Wrap, BuildsBatchesOfFewPointsInSevenDimensions) {
   EXPECT_EQ(cancelled.affine_dimension(), static_cast<int>(d));
 }
 
+TEST(Wrap, LeavesWhatQueriesNeedToTheFirst) {
+  if (largest_dimension < 7) GTEST_SKIP() << "no engine for it is compiled";
+  constexpr std::size_t d = 7;
+  const Coordinates points = make_point_set("uniform", d, 210, 3), queries = make_point_set("uniform", d, 40, 4);
+  Options inserting;
+  inserting.force_runtime_dimension = true;
+  Triangulation wrapped(points, d);
+  const Triangulation inserted(points, d, inserting);
+  const auto rows_of = [](const Triangulation& t, const CellId cell) {
+    std::vector<std::size_t> rows;
+    for (const VertexId v : t.vertices(cell)) rows.push_back(v == infinite_vertex ? ~std::size_t{0} : t.row_of(v));
+    std::sort(rows.begin(), rows.end());
+    return rows;
+  };
+  const auto answers_of = [&](const Triangulation& t) {
+    std::vector<std::vector<std::size_t>> answers;
+    for (std::size_t i = 0; i < queries.size(); i += d) {
+      const std::span query(queries.data() + i, d);
+      const Location found = t.locate(query);
+      answers.push_back({static_cast<std::size_t>(found.kind)});
+      if (found.kind == Location::Kind::in_cell) answers.push_back(rows_of(t, found.cell));
+      const std::size_t before = answers.size();
+      for (const CellId cell : t.conflict_zone(query)) answers.push_back(rows_of(t, cell));
+      std::sort(answers.begin() + static_cast<std::ptrdiff_t>(before), answers.end());
+    }
+    return answers;
+  };
+  const auto right = answers_of(inserted);
+  const std::size_t bytes = wrapped.statistics().cell_bytes;
+  std::vector<std::vector<std::vector<std::size_t>>> answers(4);
+  {
+    std::vector<std::jthread> threads;
+    for (auto& of_thread : answers) threads.emplace_back([&] { of_thread = answers_of(wrapped); });
+  }
+  for (const auto& of_thread : answers) EXPECT_EQ(of_thread, right);
+  EXPECT_GT(wrapped.statistics().cell_bytes, bytes);
+
+  // A point outside the box of all others changes what would have been computed.
+  Triangulation grown(points, d);
+  grown.insert(Coordinates(d, 3.0));
+  Coordinates more = points;
+  more.insert(more.end(), d, 3.0);
+  EXPECT_EQ(grown.hash(), Triangulation(more, d, inserting).hash());
+
+  Triangulation compacted(points, d);
+  compacted.compact();
+  EXPECT_EQ(answers_of(compacted), right);
+}
+
 /// Cells for which proofs are sought.
 template <int K>
 struct Proposed {
   explicit Proposed(const Coordinates& coordinates)
       : points(K, kernel::RowForm::point),
         memory(K),
+        some_cells(K),
         cells(memory),
-        geometry(memory, all_axes(K), K, points.coordinates, points.grid, frame_of(K, coordinates)),
+        geometry(some_cells, all_axes(K), K, points.coordinates, points.grid, frame_of(K, coordinates)),
         num_vertices(static_cast<Index>(coordinates.size() / K)) {
     points.coordinates.insert(points.coordinates.end(), coordinates.begin(), coordinates.end());
     for (Index v = 1; v <= num_vertices; ++v) points.grid.include(geometry.point(v));
     geometry.keep_rows(num_vertices);
+    some_cells.reserve(Proof<K, geometry::DelaunayGeometry<K>>::batch_size);
   }
 
   /// Proposes a triangulation of the first vertices.
@@ -310,15 +365,25 @@ struct Proposed {
     return open.empty();
   }
 
-  bool is_proved() {
+  /// That of the cells, and that a point is on the inner side of the hull.
+  bool is_proved(const Coordinates& point) {
     std::vector<typename geometry::DelaunayGeometry<K>::Query> queries;
     for (Index v = 0; v <= num_vertices; ++v) queries.push_back(geometry.make_query(geometry.point(v)));
+    const kernel::Grid grid = points.grid_with(point.data());
     StageCounts counts;
-    return Proof<K, geometry::DelaunayGeometry<K>>(cells, geometry, queries, counts).run([] {});
+    return Proof<K, geometry::DelaunayGeometry<K>>(cells, geometry, queries, counts)
+        .run(geometry.make_query(point.data(), grid), [] {});
+  }
+  /// The same with a point that is.
+  bool is_proved() {
+    Coordinates mean(K);
+    for (Index v = 1; v <= num_vertices; ++v)
+      for (std::size_t j = 0; j < K; ++j) mean[j] += points.point(v)[j] / num_vertices;
+    return is_proved(mean);
   }
 
   VertexPoints points;
-  CellMemory<K> memory;
+  CellMemory<K> memory, some_cells;
   CellStore<K> cells;
   geometry::DelaunayGeometry<K> geometry;
   Index num_vertices;
@@ -476,7 +541,7 @@ TEST(Proof, NoticesTies) {
 }
 
 // Ten triangles around one vertex that turn about it twice: everything is right but their number.
-TEST(CoversOnce, NoticesTwoTurnsAboutAVertex) {
+TEST(PointInOneCell, NoticesTwoTurnsAboutAVertex) {
   const auto around = [](int turns) {
     Coordinates points{0, 0};
     for (int i = 0; i < 5 * turns; ++i) {
@@ -498,7 +563,9 @@ TEST(CoversOnce, NoticesTwoTurnsAboutAVertex) {
     Proposed<2> proposed(around(turns));
     ASSERT_TRUE(proposed.propose(fan(5 * turns)));
     ASSERT_TRUE(proposed.is_proved());
-    EXPECT_EQ(covers_once(proposed.cells, proposed.geometry, proposed.points), turns == 1);
+    ASSERT_TRUE(proposed.propose(fan(5 * turns)));
+    const auto point = find_point_in_one_cell(proposed.cells, proposed.geometry, proposed.points);
+    EXPECT_EQ(point && proposed.is_proved(*point), turns == 1);
   }
 }
 

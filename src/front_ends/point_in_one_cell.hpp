@@ -1,23 +1,22 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The last step of proving what was wrapped: cells that are right across every facet may still go around a vertex twice. Then
-// they cover all of space more than once, so one point tells (docs/predicates.md, "Wrapping").
+// Part of the proof of what was wrapped: cells that are right across every facet may still go around a vertex twice. Then they
+// cover all of space more than once, so one point tells (docs/predicates.md, "Wrapping").
 #pragma once
 
 #include "engine/cell_store.hpp"
 #include "front_ends/hull.hpp"
 #include "geometry/delaunay_geometry.hpp"
-#include "stage_counts.hpp"
 
 #include <algorithm>
 #include <cstddef>
 #include <limits>
+#include <optional>
 #include <span>
 #include <vector>
 
 namespace delone {
 
-/// Whether a point is inside exactly one of the given finite cells and on the boundary of none, and on the inner side of all
-/// infinite cells. Exact.
+/// Whether a point is inside exactly one of the given finite cells, oriented either way, and on the boundary of none. Exact.
 template <int K>
 bool is_in_one_of(std::span<const Index> finite_cells, const engine::CellStore<K>& cells,
                   const geometry::DelaunayGeometry<K>& geometry, const VertexPoints& points, const double* point) {
@@ -25,27 +24,24 @@ bool is_in_one_of(std::span<const Index> finite_cells, const engine::CellStore<K
   const auto q = geometry.make_query(point, grid);
   int containing = 0;
   for (const Index cell : finite_cells) {
-    Sign least = Sign::positive;
-    for (int i = 0; i <= cells.dimension() && least != Sign::negative; ++i)
-      least = std::min(least, geometry.side_of_facet(cells.vertices(cell), i, q));
-    if (least == Sign::zero) return false;
-    containing += least == Sign::positive ? 1 : 0;
+    const Sign first = geometry.side_of_facet(cells.vertices(cell), 0, q);
+    Sign side = first;
+    for (int i = 1; i <= cells.dimension() && side == first && side != Sign::zero; ++i)
+      side = geometry.side_of_facet(cells.vertices(cell), i, q);
+    if (side == Sign::zero) return false;
+    containing += side == first ? 1 : 0;
   }
-  const auto functional = geometry.evaluator(q);
-  StageCounts uncounted;
-  for (Index cell = 0; cell < cells.num_slots(); ++cell)
-    if (geometry.is_infinite(cell) && !(functional.value(cell) > functional.threshold(cell)) &&
-        geometry.exact_side(cells.vertices(cell), cells.infinite_slot(cell), q, uncounted) != Sign::positive)
-      return false;
   return containing == 1;
 }
 
-/// Proves that cells which are locally right do not cover space more than once, by one point that is in one finite cell and on
-/// the inner side of all infinite ones. It lies between a vertex with the least of all coordinates along an axis and all other
-/// vertices, so that only cells of that vertex can contain it. Returns false also where no such point is found. REQUIRES that
-/// all slots are cells, and that each vertex has a finite one. Cost O(k·(cells + vertices)) and few exact predicates.
+/// A point that is inside one finite cell, and inside or on the boundary of no other: of proposed cells, which may be oriented
+/// either way. It lies between a vertex with the least of all coordinates along an axis and all other vertices, so that only
+/// cells of that vertex can contain it. Nothing where no such point is found. REQUIRES that all slots are cells. Cost
+/// O(k·(cells + vertices)) and few exact predicates.
 template <int K>
-bool covers_once(const engine::CellStore<K>& cells, const geometry::DelaunayGeometry<K>& geometry, const VertexPoints& points) {
+std::optional<std::vector<double>> find_point_in_one_cell(const engine::CellStore<K>& cells,
+                                                          const geometry::DelaunayGeometry<K>& geometry,
+                                                          const VertexPoints& points) {
   const int k = cells.dimension();
   for (int axis = 0; axis < points.ambient; ++axis) {
     const auto coordinate = [&](Index v) { return points.point(v)[axis]; };
@@ -58,8 +54,9 @@ bool covers_once(const engine::CellStore<K>& cells, const geometry::DelaunayGeom
     std::vector<Index> around;
     for (Index cell = 0; cell < cells.num_slots(); ++cell) {
       const Index* v = cells.vertices(cell);
-      if (!geometry.is_infinite(cell) && std::find(v, v + k + 1, first) != v + k + 1) around.push_back(cell);
+      if (std::find(v, v + k + 1, first) != v + k + 1 && cells.infinite_slot(cell) < 0) around.push_back(cell);
     }
+    if (around.empty()) return std::nullopt;
     const Index* v = cells.vertices(around.front());
     std::vector<double> inside(static_cast<std::size_t>(points.ambient));
     for (std::size_t j = 0; j < inside.size(); ++j)
@@ -69,9 +66,10 @@ bool covers_once(const engine::CellStore<K>& cells, const geometry::DelaunayGeom
       inside[j] = points.point(first)[j] + step * (inside[j] - points.point(first)[j]);
     const double at = inside[static_cast<std::size_t>(axis)];
     if (!(coordinate(first) < at && at < second)) continue;
-    return is_in_one_of<K>(around, cells, geometry, points, inside.data());
+    if (!is_in_one_of<K>(around, cells, geometry, points, inside.data())) return std::nullopt;
+    return inside;
   }
-  return false;
+  return std::nullopt;
 }
 
 }  // namespace delone
