@@ -149,7 +149,10 @@ class HullOfDimension final : public Hull {
             static_cast<Index>(cell_of_vertex.size())};
   }
   const engine::Effort& effort() const override { return effort_; }
-  std::size_t bytes() const override { return cells_.bytes(); }
+  std::size_t bytes() const override {
+    const std::lock_guard lock(creating_functionals_);
+    return cells_.bytes();
+  }
 
  private:
   /// Cells that are wrapped get their functionals when these are asked for. Throws Errc::out_of_memory, and then changes
