@@ -74,8 +74,9 @@ class Hull : public HullQueries {
   /// Starts from k+1 affinely independent vertices.
   virtual void seed(std::span<const Index> vertices) = 0;
   /// Starts from all vertices, if they can be wrapped: returns false, and has no cells, where rounded numbers do not say how,
-  /// and if there are ties. What only queries and insertions need is computed by the first of them, O(k³) per cell. REQUIRES that points are of full dimension, and neither weighted nor sought for what is furthest.
-  /// `tick` is called often; what it throws is passed on.
+  /// and if there are ties. What only queries and insertions need is computed by the first of them, O(k³) per cell. REQUIRES
+  /// that points are of full dimension, and neither weighted nor sought for what is furthest. `tick` is called often; what it
+  /// throws is passed on.
   virtual bool wrap(const std::function<void()>& tick) = 0;
   /// Starts from a triangulation of dimension k−1 and a vertex outside its flat.
   virtual void jump(const Complex& old, Index q) = 0;
