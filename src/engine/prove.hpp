@@ -83,7 +83,7 @@ class Proof {
       }
       for (std::size_t i = 0; i < count; ++i) {
         prefetch_earlier(batch[i] + ahead);
-        if (!check_earlier(batch[i], numbers[i], false)) return false;
+        if (!check_earlier(batch[i], numbers[i])) return false;
       }
     }
     return std::find(has_cell.begin(), has_cell.end(), 0) == has_cell.end();
@@ -106,7 +106,7 @@ class Proof {
       is_flipped_[cell] = is_flipped_[finite] != (slot % 2 == 0);
       ++num_checked_;
       geometry_.create(0, oriented(cell).data(), is_flipped_[cell], 1 - is_flipped_[cell]);
-      if (!check_earlier(cell, 0, true)) return false;
+      if (!check_earlier(cell, 0)) return false;
       if (!(at_point.value(0) > at_point.threshold(0)) && exact_side(cell, point) != Sign::positive) return false;
     }
     return true;
@@ -134,9 +134,11 @@ class Proof {
     }
   }
 
-  /// Checks the facets to cells of the same kind that come before this one, whose functional is that of a cell of the geometry.
-  bool check_earlier(Index cell, Index number, bool with_infinite) {
+  /// Checks the facets to those cells before this one that are finite or infinite like it. The geometry knows its functional as
+  /// that of cell `number`.
+  bool check_earlier(Index cell, Index number) {
     const Index* const neighbors = cells_.neighbors(cell);
+    const bool with_infinite = is_infinite(cell);
     std::uint32_t earlier = 0;
     for (int i = 0; i <= K; ++i) earlier |= std::uint32_t{neighbors[i] < cell} << i;
     for (; earlier != 0; earlier &= earlier - 1) {

@@ -95,9 +95,7 @@ class HullOfDimension final : public Hull {
   const geometry::Frame& frame() const override { return geometry_.frame(); }
   void set_frame(geometry::Frame frame) override {
     geometry_.set_frame(std::move(frame), points_.last_vertex());
-    cells_.reserve(0);  // functionals of what was wrapped may have no memory yet
-    create_functionals();
-    lacks_functionals_ = false;
+    if (!lacks_functionals_) create_functionals();
   }
 
   Index insert(Index v, Index start) override {
@@ -170,8 +168,9 @@ class HullOfDimension final : public Hull {
     lacks_functionals_.store(false, std::memory_order_release);
   }
 
-  /// Many at a time. REQUIRES that all slots are cells, and that the geometry keeps rows.
+  /// Many at a time. REQUIRES that all slots are cells.
   void create_functionals_of_wrapped() const {
+    geometry_.keep_rows(points_.last_vertex());
     memory_.reserve(cells_.num_slots());
     memory_.prepare(cells_.num_slots());
     std::array<Index, 64> batch;
