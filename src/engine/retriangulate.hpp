@@ -110,7 +110,7 @@ void retriangulate(CellStore<K>& cells, G& geometry, Index v, const typename G::
         Index* vertices = cells.vertices(created);
         for (int i = 0; i <= k; ++i) vertices[i] = dead_vertices[i];
         vertices[slot] = v;
-        ridges.note(static_cast<std::uint32_t>(f), vertices, slot);
+        ridges.note(static_cast<std::uint32_t>(f), dead_vertices, slot);
         cells.neighbors(created)[slot] = survivor;
         const int mirror = cells.slot_of_neighbor(survivor, dead);
         cells.neighbors(survivor)[mirror] = created;

@@ -349,15 +349,10 @@ void Triangulation::Impl::insert_range(std::span<const double> coordinates, std:
     RowsInOrder rows_in_order(rows, row_size(), order);
     with_weights = std::vector<double>();
     if (release) release();
-    // Where to write vertices has no order of its own: it is asked for long before its turn, and much together, as pages have
-    // to be looked up too.
-    constexpr std::size_t rows_together = 32;
+    // Where to write vertices has no order of its own: it is asked for long before its turn.
+    constexpr std::size_t ahead = 64;
     for (std::size_t i = 0; i < n; ++i) {
-      if (i % rows_together == 0) {
-        const std::size_t end = std::min(i + 2 * rows_together, n);
-        for (std::size_t j = i == 0 ? 0 : i + rows_together; j < end; ++j)
-          __builtin_prefetch(vertex_of_row.data() + first_row + order[j], 1);
-      }
+      __builtin_prefetch(vertex_of_row.data() + first_row + order[std::min(i + ahead, n - 1)], 1);
       const double* const point = rows_in_order.next();
       if (vertex_of_row[first_row + order[i]] == invalid_vertex) insert_row(first_row + order[i], point, invalid_index, false);
       progress(i + 1);
