@@ -114,21 +114,6 @@ class CellStore {
     *memory_.records().certificate(cell) = 0;
     return cell;
   }
-  /// Calls take(slot) for as many slots as that many calls of allocate() would return.
-  template <class Take>
-  void allocate(std::size_t count, Take&& take) {
-    const auto occupy = [&](Index cell) {
-      *memory_.records().certificate(cell) = 0;
-      take(cell);
-    };
-    const std::size_t reused = std::min(count, num_vacant_);
-    const Index* vacant = vacant_.data() + num_vacant_;
-    for (std::size_t i = 0; i < reused; ++i) occupy(*--vacant);
-    Index fresh = num_slots_;
-    for (std::size_t i = reused; i < count; ++i) occupy(fresh++);
-    num_vacant_ -= reused;
-    num_slots_ = fresh;
-  }
   /// A slot behind all others, of which only the links are expected to be written before the next reserve(). REQUIRES a
   /// reserve_links() that covers it, and no vacant slot.
   Index append() { return num_slots_++; }

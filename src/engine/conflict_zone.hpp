@@ -47,12 +47,14 @@ struct ConflictZone {
   std::size_t num_facets = 0;
   std::size_t num_marked = 0;
   std::size_t num_infinite = 0;         ///< of the cells; known when they have been replaced
-  bool is_ordered = true;               ///< whether facets are in the order of their cells in conflict
   GrowableArray<Index> cells;           ///< in conflict
   GrowableArray<double> values;         ///< h̃(q) of each
   GrowableArray<HorizonFacet> horizon;  ///< facets to cells that are not
   GrowableArray<Index> marked;          ///< cells of the horizon that are marked, as it took the exact stages to know
-  std::vector<Index> done;              ///< of each block of a star: before which of the cells none is needed any more
+  // Of the star that takes the place of the cells, which slots its cells get.
+  GrowableArray<std::uint8_t> has_facets;  ///< of each cell in conflict
+  GrowableArray<Index> without_facets;     ///< cells in conflict that have none
+  GrowableArray<std::uint32_t> others;     ///< facets that are not the last of their cell in conflict
   // Of the block that is searched.
   std::vector<Candidate> candidates;
   std::vector<double> candidate_values;  ///< h̃(q) of each
@@ -79,6 +81,9 @@ struct ConflictZone {
     values.reserve(size);
     horizon.reserve(size);
     marked.reserve(size);  // no more than there are facets
+    has_facets.reserve(size);
+    without_facets.reserve(size);
+    others.reserve(size);
     const std::size_t neighbors = block_size(facets_of_cell) * facets_of_cell, most_open = neighbors + enough_open;
     candidates.resize(neighbors + 1);
     candidate_values.resize(neighbors);
@@ -129,7 +134,6 @@ template <class Cells, QueryGeometry G, class Evaluator, class Marks>
     zone.num_marked += !conflict;
   }
   zone.num_undecided = 0;
-  zone.is_ordered = false;
   for (const ConflictZone::Open& open : std::span(zone.open.data(), zone.num_open)) {
     HorizonFacet& facet = zone.horizon[zone.num_facets];
     facet.survivor = open.cell;
@@ -164,7 +168,6 @@ void find_conflict_zone(const Cells& cells, const G& geometry, const typename G:
   const std::size_t block_size = ConflictZone::block_size(facets), cells_ahead = ConflictZone::cells_ahead(facets);
   const bool is_tree = facets <= 3;
   zone.num_cells = zone.num_facets = zone.num_marked = zone.num_infinite = 0;
-  zone.is_ordered = true;
   zone.reserve(1, facets);
   const auto functional = geometry.evaluator(q);
   zone.cells[0] = first;

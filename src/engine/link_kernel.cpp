@@ -108,6 +108,7 @@ void create_cells(const CellLinks& links, Index apex, const DeadCells& zone, std
     const Index* const dead_vertices = of(dead);
     Index* const vertices = of(facet.created);
     Index* const across_survivor = of(facet.survivor) + pieces.num_ids;
+    facet.dead_opposite = dead_vertices[facet.slot];  // the new cell may be where the dead one is
     std::ptrdiff_t mirror = 0;
     for (std::size_t begin = pieces.num() * pieces.lanes; begin > 0;) {
       begin -= pieces.lanes;
@@ -123,7 +124,6 @@ void create_cells(const CellLinks& links, Index apex, const DeadCells& zone, std
     across_survivor[mirror] = facet.created;
     facet.dead_value = zone.values[facet.dead];
     facet.dead = dead;
-    facet.dead_opposite = dead_vertices[facet.slot];
     facet.survivor_opposite = *(across_survivor - pieces.num_ids + mirror);
   }
 }

@@ -29,7 +29,7 @@ struct DeadCells {
 };
 
 /// Writes the vertices of created cells, and links them with the survivors of their facets. The ids in facet.created are given;
-/// what else a facet lacks is filled in.
+/// what else a facet lacks is filled in. A cell may be created where the dead cell of its facet is, or one of an earlier facet.
 void create_cells(const CellLinks& links, Index apex, const DeadCells& zone, std::span<HorizonFacet> facets);
 
 /// A half-ridge is numbered facet · 2^half_ridge_shift + its slot in the created cell; numbers of the apex's slot and beyond

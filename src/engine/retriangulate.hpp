@@ -13,7 +13,7 @@ namespace delone::engine {
 
 /// How many cells of a star are created at a time, so that their records, and those of the cells they are made from, stay in
 /// the cache through all steps.
-constexpr std::size_t star_block = 64;
+constexpr std::size_t star_block = 128;
 
 /// Links the created cells of a star by rotating about each ridge, from the dead cell of the facet through the zone until the
 /// horizon (Boissonnat and Teillaud 1993, doi:10.1016/0304-3975(93)90024-N). REQUIRES that no dead cell has been released.
@@ -41,18 +41,39 @@ void link_by_rotation(CellStore<K>& cells, std::span<const HorizonFacet> facets)
     }
 }
 
-/// Notes for each block of a star before which cell of the zone there is none that a later block is made from. Throws
-/// std::bad_alloc.
-inline void find_done(ConflictZone& zone) {
-  const std::size_t num_blocks = (zone.num_facets + star_block - 1) / star_block;
-  if (zone.done.size() < num_blocks) zone.done.resize(2 * num_blocks);
-  auto needed = static_cast<Index>(zone.num_cells);
-  for (std::size_t b = num_blocks; b-- > 0;) {
-    zone.done[b] = needed;
-    const std::size_t first = b * star_block;
-    const std::size_t last = zone.is_ordered ? first + 1 : std::min(first + star_block, zone.num_facets);
-    for (std::size_t f = first; f < last; ++f) needed = std::min(needed, zone.horizon[f].dead);
+/// Gives the cells of the star their slots. The cell that is made from the last facet of a dead cell takes its place; what is
+/// made before from other facets of it gets the slot of a dead cell that has none, or a vacant one. So a cell is close to where
+/// those were that it is made of, and what is met together stays together on a few pages. Throws what a reserve() throws, and
+/// then changes nothing.
+template <int K, Geometry G>
+void replace_slots(CellStore<K>& cells, const G& geometry, ConflictZone& zone) {
+  const std::span<HorizonFacet> facets{zone.horizon.data(), zone.num_facets};
+  const std::span<const Index> dead{zone.cells.data(), zone.num_cells};
+  std::uint8_t* const has_facets = zone.has_facets.data();
+  std::uint32_t* const others = zone.others.data();
+  Index* const without_facets = zone.without_facets.data();
+  std::fill_n(has_facets, dead.size(), std::uint8_t{0});
+  std::size_t num_others = 0, num_without = 0, num_infinite = 0;
+  // No branch depends on the data.
+  for (std::size_t f = facets.size(); f-- > 0;) {
+    const std::size_t from = facets[f].dead;
+    facets[f].created = dead[from];
+    others[num_others] = static_cast<std::uint32_t>(f);
+    num_others += has_facets[from];  // later ones
+    has_facets[from] = 1;
   }
+  for (std::size_t i = dead.size(); i-- > 0;) {
+    without_facets[num_without] = dead[i];
+    num_without += has_facets[i] == 0;
+    num_infinite += geometry.is_infinite(dead[i]) ? 1 : 0;
+  }
+  const std::size_t reused = std::min(num_others, num_without);
+  cells.reserve_vacancies(num_without - reused);
+  cells.reserve(num_others - reused);
+  for (std::size_t i = 0; i < reused; ++i) facets[others[i]].created = without_facets[i];
+  for (std::size_t i = reused; i < num_others; ++i) facets[others[i]].created = cells.allocate();
+  for (std::size_t i = reused; i < num_without; ++i) cells.release(without_facets[i]);
+  zone.num_infinite = num_infinite;
 }
 
 /// The vertices of the zone that are on no horizon facet. Throws std::bad_alloc, and then changes nothing.
@@ -84,19 +105,14 @@ void retriangulate(CellStore<K>& cells, G& geometry, Index v, const typename G::
   if (swallowed != nullptr) find_swallowed(cells, zone, *swallowed);
   ridges.reserve(zone.num_facets, k);
   geometry.reserve_star(v, std::min(zone.num_facets, star_block));
-  cells.reserve_vacancies(zone.num_cells);
-  cells.reserve(zone.num_facets);
   const std::span<HorizonFacet> facets{zone.horizon.data(), zone.num_facets};
-  const bool releases_early = ridges.hashes() && facets.size() > star_block;
-  if (releases_early) find_done(zone);
-  std::size_t num_released = 0;
-  const auto release = [&](std::size_t end) {
-    for (; num_released < end; ++num_released) {
-      const Index dead = zone.cells[num_released];
-      zone.num_infinite += geometry.is_infinite(dead) ? 1 : 0;
-      cells.release(dead);
-    }
-  };
+  if (ridges.hashes()) {
+    replace_slots(cells, geometry, zone);
+  } else {  // rotation goes through all of the zone
+    cells.reserve_vacancies(zone.num_cells);
+    cells.reserve(zone.num_facets);
+    for (HorizonFacet& facet : facets) facet.created = cells.allocate();
+  }
 
   for (std::size_t first = 0; first < facets.size(); first += star_block) {
     const std::size_t last = std::min(first + star_block, facets.size());
@@ -104,24 +120,22 @@ void retriangulate(CellStore<K>& cells, G& geometry, Index v, const typename G::
       for (std::size_t f = first; f < last; ++f) {
         if (f + 8 < facets.size()) cells.prefetch(facets[f + 8].survivor);
         HorizonFacet& facet = facets[f];
-        const Index dead = zone.cells[facet.dead], survivor = facet.survivor, created = cells.allocate();
+        const Index dead = zone.cells[facet.dead], survivor = facet.survivor, created = facet.created;
         const int slot = facet.slot;
-        const Index* dead_vertices = cells.vertices(dead);
-        Index* vertices = cells.vertices(created);
+        const Index* const dead_vertices = cells.vertices(dead);
+        facet.dead_opposite = dead_vertices[slot];  // the new cell may be where the dead one is
+        ridges.note(static_cast<std::uint32_t>(f), dead_vertices, slot);
+        Index* const vertices = cells.vertices(created);
         for (int i = 0; i <= k; ++i) vertices[i] = dead_vertices[i];
         vertices[slot] = v;
-        ridges.note(static_cast<std::uint32_t>(f), dead_vertices, slot);
         cells.neighbors(created)[slot] = survivor;
         const int mirror = cells.slot_of_neighbor(survivor, dead);
         cells.neighbors(survivor)[mirror] = created;
         facet.dead_value = zone.values[facet.dead];
         facet.dead = dead;
-        facet.created = created;
-        facet.dead_opposite = dead_vertices[slot];
         facet.survivor_opposite = cells.vertices(survivor)[mirror];
       }
     } else {
-      cells.allocate(last - first, [facet = &facets[first]](Index created) mutable { facet++->created = created; });
       create_cells(cells.links(), v, {zone.cells.data(), zone.values.data()}, facets.subspan(first, last - first));
     }
     ridges.hash(cells, facets, first, last);
@@ -129,17 +143,18 @@ void retriangulate(CellStore<K>& cells, G& geometry, Index v, const typename G::
       const Index cell = facets[first + f].created;
       geometry.create(cell, cells.vertices(cell), cells.infinite_slot(cell), facets[first + f].slot);
     }
-    // The next block is written where dead cells were that nothing more is made from, while these are in the cache.
-    if (releases_early) release(zone.done[first / star_block]);
   }
   if (ridges.hashes()) {
     ridges.link(cells, facets);
   } else {
     link_by_rotation(cells, facets);
+    for (std::size_t i = 0; i < zone.num_cells; ++i) {
+      zone.num_infinite += geometry.is_infinite(zone.cells[i]) ? 1 : 0;
+      cells.release(zone.cells[i]);
+    }
   }
-  // Slots that are allocated anew have no marks.
+  // Created cells have no marks.
   for (std::size_t i = 0; i < zone.num_marked; ++i) cells.marks().set(zone.marked[i], Mark::unseen);
-  release(zone.num_cells);
 }
 
 }  // namespace delone::engine

@@ -150,8 +150,8 @@ class Functionals {
   /// An upper bound on the determinant of the edge vectors of a finite cell, from the radius of its sphere. REQUIRES spheres_.
   double largest_determinant(Index cell) const;
   void give_up(Index cell, bool infinite);
-  /// If the new vertex is exactly on the spheres of both cells of a facet, they are one sphere, which is that of the new cell
-  /// too: takes over its functional, and returns true.
+  /// If the new vertex is exactly on the sphere of the survivor, that is the sphere of the new cell too: takes over its
+  /// functional, and returns true.
   bool adopt(const HorizonFacet& facet, const double* query_row, const LatticeBounds& bounds);
 
   /// Certifies the functionals of cells of a star by their values at the vertices and the determinants and cofactors of their
@@ -195,10 +195,10 @@ class Functionals {
 
 template <int K, bool Lifted>
 bool Functionals<K, Lifted>::adopt(const HorizonFacet& facet, const double* query_row, const LatticeBounds& bounds) {
+  if constexpr (Lifted)
+    if (facet.survivor_opposite == index(infinite_vertex)) return false;  // the plane of the facet is no sphere of the new cell
+  if (!proves_zero(facet.survivor, facet.survivor_value, bounds)) return false;
   const bool infinite = is_infinite(facet.survivor);
-  if (is_infinite(facet.dead) != infinite || !proves_zero(facet.dead, facet.dead_value, bounds) ||
-      !proves_zero(facet.survivor, facet.survivor_value, bounds))
-    return false;
   const double* source = functional(facet.survivor);
   std::copy_n(source, k() + 1, functional(facet.created));
   const double error_at_query =

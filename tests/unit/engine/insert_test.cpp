@@ -1,12 +1,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// An insertion that runs out of memory changes nothing, and leaves no star that a later one could start from.
+// An insertion that runs out of memory changes nothing, and leaves no star that a later one could start from. The cells of a
+// star are where those were that it replaces.
 #include "engine/build.hpp"
 #include "engine/seed.hpp"
 #include "geometry/delaunay_geometry.hpp"
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <map>
 #include <new>
+#include <set>
 #include <span>
 #include <vector>
 
@@ -63,6 +67,56 @@ TEST(Insert, ThatFailsLeavesNoStarAndNoMarks) {
   EXPECT_EQ(insert_from(start, 5), 5u);
   EXPECT_EQ(cells.num_cells(), before + 2);
   EXPECT_EQ(insert_from(start, 6), 6u);
+}
+
+/// Inserts the points of a grid in an order that is none; on a grid, horizons are not found in the order of the zone.
+TEST(Insert, PutsCellsWhereThoseWereThatTheyAreMadeFrom) {
+  constexpr Index side = 5, num_points = side * side * side;
+  std::vector<double> points{0, 0, 0};                                               // that of vertex 0 is a dummy
+  for (const Index i : {0u, side - 1, side * (side - 1), side * side * (side - 1)})  // a simplex first
+    for (const Index x : {i % side, i / side % side, i / side / side}) points.push_back(x);
+  for (Index j = 0; j < num_points; ++j) {
+    const Index i = j * 47 % num_points;
+    if (i == 0 || i == side - 1 || i == side * (side - 1) || i == side * side * (side - 1)) continue;
+    for (const Index x : {i % side, i / side % side, i / side / side}) points.push_back(x);
+  }
+  kernel::Grid grid(3);
+  for (std::size_t i = 3; i < points.size(); i += 3) grid.include(points.data() + i);
+  CellMemory<3> memory(3);
+  CellStore<3> cells(memory);
+  const double last = side - 1;
+  geometry::DelaunayGeometry<3> geometry(memory, {0, 1, 2}, 3, points, grid, geometry::Frame({0, 0, 0}, {last, last, last}));
+  geometry.set_rows(num_points);
+  std::vector<Index> simplex{1, 2, 3, 4};
+  if (geometry.orientation(simplex.data()) == Sign::negative) std::swap(simplex[0], simplex[1]);
+  seed(cells, geometry, simplex);
+  Workspace work;
+  Effort effort;
+  Index start = 0;
+  for (Index v = 5; v <= num_points; ++v) {
+    std::set<Index> before;
+    for (Index cell = 0; cell < cells.num_slots(); ++cell)
+      if (!cells.is_vacant(cell)) before.insert(cell);
+    const Index slots = cells.num_slots(), vacant = slots - cells.num_cells();
+    ASSERT_EQ(insert(cells, geometry, v, geometry.make_query(geometry.point(v)), start, work, effort), v);
+    start = work.star().back().created;
+
+    const std::set<Index> dead(work.zone.cells.data(), work.zone.cells.data() + work.zone.num_cells);
+    std::set<Index> created;
+    std::map<Index, Index> made_last;  // by dead cell
+    for (const HorizonFacet& facet : work.star()) {
+      EXPECT_TRUE(created.insert(facet.created).second);
+      EXPECT_TRUE(dead.contains(facet.created) || !before.contains(facet.created));
+      EXPECT_EQ(cells.mark(facet.created), Mark::unseen);
+      made_last[facet.dead] = facet.created;
+    }
+    for (const auto& [from, cell] : made_last) EXPECT_EQ(cell, from);
+    const auto num_dead = static_cast<Index>(dead.size()), num_created = static_cast<Index>(created.size());
+    EXPECT_EQ(cells.num_cells(), slots - vacant - num_dead + num_created);
+    EXPECT_EQ(cells.num_slots(), std::max(slots, slots - vacant - num_dead + num_created));
+    for (Index cell = 0; cell < cells.num_slots(); ++cell)
+      EXPECT_EQ(cells.is_vacant(cell), !created.contains(cell) && (!before.contains(cell) || dead.contains(cell)));
+  }
 }
 
 }  // namespace
