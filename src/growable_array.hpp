@@ -4,8 +4,10 @@
 #pragma once
 
 #include <algorithm>
+#include <atomic>
 #include <cstddef>
 #include <cstdlib>
+#include <limits>
 #include <new>
 #include <type_traits>
 #include <utility>
@@ -21,17 +23,23 @@ namespace delone {
 /// (docs/decisions/0009-large-pages-while-they-are-cheap.md).
 enum class Pages { usual, large };
 
-/// Keeps account of what large pages cost more than as much memory in usual ones.
+/// Keeps account of what large pages cost more than as much memory in usual ones. An account for each array, but what one
+/// has found out is known to all of the process for a while.
 class PriceOfLargePages {
  public:
-  /// Returns whether it is still low enough to go on.
-  bool pay(double seconds, std::size_t large_pages) {
+  /// Whether it is still low enough to go on, after what `large_pages` of them have cost. `now`: seconds of any clock.
+  bool pay(double seconds, std::size_t large_pages, double now) {
     debt_ = std::max(debt_ + seconds - usual_price * static_cast<double>(large_pages), 0.0);
-    return debt_ <= most_debt;
+    if (debt_ <= most_debt) return true;
+    found_dear_at_.store(now, std::memory_order_relaxed);
+    return false;
   }
+  /// Whether no array has found them dear of late.
+  static bool are_worth_trying(double now) { return now - found_dear_at_.load(std::memory_order_relaxed) > for_a_while; }
 
  private:
-  static constexpr double usual_price = 600e-6, most_debt = 4e-3;  // seconds
+  static constexpr double usual_price = 600e-6, most_debt = 3e-3, for_a_while = 1;  // seconds
+  inline static std::atomic<double> found_dear_at_ = -std::numeric_limits<double>::infinity();
   double debt_ = 0;
 };
 
@@ -125,24 +133,29 @@ class GrowableArray {
     return bytes < mapped_from ? bytes : (bytes + large_page - 1) / large_page * large_page;
   }
   [[gnu::noinline]] void populate([[maybe_unused]] std::size_t size) {
-    [[maybe_unused]] const std::size_t begin = prepared_ * sizeof(T) / portion() * portion();
-    prepared_ = capacity_;  // also where it cannot be done
+    [[maybe_unused]] const std::size_t prepared = std::exchange(prepared_, capacity_);  // also where it cannot be done
 #if defined(__linux__) && defined(MADV_POPULATE_WRITE)
     if (!is_mapped()) return;
+    if (pages_ == Pages::large && !PriceOfLargePages::are_worth_trying(seconds_of(CLOCK_MONOTONIC))) avoid_large_pages();
+    const std::size_t begin = prepared * sizeof(T) / portion() * portion();
     const std::size_t end = std::min((size * sizeof(T) / portion() + 1) * portion(), rounded_up(capacity_ * sizeof(T)));
-    const double start = processor_seconds();
+    const double start = seconds_of(CLOCK_THREAD_CPUTIME_ID);
     if (madvise(reinterpret_cast<char*>(entries_) + begin, end - begin, MADV_POPULATE_WRITE) == 0) prepared_ = end / sizeof(T);
-    if (pages_ == Pages::usual || price_.pay(processor_seconds() - start, (end - begin) / large_page)) return;
-    pages_ = Pages::usual;
-    madvise(entries_, rounded_up(capacity_ * sizeof(T)), MADV_NOHUGEPAGE);  // those to come
+    if (pages_ == Pages::usual) return;
+    const double price = seconds_of(CLOCK_THREAD_CPUTIME_ID) - start;
+    if (!price_.pay(price, (end - begin) / large_page, seconds_of(CLOCK_MONOTONIC))) avoid_large_pages();
 #endif
   }
 #ifdef __linux__
-  /// Of this thread.
-  static double processor_seconds() {
+  static double seconds_of(clockid_t clock) {
     timespec now{};
-    clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
+    clock_gettime(clock, &now);
     return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
+  }
+  /// For pages to come.
+  void avoid_large_pages() {
+    pages_ = Pages::usual;
+    madvise(entries_, rounded_up(capacity_ * sizeof(T)), MADV_NOHUGEPAGE);
   }
 #endif
   void release() {

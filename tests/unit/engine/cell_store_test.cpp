@@ -130,15 +130,17 @@ TEST(CellStore, MarksLiveBesideTheCertificate) {
 
 TEST(PriceOfLargePages, FewDearPagesAmongManyAreAccepted) {
   PriceOfLargePages price;
-  for (int i = 0; i < 100; ++i) EXPECT_TRUE(price.pay(i % 10 == 0 ? 4e-3 : 0.1e-3, 1)) << i;
-  EXPECT_TRUE(price.pay(50e-3, 100));  // a long time, but for many
+  for (int i = 0; i < 100; ++i) EXPECT_TRUE(price.pay(i % 10 == 0 ? 3e-3 : 0.1e-3, 1, 0)) << i;
+  EXPECT_TRUE(price.pay(50e-3, 100, 0));  // a long time, but for many
 }
 
-TEST(PriceOfLargePages, DearPagesAreSoonTooMuch) {
+TEST(PriceOfLargePages, DearPagesAreSoonTooMuchForAll) {
   PriceOfLargePages price;
   int accepted = 0;
-  while (price.pay(2e-3, 1)) ++accepted;
+  while (price.pay(2e-3, 1, -100)) ++accepted;
   EXPECT_EQ(accepted, 2);
+  EXPECT_FALSE(PriceOfLargePages::are_worth_trying(-99.5));
+  EXPECT_TRUE(PriceOfLargePages::are_worth_trying(-98));
 }
 
 TEST(GrowableArray, KeepsEntriesAcrossHeapAndMappedMemory) {
