@@ -45,6 +45,10 @@ void link_by_rotation(CellStore<K>& cells, std::span<const HorizonFacet> facets)
 /// made before from other facets of it gets the slot of a dead cell that has none, or a vacant one. So a cell is close to where
 /// those were that it is made of, and what is met together stays together on a few pages. Throws what a reserve() throws, and
 /// then changes nothing.
+///
+/// If cells are made in the order of the facets, each of which is read before its cell is written, no dead cell is written over
+/// that is still to be read. Nor is a survivor ever next to two cells of one id: when a new cell gets the id of a dead one, all
+/// survivors next to that have been linked with what is made from its facets, or there are none.
 template <int K, Geometry G>
 void replace_slots(CellStore<K>& cells, const G& geometry, ConflictZone& zone) {
   const std::span<HorizonFacet> facets{zone.horizon.data(), zone.num_facets};

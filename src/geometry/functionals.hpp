@@ -121,6 +121,8 @@ class Functionals {
   /// Computes the functionals of a star's cells from those of the cells on the two sides of each facet: the functionals that
   /// vanish on the facet are a pencil, and the new one is its member that vanishes at the new vertex. `rows`: of all vertices.
   /// Returns the facets whose certificates would be too weak: their cells must be solved for.
+  /// A cell may be created where the dead cell of its facet is, or one of an earlier facet: nothing is read of those
+  /// afterwards.
   std::span<const std::uint32_t> combine(std::span<const HorizonFacet> facets, const VertexRows& rows, const double* query_row,
                                          const LatticeBounds& bounds) {
     const auto records = memory_.records();
