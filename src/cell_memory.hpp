@@ -5,7 +5,8 @@
 //   links         k + 1 vertices and k + 1 neighbors, for engine/
 // Insertions need all of a cell together, so it is side by side, with two exceptions. In 3D, functional and links fill a line
 // of the cache: certificates are apart. In the dimensions in which points are wrapped, links are: until all cells are there,
-// nothing else of them is needed.
+// nothing else of them is needed. In 5D and 6D, vertices take 16 bits as long as their ids fit
+// (docs/decisions/0010-short-ids-of-vertices.md).
 #pragma once
 
 #include "growable_array.hpp"
@@ -15,6 +16,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <type_traits>
 #include <utility>
 
 namespace delone {
@@ -22,13 +24,48 @@ namespace delone {
 /// What an insertion has found out about a cell.
 enum class Mark : std::uint8_t { unseen = 0, in_conflict = 1, not_in_conflict = 2 };
 
+/// How vertices are kept in cells: in 32 bits, or in 16.
+enum class VertexIds : std::uint8_t { wide, narrow };
+
+/// The last id that fits 16 bits, and what stands for invalid_index there.
+inline constexpr Index last_narrow_vertex = 0xfffe, invalid_narrow_index = 0xffff;
+
+/// Whether vertices may be narrow in this dimension, if it is known to the compiler.
+constexpr bool may_be_narrow(int k) { return k == 5 || k == 6; }
+
+/// For vertices up to this one.
+constexpr VertexIds ids_for(std::size_t last_vertex) {
+  return last_vertex <= last_narrow_vertex ? VertexIds::narrow : VertexIds::wide;
+}
+
+/// A copy of the vertices of a cell, made wide. It is used like a pointer to the first.
+template <int K>
+class CopiedVertices {
+ public:
+  template <class VertexAt>
+  explicit CopiedVertices(VertexAt vertex) {
+    for (int i = 0; i <= K; ++i) ids_[i] = vertex(i);
+  }
+  operator const Index*() const& { return ids_; }
+  operator const Index*() const&& = delete;  // it would not live as long
+
+ private:
+  Index ids_[K + 1];
+};
+/// The vertices of a cell, of 32 bits: where they are, or a copy.
+template <int K>
+using CellVertices = std::conditional_t<may_be_narrow(K), CopiedVertices<K>, const Index*>;
+
 /// Where what is kept of a cell is. K is the dimension of the cells, or 0 when it is chosen at run time.
 template <int K>
 class CellLayout {
  public:
-  explicit CellLayout(int dimension) : dimension_(dimension) {}
+  /// `ids`: of which none are narrow where they may not be.
+  explicit CellLayout(int dimension, VertexIds ids = VertexIds::wide) : dimension_(dimension), ids_(ids) {}
 
   int dimension() const { return K > 0 ? K : dimension_; }
+  VertexIds vertex_ids() const { return is_narrow() ? VertexIds::narrow : VertexIds::wide; }
+  bool is_narrow() const { return may_be_narrow(K) && ids_ == VertexIds::narrow; }
   std::size_t num_coefficients() const { return static_cast<std::size_t>(dimension()) + 1; }
   bool certificates_are_apart() const { return dimension() == 3; }
   bool links_are_apart() const { return dimension() >= 7; }
@@ -41,6 +78,10 @@ class CellLayout {
   }
   /// The same for links, in ids.
   std::size_t link_stride() const { return (links_are_apart() ? words_of_links() : functional_stride()) * ids_per_word; }
+  /// From the first vertex of a cell to its first neighbor, in ids.
+  std::size_t ids_before_neighbors() const { return is_narrow() ? (num_coefficients() + 1) / 2 : num_coefficients(); }
+  /// The ids of a cell.
+  std::size_t num_link_ids() const { return ids_before_neighbors() + num_coefficients(); }
   /// What is side by side with the links of a cell, before them.
   std::size_t words_before_links() const { return links_are_apart() ? 0 : words_of_record(); }
   /// Of all that is kept of a cell.
@@ -48,13 +89,27 @@ class CellLayout {
     return (functional_stride() + certificates_are_apart() + (links_are_apart() ? words_of_links() : 0)) * sizeof(double);
   }
 
+  /// Vertex i of the cell with these links.
+  Index vertex(const Index* links, int i) const {
+    return is_narrow() ? Index{reinterpret_cast<const std::uint16_t*>(links)[i]} : links[i];
+  }
+  void set_vertex(Index* links, int i, Index vertex) const {
+    if (is_narrow())
+      reinterpret_cast<std::uint16_t*>(links)[i] = static_cast<std::uint16_t>(vertex);
+    else
+      links[i] = vertex;
+  }
+  /// What vertex 0 of a vacant slot is.
+  Index vacant() const { return is_narrow() ? invalid_narrow_index : invalid_index; }
+
   static constexpr std::size_t ids_per_word = sizeof(double) / sizeof(Index);
 
  private:
   std::size_t words_of_record() const { return num_coefficients() + !certificates_are_apart(); }
-  std::size_t words_of_links() const { return (2 * num_coefficients() + ids_per_word - 1) / ids_per_word; }
+  std::size_t words_of_links() const { return (num_link_ids() + ids_per_word - 1) / ids_per_word; }
 
   int dimension_;
+  VertexIds ids_;
 };
 
 /// The functionals and certificates of all cells, valid until memory grows. Word is double or const double.
@@ -80,7 +135,8 @@ class CellRecords {
 template <int K>
 class CellMemory {
  public:
-  explicit CellMemory(int dimension) : layout_(dimension) {}
+  /// `ids`: for vertices at first.
+  explicit CellMemory(int dimension, VertexIds ids = VertexIds::wide) : layout_(dimension, ids) {}
 
   int dimension() const { return layout_.dimension(); }
   const CellLayout<K>& layout() const { return layout_; }
@@ -124,8 +180,31 @@ class CellMemory {
     if (!layout_.links_are_apart()) return prepare(cells);
     links_.prepare(cells * layout_.link_stride());
   }
+  /// Makes vertices wide, of the first `cells` cells. Throws std::bad_alloc, and then changes nothing.
+  void widen(std::size_t cells) {
+    if constexpr (may_be_narrow(K)) {
+      if (!layout_.is_narrow()) return;
+      const CellLayout<K> narrow = layout_, wide(dimension(), VertexIds::wide);
+      words_.reserve(capacity_ * wide.functional_stride() + spare);
+      layout_ = wide;
+      for (std::size_t cell = cells; cell-- > 0;) {  // from the last on, as each moves up
+        const double* const old_record = words_.data() + cell * narrow.functional_stride();
+        const Index* const old_links = reinterpret_cast<const Index*>(old_record + narrow.words_before_links());
+        Index vertices[K + 1], neighbors[K + 1];
+        for (int i = 0; i <= K; ++i) vertices[i] = narrow.vertex(old_links, i);
+        if (vertices[0] == narrow.vacant()) vertices[0] = wide.vacant();
+        std::copy_n(old_links + narrow.ids_before_neighbors(), K + 1, neighbors);
+        double* const record = words_.data() + cell * wide.functional_stride();
+        std::copy_backward(old_record, old_record + wide.words_before_links(), record + wide.words_before_links());
+        Index* const links = reinterpret_cast<Index*>(record + wide.words_before_links());
+        std::copy_n(vertices, K + 1, links);
+        std::copy_n(neighbors, K + 1, links + wide.ids_before_neighbors());
+      }
+    }
+  }
   /// Copies the first `cells` cells of a memory of the same dimension.
   void copy(const CellMemory& other, std::size_t cells) {
+    layout_ = other.layout_;
     reserve(cells);
     std::copy_n(other.words_.data(), cells * layout_.functional_stride(), words_.data());
     if (layout_.certificates_are_apart()) std::copy_n(other.certificates_.data(), cells, certificates_.data());

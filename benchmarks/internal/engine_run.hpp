@@ -77,7 +77,7 @@ class EngineRun {
       : points_(points),
         observer_(observer),
         vertices_(K, delone::kernel::RowForm::point),
-        memory_(K),
+        memory_(K, delone::ids_for(points.size())),
         cells_(memory_),
         geometry_(observer, memory_, all_axes(), K, vertices_.coordinates, vertices_.grid, frame_of(points)) {}
 

@@ -70,14 +70,20 @@ class Complex {
 
   class CellRange;
 
+  /// For each slot, k+1 vertices and then k+1 neighbors. A vacant slot has invalid_index, or its lower 16 bits, as its first
+  /// vertex.
+  struct Links {
+    const Index* first;
+    std::size_t stride;    ///< from one slot to the next, in ids
+    bool narrow_vertices;  ///< whether vertices take 16 bits each; neighbors begin at the next whole id
+  };
+
   Complex() = default;
-  /// `links`: for each slot, k+1 vertices and then k+1 neighbors, `stride` entries from one slot to the next.
-  /// A vacant slot has invalid_index as its first vertex. `cell_of_vertex`: by vertex id, `num_vertex_slots` entries,
-  /// num_finite_vertices + 1 if that is 0; invalid_cell where there is no vertex.
-  Complex(const Index* links, std::size_t stride, int dimension, Index num_slots, Index num_finite_cells,
-          Index num_infinite_cells, Index num_finite_vertices, const CellId* cell_of_vertex, Index num_vertex_slots = 0)
+  /// `cell_of_vertex`: by vertex id, `num_vertex_slots` entries, num_finite_vertices + 1 if that is 0; invalid_cell where there
+  /// is no vertex.
+  Complex(const Links& links, int dimension, Index num_slots, Index num_finite_cells, Index num_infinite_cells,
+          Index num_finite_vertices, const CellId* cell_of_vertex, Index num_vertex_slots = 0)
       : links_(links),
-        stride_(stride),
         dimension_(dimension),
         num_slots_(num_slots),
         num_finite_cells_(num_finite_cells),
@@ -96,7 +102,7 @@ class Complex {
   Index num_cells() const { return num_finite_cells_ + num_infinite_cells_; }
   Index num_cell_slots() const { return num_slots_; }  ///< size for payload arrays indexed by cell
 
-  bool is_cell(CellId c) const { return delone::index(c) < num_slots_ && row(c)[0] != invalid_index; }
+  bool is_cell(CellId c) const { return delone::index(c) < num_slots_ && !is_vacant(c); }
   bool is_vertex(VertexId v) const { return delone::index(v) < num_vertex_slots_ && incident_cell(v) != invalid_cell; }
   bool is_infinite(CellId c) const { return infinite_index(c) >= 0; }
   bool is_infinite(VertexId v) const { return v == infinite_vertex; }
@@ -109,25 +115,24 @@ class Complex {
 
   /// Vertex i of cell c, 0 ≤ i ≤ k. Cells are coherently oriented: replacing one vertex of a cell by another point on the
   /// same side of the opposite facet keeps the orientation.
-  VertexId vertex(CellId c, int i) const { return VertexId{row(c)[i]}; }
+  VertexId vertex(CellId c, int i) const { return VertexId{vertex_id(c, i)}; }
   /// The cell across the facet opposite vertex i.
-  CellId neighbor(CellId c, int i) const { return CellId{row(c)[dimension_ + 1 + i]}; }
+  CellId neighbor(CellId c, int i) const { return CellId{neighbor_ids(c)[i]}; }
   /// All k+1 vertices / neighbors of a cell, by value. O(k).
   std::vector<VertexId> vertices(CellId c) const;
   std::vector<CellId> neighbors(CellId c) const;
   /// The index, in neighbor i of c, of the vertex opposite the shared facet. O(k).
   int mirror_index(CellId c, int i) const {
     // Two cells of a simplicial sphere share at most one facet, so the neighbor that is c is found once.
-    const Index* const neighbors = row(neighbor(c, i)) + dimension_ + 1;
+    const Index* const neighbors = neighbor_ids(neighbor(c, i));
     int j = 0;
     while (j < dimension_ && neighbors[j] != delone::index(c)) ++j;
     return j;
   }
   /// The index of vertex v in cell c, or −1. O(k).
   int index_of(CellId c, VertexId v) const {
-    const Index* const vertices = row(c);
     for (int i = 0; i <= dimension_; ++i)
-      if (vertices[i] == delone::index(v)) return i;
+      if (vertex_id(c, i) == delone::index(v)) return i;
     return -1;
   }
   /// The index of the infinite vertex in c, or −1 if c is finite. O(k).
@@ -153,14 +158,22 @@ class Complex {
 
  private:
   friend class CellIterator;
-  const Index* row(CellId c) const { return links_ + static_cast<std::size_t>(delone::index(c)) * stride_; }
+  const Index* row(CellId c) const { return links_.first + static_cast<std::size_t>(delone::index(c)) * links_.stride; }
+  Index vertex_id(CellId c, int i) const {
+    return links_.narrow_vertices ? Index{reinterpret_cast<const std::uint16_t*>(row(c))[i]} : row(c)[i];
+  }
+  const Index* neighbor_ids(CellId c) const {
+    return row(c) + (links_.narrow_vertices ? (dimension_ + 2) / 2 : dimension_ + 1);
+  }
+  bool is_vacant(CellId c) const {
+    return vertex_id(c, 0) == (links_.narrow_vertices ? invalid_index & 0xffff : invalid_index);
+  }
   bool is_in(CellId c, Which which) const {
-    if (row(c)[0] == invalid_index) return false;
+    if (is_vacant(c)) return false;
     return which == Which::all || (which == Which::infinite) == is_infinite(c);
   }
 
-  const Index* links_ = nullptr;
-  std::size_t stride_ = 0;
+  Links links_{nullptr, 0, false};
   int dimension_ = -1;
   Index num_slots_ = 0, num_finite_cells_ = 0, num_infinite_cells_ = 0, num_finite_vertices_ = 0, num_vertex_slots_ = 0;
   const CellId* cell_of_vertex_ = nullptr;

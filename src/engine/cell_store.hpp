@@ -6,6 +6,7 @@
 #include "cell_memory.hpp"
 #include "engine/link_kernel.hpp"
 
+#include <delone/complex.hpp>
 #include <delone/error.hpp>
 #include <delone/types.hpp>
 
@@ -24,23 +25,59 @@ class CellStore {
   explicit CellStore(CellMemory<K>& memory) : memory_(memory) {}
 
   int dimension() const { return memory_.dimension(); }
-  /// From the vertices of a cell to those of the next, in ids.
-  std::size_t stride() const { return memory_.layout().link_stride(); }
 
-  const Index* vertices(Index cell) const { return memory_.links(cell); }
-  Index* vertices(Index cell) { return memory_.links(cell); }
-  const Index* neighbors(Index cell) const { return vertices(cell) + dimension() + 1; }
-  Index* neighbors(Index cell) { return vertices(cell) + dimension() + 1; }
+  /// Vertices up to `last` may be written from now on. Throws std::bad_alloc, and then changes nothing.
+  void admit_vertices(Index last) {
+    if (last > last_narrow_vertex && memory_.layout().is_narrow()) [[unlikely]]
+      widen_vertices();
+  }
+  /// Makes vertices wide, so that they can be used where they are. Throws as above.
+  void widen_vertices() { memory_.widen(num_slots_); }
+
+  Index vertex(Index cell, int i) const { return memory_.layout().vertex(memory_.links(cell), i); }
+  /// REQUIRES an admitted vertex.
+  void set_vertex(Index cell, int i, Index vertex) { memory_.layout().set_vertex(memory_.links(cell), i, vertex); }
+  CellVertices<K> vertices(Index cell) const {
+    if constexpr (may_be_narrow(K))
+      return CellVertices<K>(
+          [layout = memory_.layout(), links = memory_.links(cell)](int i) { return layout.vertex(links, i); });
+    else
+      return memory_.links(cell);
+  }
+  /// The same: where they are, or written to `room`, which has k+1 entries.
+  const Index* vertices(Index cell, [[maybe_unused]] Index* room) const {
+    if constexpr (may_be_narrow(K)) {
+      for (int i = 0; i <= K; ++i) room[i] = vertex(cell, i);
+      return room;
+    } else {
+      return memory_.links(cell);
+    }
+  }
+  /// The vertices of a cell where they are. REQUIRES that they are wide.
+  const Index* wide_vertices(Index cell) const { return memory_.links(cell); }
+  Index* wide_vertices(Index cell) { return memory_.links(cell); }
+  const Index* neighbors(Index cell) const { return memory_.links(cell) + memory_.layout().ids_before_neighbors(); }
+  Index* neighbors(Index cell) { return memory_.links(cell) + memory_.layout().ids_before_neighbors(); }
 
   /// The vertices and neighbors of all cells.
-  CellLinks links() { return {vertices(0), dimension()}; }
+  CellLinks links() { return {memory_.links(0), dimension(), memory_.layout().vertex_ids()}; }
+  Complex::Links links_of_complex() const {
+    const CellLayout<K>& layout = memory_.layout();
+    return {memory_.links(0), layout.link_stride(), layout.is_narrow()};
+  }
 
-  int slot_of_vertex(Index cell, Index vertex) const { return find(vertices(cell), vertex); }
-  int slot_of_neighbor(Index cell, Index neighbor) const { return find(neighbors(cell), neighbor); }
+  /// Which vertex, or neighbor, it is. REQUIRES that no two are.
+  int slot_of_vertex(Index cell, Index vertex) const {
+    return find([&](int i) { return this->vertex(cell, i) == vertex; });
+  }
+  int slot_of_neighbor(Index cell, Index neighbor) const {
+    return find([all = neighbors(cell), neighbor](int i) { return all[i] == neighbor; });
+  }
   int infinite_slot(Index cell) const {  // without a branch that nothing foretells
-    const Index* v = vertices(cell);
+    const Index* const links = memory_.links(cell);
+    const CellLayout<K> layout = memory_.layout();
     int slot = -1;
-    for (int i = 0; i <= dimension(); ++i) slot = v[i] == index(infinite_vertex) ? i : slot;
+    for (int i = 0; i <= dimension(); ++i) slot = layout.vertex(links, i) == index(infinite_vertex) ? i : slot;
     return slot;
   }
 
@@ -64,7 +101,7 @@ class CellStore {
   [[gnu::always_inline]] void prefetch_across_hull(Index cell) const { prefetch(neighbors(cell)[infinite_slot(cell)]); }
   /// The same for the vertices and neighbors of a cell alone.
   [[gnu::always_inline]] void prefetch_links(Index cell) const {
-    prefetch_bytes(vertices(cell), 2 * (static_cast<std::size_t>(dimension()) + 1) * sizeof(Index));
+    prefetch_bytes(memory_.links(cell), memory_.layout().num_link_ids() * sizeof(Index));
   }
 
   /// Takes over which slots are vacant; their contents are the memory's.
@@ -82,7 +119,7 @@ class CellStore {
 
   Index num_slots() const { return num_slots_; }
   Index num_cells() const { return num_slots_ - static_cast<Index>(num_vacant_); }
-  bool is_vacant(Index cell) const { return vertices(cell)[0] == invalid_index; }
+  bool is_vacant(Index cell) const { return vertex(cell, 0) == memory_.layout().vacant(); }
   std::size_t bytes() const { return memory_.bytes() + vacant_.capacity() * sizeof(Index); }
 
   /// Makes room for `count` more cells, so that as many calls of allocate() cannot fail. Throws
@@ -119,7 +156,7 @@ class CellStore {
   Index append() { return num_slots_++; }
   /// Makes a slot vacant. REQUIRES a reserve_vacancies() that covers it.
   void release(Index cell) {
-    vertices(cell)[0] = invalid_index;
+    set_vertex(cell, 0, memory_.layout().vacant());
     vacant_[num_vacant_++] = cell;
   }
 
@@ -166,10 +203,11 @@ class CellStore {
     if (bytes % 64 != 0) __builtin_prefetch(static_cast<const char*>(first) + bytes - 1);
   }
 
-  /// Which of the k+1 entries the value is, without a branch that depends on the data. REQUIRES that no two are.
-  int find(const Index* entries, Index value) const {
+  /// Without a branch that depends on the data.
+  template <class IsAt>
+  int find(IsAt is_at) const {
     int found = 0;
-    for (int i = 1; i <= dimension(); ++i) found |= i & -static_cast<int>(entries[i] == value);
+    for (int i = 1; i <= dimension(); ++i) found |= i & -static_cast<int>(is_at(i));
     return found;
   }
 

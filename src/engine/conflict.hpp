@@ -37,13 +37,14 @@ template <class Cells, QueryGeometry G, class Evaluator>
 [[gnu::noinline]] void ask_further_stages(const Cells& cells, const G& geometry, const typename G::Query& q,
                                           const Evaluator& functional, StageCounts& counts, Unperturbed& known) {
   for (bool is_tie = known.is_proved_zero;;) {
-    const Index* vertices = cells.vertices(known.deciding);
     const bool infinite = geometry.is_infinite(known.deciding);
     const int infinite_slot = infinite ? cells.infinite_slot(known.deciding) : -1;
-    if (is_tie)
+    if (is_tie) {
       ++counts.filter;
-    else
+    } else {
+      const auto vertices = cells.vertices(known.deciding);
       known.side = geometry.exact_side(vertices, infinite_slot, q, counts);
+    }
     if (known.side != Sign::zero || !infinite) return;
     known.deciding = cells.neighbors(known.deciding)[infinite_slot];
     const double value = functional.value(known.deciding);
@@ -81,8 +82,9 @@ bool in_conflict_exactly(const Cells& cells, const G& geometry, Index cell, cons
     const double threshold = known.is_proved_zero ? 0 : threshold_at(geometry, cell, q);
     find_unperturbed_side(cells, geometry, value, threshold, q, functional, counts, known);
   }
-  const Sign side = known.side != Sign::zero ? known.side : geometry.perturbed_side(cells.vertices(known.deciding), q, counts);
-  return side == Sign::negative;
+  if (known.side != Sign::zero) return known.side == Sign::negative;
+  const auto vertices = cells.vertices(known.deciding);
+  return geometry.perturbed_side(vertices, q, counts) == Sign::negative;
 }
 
 /// The perturbed sides of several finite cells that q is exactly on the spheres of.
@@ -98,7 +100,8 @@ void perturbed_sides(const G& geometry, std::span<const Index* const> cells, con
 /// The vertex of the cell at q, or invalid_index.
 template <class Cells, QueryGeometry G>
 Index vertex_at(const Cells& cells, const G& geometry, Index cell, const typename G::Query& q) {
-  const Index* v = cells.vertices(cell);
+  const auto vertices = cells.vertices(cell);
+  const Index* const v = vertices;
   for (int i = 0; i <= cells.dimension(); ++i)
     if (v[i] != index(infinite_vertex) && geometry.is_at(v[i], q)) return v[i];
   return invalid_index;

@@ -61,10 +61,11 @@ struct ConflictZone {
   // Of the blocks since the last time that open neighbors were decided.
   std::vector<Undecided> undecided;
   std::vector<Open> open;
-  std::vector<Index> asked;        ///< those that are no proved ties
-  std::vector<double> thresholds;  ///< for q, of these
-  std::vector<const Index*> tied;  ///< the vertices of the cells that decide the ties
-  std::vector<Sign> sides;         ///< of these cells
+  std::vector<Index> asked;          ///< those that are no proved ties
+  std::vector<double> thresholds;    ///< for q, of these
+  std::vector<Index> tied_vertices;  ///< of the cells that decide the ties, where they are copied
+  std::vector<const Index*> tied;    ///< those of each
+  std::vector<Sign> sides;           ///< of these cells
   std::size_t num_undecided = 0, num_open = 0;
 
   /// Makes room for `more` cells and as many horizon facets, and for the candidates of a block and what is open. Throws
@@ -91,6 +92,7 @@ struct ConflictZone {
     open.resize(most_open);
     asked.resize(most_open);
     thresholds.resize(most_open + 1);
+    tied_vertices.resize(most_open * facets_of_cell);
     tied.resize(most_open);
     sides.resize(most_open);
     room_ = size;
@@ -116,7 +118,9 @@ template <class Cells, QueryGeometry G, class Evaluator, class Marks>
   for (ConflictZone::Undecided& open : undecided) {
     find_unperturbed_side(cells, geometry, open.value, *threshold, q, functional, counts, open.known);
     threshold += !open.known.is_proved_zero;
-    if (open.known.side == Sign::zero) zone.tied[num_tied++] = cells.vertices(open.known.deciding);
+    if (open.known.side != Sign::zero) continue;
+    Index* const room = zone.tied_vertices.data() + num_tied * (static_cast<std::size_t>(cells.dimension()) + 1);
+    zone.tied[num_tied++] = cells.vertices(open.known.deciding, room);
   }
   perturbed_sides(geometry, {zone.tied.data(), num_tied}, q, zone.sides.data(), counts);
   const std::size_t num_cells = zone.num_cells, num_facets = zone.num_facets;

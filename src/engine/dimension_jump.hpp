@@ -8,7 +8,7 @@
 
 #include <delone/complex.hpp>
 
-#include <utility>
+#include <algorithm>
 #include <vector>
 
 namespace delone::engine {
@@ -24,21 +24,15 @@ void jump(const Complex& old, CellStore<K>& cells, G& geometry, Index q, bool q_
   std::vector<Index> joined(old.num_cell_slots(), invalid_index);    // (σ, q) for every old cell σ
   std::vector<Index> extended(old.num_cell_slots(), invalid_index);  // (σ, ∞) for every finite σ
   cells.reserve(static_cast<std::size_t>(old.num_cells()) + old.num_finite_cells());
+  cells.admit_vertices(std::max(q, old.num_vertex_slots() - 1));
   for (const CellId c : old.cells()) joined[index(c)] = cells.allocate();
   for (const CellId c : old.finite_cells()) extended[index(c)] = cells.allocate();
 
   const auto link = [&](CellId c, Index cell, Index apex, Index across_base, bool exchange, auto&& across) {
-    Index* v = cells.vertices(cell);
-    Index* n = cells.neighbors(cell);
-    for (int i = 0; i <= k; ++i) {
-      v[i] = index(old.vertex(c, i));
-      n[i] = across(i);
-    }
-    v[k + 1] = apex;
-    n[k + 1] = across_base;
-    if (exchange) {
-      std::swap(v[0], v[1]);
-      std::swap(n[0], n[1]);
+    for (int i = 0; i <= k + 1; ++i) {
+      const int slot = exchange && i < 2 ? 1 - i : i;
+      cells.set_vertex(cell, slot, i <= k ? index(old.vertex(c, i)) : apex);
+      cells.neighbors(cell)[slot] = i <= k ? across(i) : across_base;
     }
   };
   for (const CellId c : old.cells()) {
@@ -54,7 +48,8 @@ void jump(const Complex& old, CellStore<K>& cells, G& geometry, Index q, bool q_
     });
   for (Index cell = 0; cell < cells.num_slots(); ++cell) {
     const int infinite_slot = cells.infinite_slot(cell);
-    geometry.create(cell, cells.vertices(cell), infinite_slot, infinite_slot == 0 ? 1 : 0);
+    const auto vertices = cells.vertices(cell);
+    geometry.create(cell, vertices, infinite_slot, infinite_slot == 0 ? 1 : 0);
   }
 }
 

@@ -5,8 +5,6 @@
 // be in another line of the cache, that nobody needs.
 #include "engine/link_kernel.hpp"
 
-#include "cell_memory.hpp"
-
 #include <algorithm>
 #include <bit>
 
@@ -21,7 +19,8 @@ namespace delone::engine {
 namespace HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
 
-// In the following K is k if that is from 2 to 8, 1 if it is at most 1, and 0 if it is more than 8.
+// In the following K is k if that is from 2 to 8, 1 if it is at most 1, and 0 if it is more than 8. Ids tells how vertices are
+// kept: they are wide in vectors.
 
 /// The vectors for the ids of a cell.
 template <int K>
@@ -53,9 +52,30 @@ struct Pieces {
 };
 
 /// The layout of cells, known to the compiler from 2D to 8D.
-template <int K>
+template <int K, VertexIds Ids>
 CellLayout<(K > 1 ? K : 0)> layout_of(const CellLinks& links) {
-  return CellLayout<(K > 1 ? K : 0)>(links.k);
+  return CellLayout<(K > 1 ? K : 0)>(links.k, Ids);
+}
+
+/// Vertices of a cell from one on, given its links.
+template <VertexIds Ids, class D>
+HWY_INLINE hn::Vec<D> load_vertices(D d, const Index* links, std::size_t begin) {
+  if constexpr (Ids == VertexIds::narrow) {
+    const hn::Rebind<std::uint16_t, D> narrow;
+    return hn::PromoteTo(d, hn::LoadU(narrow, reinterpret_cast<const std::uint16_t*>(links) + begin));
+  } else {
+    return hn::LoadU(d, links + begin);
+  }
+}
+template <VertexIds Ids, class D>
+HWY_INLINE void store_vertices(hn::Vec<D> vertices, D d, Index* links, std::size_t begin) {
+  if constexpr (Ids == VertexIds::narrow) {
+    const hn::Rebind<std::uint16_t, D> narrow;
+    const hn::RebindToSigned<D> positive;
+    hn::StoreU(hn::DemoteTo(narrow, hn::BitCast(positive, vertices)), narrow, reinterpret_cast<std::uint16_t*>(links) + begin);
+  } else {
+    hn::StoreU(vertices, d, links + begin);
+  }
 }
 
 /// Survivors are asked for so many facets ahead of their turn.
@@ -63,8 +83,8 @@ constexpr std::size_t ahead = 8;
 
 /// Sums of tags are to be different for different sets of vertices, as a rule.
 template <class D>
-HWY_INLINE hn::Vec<D> tags(D d, const Index* vertices) {
-  auto x = hn::Mul(hn::LoadU(d, vertices), hn::Set(d, 0x9e3779b1u));
+HWY_INLINE hn::Vec<D> tags(D d, hn::Vec<D> vertices) {
+  auto x = hn::Mul(vertices, hn::Set(d, 0x9e3779b1u));
   x = hn::Xor(x, hn::ShiftRight<16>(x));
   return hn::Mul(x, hn::Set(d, 0x85ebca6bu));
 }
@@ -87,53 +107,54 @@ HWY_INLINE hn::Vec<D> look_up(D d, const std::uint32_t* entries, hn::Vec<D> indi
   if constexpr (hn::MaxLanes(d) <= 4) return four_from(0);
 }
 
-template <int K>
+template <int K, VertexIds Ids>
 void create_cells(const CellLinks& links, Index apex, const DeadCells& zone, std::span<HorizonFacet> facets) {
   const IdTag<K> d;
   const Pieces<K> pieces(links.k);
-  const std::size_t stride = layout_of<K>(links).link_stride(),
-                    ids_before_links = layout_of<K>(links).words_before_links() * CellLayout<K>::ids_per_word;
+  const auto layout = layout_of<K, Ids>(links);
+  const std::size_t stride = layout.link_stride(), ids_before_links = layout.words_before_links() * layout.ids_per_word;
   const auto of = [&](Index cell) { return links.first + cell * stride; };
   const auto last_start = static_cast<std::ptrdiff_t>(pieces.num_ids) - static_cast<std::ptrdiff_t>(pieces.lanes);
   const auto first_lane = static_cast<std::size_t>(std::max<std::ptrdiff_t>(-last_start, 0));  // those before are vertices
   for (std::size_t f = 0; f < facets.size(); ++f) {
     HorizonFacet& facet = facets[f];
     if (f + ahead < facets.size()) {  // what is side by side with its links too: the star's functionals are made from it
-      const Index* const end = of(facets[f + ahead].survivor) + 2 * pieces.num_ids;
-      const Index* const begin = end - 2 * pieces.num_ids - ids_before_links;
+      const Index* const end = of(facets[f + ahead].survivor) + layout.num_link_ids();
+      const Index* const begin = end - layout.num_link_ids() - ids_before_links;
       for (const Index* line = begin; line < end; line += 16) __builtin_prefetch(line);
       __builtin_prefetch(end - 1);
     }
     const Index dead = zone.cells[facet.dead];
-    const Index* const dead_vertices = of(dead);
-    Index* const vertices = of(facet.created);
-    Index* const across_survivor = of(facet.survivor) + pieces.num_ids;
-    facet.dead_opposite = dead_vertices[facet.slot];  // the new cell may be where the dead one is
+    const Index* const dead_links = of(dead);
+    Index* const created_links = of(facet.created);
+    Index* const survivor_links = of(facet.survivor);
+    Index* const across_survivor = survivor_links + layout.ids_before_neighbors();
+    facet.dead_opposite = layout.vertex(dead_links, facet.slot);  // the new cell may be where the dead one is
     std::ptrdiff_t mirror = 0;
     for (std::size_t begin = pieces.num() * pieces.lanes; begin > 0;) {
       begin -= pieces.lanes;
-      hn::StoreU(hn::IfThenElse(pieces.is(facet.slot, begin), hn::Set(d, apex), hn::LoadU(d, dead_vertices + begin)), d,
-                 vertices + begin);
+      const auto vertices = load_vertices<Ids>(d, dead_links, begin);
+      store_vertices<Ids>(hn::IfThenElse(pieces.is(facet.slot, begin), hn::Set(d, apex), vertices), d, created_links, begin);
       const std::ptrdiff_t start = std::min(static_cast<std::ptrdiff_t>(begin), last_start);
       auto is_mirror = hn::Eq(hn::LoadU(d, across_survivor + start), hn::Set(d, dead));
       if (first_lane > 0) is_mirror = hn::AndNot(hn::FirstN(d, first_lane), is_mirror);
       if ((K > 0 && K < static_cast<int>(pieces.lanes)) || !hn::AllFalse(d, is_mirror))
         mirror = static_cast<std::ptrdiff_t>(hn::FindKnownFirstTrue(d, is_mirror)) + start;
     }
-    vertices[pieces.num_ids + static_cast<std::size_t>(facet.slot)] = facet.survivor;
+    created_links[layout.ids_before_neighbors() + static_cast<std::size_t>(facet.slot)] = facet.survivor;
     across_survivor[mirror] = facet.created;
     facet.dead_value = zone.values[facet.dead];
     facet.dead = dead;
-    facet.survivor_opposite = *(across_survivor - pieces.num_ids + mirror);
+    facet.survivor_opposite = layout.vertex(survivor_links, static_cast<int>(mirror));
   }
 }
 
-template <int K>
+template <int K, VertexIds Ids>
 void hash_ridges(const CellLinks& links, std::span<const HorizonFacet> facets, std::size_t first, std::size_t last,
                  std::uint32_t* HWY_RESTRICT hashes, Index* HWY_RESTRICT created, const RidgeEntries* table) {
   const IdTag<K> d;
   const Pieces<K> pieces(links.k);
-  const std::size_t stride = layout_of<K>(links).link_stride();
+  const std::size_t stride = layout_of<K, Ids>(links).link_stride();
   const int facet_shift = half_ridge_shift(links.k), hash_shift = table != nullptr ? 32 - table->bits : 0;
   std::uint32_t* const entries = table != nullptr ? table->entries : nullptr;
   const std::uint32_t one = table != nullptr ? 1u << table->sum_bits : 0;
@@ -141,14 +162,14 @@ void hash_ridges(const CellLinks& links, std::span<const HorizonFacet> facets, s
   for (std::size_t f = first; f < last; ++f) {
     const HorizonFacet& facet = facets[f];
     created[f] = facet.created;
-    const Index* const vertices = links.first + facet.created * stride;
+    const Index* const of_cell = links.first + facet.created * stride;
     const std::size_t half = f << facet_shift;
     auto sum = hn::Zero(d);
     for (std::size_t begin = 0; begin < pieces.num_ids; begin += pieces.lanes)
-      sum = hn::Add(sum, hn::IfThenElseZero(pieces.others(facet.slot, begin), tags(d, vertices + begin)));
+      sum = hn::Add(sum, hn::IfThenElseZero(pieces.others(facet.slot, begin), tags(d, load_vertices<Ids>(d, of_cell, begin))));
     sum = hn::SumOfLanes(d, sum);
     for (std::size_t begin = 0; begin < pieces.num_ids; begin += pieces.lanes) {
-      const auto hash = hn::Sub(sum, tags(d, vertices + begin));
+      const auto hash = hn::Sub(sum, tags(d, load_vertices<Ids>(d, of_cell, begin)));
       hn::StoreU(hash, d, hashes + half + begin);
       if (entries == nullptr) continue;
       HWY_ALIGN std::uint32_t selected[pieces.lanes];
@@ -159,12 +180,13 @@ void hash_ridges(const CellLinks& links, std::span<const HorizonFacet> facets, s
   }
 }
 
-template <int K>
+template <int K, VertexIds Ids>
 void match_ridges(const CellLinks& links, std::span<const HorizonFacet> facets, const std::uint32_t* HWY_RESTRICT hashes,
                   const Index* HWY_RESTRICT created, const RidgeEntries& table, std::uint8_t* HWY_RESTRICT unmatched) {
   const IdTag<K> d;
   const Pieces<K> pieces(links.k);
-  const std::size_t stride = layout_of<K>(links).link_stride();
+  const auto layout = layout_of<K, Ids>(links);
+  const std::size_t stride = layout.link_stride();
   const int facet_shift = half_ridge_shift(links.k), hash_shift = 32 - table.bits;
   const std::uint32_t* const entries = table.entries;
   const auto last = hn::Set(d, static_cast<std::uint32_t>((facets.size() << facet_shift) - 1));
@@ -172,7 +194,7 @@ void match_ridges(const CellLinks& links, std::span<const HorizonFacet> facets, 
   const std::size_t num_bytes = (std::size_t{1} << facet_shift) / 8;
   for (std::size_t f = 0; f < facets.size(); ++f, unmatched += num_bytes) {
     const std::size_t half = f << facet_shift;
-    Index* const neighbors = links.first + created[f] * stride + pieces.num_ids;
+    Index* const neighbors = links.first + created[f] * stride + layout.ids_before_neighbors();
     for (std::size_t byte = (pieces.num_ids + 7) / 8; byte < num_bytes; ++byte) unmatched[byte] = 0;
     for (std::size_t begin = 0; begin < pieces.num_ids; begin += pieces.lanes) {
       const auto selected = hn::ShiftRightSame(hn::LoadU(d, hashes + half + begin), hash_shift);
@@ -194,27 +216,29 @@ void match_ridges(const CellLinks& links, std::span<const HorizonFacet> facets, 
   }
 }
 
-#define DELONE_FOR_DIMENSION(function, ...) \
-  switch (links.k) {                        \
-    case 0:                                 \
-    case 1:                                 \
-      return function<1>(__VA_ARGS__);      \
-    case 2:                                 \
-      return function<2>(__VA_ARGS__);      \
-    case 3:                                 \
-      return function<3>(__VA_ARGS__);      \
-    case 4:                                 \
-      return function<4>(__VA_ARGS__);      \
-    case 5:                                 \
-      return function<5>(__VA_ARGS__);      \
-    case 6:                                 \
-      return function<6>(__VA_ARGS__);      \
-    case 7:                                 \
-      return function<7>(__VA_ARGS__);      \
-    case 8:                                 \
-      return function<8>(__VA_ARGS__);      \
-    default:                                \
-      return function<0>(__VA_ARGS__);      \
+#define DELONE_FOR_DIMENSION(function, ...)                                                   \
+  switch (links.k) {                                                                          \
+    case 0:                                                                                   \
+    case 1:                                                                                   \
+      return function<1, VertexIds::wide>(__VA_ARGS__);                                       \
+    case 2:                                                                                   \
+      return function<2, VertexIds::wide>(__VA_ARGS__);                                       \
+    case 3:                                                                                   \
+      return function<3, VertexIds::wide>(__VA_ARGS__);                                       \
+    case 4:                                                                                   \
+      return function<4, VertexIds::wide>(__VA_ARGS__);                                       \
+    case 5:                                                                                   \
+      if (links.ids == VertexIds::narrow) return function<5, VertexIds::narrow>(__VA_ARGS__); \
+      return function<5, VertexIds::wide>(__VA_ARGS__);                                       \
+    case 6:                                                                                   \
+      if (links.ids == VertexIds::narrow) return function<6, VertexIds::narrow>(__VA_ARGS__); \
+      return function<6, VertexIds::wide>(__VA_ARGS__);                                       \
+    case 7:                                                                                   \
+      return function<7, VertexIds::wide>(__VA_ARGS__);                                       \
+    case 8:                                                                                   \
+      return function<8, VertexIds::wide>(__VA_ARGS__);                                       \
+    default:                                                                                  \
+      return function<0, VertexIds::wide>(__VA_ARGS__);                                       \
   }
 
 void create_cells_here(const CellLinks& links, Index apex, const DeadCells& zone, std::span<HorizonFacet> facets) {

@@ -3,6 +3,7 @@
 // sets, of which the best that the machine has is chosen at run time.
 #pragma once
 
+#include "cell_memory.hpp"
 #include "horizon_facet.hpp"
 
 #include <delone/types.hpp>
@@ -20,6 +21,7 @@ namespace delone::engine {
 struct CellLinks {
   Index* first;
   int k;
+  VertexIds ids;
 };
 
 /// The conflict zone that a star replaces.

@@ -47,8 +47,9 @@ WalkResult walk_exactly(const Cells& cells, const G& geometry, const typename G:
       continue;
     }
     if (stop_at_conflict && in_conflict_exactly(cells, geometry, cell, q, geometry.evaluator(q), counts)) return result;
+    const auto vertices = cells.vertices(cell);
     int slot = 0;
-    while (slot <= cells.dimension() && geometry.side_of_facet(cells.vertices(cell), slot, q) != Sign::negative) ++slot;
+    while (slot <= cells.dimension() && geometry.side_of_facet(vertices, slot, q) != Sign::negative) ++slot;
     if (slot > cells.dimension()) {
       result.hidden = stop_at_conflict;
       return result;

@@ -40,9 +40,9 @@ class Proof {
     for (const Query& q : queries) evaluators_.push_back(geometry.evaluator(q));
   }
 
-  /// Cells have their vertices in ascending order, and no slot is vacant. Orients them. Returns whether all holds, without
-  /// ties, every vertex has a cell, and the point is on the inner side of all infinite cells. `tick` is called often, and may
-  /// throw.
+  /// Cells have their vertices, which are wide, in ascending order, and no slot is vacant. Orients them. Returns whether all
+  /// holds, without ties, every vertex has a cell, and the point is on the inner side of all infinite cells. `tick` is called
+  /// often, and may throw.
   bool run(const Query& point, const std::function<void()>& tick) {
     if (!check_finite_cells(tick) || !check_infinite_cells(point)) return false;
     if (2 * num_checked_ != std::size_t{cells_.num_slots()} * (K + 1)) return false;  // some links are one-way
@@ -66,7 +66,7 @@ class Proof {
       tick();
       std::size_t count = 0;
       for (; count < batch_size && next < cells_.num_slots(); ++next) {
-        const Index* const v = cells_.vertices(next);
+        const Index* const v = cells_.wide_vertices(next);
         for (int i = 0; i <= K; ++i) has_cell[v[i]] = 1;
         if (is_infinite(next)) {
           infinite_cells_.push_back(next);
@@ -116,7 +116,7 @@ class Proof {
   void orient() {
     for (Index cell = 0; cell < cells_.num_slots(); ++cell) {
       const Index flipped = Index{0} - static_cast<Index>(is_flipped_[cell]);
-      for (Index* const ids : {cells_.vertices(cell), cells_.neighbors(cell)}) {
+      for (Index* const ids : {cells_.wide_vertices(cell), cells_.neighbors(cell)}) {
         const Index difference = (ids[0] ^ ids[1]) & flipped;
         ids[0] ^= difference;
         ids[1] ^= difference;
@@ -154,7 +154,7 @@ class Proof {
     const int mirror = mirror_slot(cell, slot, neighbor);
     if (mirror < 0 || cells_.neighbors(neighbor)[mirror] != cell) return false;
     if (is_flipped_[cell] != (is_flipped_[neighbor] != ((slot + mirror) % 2 == 0))) return false;
-    const Index apex = cells_.vertices(neighbor)[mirror];
+    const Index apex = cells_.wide_vertices(neighbor)[mirror];
     if (evaluators_[apex].value(number) > evaluators_[apex].threshold(number)) {
       ++counts_.filter;
       return true;
@@ -168,8 +168,8 @@ class Proof {
 
   /// The facet of a neighbor that has the same vertices as facet `slot` of a cell, or −1 if they are no neighbors.
   int mirror_slot(Index cell, int slot, Index neighbor) const {
-    const Index* a = cells_.vertices(cell);
-    const Index* b = cells_.vertices(neighbor);
+    const Index* a = cells_.wide_vertices(cell);
+    const Index* b = cells_.wide_vertices(neighbor);
     // Which vertices of the facet the neighbor has in the same place among its own, and which in the next one: a bit for each.
     // What is read beyond them are neighbors of the same cell.
     constexpr std::uint32_t all = (std::uint32_t{1} << K) - 1;
@@ -192,10 +192,10 @@ class Proof {
     return ids;
   }
 
-  bool is_infinite(Index cell) const { return cells_.vertices(cell)[0] == infinite; }
+  bool is_infinite(Index cell) const { return cells_.wide_vertices(cell)[0] == infinite; }
   std::array<Index, K + 1> oriented(Index cell) const {
     std::array<Index, K + 1> vertices;
-    std::copy_n(cells_.vertices(cell), K + 1, vertices.begin());
+    std::copy_n(cells_.wide_vertices(cell), K + 1, vertices.begin());
     if (is_flipped_[cell]) std::swap(vertices[0], vertices[1]);
     return vertices;
   }

@@ -34,7 +34,7 @@ void link_by_rotation(CellStore<K>& cells, std::span<const HorizonFacet> facets)
           break;
         }
         const int entry = cells.slot_of_neighbor(next, cell);
-        cross = cells.slot_of_vertex(next, cells.vertices(cell)[other]);
+        cross = cells.slot_of_vertex(next, cells.vertex(cell, other));
         other = entry;
         cell = next;
       }
@@ -84,14 +84,12 @@ void replace_slots(CellStore<K>& cells, const G& geometry, ConflictZone& zone) {
 template <int K>
 void find_swallowed(const CellStore<K>& cells, const ConflictZone& zone, std::vector<Index>& swallowed) {
   std::vector<Index> all, kept;
-  for (std::size_t i = 0; i < zone.num_cells; ++i) {
-    const Index* vertices = cells.vertices(zone.cells[i]);
-    all.insert(all.end(), vertices, vertices + cells.dimension() + 1);
-  }
+  for (std::size_t i = 0; i < zone.num_cells; ++i)
+    for (int slot = 0; slot <= cells.dimension(); ++slot) all.push_back(cells.vertex(zone.cells[i], slot));
   for (std::size_t f = 0; f < zone.num_facets; ++f) {
-    const Index* vertices = cells.vertices(zone.cells[zone.horizon[f].dead]);
+    const Index dead = zone.cells[zone.horizon[f].dead];
     for (int i = 0; i <= cells.dimension(); ++i)
-      if (i != zone.horizon[f].slot) kept.push_back(vertices[i]);
+      if (i != zone.horizon[f].slot) kept.push_back(cells.vertex(dead, i));
   }
   std::sort(all.begin(), all.end());
   all.erase(std::unique(all.begin(), all.end()), all.end());
@@ -106,6 +104,7 @@ template <int K, Geometry G>
 void retriangulate(CellStore<K>& cells, G& geometry, Index v, const typename G::Query& q, ConflictZone& zone,
                    RidgeTable& ridges, std::vector<Index>* swallowed) {
   const int k = cells.dimension();
+  cells.admit_vertices(v);
   if (swallowed != nullptr) find_swallowed(cells, zone, *swallowed);
   ridges.reserve(zone.num_facets, k);
   geometry.reserve_star(v, std::min(zone.num_facets, star_block));
@@ -126,10 +125,10 @@ void retriangulate(CellStore<K>& cells, G& geometry, Index v, const typename G::
         HorizonFacet& facet = facets[f];
         const Index dead = zone.cells[facet.dead], survivor = facet.survivor, created = facet.created;
         const int slot = facet.slot;
-        const Index* const dead_vertices = cells.vertices(dead);
+        const Index* const dead_vertices = cells.wide_vertices(dead);
         facet.dead_opposite = dead_vertices[slot];  // the new cell may be where the dead one is
         ridges.note(static_cast<std::uint32_t>(f), dead_vertices, slot);
-        Index* const vertices = cells.vertices(created);
+        Index* const vertices = cells.wide_vertices(created);
         for (int i = 0; i <= k; ++i) vertices[i] = dead_vertices[i];
         vertices[slot] = v;
         cells.neighbors(created)[slot] = survivor;
@@ -137,7 +136,7 @@ void retriangulate(CellStore<K>& cells, G& geometry, Index v, const typename G::
         cells.neighbors(survivor)[mirror] = created;
         facet.dead_value = zone.values[facet.dead];
         facet.dead = dead;
-        facet.survivor_opposite = cells.vertices(survivor)[mirror];
+        facet.survivor_opposite = cells.vertex(survivor, mirror);
       }
     } else {
       create_cells(cells.links(), v, {zone.cells.data(), zone.values.data()}, facets.subspan(first, last - first));
@@ -145,7 +144,8 @@ void retriangulate(CellStore<K>& cells, G& geometry, Index v, const typename G::
     ridges.hash(cells, facets, first, last);
     for (const std::uint32_t f : geometry.create_star(v, q, facets.subspan(first, last - first))) {
       const Index cell = facets[first + f].created;
-      geometry.create(cell, cells.vertices(cell), cells.infinite_slot(cell), facets[first + f].slot);
+      const auto vertices = cells.vertices(cell);
+      geometry.create(cell, vertices, cells.infinite_slot(cell), facets[first + f].slot);
     }
   }
   if (ridges.hashes()) {

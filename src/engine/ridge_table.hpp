@@ -174,8 +174,9 @@ void RidgeTable::compare(CellStore<K>& cells, std::span<std::uint32_t> left) {
   const int k = cells.dimension();
   const auto cell_of = [&](std::uint32_t half) { return created_[facet(half, k)]; };
   const auto is_one_ridge = [&](std::uint32_t half, std::uint32_t other) {
-    const std::span<const Index> ids{cells.vertices(cell_of(half)), static_cast<std::size_t>(k) + 1};
-    const std::span<const Index> others{cells.vertices(cell_of(other)), ids.size()};
+    const auto vertices = cells.vertices(cell_of(half)), vertices_of_other = cells.vertices(cell_of(other));
+    const std::span<const Index> ids{static_cast<const Index*>(vertices), static_cast<std::size_t>(k) + 1};
+    const std::span<const Index> others{static_cast<const Index*>(vertices_of_other), ids.size()};
     const Index omitted = others[static_cast<std::size_t>(slot(other, k))];
     for (std::size_t i = 0; i < ids.size(); ++i)
       if (i != static_cast<std::size_t>(slot(half, k)) &&
@@ -196,10 +197,10 @@ inline bool RidgeTable::link_cycle(CellStore<2>& cells, std::span<const HorizonF
   bool matched = true;
   for (const HorizonFacet& facet : facets) {
     const int begin = next_slot[facet.slot], end = next_slot[begin];
-    const Index vertex = cells.vertices(facet.created)[end];
+    const Index vertex = cells.vertex(facet.created, end);
     const HorizonFacet& other = facets[beginning_at(vertex)];  // some edge begins here, so that the entry is of this star
     const int begin_of_other = next_slot[other.slot];
-    matched &= cells.vertices(other.created)[begin_of_other] == vertex;
+    matched &= cells.vertex(other.created, begin_of_other) == vertex;
     cells.neighbors(facet.created)[begin] = other.created;
     cells.neighbors(other.created)[next_slot[begin_of_other]] = facet.created;
   }

@@ -6,8 +6,8 @@
 #include "engine/cell_store.hpp"
 #include "engine/geometry_concept.hpp"
 
+#include <algorithm>
 #include <span>
-#include <utility>
 
 namespace delone::engine {
 
@@ -17,27 +17,24 @@ template <int K, Geometry G>
 void seed(CellStore<K>& cells, G& geometry, std::span<const Index> vertices, Index last = index(infinite_vertex)) {
   const int k = cells.dimension();
   cells.reserve(static_cast<std::size_t>(k) + 2);
+  cells.admit_vertices(std::max(last, *std::max_element(vertices.begin(), vertices.end())));
   const Index first = cells.allocate();
-  for (int i = 0; i <= k; ++i) cells.vertices(first)[i] = vertices[static_cast<std::size_t>(i)];
+  for (int i = 0; i <= k; ++i) cells.set_vertex(first, i, vertices[static_cast<std::size_t>(i)]);
   // Cell i+1 has the last vertex in place of vertex i, and two slots exchanged: in the same slots, the vertices opposite a
   // common facet would be on one side of it, and the orientation incoherent.
   for (int i = 0; i <= k; ++i) {
     const Index cell = cells.allocate();
-    Index* v = cells.vertices(cell);
-    Index* n = cells.neighbors(cell);
     for (int j = 0; j <= k; ++j) {
-      v[j] = vertices[static_cast<std::size_t>(j)];
-      n[j] = first + 1 + static_cast<Index>(j);
+      const int slot = j < 2 ? 1 - j : j;
+      cells.set_vertex(cell, slot, j == i ? last : vertices[static_cast<std::size_t>(j)]);
+      cells.neighbors(cell)[slot] = j == i ? first : first + 1 + static_cast<Index>(j);
     }
-    v[i] = last;
-    n[i] = first;
     cells.neighbors(first)[i] = cell;
-    std::swap(v[0], v[1]);
-    std::swap(n[0], n[1]);
   }
   for (Index cell = first; cell <= first + static_cast<Index>(k) + 1; ++cell) {
     const int infinite_slot = cells.infinite_slot(cell);
-    geometry.create(cell, cells.vertices(cell), infinite_slot, infinite_slot == 0 ? 1 : 0);
+    const auto vertices_of_cell = cells.vertices(cell);
+    geometry.create(cell, vertices_of_cell, infinite_slot, infinite_slot == 0 ? 1 : 0);
   }
 }
 

@@ -34,7 +34,8 @@ concept SearchBeyondFacets = requires(S search, Index* vertices, std::span<const
   { search.find_apexes(cells, apexes) } -> std::same_as<bool>;
 };
 
-/// Fills an empty store. The vertices of a cell are in ascending order, whatever orientation that gives.
+/// Fills an empty store whose vertices are wide. The vertices of a cell are in ascending order, whatever orientation that
+/// gives.
 template <int K, SearchBeyondFacets S>
 class Wrapping {
  public:
@@ -104,7 +105,7 @@ class Wrapping {
 
   /// Describes the cell beyond facet `slot` of a cell: its vertices with the apex in place of one, in order.
   void describe(Place place, Index apex, NewCell& cell) const {
-    const Index* const old = cells_.vertices(place.beside);
+    const Index* const old = cells_.wide_vertices(place.beside);
     std::size_t before = 0;
     for (int i = 0; i < K; ++i) {
       const Index v = old[i + (i >= place.slot)];
@@ -119,7 +120,7 @@ class Wrapping {
   /// as samples tell: after a wrong proposal wrapping never ends, but finds the same cells again and again.
   bool create(NewCell& made) {
     made.cell = cells_.append();
-    std::copy(made.vertices.begin(), made.vertices.end(), cells_.vertices(made.cell));
+    std::copy(made.vertices.begin(), made.vertices.end(), cells_.wide_vertices(made.cell));
     facets_.match(made.facet_keys, facet(made.cell, 0), made.mirrors.data());
     for (std::uint32_t i = 0; i <= K; ++i) {
       // Which facets are open cannot be predicted: there is no branch, and an open one is linked with itself.
@@ -164,7 +165,7 @@ class Wrapping {
         if (waiting.size() > batch_size) cells_.prefetch_links(waiting[waiting.size() - batch_size]);
         const std::uint32_t open = open_slots(cell);
         taken_[taken] = cell;
-        batch_[taken] = {cells_.vertices(cell), open};
+        batch_[taken] = {cells_.wide_vertices(cell), open};
         taken += open != 0;  // nothing foretells it: no branch
       }
     return taken;

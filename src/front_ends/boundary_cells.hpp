@@ -18,8 +18,11 @@ inline std::vector<Index> vertices_of(std::vector<Index> sites) {
 /// Computes all functionals anew.
 template <class Cells, class G>
 void create_functionals(const Cells& cells, G& geometry) {
-  for (Index cell = 0; cell < cells.num_slots(); ++cell)
-    if (!cells.is_vacant(cell)) geometry.create(cell, cells.vertices(cell), -1, 0);
+  for (Index cell = 0; cell < cells.num_slots(); ++cell) {
+    if (cells.is_vacant(cell)) continue;
+    const auto vertices = cells.vertices(cell);
+    geometry.create(cell, vertices, -1, 0);
+  }
 }
 
 /// A cell in conflict with q, or invalid_index: all cells are asked, where nothing is known that a walk could go by.
@@ -49,7 +52,7 @@ SimplicialHull simplicial_hull_of(const Cells& cells) {
   Index *vertex = hull.cells.data(), *neighbor = hull.neighbors.data();
   for (const Index cell : hull.slots)
     for (std::size_t i = 0; i < k; ++i) {
-      *vertex++ = cells.vertices(cell)[i] - 1;
+      *vertex++ = cells.vertex(cell, static_cast<int>(i)) - 1;
       *neighbor++ = compact[cells.neighbors(cell)[i]];
     }
   return hull;

@@ -32,6 +32,7 @@ class CompactCells {
   std::size_t bytes() const { return links_.capacity() * sizeof(Index); }
 
   const Index* vertices(Index cell) const { return links_.data() + cell * stride(); }
+  const Index* vertices(Index cell, Index*) const { return vertices(cell); }
   const Index* neighbors(Index cell) const { return vertices(cell) + dimension_ + 1; }
   int infinite_slot(Index cell) const {
     for (int i = 0; i <= dimension_; ++i)
@@ -93,8 +94,7 @@ class CompactHull final : public HullQueries {
   }
 
   Complex complex(Index num_vertices, std::span<const CellId> cell_of_vertex) const override {
-    return {cells_.vertices(0),
-            cells_.stride(),
+    return {{cells_.vertices(0), cells_.stride(), false},
             cells_.dimension(),
             cells_.num_cells(),
             cells_.num_cells() - cells_.num_infinite(),

@@ -59,7 +59,7 @@ class HalfspaceBoundaryOfDimension final : public HalfspaceBoundary {
       for (int i = 0; i <= cells_.dimension(); ++i) {
         const Index across = cells_.neighbors(cell)[i];
         if (across < cell) continue;
-        const Index opposite = cells_.vertices(across)[cells_.slot_of_neighbor(across, cell)];
+        const Index opposite = cells_.vertex(across, cells_.slot_of_neighbor(across, cell));
         if (side(cell, opposite - 1) == Sign::zero) pairs.emplace_back(c, hull.neighbors_of(c)[static_cast<std::size_t>(i)]);
       }
     }
@@ -72,8 +72,7 @@ class HalfspaceBoundaryOfDimension final : public HalfspaceBoundary {
     const double value = h.value(slot), threshold = h.threshold(slot);
     if (value > threshold) return Sign::positive;
     if (value < -threshold) return Sign::negative;
-    StageCounts uncounted;
-    return geometry_.side(cells_.vertices(slot), q.point, uncounted);
+    return sign_at(slot, q);
   }
 
   std::optional<Index> cell_through(Index site) const override {
@@ -83,11 +82,11 @@ class HalfspaceBoundaryOfDimension final : public HalfspaceBoundary {
       const auto [outcome, near] = engine::descend(cells_, geometry_, q, work_.last_cell);
       if (outcome == engine::Descent::hidden) return std::nullopt;
       const Index cell = engine::walk_exactly(cells_, geometry_, q, near.cell, false, uncounted).cell;
-      if (geometry_.side(cells_.vertices(cell), q.point, uncounted) != Sign::zero) return std::nullopt;
+      if (sign_at(cell, q) != Sign::zero) return std::nullopt;
       return cell;
     }
     for (Index cell = 0; cell < cells_.num_slots(); ++cell)
-      if (!cells_.is_vacant(cell) && geometry_.side(cells_.vertices(cell), q.point, uncounted) == Sign::zero) return cell;
+      if (!cells_.is_vacant(cell) && sign_at(cell, q) == Sign::zero) return cell;
     return std::nullopt;
   }
 
@@ -100,7 +99,7 @@ class HalfspaceBoundaryOfDimension final : public HalfspaceBoundary {
                                const HalfspaceBoundaryOfDimension* other)
       : view_(view),
         simplex_(std::move(simplex)),
-        memory_(sites.dimension() - 1),
+        memory_(sites.dimension() - 1, ids_for(sites.size())),
         cells_(memory_),
         geometry_(memory_, sites, view, vertices_of(simplex_)) {
     geometry_.update_box();
@@ -109,6 +108,13 @@ class HalfspaceBoundaryOfDimension final : public HalfspaceBoundary {
     cells_.copy_slots(other->cells_);
     work_.last_cell = other->work_.last_cell;
     effort_ = other->effort_;
+  }
+
+  /// By exact stages alone.
+  Sign sign_at(Index cell, const Query& q) const {
+    StageCounts uncounted;
+    const auto vertices = cells_.vertices(cell);
+    return geometry_.side(vertices, q.point, uncounted);
   }
 
   const DualView& view_;

@@ -32,6 +32,8 @@ struct VertexPoints {
   std::size_t row_size() const { return static_cast<std::size_t>(ambient) + (weighted() ? 1 : 0); }
   /// The largest vertex id; where points may be hidden some vertices have no cell.
   Index last_vertex() const { return static_cast<Index>(coordinates.size() / row_size()) - 1; }
+  /// What that may become without more memory.
+  Index last_expected() const { return static_cast<Index>(coordinates.capacity() / row_size()) - 1; }
   const double* point(Index v) const { return coordinates.data() + static_cast<std::size_t>(v) * row_size(); }
   /// A grid for the points and a query.
   kernel::Grid grid_with(const double* query) const {

@@ -82,10 +82,11 @@ class HullBoundaryOfDimension final : public HullBoundary {
       for (int i = 0; i <= cells_.dimension(); ++i) {
         const Index across = cells_.neighbors(cell)[i];
         if (across < cell) continue;
-        const Index opposite = cells_.vertices(across)[cells_.slot_of_neighbor(across, cell)];
+        const Index opposite = cells_.vertex(across, cells_.slot_of_neighbor(across, cell));
         // One cell is convex at the ridge iff the other is.
-        if (is_certainly_inside(cell, opposite) || is_certainly_inside(across, cells_.vertices(cell)[i])) continue;
-        if (geometry_.side(cells_.vertices(cell), geometry_.point(opposite), uncounted) == Sign::zero)
+        if (is_certainly_inside(cell, opposite) || is_certainly_inside(across, cells_.vertex(cell, i))) continue;
+        const auto vertices = cells_.vertices(cell);
+        if (geometry_.side(vertices, geometry_.point(opposite), uncounted) == Sign::zero)
           pairs.emplace_back(c, hull.neighbors_of(c)[static_cast<std::size_t>(i)]);
       }
     }
@@ -119,7 +120,7 @@ class HullBoundaryOfDimension final : public HullBoundary {
       : sites_(sites),
         view_(view),
         simplex_(std::move(simplex)),
-        memory_(static_cast<int>(sites.axes.size()) - 1),
+        memory_(static_cast<int>(sites.axes.size()) - 1, ids_for(sites.size())),
         cells_(memory_),
         geometry_(memory_, sites.axes, sites.ambient, sites.coordinates, view.grid, view.center, view.is_inside,
                   vertices_of(simplex_)) {

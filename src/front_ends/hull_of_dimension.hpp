@@ -34,7 +34,7 @@ class HullOfDimension final : public Hull {
   HullOfDimension(const std::vector<int>& axes, const VertexPoints& points, const geometry::Frame& frame,
                   const engine::Effort& effort)
       : points_(points),
-        memory_(static_cast<int>(axes.size())),
+        memory_(static_cast<int>(axes.size()), ids_for(points.last_expected())),
         cells_(memory_),
         geometry_(memory_, axes, points.ambient, points.coordinates, points.grid, frame),
         effort_(effort) {}
@@ -81,11 +81,12 @@ class HullOfDimension final : public Hull {
   void restore(const Complex& old) override {
     geometry_.set_rows(points_.last_vertex());
     cells_.reserve(old.num_cells());
+    cells_.admit_vertices(points_.last_vertex());
     std::vector<Index> id(old.num_cell_slots(), invalid_index);
     for (const CellId c : old.cells()) id[index(c)] = cells_.allocate();
     for (const CellId c : old.cells())
       for (int i = 0; i <= old.dimension(); ++i) {
-        cells_.vertices(id[index(c)])[i] = index(old.vertex(c, i));
+        cells_.set_vertex(id[index(c)], i, index(old.vertex(c, i)));
         cells_.neighbors(id[index(c)])[i] = id[index(old.neighbor(c, i))];
       }
     create_functionals();
@@ -132,12 +133,12 @@ class HullOfDimension final : public Hull {
 
   Sign unperturbed_side(Index cell, const double* query) const override {
     const kernel::Grid grid = points_.grid_with(query);
-    return geometry_.unperturbed_side(cells_.vertices(cell), geometry_.make_query(query, grid));
+    const auto vertices = cells_.vertices(cell);
+    return geometry_.unperturbed_side(vertices, geometry_.make_query(query, grid));
   }
 
   Complex complex(Index num_vertices, std::span<const CellId> cell_of_vertex) const override {
-    return {cells_.vertices(0),
-            cells_.stride(),
+    return {cells_.links_of_complex(),
             cells_.dimension(),
             cells_.num_slots(),
             cells_.num_cells() - num_infinite_,
@@ -178,7 +179,7 @@ class HullOfDimension final : public Hull {
     std::array<Sign, batch.size()> orientations;
     std::size_t count = 0;
     for (Index cell = 0; cell < cells_.num_slots(); ++cell) {
-      const Index* const v = cells_.vertices(cell);
+      const Index* const v = cells_.wide_vertices(cell);
       if (const int infinite_slot = cells_.infinite_slot(cell); infinite_slot >= 0) {
         geometry_.create(cell, v, infinite_slot, infinite_slot == 0 ? 1 : 0);
       } else {
@@ -195,7 +196,8 @@ class HullOfDimension final : public Hull {
     for (Index cell = 0; cell < cells_.num_slots(); ++cell) {
       if (cells_.is_vacant(cell)) continue;
       const int infinite_slot = cells_.infinite_slot(cell);
-      geometry_.create(cell, cells_.vertices(cell), infinite_slot, infinite_slot == 0 ? 1 : 0);
+      const auto vertices = cells_.vertices(cell);
+      geometry_.create(cell, vertices, infinite_slot, infinite_slot == 0 ? 1 : 0);
     }
   }
 
@@ -203,6 +205,7 @@ class HullOfDimension final : public Hull {
     using Proof = engine::Proof<K, Geometry>;
     const Index last = points_.last_vertex();
     geometry_.keep_rows(last);
+    cells_.widen_vertices();
     {
       geometry::FacetSearch search(K, geometry_.kept_rows(), last,
                                    [this](const Index* cell, int slot, std::span<const Index> vertices) {

@@ -20,9 +20,10 @@ HullLocation locate(const Cells& cells, const G& geometry, const typename G::Que
   if (found.vertex != invalid_index) {
     location.face.push_back(VertexId{found.vertex});
   } else if (!location.outside) {
-    const Index* vertices = cells.vertices(found.cell);
+    const auto vertices = cells.vertices(found.cell);
     for (int i = 0; i <= cells.dimension(); ++i)
-      if (geometry.side_of_facet(vertices, i, q) == Sign::positive) location.face.push_back(VertexId{vertices[i]});
+      if (geometry.side_of_facet(vertices, i, q) == Sign::positive)
+        location.face.push_back(VertexId{static_cast<const Index*>(vertices)[i]});
   }
   return location;
 }

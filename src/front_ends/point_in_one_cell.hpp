@@ -17,6 +17,7 @@
 namespace delone {
 
 /// Whether a point is inside exactly one of the given finite cells, oriented either way, and on the boundary of none. Exact.
+/// REQUIRES that vertices are wide.
 template <int K>
 bool is_in_one_of(std::span<const Index> finite_cells, const engine::CellStore<K>& cells,
                   const geometry::DelaunayGeometry<K>& geometry, const VertexPoints& points, const double* point) {
@@ -24,10 +25,11 @@ bool is_in_one_of(std::span<const Index> finite_cells, const engine::CellStore<K
   const auto q = geometry.make_query(point, grid);
   int containing = 0;
   for (const Index cell : finite_cells) {
-    const Sign first = geometry.side_of_facet(cells.vertices(cell), 0, q);
+    const Index* const vertices = cells.wide_vertices(cell);
+    const Sign first = geometry.side_of_facet(vertices, 0, q);
     Sign side = first;
     for (int i = 1; i <= cells.dimension() && side == first && side != Sign::zero; ++i)
-      side = geometry.side_of_facet(cells.vertices(cell), i, q);
+      side = geometry.side_of_facet(vertices, i, q);
     if (side == Sign::zero) return false;
     containing += side == first ? 1 : 0;
   }
@@ -36,8 +38,8 @@ bool is_in_one_of(std::span<const Index> finite_cells, const engine::CellStore<K
 
 /// A point that is inside one finite cell, and inside or on the boundary of no other: of proposed cells, which may be oriented
 /// either way. It lies between a vertex with the least of all coordinates along an axis and all other vertices, so that only
-/// cells of that vertex can contain it. Nothing where no such point is found. REQUIRES that all slots are cells. Cost
-/// O(k·(cells + vertices)) and few exact predicates.
+/// cells of that vertex can contain it. Nothing where no such point is found. REQUIRES that all slots are cells, and vertices
+/// wide. Cost O(k·(cells + vertices)) and few exact predicates.
 template <int K>
 std::optional<std::vector<double>> find_point_in_one_cell(const engine::CellStore<K>& cells,
                                                           const geometry::DelaunayGeometry<K>& geometry,
@@ -53,11 +55,11 @@ std::optional<std::vector<double>> find_point_in_one_cell(const engine::CellStor
       if (v != first) second = std::min(second, coordinate(v));
     std::vector<Index> around;
     for (Index cell = 0; cell < cells.num_slots(); ++cell) {
-      const Index* v = cells.vertices(cell);
+      const Index* v = cells.wide_vertices(cell);
       if (std::find(v, v + k + 1, first) != v + k + 1 && cells.infinite_slot(cell) < 0) around.push_back(cell);
     }
     if (around.empty()) return std::nullopt;
-    const Index* v = cells.vertices(around.front());
+    const Index* v = cells.wide_vertices(around.front());
     std::vector<double> inside(static_cast<std::size_t>(points.ambient));
     for (std::size_t j = 0; j < inside.size(); ++j)
       for (int i = 0; i <= k; ++i) inside[j] += points.point(v[i])[j] / (k + 1);

@@ -439,7 +439,7 @@ void Triangulation::Impl::find_cells_of_vertices() {
 Complex Triangulation::Impl::complex() const {
   if (queries() != nullptr) return queries()->complex(num_vertices, cell_of_vertex);
   if (affine_hull.dimension() == 0)
-    return {single_links, 2, 0, 2, 1, 1, 1, cell_of_vertex.data(), static_cast<Index>(cell_of_vertex.size())};
+    return {{single_links, 2, false}, 0, 2, 1, 1, 1, cell_of_vertex.data(), static_cast<Index>(cell_of_vertex.size())};
   return {};
 }
 

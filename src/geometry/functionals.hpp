@@ -126,8 +126,9 @@ class Functionals {
   std::span<const std::uint32_t> combine(std::span<const HorizonFacet> facets, const VertexRows& rows, const double* query_row,
                                          const LatticeBounds& bounds) {
     const auto records = memory_.records();
-    const std::size_t num_weak = combine_star({facets, k(), Lifted, records.functional(0), records.certificate(0), rows,
-                                               query_row, frame_constants(), scratch_.data(), weak_.data()});
+    const std::size_t num_weak =
+        combine_star({facets, k(), Lifted, memory_.layout().vertex_ids(), records.functional(0), records.certificate(0), rows,
+                      query_row, frame_constants(), scratch_.data(), weak_.data()});
     const auto adopted = std::remove_if(weak_.begin(), weak_.begin() + static_cast<std::ptrdiff_t>(num_weak),
                                         [&](std::uint32_t f) { return adopt(facets[f], query_row, bounds); });
     const std::span<std::uint32_t> weak{weak_.begin(), adopted};

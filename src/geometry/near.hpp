@@ -17,6 +17,7 @@ NearTask Functionals<K, Lifted>::near_task(std::span<const Index> cells, const V
           records.functional(0),
           records.certificate(0),
           std::as_const(memory_).links(0),
+          memory_.layout().vertex_ids(),
           rows,
           row,
           evaluation_error_,
@@ -48,8 +49,8 @@ std::size_t Functionals<K, Lifted>::certify_by_edges(std::span<const HorizonFace
     const auto some = weak.subspan(first, std::min(near_lanes, weak.size() - first));
     for (std::size_t i = 0; i < some.size(); ++i) cells[i] = facets[some[i]].created;
     const HorizonFacet& any = facets[some[0]];
-    geometry::certify_by_edges(near_task({cells, some.size()}, rows, query_row), memory_.links(any.created)[any.slot],
-                               certificates);
+    geometry::certify_by_edges(near_task({cells, some.size()}, rows, query_row),
+                               memory_.layout().vertex(memory_.links(any.created), any.slot), certificates);
     for (std::size_t i = 0; i < some.size(); ++i) {
       const EdgeCertificate& proved = certificates[i];
       if (proved.is_final)

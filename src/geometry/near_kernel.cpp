@@ -2,7 +2,6 @@
 // Proofs: docs/predicates.md, "Near a cell" and "By edges".
 #include "geometry/near_kernel.hpp"
 
-#include "cell_memory.hpp"
 #include "geometry/certificate.hpp"
 #include "geometry/pair.hpp"
 #include "kernel/determinant.hpp"
@@ -75,15 +74,16 @@ class Gathered {
   /// Gathers the functionals, and the first `width` entries or one more of the rows of `num_vertices` vertices of each cell,
   /// two cells at a time. The vertex `apart` is none of them, and the infinite vertex, if there is one, the last.
   HWY_INLINE void gather(const NearTask& task, Index apart, std::size_t num_vertices, std::size_t width) {
-    const CellLayout<K> layout(task.k);
+    const CellLayout<K> layout(task.k, task.ids);
     const CellRecords<K, const double> records(layout, task.functionals, task.certificates);
     constexpr Index infinite = index(infinite_vertex);
     const auto list_vertices = [&](Index cell, Index* vertices) {
       const Index* const all = task.links + cell * layout.link_stride();
       std::size_t n = 0;
       for (std::size_t i = 0; i <= k(); ++i) {  // which vertex it is cannot be predicted: there is no branch
-        vertices[n] = all[i];
-        n += static_cast<std::size_t>((all[i] != apart) & (all[i] != infinite));
+        const Index vertex = layout.vertex(all, static_cast<int>(i));
+        vertices[n] = vertex;
+        n += static_cast<std::size_t>((vertex != apart) & (vertex != infinite));
       }
       vertices[num_vertices - 1] = n < num_vertices ? infinite : vertices[num_vertices - 1];
     };
@@ -312,8 +312,13 @@ HWY_INLINE CofactorSums<V> sum_cofactors(const E& edges, const V* minors, const 
 /// The sign of the coefficient ±1 of an infinite cell, if the determinant of its edges from the apex is positive.
 template <int K>
 double sign_of_normal(const NearTask& task, Index cell, Index apex) {
-  const Index* const vertices = task.links + cell * CellLayout<K>(task.k).link_stride();
-  const auto slot_of = [&](Index v) { return static_cast<int>(std::find(vertices, vertices + K, v) - vertices); };
+  const CellLayout<K> layout(task.k, task.ids);
+  const Index* const links = task.links + cell * layout.link_stride();
+  const auto slot_of = [&](Index v) {
+    int slot = 0;
+    while (slot < K && layout.vertex(links, slot) != v) ++slot;
+    return slot;
+  };
   const int infinite_slot = slot_of(index(infinite_vertex)), slot = slot_of(apex);
   return (slot + infinite_slot - (infinite_slot > slot) + K) % 2 == 0 ? 1 : -1;
 }

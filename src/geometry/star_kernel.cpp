@@ -12,7 +12,6 @@
 // docs/predicates.md, "The pencil".
 #include "geometry/star_kernel.hpp"
 
-#include "cell_memory.hpp"
 #include "geometry/cache_line.hpp"
 #include "geometry/certificate.hpp"
 #include "geometry/pair.hpp"
@@ -65,7 +64,7 @@ inline std::uint64_t bits_of(double x) { return std::bit_cast<std::uint64_t>(x);
 /// The functionals and certificates of all cells. K is k, or 0 for any.
 template <int K>
 CellRecords<K> records_of(const StarTask& task) {
-  return {CellLayout<K>(task.k), task.functionals, task.certificates};
+  return {CellLayout<K>(task.k, task.ids), task.functionals, task.certificates};
 }
 
 /// The value of B at the vertex of A opposite the facet; with A alone infinite, the other way round.

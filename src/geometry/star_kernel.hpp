@@ -3,6 +3,7 @@
 // which the best that the machine has is chosen at run time.
 #pragma once
 
+#include "cell_memory.hpp"
 #include "geometry/vertex_rows.hpp"
 #include "horizon_facet.hpp"
 
@@ -33,6 +34,7 @@ struct StarTask {
   std::span<const HorizonFacet> facets;
   int k;
   bool lifted;          ///< whether rows are (X, 1 | ℓ), else (X | 1)
+  VertexIds ids;        ///< as in CellLayout
   double* functionals;  ///< of all cells, as in CellRecords
   double* certificates;
   VertexRows rows;          ///< (X, ℓ), or X; computed for can_compute_rows(k) only

@@ -239,6 +239,47 @@ TEST(Regular, TheHeaviestOfSeveralPointsInOnePlaceIsTheVertex) {
   EXPECT_EQ(PowerDiagram(t).num_regions(), 3u);
 }
 
+// Hidden points have ids, too: few cells, but vertices that cells with short ids cannot name.
+TEST(Regular, VerticesAfterManyHiddenPointsAreLikeOthers) {
+  constexpr std::size_t num_hidden = 66'000;
+  for (const int d : {4, 5, 6}) {
+    SCOPED_TRACE(testing::Message() << "dimension " << d);
+    const auto k = static_cast<std::size_t>(d);
+    Random random(static_cast<std::uint64_t>(d));
+    std::vector<double> visible, light;
+    for (std::size_t i = 0; i < 40 * k; ++i) {  // a simplex first, which has all others inside
+      const bool is_of_simplex = i < (k + 1) * k;
+      visible.push_back(is_of_simplex ? (i / k == i % k + 1 ? 10.0 : 0.0) : random.real());
+    }
+    for (std::size_t i = 0; i < num_hidden * k; ++i) light.push_back(0.4 + 0.2 * random.real());
+    const std::vector<double> no_weights(40, 0.0), light_weights(num_hidden, -100.0);
+    const auto hash = RegularTriangulation(visible, no_weights, d).hash();
+
+    RegularTriangulation t(d);
+    const std::size_t first = 20 * k;
+    t.insert_range({visible.data(), first}, {no_weights.data(), 20});
+    t.insert_range(light, light_weights);
+    ASSERT_EQ(t.num_hidden(), num_hidden);
+    t.insert_range({visible.data() + first, first}, {no_weights.data(), 20});
+    EXPECT_EQ(t.num_hidden(), num_hidden);
+    EXPECT_EQ(t.hash(), hash);
+    EXPECT_GT(index(t.vertex_at(num_hidden + 30)), 65'600u);
+    t.compact();
+    EXPECT_EQ(t.hash(), hash);
+
+    // One by one, and with ids that were long before a batch came.
+    RegularTriangulation online(d);
+    online.insert_range({visible.data(), first}, {no_weights.data(), 20});
+    online.insert_range(light, light_weights);
+    for (std::size_t i = 20; i < 30; ++i) online.insert(std::span(visible.data() + i * k, k), 0.0);
+    online.compact();
+    online.insert_range({visible.data() + 30 * k, 10 * k}, {no_weights.data(), 10});
+    EXPECT_EQ(online.hash(), hash);
+    const CheckReport report = check(online.to_data(), {.canonical = true});
+    EXPECT_TRUE(report.ok) << report.violation;
+  }
+}
+
 TEST(Regular, BadInputIsRefused) {
   const std::vector<double> points{0, 0, 1, 0}, one{1};
   const std::vector<double> nan{0, std::nan("")};

@@ -62,6 +62,82 @@ TEST(CellStore, DimensionsAtRunTimeHaveTheSameLayout) {
   EXPECT_EQ(cells.neighbors(cell) - cells.vertices(cell), 6);
 }
 
+/// What a test writes to cells: nothing of one is in its neighbors.
+Index test_vertex(Index cell, int i) { return last_narrow_vertex - 10 * (cell % 6000) - static_cast<Index>(i); }
+template <int K>
+void fill(CellMemory<K>& memory, CellStore<K>& cells, Index cell) {
+  for (int i = 0; i <= K; ++i) {
+    memory.records().functional(cell)[i] = 100 * cell + i;
+    cells.set_vertex(cell, i, test_vertex(cell, i));
+    cells.neighbors(cell)[i] = 1'000'000'000 + 10 * cell + static_cast<Index>(i);
+  }
+  *memory.records().certificate(cell) = -1.0 * cell;
+}
+template <int K>
+void expect_filled(CellMemory<K>& memory, CellStore<K>& cells, Index cell) {
+  Index room[K + 1];
+  const auto vertices = cells.vertices(cell);
+  const Index *const some = vertices, *const same = cells.vertices(cell, room);
+  for (int i = 0; i <= K; ++i) {
+    ASSERT_EQ(memory.records().functional(cell)[i], 100 * cell + i) << "cell " << cell;
+    const Index vertex = test_vertex(cell, i);
+    ASSERT_EQ(cells.vertex(cell, i), vertex) << "cell " << cell;
+    ASSERT_EQ(some[i], vertex);
+    ASSERT_EQ(same[i], vertex);
+    ASSERT_EQ(cells.slot_of_vertex(cell, vertex), i);
+    ASSERT_EQ(cells.neighbors(cell)[i], 1'000'000'000 + 10 * cell + static_cast<Index>(i));
+  }
+  ASSERT_EQ(*memory.records().certificate(cell), -1.0 * cell);
+}
+
+template <int K>
+void expect_widening_keeps_all() {
+  for (const Index count : {1, 2, 9, 30'000}) {  // from the heap, and from pages
+    SCOPED_TRACE(testing::Message() << "dimension " << K << ", " << count << " cells");
+    CellMemory<K> memory(K, VertexIds::narrow);
+    CellStore<K> cells(memory);
+    cells.reserve(count);
+    cells.reserve_vacancies(count);
+    for (Index i = 0; i < count; ++i) fill(memory, cells, cells.allocate());
+    for (Index cell = 3; cell < count; cell += 7) cells.release(cell);
+    const auto expect_all = [&] {
+      for (Index cell = 0; cell < count; ++cell) {
+        ASSERT_EQ(cells.is_vacant(cell), cell % 7 == 3) << "cell " << cell;
+        if (cells.is_vacant(cell)) continue;
+        ASSERT_NO_FATAL_FAILURE(expect_filled(memory, cells, cell));
+      }
+    };
+    expect_all();
+    cells.admit_vertices(last_narrow_vertex);
+    ASSERT_EQ(memory.layout().is_narrow(), may_be_narrow(K));
+    CellMemory<K> other_memory(K);
+    CellStore<K> other(other_memory);
+    other_memory.copy(memory, cells.num_slots());
+    other.copy_slots(cells);
+    cells.admit_vertices(last_narrow_vertex + 1);
+    ASSERT_FALSE(memory.layout().is_narrow());
+    expect_all();
+    ASSERT_EQ(other_memory.layout().is_narrow(), may_be_narrow(K));
+    if (count > 1) expect_filled(other_memory, other, 1);
+    other.widen_vertices();
+    if (count > 1) expect_filled(other_memory, other, 1);
+    cells.set_vertex(0, 1, last_narrow_vertex + 1);
+    EXPECT_EQ(cells.vertex(0, 1), last_narrow_vertex + 1);
+    cells.reserve(10);
+    for (Index i = 0; i < 10; ++i) fill(memory, cells, cells.allocate());
+    for (Index cell = 1; cell < cells.num_slots(); ++cell) {
+      if (cells.is_vacant(cell)) continue;
+      ASSERT_NO_FATAL_FAILURE(expect_filled(memory, cells, cell));
+    }
+  }
+}
+
+TEST(CellStore, VerticesThatAreMadeWideStayTheSame) {
+  expect_widening_keeps_all<4>();  // wide from the first
+  expect_widening_keeps_all<5>();
+  expect_widening_keeps_all<6>();
+}
+
 TEST(CellMemory, PartsOfCellsAreApartFromThoseOfOthersAndStayAsMemoryGrowsAndIsCopied) {
   for (int k = 1; k <= 10; ++k) {
     SCOPED_TRACE(testing::Message() << "dimension " << k);
@@ -103,6 +179,9 @@ TEST(CellMemory, FillsLinesOfTheCacheWhereItCan) {
   EXPECT_EQ(CellLayout<4>(4).bytes(), 88u);
   EXPECT_EQ(CellLayout<5>(5).bytes(), 104u);
   EXPECT_EQ(CellLayout<6>(6).bytes(), 128u);
+  EXPECT_EQ(CellLayout<4>(4, VertexIds::narrow).bytes(), 88u);
+  EXPECT_EQ(CellLayout<5>(5, VertexIds::narrow).bytes(), 96u);
+  EXPECT_EQ(CellLayout<6>(6, VertexIds::narrow).bytes(), 112u);
   EXPECT_EQ(CellLayout<7>(7).link_stride(), 16u);
   EXPECT_EQ(CellLayout<7>(7).bytes(), 136u);
 }

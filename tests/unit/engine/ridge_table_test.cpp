@@ -23,14 +23,16 @@ namespace delone::engine {
 namespace {
 
 /// Of each cell the vertices, and those across, after the insertion of points one by one, ridges hashed `rounds` times.
+/// Vertices are the ids after `unused`, which says nothing of them here, and kept as `ids` at first.
 template <int K>
-std::vector<std::vector<Index>> links(Index n, double grid_size, int rounds) {
-  std::vector<double> points(K, 0.0);
+std::vector<std::vector<Index>> links(Index n, double grid_size, int rounds, VertexIds ids = VertexIds::wide,
+                                      Index unused = 0) {
+  std::vector<double> points((unused + 1) * std::size_t{K}, 0.0);
   kernel::Grid grid(K);
   kernel::AffineHull hull(K);
   std::vector<Index> simplex, others;
   random::Generator random(7);
-  for (Index v = 1; v <= n; ++v) {
+  for (Index v = unused + 1; v <= unused + n; ++v) {
     std::vector<double> x(K);
     for (double& c : x) c = grid_size > 0 ? std::floor(random.uniform() * grid_size) : random.uniform();
     points.insert(points.end(), x.begin(), x.end());
@@ -39,11 +41,11 @@ std::vector<std::vector<Index>> links(Index n, double grid_size, int rounds) {
   }
   std::vector<int> axes(K);
   std::iota(axes.begin(), axes.end(), 0);
-  CellMemory<K> memory(K);
+  CellMemory<K> memory(K, ids);
   CellStore<K> cells(memory);
   geometry::DelaunayGeometry<K> geometry(memory, axes, K, points, grid,
                                          {std::vector<double>(K, 0.0), std::vector<double>(K, std::max(1.0, grid_size))});
-  geometry.set_rows(n);
+  geometry.set_rows(unused + n);
   if (geometry.orientation(simplex.data()) == Sign::negative) std::swap(simplex[0], simplex[1]);
   seed(cells, geometry, simplex);
   Workspace work;
@@ -53,6 +55,7 @@ std::vector<std::vector<Index>> links(Index n, double grid_size, int rounds) {
   for (const Index v : others)
     if (insert(cells, geometry, v, geometry.make_query(geometry.point(v)), start, work, effort) == v)
       start = work.star().back().created;
+  EXPECT_EQ(memory.layout().is_narrow(), ids == VertexIds::narrow && unused + n <= last_narrow_vertex);
   // Which slot a cell is in depends on when slots become vacant.
   std::vector<std::vector<Index>> all;
   for (Index cell = 0; cell < cells.num_slots(); ++cell) {
@@ -60,7 +63,10 @@ std::vector<std::vector<Index>> links(Index n, double grid_size, int rounds) {
     std::array<std::pair<Index, Index>, K + 1> across;
     for (std::size_t i = 0; i <= K; ++i) {
       const Index neighbor = cells.neighbors(cell)[i];
-      across[i] = {cells.vertices(cell)[i], cells.vertices(neighbor)[cells.slot_of_neighbor(neighbor, cell)]};
+      const Index pair[] = {cells.vertex(cell, static_cast<int>(i)),
+                            cells.vertex(neighbor, cells.slot_of_neighbor(neighbor, cell))};
+      const auto number = [&](Index v) { return v == index(infinite_vertex) ? v : v - unused; };
+      across[i] = {number(pair[0]), number(pair[1])};
     }
     std::sort(across.begin(), across.end());
     std::vector<Index>& described = all.emplace_back();
@@ -77,6 +83,12 @@ void expect_hashing_finds_what_rotation_finds(Index n, double grid_size) {
   EXPECT_GT(by_rotation.size(), static_cast<std::size_t>(n));
   EXPECT_EQ(by_rotation, links<K>(n, grid_size, 1));  // what one round leaves, by its vertices
   EXPECT_EQ(by_rotation, links<K>(n, grid_size, 6));
+  if constexpr (may_be_narrow(K)) {
+    EXPECT_EQ(by_rotation, links<K>(n, grid_size, 6, VertexIds::narrow));
+    EXPECT_EQ(by_rotation, links<K>(n, grid_size, 0, VertexIds::narrow));
+    EXPECT_EQ(by_rotation, links<K>(n, grid_size, 6, VertexIds::narrow, last_narrow_vertex - n));
+    EXPECT_EQ(by_rotation, links<K>(n, grid_size, 6, VertexIds::narrow, last_narrow_vertex - n / 2));  // they are made wide
+  }
 }
 
 TEST(RidgeTable, FindsWhatRotationFinds) {
@@ -86,6 +98,7 @@ TEST(RidgeTable, FindsWhatRotationFinds) {
   expect_hashing_finds_what_rotation_finds<3>(300, 6);
   expect_hashing_finds_what_rotation_finds<4>(150, 0);
   expect_hashing_finds_what_rotation_finds<5>(80, 3);
+  expect_hashing_finds_what_rotation_finds<5>(60, 0);
   expect_hashing_finds_what_rotation_finds<6>(40, 0);
   expect_hashing_finds_what_rotation_finds<8>(20, 0);  // a cell's ids in more than one vector
   expect_hashing_finds_what_rotation_finds<9>(18, 2);
@@ -106,7 +119,7 @@ TEST(RidgeTable, TellsApartRidgesWithTheSameHash) {
     facets[f].created = cells.allocate();
     facets[f].slot = 0;
     const Index vertices[] = {apex, 2 * f + 2, 2 * f + 3, 0};
-    std::copy_n(vertices, k + 1, cells.vertices(facets[f].created));
+    std::copy_n(vertices, k + 1, cells.wide_vertices(facets[f].created));
   }
   std::vector<std::uint32_t> hashes(num_edges * halves + 16);
   std::vector<Index> created(num_edges);
@@ -123,7 +136,7 @@ TEST(RidgeTable, TellsApartRidgesWithTheSameHash) {
   facets.resize(8);
   for (std::uint32_t f = 0; f < 8; ++f) {
     const Index vertices[] = {apex, equator[f % 4], equator[(f + 1) % 4], f < 4 ? top : bottom};
-    std::copy_n(vertices, k + 1, cells.vertices(facets[f].created));
+    std::copy_n(vertices, k + 1, cells.wide_vertices(facets[f].created));
   }
   for (const int rounds : {1, 6}) {
     for (const HorizonFacet& facet : facets) std::fill_n(cells.neighbors(facet.created), k + 1, invalid_index);

@@ -339,7 +339,7 @@ struct Proposed {
   test::Cells all() const {
     test::Cells result;
     for (Index cell = 0; cell < cells.num_slots(); ++cell)
-      result.emplace_back(cells.vertices(cell), cells.vertices(cell) + K + 1);
+      result.emplace_back(cells.wide_vertices(cell), cells.wide_vertices(cell) + K + 1);
     return result;
   }
 
@@ -351,7 +351,7 @@ struct Proposed {
     for (const auto& vertices : proposal) {
       const Index cell = cells.allocate();
       for (int i = 0; i <= K; ++i) {
-        cells.vertices(cell)[i] = static_cast<Index>(vertices[static_cast<std::size_t>(i)]);
+        cells.wide_vertices(cell)[i] = static_cast<Index>(vertices[static_cast<std::size_t>(i)]);
         auto facet = vertices;
         facet.erase(facet.begin() + i);
         const auto [found, is_new] = open.try_emplace(facet, cell, i);
@@ -400,7 +400,7 @@ void expect_no_proof_with_an_exchanged_vertex() {
     for (std::size_t slot = 0; slot <= K; ++slot)
       for (Index other = 0; other <= proposed.num_vertices; ++other) {
         proposed.propose(right);
-        Index* vertices = proposed.cells.vertices(cell);
+        Index* vertices = proposed.cells.wide_vertices(cell);
         Index* neighbors = proposed.cells.neighbors(cell);
         if (std::find(vertices, vertices + K + 1, other) != vertices + K + 1) continue;
         vertices[slot] = other;

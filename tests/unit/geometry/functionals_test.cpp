@@ -26,7 +26,11 @@ namespace {
 template <int K>
 struct Built {
   Built(std::vector<double> coordinates)
-      : points(K, 0.0), grid(K), memory(K), cells(memory), geometry(memory, all_axes(), K, points, grid, frame(coordinates)) {
+      : points(K, 0.0),
+        grid(K),
+        memory(K, ids_for(coordinates.size() / K)),
+        cells(memory),
+        geometry(memory, all_axes(), K, points, grid, frame(coordinates)) {
     kernel::AffineHull hull(K);
     std::vector<Index> simplex, others;
     points.insert(points.end(), coordinates.begin(), coordinates.end());
@@ -90,7 +94,8 @@ double expect_certified_signs_are_right(const char* kind, std::size_t n, std::si
     ++tested;
     if (side == Sign::zero && !built.geometry.proves_tie(cell, value, q)) continue;
     ++certified;
-    EXPECT_EQ(side, built.geometry.exact_side(built.cells.vertices(cell), built.cells.infinite_slot(cell), q, counts));
+    const auto vertices = built.cells.vertices(cell);
+    EXPECT_EQ(side, built.geometry.exact_side(vertices, built.cells.infinite_slot(cell), q, counts));
   }
   return static_cast<double>(certified) / static_cast<double>(tested);
 }
@@ -168,7 +173,8 @@ void expect_values_within_thresholds(const char* kind, std::size_t n) {
     if (std::isinf(built.geometry.threshold(cell))) continue;  // claims nothing
     for (Index v = 1 + cell % 7; v <= built.num_vertices; v += 7) {
       const auto q = built.geometry.make_query(built.geometry.point(v));
-      const Rational exact = power(built, built.cells.vertices(cell), q.point) * Rational(scale) * Rational(scale);
+      const auto vertices = built.cells.vertices(cell);
+      const Rational exact = power(built, vertices, q.point) * Rational(scale) * Rational(scale);
       const Rational error = abs(Rational(built.geometry.value(cell, q)) - exact);
       ASSERT_LE(error, Rational(built.geometry.threshold(cell))) << "cell " << cell << ", vertex " << v;
       ++compared;

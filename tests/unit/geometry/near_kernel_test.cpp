@@ -193,7 +193,7 @@ bool is_positive_above(const std::vector<Index>& vertices, const std::vector<dou
 template <int K>
 class Store {
  public:
-  Store(const Point<K>& apex, std::size_t count) : memory_(K) {
+  Store(const Point<K>& apex, std::size_t count) : memory_(K, count % 2 == 0 ? VertexIds::narrow : VertexIds::wide) {
     append(apex);
     memory_.reserve(count);
     memory_.prepare(count);
@@ -219,7 +219,8 @@ class Store {
     for (std::size_t i = 1; i < vertices.size(); ++i) order.push_back(append(vertices[i]));
     if (is_infinite_[id]) order.push_back(index(infinite_vertex));
     for (std::size_t i = order.size(); i > 1; --i) std::swap(order[i - 1], order[generator.below(i)]);
-    std::copy(order.begin(), order.end(), memory_.links(id));
+    for (std::size_t i = 0; i < order.size(); ++i)
+      memory_.layout().set_vertex(memory_.links(id), static_cast<int>(i), order[i]);
     return order;
   }
   void certify(Index id, double threshold, double error, double determinant) {
@@ -237,6 +238,7 @@ class Store {
                     records.functional(0),
                     records.certificate(0),
                     memory_.links(0),
+                    memory_.layout().vertex_ids(),
                     rows_.data(),
                     rows_.data() + vertex * (K + 1),
                     evaluation_error<K>,

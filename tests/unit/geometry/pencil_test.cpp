@@ -217,7 +217,7 @@ void expect_right_triangulation(const Sample& sample, std::uint64_t seed, Tally&
   std::vector<int> axes(K);
   std::iota(axes.begin(), axes.end(), 0);
   const Frame frame(low, high, sample.weighted ? kernel::RowForm::weighted_point : kernel::RowForm::point);
-  CellMemory<K> memory(K);
+  CellMemory<K> memory(K, ids_for(n));
   engine::CellStore<K> cells(memory);
   Recording<DelaunayGeometry<K>> geometry(memory, axes, sample.ambient, coordinates, grid, frame);
 
@@ -259,7 +259,7 @@ void expect_right_triangulation(const Sample& sample, std::uint64_t seed, Tally&
         expect_same_thresholds_together(geometry, geometry.make_query(geometry.point(v)), alive, generator));
   for (const Index cell : alive) {
     geometry.count(cell, tally);
-    const Index* vertices = cells.vertices(cell);
+    const auto vertices = cells.vertices(cell);
     const int infinite_slot = cells.infinite_slot(cell);
     std::vector<IntegerRow> corners;
     for (int i = 0; i <= K; ++i)
@@ -325,7 +325,7 @@ void expect_right_hull(const Sample& sample, std::uint64_t seed, Tally& tally) {
     for (std::size_t j = 0; j < size; ++j) center[j] += points[(v - 1) * size + j] / (K + 2);
   grid.include(center.data());
 
-  CellMemory<K> memory(K);
+  CellMemory<K> memory(K, ids_for(n));
   engine::CellStore<K> cells(memory);
   Recording<HullGeometry<K>> geometry(memory, axes, sample.ambient, points, grid, center, true, simplex);
   geometry.set_box(low.data(), high.data());
@@ -353,7 +353,7 @@ void expect_right_hull(const Sample& sample, std::uint64_t seed, Tally& tally) {
     if (cells.is_vacant(cell)) continue;
     geometry.count(cell, tally);
     std::vector<const IntegerRow*> corners;
-    for (int i = 0; i <= K; ++i) corners.push_back(&rows[cells.vertices(cell)[i]]);
+    for (int i = 0; i <= K; ++i) corners.push_back(&rows[cells.vertex(cell, i)]);
     const IntegerRow function = vanishing_at(corners);
     const Integer denominator = value_at(function, rows.back());
     for (Index v = 1; v <= n; ++v) {
