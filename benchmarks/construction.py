@@ -8,11 +8,13 @@
 
 Rounds go through all inputs in turn. Figures are medians over the rounds and, where it says so, least values: seconds and
 processor seconds (user and system) for ordering and building, nanoseconds of processor time per created cell for building, bytes
-reserved per cell, and the peak memory of the process. The processor time of a run is split like its wall time, of which the command
-knows reading, ordering, building and the rest. `vs` is the ratio of nanoseconds per created cell to those of the reference input, which
-is uniform. Quote ratios of one run, not seconds of two.
+reserved per cell, and the peak memory of the process. The processor time of a run, less what the command takes to start and to end, is
+split like its wall time, of which the command knows reading, ordering, building and the rest. `vs` is the ratio of nanoseconds per
+created cell to those of the reference input, which is uniform; small inputs have one of as many points, as long as these are inserted
+and not wrapped. Quote ratios of one run, not seconds of two.
 """
 import argparse
+import functools
 import json
 import os
 import pathlib
@@ -39,9 +41,12 @@ STANDARD = {
     "lattice 18^4": ("grid", 4, 104_976, "uniform 4D 1e5"),
     "lattice 8^5": ("grid", 5, 32_768, "uniform 5D 1e4"),
     "lattice 5^6": ("grid", 6, 15_625, "uniform 6D 4e3"),
-    "cube {0,1}^6": ("cube01", 6, 64, "uniform 6D 1e3"),
-    "cube {0,1}^7": ("cube01", 7, 128, "uniform 7D 1e3"),
-    "cube {0,1}^8": ("cube01", 8, 256, "uniform 8D 256"),
+    "uniform 6D 64": ("uniform", 6, 64, None),
+    "uniform 7D 128": ("uniform", 7, 128, None),
+    "uniform 8D 90": ("uniform", 8, 90, None),
+    "cube {0,1}^6": ("cube01", 6, 64, "uniform 6D 64"),
+    "cube {0,1}^7": ("cube01", 7, 128, "uniform 7D 128"),
+    "cube {0,1}^8": ("cube01", 8, 256, "uniform 8D 90"),
     "hypersurface 3D 1e5": ("manifold", 3, 100_000, "uniform 3D 1e6"),
     "hypersurface 3D 1e6": ("manifold", 3, 1_000_000, "uniform 3D 1e6"),
     "hypersurface 4D 1e5": ("manifold", 4, 100_000, "uniform 4D 1e5"),
@@ -72,18 +77,30 @@ def arguments_of(command, name, folder):
     return [path]
 
 
-def construct(command, arguments):
-    """The statistics of one construction."""
-    process = subprocess.Popen([command, "delaunay", *arguments, "--stats", "--quiet"], stdout=subprocess.PIPE, text=True)
+def run_command(command, *arguments):
+    """What it writes, and the resources it uses."""
+    process = subprocess.Popen([command, *arguments], stdout=subprocess.PIPE, text=True)
     output = process.stdout.read()
     _, status, usage = os.wait4(process.pid, 0)
     process.returncode = os.waitstatus_to_exitcode(status)
     if process.returncode != 0:
         sys.exit(f"{command} ended with status {process.returncode}")
+    return output, usage
+
+
+@functools.cache
+def processor_seconds_to_start(command):
+    usages = [run_command(command, "--version")[1] for _ in range(9)]
+    return statistics.median(usage.ru_utime + usage.ru_stime for usage in usages)
+
+
+def construct(command, arguments):
+    """The statistics of one construction."""
+    output, usage = run_command(command, "delaunay", *arguments, "--stats", "--quiet")
     run = json.loads(output)
     seconds = run["seconds"]
     run["seconds"] = seconds["order"] + seconds["build"]
-    processor = (usage.ru_utime + usage.ru_stime) / seconds["total"]
+    processor = (usage.ru_utime + usage.ru_stime - processor_seconds_to_start(command)) / seconds["total"]
     run["cpu_seconds"] = processor * run["seconds"]
     run["ns_per_created_cell"] = 1e9 * processor * seconds["build"] / run["created_cells"]
     run["system_share"] = usage.ru_stime / (usage.ru_utime + usage.ru_stime)

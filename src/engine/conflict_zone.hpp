@@ -40,8 +40,9 @@ struct ConflictZone {
   /// some dozens of lines of the cache are under way at once: of larger cells, fewer must do.
   static constexpr std::size_t block_size(std::size_t facets_of_cell) { return facets_of_cell <= 4 ? 16 : 4; }
   static constexpr std::size_t cells_ahead(std::size_t facets_of_cell) { return facets_of_cell <= 4 ? 32 : 16; }
-  /// How many open neighbors are worth being decided before everything else has been searched.
-  static constexpr std::size_t enough_open = 16;
+  /// How many open neighbors are worth being decided before everything else has been searched: on small grids as many ties are
+  /// broken at once, from 6D on in more lanes.
+  static constexpr std::size_t enough_open(std::size_t facets_of_cell) { return facets_of_cell <= 6 ? 16 : 32; }
 
   std::size_t num_cells = 0;
   std::size_t num_facets = 0;
@@ -85,7 +86,8 @@ struct ConflictZone {
     has_facets.reserve(size);
     without_facets.reserve(size);
     others.reserve(size);
-    const std::size_t neighbors = block_size(facets_of_cell) * facets_of_cell, most_open = neighbors + enough_open;
+    const std::size_t neighbors = block_size(facets_of_cell) * facets_of_cell,
+                      most_open = neighbors + enough_open(facets_of_cell);
     candidates.resize(neighbors + 1);
     candidate_values.resize(neighbors);
     undecided.resize(most_open);
@@ -170,6 +172,7 @@ void find_conflict_zone(const Cells& cells, const G& geometry, const typename G:
                         ConflictZone& zone, StageCounts& counts) {
   const auto facets = static_cast<std::size_t>(cells.dimension()) + 1;
   const std::size_t block_size = ConflictZone::block_size(facets), cells_ahead = ConflictZone::cells_ahead(facets);
+  const std::size_t enough_open = ConflictZone::enough_open(facets);
   const bool is_tree = facets <= 3;
   zone.num_cells = zone.num_facets = zone.num_marked = zone.num_infinite = 0;
   zone.reserve(1, facets);
@@ -197,7 +200,7 @@ void find_conflict_zone(const Cells& cells, const G& geometry, const typename G:
     zone.undecided[zone.num_undecided++] = {cell, value, {}};
   };
   for (std::size_t next = 0; next < zone.num_cells;) {
-    zone.reserve(block_size * facets + ConflictZone::enough_open, facets);
+    zone.reserve(block_size * facets + enough_open, facets);
     Index* const zone_cells = zone.cells.data();
     double* const zone_values = zone.values.data();
     HorizonFacet* const horizon = zone.horizon.data();
@@ -248,7 +251,7 @@ void find_conflict_zone(const Cells& cells, const G& geometry, const typename G:
     }
     zone.num_cells = num_cells;
     zone.num_facets = num_facets;
-    if (const std::size_t open = zone.num_open; open >= ConflictZone::enough_open || (open > 0 && next == zone.num_cells)) {
+    if (const std::size_t open = zone.num_open; open >= enough_open || (open > 0 && next == zone.num_cells)) {
       const std::size_t added = decide_open(cells, geometry, q, functional, marks, zone, counts);
       uncertain += is_tree ? added : open;  // what counts as evaluated
     }

@@ -65,10 +65,15 @@ class PointPredicates {
       return;
     }
     counts.perturbed += cells.size();
-    kernel::Buffer<double, K> key_weights(axes_.size());
-    for (const int axis : axes_) key_weights[static_cast<std::size_t>(axis)] = q.grid->key_weight(axis);
+    const bool is_tiny = q.grid->is_tiny() && kernel::can_break_in_binary32(flat.ambient);
+    kernel::Buffer<double, K> key_weights(axes_.size()), per_unit(axes_.size());
+    for (const int axis : axes_) {
+      const auto j = static_cast<std::size_t>(axis);
+      key_weights[j] = is_tiny ? q.grid->tiny_key_weight(axis) : q.grid->key_weight(axis);
+      per_unit[j] = q.grid->per_unit(axis);
+    }
     kernel::break_ties({flat.ambient, cells, coordinates_.data(), static_cast<std::size_t>(flat.row_size()), q.point,
-                        key_weights.data(), sides});
+                        key_weights.data(), is_tiny ? per_unit.data() : nullptr, sides});
   }
 
   /// The sign of h(q) for a finite cell, ties not perturbed: that of the power of q with respect to its sphere, or, for

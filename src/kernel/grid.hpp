@@ -42,6 +42,14 @@ class Grid {
   /// Whether every minor of a determinant of differences and lifts is exact in binary64, whatever the points of the set:
   /// a multiple of its grid unit by less than 2^53 (docs/predicates.md, "Small lattices").
   bool is_small() const { return is_small_; }
+  /// Whether every minor of a determinant of differences, without lifts, is exact in binary32, as a multiple of its grid unit,
+  /// and so are keys in units of the axes. Only if is_small().
+  bool is_tiny() const { return is_tiny_; }
+  /// How many units of an axis are in 1. REQUIRES is_tiny().
+  double per_unit(int axis) const { return axes_[static_cast<std::size_t>(axis)].per_unit; }
+  /// The sum of differences of coordinates, in units of the grid, times these is exact in binary32, and orders points as
+  /// key_weight() does. REQUIRES is_tiny().
+  double tiny_key_weight(int axis) const { return axes_[static_cast<std::size_t>(axis)].tiny_key_weight; }
   /// The sum of the coordinates times these, or of differences of coordinates, is exact in binary64 and orders points
   /// lexicographically: an axis outweighs all later ones. REQUIRES is_small().
   double key_weight(int axis) const { return axes_[static_cast<std::size_t>(axis)].key_weight; }
@@ -60,12 +68,13 @@ class Grid {
     double low = std::numeric_limits<double>::infinity();
     double high = -std::numeric_limits<double>::infinity();
     double key_weight = 0;  // of lexicographic_key(): more than all following axes together can add up to
+    double tiny_key_weight = 0, per_unit = 0;
 
     /// Returns whether that changed anything.
     bool include(double x) {
       const int lowest_bit = trailing_exponent(x);
       if (lowest_bit >= exponent && x >= low && x <= high) return false;
-      *this = {std::min(exponent, lowest_bit), std::min(low, x), std::max(high, x), 0};
+      *this = {std::min(exponent, lowest_bit), std::min(low, x), std::max(high, x)};
       return true;
     }
   };
@@ -77,6 +86,7 @@ class Grid {
     const bool weights_differ = weight_.high > weight_.low;  // equal weights cancel, whatever grid they lie on
     lift_exponent_ = finest_ == unlimited ? unlimited : 2 * finest_;
     if (weights_differ) lift_exponent_ = std::min(lift_exponent_, weight_.exponent);
+    is_tiny_ = false;
     is_small_ = axes_.size() <= 12;  // with `moderate` below: products of 14 entries stay within 2^±1000
     double bits = 0;                 // of the product of the columns' largest entries
     int widest = 0;                  // bits of the largest difference in units of the finest grid
@@ -114,6 +124,18 @@ class Grid {
   }
 
   void weigh_axes() {
+    constexpr double exact = 0x1p24;  // integers up to here
+    double keys = 1;                  // how many numbers differences on the following axes make
+    double minors = 1;                // the largest sum of products
+    for (std::size_t j = axes_.size(); j-- > 0;) {
+      Axis& axis = axes_[j];
+      const double largest = axis.high > axis.low ? std::ldexp(axis.high - axis.low, -axis.exponent) : 0;
+      axis.tiny_key_weight = keys;
+      axis.per_unit = largest > 0 ? std::ldexp(1.0, -axis.exponent) : 1;
+      keys *= 2 * largest + 1;
+      minors *= static_cast<double>(j + 1) * std::max(largest, 1.0);
+    }
+    is_tiny_ = keys <= exact && minors <= exact;
     int bits = 0;  // of the keys of the following axes
     for (auto axis = axes_.rbegin(); axis != axes_.rend(); ++axis) {
       axis->key_weight = 0;
@@ -129,7 +151,7 @@ class Grid {
   std::uint64_t revision_ = 0;
   int finest_ = unlimited;
   int lift_exponent_ = unlimited;
-  bool is_small_ = false;
+  bool is_small_ = false, is_tiny_ = false;
 };
 
 }  // namespace delone::kernel

@@ -25,7 +25,7 @@ struct Entries {
 
   static constexpr int columns = Columns;
   D d;
-  const double* first;
+  const hwy::HWY_NAMESPACE::TFromD<D>* first;
 };
 
 /// The same with the last row first.
