@@ -24,9 +24,9 @@ struct NearTask {
   const double* functionals;     ///< of all cells, as in CellRecords
   const double* certificates;
   const Index* links;  ///< of all cells, as in CellLayout
-  VertexIds ids;
-  VertexRows rows;    ///< images and lifts, of all vertices; computed for can_compute_rows(k) only
-  const double* row;  ///< of the point
+  VertexIds ids;       ///< as in CellLayout
+  VertexRows rows;     ///< images and lifts, of all vertices; computed for can_compute_rows(k) only
+  const double* row;   ///< of the point
   // Constants of the frame.
   double evaluation_error;    ///< of a rounded evaluation, relative to the sum of the magnitudes of a functional's terms
   double largest_lift;        ///< of a point of the box

@@ -70,7 +70,7 @@ class PointPredicates {
     for (const int axis : axes_) {
       const auto j = static_cast<std::size_t>(axis);
       key_weights[j] = is_tiny ? q.grid->tiny_key_weight(axis) : q.grid->key_weight(axis);
-      per_unit[j] = q.grid->per_unit(axis);
+      if (is_tiny) per_unit[j] = q.grid->per_unit(axis);
     }
     kernel::break_ties({flat.ambient, cells, coordinates_.data(), static_cast<std::size_t>(flat.row_size()), q.point,
                         key_weights.data(), is_tiny ? per_unit.data() : nullptr, sides});
