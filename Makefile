@@ -39,8 +39,8 @@ test-release:         ## all tests of a release build
 	cmake --build --preset test -j $(jobs)
 	ctest --preset test
 
-test-asan:            ## unit, property and fuzz tests, smaller, with AddressSanitizer and UndefinedBehaviorSanitizer
-	tools/install_dependencies.sh test
+test-asan:            ## unit, property and fuzz tests, smaller, with clang's AddressSanitizer and UndefinedBehaviorSanitizer
+	tools/install_dependencies.sh test clang
 	cmake --preset asan $(launcher)
 	cmake --build --preset asan -j $(jobs)
 	ctest --preset asan

@@ -32,7 +32,7 @@ RULES = {
     # What users never call by itself is timed by itself: predicates, orders, the phases of an insertion.
     "benchmarks/internal": (PUBLIC, {"benchmarks/internal", "src", "src/kernel", "src/order", "src/geometry", "src/engine",
                                      "src/front_ends"}),
-    "tests": (PUBLIC, {"tests", "tests/support", "tests/property", "tests/differential", "tests/regression", "tests/cli"}),
+    "tests": (PUBLIC, {"tests", "tests/support", "tests/property", "tests/differential", "tests/cli"}),
     "tests/support": (PUBLIC, {"tests/support"}),
     "tests/consumer": (PUBLIC, {"tests/consumer"}),
     "tests/unit": (PUBLIC, {"tests/unit", "tests/support", "src", "src/kernel", "src/order", "src/geometry", "src/engine",

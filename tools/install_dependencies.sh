@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: BSD-3-Clause
-# Installs the packages that are missing on Debian and Ubuntu:  tools/install_dependencies.sh [build] [python] [test] [bench] [paper] [lint] [fuzz]
+# Installs the packages that are missing on Debian and Ubuntu:  tools/install_dependencies.sh [build] [python] [test] [bench] [paper] [lint] [clang]
 # Says nothing and touches nothing when all are there. Elsewhere it prints what is needed and leaves the rest to you.
 set -euo pipefail
 
@@ -12,7 +12,7 @@ bench=(python3 python3-scipy libbenchmark-dev)
 paper=(python3 python3-numpy python3-scipy python3-matplotlib libqhull-dev libtet1.5-dev libcdd-dev lrslib libcgal-dev libeigen3-dev
        libgmp-dev libmpfr-dev libtbb-dev)
 lint=(clang-format clang-tidy python3)
-fuzz=(clang)
+clang=(clang)
 
 wanted=()
 for group in "${@:-build}"; do
@@ -23,8 +23,8 @@ for group in "${@:-build}"; do
     bench) wanted+=("${build[@]}" "${python[@]}" "${bench[@]}") ;;
     paper) wanted+=("${build[@]}" "${bench[@]}" "${paper[@]}") ;;
     lint) wanted+=("${build[@]}" "${lint[@]}") ;;
-    fuzz) wanted+=("${build[@]}" "${fuzz[@]}") ;;
-    *) echo "usage: $0 [build] [python] [test] [bench] [paper] [lint] [fuzz]" >&2; exit 64 ;;
+    clang) wanted+=("${build[@]}" "${clang[@]}") ;;
+    *) echo "usage: $0 [build] [python] [test] [bench] [paper] [lint] [clang]" >&2; exit 64 ;;
   esac
 done
 

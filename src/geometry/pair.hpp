@@ -4,12 +4,18 @@
 // writes.
 #pragma once
 
+#include <cstring>
+
 namespace delone::geometry {
 
 using Pair = double __attribute__((vector_size(16)));
-using UnalignedPair = double __attribute__((vector_size(16), aligned(8)));
 
-inline Pair load_pair(const double* from) { return *reinterpret_cast<const UnalignedPair*>(from); }
-inline void store_pair(double* to, Pair pair) { *reinterpret_cast<UnalignedPair*>(to) = pair; }
+inline Pair load_pair(const double* from) {
+  Pair pair;
+  std::memcpy(&pair, from, sizeof(pair));
+  return pair;
+}
+
+inline void store_pair(double* to, Pair pair) { std::memcpy(to, &pair, sizeof(pair)); }
 
 }  // namespace delone::geometry

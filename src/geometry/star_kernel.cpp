@@ -72,7 +72,7 @@ template <int K>
 HWY_INLINE double value_at_opposite(const StarTask& task, const CellRecords<K>& records, const HorizonFacet& facet) {
   const auto k = static_cast<std::size_t>(K > 0 ? K : task.k);
   const auto is_infinite = [&](Index cell) { return certificate::infinite(bits_of(*records.certificate(cell))); };
-  const bool swapped = is_infinite(facet.dead) & !is_infinite(facet.survivor);
+  const bool swapped = is_infinite(facet.dead) > is_infinite(facet.survivor);  // the one, and not the other: no branch
   const Index cell = swapped ? facet.dead : facet.survivor;
   const Index vertex = swapped ? facet.survivor_opposite : facet.dead_opposite;
   const double* functional = records.functional(cell);

@@ -61,16 +61,26 @@ HWY_INLINE V minor_from_smaller(const E& entries, const V* minors) {
   return minor;
 }
 
+/// Calls f with the sets First … First + Count − 1, as constants: in several folds where one would nest deeper than compilers
+/// allow.
+template <unsigned First, unsigned Count, class F>
+HWY_INLINE void for_each_set(const F& f) {
+  constexpr unsigned most = 255;
+  if constexpr (Count > most) {
+    for_each_set<First, most>(f);
+    for_each_set<First + most, Count - most>(f);
+  } else {
+    [&]<unsigned... S>(std::integer_sequence<unsigned, S...>) { (f(std::integral_constant<unsigned, First + S>{}), ...); }
+    (std::make_integer_sequence<unsigned, Count>{});
+  }
+}
+
 /// All minors of up to Rows rows, by sets of columns; that of none is not written.
 template <int Rows, class E, class V>
 HWY_INLINE void tabulate_minors(const E& entries, V* minors) {
-  [&]<unsigned... S>(std::integer_sequence<unsigned, S...>) {
-    const auto tabulate = [&]<unsigned Set>(std::integral_constant<unsigned, Set>) {
-      if constexpr (std::popcount(Set) <= Rows) minors[Set] = minor_from_smaller<Set>(entries, minors);
-    };
-    (tabulate(std::integral_constant<unsigned, S + 1>{}), ...);
-  }
-  (std::make_integer_sequence<unsigned, (1u << E::columns) - 1>{});
+  for_each_set<1, (1u << E::columns) - 1>([&]<unsigned Set>(std::integral_constant<unsigned, Set>) {
+    if constexpr (std::popcount(Set) <= Rows) minors[Set] = minor_from_smaller<Set>(entries, minors);
+  });
 }
 
 /// Whether the columns of one set, then another, then a third, each in ascending order, are an odd permutation.
@@ -106,17 +116,13 @@ HWY_INLINE V cofactor(const V* above, const V* below) {
   };
   V sum = term(std::integral_constant<unsigned, first>{});
   if constexpr (is_odd(first, 1u << Column, others & ~first)) sum = hn::Neg(sum);
-  [&]<unsigned... S>(std::integer_sequence<unsigned, S...>) {
-    const auto add = [&]<unsigned Set>(std::integral_constant<unsigned, Set>) {
-      if constexpr (std::popcount(Set) == Row && (Set & ~others) == 0 && Set != first) {
-        constexpr unsigned rest = others & ~Set;
-        sum = is_odd(Set, 1u << Column, rest) ? hn::NegMulAdd(above[Set], below[rest], sum)
-                                              : hn::MulAdd(above[Set], below[rest], sum);
-      }
-    };
-    (add(std::integral_constant<unsigned, S>{}), ...);
-  }
-  (std::make_integer_sequence<unsigned, 1u << Columns>{});
+  for_each_set<0, 1u << Columns>([&]<unsigned Set>(std::integral_constant<unsigned, Set>) {
+    if constexpr (std::popcount(Set) == Row && (Set & ~others) == 0 && Set != first) {
+      constexpr unsigned rest = others & ~Set;
+      sum = is_odd(Set, 1u << Column, rest) ? hn::NegMulAdd(above[Set], below[rest], sum)
+                                            : hn::MulAdd(above[Set], below[rest], sum);
+    }
+  });
   return sum;
 }
 

@@ -390,9 +390,9 @@ void expect_triangulation(const std::vector<double>& all, const std::set<std::ve
   for (const auto& [facet, opposite] : apexes) {
     std::vector<const double*> rows;
     for (const int v : facet) rows.push_back(input.rows[static_cast<std::size_t>(v)]);
+    const double* const apex = input.rows[static_cast<std::size_t>(opposite[0])];
     const auto side_of = [&](int row) {
-      return hull_side(input.flat(), rows, input.rows[static_cast<std::size_t>(opposite[0])],
-                       input.rows[static_cast<std::size_t>(row)]);
+      return hull_side(input.flat(), rows, apex, input.rows[static_cast<std::size_t>(row)]);
     };
     ASSERT_LE(opposite.size(), 2u);
     if (opposite.size() == 2) {
