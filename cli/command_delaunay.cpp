@@ -27,7 +27,7 @@ struct DelaunayOptions {
 /// The rows that are neither vertices nor duplicates of one.
 std::size_t num_hidden(const Triangulation& t) { return t.num_points() - t.num_vertices() - t.num_duplicates(); }
 
-nlohmann::ordered_json stats_json(const Triangulation& t, const std::string& hash, const Seconds& seconds,
+nlohmann::ordered_json stats_json(const Triangulation& t, const std::string& hash, const Cost& cost,
                                   const DelaunayOptions& options) {
   const Statistics s = t.statistics();
   const std::size_t num_cells = t.complex().num_cells();
@@ -42,11 +42,11 @@ nlohmann::ordered_json stats_json(const Triangulation& t, const std::string& has
   json["cells"] = t.num_finite_cells();
   json["infinite_cells"] = t.num_infinite_cells();
   json["hash"] = hash;
-  add_cost(json, s, num_cells, seconds, options.seed);
+  add_cost(json, s, num_cells, cost, options.seed);
   return json;
 }
 
-std::string summary(const Triangulation& t, const std::string& hash, const Seconds& seconds, const DelaunayOptions& options) {
+std::string summary(const Triangulation& t, const std::string& hash, const Cost& cost, const DelaunayOptions& options) {
   const Statistics s = t.statistics();
   const char* kind = options.furthest_site ? "furthest-site Delaunay" : "Delaunay";
   std::string text = fmt::format("{}: {} triangulation of {} points in dimension {}\n", input_name(options.input.path), kind,
@@ -62,9 +62,9 @@ std::string summary(const Triangulation& t, const std::string& hash, const Secon
   line("cells", fmt::format("{}, and {} hull facets", t.num_finite_cells(), t.num_infinite_cells()));
   line("hash", hash);
   line("conflict tests", fmt::format("{} by filter, {} direct, {} exact, {} ties", s.filter, s.direct, s.exact, s.perturbed));
-  line("time", fmt::format("{:.3f} s (reading {:.3f}, ordering {:.3f}, building {:.3f})", seconds.total, seconds.read,
-                           s.order_seconds, seconds.build - s.order_seconds));
-  line("peak memory", fmt::format("{:.1f} MB", static_cast<double>(peak_rss_bytes()) / 1e6));
+  line("time", fmt::format("{:.3f} s (reading {:.3f}, ordering {:.3f}, building {:.3f})", cost.total, cost.read,
+                           s.order_seconds, cost.build - s.order_seconds));
+  line("peak memory", fmt::format("{:.1f} MB", static_cast<double>(cost.peak_rss_bytes) / 1e6));
   return text;
 }
 
@@ -89,9 +89,9 @@ std::unique_ptr<Triangulation> build(PointTable& table, const DelaunayOptions& o
 int run_delaunay(const DelaunayOptions& options) {
   if (options.stats && options.output == "-") throw UsageError("--stats and --output - both want standard output");
   const auto start = Clock::now();
-  Seconds seconds;
+  Cost cost;
   PointTable table = options.input.read();
-  seconds.read = seconds_since(start);
+  cost.read = seconds_since(start);
   if (!options.output.empty()) check_complex_output(options.output, options.output_format, table.dimension);
   if (options.threads > threads_used && !options.quiet)
     fmt::print(stderr, "delone: note: this version builds with one thread, not {}\n", options.threads);
@@ -99,25 +99,26 @@ int run_delaunay(const DelaunayOptions& options) {
   const auto build_start = Clock::now();
   const std::unique_ptr<const Triangulation> built = build(table, options);
   const Triangulation& triangulation = *built;
-  seconds.build = seconds_since(build_start);
+  cost.build = seconds_since(build_start);
 
   std::string hash;
   if (options.output.empty()) {
     table = {};
+    cost.close(start);
     hash = triangulation.hash().hex();
   } else {
     const auto write_start = Clock::now();
     ComplexData data = triangulation.to_data(false);
     data.points = std::move(table.coordinates);
     write_complex_output(options.output, data, options.output_format);
-    seconds.write = seconds_since(write_start);
+    cost.write = seconds_since(write_start);
+    cost.close(start);
     if (options.stats) hash = canonical_hash(data).hex();
   }
-  seconds.total = seconds_since(start);
   if (options.stats) {
-    print_output(stats_json(triangulation, hash, seconds, options).dump(2) + "\n");
+    print_output(stats_json(triangulation, hash, cost, options).dump(2) + "\n");
   } else if (options.output.empty()) {
-    print_output(summary(triangulation, hash, seconds, options));
+    print_output(summary(triangulation, hash, cost, options));
   }
   return exit_status::ok;
 }

@@ -88,8 +88,7 @@ nlohmann::ordered_json number(double x) {
   return std::isfinite(x) ? nlohmann::ordered_json(x) : nlohmann::ordered_json(nullptr);
 }
 
-nlohmann::ordered_json stats_json(const HalfspaceIntersection& found, const Seconds& seconds,
-                                  const HalfspacesOptions& options) {
+nlohmann::ordered_json stats_json(const HalfspaceIntersection& found, const Cost& cost, const HalfspacesOptions& options) {
   const IntersectionData& data = found.data();
   nlohmann::ordered_json json;
   json["command"] = "halfspaces";
@@ -111,11 +110,11 @@ nlohmann::ordered_json stats_json(const HalfspaceIntersection& found, const Seco
   json["trivial"] = found.count(HalfspaceKind::trivial);
   json["cells"] = found.num_cells();
   json["volume"] = number(has_volume(found) ? found.volume() : std::numeric_limits<double>::quiet_NaN());
-  add_cost(json, found.statistics(), found.num_cells(), seconds, options.seed);
+  add_cost(json, found.statistics(), found.num_cells(), cost, options.seed);
   return json;
 }
 
-std::string summary(const HalfspaceIntersection& found, const Seconds& seconds, const HalfspacesOptions& options) {
+std::string summary(const HalfspaceIntersection& found, const Cost& cost, const HalfspacesOptions& options) {
   const IntersectionData& data = found.data();
   std::string text = fmt::format("{}: intersection of {} halfspaces in dimension {}\n", input_name(options.input.path),
                                  found.num_halfspaces(), found.dimension());
@@ -141,16 +140,16 @@ std::string summary(const HalfspaceIntersection& found, const Seconds& seconds, 
   }
   const Statistics s = found.statistics();
   line("conflict tests", fmt::format("{} by filter, {} direct, {} exact, {} ties", s.filter, s.direct, s.exact, s.perturbed));
-  line("time", fmt::format("{:.3f} s (reading {:.3f}, building {:.3f})", seconds.total, seconds.read, seconds.build));
+  line("time", fmt::format("{:.3f} s (reading {:.3f}, building {:.3f})", cost.total, cost.read, cost.build));
   return text;
 }
 
 int run_halfspaces(const HalfspacesOptions& options) {
   if (options.stats && options.output == "-") throw UsageError("--stats and --output - both want standard output");
   const auto start = Clock::now();
-  Seconds seconds;
+  Cost cost;
   const PointTable table = options.input.read();
-  seconds.read = seconds_since(start);
+  cost.read = seconds_since(start);
   const std::string name = input_name(options.input.path);
   if (table.dimension < 2)
     throw Error(Errc::bad_dimension, name + ": a halfspace takes two numbers at least, a normal and an offset");
@@ -172,20 +171,20 @@ int run_halfspaces(const HalfspacesOptions& options) {
     });
   }();
   about(name, [&] { found.data(); });
-  seconds.build = seconds_since(build_start);
+  cost.build = seconds_since(build_start);
   bar.clear();
   if (!options.output.empty()) {
     const auto write_start = Clock::now();
     const StageGuard guard(options.output == "-" ? Stage::plain : Stage::writing);
     about(options.output == "-" ? "standard output" : options.output,
           [&] { write_halfspaces(options.output, found.to_data(), options.output_format); });
-    seconds.write = seconds_since(write_start);
+    cost.write = seconds_since(write_start);
   }
-  seconds.total = seconds_since(start);
+  cost.close(start);
   if (options.stats)
-    print_output(stats_json(found, seconds, options).dump(2) + "\n");
+    print_output(stats_json(found, cost, options).dump(2) + "\n");
   else if (options.output.empty())
-    print_output(summary(found, seconds, options));
+    print_output(summary(found, cost, options));
   return exit_status::ok;
 }
 

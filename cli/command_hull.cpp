@@ -36,7 +36,7 @@ nlohmann::ordered_json number(double x) {
   return std::isfinite(x) ? nlohmann::ordered_json(x) : nlohmann::ordered_json(nullptr);
 }
 
-nlohmann::ordered_json stats_json(const Polytope& hull, const Seconds& seconds, const HullOptions& options) {
+nlohmann::ordered_json stats_json(const Polytope& hull, const Cost& cost, const HullOptions& options) {
   nlohmann::ordered_json json;
   json["command"] = "hull";
   json["dimension"] = hull.dimension();
@@ -57,11 +57,11 @@ nlohmann::ordered_json stats_json(const Polytope& hull, const Seconds& seconds, 
   json["area"] = number(area.value);
   json["area_error"] = number(area.error);
   json["hash"] = hull.hash().hex();
-  add_cost(json, hull.statistics(), hull.num_cells(), seconds, options.seed);
+  add_cost(json, hull.statistics(), hull.num_cells(), cost, options.seed);
   return json;
 }
 
-nlohmann::ordered_json stats_json(const LowerHull& hull, const Seconds& seconds, const HullOptions& options) {
+nlohmann::ordered_json stats_json(const LowerHull& hull, const Cost& cost, const HullOptions& options) {
   nlohmann::ordered_json json;
   json["command"] = "hull";
   json["side"] = hull.side() == HullSide::lower ? "lower" : "upper";
@@ -73,7 +73,7 @@ nlohmann::ordered_json stats_json(const LowerHull& hull, const Seconds& seconds,
   json["facets"] = hull.num_facets();
   json["hash"] = canonical_hash(hull.to_data()).hex();
   const Statistics s = hull.num_points() == 0 ? Statistics{} : hull.polytope().statistics();
-  add_cost(json, s, hull.num_points() == 0 ? 0 : hull.polytope().num_cells(), seconds, options.seed);
+  add_cost(json, s, hull.num_points() == 0 ? 0 : hull.polytope().num_cells(), cost, options.seed);
   return json;
 }
 
@@ -81,9 +81,9 @@ class Summary {
  public:
   explicit Summary(std::string title) : text_(std::move(title) + "\n") {}
   void line(const char* what, const std::string& value) { text_ += fmt::format("  {:<18}{}\n", what, value); }
-  void cost(const Statistics& s, const Seconds& seconds) {
+  void cost(const Statistics& s, const Cost& cost) {
     line("conflict tests", fmt::format("{} by filter, {} direct, {} exact, {} ties", s.filter, s.direct, s.exact, s.perturbed));
-    line("time", fmt::format("{:.3f} s (reading {:.3f}, building {:.3f})", seconds.total, seconds.read, seconds.build));
+    line("time", fmt::format("{:.3f} s (reading {:.3f}, building {:.3f})", cost.total, cost.read, cost.build));
   }
   const std::string& text() const { return text_; }
 
@@ -95,7 +95,7 @@ std::string measure_text(const Measure& measure) {
   return fmt::format("{} (error at most {:.1e})", measure.value, measure.error);
 }
 
-std::string summary(const Polytope& hull, const Seconds& seconds, const std::string& name) {
+std::string summary(const Polytope& hull, const Cost& cost, const std::string& name) {
   Summary summary(fmt::format("{}: convex hull of {} points in dimension {}", name, hull.num_points(), hull.dimension()));
   const int k = hull.affine_dimension();
   summary.line("affine dimension", fmt::format("{}{}", k,
@@ -111,18 +111,18 @@ std::string summary(const Polytope& hull, const Seconds& seconds, const std::str
   summary.line("volume", measure_text(hull.volume()));
   summary.line("area", measure_text(hull.area()));
   summary.line("hash", hull.hash().hex());
-  summary.cost(hull.statistics(), seconds);
+  summary.cost(hull.statistics(), cost);
   return summary.text();
 }
 
-std::string summary(const LowerHull& hull, const Seconds& seconds, const std::string& name) {
+std::string summary(const LowerHull& hull, const Cost& cost, const std::string& name) {
   Summary summary(fmt::format("{}: {} hull of {} points in dimension {}", name,
                               hull.side() == HullSide::lower ? "lower" : "upper", hull.num_points(), hull.dimension()));
   summary.line("compositions", fmt::format("of affine dimension {}", hull.composition_dimension()));
   summary.line("vertices", fmt::format("{} extreme points", hull.vertices().size()));
   summary.line("facets", fmt::format("{}, of {} simplices", hull.num_facets(), hull.num_cells()));
   summary.line("hash", canonical_hash(hull.to_data()).hex());
-  summary.cost(hull.num_points() == 0 ? Statistics{} : hull.polytope().statistics(), seconds);
+  summary.cost(hull.num_points() == 0 ? Statistics{} : hull.polytope().statistics(), cost);
   return summary.text();
 }
 
@@ -133,17 +133,17 @@ void write_hull_output(const std::string& path, const HullData& data, const std:
 
 /// Prints what was asked for; `write` writes the output file.
 template <class Hull, class Write>
-int report(const Hull& hull, const HullOptions& options, Seconds seconds, Clock::time_point start, Write write) {
+int report(const Hull& hull, const HullOptions& options, Cost cost, Clock::time_point start, Write write) {
   if (!options.output.empty()) {
     const auto write_start = Clock::now();
     write();
-    seconds.write = seconds_since(write_start);
+    cost.write = seconds_since(write_start);
   }
-  seconds.total = seconds_since(start);
+  cost.close(start);
   if (options.stats)
-    print_output(stats_json(hull, seconds, options).dump(2) + "\n");
+    print_output(stats_json(hull, cost, options).dump(2) + "\n");
   else if (options.output.empty())
-    print_output(summary(hull, seconds, input_name(options.input.path)));
+    print_output(summary(hull, cost, input_name(options.input.path)));
   return exit_status::ok;
 }
 
@@ -152,9 +152,9 @@ int run_hull(const HullOptions& options) {
   const bool one_side = options.lower || options.upper;
   if (!options.distances.empty() && !one_side) throw UsageError("--distances needs --lower or --upper");
   const auto start = Clock::now();
-  Seconds seconds;
+  Cost cost;
   const PointTable table = options.input.read();
-  seconds.read = seconds_since(start);
+  cost.read = seconds_since(start);
   if (!options.output.empty()) check_complex_output(options.output, options.output_format, table.dimension);
   if (!options.distances.empty()) check_writable(options.distances);
   ProgressBar bar(options.quiet);
@@ -165,9 +165,9 @@ int run_hull(const HullOptions& options) {
       const StageGuard guard(Stage::building);
       return about(name, [&] { return Polytope(table.coordinates, table.dimension, build_options(options, bar)); });
     }();
-    seconds.build = seconds_since(build_start);
+    cost.build = seconds_since(build_start);
     bar.clear();
-    return report(hull, options, seconds, start,
+    return report(hull, options, cost, start,
                   [&] { write_hull_output(options.output, hull.to_data(), options.output_format); });
   }
   const HullSide side = options.lower ? HullSide::lower : HullSide::upper;
@@ -175,11 +175,11 @@ int run_hull(const HullOptions& options) {
     const StageGuard guard(Stage::building);
     return about(name, [&] { return LowerHull(table.coordinates, table.dimension, side, build_options(options, bar)); });
   }();
-  seconds.build = seconds_since(build_start);
+  cost.build = seconds_since(build_start);
   bar.clear();
   if (!options.distances.empty())
     write_points_output(options.distances, {1, hull.height_above(table.coordinates), {"height_above_hull"}}, "");
-  return report(hull, options, seconds, start,
+  return report(hull, options, cost, start,
                 [&] { write_complex_output(options.output, hull.to_data(), options.output_format); });
 }
 

@@ -22,7 +22,7 @@ struct RegularOptions {
   bool stats = false, quiet = false;
 };
 
-nlohmann::ordered_json stats_json(const RegularTriangulation& t, const Seconds& seconds, std::uint64_t seed) {
+nlohmann::ordered_json stats_json(const RegularTriangulation& t, const Cost& cost, std::uint64_t seed) {
   const Statistics s = t.statistics();
   const std::size_t num_cells = t.complex().num_cells();
   nlohmann::ordered_json json;
@@ -36,11 +36,11 @@ nlohmann::ordered_json stats_json(const RegularTriangulation& t, const Seconds& 
   json["cells"] = t.num_finite_cells();
   json["infinite_cells"] = t.num_infinite_cells();
   json["hash"] = t.hash().hex();
-  add_cost(json, s, num_cells, seconds, seed);
+  add_cost(json, s, num_cells, cost, seed);
   return json;
 }
 
-std::string summary(const RegularTriangulation& t, const Seconds& seconds, const std::string& name) {
+std::string summary(const RegularTriangulation& t, const Cost& cost, const std::string& name) {
   const Statistics s = t.statistics();
   std::string text =
       fmt::format("{}: regular triangulation of {} weighted points in dimension {}\n", name, t.num_points(), t.dimension());
@@ -53,19 +53,19 @@ std::string summary(const RegularTriangulation& t, const Seconds& seconds, const
   line("cells", fmt::format("{}, and {} hull facets", t.num_finite_cells(), t.num_infinite_cells()));
   line("hash", t.hash().hex());
   line("conflict tests", fmt::format("{} by filter, {} direct, {} exact, {} ties", s.filter, s.direct, s.exact, s.perturbed));
-  line("time", fmt::format("{:.3f} s (reading {:.3f}, ordering {:.3f}, building {:.3f})", seconds.total, seconds.read,
-                           s.order_seconds, seconds.build - s.order_seconds));
-  line("peak memory", fmt::format("{:.1f} MB", static_cast<double>(peak_rss_bytes()) / 1e6));
+  line("time", fmt::format("{:.3f} s (reading {:.3f}, ordering {:.3f}, building {:.3f})", cost.total, cost.read,
+                           s.order_seconds, cost.build - s.order_seconds));
+  line("peak memory", fmt::format("{:.1f} MB", static_cast<double>(cost.peak_rss_bytes) / 1e6));
   return text;
 }
 
 int run_regular(const RegularOptions& options) {
   if (options.stats && options.output == "-") throw UsageError("--stats and --output - both want standard output");
   const auto start = Clock::now();
-  Seconds seconds;
+  Cost cost;
   std::vector<double> weights;
   const PointTable table = options.input.read(weights);
-  seconds.read = seconds_since(start);
+  cost.read = seconds_since(start);
   if (!options.output.empty()) check_complex_output(options.output, options.output_format, table.dimension);
 
   auto stage_start = Clock::now();
@@ -78,16 +78,16 @@ int run_regular(const RegularOptions& options) {
     build_options.progress = bar.callback();
     return RegularTriangulation(table.coordinates, weights, table.dimension, build_options);
   });
-  seconds.build = seconds_since(stage_start);
+  cost.build = seconds_since(stage_start);
 
   stage_start = Clock::now();
   if (!options.output.empty()) write_complex_output(options.output, triangulation.to_data(), options.output_format);
-  seconds.write = seconds_since(stage_start);
-  seconds.total = seconds_since(start);
+  cost.write = seconds_since(stage_start);
+  cost.close(start);
   if (options.stats)
-    print_output(stats_json(triangulation, seconds, options.seed).dump(2) + "\n");
+    print_output(stats_json(triangulation, cost, options.seed).dump(2) + "\n");
   else if (options.output.empty())
-    print_output(summary(triangulation, seconds, name));
+    print_output(summary(triangulation, cost, name));
   return exit_status::ok;
 }
 

@@ -34,7 +34,7 @@ const std::vector<std::string>& voronoi_formats() {
   return formats;
 }
 
-struct DiagramSeconds : Seconds {
+struct DiagramCost : Cost {
   double diagram = 0;
 };
 
@@ -78,7 +78,7 @@ void check_outputs(const VoronoiOptions& options, int dimension) {
   }
 }
 
-nlohmann::ordered_json stats_json(const Triangulation& t, const VoronoiDiagram& diagram, const DiagramSeconds& seconds,
+nlohmann::ordered_json stats_json(const Triangulation& t, const VoronoiDiagram& diagram, const DiagramCost& cost,
                                   const VoronoiOptions& options) {
   const Statistics s = t.statistics();
   const std::size_t num_cells = t.complex().num_cells();
@@ -98,12 +98,12 @@ nlohmann::ordered_json stats_json(const Triangulation& t, const VoronoiDiagram& 
   json["unbounded_regions"] = diagram.num_unbounded_regions();
   json["ridges"] = diagram.num_ridges();
   json["rays"] = diagram.num_rays();
-  add_cost(json, s, num_cells, seconds, options.seed);
-  json["seconds"]["diagram"] = seconds.diagram;
+  add_cost(json, s, num_cells, cost, options.seed);
+  json["seconds"]["diagram"] = cost.diagram;
   return json;
 }
 
-std::string summary(const Triangulation& t, const VoronoiDiagram& diagram, const DiagramSeconds& seconds,
+std::string summary(const Triangulation& t, const VoronoiDiagram& diagram, const DiagramCost& cost,
                     const VoronoiOptions& options) {
   std::string text = fmt::format("{}: {} of {} points in dimension {}\n", input_name(options.weighted.input.path),
                                  options.power ? "power diagram" : "Voronoi diagram", t.num_points(), t.dimension());
@@ -120,9 +120,9 @@ std::string summary(const Triangulation& t, const VoronoiDiagram& diagram, const
   line(options.power ? "power vertices" : "Voronoi vertices",
        fmt::format("{} of {} cells", diagram.num_vertices(), t.num_finite_cells()));
   line("ridges", fmt::format("{}, and {} rays", diagram.num_ridges(), diagram.num_rays()));
-  line("time", fmt::format("{:.3f} s (reading {:.3f}, triangulating {:.3f}, diagram {:.3f})", seconds.total, seconds.read,
-                           seconds.build, seconds.diagram));
-  line("peak memory", fmt::format("{:.1f} MB", static_cast<double>(peak_rss_bytes()) / 1e6));
+  line("time", fmt::format("{:.3f} s (reading {:.3f}, triangulating {:.3f}, diagram {:.3f})", cost.total, cost.read, cost.build,
+                           cost.diagram));
+  line("peak memory", fmt::format("{:.1f} MB", static_cast<double>(cost.peak_rss_bytes) / 1e6));
   return text;
 }
 
@@ -136,7 +136,7 @@ std::string volumes_text(const VoronoiDiagram& diagram, const std::optional<Box>
 
 /// The triangulation by `build`, its diagram, and what was asked for.
 template <class Build>
-int run_with(Build build, const std::optional<Box>& box, DiagramSeconds seconds, Clock::time_point start,
+int run_with(Build build, const std::optional<Box>& box, DiagramCost cost, Clock::time_point start,
              const VoronoiOptions& options) {
   const std::string name = input_name(options.weighted.input.path);
   auto stage_start = Clock::now();
@@ -148,24 +148,24 @@ int run_with(Build build, const std::optional<Box>& box, DiagramSeconds seconds,
     build_options.progress = bar.callback();
     return build(build_options);
   });
-  seconds.build = seconds_since(stage_start);
+  cost.build = seconds_since(stage_start);
 
   stage_start = Clock::now();
   using Diagram =
       std::conditional_t<WeightedTriangulation<std::decay_t<decltype(triangulation)>>, PowerDiagram, VoronoiDiagram>;
   const auto diagram = about(name, [&] { return Diagram(triangulation); });
   const std::string volumes = options.volumes.empty() ? "" : about(options.volumes, [&] { return volumes_text(diagram, box); });
-  seconds.diagram = seconds_since(stage_start);
+  cost.diagram = seconds_since(stage_start);
 
   stage_start = Clock::now();
   if (!options.output.empty()) write_voronoi_output(options.output, diagram, box ? &*box : nullptr, options.output_format);
   if (!options.volumes.empty()) write_text(options.volumes, volumes);
-  seconds.write = seconds_since(stage_start);
-  seconds.total = seconds_since(start);
+  cost.write = seconds_since(stage_start);
+  cost.close(start);
   if (options.stats)
-    print_output(stats_json(triangulation, diagram, seconds, options).dump(2) + "\n");
+    print_output(stats_json(triangulation, diagram, cost, options).dump(2) + "\n");
   else if (options.output.empty() && options.volumes.empty())
-    print_output(summary(triangulation, diagram, seconds, options));
+    print_output(summary(triangulation, diagram, cost, options));
   return exit_status::ok;
 }
 
@@ -174,10 +174,10 @@ int run_voronoi(const VoronoiOptions& options) {
     throw UsageError("--stats wants standard output for itself");
   if (options.output == "-" && options.volumes == "-") throw UsageError("--output - and --volumes - both want standard output");
   const auto start = Clock::now();
-  DiagramSeconds seconds;
+  DiagramCost cost;
   std::vector<double> weights;
   PointTable table = options.power ? options.weighted.read(weights) : options.weighted.input.read();
-  seconds.read = seconds_since(start);
+  cost.read = seconds_since(start);
   check_outputs(options, table.dimension);
   const std::optional<Box> box = chosen_box(options, table.dimension);
   const auto taken = [&] { return std::exchange(table, PointTable{}); };  // freed after the triangulation
@@ -187,13 +187,13 @@ int run_voronoi(const VoronoiOptions& options) {
           const PointTable points = taken();
           return RegularTriangulation(points.coordinates, weights, points.dimension, build_options);
         },
-        box, seconds, start, options);
+        box, cost, start, options);
   return run_with(
       [&](const Options& build_options) {
         const PointTable points = taken();
         return Triangulation(points.coordinates, points.dimension, build_options);
       },
-      box, seconds, start, options);
+      box, cost, start, options);
 }
 
 Run add_diagram(CLI::App& app, bool power) {

@@ -8,25 +8,26 @@ namespace delone::cli {
 
 double seconds_since(Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); }
 
-std::size_t peak_rss_bytes() {
+void Cost::close(Clock::time_point start) {
+  total = seconds_since(start);
   rusage usage{};
   getrusage(RUSAGE_SELF, &usage);
 #ifdef __APPLE__
-  return static_cast<std::size_t>(usage.ru_maxrss);
+  peak_rss_bytes = static_cast<std::size_t>(usage.ru_maxrss);
 #else
-  return static_cast<std::size_t>(usage.ru_maxrss) * 1024;
+  peak_rss_bytes = static_cast<std::size_t>(usage.ru_maxrss) * 1024;
 #endif
 }
 
-void add_cost(nlohmann::ordered_json& json, const Statistics& statistics, std::size_t num_cells, const Seconds& seconds,
+void add_cost(nlohmann::ordered_json& json, const Statistics& statistics, std::size_t num_cells, const Cost& cost,
               std::uint64_t seed) {
   const Statistics& s = statistics;
-  json["seconds"] = {{"read", seconds.read},
+  json["seconds"] = {{"read", cost.read},
                      {"order", s.order_seconds},
-                     {"build", seconds.build - s.order_seconds},
-                     {"write", seconds.write},
-                     {"total", seconds.total}};
-  json["peak_rss_bytes"] = peak_rss_bytes();
+                     {"build", cost.build - s.order_seconds},
+                     {"write", cost.write},
+                     {"total", cost.total}};
+  json["peak_rss_bytes"] = cost.peak_rss_bytes;
   json["bytes_per_cell"] = num_cells == 0 ? 0.0 : static_cast<double>(s.cell_bytes) / static_cast<double>(num_cells);
   json["created_cells"] = s.created_cells;
   json["stages"] = {{"filter", s.filter}, {"direct", s.direct}, {"exact", s.exact}, {"perturbed", s.perturbed}};

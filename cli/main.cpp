@@ -6,6 +6,10 @@
 
 #include <fmt/format.h>
 
+#ifdef __GLIBC__
+#include <malloc.h>
+#endif
+
 #include <cstdio>
 #include <exception>
 #include <string>
@@ -91,10 +95,19 @@ int run_and_report(int argc, char** argv) {
   }
 }
 
+/// Large blocks, such as files that were read, are given back to the system as soon as they are freed. Otherwise the C library
+/// of GNU keeps more and more of them, the larger the first ones are.
+void give_back_large_blocks() {
+#ifdef __GLIBC__
+  mallopt(M_MMAP_THRESHOLD, 1 << 20);
+#endif
+}
+
 }  // namespace
 }  // namespace delone::cli
 
 int main(int argc, char** argv) {
+  delone::cli::give_back_large_blocks();
   delone::cli::install_interrupt_handlers();
   return delone::cli::run_and_report(argc, argv);
 }

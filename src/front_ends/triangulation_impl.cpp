@@ -331,13 +331,14 @@ void Triangulation::Impl::insert_range(std::span<const double> coordinates, std:
   const std::size_t first_row = add_rows(n);
 
   auto start = Clock::now();
-  const std::vector<Index> order = front_ends::insertion_order(view, options);
+  std::vector<Index> order = front_ends::insertion_order(view, options);
   statistics.order_seconds += seconds_since(start);
 
   start = Clock::now();
   const Index before = points.last_vertex();
   front_ends::ProgressMeter progress(options.progress, n);
   const auto finish = [&] {
+    order = {};
     find_cells_of_vertices();
     if (landmarks) add_landmarks(before + 1, points.last_vertex());
     statistics.build_seconds += seconds_since(start);
