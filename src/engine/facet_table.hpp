@@ -131,11 +131,36 @@ class FacetTable {
   }
   void rebuild(std::size_t lines) {
     FacetTable other(lines);
-    for (std::size_t l = 0; l < num_lines_; ++l)
+    const auto add_all = [&](const Line& line) {
       for (int i = 0; i < room; ++i)
-        if (const std::uint64_t key = lines_[l].keys[i]; key != 0) other.add(other.place(key), key, lines_[l].values[i]);
+        if (const std::uint64_t key = line.keys[i]; key != 0) other.add(other.place(key), key, line.values[i]);
+    };
+    // If not, it has keys of the line beside it.
+    const auto has_only_its_own = [&](std::size_t l) { return lines_[l ^ 1].num_beside == 0; };
+    if (lines == 2 * num_lines_) {
+      for (std::size_t l = 0; l < num_lines_; ++l)
+        if (has_only_its_own(l)) other.share_out(lines_[l], other.lines_[l], other.lines_[l + num_lines_]);
+      for (std::size_t l = 0; l < num_lines_; ++l)
+        if (!has_only_its_own(l)) add_all(lines_[l]);
+    } else {
+      std::for_each_n(lines_.data(), num_lines_, add_all);
+    }
     for (const auto& [key, value] : elsewhere_) other.add(other.place(key), key, value);
     *this = std::move(other);
+  }
+  /// Adds all keys of a line of a table half as large to two lines, both empty. Which of them cannot be predicted: there is no
+  /// branch.
+  void share_out(const Line& line, Line& lower, Line& upper) {
+    Line* const lines[] = {&lower, &upper};
+    std::size_t counts[] = {0, 0};
+    for (int i = 0; i < room; ++i) {
+      const std::uint64_t key = line.keys[i];
+      const bool is_upper = place(key) >= num_lines_ / 2;
+      lines[is_upper]->keys[counts[is_upper]] = key;
+      lines[is_upper]->values[counts[is_upper]] = line.values[i];
+      counts[is_upper] += key != 0;
+    }
+    size_ += counts[0] + counts[1];
   }
   std::size_t place(std::uint64_t key) const { return Line::place(key, num_lines_); }
 

@@ -3,8 +3,8 @@
 // the lift; it is positive outside its sphere. The spheres through facet i are the members h + t·λ_i of a pencil, and a vertex
 // p beyond the facet, where λ_i < 0, is on that of t = h(p)/−λ_i(p). The cell beyond has the vertex with the least t.
 //
-// In binary32 each t is replaced by something that is hardly ever above it; vertices that may have the least t, seldom more
-// than one, are computed again in binary64.
+// In binary32 h is replaced by something that is hardly ever above it, −λ_i by something hardly ever below it, and their ratio
+// by the difference of their logarithms; vertices that may have the least t, mostly one, are computed again in binary64.
 #include "geometry/facet_search.hpp"
 
 #include "geometry/cache_line.hpp"
@@ -16,6 +16,10 @@
 #include <limits>
 #include <type_traits>
 #include <utility>
+
+#if __has_include(<unistd.h>)
+#include <unistd.h>
+#endif
 
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "geometry/facet_search.cpp"
@@ -29,29 +33,52 @@ namespace delone::geometry {
 
 /// Vertices are in blocks of as many, the images' first entries side by side, then the second ones, …, then the lifts.
 constexpr std::size_t block = 16;
-/// The height of vertices that are not to be met: those of the cell itself, and those that fill the last block. So is their
+/// The number of blocks is a multiple of that: so many may be looked at together.
+constexpr std::size_t most_together = 8;
+
+/// A tile is looked at for all facets of a batch before the next one is: in 7D and 8D half of the largest one has 16 or 18 kB.
+constexpr std::size_t most_tile_blocks = 64;
+static_assert(most_tile_blocks / 2 % most_together == 0);
+
+/// The height of vertices that are not to be met: those of the cell itself, and those that fill the last blocks. So is their
 /// ratio.
 constexpr float out_of_reach = std::numeric_limits<float>::infinity();
-constexpr float largest_ratio = std::numeric_limits<float>::max();
-/// What may be wrong with a ratio because it is computed with an approximate reciprocal, relatively.
-constexpr float coarseness = 0x1p-7f;
+/// Ratios of vertices beyond the facet are less.
+constexpr float largest_ratio = 0x1p80f;
+/// Vertices whose ratio in binary32 is no more than that may have the least one.
+inline float bound_of(float least) { return least + 0x1p-6f * std::fabs(least); }
 
-/// The least ratios are kept of so many blocks together, one in each lane: a stretch.
-constexpr std::size_t stretch_blocks = 4;
+/// Where all heights are larger, ratios are compared by their keys, the bits of a height less those of a value. Bits of a
+/// positive number in binary32 are its logarithm, but for a constant: too small by at most logarithm_error, in units of which
+/// there are an octave in a factor of two.
+constexpr float least_height = 0x1p-40f;
+constexpr std::int32_t octave = 1 << 23, logarithm_error = 722'100;  // 0.0860714 octaves
+/// The lowest bits of keys are replaced by the place in the tile.
+constexpr std::int32_t place_mask = most_tile_blocks * block - 1;
+/// Keys of vertices that may have the least ratio are no more than that above the least key: ratio_below() is not less than
+/// that ratio then.
+constexpr std::int32_t doubt = 2 * (logarithm_error + place_mask);
+/// Keys of vertices beyond the facet are less.
+constexpr std::int32_t largest_key = 80 * octave;
+/// No ratio with a larger key is less than that.
+inline float ratio_below(std::int32_t key) {
+  return std::exp2(static_cast<float>(key - place_mask - logarithm_error) / octave) * (1 - 0x1p-18f);
+}
+/// No positive ratio up to this one has a larger key.
+inline std::int32_t key_above(float ratio) {
+  constexpr std::int32_t bits_of_one = std::bit_cast<std::int32_t>(1.0f);
+  return std::bit_cast<std::int32_t>(std::max(ratio, 0.0f)) - bits_of_one + 2 * (logarithm_error + place_mask);
+}
 
-/// So many blocks are looked at for all facets of a batch before the next ones are: in 7D and 8D their 16 or 18 kB, and the
-/// heights of a cell, stay in a first-level cache of 32 kB.
-constexpr std::size_t tile_blocks = 32;
-static_assert(tile_blocks % stretch_blocks == 0);
-
-/// Vertices whose ratio is no more than that may have the least one.
-constexpr float bound_of(float least) { return least + 3 * coarseness * (least < 0 ? -least : least); }
+/// Coefficients add up to less, or the cell is too flat for binary32: keys do not overflow.
+constexpr double largest_spread = 0x1p40;
 
 /// All that one dispatched call works on.
 struct SearchTask {
   int k;
   std::size_t num_blocks;
   const float* images;
+  std::size_t tile_blocks;
   float* heights;  ///< h at the vertices of a tile
   std::span<const OpenCell> cells;
   const float* height_functions;  ///< of each cell, k + 1 numbers
@@ -66,6 +93,10 @@ namespace delone::geometry {
 namespace HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
 
+/// So many blocks are looked at together: sums of one after the other would wait for themselves, as a processor does not see
+/// far enough ahead. Processors with vectors of 512 bits have twice as many of them.
+constexpr std::size_t together = hn::MaxLanes(hn::CappedTag<float, block>()) == block ? most_together : most_together / 2;
+
 /// An affine function, its coefficients in all lanes. K is k, or 0 for any: then they are loaded where they are needed.
 template <int K, class D>
 class InLanes {
@@ -77,22 +108,29 @@ class InLanes {
     for (std::size_t r = 0; r < K; ++r) kept_[r] = hn::Set(d, function[r]);
   }
 
-  /// The values at the vertices of a block, or part of one, from this image on.
-  HWY_INLINE V values(const float* image) const { return sum(hn::Mul(hn::Load(d_, image), coefficient(0)), image); }
+  /// The values at the vertices of `Count` blocks from this image on, or at some of each.
+  template <std::size_t Count>
+  HWY_INLINE void values(const float* image, V (&sums)[Count]) const {
+    for (V& sum : sums) sum = constant_;
+    add_to(sums, image);
+  }
   /// The same and the lifts.
-  HWY_INLINE V heights(const float* image) const {
-    return sum(hn::MulAdd(hn::Load(d_, image), coefficient(0), hn::Load(d_, image + k_ * block)), image);
+  template <std::size_t Count>
+  HWY_INLINE void heights(const float* image, V (&sums)[Count]) const {
+#pragma GCC unroll 8
+    for (std::size_t b = 0; b < Count; ++b) sums[b] = hn::Add(hn::Load(d_, image + (b * (k_ + 1) + k_) * block), constant_);
+    add_to(sums, image);
   }
 
  private:
   HWY_INLINE V coefficient(std::size_t r) const { return K > 0 ? kept_[r] : hn::Set(d_, from_[r]); }
-  HWY_INLINE V sum(V even, const float* image) const {
-    V odd = constant_;
-    for (std::size_t r = 1; r < k_; ++r) {
-      V& sum = r % 2 == 0 ? even : odd;
-      sum = hn::MulAdd(hn::Load(d_, image + r * block), coefficient(r), sum);
-    }
-    return hn::Add(even, odd);
+  template <std::size_t Count>
+  HWY_INLINE void add_to(V (&sums)[Count], const float* image) const {
+#pragma GCC unroll 8
+    for (std::size_t r = 0; r < k_; ++r)
+#pragma GCC unroll 8
+      for (std::size_t b = 0; b < Count; ++b)
+        sums[b] = hn::MulAdd(hn::Load(d_, image + (b * (k_ + 1) + r) * block), coefficient(r), sums[b]);
   }
 
   D d_;
@@ -102,115 +140,196 @@ class InLanes {
   V kept_[K > 0 ? K : 1];
 };
 
-/// Writes the values of an affine function plus the lift at the vertices of the blocks from `first` on, but for those of the
-/// cell. K is k, or 0 for any.
+/// Writes the heights at the vertices of a tile. Returns whether all are more than least_height, but for those of the cell. K
+/// is k, or 0 for any.
 template <int K>
-void write_heights(const SearchTask& task, std::size_t first, std::size_t end, std::size_t cell, float* HWY_RESTRICT heights) {
+bool write_heights(const SearchTask& task, std::size_t first, std::size_t end, std::size_t cell) {
   const hn::CappedTag<float, block> d;
+  const hn::RebindToSigned<decltype(d)> di;
   const auto k = static_cast<std::size_t>(K > 0 ? K : task.k);
   const InLanes<K, decltype(d)> function(d, task, task.height_functions + cell * (k + 1));
   const float* HWY_RESTRICT images = task.images;
-  for (std::size_t start = first; start < end; start += stretch_blocks)
-#pragma GCC unroll 4
-    for (std::size_t b = start; b < start + stretch_blocks; ++b)
-      for (std::size_t lane = 0; lane < block; lane += hn::Lanes(d))
-        hn::Store(function.heights(images + b * block * (k + 1) + lane), d, heights + (b - first) * block + lane);
+  float* HWY_RESTRICT heights = task.heights;
+  auto minus_low = hn::Zero(di);  // −1 for each that is not
+  for (std::size_t start = first; start < end; start += together)
+    for (std::size_t lane = 0; lane < block; lane += hn::Lanes(d)) {
+      hn::Vec<decltype(d)> of_blocks[together];
+      function.heights(images + start * block * (k + 1) + lane, of_blocks);
+#pragma GCC unroll 8
+      for (std::size_t b = 0; b < together; ++b) {
+        hn::Store(of_blocks[b], d, heights + (start + b - first) * block + lane);
+        const auto is_low = hn::Le(of_blocks[b], hn::Set(d, least_height));
+        minus_low = hn::Add(minus_low, hn::VecFromMask(di, hn::RebindMask(di, is_low)));
+      }
+    }
+  std::int32_t num_low = -hn::GetLane(hn::SumOfLanes(di, minus_low));
   for (std::size_t i = 0; i <= k; ++i) {
     const std::size_t place = task.cells[cell].vertices[i] - 1 - first * block;  // wraps where it is less than 0
-    if (place < (end - first) * block) heights[place] = out_of_reach;
+    if (place >= (end - first) * block) continue;
+    num_low -= heights[place] <= least_height;
+    heights[place] = out_of_reach;
   }
+  return num_low == 0;
 }
 
-/// Heights over the values of an affine function where that is positive.
+/// Heights over the values of an affine function, at the vertices of a tile; out of reach where these are not positive.
 template <int K>
 class Ratios {
  public:
   using D = hn::CappedTag<float, block>;
-  using V = hn::Vec<D>;
+  using DI = hn::RebindToSigned<D>;
 
-  Ratios(const SearchTask& task, const SoughtFacet& facet)
-      : k_(static_cast<std::size_t>(K > 0 ? K : task.k)), images_(task.images), function_(D(), task, facet.beyond) {}
+  Ratios(const SearchTask& task, std::size_t first, const SoughtFacet& facet)
+      : k_(static_cast<std::size_t>(K > 0 ? K : task.k)),
+        images_(task.images + first * block * (k_ + 1)),
+        heights_(task.heights),
+        facet_(facet),
+        task_(task),
+        function_(D(), task, facet.beyond) {}
 
-  /// Of the vertices of a block, or part of one.
-  HWY_INLINE V at(std::size_t b, std::size_t lane, const float* heights) const {
-    const V value = function_.values(images_ + b * block * (k_ + 1) + lane);
-    const V ratio = hn::Mul(hn::Load(D(), heights + lane), hn::ApproximateReciprocal(value));
-    return hn::IfThenElse(hn::Gt(value, hn::Zero(D())), ratio, hn::Set(D(), out_of_reach));
+  /// At the vertices of some blocks of the tile or, from a lane on, at some of each.
+  HWY_INLINE void ratios(std::size_t start, std::size_t lane, hn::Vec<D> (&ratios)[together]) const {
+    hn::Vec<D> values[together];
+    function_.values(images_ + start * block * (k_ + 1) + lane, values);
+#pragma GCC unroll 8
+    for (std::size_t b = 0; b < together; ++b) {
+      const auto ratio = hn::Div(hn::Load(D(), heights_ + (start + b) * block + lane), values[b]);
+      ratios[b] = hn::IfThenElse(hn::Gt(values[b], hn::Zero(D())), ratio, hn::Set(D(), out_of_reach));
+    }
+  }
+  /// The keys of the ratios. REQUIRES that no height is less than least_height: then no more than largest_key is out of reach.
+  HWY_INLINE void keys(std::size_t start, std::size_t lane, hn::Vec<DI> (&keys)[together]) const {
+    hn::Vec<D> values[together];
+    function_.values(images_ + start * block * (k_ + 1) + lane, values);
+#pragma GCC unroll 8
+    for (std::size_t b = 0; b < together; ++b) {
+      const auto height = hn::BitCast(DI(), hn::Load(D(), heights_ + (start + b) * block + lane));
+      keys[b] = hn::Sub(height, hn::Max(hn::BitCast(DI(), values[b]), hn::Zero(DI())));
+    }
+  }
+  /// The ratio at one vertex of the tile.
+  float ratio(std::size_t vertex) const {
+    const hn::CappedTag<float, 1> d;  // rounded like the others
+    hn::Vec<decltype(d)> value[1];
+    const InLanes<0, decltype(d)> function(d, task_, facet_.beyond);
+    function.values(images_ + vertex / block * block * (k_ + 1) + vertex % block, value);
+    return hn::GetLane(value[0]) > 0 ? heights_[vertex] / hn::GetLane(value[0]) : out_of_reach;
   }
 
  private:
   std::size_t k_;
   const float* images_;
+  const float* heights_;
+  const SoughtFacet& facet_;
+  const SearchTask& task_;
   InLanes<K, D> function_;
 };
 
-/// Which of the lanes are at most the bound: a bit for each.
-HWY_INLINE std::uint64_t lanes_below(hn::Vec<hn::CappedTag<float, block>> x, float bound) {
-  const hn::CappedTag<float, block> d;
+/// A bit for each lane of a mask of as many as a block has at most.
+template <class D, class M>
+HWY_INLINE std::uint64_t bits_of(D d, M mask) {
   std::uint8_t bytes[8] = {};  // written in whole words
-  hn::StoreMaskBits(d, hn::Le(x, hn::Set(d, bound)), bytes);
+  hn::StoreMaskBits(d, mask, bytes);
   return hn::MaxLanes(d) > 8 ? bytes[0] | std::uint64_t{bytes[1]} << 8 : bytes[0];
 }
 
-/// Lists the vertices of a stretch whose ratios are at most the bound, as far as there is room, and counts them. heights: of
-/// the stretch. There is no branch that cannot be predicted if it is one vertex.
+/// Lists the vertices of a tile whose ratios are at most the bound, as far as there is room, and counts them.
 template <int K>
-HWY_INLINE void list_below(const Ratios<K>& ratios, std::size_t start, const float* heights, float bound,
-                           std::span<std::uint32_t> list, std::size_t& count) {
-  std::uint64_t below = 0;
-  static_assert(stretch_blocks * block == 64);
-  for (std::size_t i = 0; i < 64; i += hn::Lanes(typename Ratios<K>::D()))
-    below |= lanes_below(ratios.at(start + i / block, i % block, heights + i / block * block), bound) << i;
-  for (; below != 0; below &= below - 1, ++count)
-    if (count < list.size())
-      list[count] = static_cast<std::uint32_t>(start * block) + static_cast<std::uint32_t>(std::countr_zero(below));
+void list_up_to(const Ratios<K>& ratios, std::size_t first, std::size_t end, float bound, std::span<std::uint32_t> list,
+                std::size_t& count) {
+  const typename Ratios<K>::D d;
+  for (std::size_t start = first; start < end; start += together) {
+    std::uint64_t listed[together] = {};
+    for (std::size_t lane = 0; lane < block; lane += hn::Lanes(d)) {
+      hn::Vec<decltype(d)> of_blocks[together];
+      ratios.ratios(start - first, lane, of_blocks);
+      for (std::size_t b = 0; b < together; ++b) listed[b] |= bits_of(d, hn::Le(of_blocks[b], hn::Set(d, bound))) << lane;
+    }
+    for (std::size_t b = 0; b < together; ++b)
+      for (; listed[b] != 0; listed[b] &= listed[b] - 1, ++count)
+        if (count < list.size())
+          list[count] =
+              static_cast<std::uint32_t>((start + b) * block) + static_cast<std::uint32_t>(std::countr_zero(listed[b]));
+  }
 }
 
-/// Brings the least ratio of a facet up to date, and lists the vertices of a tile that may have it.
+/// The same for those that may have the least ratio, of which `least` is known not to be less.
+template <int K>
+void list_least(const Ratios<K>& ratios, std::size_t first, std::size_t end, float least, SoughtFacet& facet) {
+  facet.least = std::min(facet.least, least);
+  const float bound = std::min(bound_of(facet.least), largest_ratio);
+  list_up_to<K>(ratios, first, end, bound, facet.listed, facet.num_listed);
+  facet.listed_up_to = std::min(facet.listed_up_to, bound);
+}
+
+/// Lists the vertices of a tile that may have the least ratio.
 template <int K>
 void search_tile(const SearchTask& task, std::size_t first, std::size_t end, SoughtFacet& facet) {
   const typename Ratios<K>::D d;
-  using V = typename Ratios<K>::V;
-  const Ratios<K> ratios(task, facet);
-  const float* HWY_RESTRICT heights = task.heights;
-  HWY_ALIGN float minima[tile_blocks / stretch_blocks * block];
-  V least = hn::Set(d, out_of_reach);
-  for (std::size_t start = first; start < end; start += stretch_blocks)
+  const Ratios<K> ratios(task, first, facet);
+  auto least = hn::Set(d, out_of_reach);
+  for (std::size_t start = 0; start < end - first; start += together)
     for (std::size_t lane = 0; lane < block; lane += hn::Lanes(d)) {
-      V least_of_stretch = hn::Set(d, out_of_reach);
-#pragma GCC unroll 4
-      for (std::size_t b = start; b < start + stretch_blocks; ++b)
-        least_of_stretch = hn::Min(least_of_stretch, ratios.at(b, lane, heights + (b - first) * block));
-      hn::Store(least_of_stretch, d, minima + (start - first) / stretch_blocks * block + lane);
-      least = hn::Min(least, least_of_stretch);
+      hn::Vec<decltype(d)> of_blocks[together];
+      ratios.ratios(start, lane, of_blocks);
+      for (const auto& of_block : of_blocks) least = hn::Min(of_block, least);
     }
-  const float least_of_tile = hn::GetLane(hn::MinOfLanes(d, least));
-  facet.least = std::min(facet.least, least_of_tile);
-  const float bound = std::min(bound_of(facet.least), largest_ratio);
-  if (!(least_of_tile <= bound)) return;
-  std::uint64_t stretches = 0;  // that have vertices to be listed
-  static_assert(tile_blocks / stretch_blocks <= 64);
-  for (std::size_t i = 0; i < (end - first) / stretch_blocks; ++i) {
-    auto lowest = hn::Load(d, minima + i * block);
-    for (std::size_t lane = hn::Lanes(d); lane < block; lane += hn::Lanes(d))
-      lowest = hn::Min(lowest, hn::Load(d, minima + i * block + lane));
-    stretches |= std::uint64_t{!hn::AllFalse(d, hn::Le(lowest, hn::Set(d, bound)))} << i;
+  list_least<K>(ratios, first, end, hn::GetLane(hn::MinOfLanes(d, least)), facet);
+}
+
+/// The same by keys. There is no branch that cannot be predicted if it is one vertex.
+template <int K>
+void search_tile_by_keys(const SearchTask& task, std::size_t first, std::size_t end, SoughtFacet& facet) {
+  const typename Ratios<K>::DI d;
+  using V = hn::Vec<decltype(d)>;
+  const Ratios<K> ratios(task, first, facet);
+  const std::size_t parts = block / hn::Lanes(d);                                  // of a block
+  V least = hn::Set(d, std::numeric_limits<std::int32_t>::max()), second = least;  // of each lane
+  const V next_block = hn::Set(d, static_cast<std::int32_t>(parts)), key_mask = hn::Set(d, ~place_mask);
+  for (std::size_t start = 0; start < end - first; start += together)
+    for (std::size_t part = 0; part < parts; ++part) {
+      V of_blocks[together];
+      ratios.keys(start, part * hn::Lanes(d), of_blocks);
+      V place = hn::Set(d, static_cast<std::int32_t>(start * parts + part));  // in parts of blocks
+#pragma GCC unroll 8
+      for (const V& of_block : of_blocks) {
+        const V key = hn::OrAnd(place, of_block, key_mask);
+        second = hn::Min(second, hn::Max(least, key));
+        least = hn::Min(least, key);
+        place = hn::Add(place, next_block);
+      }
+    }
+  const std::int32_t bound = std::min({hn::GetLane(hn::MinOfLanes(d, least)) + doubt, key_above(facet.least), largest_key});
+  const auto lanes_up_to_bound = [&](V keys) { return bits_of(d, hn::Lt(keys, hn::Set(d, bound + 1))); };
+  std::uint64_t lanes = lanes_up_to_bound(least);
+  HWY_ALIGN std::int32_t least_of_lanes[block];
+  hn::Store(least, d, least_of_lanes);
+  const auto met_in = [&](std::uint64_t bits) {  // the vertex of the tile, in the first of these lanes
+    const auto lane = static_cast<std::size_t>(std::countr_zero(bits));
+    return static_cast<std::size_t>(least_of_lanes[lane] & place_mask) * hn::Lanes(d) + lane;
+  };
+  constexpr int few = 3;
+  if (lanes_up_to_bound(second) != 0 || std::popcount(lanes) > few) [[unlikely]] {
+    float least_ratio = out_of_reach;
+    for (; lanes != 0; lanes &= lanes - 1) least_ratio = std::min(least_ratio, ratios.ratio(met_in(lanes)));
+    return list_least<K>(ratios, first, end, least_ratio, facet);
   }
-  for (; stretches != 0; stretches &= stretches - 1) {
-    const auto start = static_cast<std::size_t>(std::countr_zero(stretches)) * stretch_blocks;
-    list_below<K>(ratios, first + start, heights + start * block, bound, facet.listed, facet.num_listed);
-  }
+  for (; lanes != 0; lanes &= lanes - 1, ++facet.num_listed)
+    if (facet.num_listed < facet.listed.size())
+      facet.listed[facet.num_listed] = static_cast<std::uint32_t>(first * block + met_in(lanes));
+  facet.listed_up_to = std::min(facet.listed_up_to, ratio_below(bound));
+  facet.least = std::min(facet.least, bound_of(facet.listed_up_to));
 }
 
 template <int K>
 void search_tiles(const SearchTask& task) {
-  for (std::size_t first = 0; first < task.num_blocks; first += tile_blocks) {
-    const std::size_t end = std::min(first + tile_blocks, task.num_blocks);
+  for (std::size_t first = 0; first < task.num_blocks; first += task.tile_blocks) {
+    const std::size_t end = std::min(first + task.tile_blocks, task.num_blocks);
     std::size_t facet = 0;
     for (std::size_t cell = 0; cell < task.cells.size(); ++cell) {
-      write_heights<K>(task, first, end, cell, task.heights);
+      const auto search = write_heights<K>(task, first, end, cell) ? search_tile_by_keys<K> : search_tile<K>;
       for (; facet < task.facets.size() && task.facets[facet].cell == cell; ++facet)
-        search_tile<K>(task, first, end, task.facets[facet]);
+        search(task, first, end, task.facets[facet]);
     }
   }
 }
@@ -218,13 +337,11 @@ void search_tiles(const SearchTask& task) {
 /// Lists all vertices whose ratio is at most the bound; returns how many there are.
 template <int K>
 std::size_t list_all(const SearchTask& task, const SoughtFacet& facet, float bound, std::span<std::uint32_t> list) {
-  const Ratios<K> ratios(task, facet);
   std::size_t count = 0;
-  for (std::size_t first = 0; first < task.num_blocks; first += tile_blocks) {
-    const std::size_t end = std::min(first + tile_blocks, task.num_blocks);
-    write_heights<K>(task, first, end, facet.cell, task.heights);
-    for (std::size_t start = first; start < end; start += stretch_blocks)
-      list_below<K>(ratios, start, task.heights + (start - first) * block, bound, list, count);
+  for (std::size_t first = 0; first < task.num_blocks; first += task.tile_blocks) {
+    const std::size_t end = std::min(first + task.tile_blocks, task.num_blocks);
+    write_heights<K>(task, first, end, facet.cell);
+    list_up_to<K>(Ratios<K>(task, first, facet), first, end, bound, list, count);
   }
   return count;
 }
@@ -259,17 +376,31 @@ namespace delone::geometry {
 HWY_EXPORT(search_here);
 HWY_EXPORT(list_here);
 
+namespace {
+
+/// As many as fit the first-level cache, with the heights of a cell.
+std::size_t blocks_of_a_tile() {
+#ifdef _SC_LEVEL1_DCACHE_SIZE
+  static const bool is_large = sysconf(_SC_LEVEL1_DCACHE_SIZE) >= 48 << 10;
+  if (is_large) return most_tile_blocks;
+#endif
+  return most_tile_blocks / 2;
+}
+
+}  // namespace
+
 FacetSearch::FacetSearch(int k, const double* rows, Index num_vertices, Arbiter arbiter)
     : k_(k),
       rows_(rows),
       num_vertices_(num_vertices),
-      num_blocks_((num_vertices + block * stretch_blocks - 1) / (block * stretch_blocks) * stretch_blocks),
+      num_blocks_((num_vertices + block * most_together - 1) / (block * most_together) * most_together),
       arbiter_(std::move(arbiter)) {
   const auto width = static_cast<std::size_t>(k) + 1;
-  storage_.resize(num_blocks_ * block * width + tile_blocks * block + cache_line_of<float>);
+  images_.resize(num_blocks_ * block * width + cache_line_of<float>);
+  heights_.resize(most_tile_blocks * block + cache_line_of<float>);
   scratch_.resize(simplex_scratch(k) + cache_line_of<double>);
   list_.resize(num_blocks_ * block);
-  float* const images = at_cache_line(storage_.data());
+  float* const images = at_cache_line(images_.data());
   for (std::size_t b = 0; b < num_blocks_; ++b)
     for (std::size_t lane = 0; lane < block; ++lane) {
       const std::size_t v = b * block + lane + 1;
@@ -354,8 +485,7 @@ bool FacetSearch::find_apexes(std::span<const OpenCell> cells, Index* apexes) {
   std::transform(cells.begin(), cells.end(), simplices.begin(), [](const OpenCell& cell) { return cell.vertices; });
   solve_simplices({k_, {simplices.data(), cells.size()}, rows_, functions});
 
-  float* const images = at_cache_line(storage_.data());
-  float* const heights = images + num_blocks_ * block * width;
+  float* const images = at_cache_line(images_.data());
   const std::size_t most_facets = batch_size * width;
   std::array<Scale, batch_size> scales;
   functions_.resize((batch_size + most_facets) * width);
@@ -389,10 +519,12 @@ bool FacetSearch::find_apexes(std::span<const OpenCell> cells, Index* apexes) {
       facet.slot = slot;
       facet.beyond = beyond;
       facet.least = out_of_reach;
+      facet.listed_up_to = largest_ratio;
       facet.num_listed = 0;
     }
   }
-  const SearchTask task{k_, num_blocks_, images, heights, cells, height_functions, facets};
+  const SearchTask task{k_,    num_blocks_,      images, blocks_of_a_tile(), at_cache_line(heights_.data()),
+                        cells, height_functions, facets};
   HWY_DYNAMIC_DISPATCH(search_here)(task);
 
   for (const SoughtFacet& facet : facets) {
@@ -408,8 +540,8 @@ std::optional<Index> FacetSearch::settle(const SearchTask& task, const SoughtFac
                                          const Scale& scale) {
   const auto k = static_cast<std::size_t>(k_), width = k + 1;
   ++num_settled_;
-  if (facet.least > largest_ratio) return index(infinite_vertex);
-  if (!std::isfinite(facet.least)) return std::nullopt;  // the cell is too flat for binary32
+  if (!(scale.spread < largest_spread && scale.height < largest_spread)) return std::nullopt;
+  if (facet.num_listed == 0) return index(infinite_vertex);
   const auto coefficient = [&](std::size_t f, std::size_t r) { return lane_entry(functions, f * width + r, facet.cell); };
   // Barycentric coordinates magnify rounding errors at the vertices.
   const double unit = 8 * 0x1p-53 * scale.spread;
@@ -417,7 +549,7 @@ std::optional<Index> FacetSearch::settle(const SearchTask& task, const SoughtFac
   constexpr double infinity = std::numeric_limits<double>::infinity();
   Candidate best;
   bool is_listed = facet.num_listed <= facet.listed.size();
-  for (float bound = bound_of(facet.least);; is_listed = false) {
+  for (float bound = facet.listed_up_to;; is_listed = false) {
     const std::size_t num_listed =
         is_listed ? facet.num_listed : HWY_DYNAMIC_DISPATCH(list_here)(task, facet, bound, {list_.data(), list_.size()});
     const std::uint32_t* const listed = is_listed ? facet.listed.data() : list_.data();
@@ -438,10 +570,8 @@ std::optional<Index> FacetSearch::settle(const SearchTask& task, const SoughtFac
       if (candidates_.back().high < best.high) best = candidates_.back();
     }
     // Whatever has a lesser ratio than the best is in the list if the bound is clear of that.
-    const double needed = best.high + coarseness * std::fabs(best.high);
-    if (needed <= bound || bound >= largest_ratio) break;
-    bound = std::nextafter(static_cast<float>(std::min<double>(needed + coarseness * std::fabs(needed), largest_ratio)),
-                           largest_ratio);
+    if (best.high <= bound || bound >= largest_ratio) break;
+    bound = static_cast<float>(std::min<double>(bound_of(static_cast<float>(best.high)), largest_ratio));
   }
   std::erase_if(candidates_, [&](const Candidate& c) { return c.low > best.high; });
   if (candidates_.size() <= 1 && best.high < infinity) return best.vertex;

@@ -26,7 +26,8 @@ struct SoughtFacet {
   std::size_t cell;  ///< in the batch
   std::size_t slot;
   Affine beyond;                        ///< positive beyond the facet
-  float least;                          ///< ratio
+  float least;                          ///< ratio, or more
+  float listed_up_to;                   ///< all vertices with at most this ratio are
   std::size_t num_listed;               ///< vertices whose ratio may be the least
   std::array<std::uint32_t, 6> listed;  ///< their numbers, if they are not more
 };
@@ -73,7 +74,8 @@ class FacetSearch {
   Index num_vertices_;
   std::size_t num_blocks_;
   double largest_lift_ = 0;
-  std::vector<float> storage_;       // images and lifts of the vertices; heights of a tile
+  std::vector<float> images_;        // and lifts of the vertices
+  std::vector<float> heights_;       // of a tile
   std::vector<float> functions_;     // of a batch
   std::vector<SoughtFacet> facets_;  // of a batch
   std::vector<double> scratch_;      // of simplices

@@ -3,6 +3,8 @@
 // docs/predicates.md, "Simplices in lanes".
 #include "geometry/simplex_kernel.hpp"
 
+#include "geometry/pair.hpp"
+
 #include <algorithm>
 #include <cmath>
 
@@ -50,16 +52,27 @@ namespace delone::geometry {
 namespace HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
 
-/// Writes the images of the vertices, one simplex per lane.
+/// Writes the images of the vertices, one simplex per lane, those of two simplices at a time.
 template <int K>
 void gather(const SimplexTask& task, const SimplexArrays& arrays) {
-  const std::size_t width = K > 0 ? K + 1 : arrays.width;
+  const std::size_t width = K > 0 ? K + 1 : arrays.width, last = task.simplices.size() - 1;
   double* HWY_RESTRICT images = arrays.images;
-  for (std::size_t lane = 0; lane < simplex_lanes; ++lane) {
-    const Index* const vertices = task.simplices[std::min(lane, task.simplices.size() - 1)];
+  static_assert(simplex_lanes % 2 == 0);
+  for (std::size_t lane = 0; lane < simplex_lanes; lane += 2) {
+    const Index* const one = task.simplices[std::min(lane, last)];
+    const Index* const two = task.simplices[std::min(lane + 1, last)];
     for (std::size_t i = 0; i < width; ++i) {
-      const double* const row = task.rows + vertices[i] * width;
-      for (std::size_t r = 0; r < width; ++r) lane_entry(images, i * width + r, lane) = row[r];
+      const double* const of_one = task.rows + one[i] * width;
+      const double* const of_two = task.rows + two[i] * width;
+      const auto put = [&](std::size_t r, double from_one, double from_two) {
+        store_pair(&lane_entry(images, i * width + r, lane), Pair{from_one, from_two});
+      };
+      for (std::size_t r = 0; r + 1 < width; r += 2) {
+        const Pair a = load_pair(of_one + r), b = load_pair(of_two + r);
+        put(r, a[0], b[0]);
+        put(r + 1, a[1], b[1]);
+      }
+      if (width % 2 == 1) put(width - 1, of_one[width - 1], of_two[width - 1]);
     }
   }
 }
