@@ -50,7 +50,8 @@ inline float bound_of(float least) { return least + 0x1p-6f * std::fabs(least); 
 
 /// Where all heights are larger, ratios are compared by their keys, the bits of a height less those of a value. Bits of a
 /// positive number in binary32 are its logarithm, but for a constant: too small by at most logarithm_error, in units of which
-/// there are an octave in a factor of two.
+/// there are an octave in a factor of two (log2(1 + m) − m is largest at m = 1/ln 2 − 1; Mitchell, Computer multiplication and
+/// division using binary logarithms, 1962, doi:10.1109/TEC.1962.5219391).
 constexpr float least_height = 0x1p-40f;
 constexpr std::int32_t octave = 1 << 23, logarithm_error = 722'100;  // 0.0860714 octaves
 /// The lowest bits of keys are replaced by the place in the tile.
@@ -58,7 +59,8 @@ constexpr std::int32_t place_mask = most_tile_blocks * block - 1;
 /// Keys of vertices that may have the least ratio are no more than that above the least key: ratio_below() is not less than
 /// that ratio then.
 constexpr std::int32_t doubt = 2 * (logarithm_error + place_mask);
-/// Keys of vertices beyond the facet are less.
+/// Keys of vertices beyond the facet are less. Those of others are not: bits of heights are at least 87 octaves, of infinity
+/// 255, those of values at most 167.
 constexpr std::int32_t largest_key = 80 * octave;
 /// No ratio with a larger key is less than that.
 inline float ratio_below(std::int32_t key) {
@@ -197,7 +199,8 @@ class Ratios {
       ratios[b] = hn::IfThenElse(hn::Gt(values[b], hn::Zero(D())), ratio, hn::Set(D(), out_of_reach));
     }
   }
-  /// The keys of the ratios. REQUIRES that no height is less than least_height: then no more than largest_key is out of reach.
+  /// The keys of the ratios; more than largest_key where these are out of reach. REQUIRES that all heights are more than
+  /// least_height.
   HWY_INLINE void keys(std::size_t start, std::size_t lane, hn::Vec<DI> (&keys)[together]) const {
     hn::Vec<D> values[together];
     function_.values(images_ + start * block * (k_ + 1) + lane, values);
@@ -571,7 +574,8 @@ std::optional<Index> FacetSearch::settle(const SearchTask& task, const SoughtFac
     }
     // Whatever has a lesser ratio than the best is in the list if the bound is clear of that.
     if (best.high <= bound || bound >= largest_ratio) break;
-    bound = static_cast<float>(std::min<double>(bound_of(static_cast<float>(best.high)), largest_ratio));
+    const auto high = static_cast<float>(std::min<double>(best.high, largest_ratio));
+    bound = std::nextafter(bound_of(high), out_of_reach);  // larger than before, however small it is
   }
   std::erase_if(candidates_, [&](const Candidate& c) { return c.low > best.high; });
   if (candidates_.size() <= 1 && best.high < infinity) return best.vertex;
