@@ -13,7 +13,7 @@
 
 #include "kernel/hull_stages.hpp"
 #include "kernel/stages.hpp"
-#include "random.hpp"
+#include "base/random.hpp"
 
 #include <delone/point_sets.hpp>
 

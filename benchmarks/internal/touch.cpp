@@ -11,7 +11,7 @@
 #include "clocks.hpp"
 #include "engine_run.hpp"
 
-#include "growable_array.hpp"
+#include "base/growable_array.hpp"
 
 #include <delone/point_sets.hpp>
 

@@ -3,7 +3,7 @@
 // Neighbor i is across the facet opposite vertex i. Cells are coherently oriented.
 #pragma once
 
-#include "cell_memory.hpp"
+#include "cells/cell_memory.hpp"
 #include "engine/link_kernel.hpp"
 
 #include <delone/complex.hpp>

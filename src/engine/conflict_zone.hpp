@@ -4,8 +4,8 @@
 #pragma once
 
 #include "engine/conflict.hpp"
-#include "growable_array.hpp"
-#include "horizon_facet.hpp"
+#include "base/growable_array.hpp"
+#include "cells/horizon_facet.hpp"
 
 #include <algorithm>
 #include <bit>

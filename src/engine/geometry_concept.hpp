@@ -2,8 +2,8 @@
 // All that the engine asks of geometry. The engine knows vertices and cells by index; geometry knows coordinates.
 #pragma once
 
-#include "horizon_facet.hpp"
-#include "stage_counts.hpp"
+#include "cells/horizon_facet.hpp"
+#include "base/stage_counts.hpp"
 
 #include <delone/types.hpp>
 

@@ -3,8 +3,8 @@
 // sets, of which the best that the machine has is chosen at run time.
 #pragma once
 
-#include "cell_memory.hpp"
-#include "horizon_facet.hpp"
+#include "cells/cell_memory.hpp"
+#include "cells/horizon_facet.hpp"
 
 #include <delone/types.hpp>
 

@@ -13,8 +13,8 @@
 
 #include "engine/cell_store.hpp"
 #include "engine/link_kernel.hpp"
-#include "growable_array.hpp"
-#include "horizon_facet.hpp"
+#include "base/growable_array.hpp"
+#include "cells/horizon_facet.hpp"
 
 #include <algorithm>
 #include <array>

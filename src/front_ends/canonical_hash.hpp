@@ -3,7 +3,7 @@
 // on neither their order nor the order of the vertices in a cell. Both the plain data and the engine's complex feed it.
 #pragma once
 
-#include "random.hpp"
+#include "base/random.hpp"
 
 #include <delone/complex.hpp>
 

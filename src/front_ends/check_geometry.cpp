@@ -20,7 +20,7 @@
 // outside the sphere.
 #include "front_ends/check_stages.hpp"
 #include "kernel/predicates.hpp"
-#include "random.hpp"
+#include "base/random.hpp"
 
 #include <fmt/format.h>
 

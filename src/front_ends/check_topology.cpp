@@ -2,7 +2,7 @@
 // Levels 2 and 3 of check(): the cells with the infinite cells added form a closed pseudomanifold, oriented, connected, with
 // connected stars, and with the Euler characteristic of a sphere. No coordinate is looked at.
 #include "front_ends/check_stages.hpp"
-#include "random.hpp"
+#include "base/random.hpp"
 
 #include <delone/error.hpp>
 

@@ -4,7 +4,7 @@
 #pragma once
 
 #include "front_ends/convex_hull_builder.hpp"
-#include "front_ends/progress_meter.hpp"
+#include "base/progress_meter.hpp"
 #include "front_ends/simplicial_hull.hpp"
 #include "front_ends/site_table.hpp"
 #include "kernel/predicates.hpp"

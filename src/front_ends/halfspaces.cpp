@@ -4,7 +4,7 @@
 #include "front_ends/halfspace_arrays.hpp"
 #include "front_ends/halfspace_interior.hpp"
 #include "front_ends/point_rows.hpp"
-#include "front_ends/progress_meter.hpp"
+#include "base/progress_meter.hpp"
 #include "kernel/predicates.hpp"
 #include "order/insertion_order.hpp"
 

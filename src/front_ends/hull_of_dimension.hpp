@@ -4,14 +4,14 @@
 
 #include "engine/build.hpp"
 #include "engine/dimension_jump.hpp"
-#include "engine/prove.hpp"
+#include "engine/wrap/proof.hpp"
 #include "engine/seed.hpp"
-#include "engine/wrap.hpp"
+#include "engine/wrap/wrapping.hpp"
 #include "front_ends/hull.hpp"
 #include "front_ends/hull_queries.hpp"
 #include "front_ends/point_in_one_cell.hpp"
 #include "geometry/delaunay_geometry.hpp"
-#include "geometry/facet_search.hpp"
+#include "geometry/facet_search/facet_search.hpp"
 
 #include <delone/error.hpp>
 

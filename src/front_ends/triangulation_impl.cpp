@@ -4,8 +4,8 @@
 
 #include "front_ends/compact_hull.hpp"
 #include "front_ends/point_rows.hpp"
-#include "front_ends/progress_meter.hpp"
-#include "growable_array.hpp"
+#include "base/progress_meter.hpp"
+#include "base/growable_array.hpp"
 
 #include <algorithm>
 #include <chrono>

@@ -14,7 +14,7 @@
 // Knows images and lifts; neither vertices nor exact arithmetic. Proofs: docs/predicates.md, "The filter" and "The pencil".
 #pragma once
 
-#include "cell_memory.hpp"
+#include "cells/cell_memory.hpp"
 #include "geometry/certificate.hpp"
 #include "geometry/frame.hpp"
 #include "geometry/lattice.hpp"
@@ -23,7 +23,7 @@
 #include "geometry/simplex_kernel.hpp"
 #include "geometry/star_kernel.hpp"
 #include "geometry/vertex_rows.hpp"
-#include "horizon_facet.hpp"
+#include "cells/horizon_facet.hpp"
 #include "kernel/buffer.hpp"
 
 #include <delone/types.hpp>

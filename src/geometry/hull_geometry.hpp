@@ -7,7 +7,7 @@
 // between them are what a walk crosses.
 #pragma once
 
-#include "cell_memory.hpp"
+#include "cells/cell_memory.hpp"
 #include "geometry/functionals.hpp"
 #include "geometry/lattice.hpp"
 #include "kernel/hull_stages.hpp"

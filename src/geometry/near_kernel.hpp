@@ -4,7 +4,7 @@
 // only; of flat cells, as among points of a surface, they say too little near the cell, where nearly all queries are.
 #pragma once
 
-#include "cell_memory.hpp"
+#include "cells/cell_memory.hpp"
 #include "geometry/vertex_rows.hpp"
 
 #include <delone/types.hpp>

@@ -3,9 +3,9 @@
 // which the best that the machine has is chosen at run time.
 #pragma once
 
-#include "cell_memory.hpp"
+#include "cells/cell_memory.hpp"
 #include "geometry/vertex_rows.hpp"
-#include "horizon_facet.hpp"
+#include "cells/horizon_facet.hpp"
 
 #include <delone/types.hpp>
 

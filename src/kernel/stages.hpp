@@ -7,7 +7,7 @@
 #include "kernel/exact.hpp"
 #include "kernel/flat.hpp"
 #include "kernel/grid.hpp"
-#include "stage_counts.hpp"
+#include "base/stage_counts.hpp"
 
 #include <algorithm>
 #include <cstddef>

@@ -2,7 +2,7 @@
 // Random rounds: a random permutation is cut into rounds of growing size, each sorted along the Hilbert curve.
 #include "order/insertion_order.hpp"
 
-#include "random.hpp"
+#include "base/random.hpp"
 
 #include <algorithm>
 #include <bit>

@@ -3,7 +3,7 @@
 // (docs/decisions/0008-points-are-inserted-farthest-first.md).
 #include "order/farthest_first.hpp"
 #include "order/insertion_order.hpp"
-#include "random.hpp"
+#include "base/random.hpp"
 
 #include <algorithm>
 #include <numeric>

@@ -3,7 +3,7 @@
 // logarithm, no sine of a mathematics library, whose last bits differ from platform to platform.
 #pragma once
 
-#include "random.hpp"
+#include "base/random.hpp"
 
 #include <span>
 

@@ -2,7 +2,7 @@
 // The makers behind the names of make_point_set(): n points of R^d each, row-major. REQUIRES d ≥ 1 and n·d representable.
 #pragma once
 
-#include "random.hpp"
+#include "base/random.hpp"
 
 #include <cstddef>
 #include <vector>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The arrays of cells: slots are reused, memory grows without losing entries, and ids never wrap.
 #include "engine/cell_store.hpp"
-#include "growable_array.hpp"
+#include "base/growable_array.hpp"
 
 #include <gtest/gtest.h>
 

@@ -6,7 +6,7 @@
 #include "engine/seed.hpp"
 #include "geometry/delaunay_geometry.hpp"
 #include "kernel/predicates.hpp"
-#include "random.hpp"
+#include "base/random.hpp"
 #include "scale.hpp"
 
 #include <gtest/gtest.h>

@@ -3,9 +3,9 @@
 // be, with errors at the vertices of such signs that they add up at a query.
 #include "geometry/near_kernel.hpp"
 
-#include "cell_memory.hpp"
+#include "cells/cell_memory.hpp"
 #include "geometry/certificate.hpp"
-#include "random.hpp"
+#include "base/random.hpp"
 #include "scale.hpp"
 
 #include <gtest/gtest.h>

@@ -8,7 +8,7 @@
 #include "geometry/delaunay_geometry.hpp"
 #include "geometry/hull_geometry.hpp"
 #include "kernel/predicates.hpp"
-#include "random.hpp"
+#include "base/random.hpp"
 #include "scale.hpp"
 
 #include <delone/types.hpp>

@@ -5,7 +5,7 @@
 
 #include "brute_force.hpp"
 #include "geometry/functionals.hpp"
-#include "random.hpp"
+#include "base/random.hpp"
 #include "scale.hpp"
 
 #include <gtest/gtest.h>

@@ -3,7 +3,7 @@
 #include "geometry/vertex_rows.hpp"
 
 #include "geometry/frame.hpp"
-#include "random.hpp"
+#include "base/random.hpp"
 #include "scale.hpp"
 
 #include <gtest/gtest.h>

@@ -3,7 +3,7 @@
 #include "kernel/determinant.hpp"
 
 #include "brute_force.hpp"
-#include "random.hpp"
+#include "base/random.hpp"
 #include "scale.hpp"
 
 #include <gtest/gtest.h>

@@ -7,7 +7,7 @@
 #include "kernel/direct.hpp"
 #include "kernel/double_double_stage.hpp"
 #include "kernel/exact.hpp"
-#include "random.hpp"
+#include "base/random.hpp"
 #include "row_case.hpp"
 #include "scale.hpp"
 

@@ -4,7 +4,7 @@
 #include "kernel/hull_stages.hpp"
 
 #include "kernel/predicates.hpp"
-#include "random.hpp"
+#include "base/random.hpp"
 #include "row_case.hpp"
 #include "scale.hpp"
 

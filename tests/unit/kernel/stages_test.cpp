@@ -4,7 +4,7 @@
 
 #include "brute_force.hpp"
 #include "kernel/predicates.hpp"
-#include "random.hpp"
+#include "base/random.hpp"
 #include "scale.hpp"
 
 #include <delone/error.hpp>

@@ -3,7 +3,7 @@
 #include "kernel/tie_kernel.hpp"
 
 #include "kernel/stages.hpp"
-#include "random.hpp"
+#include "base/random.hpp"
 #include "scale.hpp"
 
 #include <gtest/gtest.h>

@@ -3,7 +3,7 @@
 // the perturbation against infinitesimals that are carried out as numbers.
 #include "kernel/predicates.hpp"
 #include "kernel/stages.hpp"
-#include "random.hpp"
+#include "base/random.hpp"
 #include "row_case.hpp"
 #include "scale.hpp"
 

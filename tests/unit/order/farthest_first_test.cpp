@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Farthest points first: what is chosen by vectors is what is chosen one by one.
 #include "order/farthest_first.hpp"
-#include "random.hpp"
+#include "base/random.hpp"
 
 #include <gtest/gtest.h>
 

@@ -2,7 +2,7 @@
 // The Hilbert order: a true Hilbert curve on full grids, a permutation always, blind to scale and offset.
 #include "order/insertion_order.hpp"
 
-#include "random.hpp"
+#include "base/random.hpp"
 
 #include <gtest/gtest.h>
 

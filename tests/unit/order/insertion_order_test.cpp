@@ -2,7 +2,7 @@
 // Random rounds and random permutations: permutations, determined by the seed, rounds sorted.
 #include "order/insertion_order.hpp"
 
-#include "random.hpp"
+#include "base/random.hpp"
 
 #include <gtest/gtest.h>
 

@@ -5,7 +5,7 @@
 //
 // In binary32 h is replaced by something that is hardly ever above it, −λ_i by something hardly ever below it, and their ratio
 // by the difference of their logarithms; vertices that may have the least t, mostly one, are computed again in binary64.
-#include "geometry/facet_search.hpp"
+#include "geometry/facet_search/facet_search.hpp"
 
 #include "geometry/cache_line.hpp"
 
@@ -22,7 +22,7 @@
 #endif
 
 #undef HWY_TARGET_INCLUDE
-#define HWY_TARGET_INCLUDE "geometry/facet_search.cpp"
+#define HWY_TARGET_INCLUDE "geometry/facet_search/facet_search.cpp"
 #include <hwy/foreach_target.h>
 // After foreach_target.h
 #include <hwy/highway.h>

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // What is found beyond facets, against every vertex in turn; and the search ends whatever cell it starts from.
-#include "geometry/facet_search.hpp"
+#include "geometry/facet_search/facet_search.hpp"
 
-#include "random.hpp"
+#include "base/random.hpp"
 #include "scale.hpp"
 
 #include <gtest/gtest.h>

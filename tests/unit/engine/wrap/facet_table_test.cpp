@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The table of open facets against a hash table of the standard library.
-#include "engine/facet_table.hpp"
+#include "engine/wrap/facet_table.hpp"
 
-#include "random.hpp"
+#include "base/random.hpp"
 #include "scale.hpp"
 
 #include <gtest/gtest.h>

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // What is beyond a facet: of all vertices there, the one whose sphere through the facet is the first. Every vertex is looked
-// at, many per instruction, in binary32; the few that are left in binary64. Not proved: see engine/prove.hpp.
+// at, many per instruction, in binary32; the few that are left in binary64. Not proved: see engine/wrap/proof.hpp.
 #pragma once
 
 #include "geometry/simplex_kernel.hpp"
-#include "open_cell.hpp"
+#include "cells/open_cell.hpp"
 
 #include <delone/types.hpp>
 

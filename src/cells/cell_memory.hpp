@@ -9,7 +9,7 @@
 // (docs/decisions/0010-short-ids-of-vertices.md).
 #pragma once
 
-#include "growable_array.hpp"
+#include "base/growable_array.hpp"
 
 #include <delone/types.hpp>
 

@@ -8,8 +8,8 @@
 #pragma once
 
 #include "engine/cell_store.hpp"
-#include "engine/facet_table.hpp"
-#include "open_cell.hpp"
+#include "engine/wrap/facet_table.hpp"
+#include "cells/open_cell.hpp"
 
 #include <algorithm>
 #include <array>

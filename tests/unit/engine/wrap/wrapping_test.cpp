@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Wrapping gives what insertions give, or nothing, and can be inserted into; and no wrong set of cells is proved.
-#include "engine/wrap.hpp"
+#include "engine/wrap/wrapping.hpp"
 
 #include "compare.hpp"
-#include "engine/prove.hpp"
+#include "engine/wrap/proof.hpp"
 #include "front_ends/dispatch.hpp"
 #include "front_ends/point_in_one_cell.hpp"
 #include "geometry/delaunay_geometry.hpp"
-#include "geometry/facet_search.hpp"
+#include "geometry/facet_search/facet_search.hpp"
 #include "kernel/predicates.hpp"
-#include "random.hpp"
+#include "base/random.hpp"
 #include "scale.hpp"
 
 #include <delone/delaunay.hpp>

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "engine/facet_table_kernel.hpp"
+#include "engine/wrap/facet_table_kernel.hpp"
 
 #undef HWY_TARGET_INCLUDE
-#define HWY_TARGET_INCLUDE "engine/facet_table_kernel.cpp"
+#define HWY_TARGET_INCLUDE "engine/wrap/facet_table_kernel.cpp"
 #include <hwy/foreach_target.h>
 // After foreach_target.h
 #include <hwy/highway.h>

@@ -3,8 +3,8 @@
 // and go in pairs.
 #pragma once
 
-#include "engine/facet_table_kernel.hpp"
-#include "growable_array.hpp"
+#include "engine/wrap/facet_table_kernel.hpp"
+#include "base/growable_array.hpp"
 
 #include <algorithm>
 #include <array>
