@@ -146,7 +146,7 @@ def self_test():
     ]
     right = [
         ("src/geometry/pencil.hpp", '"', "kernel/exact.hpp"),
-        ("src/front_ends/delaunay.cpp", '"', "engine/build.hpp"),
+        ("src/triangulation/delaunay.cpp", '"', "engine/build.hpp"),
         ("src/engine/build.hpp", "<", "vector"),
         ("cli/main.cpp", '"', "command.hpp"),
         ("tests/unit/order/rounds_test.cpp", '"', "order/insertion_order.hpp"),

@@ -7,7 +7,7 @@
 
 #include "engine/build.hpp"
 #include "engine/seed.hpp"
-#include "front_ends/hull.hpp"
+#include "compiled/triangulation_engine.hpp"
 #include "geometry/delaunay_geometry.hpp"
 #include "kernel/predicates.hpp"
 #include "order/insertion_order.hpp"

@@ -3,7 +3,7 @@
 // incidence and sphere (2, 3) are in check_topology.cpp, the exact geometry (4, 5) in check_geometry.cpp.
 #include <delone/check.hpp>
 
-#include "front_ends/canonical_hash.hpp"
+#include "complex/canonical_hash.hpp"
 #include "front_ends/check_stages.hpp"
 #include "kernel/predicates.hpp"
 

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Polytope: the public face of what convex_hull_state.hpp builds and convex_hull_analysis.hpp derives from it.
-#include "front_ends/canonical_hash.hpp"
+#include "complex/canonical_hash.hpp"
 #include "front_ends/convex_hull_analysis.hpp"
 #include "front_ends/convex_hull_state.hpp"
-#include "front_ends/point_rows.hpp"
+#include "triangulation/point_rows.hpp"
 
 #include <delone/convex_hull.hpp>
 

@@ -2,8 +2,8 @@
 // The boundary of a convex hull, site by site: a range of numbers in one dimension, a boundary of the engine's from two on.
 #pragma once
 
-#include "front_ends/hull_boundary.hpp"
-#include "front_ends/simplicial_hull.hpp"
+#include "compiled/hull_engine.hpp"
+#include "compiled/simplicial_hull.hpp"
 
 #include <cstdint>
 #include <memory>

@@ -4,7 +4,7 @@
 
 #include "front_ends/check_stages.hpp"
 #include "front_ends/hull_normal.hpp"
-#include "front_ends/simplicial_hull.hpp"
+#include "compiled/simplicial_hull.hpp"
 #include "kernel/predicates.hpp"
 
 #include <delone/convex_hull.hpp>

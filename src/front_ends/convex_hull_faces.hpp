@@ -4,7 +4,7 @@
 // extreme; only facets of several cells take any work.
 #pragma once
 
-#include "front_ends/simplicial_hull.hpp"
+#include "compiled/simplicial_hull.hpp"
 
 #include <cstddef>
 #include <span>

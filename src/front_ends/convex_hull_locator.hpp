@@ -4,7 +4,7 @@
 #pragma once
 
 #include "front_ends/convex_hull_builder.hpp"
-#include "front_ends/simplicial_hull.hpp"
+#include "compiled/simplicial_hull.hpp"
 
 #include <cstddef>
 #include <vector>

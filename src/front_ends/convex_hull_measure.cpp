@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "front_ends/convex_hull_measure.hpp"
 
-#include "front_ends/dispatch.hpp"
+#include "compiled/dispatch.hpp"
 #include "front_ends/hull_normal.hpp"
 
 #include <algorithm>

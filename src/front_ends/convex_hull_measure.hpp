@@ -2,7 +2,7 @@
 // Lengths, areas and volumes of simplices, hyperplanes of facets: binary64 with error bounds.
 #pragma once
 
-#include "front_ends/simplicial_hull.hpp"
+#include "compiled/simplicial_hull.hpp"
 
 #include <delone/convex_hull.hpp>
 

@@ -3,7 +3,7 @@
 // many inputs, which it shows to be interior points at the cost of a short walk each, before they are sorted.
 #pragma once
 
-#include "front_ends/simplicial_hull.hpp"
+#include "compiled/simplicial_hull.hpp"
 
 #include <delone/types.hpp>
 

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "front_ends/convex_hull_state.hpp"
 
-#include "front_ends/canonical_hash.hpp"
+#include "complex/canonical_hash.hpp"
 #include "front_ends/convex_hull_outermost.hpp"
-#include "front_ends/point_rows.hpp"
+#include "triangulation/point_rows.hpp"
 
 #include <algorithm>
 #include <chrono>

@@ -5,7 +5,7 @@
 
 #include "front_ends/convex_hull_builder.hpp"
 #include "base/progress_meter.hpp"
-#include "front_ends/simplicial_hull.hpp"
+#include "compiled/simplicial_hull.hpp"
 #include "front_ends/site_table.hpp"
 #include "kernel/predicates.hpp"
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "front_ends/halfspace_cone.hpp"
 
-#include "front_ends/dispatch.hpp"
+#include "compiled/dispatch.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -5,7 +5,7 @@
 // infinity.
 #pragma once
 
-#include "front_ends/halfspace_boundary.hpp"
+#include "compiled/halfspace_engine.hpp"
 #include "front_ends/halfspace_dual.hpp"
 
 #include <memory>

@@ -2,7 +2,7 @@
 // Interior points and dual points. A dual point is a quotient; it is kept as a pair of doubles, for the filter alone.
 #pragma once
 
-#include "front_ends/voronoi_exact.hpp"
+#include "kernel/fractions.hpp"
 
 #include <span>
 #include <vector>

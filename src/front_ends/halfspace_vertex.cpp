@@ -15,7 +15,7 @@
 #include "front_ends/halfspace_vertex.hpp"
 
 #include "front_ends/halfspace_dual.hpp"
-#include "front_ends/linear_bound.hpp"
+#include "kernel/linear_bound.hpp"
 #include "kernel/double_double.hpp"
 
 #include <algorithm>

@@ -2,7 +2,7 @@
 // From homogeneous rows to coordinates: the point where k hyperplanes meet, correctly rounded; directions, rounded.
 #pragma once
 
-#include "front_ends/voronoi_exact.hpp"
+#include "kernel/fractions.hpp"
 
 #include <cstddef>
 #include <span>

@@ -3,7 +3,7 @@
 // arrays.
 #include "front_ends/halfspace_arrays.hpp"
 #include "front_ends/halfspace_interior.hpp"
-#include "front_ends/point_rows.hpp"
+#include "triangulation/point_rows.hpp"
 #include "base/progress_meter.hpp"
 #include "kernel/predicates.hpp"
 #include "order/insertion_order.hpp"

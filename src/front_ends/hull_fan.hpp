@@ -7,7 +7,7 @@
 // which makes the boundary convex at all ridges and leaves the fan as it is.
 #pragma once
 
-#include "front_ends/simplicial_hull.hpp"
+#include "compiled/simplicial_hull.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -8,7 +8,7 @@
 // Elimination picks k−1 coordinates as pivots; with y ⊥ e_i and y = 1 at the coordinate p that is left, N = N_p·y.
 #pragma once
 
-#include "front_ends/simplicial_hull.hpp"
+#include "compiled/simplicial_hull.hpp"
 #include "kernel/buffer.hpp"
 #include "kernel/determinant.hpp"
 

@@ -2,7 +2,7 @@
 // Sites, vertices, regions and rays. Ridges are in voronoi_ridges.cpp.
 #include "front_ends/voronoi_builder.hpp"
 
-#include "front_ends/stored_points.hpp"
+#include "triangulation/stored_points.hpp"
 #include "front_ends/voronoi_center.hpp"
 #include "kernel/predicates.hpp"
 

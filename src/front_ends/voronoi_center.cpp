@@ -21,8 +21,8 @@
 // it.
 #include "front_ends/voronoi_center.hpp"
 
-#include "front_ends/linear_bound.hpp"
-#include "front_ends/voronoi_exact.hpp"
+#include "kernel/linear_bound.hpp"
+#include "kernel/fractions.hpp"
 #include "kernel/buffer.hpp"
 #include "kernel/double_double.hpp"
 #include "kernel/grid.hpp"

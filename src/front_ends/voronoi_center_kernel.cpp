@@ -5,7 +5,7 @@
 // which gives the same pair as Dekker's.
 #include "front_ends/voronoi_center_kernel.hpp"
 
-#include "front_ends/linear_bound.hpp"
+#include "kernel/linear_bound.hpp"
 
 #include <algorithm>
 #include <cstdint>

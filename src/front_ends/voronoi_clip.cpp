@@ -10,7 +10,7 @@
 // Planes are cut in the order of their numbers, hence m is larger than those of the corner.
 #include "front_ends/voronoi_clip.hpp"
 
-#include "front_ends/linear_bound.hpp"
+#include "kernel/linear_bound.hpp"
 #include "kernel/grid.hpp"
 
 #include <algorithm>

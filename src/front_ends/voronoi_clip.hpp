@@ -6,7 +6,7 @@
 #pragma once
 
 #include "front_ends/simple_polytope.hpp"
-#include "front_ends/voronoi_exact.hpp"
+#include "kernel/fractions.hpp"
 
 #include <delone/voronoi.hpp>
 

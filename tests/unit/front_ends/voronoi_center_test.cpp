@@ -4,7 +4,7 @@
 #include "front_ends/voronoi_center.hpp"
 #include "degenerate.hpp"
 #include "front_ends/simple_polytope.hpp"
-#include "front_ends/voronoi_exact.hpp"
+#include "kernel/fractions.hpp"
 
 #include <delone/predicates.hpp>
 

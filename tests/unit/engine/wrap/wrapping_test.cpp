@@ -4,8 +4,8 @@
 
 #include "compare.hpp"
 #include "engine/wrap/proof.hpp"
-#include "front_ends/dispatch.hpp"
-#include "front_ends/point_in_one_cell.hpp"
+#include "compiled/dispatch.hpp"
+#include "compiled/point_in_one_cell.hpp"
 #include "geometry/delaunay_geometry.hpp"
 #include "geometry/facet_search/facet_search.hpp"
 #include "kernel/predicates.hpp"

@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The engine with the geometry of halfspaces behind one virtual interface: the boundary of the cone of homogeneous rows. The
+// dimension is fixed in an implementation, which is compiled as for convex hulls.
+#pragma once
+
+#include "engine/build.hpp"
+#include "compiled/simplicial_hull.hpp"
+#include "geometry/halfspace_geometry.hpp"
+
+#include <delone/types.hpp>
+
+#include <memory>
+#include <optional>
+#include <utility>
+#include <vector>
+
+namespace delone::front_ends {
+
+using geometry::DualSites;
+using geometry::DualView;
+
+/// The boundary of the cone of rows that span k+1 dimensions, k ≥ 2. Its cells have k vertices.
+class HalfspaceBoundary {
+ public:
+  virtual ~HalfspaceBoundary() = default;
+
+  /// Inserts a site, whose ray is that of no other. False if it is in conflict with no cell. Strong guarantee.
+  virtual bool insert(Index site) = 0;
+  /// Takes over the view's box, which has changed.
+  virtual void update_box() = 0;
+  /// A copy that reads sites and view from other places.
+  virtual std::unique_ptr<HalfspaceBoundary> copy(const DualSites& sites, const DualView& view) const = 0;
+
+  virtual SimplicialHull to_simplicial_hull() const = 0;
+  /// The pairs of neighboring cells that lie in one hyperplane.
+  virtual std::vector<std::pair<Index, Index>> coplanar_neighbors(const SimplicialHull& hull) const = 0;
+  /// The exact side of the cell in a slot that a site is on: + inside, 0 on its hyperplane.
+  virtual Sign side(Index slot, Index site) const = 0;
+  /// For a site that is in no cell: the slot of a cell on whose hyperplane it is exactly, or nullopt if it is strictly inside.
+  virtual std::optional<Index> cell_through(Index site) const = 0;
+
+  virtual const engine::Effort& effort() const = 0;
+  virtual std::size_t bytes() const = 0;
+};
+
+/// The boundary of the cone of k+1 independent rows. K is k − 1, the dimension of the cells, or 0 for any.
+template <int K>
+std::unique_ptr<HalfspaceBoundary> make_halfspace_boundary(const DualSites& sites, const DualView& view,
+                                                           std::vector<Index> simplex);
+
+}  // namespace delone::front_ends

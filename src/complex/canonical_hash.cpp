@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The canonical hash of a plain triangulation, whoever made it.
+#include "complex/canonical_hash.hpp"
+
+#include <delone/error.hpp>
+
+#include <algorithm>
+#include <cstddef>
+#include <vector>
+
+namespace delone {
+
+std::string CanonicalHash::hex() const {
+  static constexpr char digits[] = "0123456789abcdef";
+  std::string text(32, '0');
+  for (std::size_t i = 0; i < 16; ++i) {
+    text[15 - i] = digits[(high >> (4 * i)) & 15];
+    text[31 - i] = digits[(low >> (4 * i)) & 15];
+  }
+  return text;
+}
+
+namespace {
+
+// Adds each distinct tag once. Rows with equal tags have equal coordinates, up to a chance of n²/2^129.
+void add_distinct(const std::vector<front_ends::PointTag>& tags, front_ends::HashAccumulator& hash) {
+  const std::size_t capacity = std::bit_ceil(2 * tags.size() + 1);
+  std::vector<std::size_t> table(capacity, 0);  // 1 + row; 0 is an empty place
+  for (std::size_t row = 0; row < tags.size(); ++row) {
+    std::size_t place = tags[row].low & (capacity - 1);
+    while (table[place] != 0 && tags[table[place] - 1] != tags[row]) place = (place + 1) & (capacity - 1);
+    if (table[place] != 0) continue;
+    table[place] = row + 1;
+    hash.add_vertex(tags[row]);
+  }
+}
+
+/// Tags of points with weights. Hidden points have no part in the hash, nor have weights if those of the vertices are all
+/// equal.
+std::vector<front_ends::PointTag> weighted_tags(const ComplexData& data, front_ends::HashAccumulator& hash) {
+  const std::size_t n = data.num_points(), d = static_cast<std::size_t>(data.dimension);
+  if (data.weights.size() != n)
+    throw Error(Errc::invalid_argument, "delone::canonical_hash: " + std::to_string(data.weights.size()) + " weights for " +
+                                            std::to_string(n) + " points");
+  std::vector<std::size_t> vertices;
+  for (const SignedIndex row : data.cells)
+    if (row >= 0 && static_cast<std::size_t>(row) < n) vertices.push_back(static_cast<std::size_t>(row));
+  std::sort(vertices.begin(), vertices.end());
+  vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
+  const bool weights_differ = std::any_of(vertices.begin(), vertices.end(),
+                                          [&](std::size_t row) { return data.weights[row] != data.weights[vertices.front()]; });
+  std::vector<front_ends::PointTag> tags(n);
+  std::vector<double> point(d + 1);
+  for (const std::size_t row : vertices) {
+    std::copy_n(data.points.begin() + static_cast<std::ptrdiff_t>(row * d), d, point.begin());
+    point[d] = data.weights[row];
+    tags[row] = front_ends::point_tag(point.data(), data.dimension + (weights_differ ? 1 : 0));
+    hash.add_vertex(tags[row]);
+  }
+  return tags;
+}
+
+}  // namespace
+
+CanonicalHash canonical_hash(const ComplexData& data) {
+  const std::size_t n = data.num_points();
+  std::vector<front_ends::PointTag> tags(n);
+  front_ends::HashAccumulator hash;
+  if (data.weights.empty()) {
+    for (std::size_t row = 0; row < n; ++row)
+      tags[row] = front_ends::point_tag(data.points.data() + row * static_cast<std::size_t>(data.dimension), data.dimension);
+    if (std::find(data.vertex_of_point.begin(), data.vertex_of_point.end(), -1) == data.vertex_of_point.end()) {
+      add_distinct(tags, hash);
+    } else {  // hidden points have no part in it
+      std::vector<front_ends::PointTag> visible;
+      for (std::size_t row = 0; row < n; ++row)
+        if (row >= data.vertex_of_point.size() || data.vertex_of_point[row] >= 0) visible.push_back(tags[row]);
+      add_distinct(visible, hash);
+    }
+  } else {
+    tags = weighted_tags(data, hash);
+  }
+  const std::size_t corners = static_cast<std::size_t>(data.affine_dimension + 1);
+  for (std::size_t cell = 0; cell < data.num_cells(); ++cell) {
+    front_ends::PointTag sum;
+    for (std::size_t i = 0; i < corners; ++i) {
+      const SignedIndex row = data.cells[cell * corners + i];
+      if (row < 0 || static_cast<std::size_t>(row) >= n)
+        throw Error(Errc::invalid_argument, "delone::canonical_hash: cell " + std::to_string(cell) + " has the vertex " +
+                                                std::to_string(row) + ", but there are " + std::to_string(n) + " points");
+      sum += tags[static_cast<std::size_t>(row)];
+    }
+    hash.add_cell(sum);
+  }
+  return hash.finish(data.dimension, data.affine_dimension);
+}
+
+}  // namespace delone

@@ -1,0 +1,211 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The vertex next to a point, by walking over edges; exact comparison of distances.
+//
+// The region of a vertex v in the (power) diagram is the intersection of one halfspace for each neighbor of v, as all others
+// follow from these (Aurenhammer 1987, doi:10.1137/0216006). So a v that is not nearest has a neighbor that is strictly nearer,
+// from wherever the walk starts: it ends at a nearest vertex. This also holds for a query outside the flat of the points, whose
+// squared distances differ from those of its projection by a constant. All vertices nearest to a query have the dual face that
+// it lies in as a common one; the edges of that face connect them, so those with the same distance are found by a search.
+#include "queries/point_locator_impl.hpp"
+#include "kernel/determinant.hpp"
+#include "kernel/exact.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <new>
+#include <unordered_set>
+
+namespace delone {
+namespace {
+
+/// Σ (q_j − p_j)² − weight and the sum of magnitudes.
+struct Power {
+  double value, parts;
+};
+
+Power power(const double* q, const double* p, std::size_t d, double weight) {
+  double sum = 0;
+  for (std::size_t j = 0; j < d; ++j) {
+    const double difference = q[j] - p[j];
+    sum += difference * difference;
+  }
+  return {sum - weight, sum + std::fabs(weight)};
+}
+
+/// The sign of the difference of two powers by their rounded values. A difference is off by a factor within 1 ± u, its square
+/// 1 ± γ(3), and d − 1 sums and that with the weight add d: γ(d + 3) of the parts each, and one rounding for the difference of
+/// the two. Squares may underflow: each by 2^−1075. Infinities and NaN compare false.
+bool certainly_less(const Power& a, const Power& b, std::size_t d) {
+  const double error = 1.01 * static_cast<double>(d + 6) * kernel::unit_roundoff * (a.parts + b.parts) +
+                       2 * static_cast<double>(d) * std::numeric_limits<double>::denorm_min();
+  return b.value - a.value > error;
+}
+
+/// Σ a_j² − b_j² − 2·a_j·q_j + 2·b_j·q_j − weight_a + weight_b, as one sum of products.
+Sign compare_exactly(const double* q, const double* a, const double* b, std::size_t d, double weight_a, double weight_b) {
+  std::vector<double> row, point;
+  const auto add = [&](double x, double y) {
+    row.push_back(x);
+    point.push_back(y);
+  };
+  for (std::size_t j = 0; j < d; ++j) {
+    if (a[j] == b[j]) continue;
+    add(a[j], a[j]);
+    add(-b[j], b[j]);
+    for (int twice = 0; twice < 2; ++twice) {
+      add(-a[j], q[j]);
+      add(b[j], q[j]);
+    }
+  }
+  add(weight_b, 1);
+  const int terms = static_cast<int>(row.size());
+  row.push_back(-weight_a);
+  return kernel::exact_affine_form(row.data(), point.data(), terms);
+}
+
+class Nearest {
+ public:
+  Nearest(const PointLocator::Impl& where, const PointLocator::Edges& edges)
+      : where_(where), edges_(edges), d_(static_cast<std::size_t>(where.dimension)) {}
+
+  VertexId operator()(const double* q, VertexId start) {
+    VertexId best = start;
+    Power least = power_of(q, best);
+    for (bool moved = true; moved;) {
+      moved = false;
+      ties_.clear();
+      for (std::size_t e = edges_.offsets[index(best)]; e < edges_.offsets[index(best) + 1]; ++e) {
+        const VertexId v = edges_.vertices[e];
+        const Power at = power_of(q, v);
+        if (certainly_less(least, at, d_)) continue;
+        const Sign sign = certainly_less(at, least, d_) ? Sign::negative : compare(q, v, best);
+        if (sign == Sign::zero) ties_.push_back(v);
+        if (sign != Sign::negative) continue;
+        best = v;
+        least = at;
+        moved = true;
+        break;
+      }
+    }
+    return ties_.empty() ? best : first_of_ties(q, best);
+  }
+
+ private:
+  double weight(VertexId v) const { return where_.points.weighted() ? where_.point(v)[d_] : 0.0; }
+  Power power_of(const double* q, VertexId v) const { return power(q, where_.point(v), d_, weight(v)); }
+  Sign compare(const double* q, VertexId a, VertexId b) const {
+    return compare_exactly(q, where_.point(a), where_.point(b), d_, weight(a), weight(b));
+  }
+
+  /// Of all vertices as near as `best`, reached over edges between them, the one with the first row.
+  VertexId first_of_ties(const double* q, VertexId best) {
+    std::vector<VertexId> found{best};
+    std::unordered_set<Index> seen{index(best)};
+    for (std::size_t next = 0; next < found.size(); ++next)
+      for (std::size_t e = edges_.offsets[index(found[next])]; e < edges_.offsets[index(found[next]) + 1]; ++e) {
+        const VertexId v = edges_.vertices[e];
+        if (!seen.insert(index(v)).second) continue;
+        if (!certainly_less(power_of(q, best), power_of(q, v), d_) && compare(q, v, best) == Sign::zero) found.push_back(v);
+      }
+    return *std::min_element(found.begin(), found.end(), [&](VertexId a, VertexId b) {
+      return where_.triangulation.row_of(a) < where_.triangulation.row_of(b);
+    });
+  }
+
+  const PointLocator::Impl& where_;
+  const PointLocator::Edges& edges_;
+  std::size_t d_;
+  std::vector<VertexId> ties_;
+};
+
+}  // namespace
+
+Sign compare_distances(std::span<const double> q, std::span<const double> a, std::span<const double> b, double weight_a,
+                       double weight_b) {
+  if (a.size() != q.size() || b.size() != q.size()) throw Error(Errc::bad_dimension, "points of different dimensions");
+  const auto all_finite = [](std::span<const double> x) {
+    return std::all_of(x.begin(), x.end(), [](double y) { return std::isfinite(y); });
+  };
+  if (!all_finite(q) || !all_finite(a) || !all_finite(b) || !std::isfinite(weight_a) || !std::isfinite(weight_b))
+    throw Error(Errc::not_finite, "a coordinate or weight is not finite");
+  const Power at_a = power(q.data(), a.data(), q.size(), weight_a), at_b = power(q.data(), b.data(), q.size(), weight_b);
+  if (certainly_less(at_a, at_b, q.size())) return Sign::negative;
+  if (certainly_less(at_b, at_a, q.size())) return Sign::positive;
+  return compare_exactly(q.data(), a.data(), b.data(), q.size(), weight_a, weight_b);
+}
+
+/// Cells by vertex first, then the neighbors of one vertex after the other.
+const PointLocator::Edges& PointLocator::edges() const {
+  const auto make = [this] {
+    const Complex& complex = impl_->complex;
+    const std::size_t slots = std::max<std::size_t>(complex.num_vertex_slots(), 1);
+    std::vector<std::size_t> first(slots + 1, 0);
+    for (const CellId c : complex.finite_cells())
+      for (int i = 0; i <= complex.dimension(); ++i) ++first[index(complex.vertex(c, i)) + 1];
+    for (std::size_t v = 0; v < slots; ++v) first[v + 1] += first[v];
+    std::vector<CellId> cells(first.back());
+    std::vector<std::size_t> end(first.begin(), first.end() - 1);
+    for (const CellId c : complex.finite_cells())
+      for (int i = 0; i <= complex.dimension(); ++i) cells[end[index(complex.vertex(c, i))]++] = c;
+    Edges edges;
+    edges.offsets.reserve(slots + 1);
+    edges.offsets.push_back(0);
+    std::vector<Index> seen_from(slots, 0);
+    for (std::size_t v = 0; v < slots; ++v) {
+      const std::size_t begin = edges.vertices.size();
+      for (std::size_t i = first[v]; i < first[v + 1]; ++i)
+        for (int j = 0; j <= complex.dimension(); ++j) {
+          const VertexId other = complex.vertex(cells[i], j);
+          if (index(other) == v || seen_from[index(other)] == v) continue;
+          seen_from[index(other)] = static_cast<Index>(v);
+          edges.vertices.push_back(other);
+        }
+      std::sort(edges.vertices.begin() + static_cast<std::ptrdiff_t>(begin), edges.vertices.end());
+      edges.offsets.push_back(edges.vertices.size());
+    }
+    edges.vertices.shrink_to_fit();
+    impl_->edges = std::move(edges);
+  };
+  try {
+    std::call_once(impl_->edges_once, make);
+  } catch (const std::bad_alloc&) {
+    throw Error(Errc::out_of_memory, "not enough memory for the edges");
+  }
+  return impl_->edges;
+}
+
+void PointLocator::nearest(std::span<const double> queries,
+                           const std::function<void(std::size_t query, VertexId nearest)>& visit) const {
+  if (impl_->points.form == kernel::RowForm::furthest_point)
+    throw Error(Errc::unsupported, "the vertex of least distance is not found by a furthest-site triangulation");
+  const auto d = static_cast<std::size_t>(impl_->dimension);
+  if (impl_->triangulation.num_vertices() == 0) {
+    impl_->in_order(queries, [&](Index query) { visit(query, invalid_vertex); });
+    return;
+  }
+  Nearest nearest_to(*impl_, edges());
+  VertexId start = invalid_vertex;
+  // Where the points fill the space, the vertices of the cell of a query are next to it. Others are reached over the edges.
+  locate(queries, [&](std::size_t query, const LocatedPoint& where) {
+    const double* q = queries.data() + query * d;
+    if (where.cell != invalid_cell) {
+      double least = std::numeric_limits<double>::infinity();
+      for (int i = 0; i <= impl_->affine_dimension; ++i) {
+        const VertexId v = impl_->complex.vertex(where.cell, i);
+        if (v == infinite_vertex) continue;
+        const double at = power(q, impl_->point(v), d, impl_->points.weighted() ? impl_->point(v)[d] : 0.0).value;
+        if (start == invalid_vertex || at < least) {
+          start = v;
+          least = at;
+        }
+      }
+    } else if (start == invalid_vertex) {
+      start = impl_->complex.finite_vertices().front();
+    }
+    start = nearest_to(q, start);
+    visit(query, start);
+  });
+}
+
+}  // namespace delone

@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What the parts of PointLocator share: the triangulation, with its coordinates at hand.
+#pragma once
+
+#include "triangulation/stored_points.hpp"
+#include "order/insertion_order.hpp"
+
+#include <delone/point_locator.hpp>
+
+#include <algorithm>
+#include <cstddef>
+#include <mutex>
+#include <span>
+#include <vector>
+
+namespace delone {
+
+struct PointLocator::Impl {
+  explicit Impl(const Triangulation& t)
+      : triangulation(t),
+        complex(t.complex()),
+        points(front_ends::StoredPoints::of(t)),
+        dimension(t.dimension()),
+        affine_dimension(t.affine_dimension()),
+        axes(t.axes()) {}
+
+  const Triangulation& triangulation;
+  Complex complex;
+  const VertexPoints& points;
+  int dimension, affine_dimension;
+  std::vector<int> axes;
+
+  mutable std::once_flag edges_once;
+  mutable Edges edges;
+
+  const double* point(VertexId v) const { return points.point(index(v)); }
+  /// Calls each(query) for all queries: piece by piece, each piece in the order of a Hilbert curve, so that no sort keeps those
+  /// waiting who want to stop a long batch. Throws as locate().
+  template <class Each>
+  void in_order(std::span<const double> queries, Each each) const {
+    std::vector<Index> rows = rows_of(queries);
+    for (std::size_t first = 0; first < rows.size(); first += piece) {
+      const auto part = std::span(rows).subspan(first, std::min(piece, rows.size() - first));
+      if (part.size() > 8) order::hilbert_sort(PointsView(queries, dimension), part);
+      for (const Index query : part) each(query);
+    }
+  }
+  static constexpr std::size_t piece = std::size_t{1} << 18;
+
+ private:
+  /// The numbers of the queries, which are checked. Throws as locate().
+  std::vector<Index> rows_of(std::span<const double> queries) const;
+};
+
+}  // namespace delone

@@ -1,0 +1,180 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Triangulation: the public members. Insertion is in triangulation_impl.cpp.
+#include <delone/delaunay.hpp>
+
+#include "complex/canonical_hash.hpp"
+#include "triangulation/triangulation_impl.hpp"
+
+#include <algorithm>
+#include <limits>
+#include <new>
+#include <utility>
+
+namespace delone {
+
+Triangulation::Triangulation(int dimension, const Options& options) {
+  if (dimension < 1) throw Error(Errc::bad_dimension, "the dimension must be at least 1");
+  impl_ = std::make_unique<Impl>(dimension, kernel::RowForm::point, options);
+}
+Triangulation::Triangulation(std::unique_ptr<Impl> impl) : impl_(std::move(impl)) {}
+Triangulation::Triangulation(std::span<const double> coordinates, int dimension, const Options& options)
+    : Triangulation(dimension, options) {
+  insert_range(coordinates);
+}
+Triangulation::Triangulation(PointsView points, const Options& options)
+    : Triangulation(points.coordinates(), points.dimension(), options) {}
+Triangulation::Triangulation(std::vector<double>&& coordinates, int dimension, const Options& options)
+    : Triangulation(dimension, options) {
+  insert_range(std::move(coordinates));
+}
+Triangulation::Triangulation(Triangulation&&) noexcept = default;
+Triangulation& Triangulation::operator=(Triangulation&&) noexcept = default;
+Triangulation::~Triangulation() = default;
+
+void Triangulation::insert_range(std::span<const double> coordinates) { insert_and_release(coordinates, {}); }
+void Triangulation::insert_range(std::vector<double>&& coordinates) {
+  insert_and_release(coordinates, [&] { const std::vector<double> taken = std::move(coordinates); });
+}
+
+void Triangulation::insert_and_release(std::span<const double> coordinates, const std::function<void()>& release) {
+  try {
+    impl_->insert_range(coordinates, {}, release);
+  } catch (const std::bad_alloc&) {
+    throw Error(Errc::out_of_memory, "not enough memory for the triangulation");
+  }
+}
+
+InsertResult Triangulation::insert(std::span<const double> point, std::optional<CellId> hint) {
+  try {
+    return impl_->insert(point, 0.0, hint);
+  } catch (const std::bad_alloc&) {
+    throw Error(Errc::out_of_memory, "not enough memory for the triangulation");
+  }
+}
+
+void Triangulation::compact() {
+  try {
+    impl_->compact();
+  } catch (const std::bad_alloc&) {
+    throw Error(Errc::out_of_memory, "not enough memory for a second copy of the cells");
+  }
+}
+
+int Triangulation::dimension() const { return impl_->dimension; }
+int Triangulation::affine_dimension() const { return impl_->affine_hull.dimension(); }
+std::size_t Triangulation::num_points() const { return impl_->num_rows_inserted; }
+std::size_t Triangulation::num_rows() const { return impl_->vertex_of_row.size(); }
+Index Triangulation::num_vertices() const { return impl_->num_vertices; }
+std::size_t Triangulation::num_duplicates() const { return num_points() - num_vertices() - impl_->num_hidden(); }
+Complex Triangulation::complex() const { return impl_->complex(); }
+std::vector<int> Triangulation::axes() const { return impl_->affine_hull.axes(); }
+
+std::span<const double> Triangulation::point(VertexId v) const {
+  return {impl_->points.point(impl_->checked_vertex(v)), impl_->ambient()};
+}
+std::size_t Triangulation::row_of(VertexId v) const { return impl_->row_of_vertex[impl_->checked_vertex(v)]; }
+VertexId Triangulation::vertex_at(std::size_t row) const {
+  if (row >= impl_->vertex_of_row.size()) throw Error(Errc::invalid_argument, "not a row of the input");
+  const VertexId v = impl_->vertex_of_row[row];
+  return v != invalid_vertex && impl_->is_visible(index(v)) ? v : invalid_vertex;
+}
+
+Location Triangulation::locate(std::span<const double> query, std::optional<CellId> hint) const {
+  // The least weight leads a walk by values of functionals to the cell that contains the point.
+  const double lightest = impl_->queries() != nullptr && impl_->weighted() ? impl_->queries()->frame().low().back() : 0.0;
+  std::vector<double> storage;
+  const double* q = impl_->checked_query(query, lightest, storage);
+  const Index start = hint ? impl_->checked_hint(hint) : impl_->start_near(q);
+  Location location;
+  if (affine_dimension() < dimension() && !impl_->affine_hull.contains(q)) return location;
+  if (impl_->queries() == nullptr) {  // one point, and the query is in its affine hull: at it
+    location.kind = Location::Kind::on_vertex;
+    location.cell = CellId{0};
+    location.face = {impl_->complex().vertex(CellId{0}, 0)};
+    return location;
+  }
+  HullLocation found = impl_->queries()->locate(q, start);
+  location.cell = CellId{found.cell};
+  location.face = std::move(found.face);
+  const int face_dimension = location.face_dimension();
+  location.kind = found.outside                          ? Location::Kind::outside_hull
+                  : face_dimension == affine_dimension() ? Location::Kind::in_cell
+                  : face_dimension == 0                  ? Location::Kind::on_vertex
+                                                         : Location::Kind::on_face;
+  return location;
+}
+
+std::vector<CellId> Triangulation::conflict_zone(std::span<const double> query, std::optional<CellId> hint) const {
+  return impl_->conflict_zone(query, 0.0, hint);
+}
+
+Sign Triangulation::in_sphere(CellId cell, std::span<const double> query) const { return impl_->in_sphere(cell, query, 0.0); }
+
+ComplexData Triangulation::to_data(bool with_points) const {
+  const Complex now = complex();
+  ComplexData data;
+  data.dimension = dimension();
+  data.affine_dimension = now.dimension();
+  const std::size_t rows = impl_->vertex_of_row.size();
+  const auto row_of_vertex = [&](Index v) { return static_cast<SignedIndex>(impl_->row_of_vertex[v]); };
+  data.vertex_of_point.resize(rows);
+  constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
+  for (std::size_t row = 0; row < rows; ++row) {
+    const VertexId v = impl_->vertex_of_row[row];
+    data.vertex_of_point[row] = vertex_at(row) == invalid_vertex ? -1 : row_of_vertex(index(v));
+    if (!with_points) continue;
+    const double* point = v == invalid_vertex ? nullptr : impl_->points.point(index(v));
+    for (std::size_t j = 0; j < impl_->ambient(); ++j) data.points.push_back(point == nullptr ? unknown : point[j]);
+    if (impl_->weighted()) data.weights.push_back(point == nullptr ? unknown : point[impl_->ambient()]);
+  }
+  std::vector<SignedIndex> number(now.num_cell_slots(), -1);
+  SignedIndex count = 0;
+  for (const CellId c : now.finite_cells()) number[index(c)] = count++;
+  const std::size_t entries = static_cast<std::size_t>(count) * static_cast<std::size_t>(now.dimension() + 1);
+  data.cells.reserve(entries);
+  data.neighbors.reserve(entries);
+  for (const CellId c : now.finite_cells())
+    for (int i = 0; i <= now.dimension(); ++i) {
+      data.cells.push_back(row_of_vertex(index(now.vertex(c, i))));
+      data.neighbors.push_back(number[index(now.neighbor(c, i))]);
+    }
+  return data;
+}
+
+CanonicalHash Triangulation::hash() const {
+  const std::vector<VertexId> vertices = complex().finite_vertices();
+  const auto weight = [&](VertexId v) { return impl_->points.point(index(v))[impl_->ambient()]; };
+  const bool with_weights = impl_->weighted() && std::any_of(vertices.begin(), vertices.end(),
+                                                             [&](VertexId v) { return weight(v) != weight(vertices.front()); });
+  std::vector<front_ends::PointTag> tags(complex().num_vertex_slots());  // by vertex id
+  front_ends::HashAccumulator hash;
+  for (const VertexId v : vertices) {
+    tags[index(v)] = front_ends::point_tag(impl_->points.point(index(v)), dimension() + (with_weights ? 1 : 0));
+    hash.add_vertex(tags[index(v)]);
+  }
+  const Complex now = complex();
+  for (const CellId c : now.finite_cells()) {
+    front_ends::PointTag sum;
+    for (int i = 0; i <= now.dimension(); ++i) sum += tags[index(now.vertex(c, i))];
+    hash.add_cell(sum);
+  }
+  return hash.finish(dimension(), affine_dimension());
+}
+
+Statistics Triangulation::statistics() const {
+  Statistics s = impl_->statistics;
+  if (const HullQueries* const hull = impl_->queries(); hull != nullptr) {
+    const engine::Effort& effort = hull->effort();
+    s.created_cells = effort.created_cells;
+    s.visited_cells = effort.visited_cells;
+    s.filter = effort.stages.filter;
+    s.direct = effort.stages.direct;
+    s.exact = effort.stages.exact;
+    s.perturbed = effort.stages.perturbed;
+    s.cell_bytes = hull->bytes();
+  }
+  s.insertions = num_vertices();
+  return s;
+}
+
+}  // namespace delone

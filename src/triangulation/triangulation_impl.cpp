@@ -1,0 +1,514 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Insertion: points to vertices, affine dimensions, duplicates, hidden points, rows.
+#include "triangulation/triangulation_impl.hpp"
+
+#include "compiled/compact_triangulation.hpp"
+#include "triangulation/point_rows.hpp"
+#include "base/progress_meter.hpp"
+#include "base/growable_array.hpp"
+
+#include <algorithm>
+#include <chrono>
+#include <limits>
+#include <new>
+#include <numeric>
+#include <string>
+#include <utility>
+
+namespace delone {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+double seconds_since(Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); }
+
+/// Makes sure that one push_back cannot fail, growing geometrically.
+template <class T>
+void reserve_one_more(std::vector<T>& items) {
+  if (items.size() == items.capacity()) items.reserve(2 * items.size() + 2);
+}
+
+/// Each point followed by its weight.
+std::vector<double> weighted_rows(PointsView points, std::span<const double> weights) {
+  std::vector<double> rows;
+  rows.reserve(points.size() * (static_cast<std::size_t>(points.dimension()) + 1));
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    rows.insert(rows.end(), points[i].begin(), points[i].end());
+    rows.push_back(weights.empty() ? 0.0 : weights[i]);
+  }
+  return rows;
+}
+
+/// For each place in the order the first place with an equal row.
+std::vector<std::size_t> first_equal_rows(std::span<const double> rows, std::size_t width, std::span<const Index> order) {
+  const auto compare = [&](std::size_t a, std::size_t b) {
+    const double* x = rows.data() + order[a] * width;
+    const double* y = rows.data() + order[b] * width;
+    return std::lexicographical_compare_three_way(x, x + width, y, y + width);
+  };
+  std::vector<std::size_t> places(order.size()), first(order.size());
+  std::iota(places.begin(), places.end(), std::size_t{0});
+  std::sort(places.begin(), places.end(), [&](std::size_t a, std::size_t b) {
+    const auto by_coordinates = compare(a, b);
+    return by_coordinates != 0 ? by_coordinates < 0 : a < b;
+  });
+  for (std::size_t i = 0; i < places.size(); ++i) {
+    const bool is_new = i == 0 || compare(places[i - 1], places[i]) != 0;
+    first[places[i]] = is_new ? places[i] : first[places[i - 1]];
+  }
+  return first;
+}
+
+/// Copies of rows, in the order of their insertion. Those that have been read are given back to the system, so that in the end,
+/// when memory is short, nothing is left of them.
+class RowsInOrder {
+ public:
+  RowsInOrder(std::span<const double> rows, std::size_t width, std::span<const Index> order) : width_(width) {
+    rows_.reserve(order.size() * width);
+    rows_.prepare(order.size() * width);
+    with_compiled_dimension(width, [&](auto fixed_width) {
+      const std::size_t w = fixed_width > 0 ? std::size_t{fixed_width} : width;
+      const double* const from = rows.data();
+      double* to = rows_.data();
+      // Rows are met in no order of their own: they are asked for long before their turn.
+      constexpr std::size_t ahead = 96;
+      for (std::size_t i = 0; i < order.size(); ++i, to += w) {
+        __builtin_prefetch(from + order[std::min(i + ahead, order.size() - 1)] * w);
+        std::copy_n(from + order[i] * w, w, to);
+      }
+    });
+  }
+
+  /// Valid until the next call. REQUIRES that not all have been read.
+  const double* next() {
+    if (num_read_ % rows_at_once == 0 && num_read_ > 0) rows_.discard((num_read_ - rows_at_once) * width_, num_read_ * width_);
+    return rows_.data() + width_ * num_read_++;
+  }
+
+ private:
+  static constexpr std::size_t rows_at_once = std::size_t{1} << 13;  // whole pages, whatever the width
+  std::size_t width_, num_read_ = 0;
+  GrowableArray<double> rows_;
+};
+
+}  // namespace
+
+Triangulation::Impl::Impl(int d, kernel::RowForm form, const Options& given)
+    : dimension(d), options(given), points(d, form), affine_hull(d) {}
+Triangulation::Impl::~Impl() = default;
+
+void Triangulation::Impl::check_finite(std::span<const double> coordinates, std::span<const double> weights) const {
+  front_ends::require_finite(coordinates, ambient(), "a coordinate");
+  front_ends::require_finite(weights, 1, "the weight");
+}
+
+/// Makes `rows` more rows known, none of them inserted yet. Throws before anything has changed.
+std::size_t Triangulation::Impl::add_rows(std::size_t rows) {
+  const std::size_t first = vertex_of_row.size();
+  if (rows > max_index - first) throw Error(Errc::too_many, "more points than this build has ids");
+  vertex_of_row.resize(first + rows, invalid_vertex);
+  return first;
+}
+
+/// Appends the point as the next vertex, not yet part of the triangulation.
+Index Triangulation::Impl::append(const double* point) {
+  points.grid.include(point);
+  points.coordinates.insert(points.coordinates.end(), point, point + row_size());
+  return points.last_vertex();
+}
+void Triangulation::Impl::drop_last_vertex() { points.coordinates.resize(points.coordinates.size() - row_size()); }
+
+void Triangulation::Impl::assign(std::size_t row, Index v) {
+  vertex_of_row[row] = VertexId{v};
+  ++num_rows_inserted;
+  if (v < row_of_vertex.size())
+    row_of_vertex[v] = std::min(row_of_vertex[v], static_cast<Index>(row));
+  else
+    row_of_vertex.push_back(static_cast<Index>(row));
+}
+
+/// Inserts the point of a row; points outside the affine hull raise the dimension. `track`: keep cell_of_vertex up to date.
+/// Returns the vertex at the point, invalid_index if the point is hidden. If it throws, nothing has changed.
+Index Triangulation::Impl::insert_row(std::size_t row, const double* point, Index start, bool track) {
+  reserve_one_more(row_of_vertex);
+  reserve_one_more(cell_of_vertex);
+  if (affine_hull.dimension() < dimension) {
+    kernel::AffineHull grown = affine_hull;
+    if (grown.add(point)) return raise(row, point, std::move(grown));
+  }
+  if (!hull) return insert_at_only_vertex(row, point);
+  const Index v = append(point);
+  Index at = v;
+  try {
+    if (!hull->frame().contains(point)) {
+      hull->set_frame(frame_with(point, point, 1.0));
+      landmarks.reset();
+    }
+    hull->track_swallowed(may_hide() && track);
+    at = hull->insert(v, start);
+  } catch (...) {
+    drop_last_vertex();
+    throw;
+  }
+  const bool is_duplicate = at != v && at != invalid_index;
+  if (is_duplicate) drop_last_vertex();
+  assign(row, is_duplicate ? at : v);
+  if (track && !is_duplicate) {
+    cell_of_vertex.resize(v + 1, invalid_cell);  // one more: cannot fail
+    if (at == v) update_cells_of_vertices();
+  }
+  return at;
+}
+
+/// Brings the cells of the vertices of the new star up to date.
+void Triangulation::Impl::update_cells_of_vertices() {
+  const Complex now = complex();
+  for (const HorizonFacet& facet : hull->star())
+    for (int i = 0; i <= now.dimension(); ++i)
+      cell_of_vertex[index(now.vertex(CellId{facet.created}, i))] = CellId{facet.created};
+  for (const Index swallowed : hull->swallowed()) cell_of_vertex[swallowed] = invalid_cell;
+  num_vertices += 1 - static_cast<Index>(hull->swallowed().size());
+}
+
+/// All points are in one place: the heaviest is the vertex, equal ones are duplicates, lighter ones hidden.
+Index Triangulation::Impl::insert_at_only_vertex(std::size_t row, const double* point) {
+  const Index only = only_vertex();
+  if (!weighted() || point[ambient()] == points.point(only)[ambient()]) {
+    assign(row, only);
+    return only;
+  }
+  const bool is_heavier = point[ambient()] > points.point(only)[ambient()];
+  const Index v = append(point);
+  assign(row, v);
+  cell_of_vertex.resize(v + 1, invalid_cell);  // one more: cannot fail
+  if (!is_heavier) return invalid_index;
+  cell_of_vertex[v] = std::exchange(cell_of_vertex[only], invalid_cell);
+  only_vertex() = v;
+  return v;
+}
+
+/// A point outside the affine hull, which has `grown` by it.
+Index Triangulation::Impl::raise(std::size_t row, const double* point, kernel::AffineHull grown) {
+  const Index v = append(point);
+  try {
+    cell_of_vertex.reserve(static_cast<std::size_t>(v) + 1);
+    if (grown.dimension() > 0) {
+      auto next = make_hull(grown.axes(), points, frame_with(point, point, 1.0), hull ? hull->effort() : engine::Effort{},
+                            options.force_runtime_dimension);
+      if (hull)
+        next->jump(complex(), v);
+      else
+        next->seed(std::vector<Index>{only_vertex(), v});
+      hull = std::move(next);
+      landmarks.reset();
+    } else {
+      only_vertex() = v;
+    }
+  } catch (...) {
+    drop_last_vertex();
+    throw;
+  }
+  affine_hull = std::move(grown);
+  assign(row, v);
+  find_cells_of_vertices();
+  return v;
+}
+
+/// A frame for the present one, all vertices and the box [low, high]; `margin` times its size is added on each side where it
+/// had to grow, so that points arriving from ever farther away change it a logarithmic number of times. Weights have a range
+/// like coordinates.
+geometry::Frame Triangulation::Impl::frame_with(const double* low, const double* high, double margin) const {
+  std::vector<double> lows(low, low + row_size()), highs(high, high + row_size());
+  const auto cover = [&](const double* x) {
+    for (std::size_t j = 0; j < row_size(); ++j) {
+      lows[j] = std::min(lows[j], x[j]);
+      highs[j] = std::max(highs[j], x[j]);
+    }
+  };
+  if (hull) {
+    cover(hull->frame().low().data());
+    cover(hull->frame().high().data());
+  }
+  if (!hull)
+    for (Index v = 1; v <= points.last_vertex(); ++v) cover(points.point(v));
+  constexpr double largest = std::numeric_limits<double>::max() / 4;
+  for (std::size_t j = 0; j < row_size(); ++j) {
+    const double extent = std::min(highs[j] / 2 - lows[j] / 2, largest) * 2 * margin;
+    if (!hull || lows[j] < hull->frame().low()[j]) lows[j] = std::max(lows[j] - extent, std::min(lows[j], -largest));
+    if (!hull || highs[j] > hull->frame().high()[j]) highs[j] = std::min(highs[j] + extent, std::max(highs[j], largest));
+  }
+  return {std::move(lows), std::move(highs), points.form};
+}
+
+/// The first sphere of a batch: the frame of the whole box, and a simplex of the batch's affine hull found along the order.
+void Triangulation::Impl::start_batch(std::span<const double> rows, std::size_t first_row, std::span<const Index> order,
+                                      const std::function<void()>& tick) {
+  const std::size_t width = row_size();
+  std::vector<double> low(rows.begin(), rows.begin() + static_cast<std::ptrdiff_t>(width)), high = low;
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    low[i % width] = std::min(low[i % width], rows[i]);
+    high[i % width] = std::max(high[i % width], rows[i]);
+  }
+  if (hull) {
+    if (!hull->frame().contains(low.data()) || !hull->frame().contains(high.data())) {
+      hull->set_frame(frame_with(low.data(), high.data(), 0.0));
+      landmarks.reset();
+    }
+    return;
+  }
+  std::vector<Index> simplex;
+  if (affine_hull.dimension() == 0) simplex.push_back(only_vertex());
+  for (const Index row : order) {
+    if (affine_hull.dimension() == dimension) break;
+    const double* point = rows.data() + static_cast<std::size_t>(row) * width;
+    if (!affine_hull.add(point)) continue;
+    simplex.push_back(append(point));
+    assign(first_row + row, simplex.back());
+  }
+  if (affine_hull.dimension() < 1) {
+    only_vertex() = simplex.front();
+    find_cells_of_vertices();
+    return;
+  }
+  hull = make_hull(affine_hull.axes(), points, frame_with(low.data(), high.data(), 0.0), {}, options.force_runtime_dimension);
+  if (!wrap_batch(rows, first_row, order, simplex, tick)) hull->seed(simplex);
+}
+
+/// Whether wrapping n points costs less than inserting them (docs/decisions/0007-small-sets-in-high-dimensions-are-wrapped.md).
+bool Triangulation::Impl::is_worth_wrapping(std::size_t n) const {
+  if (points.form != kernel::RowForm::point || affine_hull.dimension() != dimension) return false;
+  return (dimension == 7 && 200 <= n && n <= 4000) || (dimension == 8 && 100 <= n && n <= 4000);
+}
+
+/// Inserts a batch at once. Returns false, and nothing has changed, if that is not to be done or fails. REQUIRES a hull without
+/// cells, and that all vertices are those of the simplex.
+bool Triangulation::Impl::wrap_batch(std::span<const double> rows, std::size_t first_row, std::span<const Index> order,
+                                     std::span<const Index> simplex, const std::function<void()>& tick) {
+  if (!is_worth_wrapping(order.size()) || points.last_vertex() != simplex.size()) return false;
+  std::vector<std::size_t> first_equal;
+  std::vector<Index> others;  // the rows of the vertices to come
+  try {
+    first_equal = first_equal_rows(rows, row_size(), order);
+    for (std::size_t place = 0; place < order.size(); ++place)
+      if (first_equal[place] == place && vertex_of_row[first_row + order[place]] == invalid_vertex)
+        others.push_back(order[place]);
+  } catch (const std::bad_alloc&) {  // insertion does with less
+    return false;
+  }
+  for (const Index row : others) append(rows.data() + static_cast<std::size_t>(row) * row_size());
+  const auto drop = [&] { points.coordinates.resize(points.coordinates.size() - others.size() * row_size()); };
+  try {
+    if (!hull->wrap(tick)) {
+      drop();
+      return false;
+    }
+  } catch (...) {
+    drop();
+    hull->seed(simplex);
+    throw;
+  }
+  Index v = static_cast<Index>(simplex.size());
+  for (const Index row : others) assign(first_row + row, ++v);
+  for (std::size_t place = 0; place < order.size(); ++place)
+    if (const std::size_t first = first_equal[place]; first != place)
+      assign(first_row + order[place], index(vertex_of_row[first_row + order[first]]));
+  return true;
+}
+
+void Triangulation::Impl::insert_range(std::span<const double> coordinates, std::span<const double> weights,
+                                       const std::function<void()>& release) {
+  if (coordinates.size() % ambient() != 0)
+    throw Error(Errc::bad_dimension, "the number of coordinates is not a multiple of the dimension");
+  const std::size_t n = coordinates.size() / ambient();
+  if (!weights.empty() && weights.size() != n)
+    throw Error(Errc::bad_dimension, std::to_string(weights.size()) + " weights for " + std::to_string(n) + " points");
+  check_finite(coordinates, weights);
+  if (n == 0) return;
+  expand();
+  const PointsView view(coordinates, dimension);
+  std::vector<double> with_weights = weighted() ? weighted_rows(view, weights) : std::vector<double>{};
+  const std::span<const double> rows = weighted() ? std::span<const double>(with_weights) : coordinates;
+  const std::size_t first_row = add_rows(n);
+
+  auto start = Clock::now();
+  std::vector<Index> order = front_ends::insertion_order(view, options);
+  statistics.order_seconds += seconds_since(start);
+
+  start = Clock::now();
+  const Index before = points.last_vertex();
+  front_ends::ProgressMeter progress(options.progress, n);
+  const auto finish = [&] {
+    order = {};
+    find_cells_of_vertices();
+    if (landmarks) add_landmarks(before + 1, points.last_vertex());
+    statistics.build_seconds += seconds_since(start);
+  };
+  try {
+    points.coordinates.reserve(points.coordinates.size() + rows.size() + row_size());
+    row_of_vertex.reserve(row_of_vertex.size() + n);
+    start_batch(rows, first_row, order, [&] { progress(0); });
+    RowsInOrder rows_in_order(rows, row_size(), order);
+    with_weights = std::vector<double>();
+    if (release) release();
+    // Where to write vertices has no order of its own: it is asked for long before its turn.
+    constexpr std::size_t ahead = 64;
+    for (std::size_t i = 0; i < n; ++i) {
+      __builtin_prefetch(vertex_of_row.data() + first_row + order[std::min(i + ahead, n - 1)], 1);
+      const double* const point = rows_in_order.next();
+      if (vertex_of_row[first_row + order[i]] == invalid_vertex) insert_row(first_row + order[i], point, invalid_index, false);
+      progress(i + 1);
+    }
+  } catch (...) {
+    finish();
+    throw;
+  }
+  finish();
+}
+
+InsertResult Triangulation::Impl::insert(std::span<const double> point, double weight, std::optional<CellId> hint) {
+  std::vector<double> storage;
+  const double* row_of_point = checked_query(point, weight, storage);
+  Index start = checked_hint(hint);
+  expand();
+  const Index before = points.last_vertex();
+  // Functionals of furthest points lead nowhere.
+  if (!hint && points.form != kernel::RowForm::furthest_point) {
+    if (!landmarks && hull) add_landmarks(1, before);
+    start = start_near(row_of_point);
+  }
+  const std::size_t row = add_rows(1);
+  try {
+    const Index v = insert_row(row, row_of_point, start, true);
+    const bool is_new = v != invalid_index && v > before;
+    if (is_new && landmarks) add_landmarks(v, v);
+    return {VertexId{v}, is_new};
+  } catch (...) {
+    vertex_of_row.resize(row);
+    throw;
+  }
+}
+
+void Triangulation::Impl::compact() {
+  landmarks.reset();
+  if (hull) {
+    compacted = make_compact_hull(affine_hull.axes(), points, *hull, complex());
+    hull.reset();
+    find_cells_of_vertices();
+  }
+  points.coordinates.shrink_to_fit();
+  cell_of_vertex.shrink_to_fit();
+  row_of_vertex.shrink_to_fit();
+  vertex_of_row.shrink_to_fit();
+}
+
+/// Makes insertions possible again after compact(): cells keep their ids.
+void Triangulation::Impl::expand() {
+  if (!compacted) return;
+  auto restored =
+      make_hull(affine_hull.axes(), points, compacted->frame(), compacted->effort(), options.force_runtime_dimension);
+  restored->restore(complex());
+  hull = std::move(restored);
+  compacted.reset();
+}
+
+/// Adds the vertices first … last. Without memory for them there are no landmarks. REQUIRES a hull.
+void Triangulation::Impl::add_landmarks(Index first, Index last) {
+  try {
+    if (!landmarks) landmarks = std::make_unique<front_ends::Landmarks>(hull->frame(), ambient());
+    for (Index v = first; v <= last; ++v) landmarks->add(v, points.point(v));
+  } catch (const std::bad_alloc&) {
+    landmarks.reset();
+  }
+}
+
+Index Triangulation::Impl::start_near(const double* point) const {
+  const Index v = landmarks ? landmarks->near(point, [&](Index near) { return is_visible(near); }) : invalid_index;
+  return v != invalid_index ? index(cell_of_vertex[v]) : invalid_index;
+}
+
+void Triangulation::Impl::find_cells_of_vertices() {
+  if (affine_hull.dimension() < 0) return;
+  cell_of_vertex.assign(points.last_vertex() + 1, invalid_cell);
+  const Complex now = complex();
+  for (const CellId c : now.cells())
+    for (int i = 0; i <= now.dimension(); ++i) cell_of_vertex[index(now.vertex(c, i))] = c;
+  num_vertices =
+      static_cast<Index>(cell_of_vertex.size() - 1 -
+                         static_cast<std::size_t>(std::count(cell_of_vertex.begin() + 1, cell_of_vertex.end(), invalid_cell)));
+}
+
+Complex Triangulation::Impl::complex() const {
+  if (queries() != nullptr) return queries()->complex(num_vertices, cell_of_vertex);
+  if (affine_hull.dimension() == 0)
+    return {{single_links, 2, false}, 0, 2, 1, 1, 1, cell_of_vertex.data(), static_cast<Index>(cell_of_vertex.size())};
+  return {};
+}
+
+/// Inserted rows without a vertex that has cells.
+std::size_t Triangulation::Impl::num_hidden() const {
+  if (!may_hide()) return 0;
+  return static_cast<std::size_t>(std::count_if(vertex_of_row.begin(), vertex_of_row.end(),
+                                                [&](VertexId v) { return v != invalid_vertex && !is_visible(index(v)); }));
+}
+
+bool Triangulation::Impl::is_hidden(std::size_t row) const {
+  if (row >= vertex_of_row.size()) throw Error(Errc::invalid_argument, "not a row of the input");
+  const VertexId v = vertex_of_row[row];
+  return v != invalid_vertex && !is_visible(index(v));
+}
+
+std::vector<std::size_t> Triangulation::Impl::hidden_rows() const {
+  std::vector<std::size_t> rows;
+  for (std::size_t row = 0; row < vertex_of_row.size(); ++row)
+    if (is_hidden(row)) rows.push_back(row);
+  return rows;
+}
+
+const double* Triangulation::Impl::checked_query(std::span<const double> query, double weight, std::vector<double>& row) const {
+  if (query.size() != ambient()) throw Error(Errc::bad_dimension, "the query has not as many coordinates as the space");
+  check_finite(query, {&weight, 1});
+  if (!weighted()) return query.data();
+  row.assign(query.begin(), query.end());
+  row.push_back(weight);
+  return row.data();
+}
+
+Index Triangulation::Impl::checked_hint(std::optional<CellId> hint) const {
+  if (!hint) return invalid_index;
+  if (!complex().is_cell(*hint)) throw Error(Errc::invalid_argument, "the hint is not a cell");
+  return index(*hint);
+}
+
+Index Triangulation::Impl::checked_vertex(VertexId v) const {
+  if (v == infinite_vertex || !is_visible(index(v))) throw Error(Errc::invalid_argument, "not a finite vertex");
+  return index(v);
+}
+
+std::vector<CellId> Triangulation::Impl::conflict_zone(std::span<const double> query, double weight,
+                                                       std::optional<CellId> hint) const {
+  std::vector<double> storage;
+  const double* q = checked_query(query, weight, storage);
+  const Index start = checked_hint(hint);
+  if (affine_hull.dimension() < dimension && !affine_hull.contains(q)) return {};
+  if (queries() != nullptr) return queries()->conflict_zone(q, start);
+  const bool is_heavier = weighted() && weight > points.point(single_links[0])[ambient()];
+  return is_heavier ? std::vector<CellId>{CellId{0}} : std::vector<CellId>{};
+}
+
+Sign Triangulation::Impl::in_sphere(CellId cell, std::span<const double> query, double weight) const {
+  std::vector<double> storage;
+  const double* q = checked_query(query, weight, storage);
+  const Complex now = complex();
+  if (!now.is_cell(cell) || now.is_infinite(cell)) throw Error(Errc::invalid_argument, "not a finite cell");
+  if (affine_hull.dimension() < dimension && !affine_hull.contains(q))
+    throw Error(Errc::invalid_argument, "the query is outside the affine hull of the points");
+  if (queries() != nullptr) {
+    const Sign side = queries()->unperturbed_side(index(cell), q);
+    return points.form == kernel::RowForm::furthest_point ? -side : side;
+  }
+  if (!weighted()) return Sign::zero;
+  const double weight_of_vertex = points.point(single_links[0])[ambient()];
+  return weight > weight_of_vertex ? Sign::negative : weight < weight_of_vertex ? Sign::positive : Sign::zero;
+}
+
+}  // namespace delone

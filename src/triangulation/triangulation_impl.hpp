@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What Triangulation, RegularTriangulation and FurthestSiteTriangulation share: points to vertices, affine dimensions,
+// duplicates, hidden points, rows; the engine does the rest.
+//
+// Every row that was inserted has a vertex id, its own or that of an earlier equal row. Points with weights, and those for
+// which vertices are furthest, may be hidden, at once or by later insertions: their ids keep their points and have no cell.
+// Hidden points stay hidden, as more points only lower the lifted surface.
+#pragma once
+
+#include "compiled/dispatch.hpp"
+#include "triangulation/landmarks.hpp"
+#include "kernel/predicates.hpp"
+
+#include <delone/delaunay.hpp>
+
+#include <memory>
+#include <optional>
+#include <span>
+#include <vector>
+
+namespace delone {
+
+struct Triangulation::Impl {
+  Impl(int d, kernel::RowForm form, const Options& given);
+  ~Impl();
+
+  int dimension;
+  Options options;
+  VertexPoints points;
+  kernel::AffineHull affine_hull;
+  std::unique_ptr<Hull> hull;              // none while the affine dimension is below 1, and after compact()
+  std::unique_ptr<HullQueries> compacted;  // after compact(), until the next insertion
+  std::vector<CellId> cell_of_vertex;      // by vertex id; invalid_cell for hidden points
+  std::vector<Index> row_of_vertex{0};     // the first row at each vertex
+  std::vector<VertexId> vertex_of_row;     // invalid_vertex for a row that was not inserted (cancelled)
+  std::size_t num_rows_inserted = 0;
+  Index num_vertices = 0;  // those that have cells
+  Statistics statistics;
+  std::unique_ptr<front_ends::Landmarks> landmarks;  // from an insertion without hint on, until the frame changes
+
+  /// The links of the complex of one point, a finite and an infinite cell of one vertex each.
+  Index single_links[4] = {0, 1, 0, 0};
+  Index& only_vertex() { return single_links[0]; }
+
+  std::size_t ambient() const { return static_cast<std::size_t>(dimension); }
+  /// A row of the input as the engine reads it: the coordinates, and the weight if points have one.
+  std::size_t row_size() const { return points.row_size(); }
+  bool weighted() const { return points.weighted(); }
+  bool may_hide() const { return points.form != kernel::RowForm::point; }
+  bool is_visible(Index v) const { return v < cell_of_vertex.size() && cell_of_vertex[v] != invalid_cell; }
+
+  /// `weights`: one per point, or none: all are 0. `release`, if there is one, is called when the coordinates are not needed
+  /// any more, before most cells are created.
+  void insert_range(std::span<const double> coordinates, std::span<const double> weights,
+                    const std::function<void()>& release = {});
+  InsertResult insert(std::span<const double> point, double weight, std::optional<CellId> hint);
+  void compact();
+  /// The triangulation, if the affine dimension is at least 1.
+  const HullQueries* queries() const { return hull ? hull.get() : compacted.get(); }
+  Complex complex() const;
+  /// Where to start a walk to a point without a hint: a cell, or invalid_index for where the last insertion was.
+  Index start_near(const double* point) const;
+  bool is_hidden(std::size_t row) const;  // throws unless `row` is one
+  std::size_t num_hidden() const;
+  std::vector<std::size_t> hidden_rows() const;
+
+  /// A query of d coordinates and its weight, checked, as a row. REQUIRES that `row` outlives the use.
+  const double* checked_query(std::span<const double> query, double weight, std::vector<double>& row) const;
+  Index checked_hint(std::optional<CellId> hint) const;
+  Index checked_vertex(VertexId v) const;
+
+  std::vector<CellId> conflict_zone(std::span<const double> query, double weight, std::optional<CellId> hint) const;
+  Sign in_sphere(CellId cell, std::span<const double> query, double weight) const;
+
+ private:
+  void check_finite(std::span<const double> coordinates, std::span<const double> weights) const;
+  std::size_t add_rows(std::size_t rows);
+  Index append(const double* point);
+  void drop_last_vertex();
+  void assign(std::size_t row, Index v);
+  Index insert_row(std::size_t row, const double* point, Index start, bool track);
+  Index insert_at_only_vertex(std::size_t row, const double* point);
+  Index raise(std::size_t row, const double* point, kernel::AffineHull grown);
+  void expand();
+  void add_landmarks(Index first, Index last);
+  void update_cells_of_vertices();
+  void find_cells_of_vertices();
+  geometry::Frame frame_with(const double* low, const double* high, double margin) const;
+  void start_batch(std::span<const double> rows, std::size_t first_row, std::span<const Index> order,
+                   const std::function<void()>& tick);
+  bool is_worth_wrapping(std::size_t n) const;
+  bool wrap_batch(std::span<const double> rows, std::size_t first_row, std::span<const Index> order,
+                  std::span<const Index> simplex, const std::function<void()>& tick);
+};
+
+}  // namespace delone
