@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What the levels of check_hull() hand to each other.
+#pragma once
+
+#include "check/check_stages.hpp"
+#include "hull/hull_normal.hpp"
+#include "compiled/simplicial_hull.hpp"
+#include "kernel/predicates.hpp"
+
+#include <delone/convex_hull.hpp>
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace delone::front_ends {
+
+/// The hull as the engine's front end sees it: rows are sites.
+class ExaminedHull {
+ public:
+  ExaminedHull(const HullData& data, const std::vector<double>& points) : sites(data.dimension), data_(data) {
+    sites.coordinates = points;
+    for (std::size_t row = 0; row < sites.size(); ++row) sites.grid.include(sites.point(static_cast<Index>(row)));
+    hull.dimension = data.affine_dimension;
+    hull.cells.assign(data.cells.begin(), data.cells.end());
+  }
+
+  /// The affine hull of the points, which must have the dimension that was given.
+  void find_flat() {
+    kernel::AffineHull affine_hull(sites.ambient);
+    for (Index row = 0; row < sites.size() && affine_hull.dimension() < sites.ambient; ++row)
+      if (affine_hull.add(sites.point(row))) basis.push_back(row);
+    if (affine_hull.dimension() != hull.dimension)
+      throw Violation{
+          fmt::format("the affine dimension is given as {}, but the points span {}", hull.dimension, affine_hull.dimension()),
+          {},
+          {}};
+    sites.axes = affine_hull.axes();
+    normals.emplace(hull.dimension < 1 ? 1 : hull.dimension);
+    records.resize(hull.num_cells() * normals->stride());
+    for (std::size_t c = 0; c < hull.num_cells(); ++c)
+      normals->compute(sites, hull.cell(c), hull.dimension == 1 && c == 0, records.data() + c * normals->stride());
+  }
+
+  Sign side(std::size_t c, Index row) {
+    const auto cell = hull.cell(c);
+    if (std::find(cell.begin(), cell.end(), row) != cell.end()) return Sign::zero;
+    const double* q = sites.point(row);
+    const Sign sign = normals->side(sites, records.data() + c * normals->stride(), sites.point(cell[0]), q);
+    return sign != Sign::zero ? sign : side_of_cell(sites, hull, c, q, sites.grid, scratch);
+  }
+  /// The sign of det(v_i − base) for the cell with vertex i replaced.
+  Sign replaced(std::size_t c, std::size_t i, Index row, Index base) {
+    scratch.assign(1, sites.point(base));
+    for (const Index v : hull.cell(c)) scratch.push_back(sites.point(v));
+    scratch[i + 1] = sites.point(row);
+    return kernel::orientation<0>(sites.flat(), scratch.data(), sites.grid);
+  }
+
+  std::string text(std::size_t c) const {
+    const auto corners = hull.corners();
+    return braces(std::span<const SignedIndex>(data_.cells).subspan(c * corners, corners));
+  }
+
+  HullSites sites;
+  SimplicialHull hull;
+  std::vector<Index> basis;
+  std::optional<HullNormals> normals;
+  std::vector<double> records;
+  std::vector<const double*> scratch;
+
+ private:
+  const HullData& data_;
+};
+
+/// The vertex opposite the ridge that cell c shares across its vertex i.
+inline Index apex_across(const SimplicialHull& hull, std::size_t c, std::size_t i) {
+  const auto cell = hull.cell(c);
+  const auto other = hull.cell(hull.neighbors_of(c)[i]);
+  return *std::find_if(other.begin(), other.end(), [&](Index v) {
+    const auto at = std::find(cell.begin(), cell.end(), v);
+    return at == cell.end() || at == cell.begin() + static_cast<std::ptrdiff_t>(i);
+  });
+}
+
+/// Level 5: what the file says of facets, ridges, equations, extreme rows, duplicates and kinds of points, where it says so.
+void check_hull_faces(ExaminedHull& examined, const HullData& data);
+
+}  // namespace delone::front_ends

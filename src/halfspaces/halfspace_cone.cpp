@@ -1,0 +1,121 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "halfspaces/halfspace_cone.hpp"
+
+#include "compiled/dispatch.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+namespace delone::front_ends {
+namespace {
+
+Sign orientation_of(const DualSites& sites, const std::vector<const double*>& rows) {
+  StageCounts uncounted;
+  return kernel::homogeneous_orientation<0>(sites.flat(), rows.data(), uncounted);
+}
+
+}  // namespace
+
+HalfspaceCone::HalfspaceCone(const DualSites& sites, std::vector<Index> simplex, const InteriorPoint& p) : sites_(sites) {
+  insertions_ = simplex.size();
+  const auto k = static_cast<std::size_t>(sites.dimension());
+  if (k == 1) {
+    const bool ordered = orientation_of(sites, {sites.row(simplex[0]), sites.row(simplex[1])}) == Sign::positive;
+    ends_[0] = simplex[ordered ? 0 : 1];
+    ends_[1] = simplex[ordered ? 1 : 0];
+    return;
+  }
+  view_.low.assign(k, 0.0);
+  view_.high.assign(k, 0.0);
+  for (Index site = 0; site < sites.size(); ++site) grow_box(site);
+  choose_center(simplex, p);
+  boundary_ = with_compiled_dimension(k, [&](auto dimension) {
+    return make_halfspace_boundary<(dimension() > 1 ? dimension() - 1 : 0)>(sites_, view_, std::move(simplex));
+  });
+}
+
+HalfspaceCone::HalfspaceCone(const DualSites& sites, const HalfspaceCone& other)
+    : sites_(sites), view_(other.view_), ends_{other.ends_[0], other.ends_[1]}, insertions_(other.insertions_) {
+  if (other.boundary_) boundary_ = other.boundary_->copy(sites, view_);
+}
+
+/// The sum of the simplex' rows, each times a power of two near 1/s: dual points count alike. Sums of few bits are tried first,
+/// as they keep determinants of lattices exact.
+void HalfspaceCone::choose_center(const std::vector<Index>& simplex, const InteriorPoint& p) {
+  std::vector<const double*> rows;
+  for (const Index site : simplex) rows.push_back(sites_.row(site));
+  const Sign orientation = orientation_of(sites_, rows);
+  std::vector<int> axes(sites_.axes.begin(), sites_.axes.end() - 1);
+  view_.dual_of_center.assign(2 * axes.size(), 0.0);
+  for (const bool coarse : {true, false}) {
+    view_.center.assign(sites_.row_size, 0.0);
+    for (const double* row : rows) {
+      double s = -row[sites_.row_size - 1];
+      for (std::size_t j = 0; j + 1 < sites_.row_size; ++j) s -= row[j] * p.rounded[j];
+      if (!(s > 0 && std::isfinite(s))) s = *std::max_element(row, row + sites_.row_size);
+      if (!(s > 0)) s = 1;
+      for (std::size_t j = 0; j < sites_.row_size; ++j) view_.center[j] += std::ldexp(row[j], -std::ilogb(s));
+    }
+    for (double& x : view_.center)
+      if (const double unit = coarse && std::isfinite(x) && x != 0 ? std::ldexp(1.0, std::ilogb(x) - 10) : 0; unit > 0)
+        x = std::nearbyint(x / unit) * unit;
+    if (!std::all_of(view_.center.begin(), view_.center.end(), [](double x) { return std::isfinite(x); })) continue;
+    view_.is_inside = true;
+    for (std::size_t i = 0; i < rows.size() && view_.is_inside; ++i) {
+      const double* const row = std::exchange(rows[i], view_.center.data());
+      view_.is_inside = orientation_of(sites_, rows) == orientation;
+      rows[i] = row;
+    }
+    if (!view_.is_inside) continue;
+    dual_point(view_.center.data(), p, axes, view_.dual_of_center.data());
+    return;
+  }
+}
+
+/// Twice the box is added where it has to grow, so that rows arriving ever closer to p change it a logarithmic number of times.
+bool HalfspaceCone::grow_box(Index site) {
+  constexpr double largest = std::numeric_limits<double>::max();
+  const double* dual = sites_.dual(site);
+  bool grown = false;
+  for (std::size_t j = 0; j < view_.low.size(); ++j) {
+    const double margin = boundary_ ? std::min(view_.high[j] - view_.low[j], largest / 8) : 0;
+    if (dual[j] < view_.low[j]) view_.low[j] = dual[j] - margin, grown = true;
+    if (dual[j] > view_.high[j]) view_.high[j] = dual[j] + margin, grown = true;
+  }
+  return grown;
+}
+
+void HalfspaceCone::insert(Index site) {
+  if (!boundary_) {
+    if (orientation_of(sites_, {sites_.row(ends_[0]), sites_.row(site)}) == Sign::negative) ends_[0] = site, ++insertions_;
+    if (orientation_of(sites_, {sites_.row(ends_[1]), sites_.row(site)}) == Sign::positive) ends_[1] = site, ++insertions_;
+    return;
+  }
+  if (grow_box(site)) boundary_->update_box();
+  if (boundary_->insert(site)) ++insertions_;
+}
+
+SimplicialHull HalfspaceCone::hull() const {
+  return boundary_ ? boundary_->to_simplicial_hull() : SimplicialHull{1, {ends_[0], ends_[1]}, {1, 0}, {}};
+}
+
+std::vector<std::pair<Index, Index>> HalfspaceCone::coplanar_neighbors(const SimplicialHull& hull) const {
+  return boundary_ ? boundary_->coplanar_neighbors(hull) : std::vector<std::pair<Index, Index>>{};
+}
+
+Sign HalfspaceCone::side(const SimplicialHull& hull, std::size_t c, Index site) const {
+  if (boundary_) return boundary_->side(hull.slots[c], site);
+  const Sign sign = orientation_of(sites_, {sites_.row(ends_[c]), sites_.row(site)});
+  return c == 1 ? -sign : sign;
+}
+
+std::optional<Index> HalfspaceCone::cell_through(const SimplicialHull& hull, Index site) const {
+  if (!boundary_) return std::nullopt;  // a ray between two others
+  const auto slot = boundary_->cell_through(site);
+  if (!slot) return std::nullopt;
+  return static_cast<Index>(std::lower_bound(hull.slots.begin(), hull.slots.end(), *slot) - hull.slots.begin());
+}
+
+}  // namespace delone::front_ends

@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The sum s = −(n·p + c) in pairs. Each product is a pair exactly, and so is each addition to the leading sum; the low parts,
+// 2d + 1 of them, are at most (d + 2)·u·M together, M = Σ|n_j·p_j| + |c|, and their sum is off by at most (2d + 2)·u times
+// that: s is off by less than 2(d + 3)²·u²·M. If that is at most 2⁻⁷⁰·|s|, the quotients are off by at most 2⁻⁶⁹: quotient and
+// remainder of the division by the leading part are exact, and the correction is rounded in the third order.
+#include "halfspaces/halfspace_dual.hpp"
+
+#include "kernel/double_double.hpp"
+#include "kernel/grid.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace delone::front_ends {
+namespace {
+
+/// 0, or so moderate that neither products nor what they lose leave the range of doubles.
+bool is_moderate(double x, double limit) { return x == 0 || (std::abs(x) >= 1 / limit && std::abs(x) <= limit); }
+
+bool find_in_pairs(const double* row, const std::vector<double>& p, std::span<const int> axes, double* dual) {
+  const std::size_t d = p.size();
+  double largest = 0;
+  for (std::size_t j = 0; j < d; ++j) largest = std::max(largest, std::abs(row[j]));
+  const int exponent = -std::ilogb(largest);
+  const double offset = std::ldexp(row[d], exponent);
+  if (!is_moderate(offset, 0x1p400)) return false;
+  double sum = offset, rest = 0, magnitude = std::abs(offset);
+  for (std::size_t j = 0; j < d; ++j) {
+    const double n = std::ldexp(row[j], exponent);
+    if (!is_moderate(n, 0x1p200) || !is_moderate(p[j], 0x1p200) || (n == 0) != (row[j] == 0)) return false;
+    const kernel::DoubleDouble product = kernel::two_product(n, p[j]);
+    const kernel::DoubleDouble next = kernel::two_sum(sum, product.high);
+    sum = next.high;
+    rest += next.low + product.low;
+    magnitude += std::abs(product.high);
+  }
+  const double terms = static_cast<double>(d) + 3;
+  const kernel::DoubleDouble s = kernel::two_sum(-sum, -rest);
+  if ((offset == 0) != (row[d] == 0) || !(s.high > 0) || !(2.1 * terms * terms * 0x1p-106 * magnitude <= 0x1p-71 * s.high))
+    return false;
+  const std::size_t k = axes.size();
+  for (std::size_t j = 0; j < k; ++j) {
+    const double n = std::ldexp(row[axes[j]], exponent);
+    dual[j] = n / s.high;
+    const kernel::DoubleDouble back = kernel::two_product(dual[j], s.high);
+    dual[k + j] = (((n - back.high) - back.low) - dual[j] * s.low) / s.high;
+  }
+  return true;
+}
+
+void find_in_integers(const double* row, const InteriorPoint& p, std::span<const int> axes, double* dual) {
+  const std::size_t d = p.rounded.size();
+  const std::vector<Integer> n = integer_row(row, d + 1);
+  int exponent = p.exponent;
+  std::vector<Integer> numerators = p.numerators;
+  if (p.is_exact()) {
+    exponent = std::numeric_limits<int>::max();
+    for (const double x : p.rounded) exponent = std::min(exponent, kernel::trailing_exponent(x));
+    if (exponent == std::numeric_limits<int>::max()) exponent = 0;
+    for (const double x : p.rounded) numerators.push_back(scaled_integer(x, exponent));
+  }
+  // −(n·p + c) times denominator·2^−below
+  const int below = std::min(exponent, 0);
+  Integer sum = 0;
+  for (std::size_t j = 0; j < d; ++j) sum -= n[j] * numerators[j];
+  sum <<= exponent - below;
+  sum -= (n[d] * p.denominator) << -below;
+
+  const std::size_t k = axes.size();
+  for (std::size_t j = 0; j < k; ++j) {
+    const Integer numerator = (n[static_cast<std::size_t>(axes[j])] * p.denominator) << -below;
+    dual[j] = nearest_double(numerator, sum, 0);
+    dual[k + j] = 0;
+    if (dual[j] == 0 || !std::isfinite(dual[j])) continue;
+    const int grid = kernel::trailing_exponent(dual[j]), common = std::min(grid, 0);
+    const Integer left = (numerator << -common) - ((scaled_integer(dual[j], grid) * sum) << (grid - common));
+    dual[k + j] = nearest_double(left, sum, common);
+  }
+}
+
+}  // namespace
+
+std::vector<Integer> integer_row(const double* row, std::size_t size) {
+  int grid = std::numeric_limits<int>::max();
+  for (std::size_t j = 0; j < size; ++j) grid = std::min(grid, kernel::trailing_exponent(row[j]));
+  std::vector<Integer> integers;
+  for (std::size_t j = 0; j < size; ++j) integers.push_back(scaled_integer(row[j], grid));
+  return integers;
+}
+
+void dual_point(const double* row, const InteriorPoint& p, std::span<const int> axes, double* dual) {
+  if (!p.is_exact() || !find_in_pairs(row, p.rounded, axes, dual)) find_in_integers(row, p, axes, dual);
+}
+
+}  // namespace delone::front_ends

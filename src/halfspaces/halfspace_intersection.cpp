@@ -1,0 +1,323 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// HalfspaceIntersection: rows to distinct sites, rank, interior point; the cone makes the boundary, halfspace_arrays the
+// arrays.
+#include "halfspaces/intersection_arrays.hpp"
+#include "halfspaces/interior_point.hpp"
+#include "triangulation/point_rows.hpp"
+#include "base/progress_meter.hpp"
+#include "kernel/predicates.hpp"
+#include "order/insertion_order.hpp"
+
+#include <delone/convex_hull.hpp>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <limits>
+#include <mutex>
+#include <new>
+#include <numeric>
+#include <utility>
+
+namespace delone {
+namespace {
+
+using front_ends::DualSites;
+using front_ends::InteriorPoint;
+using front_ends::IntersectionParts;
+using Clock = std::chrono::steady_clock;
+
+double seconds_since(Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); }
+
+bool has_normal(const double* row, std::size_t d) {
+  return std::any_of(row, row + d, [](double x) { return x != 0; });
+}
+
+std::string and_more(std::size_t more) { return more == 0 ? "" : " (and of " + std::to_string(more) + " more)"; }
+
+}  // namespace
+
+struct HalfspaceIntersection::Impl {
+  Impl(int dimension, Options given) : d(static_cast<std::size_t>(dimension)), options(std::move(given)) {}
+
+  std::size_t d;
+  Options options;
+  std::vector<double> rows;  // m×(d+1)
+  std::unique_ptr<const IntersectionParts> current;
+  double order_seconds = 0, build_seconds = 0;
+  mutable std::mutex mutex;
+  mutable std::unique_ptr<const IntersectionData> data;
+
+  std::size_t num_rows() const { return rows.size() / (d + 1); }
+
+  /// Throws unless all is well with new rows, the first of which gets the given number.
+  void check_rows(std::span<const double> added, std::size_t first) const {
+    if (added.size() % (d + 1) != 0)
+      throw Error(Errc::bad_dimension, "the number of entries is not a multiple of the dimension and one");
+    std::vector<std::size_t> bad;
+    for (std::size_t i = 0; i < added.size(); ++i)
+      if (!std::isfinite(added[i]) && (bad.empty() || bad.back() != first + i / (d + 1))) bad.push_back(first + i / (d + 1));
+    if (!bad.empty())
+      throw Error(Errc::not_finite,
+                  "an entry of halfspace " + std::to_string(bad.front()) + " is not finite" + and_more(bad.size() - 1), bad);
+    if (added.size() / (d + 1) > max_index - 1 - first) throw Error(Errc::too_many, "more halfspaces than this build has ids");
+  }
+
+  /// Throws unless p is strictly inside the rows from `first` on.
+  void check_interior(const std::vector<double>& all, std::size_t first, const InteriorPoint& p) const {
+    std::vector<std::size_t> bad;
+    for (std::size_t r = first; r * (d + 1) < all.size(); ++r)
+      if (const double* row = &all[r * (d + 1)]; has_normal(row, d) ? !front_ends::is_strictly_inside(row, p) : row[d] > 0)
+        bad.push_back(r);
+    if (!bad.empty())
+      throw Error(
+          Errc::invalid_argument,
+          "the interior point is not strictly inside halfspace " + std::to_string(bad.front()) + and_more(bad.size() - 1), bad);
+  }
+
+  /// The state of all given rows, with an interior point or none known.
+  std::unique_ptr<IntersectionParts> build(const std::vector<double>& all, const InteriorPoint* known) {
+    if (known != nullptr) check_interior(all, 0, *known);
+    auto next = std::make_unique<IntersectionParts>(d);
+    const std::size_t m = all.size() / (d + 1);
+    std::vector<std::size_t> proper;
+    for (std::size_t r = 0; r < m; ++r) {
+      if (has_normal(&all[r * (d + 1)], d)) {
+        proper.push_back(r);
+      } else if (all[r * (d + 1) + d] > 0 && next->state == IntersectionState::full) {
+        next->state = IntersectionState::empty;  // 0 < 0
+        next->witness = {static_cast<SignedIndex>(r)};
+      }
+    }
+    if (next->state == IntersectionState::full) {
+      if (known != nullptr) {
+        next->interior = *known;
+      } else {
+        front_ends::InteriorSearch search = front_ends::find_interior_point(all, static_cast<int>(d), proper);
+        next->state = search.state;
+        next->interior = std::move(search.point);
+        next->witness.assign(search.witness.begin(), search.witness.end());
+      }
+    }
+    const auto start = Clock::now();
+    add_sites(*next, all, 0);
+    if (next->state != IntersectionState::full) return next;
+    span_rows(*next);
+    order_seconds += seconds_since(start);
+    construct(*next, 1);
+    return next;
+  }
+
+  /// Adds the sites of new rows, and their dual points if the axes are known.
+  void add_sites(IntersectionParts& parts, const std::vector<double>& all, std::size_t first) const {
+    DualSites& sites = parts.sites;
+    for (std::size_t r = first; r * (d + 1) < all.size(); ++r) {
+      const double* row = &all[r * (d + 1)];
+      if (!has_normal(row, d)) {
+        parts.site_of_row.push_back(invalid_index);
+        continue;
+      }
+      const auto site = static_cast<Index>(sites.size());
+      sites.rows.insert(sites.rows.end(), row, row + d + 1);
+      const auto [at, is_new] = parts.site_at.insert(site);
+      parts.site_of_row.push_back(*at);
+      if (is_new) {
+        parts.row_of_site.push_back(static_cast<SignedIndex>(r));
+        if (!sites.axes.empty()) parts.add_dual(site);
+      } else {
+        sites.rows.resize(sites.rows.size() - (d + 1));
+      }
+    }
+  }
+
+  /// The rank of the normals, its axes and a basis; then all dual points.
+  void span_rows(IntersectionParts& parts) const {
+    kernel::AffineHull normals(static_cast<int>(d));
+    const std::vector<double> origin(d, 0.0);
+    normals.add(origin.data());
+    parts.basis = {0};
+    for (Index site = 1; site < parts.sites.size() && normals.dimension() < static_cast<int>(d); ++site)
+      if (normals.add(parts.sites.row(site))) parts.basis.push_back(site);
+    parts.sites.axes = normals.axes();
+    parts.sites.axes.push_back(static_cast<int>(d));
+    for (Index site = 0; site < parts.sites.size(); ++site) parts.add_dual(site);
+  }
+
+  /// Inserts the sites from `first` on; makes the cone if there is none.
+  void construct(IntersectionParts& parts, Index first) {
+    if (parts.rank() == 0) return;
+    auto start = Clock::now();
+    std::vector<Index> order = insertion_order(parts, first);
+    order_seconds += seconds_since(start);
+    start = Clock::now();
+    if (!parts.cone) {
+      parts.cone.emplace(parts.sites, parts.basis, parts.interior);
+      std::erase_if(order, [&](Index site) { return std::binary_search(parts.basis.begin(), parts.basis.end(), site); });
+    }
+    front_ends::ProgressMeter progress(options.progress, order.size());
+    for (std::size_t i = 0; i < order.size(); ++i) {
+      parts.cone->insert(order[i]);
+      progress(i + 1);
+    }
+    build_seconds += seconds_since(start);
+  }
+
+  std::vector<Index> insertion_order(const IntersectionParts& parts, Index first) const {
+    const std::size_t n = parts.sites.size() - first;
+    std::vector<Index> order(n);
+    std::iota(order.begin(), order.end(), Index{0});
+    if (options.order == InsertionOrder::shuffled) order = order::shuffled_order(n, options.seed);
+    if (options.order == InsertionOrder::automatic) {
+      const auto k = static_cast<std::size_t>(parts.rank());
+      std::vector<double> duals;
+      for (Index site = first; site < parts.sites.size(); ++site)
+        for (std::size_t j = 0; j < k; ++j)
+          duals.push_back(std::isfinite(parts.sites.dual(site)[j]) ? parts.sites.dual(site)[j] : 0.0);
+      order = front_ends::insertion_order({duals, parts.rank()}, options);
+    }
+    for (Index& site : order) site += first;
+    return order;
+  }
+
+  void add(std::span<const double> added) {
+    check_rows(added, num_rows());
+    if (added.empty()) return;
+    std::vector<double> all = rows;
+    all.insert(all.end(), added.begin(), added.end());
+    std::unique_ptr<IntersectionParts> next;
+    if (current->state == IntersectionState::full) {
+      check_interior(all, num_rows(), current->interior);
+      if (!current->cone || raises_rank(added)) {
+        next = build(all, &current->interior);
+      } else {
+        next = std::make_unique<IntersectionParts>(*current);
+        const auto first = static_cast<Index>(next->sites.size());
+        add_sites(*next, all, num_rows());
+        construct(*next, first);
+      }
+    } else {
+      next = build(all, nullptr);
+    }
+    rows = std::move(all);
+    current = std::move(next);
+    data.reset();
+  }
+
+  bool raises_rank(std::span<const double> added) const {
+    if (current->rank() == static_cast<int>(d)) return false;
+    kernel::AffineHull normals(static_cast<int>(d));
+    const std::vector<double> origin(d, 0.0);
+    normals.add(origin.data());
+    for (const Index site : current->basis)
+      if (site != 0) normals.add(current->sites.row(site));
+    for (std::size_t i = 0; i < added.size(); i += d + 1)
+      if (normals.add(&added[i])) return true;
+    return false;
+  }
+
+  const IntersectionData& analyse() const {
+    const std::lock_guard lock(mutex);
+    if (!data) {
+      try {
+        data = std::make_unique<const IntersectionData>(front_ends::intersection_arrays(*current));
+      } catch (const std::bad_alloc&) {
+        throw Error(Errc::out_of_memory, "not enough memory for the faces of the intersection");
+      }
+    }
+    return *data;
+  }
+};
+
+namespace {
+
+template <class Work>
+void guarded(Work work) {
+  try {
+    work();
+  } catch (const std::bad_alloc&) {
+    throw Error(Errc::out_of_memory, "not enough memory for the intersection");
+  }
+}
+
+}  // namespace
+
+HalfspaceIntersection::HalfspaceIntersection(std::span<const double> halfspaces, int dimension, const Options& options) {
+  if (dimension < 1) throw Error(Errc::bad_dimension, "the dimension must be at least 1");
+  guarded([&] {
+    impl_ = std::make_unique<Impl>(dimension, options);
+    impl_->check_rows(halfspaces, 0);
+    impl_->rows.assign(halfspaces.begin(), halfspaces.end());
+    impl_->current = impl_->build(impl_->rows, nullptr);
+  });
+}
+
+HalfspaceIntersection::HalfspaceIntersection(std::span<const double> halfspaces, int dimension,
+                                             std::span<const double> interior_point, const Options& options) {
+  if (dimension < 1) throw Error(Errc::bad_dimension, "the dimension must be at least 1");
+  if (interior_point.size() != static_cast<std::size_t>(dimension))
+    throw Error(Errc::bad_dimension, "the interior point has not as many coordinates as the space");
+  for (const double x : interior_point)
+    if (!std::isfinite(x)) throw Error(Errc::not_finite, "a coordinate of the interior point is not finite");
+  guarded([&] {
+    impl_ = std::make_unique<Impl>(dimension, options);
+    impl_->check_rows(halfspaces, 0);
+    impl_->rows.assign(halfspaces.begin(), halfspaces.end());
+    InteriorPoint point;
+    point.rounded.assign(interior_point.begin(), interior_point.end());
+    impl_->current = impl_->build(impl_->rows, &point);
+  });
+}
+
+HalfspaceIntersection::HalfspaceIntersection(HalfspaceIntersection&&) noexcept = default;
+HalfspaceIntersection& HalfspaceIntersection::operator=(HalfspaceIntersection&&) noexcept = default;
+HalfspaceIntersection::~HalfspaceIntersection() = default;
+
+void HalfspaceIntersection::add_halfspaces(std::span<const double> halfspaces) {
+  guarded([&] { impl_->add(halfspaces); });
+}
+
+int HalfspaceIntersection::dimension() const { return static_cast<int>(impl_->d); }
+int HalfspaceIntersection::rank() const { return impl_->current->rank(); }
+std::size_t HalfspaceIntersection::num_halfspaces() const { return impl_->num_rows(); }
+IntersectionState HalfspaceIntersection::state() const { return impl_->current->state; }
+std::size_t HalfspaceIntersection::count(HalfspaceKind kind) const {
+  return static_cast<std::size_t>(std::count(data().kinds.begin(), data().kinds.end(), kind));
+}
+const IntersectionData& HalfspaceIntersection::data() const { return impl_->analyse(); }
+IntersectionData HalfspaceIntersection::to_data() const {
+  IntersectionData copy = data();
+  copy.halfspaces = impl_->rows;
+  return copy;
+}
+
+double HalfspaceIntersection::volume() const {
+  const IntersectionData& found = data();
+  if (found.state != IntersectionState::full) return 0;
+  if (!found.bounded) return std::numeric_limits<double>::infinity();
+  return Polytope(found.vertices, dimension(), impl_->options).volume().value;
+}
+double HalfspaceIntersection::dual_volume() const { return front_ends::dual_measure(*impl_->current, true); }
+double HalfspaceIntersection::dual_area() const { return front_ends::dual_measure(*impl_->current, false); }
+
+std::size_t HalfspaceIntersection::num_cells() const {
+  return impl_->current->cone ? impl_->current->cone->hull().num_cells() : 0;
+}
+
+Statistics HalfspaceIntersection::statistics() const {
+  Statistics s;
+  s.order_seconds = impl_->order_seconds;
+  s.build_seconds = impl_->build_seconds;
+  if (!impl_->current->cone) return s;
+  const engine::Effort effort = impl_->current->cone->effort();
+  s.created_cells = effort.created_cells;
+  s.visited_cells = effort.visited_cells;
+  s.insertions = impl_->current->cone->insertions();
+  s.filter = effort.stages.filter;
+  s.direct = effort.stages.direct;
+  s.exact = effort.stages.exact;
+  s.perturbed = effort.stages.perturbed;
+  s.cell_bytes = impl_->current->cone->bytes();
+  return s;
+}
+
+}  // namespace delone

@@ -1,0 +1,303 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Duality: cells of the boundary in one hyperplane merge into facets (convex_hull_faces.hpp); a facet is dual to a vertex, or
+// to a direction if the row at infinity is on its hyperplane. An extreme site is dual to a facet, a ridge to an edge.
+//
+// Whether a site that is not extreme touches the intersection: the facets it is on are dual to the vertices and directions
+// where its hyperplane touches, so it does iff one of them is dual to a vertex.
+#include "halfspaces/intersection_arrays.hpp"
+
+#include "hull/hull_faces.hpp"
+#include "hull/hull_measure.hpp"
+#include "halfspaces/halfspace_vertex.hpp"
+#include "kernel/hull_stages.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+namespace delone::front_ends {
+namespace {
+
+class ArrayMaker {
+ public:
+  explicit ArrayMaker(const IntersectionParts& parts)
+      : parts_(parts), sites_(parts.sites), d_(parts.interior.rounded.size()), k_(static_cast<std::size_t>(parts.rank())) {}
+
+  IntersectionData make() {
+    data_.dimension = static_cast<int>(d_);
+    data_.state = parts_.state;
+    for (std::size_t r = 0; r < parts_.site_of_row.size(); ++r)
+      data_.first_of_halfspace.push_back(parts_.site_of_row[r] == invalid_index ? static_cast<SignedIndex>(r)
+                                                                                : parts_.row_of_site[parts_.site_of_row[r]]);
+    data_.witness = parts_.witness;
+    if (parts_.state != IntersectionState::full) return std::move(data_);
+    data_.rank = parts_.rank();
+    data_.interior_point = parts_.interior.rounded;
+    data_.interior_point_is_exact = parts_.interior.is_exact();
+    axes_.assign(sites_.axes.begin(), sites_.axes.begin() + static_cast<std::ptrdiff_t>(k_));
+    data_.axes = axes_;
+    std::vector<const double*> basis;
+    for (std::size_t i = 1; i < parts_.basis.size(); ++i) basis.push_back(sites_.row(parts_.basis[i]));
+    data_.lineality = lineality_basis(basis, axes_, d_);
+    kind_of_site_.assign(sites_.size(), HalfspaceKind::redundant);
+    data_.vertex_offsets = data_.direction_offsets = data_.facet_offsets = data_.facet_direction_offsets = {0};
+    if (parts_.cone) {
+      hull_ = parts_.cone->hull();
+      merge_cells();
+      classify();
+      make_vertices();
+      make_edges();
+      make_facets();
+    }
+    make_kinds();
+    make_dual();
+    return std::move(data_);
+  }
+
+ private:
+  void merge_cells() {
+    faces_ = find_faces(hull_, sites_.size(), parts_.cone->coplanar_neighbors(hull_));
+    sites_of_facet_ = find_facet_sites(hull_, faces_);
+    const std::size_t num_facets = faces_.num_facets();
+    cell_of_facet_.assign(num_facets, 0);
+    is_at_infinity_.assign(num_facets, 0);
+    for (std::size_t c = hull_.num_cells(); c-- > 0;) cell_of_facet_[faces_.facet_of_cell[c]] = static_cast<Index>(c);
+    std::vector<char> is_corner(sites_.size(), 0);
+    for (const Index site : hull_.cells) is_corner[site] = 1;
+    data_.bounded = k_ == d_ && !is_corner[0] && !parts_.cone->cell_through(hull_, 0);
+    if (!data_.bounded)
+      for (std::size_t f = 0; f < num_facets; ++f)
+        is_at_infinity_[f] = parts_.cone->side(hull_, cell_of_facet_[f], 0) == Sign::zero;
+    for (Index site = 1; site < sites_.size(); ++site)
+      if (!is_corner[site]) inner_sites_.push_back(site);
+  }
+
+  void classify() {
+    for (std::size_t c = 0; c < hull_.num_cells(); ++c)
+      for (const Index site : hull_.cell(c))
+        if (faces_.is_extreme[site])
+          kind_of_site_[site] = HalfspaceKind::facet;
+        else if (!is_at_infinity_[faces_.facet_of_cell[c]])
+          kind_of_site_[site] = HalfspaceKind::touching;
+    for (const Index site : inner_sites_)
+      if (const auto cell = parts_.cone->cell_through(hull_, site); cell && touches(site, *cell))
+        kind_of_site_[site] = HalfspaceKind::touching;
+  }
+
+  /// The cells whose hyperplanes contain a site are connected: they are around the face that the site is in.
+  bool touches(Index site, Index start) const {
+    std::vector<Index> seen{start};
+    for (std::size_t next = 0; next < seen.size(); ++next) {
+      if (!is_at_infinity_[faces_.facet_of_cell[seen[next]]]) return true;
+      for (const Index across : hull_.neighbors_of(seen[next]))
+        if (std::find(seen.begin(), seen.end(), across) == seen.end() && parts_.cone->side(hull_, across, site) == Sign::zero)
+          seen.push_back(across);
+    }
+    return false;
+  }
+
+  /// The number of each vertex and of each direction, by facet of the boundary.
+  void make_vertices() {
+    const std::size_t num_facets = faces_.num_facets();
+    number_.resize(num_facets);
+    std::vector<const double*> rows;
+    std::vector<double> x(k_);
+    for (std::size_t f = 0; f < num_facets; ++f) {
+      rows.clear();
+      for (const Index site : hull_.cell(cell_of_facet_[f])) rows.push_back(sites_.row(site));
+      auto& offsets = is_at_infinity_[f] ? data_.direction_offsets : data_.vertex_offsets;
+      auto& halfspaces = is_at_infinity_[f] ? data_.direction_halfspaces : data_.vertex_halfspaces;
+      number_[f] = static_cast<SignedIndex>(offsets.size()) - 1;
+      const std::size_t first = halfspaces.size();
+      for (const Index site : sites_of_facet_[f])
+        if (site != 0) halfspaces.push_back(parts_.row_of_site[site]);
+      std::sort(halfspaces.begin() + static_cast<std::ptrdiff_t>(first), halfspaces.end());
+      offsets.push_back(static_cast<SignedIndex>(halfspaces.size()));
+      if (is_at_infinity_[f]) {
+        // det(rows, q) is positive for q inside, where q·z is to be negative.
+        std::vector<Integer> z = cone_normal(rows, sites_.axes);
+        z.pop_back();
+        const bool keep = hull_.dimension == 1 && cell_of_facet_[f] == 1;
+        for (Integer& entry : z)
+          if (!keep) entry = -entry;
+        const std::vector<double> direction = unit_vector(z, axes_, d_);
+        data_.directions.insert(data_.directions.end(), direction.begin(), direction.end());
+      } else {
+        meeting_point(rows, sites_.axes, x.data());
+        const std::size_t at = data_.vertices.size();
+        data_.vertices.resize(at + d_, 0.0);
+        for (std::size_t j = 0; j < k_; ++j) data_.vertices[at + static_cast<std::size_t>(axes_[j])] = x[j];
+      }
+    }
+  }
+
+  void make_edges() {
+    const PolytopeRidges ridges = find_ridges(hull_, faces_, sites_of_facet_);
+    for (std::size_t r = 0; r < ridges.sites.size(); ++r) {
+      Index a = ridges.facets[2 * r], b = ridges.facets[2 * r + 1];
+      if (is_at_infinity_[a] && is_at_infinity_[b]) continue;
+      if (is_at_infinity_[a]) std::swap(a, b);
+      std::vector<SignedIndex>& list = is_at_infinity_[b] ? data_.rays : data_.edges;
+      list.push_back(number_[a]);
+      list.push_back(number_[b]);
+    }
+    // k = 1: the two ends have no ridge in common, but an edge.
+    if (k_ == 1) {
+      const bool first = is_at_infinity_[0], second = is_at_infinity_[1];
+      if (first != second) data_.rays = {0, 0};
+      if (!first && !second) data_.edges = {0, 1};
+    }
+  }
+
+  void make_facets() {
+    std::vector<std::pair<SignedIndex, Index>> order;  // row, site
+    for (Index site = 1; site < sites_.size(); ++site)
+      if (faces_.is_extreme[site]) order.emplace_back(parts_.row_of_site[site], site);
+    std::sort(order.begin(), order.end());
+    std::vector<std::vector<Index>> around(sites_.size());
+    for (std::size_t f = 0; f < faces_.num_facets(); ++f)
+      for (const Index site : sites_of_facet_[f]) around[site].push_back(static_cast<Index>(f));
+    std::vector<Index> cell_with(sites_.size(), invalid_index);
+    for (std::size_t c = 0; c < hull_.num_cells(); ++c)
+      for (const Index site : hull_.cell(c)) cell_with[site] = static_cast<Index>(c);
+    for (const auto& [row, site] : order) {
+      data_.facet_halfspaces.push_back(row);
+      const std::vector<Index> facets = k_ == 3 ? in_cycle(site, cell_with[site]) : around[site];
+      for (const Index f : facets) (is_at_infinity_[f] ? data_.facet_directions : data_.facet_vertices).push_back(number_[f]);
+      data_.facet_offsets.push_back(static_cast<SignedIndex>(data_.facet_vertices.size()));
+      data_.facet_direction_offsets.push_back(static_cast<SignedIndex>(data_.facet_directions.size()));
+    }
+  }
+
+  /// k = 3: the facets around a site, those at infinity last.
+  std::vector<Index> in_cycle(Index site, Index start) const {
+    std::vector<Index> cycle;
+    Index c = start;
+    do {
+      const auto cell = hull_.cell(c);
+      const auto slot = static_cast<std::size_t>(std::find(cell.begin(), cell.end(), site) - cell.begin());
+      if (const Index f = faces_.facet_of_cell[c]; cycle.empty() || cycle.back() != f) cycle.push_back(f);
+      c = hull_.neighbors_of(c)[(slot + 2) % 3];
+    } while (c != start);
+    if (cycle.size() > 1 && cycle.back() == cycle.front()) cycle.pop_back();
+    // A facet's cells around the site follow each other, as faces are convex.
+    const auto after_infinity = [&] {
+      for (std::size_t i = 0; i < cycle.size(); ++i)
+        if (is_at_infinity_[cycle[i]] && !is_at_infinity_[cycle[(i + 1) % cycle.size()]]) return i + 1;
+      return static_cast<std::size_t>(0);
+    }();
+    std::rotate(cycle.begin(), cycle.begin() + static_cast<std::ptrdiff_t>(after_infinity % cycle.size()), cycle.end());
+    return cycle;
+  }
+
+  void make_kinds() {
+    for (std::size_t r = 0; r < parts_.site_of_row.size(); ++r) {
+      const Index site = parts_.site_of_row[r];
+      data_.kinds.push_back(site == invalid_index                                     ? HalfspaceKind::trivial
+                            : parts_.row_of_site[site] != static_cast<SignedIndex>(r) ? HalfspaceKind::duplicate
+                                                                                      : kind_of_site_[site]);
+    }
+  }
+
+  void make_dual() {
+    std::vector<int> all(d_);
+    for (std::size_t j = 0; j < d_; ++j) all[j] = static_cast<int>(j);
+    std::vector<double> dual(2 * d_), normal(d_);
+    for (const Index site : parts_.site_of_row) {
+      std::fill(dual.begin(), dual.end(), 0.0);
+      if (site != invalid_index) dual_point(sites_.row(site), parts_.interior, all, dual.data());
+      data_.dual_points.insert(data_.dual_points.end(), dual.begin(), dual.begin() + static_cast<std::ptrdiff_t>(d_));
+    }
+    // The dual points y of the rows through a vertex v have y·(v − p) = 1.
+    for (std::size_t v = 0; v < data_.num_vertices(); ++v) {
+      double largest = 0, square = 0;
+      for (std::size_t j = 0; j < d_; ++j) {
+        const bool is_axis = std::binary_search(axes_.begin(), axes_.end(), static_cast<int>(j));
+        normal[j] = is_axis ? data_.vertex(v)[j] - data_.interior_point[j] : 0;
+        largest = std::max(largest, std::abs(normal[j]));
+      }
+      for (const double x : normal) square += (x / largest) * (x / largest);
+      const double length = std::sqrt(square);
+      for (const double x : normal) data_.dual_equations.push_back(x / largest / length);
+      data_.dual_equations.push_back(-1 / largest / length);
+    }
+  }
+
+  const IntersectionParts& parts_;
+  const DualSites& sites_;
+  std::size_t d_, k_;
+  std::vector<int> axes_;
+  SimplicialHull hull_;
+  PolytopeFaces faces_;
+  Lists sites_of_facet_;
+  std::vector<Index> cell_of_facet_, inner_sites_;
+  std::vector<char> is_at_infinity_;
+  std::vector<SignedIndex> number_;
+  std::vector<HalfspaceKind> kind_of_site_;
+  IntersectionData data_;
+};
+
+}  // namespace
+
+IntersectionParts::IntersectionParts(std::size_t d) {
+  sites.row_size = d + 1;
+  sites.rows.assign(d + 1, 0.0);
+  sites.rows[d] = -1;
+  site_at.insert(0);
+  interior.rounded.assign(d, 0.0);
+}
+
+IntersectionParts::IntersectionParts(const IntersectionParts& other)
+    : sites(other.sites),
+      site_at(other.site_at.begin(), other.site_at.end(), RayOrder{&sites}),
+      row_of_site(other.row_of_site),
+      site_of_row(other.site_of_row),
+      basis(other.basis),
+      interior(other.interior),
+      state(other.state),
+      witness(other.witness) {
+  if (other.cone) cone.emplace(sites, *other.cone);
+}
+
+void IntersectionParts::add_dual(Index site) {
+  const std::size_t k = sites.axes.size() - 1;
+  sites.duals.resize((static_cast<std::size_t>(site) + 1) * 2 * k, 0.0);
+  if (site != 0) dual_point(sites.row(site), interior, std::span(sites.axes).first(k), sites.duals.data() + site * 2 * k);
+}
+
+bool is_strictly_inside(const double* row, const InteriorPoint& p) {
+  const std::size_t d = p.rounded.size();
+  if (p.is_exact()) {
+    StageCounts uncounted;
+    return kernel::side_of_hyperplane(row, p.rounded.data(), static_cast<int>(d), uncounted) == Sign::negative;
+  }
+  const std::vector<Integer> integers = integer_row(row, d + 1);
+  Integer sum = integers[d] * p.denominator;
+  for (std::size_t j = 0; j < d; ++j) sum += integers[j] * p.numerators[j];
+  return sum < 0;
+}
+
+IntersectionData intersection_arrays(const IntersectionParts& parts) { return ArrayMaker(parts).make(); }
+
+double dual_measure(const IntersectionParts& parts, bool volume) {
+  const auto d = parts.interior.rounded.size();
+  if (!parts.cone || static_cast<std::size_t>(parts.rank()) != d) return std::numeric_limits<double>::quiet_NaN();
+  const SimplicialHull hull = parts.cone->hull();
+  if (d == 1 && !volume) return 2;
+  MeasureSum sum;
+  std::vector<const double*> simplex;
+  for (std::size_t c = 0; c < hull.num_cells(); ++c) {
+    const auto cell = hull.cell(c);
+    simplex.clear();
+    if (volume) {
+      if (std::find(cell.begin(), cell.end(), hull.cells[0]) != cell.end()) continue;
+      simplex.push_back(parts.sites.dual(hull.cells[0]));
+    }
+    for (const Index site : cell) simplex.push_back(parts.sites.dual(site));
+    sum.add(simplex_volume(simplex, static_cast<int>(d)));
+  }
+  return sum.result().value;
+}
+
+}  // namespace delone::front_ends

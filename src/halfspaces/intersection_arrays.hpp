@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What makes an intersection of halfspaces, and the arrays that describe it.
+#pragma once
+
+#include "halfspaces/halfspace_cone.hpp"
+#include "kernel/rays.hpp"
+
+#include <delone/halfspaces.hpp>
+
+#include <cstddef>
+#include <optional>
+#include <set>
+#include <vector>
+
+namespace delone::front_ends {
+
+/// Sites by their rays.
+struct RayOrder {
+  const DualSites* sites;
+  bool operator()(Index a, Index b) const {
+    return kernel::compare_rays(sites->row(a), sites->row(b), static_cast<int>(sites->row_size)) < 0;
+  }
+};
+
+/// Rows as sites (one for each ray, site 0 is the row at infinity), an interior point, and the cone of the sites.
+struct IntersectionParts {
+  explicit IntersectionParts(std::size_t d);
+  IntersectionParts(const IntersectionParts& other);
+  IntersectionParts& operator=(const IntersectionParts&) = delete;
+
+  int rank() const { return sites.axes.empty() ? 0 : sites.dimension(); }
+  void add_dual(Index site);
+
+  DualSites sites;
+  std::set<Index, RayOrder> site_at{RayOrder{&sites}};
+  std::vector<SignedIndex> row_of_site{-1};  // the first row of each site; −1 for the row at infinity
+  std::vector<Index> site_of_row;            // invalid_index for rows without a normal
+  std::vector<Index> basis;                  // k+1 independent sites, increasing; the first is site 0
+  InteriorPoint interior;
+  IntersectionState state = IntersectionState::full;
+  std::vector<SignedIndex> witness;
+  std::optional<HalfspaceCone> cone;  // none while the rank is 0
+};
+
+/// Whether n·p + c < 0, exactly.
+bool is_strictly_inside(const double* row, const InteriorPoint& p);
+
+/// All of IntersectionData but the halfspaces.
+IntersectionData intersection_arrays(const IntersectionParts& parts);
+
+/// The volume or the surface area of the boundary of the rounded dual points; NaN for k < d.
+double dual_measure(const IntersectionParts& parts, bool volume);
+
+}  // namespace delone::front_ends

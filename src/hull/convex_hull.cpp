@@ -1,0 +1,238 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Polytope: the public face of what convex_hull_state.hpp builds and convex_hull_analysis.hpp derives from it.
+#include "complex/canonical_hash.hpp"
+#include "hull/hull_analysis.hpp"
+#include "hull/hull_state.hpp"
+#include "triangulation/point_rows.hpp"
+
+#include <delone/convex_hull.hpp>
+
+#include <algorithm>
+#include <mutex>
+#include <new>
+#include <utility>
+
+namespace delone {
+
+using front_ends::HullAnalysis;
+using front_ends::HullLocator;
+using front_ends::HullSites;
+using front_ends::HullState;
+using front_ends::SimplicialHull;
+
+struct Polytope::Impl {
+  Impl(int d, Options given) : dimension(d), options(std::move(given)), state(std::make_unique<HullState>(d)) {}
+
+  int dimension;
+  Options options;
+  std::unique_ptr<HullState> state;
+  mutable std::mutex mutex;
+  mutable std::unique_ptr<const HullAnalysis> analysis_of_state;
+
+  std::size_t ambient() const { return static_cast<std::size_t>(dimension); }
+  int affine_dimension() const { return state->affine_hull().dimension(); }
+  const SimplicialHull& hull() const { return state->hull(); }
+
+  void insert_range(std::span<const double> coordinates) {
+    if (coordinates.size() % ambient() != 0)
+      throw Error(Errc::bad_dimension, "the number of coordinates is not a multiple of the dimension");
+    front_ends::require_finite(coordinates, ambient(), "a coordinate");
+    const std::size_t n = coordinates.size() / ambient();
+    if (n == 0) return;
+    check_room(n);
+    auto next = std::make_unique<HullState>(*state);
+    next->insert_range(coordinates, options);
+    state = std::move(next);
+    analysis_of_state.reset();
+  }
+
+  HullInsertResult insert(std::span<const double> point) {
+    if (point.size() != ambient()) throw Error(Errc::bad_dimension, "the point has not as many coordinates as the space");
+    front_ends::require_finite(point, ambient(), "a coordinate");
+    check_room(1);
+    if (state->raises_dimension(point.data())) {
+      const std::size_t row = state->num_rows();
+      insert_range(point);
+      return {row, true, false};
+    }
+    const HullInsertResult result = state->insert_in_flat(point.data());
+    // Of a duplicate only the new row's entries change, but they are part of the arrays.
+    analysis_of_state.reset();
+    return result;
+  }
+  void check_room(std::size_t n) const {
+    if (n > max_index - state->num_rows()) throw Error(Errc::too_many, "more points than this build has ids");
+  }
+
+  /// What `ask` finds out from the analysis.
+  template <class Ask>
+  decltype(auto) analyse(Ask ask) const {
+    try {
+      return ask(analysis());
+    } catch (const std::bad_alloc&) {
+      throw Error(Errc::out_of_memory, "not enough memory for the faces of the hull");
+    }
+  }
+  const HullAnalysis& analysis() const {
+    const std::lock_guard lock(mutex);
+    if (!analysis_of_state) analysis_of_state = std::make_unique<HullAnalysis>(*state);
+    return *analysis_of_state;
+  }
+
+  const double* checked_query(std::span<const double> query) const {
+    if (query.size() != ambient()) throw Error(Errc::bad_dimension, "the query has not as many coordinates as the space");
+    front_ends::require_finite(query, ambient(), "a coordinate");
+    return query.data();
+  }
+  bool in_flat(const double* q) const { return affine_dimension() == dimension || state->affine_hull().contains(q); }
+  kernel::Grid grid_with(const double* q) const {
+    kernel::Grid grid = state->sites().grid;
+    grid.include(q);
+    return grid;
+  }
+};
+
+Polytope::Polytope(int dimension, const Options& options) {
+  if (dimension < 1) throw Error(Errc::bad_dimension, "the dimension must be at least 1");
+  impl_ = std::make_unique<Impl>(dimension, options);
+}
+Polytope::Polytope(std::span<const double> coordinates, int dimension, const Options& options) : Polytope(dimension, options) {
+  insert_range(coordinates);
+}
+Polytope::Polytope(PointsView points, const Options& options) : Polytope(points.coordinates(), points.dimension(), options) {}
+Polytope::Polytope(Polytope&&) noexcept = default;
+Polytope& Polytope::operator=(Polytope&&) noexcept = default;
+Polytope::~Polytope() = default;
+
+void Polytope::insert_range(std::span<const double> coordinates) {
+  try {
+    impl_->insert_range(coordinates);
+  } catch (const std::bad_alloc&) {
+    throw Error(Errc::out_of_memory, "not enough memory for the hull");
+  }
+}
+HullInsertResult Polytope::insert(std::span<const double> point) {
+  try {
+    return impl_->insert(point);
+  } catch (const std::bad_alloc&) {
+    throw Error(Errc::out_of_memory, "not enough memory for the hull");
+  }
+}
+
+int Polytope::dimension() const { return impl_->dimension; }
+int Polytope::affine_dimension() const { return impl_->affine_dimension(); }
+std::size_t Polytope::num_points() const { return impl_->state->num_rows(); }
+std::size_t Polytope::num_duplicates() const { return num_points() - impl_->state->sites().size(); }
+std::size_t Polytope::num_cells() const { return impl_->hull().num_cells(); }
+std::vector<int> Polytope::axes() const { return impl_->state->affine_hull().axes(); }
+
+std::size_t Polytope::num_vertices() const { return count(PointKind::extreme); }
+std::size_t Polytope::num_facets() const {
+  return impl_->analyse([](const HullAnalysis& analysis) { return analysis.faces().num_facets(); });
+}
+std::size_t Polytope::num_ridges() const {
+  return impl_->analyse([](const HullAnalysis& analysis) { return analysis.num_ridges(); });
+}
+PointKind Polytope::kind(std::size_t row) const {
+  if (row >= num_points()) throw Error(Errc::invalid_argument, "not a row of the input");
+  return impl_->analyse([&](const HullAnalysis& analysis) { return analysis.kinds()[row]; });
+}
+std::size_t Polytope::count(PointKind kind) const {
+  return impl_->analyse([&](const HullAnalysis& analysis) { return analysis.count(kind); });
+}
+std::span<const double> Polytope::point(std::size_t row) const {
+  if (row >= num_points()) throw Error(Errc::invalid_argument, "not a row of the input");
+  return {impl_->state->sites().point(impl_->state->site_of_row(row)), impl_->ambient()};
+}
+
+const HullData& Polytope::data() const {
+  return impl_->analyse([](const HullAnalysis& analysis) -> const HullData& { return analysis.data(); });
+}
+HullData Polytope::to_data(bool with_points) const {
+  HullData copy = data();
+  for (std::size_t row = 0; with_points && row < num_points(); ++row)
+    copy.points.insert(copy.points.end(), point(row).begin(), point(row).end());
+  return copy;
+}
+
+Measure Polytope::volume() const {
+  return impl_->analyse([](const HullAnalysis& analysis) { return analysis.measures().volume; });
+}
+Measure Polytope::area() const {
+  return impl_->analyse([](const HullAnalysis& analysis) { return analysis.measures().area; });
+}
+std::vector<std::size_t> Polytope::f_vector() const {
+  return impl_->analyse(
+      [&](const HullAnalysis& analysis) { return front_ends::count_faces(analysis.facet_sites(), affine_dimension()); });
+}
+
+Containment Polytope::locate(std::span<const double> query) const {
+  const double* q = impl_->checked_query(query);
+  Containment result;
+  if (affine_dimension() < 0 || !impl_->in_flat(q)) return result;
+  if (affine_dimension() == 0) {
+    result.kind = Containment::Kind::on_boundary;
+    result.face = {impl_->state->row(0)};
+    return result;
+  }
+  const HullAnalysis& analysis = impl_->analysis();
+  const kernel::Grid grid = impl_->grid_with(q);
+  const HullLocator::Result found = analysis.locator()->locate(q, grid);
+  result.cell = static_cast<SignedIndex>(found.cell);
+  result.kind = found.side == Sign::positive   ? Containment::Kind::inside
+                : found.side == Sign::negative ? Containment::Kind::outside
+                                               : Containment::Kind::on_boundary;
+  if (found.side != Sign::zero) return result;
+  std::vector<Index> facets;
+  for (const Index c : analysis.locator()->cells_on_side(found.cell, Sign::zero, q, grid))
+    facets.push_back(analysis.faces().facet_of_cell[c]);
+  std::sort(facets.begin(), facets.end());
+  facets.erase(std::unique(facets.begin(), facets.end()), facets.end());
+  for (const Index site : front_ends::common_vertices(analysis.facet_sites(), facets))
+    result.face.push_back(impl_->state->row(site));
+  return result;
+}
+bool Polytope::contains(std::span<const double> query) const {
+  const Containment::Kind kind = locate(query).kind;
+  return kind == Containment::Kind::inside || kind == Containment::Kind::on_boundary;
+}
+
+std::vector<SignedIndex> Polytope::visible_cells(std::span<const double> query) const {
+  const double* q = impl_->checked_query(query);
+  if (affine_dimension() < 1 || !impl_->in_flat(q)) return {};
+  const HullAnalysis& analysis = impl_->analysis();
+  const kernel::Grid grid = impl_->grid_with(q);
+  const HullLocator::Result found = analysis.locator()->locate(q, grid);
+  if (found.side != Sign::negative) return {};
+  const std::vector<Index> cells = analysis.locator()->cells_on_side(found.cell, Sign::negative, q, grid);
+  return {cells.begin(), cells.end()};
+}
+std::vector<SignedIndex> Polytope::visible_facets(std::span<const double> query) const {
+  std::vector<SignedIndex> facets;
+  for (const SignedIndex c : visible_cells(query))
+    facets.push_back(static_cast<SignedIndex>(impl_->analysis().faces().facet_of_cell[static_cast<std::size_t>(c)]));
+  std::sort(facets.begin(), facets.end());
+  facets.erase(std::unique(facets.begin(), facets.end()), facets.end());
+  return facets;
+}
+
+CanonicalHash Polytope::hash() const {
+  const SimplicialHull& hull = impl_->hull();
+  const HullSites& sites = impl_->state->sites();
+  front_ends::HashAccumulator hash;
+  std::vector<Index> corners = hull.cells;
+  if (affine_dimension() == 0) corners = {0};
+  std::sort(corners.begin(), corners.end());
+  corners.erase(std::unique(corners.begin(), corners.end()), corners.end());
+  for (const Index site : corners) hash.add_vertex(front_ends::point_tag(sites.point(site), dimension()));
+  for (std::size_t c = 0; c < hull.num_cells(); ++c) {
+    front_ends::PointTag sum;
+    for (const Index site : hull.cell(c)) sum += front_ends::point_tag(sites.point(site), dimension());
+    hash.add_cell(sum);
+  }
+  return hash.finish(dimension(), affine_dimension());
+}
+
+Statistics Polytope::statistics() const { return impl_->state->statistics(); }
+
+}  // namespace delone

@@ -1,0 +1,110 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "hull/hull_analysis.hpp"
+
+#include <algorithm>
+#include <utility>
+
+namespace delone::front_ends {
+
+HullAnalysis::HullAnalysis(const HullState& state) : state_(state) {
+  if (state.builder() != nullptr) locator_.emplace(state.sites(), *state.builder());
+}
+
+const PolytopeFaces& HullAnalysis::faces() const {
+  return faces_.get([&] {
+    const HullBoundary* boundary = state_.builder() == nullptr ? nullptr : state_.builder()->boundary();
+    const SimplicialHull& hull = state_.hull();
+    std::vector<std::pair<Index, Index>> coplanar;
+    if (boundary != nullptr) coplanar = boundary->coplanar_neighbors(hull);
+    return find_faces(hull, state_.sites().size(), coplanar);
+  });
+}
+
+const Lists& HullAnalysis::facet_sites() const {
+  return facet_sites_.get([&] { return find_facet_sites(state_.hull(), faces()); });
+}
+
+std::size_t HullAnalysis::num_ridges() const {
+  return num_ridges_.get([&] { return count_ridges(state_.hull(), faces()); });
+}
+
+const std::vector<PointKind>& HullAnalysis::kinds() const {
+  return kinds_.get([&] { return find_kinds(); });
+}
+
+std::size_t HullAnalysis::count(PointKind kind) const {
+  return counts_.get([&] {
+    std::array<std::size_t, 4> counts{};
+    for (const PointKind each : kinds()) ++counts[static_cast<std::size_t>(each)];
+    return counts;
+  })[static_cast<std::size_t>(kind)];
+}
+
+const HullMeasures& HullAnalysis::measures() const {
+  return measures_.get([&] { return measure_hull(state_.sites(), state_.hull()); });
+}
+
+const HullData& HullAnalysis::data() const {
+  return data_.get([&] { return make_data(); });
+}
+
+std::vector<PointKind> HullAnalysis::find_kinds() const {
+  const HullSites& sites = state_.sites();
+  const PolytopeFaces& faces = this->faces();
+  std::vector<char> is_corner(sites.size(), 0);
+  for (const Index site : state_.hull().cells) is_corner[site] = 1;
+  const auto kind_of = [&](Index site) {
+    if (!locator_ || faces.is_extreme[site]) return PointKind::extreme;
+    if (is_corner[site]) return PointKind::boundary;
+    if (state_.is_surely_interior(site)) return PointKind::interior;
+    return locator_->locate(sites.point(site), sites.grid).side == Sign::zero ? PointKind::boundary : PointKind::interior;
+  };
+  std::vector<PointKind> kinds(state_.num_rows(), PointKind::duplicate);
+  for (Index site = 0; site < sites.size(); ++site) kinds[static_cast<std::size_t>(state_.row(site))] = kind_of(site);
+  return kinds;
+}
+
+FacetEquations HullAnalysis::equations() const {
+  const HullSites& sites = state_.sites();
+  std::vector<const double*> scratch;
+  return facet_equations(sites, state_.hull(), faces().facet_of_cell, faces().num_facets(), [&](std::size_t c) {
+    const auto is_inside = [&](Index site) {
+      return side_of_cell(sites, state_.hull(), c, sites.point(site), sites.grid, scratch) == Sign::positive;
+    };
+    return sites.point(*std::find_if(state_.basis().begin(), state_.basis().end(), is_inside));
+  });
+}
+
+HullData HullAnalysis::make_data() const {
+  const HullSites& sites = state_.sites();
+  const SimplicialHull& hull = state_.hull();
+  HullData data;
+  data.dimension = sites.ambient;
+  data.affine_dimension = state_.affine_hull().dimension();
+  const auto rows = [&](const std::vector<Index>& from) {
+    std::vector<SignedIndex> to(from.size());
+    std::transform(from.begin(), from.end(), to.begin(), [&](Index site) { return state_.row(site); });
+    return to;
+  };
+  data.cells = rows(hull.cells);
+  data.neighbors.assign(hull.neighbors.begin(), hull.neighbors.end());
+  data.facet_of_cell.assign(faces().facet_of_cell.begin(), faces().facet_of_cell.end());
+  const Lists& facets = facet_sites();
+  data.facet_offsets.assign(facets.offsets.begin(), facets.offsets.end());
+  data.facet_vertices = rows(facets.items);
+  const PolytopeRidges ridges = find_ridges(hull, faces(), facets);
+  data.ridge_facets.assign(ridges.facets.begin(), ridges.facets.end());
+  data.ridge_offsets.assign(ridges.sites.offsets.begin(), ridges.sites.offsets.end());
+  data.ridge_vertices = rows(ridges.sites.items);
+  FacetEquations equations = this->equations();
+  data.equations = std::move(equations.equations);
+  data.equation_errors = std::move(equations.errors);
+  data.point_kinds = kinds();
+  for (std::size_t row = 0; row < state_.num_rows(); ++row) {
+    if (data.point_kinds[row] == PointKind::extreme) data.vertices.push_back(static_cast<SignedIndex>(row));
+    data.vertex_of_point.push_back(state_.row(state_.site_of_row(row)));
+  }
+  return data;
+}
+
+}  // namespace delone::front_ends

@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What is derived from a finished boundary, each part when it is first asked for: faces, kinds of points, measures, and the
+// arrays of HullData. `const` members may be called from several threads at once.
+#pragma once
+
+#include "hull/hull_faces.hpp"
+#include "hull/hull_locator.hpp"
+#include "hull/hull_measure.hpp"
+#include "hull/hull_state.hpp"
+
+#include <delone/convex_hull.hpp>
+
+#include <array>
+#include <cstddef>
+#include <mutex>
+#include <optional>
+#include <vector>
+
+namespace delone::front_ends {
+
+/// A value that is made once.
+template <class T>
+class Lazy {
+ public:
+  template <class Make>
+  const T& get(Make make) const {
+    const std::lock_guard lock(mutex_);
+    if (!value_) value_.emplace(make());
+    return *value_;
+  }
+
+ private:
+  mutable std::mutex mutex_;
+  mutable std::optional<T> value_;
+};
+
+class HullAnalysis {
+ public:
+  /// The state must outlive this object, unchanged.
+  explicit HullAnalysis(const HullState& state);
+
+  /// None for k < 1.
+  const std::optional<HullLocator>& locator() const { return locator_; }
+  const PolytopeFaces& faces() const;
+  const Lists& facet_sites() const;
+  std::size_t num_ridges() const;
+  /// By row.
+  const std::vector<PointKind>& kinds() const;
+  std::size_t count(PointKind kind) const;
+  const HullMeasures& measures() const;
+  const HullData& data() const;
+
+ private:
+  std::vector<PointKind> find_kinds() const;
+  HullData make_data() const;
+  FacetEquations equations() const;
+
+  const HullState& state_;
+  std::optional<HullLocator> locator_;
+  Lazy<PolytopeFaces> faces_;
+  Lazy<Lists> facet_sites_;
+  Lazy<std::size_t> num_ridges_;
+  Lazy<std::vector<PointKind>> kinds_;
+  Lazy<std::array<std::size_t, 4>> counts_;
+  Lazy<HullMeasures> measures_;
+  Lazy<HullData> data_;
+};
+
+}  // namespace delone::front_ends

@@ -1,0 +1,123 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "hull/hull_builder.hpp"
+
+#include "compiled/dispatch.hpp"
+#include "hull/hull_fan.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+namespace delone::front_ends {
+namespace {
+
+/// Cells have one dimension less than the flat.
+std::unique_ptr<HullBoundary> boundary_of_simplex(const HullSites& sites, const HullView& view,
+                                                  const std::vector<Index>& simplex) {
+  return with_compiled_dimension(sites.axes.size(), [&](auto dimension) {
+    return make_hull_boundary<(dimension() > 1 ? dimension() - 1 : 0)>(sites, view, simplex);
+  });
+}
+
+}  // namespace
+
+ConvexHullBuilder::ConvexHullBuilder(const HullSites& sites, const std::vector<Index>& simplex)
+    : sites_(sites), view_{std::vector<double>(static_cast<std::size_t>(sites.ambient), 0.0), false, sites.grid, {}, {}} {
+  insertions_ = simplex.size();
+  if (simplex.size() == 2) {
+    const int axis = sites.axes[0];
+    const bool ascending = sites.point(simplex[0])[axis] < sites.point(simplex[1])[axis];
+    ends_[0] = simplex[ascending ? 0 : 1];
+    ends_[1] = simplex[ascending ? 1 : 0];
+    ends_effort_.created_cells = 2;
+    return;
+  }
+  const double* first = sites.point(simplex[0]);
+  view_.low.assign(first, first + sites.ambient);
+  view_.high = view_.low;
+  for (Index site = 0; site < sites.size(); ++site) grow_box(sites.point(site), 0);
+  choose_center(simplex);
+  boundary_ = boundary_of_simplex(sites, view_, simplex);
+}
+
+ConvexHullBuilder::ConvexHullBuilder(const HullSites& sites, const ConvexHullBuilder& other)
+    : sites_(sites),
+      view_(other.view_),
+      ends_{other.ends_[0], other.ends_[1]},
+      ends_effort_(other.ends_effort_),
+      insertions_(other.insertions_) {
+  if (other.boundary_) boundary_ = other.boundary_->copy(sites, view_);
+}
+
+/// Seen from a point strictly inside the first simplex, if a double is.
+void ConvexHullBuilder::choose_center(const std::vector<Index>& simplex) {
+  std::vector<const double*> points;
+  for (const Index site : simplex) points.push_back(sites_.point(site));
+  const kernel::Flat flat = sites_.flat();
+  const Sign orientation = kernel::orientation<0>(flat, points.data(), sites_.grid);
+  view_.is_inside = choose_interior_point(sites_, simplex, view_.center, [&](const double* point, const kernel::Grid& grid) {
+    for (std::size_t i = 0; i < points.size(); ++i) {
+      const double* const vertex = std::exchange(points[i], point);
+      const Sign side = kernel::orientation<0>(flat, points.data(), grid);
+      points[i] = vertex;
+      if (side != orientation) return false;
+    }
+    return true;
+  });
+  view_.grid.include(view_.center.data());
+}
+
+/// `margin` times the box is added where it has to grow, so that points arriving from ever farther away change it a logarithmic
+/// number of times.
+void ConvexHullBuilder::grow_box(const double* point, double margin) {
+  constexpr double largest = std::numeric_limits<double>::max();
+  for (std::size_t j = 0; j < view_.low.size(); ++j) {
+    const double extent = std::min(view_.high[j] / 2 - view_.low[j] / 2, largest / 8) * margin;
+    if (point[j] < view_.low[j]) view_.low[j] = std::max(point[j] - extent, -largest);
+    if (point[j] > view_.high[j]) view_.high[j] = std::min(point[j] + extent, largest);
+  }
+}
+
+/// k = 1: the ends of a range of numbers.
+Insertion ConvexHullBuilder::insert_end(Index site) {
+  const int axis = sites_.axes[0];
+  const double x = sites_.point(site)[axis];
+  const bool below = x < sites_.point(ends_[0])[axis];
+  if (!below && !(x > sites_.point(ends_[1])[axis])) return Insertion::interior;
+  ends_[below ? 0 : 1] = site;
+  ++ends_effort_.created_cells;
+  return Insertion::vertex;
+}
+
+void ConvexHullBuilder::include_sites(Index first) {
+  if (!boundary_) return;
+  bool in_box = true;
+  for (Index site = first; site < sites_.size(); ++site) {
+    const double* point = sites_.point(site);
+    view_.grid.include(point);
+    for (std::size_t j = 0; j < view_.low.size(); ++j) in_box &= view_.low[j] <= point[j] && point[j] <= view_.high[j];
+  }
+  if (in_box) return;
+  for (Index site = first; site < sites_.size(); ++site) grow_box(sites_.point(site), 2.0);
+  boundary_->update_box();
+}
+
+Insertion ConvexHullBuilder::insert(Index site) {
+  const Insertion outcome = boundary_ ? boundary_->insert(site) : insert_end(site);
+  if (outcome != Insertion::vertex) return outcome;
+  ++insertions_;
+  hull_is_current_ = false;
+  return outcome;
+}
+
+const SimplicialHull& ConvexHullBuilder::hull() const {
+  const std::lock_guard lock(mutex_);
+  if (!hull_is_current_) {
+    hull_ = boundary_ ? boundary_->to_simplicial_hull() : SimplicialHull{1, {ends_[0], ends_[1]}, {1, 0}, {}};
+    hull_is_current_ = true;
+  }
+  return hull_;
+}
+
+}  // namespace delone::front_ends

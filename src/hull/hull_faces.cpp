@@ -1,0 +1,233 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "hull/hull_faces.hpp"
+
+#include <algorithm>
+#include <iterator>
+#include <numeric>
+#include <set>
+#include <utility>
+
+namespace delone::front_ends {
+namespace {
+
+/// Disjoint sets with path halving; the root is the least member.
+class UnionFind {
+ public:
+  explicit UnionFind(std::size_t n) : parent_(n) { std::iota(parent_.begin(), parent_.end(), Index{0}); }
+  Index root(Index x) {
+    while (parent_[x] != x) x = parent_[x] = parent_[parent_[x]];
+    return x;
+  }
+  void unite(Index a, Index b) {
+    a = root(a), b = root(b);
+    parent_[std::max(a, b)] = std::min(a, b);
+  }
+
+ private:
+  std::vector<Index> parent_;
+};
+
+/// For each key 0 … num_keys−1 the increasing, distinct values paired with it.
+Lists grouped(std::vector<std::pair<Index, Index>> pairs, std::size_t num_keys) {
+  std::sort(pairs.begin(), pairs.end());
+  pairs.erase(std::unique(pairs.begin(), pairs.end()), pairs.end());
+  Lists lists;
+  lists.items.reserve(pairs.size());
+  std::size_t next = 0;
+  for (std::size_t key = 0; key < num_keys; ++key) {
+    for (; next < pairs.size() && pairs[next].first == key; ++next) lists.items.push_back(pairs[next].second);
+    lists.offsets.push_back(lists.items.size());
+  }
+  return lists;
+}
+
+std::vector<Index> intersection(std::span<const Index> a, std::span<const Index> b) {
+  std::vector<Index> common;
+  std::set_intersection(a.begin(), a.end(), b.begin(), b.end(), std::back_inserter(common));
+  return common;
+}
+
+/// Whether any site but v is in all the given facets: whether v is no vertex of the polytope.
+bool has_company(Index v, const Lists& sites_of_facet, std::span<const Index> facets) {
+  const auto smallest = std::min_element(facets.begin(), facets.end(),
+                                         [&](Index a, Index b) { return sites_of_facet[a].size() < sites_of_facet[b].size(); });
+  const auto candidates = sites_of_facet[*smallest];
+  return std::any_of(candidates.begin(), candidates.end(), [&](Index w) {
+    return w != v && std::all_of(facets.begin(), facets.end(), [&](Index f) {
+             const auto sites = sites_of_facet[f];
+             return std::binary_search(sites.begin(), sites.end(), w);
+           });
+  });
+}
+
+/// The facets in increasing numbers of their first cells.
+void number_facets(const SimplicialHull& hull, std::span<const std::pair<Index, Index>> coplanar, PolytopeFaces& faces) {
+  const std::size_t m = hull.num_cells();
+  if (coplanar.empty()) {  // each cell is a facet
+    faces.facet_of_cell.resize(m);
+    std::iota(faces.facet_of_cell.begin(), faces.facet_of_cell.end(), Index{0});
+    faces.cells_of_facet.items = faces.facet_of_cell;
+    faces.cells_of_facet.offsets.resize(m + 1);
+    std::iota(faces.cells_of_facet.offsets.begin(), faces.cells_of_facet.offsets.end(), std::size_t{0});
+    return;
+  }
+  UnionFind sets(m);
+  for (const auto& [a, b] : coplanar) sets.unite(a, b);
+  faces.facet_of_cell.resize(m);
+  Index num_facets = 0;
+  for (std::size_t c = 0; c < m; ++c) {
+    const Index root = sets.root(static_cast<Index>(c));
+    faces.facet_of_cell[c] = root == c ? num_facets++ : faces.facet_of_cell[root];
+  }
+  std::vector<std::size_t>& offsets = faces.cells_of_facet.offsets;
+  offsets.assign(num_facets + std::size_t{1}, 0);
+  for (const Index f : faces.facet_of_cell) ++offsets[f + std::size_t{1}];
+  std::partial_sum(offsets.begin(), offsets.end(), offsets.begin());
+  std::vector<std::size_t> next(offsets.begin(), offsets.end() - 1);
+  faces.cells_of_facet.items.resize(m);
+  for (std::size_t c = 0; c < m; ++c) faces.cells_of_facet.items[next[faces.facet_of_cell[c]]++] = static_cast<Index>(c);
+}
+
+/// Calls visit(facet, other facet with a larger number, cell of the facet, vertex of the cell opposite the ridge) for each
+/// ridge, in increasing order of the pairs of facets. Two facets share one ridge at most.
+template <class Visit>
+void for_each_ridge(const SimplicialHull& hull, const PolytopeFaces& faces, Visit visit) {
+  struct Side {
+    Index facet, cell;
+    std::size_t vertex;
+  };
+  std::vector<Side> sides;
+  for (Index f = 0; hull.dimension > 1 && f < faces.num_facets(); ++f) {
+    sides.clear();
+    for (const Index c : faces.cells_of_facet[f]) {
+      const auto neighbors = hull.neighbors_of(c);
+      for (std::size_t i = 0; i < neighbors.size(); ++i)
+        if (const Index other = faces.facet_of_cell[neighbors[i]]; other > f) sides.push_back({other, c, i});
+    }
+    std::sort(sides.begin(), sides.end(), [](const Side& a, const Side& b) { return a.facet < b.facet; });
+    for (std::size_t i = 0; i < sides.size(); ++i)
+      if (i == 0 || sides[i].facet != sides[i - 1].facet) visit(f, sides[i].facet, sides[i].cell, sides[i].vertex);
+  }
+}
+
+}  // namespace
+
+PolytopeFaces find_faces(const SimplicialHull& hull, std::size_t num_sites, std::span<const std::pair<Index, Index>> coplanar) {
+  PolytopeFaces faces;
+  number_facets(hull, coplanar, faces);
+  faces.is_extreme.assign(num_sites, 0);
+  if (coplanar.empty()) {
+    for (const Index site : hull.cells) faces.is_extreme[site] = 1;
+    return faces;
+  }
+  std::vector<Index> merged;  // cells of facets that have several
+  for (std::size_t c = 0; c < hull.num_cells(); ++c)
+    if (faces.cells_of_facet[faces.facet_of_cell[c]].size() > 1)
+      merged.push_back(static_cast<Index>(c));
+    else
+      for (const Index site : hull.cell(c)) faces.is_extreme[site] = 1;
+
+  std::vector<std::pair<Index, Index>> facet_and_site, site_and_facet;
+  for (const Index c : merged)
+    for (const Index site : hull.cell(c)) {
+      facet_and_site.emplace_back(faces.facet_of_cell[c], site);
+      if (!faces.is_extreme[site]) site_and_facet.emplace_back(site, faces.facet_of_cell[c]);
+    }
+  const Lists sites_of_facet = grouped(std::move(facet_and_site), faces.num_facets());
+  const Lists facets_of_site = grouped(std::move(site_and_facet), num_sites);
+  for (std::size_t v = 0; v < num_sites; ++v)
+    if (const auto facets = facets_of_site[v]; !facets.empty())
+      faces.is_extreme[v] = !has_company(static_cast<Index>(v), sites_of_facet, facets);
+  return faces;
+}
+
+Lists find_facet_sites(const SimplicialHull& hull, const PolytopeFaces& faces) {
+  Lists lists;
+  lists.offsets.reserve(faces.num_facets() + 1);
+  lists.items.reserve(faces.num_facets() * hull.corners());
+  std::vector<Index> sites;
+  for (std::size_t f = 0; f < faces.num_facets(); ++f) {
+    sites.clear();
+    for (const Index c : faces.cells_of_facet[f])
+      for (const Index site : hull.cell(c))
+        if (faces.is_extreme[site]) sites.push_back(site);
+    std::sort(sites.begin(), sites.end());
+    sites.erase(std::unique(sites.begin(), sites.end()), sites.end());
+    lists.add(sites);
+  }
+  return lists;
+}
+
+std::size_t count_ridges(const SimplicialHull& hull, const PolytopeFaces& faces) {
+  if (hull.dimension > 1 && faces.num_facets() == hull.num_cells()) return hull.neighbors.size() / 2;
+  std::size_t count = 0;
+  for_each_ridge(hull, faces, [&](Index, Index, Index, std::size_t) { ++count; });
+  return count;
+}
+
+PolytopeRidges find_ridges(const SimplicialHull& hull, const PolytopeFaces& faces, const Lists& facet_sites) {
+  PolytopeRidges ridges;
+  std::vector<Index> sites;
+  for_each_ridge(hull, faces, [&](Index a, Index b, Index c, std::size_t vertex) {
+    ridges.facets.insert(ridges.facets.end(), {a, b});
+    if (faces.cells_of_facet[a].size() > 1 && faces.cells_of_facet[b].size() > 1) {
+      ridges.sites.add(intersection(facet_sites[a], facet_sites[b]));
+      return;
+    }
+    // One of the two is a simplex, and the ridge a facet of it.
+    const auto cell = hull.cell(c);
+    sites.assign(cell.begin(), cell.end());
+    sites.erase(sites.begin() + static_cast<std::ptrdiff_t>(vertex));
+    std::sort(sites.begin(), sites.end());
+    ridges.sites.add(sites);
+  });
+  return ridges;
+}
+
+std::vector<Index> common_vertices(const Lists& facets, std::span<const Index> which) {
+  std::vector<Index> common;
+  for (std::size_t i = 0; i < which.size(); ++i) {
+    const auto facet = facets[which[i]];
+    common = i == 0 ? std::vector<Index>(facet.begin(), facet.end()) : intersection(common, facet);
+  }
+  return common;
+}
+
+std::vector<std::size_t> count_faces(const Lists& facets, int dimension) {
+  std::vector<std::size_t> counts(static_cast<std::size_t>(std::max(dimension, 0)), 0);
+  std::set<std::vector<Index>> level;
+  for (std::size_t f = 0; f < facets.size(); ++f) level.emplace(facets[f].begin(), facets[f].end());
+  std::vector<std::pair<Index, Index>> pairs;
+  for (std::size_t f = 0; f < facets.size(); ++f)
+    for (const Index v : facets[f]) pairs.emplace_back(v, static_cast<Index>(f));
+  const Lists facets_of =
+      pairs.empty() ? Lists{} : grouped(pairs, std::max_element(pairs.begin(), pairs.end())->first + std::size_t{1});
+
+  for (std::size_t j = counts.size(); j-- > 0;) {
+    counts[j] = level.size();
+    if (j == 0) break;
+    std::set<std::vector<Index>> next;
+    for (const std::vector<Index>& face : level) {
+      std::vector<Index> touching;  // the facets that meet the face
+      for (const Index v : face) touching.insert(touching.end(), facets_of[v].begin(), facets_of[v].end());
+      std::sort(touching.begin(), touching.end());
+      touching.erase(std::unique(touching.begin(), touching.end()), touching.end());
+      std::vector<std::vector<Index>> cuts;
+      for (const Index f : touching) {
+        std::vector<Index> cut = intersection(face, facets[f]);
+        if (cut.size() < face.size()) cuts.push_back(std::move(cut));
+      }
+      std::sort(cuts.begin(), cuts.end(), [](const auto& a, const auto& b) { return a.size() > b.size(); });
+      std::vector<std::vector<Index>> largest;
+      for (std::vector<Index>& cut : cuts)
+        if (std::none_of(largest.begin(), largest.end(),
+                         [&](const auto& other) { return std::includes(other.begin(), other.end(), cut.begin(), cut.end()); }))
+          largest.push_back(std::move(cut));
+      next.insert(std::make_move_iterator(largest.begin()), std::make_move_iterator(largest.end()));
+    }
+    level = std::move(next);
+  }
+  return counts;
+}
+
+}  // namespace delone::front_ends

@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "hull/hull_locator.hpp"
+
+#include "hull/hull_fan.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <unordered_set>
+
+namespace delone::front_ends {
+
+Sign HullLocator::side(std::size_t cell, const double* q, const kernel::Grid& grid, std::vector<const double*>& scratch) const {
+  if (const HullBoundary* boundary = builder_.boundary())
+    if (const Sign sign = boundary->certain_side(hull_.slots[cell], q); sign != Sign::zero) return sign;
+  return side_of_cell(sites_, hull_, cell, q, grid, scratch);
+}
+
+HullLocator::Result HullLocator::locate(const double* q, const kernel::Grid& grid) const {
+  const HullBoundary* boundary = builder_.boundary();
+  if (boundary == nullptr || !builder_.has_center()) return search_all(q, grid);
+  // Start from the best of a sample, so that the way is short in large hulls.
+  const std::size_t m = hull_.num_cells();
+  const auto sample = static_cast<std::size_t>(std::sqrt(static_cast<double>(m)) / 4) + 1;
+  std::vector<Index> candidates;
+  for (std::size_t i = 0; i < sample; ++i) candidates.push_back(hull_.slots[i * (m / sample)]);
+  const auto [slot, sign] = boundary->descend(q, candidates);
+  const auto near =
+      static_cast<std::size_t>(std::lower_bound(hull_.slots.begin(), hull_.slots.end(), slot) - hull_.slots.begin());
+  if (sign != Sign::zero) return {near, sign};
+  const std::size_t c = walk_cones(sites_, hull_, builder_.center(), q, near, grid);
+  std::vector<const double*> scratch;
+  return {c, side(c, q, grid, scratch)};
+}
+
+/// Without a center: any cell beyond whose hyperplane q is, else any whose hyperplane q is on, else any.
+HullLocator::Result HullLocator::search_all(const double* q, const kernel::Grid& grid) const {
+  Result result{0, Sign::positive};
+  std::vector<const double*> scratch;
+  for (std::size_t c = 0; c < hull_.num_cells() && result.side != Sign::negative; ++c)
+    if (const Sign sign = side(c, q, grid, scratch); static_cast<int>(sign) < static_cast<int>(result.side)) result = {c, sign};
+  return result;
+}
+
+std::vector<Index> HullLocator::cells_on_side(std::size_t first, Sign wanted, const double* q, const kernel::Grid& grid) const {
+  std::vector<Index> cells{static_cast<Index>(first)};
+  std::unordered_set<Index> seen{static_cast<Index>(first)};
+  std::vector<const double*> scratch;
+  for (std::size_t next = 0; next < cells.size(); ++next)
+    for (const Index across : hull_.neighbors_of(cells[next]))
+      if (seen.insert(across).second && side(across, q, grid, scratch) == wanted) cells.push_back(across);
+  std::sort(cells.begin(), cells.end());
+  return cells;
+}
+
+}  // namespace delone::front_ends

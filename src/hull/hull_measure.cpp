@@ -1,0 +1,215 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "hull/hull_measure.hpp"
+
+#include "compiled/dispatch.hpp"
+#include "hull/hull_normal.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+namespace delone::front_ends {
+namespace {
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+/// Reflects columns, each of `rows` entries, to triangular form; returns the diagonal.
+std::vector<double> triangular_diagonal(std::vector<std::vector<double>>& columns, std::size_t rows) {
+  std::vector<double> diagonal;
+  std::vector<double> reflector(rows);
+  for (std::size_t s = 0; s < columns.size(); ++s) {
+    std::vector<double>& column = columns[s];
+    double square = 0;
+    for (std::size_t r = s; r < rows; ++r) square += column[r] * column[r];
+    const double length = std::sqrt(square);
+    diagonal.push_back(length);
+    if (length == 0) continue;
+    const double alpha = column[s] > 0 ? -length : length;
+    for (std::size_t r = s; r < rows; ++r) reflector[r] = column[r];
+    reflector[s] -= alpha;
+    const double half_square = square - alpha * column[s];  // |reflector|²/2, both terms positive
+    for (std::size_t j = s; j < columns.size(); ++j) {
+      double dot = 0;
+      for (std::size_t r = s; r < rows; ++r) dot += reflector[r] * columns[j][r];
+      const double factor = dot / half_square;
+      for (std::size_t r = s; r < rows; ++r) columns[j][r] -= factor * reflector[r];
+    }
+  }
+  return diagonal;
+}
+
+/// x·2^exponent for exponents of any size.
+double times_power(double x, std::int64_t exponent) {
+  return std::ldexp(x, static_cast<int>(std::clamp<std::int64_t>(exponent, -10000, 10000)));
+}
+
+std::vector<const double*>& gather(const HullSites& sites, std::span<const Index> cell, std::vector<const double*>& points) {
+  points.clear();
+  for (const Index site : cell) points.push_back(sites.point(site));
+  return points;
+}
+
+template <int D>
+HullMeasures measure(const HullSites& sites, const SimplicialHull& hull) {
+  HullNormal<D> normal(hull.dimension);
+  MeasureSum volume, area;
+  std::vector<const double*> points;
+  const Index apex = hull.cells[0];
+  for (std::size_t c = 0; c < hull.num_cells(); ++c) {
+    const auto cell = hull.cell(c);
+    gather(sites, cell, points);
+    // Areas within a flat are not those of its projection.
+    const bool is_known = hull.dimension > 1 && hull.dimension == sites.ambient &&
+                          normal.compute(points.data(), sites.axes, false) && normal.has_measures();
+    const bool has_apex = std::find(cell.begin(), cell.end(), apex) != cell.end();
+    if (is_known) {
+      area.add(normal.content());
+      if (!has_apex) volume.add(normal.cone(sites.point(apex), sites.axes));
+    } else {
+      area.add(simplex_volume(points, sites.ambient));
+      points.push_back(sites.point(apex));
+      if (!has_apex) volume.add(simplex_volume(points, sites.ambient));
+    }
+  }
+  return {volume.result(), area.result()};
+}
+
+/// A bound on the distance of two sites.
+double extent_of(const HullSites& sites) {
+  double square = 0;  // of the diagonal of the box of all sites
+  for (int j = 0; j < sites.ambient; ++j) {
+    double low = sites.point(0)[j], high = low;
+    for (Index site = 1; site < sites.size(); ++site) {
+      low = std::min(low, sites.point(site)[j]);
+      high = std::max(high, sites.point(site)[j]);
+    }
+    square += (high - low) * (high - low);
+  }
+  return 1.01 * std::sqrt(square) + 1e-150;  // squares may underflow
+}
+
+/// A normal without a bound, for flats and where elimination fails: what is left of the way to a point inside after the
+/// directions of the edges have been taken out, twice for accuracy.
+void orthogonalize(const std::vector<const double*>& points, const double* inner, std::size_t d, double* normal) {
+  std::vector<std::vector<double>> basis;
+  const auto direction = [&](const double* x) {
+    std::vector<double> v(d);
+    double largest = 0;
+    for (std::size_t j = 0; j < d; ++j) v[j] = x[j] / 2 - points[0][j] / 2, largest = std::max(largest, std::fabs(v[j]));
+    if (largest > 0)
+      for (double& t : v) t = std::ldexp(t, -std::ilogb(largest));
+    for (int pass = 0; pass < 2; ++pass)
+      for (const auto& b : basis) {
+        double dot = 0;
+        for (std::size_t j = 0; j < d; ++j) dot += b[j] * v[j];
+        for (std::size_t j = 0; j < d; ++j) v[j] -= dot * b[j];
+      }
+    double square = 0;
+    for (const double t : v) square += t * t;
+    for (double& t : v) t /= square > 0 ? std::sqrt(square) : 1.0;
+    return v;
+  };
+  for (std::size_t i = 1; i < points.size(); ++i) basis.push_back(direction(points[i]));
+  const std::vector<double> inwards = direction(inner);
+  for (std::size_t j = 0; j < d; ++j) normal[j] = 0.0 - inwards[j];
+}
+
+template <int D>
+void fill_equations(const HullSites& sites, const SimplicialHull& hull, std::span<const Index> facet_of_cell,
+                    const std::function<const double*(std::size_t)>& inner, FacetEquations& result) {
+  const std::size_t d = static_cast<std::size_t>(sites.ambient), k = hull.corners();
+  const double extent = extent_of(sites);
+  HullNormal<D> normal(hull.dimension);
+  std::vector<const double*> points;
+  for (std::size_t c = 0; c < hull.num_cells(); ++c) {
+    gather(sites, hull.cell(c), points);
+    const bool is_known = k == d && normal.compute(points.data(), sites.axes, k == 1 && c == 0);
+    // Two vectors as far apart as error(), each divided by its length, are within 2·error()/length(); the roundings of the
+    // length and of the quotients add (k + 5)·u.
+    const double error =
+        is_known ? 1.01 * (2 * normal.error() / normal.length() + static_cast<double>(k + 5) * 0x1p-53) * extent : infinity;
+    double* const equation = result.equations.data() + facet_of_cell[c] * (d + 1);
+    double& best = result.errors[facet_of_cell[c]];
+    if (best >= 0 && error >= best) continue;  // the best cell of the facet
+    if (is_known)
+      for (std::size_t j = 0; j < d; ++j) equation[j] = normal.normal()[j] / normal.length();
+    else
+      orthogonalize(points, inner(c), d, equation);
+    double offset = 0, magnitude = 0;
+    for (std::size_t j = 0; j < d; ++j) {
+      offset -= equation[j] * points[0][j];
+      magnitude += std::fabs(equation[j] * points[0][j]);
+    }
+    equation[d] = offset;
+    best = error + 1.01 * static_cast<double>(d + 1) * 0x1p-53 * magnitude;
+  }
+}
+
+}  // namespace
+
+void MeasureSum::add(const Measure& term) {
+  const double next = sum_ + term.value;
+  lost_ += std::fabs(sum_) >= std::fabs(term.value) ? (sum_ - next) + term.value : (term.value - next) + sum_;
+  sum_ = next;
+  error_ += term.error;
+  magnitude_ += std::fabs(term.value);
+}
+
+Measure MeasureSum::result() const {
+  const double value = sum_ + lost_;
+  if (!std::isfinite(value)) return {sum_, infinity};
+  // One rounding of the result, and second-order terms of the sum for fewer than 2^40 terms.
+  return {value, (1 + 0x1p-20) * error_ + 0x1p-52 * std::fabs(value) + 0x1p-64 * magnitude_ + 1e-320};
+}
+
+Measure simplex_volume(std::span<const double* const> points, int ambient) {
+  const std::size_t j = points.size() - 1, d = static_cast<std::size_t>(ambient);
+  if (j == 0) return {1, 0};
+  std::vector<std::vector<double>> edges(j, std::vector<double>(d));
+  std::int64_t exponent = 0;
+  double product = 1, factorial = 1;
+  for (std::size_t i = 0; i < j; ++i) {
+    double largest = 0;
+    for (std::size_t r = 0; r < d; ++r) {
+      edges[i][r] = points[i + 1][r] - points[0][r];
+      largest = std::max(largest, std::fabs(edges[i][r]));
+    }
+    if (!std::isfinite(largest)) return {infinity, infinity};
+    if (largest == 0) return {0, 0};
+    const int scale = std::ilogb(largest);
+    double square = 0;
+    for (double& x : edges[i]) {
+      x = std::ldexp(x, -scale);
+      square += x * x;
+    }
+    exponent += scale;
+    product *= std::sqrt(square);
+    factorial *= static_cast<double>(i + 1);
+  }
+  double value = 1;
+  for (const double r : triangular_diagonal(edges, d)) value *= r;
+  const double relative = 10.0 * static_cast<double>(j * (d + 8)) * 0x1p-53;
+  const double bound =
+      1.01 * product * (std::pow(1 + relative, static_cast<double>(j)) - 1) + static_cast<double>(3 * j) * 0x1p-53 * value;
+  return {times_power(value / factorial, exponent),
+          times_power(bound / factorial, exponent) + std::numeric_limits<double>::denorm_min()};
+}
+
+HullMeasures measure_hull(const HullSites& sites, const SimplicialHull& hull) {
+  if (hull.num_cells() == 0) return {};
+  HullMeasures measures = with_compiled_dimension(hull.corners(), [&](auto k) { return measure<k()>(sites, hull); });
+  if (hull.dimension == 1) measures.area = {static_cast<double>(hull.num_cells()), 0};
+  return measures;
+}
+
+FacetEquations facet_equations(const HullSites& sites, const SimplicialHull& hull, std::span<const Index> facet_of_cell,
+                               std::size_t num_facets, const std::function<const double*(std::size_t)>& inner) {
+  FacetEquations result{std::vector<double>(num_facets * (static_cast<std::size_t>(sites.ambient) + 1)),
+                        std::vector<double>(num_facets, -1)};
+  if (num_facets > 0)
+    with_compiled_dimension(hull.corners(), [&](auto k) { fill_equations<k()>(sites, hull, facet_of_cell, inner, result); });
+  return result;
+}
+
+}  // namespace delone::front_ends

@@ -1,0 +1,228 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "hull/hull_state.hpp"
+
+#include "complex/canonical_hash.hpp"
+#include "hull/outermost_sites.hpp"
+#include "triangulation/point_rows.hpp"
+
+#include <algorithm>
+#include <chrono>
+#include <utility>
+
+namespace delone::front_ends {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+double seconds_since(Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); }
+
+const SimplicialHull no_cells{};
+
+}  // namespace
+
+HullState::HullState(const HullState& other)
+    : sites_(other.sites_),
+      affine_hull_(other.affine_hull_),
+      basis_(other.basis_),
+      row_of_site_(other.row_of_site_),
+      site_of_row_(other.site_of_row_),
+      is_surely_interior_(other.is_surely_interior_),
+      site_at_(other.site_at_),
+      earlier_(other.earlier_) {
+  if (other.builder_) builder_.emplace(sites_, *other.builder_);
+}
+
+Index HullState::find_site(std::uint64_t tag, const double* point) const {
+  return site_at_.find(tag, [&](Index site) { return kernel::equal_points(sites_.point(site), point, sites_.ambient); });
+}
+
+/// A new site, not yet part of the boundary.
+Index HullState::add_site(const double* point, std::size_t row, std::uint64_t tag) {
+  const auto site = static_cast<Index>(sites_.size());
+  row_of_site_.push_back(static_cast<Index>(row));
+  is_surely_interior_.push_back(0);
+  sites_.coordinates.insert(sites_.coordinates.end(), point, point + ambient());
+  sites_.grid.include(point);
+  site_at_.add(tag, site);
+  return site;
+}
+
+/// Takes back a site that was added, perhaps not wholly.
+void HullState::drop_last_site(Index site, std::uint64_t tag) {
+  row_of_site_.resize(site);
+  is_surely_interior_.resize(site);
+  sites_.coordinates.resize(site * ambient());
+  site_at_.remove_last(tag, site);
+}
+
+/// Lets a site raise the affine dimension; true if it did.
+bool HullState::raise(Index site) {
+  if (affine_hull_.dimension() == sites_.ambient || !affine_hull_.add(sites_.point(site))) return false;
+  basis_.push_back(site);
+  return true;
+}
+
+bool HullState::raises_dimension(const double* point) const {
+  return affine_hull_.dimension() < sites_.ambient && !affine_hull_.contains(point);
+}
+
+/// Starts anew with the simplex of the basis.
+void HullState::restart() {
+  sites_.axes = affine_hull_.axes();
+  note_effort(earlier_);
+  builder_.reset();
+  std::fill(is_surely_interior_.begin(), is_surely_interior_.end(), char{0});
+  if (affine_hull_.dimension() >= 1) builder_.emplace(sites_, basis_);
+}
+
+void HullState::insert(Index site) {
+  if (builder_->insert(site) == Insertion::interior) is_surely_interior_[site] = 1;
+}
+
+/// Rows to sites.
+void HullState::add_rows(std::span<const double> coordinates) {
+  const std::size_t n = coordinates.size() / ambient(), first_row = num_rows();
+  site_of_row_.reserve(first_row + n);
+  site_at_.reserve(sites_.size() + n);
+  sites_.coordinates.reserve(sites_.coordinates.size() + coordinates.size());
+  // Tags are known some rows ahead: the table is large, and what is asked of it is not in the cache.
+  constexpr std::size_t ahead = 16;
+  std::uint64_t tags[ahead];
+  const auto foresee = [&](std::size_t i) {
+    if (i >= n) return;
+    tags[i % ahead] = point_tag(coordinates.data() + i * ambient(), sites_.ambient).low;
+    site_at_.prefetch(tags[i % ahead]);
+  };
+  for (std::size_t i = 0; i < ahead; ++i) foresee(i);
+  for (std::size_t i = 0; i < n; ++i) {
+    const double* point = coordinates.data() + i * ambient();
+    const std::uint64_t tag = tags[i % ahead];
+    foresee(i + ahead);
+    const Index site = find_site(tag, point);
+    site_of_row_.push_back(site != invalid_index ? site : add_site(point, first_row + i, tag));
+  }
+}
+
+/// Takes out the sites that are in the interior already, if a sample says that they are many.
+void HullState::drop_interior(std::vector<Index>& sites, ProgressMeter& progress) {
+  constexpr std::size_t sample = 64, rows_per_report = 1024;
+  if (sites.size() < 2 * sample) return;
+  std::size_t interior = 0;
+  for (std::size_t i = 0; i < sample; ++i) interior += builder_->is_surely_interior(sites[i * (sites.size() / sample)]) ? 1 : 0;
+  if (interior < sample / 4) return;
+  std::size_t seen = 0;
+  std::erase_if(sites, [&](Index site) {
+    if (++seen % rows_per_report == 0) progress(0);
+    const bool is_interior = builder_->is_surely_interior(site);
+    is_surely_interior_[site] = is_interior ? 1 : 0;
+    return is_interior;
+  });
+}
+
+void HullState::put_in_order(std::vector<Index>& sites, const Options& options) const {
+  std::vector<double> coordinates;
+  coordinates.reserve(sites.size() * ambient());
+  for (const Index site : sites) coordinates.insert(coordinates.end(), sites_.point(site), sites_.point(site) + ambient());
+  std::vector<Index> order = insertion_order({coordinates, sites_.ambient}, options);
+  for (Index& at : order) at = sites[at];
+  sites = std::move(order);
+}
+
+void HullState::insert_range(std::span<const double> coordinates, const Options& options) {
+  const auto first_site = static_cast<Index>(sites_.size());
+  auto start = Clock::now();
+  add_rows(coordinates);
+  earlier_.order_seconds += seconds_since(start);
+
+  start = Clock::now();
+  std::vector<Index> outermost;
+  if (options.order != InsertionOrder::as_given) outermost = outermost_sites(sites_, first_site);
+  bool raised = false;
+  for (const Index site : outermost) raised |= raise(site);
+  for (Index site = first_site; site < sites_.size() && affine_hull_.dimension() < sites_.ambient; ++site)
+    raised |= raise(site);
+  if (raised)
+    restart();
+  else if (builder_)
+    builder_->include_sites(first_site);
+  if (!builder_) {
+    earlier_.build_seconds += seconds_since(start);
+    return;
+  }
+
+  // Sites of earlier calls are inserted again into a boundary that begins anew.
+  std::vector<char> is_done(sites_.size(), 0);
+  if (raised)
+    for (const Index site : basis_) is_done[site] = 1;
+  std::vector<Index> pending;
+  for (Index site = raised ? 0 : first_site; site < sites_.size(); ++site)
+    if (!is_done[site]) pending.push_back(site);
+  ProgressMeter progress(options.progress, pending.size());
+  for (const Index site : outermost)
+    if (!std::exchange(is_done[site], 1)) insert(site);
+  std::erase_if(pending, [&](Index site) { return is_done[site] != 0; });
+  if (!outermost.empty()) drop_interior(pending, progress);
+  earlier_.build_seconds += seconds_since(start);
+
+  start = Clock::now();
+  put_in_order(pending, options);
+  earlier_.order_seconds += seconds_since(start);
+
+  start = Clock::now();
+  const std::size_t done = sites_.size() - (raised ? 0 : first_site) - pending.size();
+  for (std::size_t i = 0; i < pending.size(); ++i) {
+    insert(pending[i]);
+    progress(done + i + 1);
+  }
+  earlier_.build_seconds += seconds_since(start);
+}
+
+HullInsertResult HullState::insert_in_flat(const double* point) {
+  HullInsertResult result;
+  result.row = num_rows();
+  site_of_row_.reserve(result.row + 1);
+  const std::uint64_t tag = point_tag(point, sites_.ambient).low;
+  if (const Index site = find_site(tag, point); site != invalid_index) {
+    site_of_row_.push_back(site);
+    result.duplicate = true;
+    return result;
+  }
+  const auto site = static_cast<Index>(sites_.size());
+  try {
+    add_site(point, result.row, tag);
+    builder_->include_sites(site);
+    const Insertion outcome = builder_->insert(site);
+    result.inserted = outcome == Insertion::vertex;
+    is_surely_interior_[site] = outcome == Insertion::interior ? 1 : 0;
+  } catch (...) {
+    drop_last_site(site, tag);
+    throw;
+  }
+  site_of_row_.push_back(site);
+  return result;
+}
+
+const SimplicialHull& HullState::hull() const { return builder_ ? builder_->hull() : no_cells; }
+
+/// Adds what the builder has done.
+void HullState::note_effort(Statistics& sum) const {
+  if (!builder_) return;
+  const engine::Effort& effort = builder_->effort();
+  sum.created_cells += effort.created_cells;
+  sum.filter += effort.stages.filter;
+  sum.direct += effort.stages.direct;
+  sum.exact += effort.stages.exact;
+  sum.perturbed += effort.stages.perturbed;
+}
+
+Statistics HullState::statistics() const {
+  Statistics result = earlier_;
+  note_effort(result);
+  if (builder_) {
+    result.insertions = builder_->insertions();
+    result.cell_bytes = builder_->bytes();
+  }
+  return result;
+}
+
+}  // namespace delone::front_ends

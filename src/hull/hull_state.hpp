@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What insertions into a Polytope change: rows to distinct sites, the affine hull, the boundary. A batch works on a copy, so
+// that it is done whole or not at all.
+#pragma once
+
+#include "hull/hull_builder.hpp"
+#include "base/progress_meter.hpp"
+#include "compiled/simplicial_hull.hpp"
+#include "hull/site_table.hpp"
+#include "kernel/predicates.hpp"
+
+#include <delone/convex_hull.hpp>
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <vector>
+
+namespace delone::front_ends {
+
+class HullState {
+ public:
+  explicit HullState(int dimension) : sites_(dimension), affine_hull_(dimension) {}
+  HullState(const HullState& other);
+  HullState& operator=(const HullState&) = delete;
+
+  /// Inserts rows. If it throws, the state is of no more use. REQUIRES finite coordinates, and room for as many ids.
+  void insert_range(std::span<const double> coordinates, const Options& options);
+  /// Inserts a row that is in the affine hull; the strong guarantee.
+  HullInsertResult insert_in_flat(const double* point);
+  /// A point that is a duplicate, or in the affine hull, does not raise the dimension.
+  bool raises_dimension(const double* point) const;
+
+  const HullSites& sites() const { return sites_; }
+  const kernel::AffineHull& affine_hull() const { return affine_hull_; }
+  /// Sites that span the flat.
+  const std::vector<Index>& basis() const { return basis_; }
+  std::size_t num_rows() const { return site_of_row_.size(); }
+  Index site_of_row(std::size_t row) const { return site_of_row_[row]; }
+  /// The first row at a site; increasing.
+  SignedIndex row(Index site) const { return static_cast<SignedIndex>(row_of_site_[site]); }
+  /// Whether a site was found in the interior when it was inserted. Others may be in the interior, too.
+  bool is_surely_interior(Index site) const { return is_surely_interior_[site] != 0; }
+
+  /// None while the affine dimension is below 1.
+  const ConvexHullBuilder* builder() const { return builder_ ? &*builder_ : nullptr; }
+  const SimplicialHull& hull() const;
+  Statistics statistics() const;
+
+ private:
+  std::size_t ambient() const { return static_cast<std::size_t>(sites_.ambient); }
+  Index find_site(std::uint64_t tag, const double* point) const;
+  Index add_site(const double* point, std::size_t row, std::uint64_t tag);
+  void drop_last_site(Index site, std::uint64_t tag);
+  bool raise(Index site);
+  void restart();
+  void note_effort(Statistics& sum) const;
+  void add_rows(std::span<const double> coordinates);
+  void insert(Index site);
+  void drop_interior(std::vector<Index>& sites, ProgressMeter& progress);
+  void put_in_order(std::vector<Index>& sites, const Options& options) const;
+
+  HullSites sites_;
+  kernel::AffineHull affine_hull_;
+  std::vector<Index> basis_, row_of_site_, site_of_row_;
+  std::vector<char> is_surely_interior_;  // by site
+  SiteTable site_at_;
+  std::optional<ConvexHullBuilder> builder_;
+  Statistics earlier_;  // of builders that were given up, and the times
+};
+
+}  // namespace delone::front_ends

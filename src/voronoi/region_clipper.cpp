@@ -1,0 +1,428 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Cutting a simple polytope by a hyperplane is inserting a point into the dual complex: corners are its cells, planes its
+// vertices, and neighbor i of a corner is across the edge that leaves plane i. The corners beyond the plane are connected;
+// every edge from one of them to a corner that stays gets a new corner, and new corners that share all but one of their planes
+// are neighbors.
+//
+// Order of the perturbation: plane m is moved outward by ε_m, ε_0 ≫ ε_1 ≫ …. With A·y = b + ε at a corner, plane m says
+//     b_m + ε_m − a_m·A⁻¹(b + ε) = (b_m − a_m·A⁻¹b) − Σ_i (a_m·A⁻¹)_i·ε_i + ε_m,
+// so on a tie the first plane i of the corner, in the order of planes, with (a_m·A⁻¹)_i ≠ 0 decides; if there were none, ε_m.
+// Planes are cut in the order of their numbers, hence m is larger than those of the corner.
+#include "voronoi/region_clipper.hpp"
+
+#include "kernel/linear_bound.hpp"
+#include "kernel/grid.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numeric>
+#include <utility>
+
+namespace delone::front_ends {
+namespace {
+
+constexpr double u = unit_roundoff;
+/// The filter is used for boxes and planes in this range only, where no product overflows and underflow is below 10⁻²⁹⁰.
+constexpr double least_extent = 1e-80, largest_extent = 1e80, underflow = 1e-290;
+/// Corners known less well than this, in units of the box, get their coordinates from integers.
+constexpr double coarse = 0x1p-44;
+
+}  // namespace
+
+RegionClipper::RegionClipper(const Box& box) : d_(box.low.size()), box_(box) {
+  is_moderate_ = true;
+  for (std::size_t j = 0; j < d_; ++j) {
+    const double side = box.high[j] / 2 - box.low[j] / 2;
+    extent_ = std::max(extent_, 2 * side);
+    is_moderate_ = is_moderate_ && side > least_extent && side < largest_extent;
+  }
+  matrix_.resize(d_ * d_);
+  work_.resize(d_ * d_);
+  inverse_.resize(d_ * d_);
+  right_.resize(d_);
+}
+
+void RegionClipper::clip(const Site& site, std::span<const Site> others) {
+  site_ = site;
+  others_ = others;
+  has_grid_ = has_ties_ = false;
+  make_box();
+  make_bisectors(others);
+  for (std::size_t plane = 2 * d_; plane < planes_.size(); ++plane) cut(plane);
+}
+
+void RegionClipper::make_box() {
+  planes_.assign(2 * d_, {});
+  for (std::size_t j = 0; j < d_; ++j) {
+    Plane &low = planes_[2 * j], &high = planes_[2 * j + 1];
+    low.a.assign(d_, 0.0);
+    high.a.assign(d_, 0.0);
+    low.a[j] = -1;
+    high.a[j] = 1;
+    low.b = site_.point[j] - box_.low[j];
+    high.b = box_.high[j] - site_.point[j];
+    low.b_error = u * std::abs(low.b);
+    high.b_error = u * std::abs(high.b);
+  }
+  const std::size_t corners = std::size_t{1} << d_;
+  planes_of_.resize(corners * d_);
+  neighbors_.resize(corners * d_);
+  positions_.resize(corners * d_);
+  radii_.assign(corners, 0.0);
+  alive_.assign(corners, 1);
+  beyond_.assign(corners, 0);
+  free_.clear();
+  for (Corner c = 0; c < corners; ++c)
+    for (std::size_t j = 0; j < d_; ++j) {
+      const bool is_high = (c >> j & 1) != 0;
+      planes_of(c)[j] = 2 * j + (is_high ? 1 : 0);
+      neighbors(c)[j] = c ^ (std::size_t{1} << j);
+      position(c)[j] = is_high ? planes_[2 * j + 1].b : -planes_[2 * j].b;
+      radii_[c] = std::max(radii_[c], 1.01 * planes_[planes_of(c)[j]].b_error);
+    }
+}
+
+/// Half the difference of the powers of x with respect to the two sites: (t − s)·y ≤ (|t − s|² − (w_t − w_s))/2. Nearest first:
+/// that keeps the polytope small.
+void RegionClipper::make_bisectors(std::span<const Site> others) {
+  std::vector<double> distances(others.size());
+  std::vector<Plane> made(others.size());
+  for (std::size_t o = 0; o < others.size(); ++o) {
+    Plane& plane = made[o];
+    double square = 0;
+    for (std::size_t j = 0; j < d_; ++j) {
+      plane.a.push_back(others[o].point[j] - site_.point[j]);
+      square += plane.a.back() * plane.a.back();
+    }
+    const double weights = others[o].weight - site_.weight;
+    plane.b = (square - weights) / 2;
+    // A square is off by 3u, their sum by another d·u, the difference of the weights and the last difference by u each.
+    plane.b_error = 1.01 * static_cast<double>(d_ + 4) * u * (square + std::abs(weights)) + underflow;
+    distances[o] = plane.b / std::sqrt(square);
+  }
+  order_.resize(others.size());
+  std::iota(order_.begin(), order_.end(), std::size_t{0});
+  std::stable_sort(order_.begin(), order_.end(), [&](std::size_t a, std::size_t b) { return distances[a] < distances[b]; });
+  other_of_plane_.assign(2 * d_, 0);
+  for (const std::size_t o : order_) {
+    planes_.push_back(std::move(made[o]));
+    other_of_plane_.push_back(o);
+  }
+}
+
+/// |a·y − ã·ỹ| ≤ Σ|a_j|·(r + u|y_j|) with both vectors' errors, and d + 1 roundings of what is at most |b| + Σ|a_j||y_j|.
+bool RegionClipper::is_beyond(Corner corner, std::size_t plane) {
+  const Plane& p = planes_[plane];
+  const double* y = position(corner);
+  double value = p.b, magnitude = std::abs(p.b), size = 0;
+  for (std::size_t j = 0; j < d_; ++j) {
+    const double product = p.a[j] * y[j];
+    value -= product;
+    magnitude += std::abs(product);
+    size += std::abs(p.a[j]);
+  }
+  const double bound = 1.01 * (size * radii_[corner] + static_cast<double>(d_ + 3) * u * magnitude + p.b_error) + underflow;
+  if (is_moderate_ && magnitude < largest_extent * largest_extent) {
+    if (value > bound) return false;
+    if (value < -bound) return true;
+  }
+  return is_beyond_exactly(corner, plane);
+}
+
+const std::vector<Integer>& RegionClipper::exact_plane(std::size_t plane) {
+  if (!has_grid_) {  // all coordinates are multiples of 2^grid, all weights of 2^(2·grid)
+    grid_ = std::numeric_limits<int>::max();
+    const auto include = [&](double x) { grid_ = std::min(grid_, kernel::trailing_exponent(x)); };
+    const auto include_site = [&](const Site& site) {
+      for (std::size_t j = 0; j < d_; ++j) include(site.point[j]);
+      if (site.weight == 0) return;
+      const int exponent = kernel::trailing_exponent(site.weight);
+      grid_ = std::min(grid_, exponent >= 0 ? exponent / 2 : (exponent - 1) / 2);
+    };
+    include_site(site_);
+    for (const Site& other : others_) include_site(other);
+    for (std::size_t j = 0; j < d_; ++j) {
+      include(box_.low[j]);
+      include(box_.high[j]);
+    }
+    has_grid_ = true;
+  }
+  Plane& p = planes_[plane];
+  if (!p.exact.empty()) return p.exact;
+  const auto integer = [&](double x) { return scaled_integer(x, grid_); };
+  if (plane < 2 * d_) {
+    const std::size_t axis = plane / 2;
+    const bool is_high = plane % 2 == 1;
+    p.exact.assign(d_ + 1, Integer(0));
+    p.exact[axis] = is_high ? 1 : -1;
+    p.exact[d_] =
+        is_high ? integer(box_.high[axis]) - integer(site_.point[axis]) : integer(site_.point[axis]) - integer(box_.low[axis]);
+    return p.exact;
+  }
+  const Site& other = others_[other_of_plane_[plane]];
+  Integer square = 0;
+  for (std::size_t j = 0; j < d_; ++j) {
+    Integer difference = integer(other.point[j]) - integer(site_.point[j]);
+    square += difference * difference;
+    p.exact.push_back(difference * 2);
+  }
+  if (other.weight != site_.weight) square -= scaled_integer(other.weight, 2 * grid_) - scaled_integer(site_.weight, 2 * grid_);
+  p.exact.push_back(std::move(square));
+  return p.exact;
+}
+
+bool RegionClipper::is_beyond_exactly(Corner corner, std::size_t plane) {
+  std::vector<std::size_t> through(planes_of(corner), planes_of(corner) + d_);
+  std::sort(through.begin(), through.end());
+  std::vector<Integer> normals, bordered;
+  for (const std::size_t p : through) {
+    const auto& row = exact_plane(p);
+    normals.insert(normals.end(), row.begin(), row.end() - 1);
+    bordered.insert(bordered.end(), row.begin(), row.end());
+  }
+  const auto& row = exact_plane(plane);
+  bordered.insert(bordered.end(), row.begin(), row.end());
+  // det [A b; a_m b_m] = det A · (b_m − a_m·A⁻¹b)
+  const bool is_negative = determinant(normals, d_) < 0;
+  const Integer value = determinant(std::move(bordered), d_ + 1);
+  if (value != 0) return (value < 0) != is_negative;
+  has_ties_ = true;
+  for (std::size_t i = 0; i < d_; ++i) {  // (a_m·A⁻¹)_i = det(A with row i replaced by a_m) / det A
+    std::vector<Integer> replaced = normals;
+    std::copy(row.begin(), row.end() - 1, replaced.begin() + static_cast<std::ptrdiff_t>(i * d_));
+    const Integer coefficient = determinant(std::move(replaced), d_);
+    if (coefficient != 0) return (coefficient > 0) != is_negative;
+  }
+  return false;
+}
+
+RegionClipper::Corner RegionClipper::new_corner() {
+  if (!free_.empty()) {
+    const Corner c = free_.back();
+    free_.pop_back();
+    alive_[c] = 1;
+    beyond_[c] = 0;
+    return c;
+  }
+  const Corner c = alive_.size();
+  planes_of_.resize(planes_of_.size() + d_);
+  neighbors_.resize(neighbors_.size() + d_);
+  positions_.resize(positions_.size() + d_);
+  radii_.push_back(0);
+  alive_.push_back(1);
+  beyond_.push_back(0);
+  return c;
+}
+
+void RegionClipper::cut(std::size_t plane) {
+  bool any = false;
+  for (Corner c = 0; c < alive_.size(); ++c) {
+    beyond_[c] = alive_[c] != 0 && is_beyond(c, plane) ? 1 : 0;
+    any = any || beyond_[c] != 0;
+  }
+  if (!any) return;
+  struct Edge {
+    Corner kept;
+    std::size_t slot;  // the neighbor there is beyond
+  };
+  std::vector<Edge> horizon;
+  for (Corner c = 0; c < alive_.size(); ++c)
+    if (alive_[c] != 0 && beyond_[c] == 0)
+      for (std::size_t i = 0; i < d_; ++i)
+        if (beyond_[neighbors(c)[i]] != 0) horizon.push_back({c, i});
+  fresh_.clear();
+  for (const auto& [kept, slot] : horizon) {
+    const Corner fresh = new_corner();
+    fresh_.push_back(fresh);
+    std::copy_n(planes_of(kept), d_, planes_of(fresh));
+    planes_of(fresh)[slot] = plane;
+    neighbors(fresh)[slot] = kept;
+    neighbors(kept)[slot] = fresh;
+    find_coordinates(fresh);
+  }
+  for (Corner c = 0; c < alive_.size(); ++c)
+    if (beyond_[c] != 0) {
+      alive_[c] = beyond_[c] = 0;
+      free_.push_back(c);
+    }
+  link_new_corners(plane);
+}
+
+/// Each set of d − 1 planes with the new one among them is shared by two new corners.
+void RegionClipper::link_new_corners(std::size_t plane) {
+  if (d_ == 1) return;
+  struct Edge {
+    std::size_t key;  // where its d − 2 other planes, sorted, are in `keys`
+    Corner corner;
+    std::size_t slot;
+  };
+  const std::size_t width = d_ - 2;
+  std::vector<std::size_t> keys;
+  std::vector<Edge> edges;
+  for (const Corner c : fresh_)
+    for (std::size_t i = 0; i < d_; ++i) {
+      if (planes_of(c)[i] == plane) continue;
+      edges.push_back({keys.size(), c, i});
+      for (std::size_t j = 0; j < d_; ++j)
+        if (j != i && planes_of(c)[j] != plane) keys.push_back(planes_of(c)[j]);
+      std::sort(keys.end() - static_cast<std::ptrdiff_t>(width), keys.end());
+    }
+  std::sort(edges.begin(), edges.end(), [&](const Edge& a, const Edge& b) {
+    const std::size_t *x = keys.data() + a.key, *y = keys.data() + b.key;
+    return std::lexicographical_compare(x, x + width, y, y + width);
+  });
+  for (std::size_t e = 0; e + 1 < edges.size(); e += 2) {
+    neighbors(edges[e].corner)[edges[e].slot] = edges[e + 1].corner;
+    neighbors(edges[e + 1].corner)[edges[e + 1].slot] = edges[e].corner;
+  }
+}
+
+/// With the residual r of the computed solution, |y − ỹ| ≤ |R|·(|r| + its error)/(1 − α), see linear_bound.hpp.
+void RegionClipper::find_coordinates(Corner corner) {
+  double* y = position(corner);
+  radii_[corner] = std::numeric_limits<double>::infinity();
+  std::fill(y, y + d_, 0.0);
+  if (!is_moderate_) return find_coordinates_exactly(corner);
+  // Rows are scaled by powers of two, so that entries are below 1: no effect but on the certificate.
+  for (std::size_t i = 0; i < d_; ++i) {
+    const Plane& p = planes_[planes_of(corner)[i]];
+    double largest = 0;
+    for (const double a : p.a) largest = std::max(largest, std::abs(a));
+    if (!(largest > least_extent * least_extent && largest < largest_extent)) return find_coordinates_exactly(corner);
+    const double scale = std::ldexp(1.0, -std::ilogb(largest) - 1);
+    for (std::size_t j = 0; j < d_; ++j) matrix_[i * d_ + j] = work_[i * d_ + j] = p.a[j] * scale;
+    right_[i] = p.b * scale;
+  }
+  if (!approximate_inverse<0>(work_.data(), inverse_.data(), d_)) return find_coordinates_exactly(corner);
+  const double alpha = inverse_defect<0>(matrix_.data(), inverse_.data(), d_);
+  if (!(alpha < 0.5)) return find_coordinates_exactly(corner);
+  for (std::size_t j = 0; j < d_; ++j)
+    for (std::size_t i = 0; i < d_; ++i) y[j] += inverse_[j * d_ + i] * right_[i];
+  constexpr double too_large = 1e8;
+  for (const double entry : inverse_)
+    if (!(std::abs(entry) < too_large)) return find_coordinates_exactly(corner);
+  double radius = 0;
+  for (std::size_t i = 0; i < d_; ++i) {
+    const Plane& p = planes_[planes_of(corner)[i]];
+    double residual = right_[i], magnitude = std::abs(right_[i]), largest = 0;
+    for (std::size_t j = 0; j < d_; ++j) {
+      residual -= matrix_[i * d_ + j] * y[j];
+      magnitude += std::abs(matrix_[i * d_ + j] * y[j]);
+      largest = std::max(largest, std::abs(p.a[j]));
+    }
+    const double scale = std::ldexp(1.0, -std::ilogb(largest) - 1);
+    right_[i] = std::abs(residual) + static_cast<double>(d_ + 3) * u * magnitude + p.b_error * scale + underflow;
+  }
+  for (std::size_t j = 0; j < d_; ++j) {
+    double error = 0;
+    for (std::size_t i = 0; i < d_; ++i) error += std::abs(inverse_[j * d_ + i]) * right_[i];
+    if (!(error <= radius)) radius = error;
+  }
+  radius *= 1.01 / (1 - alpha);
+  if (!(radius < coarse * extent_)) return find_coordinates_exactly(corner);
+  radii_[corner] = radius;
+}
+
+void RegionClipper::find_coordinates_exactly(Corner corner) {
+  std::vector<Integer> system;
+  for (std::size_t i = 0; i < d_; ++i) {
+    const auto& row = exact_plane(planes_of(corner)[i]);
+    system.insert(system.end(), row.begin(), row.end());
+  }
+  const Fractions solution = solve_exactly(std::move(system), d_);
+  double largest = 0;
+  for (std::size_t j = 0; j < d_; ++j) {
+    position(corner)[j] = nearest_double(solution.numerators[j], solution.denominator, grid_);
+    largest = std::max(largest, std::abs(position(corner)[j]));
+  }
+  radii_[corner] = u * largest + std::numeric_limits<double>::denorm_min();
+}
+
+double RegionClipper::volume() {
+  polytope_.start(d_, d_);
+  for (Corner c = 0; c < alive_.size(); ++c)
+    if (alive_[c] != 0) polytope_.add_corner(position(c), {planes_of(c), d_});
+  return polytope_.volume();
+}
+
+/// The corners on a plane in the order of its polygon; on no plane (d = 2), all corners.
+std::vector<Index> RegionClipper::cycle(std::size_t plane, const std::vector<Index>& number,
+                                        const std::vector<Corner>& corners) {
+  std::vector<Index> face;
+  Corner start = alive_.size();
+  for (const Corner c : corners)
+    if (d_ == 2 || std::find(planes_of(c), planes_of(c) + d_, plane) != planes_of(c) + d_) {
+      start = c;
+      break;
+    }
+  if (start == alive_.size()) return face;
+  Corner at = start, before = alive_.size();
+  do {
+    if (face.empty() || face.back() != number[at]) face.push_back(number[at]);
+    Corner next = alive_.size();
+    for (std::size_t i = 0; i < d_ && next == alive_.size(); ++i)
+      if ((d_ == 2 || planes_of(at)[i] != plane) && neighbors(at)[i] != before) next = neighbors(at)[i];
+    before = at;
+    at = next == alive_.size() ? start : next;
+  } while (at != start);
+  while (face.size() > 1 && face.front() == face.back()) face.pop_back();
+  return face;
+}
+
+ClippedRegion RegionClipper::geometry() {
+  ClippedRegion region;
+  std::vector<Corner> corners;
+  for (Corner c = 0; c < alive_.size(); ++c)
+    if (alive_[c] != 0) corners.push_back(c);
+  // After a tie several corners may be one point; correctly rounded, they are equal.
+  if (has_ties_)
+    for (const Corner c : corners) find_coordinates_exactly(c);
+  std::vector<Corner> sorted = corners;
+  const auto less = [&](Corner a, Corner b) {
+    return std::lexicographical_compare(position(a), position(a) + d_, position(b), position(b) + d_);
+  };
+  std::sort(sorted.begin(), sorted.end(), less);
+  std::vector<Index> number(alive_.size(), invalid_index);
+  Index count = 0;
+  for (std::size_t i = 0; i < sorted.size(); ++i) {
+    if (i == 0 || less(sorted[i - 1], sorted[i])) {
+      for (std::size_t j = 0; j < d_; ++j)
+        region.corners.push_back(std::clamp(position(sorted[i])[j] + site_.point[j], box_.low[j], box_.high[j]));
+      ++count;
+    }
+    number[sorted[i]] = count - 1;
+  }
+  const auto at = [&](Index corner, std::size_t j) { return region.corners[corner * d_ + j]; };
+  if (d_ == 1 && count == 2) region.faces = {{0, 1}};
+  if (d_ == 2) {
+    std::vector<Index> polygon = cycle(0, number, corners);
+    double twice_area = 0;
+    for (std::size_t i = 0; i + 1 < polygon.size(); ++i)
+      twice_area += (at(polygon[i], 0) - at(polygon[0], 0)) * (at(polygon[i + 1], 1) - at(polygon[0], 1)) -
+                    (at(polygon[i], 1) - at(polygon[0], 1)) * (at(polygon[i + 1], 0) - at(polygon[0], 0));
+    if (twice_area < 0) std::reverse(polygon.begin(), polygon.end());
+    if (polygon.size() > 2) region.faces.push_back(std::move(polygon));
+  }
+  if (d_ == 3)
+    for (std::size_t plane = 0; plane < planes_.size(); ++plane) {
+      std::vector<Index> face = cycle(plane, number, corners);
+      if (face.size() < 3) continue;
+      double along = 0;  // the vector area times the outward normal
+      for (std::size_t i = 1; i + 1 < face.size(); ++i) {
+        double p[3], q[3];
+        for (std::size_t j = 0; j < 3; ++j) {
+          p[j] = at(face[i], j) - at(face[0], j);
+          q[j] = at(face[i + 1], j) - at(face[0], j);
+        }
+        along += planes_[plane].a[0] * (p[1] * q[2] - p[2] * q[1]) + planes_[plane].a[1] * (p[2] * q[0] - p[0] * q[2]) +
+                 planes_[plane].a[2] * (p[0] * q[1] - p[1] * q[0]);
+      }
+      if (along < 0) std::reverse(face.begin(), face.end());
+      region.faces.push_back(std::move(face));
+    }
+  if (region.faces.size() < (d_ == 3 ? 4 : 1)) return {};
+  return region;
+}
+
+}  // namespace delone::front_ends

@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// One region cut off at a box. The box, a simple polytope with 2^d corners, is cut by one bisector after the other. Every
+// decision (is a corner beyond a hyperplane?) is exact: corners are known within a certified radius, and where that leaves
+// the sign open it is that of a determinant in integers. Ties are decided by a symbolic perturbation that moves every
+// hyperplane outward, later ones less, so that the polytope stays simple and its combinatorics consistent whatever the input.
+#pragma once
+
+#include "voronoi/simple_polytope.hpp"
+#include "kernel/fractions.hpp"
+
+#include <delone/voronoi.hpp>
+
+#include <cstddef>
+#include <span>
+#include <vector>
+
+namespace delone::front_ends {
+
+class RegionClipper {
+ public:
+  /// REQUIRES a box of dimension at most 12 with finite low < high.
+  explicit RegionClipper(const Box& box);
+
+  struct Site {
+    const double* point;
+    double weight;
+  };
+  /// Cuts off the region of `site` among the others.
+  void clip(const Site& site, std::span<const Site> others);
+
+  /// The d-volume of the result of the last clip().
+  double volume();
+  /// Its corners and faces, coincident corners merged. REQUIRES d ≤ 3.
+  ClippedRegion geometry();
+
+ private:
+  /// a·y ≤ b for y = x − site: binary64 with every a within a relative unit roundoff and b within b_error.
+  struct Plane {
+    std::vector<double> a;
+    double b = 0, b_error = 0;
+    std::vector<Integer> exact;  // a and b times a common positive factor; made when first needed
+  };
+  using Corner = std::size_t;
+
+  void make_box();
+  void make_bisectors(std::span<const Site> others);
+  void cut(std::size_t plane);
+  bool is_beyond(Corner corner, std::size_t plane);
+  bool is_beyond_exactly(Corner corner, std::size_t plane);
+  const std::vector<Integer>& exact_plane(std::size_t plane);
+  Corner new_corner();
+  void find_coordinates(Corner corner);
+  void find_coordinates_exactly(Corner corner);
+  void link_new_corners(std::size_t plane);
+  std::vector<Index> cycle(std::size_t plane, const std::vector<Index>& number, const std::vector<Corner>& corners);
+
+  std::size_t* planes_of(Corner c) { return planes_of_.data() + c * d_; }
+  Corner* neighbors(Corner c) { return neighbors_.data() + c * d_; }
+  double* position(Corner c) { return positions_.data() + c * d_; }
+
+  std::size_t d_;
+  Box box_;
+  double extent_ = 0;  // the longest side
+  bool is_moderate_ = false;
+  Site site_{};
+  std::span<const Site> others_;
+  int grid_ = 0;
+  bool has_grid_ = false, has_ties_ = false;
+  std::vector<Plane> planes_;       // 2d of the box (low, high by axis), then bisectors
+  std::vector<std::size_t> order_;  // of the bisectors
+  std::vector<std::size_t> other_of_plane_;
+  std::vector<std::size_t> planes_of_;  // d per corner
+  std::vector<Corner> neighbors_;       // d per corner: neighbor i is on all planes but the i-th
+  std::vector<double> positions_, radii_;
+  std::vector<unsigned char> alive_, beyond_;
+  std::vector<Corner> free_, fresh_;
+  std::vector<double> matrix_, work_, inverse_, right_;
+  SimplePolytope polytope_;
+};
+
+}  // namespace delone::front_ends

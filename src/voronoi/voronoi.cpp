@@ -1,0 +1,294 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// VoronoiDiagram: built by VoronoiBuilder; volumes and clipping.
+#include <delone/voronoi.hpp>
+
+#include "voronoi/simple_polytope.hpp"
+#include "voronoi/voronoi_builder.hpp"
+#include "voronoi/region_clipper.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <new>
+
+namespace delone {
+namespace {
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+/// The length of q − p, without overflow or underflow on the way.
+double distance(const double* p, const double* q, std::size_t d) {
+  double largest = 0;
+  for (std::size_t j = 0; j < d; ++j) largest = std::max(largest, std::abs(q[j] - p[j]));
+  if (largest == 0 || !std::isfinite(largest)) return largest;
+  const int exponent = std::ilogb(largest);
+  double square = 0;
+  for (std::size_t j = 0; j < d; ++j) {
+    const double x = std::ldexp(q[j] - p[j], -exponent);
+    square += x * x;
+  }
+  return std::ldexp(std::sqrt(square), exponent);
+}
+
+/// The area of the triangle o, p, q in R^d: half of base times height, the height by orthogonalisation.
+double triangle_area(const double* o, const double* p, const double* q, std::size_t d) {
+  const double base = distance(o, p, d);
+  if (!(base > 0) || !std::isfinite(base)) return base;
+  double along = 0, height = 0;
+  for (std::size_t j = 0; j < d; ++j) along += (p[j] - o[j]) / base * (q[j] - o[j]);
+  for (std::size_t j = 0; j < d; ++j) {
+    const double across = (q[j] - o[j]) - along * ((p[j] - o[j]) / base);
+    height += across * across;
+  }
+  return base * std::sqrt(height) / 2;
+}
+
+/// Runs `work`; exhausted memory becomes Errc::out_of_memory.
+template <class Work>
+auto guarded(Work&& work) {
+  try {
+    return work();
+  } catch (const std::bad_alloc&) {
+    throw Error(Errc::out_of_memory, "not enough memory for the Voronoi diagram");
+  }
+}
+
+/// The regions that share a ridge with each region.
+struct Neighbors {
+  std::vector<std::size_t> offsets, others;
+
+  explicit Neighbors(const VoronoiDiagram& diagram) : offsets(diagram.num_regions() + 1, 0) {
+    const auto region = [&](std::size_t i) {
+      return static_cast<std::size_t>(diagram.point_region()[static_cast<std::size_t>(diagram.ridge_points()[i])]);
+    };
+    const std::size_t entries = diagram.ridge_points().size();
+    for (std::size_t i = 0; i < entries; ++i) ++offsets[region(i) + 1];
+    for (std::size_t r = 0; r < diagram.num_regions(); ++r) offsets[r + 1] += offsets[r];
+    others.resize(entries);
+    std::vector<std::size_t> next(offsets.begin(), offsets.end() - 1);
+    for (std::size_t i = 0; i < entries; ++i) others[next[region(i)]++] = region(i ^ 1);
+  }
+};
+
+/// Clips the regions of a diagram.
+class DiagramClipper {
+ public:
+  DiagramClipper(const VoronoiDiagram& diagram, const Box& box) : diagram_(diagram), neighbors_(diagram), clipper_(box) {}
+
+  front_ends::RegionClipper& clip(std::size_t region) {
+    others_.clear();
+    for (std::size_t i = neighbors_.offsets[region]; i < neighbors_.offsets[region + 1]; ++i)
+      others_.push_back(site(neighbors_.others[i]));
+    clipper_.clip(site(region), others_);
+    return clipper_;
+  }
+
+ private:
+  front_ends::RegionClipper::Site site(std::size_t r) const { return {diagram_.site(r).data(), diagram_.weight(r)}; }
+
+  const VoronoiDiagram& diagram_;
+  Neighbors neighbors_;
+  front_ends::RegionClipper clipper_;
+  std::vector<front_ends::RegionClipper::Site> others_;
+};
+
+}  // namespace
+
+VoronoiDiagram::VoronoiDiagram(const Triangulation& triangulation, VoronoiParts parts)
+    : VoronoiDiagram(triangulation, nullptr, parts) {}
+
+VoronoiDiagram::VoronoiDiagram(const Triangulation& triangulation, const std::function<double(VertexId)>& weight,
+                               VoronoiParts parts)
+    : dimension_(triangulation.dimension()),
+      affine_dimension_(triangulation.affine_dimension()),
+      has_ridges_(parts == VoronoiParts::all),
+      is_weighted_(weight != nullptr) {
+  guarded([&] { VoronoiBuilder(triangulation, weight, *this).run(); });
+}
+
+std::size_t VoronoiDiagram::num_unbounded_regions() const {
+  return static_cast<std::size_t>(std::count(bounded_.begin(), bounded_.end(), 0));
+}
+
+/// The distance of a site from its bisector with another; negative if the site is on the other's side.
+double VoronoiDiagram::bisector_distance(std::size_t from, std::size_t to) const {
+  const double length = distance(site(from).data(), site(to).data(), ambient());
+  return length / 2 - (weight(to) - weight(from)) / length / 2;
+}
+
+double VoronoiDiagram::ridge_volume(std::size_t i, const std::vector<std::vector<Index>>& cells_of_region) const {
+  const auto corners = ridge(i);
+  if (affine_dimension_ == 1) return 1;
+  if (corners.front() < 0) return infinity;
+  const auto at = [&](std::size_t corner) { return vertex(static_cast<std::size_t>(corners[corner])).data(); };
+  if (affine_dimension_ == 2) return distance(at(0), at(1), ambient());
+  if (affine_dimension_ == 3) {
+    double area = 0;
+    for (std::size_t c = 1; c + 1 < corners.size(); ++c) area += triangle_area(at(0), at(c), at(c + 1), ambient());
+    return area;
+  }
+  // The dual face of an edge of the triangulation: one corner for each cell around the edge, on a facet for each further site.
+  const auto a = static_cast<std::size_t>(point_region_[static_cast<std::size_t>(ridge_points_[2 * i])]);
+  const auto b = static_cast<std::size_t>(point_region_[static_cast<std::size_t>(ridge_points_[2 * i + 1])]);
+  const std::size_t k = static_cast<std::size_t>(affine_dimension_);
+  std::vector<Index> star;
+  std::set_intersection(cells_of_region[a].begin(), cells_of_region[a].end(), cells_of_region[b].begin(),
+                        cells_of_region[b].end(), std::back_inserter(star));
+  front_ends::SimplePolytope polytope;
+  polytope.start(k - 1, ambient());
+  std::vector<std::size_t> labels;
+  for (const Index cell : star) {
+    labels.clear();
+    for (std::size_t j = 0; j <= k; ++j) {
+      const auto region = static_cast<std::size_t>(cell_regions_[cell * (k + 1) + j]);
+      if (region != a && region != b) labels.push_back(region);
+    }
+    polytope.add_corner(vertex(static_cast<std::size_t>(cell_vertex_[cell])).data(), labels);
+  }
+  return polytope.volume();
+}
+
+std::vector<std::vector<Index>> VoronoiDiagram::cells_of_regions() const {
+  std::vector<std::vector<Index>> cells(num_regions());
+  const std::size_t corners = static_cast<std::size_t>(affine_dimension_ + 1);
+  for (std::size_t i = 0; i < cell_regions_.size(); ++i)
+    cells[static_cast<std::size_t>(cell_regions_[i])].push_back(static_cast<Index>(i / corners));
+  return cells;
+}
+
+std::vector<double> VoronoiDiagram::ridge_volumes() const {
+  require_ridges();
+  return guarded([&] {
+    const auto cells = cells_of_regions();
+    std::vector<double> volumes(num_ridges());
+    for (std::size_t i = 0; i < volumes.size(); ++i) volumes[i] = ridge_volume(i, cells);
+    return volumes;
+  });
+}
+
+/// Volumes of the regions for which `wanted` holds; 0 for the others.
+std::vector<double> VoronoiDiagram::volumes_of(const std::vector<unsigned char>& wanted) const {
+  const auto cells = cells_of_regions();
+  std::vector<front_ends::CompensatedSum> sums(num_regions());
+  for (std::size_t i = 0; i < num_ridges(); ++i) {
+    const auto a = static_cast<std::size_t>(point_region_[static_cast<std::size_t>(ridge_points_[2 * i])]);
+    const auto b = static_cast<std::size_t>(point_region_[static_cast<std::size_t>(ridge_points_[2 * i + 1])]);
+    if (!wanted[a] && !wanted[b]) continue;
+    const double volume = ridge_volume(i, cells) / affine_dimension_;
+    if (wanted[a]) sums[a].add(volume * bisector_distance(a, b));
+    if (wanted[b]) sums[b].add(volume * bisector_distance(b, a));
+  }
+  std::vector<double> volumes(num_regions(), 0.0);
+  for (std::size_t r = 0; r < volumes.size(); ++r)
+    if (wanted[r]) volumes[r] = std::isnan(sums[r].value()) ? infinity : std::max(sums[r].value(), 0.0);
+  return volumes;
+}
+
+std::vector<double> VoronoiDiagram::region_volumes() const {
+  require_ridges();
+  return guarded([&] {
+    std::vector<double> volumes = volumes_of(bounded_);
+    for (std::size_t r = 0; r < volumes.size(); ++r)
+      if (!bounded_[r]) volumes[r] = infinity;
+    return volumes;
+  });
+}
+
+VoronoiData VoronoiDiagram::to_data() const {
+  require_ridges();
+  return guarded([&] {
+    VoronoiData data{dimension_,
+                     affine_dimension_,
+                     {},
+                     {},
+                     vertices_,
+                     ridge_points_,
+                     ridge_vertices_,
+                     region_vertices_,
+                     point_region_,
+                     ridge_offsets_,
+                     region_offsets_,
+                     ray_vertices_,
+                     ray_points_,
+                     ray_directions_};
+    const double* hidden = hidden_.data();
+    for (const SignedIndex region : point_region_) {
+      const double* point = region < 0 ? hidden : site(static_cast<std::size_t>(region)).data();
+      data.points.insert(data.points.end(), point, point + ambient());
+      if (is_weighted_) data.weights.push_back(region < 0 ? hidden[ambient()] : weight(static_cast<std::size_t>(region)));
+      if (region < 0) hidden += ambient() + 1;
+    }
+    return data;
+  });
+}
+
+void VoronoiDiagram::require_ridges() const {
+  if (!has_ridges_) throw Error(Errc::invalid_argument, "the Voronoi diagram was made without ridges");
+}
+
+void VoronoiDiagram::check_box(const Box& box) const {
+  require_ridges();
+  const auto wrong = [](const std::string& what) { throw Error(Errc::invalid_argument, "the box " + what); };
+  if (box.low.size() != ambient() || box.high.size() != ambient())
+    wrong("has not as many coordinates as the space, " + std::to_string(dimension_));
+  for (std::size_t j = 0; j < ambient(); ++j)
+    if (!std::isfinite(box.low[j]) || !std::isfinite(box.high[j]) || !(box.low[j] < box.high[j]))
+      wrong("must have finite limits, low below high, along axis " + std::to_string(j));
+  constexpr int largest_dimension = 12;  // 2^d corners
+  if (dimension_ > largest_dimension)
+    throw Error(Errc::unsupported, "clipping to a box is available up to dimension " + std::to_string(largest_dimension));
+}
+
+bool VoronoiDiagram::is_inside(std::size_t r, const Box& box) const {
+  if (!bounded_[r] || affine_dimension_ != dimension_) return false;
+  for (const SignedIndex v : region(r))
+    for (std::size_t j = 0; j < ambient(); ++j) {
+      const double x = vertex(static_cast<std::size_t>(v))[j];
+      if (!(x >= box.low[j] && x <= box.high[j])) return false;
+    }
+  return true;
+}
+
+std::vector<double> VoronoiDiagram::region_volumes(const Box& box) const {
+  check_box(box);
+  return guarded([&] {
+    std::vector<unsigned char> inside(num_regions());
+    for (std::size_t r = 0; r < num_regions(); ++r) inside[r] = is_inside(r, box) ? 1 : 0;
+    std::vector<double> volumes = volumes_of(inside);
+    DiagramClipper clipper(*this, box);
+    for (std::size_t r = 0; r < num_regions(); ++r)
+      if (!inside[r]) volumes[r] = clipper.clip(r).volume();
+    return volumes;
+  });
+}
+
+void VoronoiDiagram::for_each_clipped_region(const Box& box,
+                                             const std::function<void(std::size_t, const ClippedRegion&)>& visit) const {
+  check_box(box);
+  if (dimension_ > 3) throw Error(Errc::unsupported, "the geometry of clipped regions is available up to dimension 3");
+  DiagramClipper clipper(*this, box);
+  for (std::size_t r = 0; r < num_regions(); ++r) visit(r, clipper.clip(r).geometry());
+}
+
+Box VoronoiDiagram::bounding_box(double margin) const {
+  if (!(margin >= 0) || !std::isfinite(margin))
+    throw Error(Errc::invalid_argument, "the margin must be a number of at least 0");
+  Box box{std::vector<double>(ambient(), 0.0), std::vector<double>(ambient(), 0.0)};
+  double longest = 0;
+  for (std::size_t j = 0; j < ambient(); ++j)
+    for (std::size_t r = 0; r < num_regions(); ++r) {
+      const double x = site(r)[j];
+      box.low[j] = r == 0 ? x : std::min(box.low[j], x);
+      box.high[j] = r == 0 ? x : std::max(box.high[j], x);
+      longest = std::max(longest, box.high[j] - box.low[j]);
+    }
+  const double added = longest > 0 ? margin * longest : 1;
+  constexpr double largest = std::numeric_limits<double>::max() / 4;
+  for (std::size_t j = 0; j < ambient(); ++j) {
+    box.low[j] = std::max(std::min(box.low[j] - added, std::nextafter(box.low[j], -largest)), -largest * 4);
+    box.high[j] = std::min(std::max(box.high[j] + added, std::nextafter(box.high[j], largest)), largest * 4);
+  }
+  return box;
+}
+
+}  // namespace delone
