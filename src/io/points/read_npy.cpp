@@ -4,7 +4,7 @@
 
 #include "io/collect.hpp"
 #include "io/file.hpp"
-#include "io/read_points.hpp"
+#include "io/points/read_points.hpp"
 
 #include <limits>
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // write_complex: validates the data, chooses the writer; the formats that take a few lines.
-#include "io/write_complex.hpp"
+#include "io/complexes/write_complex.hpp"
 
 #include "io/atomic_file.hpp"
 #include "io/collect.hpp"

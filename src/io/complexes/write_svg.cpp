@@ -2,7 +2,7 @@
 // A picture of a triangulation in the plane: the larger side of the bounding box takes 1000 units, y points up.
 #include "io/atomic_file.hpp"
 #include "io/file.hpp"
-#include "io/write_complex.hpp"
+#include "io/complexes/write_complex.hpp"
 
 #include <algorithm>
 #include <array>

@@ -2,8 +2,8 @@
 // Points and triangulations from OFF, COFF and nOFF. See off.hpp.
 #include "io/collect.hpp"
 #include "io/file.hpp"
-#include "io/off.hpp"
-#include "io/read_points.hpp"
+#include "io/points/off.hpp"
+#include "io/points/read_points.hpp"
 #include "io/text_cursor.hpp"
 
 #include <algorithm>

@@ -3,7 +3,7 @@
 #include "io/atomic_file.hpp"
 #include "io/collect.hpp"
 #include "io/file.hpp"
-#include "io/hull_arrays.hpp"
+#include "io/complexes/hull_arrays.hpp"
 #include "io/npy.hpp"
 #include "io/write_npy.hpp"
 #include "io/zip.hpp"

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // write_voronoi: chooses the writer; the arrays of a diagram as .npz and .json.
-#include "io/write_voronoi.hpp"
+#include "io/complexes/write_voronoi.hpp"
 
 #include "io/atomic_file.hpp"
 #include "io/file.hpp"
 #include "io/npy.hpp"
-#include "io/voronoi_arrays.hpp"
+#include "io/complexes/voronoi_arrays.hpp"
 #include "io/write_npy.hpp"
 #include "io/zip.hpp"
 

@@ -4,7 +4,7 @@
 #include "io/atomic_file.hpp"
 #include "io/file.hpp"
 #include "io/npy.hpp"
-#include "io/write_complex.hpp"
+#include "io/complexes/write_complex.hpp"
 #include "io/write_npy.hpp"
 
 #include <array>

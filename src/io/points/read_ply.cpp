@@ -3,7 +3,7 @@
 // vertices and properties that are not asked for are skipped, lists included.
 #include "io/collect.hpp"
 #include "io/file.hpp"
-#include "io/read_points.hpp"
+#include "io/points/read_points.hpp"
 #include "io/text_cursor.hpp"
 
 #include <algorithm>

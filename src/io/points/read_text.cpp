@@ -3,7 +3,7 @@
 // over the text, numbers are parsed in place; only fields that are asked for are looked at.
 #include "io/collect.hpp"
 #include "io/file.hpp"
-#include "io/read_points.hpp"
+#include "io/points/read_points.hpp"
 #include "io/text_cursor.hpp"
 
 #include <algorithm>

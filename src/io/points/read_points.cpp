@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // read_points: chooses the reader by the format.
-#include "io/read_points.hpp"
+#include "io/points/read_points.hpp"
 
 #include "io/file.hpp"
 #include "io/text_cursor.hpp"

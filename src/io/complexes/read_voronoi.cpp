@@ -5,7 +5,7 @@
 #include "io/file.hpp"
 #include "io/npy.hpp"
 #include "io/text_cursor.hpp"
-#include "io/voronoi_arrays.hpp"
+#include "io/complexes/voronoi_arrays.hpp"
 #include "io/zip.hpp"
 
 #include <nlohmann/json.hpp>

@@ -4,7 +4,7 @@
 #include "io/file.hpp"
 #include "io/npy.hpp"
 #include "io/write_npy.hpp"
-#include "io/write_voronoi.hpp"
+#include "io/complexes/write_voronoi.hpp"
 
 #include <algorithm>
 #include <array>

@@ -2,7 +2,7 @@
 // read_halfspaces: the arrays of an intersection from .npz or .json. Each is read by name; then their shapes must agree.
 #include "io/collect.hpp"
 #include "io/file.hpp"
-#include "io/intersection_arrays.hpp"
+#include "io/complexes/intersection_arrays.hpp"
 #include "io/npy.hpp"
 #include "io/text_cursor.hpp"
 #include "io/zip.hpp"

@@ -4,7 +4,7 @@
 // is built.
 #include "io/collect.hpp"
 #include "io/file.hpp"
-#include "io/raw_complex.hpp"
+#include "io/complexes/raw_complex.hpp"
 #include "io/text_cursor.hpp"
 
 #include <nlohmann/json.hpp>

@@ -3,9 +3,9 @@
 #include "io/collect.hpp"
 #include "io/file.hpp"
 #include "io/npy.hpp"
-#include "io/off.hpp"
-#include "io/raw_complex.hpp"
-#include "io/read_points.hpp"
+#include "io/points/off.hpp"
+#include "io/complexes/raw_complex.hpp"
+#include "io/points/read_points.hpp"
 #include "io/zip.hpp"
 
 #include <utility>

@@ -2,10 +2,10 @@
 // read_hull: the arrays of a hull from .npz or .json. All are collected by name first; then their shapes must agree.
 #include "io/collect.hpp"
 #include "io/file.hpp"
-#include "io/hull_arrays.hpp"
-#include "io/intersection_arrays.hpp"
+#include "io/complexes/hull_arrays.hpp"
+#include "io/complexes/intersection_arrays.hpp"
 #include "io/npy.hpp"
-#include "io/raw_complex.hpp"
+#include "io/complexes/raw_complex.hpp"
 #include "io/text_cursor.hpp"
 #include "io/zip.hpp"
 
