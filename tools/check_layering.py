@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: BSD-3-Clause
 """Checks who includes whom, and that the library keeps its manners. The rules are the data below; docs/architecture.md
-explains them. Prints every violation as FILE:LINE and exits with status 1 if there is one.
+explains them. Prints every violation as FILE:LINE, also files and rooms that are too large, and exits with status 1 if there is one.
 
 Usage: check_layering.py [--self-test]
 """
@@ -15,29 +15,44 @@ ROOT = pathlib.Path(__file__).resolve().parent.parent
 BASICS = {"types", "error", "config"}
 PUBLIC = "all public headers"
 
-# room (longest matching path decides) -> (public headers, rooms of the project)
+# room (longest matching path decides) -> (public headers, other rooms of the project)
 RULES = {
-    "include/delone": (PUBLIC, {"include/delone"}),
-    "src": (BASICS, {"src"}),  # small headers that every room of the library may use
-    "src/kernel": (BASICS | {"predicates"}, {"src/kernel", "src"}),
-    "src/order": (BASICS, {"src/order", "src"}),
-    "src/geometry": (BASICS, {"src/geometry", "src/kernel", "src"}),
-    "src/engine": (BASICS | {"complex"}, {"src/engine", "src"}),
-    "src/front_ends": (PUBLIC, {"src/front_ends", "src/engine", "src/geometry", "src/kernel", "src/order", "src"}),
-    "src/point_sets": (BASICS | {"point_sets"}, {"src/point_sets", "src"}),
-    "src/io": (PUBLIC, {"src/io", "src"}),
-    "cli": (PUBLIC, {"cli"}),
+    "include/delone": (PUBLIC, set()),
+    "src/base": (BASICS, set()),
+    "src/kernel": (BASICS | {"predicates"}, {"src/base"}),
+    "src/order": (BASICS | {"options"}, {"src/base"}),
+    "src/cells": (BASICS, {"src/base"}),
+    "src/geometry": (BASICS, {"src/cells", "src/kernel", "src/base"}),
+    "src/geometry/facet_search": (BASICS, {"src/geometry", "src/cells", "src/base"}),
+    "src/engine": (BASICS | {"complex"}, {"src/cells", "src/base"}),
+    "src/engine/wrap": (BASICS, {"src/engine", "src/cells", "src/base"}),
+    "src/compiled": (BASICS | {"complex"}, {"src/engine", "src/engine/wrap", "src/geometry", "src/geometry/facet_search",
+                                            "src/cells", "src/kernel", "src/base"}),
+    "src/complex": (PUBLIC, {"src/base"}),
+    "src/triangulation": (PUBLIC, {"src/complex", "src/compiled", "src/geometry", "src/order", "src/kernel", "src/base"}),
+    "src/queries": (PUBLIC, {"src/triangulation", "src/order", "src/kernel", "src/base"}),
+    "src/hull": (PUBLIC, {"src/complex", "src/compiled", "src/order", "src/kernel", "src/base"}),
+    "src/halfspaces": (PUBLIC, {"src/hull", "src/compiled", "src/order", "src/kernel", "src/base"}),
+    "src/voronoi": (PUBLIC, {"src/triangulation", "src/kernel", "src/base"}),
+    "src/check": (PUBLIC, {"src/hull", "src/halfspaces", "src/compiled", "src/complex", "src/kernel", "src/base"}),
+    "src/point_sets": (BASICS | {"point_sets"}, {"src/base"}),
+    "src/io": (PUBLIC, {"src/base"}),
+    "src/io/points": (PUBLIC, {"src/io", "src/base"}),
+    "src/io/complexes": (PUBLIC, {"src/io", "src/io/points", "src/base"}),
+    "cli": (PUBLIC, set()),
     "examples": (PUBLIC, set()),
-    "benchmarks": (PUBLIC, {"benchmarks", "tests/support"}),
+    "benchmarks": (PUBLIC, {"tests/support"}),
     # What users never call by itself is timed by itself: predicates, orders, the phases of an insertion.
-    "benchmarks/internal": (PUBLIC, {"benchmarks/internal", "src", "src/kernel", "src/order", "src/geometry", "src/engine",
-                                     "src/front_ends"}),
-    "tests": (PUBLIC, {"tests", "tests/support", "tests/property", "tests/differential", "tests/cli"}),
-    "tests/support": (PUBLIC, {"tests/support"}),
-    "tests/consumer": (PUBLIC, {"tests/consumer"}),
-    "tests/unit": (PUBLIC, {"tests/unit", "tests/support", "src", "src/kernel", "src/order", "src/geometry", "src/engine",
-                            "src/front_ends", "src/io", "src/point_sets"}),
+    "benchmarks/internal": (PUBLIC, {"src/*"}),
+    "tests": (PUBLIC, {"tests/*"}),
+    "tests/support": (PUBLIC, set()),
+    "tests/consumer": (PUBLIC, set()),
+    "tests/unit": (PUBLIC, {"tests/support", "src/*"}),
 }
+
+# Rooms and files that have grown too large to be one.
+LARGEST_SHARE_OF_ROOM = 1 / 8  # of the lines of src/, rooms within a room apart
+MOST_LINES_OF_FILE = 500
 
 # Where a quoted include is looked for, after the folder of the file itself.
 SEARCH = ["src", "tests/support", "include", ""]
@@ -65,6 +80,11 @@ def room_of(path):
         if (path == room or path.startswith(room + "/")) and (best is None or len(room) > len(best)):
             best = room
     return best
+
+
+def may_know(rooms, other):
+    """Whether `other` is one of the rooms, or below one that is given as `folder/*`."""
+    return other in rooms or any(known.endswith("/*") and other.startswith(known[:-1]) for known in rooms)
 
 
 def without_comments(text):
@@ -95,7 +115,7 @@ def include_violation(path, kind, target, exists):
         candidate = "/".join(parts)
         if exists(candidate):
             other = room_of(candidate)
-            if other is None or other in rooms or other == room:
+            if other is None or other == room or may_know(rooms, other):
                 return None
             return f'{room} may not include "{target}" of {other}; it knows {", ".join(sorted(rooms)) or "public headers only"}'
     return None  # generated, or third-party in quotes
@@ -113,9 +133,7 @@ def forbidden_in(path, line):
 def violations():
     exists = lambda candidate: (ROOT / candidate).is_file()
     for top in ("include", "src", "cli", "examples", "benchmarks", "tests"):
-        for file in sorted((ROOT / top).rglob("*")):
-            if not re.search(r"\.(cpp|hpp|h)(\.in)?$", file.name):
-                continue
+        for file in sources_of(top):
             path = file.relative_to(ROOT).as_posix()
             text = file.read_text(encoding="utf-8")
             bare = without_comments(text).split("\n")
@@ -128,6 +146,28 @@ def violations():
                     found = forbidden_in(path, bare[number - 1])
                     if found:
                         yield path, number, found
+    yield from size_violations({file.relative_to(ROOT).as_posix(): len(file.read_text(encoding="utf-8").splitlines())
+                                for file in sources_of("src")})
+
+
+def sources_of(top):
+    return [file for file in sorted((ROOT / top).rglob("*")) if re.search(r"\.(cpp|hpp|h)(\.in)?$", file.name)]
+
+
+def size_violations(lines_of_file):
+    """Files of src/ that are too long, and rooms that hold too much. `lines_of_file`: path -> number of lines."""
+    lines_of_room = {}
+    for path, lines in lines_of_file.items():
+        if lines > MOST_LINES_OF_FILE:
+            yield path, lines, f"the file has {lines} lines; {MOST_LINES_OF_FILE} are the most"
+        room = path.rsplit("/", 1)[0]
+        lines_of_room[room] = lines_of_room.get(room, 0) + lines
+    most = LARGEST_SHARE_OF_ROOM * sum(lines_of_file.values())
+    for room, lines in lines_of_room.items():
+        if room not in RULES:
+            yield room, 0, "no rule says what this folder may include"
+        if lines > most:
+            yield room, 0, f"the room holds {lines} lines; {int(most)}, an eighth of src/, are the most"
 
 
 def self_test():
@@ -146,13 +186,18 @@ def self_test():
     ]
     right = [
         ("src/geometry/pencil.hpp", '"', "kernel/exact.hpp"),
-        ("src/triangulation/delaunay.cpp", '"', "engine/build.hpp"),
+        ("src/compiled/hull_engine.hpp", '"', "engine/build.hpp"),
         ("src/engine/build.hpp", "<", "vector"),
         ("cli/main.cpp", '"', "command.hpp"),
         ("tests/unit/order/rounds_test.cpp", '"', "order/insertion_order.hpp"),
+        ("tests/unit/engine/wrap/wrapping_test.cpp", '"', "engine/build.hpp"),
         ("src/io/read.cpp", "<", "delone/io.hpp"),
         ("include/delone/io.hpp", "<", "vector"),
     ]
+    sizes = {"src/kernel/a.hpp": 501, "src/order/b.cpp": 20, "src/nowhere/c.cpp": 1}
+    assert [path for path, _, _ in size_violations(sizes)] == ["src/kernel/a.hpp", "src/kernel", "src/nowhere"]
+    even = {f"{room}/a.cpp": 100 for room in RULES if room.startswith("src/")}
+    assert not list(size_violations(even))
     bad_lines = ["std::cout << 1;", "printf(x);", "std::fprintf(stderr, x);", "abort();", "  exit(1);", "fmt::print(x);"]
     good_lines = ["std::snprintf(b, n, x);", "on_exit(1);", "fmt::format(x);", "scope.exit(3);", "format_abort(x);"]
     assert all(include_violation(*case, there) for case in wrong), [c for c in wrong if not include_violation(*c, there)]

@@ -13,6 +13,7 @@
 #include <delone/interpolation.hpp>
 #include <delone/io.hpp>
 #include <delone/lower_hull.hpp>
+#include <delone/options.hpp>
 #include <delone/point_locator.hpp>
 #include <delone/point_sets.hpp>
 #include <delone/predicates.hpp>

@@ -28,22 +28,28 @@ struct ReadOptions {
 };
 
 /// Reads points from a file, or from standard input when the path is "-". Values must be finite.
-///   npy     2-D (n,d) or 1-D (n,) arrays of float32/64 and (u)int8…64, C or Fortran order, either byte order; integers must be
-///   exact in binary64 csv tsv optional header line (recognised when any field of the first line is not a number), '#'
-///   comments, quotes txt xyz pts   white space separated; xyz: an optional leading count and comment line as in the chemists'
-///   format is not
-///           supported, rows are plain coordinates; '#' comments
-///   off     OFF / nOFF / COFF vertices    ply  ascii and binary, the properties x, y, z
-///   qhull   dimension, count, rows (rbox's output; the rest of the first line is a comment)
+///   npy          2-D (n,d) or 1-D (n,) arrays of float32/64 and (u)int8…64, C or Fortran order, either byte
+///                order; integers must be exact in binary64
+///   csv tsv      optional header line (recognised when a field of the first line is not a number), '#'
+///                comments, quotes
+///   txt xyz pts  white space separated rows of coordinates, '#' comments; the leading count and comment
+///                line of the chemists' xyz format are not supported
+///   off          OFF / nOFF / COFF vertices
+///   ply          ascii and binary, the properties x, y, z
+///   qhull        dimension, count, rows (rbox's output; the rest of the first line is a comment)
 /// Errors: cannot_open; bad_format with "FILE:LINE: …" or "FILE: row N: …"; not_finite with rows(); bad_dimension for
 /// dimension 0; unsupported; out_of_memory.
 PointTable read_points(const std::string& path, const ReadOptions& options = {});
 
 /// Writes a triangulation; the format is `format` or the extension of the path:
-///   npz   points (n,d) float64, cells (m,k+1), neighbors (m,k+1), vertex_of_point (n,), affine_dimension (); stored, readable
-///   by numpy.load vtu   k ≤ 3 and d ≤ 3 (padded with zeros): vertices, segments, triangles or tetrahedra, for ParaView off OFF
-///   for d = 3, nOFF otherwise; cells as index lists json  the same members as npz svg   d = 2: a picture        txt  Qhull's
-///   `i` form: number of cells, then one line of point rows per cell npy   the cells array only
+///   npz   points (n,d) float64, cells (m,k+1), neighbors (m,k+1), vertex_of_point (n,), affine_dimension ();
+///         stored, readable by numpy.load
+///   vtu   k ≤ 3 and d ≤ 3 (padded with zeros): vertices, segments, triangles or tetrahedra, for ParaView
+///   off   OFF for d = 3, nOFF otherwise; cells as index lists
+///   json  the same members as npz
+///   svg   d = 2: a picture
+///   txt   Qhull's `i` form: number of cells, then one line of point rows per cell
+///   npy   the cells array only
 /// The file appears whole or not at all (written beside, then renamed). "-" is standard output, for the text formats; txt
 /// unless `format` says otherwise. Errors: cannot_write, unsupported; invalid_argument where the arrays disagree.
 void write_complex(const std::string& path, const ComplexData& data, const std::string& format = {});

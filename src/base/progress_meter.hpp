@@ -9,7 +9,7 @@
 #include <cstddef>
 #include <functional>
 
-namespace delone::front_ends {
+namespace delone::internal {
 
 class ProgressMeter {
  public:
@@ -37,4 +37,4 @@ class ProgressMeter {
   Clock::time_point last_look_{}, last_call_{};
 };
 
-}  // namespace delone::front_ends
+}  // namespace delone::internal

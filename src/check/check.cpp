@@ -16,7 +16,7 @@
 #include <optional>
 
 namespace delone {
-namespace front_ends {
+namespace internal {
 
 std::string braces(std::span<const SignedIndex> rows) { return fmt::format("{{{}}}", fmt::join(rows, ", ")); }
 
@@ -173,10 +173,10 @@ void check_completeness(const Examined& examined, const Volumes& volumes, bool c
   check_hidden(examined, volumes, hidden, canonical);
 }
 
-}  // namespace front_ends
+}  // namespace internal
 
 CheckReport check(const ComplexData& data, const CheckOptions& options) {
-  using namespace front_ends;
+  using namespace internal;
   CheckReport report;
   Examined examined{data, static_cast<std::size_t>(std::max(0, data.affine_dimension + 1)), options.furthest_site};
   std::optional<Volumes> volumes;

@@ -29,7 +29,7 @@
 #include <tuple>
 #include <utility>
 
-namespace delone::front_ends {
+namespace delone::internal {
 
 namespace {
 
@@ -273,4 +273,4 @@ std::size_t check_local_convexity(const Examined& examined, const Volumes& volum
   return ties;
 }
 
-}  // namespace delone::front_ends
+}  // namespace delone::internal

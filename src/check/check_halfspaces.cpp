@@ -21,8 +21,8 @@
 namespace delone {
 namespace {
 
-using front_ends::Fractions;
-using front_ends::Integer;
+using internal::Fractions;
+using internal::Integer;
 using IntegerRow = std::vector<Integer>;
 
 /// What is wrong.
@@ -125,7 +125,7 @@ class IntersectionChecker {
 
   /// The row as integers, on the axes and the offset; or on all coordinates.
   IntegerRow row(std::size_t r) const {
-    const IntegerRow all = front_ends::integer_row(&data_.halfspaces[r * (d_ + 1)], d_ + 1);
+    const IntegerRow all = internal::integer_row(&data_.halfspaces[r * (d_ + 1)], d_ + 1);
     IntegerRow result;
     for (const int axis : data_.axes) result.push_back(all[static_cast<std::size_t>(axis)]);
     result.push_back(all[d_]);
@@ -144,7 +144,7 @@ class IntersectionChecker {
     std::vector<IntegerRow> transposed(d_);
     IntegerRow offsets;
     for (const std::size_t r : rows) {
-      const IntegerRow all = front_ends::integer_row(&data_.halfspaces[r * (d_ + 1)], d_ + 1);
+      const IntegerRow all = internal::integer_row(&data_.halfspaces[r * (d_ + 1)], d_ + 1);
       for (std::size_t j = 0; j < d_; ++j) transposed[j].push_back(all[j]);
       offsets.push_back(all[d_]);
     }
@@ -168,7 +168,7 @@ class IntersectionChecker {
       for (const std::size_t r : basis)
         for (std::size_t c = 0; c < n; ++c)
           if (c != j) minor.push_back(rows[r][c]);
-      const Integer det = front_ends::determinant(std::move(minor), n - 1);
+      const Integer det = internal::determinant(std::move(minor), n - 1);
       result.push_back(j % 2 == 0 ? det : Integer(-det));
     }
     return result;
@@ -184,7 +184,7 @@ class IntersectionChecker {
     if (k_ == d_) return std::nullopt;
     std::vector<IntegerRow> normals, on_axes;
     for (std::size_t r = 0; r < data_.num_halfspaces(); ++r) {
-      normals.push_back(front_ends::integer_row(&data_.halfspaces[r * (d_ + 1)], d_));
+      normals.push_back(internal::integer_row(&data_.halfspaces[r * (d_ + 1)], d_));
       on_axes.push_back(row(r));
       on_axes.back().pop_back();
     }
@@ -198,9 +198,9 @@ class IntersectionChecker {
     if (!data_.interior_point_is_exact) return std::nullopt;
     std::vector<double> homogeneous = data_.interior_point;
     homogeneous.push_back(1);
-    const IntegerRow p = front_ends::integer_row(homogeneous.data(), d_ + 1);
+    const IntegerRow p = internal::integer_row(homogeneous.data(), d_ + 1);
     for (std::size_t r = 0; r < data_.num_halfspaces(); ++r)
-      if (has_normal(r) && value(front_ends::integer_row(&data_.halfspaces[r * (d_ + 1)], d_ + 1), p) >= 0)
+      if (has_normal(r) && value(internal::integer_row(&data_.halfspaces[r * (d_ + 1)], d_ + 1), p) >= 0)
         return Violation{"the interior point is not strictly inside halfspace " + std::to_string(r), {}, {r}};
     return std::nullopt;
   }
@@ -244,10 +244,10 @@ class IntersectionChecker {
     }
     if (negate)
       for (Integer& x : *z) x = -x;
-    const std::vector<double> unit = is_vertex ? std::vector<double>{} : front_ends::unit_vector(*z, data_.axes, d_);
+    const std::vector<double> unit = is_vertex ? std::vector<double>{} : internal::unit_vector(*z, data_.axes, d_);
     for (std::size_t j = 0; j < k_; ++j) {
       const auto axis = static_cast<std::size_t>(data_.axes[j]);
-      const bool right = is_vertex ? data_.vertex(i)[axis] == front_ends::nearest_double((*z)[j], z->back(), 0)
+      const bool right = is_vertex ? data_.vertex(i)[axis] == internal::nearest_double((*z)[j], z->back(), 0)
                                    : std::abs(data_.direction(i)[axis] - unit[axis]) <= 1e-14;
       if (!right) return Violation{"a coordinate of " + name + " is not the nearest double", concerned, {}};
     }
@@ -335,8 +335,8 @@ class IntersectionChecker {
         continue;
       }
       if (first != r) {
-        const auto a = front_ends::integer_row(&data_.halfspaces[r * (d_ + 1)], d_ + 1),
-                   b = front_ends::integer_row(&data_.halfspaces[first * (d_ + 1)], d_ + 1);
+        const auto a = internal::integer_row(&data_.halfspaces[r * (d_ + 1)], d_ + 1),
+                   b = internal::integer_row(&data_.halfspaces[first * (d_ + 1)], d_ + 1);
         Integer dot = 0;
         for (std::size_t j = 0; j <= d_; ++j) dot += a[j] * b[j];
         if (data_.kinds[r] != HalfspaceKind::duplicate || first > r || dot <= 0 || independent_rows({a, b}).size() != 1)

@@ -15,7 +15,7 @@
 #include <algorithm>
 
 namespace delone {
-namespace front_ends {
+namespace internal {
 namespace {
 
 /// Lists of rows: offsets that divide the rows, which are in range.
@@ -152,10 +152,10 @@ void check_support(ExaminedHull& examined) {
 }
 
 }  // namespace
-}  // namespace front_ends
+}  // namespace internal
 
 HullCheckReport check_hull(const HullData& data, HullCheckLevel up_to) {
-  using namespace front_ends;
+  using namespace internal;
   HullCheckReport report;
   ComplexData boundary;  // cells of k vertices: a complex of dimension k−1
   boundary.dimension = data.dimension;

@@ -17,7 +17,7 @@
 #include <string>
 #include <vector>
 
-namespace delone::front_ends {
+namespace delone::internal {
 
 /// The hull as the engine's front end sees it: rows are sites.
 class ExaminedHull {
@@ -90,4 +90,4 @@ inline Index apex_across(const SimplicialHull& hull, std::size_t c, std::size_t 
 /// Level 5: what the file says of facets, ridges, equations, extreme rows, duplicates and kinds of points, where it says so.
 void check_hull_faces(ExaminedHull& examined, const HullData& data);
 
-}  // namespace delone::front_ends
+}  // namespace delone::internal

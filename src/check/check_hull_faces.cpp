@@ -8,7 +8,7 @@
 #include <unordered_map>
 #include <utility>
 
-namespace delone::front_ends {
+namespace delone::internal {
 namespace {
 
 PolytopeFaces faces_of(ExaminedHull& examined) {
@@ -191,4 +191,4 @@ void check_hull_faces(ExaminedHull& examined, const HullData& data) {
   check_points(examined, faces, data);
 }
 
-}  // namespace delone::front_ends
+}  // namespace delone::internal

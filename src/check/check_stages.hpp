@@ -14,7 +14,7 @@
 #include <utility>
 #include <vector>
 
-namespace delone::front_ends {
+namespace delone::internal {
 
 struct Violation {
   std::string message;
@@ -95,4 +95,4 @@ std::size_t check_local_convexity(const Examined& examined, const Volumes& volum
 void check_hidden(const Examined& examined, const Volumes& volumes, std::span<const std::size_t> rows, bool canonical);
 void check_completeness(const Examined& examined, const Volumes& volumes, bool canonical);
 
-}  // namespace delone::front_ends
+}  // namespace delone::internal

@@ -11,7 +11,7 @@
 #include <algorithm>
 #include <bit>
 
-namespace delone::front_ends {
+namespace delone::internal {
 
 namespace {
 
@@ -351,4 +351,4 @@ void check_sphere(Examined& examined) {
   faces.finish();
 }
 
-}  // namespace delone::front_ends
+}  // namespace delone::internal

@@ -8,7 +8,7 @@
 
 #include <vector>
 
-namespace delone::front_ends {
+namespace delone::internal {
 
 inline std::vector<Index> vertices_of(std::vector<Index> sites) {
   for (Index& site : sites) ++site;
@@ -58,4 +58,4 @@ SimplicialHull simplicial_hull_of(const Cells& cells) {
   return hull;
 }
 
-}  // namespace delone::front_ends
+}  // namespace delone::internal

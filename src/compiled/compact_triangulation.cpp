@@ -81,12 +81,12 @@ class CompactHull final : public HullQueries {
 
   HullLocation locate(const double* query, Index start) const override {
     const kernel::Grid grid = points_.grid_with(query);
-    return front_ends::locate(cells_, geometry_, {query, &grid, points_.ambient}, start == invalid_index ? 0 : start);
+    return internal::locate(cells_, geometry_, {query, &grid, points_.ambient}, start == invalid_index ? 0 : start);
   }
   std::vector<CellId> conflict_zone(const double* query, Index start) const override {
     const kernel::Grid grid = points_.grid_with(query);
     const geometry::PointQuery q{query, &grid, static_cast<int>(points_.row_size())};
-    return front_ends::conflict_zone(cells_, geometry_, q, start == invalid_index ? 0 : start);
+    return internal::conflict_zone(cells_, geometry_, q, start == invalid_index ? 0 : start);
   }
   Sign unperturbed_side(Index cell, const double* query) const override {
     const kernel::Grid grid = points_.grid_with(query);

@@ -14,7 +14,7 @@
 #include <utility>
 #include <vector>
 
-namespace delone::front_ends {
+namespace delone::internal {
 
 using geometry::DualSites;
 using geometry::DualView;
@@ -48,4 +48,4 @@ template <int K>
 std::unique_ptr<HalfspaceBoundary> make_halfspace_boundary(const DualSites& sites, const DualView& view,
                                                            std::vector<Index> simplex);
 
-}  // namespace delone::front_ends
+}  // namespace delone::internal

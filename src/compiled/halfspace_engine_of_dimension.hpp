@@ -9,7 +9,7 @@
 
 #include <utility>
 
-namespace delone::front_ends {
+namespace delone::internal {
 
 template <int K>
 class HalfspaceBoundaryOfDimension final : public HalfspaceBoundary {
@@ -132,4 +132,4 @@ std::unique_ptr<HalfspaceBoundary> make_halfspace_boundary(const DualSites& site
   return std::make_unique<HalfspaceBoundaryOfDimension<K>>(sites, view, std::move(simplex));
 }
 
-}  // namespace delone::front_ends
+}  // namespace delone::internal

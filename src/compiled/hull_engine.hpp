@@ -12,7 +12,7 @@
 #include <utility>
 #include <vector>
 
-namespace delone::front_ends {
+namespace delone::internal {
 
 /// What a boundary is seen from. It outlives boundaries, and its grid includes all sites.
 struct HullView {
@@ -57,4 +57,4 @@ class HullBoundary {
 template <int K>
 std::unique_ptr<HullBoundary> make_hull_boundary(const HullSites& sites, const HullView& view, std::vector<Index> simplex);
 
-}  // namespace delone::front_ends
+}  // namespace delone::internal

@@ -14,7 +14,7 @@
 #include <cstddef>
 #include <utility>
 
-namespace delone::front_ends {
+namespace delone::internal {
 
 template <int K>
 class HullBoundaryOfDimension final : public HullBoundary {
@@ -195,4 +195,4 @@ std::unique_ptr<HullBoundary> make_hull_boundary(const HullSites& sites, const H
   return std::make_unique<HullBoundaryOfDimension<K>>(sites, view, std::move(simplex));
 }
 
-}  // namespace delone::front_ends
+}  // namespace delone::internal

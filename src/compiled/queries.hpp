@@ -9,7 +9,7 @@
 #include <unordered_map>
 #include <vector>
 
-namespace delone::front_ends {
+namespace delone::internal {
 
 template <class Cells, engine::QueryGeometry G>
 HullLocation locate(const Cells& cells, const G& geometry, const typename G::Query& q, Index start) {
@@ -41,4 +41,4 @@ std::vector<CellId> conflict_zone(const Cells& cells, const G& geometry, const t
   return result;
 }
 
-}  // namespace delone::front_ends
+}  // namespace delone::internal

@@ -15,7 +15,7 @@
 #include <span>
 #include <vector>
 
-namespace delone::front_ends {
+namespace delone::internal {
 
 /// The distinct points ("sites") by id, and the axes of their flat.
 struct HullSites {
@@ -59,4 +59,4 @@ inline Sign side_of_cell(const HullSites& sites, const SimplicialHull& hull, std
   return hull.dimension == 1 && c == 0 ? -sign : sign;
 }
 
-}  // namespace delone::front_ends
+}  // namespace delone::internal

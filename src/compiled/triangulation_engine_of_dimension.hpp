@@ -121,14 +121,14 @@ class HullOfDimension final : public Hull {
     const kernel::Grid grid = points_.grid_with(query);
     Query q = geometry_.make_query(query, grid);
     q.compared = points_.ambient;
-    return front_ends::locate(cells_, geometry_, q, start == invalid_index ? last_ : start);
+    return internal::locate(cells_, geometry_, q, start == invalid_index ? last_ : start);
   }
 
   std::vector<CellId> conflict_zone(const double* query, Index start) const override {
     need_functionals();
     const kernel::Grid grid = points_.grid_with(query);
     const Query q = geometry_.make_query(query, grid);
-    return front_ends::conflict_zone(cells_, geometry_, q, start == invalid_index ? last_ : start);
+    return internal::conflict_zone(cells_, geometry_, q, start == invalid_index ? last_ : start);
   }
 
   Sign unperturbed_side(Index cell, const double* query) const override {

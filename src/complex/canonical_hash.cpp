@@ -23,7 +23,7 @@ std::string CanonicalHash::hex() const {
 namespace {
 
 // Adds each distinct tag once. Rows with equal tags have equal coordinates, up to a chance of n²/2^129.
-void add_distinct(const std::vector<front_ends::PointTag>& tags, front_ends::HashAccumulator& hash) {
+void add_distinct(const std::vector<internal::PointTag>& tags, internal::HashAccumulator& hash) {
   const std::size_t capacity = std::bit_ceil(2 * tags.size() + 1);
   std::vector<std::size_t> table(capacity, 0);  // 1 + row; 0 is an empty place
   for (std::size_t row = 0; row < tags.size(); ++row) {
@@ -37,7 +37,7 @@ void add_distinct(const std::vector<front_ends::PointTag>& tags, front_ends::Has
 
 /// Tags of points with weights. Hidden points have no part in the hash, nor have weights if those of the vertices are all
 /// equal.
-std::vector<front_ends::PointTag> weighted_tags(const ComplexData& data, front_ends::HashAccumulator& hash) {
+std::vector<internal::PointTag> weighted_tags(const ComplexData& data, internal::HashAccumulator& hash) {
   const std::size_t n = data.num_points(), d = static_cast<std::size_t>(data.dimension);
   if (data.weights.size() != n)
     throw Error(Errc::invalid_argument, "delone::canonical_hash: " + std::to_string(data.weights.size()) + " weights for " +
@@ -49,12 +49,12 @@ std::vector<front_ends::PointTag> weighted_tags(const ComplexData& data, front_e
   vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
   const bool weights_differ = std::any_of(vertices.begin(), vertices.end(),
                                           [&](std::size_t row) { return data.weights[row] != data.weights[vertices.front()]; });
-  std::vector<front_ends::PointTag> tags(n);
+  std::vector<internal::PointTag> tags(n);
   std::vector<double> point(d + 1);
   for (const std::size_t row : vertices) {
     std::copy_n(data.points.begin() + static_cast<std::ptrdiff_t>(row * d), d, point.begin());
     point[d] = data.weights[row];
-    tags[row] = front_ends::point_tag(point.data(), data.dimension + (weights_differ ? 1 : 0));
+    tags[row] = internal::point_tag(point.data(), data.dimension + (weights_differ ? 1 : 0));
     hash.add_vertex(tags[row]);
   }
   return tags;
@@ -64,15 +64,15 @@ std::vector<front_ends::PointTag> weighted_tags(const ComplexData& data, front_e
 
 CanonicalHash canonical_hash(const ComplexData& data) {
   const std::size_t n = data.num_points();
-  std::vector<front_ends::PointTag> tags(n);
-  front_ends::HashAccumulator hash;
+  std::vector<internal::PointTag> tags(n);
+  internal::HashAccumulator hash;
   if (data.weights.empty()) {
     for (std::size_t row = 0; row < n; ++row)
-      tags[row] = front_ends::point_tag(data.points.data() + row * static_cast<std::size_t>(data.dimension), data.dimension);
+      tags[row] = internal::point_tag(data.points.data() + row * static_cast<std::size_t>(data.dimension), data.dimension);
     if (std::find(data.vertex_of_point.begin(), data.vertex_of_point.end(), -1) == data.vertex_of_point.end()) {
       add_distinct(tags, hash);
     } else {  // hidden points have no part in it
-      std::vector<front_ends::PointTag> visible;
+      std::vector<internal::PointTag> visible;
       for (std::size_t row = 0; row < n; ++row)
         if (row >= data.vertex_of_point.size() || data.vertex_of_point[row] >= 0) visible.push_back(tags[row]);
       add_distinct(visible, hash);
@@ -82,7 +82,7 @@ CanonicalHash canonical_hash(const ComplexData& data) {
   }
   const std::size_t corners = static_cast<std::size_t>(data.affine_dimension + 1);
   for (std::size_t cell = 0; cell < data.num_cells(); ++cell) {
-    front_ends::PointTag sum;
+    internal::PointTag sum;
     for (std::size_t i = 0; i < corners; ++i) {
       const SignedIndex row = data.cells[cell * corners + i];
       if (row < 0 || static_cast<std::size_t>(row) >= n)

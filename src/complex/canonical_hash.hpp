@@ -10,7 +10,7 @@
 #include <bit>
 #include <cstdint>
 
-namespace delone::front_ends {
+namespace delone::internal {
 
 /// 128 bits for one point; equal for equal coordinates, −0 = +0. Sums of tags stand for sets of points.
 struct PointTag {
@@ -62,4 +62,4 @@ class HashAccumulator {
   std::uint64_t num_cells_ = 0;
 };
 
-}  // namespace delone::front_ends
+}  // namespace delone::internal

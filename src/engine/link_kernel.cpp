@@ -5,6 +5,8 @@
 // be in another line of the cache, that nobody needs.
 #include "engine/link_kernel.hpp"
 
+#include "base/compiled_dimension.hpp"
+
 #include <algorithm>
 #include <bit>
 
@@ -216,44 +218,28 @@ void match_ridges(const CellLinks& links, std::span<const HorizonFacet> facets, 
   }
 }
 
-#define DELONE_FOR_DIMENSION(function, ...)                                                   \
-  switch (links.k) {                                                                          \
-    case 0:                                                                                   \
-    case 1:                                                                                   \
-      return function<1, VertexIds::wide>(__VA_ARGS__);                                       \
-    case 2:                                                                                   \
-      return function<2, VertexIds::wide>(__VA_ARGS__);                                       \
-    case 3:                                                                                   \
-      return function<3, VertexIds::wide>(__VA_ARGS__);                                       \
-    case 4:                                                                                   \
-      return function<4, VertexIds::wide>(__VA_ARGS__);                                       \
-    case 5:                                                                                   \
-      if (links.ids == VertexIds::narrow) return function<5, VertexIds::narrow>(__VA_ARGS__); \
-      return function<5, VertexIds::wide>(__VA_ARGS__);                                       \
-    case 6:                                                                                   \
-      if (links.ids == VertexIds::narrow) return function<6, VertexIds::narrow>(__VA_ARGS__); \
-      return function<6, VertexIds::wide>(__VA_ARGS__);                                       \
-    case 7:                                                                                   \
-      return function<7, VertexIds::wide>(__VA_ARGS__);                                       \
-    case 8:                                                                                   \
-      return function<8, VertexIds::wide>(__VA_ARGS__);                                       \
-    default:                                                                                  \
-      return function<0, VertexIds::wide>(__VA_ARGS__);                                       \
-  }
+/// Calls work(k, ids), constants that say for which cells there is code: the dimension, 0 if it is a variable, and the width of
+/// vertices.
+template <class Work>
+void for_layout(const CellLinks& links, Work&& work) {
+  internal::with_compiled_dimension<1, 8>(static_cast<std::size_t>(links.k), [&](auto k) {
+    if constexpr (may_be_narrow(k()))
+      if (links.ids == VertexIds::narrow) return work(k, std::integral_constant<VertexIds, VertexIds::narrow>());
+    work(k, std::integral_constant<VertexIds, VertexIds::wide>());
+  });
+}
 
 void create_cells_here(const CellLinks& links, Index apex, const DeadCells& zone, std::span<HorizonFacet> facets) {
-  DELONE_FOR_DIMENSION(create_cells, links, apex, zone, facets)
+  for_layout(links, [&](auto k, auto ids) { create_cells<k(), ids()>(links, apex, zone, facets); });
 }
 void hash_ridges_here(const CellLinks& links, std::span<const HorizonFacet> facets, std::size_t first, std::size_t last,
                       std::uint32_t* hashes, Index* created, const RidgeEntries* table) {
-  DELONE_FOR_DIMENSION(hash_ridges, links, facets, first, last, hashes, created, table)
+  for_layout(links, [&](auto k, auto ids) { hash_ridges<k(), ids()>(links, facets, first, last, hashes, created, table); });
 }
 void match_ridges_here(const CellLinks& links, std::span<const HorizonFacet> facets, const std::uint32_t* hashes,
                        const Index* created, const RidgeEntries& table, std::uint8_t* unmatched) {
-  DELONE_FOR_DIMENSION(match_ridges, links, facets, hashes, created, table, unmatched)
+  for_layout(links, [&](auto k, auto ids) { match_ridges<k(), ids()>(links, facets, hashes, created, table, unmatched); });
 }
-
-#undef DELONE_FOR_DIMENSION
 
 }  // namespace HWY_NAMESPACE
 }  // namespace delone::engine

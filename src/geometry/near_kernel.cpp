@@ -2,6 +2,7 @@
 // Proofs: docs/predicates.md, "Near a cell" and "By edges".
 #include "geometry/near_kernel.hpp"
 
+#include "base/compiled_dimension.hpp"
 #include "geometry/certificate.hpp"
 #include "geometry/pair.hpp"
 #include "kernel/determinant.hpp"
@@ -264,20 +265,12 @@ void find_thresholds_by_minors(const NearTask& task, double* thresholds) {
 }
 
 void find_thresholds_here(const NearTask& task, double* thresholds) {
-  switch (task.k) {
-    case 2:
-      return find_thresholds_by_minors<2>(task, thresholds);
-    case 3:
-      return find_thresholds_by_minors<3>(task, thresholds);
-    case 4:
-      return find_thresholds_by_minors<4>(task, thresholds);
-    case 5:
-      return find_thresholds_by_minors<5>(task, thresholds);
-    case 6:
-      return find_thresholds_by_minors<6>(task, thresholds);
-    default:
-      return find_thresholds_by_lengths(task, thresholds);
-  }
+  internal::with_compiled_dimension<2, 6>(static_cast<std::size_t>(task.k), [&](auto k) {
+    if constexpr (k() > 0)
+      find_thresholds_by_minors<k()>(task, thresholds);
+    else
+      find_thresholds_by_lengths(task, thresholds);
+  });
 }
 
 /// Sums over the rows of a matrix of edges from one point: of the magnitudes of the products of the row's cofactors with a unit
@@ -433,18 +426,9 @@ void certify_by_edges_in(const NearTask& task, Index apex, EdgeCertificate* cert
 }
 
 void certify_by_edges_here(const NearTask& task, Index apex, EdgeCertificate* certificates) {
-  switch (task.k) {
-    case 2:
-      return certify_by_edges_in<2>(task, apex, certificates);
-    case 3:
-      return certify_by_edges_in<3>(task, apex, certificates);
-    case 4:
-      return certify_by_edges_in<4>(task, apex, certificates);
-    case 5:
-      return certify_by_edges_in<5>(task, apex, certificates);
-    case 6:
-      return certify_by_edges_in<6>(task, apex, certificates);
-  }
+  internal::with_compiled_dimension<2, 6>(static_cast<std::size_t>(task.k), [&](auto k) {
+    if constexpr (k() > 0) certify_by_edges_in<k()>(task, apex, certificates);
+  });
 }
 
 }  // namespace HWY_NAMESPACE

@@ -12,6 +12,7 @@
 // docs/predicates.md, "The pencil".
 #include "geometry/star_kernel.hpp"
 
+#include "base/compiled_dimension.hpp"
 #include "geometry/cache_line.hpp"
 #include "geometry/certificate.hpp"
 #include "geometry/pair.hpp"
@@ -319,22 +320,8 @@ std::size_t combine_blocks(const StarTask& task, double* block) {
 }
 
 std::size_t combine_star_here(const StarTask& task, double* block) {
-  switch (task.k) {
-    case 2:
-      return combine_blocks<2>(task, block);
-    case 3:
-      return combine_blocks<3>(task, block);
-    case 4:
-      return combine_blocks<4>(task, block);
-    case 5:
-      return combine_blocks<5>(task, block);
-    case 6:
-      return combine_blocks<6>(task, block);
-    case 7:
-      return combine_blocks<7>(task, block);
-    default:
-      return combine_blocks<0>(task, block);
-  }
+  return internal::with_compiled_dimension<2, 7>(static_cast<std::size_t>(task.k),
+                                                 [&](auto k) { return combine_blocks<k()>(task, block); });
 }
 
 }  // namespace HWY_NAMESPACE

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "halfspaces/halfspace_cone.hpp"
 
+#include "base/compiled_dimension.hpp"
 #include "compiled/dispatch.hpp"
 
 #include <algorithm>
@@ -8,7 +9,7 @@
 #include <limits>
 #include <utility>
 
-namespace delone::front_ends {
+namespace delone::internal {
 namespace {
 
 Sign orientation_of(const DualSites& sites, const std::vector<const double*>& rows) {
@@ -118,4 +119,4 @@ std::optional<Index> HalfspaceCone::cell_through(const SimplicialHull& hull, Ind
   return static_cast<Index>(std::lower_bound(hull.slots.begin(), hull.slots.end(), *slot) - hull.slots.begin());
 }
 
-}  // namespace delone::front_ends
+}  // namespace delone::internal

@@ -13,7 +13,7 @@
 #include <utility>
 #include <vector>
 
-namespace delone::front_ends {
+namespace delone::internal {
 
 class HalfspaceCone {
  public:
@@ -50,4 +50,4 @@ class HalfspaceCone {
   std::uint64_t insertions_ = 0;
 };
 
-}  // namespace delone::front_ends
+}  // namespace delone::internal

@@ -12,7 +12,7 @@
 #include <cmath>
 #include <limits>
 
-namespace delone::front_ends {
+namespace delone::internal {
 namespace {
 
 /// 0, or so moderate that neither products nor what they lose leave the range of doubles.
@@ -93,4 +93,4 @@ void dual_point(const double* row, const InteriorPoint& p, std::span<const int> 
   if (!p.is_exact() || !find_in_pairs(row, p.rounded, axes, dual)) find_in_integers(row, p, axes, dual);
 }
 
-}  // namespace delone::front_ends
+}  // namespace delone::internal

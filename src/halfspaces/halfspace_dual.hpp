@@ -7,7 +7,7 @@
 #include <span>
 #include <vector>
 
-namespace delone::front_ends {
+namespace delone::internal {
 
 /// A point strictly inside. Where `numerators` are given, the exact one: numerators[j]/denominator·2^exponent.
 struct InteriorPoint {
@@ -26,4 +26,4 @@ std::vector<Integer> integer_row(const double* row, std::size_t size);
 /// infinite where the exact entry is beyond the doubles. In pairs of doubles if cancellation allows, otherwise in integers.
 void dual_point(const double* row, const InteriorPoint& p, std::span<const int> axes, double* dual);
 
-}  // namespace delone::front_ends
+}  // namespace delone::internal

@@ -3,7 +3,9 @@
 // arrays.
 #include "halfspaces/intersection_arrays.hpp"
 #include "halfspaces/interior_point.hpp"
-#include "triangulation/point_rows.hpp"
+#include "base/guarded.hpp"
+#include "base/require_finite.hpp"
+#include "base/stopwatch.hpp"
 #include "base/progress_meter.hpp"
 #include "kernel/predicates.hpp"
 #include "order/insertion_order.hpp"
@@ -22,13 +24,9 @@
 namespace delone {
 namespace {
 
-using front_ends::DualSites;
-using front_ends::InteriorPoint;
-using front_ends::IntersectionParts;
-using Clock = std::chrono::steady_clock;
-
-double seconds_since(Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); }
-
+using internal::DualSites;
+using internal::InteriorPoint;
+using internal::IntersectionParts;
 bool has_normal(const double* row, std::size_t d) {
   return std::any_of(row, row + d, [](double x) { return x != 0; });
 }
@@ -54,12 +52,7 @@ struct HalfspaceIntersection::Impl {
   void check_rows(std::span<const double> added, std::size_t first) const {
     if (added.size() % (d + 1) != 0)
       throw Error(Errc::bad_dimension, "the number of entries is not a multiple of the dimension and one");
-    std::vector<std::size_t> bad;
-    for (std::size_t i = 0; i < added.size(); ++i)
-      if (!std::isfinite(added[i]) && (bad.empty() || bad.back() != first + i / (d + 1))) bad.push_back(first + i / (d + 1));
-    if (!bad.empty())
-      throw Error(Errc::not_finite,
-                  "an entry of halfspace " + std::to_string(bad.front()) + " is not finite" + and_more(bad.size() - 1), bad);
+    internal::require_finite(added, d + 1, "an entry", "halfspace", first);
     if (added.size() / (d + 1) > max_index - 1 - first) throw Error(Errc::too_many, "more halfspaces than this build has ids");
   }
 
@@ -67,7 +60,7 @@ struct HalfspaceIntersection::Impl {
   void check_interior(const std::vector<double>& all, std::size_t first, const InteriorPoint& p) const {
     std::vector<std::size_t> bad;
     for (std::size_t r = first; r * (d + 1) < all.size(); ++r)
-      if (const double* row = &all[r * (d + 1)]; has_normal(row, d) ? !front_ends::is_strictly_inside(row, p) : row[d] > 0)
+      if (const double* row = &all[r * (d + 1)]; has_normal(row, d) ? !internal::is_strictly_inside(row, p) : row[d] > 0)
         bad.push_back(r);
     if (!bad.empty())
       throw Error(
@@ -93,17 +86,17 @@ struct HalfspaceIntersection::Impl {
       if (known != nullptr) {
         next->interior = *known;
       } else {
-        front_ends::InteriorSearch search = front_ends::find_interior_point(all, static_cast<int>(d), proper);
+        internal::InteriorSearch search = internal::find_interior_point(all, static_cast<int>(d), proper);
         next->state = search.state;
         next->interior = std::move(search.point);
         next->witness.assign(search.witness.begin(), search.witness.end());
       }
     }
-    const auto start = Clock::now();
+    internal::Stopwatch stopwatch;
     add_sites(*next, all, 0);
     if (next->state != IntersectionState::full) return next;
     span_rows(*next);
-    order_seconds += seconds_since(start);
+    order_seconds += stopwatch.seconds();
     construct(*next, 1);
     return next;
   }
@@ -146,35 +139,29 @@ struct HalfspaceIntersection::Impl {
   /// Inserts the sites from `first` on; makes the cone if there is none.
   void construct(IntersectionParts& parts, Index first) {
     if (parts.rank() == 0) return;
-    auto start = Clock::now();
+    internal::Stopwatch stopwatch;
     std::vector<Index> order = insertion_order(parts, first);
-    order_seconds += seconds_since(start);
-    start = Clock::now();
+    order_seconds += stopwatch.seconds();
+    stopwatch.restart();
     if (!parts.cone) {
       parts.cone.emplace(parts.sites, parts.basis, parts.interior);
       std::erase_if(order, [&](Index site) { return std::binary_search(parts.basis.begin(), parts.basis.end(), site); });
     }
-    front_ends::ProgressMeter progress(options.progress, order.size());
+    internal::ProgressMeter progress(options.progress, order.size());
     for (std::size_t i = 0; i < order.size(); ++i) {
       parts.cone->insert(order[i]);
       progress(i + 1);
     }
-    build_seconds += seconds_since(start);
+    build_seconds += stopwatch.seconds();
   }
 
   std::vector<Index> insertion_order(const IntersectionParts& parts, Index first) const {
-    const std::size_t n = parts.sites.size() - first;
-    std::vector<Index> order(n);
-    std::iota(order.begin(), order.end(), Index{0});
-    if (options.order == InsertionOrder::shuffled) order = order::shuffled_order(n, options.seed);
-    if (options.order == InsertionOrder::automatic) {
-      const auto k = static_cast<std::size_t>(parts.rank());
-      std::vector<double> duals;
-      for (Index site = first; site < parts.sites.size(); ++site)
-        for (std::size_t j = 0; j < k; ++j)
-          duals.push_back(std::isfinite(parts.sites.dual(site)[j]) ? parts.sites.dual(site)[j] : 0.0);
-      order = front_ends::insertion_order({duals, parts.rank()}, options);
-    }
+    const auto k = static_cast<std::size_t>(parts.rank());
+    std::vector<double> duals;
+    for (Index site = first; site < parts.sites.size(); ++site)
+      for (std::size_t j = 0; j < k; ++j)
+        duals.push_back(std::isfinite(parts.sites.dual(site)[j]) ? parts.sites.dual(site)[j] : 0.0);
+    std::vector<Index> order = order::insertion_order({duals, parts.rank()}, options);
     for (Index& site : order) site += first;
     return order;
   }
@@ -218,32 +205,17 @@ struct HalfspaceIntersection::Impl {
   const IntersectionData& analyse() const {
     const std::lock_guard lock(mutex);
     if (!data) {
-      try {
-        data = std::make_unique<const IntersectionData>(front_ends::intersection_arrays(*current));
-      } catch (const std::bad_alloc&) {
-        throw Error(Errc::out_of_memory, "not enough memory for the faces of the intersection");
-      }
+      data = internal::guarded("the faces of the intersection", [&] {
+        return std::make_unique<const IntersectionData>(internal::intersection_arrays(*current));
+      });
     }
     return *data;
   }
 };
 
-namespace {
-
-template <class Work>
-void guarded(Work work) {
-  try {
-    work();
-  } catch (const std::bad_alloc&) {
-    throw Error(Errc::out_of_memory, "not enough memory for the intersection");
-  }
-}
-
-}  // namespace
-
 HalfspaceIntersection::HalfspaceIntersection(std::span<const double> halfspaces, int dimension, const Options& options) {
   if (dimension < 1) throw Error(Errc::bad_dimension, "the dimension must be at least 1");
-  guarded([&] {
+  internal::guarded("the intersection", [&] {
     impl_ = std::make_unique<Impl>(dimension, options);
     impl_->check_rows(halfspaces, 0);
     impl_->rows.assign(halfspaces.begin(), halfspaces.end());
@@ -258,7 +230,7 @@ HalfspaceIntersection::HalfspaceIntersection(std::span<const double> halfspaces,
     throw Error(Errc::bad_dimension, "the interior point has not as many coordinates as the space");
   for (const double x : interior_point)
     if (!std::isfinite(x)) throw Error(Errc::not_finite, "a coordinate of the interior point is not finite");
-  guarded([&] {
+  internal::guarded("the intersection", [&] {
     impl_ = std::make_unique<Impl>(dimension, options);
     impl_->check_rows(halfspaces, 0);
     impl_->rows.assign(halfspaces.begin(), halfspaces.end());
@@ -273,7 +245,7 @@ HalfspaceIntersection& HalfspaceIntersection::operator=(HalfspaceIntersection&&)
 HalfspaceIntersection::~HalfspaceIntersection() = default;
 
 void HalfspaceIntersection::add_halfspaces(std::span<const double> halfspaces) {
-  guarded([&] { impl_->add(halfspaces); });
+  internal::guarded("the intersection", [&] { impl_->add(halfspaces); });
 }
 
 int HalfspaceIntersection::dimension() const { return static_cast<int>(impl_->d); }
@@ -296,8 +268,8 @@ double HalfspaceIntersection::volume() const {
   if (!found.bounded) return std::numeric_limits<double>::infinity();
   return Polytope(found.vertices, dimension(), impl_->options).volume().value;
 }
-double HalfspaceIntersection::dual_volume() const { return front_ends::dual_measure(*impl_->current, true); }
-double HalfspaceIntersection::dual_area() const { return front_ends::dual_measure(*impl_->current, false); }
+double HalfspaceIntersection::dual_volume() const { return internal::dual_measure(*impl_->current, true); }
+double HalfspaceIntersection::dual_area() const { return internal::dual_measure(*impl_->current, false); }
 
 std::size_t HalfspaceIntersection::num_cells() const {
   return impl_->current->cone ? impl_->current->cone->hull().num_cells() : 0;

@@ -23,7 +23,7 @@
 #include <limits>
 #include <utility>
 
-namespace delone::front_ends {
+namespace delone::internal {
 namespace {
 
 constexpr double u = unit_roundoff;
@@ -193,4 +193,4 @@ std::vector<double> lineality_basis(std::span<const double* const> rows, std::sp
   return basis;
 }
 
-}  // namespace delone::front_ends
+}  // namespace delone::internal

@@ -8,7 +8,7 @@
 #include <span>
 #include <vector>
 
-namespace delone::front_ends {
+namespace delone::internal {
 
 /// The solution x of n_i·x + c_i = 0, i < k, for k homogeneous rows, n_i being the first k of the given columns and c_i the
 /// last: each of the k coordinates is the nearest double, ties to even, ±infinity beyond the range of doubles. First in pairs
@@ -27,4 +27,4 @@ std::vector<double> unit_vector(std::span<const Integer> entries, std::span<cons
 /// has 1 there and 0 in the remaining ones, made a unit vector.
 std::vector<double> lineality_basis(std::span<const double* const> rows, std::span<const int> axes, std::size_t d);
 
-}  // namespace delone::front_ends
+}  // namespace delone::internal

@@ -9,7 +9,7 @@
 #include <optional>
 #include <utility>
 
-namespace delone::front_ends {
+namespace delone::internal {
 namespace {
 
 /// The program in the d+1 variables (x, t). Constraints: the given rows, then t ≤ T, then x_j = 0 for j < d, which hold from
@@ -212,4 +212,4 @@ InteriorSearch find_interior_point(std::span<const double> halfspaces, int dimen
   return result;
 }
 
-}  // namespace delone::front_ends
+}  // namespace delone::internal

@@ -10,7 +10,7 @@
 #include <span>
 #include <vector>
 
-namespace delone::front_ends {
+namespace delone::internal {
 
 struct InteriorSearch {
   IntersectionState state = IntersectionState::full;
@@ -28,4 +28,4 @@ struct InteriorSearch {
 /// violated one with ties of ratios broken alike (Bland 1977, doi:10.1287/moor.2.2.103), which cannot cycle.
 InteriorSearch find_interior_point(std::span<const double> halfspaces, int dimension, std::span<const std::size_t> rows);
 
-}  // namespace delone::front_ends
+}  // namespace delone::internal

@@ -16,7 +16,7 @@
 #include <limits>
 #include <utility>
 
-namespace delone::front_ends {
+namespace delone::internal {
 namespace {
 
 class ArrayMaker {
@@ -300,4 +300,4 @@ double dual_measure(const IntersectionParts& parts, bool volume) {
   return sum.result().value;
 }
 
-}  // namespace delone::front_ends
+}  // namespace delone::internal

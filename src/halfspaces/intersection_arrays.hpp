@@ -12,7 +12,7 @@
 #include <set>
 #include <vector>
 
-namespace delone::front_ends {
+namespace delone::internal {
 
 /// Sites by their rays.
 struct RayOrder {
@@ -51,4 +51,4 @@ IntersectionData intersection_arrays(const IntersectionParts& parts);
 /// The volume or the surface area of the boundary of the rounded dual points; NaN for k < d.
 double dual_measure(const IntersectionParts& parts, bool volume);
 
-}  // namespace delone::front_ends
+}  // namespace delone::internal

@@ -3,22 +3,22 @@
 #include "complex/canonical_hash.hpp"
 #include "hull/hull_analysis.hpp"
 #include "hull/hull_state.hpp"
-#include "triangulation/point_rows.hpp"
+#include "base/guarded.hpp"
+#include "base/require_finite.hpp"
 
 #include <delone/convex_hull.hpp>
 
 #include <algorithm>
 #include <mutex>
-#include <new>
 #include <utility>
 
 namespace delone {
 
-using front_ends::HullAnalysis;
-using front_ends::HullLocator;
-using front_ends::HullSites;
-using front_ends::HullState;
-using front_ends::SimplicialHull;
+using internal::HullAnalysis;
+using internal::HullLocator;
+using internal::HullSites;
+using internal::HullState;
+using internal::SimplicialHull;
 
 struct Polytope::Impl {
   Impl(int d, Options given) : dimension(d), options(std::move(given)), state(std::make_unique<HullState>(d)) {}
@@ -36,7 +36,7 @@ struct Polytope::Impl {
   void insert_range(std::span<const double> coordinates) {
     if (coordinates.size() % ambient() != 0)
       throw Error(Errc::bad_dimension, "the number of coordinates is not a multiple of the dimension");
-    front_ends::require_finite(coordinates, ambient(), "a coordinate");
+    internal::require_finite(coordinates, ambient(), "a coordinate");
     const std::size_t n = coordinates.size() / ambient();
     if (n == 0) return;
     check_room(n);
@@ -48,7 +48,7 @@ struct Polytope::Impl {
 
   HullInsertResult insert(std::span<const double> point) {
     if (point.size() != ambient()) throw Error(Errc::bad_dimension, "the point has not as many coordinates as the space");
-    front_ends::require_finite(point, ambient(), "a coordinate");
+    internal::require_finite(point, ambient(), "a coordinate");
     check_room(1);
     if (state->raises_dimension(point.data())) {
       const std::size_t row = state->num_rows();
@@ -67,11 +67,7 @@ struct Polytope::Impl {
   /// What `ask` finds out from the analysis.
   template <class Ask>
   decltype(auto) analyse(Ask ask) const {
-    try {
-      return ask(analysis());
-    } catch (const std::bad_alloc&) {
-      throw Error(Errc::out_of_memory, "not enough memory for the faces of the hull");
-    }
+    return internal::guarded("the faces of the hull", [&]() -> decltype(auto) { return ask(analysis()); });
   }
   const HullAnalysis& analysis() const {
     const std::lock_guard lock(mutex);
@@ -81,7 +77,7 @@ struct Polytope::Impl {
 
   const double* checked_query(std::span<const double> query) const {
     if (query.size() != ambient()) throw Error(Errc::bad_dimension, "the query has not as many coordinates as the space");
-    front_ends::require_finite(query, ambient(), "a coordinate");
+    internal::require_finite(query, ambient(), "a coordinate");
     return query.data();
   }
   bool in_flat(const double* q) const { return affine_dimension() == dimension || state->affine_hull().contains(q); }
@@ -105,18 +101,10 @@ Polytope& Polytope::operator=(Polytope&&) noexcept = default;
 Polytope::~Polytope() = default;
 
 void Polytope::insert_range(std::span<const double> coordinates) {
-  try {
-    impl_->insert_range(coordinates);
-  } catch (const std::bad_alloc&) {
-    throw Error(Errc::out_of_memory, "not enough memory for the hull");
-  }
+  internal::guarded("the hull", [&] { impl_->insert_range(coordinates); });
 }
 HullInsertResult Polytope::insert(std::span<const double> point) {
-  try {
-    return impl_->insert(point);
-  } catch (const std::bad_alloc&) {
-    throw Error(Errc::out_of_memory, "not enough memory for the hull");
-  }
+  return internal::guarded("the hull", [&] { return impl_->insert(point); });
 }
 
 int Polytope::dimension() const { return impl_->dimension; }
@@ -163,7 +151,7 @@ Measure Polytope::area() const {
 }
 std::vector<std::size_t> Polytope::f_vector() const {
   return impl_->analyse(
-      [&](const HullAnalysis& analysis) { return front_ends::count_faces(analysis.facet_sites(), affine_dimension()); });
+      [&](const HullAnalysis& analysis) { return internal::count_faces(analysis.facet_sites(), affine_dimension()); });
 }
 
 Containment Polytope::locate(std::span<const double> query) const {
@@ -188,7 +176,7 @@ Containment Polytope::locate(std::span<const double> query) const {
     facets.push_back(analysis.faces().facet_of_cell[c]);
   std::sort(facets.begin(), facets.end());
   facets.erase(std::unique(facets.begin(), facets.end()), facets.end());
-  for (const Index site : front_ends::common_vertices(analysis.facet_sites(), facets))
+  for (const Index site : internal::common_vertices(analysis.facet_sites(), facets))
     result.face.push_back(impl_->state->row(site));
   return result;
 }
@@ -219,15 +207,15 @@ std::vector<SignedIndex> Polytope::visible_facets(std::span<const double> query)
 CanonicalHash Polytope::hash() const {
   const SimplicialHull& hull = impl_->hull();
   const HullSites& sites = impl_->state->sites();
-  front_ends::HashAccumulator hash;
+  internal::HashAccumulator hash;
   std::vector<Index> corners = hull.cells;
   if (affine_dimension() == 0) corners = {0};
   std::sort(corners.begin(), corners.end());
   corners.erase(std::unique(corners.begin(), corners.end()), corners.end());
-  for (const Index site : corners) hash.add_vertex(front_ends::point_tag(sites.point(site), dimension()));
+  for (const Index site : corners) hash.add_vertex(internal::point_tag(sites.point(site), dimension()));
   for (std::size_t c = 0; c < hull.num_cells(); ++c) {
-    front_ends::PointTag sum;
-    for (const Index site : hull.cell(c)) sum += front_ends::point_tag(sites.point(site), dimension());
+    internal::PointTag sum;
+    for (const Index site : hull.cell(c)) sum += internal::point_tag(sites.point(site), dimension());
     hash.add_cell(sum);
   }
   return hash.finish(dimension(), affine_dimension());

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <utility>
 
-namespace delone::front_ends {
+namespace delone::internal {
 
 HullAnalysis::HullAnalysis(const HullState& state) : state_(state) {
   if (state.builder() != nullptr) locator_.emplace(state.sites(), *state.builder());
@@ -107,4 +107,4 @@ HullData HullAnalysis::make_data() const {
   return data;
 }
 
-}  // namespace delone::front_ends
+}  // namespace delone::internal

@@ -16,7 +16,7 @@
 #include <optional>
 #include <vector>
 
-namespace delone::front_ends {
+namespace delone::internal {
 
 /// A value that is made once.
 template <class T>
@@ -66,4 +66,4 @@ class HullAnalysis {
   Lazy<HullData> data_;
 };
 
-}  // namespace delone::front_ends
+}  // namespace delone::internal

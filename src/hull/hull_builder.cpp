@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "hull/hull_builder.hpp"
 
+#include "base/compiled_dimension.hpp"
 #include "compiled/dispatch.hpp"
 #include "hull/hull_fan.hpp"
 
@@ -9,7 +10,7 @@
 #include <limits>
 #include <utility>
 
-namespace delone::front_ends {
+namespace delone::internal {
 namespace {
 
 /// Cells have one dimension less than the flat.
@@ -120,4 +121,4 @@ const SimplicialHull& ConvexHullBuilder::hull() const {
   return hull_;
 }
 
-}  // namespace delone::front_ends
+}  // namespace delone::internal

@@ -10,7 +10,7 @@
 #include <mutex>
 #include <vector>
 
-namespace delone::front_ends {
+namespace delone::internal {
 
 class ConvexHullBuilder {
  public:
@@ -53,4 +53,4 @@ class ConvexHullBuilder {
   mutable bool hull_is_current_ = false;
 };
 
-}  // namespace delone::front_ends
+}  // namespace delone::internal

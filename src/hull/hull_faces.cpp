@@ -7,7 +7,7 @@
 #include <set>
 #include <utility>
 
-namespace delone::front_ends {
+namespace delone::internal {
 namespace {
 
 /// Disjoint sets with path halving; the root is the least member.
@@ -230,4 +230,4 @@ std::vector<std::size_t> count_faces(const Lists& facets, int dimension) {
   return counts;
 }
 
-}  // namespace delone::front_ends
+}  // namespace delone::internal

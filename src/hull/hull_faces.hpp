@@ -11,7 +11,7 @@
 #include <utility>
 #include <vector>
 
-namespace delone::front_ends {
+namespace delone::internal {
 
 /// Lists of one kind, one after the other.
 struct Lists {
@@ -58,4 +58,4 @@ std::vector<std::size_t> count_faces(const Lists& facets, int dimension);
 /// The vertices common to all given facets, increasing.
 std::vector<Index> common_vertices(const Lists& facets, std::span<const Index> which);
 
-}  // namespace delone::front_ends
+}  // namespace delone::internal

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "hull/hull_fan.hpp"
 
-namespace delone::front_ends {
+namespace delone::internal {
 
 std::size_t walk_cones(const HullSites& sites, const SimplicialHull& hull, const std::vector<double>& center, const double* q,
                        std::size_t start, const kernel::Grid& grid) {
@@ -23,4 +23,4 @@ std::size_t walk_cones(const HullSites& sites, const SimplicialHull& hull, const
   }
 }
 
-}  // namespace delone::front_ends
+}  // namespace delone::internal

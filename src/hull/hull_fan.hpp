@@ -14,7 +14,7 @@
 #include <cstddef>
 #include <vector>
 
-namespace delone::front_ends {
+namespace delone::internal {
 
 /// Sets `point` to one near the mean of some sites (rounded to few bits if possible, as that keeps determinants of lattices
 /// exact) that `is_inside(point, grid of all sites and it)` accepts. False if there is none.
@@ -47,4 +47,4 @@ bool choose_interior_point(const HullSites& sites, const std::vector<Index>& aro
 std::size_t walk_cones(const HullSites& sites, const SimplicialHull& hull, const std::vector<double>& center, const double* q,
                        std::size_t start, const kernel::Grid& grid);
 
-}  // namespace delone::front_ends
+}  // namespace delone::internal

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <unordered_set>
 
-namespace delone::front_ends {
+namespace delone::internal {
 
 Sign HullLocator::side(std::size_t cell, const double* q, const kernel::Grid& grid, std::vector<const double*>& scratch) const {
   if (const HullBoundary* boundary = builder_.boundary())
@@ -52,4 +52,4 @@ std::vector<Index> HullLocator::cells_on_side(std::size_t first, Sign wanted, co
   return cells;
 }
 
-}  // namespace delone::front_ends
+}  // namespace delone::internal

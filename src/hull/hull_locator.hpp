@@ -9,7 +9,7 @@
 #include <cstddef>
 #include <vector>
 
-namespace delone::front_ends {
+namespace delone::internal {
 
 class HullLocator {
  public:
@@ -38,4 +38,4 @@ class HullLocator {
   const SimplicialHull& hull_;
 };
 
-}  // namespace delone::front_ends
+}  // namespace delone::internal

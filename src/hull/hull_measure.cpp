@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "hull/hull_measure.hpp"
 
+#include "base/compiled_dimension.hpp"
 #include "compiled/dispatch.hpp"
 #include "hull/hull_normal.hpp"
 
@@ -9,7 +10,7 @@
 #include <limits>
 #include <utility>
 
-namespace delone::front_ends {
+namespace delone::internal {
 namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
@@ -212,4 +213,4 @@ FacetEquations facet_equations(const HullSites& sites, const SimplicialHull& hul
   return result;
 }
 
-}  // namespace delone::front_ends
+}  // namespace delone::internal

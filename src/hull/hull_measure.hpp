@@ -11,7 +11,7 @@
 #include <span>
 #include <vector>
 
-namespace delone::front_ends {
+namespace delone::internal {
 
 /// A compensated sum (Neumaier 1974, doi:10.1002/zamm.19740540106) of measures, with their errors.
 class MeasureSum {
@@ -46,4 +46,4 @@ struct FacetEquations {
 FacetEquations facet_equations(const HullSites& sites, const SimplicialHull& hull, std::span<const Index> facet_of_cell,
                                std::size_t num_facets, const std::function<const double*(std::size_t)>& inner);
 
-}  // namespace delone::front_ends
+}  // namespace delone::internal

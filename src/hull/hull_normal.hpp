@@ -22,7 +22,7 @@
 #include <span>
 #include <vector>
 
-namespace delone::front_ends {
+namespace delone::internal {
 
 /// D is k, or 0 when it is chosen at run time.
 template <int D>
@@ -172,4 +172,4 @@ class HullNormals {
   std::vector<const double*> points_;
 };
 
-}  // namespace delone::front_ends
+}  // namespace delone::internal

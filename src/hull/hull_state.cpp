@@ -3,18 +3,15 @@
 
 #include "complex/canonical_hash.hpp"
 #include "hull/outermost_sites.hpp"
-#include "triangulation/point_rows.hpp"
+#include "base/stopwatch.hpp"
+#include "order/insertion_order.hpp"
 
 #include <algorithm>
 #include <chrono>
 #include <utility>
 
-namespace delone::front_ends {
+namespace delone::internal {
 namespace {
-
-using Clock = std::chrono::steady_clock;
-
-double seconds_since(Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); }
 
 const SimplicialHull no_cells{};
 
@@ -123,18 +120,18 @@ void HullState::put_in_order(std::vector<Index>& sites, const Options& options) 
   std::vector<double> coordinates;
   coordinates.reserve(sites.size() * ambient());
   for (const Index site : sites) coordinates.insert(coordinates.end(), sites_.point(site), sites_.point(site) + ambient());
-  std::vector<Index> order = insertion_order({coordinates, sites_.ambient}, options);
+  std::vector<Index> order = order::insertion_order({coordinates, sites_.ambient}, options);
   for (Index& at : order) at = sites[at];
   sites = std::move(order);
 }
 
 void HullState::insert_range(std::span<const double> coordinates, const Options& options) {
   const auto first_site = static_cast<Index>(sites_.size());
-  auto start = Clock::now();
+  Stopwatch stopwatch;
   add_rows(coordinates);
-  earlier_.order_seconds += seconds_since(start);
+  earlier_.order_seconds += stopwatch.seconds();
 
-  start = Clock::now();
+  stopwatch.restart();
   std::vector<Index> outermost;
   if (options.order != InsertionOrder::as_given) outermost = outermost_sites(sites_, first_site);
   bool raised = false;
@@ -146,7 +143,7 @@ void HullState::insert_range(std::span<const double> coordinates, const Options&
   else if (builder_)
     builder_->include_sites(first_site);
   if (!builder_) {
-    earlier_.build_seconds += seconds_since(start);
+    earlier_.build_seconds += stopwatch.seconds();
     return;
   }
 
@@ -162,19 +159,19 @@ void HullState::insert_range(std::span<const double> coordinates, const Options&
     if (!std::exchange(is_done[site], 1)) insert(site);
   std::erase_if(pending, [&](Index site) { return is_done[site] != 0; });
   if (!outermost.empty()) drop_interior(pending, progress);
-  earlier_.build_seconds += seconds_since(start);
+  earlier_.build_seconds += stopwatch.seconds();
 
-  start = Clock::now();
+  stopwatch.restart();
   put_in_order(pending, options);
-  earlier_.order_seconds += seconds_since(start);
+  earlier_.order_seconds += stopwatch.seconds();
 
-  start = Clock::now();
+  stopwatch.restart();
   const std::size_t done = sites_.size() - (raised ? 0 : first_site) - pending.size();
   for (std::size_t i = 0; i < pending.size(); ++i) {
     insert(pending[i]);
     progress(done + i + 1);
   }
-  earlier_.build_seconds += seconds_since(start);
+  earlier_.build_seconds += stopwatch.seconds();
 }
 
 HullInsertResult HullState::insert_in_flat(const double* point) {
@@ -225,4 +222,4 @@ Statistics HullState::statistics() const {
   return result;
 }
 
-}  // namespace delone::front_ends
+}  // namespace delone::internal

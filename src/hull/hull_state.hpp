@@ -17,7 +17,7 @@
 #include <span>
 #include <vector>
 
-namespace delone::front_ends {
+namespace delone::internal {
 
 class HullState {
  public:
@@ -70,4 +70,4 @@ class HullState {
   Statistics earlier_;  // of builders that were given up, and the times
 };
 
-}  // namespace delone::front_ends
+}  // namespace delone::internal

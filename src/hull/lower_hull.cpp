@@ -5,6 +5,8 @@
 // over any composition of the domain, at most as high as the lower hull, so the new point is strictly above all of them: no
 // lower facet is lost or gained. But the hull is full-dimensional even when all heights are an affine function of the
 // compositions, and the upper side, of no interest, becomes simple.
+#include "base/guarded.hpp"
+#include "base/require_finite.hpp"
 #include "kernel/predicates.hpp"
 #include "kernel/stages.hpp"
 
@@ -13,7 +15,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <new>
 #include <numeric>
 
 namespace delone {
@@ -188,13 +189,11 @@ struct LowerHull::Impl {
   template <class Visit>
   void for_each_query(std::span<const double> queries, std::size_t width, Visit visit) const {
     if (queries.size() % width != 0) throw Error(Errc::bad_dimension, "the number of coordinates does not fit the dimension");
+    internal::require_finite(queries, width, "a coordinate", "query");
     std::size_t hint = 0;
     std::vector<double> q;
     for (std::size_t i = 0; i < queries.size() / width; ++i) {
       const double* row = queries.data() + i * width;
-      for (std::size_t j = 0; j < width; ++j)
-        if (!std::isfinite(row[j]))
-          throw Error(Errc::not_finite, "a coordinate of query " + std::to_string(i) + " is not finite", {i});
       q.clear();
       std::optional<std::size_t> found;
       kernel::Grid with_q = grid;
@@ -213,20 +212,12 @@ LowerHull::LowerHull(std::span<const double> coordinates, int dimension, HullSid
   if (dimension < 2) throw Error(Errc::bad_dimension, "a lower hull needs a composition and a height: at least 2 coordinates");
   if (coordinates.size() % static_cast<std::size_t>(dimension) != 0)
     throw Error(Errc::bad_dimension, "the number of coordinates is not a multiple of the dimension");
-  std::vector<std::size_t> rows;
-  for (std::size_t i = 0; i < coordinates.size(); ++i)
-    if (const std::size_t row = i / static_cast<std::size_t>(dimension);
-        !std::isfinite(coordinates[i]) && (rows.empty() || rows.back() != row))
-      rows.push_back(row);
-  if (!rows.empty())
-    throw Error(Errc::not_finite, "a coordinate of point " + std::to_string(rows.front()) + " is not finite", rows);
-  try {
+  internal::require_finite(coordinates, static_cast<std::size_t>(dimension), "a coordinate");
+  internal::guarded("the hull", [&] {
     impl_ = std::make_unique<Impl>(dimension, side);
     impl_->points.assign(coordinates.begin(), coordinates.end());
     impl_->build(options);
-  } catch (const std::bad_alloc&) {
-    throw Error(Errc::out_of_memory, "not enough memory for the hull");
-  }
+  });
 }
 LowerHull::LowerHull(PointsView points, HullSide side, const Options& options)
     : LowerHull(points.coordinates(), points.dimension(), side, options) {}

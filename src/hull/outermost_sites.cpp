@@ -5,7 +5,7 @@
 #include <cstddef>
 #include <limits>
 
-namespace delone::front_ends {
+namespace delone::internal {
 namespace {
 
 constexpr std::size_t most_axes_with_diagonals = 5;
@@ -58,4 +58,4 @@ std::vector<Index> outermost_sites(const HullSites& sites, Index first) {
   return chosen;
 }
 
-}  // namespace delone::front_ends
+}  // namespace delone::internal

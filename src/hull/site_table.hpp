@@ -9,7 +9,7 @@
 #include <cstdint>
 #include <vector>
 
-namespace delone::front_ends {
+namespace delone::internal {
 
 class SiteTable {
  public:
@@ -73,4 +73,4 @@ class SiteTable {
   std::size_t size_ = 0;
 };
 
-}  // namespace delone::front_ends
+}  // namespace delone::internal

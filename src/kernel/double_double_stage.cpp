@@ -4,6 +4,7 @@
 // (docs/predicates.md, "Double-double"). Coordinates are scaled by powers of two, each axis to at most 1, lifts alike.
 #include "kernel/double_double_stage.hpp"
 
+#include "base/compiled_dimension.hpp"
 #include "kernel/direct.hpp"
 #include "kernel/double_double.hpp"
 #include "kernel/minors.hpp"
@@ -64,22 +65,8 @@ std::optional<Sign> sign_by_minors(const Rows& rows, double roundings, double gr
 /// The same for a grid of 2^unit_exponent.
 std::optional<Sign> sign_of(const Rows& rows, double roundings, std::int64_t unit_exponent) {
   const double grid_unit = detail::power_of_two(unit_exponent);
-  switch (rows.n) {
-    case 1:
-      return sign_by_minors<1>(rows, roundings, grid_unit);
-    case 2:
-      return sign_by_minors<2>(rows, roundings, grid_unit);
-    case 3:
-      return sign_by_minors<3>(rows, roundings, grid_unit);
-    case 4:
-      return sign_by_minors<4>(rows, roundings, grid_unit);
-    case 5:
-      return sign_by_minors<5>(rows, roundings, grid_unit);
-    case 6:
-      return sign_by_minors<6>(rows, roundings, grid_unit);
-    default:
-      return sign_by_minors<0>(rows, roundings, grid_unit);
-  }
+  return internal::with_compiled_dimension<1, 6>(rows.n,
+                                                 [&](auto n) { return sign_by_minors<n()>(rows, roundings, grid_unit); });
 }
 
 /// The largest |p_i − base| along an axis.

@@ -9,13 +9,13 @@
 #include <limits>
 #include <utility>
 
-namespace delone::front_ends {
+namespace delone::kernel {
 
 namespace mp = boost::multiprecision;
 
 Integer scaled_integer(double x, int grid) {
   if (x == 0) return 0;
-  const int exponent = kernel::trailing_exponent(x);
+  const int exponent = trailing_exponent(x);
   const auto odd = static_cast<std::int64_t>(std::ldexp(x, -exponent));
   return Integer(odd) << (exponent - grid);
 }
@@ -94,4 +94,4 @@ Fractions solve_exactly(std::vector<Integer> augmented, std::size_t n) {
   return result;
 }
 
-}  // namespace delone::front_ends
+}  // namespace delone::kernel

@@ -8,7 +8,7 @@
 #include <cstddef>
 #include <vector>
 
-namespace delone::front_ends {
+namespace delone::kernel {
 
 using Integer = boost::multiprecision::number<boost::multiprecision::cpp_int_backend<>, boost::multiprecision::et_off>;
 
@@ -30,4 +30,4 @@ struct Fractions {
 };
 Fractions solve_exactly(std::vector<Integer> augmented, std::size_t n);
 
-}  // namespace delone::front_ends
+}  // namespace delone::kernel

@@ -9,7 +9,7 @@
 #include <limits>
 #include <utility>
 
-namespace delone::front_ends {
+namespace delone::kernel {
 
 inline constexpr double unit_roundoff = 0x1p-53;
 
@@ -99,4 +99,4 @@ double inverse_defect(const double* a, const double* inverse, std::size_t size) 
   return largest;
 }
 
-}  // namespace delone::front_ends
+}  // namespace delone::kernel

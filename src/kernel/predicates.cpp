@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "kernel/predicates.hpp"
 
+#include "base/require_finite.hpp"
 #include "kernel/hull_stages.hpp"
 
 #include <delone/error.hpp>
@@ -119,13 +120,9 @@ std::vector<const double*> rows_of(std::span<const double> coordinates, int dime
   const auto d = static_cast<std::size_t>(dimension);
   if (coordinates.size() % d != 0 || (expected != 0 && coordinates.size() != expected * d))
     throw Error(Errc::bad_dimension, "the number of coordinates does not fit the dimension");
+  internal::require_finite(coordinates, d, "a coordinate");
   std::vector<const double*> rows;
-  for (std::size_t row = 0; row * d < coordinates.size(); ++row) {
-    for (std::size_t j = 0; j < d; ++j)
-      if (!std::isfinite(coordinates[row * d + j]))
-        throw Error(Errc::not_finite, "a coordinate of point " + std::to_string(row) + " is not finite", {row});
-    rows.push_back(coordinates.data() + row * d);
-  }
+  for (std::size_t row = 0; row * d < coordinates.size(); ++row) rows.push_back(coordinates.data() + row * d);
   return rows;
 }
 
@@ -139,9 +136,8 @@ std::vector<int> all_axes(int dimension) {
 std::vector<double> with_weights(const std::vector<const double*>& points, std::span<const double> weights, int dimension) {
   if (weights.size() != points.size()) throw Error(Errc::bad_dimension, "the number of weights is not that of the points");
   std::vector<double> rows;
+  internal::require_finite(weights, 1, "the weight");
   for (std::size_t row = 0; row < points.size(); ++row) {
-    if (!std::isfinite(weights[row]))
-      throw Error(Errc::not_finite, "the weight of point " + std::to_string(row) + " is not finite", {row});
     rows.insert(rows.end(), points[row], points[row] + dimension);
     rows.push_back(weights[row]);
   }

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "order/farthest_first.hpp"
 
+#include "base/compiled_dimension.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -77,16 +79,7 @@ void choose_all(const FarthestTask& task) {
 }
 
 void choose_here(const FarthestTask& task) {
-  switch (task.dimension) {
-    case 3:
-      return choose_all<3>(task);
-    case 4:
-      return choose_all<4>(task);
-    case 5:
-      return choose_all<5>(task);
-    default:
-      return choose_all<0>(task);
-  }
+  internal::with_compiled_dimension<3, 5>(task.dimension, [&](auto d) { choose_all<d()>(task); });
 }
 
 }  // namespace HWY_NAMESPACE

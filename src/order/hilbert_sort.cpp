@@ -11,6 +11,7 @@
 //   (3) δ' = δ + 1 + (0 for i = 0; ctz(i) for even i; the number of trailing ones of i for odd i)  (mod d).
 // So the length of the last run of equal bits of i is all there is to remember of i, and e is overwritten by the corner.
 #include "order/insertion_order.hpp"
+#include "base/compiled_dimension.hpp"
 #include "order/select.hpp"
 
 #include <algorithm>
@@ -316,22 +317,18 @@ void hilbert_sort(PointsView points, std::span<Index> rows, int first_axis) {
   if (rows.size() < 2) return;
   Position start;
   start.axis = first_axis;
-  switch (points.dimension()) {
-    case 1:
-      return sort_by_halves<1>(start, points, rows);
-    case 2:
-      return sort_in_dimension<2>(start, points, rows);
-    case 3:
-      return sort_in_dimension<3>(start, points, rows);
-    case 4:
-      return sort_in_dimension<4>(start, points, rows);
-    default:
-      break;
-  }
-  std::vector<KeyedRow> keyed(rows.size());
-  for (std::size_t i = 0; i < rows.size(); ++i) keyed[i] = {0, rows[i]};
-  sort_keyed(Curve(points.dimension()), start, points, keyed.data(), keyed.data() + keyed.size());
-  for (std::size_t i = 0; i < rows.size(); ++i) rows[i] = keyed[i].row;
+  internal::with_compiled_dimension<1, 4>(static_cast<std::size_t>(points.dimension()), [&](auto d) {
+    if constexpr (d() > 1) {
+      sort_in_dimension<d()>(start, points, rows);
+    } else if constexpr (d() == 1) {
+      sort_by_halves<1>(start, points, rows);
+    } else {
+      std::vector<KeyedRow> keyed(rows.size());
+      for (std::size_t i = 0; i < rows.size(); ++i) keyed[i] = {0, rows[i]};
+      sort_keyed(Curve(points.dimension()), start, points, keyed.data(), keyed.data() + keyed.size());
+      for (std::size_t i = 0; i < rows.size(); ++i) rows[i] = keyed[i].row;
+    }
+  });
 }
 
 }  // namespace delone::order

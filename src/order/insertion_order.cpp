@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Random rounds: a random permutation is cut into rounds of growing size, each sorted along the Hilbert curve.
+// The choice of an order, and random rounds: a random permutation is cut into rounds of growing size, each sorted along the Hilbert curve.
 #include "order/insertion_order.hpp"
 
 #include "base/random.hpp"
@@ -23,6 +23,21 @@ constexpr std::size_t first_round_per_dimension = 64;
 int num_splits(std::size_t n) { return n < 2 ? 0 : static_cast<int>(std::bit_width(n - 1)); }
 
 }  // namespace
+
+std::vector<Index> insertion_order(PointsView points, const Options& options) {
+  switch (options.order) {
+    case InsertionOrder::shuffled:
+      return shuffled_order(points.size(), options.seed);
+    case InsertionOrder::as_given: {
+      std::vector<Index> rows(points.size());
+      std::iota(rows.begin(), rows.end(), Index{0});
+      return rows;
+    }
+    case InsertionOrder::automatic:
+      break;
+  }
+  return automatic_order(points, options.seed);
+}
 
 std::vector<Index> shuffled_order(std::size_t n, std::uint64_t seed) {
   std::vector<Index> rows(n);

@@ -3,6 +3,7 @@
 // Knows coordinates only.
 #pragma once
 
+#include <delone/options.hpp>
 #include <delone/types.hpp>
 
 #include <cstdint>
@@ -10,6 +11,9 @@
 #include <vector>
 
 namespace delone::order {
+
+/// The rows 0…n−1 in the order that the options ask for.
+std::vector<Index> insertion_order(PointsView points, const Options& options);
 
 /// BRIO (Amenta, Choi, Rote 2003, doi:10.1145/777792.777824): the rows 0…n−1 in random rounds of growing size, each round
 /// sorted along a d-dimensional Hilbert curve by coordinate comparisons only (RR-6743, appendix A). Deterministic in (points,

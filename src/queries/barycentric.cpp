@@ -20,7 +20,7 @@
 #include <limits>
 #include <utility>
 
-namespace delone::front_ends {
+namespace delone::internal {
 namespace {
 
 /// A power of two that makes all numbers of an axis at most 1/4.
@@ -173,4 +173,4 @@ void gradients(std::span<const double* const> points, std::span<const double> va
   for (double& g : result) g = std::ldexp(g, exponent);
 }
 
-}  // namespace delone::front_ends
+}  // namespace delone::internal

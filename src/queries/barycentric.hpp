@@ -6,7 +6,7 @@
 #include <span>
 #include <vector>
 
-namespace delone::front_ends {
+namespace delone::internal {
 
 /// No barycentric coordinate that is given to users is off by more; see LocatedPoint.
 inline constexpr double largest_weight_error = 0x1p-36;
@@ -22,4 +22,4 @@ void barycentric(std::span<const double* const> points, std::span<const unsigned
 void gradients(std::span<const double* const> points, std::span<const double> values, int columns, int dimension,
                std::vector<double>& result);
 
-}  // namespace delone::front_ends
+}  // namespace delone::internal

@@ -24,7 +24,7 @@
 #include <cstddef>
 #include <utility>
 
-namespace delone::front_ends {
+namespace delone::internal {
 
 template <int K>
 class CellMinors {
@@ -85,4 +85,4 @@ class CellMinors {
   double bound_ = 0;
 };
 
-}  // namespace delone::front_ends
+}  // namespace delone::internal

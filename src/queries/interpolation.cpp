@@ -124,7 +124,7 @@ void LinearInterpolator::gradients(std::span<const double> queries, std::span<do
         const double* const value = values_.data() + index(v) * columns_;
         values.insert(values.end(), value, value + columns_);
       }
-      front_ends::gradients(points, values, static_cast<int>(columns_), static_cast<int>(d), gradient);
+      internal::gradients(points, values, static_cast<int>(columns_), static_cast<int>(d), gradient);
     }
     std::copy(gradient.begin(), gradient.end(), at);
   });

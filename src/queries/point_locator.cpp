@@ -2,6 +2,7 @@
 // Batches of queries: the certified visibility walk. The nearest vertex is in nearest_vertex.cpp.
 #include "queries/point_locator_impl.hpp"
 
+#include "base/require_finite.hpp"
 #include "queries/barycentric.hpp"
 #include "queries/cell_minors.hpp"
 #include "kernel/predicates.hpp"
@@ -24,11 +25,7 @@ std::vector<Index> PointLocator::Impl::rows_of(std::span<const double> queries) 
   const auto width = static_cast<std::size_t>(dimension);
   if (queries.size() % width != 0)
     throw Error(Errc::bad_dimension, "the number of coordinates is not a multiple of the dimension");
-  std::vector<std::size_t> rows;
-  for (std::size_t i = 0; i < queries.size(); ++i)
-    if (!std::isfinite(queries[i]) && (rows.empty() || rows.back() != i / width)) rows.push_back(i / width);
-  if (!rows.empty())
-    throw Error(Errc::not_finite, "a coordinate of query " + std::to_string(rows.front()) + " is not finite", rows);
+  internal::require_finite(queries, width, "a coordinate", "query");
   const std::size_t count = queries.size() / width;
   if (count > max_index) throw Error(Errc::too_many, "more queries than this build has ids");
   std::vector<Index> all(count);
@@ -107,8 +104,8 @@ class TableWalk {
       weights_[i] = signs_[i] == Sign::zero ? 0 : std::max(minors_.weight(i), 0.0);
       sum += weights_[i];
     }
-    if (!((K + 3) * minors_.bound() < front_ends::largest_weight_error * sum)) {
-      front_ends::barycentric({points, K + 1}, on_face, where_.axes, q, solved_);
+    if (!((K + 3) * minors_.bound() < internal::largest_weight_error * sum)) {
+      internal::barycentric({points, K + 1}, on_face, where_.axes, q, solved_);
       return solved_;
     }
     for (int i = 0; i <= K; ++i)
@@ -117,7 +114,7 @@ class TableWalk {
   }
 
   const PointLocator::Impl& where_;
-  front_ends::CellMinors<K> minors_;
+  internal::CellMinors<K> minors_;
   Sign signs_[K + 1];
   double weights_[K + 1];
   std::vector<double> solved_;
@@ -140,7 +137,7 @@ class PlainWalk {
       points.push_back(where_.point(v));
       on_face.push_back(std::find(location.face.begin(), location.face.end(), v) != location.face.end() ? 1 : 0);
     }
-    front_ends::barycentric(points, on_face, where_.axes, q, weights_);
+    internal::barycentric(points, on_face, where_.axes, q, weights_);
     found.weights = weights_;
   }
 

@@ -19,7 +19,7 @@ struct PointLocator::Impl {
   explicit Impl(const Triangulation& t)
       : triangulation(t),
         complex(t.complex()),
-        points(front_ends::StoredPoints::of(t)),
+        points(internal::StoredPoints::of(t)),
         dimension(t.dimension()),
         affine_dimension(t.affine_dimension()),
         axes(t.axes()) {}

@@ -2,12 +2,12 @@
 // Triangulation: the public members. Insertion is in triangulation_impl.cpp.
 #include <delone/delaunay.hpp>
 
+#include "base/guarded.hpp"
 #include "complex/canonical_hash.hpp"
 #include "triangulation/triangulation_impl.hpp"
 
 #include <algorithm>
 #include <limits>
-#include <new>
 #include <utility>
 
 namespace delone {
@@ -37,27 +37,15 @@ void Triangulation::insert_range(std::vector<double>&& coordinates) {
 }
 
 void Triangulation::insert_and_release(std::span<const double> coordinates, const std::function<void()>& release) {
-  try {
-    impl_->insert_range(coordinates, {}, release);
-  } catch (const std::bad_alloc&) {
-    throw Error(Errc::out_of_memory, "not enough memory for the triangulation");
-  }
+  internal::guarded("the triangulation", [&] { impl_->insert_range(coordinates, {}, release); });
 }
 
 InsertResult Triangulation::insert(std::span<const double> point, std::optional<CellId> hint) {
-  try {
-    return impl_->insert(point, 0.0, hint);
-  } catch (const std::bad_alloc&) {
-    throw Error(Errc::out_of_memory, "not enough memory for the triangulation");
-  }
+  return internal::guarded("the triangulation", [&] { return impl_->insert(point, 0.0, hint); });
 }
 
 void Triangulation::compact() {
-  try {
-    impl_->compact();
-  } catch (const std::bad_alloc&) {
-    throw Error(Errc::out_of_memory, "not enough memory for a second copy of the cells");
-  }
+  internal::guarded("a second copy of the cells", [&] { impl_->compact(); });
 }
 
 int Triangulation::dimension() const { return impl_->dimension; }
@@ -146,15 +134,15 @@ CanonicalHash Triangulation::hash() const {
   const auto weight = [&](VertexId v) { return impl_->points.point(index(v))[impl_->ambient()]; };
   const bool with_weights = impl_->weighted() && std::any_of(vertices.begin(), vertices.end(),
                                                              [&](VertexId v) { return weight(v) != weight(vertices.front()); });
-  std::vector<front_ends::PointTag> tags(complex().num_vertex_slots());  // by vertex id
-  front_ends::HashAccumulator hash;
+  std::vector<internal::PointTag> tags(complex().num_vertex_slots());  // by vertex id
+  internal::HashAccumulator hash;
   for (const VertexId v : vertices) {
-    tags[index(v)] = front_ends::point_tag(impl_->points.point(index(v)), dimension() + (with_weights ? 1 : 0));
+    tags[index(v)] = internal::point_tag(impl_->points.point(index(v)), dimension() + (with_weights ? 1 : 0));
     hash.add_vertex(tags[index(v)]);
   }
   const Complex now = complex();
   for (const CellId c : now.finite_cells()) {
-    front_ends::PointTag sum;
+    internal::PointTag sum;
     for (int i = 0; i <= now.dimension(); ++i) sum += tags[index(now.vertex(c, i))];
     hash.add_cell(sum);
   }

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <limits>
 
-namespace delone::front_ends {
+namespace delone::internal {
 
 Landmarks::Landmarks(const geometry::Frame& frame, std::size_t dimension)
     : low_(frame.low().begin(), frame.low().begin() + static_cast<std::ptrdiff_t>(dimension)),
@@ -71,4 +71,4 @@ void Landmarks::add(Index vertex, const double* point) {
   typical_ += (level > typical_) - (level < typical_);
 }
 
-}  // namespace delone::front_ends
+}  // namespace delone::internal

@@ -13,7 +13,7 @@
 #include <cstdint>
 #include <vector>
 
-namespace delone::front_ends {
+namespace delone::internal {
 
 /// A search expects one or two misses of the cache where points are evenly spread, and the logarithm of the number of levels in
 /// any case. Takes 16 to 32 bytes for each vertex. A wrong answer costs time and nothing else, so two cubes may have one key.
@@ -60,4 +60,4 @@ class Landmarks {
   int typical_ = 0;  // the median of the levels so far: searches begin there
 };
 
-}  // namespace delone::front_ends
+}  // namespace delone::internal

@@ -2,27 +2,14 @@
 // RegularTriangulation: weights, and what is hidden. Insertion is in triangulation_impl.cpp.
 #include <delone/regular.hpp>
 
+#include "base/guarded.hpp"
 #include "triangulation/triangulation_impl.hpp"
 
-#include <new>
 #include <string>
 
 namespace delone {
-namespace {
-
-template <class Work>
-auto guarded(Work work) {
-  try {
-    return work();
-  } catch (const std::bad_alloc&) {
-    throw Error(Errc::out_of_memory, "not enough memory for the triangulation");
-  }
-}
-
-}  // namespace
-
 RegularTriangulation::RegularTriangulation(int dimension, const Options& options)
-    : Triangulation(dimension < 1 ? throw Error(Errc::bad_dimension, "the dimension must be at least 1") : guarded([&] {
+    : Triangulation(dimension < 1 ? throw Error(Errc::bad_dimension, "the dimension must be at least 1") : internal::guarded("the triangulation", [&] {
         return std::make_unique<Impl>(dimension, kernel::RowForm::weighted_point, options);
       })) {}
 RegularTriangulation::RegularTriangulation(std::span<const double> coordinates, std::span<const double> weights, int dimension,
@@ -36,11 +23,11 @@ RegularTriangulation::RegularTriangulation(PointsView points, std::span<const do
 void RegularTriangulation::insert_range(std::span<const double> coordinates, std::span<const double> weights) {
   if (weights.empty() && coordinates.size() >= impl().ambient())
     throw Error(Errc::bad_dimension, "0 weights for " + std::to_string(coordinates.size() / impl().ambient()) + " points");
-  guarded([&] { impl().insert_range(coordinates, weights); });
+  internal::guarded("the triangulation", [&] { impl().insert_range(coordinates, weights); });
 }
 
 InsertResult RegularTriangulation::insert(std::span<const double> point, double weight, std::optional<CellId> hint) {
-  return guarded([&] { return impl().insert(point, weight, hint); });
+  return internal::guarded("the triangulation", [&] { return impl().insert(point, weight, hint); });
 }
 
 double RegularTriangulation::weight(VertexId v) const {

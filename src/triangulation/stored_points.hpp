@@ -7,7 +7,7 @@
 
 #include <cstddef>
 
-namespace delone::front_ends {
+namespace delone::internal {
 
 class StoredPoints : private Triangulation {
   using Member = const Impl& (Triangulation::*)() const;
@@ -22,4 +22,4 @@ class StoredPoints : private Triangulation {
   }
 };
 
-}  // namespace delone::front_ends
+}  // namespace delone::internal

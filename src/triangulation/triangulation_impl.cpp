@@ -2,8 +2,11 @@
 // Insertion: points to vertices, affine dimensions, duplicates, hidden points, rows.
 #include "triangulation/triangulation_impl.hpp"
 
+#include "base/compiled_dimension.hpp"
 #include "compiled/compact_triangulation.hpp"
-#include "triangulation/point_rows.hpp"
+#include "base/require_finite.hpp"
+#include "base/stopwatch.hpp"
+#include "order/insertion_order.hpp"
 #include "base/progress_meter.hpp"
 #include "base/growable_array.hpp"
 
@@ -17,10 +20,6 @@
 
 namespace delone {
 namespace {
-
-using Clock = std::chrono::steady_clock;
-
-double seconds_since(Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); }
 
 /// Makes sure that one push_back cannot fail, growing geometrically.
 template <class T>
@@ -66,7 +65,7 @@ class RowsInOrder {
   RowsInOrder(std::span<const double> rows, std::size_t width, std::span<const Index> order) : width_(width) {
     rows_.reserve(order.size() * width);
     rows_.prepare(order.size() * width);
-    with_compiled_dimension(width, [&](auto fixed_width) {
+    internal::with_compiled_dimension(width, [&](auto fixed_width) {
       const std::size_t w = fixed_width > 0 ? std::size_t{fixed_width} : width;
       const double* const from = rows.data();
       double* to = rows_.data();
@@ -98,8 +97,8 @@ Triangulation::Impl::Impl(int d, kernel::RowForm form, const Options& given)
 Triangulation::Impl::~Impl() = default;
 
 void Triangulation::Impl::check_finite(std::span<const double> coordinates, std::span<const double> weights) const {
-  front_ends::require_finite(coordinates, ambient(), "a coordinate");
-  front_ends::require_finite(weights, 1, "the weight");
+  internal::require_finite(coordinates, ambient(), "a coordinate");
+  internal::require_finite(weights, 1, "the weight");
 }
 
 /// Makes `rows` more rows known, none of them inserted yet. Throws before anything has changed.
@@ -330,18 +329,18 @@ void Triangulation::Impl::insert_range(std::span<const double> coordinates, std:
   const std::span<const double> rows = weighted() ? std::span<const double>(with_weights) : coordinates;
   const std::size_t first_row = add_rows(n);
 
-  auto start = Clock::now();
-  std::vector<Index> order = front_ends::insertion_order(view, options);
-  statistics.order_seconds += seconds_since(start);
+  internal::Stopwatch stopwatch;
+  std::vector<Index> order = order::insertion_order(view, options);
+  statistics.order_seconds += stopwatch.seconds();
 
-  start = Clock::now();
+  stopwatch.restart();
   const Index before = points.last_vertex();
-  front_ends::ProgressMeter progress(options.progress, n);
+  internal::ProgressMeter progress(options.progress, n);
   const auto finish = [&] {
     order = {};
     find_cells_of_vertices();
     if (landmarks) add_landmarks(before + 1, points.last_vertex());
-    statistics.build_seconds += seconds_since(start);
+    statistics.build_seconds += stopwatch.seconds();
   };
   try {
     points.coordinates.reserve(points.coordinates.size() + rows.size() + row_size());
@@ -414,7 +413,7 @@ void Triangulation::Impl::expand() {
 /// Adds the vertices first … last. Without memory for them there are no landmarks. REQUIRES a hull.
 void Triangulation::Impl::add_landmarks(Index first, Index last) {
   try {
-    if (!landmarks) landmarks = std::make_unique<front_ends::Landmarks>(hull->frame(), ambient());
+    if (!landmarks) landmarks = std::make_unique<internal::Landmarks>(hull->frame(), ambient());
     for (Index v = first; v <= last; ++v) landmarks->add(v, points.point(v));
   } catch (const std::bad_alloc&) {
     landmarks.reset();

@@ -36,7 +36,7 @@ struct Triangulation::Impl {
   std::size_t num_rows_inserted = 0;
   Index num_vertices = 0;  // those that have cells
   Statistics statistics;
-  std::unique_ptr<front_ends::Landmarks> landmarks;  // from an insertion without hint on, until the frame changes
+  std::unique_ptr<internal::Landmarks> landmarks;  // from an insertion without hint on, until the frame changes
 
   /// The links of the complex of one point, a finite and an infinite cell of one vertex each.
   Index single_links[4] = {0, 1, 0, 0};

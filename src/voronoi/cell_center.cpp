@@ -21,6 +21,7 @@
 // it.
 #include "voronoi/cell_center.hpp"
 
+#include "base/compiled_dimension.hpp"
 #include "kernel/linear_bound.hpp"
 #include "kernel/fractions.hpp"
 #include "kernel/buffer.hpp"
@@ -32,7 +33,7 @@
 #include <limits>
 #include <utility>
 
-namespace delone::front_ends {
+namespace delone::internal {
 namespace {
 
 constexpr double u = unit_roundoff;
@@ -96,26 +97,7 @@ Fractions twice_center(const IntegerPoints& p, std::size_t k, std::size_t d) {
 
 CenterFinder::CenterFinder(int dimension, std::vector<int> axes, bool aligned) : dimension_(dimension), axes_(std::move(axes)) {
   if (!aligned) return;
-  switch (axes_.size()) {
-    case 1:
-      certified_ = &CenterFinder::find_certified<1>;
-      break;
-    case 2:
-      certified_ = &CenterFinder::find_certified<2>;
-      break;
-    case 3:
-      certified_ = &CenterFinder::find_certified<3>;
-      break;
-    case 4:
-      certified_ = &CenterFinder::find_certified<4>;
-      break;
-    case 5:
-      certified_ = &CenterFinder::find_certified<5>;
-      break;
-    default:
-      certified_ = &CenterFinder::find_certified<0>;
-      break;
-  }
+  certified_ = with_compiled_dimension<1, 5>(axes_.size(), [](auto k) { return &CenterFinder::find_certified<k()>; });
 }
 
 void CenterFinder::find(const double* const* points, const double* weights, double* center) {
@@ -340,4 +322,4 @@ std::vector<double> outward_direction(const std::vector<const double*>& facet, c
   return x;
 }
 
-}  // namespace delone::front_ends
+}  // namespace delone::internal

@@ -10,7 +10,7 @@
 #include <cstdint>
 #include <vector>
 
-namespace delone::front_ends {
+namespace delone::internal {
 
 class CenterFinder {
  public:
@@ -50,4 +50,4 @@ class CenterFinder {
 /// away from `behind`. Gram–Schmidt; in integers where that cancels more than a few bits. Rounded, relative error below 10⁻¹².
 std::vector<double> outward_direction(const std::vector<const double*>& facet, const double* behind, std::size_t dimension);
 
-}  // namespace delone::front_ends
+}  // namespace delone::internal

@@ -5,6 +5,7 @@
 // which gives the same pair as Dekker's.
 #include "voronoi/cell_center_kernel.hpp"
 
+#include "base/compiled_dimension.hpp"
 #include "kernel/linear_bound.hpp"
 
 #include <algorithm>
@@ -17,7 +18,7 @@
 #include <hwy/highway.h>
 
 HWY_BEFORE_NAMESPACE();
-namespace delone::front_ends {
+namespace delone::internal {
 namespace HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
 
@@ -210,24 +211,17 @@ void find(const double* HWY_RESTRICT corners, const double* HWY_RESTRICT weights
 }
 
 void find_centers_here(std::size_t n, const double* corners, const double* weights, double* centers, double* settled) {
-  switch (n) {
-    case 2:
-      return find<2>(corners, weights, centers, settled);
-    case 3:
-      return find<3>(corners, weights, centers, settled);
-    case 4:
-      return find<4>(corners, weights, centers, settled);
-    default:
-      return find<5>(corners, weights, centers, settled);
-  }
+  internal::with_compiled_dimension<least_center_lanes, most_center_lanes>(n, [&](auto dimension) {
+    if constexpr (dimension() > 0) find<dimension()>(corners, weights, centers, settled);
+  });
 }
 
 }  // namespace HWY_NAMESPACE
-}  // namespace delone::front_ends
+}  // namespace delone::internal
 HWY_AFTER_NAMESPACE();
 
 #if HWY_ONCE
-namespace delone::front_ends {
+namespace delone::internal {
 
 HWY_EXPORT(find_centers_here);
 
@@ -235,5 +229,5 @@ void find_centers_in_lanes(std::size_t n, const double* corners, const double* w
   HWY_DYNAMIC_DISPATCH(find_centers_here)(n, corners, weights, centers, settled);
 }
 
-}  // namespace delone::front_ends
+}  // namespace delone::internal
 #endif

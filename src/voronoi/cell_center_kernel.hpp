@@ -5,7 +5,7 @@
 
 #include <cstddef>
 
-namespace delone::front_ends {
+namespace delone::internal {
 
 /// How many cells are treated together.
 inline constexpr std::size_t center_block = 32;
@@ -19,4 +19,4 @@ inline constexpr std::size_t least_center_lanes = 2, most_center_lanes = 5;
 /// where it holds 0.
 void find_centers_in_lanes(std::size_t n, const double* corners, const double* weights, double* centers, double* settled);
 
-}  // namespace delone::front_ends
+}  // namespace delone::internal

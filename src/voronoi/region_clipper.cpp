@@ -19,7 +19,7 @@
 #include <numeric>
 #include <utility>
 
-namespace delone::front_ends {
+namespace delone::internal {
 namespace {
 
 constexpr double u = unit_roundoff;
@@ -425,4 +425,4 @@ ClippedRegion RegionClipper::geometry() {
   return region;
 }
 
-}  // namespace delone::front_ends
+}  // namespace delone::internal

@@ -14,7 +14,7 @@
 #include <span>
 #include <vector>
 
-namespace delone::front_ends {
+namespace delone::internal {
 
 class RegionClipper {
  public:
@@ -78,4 +78,4 @@ class RegionClipper {
   SimplePolytope polytope_;
 };
 
-}  // namespace delone::front_ends
+}  // namespace delone::internal

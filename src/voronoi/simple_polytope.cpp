@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <limits>
 
-namespace delone::front_ends {
+namespace delone::internal {
 
 void CompensatedSum::add(double x) {
   const double next = sum_ + x;
@@ -138,4 +138,4 @@ SimplePolytope::Face SimplePolytope::measure_face(std::size_t dimension, std::si
   return {sum.value() / static_cast<double>(dimension), origin, basis};
 }
 
-}  // namespace delone::front_ends
+}  // namespace delone::internal

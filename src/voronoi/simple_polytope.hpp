@@ -9,7 +9,7 @@
 #include <unordered_map>
 #include <vector>
 
-namespace delone::front_ends {
+namespace delone::internal {
 
 /// A sum with the rounding errors of all additions added at the end (Neumaier 1974, doi:10.1002/zamm.19740540106).
 class CompensatedSum {
@@ -66,4 +66,4 @@ class SimplePolytope {
   double scale_ = 1;
 };
 
-}  // namespace delone::front_ends
+}  // namespace delone::internal

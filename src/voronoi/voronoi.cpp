@@ -2,6 +2,7 @@
 // VoronoiDiagram: built by VoronoiBuilder; volumes and clipping.
 #include <delone/voronoi.hpp>
 
+#include "base/guarded.hpp"
 #include "voronoi/simple_polytope.hpp"
 #include "voronoi/voronoi_builder.hpp"
 #include "voronoi/region_clipper.hpp"
@@ -9,7 +10,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <new>
 
 namespace delone {
 namespace {
@@ -43,16 +43,6 @@ double triangle_area(const double* o, const double* p, const double* q, std::siz
   return base * std::sqrt(height) / 2;
 }
 
-/// Runs `work`; exhausted memory becomes Errc::out_of_memory.
-template <class Work>
-auto guarded(Work&& work) {
-  try {
-    return work();
-  } catch (const std::bad_alloc&) {
-    throw Error(Errc::out_of_memory, "not enough memory for the Voronoi diagram");
-  }
-}
-
 /// The regions that share a ridge with each region.
 struct Neighbors {
   std::vector<std::size_t> offsets, others;
@@ -75,7 +65,7 @@ class DiagramClipper {
  public:
   DiagramClipper(const VoronoiDiagram& diagram, const Box& box) : diagram_(diagram), neighbors_(diagram), clipper_(box) {}
 
-  front_ends::RegionClipper& clip(std::size_t region) {
+  internal::RegionClipper& clip(std::size_t region) {
     others_.clear();
     for (std::size_t i = neighbors_.offsets[region]; i < neighbors_.offsets[region + 1]; ++i)
       others_.push_back(site(neighbors_.others[i]));
@@ -84,12 +74,12 @@ class DiagramClipper {
   }
 
  private:
-  front_ends::RegionClipper::Site site(std::size_t r) const { return {diagram_.site(r).data(), diagram_.weight(r)}; }
+  internal::RegionClipper::Site site(std::size_t r) const { return {diagram_.site(r).data(), diagram_.weight(r)}; }
 
   const VoronoiDiagram& diagram_;
   Neighbors neighbors_;
-  front_ends::RegionClipper clipper_;
-  std::vector<front_ends::RegionClipper::Site> others_;
+  internal::RegionClipper clipper_;
+  std::vector<internal::RegionClipper::Site> others_;
 };
 
 }  // namespace
@@ -103,7 +93,7 @@ VoronoiDiagram::VoronoiDiagram(const Triangulation& triangulation, const std::fu
       affine_dimension_(triangulation.affine_dimension()),
       has_ridges_(parts == VoronoiParts::all),
       is_weighted_(weight != nullptr) {
-  guarded([&] { VoronoiBuilder(triangulation, weight, *this).run(); });
+  internal::guarded("the diagram", [&] { VoronoiBuilder(triangulation, weight, *this).run(); });
 }
 
 std::size_t VoronoiDiagram::num_unbounded_regions() const {
@@ -134,7 +124,7 @@ double VoronoiDiagram::ridge_volume(std::size_t i, const std::vector<std::vector
   std::vector<Index> star;
   std::set_intersection(cells_of_region[a].begin(), cells_of_region[a].end(), cells_of_region[b].begin(),
                         cells_of_region[b].end(), std::back_inserter(star));
-  front_ends::SimplePolytope polytope;
+  internal::SimplePolytope polytope;
   polytope.start(k - 1, ambient());
   std::vector<std::size_t> labels;
   for (const Index cell : star) {
@@ -158,7 +148,7 @@ std::vector<std::vector<Index>> VoronoiDiagram::cells_of_regions() const {
 
 std::vector<double> VoronoiDiagram::ridge_volumes() const {
   require_ridges();
-  return guarded([&] {
+  return internal::guarded("the diagram", [&] {
     const auto cells = cells_of_regions();
     std::vector<double> volumes(num_ridges());
     for (std::size_t i = 0; i < volumes.size(); ++i) volumes[i] = ridge_volume(i, cells);
@@ -169,7 +159,7 @@ std::vector<double> VoronoiDiagram::ridge_volumes() const {
 /// Volumes of the regions for which `wanted` holds; 0 for the others.
 std::vector<double> VoronoiDiagram::volumes_of(const std::vector<unsigned char>& wanted) const {
   const auto cells = cells_of_regions();
-  std::vector<front_ends::CompensatedSum> sums(num_regions());
+  std::vector<internal::CompensatedSum> sums(num_regions());
   for (std::size_t i = 0; i < num_ridges(); ++i) {
     const auto a = static_cast<std::size_t>(point_region_[static_cast<std::size_t>(ridge_points_[2 * i])]);
     const auto b = static_cast<std::size_t>(point_region_[static_cast<std::size_t>(ridge_points_[2 * i + 1])]);
@@ -186,7 +176,7 @@ std::vector<double> VoronoiDiagram::volumes_of(const std::vector<unsigned char>&
 
 std::vector<double> VoronoiDiagram::region_volumes() const {
   require_ridges();
-  return guarded([&] {
+  return internal::guarded("the diagram", [&] {
     std::vector<double> volumes = volumes_of(bounded_);
     for (std::size_t r = 0; r < volumes.size(); ++r)
       if (!bounded_[r]) volumes[r] = infinity;
@@ -196,7 +186,7 @@ std::vector<double> VoronoiDiagram::region_volumes() const {
 
 VoronoiData VoronoiDiagram::to_data() const {
   require_ridges();
-  return guarded([&] {
+  return internal::guarded("the diagram", [&] {
     VoronoiData data{dimension_,
                      affine_dimension_,
                      {},
@@ -251,7 +241,7 @@ bool VoronoiDiagram::is_inside(std::size_t r, const Box& box) const {
 
 std::vector<double> VoronoiDiagram::region_volumes(const Box& box) const {
   check_box(box);
-  return guarded([&] {
+  return internal::guarded("the diagram", [&] {
     std::vector<unsigned char> inside(num_regions());
     for (std::size_t r = 0; r < num_regions(); ++r) inside[r] = is_inside(r, box) ? 1 : 0;
     std::vector<double> volumes = volumes_of(inside);

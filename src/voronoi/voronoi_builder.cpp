@@ -84,7 +84,7 @@ void VoronoiBuilder::collect_sites() {
     const VertexId v = triangulation_.vertex_at(row);
     if (index(v) < region_of_vertex_.size()) out_.point_region_[row] = region_of(v);
     if (out_.point_region_[row] >= 0) continue;
-    const double* hidden = front_ends::StoredPoints::of_row(triangulation_, row);
+    const double* hidden = internal::StoredPoints::of_row(triangulation_, row);
     for (std::size_t j = 0; j <= d_; ++j)
       out_.hidden_.push_back(hidden == nullptr ? std::nan("") : j < d_ || weight_ ? hidden[j] : 0.0);
   }
@@ -97,9 +97,9 @@ void VoronoiBuilder::find_centers() {
     if (std::binary_search(axes_.begin(), axes_.end(), static_cast<int>(j))) continue;
     for (const VertexId v : site_of_region_) aligned = aligned && point(v)[j] == point(site_of_region_[0])[j];
   }
-  front_ends::CenterFinder finder(triangulation_.dimension(), axes_, aligned);
+  internal::CenterFinder finder(triangulation_.dimension(), axes_, aligned);
   const auto corners = static_cast<std::size_t>(k_) + 1;
-  constexpr std::size_t block = front_ends::CenterFinder::block;
+  constexpr std::size_t block = internal::CenterFinder::block;
   std::vector<const double*> points(corners * block);
   std::vector<double> weights(weight_ ? corners * block : 0);
   centers_.resize(cells_.size() * d_);
@@ -141,7 +141,7 @@ bool VoronoiBuilder::is_on_sphere(CellId cell, VertexId v) const {
     points.push_back(point(complex_.vertex(cell, i)));
     weights.push_back(weights_[index(complex_.vertex(cell, i))]);
   }
-  return front_ends::CenterFinder(triangulation_.dimension(), axes_, true)
+  return internal::CenterFinder(triangulation_.dimension(), axes_, true)
       .on_sphere(points.data(), weights.data(), point(v), weights_[index(v)]);
 }
 
@@ -305,7 +305,7 @@ void VoronoiBuilder::collect_rays() {
       out_.ray_points_.push_back(row_of(complex_.vertex(c, i)));
     }
     const double* opposite = point(complex_.vertex(behind, complex_.mirror_index(c, apex)));
-    const std::vector<double> direction = front_ends::outward_direction(facet, opposite, d_);
+    const std::vector<double> direction = internal::outward_direction(facet, opposite, d_);
     out_.ray_directions_.insert(out_.ray_directions_.end(), direction.begin(), direction.end());
   }
 }

@@ -7,6 +7,7 @@
 // by the difference of their logarithms; vertices that may have the least t, mostly one, are computed again in binary64.
 #include "geometry/facet_search/facet_search.hpp"
 
+#include "base/compiled_dimension.hpp"
 #include "geometry/cache_line.hpp"
 
 #include <algorithm>
@@ -349,24 +350,12 @@ std::size_t list_all(const SearchTask& task, const SoughtFacet& facet, float bou
   return count;
 }
 
-/// Calls f with k as a constant where there is code of its own for it, or 0.
-template <class F>
-auto with_k(int k, F&& f) {
-  switch (k) {
-    case 7:
-      return f(std::integral_constant<int, 7>());
-    case 8:
-      return f(std::integral_constant<int, 8>());
-    default:
-      return f(std::integral_constant<int, 0>());
-  }
-}
-
 void search_here(const SearchTask& task) {
-  with_k(task.k, [&](auto k) { search_tiles<k()>(task); });
+  internal::with_compiled_dimension<7, 8>(static_cast<std::size_t>(task.k), [&](auto k) { search_tiles<k()>(task); });
 }
 std::size_t list_here(const SearchTask& task, const SoughtFacet& facet, float bound, std::span<std::uint32_t> list) {
-  return with_k(task.k, [&](auto k) { return list_all<k()>(task, facet, bound, list); });
+  return internal::with_compiled_dimension<7, 8>(static_cast<std::size_t>(task.k),
+                                                 [&](auto k) { return list_all<k()>(task, facet, bound, list); });
 }
 
 }  // namespace HWY_NAMESPACE

@@ -13,7 +13,7 @@
 #include <cmath>
 #include <numeric>
 
-namespace delone::front_ends {
+namespace delone::internal {
 namespace {
 
 HullSites sites_of(const test::PointSet& set) {
@@ -128,4 +128,4 @@ TEST_P(HullNormalIn, EquationsVanishOnTheirFacets) {
 }
 
 }  // namespace
-}  // namespace delone::front_ends
+}  // namespace delone::internal

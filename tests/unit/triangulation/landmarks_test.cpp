@@ -14,7 +14,7 @@
 namespace delone {
 namespace {
 
-using front_ends::Landmarks;
+using internal::Landmarks;
 
 constexpr auto any = [](Index) { return true; };
 

@@ -14,7 +14,7 @@
 #include <limits>
 #include <numeric>
 
-namespace delone::front_ends {
+namespace delone::internal {
 namespace {
 
 TEST(NearestDouble, RoundsLikeTheHardware) {
@@ -167,4 +167,4 @@ TEST(CompensatedSum, KeepsWhatWouldBeRoundedAway) {
 }
 
 }  // namespace
-}  // namespace delone::front_ends
+}  // namespace delone::internal

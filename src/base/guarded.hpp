@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Where the library throws delone::Error and nothing else: exhausted memory becomes one.
+#pragma once
+
+#include <delone/error.hpp>
+
+#include <new>
+#include <string>
+#include <utility>
+
+namespace delone::internal {
+
+/// Runs `work` and returns what it returns; std::bad_alloc becomes Errc::out_of_memory, "not enough memory for " and `what`.
+template <class Work>
+decltype(auto) guarded(const char* what, Work&& work) {
+  try {
+    return std::forward<Work>(work)();
+  } catch (const std::bad_alloc&) {
+    throw Error(Errc::out_of_memory, std::string("not enough memory for ") + what);
+  }
+}
+
+}  // namespace delone::internal
