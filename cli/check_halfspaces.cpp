@@ -24,21 +24,22 @@ int run_halfspaces_check(const IntersectionData& data, const std::string& path, 
   const auto last = std::min(static_cast<std::size_t>(level), levels.size());
   const IntersectionCheckReport report =
       about(path, [&] { return check_halfspaces(data, static_cast<IntersectionCheckLevel>(last)); });
-  std::string text =
-      fmt::format("{}: the intersection of {} halfspaces in dimension {}, ", path, data.num_halfspaces(), data.dimension);
+  std::string text = fmt::format("{}: the intersection of {} halfspaces in dimension {}, ", path,
+                                 data.num_halfspaces(), data.dimension);
   if (data.state == IntersectionState::full)
-    text +=
-        fmt::format("{} vertices, {} directions, {} facets\n", data.num_vertices(), data.num_directions(), data.num_facets());
+    text += fmt::format("{} vertices, {} directions, {} facets\n", data.num_vertices(), data.num_directions(),
+                        data.num_facets());
   else
     text += data.state == IntersectionState::flat ? "flat\n" : "empty\n";
   const auto reached = static_cast<std::size_t>(report.reached);
   for (std::size_t i = 1; i <= reached; ++i)
-    text += fmt::format("level {}  {:<17}{:<8}{}\n", i, levels[i - 1].first, !report.ok && i == reached ? "FAILED" : "ok",
-                        levels[i - 1].second);
+    text += fmt::format("level {}  {:<17}{:<8}{}\n", i, levels[i - 1].first,
+                        !report.ok && i == reached ? "FAILED" : "ok", levels[i - 1].second);
   if (!report.ok)
     text += fmt::format("violation: {}\n", report.violation);
   else
-    text += last == levels.size() ? "the intersection of all its halfspaces, exactly\n" : "no violation up to this level\n";
+    text += last == levels.size() ? "the intersection of all its halfspaces, exactly\n"
+                                  : "no violation up to this level\n";
   print_output(text);
   return report.ok ? exit_status::ok : exit_status::check_failed;
 }

@@ -26,15 +26,17 @@ constexpr std::array<std::pair<const char*, const char*>, 5> levels{
 int run_voronoi_check(const std::string& path, const std::string& format, int level) {
   const VoronoiData data = about(path, [&] { return read_voronoi(path, format); });
   const auto asked = std::min(static_cast<std::size_t>(level), levels.size());
-  const VoronoiCheckReport report = about(path, [&] { return check_voronoi(data, static_cast<VoronoiCheckLevel>(asked)); });
+  const VoronoiCheckReport report =
+      about(path, [&] { return check_voronoi(data, static_cast<VoronoiCheckLevel>(asked)); });
   const char* kind = data.weights.empty() ? "Voronoi" : "power";
-  std::string text =
-      fmt::format("{}: the {} diagram of {} points in dimension {}, affine dimension {}, {} regions, {} vertices\n", path, kind,
-                  data.num_points(), data.dimension, data.affine_dimension, data.num_regions(), data.num_vertices());
+  std::string text = fmt::format(
+      "{}: the {} diagram of {} points in dimension {}, affine dimension {}, {} regions, {} vertices\n", path,
+      kind, data.num_points(), data.dimension, data.affine_dimension, data.num_regions(),
+      data.num_vertices());
   const auto reached = static_cast<std::size_t>(report.reached);
   for (std::size_t i = 1; i <= reached; ++i)
-    text += fmt::format("level {}  {:<17}{:<8}{}\n", i, levels[i - 1].first, !report.ok && i == reached ? "FAILED" : "ok",
-                        levels[i - 1].second);
+    text += fmt::format("level {}  {:<17}{:<8}{}\n", i, levels[i - 1].first,
+                        !report.ok && i == reached ? "FAILED" : "ok", levels[i - 1].second);
   if (!report.ok)
     text += fmt::format("violation: {}\n", report.violation);
   else if (asked == levels.size())

@@ -6,7 +6,8 @@
 
 namespace delone::cli {
 
-/// Checks a file for which holds_voronoi() is true, up to a level; prints the report, returns the exit status.
+/// Checks a file for which holds_voronoi() is true, up to a level; prints the report, returns the exit
+/// status.
 int run_voronoi_check(const std::string& path, const std::string& format, int level);
 
 /// The levels, for the help.

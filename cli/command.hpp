@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What the sub-commands share: how they are registered, exit statuses, and errors that name the file they are about.
+// What the sub-commands share: how they are registered, exit statuses, and errors that name the file they are
+// about.
 #pragma once
 
 #include <delone/delone.hpp>

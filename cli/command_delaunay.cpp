@@ -25,7 +25,9 @@ struct DelaunayOptions {
 };
 
 /// The rows that are neither vertices nor duplicates of one.
-std::size_t num_hidden(const Triangulation& t) { return t.num_points() - t.num_vertices() - t.num_duplicates(); }
+std::size_t num_hidden(const Triangulation& t) {
+  return t.num_points() - t.num_vertices() - t.num_duplicates();
+}
 
 nlohmann::ordered_json stats_json(const Triangulation& t, const std::string& hash, const Cost& cost,
                                   const DelaunayOptions& options) {
@@ -46,24 +48,30 @@ nlohmann::ordered_json stats_json(const Triangulation& t, const std::string& has
   return json;
 }
 
-std::string summary(const Triangulation& t, const std::string& hash, const Cost& cost, const DelaunayOptions& options) {
+std::string summary(const Triangulation& t, const std::string& hash, const Cost& cost,
+                    const DelaunayOptions& options) {
   const Statistics s = t.statistics();
   const char* kind = options.furthest_site ? "furthest-site Delaunay" : "Delaunay";
-  std::string text = fmt::format("{}: {} triangulation of {} points in dimension {}\n", input_name(options.input.path), kind,
-                                 t.num_points(), t.dimension());
-  const auto line = [&](const char* what, const std::string& value) { text += fmt::format("  {:<18}{}\n", what, value); };
-  line("affine dimension", fmt::format("{}{}", t.affine_dimension(),
-                                       t.affine_dimension() < 0               ? " (no points)"
-                                       : t.affine_dimension() < t.dimension() ? " (flat: triangulated inside its flat)"
-                                                                              : ""));
+  std::string text = fmt::format("{}: {} triangulation of {} points in dimension {}\n",
+                                 input_name(options.input.path), kind, t.num_points(), t.dimension());
+  const auto line = [&](const char* what, const std::string& value) {
+    text += fmt::format("  {:<18}{}\n", what, value);
+  };
+  line("affine dimension",
+       fmt::format("{}{}", t.affine_dimension(),
+                   t.affine_dimension() < 0               ? " (no points)"
+                   : t.affine_dimension() < t.dimension() ? " (flat: triangulated inside its flat)"
+                                                          : ""));
   line("vertices", options.furthest_site
-                       ? fmt::format("{} ({} hidden, {} duplicate points)", t.num_vertices(), num_hidden(t), t.num_duplicates())
+                       ? fmt::format("{} ({} hidden, {} duplicate points)", t.num_vertices(), num_hidden(t),
+                                     t.num_duplicates())
                        : fmt::format("{} ({} duplicate points)", t.num_vertices(), t.num_duplicates()));
   line("cells", fmt::format("{}, and {} hull facets", t.num_finite_cells(), t.num_infinite_cells()));
   line("hash", hash);
-  line("conflict tests", fmt::format("{} by filter, {} direct, {} exact, {} ties", s.filter, s.direct, s.exact, s.perturbed));
-  line("time", fmt::format("{:.3f} s (reading {:.3f}, ordering {:.3f}, building {:.3f})", cost.total, cost.read,
-                           s.order_seconds, cost.build - s.order_seconds));
+  line("conflict tests",
+       fmt::format("{} by filter, {} direct, {} exact, {} ties", s.filter, s.direct, s.exact, s.perturbed));
+  line("time", fmt::format("{:.3f} s (reading {:.3f}, ordering {:.3f}, building {:.3f})", cost.total,
+                           cost.read, s.order_seconds, cost.build - s.order_seconds));
   line("peak memory", fmt::format("{:.1f} MB", static_cast<double>(cost.peak_rss_bytes) / 1e6));
   return text;
 }
@@ -87,7 +95,8 @@ std::unique_ptr<Triangulation> build(PointTable& table, const DelaunayOptions& o
 }
 
 int run_delaunay(const DelaunayOptions& options) {
-  if (options.stats && options.output == "-") throw UsageError("--stats and --output - both want standard output");
+  if (options.stats && options.output == "-")
+    throw UsageError("--stats and --output - both want standard output");
   const auto start = Clock::now();
   Cost cost;
   PointTable table = options.input.read();
@@ -128,7 +137,8 @@ int run_delaunay(const DelaunayOptions& options) {
 Run add_delaunay(CLI::App& app) {
   auto options = std::make_shared<DelaunayOptions>();
   options->input.add_to(app, "IN", "Points: a file, or - for standard input");
-  app.add_option("-o,--output", options->output, "Write the triangulation there; without it a summary is printed")
+  app.add_option("-o,--output", options->output,
+                 "Write the triangulation there; without it a summary is printed")
       ->type_name("OUT");
   app.add_option("--output-format", options->output_format, "Format of OUT, if not told by its extension")
       ->check(CLI::IsMember(complex_formats()));
@@ -138,8 +148,10 @@ Run add_delaunay(CLI::App& app) {
       ->check(CLI::IsMember({"automatic", "given", "shuffled"}));
   app.add_flag("--furthest-site", options->furthest_site,
                "The furthest-site triangulation: spheres that have all points inside, instead of none");
-  app.add_flag("--runtime-dimension", options->runtime_dimension, "Use the engine that is not compiled for one dimension");
-  app.add_flag("--stats", options->stats, "Print one JSON object about the result and its cost, and nothing else");
+  app.add_flag("--runtime-dimension", options->runtime_dimension,
+               "Use the engine that is not compiled for one dimension");
+  app.add_flag("--stats", options->stats,
+               "Print one JSON object about the result and its cost, and nothing else");
   app.add_flag("-q,--quiet", options->quiet, "No progress bar, no notes");
   return [options] { return run_delaunay(*options); };
 }

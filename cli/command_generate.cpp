@@ -65,10 +65,15 @@ Run add_generate(CLI::App& app) {
       ->required()
       ->type_name("")
       ->check(CLI::IsMember(names).description(""));
-  app.add_option("-d,--dimension", options->dimension, "Coordinates per point")->required()->check(CLI::Range(1, 1000000));
-  app.add_option("-n,--points", options->count, "How many points, as 1000 or 1e6")->required()->type_name("N");
+  app.add_option("-d,--dimension", options->dimension, "Coordinates per point")
+      ->required()
+      ->check(CLI::Range(1, 1000000));
+  app.add_option("-n,--points", options->count, "How many points, as 1000 or 1e6")
+      ->required()
+      ->type_name("N");
   add_seed(app, options->seed, "Seed: the same arguments make the same points everywhere");
-  app.add_option("-o,--output", options->output, "A file; standard output, in Qhull's form, if not given")->type_name("OUT");
+  app.add_option("-o,--output", options->output, "A file; standard output, in Qhull's form, if not given")
+      ->type_name("OUT");
   app.add_option("--output-format", options->output_format, "Format of OUT, if not told by its extension")
       ->check(CLI::IsMember(point_output_formats()));
   app.footer(footer);

@@ -50,12 +50,13 @@ std::vector<double> interior_point(const HalfspacesOptions& options, int dimensi
   if (!numbers) {
     const PointTable table = read_points(options.interior);
     if (table.num_points() != 1)
-      throw Error(Errc::bad_format,
-                  fmt::format("{}: expected one interior point, found {}", options.interior, table.num_points()));
+      throw Error(Errc::bad_format, fmt::format("{}: expected one interior point, found {}", options.interior,
+                                                table.num_points()));
     numbers = table.coordinates;
   }
   if (numbers->size() != static_cast<std::size_t>(dimension))
-    throw UsageError(fmt::format("--interior: expected {} coordinates, found {}", dimension, numbers->size()));
+    throw UsageError(
+        fmt::format("--interior: expected {} coordinates, found {}", dimension, numbers->size()));
   return *numbers;
 }
 
@@ -74,7 +75,8 @@ void check_output(const HalfspacesOptions& options, int dimension) {
     throw Error(Errc::unsupported, name + ": format 'off' needs a bounded intersection in dimension 3");
   if (format != "npz" && format != "json" && format != "off")
     throw Error(Errc::unsupported,
-                fmt::format("{}: unknown format '{}' for writing an intersection (known: npz, json, off)", name, format));
+                fmt::format("{}: unknown format '{}' for writing an intersection (known: npz, json, off)",
+                            name, format));
 }
 
 const char* name_of(IntersectionState state) {
@@ -88,7 +90,8 @@ nlohmann::ordered_json number(double x) {
   return std::isfinite(x) ? nlohmann::ordered_json(x) : nlohmann::ordered_json(nullptr);
 }
 
-nlohmann::ordered_json stats_json(const HalfspaceIntersection& found, const Cost& cost, const HalfspacesOptions& options) {
+nlohmann::ordered_json stats_json(const HalfspaceIntersection& found, const Cost& cost,
+                                  const HalfspacesOptions& options) {
   const IntersectionData& data = found.data();
   nlohmann::ordered_json json;
   json["command"] = "halfspaces";
@@ -116,9 +119,11 @@ nlohmann::ordered_json stats_json(const HalfspaceIntersection& found, const Cost
 
 std::string summary(const HalfspaceIntersection& found, const Cost& cost, const HalfspacesOptions& options) {
   const IntersectionData& data = found.data();
-  std::string text = fmt::format("{}: intersection of {} halfspaces in dimension {}\n", input_name(options.input.path),
-                                 found.num_halfspaces(), found.dimension());
-  const auto line = [&](const char* what, const std::string& value) { text += fmt::format("  {:<18}{}\n", what, value); };
+  std::string text = fmt::format("{}: intersection of {} halfspaces in dimension {}\n",
+                                 input_name(options.input.path), found.num_halfspaces(), found.dimension());
+  const auto line = [&](const char* what, const std::string& value) {
+    text += fmt::format("  {:<18}{}\n", what, value);
+  };
   if (found.state() != IntersectionState::full) {
     std::string rows;
     for (const SignedIndex r : data.witness) rows += fmt::format("{}{}", rows.empty() ? "" : ", ", r);
@@ -126,33 +131,40 @@ std::string summary(const HalfspaceIntersection& found, const Cost& cost, const 
                                           found.state() == IntersectionState::flat ? "flat" : "empty", rows));
   } else {
     line("rank", fmt::format("{}{}", data.rank,
-                             data.rank < found.dimension() ? fmt::format(" (the intersection contains {}-dimensional flats)",
-                                                                         found.dimension() - data.rank)
-                                                           : ""));
+                             data.rank < found.dimension()
+                                 ? fmt::format(" (the intersection contains {}-dimensional flats)",
+                                               found.dimension() - data.rank)
+                                 : ""));
     line("vertices", fmt::format("{}, {} edges", data.num_vertices(), data.num_edges()));
-    line("bounded", data.bounded ? "yes" : fmt::format("no: {} directions, {} rays", data.num_directions(), data.num_rays()));
+    line("bounded", data.bounded
+                        ? "yes"
+                        : fmt::format("no: {} directions, {} rays", data.num_directions(), data.num_rays()));
     line("facets", fmt::format("{}", data.num_facets()));
-    line("other halfspaces", fmt::format("{} redundant, {} of them touching; {} duplicates, {} trivial",
-                                         found.count(HalfspaceKind::redundant) + found.count(HalfspaceKind::touching),
-                                         found.count(HalfspaceKind::touching), found.count(HalfspaceKind::duplicate),
-                                         found.count(HalfspaceKind::trivial)));
+    line("other halfspaces",
+         fmt::format("{} redundant, {} of them touching; {} duplicates, {} trivial",
+                     found.count(HalfspaceKind::redundant) + found.count(HalfspaceKind::touching),
+                     found.count(HalfspaceKind::touching), found.count(HalfspaceKind::duplicate),
+                     found.count(HalfspaceKind::trivial)));
     if (has_volume(found)) line("volume", fmt::format("{}", found.volume()));
   }
   const Statistics s = found.statistics();
-  line("conflict tests", fmt::format("{} by filter, {} direct, {} exact, {} ties", s.filter, s.direct, s.exact, s.perturbed));
+  line("conflict tests",
+       fmt::format("{} by filter, {} direct, {} exact, {} ties", s.filter, s.direct, s.exact, s.perturbed));
   line("time", fmt::format("{:.3f} s (reading {:.3f}, building {:.3f})", cost.total, cost.read, cost.build));
   return text;
 }
 
 int run_halfspaces(const HalfspacesOptions& options) {
-  if (options.stats && options.output == "-") throw UsageError("--stats and --output - both want standard output");
+  if (options.stats && options.output == "-")
+    throw UsageError("--stats and --output - both want standard output");
   const auto start = Clock::now();
   Cost cost;
   const PointTable table = options.input.read();
   cost.read = seconds_since(start);
   const std::string name = input_name(options.input.path);
   if (table.dimension < 2)
-    throw Error(Errc::bad_dimension, name + ": a halfspace takes two numbers at least, a normal and an offset");
+    throw Error(Errc::bad_dimension,
+                name + ": a halfspace takes two numbers at least, a normal and an offset");
   const int dimension = table.dimension - 1;
   std::vector<double> interior;
   if (!options.interior.empty()) interior = interior_point(options, dimension);
@@ -192,18 +204,22 @@ int run_halfspaces(const HalfspacesOptions& options) {
 
 Run add_halfspaces(CLI::App& app) {
   auto options = std::make_shared<HalfspacesOptions>();
-  options->input.add_to(app, "IN", "Halfspaces: rows of a normal and an offset, n.x + c <= 0; a file, or - for standard input");
-  app.add_option("--interior", options->interior,
-                 "A point strictly inside all halfspaces: numbers, or a file with one point; found if not given")
+  options->input.add_to(
+      app, "IN", "Halfspaces: rows of a normal and an offset, n.x + c <= 0; a file, or - for standard input");
+  app.add_option(
+         "--interior", options->interior,
+         "A point strictly inside all halfspaces: numbers, or a file with one point; found if not given")
       ->type_name("X,Y,...|FILE");
-  app.add_option("-o,--output", options->output, "Write the intersection there; without it a summary is printed")
+  app.add_option("-o,--output", options->output,
+                 "Write the intersection there; without it a summary is printed")
       ->type_name("OUT");
   app.add_option("--output-format", options->output_format, "Format of OUT, if not told by its extension")
       ->check(CLI::IsMember({"npz", "json", "off"}));
   add_seed(app, options->seed, "Seed of the insertion order; the result does not depend on it");
   app.add_option("--order", options->order, "Insertion order; the result does not depend on it")
       ->check(CLI::IsMember({"automatic", "given", "shuffled"}));
-  app.add_flag("--stats", options->stats, "Print one JSON object about the result and its cost, and nothing else");
+  app.add_flag("--stats", options->stats,
+               "Print one JSON object about the result and its cost, and nothing else");
   app.add_flag("-q,--quiet", options->quiet, "No progress bar, no notes");
   return [options] { return run_halfspaces(*options); };
 }

@@ -82,8 +82,10 @@ class Summary {
   explicit Summary(std::string title) : text_(std::move(title) + "\n") {}
   void line(const char* what, const std::string& value) { text_ += fmt::format("  {:<18}{}\n", what, value); }
   void cost(const Statistics& s, const Cost& cost) {
-    line("conflict tests", fmt::format("{} by filter, {} direct, {} exact, {} ties", s.filter, s.direct, s.exact, s.perturbed));
-    line("time", fmt::format("{:.3f} s (reading {:.3f}, building {:.3f})", cost.total, cost.read, cost.build));
+    line("conflict tests",
+         fmt::format("{} by filter, {} direct, {} exact, {} ties", s.filter, s.direct, s.exact, s.perturbed));
+    line("time",
+         fmt::format("{:.3f} s (reading {:.3f}, building {:.3f})", cost.total, cost.read, cost.build));
   }
   const std::string& text() const { return text_; }
 
@@ -96,18 +98,19 @@ std::string measure_text(const Measure& measure) {
 }
 
 std::string summary(const Polytope& hull, const Cost& cost, const std::string& name) {
-  Summary summary(fmt::format("{}: convex hull of {} points in dimension {}", name, hull.num_points(), hull.dimension()));
+  Summary summary(
+      fmt::format("{}: convex hull of {} points in dimension {}", name, hull.num_points(), hull.dimension()));
   const int k = hull.affine_dimension();
   summary.line("affine dimension", fmt::format("{}{}", k,
                                                k < 0                  ? " (no points)"
                                                : k < hull.dimension() ? " (flat: the hull in its flat)"
                                                                       : ""));
   summary.line("vertices", fmt::format("{} extreme points", hull.num_vertices()));
-  summary.line("other points",
-               fmt::format("{} on the boundary, {} in the interior, {} duplicates", hull.count(PointKind::boundary),
-                           hull.count(PointKind::interior), hull.num_duplicates()));
-  summary.line("facets",
-               fmt::format("{}, of {} simplices, and {} ridges", hull.num_facets(), hull.num_cells(), hull.num_ridges()));
+  summary.line("other points", fmt::format("{} on the boundary, {} in the interior, {} duplicates",
+                                           hull.count(PointKind::boundary), hull.count(PointKind::interior),
+                                           hull.num_duplicates()));
+  summary.line("facets", fmt::format("{}, of {} simplices, and {} ridges", hull.num_facets(),
+                                     hull.num_cells(), hull.num_ridges()));
   summary.line("volume", measure_text(hull.volume()));
   summary.line("area", measure_text(hull.area()));
   summary.line("hash", hull.hash().hex());
@@ -117,7 +120,8 @@ std::string summary(const Polytope& hull, const Cost& cost, const std::string& n
 
 std::string summary(const LowerHull& hull, const Cost& cost, const std::string& name) {
   Summary summary(fmt::format("{}: {} hull of {} points in dimension {}", name,
-                              hull.side() == HullSide::lower ? "lower" : "upper", hull.num_points(), hull.dimension()));
+                              hull.side() == HullSide::lower ? "lower" : "upper", hull.num_points(),
+                              hull.dimension()));
   summary.line("compositions", fmt::format("of affine dimension {}", hull.composition_dimension()));
   summary.line("vertices", fmt::format("{} extreme points", hull.vertices().size()));
   summary.line("facets", fmt::format("{}, of {} simplices", hull.num_facets(), hull.num_cells()));
@@ -148,7 +152,8 @@ int report(const Hull& hull, const HullOptions& options, Cost cost, Clock::time_
 }
 
 int run_hull(const HullOptions& options) {
-  if (options.stats && options.output == "-") throw UsageError("--stats and --output - both want standard output");
+  if (options.stats && options.output == "-")
+    throw UsageError("--stats and --output - both want standard output");
   const bool one_side = options.lower || options.upper;
   if (!options.distances.empty() && !one_side) throw UsageError("--distances needs --lower or --upper");
   const auto start = Clock::now();
@@ -163,7 +168,8 @@ int run_hull(const HullOptions& options) {
   if (!one_side) {
     const Polytope hull = [&] {
       const StageGuard guard(Stage::building);
-      return about(name, [&] { return Polytope(table.coordinates, table.dimension, build_options(options, bar)); });
+      return about(name,
+                   [&] { return Polytope(table.coordinates, table.dimension, build_options(options, bar)); });
     }();
     cost.build = seconds_since(build_start);
     bar.clear();
@@ -173,12 +179,15 @@ int run_hull(const HullOptions& options) {
   const HullSide side = options.lower ? HullSide::lower : HullSide::upper;
   const LowerHull hull = [&] {
     const StageGuard guard(Stage::building);
-    return about(name, [&] { return LowerHull(table.coordinates, table.dimension, side, build_options(options, bar)); });
+    return about(name, [&] {
+      return LowerHull(table.coordinates, table.dimension, side, build_options(options, bar));
+    });
   }();
   cost.build = seconds_since(build_start);
   bar.clear();
   if (!options.distances.empty())
-    write_points_output(options.distances, {1, hull.height_above(table.coordinates), {"height_above_hull"}}, "");
+    write_points_output(options.distances, {1, hull.height_above(table.coordinates), {"height_above_hull"}},
+                        "");
   return report(hull, options, cost, start,
                 [&] { write_complex_output(options.output, hull.to_data(), options.output_format); });
 }
@@ -188,18 +197,23 @@ int run_hull(const HullOptions& options) {
 Run add_hull(CLI::App& app) {
   auto options = std::make_shared<HullOptions>();
   options->input.add_to(app, "IN", "Points: a file, or - for standard input");
-  app.add_option("-o,--output", options->output, "Write the hull there; without it a summary is printed")->type_name("OUT");
+  app.add_option("-o,--output", options->output, "Write the hull there; without it a summary is printed")
+      ->type_name("OUT");
   app.add_option("--output-format", options->output_format, "Format of OUT, if not told by its extension")
       ->check(CLI::IsMember(complex_formats()));
-  CLI::Option* lower = app.add_flag("--lower", options->lower, "Only the facets that look down along the last coordinate");
-  app.add_flag("--upper", options->upper, "Only the facets that look up along the last coordinate")->excludes(lower);
-  app.add_option("--distances", options->distances,
-                 "With --lower or --upper: write how far each point is above the hull, along the last coordinate")
+  CLI::Option* lower =
+      app.add_flag("--lower", options->lower, "Only the facets that look down along the last coordinate");
+  app.add_flag("--upper", options->upper, "Only the facets that look up along the last coordinate")
+      ->excludes(lower);
+  app.add_option(
+         "--distances", options->distances,
+         "With --lower or --upper: write how far each point is above the hull, along the last coordinate")
       ->type_name("FILE");
   add_seed(app, options->seed, "Seed of the insertion order; the result does not depend on it");
   app.add_option("--order", options->order, "Insertion order; the result does not depend on it")
       ->check(CLI::IsMember({"automatic", "given", "shuffled"}));
-  app.add_flag("--stats", options->stats, "Print one JSON object about the result and its cost, and nothing else");
+  app.add_flag("--stats", options->stats,
+               "Print one JSON object about the result and its cost, and nothing else");
   app.add_flag("-q,--quiet", options->quiet, "No progress bar, no notes");
   return [options] { return run_hull(*options); };
 }

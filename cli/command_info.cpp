@@ -21,8 +21,8 @@ struct InfoOptions {
 std::optional<ComplexData> try_read_complex(const std::string& path, std::string format) {
   if (format.empty()) format = std::filesystem::path(path).extension().string();
   if (!format.empty() && format[0] == '.') format.erase(0, 1);
-  if (path == "-" || std::find(readable_complex_formats().begin(), readable_complex_formats().end(), format) ==
-                         readable_complex_formats().end())
+  if (path == "-" || std::find(readable_complex_formats().begin(), readable_complex_formats().end(),
+                               format) == readable_complex_formats().end())
     return std::nullopt;
   if (format != "off") return about(path, [&] { return read_complex(path, format); });
   try {
@@ -36,7 +36,9 @@ std::optional<ComplexData> try_read_complex(const std::string& path, std::string
 
 std::string describe(const ComplexData& data) {
   std::string text;
-  const auto line = [&](const char* what, const std::string& value) { text += fmt::format("  {:<18}{}\n", what, value); };
+  const auto line = [&](const char* what, const std::string& value) {
+    text += fmt::format("  {:<18}{}\n", what, value);
+  };
   line("points", fmt::format("{}", data.num_points()));
   line("dimension", fmt::format("{}", data.dimension));
   line("affine dimension", fmt::format("{}", data.affine_dimension));
@@ -65,7 +67,8 @@ std::string describe(const PointTable& table) {
   };
   line("points", fmt::format("{}", table.num_points()));
   line("dimension", fmt::format("{}", table.dimension));
-  line("affine dimension", fmt::format("{}", table.dimension < 1 ? -1 : affine_dimension(table.coordinates, table.dimension)));
+  line("affine dimension",
+       fmt::format("{}", table.dimension < 1 ? -1 : affine_dimension(table.coordinates, table.dimension)));
   const auto d = static_cast<std::size_t>(std::max(table.dimension, 0));
   constexpr std::size_t most_axes = 12;
   for (std::size_t axis = 0; axis < std::min(d, most_axes) && !table.coordinates.empty(); ++axis) {
@@ -75,7 +78,8 @@ std::string describe(const PointTable& table) {
       high = std::max(high, table.coordinates[i]);
     }
     const bool named = axis < table.column_names.size();
-    line(named ? table.column_names[axis] : fmt::format("axis {}", axis), fmt::format("{} ... {}", low, high));
+    line(named ? table.column_names[axis] : fmt::format("axis {}", axis),
+         fmt::format("{} ... {}", low, high));
   }
   return text;
 }

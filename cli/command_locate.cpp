@@ -44,13 +44,15 @@ const char* name_of(Location::Kind kind) {
   return "outside_affine_hull";
 }
 
-std::vector<Answer> locate_all(const PointTable& points, const PointTable& queries, const LocateOptions& options) {
+std::vector<Answer> locate_all(const PointTable& points, const PointTable& queries,
+                               const LocateOptions& options) {
   ProgressBar bar(options.quiet);
   const StageGuard guard(Stage::building);
   Options build_options;
   build_options.progress = bar.callback();
-  const Triangulation t =
-      about(input_name(options.input.path), [&] { return Triangulation(points.coordinates, points.dimension, build_options); });
+  const Triangulation t = about(input_name(options.input.path), [&] {
+    return Triangulation(points.coordinates, points.dimension, build_options);
+  });
   const Complex complex = t.complex();
   std::vector<std::int64_t> row_of_cell(complex.num_cell_slots(), -1);
   std::int64_t count = 0;
@@ -87,7 +89,10 @@ std::string as_csv(const std::vector<Answer>& answers) {
 std::string as_json(const std::vector<Answer>& answers) {
   nlohmann::ordered_json rows = nlohmann::ordered_json::array();
   for (std::size_t i = 0; i < answers.size(); ++i)
-    rows.push_back({{"query", i}, {"kind", name_of(answers[i].kind)}, {"cell", answers[i].cell}, {"face", answers[i].face}});
+    rows.push_back({{"query", i},
+                    {"kind", name_of(answers[i].kind)},
+                    {"cell", answers[i].cell},
+                    {"face", answers[i].face}});
   return rows.dump(1) + "\n";
 }
 
@@ -95,11 +100,13 @@ int run_locate(const LocateOptions& options) {
   std::string format = options.output_format;
   if (format.empty()) format = std::filesystem::path(options.output).extension() == ".json" ? "json" : "csv";
   check_writable(options.output);
-  if (options.input.path == "-" && options.queries.path == "-") throw UsageError("points and queries both from standard input");
+  if (options.input.path == "-" && options.queries.path == "-")
+    throw UsageError("points and queries both from standard input");
   const PointTable points = options.input.read(), queries = options.queries.read();
   if (queries.dimension != points.dimension)
-    throw Error(Errc::bad_dimension, fmt::format("{}: queries of dimension {} for points of dimension {}",
-                                                 input_name(options.queries.path), queries.dimension, points.dimension));
+    throw Error(Errc::bad_dimension,
+                fmt::format("{}: queries of dimension {} for points of dimension {}",
+                            input_name(options.queries.path), queries.dimension, points.dimension));
   const std::vector<Answer> answers = locate_all(points, queries, options);
   write_text(options.output, format == "json" ? as_json(answers) : as_csv(answers));
   return exit_status::ok;
@@ -110,17 +117,24 @@ int run_locate(const LocateOptions& options) {
 Run add_locate(CLI::App& app) {
   auto options = std::make_shared<LocateOptions>();
   options->input.add_to(app, "IN", "Points to triangulate: a file, or - for standard input");
-  app.add_option("--queries", options->queries.path, "Points to locate: a file, or -")->required()->type_name("FILE");
-  app.add_option("--query-format", options->queries.options.format, "Format of the queries, if not told by the extension")
+  app.add_option("--queries", options->queries.path, "Points to locate: a file, or -")
+      ->required()
+      ->type_name("FILE");
+  app.add_option("--query-format", options->queries.options.format,
+                 "Format of the queries, if not told by the extension")
       ->check(CLI::IsMember(point_formats()));
   add_columns(app, "--query-columns", options->queries.options.columns);
-  app.add_option("-o,--output", options->output, "Answers: .csv or .json; standard output if not given")->type_name("OUT");
-  app.add_option("--output-format", options->output_format, "csv or json, if not told by the extension of OUT")
+  app.add_option("-o,--output", options->output, "Answers: .csv or .json; standard output if not given")
+      ->type_name("OUT");
+  app.add_option("--output-format", options->output_format,
+                 "csv or json, if not told by the extension of OUT")
       ->check(CLI::IsMember({"csv", "json"}));
   app.add_flag("-q,--quiet", options->quiet, "No progress bar");
   app.footer(
-      "One row for each query: its number, its kind (in_cell, on_face, on_vertex, outside_hull, outside_affine_hull), a cell\n"
-      "that contains it (a row of `cells` as written by `delone delaunay`, -1 if none), and the rows of the points that\n"
+      "One row for each query: its number, its kind (in_cell, on_face, on_vertex, outside_hull, "
+      "outside_affine_hull), a cell\n"
+      "that contains it (a row of `cells` as written by `delone delaunay`, -1 if none), and the rows of the "
+      "points that\n"
       "span the smallest face that contains it.");
   return [options] { return run_locate(*options); };
 }

@@ -42,25 +42,31 @@ nlohmann::ordered_json stats_json(const RegularTriangulation& t, const Cost& cos
 
 std::string summary(const RegularTriangulation& t, const Cost& cost, const std::string& name) {
   const Statistics s = t.statistics();
-  std::string text =
-      fmt::format("{}: regular triangulation of {} weighted points in dimension {}\n", name, t.num_points(), t.dimension());
-  const auto line = [&](const char* what, const std::string& value) { text += fmt::format("  {:<18}{}\n", what, value); };
-  line("affine dimension", fmt::format("{}{}", t.affine_dimension(),
-                                       t.affine_dimension() < 0               ? " (no points)"
-                                       : t.affine_dimension() < t.dimension() ? " (flat: triangulated inside its flat)"
-                                                                              : ""));
-  line("vertices", fmt::format("{} ({} hidden, {} duplicate points)", t.num_vertices(), t.num_hidden(), t.num_duplicates()));
+  std::string text = fmt::format("{}: regular triangulation of {} weighted points in dimension {}\n", name,
+                                 t.num_points(), t.dimension());
+  const auto line = [&](const char* what, const std::string& value) {
+    text += fmt::format("  {:<18}{}\n", what, value);
+  };
+  line("affine dimension",
+       fmt::format("{}{}", t.affine_dimension(),
+                   t.affine_dimension() < 0               ? " (no points)"
+                   : t.affine_dimension() < t.dimension() ? " (flat: triangulated inside its flat)"
+                                                          : ""));
+  line("vertices", fmt::format("{} ({} hidden, {} duplicate points)", t.num_vertices(), t.num_hidden(),
+                               t.num_duplicates()));
   line("cells", fmt::format("{}, and {} hull facets", t.num_finite_cells(), t.num_infinite_cells()));
   line("hash", t.hash().hex());
-  line("conflict tests", fmt::format("{} by filter, {} direct, {} exact, {} ties", s.filter, s.direct, s.exact, s.perturbed));
-  line("time", fmt::format("{:.3f} s (reading {:.3f}, ordering {:.3f}, building {:.3f})", cost.total, cost.read,
-                           s.order_seconds, cost.build - s.order_seconds));
+  line("conflict tests",
+       fmt::format("{} by filter, {} direct, {} exact, {} ties", s.filter, s.direct, s.exact, s.perturbed));
+  line("time", fmt::format("{:.3f} s (reading {:.3f}, ordering {:.3f}, building {:.3f})", cost.total,
+                           cost.read, s.order_seconds, cost.build - s.order_seconds));
   line("peak memory", fmt::format("{:.1f} MB", static_cast<double>(cost.peak_rss_bytes) / 1e6));
   return text;
 }
 
 int run_regular(const RegularOptions& options) {
-  if (options.stats && options.output == "-") throw UsageError("--stats and --output - both want standard output");
+  if (options.stats && options.output == "-")
+    throw UsageError("--stats and --output - both want standard output");
   const auto start = Clock::now();
   Cost cost;
   std::vector<double> weights;
@@ -81,7 +87,8 @@ int run_regular(const RegularOptions& options) {
   cost.build = seconds_since(stage_start);
 
   stage_start = Clock::now();
-  if (!options.output.empty()) write_complex_output(options.output, triangulation.to_data(), options.output_format);
+  if (!options.output.empty())
+    write_complex_output(options.output, triangulation.to_data(), options.output_format);
   cost.write = seconds_since(stage_start);
   cost.close(start);
   if (options.stats)
@@ -96,12 +103,14 @@ int run_regular(const RegularOptions& options) {
 Run add_regular(CLI::App& app) {
   auto options = std::make_shared<RegularOptions>();
   options->input.add_to(app);
-  app.add_option("-o,--output", options->output, "Write the triangulation there; without it a summary is printed")
+  app.add_option("-o,--output", options->output,
+                 "Write the triangulation there; without it a summary is printed")
       ->type_name("OUT");
   app.add_option("--output-format", options->output_format, "Format of OUT, if not told by its extension")
       ->check(CLI::IsMember(complex_formats()));
   add_seed(app, options->seed, "Seed of the insertion order; the result does not depend on it");
-  app.add_flag("--stats", options->stats, "Print one JSON object about the result and its cost, and nothing else");
+  app.add_flag("--stats", options->stats,
+               "Print one JSON object about the result and its cost, and nothing else");
   app.add_flag("-q,--quiet", options->quiet, "No progress bar, no notes");
   return [options] { return run_regular(*options); };
 }

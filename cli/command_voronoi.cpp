@@ -43,12 +43,13 @@ std::optional<Box> chosen_box(const VoronoiOptions& options, int dimension) {
   if (options.box.empty()) return std::nullopt;
   const auto d = static_cast<std::size_t>(dimension);
   if (options.box.size() != 2 * d)
-    throw UsageError(
-        fmt::format("--box takes {} numbers for dimension {}: all lower limits, then all upper ones; {} were given", 2 * d,
-                    dimension, options.box.size()));
+    throw UsageError(fmt::format(
+        "--box takes {} numbers for dimension {}: all lower limits, then all upper ones; {} were given",
+        2 * d, dimension, options.box.size()));
   Box box;
   for (std::size_t j = 0; j < d; ++j) {
-    if (!std::isfinite(options.box[j]) || !std::isfinite(options.box[d + j]) || !(options.box[j] < options.box[d + j]))
+    if (!std::isfinite(options.box[j]) || !std::isfinite(options.box[d + j]) ||
+        !(options.box[j] < options.box[d + j]))
       throw UsageError(fmt::format("--box: the limits along axis {} must be finite, low below high", j));
     box.low.push_back(options.box[j]);
     box.high.push_back(options.box[d + j]);
@@ -78,8 +79,8 @@ void check_outputs(const VoronoiOptions& options, int dimension) {
   }
 }
 
-nlohmann::ordered_json stats_json(const Triangulation& t, const VoronoiDiagram& diagram, const DiagramCost& cost,
-                                  const VoronoiOptions& options) {
+nlohmann::ordered_json stats_json(const Triangulation& t, const VoronoiDiagram& diagram,
+                                  const DiagramCost& cost, const VoronoiOptions& options) {
   const Statistics s = t.statistics();
   const std::size_t num_cells = t.complex().num_cells();
   nlohmann::ordered_json json;
@@ -105,23 +106,28 @@ nlohmann::ordered_json stats_json(const Triangulation& t, const VoronoiDiagram& 
 
 std::string summary(const Triangulation& t, const VoronoiDiagram& diagram, const DiagramCost& cost,
                     const VoronoiOptions& options) {
-  std::string text = fmt::format("{}: {} of {} points in dimension {}\n", input_name(options.weighted.input.path),
-                                 options.power ? "power diagram" : "Voronoi diagram", t.num_points(), t.dimension());
-  const auto line = [&](const char* what, const std::string& value) { text += fmt::format("  {:<18}{}\n", what, value); };
-  line("affine dimension", fmt::format("{}{}", t.affine_dimension(),
-                                       t.affine_dimension() < 0               ? " (no points)"
-                                       : t.affine_dimension() < t.dimension() ? " (flat: the diagram inside the flat)"
-                                                                              : ""));
-  line("regions",
-       fmt::format(
-           "{}, {} of them unbounded ({}{} duplicate points)", diagram.num_regions(), diagram.num_unbounded_regions(),
-           options.power ? fmt::format("{} hidden, ", t.num_points() - t.num_vertices() - t.num_duplicates()) : std::string(),
-           t.num_duplicates()));
+  std::string text =
+      fmt::format("{}: {} of {} points in dimension {}\n", input_name(options.weighted.input.path),
+                  options.power ? "power diagram" : "Voronoi diagram", t.num_points(), t.dimension());
+  const auto line = [&](const char* what, const std::string& value) {
+    text += fmt::format("  {:<18}{}\n", what, value);
+  };
+  line("affine dimension",
+       fmt::format("{}{}", t.affine_dimension(),
+                   t.affine_dimension() < 0               ? " (no points)"
+                   : t.affine_dimension() < t.dimension() ? " (flat: the diagram inside the flat)"
+                                                          : ""));
+  line("regions", fmt::format("{}, {} of them unbounded ({}{} duplicate points)", diagram.num_regions(),
+                              diagram.num_unbounded_regions(),
+                              options.power ? fmt::format("{} hidden, ", t.num_points() - t.num_vertices() -
+                                                                             t.num_duplicates())
+                                            : std::string(),
+                              t.num_duplicates()));
   line(options.power ? "power vertices" : "Voronoi vertices",
        fmt::format("{} of {} cells", diagram.num_vertices(), t.num_finite_cells()));
   line("ridges", fmt::format("{}, and {} rays", diagram.num_ridges(), diagram.num_rays()));
-  line("time", fmt::format("{:.3f} s (reading {:.3f}, triangulating {:.3f}, diagram {:.3f})", cost.total, cost.read, cost.build,
-                           cost.diagram));
+  line("time", fmt::format("{:.3f} s (reading {:.3f}, triangulating {:.3f}, diagram {:.3f})", cost.total,
+                           cost.read, cost.build, cost.diagram));
   line("peak memory", fmt::format("{:.1f} MB", static_cast<double>(cost.peak_rss_bytes) / 1e6));
   return text;
 }
@@ -130,7 +136,8 @@ std::string summary(const Triangulation& t, const VoronoiDiagram& diagram, const
 std::string volumes_text(const VoronoiDiagram& diagram, const std::optional<Box>& box) {
   const std::vector<double> volumes = box ? diagram.region_volumes(*box) : diagram.region_volumes();
   std::string text = "point,volume\n";
-  for (std::size_t r = 0; r < volumes.size(); ++r) text += fmt::format("{},{}\n", diagram.region_points()[r], volumes[r]);
+  for (std::size_t r = 0; r < volumes.size(); ++r)
+    text += fmt::format("{},{}\n", diagram.region_points()[r], volumes[r]);
   return text;
 }
 
@@ -151,14 +158,16 @@ int run_with(Build build, const std::optional<Box>& box, DiagramCost cost, Clock
   cost.build = seconds_since(stage_start);
 
   stage_start = Clock::now();
-  using Diagram =
-      std::conditional_t<WeightedTriangulation<std::decay_t<decltype(triangulation)>>, PowerDiagram, VoronoiDiagram>;
+  using Diagram = std::conditional_t<WeightedTriangulation<std::decay_t<decltype(triangulation)>>,
+                                     PowerDiagram, VoronoiDiagram>;
   const auto diagram = about(name, [&] { return Diagram(triangulation); });
-  const std::string volumes = options.volumes.empty() ? "" : about(options.volumes, [&] { return volumes_text(diagram, box); });
+  const std::string volumes =
+      options.volumes.empty() ? "" : about(options.volumes, [&] { return volumes_text(diagram, box); });
   cost.diagram = seconds_since(stage_start);
 
   stage_start = Clock::now();
-  if (!options.output.empty()) write_voronoi_output(options.output, diagram, box ? &*box : nullptr, options.output_format);
+  if (!options.output.empty())
+    write_voronoi_output(options.output, diagram, box ? &*box : nullptr, options.output_format);
   if (!options.volumes.empty()) write_text(options.volumes, volumes);
   cost.write = seconds_since(stage_start);
   cost.close(start);
@@ -172,7 +181,8 @@ int run_with(Build build, const std::optional<Box>& box, DiagramCost cost, Clock
 int run_voronoi(const VoronoiOptions& options) {
   if (options.stats && (options.output == "-" || options.volumes == "-"))
     throw UsageError("--stats wants standard output for itself");
-  if (options.output == "-" && options.volumes == "-") throw UsageError("--output - and --volumes - both want standard output");
+  if (options.output == "-" && options.volumes == "-")
+    throw UsageError("--output - and --volumes - both want standard output");
   const auto start = Clock::now();
   DiagramCost cost;
   std::vector<double> weights;
@@ -203,17 +213,21 @@ Run add_diagram(CLI::App& app, bool power) {
     options->weighted.add_to(app);
   else
     options->weighted.input.add_to(app, "IN", "Points: a file, or - for standard input");
-  app.add_option("-o,--output", options->output, "Write the diagram there; without it a summary is printed")->type_name("OUT");
+  app.add_option("-o,--output", options->output, "Write the diagram there; without it a summary is printed")
+      ->type_name("OUT");
   app.add_option("--output-format", options->output_format, "Format of OUT, if not told by its extension")
       ->check(CLI::IsMember(voronoi_formats()));
   app.add_option("--box", options->box,
-                 "Clip pictures and volumes to this box: all lower limits, then all upper ones; pictures are clipped to a "
+                 "Clip pictures and volumes to this box: all lower limits, then all upper ones; pictures are "
+                 "clipped to a "
                  "box around the points otherwise")
       ->delimiter(',')
       ->type_name("LOW,...,HIGH,...");
-  app.add_option("--volumes", options->volumes, "Write the volume of each region there, as CSV")->type_name("FILE");
+  app.add_option("--volumes", options->volumes, "Write the volume of each region there, as CSV")
+      ->type_name("FILE");
   add_seed(app, options->seed, "Seed of the insertion order; the result does not depend on it");
-  app.add_flag("--stats", options->stats, "Print one JSON object about the result and its cost, and nothing else");
+  app.add_flag("--stats", options->stats,
+               "Print one JSON object about the result and its cost, and nothing else");
   app.add_flag("-q,--quiet", options->quiet, "No progress bar, no notes");
   return [options] { return run_voronoi(*options); };
 }

@@ -6,7 +6,9 @@
 
 namespace delone::cli {
 
-double seconds_since(Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); }
+double seconds_since(Clock::time_point start) {
+  return std::chrono::duration<double>(Clock::now() - start).count();
+}
 
 void Cost::close(Clock::time_point start) {
   total = seconds_since(start);
@@ -19,8 +21,8 @@ void Cost::close(Clock::time_point start) {
 #endif
 }
 
-void add_cost(nlohmann::ordered_json& json, const Statistics& statistics, std::size_t num_cells, const Cost& cost,
-              std::uint64_t seed) {
+void add_cost(nlohmann::ordered_json& json, const Statistics& statistics, std::size_t num_cells,
+              const Cost& cost, std::uint64_t seed) {
   const Statistics& s = statistics;
   json["seconds"] = {{"read", cost.read},
                      {"order", s.order_seconds},
@@ -28,16 +30,20 @@ void add_cost(nlohmann::ordered_json& json, const Statistics& statistics, std::s
                      {"write", cost.write},
                      {"total", cost.total}};
   json["peak_rss_bytes"] = cost.peak_rss_bytes;
-  json["bytes_per_cell"] = num_cells == 0 ? 0.0 : static_cast<double>(s.cell_bytes) / static_cast<double>(num_cells);
+  json["bytes_per_cell"] =
+      num_cells == 0 ? 0.0 : static_cast<double>(s.cell_bytes) / static_cast<double>(num_cells);
   json["created_cells"] = s.created_cells;
-  json["stages"] = {{"filter", s.filter}, {"direct", s.direct}, {"exact", s.exact}, {"perturbed", s.perturbed}};
+  json["stages"] = {
+      {"filter", s.filter}, {"direct", s.direct}, {"exact", s.exact}, {"perturbed", s.perturbed}};
   json["threads"] = threads_used;
   json["seed"] = seed;
   json["version"] = DELONE_VERSION;
 }
 
 InsertionOrder insertion_order(const std::string& name) {
-  return name == "given" ? InsertionOrder::as_given : name == "shuffled" ? InsertionOrder::shuffled : InsertionOrder::automatic;
+  return name == "given"      ? InsertionOrder::as_given
+         : name == "shuffled" ? InsertionOrder::shuffled
+                              : InsertionOrder::automatic;
 }
 
 }  // namespace delone::cli

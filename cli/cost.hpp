@@ -32,8 +32,8 @@ struct Cost {
 };
 
 /// Adds the members of --stats from `cost` to `version`. `num_cells`: infinite ones included.
-void add_cost(nlohmann::ordered_json& json, const Statistics& statistics, std::size_t num_cells, const Cost& cost,
-              std::uint64_t seed);
+void add_cost(nlohmann::ordered_json& json, const Statistics& statistics, std::size_t num_cells,
+              const Cost& cost, std::uint64_t seed);
 
 /// The value of --order.
 InsertionOrder insertion_order(const std::string& name);

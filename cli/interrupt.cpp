@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Signal handlers: they set flags, lower a resource limit or end the process, all of which is allowed in a handler.
+// Signal handlers: they set flags, lower a resource limit or end the process, all of which is allowed in a
+// handler.
 #include "interrupt.hpp"
 
 #include <sys/resource.h>
@@ -21,8 +22,8 @@ static_assert(std::atomic<int>::is_always_lock_free && std::atomic<Stage>::is_al
 /// The progress callback gets this long to stop the library.
 constexpr long grace_microseconds = 800000;
 
-/// Lets every further write to a regular file fail with EFBIG (SIGXFSZ is ignored): the writer then takes its ordinary path
-/// for a full disk, which removes the temporary file.
+/// Lets every further write to a regular file fail with EFBIG (SIGXFSZ is ignored): the writer then takes its
+/// ordinary path for a full disk, which removes the temporary file.
 void refuse_writes() {
   rlimit limit{};
   if (getrlimit(RLIMIT_FSIZE, &limit) != 0) return;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The command `delone`: picks the sub-command, and turns errors into one line on standard error and an exit status.
+// The command `delone`: picks the sub-command, and turns errors into one line on standard error and an exit
+// status.
 #include "command.hpp"
 #include "interrupt.hpp"
 #include "output.hpp"
@@ -28,7 +29,8 @@ int complain(int status, std::string message) {
 }
 
 int status_of(Errc code) {
-  return code == Errc::out_of_memory || code == Errc::too_many ? exit_status::out_of_memory : exit_status::bad_input;
+  return code == Errc::out_of_memory || code == Errc::too_many ? exit_status::out_of_memory
+                                                               : exit_status::bad_input;
 }
 
 int run_parsed(const std::vector<std::pair<CLI::App*, Run>>& commands) {
@@ -59,7 +61,8 @@ int run(int argc, char** argv) {
   add("generate", "Make a named set of points", add_generate);
   add("info", "Say what a file of points or a triangulation holds", add_info);
   app.footer(
-      "Points are read from .npy .csv .tsv .txt .xyz .pts .off .ply files, or in Qhull's form from standard input (-).\n"
+      "Points are read from .npy .csv .tsv .txt .xyz .pts .off .ply files, or in Qhull's form from standard "
+      "input (-).\n"
       "Exit status: 0 success, 1 a check failed, 2 bad input or output, 3 out of memory, 64 wrong usage.");
 
   try {
@@ -95,8 +98,8 @@ int run_and_report(int argc, char** argv) {
   }
 }
 
-/// Large blocks, such as files that were read, are given back to the system as soon as they are freed. Otherwise the C library
-/// of GNU keeps more and more of them, the larger the first ones are.
+/// Large blocks, such as files that were read, are given back to the system as soon as they are freed.
+/// Otherwise the C library of GNU keeps more and more of them, the larger the first ones are.
 void give_back_large_blocks() {
 #ifdef __GLIBC__
   mallopt(M_MMAP_THRESHOLD, 1 << 20);

@@ -53,7 +53,8 @@ void write_text(const std::string& path, std::string_view text) {
   const fs::file_status status = fs::status(path, ignored);
   const bool direct = fs::exists(status) && !fs::is_regular_file(status);
   const fs::path target = fs::is_symlink(path, ignored) ? fs::weakly_canonical(path) : fs::path(path);
-  const std::string written = direct ? path : (target.parent_path() / fmt::format(".delone-partial-{}", getpid())).string();
+  const std::string written =
+      direct ? path : (target.parent_path() / fmt::format(".delone-partial-{}", getpid())).string();
   errno = 0;
   std::FILE* file = std::fopen(written.c_str(), direct ? "wb" : "wbx");
   if (file == nullptr) fail_writing(path, errno);
@@ -74,7 +75,8 @@ void write_complex_output(const std::string& path, const ComplexData& data, cons
   about(path == "-" ? "standard output" : path, [&] { write_complex(path, data, format); });
 }
 
-void write_voronoi_output(const std::string& path, const VoronoiDiagram& diagram, const Box* box, const std::string& format) {
+void write_voronoi_output(const std::string& path, const VoronoiDiagram& diagram, const Box* box,
+                          const std::string& format) {
   const StageGuard guard(stage_of_writing(path));
   about(path == "-" ? "standard output" : path, [&] { write_voronoi(path, diagram, box, format); });
 }
@@ -102,7 +104,8 @@ void check_complex_output(const std::string& path, const std::string& format, in
   ComplexData nothing;
   nothing.dimension = dimension;
   if (format.empty() && (path == "-" || extension.size() < 2))
-    throw Error(Errc::unsupported, (path == "-" ? "standard output" : path) + ": name the format with --output-format");
+    throw Error(Errc::unsupported,
+                (path == "-" ? "standard output" : path) + ": name the format with --output-format");
   try {
     write_complex("/dev/null", nothing, format.empty() ? extension.substr(1) : format);
   } catch (const Error& e) {

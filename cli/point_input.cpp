@@ -42,7 +42,8 @@ PointTable PointInput::read() const {
 }
 
 const std::vector<std::string>& point_formats() {
-  static const std::vector<std::string> formats{"npy", "csv", "tsv", "txt", "xyz", "pts", "off", "ply", "qhull"};
+  static const std::vector<std::string> formats{"npy", "csv", "tsv", "txt",  "xyz",
+                                                "pts", "off", "ply", "qhull"};
   return formats;
 }
 

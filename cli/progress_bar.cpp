@@ -13,7 +13,8 @@
 
 namespace delone::cli {
 
-ProgressBar::ProgressBar(bool quiet) : enabled_(!quiet && isatty(STDERR_FILENO) == 1), start_(Clock::now()), last_(start_) {}
+ProgressBar::ProgressBar(bool quiet)
+    : enabled_(!quiet && isatty(STDERR_FILENO) == 1), start_(Clock::now()), last_(start_) {}
 
 std::function<bool(double)> ProgressBar::callback() {
   return [this](double fraction) {
@@ -33,7 +34,8 @@ void ProgressBar::draw(double fraction) {
   const int full = static_cast<int>(fraction * width);
   const double seconds = std::chrono::duration<double>(now - start_).count();
   const std::string left = fraction > 0.01 ? fmt::format("{:.0f} s left", seconds / fraction - seconds) : "";
-  fmt::print(stderr, "\r[{:=<{}}{: <{}}] {:3.0f} %  {}\x1b[K", "", full, "", width - full, 100 * fraction, left);
+  fmt::print(stderr, "\r[{:=<{}}{: <{}}] {:3.0f} %  {}\x1b[K", "", full, "", width - full, 100 * fraction,
+             left);
   std::fflush(stderr);
   drawn_ = true;
 }

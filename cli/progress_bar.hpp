@@ -7,7 +7,8 @@
 
 namespace delone::cli {
 
-/// Draws only when standard error is a terminal, nobody asked for quiet, and the work takes more than half a second.
+/// Draws only when standard error is a terminal, nobody asked for quiet, and the work takes more than half a
+/// second.
 class ProgressBar {
  public:
   explicit ProgressBar(bool quiet);

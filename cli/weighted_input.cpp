@@ -36,11 +36,11 @@ std::vector<double> take_column(PointTable& table, std::size_t column) {
 std::vector<double> read_weights(const std::string& path, std::size_t expected) {
   PointTable table = about(input_name(path), [&] { return read_points(path); });
   if (table.num_points() > 0 && table.dimension != 1)
-    throw Error(Errc::bad_format,
-                fmt::format("{}: expected one weight per row, found {} columns", input_name(path), table.dimension));
+    throw Error(Errc::bad_format, fmt::format("{}: expected one weight per row, found {} columns",
+                                              input_name(path), table.dimension));
   if (table.num_points() != expected)
-    throw Error(Errc::bad_format, fmt::format("{}: expected {} weights, one per point, found {}", input_name(path), expected,
-                                              table.num_points()));
+    throw Error(Errc::bad_format, fmt::format("{}: expected {} weights, one per point, found {}",
+                                              input_name(path), expected, table.num_points()));
   return std::move(table.coordinates);
 }
 
@@ -49,7 +49,8 @@ std::vector<double> read_weights(const std::string& path, std::size_t expected) 
 void WeightedInput::add_to(CLI::App& command) {
   input.add_to(command, "IN", "Points: a file, or - for standard input");
   command
-      .add_option("--weights", weights, "The weights: a column of IN by its name or number from 0, or a file with one per row")
+      .add_option("--weights", weights,
+                  "The weights: a column of IN by its name or number from 0, or a file with one per row")
       ->required()
       ->type_name("COLUMN|FILE");
 }
@@ -76,14 +77,16 @@ PointTable WeightedInput::read(std::vector<double>& weights_read) const {
   } else if (!appended) {
     const auto found = std::find(table.column_names.begin(), table.column_names.end(), weights);
     if (found == table.column_names.end())
-      throw Error(Errc::cannot_open, fmt::format("{}: --weights '{}' is neither a column nor a file", name, weights));
+      throw Error(Errc::cannot_open,
+                  fmt::format("{}: --weights '{}' is neither a column nor a file", name, weights));
     column = static_cast<std::size_t>(found - table.column_names.begin());
   }
   if (column >= static_cast<std::size_t>(table.dimension))
-    throw Error(Errc::bad_format, fmt::format("{}: --weights: there is no column {}; the columns are 0 to {}", name, column,
-                                              table.dimension - 1));
+    throw Error(Errc::bad_format, fmt::format("{}: --weights: there is no column {}; the columns are 0 to {}",
+                                              name, column, table.dimension - 1));
   if (table.dimension < 2)
-    throw Error(Errc::bad_dimension, fmt::format("{}: beside the weights there is no column of coordinates", name));
+    throw Error(Errc::bad_dimension,
+                fmt::format("{}: beside the weights there is no column of coordinates", name));
   weights_read = take_column(table, column);
   return table;
 }

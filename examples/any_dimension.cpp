@@ -11,8 +11,9 @@ int main() {
     const std::vector<double> coordinates = delone::make_point_set("uniform", dimension, 200, /*seed=*/1);
     const delone::Triangulation triangulation(coordinates, dimension);
     const delone::Complex complex = triangulation.complex();
-    std::cout << dimension << " dimensions: " << complex.num_vertices() << " vertices, " << complex.num_finite_cells()
-              << " cells, " << complex.num_infinite_cells() << " hull facets, hash " << triangulation.hash().hex() << '\n';
+    std::cout << dimension << " dimensions: " << complex.num_vertices() << " vertices, "
+              << complex.num_finite_cells() << " cells, " << complex.num_infinite_cells()
+              << " hull facets, hash " << triangulation.hash().hex() << '\n';
 
     // The faces of a triangulated ball: their numbers, with alternating signs, add up to 1.
     long sum = 0;

@@ -10,8 +10,8 @@ int main() {
   const std::vector<std::array<double, 2>> points = {{0, 0}, {4, 0}, {5, 3}, {1, 4}, {2, 2}};
 
   const delone::Delaunay<2> triangulation(points);
-  std::cout << triangulation.num_vertices() << " vertices, " << triangulation.num_finite_cells() << " triangles, "
-            << triangulation.num_infinite_cells() << " edges on the convex hull\n";
+  std::cout << triangulation.num_vertices() << " vertices, " << triangulation.num_finite_cells()
+            << " triangles, " << triangulation.num_infinite_cells() << " edges on the convex hull\n";
 
   // A plain copy names points by their rows in the input; −1 stands for "beyond the convex hull".
   const delone::ComplexData data = triangulation.to_data();

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Degenerate input has a result like any other: coplanar points in space, duplicates, a single point, none at all.
+// Degenerate input has a result like any other: coplanar points in space, duplicates, a single point, none at
+// all.
 #include <delone/delone.hpp>
 
 #include <iostream>
@@ -22,7 +23,8 @@ int main() {
             << triangulation.num_finite_cells() << " tetrahedra\n";
 
   const delone::Triangulation one(std::vector<double>{1, 2, 3}, 3), none(3);
-  std::cout << "one point has dimension " << one.affine_dimension() << ", no point " << none.affine_dimension() << '\n';
+  std::cout << "one point has dimension " << one.affine_dimension() << ", no point "
+            << none.affine_dimension() << '\n';
 
   // What is not a point is an error that names its row, and leaves the triangulation as it was.
   try {

@@ -29,7 +29,8 @@ const char* in_words(delone::Location::Kind kind) {
 int main() {
   delone::Delaunay<3> triangulation;
   using Point = delone::Delaunay<3>::Point;
-  for (const Point& p : {Point{0, 0, 0}, Point{2, 0, 0}, Point{0, 2, 0}, Point{0, 0, 2}}) triangulation.insert(p);
+  for (const Point& p : {Point{0, 0, 0}, Point{2, 0, 0}, Point{0, 2, 0}, Point{0, 0, 2}})
+    triangulation.insert(p);
 
   // A hint names a cell close by, where the search for the new point starts.
   const delone::CellId hint = triangulation.locate(Point{0.1, 0.1, 0.1}).cell;
@@ -43,7 +44,8 @@ int main() {
   for (const Point& q : {Point{0.2, 0.3, 0.4}, Point{1, 0, 0}, Point{0.5, 0.5, 0.5}, Point{2, 2, 2}}) {
     const delone::Location where = triangulation.locate(q);
     std::cout << '(' << q[0] << ", " << q[1] << ", " << q[2] << ") is " << in_words(where.kind);
-    if (where.kind == delone::Location::Kind::on_face) std::cout << " of dimension " << where.face_dimension();
+    if (where.kind == delone::Location::Kind::on_face)
+      std::cout << " of dimension " << where.face_dimension();
     std::cout << '\n';
   }
   return triangulation.num_finite_cells() == 4 && added.vertex == again.vertex ? 0 : 1;

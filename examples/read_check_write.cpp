@@ -9,14 +9,17 @@
 
 int main(int argc, char** argv) {
   const char* from_environment = std::getenv("DELONE_EXAMPLE_INPUT");
-  const std::string input = argc > 1 ? argv[1] : from_environment != nullptr ? from_environment : "data/bunny.csv";
+  const std::string input = argc > 1                      ? argv[1]
+                            : from_environment != nullptr ? from_environment
+                                                          : "data/bunny.csv";
   const std::string output = argc > 2 ? argv[2] : "triangulation.npz";
   try {
     const delone::PointTable points = delone::read_points(input);
     const delone::Triangulation triangulation(points.coordinates, points.dimension);
     delone::write_complex(output, triangulation.to_data());
 
-    // The file holds all that `check` needs; it finds faults in the triangulations of other programs just as well.
+    // The file holds all that `check` needs; it finds faults in the triangulations of other programs just as
+    // well.
     const delone::ComplexData data = delone::read_complex(output);
     const delone::CheckReport report = delone::check(data);
     std::cout << input << ": " << data.num_points() << " points, " << data.num_cells() << " cells\n";

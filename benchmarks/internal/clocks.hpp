@@ -22,11 +22,15 @@ struct ThreadUsage {
   static ThreadUsage now() {
     rusage usage{};
     getrusage(RUSAGE_THREAD, &usage);
-    const auto seconds = [](const timeval& t) { return static_cast<double>(t.tv_sec) + 1e-6 * static_cast<double>(t.tv_usec); };
-    return {seconds(usage.ru_utime), seconds(usage.ru_stime), usage.ru_nivcsw + usage.ru_nvcsw, usage.ru_minflt};
+    const auto seconds = [](const timeval& t) {
+      return static_cast<double>(t.tv_sec) + 1e-6 * static_cast<double>(t.tv_usec);
+    };
+    return {seconds(usage.ru_utime), seconds(usage.ru_stime), usage.ru_nivcsw + usage.ru_nvcsw,
+            usage.ru_minflt};
   }
   friend ThreadUsage operator-(const ThreadUsage& a, const ThreadUsage& b) {
-    return {a.user - b.user, a.system - b.system, a.interruptions - b.interruptions, a.fresh_pages - b.fresh_pages};
+    return {a.user - b.user, a.system - b.system, a.interruptions - b.interruptions,
+            a.fresh_pages - b.fresh_pages};
   }
 };
 

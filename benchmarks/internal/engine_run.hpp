@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A batch of points through the engine as the library sends it, but one step at a time and with an observer that is told when
-// an insertion passes from one phase to the next. The engine is unchanged: the observer sits in the geometry, which the engine
-// asks for an evaluator when a walk and when the search of a conflict zone begin, and for memory and functionals when a star is
-// made.
+// A batch of points through the engine as the library sends it, but one step at a time and with an observer
+// that is told when an insertion passes from one phase to the next. The engine is unchanged: the observer
+// sits in the geometry, which the engine asks for an evaluator when a walk and when the search of a conflict
+// zone begin, and for memory and functionals when a star is made.
 #pragma once
 
+#include "compiled/triangulation_engine.hpp"
 #include "engine/build.hpp"
 #include "engine/seed.hpp"
-#include "compiled/triangulation_engine.hpp"
 #include "geometry/delaunay_geometry.hpp"
 #include "kernel/predicates.hpp"
 #include "order/insertion_order.hpp"
@@ -27,11 +27,13 @@ using delone::Index;
 
 /// What an observer is told, in this order; of creation block by block. The base class does not care.
 struct Observer {
-  void begins() {}     ///< an insertion: the walk follows
-  void evaluates() {}  ///< an evaluator is asked for: by the walk, then by the search of the conflict zone, then by tests
-  void reserves() {}   ///< the conflict zone is complete; slots, vertices, mirrors and keys of ridges follow
-  void creates() {}    ///< functionals follow
-  void created() {}    ///< functionals are done, or one more of those that need elimination; the next block follows, or gluing
+  void begins() {}  ///< an insertion: the walk follows
+  void evaluates() {
+  }  ///< an evaluator is asked for: by the walk, then by the search of the conflict zone, then by tests
+  void reserves() {}  ///< the conflict zone is complete; slots, vertices, mirrors and keys of ridges follow
+  void creates() {}   ///< functionals follow
+  void created() {
+  }  ///< functionals are done, or one more of those that need elimination; the next block follows, or gluing
   void ends(const delone::engine::Workspace& /*work*/) {}
 };
 
@@ -79,7 +81,8 @@ class EngineRun {
         vertices_(K, delone::kernel::RowForm::point),
         memory_(K, delone::ids_for(points.size())),
         cells_(memory_),
-        geometry_(observer, memory_, all_axes(), K, vertices_.coordinates, vertices_.grid, frame_of(points)) {}
+        geometry_(observer, memory_, all_axes(), K, vertices_.coordinates, vertices_.grid, frame_of(points)) {
+  }
 
   /// Inserts all points, in the order that the library would choose.
   void insert_all() {
@@ -118,7 +121,8 @@ class EngineRun {
     return vertices_.last_vertex();
   }
 
-  /// The first simplex, of the first points in the order that span space. Returns which rows are its vertices.
+  /// The first simplex, of the first points in the order that span space. Returns which rows are its
+  /// vertices.
   std::vector<bool> start(const std::vector<Index>& order) {
     std::vector<bool> used(order.size(), false);
     delone::kernel::AffineHull hull(K);
@@ -141,7 +145,8 @@ class EngineRun {
     const auto q = geometry_.make_query(vertices_.point(v));
     observer_.begins();
     const delone::geometry::DelaunayGeometry<K>& unobserved = geometry_;
-    const Index start = work_.star().empty() ? last_ : delone::engine::start_in_star(unobserved, q, work_.star());
+    const Index start =
+        work_.star().empty() ? last_ : delone::engine::start_in_star(unobserved, q, work_.star());
     const Index at = delone::engine::insert(cells_, geometry_, v, q, start, work_, effort_);
     if (at != v) {  // a duplicate
       vertices_.coordinates.resize(vertices_.coordinates.size() - K);

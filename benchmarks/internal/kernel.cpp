@@ -1,19 +1,20 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What one question costs at each stage: the cached functional (filter), the determinant in binary64 (direct), in integers
-// (exact), and the symbolic perturbation of a tie (perturbed). One call each; the argument is the dimension.
+// What one question costs at each stage: the cached functional (filter), the determinant in binary64
+// (direct), in integers (exact), and the symbolic perturbation of a tie (perturbed). One call each; the
+// argument is the dimension.
 //
 //   filter/finite          evaluation and comparison with the threshold, cells in the first-level cache
 //   STAGE/FORM/INPUT       in-sphere tests of points, weighted and furthest points; sides of facets for homogeneous rows
 //   STAGE/orientation/INPUT
 //
-// Inputs: random (uniform), near (rounded points of one sphere or hyperplane), lattice (integers with exact ties), wide
-// (magnitudes from 1e-300 to 1e150, denormal numbers), denormal (nothing but). `decided` is the share of calls that the stage
-// decides; direct stages leave the rest to the exact one.
+// Inputs: random (uniform), near (rounded points of one sphere or hyperplane), lattice (integers with exact
+// ties), wide (magnitudes from 1e-300 to 1e150, denormal numbers), denormal (nothing but). `decided` is the
+// share of calls that the stage decides; direct stages leave the rest to the exact one.
 #include "engine_run.hpp"
 
+#include "base/random.hpp"
 #include "kernel/hull_stages.hpp"
 #include "kernel/stages.hpp"
-#include "base/random.hpp"
 
 #include <delone/point_sets.hpp>
 
@@ -50,12 +51,18 @@ class Pool {
   static constexpr std::size_t size = 256;
 
   Pool(Question question, RowForm form, Input input)
-      : question_(question), form_(form), input_(input), grid_(ambient(), form == RowForm::weighted_point), generator_(1) {
+      : question_(question),
+        form_(form),
+        input_(input),
+        grid_(ambient(), form == RowForm::weighted_point),
+        generator_(1) {
     for (int axis = 0; axis < ambient(); ++axis) axes_.push_back(axis);
     for (std::size_t i = 0; i < size; ++i) add_instance();
     if (form != RowForm::homogeneous)
-      for (std::size_t row = 0; row < numbers_.size(); row += row_size()) grid_.include(numbers_.data() + row);
-    for (std::size_t row = 0; row < numbers_.size(); row += row_size()) rows_.push_back(numbers_.data() + row);
+      for (std::size_t row = 0; row < numbers_.size(); row += row_size())
+        grid_.include(numbers_.data() + row);
+    for (std::size_t row = 0; row < numbers_.size(); row += row_size())
+      rows_.push_back(numbers_.data() + row);
   }
 
   Flat flat() const { return {ambient(), axes_, form_}; }
@@ -66,7 +73,9 @@ class Pool {
 
  private:
   int ambient() const { return form_ == RowForm::homogeneous ? K + 1 : K; }
-  std::size_t row_size() const { return static_cast<std::size_t>(ambient()) + (form_ == RowForm::weighted_point ? 1 : 0); }
+  std::size_t row_size() const {
+    return static_cast<std::size_t>(ambient()) + (form_ == RowForm::weighted_point ? 1 : 0);
+  }
   std::size_t num_rows() const { return K + (question_ == Question::sphere ? 2 : 1); }
 
   double number() {
@@ -163,7 +172,9 @@ template <int K>
 void direct_sphere(benchmark::State& state, RowForm form, Input input) {
   const Pool<K> pool(Question::sphere, form, input);
   const Flat flat = pool.flat();
-  ask(state, [&](std::size_t i) { return delone::kernel::direct_sphere<K>(flat, pool.rows(i), pool.query(i), pool.grid()); });
+  ask(state, [&](std::size_t i) {
+    return delone::kernel::direct_sphere<K>(flat, pool.rows(i), pool.query(i), pool.grid());
+  });
 }
 
 template <int K>
@@ -177,30 +188,34 @@ template <int K>
 void perturbed_sphere(benchmark::State& state, RowForm form, Input input) {
   const Pool<K> pool(Question::sphere, form, input);
   const Flat flat = pool.flat();
-  ask(state,
-      [&](std::size_t i) { return delone::kernel::perturbed_in_sphere<K>(flat, pool.rows(i), pool.query(i), pool.grid()); });
+  ask(state, [&](std::size_t i) {
+    return delone::kernel::perturbed_in_sphere<K>(flat, pool.rows(i), pool.query(i), pool.grid());
+  });
 }
 
 template <int K>
 void direct_orientation(benchmark::State& state, RowForm form, Input input) {
   const Pool<K> pool(Question::side, form, input);
   const Flat flat = pool.flat();
-  ask(state,
-      [&](std::size_t i) { return delone::kernel::direct_orientation<K>(flat, pool.rows(i), pool.query(i), pool.grid()); });
+  ask(state, [&](std::size_t i) {
+    return delone::kernel::direct_orientation<K>(flat, pool.rows(i), pool.query(i), pool.grid());
+  });
 }
 
 template <int K>
 void exact_orientation(benchmark::State& state, RowForm form, Input input) {
   const Pool<K> pool(Question::side, form, input);
   const Flat flat = pool.flat();
-  ask(state, [&](std::size_t i) { return delone::kernel::exact_orientation(flat, pool.rows(i), pool.query(i)); });
+  ask(state,
+      [&](std::size_t i) { return delone::kernel::exact_orientation(flat, pool.rows(i), pool.query(i)); });
 }
 
 template <int K>
 void direct_side(benchmark::State& state, RowForm form, Input input) {
   const Pool<K> pool(Question::side, form, input);
   const Flat flat = pool.flat();
-  ask(state, [&](std::size_t i) { return delone::kernel::direct_determinant<K + 1>(flat.axes, pool.rows(i)); });
+  ask(state,
+      [&](std::size_t i) { return delone::kernel::direct_determinant<K + 1>(flat.axes, pool.rows(i)); });
 }
 
 template <int K>
@@ -225,26 +240,30 @@ void filter(benchmark::State& state) {
   std::int64_t asked = 0;
   for (auto _ : state) {
     int certain = 0;
-    for (const delone::Index cell : cells) certain += std::fabs(functional.value(cell)) > functional.threshold(cell);
+    for (const delone::Index cell : cells)
+      certain += std::fabs(functional.value(cell)) > functional.threshold(cell);
     benchmark::DoNotOptimize(certain);
     asked += static_cast<std::int64_t>(cells.size());
   }
   state.SetItemsProcessed(asked);
-  state.counters["ns_per_item"] =
-      benchmark::Counter(1e-9 * static_cast<double>(asked), benchmark::Counter::kIsRate | benchmark::Counter::kInvert);
+  state.counters["ns_per_item"] = benchmark::Counter(
+      1e-9 * static_cast<double>(asked), benchmark::Counter::kIsRate | benchmark::Counter::kInvert);
 }
 
 using Benchmark = void (*)(benchmark::State&, RowForm, Input);
 
-void add(const char* stage, const char* question, Benchmark function, RowForm form, Input input, int dimension) {
-  const std::string name = std::string(stage) + "/" + question + "/" + input_names[static_cast<std::size_t>(input)] + "/" +
-                           std::to_string(dimension) + "D";
+void add(const char* stage, const char* question, Benchmark function, RowForm form, Input input,
+         int dimension) {
+  const std::string name = std::string(stage) + "/" + question + "/" +
+                           input_names[static_cast<std::size_t>(input)] + "/" + std::to_string(dimension) +
+                           "D";
   benchmark::RegisterBenchmark(name.c_str(), function, form, input)->MinTime(0.02);
 }
 
 template <int K>
 void add_dimension() {
-  benchmark::RegisterBenchmark(("filter/finite/" + std::to_string(K) + "D").c_str(), filter<K>)->MinTime(0.02);
+  benchmark::RegisterBenchmark(("filter/finite/" + std::to_string(K) + "D").c_str(), filter<K>)
+      ->MinTime(0.02);
   for (const RowForm form : {RowForm::point, RowForm::weighted_point, RowForm::furthest_point}) {
     const char* name = form_names[static_cast<std::size_t>(form)];
     for (const Input input : {Input::random, Input::near, Input::lattice, Input::wide, Input::denormal}) {

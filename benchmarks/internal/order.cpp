@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Orders of insertion: what sorting costs for each point, and what each order makes of the insertions: cells created by each,
-// and cells visited by each walk.
+// Orders of insertion: what sorting costs for each point, and what each order makes of the insertions: cells
+// created by each, and cells visited by each walk.
 //
 //   sort/brio/dD/n      nanoseconds for each point, uniform points
 //   build/ORDER/dD/n    one construction; online: points one by one in random order, without hints, through insert()
@@ -71,8 +71,9 @@ void add(int dimension, std::size_t n, std::initializer_list<Order> orders) {
   };
   benchmark::RegisterBenchmark(name("sort/brio").c_str(), sort, dimension, n)->Iterations(3);
   for (const Order order : orders)
-    benchmark::RegisterBenchmark(name(std::string("build/").append(order_names[static_cast<std::size_t>(order)])).c_str(),
-                                 build, dimension, n, order)
+    benchmark::RegisterBenchmark(
+        name(std::string("build/").append(order_names[static_cast<std::size_t>(order)])).c_str(), build,
+        dimension, n, order)
         ->Iterations(n >= 1'000'000 ? 1 : 2);
 }
 

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Where the nanoseconds of a created cell go: order, walk, search of the conflict zone, creation (slots and mirrors;
-// functionals), gluing, the kernel's clearing of fresh pages, and the rest of the library.
+// Where the nanoseconds of a created cell go: order, walk, search of the conflict zone, creation (slots and
+// mirrors; functionals), gluing, the kernel's clearing of fresh pages, and the rest of the library.
 //
-// Some insertions are timed phase by phase. Those that take microseconds are timed by the monotonic clock, and do not count if
-// the thread was interrupted; long ones by the processor time of the thread, which a busy machine spoils little. Those that got
-// fresh pages never count, so that clearing is not told twice; the cost of looking at the clock is measured and subtracted. The
-// whole is the processor time of the library building the same triangulation unobserved; the rest is what the phases leave of
-// it.
+// Some insertions are timed phase by phase. Those that take microseconds are timed by the monotonic clock,
+// and do not count if the thread was interrupted; long ones by the processor time of the thread, which a busy
+// machine spoils little. Those that got fresh pages never count, so that clearing is not told twice; the cost
+// of looking at the clock is measured and subtracted. The whole is the processor time of the library building
+// the same triangulation unobserved; the rest is what the phases leave of it.
 #include "clocks.hpp"
 #include "engine_run.hpp"
 
@@ -132,7 +132,8 @@ void phases(benchmark::State& state) {
     benchmark::DoNotOptimize(delone::order::automatic_order(points, 0));
     order = std::min(order, benchmarks::thread_seconds() - before_order);
 
-    Stopwatch watch(Clock(K <= 3 ? CLOCK_MONOTONIC : CLOCK_THREAD_CPUTIME_ID), std::max<std::uint64_t>(n / 50'000, 1));
+    Stopwatch watch(Clock(K <= 3 ? CLOCK_MONOTONIC : CLOCK_THREAD_CPUTIME_ID),
+                    std::max<std::uint64_t>(n / 50'000, 1));
     benchmarks::EngineRun<K, Stopwatch> run(points, watch);
     run.insert_all();
     for (std::size_t phase = 0; phase < num_phases; ++phase)

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The yardstick: what merely touching the same memory in the same order costs. The cells that each insertion of a real build
-// looks at, kills and creates are recorded; then, on memory of the same size, all of a cell side by side, and without any
-// geometry,
+// The yardstick: what merely touching the same memory in the same order costs. The cells that each insertion
+// of a real build looks at, kills and creates are recorded; then, on memory of the same size, all of a cell
+// side by side, and without any geometry,
 //   every cell of the conflict zone is read, and every cell beyond its horizon;
 //   for every facet of the horizon a record is written in full, and one neighbor of the survivor;
 //   one word of every dead cell is written.
-// Once on memory that has been written before, once on fresh memory, whose pages the kernel has to clear. What is left of a
-// build's time is what better code could take away; the yardstick knows all ids beforehand and asks for memory early, which no
-// engine can.
+// Once on memory that has been written before, once on fresh memory, whose pages the kernel has to clear.
+// What is left of a build's time is what better code could take away; the yardstick knows all ids beforehand
+// and asks for memory early, which no engine can.
 #include "clocks.hpp"
 #include "engine_run.hpp"
 
@@ -48,7 +48,8 @@ constexpr std::size_t ahead = 8;
 std::uint64_t touch(const std::vector<Index>& trace, std::uint64_t* words, std::size_t stride) {
   std::uint64_t all = 0;
   const auto fetch = [&](Index cell) {
-    for (std::size_t i = 0; i < stride + 7; i += 8) __builtin_prefetch(words + cell * stride + std::min(i, stride - 1));
+    for (std::size_t i = 0; i < stride + 7; i += 8)
+      __builtin_prefetch(words + cell * stride + std::min(i, stride - 1));
   };
   const auto read = [&](Index cell) {
     const std::uint64_t* record = words + cell * stride;

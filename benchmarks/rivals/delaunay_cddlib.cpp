@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// cddlib's double description of the lifted points, in floating point or, with GMPRATIONAL, exactly. The points (x, |x|²) and
-// the upward direction generate a polyhedron whose facets that are not vertical are the cells. The squared norm is rounded in
-// the first case and exact in the second.
+// cddlib's double description of the lifted points, in floating point or, with GMPRATIONAL, exactly. The
+// points (x, |x|²) and the upward direction generate a polyhedron whose facets that are not vertical are the
+// cells. The squared norm is rounded in the first case and exact in the second.
 #include "rival.hpp"
 
 #include <setoper.h>  // cdd.h needs it before
@@ -21,7 +21,8 @@ namespace {
 
 class Cddlib {
  public:
-  Cddlib(const rival::Arguments&, delone::PointTable&& table) : dimension_(table.dimension), num_points_(table.num_points()) {
+  Cddlib(const rival::Arguments&, delone::PointTable&& table)
+      : dimension_(table.dimension), num_points_(table.num_points()) {
     dd_set_global_constants();
     const auto n = static_cast<dd_rowrange>(num_points_);
     generators_ = dd_CreateMatrix(n + 1, dimension_ + 2);
@@ -65,7 +66,8 @@ class Cddlib {
   void construct() {
     dd_ErrorType error = dd_NoError;
     polyhedron_ = dd_DDMatrix2Poly(generators_, &error);
-    if (error != dd_NoError) throw std::runtime_error("cddlib gave up with error " + std::to_string(static_cast<int>(error)));
+    if (error != dd_NoError)
+      throw std::runtime_error("cddlib gave up with error " + std::to_string(static_cast<int>(error)));
     inequalities_ = dd_CopyInequalities(polyhedron_);
   }
 
@@ -82,8 +84,8 @@ class Cddlib {
     return count;
   }
 
-  /// Of points that span less than their space each equation takes one from the size of a cell; of equal points the first is
-  /// meant.
+  /// Of points that span less than their space each equation takes one from the size of a cell; of equal
+  /// points the first is meant.
   rival::Cells cells() const {
     const int size = dimension_ + 1 - static_cast<int>(set_card(inequalities_->linset));
     rival::Cells cells{size, {}};

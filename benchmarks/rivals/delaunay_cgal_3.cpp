@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// CGAL's Delaunay triangulation of space, points given at once (which sorts them spatially). With CGAL_LINKED_WITH_TBB the
-// parallel one; option: --threads N.
+// CGAL's Delaunay triangulation of space, points given at once (which sorts them spatially). With
+// CGAL_LINKED_WITH_TBB the parallel one; option: --threads N.
 #include "rival.hpp"
 #include "rows_by_coordinates.hpp"
 
@@ -28,8 +28,9 @@ constexpr const char* name = "CGAL 3D parallel";
 using Concurrency = CGAL::Sequential_tag;
 constexpr const char* name = "CGAL 3D";
 #endif
-using Structure = CGAL::Triangulation_data_structure_3<CGAL::Triangulation_vertex_base_3<Kernel>,
-                                                       CGAL::Delaunay_triangulation_cell_base_3<Kernel>, Concurrency>;
+using Structure =
+    CGAL::Triangulation_data_structure_3<CGAL::Triangulation_vertex_base_3<Kernel>,
+                                         CGAL::Delaunay_triangulation_cell_base_3<Kernel>, Concurrency>;
 using Triangulation = CGAL::Delaunay_triangulation_3<Kernel, Structure>;
 
 class Cgal3 {

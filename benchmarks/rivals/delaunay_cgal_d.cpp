@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// CGAL's Delaunay triangulation in any dimension, which grew out of the program of the report, with the dimension compiled in
-// (DIMENSION) and exact predicates; points given at once (which sorts them spatially).
+// CGAL's Delaunay triangulation in any dimension, which grew out of the program of the report, with the
+// dimension compiled in (DIMENSION) and exact predicates; points given at once (which sorts them spatially).
 #include "rival.hpp"
 #include "rows_by_coordinates.hpp"
 
@@ -41,7 +41,8 @@ class CgalD {
 
   std::size_t num_cells() const {
     std::size_t count = 0;
-    for (auto cell = triangulation_->finite_full_cells_begin(); cell != triangulation_->finite_full_cells_end(); ++cell)
+    for (auto cell = triangulation_->finite_full_cells_begin();
+         cell != triangulation_->finite_full_cells_end(); ++cell)
       ++count;
     return count;
   }
@@ -51,7 +52,8 @@ class CgalD {
     const int size = triangulation_->current_dimension() + 1;
     rival::Cells cells{size, {}};
     std::vector<double> point(DIMENSION);
-    for (auto cell = triangulation_->finite_full_cells_begin(); cell != triangulation_->finite_full_cells_end(); ++cell)
+    for (auto cell = triangulation_->finite_full_cells_begin();
+         cell != triangulation_->finite_full_cells_end(); ++cell)
       for (int i = 0; i < size; ++i) {
         const auto& p = cell->vertex(i)->point();
         for (int axis = 0; axis < DIMENSION; ++axis) point[static_cast<std::size_t>(axis)] = p[axis];
@@ -61,7 +63,8 @@ class CgalD {
   }
 
   nlohmann::json details() const {
-    return {{"vertices", triangulation_->number_of_vertices()}, {"affine_dimension", triangulation_->current_dimension()}};
+    return {{"vertices", triangulation_->number_of_vertices()},
+            {"affine_dimension", triangulation_->current_dimension()}};
   }
 
  private:

@@ -22,7 +22,9 @@ class Delaunator {
 
   std::size_t num_cells() const { return triangulation_->triangles.size() / 3; }
 
-  rival::Cells cells() const { return {3, {triangulation_->triangles.begin(), triangulation_->triangles.end()}}; }
+  rival::Cells cells() const {
+    return {3, {triangulation_->triangles.begin(), triangulation_->triangles.end()}};
+  }
 
   nlohmann::json details() const { return nlohmann::json::object(); }
 

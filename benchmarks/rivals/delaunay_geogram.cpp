@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Geogram's Delaunay triangulations of the plane and of space, from its single source file. Option: --method BDEL (the default
-// for space, one thread), PDEL (several threads), BDEL2d (the plane).
+// Geogram's Delaunay triangulations of the plane and of space, from its single source file. Option: --method
+// BDEL (the default for space, one thread), PDEL (several threads), BDEL2d (the plane).
 #include "rival.hpp"
 
 #include <Delaunay_psm.h>
@@ -26,9 +26,13 @@ class Geogram {
 
   rival::Program program() const { return {"Geogram", method_, DELONE_BENCHMARK_FLAGS}; }
 
-  void construct() { delaunay_->set_vertices(static_cast<GEO::index_t>(table_.num_points()), table_.coordinates.data()); }
+  void construct() {
+    delaunay_->set_vertices(static_cast<GEO::index_t>(table_.num_points()), table_.coordinates.data());
+  }
 
-  void reset() { delaunay_ = GEO::Delaunay::create(static_cast<GEO::coord_index_t>(table_.dimension), method_); }
+  void reset() {
+    delaunay_ = GEO::Delaunay::create(static_cast<GEO::coord_index_t>(table_.dimension), method_);
+  }
 
   std::size_t num_cells() const { return delaunay_->nb_cells(); }
 

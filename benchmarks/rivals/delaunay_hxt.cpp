@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// HXT's Delaunay triangulation of space, from the sources of Gmsh. Option: --threads N (1; more where it is compiled with
-// OpenMP).
+// HXT's Delaunay triangulation of space, from the sources of Gmsh. Option: --threads N (1; more where it is
+// compiled with OpenMP).
 #include "rival.hpp"
 #include "rows_by_coordinates.hpp"
 
@@ -68,7 +68,8 @@ class Hxt {
     const std::size_t count = coordinates_.size() / 3;
     check(hxtMeshCreate(&mesh_));
     check(hxtAlignedMalloc(&mesh_->vertices.coord, 4 * count * sizeof(double)));
-    for (std::size_t row = 0; row < count; ++row) std::copy_n(&coordinates_[3 * row], 3, mesh_->vertices.coord + 4 * row);
+    for (std::size_t row = 0; row < count; ++row)
+      std::copy_n(&coordinates_[3 * row], 3, mesh_->vertices.coord + 4 * row);
     mesh_->vertices.num = mesh_->vertices.size = static_cast<std::uint32_t>(count);
   }
 

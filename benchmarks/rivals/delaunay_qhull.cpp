@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Qhull's Delaunay triangulation, through its reentrant library. Option: --options "d Qbb Qc Q12 Qz" (the default; "Qt" added
-// makes every cell a simplex). Qhull decides in floating point and merges what it cannot decide; cells that are no simplices
-// are counted once, and cannot be written.
+// Qhull's Delaunay triangulation, through its reentrant library. Option: --options "d Qbb Qc Q12 Qz" (the
+// default; "Qt" added makes every cell a simplex). Qhull decides in floating point and merges what it cannot
+// decide; cells that are no simplices are counted once, and cannot be written.
 #include "rival.hpp"
 
 #define qh_dllimport
@@ -32,8 +32,9 @@ class Qhull {
     if (!messages_) throw std::runtime_error("no temporary file for the messages of Qhull");
     qh_zero(&qh_, messages_.get());
     std::string command = "qhull " + options_;
-    const int status = qh_new_qhull(&qh_, table_.dimension, static_cast<int>(table_.num_points()), table_.coordinates.data(),
-                                    False, command.data(), nullptr, messages_.get());
+    const int status =
+        qh_new_qhull(&qh_, table_.dimension, static_cast<int>(table_.num_points()), table_.coordinates.data(),
+                     False, command.data(), nullptr, messages_.get());
     alive_ = true;
     if (status != 0) throw std::runtime_error(first_message());
   }
@@ -48,7 +49,8 @@ class Qhull {
 
   std::size_t num_cells() const {
     std::size_t count = 0;
-    for (const facetT* facet = qh_.facet_list; facet && facet->next; facet = facet->next) count += !facet->upperdelaunay;
+    for (const facetT* facet = qh_.facet_list; facet && facet->next; facet = facet->next)
+      count += !facet->upperdelaunay;
     return count;
   }
 
@@ -58,7 +60,8 @@ class Qhull {
     qhT* qh = const_cast<qhT*>(&qh_);  // Qhull's functions take no pointer to const
     for (const facetT* facet = qh_.facet_list; facet && facet->next; facet = facet->next) {
       if (facet->upperdelaunay) continue;
-      if (qh_setsize(qh, facet->vertices) != size) throw std::runtime_error("a cell is no simplex; use --options with Qt");
+      if (qh_setsize(qh, facet->vertices) != size)
+        throw std::runtime_error("a cell is no simplex; use --options with Qt");
       vertexT *vertex, **vertexp;
       FOREACHvertex_(facet->vertices) cells.rows.push_back(qh_pointid(qh, vertex->point));
     }

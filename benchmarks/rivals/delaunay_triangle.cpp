@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Shewchuk's Triangle, divide and conquer, from its source. Option: --switches "zQNB" (the default: triangles, nothing else).
+// Shewchuk's Triangle, divide and conquer, from its source. Option: --switches "zQNB" (the default:
+// triangles, nothing else).
 #include "rival.hpp"
 
 extern "C" {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// delone itself, through the interface of its rivals. Options: --order automatic|given|shuffled (the library's), --order curve
-// (one Hilbert curve through all points) and --order report (rounds sorted along it, as in 2008), --seed S.
+// delone itself, through the interface of its rivals. Options: --order automatic|given|shuffled (the
+// library's), --order curve (one Hilbert curve through all points) and --order report (rounds sorted along
+// it, as in 2008), --seed S.
 #include "rival.hpp"
 #include "spatial_sort.hpp"
 
@@ -54,7 +55,8 @@ class Delone {
     const delone::ComplexData data = result_->to_data(false);
     rival::Cells cells{data.affine_dimension + 1, {data.cells.begin(), data.cells.end()}};
     if (!rows_.empty())
-      for (std::int64_t& row : cells.rows) row = static_cast<std::int64_t>(rows_[static_cast<std::size_t>(row)]);
+      for (std::int64_t& row : cells.rows)
+        row = static_cast<std::int64_t>(rows_[static_cast<std::size_t>(row)]);
     return cells;
   }
 
@@ -69,7 +71,8 @@ class Delone {
             {"visited_cells", s.visited_cells},
             {"insertions", s.insertions},
             {"cell_bytes", s.cell_bytes},
-            {"stages", {{"filter", s.filter}, {"direct", s.direct}, {"exact", s.exact}, {"perturbed", s.perturbed}}}};
+            {"stages",
+             {{"filter", s.filter}, {"direct", s.direct}, {"exact", s.exact}, {"perturbed", s.perturbed}}}};
   }
 
  private:

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// cddlib's double description of the polytope that the points generate, in floating point or, with GMPRATIONAL, exactly.
+// cddlib's double description of the polytope that the points generate, in floating point or, with
+// GMPRATIONAL, exactly.
 #include "rival.hpp"
 
 #include <setoper.h>  // cdd.h needs it before
@@ -17,7 +18,8 @@ namespace {
 
 class Cddlib {
  public:
-  Cddlib(const rival::Arguments&, delone::PointTable&& table) : dimension_(table.dimension), num_points_(table.num_points()) {
+  Cddlib(const rival::Arguments&, delone::PointTable&& table)
+      : dimension_(table.dimension), num_points_(table.num_points()) {
     dd_set_global_constants();
     generators_ = dd_CreateMatrix(static_cast<dd_rowrange>(num_points_), dimension_ + 1);
     generators_->representation = dd_Generator;
@@ -47,7 +49,8 @@ class Cddlib {
   void construct() {
     dd_ErrorType error = dd_NoError;
     polyhedron_ = dd_DDMatrix2Poly(generators_, &error);
-    if (error != dd_NoError) throw std::runtime_error("cddlib gave up with error " + std::to_string(static_cast<int>(error)));
+    if (error != dd_NoError)
+      throw std::runtime_error("cddlib gave up with error " + std::to_string(static_cast<int>(error)));
     inequalities_ = dd_CopyInequalities(polyhedron_);
   }
 

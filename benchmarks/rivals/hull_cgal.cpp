@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// CGAL's convex hull with exact predicates: quickhull in space; in DIMENSION 4 and above a triangulation of the points, which
-// is what CGAL offers there, whose infinite cells are the facets of the hull (and which has to triangulate the inside, too).
+// CGAL's convex hull with exact predicates: quickhull in space; in DIMENSION 4 and above a triangulation of
+// the points, which is what CGAL offers there, whose infinite cells are the facets of the hull (and which has
+// to triangulate the inside, too).
 #include "rival.hpp"
 #include "rows_by_coordinates.hpp"
 

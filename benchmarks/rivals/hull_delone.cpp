@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// delone's convex hull, through the interface of its rivals. Timed are the boundary and what the other programs find with it:
-// which cells merge into facets and which points are extreme. `data_seconds`: all the rest that Polytope::data() has, after
-// that. Options: --order automatic|given|shuffled, --seed S.
+// delone's convex hull, through the interface of its rivals. Timed are the boundary and what the other
+// programs find with it: which cells merge into facets and which points are extreme. `data_seconds`: all the
+// rest that Polytope::data() has, after that. Options: --order automatic|given|shuffled, --seed S.
 #include "rival.hpp"
 
 #include <delone/convex_hull.hpp>
@@ -56,7 +56,8 @@ class Delone {
             {"vertices", num_vertices_},
             {"created_cells", s.created_cells},
             {"cell_bytes", s.cell_bytes},
-            {"stages", {{"filter", s.filter}, {"direct", s.direct}, {"exact", s.exact}, {"perturbed", s.perturbed}}}};
+            {"stages",
+             {{"filter", s.filter}, {"direct", s.direct}, {"exact", s.exact}, {"perturbed", s.perturbed}}}};
   }
 
  private:

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Qhull's convex hull, through its reentrant library. Option: --options "Qx" or others ("" is the default: facets that rounding
-// leaves undecided are merged). Qhull decides in floating point; `facets` counts merged ones once, and only simplices can be
-// written.
+// Qhull's convex hull, through its reentrant library. Option: --options "Qx" or others ("" is the default:
+// facets that rounding leaves undecided are merged). Qhull decides in floating point; `facets` counts merged
+// ones once, and only simplices can be written.
 #include "rival.hpp"
 
 #define qh_dllimport
@@ -32,8 +32,9 @@ class Qhull {
     if (!messages_) throw std::runtime_error("no temporary file for the messages of Qhull");
     qh_zero(&qh_, messages_.get());
     std::string command = "qhull " + options_;
-    const int status = qh_new_qhull(&qh_, table_.dimension, static_cast<int>(table_.num_points()), table_.coordinates.data(),
-                                    False, command.data(), nullptr, messages_.get());
+    const int status =
+        qh_new_qhull(&qh_, table_.dimension, static_cast<int>(table_.num_points()), table_.coordinates.data(),
+                     False, command.data(), nullptr, messages_.get());
     alive_ = true;
     if (status != 0) throw std::runtime_error("Qhull gave up with status " + std::to_string(status));
   }
@@ -52,7 +53,8 @@ class Qhull {
     rival::Cells cells{table_.dimension, {}};
     qhT* qh = const_cast<qhT*>(&qh_);  // Qhull's functions take no pointer to const
     for (const facetT* facet = qh_.facet_list; facet && facet->next; facet = facet->next) {
-      if (qh_setsize(qh, facet->vertices) != table_.dimension) throw std::runtime_error("a facet is no simplex");
+      if (qh_setsize(qh, facet->vertices) != table_.dimension)
+        throw std::runtime_error("a facet is no simplex");
       vertexT *vertex, **vertexp;
       FOREACHvertex_(facet->vertices) cells.rows.push_back(qh_pointid(qh, vertex->point));
     }
@@ -61,7 +63,8 @@ class Qhull {
 
   nlohmann::json details() const {
     std::size_t other = 0;
-    for (const facetT* facet = qh_.facet_list; facet && facet->next; facet = facet->next) other += !facet->simplicial;
+    for (const facetT* facet = qh_.facet_list; facet && facet->next; facet = facet->next)
+      other += !facet->simplicial;
     return {{"facets", qh_.num_facets}, {"vertices", qh_.num_vertices}, {"non_simplicial_facets", other}};
   }
 

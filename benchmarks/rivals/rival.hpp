@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The one interface of all programs that are measured against each other:
 //   PROGRAM points.npy [--repeat K] [--cells out.npy] [--NAME VALUE ...]
-// Only the construction is timed; reading, conversion to the peer's types and counting are not. One line of JSON on standard
-// output: program, version, flags, points, dimension, seconds [K], cpu_seconds [K] (user and system time of all threads),
-// cells, peak_bytes, input_bytes (the peak before the first construction), and what the adapter adds. Exit status 2 and one
-// line on standard error where the input is refused or the peer gives up.
+// Only the construction is timed; reading, conversion to the peer's types and counting are not. One line of
+// JSON on standard output: program, version, flags, points, dimension, seconds [K], cpu_seconds [K] (user and
+// system time of all threads), cells, peak_bytes, input_bytes (the peak before the first construction), and
+// what the adapter adds. Exit status 2 and one line on standard error where the input is refused or the peer
+// gives up.
 #pragma once
 
 #include <delone/complex.hpp>
@@ -54,10 +55,11 @@ struct Program {
   std::string name, version, flags;
 };
 
-/// An adapter is made from the points, which it may take over, and brings them to the peer's form. construct() is what is
-/// timed; reset() forgets its result and is not timed.
+/// An adapter is made from the points, which it may take over, and brings them to the peer's form.
+/// construct() is what is timed; reset() forgets its result and is not timed.
 template <class A>
-concept Adapter = std::constructible_from<A, const Arguments&, delone::PointTable&&> && requires(A a, const A c) {
+concept Adapter = std::constructible_from<A, const Arguments&, delone::PointTable&&> &&
+    requires(A a, const A c) {
   { c.program() } -> std::convertible_to<Program>;
   a.construct();
   a.reset();
@@ -70,12 +72,14 @@ concept Adapter = std::constructible_from<A, const Arguments&, delone::PointTabl
 inline double cpu_seconds() {
   rusage usage{};
   getrusage(RUSAGE_SELF, &usage);
-  const auto seconds = [](const timeval& t) { return static_cast<double>(t.tv_sec) + 1e-6 * static_cast<double>(t.tv_usec); };
+  const auto seconds = [](const timeval& t) {
+    return static_cast<double>(t.tv_sec) + 1e-6 * static_cast<double>(t.tv_usec);
+  };
   return seconds(usage.ru_utime) + seconds(usage.ru_stime);
 }
 
-/// The largest resident size of this process so far. Linux hands ru_maxrss of the parent down through exec, so that a small
-/// program started by a large one would report the size of its parent; VmHWM starts afresh.
+/// The largest resident size of this process so far. Linux hands ru_maxrss of the parent down through exec,
+/// so that a small program started by a large one would report the size of its parent; VmHWM starts afresh.
 inline std::size_t peak_bytes() {
   std::ifstream status("/proc/self/status");
   for (std::string word; status >> word;) {
@@ -91,7 +95,8 @@ inline Arguments parse(int argc, char** argv) {
   for (int i = 1; i < argc; ++i) {
     const std::string word = argv[i];
     if (word.rfind("--", 0) != 0) {
-      if (!arguments.points.empty()) throw std::invalid_argument("one file of points, please, not also " + word);
+      if (!arguments.points.empty())
+        throw std::invalid_argument("one file of points, please, not also " + word);
       arguments.points = word;
       continue;
     }
@@ -105,7 +110,8 @@ inline Arguments parse(int argc, char** argv) {
       arguments.more[word.substr(2)] = value;
   }
   if (arguments.points.empty() || arguments.repeat < 1)
-    throw std::invalid_argument("usage: PROGRAM points.npy [--repeat K] [--cells out.npy] [--NAME VALUE ...]");
+    throw std::invalid_argument(
+        "usage: PROGRAM points.npy [--repeat K] [--cells out.npy] [--NAME VALUE ...]");
   return arguments;
 }
 
@@ -116,11 +122,20 @@ inline void write_cells(const std::string& path, const Cells& cells) {
                        std::to_string(cells.size) + "), }";
   header.append(63 - (10 + header.size()) % 64, ' ');
   header += '\n';
-  const char start[] = {
-      '\x93', 'N', 'U', 'M', 'P', 'Y', 1, 0, static_cast<char>(header.size() & 255U), static_cast<char>(header.size() >> 8U)};
+  const char start[] = {'\x93',
+                        'N',
+                        'U',
+                        'M',
+                        'P',
+                        'Y',
+                        1,
+                        0,
+                        static_cast<char>(header.size() & 255U),
+                        static_cast<char>(header.size() >> 8U)};
   std::ofstream out(path, std::ios::binary);
   out.write(start, sizeof start).write(header.data(), static_cast<std::streamsize>(header.size()));
-  out.write(reinterpret_cast<const char*>(cells.rows.data()), static_cast<std::streamsize>(8 * cells.rows.size()));
+  out.write(reinterpret_cast<const char*>(cells.rows.data()),
+            static_cast<std::streamsize>(8 * cells.rows.size()));
   if (!out.flush()) throw std::runtime_error("cannot write " + path);
 }
 

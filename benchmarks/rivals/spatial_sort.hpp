@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The spatial sorting of the report, for comparison with the library's own order: points are split at the median, recursively,
-// along the axes in which a Hilbert curve splits its cube (its Appendix A, where the axes are found by probing the curve; here
-// they follow from the state of the curve, after Hamilton, "Compact Hilbert indices", Dalhousie University CS-2006-07 (2006)).
-// Only coordinates are compared, so that the points need no scaling.
+// The spatial sorting of the report, for comparison with the library's own order: points are split at the
+// median, recursively, along the axes in which a Hilbert curve splits its cube (its Appendix A, where the
+// axes are found by probing the curve; here they follow from the state of the curve, after Hamilton, "Compact
+// Hilbert indices", Dalhousie University CS-2006-07 (2006)). Only coordinates are compared, so that the
+// points need no scaling.
 #pragma once
 
 #include <algorithm>
@@ -35,7 +36,8 @@ class HilbertSort {
     if (rows.size() > 1) split(rows, state, dimension_, 0);
   }
 
-  /// Splits off one bit, the (left−1)-th, of the position of a child cube on the curve; `position` holds the bits above it.
+  /// Splits off one bit, the (left−1)-th, of the position of a child cube on the curve; `position` holds the
+  /// bits above it.
   void split(std::span<std::size_t> rows, State state, unsigned left, Mask position) const {
     if (rows.size() < 2) return;
     if (left == 0) return sort_cube(rows, child(state, position));
@@ -83,10 +85,12 @@ inline std::vector<std::size_t> curve(std::span<const double> coordinates, int d
   return rows;
 }
 
-/// Rounds of random rows, each sorted along the curve (Amenta, Choi and Rote, doi:10.1145/777792.777824), with the sizes that
-/// the manual of CGAL documents for its function spatial_sort: the share of a round that goes before it is 1/4 in the plane,
-/// 1/8 in space and 1/20 beyond, and the first round has at most 16, 64 and 500 rows.
-inline std::vector<std::size_t> rounds(std::span<const double> coordinates, int dimension, std::uint64_t seed) {
+/// Rounds of random rows, each sorted along the curve (Amenta, Choi and Rote, doi:10.1145/777792.777824),
+/// with the sizes that the manual of CGAL documents for its function spatial_sort: the share of a round that
+/// goes before it is 1/4 in the plane, 1/8 in space and 1/20 beyond, and the first round has at most 16, 64
+/// and 500 rows.
+inline std::vector<std::size_t> rounds(std::span<const double> coordinates, int dimension,
+                                       std::uint64_t seed) {
   std::vector<std::size_t> rows(coordinates.size() / static_cast<std::size_t>(dimension));
   std::iota(rows.begin(), rows.end(), std::size_t{0});
   std::shuffle(rows.begin(), rows.end(), std::mt19937_64(seed));
@@ -103,11 +107,13 @@ inline std::vector<std::size_t> rounds(std::span<const double> coordinates, int 
 }
 
 /// The points in the order of the rows.
-inline std::vector<double> permuted(std::span<const double> coordinates, int dimension, std::span<const std::size_t> rows) {
+inline std::vector<double> permuted(std::span<const double> coordinates, int dimension,
+                                    std::span<const std::size_t> rows) {
   const auto d = static_cast<std::size_t>(dimension);
   std::vector<double> sorted;
   sorted.reserve(coordinates.size());
-  for (const std::size_t row : rows) sorted.insert(sorted.end(), &coordinates[row * d], &coordinates[row * d] + d);
+  for (const std::size_t row : rows)
+    sorted.insert(sorted.end(), &coordinates[row * d], &coordinates[row * d] + d);
   return sorted;
 }
 

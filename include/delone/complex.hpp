@@ -14,24 +14,27 @@ namespace delone {
 
 /// A plain, owning triangulation: what files hold and what `check` examines. Rows are input rows (0-based).
 struct ComplexData {
-  int dimension = 0;                   ///< d, coordinates per point
-  int affine_dimension = -1;           ///< k, dimension of the affine hull of the points; −1 when there is none
-  std::vector<double> points;          ///< n×d, as given
-  std::vector<SignedIndex> cells;      ///< m×(k+1), point rows; positively oriented when k = d
-  std::vector<SignedIndex> neighbors;  ///< m×(k+1), neighbor i is opposite vertex i; −1 beyond the hull. May be empty: unknown
+  int dimension = 0;               ///< d, coordinates per point
+  int affine_dimension = -1;       ///< k, dimension of the affine hull of the points; −1 when there is none
+  std::vector<double> points;      ///< n×d, as given
+  std::vector<SignedIndex> cells;  ///< m×(k+1), point rows; positively oriented when k = d
   std::vector<SignedIndex>
-      vertex_of_point;  ///< n, the row each point was merged into (itself for a vertex; −1: hidden). May be empty: unknown
-  std::vector<double> weights{};  ///< n, of a regular triangulation; empty: points have no weights
+      neighbors;  ///< m×(k+1), neighbor i is opposite vertex i; −1 beyond the hull. May be empty: unknown
+  std::vector<SignedIndex> vertex_of_point;  ///< n, the row each point was merged into (itself for a vertex;
+                                             ///< −1: hidden). May be empty: unknown
+  std::vector<double> weights{};             ///< n, of a regular triangulation; empty: points have no weights
 
-  std::size_t num_points() const { return dimension < 1 ? 0 : points.size() / static_cast<std::size_t>(dimension); }
+  std::size_t num_points() const {
+    return dimension < 1 ? 0 : points.size() / static_cast<std::size_t>(dimension);
+  }
   std::size_t num_cells() const {
     return affine_dimension < 0 ? 0 : cells.size() / (static_cast<std::size_t>(affine_dimension) + 1);
   }
 };
 
-/// A read-only view of a simplicial complex that triangulates the sphere S^k: the finite cells of a triangulation of
-/// affine dimension k, and one infinite cell per hull facet, which joins the facet to the infinite vertex.
-/// Topology only: no coordinates. Cheap to copy; valid until its owner changes or dies.
+/// A read-only view of a simplicial complex that triangulates the sphere S^k: the finite cells of a
+/// triangulation of affine dimension k, and one infinite cell per hull facet, which joins the facet to the
+/// infinite vertex. Topology only: no coordinates. Cheap to copy; valid until its owner changes or dies.
 ///
 /// Cells live in slots; a slot may be vacant after an insertion. The ranges skip vacant slots.
 class Complex {
@@ -45,7 +48,10 @@ class Complex {
     using difference_type = std::ptrdiff_t;
     using iterator_category = std::forward_iterator_tag;
     CellIterator() = default;
-    CellIterator(const Complex* complex, Index slot, Which which) : complex_(complex), slot_(slot), which_(which) { skip(); }
+    CellIterator(const Complex* complex, Index slot, Which which)
+        : complex_(complex), slot_(slot), which_(which) {
+      skip();
+    }
     CellId operator*() const { return CellId{slot_}; }
     CellIterator& operator++() {
       ++slot_;
@@ -70,8 +76,8 @@ class Complex {
 
   class CellRange;
 
-  /// For each slot, k+1 vertices and then k+1 neighbors. A vacant slot has invalid_index, or its lower 16 bits, as its first
-  /// vertex.
+  /// For each slot, k+1 vertices and then k+1 neighbors. A vacant slot has invalid_index, or its lower 16
+  /// bits, as its first vertex.
   struct Links {
     const Index* first;
     std::size_t stride;    ///< from one slot to the next, in ids
@@ -79,10 +85,11 @@ class Complex {
   };
 
   Complex() = default;
-  /// `cell_of_vertex`: by vertex id, `num_vertex_slots` entries, num_finite_vertices + 1 if that is 0; invalid_cell where there
-  /// is no vertex.
-  Complex(const Links& links, int dimension, Index num_slots, Index num_finite_cells, Index num_infinite_cells,
-          Index num_finite_vertices, const CellId* cell_of_vertex, Index num_vertex_slots = 0)
+  /// `cell_of_vertex`: by vertex id, `num_vertex_slots` entries, num_finite_vertices + 1 if that is 0;
+  /// invalid_cell where there is no vertex.
+  Complex(const Links& links, int dimension, Index num_slots, Index num_finite_cells,
+          Index num_infinite_cells, Index num_finite_vertices, const CellId* cell_of_vertex,
+          Index num_vertex_slots = 0)
       : links_(links),
         dimension_(dimension),
         num_slots_(num_slots),
@@ -94,7 +101,8 @@ class Complex {
 
   /// k, the dimension of the cells; −1 for the complex of no points.
   int dimension() const { return dimension_; }
-  /// Finite vertices. Their ids are 1 … num_vertices(), unless points are hidden: these leave gaps among the ids.
+  /// Finite vertices. Their ids are 1 … num_vertices(), unless points are hidden: these leave gaps among the
+  /// ids.
   Index num_vertices() const { return num_finite_vertices_; }
   Index num_vertex_slots() const { return num_vertex_slots_; }  ///< size for payload arrays indexed by vertex
   Index num_finite_cells() const { return num_finite_cells_; }
@@ -103,7 +111,9 @@ class Complex {
   Index num_cell_slots() const { return num_slots_; }  ///< size for payload arrays indexed by cell
 
   bool is_cell(CellId c) const { return delone::index(c) < num_slots_ && !is_vacant(c); }
-  bool is_vertex(VertexId v) const { return delone::index(v) < num_vertex_slots_ && incident_cell(v) != invalid_cell; }
+  bool is_vertex(VertexId v) const {
+    return delone::index(v) < num_vertex_slots_ && incident_cell(v) != invalid_cell;
+  }
   bool is_infinite(CellId c) const { return infinite_index(c) >= 0; }
   bool is_infinite(VertexId v) const { return v == infinite_vertex; }
 
@@ -113,8 +123,8 @@ class Complex {
   /// The finite vertices in increasing id. O(slots).
   std::vector<VertexId> finite_vertices() const;
 
-  /// Vertex i of cell c, 0 ≤ i ≤ k. Cells are coherently oriented: replacing one vertex of a cell by another point on the
-  /// same side of the opposite facet keeps the orientation.
+  /// Vertex i of cell c, 0 ≤ i ≤ k. Cells are coherently oriented: replacing one vertex of a cell by another
+  /// point on the same side of the opposite facet keeps the orientation.
   VertexId vertex(CellId c, int i) const { return VertexId{vertex_id(c, i)}; }
   /// The cell across the facet opposite vertex i.
   CellId neighbor(CellId c, int i) const { return CellId{neighbor_ids(c)[i]}; }
@@ -142,23 +152,29 @@ class Complex {
   CellId incident_cell(VertexId v) const { return cell_of_vertex_[delone::index(v)]; }
   /// All cells that contain v, finite and infinite. O(size of the star · k).
   std::vector<CellId> star(VertexId v) const;
-  /// The facets of the star of v that do not contain v, as (cell of the star, index of v). O(size of the star · k).
+  /// The facets of the star of v that do not contain v, as (cell of the star, index of v). O(size of the star
+  /// · k).
   std::vector<Facet> link(VertexId v) const;
-  /// The vertices joined to v by an edge, the infinite vertex excluded, in increasing id. O(size of the star · k log).
+  /// The vertices joined to v by an edge, the infinite vertex excluded, in increasing id. O(size of the star
+  /// · k log).
   std::vector<VertexId> adjacent_vertices(VertexId v) const;
 
-  /// Every facet between two cells once. Facets of infinite cells included when `with_infinite`. O(cells · k).
+  /// Every facet between two cells once. Facets of infinite cells included when `with_infinite`. O(cells ·
+  /// k).
   std::vector<Facet> facets(bool with_infinite = false) const;
   /// The hull facets, as (finite cell, index of the vertex opposite the hull facet). O(cells).
   std::vector<Facet> hull_facets() const;
-  /// All finite faces of dimension j, 0 ≤ j ≤ k, as rows of j+1 increasing vertex ids, sorted. O(cells · C(k+1,j+1)) memory.
+  /// All finite faces of dimension j, 0 ≤ j ≤ k, as rows of j+1 increasing vertex ids, sorted. O(cells ·
+  /// C(k+1,j+1)) memory.
   std::vector<VertexId> faces(int j) const;
   /// All finite edges as pairs of increasing ids, sorted: faces(1).
   std::vector<VertexId> edges() const { return faces(1); }
 
  private:
   friend class CellIterator;
-  const Index* row(CellId c) const { return links_.first + static_cast<std::size_t>(delone::index(c)) * links_.stride; }
+  const Index* row(CellId c) const {
+    return links_.first + static_cast<std::size_t>(delone::index(c)) * links_.stride;
+  }
   Index vertex_id(CellId c, int i) const {
     return links_.narrow_vertices ? Index{reinterpret_cast<const std::uint16_t*>(row(c))[i]} : row(c)[i];
   }
@@ -175,11 +191,13 @@ class Complex {
 
   Links links_{nullptr, 0, false};
   int dimension_ = -1;
-  Index num_slots_ = 0, num_finite_cells_ = 0, num_infinite_cells_ = 0, num_finite_vertices_ = 0, num_vertex_slots_ = 0;
+  Index num_slots_ = 0, num_finite_cells_ = 0, num_infinite_cells_ = 0, num_finite_vertices_ = 0,
+        num_vertex_slots_ = 0;
   const CellId* cell_of_vertex_ = nullptr;
 };
 
-/// The cells of one kind, as a range. Holds its own copy of the view, so it may be made from a temporary Complex.
+/// The cells of one kind, as a range. Holds its own copy of the view, so it may be made from a temporary
+/// Complex.
 class Complex::CellRange {
  public:
   CellRange(const Complex& complex, Which which) : complex_(complex), which_(which) {}
@@ -195,9 +213,9 @@ inline Complex::CellRange Complex::cells() const { return {*this, Which::all}; }
 inline Complex::CellRange Complex::finite_cells() const { return {*this, Which::finite}; }
 inline Complex::CellRange Complex::infinite_cells() const { return {*this, Which::infinite}; }
 
-/// The canonical hash of a triangulation: 128 bits that depend on the coordinates of the vertices and on the set of finite
-/// cells only; not on ids, order of insertion, seed, duplicates, or the sign of zeros. As 32 hexadecimal digits. If vertices
-/// have different weights, it depends on these, too; on hidden points never.
+/// The canonical hash of a triangulation: 128 bits that depend on the coordinates of the vertices and on the
+/// set of finite cells only; not on ids, order of insertion, seed, duplicates, or the sign of zeros. As 32
+/// hexadecimal digits. If vertices have different weights, it depends on these, too; on hidden points never.
 struct CanonicalHash {
   std::uint64_t high = 0, low = 0;
   friend bool operator==(const CanonicalHash&, const CanonicalHash&) = default;

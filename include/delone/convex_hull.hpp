@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Exact convex hulls in any dimension: the polytope of a set of points with its cells, facets, ridges and extreme points.
+// Exact convex hulls in any dimension: the polytope of a set of points with its cells, facets, ridges and
+// extreme points.
 #pragma once
 
 #include <delone/complex.hpp>
@@ -30,26 +31,31 @@ enum class PointKind : std::uint8_t {
 
 /// A convex hull as plain arrays. Rows are input rows (0-based); k is the affine dimension.
 ///
-/// A *cell* is a simplex of the boundary, k vertices; a *facet* is a facet of the polytope, which consists of one cell or,
-/// where more than k points lie in its hyperplane, of several. Faces are given by their extreme rows, increasing.
+/// A *cell* is a simplex of the boundary, k vertices; a *facet* is a facet of the polytope, which consists of
+/// one cell or, where more than k points lie in its hyperplane, of several. Faces are given by their extreme
+/// rows, increasing.
 struct HullData {
-  int dimension = 0;                       ///< d
-  int affine_dimension = -1;               ///< k
-  std::vector<double> points;              ///< n×d, as given; may be left out
-  std::vector<SignedIndex> cells;          ///< m×k: for x inside, (x, vertices of a cell) is positively oriented on the axes
+  int dimension = 0;           ///< d
+  int affine_dimension = -1;   ///< k
+  std::vector<double> points;  ///< n×d, as given; may be left out
+  std::vector<SignedIndex>
+      cells;  ///< m×k: for x inside, (x, vertices of a cell) is positively oriented on the axes
   std::vector<SignedIndex> neighbors;      ///< m×k cells: neighbor i is across the ridge opposite vertex i
   std::vector<SignedIndex> facet_of_cell;  ///< m, the facet each cell is part of
-  std::vector<SignedIndex> facet_offsets, facet_vertices;  ///< facet f: facet_vertices[facet_offsets[f] … facet_offsets[f+1]]
-  std::vector<SignedIndex> ridge_facets;                   ///< r×2, the two facets that meet in each ridge, increasing
+  std::vector<SignedIndex> facet_offsets,
+      facet_vertices;  ///< facet f: facet_vertices[facet_offsets[f] … facet_offsets[f+1]]
+  std::vector<SignedIndex> ridge_facets;  ///< r×2, the two facets that meet in each ridge, increasing
   std::vector<SignedIndex> ridge_offsets, ridge_vertices;  ///< as for facets
-  std::vector<double> equations;                           ///< f×(d+1): unit outward normal, offset; ≤ 0 inside
-  std::vector<double> equation_errors;                     ///< f; see Polytope::data()
-  std::vector<SignedIndex> vertices;                       ///< the extreme rows, increasing
-  std::vector<SignedIndex> vertex_of_point;                ///< n, the first row that is equal to each row
-  std::vector<PointKind> point_kinds;                      ///< n
+  std::vector<double> equations;             ///< f×(d+1): unit outward normal, offset; ≤ 0 inside
+  std::vector<double> equation_errors;       ///< f; see Polytope::data()
+  std::vector<SignedIndex> vertices;         ///< the extreme rows, increasing
+  std::vector<SignedIndex> vertex_of_point;  ///< n, the first row that is equal to each row
+  std::vector<PointKind> point_kinds;        ///< n
 
   std::size_t num_points() const { return vertex_of_point.size(); }
-  std::size_t num_cells() const { return affine_dimension < 1 ? 0 : cells.size() / static_cast<std::size_t>(affine_dimension); }
+  std::size_t num_cells() const {
+    return affine_dimension < 1 ? 0 : cells.size() / static_cast<std::size_t>(affine_dimension);
+  }
   std::size_t num_facets() const { return facet_offsets.empty() ? 0 : facet_offsets.size() - 1; }
   std::size_t num_ridges() const { return ridge_facets.size() / 2; }
 };
@@ -69,31 +75,33 @@ struct Containment {
     outside_affine_hull,  ///< not in the affine hull (k < d)
   };
   Kind kind = Kind::outside_affine_hull;
-  /// A cell: outside, one that is visible from the query; on the boundary, one whose hyperplane contains it; inside, one that
-  /// the ray from an interior point through the query leaves by. −1 if there is none.
+  /// A cell: outside, one that is visible from the query; on the boundary, one whose hyperplane contains it;
+  /// inside, one that the ray from an interior point through the query leaves by. −1 if there is none.
   SignedIndex cell = -1;
-  /// On the boundary: the extreme rows of the smallest face that contains the query, increasing. One row: the query is a
-  /// vertex.
+  /// On the boundary: the extreme rows of the smallest face that contains the query, increasing. One row: the
+  /// query is a vertex.
   std::vector<SignedIndex> face;
 };
 
 struct HullInsertResult {
   std::size_t row = 0;     ///< the row of the new point
-  bool inserted = false;   ///< the boundary has changed; false for a duplicate, an interior point, and some boundary points
+  bool inserted = false;   ///< the boundary has changed; false for a duplicate, an interior point, and some
+                           ///< boundary points
   bool duplicate = false;  ///< equal to an earlier point
 };
 
 /// The convex hull of points in R^d, d chosen at run time.
 ///
-/// Method: incremental insertion. Points that lie in the hyperplane of a cell are moved inwards by infinitesimals, larger ones
-/// for lexicographically larger points, so that the boundary is always made of simplices and is a function of the set of points
-/// alone (after Devillers and Teillaud, "Perturbations for Delaunay and weighted Delaunay 3D triangulations",
-/// doi:10.1016/j.comgeo.2010.09.010). Cells in one hyperplane are then merged into the facets of the polytope, exactly; facets,
-/// ridges, faces and extreme points do not depend on the perturbation.
+/// Method: incremental insertion. Points that lie in the hyperplane of a cell are moved inwards by
+/// infinitesimals, larger ones for lexicographically larger points, so that the boundary is always made of
+/// simplices and is a function of the set of points alone (after Devillers and Teillaud, "Perturbations for
+/// Delaunay and weighted Delaunay 3D triangulations", doi:10.1016/j.comgeo.2010.09.010). Cells in one
+/// hyperplane are then merged into the facets of the polytope, exactly; facets, ridges, faces and extreme
+/// points do not depend on the perturbation.
 ///
-/// Exact for all finite doubles. Flat input has the hull in its flat, k < d: for k = 1 two end points, each a facet; for k = 0
-/// a single point, without facets. Duplicates are merged. `const` members may be called from several threads at once. Worst
-/// case O(n^⌊d/2⌋) cells.
+/// Exact for all finite doubles. Flat input has the hull in its flat, k < d: for k = 1 two end points, each a
+/// facet; for k = 0 a single point, without facets. Duplicates are merged. `const` members may be called from
+/// several threads at once. Worst case O(n^⌊d/2⌋) cells.
 class Polytope {
  public:
   /// The hull of no points. Throws Errc::bad_dimension unless dimension ≥ 1.
@@ -105,8 +113,9 @@ class Polytope {
   Polytope& operator=(Polytope&&) noexcept;
   ~Polytope();
 
-  /// Inserts n points (n·d coordinates) as the next n rows. If it throws (not_finite, bad_dimension, cancelled, too_many,
-  /// out_of_memory), the hull is as it was. A point outside the affine hull of all earlier ones rebuilds it.
+  /// Inserts n points (n·d coordinates) as the next n rows. If it throws (not_finite, bad_dimension,
+  /// cancelled, too_many, out_of_memory), the hull is as it was. A point outside the affine hull of all
+  /// earlier ones rebuilds it.
   void insert_range(std::span<const double> coordinates);
   /// Inserts one point (d coordinates) as the next row; errors as above.
   HullInsertResult insert(std::span<const double> point);
@@ -124,39 +133,41 @@ class Polytope {
   std::span<const double> point(std::size_t row) const;  ///< the d coordinates of a row
   std::vector<int> axes() const;                         ///< as Triangulation::axes()
 
-  /// The hull as arrays, without `points`; valid until the next insertion. Computed on first use after a change, O(cells·k³)
-  /// and more where cells share hyperplanes. The numbers, kinds and measures above and below do not need it. Cells are numbered
-  /// in no particular order; for k = 1 cell 0 is the lower end on the axis.
+  /// The hull as arrays, without `points`; valid until the next insertion. Computed on first use after a
+  /// change, O(cells·k³) and more where cells share hyperplanes. The numbers, kinds and measures above and
+  /// below do not need it. Cells are numbered in no particular order; for k = 1 cell 0 is the lower end on
+  /// the axis.
   ///
-  /// `equations` are rounded: for every x of the hull the exact signed distance from the facet's hyperplane differs from that
-  /// of the row, evaluated without error, by at most the entry of `equation_errors`. For k < d the normals are parallel to the
-  /// flat and the errors infinite.
+  /// `equations` are rounded: for every x of the hull the exact signed distance from the facet's hyperplane
+  /// differs from that of the row, evaluated without error, by at most the entry of `equation_errors`. For k
+  /// < d the normals are parallel to the flat and the errors infinite.
   const HullData& data() const;
   /// A copy of data(), with the points.
   HullData to_data(bool with_points = true) const;
 
-  /// The k-dimensional volume, and the (k−1)-dimensional volume of the boundary, each a compensated sum over the cells, both
-  /// O(m·d³) together. The error bound covers the arithmetic to first order, with slack; it is infinite where numbers overflow.
-  /// For k = 1 the area is 2, the number of end points; for k < 1 both are 0.
+  /// The k-dimensional volume, and the (k−1)-dimensional volume of the boundary, each a compensated sum over
+  /// the cells, both O(m·d³) together. The error bound covers the arithmetic to first order, with slack; it
+  /// is infinite where numbers overflow. For k = 1 the area is 2, the number of end points; for k < 1 both
+  /// are 0.
   Measure volume() const;
   Measure area() const;
 
-  /// f_0 … f_(k−1), the number of faces of the polytope of each dimension; the Euler–Poincaré relation Σ(−1)^j·f_j = 1 − (−1)^k
-  /// holds. Cost up to O(faces · facets · k), memory for all faces of one dimension.
+  /// f_0 … f_(k−1), the number of faces of the polytope of each dimension; the Euler–Poincaré relation
+  /// Σ(−1)^j·f_j = 1 − (−1)^k holds. Cost up to O(faces · facets · k), memory for all faces of one dimension.
   std::vector<std::size_t> f_vector() const;
 
   /// Where q lies, exactly. Cost: a walk over cells. REQUIRES d finite coordinates.
   Containment locate(std::span<const double> query) const;
   bool contains(std::span<const double> query) const;  ///< inside or on the boundary
 
-  /// The cells that are strictly visible from q, increasing: those whose hyperplane has q strictly beyond it. Empty for a q of
-  /// the hull or outside the affine hull. O(answer·k⁴).
+  /// The cells that are strictly visible from q, increasing: those whose hyperplane has q strictly beyond it.
+  /// Empty for a q of the hull or outside the affine hull. O(answer·k⁴).
   std::vector<SignedIndex> visible_cells(std::span<const double> query) const;
   /// The facets that are strictly visible from q, increasing.
   std::vector<SignedIndex> visible_facets(std::span<const double> query) const;
 
-  /// Depends on the coordinates of the cells' vertices and the set of cells only: not on order, seed, duplicates, interior
-  /// points.
+  /// Depends on the coordinates of the cells' vertices and the set of cells only: not on order, seed,
+  /// duplicates, interior points.
   CanonicalHash hash() const;
   Statistics statistics() const;
 
@@ -206,24 +217,27 @@ class ConvexHull : public Polytope {
 };
 
 enum class HullCheckLevel : int {
-  storage = 1,       ///< array sizes; rows, neighbors and facets in range; no repeated vertex in a cell
-  incidence = 2,     ///< every ridge in exactly two cells, neighbors mutual, coherent orientation, connected
-  convexity = 3,     ///< no cell is flat; the boundary is convex at every ridge between two cells, exactly
-  support = 4,       ///< every point is inside or on the hyperplane of every cell, exactly; the cells cover the boundary once
-  completeness = 5,  ///< facets, extreme rows and kinds of points are those of the polytope; the affine dimension is right
+  storage = 1,    ///< array sizes; rows, neighbors and facets in range; no repeated vertex in a cell
+  incidence = 2,  ///< every ridge in exactly two cells, neighbors mutual, coherent orientation, connected
+  convexity = 3,  ///< no cell is flat; the boundary is convex at every ridge between two cells, exactly
+  support = 4,    ///< every point is inside or on the hyperplane of every cell, exactly; the cells cover the
+                  ///< boundary once
+  completeness = 5,  ///< facets, extreme rows and kinds of points are those of the polytope; the affine
+                     ///< dimension is right
 };
 
 struct HullCheckReport {
   bool ok = false;
   HullCheckLevel reached = HullCheckLevel::storage;  ///< the highest level examined
-  std::string violation;                             ///< the first violation, naming cells and points; empty when ok
-  std::vector<std::size_t> cells;                    ///< the cells concerned
-  std::vector<std::size_t> points;                   ///< the points concerned
-  std::size_t coplanar_ridges = 0;                   ///< ridges whose two cells lie in one hyperplane (level 3)
+  std::string violation;            ///< the first violation, naming cells and points; empty when ok
+  std::vector<std::size_t> cells;   ///< the cells concerned
+  std::vector<std::size_t> points;  ///< the points concerned
+  std::size_t coplanar_ridges = 0;  ///< ridges whose two cells lie in one hyperplane (level 3)
 };
 
-/// Examines a hull, level after level, stopping at the first violation. Levels 1–4 prove that the cells are the boundary of the
-/// convex hull of all points. Needs points and cells; unknown neighbors, facets and kinds are not examined. Cost O(n·m·k).
+/// Examines a hull, level after level, stopping at the first violation. Levels 1–4 prove that the cells are
+/// the boundary of the convex hull of all points. Needs points and cells; unknown neighbors, facets and kinds
+/// are not examined. Cost O(n·m·k).
 HullCheckReport check_hull(const HullData& data, HullCheckLevel up_to = HullCheckLevel::completeness);
 
 }  // namespace delone

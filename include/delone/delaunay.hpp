@@ -31,7 +31,8 @@ struct Location {
     outside_affine_hull,  ///< not in the affine hull (k < d)
   };
   Kind kind = Kind::outside_affine_hull;
-  CellId cell = invalid_cell;  ///< a cell that contains the face; outside the hull: an infinite cell in conflict with the query
+  CellId cell = invalid_cell;  ///< a cell that contains the face; outside the hull: an infinite cell in
+                               ///< conflict with the query
   std::vector<VertexId> face;  ///< the vertices of the smallest face that contains the query; empty outside
   int face_dimension() const { return static_cast<int>(face.size()) - 1; }
 };
@@ -43,15 +44,17 @@ struct InsertResult {
 
 /// The Delaunay triangulation of points in R^d, d chosen at run time.
 ///
-/// Method: incremental insertion with symbolic perturbation of ties; Hornus and Boissonnat, "An efficient implementation
-/// of Delaunay triangulations in medium dimensions", INRIA RR-6743 (2008); perturbation after Devillers and Teillaud,
-/// "Perturbations for Delaunay and weighted Delaunay 3D triangulations", doi:10.1016/j.comgeo.2010.09.010.
+/// Method: incremental insertion with symbolic perturbation of ties; Hornus and Boissonnat, "An efficient
+/// implementation of Delaunay triangulations in medium dimensions", INRIA RR-6743 (2008); perturbation after
+/// Devillers and Teillaud, "Perturbations for Delaunay and weighted Delaunay 3D triangulations",
+/// doi:10.1016/j.comgeo.2010.09.010.
 ///
-/// Exact for all finite doubles. The result is a function of the set of points: the cells do not depend on order or seed.
-/// Input that spans only a k-flat is triangulated inside its flat. Duplicates are merged. `const` members may be called
-/// from several threads at once. Expected cost for uniform points: O(n) cells and time per dimension; worst case
-/// O(n^⌈d/2⌉) cells. In 7 and 8 dimensions a first batch of at most 4000 points leaves what only queries and insertions need,
-/// O(k³) time and 8(k+2) bytes per cell, to the first of them, which throws Errc::out_of_memory if that fails.
+/// Exact for all finite doubles. The result is a function of the set of points: the cells do not depend on
+/// order or seed. Input that spans only a k-flat is triangulated inside its flat. Duplicates are merged.
+/// `const` members may be called from several threads at once. Expected cost for uniform points: O(n) cells
+/// and time per dimension; worst case O(n^⌈d/2⌉) cells. In 7 and 8 dimensions a first batch of at most 4000
+/// points leaves what only queries and insertions need, O(k³) time and 8(k+2) bytes per cell, to the first of
+/// them, which throws Errc::out_of_memory if that fails.
 class Triangulation {
  public:
   /// The triangulation of no points. Throws Errc::bad_dimension unless dimension ≥ 1.
@@ -65,21 +68,22 @@ class Triangulation {
   Triangulation& operator=(Triangulation&&) noexcept;
   ~Triangulation();
 
-  /// Inserts n points (n·d coordinates) as the next n rows. Errors leave the triangulation as it was for not_finite and
-  /// bad_dimension; after cancelled or too_many it holds a valid triangulation of some of the points.
+  /// Inserts n points (n·d coordinates) as the next n rows. Errors leave the triangulation as it was for
+  /// not_finite and bad_dimension; after cancelled or too_many it holds a valid triangulation of some of the
+  /// points.
   void insert_range(std::span<const double> coordinates);
-  /// The same, and the vector's memory is released before most cells are created: the peak is lower by the size of the points.
-  /// After not_finite and bad_dimension the vector is as it was, too.
+  /// The same, and the vector's memory is released before most cells are created: the peak is lower by the
+  /// size of the points. After not_finite and bad_dimension the vector is as it was, too.
   void insert_range(std::vector<double>&& coordinates);
-  /// Inserts one point (d coordinates) as the next row; `hint` is a cell near it. Expected cost with a good hint: the size
-  /// of the conflict zone; without: also a walk past a few cells, from a vertex close by
+  /// Inserts one point (d coordinates) as the next row; `hint` is a cell near it. Expected cost with a good
+  /// hint: the size of the conflict zone; without: also a walk past a few cells, from a vertex close by
   /// (docs/decisions/0006-walks-start-at-a-vertex-close-by.md). A batch is still faster.
   InsertResult insert(std::span<const double> point, std::optional<CellId> hint = std::nullopt);
 
-  /// Releases what only insertions need: from then on a cell takes 8(k+1) bytes, and the ids of cells change, without gaps.
-  /// Everything keeps working: queries are as exact as ever and some ten times slower, and the next insertion first restores
-  /// what was released, O(k³) per cell. Cost O(cells·k), and for a moment the memory of both. Throws Errc::out_of_memory, and
-  /// then changes nothing.
+  /// Releases what only insertions need: from then on a cell takes 8(k+1) bytes, and the ids of cells change,
+  /// without gaps. Everything keeps working: queries are as exact as ever and some ten times slower, and the
+  /// next insertion first restores what was released, O(k³) per cell. Cost O(cells·k), and for a moment the
+  /// memory of both. Throws Errc::out_of_memory, and then changes nothing.
   void compact();
 
   int dimension() const;           ///< d
@@ -102,18 +106,21 @@ class Triangulation {
   std::span<const double> point(VertexId v) const;
   /// The first input row at a finite vertex.
   std::size_t row_of(VertexId v) const;
-  /// The vertex at an input row, row < num_rows(); invalid_vertex for a row that was not inserted, or is hidden.
+  /// The vertex at an input row, row < num_rows(); invalid_vertex for a row that was not inserted, or is
+  /// hidden.
   VertexId vertex_at(std::size_t row) const;
   /// The k coordinate axes onto which the affine hull projects one-to-one, increasing; all d axes when k = d.
   std::vector<int> axes() const;
 
   /// Where q lies, exactly. Cost: a walk from the hint. REQUIRES d finite coordinates.
   Location locate(std::span<const double> query, std::optional<CellId> hint = std::nullopt) const;
-  /// The cells in conflict with q: those an insertion of q would destroy, ties perturbed as an insertion would. Empty for a
-  /// duplicate of a vertex and for a point outside the affine hull.
-  std::vector<CellId> conflict_zone(std::span<const double> query, std::optional<CellId> hint = std::nullopt) const;
+  /// The cells in conflict with q: those an insertion of q would destroy, ties perturbed as an insertion
+  /// would. Empty for a duplicate of a vertex and for a point outside the affine hull.
+  std::vector<CellId> conflict_zone(std::span<const double> query,
+                                    std::optional<CellId> hint = std::nullopt) const;
 
-  /// The sign of (squared distance to the circumcenter − squared radius) of a finite cell at q, exactly: negative inside.
+  /// The sign of (squared distance to the circumcenter − squared radius) of a finite cell at q, exactly:
+  /// negative inside.
   Sign in_sphere(CellId cell, std::span<const double> query) const;
 
   /// A plain copy: cells of point rows in the order of finite_cells().
@@ -160,7 +167,8 @@ concept Expiring = !std::is_reference_v<Range> && !std::is_const_v<Range> && !st
 
 }  // namespace detail
 
-/// The Delaunay triangulation of points in R^D. Compiled for D = 1…8; larger D uses the run-time-dimension engine.
+/// The Delaunay triangulation of points in R^D. Compiled for D = 1…8; larger D uses the run-time-dimension
+/// engine.
 template <int D>
 class Delaunay : public Triangulation {
   static_assert(D >= 1, "the dimension of the space is at least 1");
@@ -172,7 +180,8 @@ class Delaunay : public Triangulation {
   /// From any contiguous range of points of D doubles each, or of doubles (D per point).
   template <std::ranges::contiguous_range Range>
   requires std::ranges::sized_range<Range> &&
-      (!std::same_as<std::remove_cvref_t<Range>, Delaunay>)explicit Delaunay(const Range& points, const Options& options = {})
+      (!std::same_as<std::remove_cvref_t<Range>, Delaunay>)explicit Delaunay(const Range& points,
+                                                                             const Options& options = {})
       : Triangulation(detail::as_coordinates<D>(points), D, options) {}
   /// From a container that is taken over: see Triangulation::insert_range().
   template <std::ranges::contiguous_range Range>

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The one exception type of the library. Unlucky input (flat, duplicate, empty) is a result and never an error.
+// The one exception type of the library. Unlucky input (flat, duplicate, empty) is a result and never an
+// error.
 #pragma once
 
 #include <cstddef>

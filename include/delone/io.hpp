@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Readers of points and readers and writers of triangulations. Every error is a delone::Error that names file and place.
+// Readers of points and readers and writers of triangulations. Every error is a delone::Error that names file
+// and place.
 #pragma once
 
 #include <delone/complex.hpp>
@@ -19,12 +20,16 @@ struct PointTable {
   int dimension = 0;
   std::vector<double> coordinates;        ///< n×d, row-major
   std::vector<std::string> column_names;  ///< of a CSV/TSV/PLY header, after selection; may be empty
-  std::size_t num_points() const { return dimension < 1 ? 0 : coordinates.size() / static_cast<std::size_t>(dimension); }
+  std::size_t num_points() const {
+    return dimension < 1 ? 0 : coordinates.size() / static_cast<std::size_t>(dimension);
+  }
 };
 
 struct ReadOptions {
-  std::string format;  ///< "npy", "csv", "tsv", "txt", "xyz", "pts", "off", "ply", "qhull"; empty: by extension, "-" is qhull
-  std::vector<std::string> columns;  ///< csv, tsv, txt: names, or 0-based numbers where there is no header; empty: all
+  std::string format;  ///< "npy", "csv", "tsv", "txt", "xyz", "pts", "off", "ply", "qhull"; empty: by
+                       ///< extension, "-" is qhull
+  std::vector<std::string>
+      columns;  ///< csv, tsv, txt: names, or 0-based numbers where there is no header; empty: all
 };
 
 /// Reads points from a file, or from standard input when the path is "-". Values must be finite.
@@ -37,8 +42,8 @@ struct ReadOptions {
 ///   off          OFF / nOFF / COFF vertices
 ///   ply          ascii and binary, the properties x, y, z
 ///   qhull        dimension, count, rows (rbox's output; the rest of the first line is a comment)
-/// Errors: cannot_open; bad_format with "FILE:LINE: …" or "FILE: row N: …"; not_finite with rows(); bad_dimension for
-/// dimension 0; unsupported; out_of_memory.
+/// Errors: cannot_open; bad_format with "FILE:LINE: …" or "FILE: row N: …"; not_finite with rows();
+/// bad_dimension for dimension 0; unsupported; out_of_memory.
 PointTable read_points(const std::string& path, const ReadOptions& options = {});
 
 /// Writes a triangulation; the format is `format` or the extension of the path:
@@ -50,27 +55,31 @@ PointTable read_points(const std::string& path, const ReadOptions& options = {})
 ///   svg   d = 2: a picture
 ///   txt   Qhull's `i` form: number of cells, then one line of point rows per cell
 ///   npy   the cells array only
-/// The file appears whole or not at all (written beside, then renamed). "-" is standard output, for the text formats; txt
-/// unless `format` says otherwise. Errors: cannot_write, unsupported; invalid_argument where the arrays disagree.
+/// The file appears whole or not at all (written beside, then renamed). "-" is standard output, for the text
+/// formats; txt unless `format` says otherwise. Errors: cannot_write, unsupported; invalid_argument where the
+/// arrays disagree.
 void write_complex(const std::string& path, const ComplexData& data, const std::string& format = {});
 
-/// Writes a convex hull (with its points), in the formats of write_complex(). npz and json hold the arrays of HullData, kinds
-/// of points as numbers 0 … 3 in the order of PointKind; the other formats hold the cells, as a triangulation of dimension k−1.
-/// Errors as write_complex().
+/// Writes a convex hull (with its points), in the formats of write_complex(). npz and json hold the arrays of
+/// HullData, kinds of points as numbers 0 … 3 in the order of PointKind; the other formats hold the cells, as
+/// a triangulation of dimension k−1. Errors as write_complex().
 void write_hull(const std::string& path, const HullData& data, const std::string& format = {});
 
-/// Reads a triangulation back: npz (ours; also any .npz with `points` and `cells` or `simplices`), json, off/nOFF.
+/// Reads a triangulation back: npz (ours; also any .npz with `points` and `cells` or `simplices`), json,
+/// off/nOFF.
 ComplexData read_complex(const std::string& path, const std::string& format = {});
 
-/// Reads a hull back that write_hull() wrote as npz or json. The shapes of all arrays are checked; check_hull() examines what
-/// they hold.
+/// Reads a hull back that write_hull() wrote as npz or json. The shapes of all arrays are checked;
+/// check_hull() examines what they hold.
 HullData read_hull(const std::string& path, const std::string& format = {});
 
-/// Reads whichever a file holds: a hull if it has the array facet_of_cell, an intersection of halfspaces if it has
-/// first_of_halfspace, else a triangulation.
-std::variant<ComplexData, HullData, IntersectionData> read_any(const std::string& path, const std::string& format = {});
+/// Reads whichever a file holds: a hull if it has the array facet_of_cell, an intersection of halfspaces if
+/// it has first_of_halfspace, else a triangulation.
+std::variant<ComplexData, HullData, IntersectionData> read_any(const std::string& path,
+                                                               const std::string& format = {});
 
-/// Writes points as .npy, .csv, .tsv, .txt/.xyz/.pts, .off, or qhull form ("-" is standard output), by extension or `format`.
+/// Writes points as .npy, .csv, .tsv, .txt/.xyz/.pts, .off, or qhull form ("-" is standard output), by
+/// extension or `format`.
 void write_points(const std::string& path, const PointTable& points, const std::string& format = {});
 
 }  // namespace delone

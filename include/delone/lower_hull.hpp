@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The lower (or upper) part of a convex hull with respect to the last coordinate: the convex envelope of heights over
-// compositions, as in phase diagrams.
+// The lower (or upper) part of a convex hull with respect to the last coordinate: the convex envelope of
+// heights over compositions, as in phase diagrams.
 #pragma once
 
 #include <delone/complex.hpp>
@@ -17,19 +17,21 @@ namespace delone {
 
 enum class HullSide { lower, upper };
 
-/// The lower hull of points of R^d, d ≥ 2: the graph of the largest convex function that is nowhere above the points, over the
-/// convex hull of their *compositions*, the first d−1 coordinates; the last coordinate is the *height* (an energy, say). The
-/// upper hull is that of the least concave function that is nowhere below.
+/// The lower hull of points of R^d, d ≥ 2: the graph of the largest convex function that is nowhere above the
+/// points, over the convex hull of their *compositions*, the first d−1 coordinates; the last coordinate is
+/// the *height* (an energy, say). The upper hull is that of the least concave function that is nowhere below.
 ///
-/// The cells are simplices of c+1 points, c the affine dimension of the compositions; seen along the last axis they triangulate
-/// the domain, and cells in one hyperplane belong to one facet. Where all heights are an affine function of the compositions
-/// there is a single facet. Exact for all finite doubles; a function of the set of points. Duplicates, flat compositions and
-/// points above the hull are ordinary input. `const` members may be called from several threads at once.
+/// The cells are simplices of c+1 points, c the affine dimension of the compositions; seen along the last
+/// axis they triangulate the domain, and cells in one hyperplane belong to one facet. Where all heights are
+/// an affine function of the compositions there is a single facet. Exact for all finite doubles; a function
+/// of the set of points. Duplicates, flat compositions and points above the hull are ordinary input. `const`
+/// members may be called from several threads at once.
 class LowerHull {
  public:
-  /// From n×d coordinates, row-major. Throws Errc::bad_dimension (d < 2, or a number of coordinates that does not fit),
-  /// not_finite, too_many, out_of_memory, cancelled. Cost: a convex hull of n+1 points.
-  LowerHull(std::span<const double> coordinates, int dimension, HullSide side = HullSide::lower, const Options& options = {});
+  /// From n×d coordinates, row-major. Throws Errc::bad_dimension (d < 2, or a number of coordinates that does
+  /// not fit), not_finite, too_many, out_of_memory, cancelled. Cost: a convex hull of n+1 points.
+  LowerHull(std::span<const double> coordinates, int dimension, HullSide side = HullSide::lower,
+            const Options& options = {});
   LowerHull(PointsView points, HullSide side = HullSide::lower, const Options& options = {});
   LowerHull(LowerHull&&) noexcept;
   LowerHull& operator=(LowerHull&&) noexcept;
@@ -53,23 +55,25 @@ class LowerHull {
   /// c axes of the compositions on which their flat projects one-to-one.
   std::vector<int> composition_axes() const;
 
-  /// A cell whose domain contains the composition (d−1 numbers), exactly; nullopt outside the domain. Cost: a walk.
+  /// A cell whose domain contains the composition (d−1 numbers), exactly; nullopt outside the domain. Cost: a
+  /// walk.
   std::optional<std::size_t> find_cell(std::span<const double> composition) const;
 
-  /// The height of the hull over each of q compositions (q×(d−1)): an interpolation in the cell, rounded. Outside the domain
-  /// +∞ for the lower hull, −∞ for the upper.
+  /// The height of the hull over each of q compositions (q×(d−1)): an interpolation in the cell, rounded.
+  /// Outside the domain +∞ for the lower hull, −∞ for the upper.
   std::vector<double> heights(std::span<const double> compositions) const;
 
-  /// The height of each of q points (q×d) above the hull ("energy above hull"). The sign is exact: 0 only for points exactly on
-  /// the hull, negative below it. The magnitude is rounded, as in heights(). −∞ (+∞ for the upper hull) outside the domain.
+  /// The height of each of q points (q×d) above the hull ("energy above hull"). The sign is exact: 0 only for
+  /// points exactly on the hull, negative below it. The magnitude is rounded, as in heights(). −∞ (+∞ for the
+  /// upper hull) outside the domain.
   std::vector<double> height_above(std::span<const double> points) const;
 
-  /// The cells as plain data: dimension d, affine_dimension c (of the cells). For files and pictures; not a Delaunay
-  /// triangulation.
+  /// The cells as plain data: dimension d, affine_dimension c (of the cells). For files and pictures; not a
+  /// Delaunay triangulation.
   ComplexData to_data() const;
 
-  /// The convex hull that this is a part of: of the points, projected to the composition axes and the height (negated for the
-  /// upper hull), and of one point above them all.
+  /// The convex hull that this is a part of: of the points, projected to the composition axes and the height
+  /// (negated for the upper hull), and of one point above them all.
   const Polytope& polytope() const;
 
  private:

@@ -15,13 +15,15 @@ enum class InsertionOrder {
   shuffled,   ///< a random permutation
 };
 
-/// Options of a construction. The result depends on the set of points alone; options change the path, not the end.
+/// Options of a construction. The result depends on the set of points alone; options change the path, not the
+/// end.
 struct Options {
   std::uint64_t seed = 0;  ///< of the random choices of the insertion order
   InsertionOrder order = InsertionOrder::automatic;
   bool force_runtime_dimension = false;  ///< use the run-time-dimension engine even for k ≤ 8
-  /// Called from the building thread about every 20 ms with the fraction done, 0…1; return false to cancel (Errc::cancelled). A
-  /// batch that is wrapped (some hundred points in 7 or 8 dimensions) stays at 0 until it is done.
+  /// Called from the building thread about every 20 ms with the fraction done, 0…1; return false to cancel
+  /// (Errc::cancelled). A batch that is wrapped (some hundred points in 7 or 8 dimensions) stays at 0 until
+  /// it is done.
   std::function<bool(double)> progress = {};
 };
 
@@ -30,13 +32,15 @@ struct Statistics {
   std::uint64_t created_cells = 0;  ///< by all insertions, including cells destroyed later
   std::uint64_t visited_cells = 0;  ///< by the walks of all insertions
   std::uint64_t insertions = 0;     ///< vertices inserted
-  std::uint64_t filter = 0;         ///< conflict tests decided by the cached functional of the cell, repeated ones included
-  std::uint64_t direct = 0;         ///< … by a determinant in binary64 with a certified bound
-  std::uint64_t exact = 0;          ///< … by exact integer arithmetic
-  std::uint64_t perturbed = 0;      ///< ties, decided by the symbolic perturbation (after one of the stages proved a zero)
-  double order_seconds = 0;         ///< ordering and merging duplicates
-  double build_seconds = 0;         ///< insertions
-  std::size_t cell_bytes = 0;       ///< memory reserved for cells, at present
+  std::uint64_t filter =
+      0;  ///< conflict tests decided by the cached functional of the cell, repeated ones included
+  std::uint64_t direct = 0;  ///< … by a determinant in binary64 with a certified bound
+  std::uint64_t exact = 0;   ///< … by exact integer arithmetic
+  std::uint64_t perturbed =
+      0;  ///< ties, decided by the symbolic perturbation (after one of the stages proved a zero)
+  double order_seconds = 0;    ///< ordering and merging duplicates
+  double build_seconds = 0;    ///< insertions
+  std::size_t cell_bytes = 0;  ///< memory reserved for cells, at present
 };
 
 }  // namespace delone

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Exact signs of orientation and sphere determinants in any dimension, with and without weights, for all finite doubles.
+// Exact signs of orientation and sphere determinants in any dimension, with and without weights, for all
+// finite doubles.
 #pragma once
 
 #include <delone/types.hpp>
@@ -20,35 +21,36 @@ Sign orientation(std::span<const double> points, int dimension);
 /// REQUIRES affinely independent points (orientation ≠ 0); otherwise throws Error. Never perturbed.
 Sign in_sphere(std::span<const double> points, std::span<const double> q, int dimension);
 
-/// As in_sphere, ties broken by the perturbation of Devillers and Teillaud: never 0 unless q equals one of the points.
+/// As in_sphere, ties broken by the perturbation of Devillers and Teillaud: never 0 unless q equals one of
+/// the points.
 Sign in_sphere_perturbed(std::span<const double> points, std::span<const double> q, int dimension);
 
-/// The position of the weighted point (q, w_q) with respect to the sphere (center c, squared radius ρ, which may be negative)
-/// orthogonal to d+1 weighted points, |p_i − c|² − ρ = w_i: the sign of |q − c|² − ρ − w_q.
+/// The position of the weighted point (q, w_q) with respect to the sphere (center c, squared radius ρ, which
+/// may be negative) orthogonal to d+1 weighted points, |p_i − c|² − ρ = w_i: the sign of |q − c|² − ρ − w_q.
 ///   −  q is in conflict: the sphere orthogonal to the points may not stand beside q in a regular triangulation
 ///   0  the sphere is orthogonal to (q, w_q), too                            +  not in conflict
 /// Weights have the unit of squared lengths and may have any sign. With all weights equal it is in_sphere.
-/// (1) It does not depend on the order or the orientation of the points; (2) it is 0 if (q, w_q) is one of the points; (3) if q
-/// has the coordinates of a point but another weight, it is − for the larger weight and + for the smaller; (4) adding one
-/// number to all weights changes nothing, as long as the sums are exact. REQUIRES d+1 affinely independent points and as many
-/// weights, all finite; otherwise throws Error. Never perturbed.
-Sign in_power_sphere(std::span<const double> points, std::span<const double> weights, std::span<const double> q,
-                     double weight_of_q, int dimension);
+/// (1) It does not depend on the order or the orientation of the points; (2) it is 0 if (q, w_q) is one of
+/// the points; (3) if q has the coordinates of a point but another weight, it is − for the larger weight and
+/// + for the smaller; (4) adding one number to all weights changes nothing, as long as the sums are exact.
+/// REQUIRES d+1 affinely independent points and as many weights, all finite; otherwise throws Error. Never
+/// perturbed.
+Sign in_power_sphere(std::span<const double> points, std::span<const double> weights,
+                     std::span<const double> q, double weight_of_q, int dimension);
 
-/// As in_power_sphere, ties broken by the same perturbation: never 0 unless q equals one of the points in coordinates and
-/// weight.
-Sign in_power_sphere_perturbed(std::span<const double> points, std::span<const double> weights, std::span<const double> q,
-                               double weight_of_q, int dimension);
+/// As in_power_sphere, ties broken by the same perturbation: never 0 unless q equals one of the points in
+/// coordinates and weight.
+Sign in_power_sphere_perturbed(std::span<const double> points, std::span<const double> weights,
+                               std::span<const double> q, double weight_of_q, int dimension);
 
-/// The sign of the determinant of d+1 homogeneous rows of d+1 entries (row-major): a hull orientation of rays, such as the
-/// halfspaces (n, c).
-/// (1) Exchanging two rows negates it; (2) multiplying a row by a positive number changes nothing, if the products are exact;
-/// (3) for rows (x, 1) it is (−1)^d·orientation of the points x.
-/// REQUIRES rows.size() = (d+1)², all finite; otherwise throws Error.
+/// The sign of the determinant of d+1 homogeneous rows of d+1 entries (row-major): a hull orientation of
+/// rays, such as the halfspaces (n, c). (1) Exchanging two rows negates it; (2) multiplying a row by a
+/// positive number changes nothing, if the products are exact; (3) for rows (x, 1) it is (−1)^d·orientation
+/// of the points x. REQUIRES rows.size() = (d+1)², all finite; otherwise throws Error.
 Sign homogeneous_orientation(std::span<const double> rows, int dimension);
 
-/// The sign of n·p + c for a hyperplane (n, c) of d+1 numbers: for the halfspace n·x + c ≤ 0, − strictly inside, 0 on its
-/// boundary,
+/// The sign of n·p + c for a hyperplane (n, c) of d+1 numbers: for the halfspace n·x + c ≤ 0, − strictly
+/// inside, 0 on its boundary,
 /// + outside. REQUIRES hyperplane.size() = d+1, p.size() = d, all finite; otherwise throws Error.
 Sign side_of_hyperplane(std::span<const double> hyperplane, std::span<const double> p, int dimension);
 

@@ -22,10 +22,12 @@ using Index = std::uint32_t;
 using SignedIndex = std::int32_t;
 #endif
 
-/// A vertex of the complex. Vertex 0 is the infinite vertex; finite vertices count from 1 in the order of insertion.
+/// A vertex of the complex. Vertex 0 is the infinite vertex; finite vertices count from 1 in the order of
+/// insertion.
 enum class VertexId : Index {};
 
-/// A cell of the complex: a slot in the cell arrays. An id stays valid until its cell is destroyed by an insertion.
+/// A cell of the complex: a slot in the cell arrays. An id stays valid until its cell is destroyed by an
+/// insertion.
 enum class CellId : Index {};
 
 inline constexpr VertexId infinite_vertex{0};
@@ -33,7 +35,8 @@ inline constexpr Index invalid_index = std::numeric_limits<Index>::max();
 inline constexpr CellId invalid_cell{invalid_index};
 inline constexpr VertexId invalid_vertex{invalid_index};
 
-/// The largest id that is ever handed out. Ids also fit the signed type of the same width, which files and arrays use.
+/// The largest id that is ever handed out. Ids also fit the signed type of the same width, which files and
+/// arrays use.
 inline constexpr Index max_index = static_cast<Index>(std::numeric_limits<SignedIndex>::max()) - 1;
 
 constexpr Index index(VertexId v) { return static_cast<Index>(v); }
@@ -50,25 +53,33 @@ struct Facet {
 enum class Sign : int { negative = -1, zero = 0, positive = 1 };
 
 constexpr Sign operator-(Sign s) { return static_cast<Sign>(-static_cast<int>(s)); }
-constexpr Sign operator*(Sign a, Sign b) { return static_cast<Sign>(static_cast<int>(a) * static_cast<int>(b)); }
+constexpr Sign operator*(Sign a, Sign b) {
+  return static_cast<Sign>(static_cast<int>(a) * static_cast<int>(b));
+}
 
 /// A read-only view of n points in R^d: n·d contiguous doubles, row-major (one point after the other).
 class PointsView {
  public:
   PointsView() = default;
-  /// REQUIRES dimension ≥ 1 and that coordinates.size() is a multiple of dimension; otherwise throws std::invalid_argument.
-  PointsView(std::span<const double> coordinates, int dimension) : coordinates_(coordinates), dimension_(dimension) {
+  /// REQUIRES dimension ≥ 1 and that coordinates.size() is a multiple of dimension; otherwise throws
+  /// std::invalid_argument.
+  PointsView(std::span<const double> coordinates, int dimension)
+      : coordinates_(coordinates), dimension_(dimension) {
     if (dimension < 1 || coordinates.size() % static_cast<std::size_t>(dimension) != 0)
-      throw std::invalid_argument("delone::PointsView: the number of coordinates is not a multiple of the dimension");
+      throw std::invalid_argument(
+          "delone::PointsView: the number of coordinates is not a multiple of the dimension");
   }
 
   int dimension() const { return dimension_; }
-  std::size_t size() const { return dimension_ == 0 ? 0 : coordinates_.size() / static_cast<std::size_t>(dimension_); }
+  std::size_t size() const {
+    return dimension_ == 0 ? 0 : coordinates_.size() / static_cast<std::size_t>(dimension_);
+  }
   bool empty() const { return coordinates_.empty(); }
   const double* data() const { return coordinates_.data(); }
   std::span<const double> coordinates() const { return coordinates_; }
   std::span<const double> operator[](std::size_t row) const {
-    return coordinates_.subspan(row * static_cast<std::size_t>(dimension_), static_cast<std::size_t>(dimension_));
+    return coordinates_.subspan(row * static_cast<std::size_t>(dimension_),
+                                static_cast<std::size_t>(dimension_));
   }
 
  private:

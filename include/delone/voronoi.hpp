@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Voronoi and power diagrams: the dual of a Delaunay or regular triangulation as arrays, volumes of regions, clipping to a box.
+// Voronoi and power diagrams: the dual of a Delaunay or regular triangulation as arrays, volumes of regions,
+// clipping to a box.
 #pragma once
 
 #include <delone/delaunay.hpp>
@@ -24,24 +25,25 @@ struct Box {
 /// A region cut off at a box, as geometry: d ≤ 3.
 struct ClippedRegion {
   std::vector<double> corners;  ///< m×d
-  /// d = 3: the corners of each face, counterclockwise seen from outside. d = 2: one face, the polygon, counterclockwise.
-  /// d = 1: one face, the two ends. Empty where region and box have no interior in common.
+  /// d = 3: the corners of each face, counterclockwise seen from outside. d = 2: one face, the polygon,
+  /// counterclockwise. d = 1: one face, the two ends. Empty where region and box have no interior in common.
   std::vector<std::vector<Index>> faces;
   bool empty() const { return faces.empty(); }
 };
 
 /// How much of a diagram is made.
 enum class VoronoiParts {
-  regions,  ///< vertices, regions, rays: the smaller part of the work. Without ridges there are no volumes, and nothing is
-            ///< clipped
+  regions,  ///< vertices, regions, rays: the smaller part of the work. Without ridges there are no volumes,
+            ///< and nothing is clipped
   all,
 };
 
-/// The arrays of a diagram, as files hold them (docs/formats.md): what the members of VoronoiDiagram of these names give.
+/// The arrays of a diagram, as files hold them (docs/formats.md): what the members of VoronoiDiagram of these
+/// names give.
 struct VoronoiData {
   int dimension = 1, affine_dimension = -1;  ///< d and k
-  std::vector<double> points;                ///< n×d, hidden points included; NaN for rows that were not inserted
-  std::vector<double> weights;               ///< n, of a power diagram only
+  std::vector<double> points;   ///< n×d, hidden points included; NaN for rows that were not inserted
+  std::vector<double> weights;  ///< n, of a power diagram only
   std::vector<double> vertices;
   std::vector<SignedIndex> ridge_points, ridge_vertices, region_vertices, point_region;
   std::vector<std::int64_t> ridge_offsets{0}, region_offsets{0};
@@ -49,31 +51,37 @@ struct VoronoiData {
   std::vector<double> ray_directions;
 
   std::size_t num_points() const { return point_region.size(); }
-  std::size_t num_vertices() const { return dimension < 1 ? 0 : vertices.size() / static_cast<std::size_t>(dimension); }
+  std::size_t num_vertices() const {
+    return dimension < 1 ? 0 : vertices.size() / static_cast<std::size_t>(dimension);
+  }
   std::size_t num_ridges() const { return ridge_offsets.empty() ? 0 : ridge_offsets.size() - 1; }
   std::size_t num_regions() const { return region_offsets.empty() ? 0 : region_offsets.size() - 1; }
   std::size_t num_rays() const { return ray_vertices.size(); }
 };
 
-/// A triangulation whose vertices have weights: the power of x with respect to a vertex at p is |x − p|² − weight.
+/// A triangulation whose vertices have weights: the power of x with respect to a vertex at p is |x − p|² −
+/// weight.
 template <class T>
 concept WeightedTriangulation = std::derived_from<T, Triangulation> && requires(const T& t, VertexId v) {
   { t.weight(v) } -> std::convertible_to<double>;
 };
 
-/// The Voronoi diagram of points in R^d: for each site (distinct point) the region of the points of the flat that are not
-/// nearer to any other site. Data of its own: the triangulation may change or go away afterwards.
+/// The Voronoi diagram of points in R^d: for each site (distinct point) the region of the points of the flat
+/// that are not nearer to any other site. Data of its own: the triangulation may change or go away
+/// afterwards.
 ///
-/// Points that span only a k-flat have their diagram inside the flat: Voronoi vertices, rays and volumes are those of R^k, in d
-/// coordinates. One point (k = 0) has one region, everything, without vertices; no point (k = −1) has none.
+/// Points that span only a k-flat have their diagram inside the flat: Voronoi vertices, rays and volumes are
+/// those of R^k, in d coordinates. One point (k = 0) has one region, everything, without vertices; no point
+/// (k = −1) has none.
 ///
-/// *Voronoi vertices* are the distinct centres of the spheres of the finite cells. That two cells have one sphere is decided
-/// exactly, so a cospherical set of points makes one vertex. Each coordinate is the double nearest to the exact one (ties to
-/// even; ±infinity beyond the range of doubles), and thus does not depend on how ties of the triangulation were decided.
-/// *Regions* are in the order of the sites' first input rows: without duplicates and hidden points region i is that of point i.
-/// *Ridges* are the facets between two regions, of dimension k−1 exactly: two regions that only touch in less have none.
-/// −1 stands for infinity in lists of vertices. The arrays are those of `scipy.spatial.Voronoi`, lists of lists as offsets
-/// into one array: list i is entries offsets[i] … offsets[i+1]−1.
+/// *Voronoi vertices* are the distinct centres of the spheres of the finite cells. That two cells have one
+/// sphere is decided exactly, so a cospherical set of points makes one vertex. Each coordinate is the double
+/// nearest to the exact one (ties to even; ±infinity beyond the range of doubles), and thus does not depend
+/// on how ties of the triangulation were decided. *Regions* are in the order of the sites' first input rows:
+/// without duplicates and hidden points region i is that of point i. *Ridges* are the facets between two
+/// regions, of dimension k−1 exactly: two regions that only touch in less have none. −1 stands for infinity
+/// in lists of vertices. The arrays are those of `scipy.spatial.Voronoi`, lists of lists as offsets into one
+/// array: list i is entries offsets[i] … offsets[i+1]−1.
 ///
 /// Cost: one solve of k equations per cell, and the size of the output. Errors: out_of_memory.
 class VoronoiDiagram {
@@ -96,21 +104,27 @@ class VoronoiDiagram {
 
   /// num_vertices()×d coordinates.
   std::span<const double> vertices() const { return vertices_; }
-  std::span<const double> vertex(std::size_t i) const { return std::span(vertices_).subspan(i * ambient(), ambient()); }
+  std::span<const double> vertex(std::size_t i) const {
+    return std::span(vertices_).subspan(i * ambient(), ambient());
+  }
 
-  /// Whether ridges were asked for. Volumes, clipping and files need them: without, these throw Errc::invalid_argument.
+  /// Whether ridges were asked for. Volumes, clipping and files need them: without, these throw
+  /// Errc::invalid_argument.
   bool has_ridges() const { return has_ridges_; }
   /// num_ridges()×2 input rows: the two sites of each ridge. Their bisector contains the ridge.
   std::span<const SignedIndex> ridge_points() const { return ridge_points_; }
-  /// The vertices of a ridge; −1 first if it is unbounded. In cyclic order for k = 3, counterclockwise about the direction from
-  /// ridge_points[2i] to ridge_points[2i+1] when k = d; increasing for k > 3. One vertex for k = 1, two entries for k = 2.
+  /// The vertices of a ridge; −1 first if it is unbounded. In cyclic order for k = 3, counterclockwise about
+  /// the direction from ridge_points[2i] to ridge_points[2i+1] when k = d; increasing for k > 3. One vertex
+  /// for k = 1, two entries for k = 2.
   std::span<const SignedIndex> ridge(std::size_t i) const { return list(ridge_vertices_, ridge_offsets_, i); }
   std::span<const SignedIndex> ridge_vertices() const { return ridge_vertices_; }
   std::span<const std::int64_t> ridge_offsets() const { return ridge_offsets_; }
 
-  /// The vertices of a region; −1 first if it is unbounded. In cyclic order for k = 2 (counterclockwise when k = d), otherwise
-  /// increasing.
-  std::span<const SignedIndex> region(std::size_t i) const { return list(region_vertices_, region_offsets_, i); }
+  /// The vertices of a region; −1 first if it is unbounded. In cyclic order for k = 2 (counterclockwise when
+  /// k = d), otherwise increasing.
+  std::span<const SignedIndex> region(std::size_t i) const {
+    return list(region_vertices_, region_offsets_, i);
+  }
   std::span<const SignedIndex> region_vertices() const { return region_vertices_; }
   std::span<const std::int64_t> region_offsets() const { return region_offsets_; }
   bool is_bounded(std::size_t region) const { return bounded_[region] != 0; }
@@ -119,45 +133,53 @@ class VoronoiDiagram {
   /// The region of each input row; −1 for a hidden point.
   std::span<const SignedIndex> point_region() const { return point_region_; }
   /// The d coordinates of the site of a region, and its weight (0 in a Voronoi diagram).
-  std::span<const double> site(std::size_t region) const { return std::span(sites_).subspan(region * ambient(), ambient()); }
+  std::span<const double> site(std::size_t region) const {
+    return std::span(sites_).subspan(region * ambient(), ambient());
+  }
   double weight(std::size_t region) const { return weights_.empty() ? 0 : weights_[region]; }
 
-  /// A plain copy, with the points of all input rows: what write_voronoi() writes. Throws invalid_argument without ridges.
+  /// A plain copy, with the points of all input rows: what write_voronoi() writes. Throws invalid_argument
+  /// without ridges.
   VoronoiData to_data() const;
 
-  /// The unbounded edges, one for each facet of the convex hull (hull facets in one hyperplane whose cells have one sphere
-  /// share theirs): the vertex each starts from, its direction (num_rays()×d, outward unit vectors in the flat, rounded), and
-  /// the k sites of a hull facet it is equally near to (num_rays()×k input rows).
+  /// The unbounded edges, one for each facet of the convex hull (hull facets in one hyperplane whose cells
+  /// have one sphere share theirs): the vertex each starts from, its direction (num_rays()×d, outward unit
+  /// vectors in the flat, rounded), and the k sites of a hull facet it is equally near to (num_rays()×k input
+  /// rows).
   std::span<const SignedIndex> ray_vertices() const { return ray_vertices_; }
   std::span<const double> ray_directions() const { return ray_directions_; }
   std::span<const SignedIndex> ray_points() const { return ray_points_; }
 
-  /// The (k−1)-volume of each ridge: a length for k = 2, an area for k = 3, 1 for k = 1; infinity for unbounded ridges.
-  /// Combinatorics are exact; sums are in binary64, relative error about 10⁻¹⁵ times the shape's condition.
-  /// Cost: O(output) for k ≤ 3; beyond, at most (k−1)! simplices per cell and ridge.
+  /// The (k−1)-volume of each ridge: a length for k = 2, an area for k = 3, 1 for k = 1; infinity for
+  /// unbounded ridges. Combinatorics are exact; sums are in binary64, relative error about 10⁻¹⁵ times the
+  /// shape's condition. Cost: O(output) for k ≤ 3; beyond, at most (k−1)! simplices per cell and ridge.
   std::vector<double> ridge_volumes() const;
-  /// The k-volume of each region, infinity for unbounded ones: (1/k)·Σ over its ridges of volume times signed distance of the
-  /// site from the bisector, compensated. For k = 0 infinity. Cost: that of ridge_volumes().
+  /// The k-volume of each region, infinity for unbounded ones: (1/k)·Σ over its ridges of volume times signed
+  /// distance of the site from the bisector, compensated. For k = 0 infinity. Cost: that of ridge_volumes().
   std::vector<double> region_volumes() const;
-  /// The d-volume of each region within a box: always of dimension d, regions of flat input being those of R^d, prisms over the
-  /// ones in the flat. The volumes add up to that of the box up to rounding. The combinatorics of every cut are exact.
-  /// Cost: regions that lie inside the box as region_volumes(); others one by one, 2^d corners and more.
-  /// Errors: invalid_argument (box not of d finite numbers low < high), unsupported (d > 12), out_of_memory.
+  /// The d-volume of each region within a box: always of dimension d, regions of flat input being those of
+  /// R^d, prisms over the ones in the flat. The volumes add up to that of the box up to rounding. The
+  /// combinatorics of every cut are exact. Cost: regions that lie inside the box as region_volumes(); others
+  /// one by one, 2^d corners and more. Errors: invalid_argument (box not of d finite numbers low < high),
+  /// unsupported (d > 12), out_of_memory.
   std::vector<double> region_volumes(const Box& box) const;
-  /// Calls `visit` with each region cut off at the box, in order. Errors: as region_volumes(box); unsupported for d > 3.
-  void for_each_clipped_region(const Box& box,
-                               const std::function<void(std::size_t region, const ClippedRegion&)>& visit) const;
-  /// The bounding box of the sites, enlarged on each side by `margin` times its longest side (1 if that is 0).
+  /// Calls `visit` with each region cut off at the box, in order. Errors: as region_volumes(box); unsupported
+  /// for d > 3.
+  void for_each_clipped_region(
+      const Box& box, const std::function<void(std::size_t region, const ClippedRegion&)>& visit) const;
+  /// The bounding box of the sites, enlarged on each side by `margin` times its longest side (1 if that is
+  /// 0).
   Box bounding_box(double margin = 0.1) const;
 
  protected:
-  VoronoiDiagram(const Triangulation& triangulation, const std::function<double(VertexId)>& weight, VoronoiParts parts);
+  VoronoiDiagram(const Triangulation& triangulation, const std::function<double(VertexId)>& weight,
+                 VoronoiParts parts);
 
  private:
   friend class VoronoiBuilder;
   std::size_t ambient() const { return static_cast<std::size_t>(dimension_); }
-  static std::span<const SignedIndex> list(const std::vector<SignedIndex>& items, const std::vector<std::int64_t>& offsets,
-                                           std::size_t i) {
+  static std::span<const SignedIndex> list(const std::vector<SignedIndex>& items,
+                                           const std::vector<std::int64_t>& offsets, std::size_t i) {
     return std::span(items).subspan(static_cast<std::size_t>(offsets[i]),
                                     static_cast<std::size_t>(offsets[i + 1] - offsets[i]));
   }
@@ -172,25 +194,29 @@ class VoronoiDiagram {
   int dimension_ = 1, affine_dimension_ = -1;
   bool has_ridges_ = true, is_weighted_ = false;
   std::vector<double> sites_, weights_;  // by region
-  std::vector<double> hidden_;           // d coordinates and the weight of each row without a region, NaN if not inserted
+  std::vector<double>
+      hidden_;  // d coordinates and the weight of each row without a region, NaN if not inserted
   std::vector<double> vertices_;
   std::vector<SignedIndex> ridge_points_, ridge_vertices_, region_vertices_, region_points_, point_region_;
   std::vector<std::int64_t> ridge_offsets_{0}, region_offsets_{0};
   std::vector<unsigned char> bounded_;  // by region
   std::vector<SignedIndex> ray_vertices_, ray_points_;
   std::vector<double> ray_directions_;
-  // For k > 3, with ridges: the k+1 regions and the vertex of every finite cell; its faces are what volumes are made of.
+  // For k > 3, with ridges: the k+1 regions and the vertex of every finite cell; its faces are what volumes
+  // are made of.
   std::vector<SignedIndex> cell_regions_, cell_vertex_;
 };
 
-/// The power diagram of weighted points: as VoronoiDiagram, with the power |x − p|² − weight in place of the squared distance,
-/// and the centres of power spheres as vertices. Hidden points have no region; a region need not contain its site.
+/// The power diagram of weighted points: as VoronoiDiagram, with the power |x − p|² − weight in place of the
+/// squared distance, and the centres of power spheres as vertices. Hidden points have no region; a region
+/// need not contain its site.
 class PowerDiagram : public VoronoiDiagram {
  public:
   template <WeightedTriangulation T>
   explicit PowerDiagram(const T& triangulation, VoronoiParts parts = VoronoiParts::all)
       : VoronoiDiagram(
-            triangulation, [&triangulation](VertexId v) { return static_cast<double>(triangulation.weight(v)); }, parts) {}
+            triangulation,
+            [&triangulation](VertexId v) { return static_cast<double>(triangulation.weight(v)); }, parts) {}
 };
 
 /// Writes a diagram; the format is `format` or the extension of the path:
@@ -198,21 +224,24 @@ class PowerDiagram : public VoronoiDiagram {
 ///   json  the same members, lists as lists
 ///   svg   d = 2: a picture, clipped to the box
 ///   vtu   d = 2, 3: the regions clipped to the box as polygons or polyhedra, each with its `region` and `point`, for ParaView
-/// `box`: by default bounding_box(). The file appears whole or not at all; "-" is standard output (json, svg).
-/// Errors: cannot_write, unsupported, out_of_memory; invalid_argument for a bad box, and for a diagram without ridges.
+/// `box`: by default bounding_box(). The file appears whole or not at all; "-" is standard output (json,
+/// svg). Errors: cannot_write, unsupported, out_of_memory; invalid_argument for a bad box, and for a diagram
+/// without ridges.
 void write_voronoi(const std::string& path, const VoronoiDiagram& diagram, const Box* box = nullptr,
                    const std::string& format = {});
 
-/// Reads the arrays back that write_voronoi() wrote as npz or json, or another program under these names. Their shapes are
-/// checked; check_voronoi() examines what they hold. Errors: cannot_open, bad_format, not_finite (points, weights; rows() names
-/// them), unsupported, out_of_memory.
+/// Reads the arrays back that write_voronoi() wrote as npz or json, or another program under these names.
+/// Their shapes are checked; check_voronoi() examines what they hold. Errors: cannot_open, bad_format,
+/// not_finite (points, weights; rows() names them), unsupported, out_of_memory.
 VoronoiData read_voronoi(const std::string& path, const std::string& format = {});
-/// Whether a file is one that read_voronoi() is for: it has the arrays ridge_points and point_region. False for standard input.
+/// Whether a file is one that read_voronoi() is for: it has the arrays ridge_points and point_region. False
+/// for standard input.
 bool holds_voronoi(const std::string& path, const std::string& format = {});
 
 enum class VoronoiCheckLevel : int {
-  storage = 1,   ///< array sizes; rows and vertices in range; −1 only first; nothing twice in a list
-  regions = 2,   ///< each point is in the region of its site, or hidden; the vertices of all regions, in their order for k = 2
+  storage = 1,  ///< array sizes; rows and vertices in range; −1 only first; nothing twice in a list
+  regions = 2,  ///< each point is in the region of its site, or hidden; the vertices of all regions, in their
+                ///< order for k = 2
   vertices = 3,  ///< each coordinate is the double nearest to that of the exact centre
   ridges = 4,    ///< the pairs of regions with a common facet, its vertices, in their order for k = 3
   rays = 5,      ///< the unbounded edges and their sites; directions up to 2⁻³⁰
@@ -225,12 +254,13 @@ struct VoronoiCheckReport {
   std::string violation;           ///< the first violation, naming rows of arrays; empty when ok
 };
 
-/// Examines whether the arrays are the Voronoi diagram of their points, the power diagram if there are weights, level after
-/// level, stopping at the first violation. Numbers of vertices and regions, the order of ridges and rays and where cyclic lists
-/// start are free; so are directions around lists when k < d. From level 2 on the points are triangulated anew, that
-/// triangulation is examined by check(), and the arrays are compared with its diagram: vertices by their sets of regions, rays
-/// by the sites of their hull facets, exactly. Cost: that of triangulating and of check(). Errors: bad_dimension, not_finite,
-/// out_of_memory, invalid_argument (arrays whose sizes do not fit each other are a violation of level 1, no error).
+/// Examines whether the arrays are the Voronoi diagram of their points, the power diagram if there are
+/// weights, level after level, stopping at the first violation. Numbers of vertices and regions, the order of
+/// ridges and rays and where cyclic lists start are free; so are directions around lists when k < d. From
+/// level 2 on the points are triangulated anew, that triangulation is examined by check(), and the arrays are
+/// compared with its diagram: vertices by their sets of regions, rays by the sites of their hull facets,
+/// exactly. Cost: that of triangulating and of check(). Errors: bad_dimension, not_finite, out_of_memory,
+/// invalid_argument (arrays whose sizes do not fit each other are a violation of level 1, no error).
 VoronoiCheckReport check_voronoi(const VoronoiData& data, VoronoiCheckLevel up_to = VoronoiCheckLevel::rays);
 
 }  // namespace delone

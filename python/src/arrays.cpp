@@ -7,7 +7,8 @@
 namespace delone::python {
 namespace {
 
-[[noreturn]] void refuse_inexact(const std::string& name, py::ssize_t index, const py::array& array, const py::object& value) {
+[[noreturn]] void refuse_inexact(const std::string& name, py::ssize_t index, const py::array& array,
+                                 const py::object& value) {
   py::ssize_t per_row = 1;
   for (py::ssize_t axis = 1; axis < array.ndim(); ++axis) per_row *= array.shape(axis);
   throw py::value_error(name + ": row " + std::to_string(per_row > 0 ? index / per_row : index) + ": " +
@@ -34,7 +35,8 @@ py::ssize_t find_inexact(const py::array& array) {
 
 py::array_t<double> as_doubles(const py::object& object, const std::string& name) {
   const py::module_ numpy = py::module_::import("numpy");
-  if (py::isinstance(object, numpy.attr("ma").attr("MaskedArray")) && py::bool_(numpy.attr("ma").attr("is_masked")(object)))
+  if (py::isinstance(object, numpy.attr("ma").attr("MaskedArray")) &&
+      py::bool_(numpy.attr("ma").attr("is_masked")(object)))
     throw py::value_error(name + ": masked values are not numbers");
   const py::array array = numpy.attr("asarray")(object);
   const char kind = array.dtype().kind();
@@ -47,7 +49,8 @@ py::array_t<double> as_doubles(const py::object& object, const std::string& name
   if ((kind == 'i' || kind == 'u') && array.itemsize() == 8)
     inexact = kind == 'i' ? find_inexact<std::int64_t>(array) : find_inexact<std::uint64_t>(array);
   else if (kind == 'O' || (kind == 'f' && array.itemsize() > 8)) {
-    const py::array differs = py::array(numpy.attr("flatnonzero")(doubles.attr("__ne__")(array) & array.attr("__eq__")(array)));
+    const py::array differs =
+        py::array(numpy.attr("flatnonzero")(doubles.attr("__ne__")(array) & array.attr("__eq__")(array)));
     if (differs.size() > 0) inexact = differs[py::int_(0)].cast<py::ssize_t>();
   }
   if (inexact >= 0) refuse_inexact(name, inexact, array, array.attr("ravel")()[py::int_(inexact)]);
@@ -57,7 +60,8 @@ py::array_t<double> as_doubles(const py::object& object, const std::string& name
 py::array_t<double> as_points(const py::object& object, const std::string& name) {
   auto points = as_doubles(object, name);
   if (points.ndim() != 2 || points.shape(1) < 1)
-    throw py::value_error(name + ": an array of shape (n, d), d at least 1, not " + std::string(py::str(points.attr("shape"))));
+    throw py::value_error(name + ": an array of shape (n, d), d at least 1, not " +
+                          std::string(py::str(points.attr("shape"))));
   return points;
 }
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// NumPy arrays in and out: inputs as C-contiguous float64 without a copy where they are that already, outputs as read-only
-// views that keep their owner alive.
+// NumPy arrays in and out: inputs as C-contiguous float64 without a copy where they are that already, outputs
+// as read-only views that keep their owner alive.
 #pragma once
 
 #include <pybind11/numpy.h>
@@ -19,9 +19,9 @@ namespace delone::python {
 
 namespace py = pybind11;
 
-/// Any array-like of real numbers as C-contiguous float64. ValueError, naming the row, if an integer (or a long double, or
-/// another number object) is not exact in float64, and for masked, complex or ragged input; `name` is the argument's.
-/// Values may be NaN or infinite.
+/// Any array-like of real numbers as C-contiguous float64. ValueError, naming the row, if an integer (or a
+/// long double, or another number object) is not exact in float64, and for masked, complex or ragged input;
+/// `name` is the argument's. Values may be NaN or infinite.
 py::array_t<double> as_doubles(const py::object& object, const std::string& name);
 
 inline std::span<const double> numbers(const py::array_t<double>& array) {
@@ -69,7 +69,8 @@ py::array view(std::span<const T> items, std::vector<py::ssize_t> shape, std::sh
 
 /// Rows of `width` numbers; `rows` matters where the width is 0.
 template <class T, class Owner>
-py::array rows_view(const std::vector<T>& items, std::size_t rows, std::size_t width, const std::shared_ptr<Owner>& owner) {
+py::array rows_view(const std::vector<T>& items, std::size_t rows, std::size_t width,
+                    const std::shared_ptr<Owner>& owner) {
   return view<T>(items, {static_cast<py::ssize_t>(rows), static_cast<py::ssize_t>(width)}, owner);
 }
 template <class T, class Owner>

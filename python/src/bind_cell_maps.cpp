@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Linear maps of many cells at once, rounded: barycentric coordinates, and hyperplanes on the paraboloid. For delone._transform
-// and delone.spatial; nothing combinatorial is decided with them.
+// Linear maps of many cells at once, rounded: barycentric coordinates, and hyperplanes on the paraboloid. For
+// delone._transform and delone.spatial; nothing combinatorial is decided with them.
 #include "arrays.hpp"
 #include "module.hpp"
 #include "running.hpp"
@@ -56,7 +56,9 @@ class Edges {
   }
 
  private:
-  const double* point(const double* points, SignedIndex row) const { return points + static_cast<std::size_t>(row) * k_; }
+  const double* point(const double* points, SignedIndex row) const {
+    return points + static_cast<std::size_t>(row) * k_;
+  }
 
   bool decompose() {
     for (std::size_t i = 0; i < k_; ++i) place_[i] = i;
@@ -99,7 +101,8 @@ py::tuple transforms(const Reals& points, const Rows& cells) {
   const std::size_t count = checked(points, cells), k = static_cast<std::size_t>(points.shape(1));
   py::array_t<double> maps({count, k + 1, k}), conditions(static_cast<py::ssize_t>(count));
   Supervisor supervisor;
-  supervisor.run([&, p = points.data(), c = cells.data(), out = maps.mutable_data(), condition = conditions.mutable_data()] {
+  supervisor.run([&, p = points.data(), c = cells.data(), out = maps.mutable_data(),
+                  condition = conditions.mutable_data()] {
     Edges edges(k);
     std::vector<double> unit(k);
     for (std::size_t i = 0; i < count; ++i) {
@@ -128,7 +131,8 @@ py::tuple transforms(const Reals& points, const Rows& cells) {
 
 py::array hyperplanes(const Reals& points, const Rows& cells, const Reals& heights) {
   const std::size_t count = checked(points, cells), k = static_cast<std::size_t>(points.shape(1));
-  if (heights.ndim() != 1 || heights.shape(0) != points.shape(0)) throw py::value_error("heights: one for each point");
+  if (heights.ndim() != 1 || heights.shape(0) != points.shape(0))
+    throw py::value_error("heights: one for each point");
   py::array_t<double> planes({count, k + 2});
   Supervisor supervisor;
   supervisor.run([&, p = points.data(), c = cells.data(), h = heights.data(), out = planes.mutable_data()] {
@@ -165,9 +169,11 @@ py::array hyperplanes(const Reals& points, const Rows& cells, const Reals& heigh
 
 void bind_cell_maps(py::module_& module) {
   module.def("_transforms", &transforms, "points"_a, "cells"_a,
-             "(maps (m, k+1, k), conditions (m,)): see Delaunay.transform; conditions in the maximum norm, NaN if singular.");
+             "(maps (m, k+1, k), conditions (m,)): see Delaunay.transform; conditions in the maximum norm, "
+             "NaN if singular.");
   module.def("_hyperplanes", &hyperplanes, "points"_a, "cells"_a, "heights"_a,
-             "(m, k+2): downward unit normal and offset of each cell lifted to heights, (n,); NaN if it is vertical.");
+             "(m, k+2): downward unit normal and offset of each cell lifted to heights, (n,); NaN if it is "
+             "vertical.");
 }
 
 }  // namespace delone::python

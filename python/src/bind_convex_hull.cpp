@@ -74,15 +74,18 @@ class HeldHull {
   mutable std::shared_ptr<const HullData> data_;
 };
 
-std::unique_ptr<HeldHull> construct(const py::object& points, std::uint64_t seed, std::string order, int threads,
-                                    const py::object& progress) {
+std::unique_ptr<HeldHull> construct(const py::object& points, std::uint64_t seed, std::string order,
+                                    int threads, const py::object& progress) {
   const auto rows = as_points(points, "points");
-  auto held = std::make_unique<HeldHull>(static_cast<int>(rows.shape(1)), BuildArguments{seed, std::move(order), threads});
+  auto held = std::make_unique<HeldHull>(static_cast<int>(rows.shape(1)),
+                                         BuildArguments{seed, std::move(order), threads});
   held->add(rows, progress);
   return held;
 }
 
-std::size_t width(const HullData& data) { return static_cast<std::size_t>(std::max(data.affine_dimension, 0)); }
+std::size_t width(const HullData& data) {
+  return static_cast<std::size_t>(std::max(data.affine_dimension, 0));
+}
 
 template <std::vector<SignedIndex> HullData::*Member>
 py::array list_of(const HeldHull& held) {
@@ -108,15 +111,17 @@ py::object locate(const HeldHull& held, const py::object& object) {
     }
   });
   return py::module_::import("delone._locations")
-      .attr("Locations")(list_view(std::move(kinds)), list_view(std::move(cells)), list_view(std::move(offsets)),
-                         list_view(std::move(rows)), py::make_tuple("inside", "on_boundary", "outside", "outside_affine_hull"));
+      .attr("Locations")(list_view(std::move(kinds)), list_view(std::move(cells)),
+                         list_view(std::move(offsets)), list_view(std::move(rows)),
+                         py::make_tuple("inside", "on_boundary", "outside", "outside_affine_hull"));
 }
 
 py::object contains(const HeldHull& held, const py::object& object) {
   const Queries queries(object, held.dimension());
   auto result = queries.answers<bool>();
   const std::size_t d = static_cast<std::size_t>(held.dimension());
-  held.ask([&, x = queries.coordinates(), out = result.mutable_data()](const Polytope& hull, Supervisor& supervisor) {
+  held.ask([&, x = queries.coordinates(), out = result.mutable_data()](const Polytope& hull,
+                                                                       Supervisor& supervisor) {
     for (std::size_t i = 0; i < x.size() / d; ++i) {
       supervisor.count();
       out[i] = hull.contains(x.subspan(i * d, d));
@@ -146,7 +151,8 @@ py::array plane_distance(const HeldHull& held, const py::object& object) {
 py::array visible_facets(const HeldHull& held, const py::object& point) {
   const Queries query(point, held.dimension());
   if (query.size() != 1) throw py::value_error("point: one point of shape (d,)");
-  return list_view(held.ask([x = query.coordinates()](const Polytope& hull) { return hull.visible_facets(x); }));
+  return list_view(
+      held.ask([x = query.coordinates()](const Polytope& hull) { return hull.visible_facets(x); }));
 }
 
 py::dict statistics(const HeldHull& held) {
@@ -155,10 +161,12 @@ py::dict statistics(const HeldHull& held) {
 
 std::string repr(const HeldHull& held) {
   return held.ask([](const Polytope& hull) {
-    std::string text =
-        "<delone.ConvexHull: " + std::to_string(hull.num_points()) + " points in dimension " + std::to_string(hull.dimension());
-    if (hull.affine_dimension() < hull.dimension()) text += ", affine dimension " + std::to_string(hull.affine_dimension());
-    return text + ", " + std::to_string(hull.num_vertices()) + " vertices, " + std::to_string(hull.num_facets()) + " facets>";
+    std::string text = "<delone.ConvexHull: " + std::to_string(hull.num_points()) + " points in dimension " +
+                       std::to_string(hull.dimension());
+    if (hull.affine_dimension() < hull.dimension())
+      text += ", affine dimension " + std::to_string(hull.affine_dimension());
+    return text + ", " + std::to_string(hull.num_vertices()) + " vertices, " +
+           std::to_string(hull.num_facets()) + " facets>";
   });
 }
 
@@ -177,7 +185,8 @@ py::tuple state(const HeldHull& held) {
 std::unique_ptr<HeldHull> restored(const py::tuple& state) {
   if (state.size() != 6) throw py::value_error("not the state of a hull");
   auto held = std::make_unique<HeldHull>(
-      state[0].cast<int>(), BuildArguments{state[3].cast<std::uint64_t>(), state[4].cast<std::string>(), state[5].cast<int>()});
+      state[0].cast<int>(),
+      BuildArguments{state[3].cast<std::uint64_t>(), state[4].cast<std::string>(), state[5].cast<int>()});
   py::ssize_t first = 0;
   for (const auto item : state[2]) {
     held->add(state[1][py::slice(first, first + item.cast<py::ssize_t>(), 1)], py::none());
@@ -197,29 +206,39 @@ void bind_convex_hull(py::module_& module) {
   py::class_<HeldHull> type(
       module, "ConvexHull",
       "ConvexHull(points, *, seed=0, order='automatic', threads=1, progress=None)\n\n"
-      "The convex hull of points, (n, d) numbers that are exact in float64, in any dimension; k is their affine dimension.\n\n"
-      "A cell is a simplex of the boundary with k vertices; a facet is one of the polytope, made of one cell or more. Exact, "
+      "The convex hull of points, (n, d) numbers that are exact in float64, in any dimension; k is their "
+      "affine dimension.\n\n"
+      "A cell is a simplex of the boundary with k vertices; a facet is one of the polytope, made of one cell "
+      "or more. Exact, "
       "a\n"
       "function of the set of points. Arguments and errors as in Delaunay. Methods let go of the GIL.");
-  type.def(py::init(&construct), "points"_a, py::kw_only(), "seed"_a = 0, "order"_a = "automatic", "threads"_a = 1,
-           "progress"_a = py::none());
+  type.def(py::init(&construct), "points"_a, py::kw_only(), "seed"_a = 0, "order"_a = "automatic",
+           "threads"_a = 1, "progress"_a = py::none());
   type.def("add_points", &HeldHull::add, "points"_a, py::kw_only(), "progress"_a = py::none(),
-           "Adds points, (n, d), as the next rows: all of them, or none if it raises. Arrays taken before stay as they are.");
+           "Adds points, (n, d), as the next rows: all of them, or none if it raises. Arrays taken before "
+           "stay as they are.");
   type.def_property_readonly("dimension", &HeldHull::dimension, "d, the number of coordinates.")
-      .def_property_readonly("affine_dimension", asking([](const Polytope& h) { return h.affine_dimension(); }),
+      .def_property_readonly("affine_dimension",
+                             asking([](const Polytope& h) { return h.affine_dimension(); }),
                              "k <= d; 0 for one distinct point, -1 for none.")
       .def_property_readonly(
-          "axes", [](const HeldHull& h) { return py::tuple(py::cast(h.ask([](const Polytope& p) { return p.axes(); }))); },
+          "axes",
+          [](const HeldHull& h) {
+            return py::tuple(py::cast(h.ask([](const Polytope& p) { return p.axes(); })));
+          },
           "k coordinate axes onto which the flat of the points projects one-to-one, increasing.")
       .def_property_readonly("num_points", asking([](const Polytope& h) { return h.num_points(); }),
                              "n, the rows of the input.")
       .def_property_readonly("num_duplicates", asking([](const Polytope& h) { return h.num_duplicates(); }),
                              "Rows that are equal to an earlier one.")
-      .def_property_readonly("num_vertices", asking([](const Polytope& h) { return h.num_vertices(); }), "Extreme points.")
+      .def_property_readonly("num_vertices", asking([](const Polytope& h) { return h.num_vertices(); }),
+                             "Extreme points.")
       .def_property_readonly("num_cells", asking([](const Polytope& h) { return h.num_cells(); }),
                              "m, simplices of the boundary.")
-      .def_property_readonly("num_facets", asking([](const Polytope& h) { return h.num_facets(); }), "f, of the polytope.")
-      .def_property_readonly("num_ridges", asking([](const Polytope& h) { return h.num_ridges(); }), "r, of the polytope.")
+      .def_property_readonly("num_facets", asking([](const Polytope& h) { return h.num_facets(); }),
+                             "f, of the polytope.")
+      .def_property_readonly("num_ridges", asking([](const Polytope& h) { return h.num_ridges(); }),
+                             "r, of the polytope.")
       .def("__len__", asking([](const Polytope& h) { return h.num_facets(); }))
       .def_property_readonly("points", &points, "(n, d) float64, read-only.")
       .def_property_readonly(
@@ -236,37 +255,46 @@ void bind_convex_hull(py::module_& module) {
             return rows_view(data->neighbors, data->num_cells(), width(*data), data);
           },
           "(m, k) cells: neighbor j is across the ridge opposite vertex j.")
-      .def_property_readonly("facet_of_cell", &list_of<&HullData::facet_of_cell>, "(m,) the facet each cell is part of.")
-      .def_property_readonly("vertices", &list_of<&HullData::vertices>, "The rows of the extreme points, increasing.")
-      .def_property_readonly("vertex_of_point", &list_of<&HullData::vertex_of_point>, "(n,) the first row equal to each row.")
+      .def_property_readonly("facet_of_cell", &list_of<&HullData::facet_of_cell>,
+                             "(m,) the facet each cell is part of.")
+      .def_property_readonly("vertices", &list_of<&HullData::vertices>,
+                             "The rows of the extreme points, increasing.")
+      .def_property_readonly("vertex_of_point", &list_of<&HullData::vertex_of_point>,
+                             "(n,) the first row equal to each row.")
       .def_property_readonly(
           "facets",
           [](const HeldHull& h) {
-            return py::make_tuple(list_of<&HullData::facet_offsets>(h), list_of<&HullData::facet_vertices>(h));
+            return py::make_tuple(list_of<&HullData::facet_offsets>(h),
+                                  list_of<&HullData::facet_vertices>(h));
           },
-          "(offsets (f+1,), rows): the extreme rows of facet i are rows[offsets[i]:offsets[i+1]], increasing.")
+          "(offsets (f+1,), rows): the extreme rows of facet i are rows[offsets[i]:offsets[i+1]], "
+          "increasing.")
       .def_property_readonly(
           "ridges",
           [](const HeldHull& h) {
             const auto data = h.data();
             return py::make_tuple(rows_view(data->ridge_facets, data->num_ridges(), 2, data),
-                                  list_view(data->ridge_offsets, data), list_view(data->ridge_vertices, data));
+                                  list_view(data->ridge_offsets, data),
+                                  list_view(data->ridge_vertices, data));
           },
           "(facets (r, 2), offsets (r+1,), rows): the two facets that meet in ridge i, and its extreme rows.")
       .def_property_readonly(
           "equations",
           [](const HeldHull& h) {
             const auto data = h.data();
-            return rows_view(data->equations, data->num_facets(), static_cast<std::size_t>(data->dimension) + 1, data);
+            return rows_view(data->equations, data->num_facets(),
+                             static_cast<std::size_t>(data->dimension) + 1, data);
           },
-          "(f, d+1): unit outward normal and offset of each facet; normal . x + offset <= 0 inside, up to rounding.")
+          "(f, d+1): unit outward normal and offset of each facet; normal . x + offset <= 0 inside, up to "
+          "rounding.")
       .def_property_readonly(
           "equation_errors",
           [](const HeldHull& h) {
             const auto data = h.data();
             return list_view(data->equation_errors, data);
           },
-          "(f,) how far the exact distance of a point of the hull may be from that of the equation; infinite when k < d.")
+          "(f,) how far the exact distance of a point of the hull may be from that of the equation; infinite "
+          "when k < d.")
       .def_property_readonly(
           "point_kinds",
           [](const HeldHull& h) {
@@ -276,7 +304,8 @@ void bind_convex_hull(py::module_& module) {
                 {static_cast<py::ssize_t>(data->point_kinds.size())}, data);
           },
           "(n,) uint8: 0 extreme, 1 on the boundary otherwise, 2 interior, 3 equal to an earlier row.")
-      .def_property_readonly("volume", asking([](const Polytope& h) { return h.volume().value; }), "The k-dimensional volume.")
+      .def_property_readonly("volume", asking([](const Polytope& h) { return h.volume().value; }),
+                             "The k-dimensional volume.")
       .def_property_readonly("volume_error", asking([](const Polytope& h) { return h.volume().error; }),
                              "How far it may be from the exact one.")
       .def_property_readonly("area", asking([](const Polytope& h) { return h.area().value; }),
@@ -285,20 +314,27 @@ void bind_convex_hull(py::module_& module) {
                              "How far it may be from the exact one.")
       .def_property_readonly(
           "f_vector",
-          [](const HeldHull& h) { return py::tuple(py::cast(h.ask([](const Polytope& p) { return p.f_vector(); }))); },
+          [](const HeldHull& h) {
+            return py::tuple(py::cast(h.ask([](const Polytope& p) { return p.f_vector(); })));
+          },
           "The number of faces of each dimension 0 ... k-1. Cost: all faces of one dimension at a time.")
-      .def_property_readonly(
-          "hash", asking([](const Polytope& h) { return h.hash().hex(); }),
-          "32 hexadecimal digits that depend on the coordinates of the cells' vertices and the set of cells only.")
-      .def_property_readonly("statistics", &statistics, "What the construction has cost: a dict of counts, seconds and bytes.")
-      .def("contains", &contains, "queries"_a, "Whether each query (..., d) is inside or on the boundary, exactly: (...) bool.")
+      .def_property_readonly("hash", asking([](const Polytope& h) { return h.hash().hex(); }),
+                             "32 hexadecimal digits that depend on the coordinates of the cells' vertices "
+                             "and the set of cells only.")
+      .def_property_readonly("statistics", &statistics,
+                             "What the construction has cost: a dict of counts, seconds and bytes.")
+      .def("contains", &contains, "queries"_a,
+           "Whether each query (..., d) is inside or on the boundary, exactly: (...) bool.")
       .def("locate", &locate, "queries"_a,
-           "Where each query (..., d) lies, exactly: delone.Locations with the kinds inside, on_boundary, outside and\n"
-           "outside_affine_hull, a cell (visible from outside; in whose hyperplane it is; or that a ray from the inside "
+           "Where each query (..., d) lies, exactly: delone.Locations with the kinds inside, on_boundary, "
+           "outside and\n"
+           "outside_affine_hull, a cell (visible from outside; in whose hyperplane it is; or that a ray from "
+           "the inside "
            "meets),\n"
            "and on the boundary the extreme rows of the smallest face that contains it.")
       .def("plane_distance", &plane_distance, "queries"_a,
-           "(..., f): the signed distances of queries (..., d) from the facets' hyperplanes, rounded; positive outside.")
+           "(..., f): the signed distances of queries (..., d) from the facets' hyperplanes, rounded; "
+           "positive outside.")
       .def("visible_facets", &visible_facets, "point"_a,
            "The facets that have the point, (d,), strictly beyond their hyperplane, exactly; increasing.")
       .def("__repr__", &repr)

@@ -26,8 +26,8 @@ const char* name_of(IntersectionState state) {
 /// An intersection and its arrays.
 class HeldIntersection {
  public:
-  HeldIntersection(const py::object& halfspaces, const py::object& interior_point, const BuildArguments& arguments,
-                   const py::object& progress)
+  HeldIntersection(const py::object& halfspaces, const py::object& interior_point,
+                   const BuildArguments& arguments, const py::object& progress)
       : arguments_(arguments) {
     const auto rows = as_rows(halfspaces);
     dimension_ = static_cast<int>(rows.shape(1)) - 1;
@@ -129,24 +129,26 @@ py::array kinds(const HeldIntersection& held) {
 
 std::string repr(const HeldIntersection& held) {
   return held.ask([](const HalfspaceIntersection& h) {
-    std::string text = "<delone.HalfspaceIntersection: " + std::to_string(h.num_halfspaces()) + " halfspaces in dimension " +
-                       std::to_string(h.dimension());
+    std::string text = "<delone.HalfspaceIntersection: " + std::to_string(h.num_halfspaces()) +
+                       " halfspaces in dimension " + std::to_string(h.dimension());
     if (h.state() != IntersectionState::full) return text + ", " + name_of(h.state()) + ">";
-    return text + ", " + std::to_string(h.num_vertices()) + " vertices, " + std::to_string(h.num_facets()) + " facets" +
-           (h.is_bounded() ? ">" : ", unbounded>");
+    return text + ", " + std::to_string(h.num_vertices()) + " vertices, " + std::to_string(h.num_facets()) +
+           " facets" + (h.is_bounded() ? ">" : ", unbounded>");
   });
 }
 
 py::tuple state(const HeldIntersection& held) {
   const BuildArguments& a = held.arguments();
   return py::make_tuple(rows_of<&IntersectionData::halfspaces, 1>(held),
-                        held.has_interior_point() ? py::object(interior_point(held)) : py::none(), a.seed, a.order, a.threads);
+                        held.has_interior_point() ? py::object(interior_point(held)) : py::none(), a.seed,
+                        a.order, a.threads);
 }
 
 std::unique_ptr<HeldIntersection> restored(const py::tuple& state) {
   if (state.size() != 5) throw py::value_error("not the state of an intersection");
   return std::make_unique<HeldIntersection>(
-      state[0], state[1], BuildArguments{state[2].cast<std::uint64_t>(), state[3].cast<std::string>(), state[4].cast<int>()},
+      state[0], state[1],
+      BuildArguments{state[2].cast<std::uint64_t>(), state[3].cast<std::string>(), state[4].cast<int>()},
       py::none());
 }
 
@@ -162,62 +164,78 @@ void bind_halfspaces(py::module_& module) {
   using Intersection = HalfspaceIntersection;
   py::class_<HeldIntersection> type(
       module, "HalfspaceIntersection",
-      "HalfspaceIntersection(halfspaces, interior_point=None, *, seed=0, order='automatic', threads=1, progress=None)\n\n"
-      "The points x with A x + b <= 0, for halfspaces (m, d+1) with the rows [A, b]: vertices, facets and edges of a\n"
+      "HalfspaceIntersection(halfspaces, interior_point=None, *, seed=0, order='automatic', threads=1, "
+      "progress=None)\n\n"
+      "The points x with A x + b <= 0, for halfspaces (m, d+1) with the rows [A, b]: vertices, facets and "
+      "edges of a\n"
       "polyhedron, exactly. interior_point: (d,), strictly inside all of them; without one it is found.\n\n"
-      "An intersection that is flat or empty is a result, see `state`. Where it contains lines (rank k < d), vertices and\n"
-      "the like are those of its section by the coordinates `axes`, and `lineality` spans the lines. Arguments as in\n"
-      "Delaunay. Raises InputError, a ValueError, for NaN and infinities, and if interior_point is not strictly inside.");
-  type.def(py::init([](const py::object& halfspaces, const py::object& interior_point, std::uint64_t seed, std::string order,
-                       int threads, const py::object& progress) {
-             return std::make_unique<HeldIntersection>(halfspaces, interior_point,
-                                                       BuildArguments{seed, std::move(order), threads}, progress);
+      "An intersection that is flat or empty is a result, see `state`. Where it contains lines (rank k < d), "
+      "vertices and\n"
+      "the like are those of its section by the coordinates `axes`, and `lineality` spans the lines. "
+      "Arguments as in\n"
+      "Delaunay. Raises InputError, a ValueError, for NaN and infinities, and if interior_point is not "
+      "strictly inside.");
+  type.def(py::init([](const py::object& halfspaces, const py::object& interior_point, std::uint64_t seed,
+                       std::string order, int threads, const py::object& progress) {
+             return std::make_unique<HeldIntersection>(
+                 halfspaces, interior_point, BuildArguments{seed, std::move(order), threads}, progress);
            }),
-           "halfspaces"_a, "interior_point"_a = py::none(), py::kw_only(), "seed"_a = 0, "order"_a = "automatic",
-           "threads"_a = 1, "progress"_a = py::none());
-  type.def(
-      "add_halfspaces", &HeldIntersection::add, "halfspaces"_a, py::kw_only(), "progress"_a = py::none(),
-      "Adds halfspaces, (n, d+1), as the next rows; the interior point must be strictly inside them. If it raises, nothing\n"
-      "has changed. Arrays taken before stay as they are.");
+           "halfspaces"_a, "interior_point"_a = py::none(), py::kw_only(), "seed"_a = 0,
+           "order"_a = "automatic", "threads"_a = 1, "progress"_a = py::none());
+  type.def("add_halfspaces", &HeldIntersection::add, "halfspaces"_a, py::kw_only(), "progress"_a = py::none(),
+           "Adds halfspaces, (n, d+1), as the next rows; the interior point must be strictly inside them. If "
+           "it raises, nothing\n"
+           "has changed. Arrays taken before stay as they are.");
   type.def_property_readonly("dimension", &HeldIntersection::dimension, "d, the number of coordinates.")
-      .def_property_readonly("rank", asking([](const Intersection& h) { return h.rank(); }),
-                             "k, the rank of the normals: d-k is the dimension of the lines in the intersection.")
+      .def_property_readonly(
+          "rank", asking([](const Intersection& h) { return h.rank(); }),
+          "k, the rank of the normals: d-k is the dimension of the lines in the intersection.")
       .def_property_readonly("state", asking([](const Intersection& h) { return name_of(h.state()); }),
                              "'full', 'flat' (points, but none strictly inside) or 'empty'.")
       .def_property_readonly("is_bounded", asking([](const Intersection& h) { return h.is_bounded(); }),
                              "Whether the intersection is a polytope.")
-      .def_property_readonly("num_halfspaces", asking([](const Intersection& h) { return h.num_halfspaces(); }), "m.")
-      .def_property_readonly("num_vertices", asking([](const Intersection& h) { return h.num_vertices(); }), "v.")
+      .def_property_readonly("num_halfspaces",
+                             asking([](const Intersection& h) { return h.num_halfspaces(); }), "m.")
+      .def_property_readonly("num_vertices", asking([](const Intersection& h) { return h.num_vertices(); }),
+                             "v.")
       .def_property_readonly("num_facets", asking([](const Intersection& h) { return h.num_facets(); }), "f.")
       .def("__len__", asking([](const Intersection& h) { return h.num_facets(); }))
       .def_property_readonly("halfspaces", &rows_of<&Data::halfspaces, 1>, "(m, d+1) float64, read-only.")
       .def_property_readonly("interior_point", &interior_point,
                              "(d,): the one given, or found (rounded); empty if the state is not 'full'.")
-      .def_property_readonly("witness", &list_of<&Data::witness>,
-                             "At most d+1 rows that have no interior point in common, if the state is not 'full'.")
+      .def_property_readonly(
+          "witness", &list_of<&Data::witness>,
+          "At most d+1 rows that have no interior point in common, if the state is not 'full'.")
       .def_property_readonly(
           "axes", [](const HeldIntersection& h) { return py::tuple(py::cast(h.data()->axes)); },
           "k coordinates onto which the normals project one-to-one.")
       .def_property_readonly("vertices", &rows_of<&Data::vertices>,
                              "(v, d), each coordinate the double nearest to the exact one.")
-      .def_property_readonly("vertex_offsets", &offsets_of<&Data::vertex_offsets>, "(v+1,), see vertex_halfspaces.")
+      .def_property_readonly("vertex_offsets", &offsets_of<&Data::vertex_offsets>,
+                             "(v+1,), see vertex_halfspaces.")
       .def_property_readonly("vertex_halfspaces", &list_of<&Data::vertex_halfspaces>,
                              "The rows of the facets that meet in vertex i are\n"
                              "vertex_halfspaces[vertex_offsets[i]:vertex_offsets[i+1]], increasing.")
-      .def_property_readonly("directions", &rows_of<&Data::directions>, "(r, d) unit vectors: the extreme ones to infinity.")
-      .def_property_readonly("direction_offsets", &offsets_of<&Data::direction_offsets>, "(r+1,), see direction_halfspaces.")
+      .def_property_readonly("directions", &rows_of<&Data::directions>,
+                             "(r, d) unit vectors: the extreme ones to infinity.")
+      .def_property_readonly("direction_offsets", &offsets_of<&Data::direction_offsets>,
+                             "(r+1,), see direction_halfspaces.")
       .def_property_readonly("direction_halfspaces", &list_of<&Data::direction_halfspaces>,
                              "The rows of the facets that contain direction i are\n"
                              "direction_halfspaces[direction_offsets[i]:direction_offsets[i+1]].")
       .def_property_readonly("edges", &pairs_of<&Data::edges>, "(e, 2) vertices: the bounded edges.")
-      .def_property_readonly("rays", &pairs_of<&Data::rays>, "(u, 2): the vertex and the direction of each unbounded edge.")
-      .def_property_readonly("facet_halfspaces", &list_of<&Data::facet_halfspaces>, "(f,) the row of each facet, increasing.")
-      .def_property_readonly("facet_offsets", &offsets_of<&Data::facet_offsets>, "(f+1,), see facet_vertices.")
+      .def_property_readonly("rays", &pairs_of<&Data::rays>,
+                             "(u, 2): the vertex and the direction of each unbounded edge.")
+      .def_property_readonly("facet_halfspaces", &list_of<&Data::facet_halfspaces>,
+                             "(f,) the row of each facet, increasing.")
+      .def_property_readonly("facet_offsets", &offsets_of<&Data::facet_offsets>,
+                             "(f+1,), see facet_vertices.")
       .def_property_readonly(
           "facet_vertices", &list_of<&Data::facet_vertices>,
           "The vertices of facet i are facet_vertices[facet_offsets[i]:facet_offsets[i+1]]: for k = 3 along\n"
           "its border, counterclockwise seen from outside when k = d; otherwise increasing.")
-      .def_property_readonly("lineality", &rows_of<&Data::lineality>, "(d-k, d) unit vectors that span the lines inside.")
+      .def_property_readonly("lineality", &rows_of<&Data::lineality>,
+                             "(d-k, d) unit vectors that span the lines inside.")
       .def_property_readonly("first_of_halfspace", &list_of<&Data::first_of_halfspace>,
                              "(m,) the first row that is the same halfspace.")
       .def_property_readonly(
@@ -226,18 +244,23 @@ void bind_halfspaces(py::module_& module) {
           "no condition at all.")
       .def_property_readonly("dual_points", &rows_of<&Data::dual_points>,
                              "(m, d): -A / (A p + b) with the interior point p, rounded.")
-      .def_property_readonly("dual_equations", &rows_of<&Data::dual_equations, 1>,
-                             "(v, d+1): unit normal and offset of the facet of the dual points' hull for each vertex, rounded.")
-      .def_property_readonly("volume", asking([](const Intersection& h) { return h.volume(); }),
-                             "The d-volume: infinite if unbounded, 0 if flat or empty. Computed at every call; in many\n"
-                             "dimensions it may take longer than the intersection.")
-      .def_property_readonly("dual_volume", asking([](const Intersection& h) { return h.dual_volume(); }),
-                             "The volume of the hull of the dual points (and of the origin, if unbounded). NaN for k < d.")
+      .def_property_readonly(
+          "dual_equations", &rows_of<&Data::dual_equations, 1>,
+          "(v, d+1): unit normal and offset of the facet of the dual points' hull for each vertex, rounded.")
+      .def_property_readonly(
+          "volume", asking([](const Intersection& h) { return h.volume(); }),
+          "The d-volume: infinite if unbounded, 0 if flat or empty. Computed at every call; in many\n"
+          "dimensions it may take longer than the intersection.")
+      .def_property_readonly(
+          "dual_volume", asking([](const Intersection& h) { return h.dual_volume(); }),
+          "The volume of the hull of the dual points (and of the origin, if unbounded). NaN for k < d.")
       .def_property_readonly("dual_area", asking([](const Intersection& h) { return h.dual_area(); }),
                              "The surface area of the same.")
       .def_property_readonly(
           "statistics",
-          [](const HeldIntersection& h) { return as_dict(h.ask([](const Intersection& i) { return i.statistics(); })); },
+          [](const HeldIntersection& h) {
+            return as_dict(h.ask([](const Intersection& i) { return i.statistics(); }));
+          },
           "What the construction has cost: a dict of counts, seconds and bytes.")
       .def("__repr__", &repr)
       .def(py::pickle(&state, &restored));

@@ -19,9 +19,12 @@ using Complex128 = std::complex<double>;
 
 class HeldInterpolator {
  public:
-  HeldInterpolator(const py::object& points, const py::object& values, const std::string& outside, const py::object& fill)
+  HeldInterpolator(const py::object& points, const py::object& values, const std::string& outside,
+                   const py::object& fill)
       : outside_(outside_of(outside)), fill_(fill) {
-    source_ = py::isinstance<HeldTriangulation>(points) ? points : py::module_::import("delone").attr("Delaunay")(points);
+    source_ = py::isinstance<HeldTriangulation>(points)
+                  ? points
+                  : py::module_::import("delone").attr("Delaunay")(points);
     values_ = py::module_::import("numpy").attr("asarray")(values);
     is_complex_ = values_.dtype().kind() == 'c';
     const py::object copied = is_complex_ ? py::object(values_.attr("astype")("complex128", "order"_a = "C"))
@@ -30,7 +33,8 @@ class HeldInterpolator {
     values_ = copied;
     if (values_.ndim() < 1) throw py::value_error("values: an array of shape (n, ...)");
     std::size_t columns = is_complex_ ? 2 : 1;
-    for (py::ssize_t axis = 1; axis < values_.ndim(); ++axis) columns *= static_cast<std::size_t>(values_.shape(axis));
+    for (py::ssize_t axis = 1; axis < values_.ndim(); ++axis)
+      columns *= static_cast<std::size_t>(values_.shape(axis));
     parts_ = columns;
     const std::span<const double> numbers{static_cast<const double*>(values_.data()),
                                           static_cast<std::size_t>(values_.size()) * (is_complex_ ? 2 : 1)};
@@ -38,7 +42,8 @@ class HeldInterpolator {
     supervisor.run([&] {
       triangulation().with_engine(supervisor, [&](const Triangulation& engine) {
         if (numbers.size() != engine.num_rows() * columns)
-          throw Error(Errc::bad_dimension, "values: not one row for each of " + std::to_string(engine.num_rows()) + " points");
+          throw Error(Errc::bad_dimension,
+                      "values: not one row for each of " + std::to_string(engine.num_rows()) + " points");
         function_ = std::make_unique<LinearInterpolator>(engine, numbers, columns);
         version_ = triangulation().version();
       });
@@ -74,8 +79,8 @@ class HeldInterpolator {
 
   std::string repr() const {
     std::string shape = std::string(py::str(values_.attr("shape")));
-    return "<delone.LinearInterpolator: values " + std::string(py::str(values_.dtype())) + " " + shape + " on " +
-           std::string(py::repr(source_)) + ">";
+    return "<delone.LinearInterpolator: values " + std::string(py::str(values_.dtype())) + " " + shape +
+           " on " + std::string(py::repr(source_)) + ">";
   }
   py::tuple state() const {
     const char* const names[] = {"fill", "nearest", "raise"};
@@ -120,7 +125,8 @@ class HeldInterpolator {
     const std::span<double> out{reinterpret_cast<double*>(result.mutable_data()), queries.size() * parts_};
     const auto fill = fill_.cast<T>();
     std::vector<double> constants(parts_);
-    for (std::size_t i = 0; i < parts_; i += sizeof(T) / sizeof(double)) std::memcpy(constants.data() + i, &fill, sizeof(T));
+    for (std::size_t i = 0; i < parts_; i += sizeof(T) / sizeof(double))
+      std::memcpy(constants.data() + i, &fill, sizeof(T));
     run([&, x = queries.coordinates()](const LinearInterpolator::Progress& progress) {
       function_->evaluate(x, out, outside_, constants, progress);
     });
@@ -146,35 +152,43 @@ class HeldInterpolator {
 }  // namespace
 
 void bind_interpolator(py::module_& module) {
-  py::class_<HeldInterpolator>(
-      module, "LinearInterpolator",
-      "LinearInterpolator(points, values, *, outside='fill', fill_value=nan)\n\n"
-      "The function that is linear in every cell of a triangulation and has the given values at its vertices.\n\n"
-      "points: (n, d), or a Delaunay, Regular or FurthestSite triangulation of n points, to which no points may be added "
-      "then.\n"
-      "values: (n, ...) real or complex; of equal points that of the first counts. NaN spreads to the cells it is at.\n"
-      "outside: what queries outside the convex hull get: fill_value ('fill'), the value at the nearest vertex ('nearest'), "
-      "or\n"
-      "an InputError that names one of them ('raise'). Which cell a query is in, if any, is decided exactly, so the value at "
-      "a\n"
-      "point is the one given, and no query inside is missed.")
-      .def(py::init([](const py::object& points, const py::object& values, const std::string& outside, const py::object& fill) {
+  py::class_<HeldInterpolator>(module, "LinearInterpolator",
+                               "LinearInterpolator(points, values, *, outside='fill', fill_value=nan)\n\n"
+                               "The function that is linear in every cell of a triangulation and has the "
+                               "given values at its vertices.\n\n"
+                               "points: (n, d), or a Delaunay, Regular or FurthestSite triangulation of n "
+                               "points, to which no points may be added "
+                               "then.\n"
+                               "values: (n, ...) real or complex; of equal points that of the first counts. "
+                               "NaN spreads to the cells it is at.\n"
+                               "outside: what queries outside the convex hull get: fill_value ('fill'), the "
+                               "value at the nearest vertex ('nearest'), "
+                               "or\n"
+                               "an InputError that names one of them ('raise'). Which cell a query is in, if "
+                               "any, is decided exactly, so the value at "
+                               "a\n"
+                               "point is the one given, and no query inside is missed.")
+      .def(py::init([](const py::object& points, const py::object& values, const std::string& outside,
+                       const py::object& fill) {
              return std::make_unique<HeldInterpolator>(points, values, outside, fill);
            }),
            "points"_a, "values"_a, py::kw_only(), "outside"_a = "fill",
            "fill_value"_a = std::numeric_limits<double>::quiet_NaN())
       .def("__call__", &HeldInterpolator::evaluate, "queries"_a,
-           "The values at queries of shape (..., d), in the shape (...) followed by that of one value; float64 or complex128.")
-      .def(
-          "gradient", &HeldInterpolator::gradient, "queries"_a,
-          "The gradients at queries of shape (..., d): (...) + the shape of one value + (d,). Where cells meet that of one of\n"
-          "them; outside NaN, or 0 for outside='nearest'. For flat points it is tangent to their flat.")
+           "The values at queries of shape (..., d), in the shape (...) followed by that of one value; "
+           "float64 or complex128.")
+      .def("gradient", &HeldInterpolator::gradient, "queries"_a,
+           "The gradients at queries of shape (..., d): (...) + the shape of one value + (d,). Where cells "
+           "meet that of one of\n"
+           "them; outside NaN, or 0 for outside='nearest'. For flat points it is tangent to their flat.")
       .def_property_readonly("triangulation", &HeldInterpolator::source, "The triangulation.")
-      .def_property_readonly("values", &HeldInterpolator::values, "(n, ...) the values, float64 or complex128, read-only.")
+      .def_property_readonly("values", &HeldInterpolator::values,
+                             "(n, ...) the values, float64 or complex128, read-only.")
       .def("__repr__", &HeldInterpolator::repr)
       .def(py::pickle([](const HeldInterpolator& held) { return held.state(); },
                       [](const py::tuple& state) {
-                        return std::make_unique<HeldInterpolator>(state[0], state[1], state[2].cast<std::string>(), state[3]);
+                        return std::make_unique<HeldInterpolator>(state[0], state[1],
+                                                                  state[2].cast<std::string>(), state[3]);
                       }));
 }
 

@@ -29,7 +29,9 @@ using HeldRegular = HeldForm<Form::regular>;
 using HeldFurthestSite = HeldForm<Form::furthest_site>;
 
 const char* name_of(const Held& held) {
-  return held.form() == Form::regular ? "Regular" : held.form() == Form::furthest_site ? "FurthestSite" : "Delaunay";
+  return held.form() == Form::regular         ? "Regular"
+         : held.form() == Form::furthest_site ? "FurthestSite"
+                                              : "Delaunay";
 }
 
 py::array_t<double> as_weights(const py::object& object, py::ssize_t count) {
@@ -45,16 +47,18 @@ void add(Held& held, const py::object& points, const py::object& weights, const 
   if (rows.shape(1) != held.dimension())
     throw py::value_error("points: " + std::to_string(rows.shape(1)) + " coordinates per row, not " +
                           std::to_string(held.dimension()));
-  const auto their_weights = held.form() == Form::regular ? as_weights(weights, rows.shape(0)) : py::array_t<double>(0);
+  const auto their_weights =
+      held.form() == Form::regular ? as_weights(weights, rows.shape(0)) : py::array_t<double>(0);
   Supervisor supervisor(progress);
   supervisor.run([&, x = numbers(rows), w = numbers(their_weights)] { held.add(x, w, supervisor); });
 }
 
 template <class T>
-std::unique_ptr<T> construct(const py::object& points, const py::object& weights, std::uint64_t seed, std::string order,
-                             int threads, const py::object& progress) {
+std::unique_ptr<T> construct(const py::object& points, const py::object& weights, std::uint64_t seed,
+                             std::string order, int threads, const py::object& progress) {
   const auto rows = as_points(points, "points");
-  auto held = std::make_unique<T>(static_cast<int>(rows.shape(1)), BuildArguments{seed, std::move(order), threads});
+  auto held =
+      std::make_unique<T>(static_cast<int>(rows.shape(1)), BuildArguments{seed, std::move(order), threads});
   add(*held, rows, weights, progress);
   return held;
 }
@@ -93,7 +97,8 @@ py::array duplicates(const Held& held) {
   std::vector<SignedIndex> pairs;
   for (std::size_t row = 0; row < data->vertex_of_point.size(); ++row) {
     const SignedIndex first = data->vertex_of_point[row];
-    if (first >= 0 && static_cast<std::size_t>(first) != row) pairs.insert(pairs.end(), {static_cast<SignedIndex>(row), first});
+    if (first >= 0 && static_cast<std::size_t>(first) != row)
+      pairs.insert(pairs.end(), {static_cast<SignedIndex>(row), first});
   }
   const std::size_t count = pairs.size() / 2;
   return rows_view(std::move(pairs), count, 2);
@@ -113,12 +118,13 @@ py::array cell_of_point(const Held& held) {
   for (std::size_t i = 0; i < data->cells.size(); ++i)
     cell[static_cast<std::size_t>(data->cells[i])] = static_cast<SignedIndex>(i / width(*data));
   for (std::size_t row = 0; row < cell.size(); ++row)
-    if (const SignedIndex first = data->vertex_of_point[row]; first >= 0) cell[row] = cell[static_cast<std::size_t>(first)];
+    if (const SignedIndex first = data->vertex_of_point[row]; first >= 0)
+      cell[row] = cell[static_cast<std::size_t>(first)];
   return list_view(std::move(cell));
 }
 
-/// With a point inside put first, the vertices of a facet are positively oriented: a cell with vertex j moved to the front is,
-/// after j transpositions.
+/// With a point inside put first, the vertices of a facet are positively oriented: a cell with vertex j moved
+/// to the front is, after j transpositions.
 py::array hull_facets(const Held& held) {
   const auto data = data_of(held);
   const std::size_t size = width(*data);
@@ -131,7 +137,8 @@ py::array hull_facets(const Held& held) {
     if (slot % 2 == 1 && size > 2) std::swap(facets[first], facets[first + 1]);
   }
   const std::size_t columns = size == 0 ? 0 : size - 1;
-  const std::size_t count = static_cast<std::size_t>(std::count(data->neighbors.begin(), data->neighbors.end(), -1));
+  const std::size_t count =
+      static_cast<std::size_t>(std::count(data->neighbors.begin(), data->neighbors.end(), -1));
   return rows_view(std::move(facets), count, columns);
 }
 
@@ -140,20 +147,21 @@ py::tuple vertex_neighbors(const Held& held) {
   std::vector<std::int64_t> offsets{0};
   std::vector<SignedIndex> rows;
   supervisor.run([&] {
-    held.with_locator(supervisor, [&](const Triangulation& engine, const PointLocator& locator, const Cells& cells) {
-      const PointLocator::Edges& edges = locator.edges();
-      rows.reserve(edges.vertices.size());
-      for (std::size_t row = 0; row < engine.num_rows(); ++row) {
-        const auto first = static_cast<std::ptrdiff_t>(rows.size());
-        if (cells.data.vertex_of_point[row] == static_cast<SignedIndex>(row)) {
-          const Index v = index(engine.vertex_at(row));
-          for (std::size_t e = edges.offsets[v]; e < edges.offsets[v + 1]; ++e)
-            rows.push_back(static_cast<SignedIndex>(engine.row_of(edges.vertices[e])));
-          std::sort(rows.begin() + first, rows.end());
-        }
-        offsets.push_back(static_cast<std::int64_t>(rows.size()));
-      }
-    });
+    held.with_locator(supervisor,
+                      [&](const Triangulation& engine, const PointLocator& locator, const Cells& cells) {
+                        const PointLocator::Edges& edges = locator.edges();
+                        rows.reserve(edges.vertices.size());
+                        for (std::size_t row = 0; row < engine.num_rows(); ++row) {
+                          const auto first = static_cast<std::ptrdiff_t>(rows.size());
+                          if (cells.data.vertex_of_point[row] == static_cast<SignedIndex>(row)) {
+                            const Index v = index(engine.vertex_at(row));
+                            for (std::size_t e = edges.offsets[v]; e < edges.offsets[v + 1]; ++e)
+                              rows.push_back(static_cast<SignedIndex>(engine.row_of(edges.vertices[e])));
+                            std::sort(rows.begin() + first, rows.end());
+                          }
+                          offsets.push_back(static_cast<std::int64_t>(rows.size()));
+                        }
+                      });
   });
   return py::make_tuple(list_view(std::move(offsets)), list_view(std::move(rows)));
 }
@@ -163,12 +171,14 @@ template <class Visit>
 void locate_each(const Held& held, const Queries& queries, Visit visit) {
   Supervisor supervisor;
   supervisor.run([&, x = queries.coordinates()] {
-    held.with_locator(supervisor, [&](const Triangulation& engine, const PointLocator& locator, const Cells& cells) {
-      locator.locate(x, [&](std::size_t query, const LocatedPoint& where) {
-        supervisor.count();
-        visit(query, where, where.weights.empty() ? SignedIndex{-1} : cells.number_of_slot[index(where.cell)], engine);
-      });
-    });
+    held.with_locator(
+        supervisor, [&](const Triangulation& engine, const PointLocator& locator, const Cells& cells) {
+          locator.locate(x, [&](std::size_t query, const LocatedPoint& where) {
+            supervisor.count();
+            visit(query, where,
+                  where.weights.empty() ? SignedIndex{-1} : cells.number_of_slot[index(where.cell)], engine);
+          });
+        });
   });
 }
 
@@ -176,9 +186,8 @@ py::object find_simplex(const Held& held, const py::object& object) {
   const Queries queries(object, held.dimension());
   auto cells = queries.answers<SignedIndex>();
   locate_each(held, queries,
-              [out = cells.mutable_data()](std::size_t query, const LocatedPoint&, SignedIndex cell, const Triangulation&) {
-                out[query] = cell;
-              });
+              [out = cells.mutable_data()](std::size_t query, const LocatedPoint&, SignedIndex cell,
+                                           const Triangulation&) { out[query] = cell; });
   return Queries::scalar_if_single(cells);
 }
 
@@ -188,15 +197,18 @@ py::object locate(const Held& held, const py::object& object) {
   std::vector<std::uint8_t> kinds(count);
   std::vector<SignedIndex> cells(count);
   std::vector<std::vector<SignedIndex>> faces(count);
-  locate_each(held, queries, [&](std::size_t query, const LocatedPoint& where, SignedIndex cell, const Triangulation& engine) {
-    kinds[query] = static_cast<std::uint8_t>(where.kind);
-    cells[query] = cell;
-    const Complex complex = engine.complex();
-    for (std::size_t i = 0; i < where.weights.size(); ++i)
-      if (where.weights[i] > 0)
-        faces[query].push_back(static_cast<SignedIndex>(engine.row_of(complex.vertex(where.cell, static_cast<int>(i)))));
-    std::sort(faces[query].begin(), faces[query].end());
-  });
+  locate_each(
+      held, queries,
+      [&](std::size_t query, const LocatedPoint& where, SignedIndex cell, const Triangulation& engine) {
+        kinds[query] = static_cast<std::uint8_t>(where.kind);
+        cells[query] = cell;
+        const Complex complex = engine.complex();
+        for (std::size_t i = 0; i < where.weights.size(); ++i)
+          if (where.weights[i] > 0)
+            faces[query].push_back(
+                static_cast<SignedIndex>(engine.row_of(complex.vertex(where.cell, static_cast<int>(i)))));
+        std::sort(faces[query].begin(), faces[query].end());
+      });
   std::vector<std::int64_t> offsets{0};
   std::vector<SignedIndex> rows;
   for (const auto& face : faces) {
@@ -204,14 +216,16 @@ py::object locate(const Held& held, const py::object& object) {
     offsets.push_back(static_cast<std::int64_t>(rows.size()));
   }
   return py::module_::import("delone._locations")
-      .attr("Locations")(list_view(std::move(kinds)), list_view(std::move(cells)), list_view(std::move(offsets)),
-                         list_view(std::move(rows)),
-                         py::make_tuple("in_cell", "on_face", "on_vertex", "outside_hull", "outside_affine_hull"));
+      .attr("Locations")(
+          list_view(std::move(kinds)), list_view(std::move(cells)), list_view(std::move(offsets)),
+          list_view(std::move(rows)),
+          py::make_tuple("in_cell", "on_face", "on_vertex", "outside_hull", "outside_affine_hull"));
 }
 
 py::tuple barycentric(const Held& held, const py::object& object) {
   const Queries queries(object, held.dimension());
-  const auto size = static_cast<std::size_t>(ask(held, [](const Triangulation& t) { return t.affine_dimension(); }) + 1);
+  const auto size =
+      static_cast<std::size_t>(ask(held, [](const Triangulation& t) { return t.affine_dimension(); }) + 1);
   auto cells = queries.answers<SignedIndex>();
   auto weights_array = queries.answers<double>({size});
   locate_each(held, queries,
@@ -243,16 +257,17 @@ py::tuple nearest(const Held& held, const py::object& object) {
   auto distances = queries.answers<double>();
   Supervisor supervisor;
   supervisor.run([&, x = queries.coordinates(), row = rows.mutable_data(), at = distances.mutable_data()] {
-    held.with_locator(supervisor, [&](const Triangulation& engine, const PointLocator& locator, const Cells&) {
-      const auto d = static_cast<std::size_t>(held.dimension());
-      locator.nearest(x, [&](std::size_t query, VertexId v) {
-        supervisor.count();
-        row[query] = v == invalid_vertex ? -1 : static_cast<SignedIndex>(engine.row_of(v));
-        at[query] = v == invalid_vertex ? nan : distance(x.data() + query * d, engine.point(v).data(), d);
-        if (held.form() != Form::regular || v == invalid_vertex) return;
-        at[query] = at[query] * at[query] - static_cast<const RegularTriangulation&>(engine).weight(v);
-      });
-    });
+    held.with_locator(
+        supervisor, [&](const Triangulation& engine, const PointLocator& locator, const Cells&) {
+          const auto d = static_cast<std::size_t>(held.dimension());
+          locator.nearest(x, [&](std::size_t query, VertexId v) {
+            supervisor.count();
+            row[query] = v == invalid_vertex ? -1 : static_cast<SignedIndex>(engine.row_of(v));
+            at[query] = v == invalid_vertex ? nan : distance(x.data() + query * d, engine.point(v).data(), d);
+            if (held.form() != Form::regular || v == invalid_vertex) return;
+            at[query] = at[query] * at[query] - static_cast<const RegularTriangulation&>(engine).weight(v);
+          });
+        });
   });
   return py::make_tuple(Queries::scalar_if_single(rows), Queries::scalar_if_single(distances));
 }
@@ -265,7 +280,8 @@ std::string repr(const Held& held) {
   return ask(held, [&](const Triangulation& t) {
     std::string text = std::string("<delone.") + name_of(held) + ": " + std::to_string(t.num_points()) +
                        " points in dimension " + std::to_string(t.dimension());
-    if (t.affine_dimension() < t.dimension()) text += ", affine dimension " + std::to_string(t.affine_dimension());
+    if (t.affine_dimension() < t.dimension())
+      text += ", affine dimension " + std::to_string(t.affine_dimension());
     return text + ", " + std::to_string(t.num_finite_cells()) + " cells>";
   });
 }
@@ -274,19 +290,22 @@ py::tuple state(const Held& held) {
   const BuildArguments& a = held.arguments();
   py::list batches;
   for (const std::size_t rows : held.batches()) batches.append(rows);
-  return py::make_tuple(held.dimension(), points(held), held.form() == Form::regular ? py::object(weights(held)) : py::none(),
-                        batches, a.seed, a.order, a.threads);
+  return py::make_tuple(held.dimension(), points(held),
+                        held.form() == Form::regular ? py::object(weights(held)) : py::none(), batches,
+                        a.seed, a.order, a.threads);
 }
 
 template <class T>
 std::unique_ptr<T> restored(const py::tuple& state) {
   if (state.size() != 7) throw py::value_error("not the state of a triangulation");
   auto held = std::make_unique<T>(
-      state[0].cast<int>(), BuildArguments{state[4].cast<std::uint64_t>(), state[5].cast<std::string>(), state[6].cast<int>()});
+      state[0].cast<int>(),
+      BuildArguments{state[4].cast<std::uint64_t>(), state[5].cast<std::string>(), state[6].cast<int>()});
   py::ssize_t first = 0;
   for (const auto item : state[3]) {
     const py::slice rows(first, first + item.cast<py::ssize_t>(), 1);
-    add(*held, state[1][rows], state[2].is_none() ? py::object(py::none()) : py::object(state[2][rows]), py::none());
+    add(*held, state[1][rows], state[2].is_none() ? py::object(py::none()) : py::object(state[2][rows]),
+        py::none());
     first += item.cast<py::ssize_t>();
   }
   return held;
@@ -294,57 +313,75 @@ std::unique_ptr<T> restored(const py::tuple& state) {
 
 template <class T>
 void bind_pickle(py::class_<T, Held, std::shared_ptr<T>>& type) {
-  type.def(py::pickle([](const T& held) { return state(held); }, [](const py::tuple& state) { return restored<T>(state); }));
+  type.def(py::pickle([](const T& held) { return state(held); },
+                      [](const py::tuple& state) { return restored<T>(state); }));
 }
 
 template <class T>
 void bind_points_only(py::class_<T, Held, std::shared_ptr<T>>& type) {
-  type.def(
-      py::init([](const py::object& points, std::uint64_t seed, std::string order, int threads, const py::object& progress) {
-        return construct<T>(points, py::none(), seed, std::move(order), threads, progress);
-      }),
-      "points"_a, py::kw_only(), "seed"_a = 0, "order"_a = "automatic", "threads"_a = 1, "progress"_a = py::none());
+  type.def(py::init([](const py::object& points, std::uint64_t seed, std::string order, int threads,
+                       const py::object& progress) {
+             return construct<T>(points, py::none(), seed, std::move(order), threads, progress);
+           }),
+           "points"_a, py::kw_only(), "seed"_a = 0, "order"_a = "automatic", "threads"_a = 1,
+           "progress"_a = py::none());
   type.def(
       "add_points",
-      [](T& held, const py::object& points, const py::object& progress) { add(held, points, py::none(), progress); },
+      [](T& held, const py::object& points, const py::object& progress) {
+        add(held, points, py::none(), progress);
+      },
       "points"_a, py::kw_only(), "progress"_a = py::none(),
       "Adds points, (n, d), as the next rows: all of them, or none if it raises.\n\n"
-      "Arrays that were taken before stay as they are; cells are numbered anew. If it is interrupted, the next use builds the\n"
+      "Arrays that were taken before stay as they are; cells are numbered anew. If it is interrupted, the "
+      "next use builds the\n"
       "triangulation again from the points that it had before.");
   bind_pickle(type);
 }
 
 constexpr const char* nearest_doc =
-    "(rows, distances), each (...): the input row of the point nearest to each query (..., d), and its distance.\n\n"
-    "Exact: of several nearest points the one with the smallest row. −1 and NaN if there are no points. For Regular: the row "
+    "(rows, distances), each (...): the input row of the point nearest to each query (..., d), and its "
+    "distance.\n\n"
+    "Exact: of several nearest points the one with the smallest row. −1 and NaN if there are no points. For "
+    "Regular: the row "
     "of\n"
-    "least power |x − p|² − weight, and the power. Not for FurthestSite. The first call makes a table of all edges.";
+    "least power |x − p|² − weight, and the power. Not for FurthestSite. The first call makes a table of all "
+    "edges.";
 
 }  // namespace
 
 void bind_triangulations(py::module_& module) {
-  py::class_<Held, std::shared_ptr<Held>> base(module, "Triangulation",
-                                               "What Delaunay, Regular and FurthestSite share. k is the affine dimension.");
+  py::class_<Held, std::shared_ptr<Held>> base(
+      module, "Triangulation", "What Delaunay, Regular and FurthestSite share. k is the affine dimension.");
   base.def_property_readonly("dimension", &Held::dimension, "d, the number of coordinates.")
       .def_property_readonly(
-          "affine_dimension", [](const Held& h) { return ask(h, [](const Triangulation& t) { return t.affine_dimension(); }); },
-          "k, the dimension of the smallest flat that contains all points: k <= d; 0 for one distinct point, -1 for none.")
+          "affine_dimension",
+          [](const Held& h) { return ask(h, [](const Triangulation& t) { return t.affine_dimension(); }); },
+          "k, the dimension of the smallest flat that contains all points: k <= d; 0 for one distinct point, "
+          "-1 for none.")
       .def_property_readonly(
-          "axes", [](const Held& h) { return py::tuple(py::cast(ask(h, [](const Triangulation& t) { return t.axes(); }))); },
+          "axes",
+          [](const Held& h) {
+            return py::tuple(py::cast(ask(h, [](const Triangulation& t) { return t.axes(); })));
+          },
           "k coordinate axes onto which the flat of the points projects one-to-one, increasing.")
       .def_property_readonly(
-          "num_points", [](const Held& h) { return ask(h, [](const Triangulation& t) { return t.num_points(); }); },
+          "num_points",
+          [](const Held& h) { return ask(h, [](const Triangulation& t) { return t.num_points(); }); },
           "n, the rows of the input.")
       .def_property_readonly(
-          "num_vertices", [](const Held& h) { return ask(h, [](const Triangulation& t) { return t.num_vertices(); }); },
+          "num_vertices",
+          [](const Held& h) { return ask(h, [](const Triangulation& t) { return t.num_vertices(); }); },
           "Distinct points that are not hidden.")
       .def_property_readonly(
-          "num_duplicates", [](const Held& h) { return ask(h, [](const Triangulation& t) { return t.num_duplicates(); }); },
+          "num_duplicates",
+          [](const Held& h) { return ask(h, [](const Triangulation& t) { return t.num_duplicates(); }); },
           "Rows that are equal to an earlier one.")
       .def_property_readonly(
-          "num_cells", [](const Held& h) { return ask(h, [](const Triangulation& t) { return t.num_finite_cells(); }); },
+          "num_cells",
+          [](const Held& h) { return ask(h, [](const Triangulation& t) { return t.num_finite_cells(); }); },
           "m, the number of cells.")
-      .def("__len__", [](const Held& h) { return ask(h, [](const Triangulation& t) { return t.num_finite_cells(); }); })
+      .def("__len__",
+           [](const Held& h) { return ask(h, [](const Triangulation& t) { return t.num_finite_cells(); }); })
       .def_property_readonly("points", &points, "(n, d) float64, read-only. Made on first use.")
       .def_property_readonly(
           "cells",
@@ -366,31 +403,40 @@ void bind_triangulations(py::module_& module) {
             const auto data = data_of(h);
             return list_view(data->vertex_of_point, data);
           },
-          "(n,) the row each row was merged into: itself, or an earlier one that is equal; -1 if it is hidden.")
-      .def_property_readonly("duplicates", &duplicates, "(r, 2) rows that are equal to an earlier one, and that one.")
-      .def_property_readonly("cell_of_point", &cell_of_point, "(n,) a cell that has each row as a vertex; -1 if hidden.")
+          "(n,) the row each row was merged into: itself, or an earlier one that is equal; -1 if it is "
+          "hidden.")
+      .def_property_readonly("duplicates", &duplicates,
+                             "(r, 2) rows that are equal to an earlier one, and that one.")
+      .def_property_readonly("cell_of_point", &cell_of_point,
+                             "(n,) a cell that has each row as a vertex; -1 if hidden.")
       .def_property_readonly(
           "hull_facets", &hull_facets,
           "(h, k) input rows: the facets of cells without a neighbor. With a point inside put first they are "
           "positively oriented when k = d > 1: counterclockwise as seen from outside in space.")
-      .def_property_readonly("vertex_neighbors", &vertex_neighbors,
-                             "(indptr (n+1,) int64, indices): the rows joined to row i by an edge are "
-                             "indices[indptr[i]:indptr[i+1]], increasing. Rows that are no vertices have none.")
+      .def_property_readonly(
+          "vertex_neighbors", &vertex_neighbors,
+          "(indptr (n+1,) int64, indices): the rows joined to row i by an edge are "
+          "indices[indptr[i]:indptr[i+1]], increasing. Rows that are no vertices have none.")
       .def_property_readonly(
           "hash", [](const Held& h) { return ask(h, [](const Triangulation& t) { return t.hash().hex(); }); },
-          "32 hexadecimal digits that depend on the coordinates of the vertices and the set of cells only; the command prints "
+          "32 hexadecimal digits that depend on the coordinates of the vertices and the set of cells only; "
+          "the command prints "
           "the same. O(n d + m k).")
-      .def_property_readonly("statistics", &statistics, "What the construction has cost: a dict of counts, seconds and bytes.")
+      .def_property_readonly("statistics", &statistics,
+                             "What the construction has cost: a dict of counts, seconds and bytes.")
       .def("find_simplex", &find_simplex, "queries"_a,
            "The cell that contains each query: (...) for queries of shape (..., d); -1 outside.\n\n"
-           "Exact. A query on a face of several cells gets one of them. InputError for NaN or infinity. Cost: queries are\n"
+           "Exact. A query on a face of several cells gets one of them. InputError for NaN or infinity. "
+           "Cost: queries are\n"
            "visited along a Hilbert curve, with a walk over a few cells for each.")
       .def("locate", &locate, "queries"_a,
-           "Where each query (..., d) lies, exactly: delone.Locations, with the kind, the cell, and the rows of the points "
+           "Where each query (..., d) lies, exactly: delone.Locations, with the kind, the cell, and the rows "
+           "of the points "
            "that\n"
            "span the smallest face that contains it.")
       .def("barycentric", &barycentric, "queries"_a,
-           "(cells (...), weights (..., k+1)): the cell of each query, and its barycentric coordinates there, >= 0 with sum "
+           "(cells (...), weights (..., k+1)): the cell of each query, and its barycentric coordinates "
+           "there, >= 0 with sum "
            "1.\n\n"
            "A weight is 0 exactly if the query is on the facet opposite that vertex. -1 and NaN outside.")
       .def("nearest", &nearest, "queries"_a, nearest_doc)
@@ -400,24 +446,30 @@ void bind_triangulations(py::module_& module) {
       module, "Delaunay",
       "Delaunay(points, *, seed=0, order='automatic', threads=1, progress=None)\n\n"
       "The Delaunay triangulation of points, (n, d) numbers that are exact in float64, in any dimension.\n\n"
-      "Exact, a function of the set of points: seed and order ('automatic', 'given', 'shuffled') only change the way there.\n"
-      "Duplicates are merged, flat points are triangulated in their flat. At most `threads` threads are used. `progress` is\n"
-      "called ten times a second with the fraction done, and may return False to stop (CancelledError). Ctrl-C stops with\n"
+      "Exact, a function of the set of points: seed and order ('automatic', 'given', 'shuffled') only change "
+      "the way there.\n"
+      "Duplicates are merged, flat points are triangulated in their flat. At most `threads` threads are "
+      "used. `progress` is\n"
+      "called ten times a second with the fraction done, and may return False to stop (CancelledError). "
+      "Ctrl-C stops with\n"
       "KeyboardInterrupt. Methods let go of the GIL; any number of threads may call them at once.\n"
-      "Raises InputError, a ValueError, for NaN and infinities, and ValueError for other input that is no array of points;\n"
+      "Raises InputError, a ValueError, for NaN and infinities, and ValueError for other input that is no "
+      "array of points;\n"
       "both name the row. Cost: O(n) cells and time in each dimension for evenly spread points.");
   bind_points_only(delaunay);
 
   py::class_<HeldRegular, Held, std::shared_ptr<HeldRegular>> regular(
       module, "Regular",
       "Regular(points, weights, *, seed=0, order='automatic', threads=1, progress=None)\n\n"
-      "The regular triangulation (weighted Delaunay triangulation) of points, (n, d), with weights, (n,), which have the unit "
+      "The regular triangulation (weighted Delaunay triangulation) of points, (n, d), with weights, (n,), "
+      "which have the unit "
       "of\n"
-      "squared lengths and may be negative. Points above the lower boundary of the lifted points (x, |x|² − weight) are "
+      "squared lengths and may be negative. Points above the lower boundary of the lifted points (x, |x|² − "
+      "weight) are "
       "hidden.\n"
       "All else as in Delaunay.");
-  regular.def(py::init([](const py::object& points, const py::object& weights, std::uint64_t seed, std::string order,
-                          int threads, const py::object& progress) {
+  regular.def(py::init([](const py::object& points, const py::object& weights, std::uint64_t seed,
+                          std::string order, int threads, const py::object& progress) {
                 return construct<HeldRegular>(points, weights, seed, std::move(order), threads, progress);
               }),
               "points"_a, "weights"_a, py::kw_only(), "seed"_a = 0, "order"_a = "automatic", "threads"_a = 1,
@@ -446,7 +498,8 @@ void bind_triangulations(py::module_& module) {
   py::class_<HeldFurthestSite, Held, std::shared_ptr<HeldFurthestSite>> furthest(
       module, "FurthestSite",
       "FurthestSite(points, *, seed=0, order='automatic', threads=1, progress=None)\n\n"
-      "The furthest-site Delaunay triangulation of points, (n, d): the cells whose spheres have no point outside. Its "
+      "The furthest-site Delaunay triangulation of points, (n, d): the cells whose spheres have no point "
+      "outside. Its "
       "vertices\n"
       "are the extreme points, all others are hidden. All else as in Delaunay.");
   bind_points_only(furthest);

@@ -22,14 +22,16 @@ class HeldDiagram {
     const auto& source = triangulation.cast<const HeldTriangulation&>();
     is_furthest_ = source.form() == Form::furthest_site;
     Supervisor supervisor;
-    for (std::uint64_t version = source.version() + 1; version != source.version();) {  // until no other thread adds points
+    for (std::uint64_t version = source.version() + 1;
+         version != source.version();) {  // until no other thread adds points
       version = source.version();
       source_state_ = triangulation.attr("__getstate__")();
       supervisor.run([&] {
         source.with_engine(supervisor, [&](const Triangulation& engine) {
           if (source.form() == Form::regular)
             diagram_ = std::make_shared<PowerDiagram>(static_cast<const RegularTriangulation&>(engine));
-          else  // the dual of furthest sites has the same vertices, ridges and regions, and rays in the other direction
+          else  // the dual of furthest sites has the same vertices, ridges and regions, and rays in the other
+                // direction
             diagram_ = std::make_shared<VoronoiDiagram>(engine);
         });
         points_ = source.points(supervisor);
@@ -54,7 +56,9 @@ class HeldDiagram {
     for (double& x : opposite) x = 0 - x;
     return rows_view(std::move(opposite), diagram_->num_rays(), dimension());
   }
-  py::array points() const { return rows_view(*points_, points_->size() / dimension(), dimension(), points_); }
+  py::array points() const {
+    return rows_view(*points_, points_->size() / dimension(), dimension(), points_);
+  }
   py::array weights() const { return list_view(*weights_, weights_); }
 
   template <class T>
@@ -83,7 +87,8 @@ class HeldPower : public HeldDiagram {
 std::optional<Box> as_box(const py::object& object) {
   if (object.is_none()) return std::nullopt;
   const auto corners = as_doubles(object, "box");
-  if (corners.ndim() != 2 || corners.shape(0) != 2) throw py::value_error("box: (low, high), each of d numbers");
+  if (corners.ndim() != 2 || corners.shape(0) != 2)
+    throw py::value_error("box: (low, high), each of d numbers");
   const auto numbers_of_both = numbers(corners);
   const std::size_t d = numbers_of_both.size() / 2;
   return Box{{numbers_of_both.begin(), numbers_of_both.begin() + static_cast<std::ptrdiff_t>(d)},
@@ -92,9 +97,11 @@ std::optional<Box> as_box(const py::object& object) {
 
 py::array region_volumes(const HeldDiagram& held, const py::object& object) {
   const std::optional<Box> box = as_box(object);
-  if (box && held.is_furthest()) throw Error(Errc::unsupported, "furthest-site diagrams are not cut off at boxes");
+  if (box && held.is_furthest())
+    throw Error(Errc::unsupported, "furthest-site diagrams are not cut off at boxes");
   Supervisor supervisor;
-  return list_view(supervisor.run([&] { return box ? held.diagram().region_volumes(*box) : held.diagram().region_volumes(); }));
+  return list_view(supervisor.run(
+      [&] { return box ? held.diagram().region_volumes(*box) : held.diagram().region_volumes(); }));
 }
 
 std::size_t checked(std::size_t i, std::size_t count) {
@@ -112,13 +119,15 @@ std::string repr(const HeldDiagram& held, const char* name) {
 }  // namespace
 
 void bind_voronoi(py::module_& module) {
-  py::class_<HeldDiagram> base(module, "Diagram", "What Voronoi and PowerDiagram share. k is the affine dimension.");
+  py::class_<HeldDiagram> base(module, "Diagram",
+                               "What Voronoi and PowerDiagram share. k is the affine dimension.");
   base.def_property_readonly(
           "dimension", [](const HeldDiagram& h) { return h.diagram().dimension(); }, "d.")
       .def_property_readonly(
           "affine_dimension", [](const HeldDiagram& h) { return h.diagram().affine_dimension(); }, "k.")
       .def_property_readonly(
-          "num_points", [](const HeldDiagram& h) { return h.diagram().num_points(); }, "n, rows of the input.")
+          "num_points", [](const HeldDiagram& h) { return h.diagram().num_points(); },
+          "n, rows of the input.")
       .def_property_readonly(
           "num_vertices", [](const HeldDiagram& h) { return h.diagram().num_vertices(); }, "v.")
       .def_property_readonly(
@@ -130,24 +139,34 @@ void bind_voronoi(py::module_& module) {
       .def_property_readonly("points", &HeldDiagram::points, "(n, d) float64, read-only.")
       .def_property_readonly(
           "vertices",
-          [](const HeldDiagram& h) { return h.rows(h.diagram().vertices(), h.diagram().num_vertices(), h.dimension()); },
-          "(v, d): the distinct centres of the cells' spheres, each coordinate the double nearest to the exact one.")
+          [](const HeldDiagram& h) {
+            return h.rows(h.diagram().vertices(), h.diagram().num_vertices(), h.dimension());
+          },
+          "(v, d): the distinct centres of the cells' spheres, each coordinate the double nearest to the "
+          "exact one.")
       .def_property_readonly(
-          "ridge_points", [](const HeldDiagram& h) { return h.rows(h.diagram().ridge_points(), h.diagram().num_ridges(), 2); },
+          "ridge_points",
+          [](const HeldDiagram& h) {
+            return h.rows(h.diagram().ridge_points(), h.diagram().num_ridges(), 2);
+          },
           "(r, 2) the rows of the two sites of each ridge.")
       .def_property_readonly(
           "ridge_vertices", [](const HeldDiagram& h) { return h.list(h.diagram().ridge_vertices()); },
-          "The vertices of ridge i are ridge_vertices[ridge_offsets[i]:ridge_offsets[i+1]], -1 first if it is unbounded; in "
+          "The vertices of ridge i are ridge_vertices[ridge_offsets[i]:ridge_offsets[i+1]], -1 first if it "
+          "is unbounded; in "
           "cyclic order for k = 3, otherwise increasing.")
       .def_property_readonly(
-          "ridge_offsets", [](const HeldDiagram& h) { return h.list(h.diagram().ridge_offsets()); }, "(r+1,) int64")
+          "ridge_offsets", [](const HeldDiagram& h) { return h.list(h.diagram().ridge_offsets()); },
+          "(r+1,) int64")
       .def_property_readonly(
           "region_vertices", [](const HeldDiagram& h) { return h.list(h.diagram().region_vertices()); },
-          "The vertices of region i are region_vertices[region_offsets[i]:region_offsets[i+1]], -1 first if it is unbounded; "
+          "The vertices of region i are region_vertices[region_offsets[i]:region_offsets[i+1]], -1 first if "
+          "it is unbounded; "
           "in "
           "cyclic order for k = 2, otherwise increasing.")
       .def_property_readonly(
-          "region_offsets", [](const HeldDiagram& h) { return h.list(h.diagram().region_offsets()); }, "(regions+1,) int64")
+          "region_offsets", [](const HeldDiagram& h) { return h.list(h.diagram().region_offsets()); },
+          "(regions+1,) int64")
       .def_property_readonly(
           "region_points", [](const HeldDiagram& h) { return h.list(h.diagram().region_points()); },
           "(regions,) the first row at the site of each region.")
@@ -158,32 +177,40 @@ void bind_voronoi(py::module_& module) {
           "is_bounded",
           [](const HeldDiagram& h) {
             py::array_t<bool> bounded(static_cast<py::ssize_t>(h.diagram().num_regions()));
-            for (std::size_t i = 0; i < h.diagram().num_regions(); ++i) bounded.mutable_data()[i] = h.diagram().is_bounded(i);
+            for (std::size_t i = 0; i < h.diagram().num_regions(); ++i)
+              bounded.mutable_data()[i] = h.diagram().is_bounded(i);
             return bounded;
           },
           "(regions,) bool")
       .def_property_readonly(
           "ray_vertices", [](const HeldDiagram& h) { return h.list(h.diagram().ray_vertices()); },
           "The vertex that each unbounded edge starts from.")
-      .def_property_readonly("ray_directions", &HeldDiagram::ray_directions,
-                             "(rays, d) unit vectors away from the vertex: outward, of furthest sites inward.")
+      .def_property_readonly(
+          "ray_directions", &HeldDiagram::ray_directions,
+          "(rays, d) unit vectors away from the vertex: outward, of furthest sites inward.")
       .def_property_readonly(
           "ray_points",
           [](const HeldDiagram& h) {
             const std::size_t rays = h.diagram().num_rays();
-            return h.rows(h.diagram().ray_points(), rays, rays == 0 ? 0 : h.diagram().ray_points().size() / rays);
+            return h.rows(h.diagram().ray_points(), rays,
+                          rays == 0 ? 0 : h.diagram().ray_points().size() / rays);
           },
           "(rays, k) the rows of the hull facet that each unbounded edge is dual to.")
       .def(
           "ridge",
-          [](const HeldDiagram& h, std::size_t i) { return h.list(h.diagram().ridge(checked(i, h.diagram().num_ridges()))); },
+          [](const HeldDiagram& h, std::size_t i) {
+            return h.list(h.diagram().ridge(checked(i, h.diagram().num_ridges())));
+          },
           "i"_a, "The vertices of ridge i.")
       .def(
           "region",
-          [](const HeldDiagram& h, std::size_t i) { return h.list(h.diagram().region(checked(i, h.diagram().num_regions()))); },
+          [](const HeldDiagram& h, std::size_t i) {
+            return h.list(h.diagram().region(checked(i, h.diagram().num_regions())));
+          },
           "i"_a, "The vertices of region i.")
       .def("region_volumes", &region_volumes, "box"_a = py::none(),
-           "(regions,) the k-volume of each region, infinite if unbounded; with box = (low, high) the d-volume within the box.")
+           "(regions,) the k-volume of each region, infinite if unbounded; with box = (low, high) the "
+           "d-volume within the box.")
       .def(
           "ridge_volumes",
           [](const HeldDiagram& h) {
@@ -197,20 +224,25 @@ void bind_voronoi(py::module_& module) {
             Box box = h.diagram().bounding_box(margin);
             return py::make_tuple(list_view(std::move(box.low)), list_view(std::move(box.high)));
           },
-          "margin"_a = 0.1, "(low, high): the box of the sites, enlarged on each side by margin times its longest side.");
+          "margin"_a = 0.1,
+          "(low, high): the box of the sites, enlarged on each side by margin times its longest side.");
 
   py::class_<HeldVoronoi, HeldDiagram>(
       module, "Voronoi",
       "Voronoi(points)\n\n"
-      "The Voronoi diagram of points, (n, d), or of a Delaunay triangulation: for each distinct point the region that is not\n"
-      "nearer to any other; of a FurthestSite triangulation the regions that are not further from any other. Regions are "
+      "The Voronoi diagram of points, (n, d), or of a Delaunay triangulation: for each distinct point the "
+      "region that is not\n"
+      "nearer to any other; of a FurthestSite triangulation the regions that are not further from any other. "
+      "Regions are "
       "numbered by the first rows of their sites. That cells have a vertex in common is\n"
       "decided exactly. Data of its own, which does not change when points are added to the triangulation.")
       .def(py::init([](const py::object& points) {
-             const py::object source =
-                 py::isinstance<HeldTriangulation>(points) ? points : py::module_::import("delone").attr("Delaunay")(points);
+             const py::object source = py::isinstance<HeldTriangulation>(points)
+                                           ? points
+                                           : py::module_::import("delone").attr("Delaunay")(points);
              const auto& held = source.cast<const HeldTriangulation&>();
-             if (held.form() == Form::regular) throw py::type_error("the diagram of a Regular triangulation is a PowerDiagram");
+             if (held.form() == Form::regular)
+               throw py::type_error("the diagram of a Regular triangulation is a PowerDiagram");
              return std::make_unique<HeldVoronoi>(source);
            }),
            "points"_a)
@@ -220,14 +252,16 @@ void bind_voronoi(py::module_& module) {
   py::class_<HeldPower, HeldDiagram>(
       module, "PowerDiagram",
       "PowerDiagram(points, weights=None)\n\n"
-      "The power diagram of points, (n, d), with weights, (n,), or of a Regular triangulation: as Voronoi, with the power\n"
+      "The power diagram of points, (n, d), with weights, (n,), or of a Regular triangulation: as Voronoi, "
+      "with the power\n"
       "|x − p|² − weight in place of the squared distance. Hidden points have no region.")
       .def(py::init([](const py::object& points, const py::object& weights) {
              const py::object source = py::isinstance<HeldTriangulation>(points)
                                            ? points
                                            : py::module_::import("delone").attr("Regular")(points, weights);
              const auto& held = source.cast<const HeldTriangulation&>();
-             if (held.form() != Form::regular) throw py::type_error("a power diagram is made from a Regular triangulation");
+             if (held.form() != Form::regular)
+               throw py::type_error("a power diagram is made from a Regular triangulation");
              return std::make_unique<HeldPower>(source);
            }),
            "points"_a, "weights"_a = py::none())

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The exceptions of the module, each also the built-in exception that says most about it; options and statistics.
+// The exceptions of the module, each also the built-in exception that says most about it; options and
+// statistics.
 #include "running.hpp"
 
 #include <new>
@@ -21,8 +22,8 @@ py::object make(py::module_& module, const char* name, const py::tuple& bases, c
   py::dict members;
   members["__doc__"] = doc;
   members["__module__"] = "delone";
-  py::object type = py::reinterpret_steal<py::object>(
-      PyObject_CallFunction(reinterpret_cast<PyObject*>(&PyType_Type), "sOO", name, bases.ptr(), members.ptr()));
+  py::object type = py::reinterpret_steal<py::object>(PyObject_CallFunction(
+      reinterpret_cast<PyObject*>(&PyType_Type), "sOO", name, bases.ptr(), members.ptr()));
   if (!type) throw py::error_already_set();
   module.attr(name) = type;
   return type;
@@ -79,9 +80,10 @@ Options BuildArguments::to_options() const {
 
 py::dict as_dict(const Statistics& s) {
   using namespace py::literals;
-  return py::dict("created_cells"_a = s.created_cells, "visited_cells"_a = s.visited_cells, "insertions"_a = s.insertions,
-                  "filter"_a = s.filter, "direct"_a = s.direct, "exact"_a = s.exact, "perturbed"_a = s.perturbed,
-                  "order_seconds"_a = s.order_seconds, "build_seconds"_a = s.build_seconds, "cell_bytes"_a = s.cell_bytes);
+  return py::dict("created_cells"_a = s.created_cells, "visited_cells"_a = s.visited_cells,
+                  "insertions"_a = s.insertions, "filter"_a = s.filter, "direct"_a = s.direct,
+                  "exact"_a = s.exact, "perturbed"_a = s.perturbed, "order_seconds"_a = s.order_seconds,
+                  "build_seconds"_a = s.build_seconds, "cell_bytes"_a = s.cell_bytes);
 }
 
 void bind_errors(py::module_& module) {
@@ -92,8 +94,10 @@ void bind_errors(py::module_& module) {
   t.base.attr("rows") = py::tuple();
   t.input = make(module, "InputError", py::make_tuple(t.base, builtin(PyExc_ValueError)),
                  "Input or an argument that can have no result, such as NaN.");
-  t.memory = make(module, "OutOfMemoryError", py::make_tuple(t.base, builtin(PyExc_MemoryError)), "Not enough memory.");
-  t.cancelled = make(module, "CancelledError", py::make_tuple(t.base), "The progress function returned False.");
+  t.memory = make(module, "OutOfMemoryError", py::make_tuple(t.base, builtin(PyExc_MemoryError)),
+                  "Not enough memory.");
+  t.cancelled =
+      make(module, "CancelledError", py::make_tuple(t.base), "The progress function returned False.");
   py::register_exception_translator(translate);
 }
 

@@ -22,8 +22,9 @@ namespace delone::python {
 
 namespace py = pybind11;
 
-/// Asks Python, ten times a second, whether work is to go on: signal handlers have their turn (in the main thread), and the
-/// progress function. Both may throw; their exception is kept, and takes the place of the library's.
+/// Asks Python, ten times a second, whether work is to go on: signal handlers have their turn (in the main
+/// thread), and the progress function. Both may throw; their exception is kept, and takes the place of the
+/// library's.
 class Supervisor {
  public:
   /// `progress`: None, or a function of the fraction done that may return False to stop.
@@ -72,9 +73,9 @@ class Supervisor {
   unsigned count_ = 0;
 };
 
-/// Lets threads share an object of the library: questions hold a lock together, a change holds it alone. Nothing asks for the
-/// GIL while it waits for the lock; the Supervisor takes the GIL for a moment under the lock, and threads that wait for the
-/// lock have let it go. To be called with the GIL.
+/// Lets threads share an object of the library: questions hold a lock together, a change holds it alone.
+/// Nothing asks for the GIL while it waits for the lock; the Supervisor takes the GIL for a moment under the
+/// lock, and threads that wait for the lock have let it go. To be called with the GIL.
 class Guard {
  public:
   /// For the options of the object: asks whoever is waiting for the present change. Refers to the guard.
@@ -125,7 +126,8 @@ class Guard {
 
   /// A progress function that asks the object it reports on would wait for itself.
   void refuse_reentry() const {
-    if (changing_.load() == std::this_thread::get_id()) throw std::runtime_error("the object is being changed");
+    if (changing_.load() == std::this_thread::get_id())
+      throw std::runtime_error("the object is being changed");
   }
 
   Supervisor* supervisor_ = nullptr;

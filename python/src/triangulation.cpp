@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Insertions, what is computed on demand, and recovery from insertions that were broken off. See triangulation.hpp.
+// Insertions, what is computed on demand, and recovery from insertions that were broken off. See
+// triangulation.hpp.
 #include "triangulation.hpp"
 
 #include <utility>
@@ -10,7 +11,9 @@ namespace {
 /// Says which thread is changing an object, as long as it is.
 class Changing {
  public:
-  explicit Changing(std::atomic<std::thread::id>& thread) : thread_(thread) { thread_ = std::this_thread::get_id(); }
+  explicit Changing(std::atomic<std::thread::id>& thread) : thread_(thread) {
+    thread_ = std::this_thread::get_id();
+  }
   Changing(const Changing&) = delete;
   Changing& operator=(const Changing&) = delete;
   ~Changing() { thread_ = std::thread::id(); }
@@ -52,7 +55,8 @@ void HeldTriangulation::refuse_reentry() const {
   if (changing_.load() == std::this_thread::get_id()) throw std::runtime_error("the object is being changed");
 }
 
-void HeldTriangulation::add(std::span<const double> coordinates, std::span<const double> weights, Supervisor& supervisor) {
+void HeldTriangulation::add(std::span<const double> coordinates, std::span<const double> weights,
+                            Supervisor& supervisor) {
   with_engine(supervisor, [](const Triangulation&) {});  // recovers, if need be
   const std::unique_lock lock(mutex_);
   if (is_stale_) throw std::runtime_error("another thread's insertion was broken off");
@@ -90,8 +94,9 @@ void HeldTriangulation::rebuild(Supervisor& supervisor) const {
     std::size_t first = 0;
     const auto d = static_cast<std::size_t>(dimension_);
     for (const std::size_t rows : batches_) {
-      insert(*engine, std::span(old.points).subspan(first * d, rows * d),
-             form_ == Form::regular ? std::span(old.weights).subspan(first, rows) : std::span<const double>());
+      insert(
+          *engine, std::span(old.points).subspan(first * d, rows * d),
+          form_ == Form::regular ? std::span(old.weights).subspan(first, rows) : std::span<const double>());
       first += rows;
     }
   } catch (...) {
@@ -124,7 +129,8 @@ const PointLocator& HeldTriangulation::locator_of(const Triangulation& engine) c
   return *locator_;
 }
 
-std::shared_ptr<const std::vector<double>> HeldTriangulation::row_data(Supervisor& supervisor, bool want_weights) const {
+std::shared_ptr<const std::vector<double>> HeldTriangulation::row_data(Supervisor& supervisor,
+                                                                       bool want_weights) const {
   return with_engine(supervisor, [&](const Triangulation& engine) {
     const std::lock_guard lock(derived_mutex_);
     if (!points_) {

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A triangulation as Python holds it: the engine, what is computed from it on demand, and the locks that let threads share it.
+// A triangulation as Python holds it: the engine, what is computed from it on demand, and the locks that let
+// threads share it.
 //
-// Everything below the line `without the GIL` is called without it. Queries share a lock, changes have it alone. Nothing asks
-// for the GIL while it waits for a lock that a thread with the GIL could want: Supervisor takes it for a moment, under a lock,
-// and threads that wait for that lock have let it go.
+// Everything below the line `without the GIL` is called without it. Queries share a lock, changes have it
+// alone. Nothing asks for the GIL while it waits for a lock that a thread with the GIL could want: Supervisor
+// takes it for a moment, under a lock, and threads that wait for that lock have let it go.
 #pragma once
 
 #include "running.hpp"
@@ -41,7 +42,8 @@ class HeldTriangulation {
 
   // Without the GIL:
 
-  /// Adds points, all or none. REQUIRES as many weights as points for a regular triangulation, and none for others.
+  /// Adds points, all or none. REQUIRES as many weights as points for a regular triangulation, and none for
+  /// others.
   void add(std::span<const double> coordinates, std::span<const double> weights, Supervisor& supervisor);
 
   /// Calls work(engine) with the engine as it should be.
@@ -77,7 +79,8 @@ class HeldTriangulation {
 
  private:
   std::shared_ptr<Triangulation> make_engine() const;
-  void insert(Triangulation& engine, std::span<const double> coordinates, std::span<const double> weights) const;
+  void insert(Triangulation& engine, std::span<const double> coordinates,
+              std::span<const double> weights) const;
   void rebuild(Supervisor& supervisor) const;
   void refuse_reentry() const;
   std::shared_ptr<const Cells> cells_of(const Triangulation& engine) const;
@@ -98,7 +101,8 @@ class HeldTriangulation {
   mutable std::shared_ptr<Triangulation> engine_;
   std::size_t num_rows_ = 0;
   std::vector<std::size_t> batches_;
-  /// The last insertion was broken off: the engine has rows that are not ours, and is rebuilt without them before its next use.
+  /// The last insertion was broken off: the engine has rows that are not ours, and is rebuilt without them
+  /// before its next use.
   mutable bool is_stale_ = false;
   std::atomic<std::uint64_t> version_{0};
   mutable std::atomic<std::thread::id> changing_;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A large array of trivial entries that grows without being copied: on Linux its pages are moved to a larger range of
-// addresses; elsewhere it is reallocated.
+// A large array of trivial entries that grows without being copied: on Linux its pages are moved to a larger
+// range of addresses; elsewhere it is reallocated.
 #pragma once
 
 #include <algorithm>
@@ -23,11 +23,12 @@ namespace delone {
 /// (docs/decisions/0009-large-pages-while-they-are-cheap.md).
 enum class Pages { usual, large };
 
-/// Keeps account of what large pages cost more than as much memory in usual ones. An account for each array, but what one
-/// has found out is known to all of the process for a while.
+/// Keeps account of what large pages cost more than as much memory in usual ones. An account for each array,
+/// but what one has found out is known to all of the process for a while.
 class PriceOfLargePages {
  public:
-  /// Whether it is still low enough to go on, after what `large_pages` of them have cost. `now`: seconds of any clock.
+  /// Whether it is still low enough to go on, after what `large_pages` of them have cost. `now`: seconds of
+  /// any clock.
   bool pay(double seconds, std::size_t large_pages, double now) {
     debt_ = std::max(debt_ + seconds - usual_price * static_cast<double>(large_pages), 0.0);
     if (debt_ <= most_debt) return true;
@@ -35,7 +36,9 @@ class PriceOfLargePages {
     return false;
   }
   /// Whether no array has found them dear of late.
-  static bool are_worth_trying(double now) { return now - found_dear_at_.load(std::memory_order_relaxed) > for_a_while; }
+  static bool are_worth_trying(double now) {
+    return now - found_dear_at_.load(std::memory_order_relaxed) > for_a_while;
+  }
 
  private:
   static constexpr double usual_price = 600e-6, most_debt = 3e-3, for_a_while = 1;  // seconds
@@ -72,7 +75,8 @@ class GrowableArray {
   const T& operator[](std::size_t i) const { return entries_[i]; }
   std::size_t capacity() const { return capacity_; }
 
-  /// Makes room for at least `size` entries, keeping the present ones. Throws std::bad_alloc, and then changes nothing.
+  /// Makes room for at least `size` entries, keeping the present ones. Throws std::bad_alloc, and then
+  /// changes nothing.
   void reserve(std::size_t size) {
     if (size <= capacity_) return;
     if (size > static_cast<std::size_t>(-1) / 4 / sizeof(T)) throw std::bad_alloc();
@@ -102,15 +106,15 @@ class GrowableArray {
     capacity_ = bytes / sizeof(T);
   }
 
-  /// Says that the entries before `size`, of which there is room for, will soon have been written. Pages that were never
-  /// touched are fetched many at a time: one by one, each costs the processor an exception.
+  /// Says that the entries before `size`, of which there is room for, will soon have been written. Pages that
+  /// were never touched are fetched many at a time: one by one, each costs the processor an exception.
   void prepare(std::size_t size) {
     if (size > prepared_) [[unlikely]]
       populate(size);
   }
 
-  /// Says that the entries first … last − 1 are not needed any more: they are unspecified from then on. Memory is given back to
-  /// the system in whole pages, each when the whole of it was in one range.
+  /// Says that the entries first … last − 1 are not needed any more: they are unspecified from then on.
+  /// Memory is given back to the system in whole pages, each when the whole of it was in one range.
   void discard([[maybe_unused]] std::size_t first, [[maybe_unused]] std::size_t last) {
 #ifdef __linux__
     if (!is_mapped()) return;
@@ -129,18 +133,23 @@ class GrowableArray {
   std::size_t portion() const { return pages_ == Pages::large ? large_page : std::size_t{256} << 10; }
 
   static std::size_t rounded_up(std::size_t bytes) {
-    // Mapped ranges are whole large pages, and a multiple of the entry's size where that matters: the rest is left unused.
+    // Mapped ranges are whole large pages, and a multiple of the entry's size where that matters: the rest is
+    // left unused.
     return bytes < mapped_from ? bytes : (bytes + large_page - 1) / large_page * large_page;
   }
   [[gnu::noinline]] void populate([[maybe_unused]] std::size_t size) {
-    [[maybe_unused]] const std::size_t prepared = std::exchange(prepared_, capacity_);  // also where it cannot be done
+    [[maybe_unused]] const std::size_t prepared =
+        std::exchange(prepared_, capacity_);  // also where it cannot be done
 #if defined(__linux__) && defined(MADV_POPULATE_WRITE)
     if (!is_mapped()) return;
-    if (pages_ == Pages::large && !PriceOfLargePages::are_worth_trying(seconds_of(CLOCK_MONOTONIC))) avoid_large_pages();
+    if (pages_ == Pages::large && !PriceOfLargePages::are_worth_trying(seconds_of(CLOCK_MONOTONIC)))
+      avoid_large_pages();
     const std::size_t begin = prepared * sizeof(T) / portion() * portion();
-    const std::size_t end = std::min((size * sizeof(T) / portion() + 1) * portion(), rounded_up(capacity_ * sizeof(T)));
+    const std::size_t end =
+        std::min((size * sizeof(T) / portion() + 1) * portion(), rounded_up(capacity_ * sizeof(T)));
     const double start = seconds_of(CLOCK_THREAD_CPUTIME_ID);
-    if (madvise(reinterpret_cast<char*>(entries_) + begin, end - begin, MADV_POPULATE_WRITE) == 0) prepared_ = end / sizeof(T);
+    if (madvise(reinterpret_cast<char*>(entries_) + begin, end - begin, MADV_POPULATE_WRITE) == 0)
+      prepared_ = end / sizeof(T);
     if (pages_ == Pages::usual) return;
     const double price = seconds_of(CLOCK_THREAD_CPUTIME_ID) - start;
     if (!price_.pay(price, (end - begin) / large_page, seconds_of(CLOCK_MONOTONIC))) avoid_large_pages();

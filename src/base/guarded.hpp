@@ -10,7 +10,8 @@
 
 namespace delone::internal {
 
-/// Runs `work` and returns what it returns; std::bad_alloc becomes Errc::out_of_memory, "not enough memory for " and `what`.
+/// Runs `work` and returns what it returns; std::bad_alloc becomes Errc::out_of_memory, "not enough memory
+/// for " and `what`.
 template <class Work>
 decltype(auto) guarded(const char* what, Work&& work) {
   try {

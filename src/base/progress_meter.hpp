@@ -13,7 +13,8 @@ namespace delone::internal {
 
 class ProgressMeter {
  public:
-  ProgressMeter(const std::function<bool(double)>& callback, std::size_t total) : callback_(callback), total_(total) {}
+  ProgressMeter(const std::function<bool(double)>& callback, std::size_t total)
+      : callback_(callback), total_(total) {}
 
   /// Looks at the clock less often while calls follow each other within microseconds.
   void operator()(std::size_t done) {

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The one random generator of the library: xoshiro256++ seeded by splitmix64 (Blackman and Vigna, "Scrambled linear
-// pseudorandom number generators", doi:10.1145/3460772). The same seed gives the same numbers on every platform, which the
-// distributions of <random> do not promise. Integer arithmetic, and + − × on doubles that are exact, only.
+// The one random generator of the library: xoshiro256++ seeded by splitmix64 (Blackman and Vigna, "Scrambled
+// linear pseudorandom number generators", doi:10.1145/3460772). The same seed gives the same numbers on every
+// platform, which the distributions of <random> do not promise. Integer arithmetic, and + − × on doubles that
+// are exact, only.
 #pragma once
 
 #include <array>
@@ -38,8 +39,8 @@ class Generator {
 
   /// A uniform integer in 0 … bound−1, without bias. REQUIRES bound ≥ 1.
   constexpr std::uint64_t below(std::uint64_t bound) {
-    if (bound <=
-        0xffffffffu) {  // Lemire, doi:10.1145/3230636: multiply, and reject the few low products that would be too likely
+    if (bound <= 0xffffffffu) {  // Lemire, doi:10.1145/3230636: multiply, and reject the few low products
+                                 // that would be too likely
       std::uint64_t product = (bits() >> 32) * bound;
       if (static_cast<std::uint32_t>(product) < bound) {
         const auto threshold = static_cast<std::uint32_t>((std::uint64_t{1} << 32) % bound);

@@ -8,9 +8,10 @@
 
 namespace delone::internal {
 
-/// Throws Errc::not_finite, rows() naming all rows concerned, unless all numbers are finite. Rows have `width` numbers, and the
-/// first is row `first`. The message reads "WHAT of ITEM 7 is not finite", as in "a coordinate of point 7 is not finite".
-void require_finite(std::span<const double> numbers, std::size_t width, const std::string& what, const std::string& item = "point",
-                    std::size_t first = 0);
+/// Throws Errc::not_finite, rows() naming all rows concerned, unless all numbers are finite. Rows have
+/// `width` numbers, and the first is row `first`. The message reads "WHAT of ITEM 7 is not finite", as in "a
+/// coordinate of point 7 is not finite".
+void require_finite(std::span<const double> numbers, std::size_t width, const std::string& what,
+                    const std::string& item = "point", std::size_t first = 0);
 
 }  // namespace delone::internal

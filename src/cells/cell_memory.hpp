@@ -3,10 +3,10 @@
 //   functional    k + 1 coefficients, for geometry/
 //   certificate   64 bits, for geometry/; two of them are the engine's mark
 //   links         k + 1 vertices and k + 1 neighbors, for engine/
-// Insertions need all of a cell together, so it is side by side, with two exceptions. In 3D, functional and links fill a line
-// of the cache: certificates are apart. In the dimensions in which points are wrapped, links are: until all cells are there,
-// nothing else of them is needed. In 5D and 6D, vertices take 16 bits as long as their ids fit
-// (docs/decisions/0010-short-ids-of-vertices.md).
+// Insertions need all of a cell together, so it is side by side, with two exceptions. In 3D, functional and
+// links fill a line of the cache: certificates are apart. In the dimensions in which points are wrapped,
+// links are: until all cells are there, nothing else of them is needed. In 5D and 6D, vertices take 16 bits
+// as long as their ids fit (docs/decisions/0010-short-ids-of-vertices.md).
 #pragma once
 
 #include "base/growable_array.hpp"
@@ -73,20 +73,26 @@ class CellLayout {
   /// From a cell to the next, in words.
   std::size_t functional_stride() const {
     const std::size_t words = links_are_apart() ? words_of_record() : words_before_links() + words_of_links();
-    // Lines of the cache have 8 words: one word more is no waste if it keeps cells from straddling more lines than they need.
+    // Lines of the cache have 8 words: one word more is no waste if it keeps cells from straddling more lines
+    // than they need.
     return words % 8 == 7 ? words + 1 : words;
   }
   /// The same for links, in ids.
-  std::size_t link_stride() const { return (links_are_apart() ? words_of_links() : functional_stride()) * ids_per_word; }
+  std::size_t link_stride() const {
+    return (links_are_apart() ? words_of_links() : functional_stride()) * ids_per_word;
+  }
   /// From the first vertex of a cell to its first neighbor, in ids.
-  std::size_t ids_before_neighbors() const { return is_narrow() ? (num_coefficients() + 1) / 2 : num_coefficients(); }
+  std::size_t ids_before_neighbors() const {
+    return is_narrow() ? (num_coefficients() + 1) / 2 : num_coefficients();
+  }
   /// The ids of a cell.
   std::size_t num_link_ids() const { return ids_before_neighbors() + num_coefficients(); }
   /// What is side by side with the links of a cell, before them.
   std::size_t words_before_links() const { return links_are_apart() ? 0 : words_of_record(); }
   /// Of all that is kept of a cell.
   std::size_t bytes() const {
-    return (functional_stride() + certificates_are_apart() + (links_are_apart() ? words_of_links() : 0)) * sizeof(double);
+    return (functional_stride() + certificates_are_apart() + (links_are_apart() ? words_of_links() : 0)) *
+           sizeof(double);
   }
 
   /// Vertex i of the cell with these links.
@@ -122,7 +128,8 @@ class CellRecords {
   Word* functional(Index cell) const { return functionals_ + cell * layout_.functional_stride(); }
   /// The bits of a certificate.
   Word* certificate(Index cell) const {
-    return layout_.certificates_are_apart() ? certificates_ + cell : functional(cell) + layout_.num_coefficients();
+    return layout_.certificates_are_apart() ? certificates_ + cell
+                                            : functional(cell) + layout_.num_coefficients();
   }
 
  private:
@@ -146,14 +153,16 @@ class CellMemory {
   Index* links(Index cell) { return const_cast<Index*>(std::as_const(*this).links(cell)); }
   const Index* links(Index cell) const {
     if (layout_.links_are_apart()) return links_.data() + cell * layout_.link_stride();
-    return reinterpret_cast<const Index*>(words_.data() + cell * layout_.functional_stride() + layout_.words_before_links());
+    return reinterpret_cast<const Index*>(words_.data() + cell * layout_.functional_stride() +
+                                          layout_.words_before_links());
   }
 
   /// How many cells there is room for, and for the links of how many.
   std::size_t capacity() const { return capacity_; }
   std::size_t link_capacity() const { return link_capacity_; }
   std::size_t bytes() const {
-    return (words_.capacity() + certificates_.capacity()) * sizeof(double) + links_.capacity() * sizeof(Index);
+    return (words_.capacity() + certificates_.capacity()) * sizeof(double) +
+           links_.capacity() * sizeof(Index);
   }
   /// Makes room for cells, keeping the present ones. Throws std::bad_alloc, and then changes nothing.
   void reserve(std::size_t cells) {
@@ -189,13 +198,15 @@ class CellMemory {
       layout_ = wide;
       for (std::size_t cell = cells; cell-- > 0;) {  // from the last on, as each moves up
         const double* const old_record = words_.data() + cell * narrow.functional_stride();
-        const Index* const old_links = reinterpret_cast<const Index*>(old_record + narrow.words_before_links());
+        const Index* const old_links =
+            reinterpret_cast<const Index*>(old_record + narrow.words_before_links());
         Index vertices[K + 1], neighbors[K + 1];
         for (int i = 0; i <= K; ++i) vertices[i] = narrow.vertex(old_links, i);
         if (vertices[0] == narrow.vacant()) vertices[0] = wide.vacant();
         std::copy_n(old_links + narrow.ids_before_neighbors(), K + 1, neighbors);
         double* const record = words_.data() + cell * wide.functional_stride();
-        std::copy_backward(old_record, old_record + wide.words_before_links(), record + wide.words_before_links());
+        std::copy_backward(old_record, old_record + wide.words_before_links(),
+                           record + wide.words_before_links());
         Index* const links = reinterpret_cast<Index*>(record + wide.words_before_links());
         std::copy_n(vertices, K + 1, links);
         std::copy_n(neighbors, K + 1, links + wide.ids_before_neighbors());
@@ -207,8 +218,10 @@ class CellMemory {
     layout_ = other.layout_;
     reserve(cells);
     std::copy_n(other.words_.data(), cells * layout_.functional_stride(), words_.data());
-    if (layout_.certificates_are_apart()) std::copy_n(other.certificates_.data(), cells, certificates_.data());
-    if (layout_.links_are_apart()) std::copy_n(other.links_.data(), cells * layout_.link_stride(), links_.data());
+    if (layout_.certificates_are_apart())
+      std::copy_n(other.certificates_.data(), cells, certificates_.data());
+    if (layout_.links_are_apart())
+      std::copy_n(other.links_.data(), cells * layout_.link_stride(), links_.data());
   }
 
  private:

@@ -7,9 +7,9 @@
 namespace delone {
 
 struct HorizonFacet {
-  double dead_value;        ///< h̃(q) of the cell in conflict
-  double survivor_value;    ///< h̃(q) of the cell that is not
-  Index dead;               ///< the cell in conflict, whose slot may be another's by now; at first its place in the zone
+  double dead_value;      ///< h̃(q) of the cell in conflict
+  double survivor_value;  ///< h̃(q) of the cell that is not
+  Index dead;  ///< the cell in conflict, whose slot may be another's by now; at first its place in the zone
   Index survivor;           ///< the cell that is not
   Index created;            ///< the cell that joins q to the facet
   Index dead_opposite;      ///< the dead cell's vertex opposite the facet

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// check(): runs the six levels in turn. Here also the levels that look at arrays only, storage (1) and completeness (6);
-// incidence and sphere (2, 3) are in check_topology.cpp, the exact geometry (4, 5) in check_geometry.cpp.
+// check(): runs the six levels in turn. Here also the levels that look at arrays only, storage (1) and
+// completeness (6); incidence and sphere (2, 3) are in check_topology.cpp, the exact geometry (4, 5) in
+// check_geometry.cpp.
 #include <delone/check.hpp>
 
-#include "complex/canonical_hash.hpp"
 #include "check/check_stages.hpp"
+#include "complex/canonical_hash.hpp"
 #include "kernel/predicates.hpp"
 
 #include <fmt/format.h>
@@ -29,19 +30,26 @@ std::vector<SignedIndex> facet_vertices(std::span<const SignedIndex> cell, std::
 void check_storage(const ComplexData& data, bool furthest) {
   const int d = data.dimension, k = data.affine_dimension;
   if (d < 1) throw Violation{fmt::format("the dimension is {}, less than 1", d), {}, {}};
-  if (k < -1 || k > d) throw Violation{fmt::format("the affine dimension is {}, outside -1...{}", k, d), {}, {}};
+  if (k < -1 || k > d)
+    throw Violation{fmt::format("the affine dimension is {}, outside -1...{}", k, d), {}, {}};
   if (data.points.size() % static_cast<std::size_t>(d) != 0)
-    throw Violation{fmt::format("{} coordinates are not a multiple of the dimension {}", data.points.size(), d), {}, {}};
+    throw Violation{
+        fmt::format("{} coordinates are not a multiple of the dimension {}", data.points.size(), d), {}, {}};
   const std::size_t n = data.num_points(), corners = static_cast<std::size_t>(k + 1);
-  if (k == -1 && !data.cells.empty()) throw Violation{"there are cells, but the affine dimension is -1", {}, {}};
+  if (k == -1 && !data.cells.empty())
+    throw Violation{"there are cells, but the affine dimension is -1", {}, {}};
   if (k >= 0 && data.cells.size() % corners != 0)
-    throw Violation{fmt::format("{} cell vertices are not a multiple of {}", data.cells.size(), corners), {}, {}};
+    throw Violation{
+        fmt::format("{} cell vertices are not a multiple of {}", data.cells.size(), corners), {}, {}};
   if (!data.neighbors.empty() && data.neighbors.size() != data.cells.size())
-    throw Violation{fmt::format("{} neighbors for {} cell vertices", data.neighbors.size(), data.cells.size()), {}, {}};
+    throw Violation{
+        fmt::format("{} neighbors for {} cell vertices", data.neighbors.size(), data.cells.size()), {}, {}};
   if (!data.vertex_of_point.empty() && data.vertex_of_point.size() != n)
-    throw Violation{fmt::format("{} entries in vertex_of_point for {} points", data.vertex_of_point.size(), n), {}, {}};
+    throw Violation{
+        fmt::format("{} entries in vertex_of_point for {} points", data.vertex_of_point.size(), n), {}, {}};
 
-  if (furthest && !data.weights.empty()) throw Violation{"a furthest-site triangulation has no weights", {}, {}};
+  if (furthest && !data.weights.empty())
+    throw Violation{"a furthest-site triangulation has no weights", {}, {}};
   if (!data.weights.empty() && data.weights.size() != n)
     throw Violation{fmt::format("{} weights for {} points", data.weights.size(), n), {}, {}};
 
@@ -51,7 +59,8 @@ void check_storage(const ComplexData& data, bool furthest) {
       throw Violation{fmt::format("point {} has a coordinate that is not finite", row), {}, {row}};
     }
   for (std::size_t row = 0; row < data.weights.size(); ++row)
-    if (!std::isfinite(data.weights[row])) throw Violation{fmt::format("the weight of point {} is not finite", row), {}, {row}};
+    if (!std::isfinite(data.weights[row]))
+      throw Violation{fmt::format("the weight of point {} is not finite", row), {}, {row}};
   const std::size_t m = data.num_cells();
   std::vector<SignedIndex> sorted(corners);
   for (std::size_t c = 0; c < m; ++c) {
@@ -60,24 +69,27 @@ void check_storage(const ComplexData& data, bool furthest) {
     std::sort(sorted.begin(), sorted.end());
     for (const SignedIndex row : {sorted.front(), sorted.back()})
       if (row < 0 || static_cast<std::size_t>(row) >= n)
-        throw Violation{fmt::format("cell {} has the vertex {}, but there are {} points", c, row, n), {c}, {}};
+        throw Violation{
+            fmt::format("cell {} has the vertex {}, but there are {} points", c, row, n), {c}, {}};
     const auto twice = std::adjacent_find(sorted.begin(), sorted.end());
     if (twice != sorted.end())
-      throw Violation{fmt::format("cell {} has the vertex {} twice", c, *twice), {c}, {static_cast<std::size_t>(*twice)}};
+      throw Violation{
+          fmt::format("cell {} has the vertex {} twice", c, *twice), {c}, {static_cast<std::size_t>(*twice)}};
   }
   for (std::size_t i = 0; i < data.neighbors.size(); ++i)
-    if (data.neighbors[i] < -1 || (data.neighbors[i] >= 0 && static_cast<std::size_t>(data.neighbors[i]) >= m))
-      throw Violation{
-          fmt::format("neighbor {} of cell {} is {}, but there are {} cells", i % corners, i / corners, data.neighbors[i], m),
-          {i / corners},
-          {}};
+    if (data.neighbors[i] < -1 ||
+        (data.neighbors[i] >= 0 && static_cast<std::size_t>(data.neighbors[i]) >= m))
+      throw Violation{fmt::format("neighbor {} of cell {} is {}, but there are {} cells", i % corners,
+                                  i / corners, data.neighbors[i], m),
+                      {i / corners},
+                      {}};
   for (std::size_t row = 0; row < data.vertex_of_point.size(); ++row)
     if (data.vertex_of_point[row] < (data.weights.empty() && !furthest ? 0 : -1) ||
         (data.vertex_of_point[row] >= 0 && static_cast<std::size_t>(data.vertex_of_point[row]) >= n))
-      throw Violation{
-          fmt::format("vertex_of_point sends point {} to row {}, but there are {} points", row, data.vertex_of_point[row], n),
-          {},
-          {row}};
+      throw Violation{fmt::format("vertex_of_point sends point {} to row {}, but there are {} points", row,
+                                  data.vertex_of_point[row], n),
+                      {},
+                      {row}};
 }
 
 namespace {
@@ -106,15 +118,19 @@ std::vector<SignedIndex> derived_vertices(const Examined& examined, const std::v
   std::vector<SignedIndex> vertex_of_point(n, -1);
   const auto place_of = [&](std::size_t row) {
     std::size_t place =
-        point_tag(examined.point(static_cast<SignedIndex>(row)), static_cast<int>(examined.row_size())).low & (capacity - 1);
-    while (table[place] != n && !equal_points(examined, table[place], row)) place = (place + 1) & (capacity - 1);
+        point_tag(examined.point(static_cast<SignedIndex>(row)), static_cast<int>(examined.row_size())).low &
+        (capacity - 1);
+    while (table[place] != n && !equal_points(examined, table[place], row))
+      place = (place + 1) & (capacity - 1);
     return place;
   };
   for (std::size_t row = 0; row < n; ++row) {
     if (!is_vertex[row]) continue;
     const std::size_t place = place_of(row);
     if (table[place] != n)
-      throw Violation{fmt::format("the vertices {} and {} are the same point", table[place], row), {}, {table[place], row}};
+      throw Violation{fmt::format("the vertices {} and {} are the same point", table[place], row),
+                      {},
+                      {table[place], row}};
     table[place] = row;
     vertex_of_point[row] = static_cast<SignedIndex>(row);
   }
@@ -135,41 +151,48 @@ void check_completeness(const Examined& examined, const Volumes& volumes, bool c
   for (const SignedIndex row : data.cells) is_vertex[static_cast<std::size_t>(row)] = true;
 
   const bool derive = data.vertex_of_point.empty();
-  const std::vector<SignedIndex> derived = derive ? derived_vertices(examined, is_vertex) : std::vector<SignedIndex>{};
+  const std::vector<SignedIndex> derived =
+      derive ? derived_vertices(examined, is_vertex) : std::vector<SignedIndex>{};
   const std::vector<SignedIndex>& vertex_of_point = derive ? derived : data.vertex_of_point;
   std::vector<std::size_t> hidden;
   for (std::size_t row = 0; row < n; ++row) {
     const SignedIndex vertex = vertex_of_point[row];
     if (vertex < 0 && examined.may_hide()) {
-      if (is_vertex[row]) throw Violation{fmt::format("point {} is a vertex of a cell, but hidden", row), {}, {row}};
+      if (is_vertex[row])
+        throw Violation{fmt::format("point {} is a vertex of a cell, but hidden", row), {}, {row}};
       hidden.push_back(row);
       continue;
     }
-    if (vertex < 0) throw Violation{fmt::format("point {} is neither a vertex of a cell nor equal to one", row), {}, {row}};
+    if (vertex < 0)
+      throw Violation{fmt::format("point {} is neither a vertex of a cell nor equal to one", row), {}, {row}};
     const auto at = static_cast<std::size_t>(vertex);
     if (!is_vertex[at])
-      throw Violation{at == row ? fmt::format("point {} is its own vertex, but no cell has it", row)
-                                : fmt::format("point {} was merged into point {}, but no cell has that", row, at),
+      throw Violation{at == row
+                          ? fmt::format("point {} is its own vertex, but no cell has it", row)
+                          : fmt::format("point {} was merged into point {}, but no cell has that", row, at),
                       {},
                       at == row ? std::vector{row} : std::vector{row, at}};
     if (is_vertex[row] && at != row)
-      throw Violation{fmt::format("point {} is a vertex of a cell, but was merged into point {}", row, at), {}, {row, at}};
+      throw Violation{fmt::format("point {} is a vertex of a cell, but was merged into point {}", row, at),
+                      {},
+                      {row, at}};
     if (!equal_points(examined, row, at))
-      throw Violation{fmt::format("point {} was merged into point {}, but they are not equal", row, at), {}, {row, at}};
+      throw Violation{
+          fmt::format("point {} was merged into point {}, but they are not equal", row, at), {}, {row, at}};
   }
 
   kernel::AffineHull hull(data.dimension);
   for (std::size_t row = 0; row < n && hull.dimension() < data.dimension; ++row)
     if (hull.add(examined.point(static_cast<SignedIndex>(row))) && hull.dimension() > data.affine_dimension)
-      throw Violation{fmt::format("the affine dimension is given as {}, but the points up to {} span {}", data.affine_dimension,
-                                  row, hull.dimension()),
+      throw Violation{fmt::format("the affine dimension is given as {}, but the points up to {} span {}",
+                                  data.affine_dimension, row, hull.dimension()),
                       {},
                       {row}};
   if (hull.dimension() != data.affine_dimension)
-    throw Violation{
-        fmt::format("the affine dimension is given as {}, but the points span {}", data.affine_dimension, hull.dimension()),
-        {},
-        {}};
+    throw Violation{fmt::format("the affine dimension is given as {}, but the points span {}",
+                                data.affine_dimension, hull.dimension()),
+                    {},
+                    {}};
   check_hidden(examined, volumes, hidden, canonical);
 }
 
@@ -178,7 +201,8 @@ void check_completeness(const Examined& examined, const Volumes& volumes, bool c
 CheckReport check(const ComplexData& data, const CheckOptions& options) {
   using namespace internal;
   CheckReport report;
-  Examined examined{data, static_cast<std::size_t>(std::max(0, data.affine_dimension + 1)), options.furthest_site};
+  Examined examined{data, static_cast<std::size_t>(std::max(0, data.affine_dimension + 1)),
+                    options.furthest_site};
   std::optional<Volumes> volumes;
   try {
     for (int level = 1; level <= std::clamp(static_cast<int>(options.up_to), 1, 6); ++level) {

@@ -1,26 +1,28 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Levels 4 and 5 of check(): exact volumes, and the local conditions that prove the empty-sphere property globally.
+// Levels 4 and 5 of check(): exact volumes, and the local conditions that prove the empty-sphere property
+// globally.
 //
-// Why levels 1–5 suffice. Let o be a point of general position in the interior of cell 0, and map every infinite cell to the
-// part of space that lies behind its hull facet as seen from o. If every finite cell is non-flat and neighbors lie on
-// different sides of their facets (level 4), and every hull facet has o strictly on its inner side, then the closed
-// complex is mapped to R^k ∪ {∞} without a fold, so each point of general position is covered the same number of times. At o
-// that number is one as soon as no other finite cell covers o. Hence the finite cells tile a region that is star-shaped
-// around o. A section of it by a plane through o is a polygon without reflex angles if the hull is convex at its ridges, so
-// the region is convex. The piecewise linear interpolation of |x|² over the tiles is then convex if it is convex at each
-// facet between two of them: no vertex lies below the lifted plane of a cell, which is the empty-sphere property. (Mehlhorn,
-// Näher, Seel, Seidel, Schilz, Schirra, Uhrig: Checking geometric programs or verification of geometric structures,
-// doi:10.1016/S0925-7721(98)00036-4, check hulls this way.)
+// Why levels 1–5 suffice. Let o be a point of general position in the interior of cell 0, and map every
+// infinite cell to the part of space that lies behind its hull facet as seen from o. If every finite cell is
+// non-flat and neighbors lie on different sides of their facets (level 4), and every hull facet has o
+// strictly on its inner side, then the closed complex is mapped to R^k ∪ {∞} without a fold, so each point of
+// general position is covered the same number of times. At o that number is one as soon as no other finite
+// cell covers o. Hence the finite cells tile a region that is star-shaped around o. A section of it by a
+// plane through o is a polygon without reflex angles if the hull is convex at its ridges, so the region is
+// convex. The piecewise linear interpolation of |x|² over the tiles is then convex if it is convex at each
+// facet between two of them: no vertex lies below the lifted plane of a cell, which is the empty-sphere
+// property. (Mehlhorn, Näher, Seel, Seidel, Schilz, Schirra, Uhrig: Checking geometric programs or
+// verification of geometric structures, doi:10.1016/S0925-7721(98)00036-4, check hulls this way.)
 //
-// Perturbed ties move the lifted points up and down only, by amounts that make the lifted surface strictly convex; the region
-// stays, and coplanar hull facets stay coplanar and are decided by the facets inside. So `canonical` asks for the
-// perturbed sign at inner facets and for nothing at the hull.
+// Perturbed ties move the lifted points up and down only, by amounts that make the lifted surface strictly
+// convex; the region stays, and coplanar hull facets stay coplanar and are decided by the facets inside. So
+// `canonical` asks for the perturbed sign at inner facets and for nothing at the hull.
 //
-// All of that holds for other lifts, too: |x|² less weights, and −|x|², for which the empty-sphere property is that no point is
-// outside the sphere.
+// All of that holds for other lifts, too: |x|² less weights, and −|x|², for which the empty-sphere property
+// is that no point is outside the sphere.
+#include "base/random.hpp"
 #include "check/check_stages.hpp"
 #include "kernel/predicates.hpp"
-#include "base/random.hpp"
 
 #include <fmt/format.h>
 
@@ -37,7 +39,9 @@ namespace {
 class Geometry {
  public:
   Geometry(const Examined& examined, const std::vector<int>& axes)
-      : examined_(examined), flat_{examined.data.dimension, axes, examined.form()}, points_(examined.corners) {}
+      : examined_(examined),
+        flat_{examined.data.dimension, axes, examined.form()},
+        points_(examined.corners) {}
 
   // The orientation of cell c.
   Sign orientation(std::size_t c) {
@@ -65,7 +69,9 @@ class Geometry {
     for (std::size_t i = 0; i < cell.size(); ++i) points_[i] = examined_.point(cell[i]);
   }
   // One point has no volume to orient: positive.
-  Sign orientation_of_gathered() const { return points_.size() == 1 ? Sign::positive : kernel::orientation(flat_, points_); }
+  Sign orientation_of_gathered() const {
+    return points_.size() == 1 ? Sign::positive : kernel::orientation(flat_, points_);
+  }
 
   const Examined& examined_;
   kernel::Flat flat_;
@@ -86,14 +92,16 @@ std::vector<int> axes_of_cells(const Examined& examined) {
     if (added[row]) continue;
     added[row] = true;
     if (hull.add(examined.point(data.cells[at])) && hull.dimension() > data.affine_dimension)
-      throw Violation{fmt::format("cell {} leaves the flat of dimension {} with its vertex {}", at / examined.corners,
-                                  data.affine_dimension, row),
+      throw Violation{fmt::format("cell {} leaves the flat of dimension {} with its vertex {}",
+                                  at / examined.corners, data.affine_dimension, row),
                       {at / examined.corners},
                       {row}};
   }
   if (hull.dimension() < data.affine_dimension)
     throw Violation{
-        fmt::format("cell 0 is flat: the vertices of all cells span the dimension {} only", hull.dimension()), {0}, {}};
+        fmt::format("cell 0 is flat: the vertices of all cells span the dimension {} only", hull.dimension()),
+        {0},
+        {}};
   return {hull.axes().begin(), hull.axes().end()};
 }
 
@@ -106,13 +114,14 @@ Volumes check_volume(const Examined& examined, bool oriented) {
   Geometry geometry(examined, volumes.axes);
   for (std::size_t c = 0; c < m; ++c) {
     const Sign sign = volumes.orientation[c] = geometry.orientation(c);
-    if (sign == Sign::zero) throw Violation{fmt::format("cell {} {} is flat", c, braces(examined.cell(c))), {c}, {}};
+    if (sign == Sign::zero)
+      throw Violation{fmt::format("cell {} {} is flat", c, braces(examined.cell(c))), {c}, {}};
     if (!oriented) continue;
     if (data.affine_dimension == data.dimension && sign == Sign::negative)
       throw Violation{fmt::format("cell {} {} is negatively oriented", c, braces(examined.cell(c))), {c}, {}};
     if (sign != volumes.orientation[0])
-      throw Violation{fmt::format("the cells 0 {} and {} {} have different orientations", braces(examined.cell(0)), c,
-                                  braces(examined.cell(c))),
+      throw Violation{fmt::format("the cells 0 {} and {} {} have different orientations",
+                                  braces(examined.cell(0)), c, braces(examined.cell(c))),
                       {0, c},
                       {}};
   }
@@ -127,17 +136,18 @@ Volumes check_volume(const Examined& examined, bool oriented) {
     const auto other = static_cast<std::size_t>(across);
     const auto a = examined.cell(c), b = examined.cell(other);
     if (coherent(a, i, b, mirror(a, i, b), scratch) != (volumes.orientation[c] == volumes.orientation[other]))
-      throw Violation{
-          fmt::format("the cells {} {} and {} {} lie on the same side of their common facet", c, braces(a), other, braces(b)),
-          {c, other},
-          {}};
+      throw Violation{fmt::format("the cells {} {} and {} {} lie on the same side of their common facet", c,
+                                  braces(a), other, braces(b)),
+                      {c, other},
+                      {}};
   }
   return volumes;
 }
 
 namespace {
 
-std::size_t check_inner_facets(const Examined& examined, const Volumes& volumes, Geometry& geometry, bool canonical) {
+std::size_t check_inner_facets(const Examined& examined, const Volumes& volumes, Geometry& geometry,
+                               bool canonical) {
   std::size_t ties = 0;
   for (std::size_t at = 0; at < examined.neighbors.size(); ++at) {
     const std::size_t c = at / examined.corners, i = at % examined.corners;
@@ -148,17 +158,19 @@ std::size_t check_inner_facets(const Examined& examined, const Volumes& volumes,
     const SignedIndex apex = b[mirror(a, i, b)];
     const Sign sign = geometry.in_sphere(c, volumes.orientation[c], apex);
     if (sign == Sign::negative)
-      throw Violation{fmt::format("the vertex {} of cell {} {} is {} the sphere of cell {} {}", apex, other, braces(b),
-                                  examined.furthest ? "outside" : "inside", c, braces(a)),
+      throw Violation{fmt::format("the vertex {} of cell {} {} is {} the sphere of cell {} {}", apex, other,
+                                  braces(b), examined.furthest ? "outside" : "inside", c, braces(a)),
                       {c, other},
                       {static_cast<std::size_t>(apex)}};
     if (sign == Sign::positive) continue;
     ++ties;
     if (canonical && geometry.in_sphere_perturbed(c, volumes.orientation[c], apex) != Sign::positive)
-      throw Violation{fmt::format("the vertex {} of cell {} {} is on the sphere of cell {} {}, and {} when ties are perturbed",
-                                  apex, other, braces(b), c, braces(a), examined.furthest ? "outside" : "inside"),
-                      {c, other},
-                      {static_cast<std::size_t>(apex)}};
+      throw Violation{
+          fmt::format(
+              "the vertex {} of cell {} {} is on the sphere of cell {} {}, and {} when ties are perturbed",
+              apex, other, braces(b), c, braces(a), examined.furthest ? "outside" : "inside"),
+          {c, other},
+          {static_cast<std::size_t>(apex)}};
   }
   return ties;
 }
@@ -172,16 +184,20 @@ void check_hull_ridges(const Examined& examined, const Volumes& volumes, Geometr
     const SignedIndex apex = b[mirror(a, i, b)];
     const auto [c, opposite] = examined.hull[h];
     if (geometry.orientation(c, opposite, apex) == -volumes.orientation[c])
-      throw Violation{fmt::format("the hull is not convex: the vertex {} of cell {} is beyond the hull facet {} of cell {}",
-                                  apex, examined.hull[next].first, braces(a), c),
-                      {c, examined.hull[next].first},
-                      {static_cast<std::size_t>(apex)}};
+      throw Violation{
+          fmt::format(
+              "the hull is not convex: the vertex {} of cell {} is beyond the hull facet {} of cell {}", apex,
+              examined.hull[next].first, braces(a), c),
+          {c, examined.hull[next].first},
+          {static_cast<std::size_t>(apex)}};
   }
 }
 
-// The point o of the header: vertex 0 of cell 0, moved by ε towards vertex 1, by ε² towards vertex 2, and so on. The sign of a
-// determinant with o in a row is the first that is not zero when the row is vertex 0, 1, … of cell 0.
-Sign side_of_reference(const Examined& examined, const Volumes& volumes, Geometry& geometry, std::size_t c, std::size_t i) {
+// The point o of the header: vertex 0 of cell 0, moved by ε towards vertex 1, by ε² towards vertex 2, and so
+// on. The sign of a determinant with o in a row is the first that is not zero when the row is vertex 0, 1, …
+// of cell 0.
+Sign side_of_reference(const Examined& examined, const Volumes& volumes, Geometry& geometry, std::size_t c,
+                       std::size_t i) {
   for (const SignedIndex row : examined.cell(0)) {
     const Sign sign = geometry.orientation(c, i, row);
     if (sign != Sign::zero) return sign * volumes.orientation[c];
@@ -192,10 +208,11 @@ Sign side_of_reference(const Examined& examined, const Volumes& volumes, Geometr
 void check_covered_once(const Examined& examined, const Volumes& volumes, Geometry& geometry) {
   for (const auto& [c, i] : examined.hull)
     if (side_of_reference(examined, volumes, geometry, c, i) != Sign::positive)
-      throw Violation{fmt::format("the hull is not convex: cell 0 {} is not behind the hull facet {} of cell {}",
-                                  braces(examined.cell(0)), braces(facet_vertices(examined.cell(c), i)), c),
-                      {0, c},
-                      {}};
+      throw Violation{
+          fmt::format("the hull is not convex: cell 0 {} is not behind the hull facet {} of cell {}",
+                      braces(examined.cell(0)), braces(facet_vertices(examined.cell(c), i)), c),
+          {0, c},
+          {}};
 
   const double* reference = examined.point(examined.cell(0)[0]);
   for (std::size_t c = 1; c < examined.data.num_cells(); ++c) {
@@ -212,19 +229,24 @@ void check_covered_once(const Examined& examined, const Volumes& volumes, Geomet
     std::size_t i = 0;
     while (i < cell.size() && side_of_reference(examined, volumes, geometry, c, i) == Sign::positive) ++i;
     if (i == cell.size())
-      throw Violation{fmt::format("the cells 0 {} and {} {} overlap", braces(examined.cell(0)), c, braces(cell)), {0, c}, {}};
+      throw Violation{
+          fmt::format("the cells 0 {} and {} {} overlap", braces(examined.cell(0)), c, braces(cell)),
+          {0, c},
+          {}};
   }
 }
 
-/// The cell whose closed simplex has the point, by a walk; or the one behind the hull facet that the point is beyond. Facets
-/// are tried from a random one on: such a walk ends with probability 1 in any triangulation (Devillers, Pion, Teillaud,
-/// "Walking in a triangulation", doi:10.1142/S0129054102001047).
-std::pair<std::size_t, bool> find_cell(const Examined& examined, const Volumes& volumes, Geometry& geometry, SignedIndex row,
-                                       std::size_t start, std::uint64_t& random) {
+/// The cell whose closed simplex has the point, by a walk; or the one behind the hull facet that the point is
+/// beyond. Facets are tried from a random one on: such a walk ends with probability 1 in any triangulation
+/// (Devillers, Pion, Teillaud, "Walking in a triangulation", doi:10.1142/S0129054102001047).
+std::pair<std::size_t, bool> find_cell(const Examined& examined, const Volumes& volumes, Geometry& geometry,
+                                       SignedIndex row, std::size_t start, std::uint64_t& random) {
   for (std::size_t c = start;;) {
     const std::size_t corners = examined.corners, first = (random = random::mix(random + 1)) % corners;
     std::size_t step = 0;
-    while (step < corners && geometry.orientation(c, (first + step) % corners, row) != -volumes.orientation[c]) ++step;
+    while (step < corners &&
+           geometry.orientation(c, (first + step) % corners, row) != -volumes.orientation[c])
+      ++step;
     if (step == corners) return {c, true};
     const SignedIndex across = examined.neighbors[c * corners + (first + step) % corners];
     if (across < 0) return {c, false};
@@ -234,7 +256,8 @@ std::pair<std::size_t, bool> find_cell(const Examined& examined, const Volumes& 
 
 }  // namespace
 
-void check_hidden(const Examined& examined, const Volumes& volumes, std::span<const std::size_t> rows, bool canonical) {
+void check_hidden(const Examined& examined, const Volumes& volumes, std::span<const std::size_t> rows,
+                  bool canonical) {
   Geometry geometry(examined, volumes.axes);
   std::uint64_t random = 0;
   std::size_t c = 0;
@@ -244,10 +267,11 @@ void check_hidden(const Examined& examined, const Volumes& volumes, std::span<co
       bool found;
       std::tie(c, found) = find_cell(examined, volumes, geometry, row, c, random);
       if (!found)
-        throw Violation{fmt::format("point {} is no vertex, but outside the hull: beyond a facet of cell {} {}", at, c,
-                                    braces(examined.cell(c))),
-                        {c},
-                        {at}};
+        throw Violation{
+            fmt::format("point {} is no vertex, but outside the hull: beyond a facet of cell {} {}", at, c,
+                        braces(examined.cell(c))),
+            {c},
+            {at}};
     }
     for (const SignedIndex vertex : examined.cell(c))
       if (std::equal(examined.point(row), examined.point(row) + examined.row_size(), examined.point(vertex)))

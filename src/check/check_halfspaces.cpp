@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // check_halfspaces: everything in integers, from the halfspaces and the lists of rows alone.
 //
-// Level 3. An edge at a vertex v is where the rows of v that hold with equality have rank k − 1; its direction u is feasible
-// for all rows of v. A listed vertex w on the same rows lies on that line inside the polyhedron, so it is the edge's other end;
-// a listed direction on these rows is u. The graph of a polyhedron with a vertex is connected, and every extreme direction is
-// that of a ray: if all edges of all listed vertices are listed, all vertices and directions are.
+// Level 3. An edge at a vertex v is where the rows of v that hold with equality have rank k − 1; its
+// direction u is feasible for all rows of v. A listed vertex w on the same rows lies on that line inside the
+// polyhedron, so it is the edge's other end; a listed direction on these rows is u. The graph of a polyhedron
+// with a vertex is connected, and every extreme direction is that of a ray: if all edges of all listed
+// vertices are listed, all vertices and directions are.
 #include "halfspaces/halfspace_dual.hpp"
 #include "halfspaces/halfspace_vertex.hpp"
 
@@ -31,7 +32,8 @@ struct Violation {
   std::vector<std::size_t> vertices, halfspaces;
 };
 
-/// Fraction-free elimination of a matrix to echelon form, in place; returns the rows that were found independent, in order.
+/// Fraction-free elimination of a matrix to echelon form, in place; returns the rows that were found
+/// independent, in order.
 std::vector<std::size_t> independent_rows(std::vector<IntegerRow> rows) {
   std::vector<std::size_t> found;
   std::vector<std::pair<std::size_t, IntegerRow>> reduced;  // pivot column, row
@@ -42,8 +44,8 @@ std::vector<std::size_t> independent_rows(std::vector<IntegerRow> rows) {
       const Integer factor = row[pivot], scale = by[pivot];
       for (std::size_t j = 0; j < row.size(); ++j) row[j] = row[j] * scale - by[j] * factor;
     }
-    const auto pivot =
-        static_cast<std::size_t>(std::find_if(row.begin(), row.end(), [](const Integer& x) { return x != 0; }) - row.begin());
+    const auto pivot = static_cast<std::size_t>(
+        std::find_if(row.begin(), row.end(), [](const Integer& x) { return x != 0; }) - row.begin());
     if (pivot == row.size()) continue;
     found.push_back(r);
     reduced.emplace_back(pivot, row);
@@ -74,26 +76,32 @@ class IntersectionChecker {
   using Rows = std::vector<SignedIndex>;
 
   std::optional<Violation> check_storage() {
-    const auto wrong = [](const std::string& text) { return std::optional<Violation>(Violation{text, {}, {}}); };
+    const auto wrong = [](const std::string& text) {
+      return std::optional<Violation>(Violation{text, {}, {}});
+    };
     const std::size_t m = data_.num_halfspaces();
     if (d_ < 1) return wrong("the dimension is less than 1");
-    if (data_.halfspaces.size() != m * (d_ + 1)) return wrong("the halfspaces are not as many as first_of_halfspace says");
+    if (data_.halfspaces.size() != m * (d_ + 1))
+      return wrong("the halfspaces are not as many as first_of_halfspace says");
     for (const double x : data_.halfspaces)
       if (!std::isfinite(x)) return wrong("an entry of a halfspace is not finite");
     const auto in_range = [](const std::vector<SignedIndex>& items, std::size_t size) {
       return std::all_of(items.begin(), items.end(),
                          [&](SignedIndex i) { return i >= 0 && static_cast<std::size_t>(i) < size; });
     };
-    if (!in_range(data_.first_of_halfspace, m) || !in_range(data_.witness, m)) return wrong("a row is out of range");
+    if (!in_range(data_.first_of_halfspace, m) || !in_range(data_.witness, m))
+      return wrong("a row is out of range");
     if (data_.state != IntersectionState::full) {
-      const bool is_bare = !data_.bounded && data_.kinds.empty() && data_.vertices.empty() && data_.vertex_halfspaces.empty() &&
-                           data_.directions.empty() && data_.direction_halfspaces.empty() && data_.edges.empty() &&
-                           data_.rays.empty() && data_.facet_halfspaces.empty() && data_.facet_vertices.empty() &&
+      const bool is_bare = !data_.bounded && data_.kinds.empty() && data_.vertices.empty() &&
+                           data_.vertex_halfspaces.empty() && data_.directions.empty() &&
+                           data_.direction_halfspaces.empty() && data_.edges.empty() && data_.rays.empty() &&
+                           data_.facet_halfspaces.empty() && data_.facet_vertices.empty() &&
                            data_.facet_directions.empty();
       return is_bare ? std::nullopt : wrong("an intersection without interior points has faces or kinds");
     }
     if (!data_.witness.empty()) return wrong("an intersection with interior points has a witness");
-    const auto are_lists = [](const std::vector<SignedIndex>& offsets, const std::vector<SignedIndex>& items) {
+    const auto are_lists = [](const std::vector<SignedIndex>& offsets,
+                              const std::vector<SignedIndex>& items) {
       return !offsets.empty() && offsets.front() == 0 && std::is_sorted(offsets.begin(), offsets.end()) &&
              static_cast<std::size_t>(offsets.back()) == items.size();
     };
@@ -104,18 +112,20 @@ class IntersectionChecker {
       return wrong("offsets are not those of lists");
     const std::size_t v = data_.num_vertices(), u = data_.num_directions(), f = data_.num_facets();
     if (k_ > d_ || data_.axes.size() != k_ || !std::is_sorted(data_.axes.begin(), data_.axes.end()) ||
-        std::any_of(data_.axes.begin(), data_.axes.end(), [&](int a) { return a < 0 || static_cast<std::size_t>(a) >= d_; }))
+        std::any_of(data_.axes.begin(), data_.axes.end(),
+                    [&](int a) { return a < 0 || static_cast<std::size_t>(a) >= d_; }))
       return wrong("the axes are not as many coordinates as the rank");
     if (data_.vertices.size() != v * d_ || data_.directions.size() != u * d_ || data_.kinds.size() != m ||
-        data_.lineality.size() != (d_ - k_) * d_ || data_.interior_point.size() != d_ || data_.facet_offsets.size() != f + 1 ||
-        data_.facet_direction_offsets.size() != f + 1 || data_.edges.size() % 2 != 0 || data_.rays.size() % 2 != 0)
+        data_.lineality.size() != (d_ - k_) * d_ || data_.interior_point.size() != d_ ||
+        data_.facet_offsets.size() != f + 1 || data_.facet_direction_offsets.size() != f + 1 ||
+        data_.edges.size() % 2 != 0 || data_.rays.size() % 2 != 0)
       return wrong("an array has another size than the others ask for");
     if (!in_range(data_.vertex_halfspaces, m) || !in_range(data_.direction_halfspaces, m) ||
-        !in_range(data_.facet_halfspaces, m) || !in_range(data_.facet_vertices, v) || !in_range(data_.facet_directions, u) ||
-        !in_range(data_.edges, v))
+        !in_range(data_.facet_halfspaces, m) || !in_range(data_.facet_vertices, v) ||
+        !in_range(data_.facet_directions, u) || !in_range(data_.edges, v))
       return wrong("a row, vertex or direction is out of range");
-    if (std::adjacent_find(data_.facet_halfspaces.begin(), data_.facet_halfspaces.end(), std::greater_equal<>()) !=
-        data_.facet_halfspaces.end())
+    if (std::adjacent_find(data_.facet_halfspaces.begin(), data_.facet_halfspaces.end(),
+                           std::greater_equal<>()) != data_.facet_halfspaces.end())
       return wrong("the rows of the facets are not increasing");
     for (std::size_t i = 0; i < data_.rays.size(); ++i)
       if (data_.rays[i] < 0 || static_cast<std::size_t>(data_.rays[i]) >= (i % 2 == 0 ? v : u))
@@ -137,7 +147,8 @@ class IntersectionChecker {
     return sum;
   }
 
-  /// Multipliers λ > 0 of the witness' rows, unique up to a factor, with Σλ·n = 0: Σλ·c is 0 for flat, positive for empty ones.
+  /// Multipliers λ > 0 of the witness' rows, unique up to a factor, with Σλ·n = 0: Σλ·c is 0 for flat,
+  /// positive for empty ones.
   std::optional<Violation> check_witness() const {
     std::vector<std::size_t> rows(data_.witness.begin(), data_.witness.end());
     const Violation wrong{"the witness does not prove that there is no interior point", {}, rows};
@@ -158,7 +169,8 @@ class IntersectionChecker {
     return std::nullopt;
   }
 
-  /// The vector, unique up to a factor, on which rows of n entries vanish; nothing if their rank is not n − 1.
+  /// The vector, unique up to a factor, on which rows of n entries vanish; nothing if their rank is not n
+  /// − 1.
   static std::optional<IntegerRow> null_vector(const std::vector<IntegerRow>& rows, std::size_t n) {
     const std::vector<std::size_t> basis = independent_rows(rows);
     if (n == 0 || basis.size() + 1 != n) return std::nullopt;
@@ -193,7 +205,8 @@ class IntersectionChecker {
   }
 
   std::optional<Violation> check_interior_point() const {
-    if (!std::all_of(data_.interior_point.begin(), data_.interior_point.end(), [](double x) { return std::isfinite(x); }))
+    if (!std::all_of(data_.interior_point.begin(), data_.interior_point.end(),
+                     [](double x) { return std::isfinite(x); }))
       return Violation{"a coordinate of the interior point is not finite", {}, {}};
     if (!data_.interior_point_is_exact) return std::nullopt;
     std::vector<double> homogeneous = data_.interior_point;
@@ -220,7 +233,8 @@ class IntersectionChecker {
     for (std::size_t v = 0; v < data_.num_vertices(); ++v)
       lists.emplace_back(data_.halfspaces_of_vertex(v).begin(), data_.halfspaces_of_vertex(v).end());
     std::sort(lists.begin(), lists.end());
-    if (std::adjacent_find(lists.begin(), lists.end()) != lists.end()) return Violation{"a vertex is listed twice", {}, {}};
+    if (std::adjacent_find(lists.begin(), lists.end()) != lists.end())
+      return Violation{"a vertex is listed twice", {}, {}};
     return std::nullopt;
   }
 
@@ -235,7 +249,8 @@ class IntersectionChecker {
     }
     auto z = null_vector(tight, is_vertex ? k_ + 1 : k_);
     if (!z || (is_vertex && z->back() == 0))
-      return Violation{"the rows of " + name + " do not meet in one", concerned, {listed.begin(), listed.end()}};
+      return Violation{
+          "the rows of " + name + " do not meet in one", concerned, {listed.begin(), listed.end()}};
     bool negate = is_vertex && z->back() < 0;
     if (!is_vertex) {
       std::size_t j = 0;
@@ -244,7 +259,8 @@ class IntersectionChecker {
     }
     if (negate)
       for (Integer& x : *z) x = -x;
-    const std::vector<double> unit = is_vertex ? std::vector<double>{} : internal::unit_vector(*z, data_.axes, d_);
+    const std::vector<double> unit =
+        is_vertex ? std::vector<double>{} : internal::unit_vector(*z, data_.axes, d_);
     for (std::size_t j = 0; j < k_; ++j) {
       const auto axis = static_cast<std::size_t>(data_.axes[j]);
       const bool right = is_vertex ? data_.vertex(i)[axis] == internal::nearest_double((*z)[j], z->back(), 0)
@@ -270,7 +286,8 @@ class IntersectionChecker {
 
   std::optional<Violation> check_completeness() {
     if (k_ > 0 && data_.num_vertices() == 0) return Violation{"there is no vertex", {}, {}};
-    if (data_.bounded != (k_ == d_ && data_.num_directions() == 0)) return Violation{"`bounded` is wrong", {}, {}};
+    if (data_.bounded != (k_ == d_ && data_.num_directions() == 0))
+      return Violation{"`bounded` is wrong", {}, {}};
     std::vector<std::vector<Rows>> around(data_.num_vertices());  // common rows of each edge
     const auto add = [&](SignedIndex v, std::span<const SignedIndex> other) {
       const auto here = data_.halfspaces_of_vertex(static_cast<std::size_t>(v));
@@ -288,7 +305,8 @@ class IntersectionChecker {
     for (std::size_t v = 0; v < data_.num_vertices(); ++v) {
       std::sort(around[v].begin(), around[v].end());
       if (around[v] != edges_at(v))
-        return Violation{"the edges at vertex " + std::to_string(v) + " are not those that its rows make", {v}, {}};
+        return Violation{
+            "the edges at vertex " + std::to_string(v) + " are not those that its rows make", {v}, {}};
     }
     return check_facets();
   }
@@ -328,10 +346,13 @@ class IntersectionChecker {
   std::optional<Violation> check_facets() const {
     const std::size_t v = data_.num_vertices();
     for (std::size_t r = 0; r < rows_.size(); ++r) {
-      const auto wrong = [&](const std::string& what) { return Violation{"halfspace " + std::to_string(r) + what, {}, {r}}; };
+      const auto wrong = [&](const std::string& what) {
+        return Violation{"halfspace " + std::to_string(r) + what, {}, {r}};
+      };
       const auto first = static_cast<std::size_t>(data_.first_of_halfspace[r]);
       if (!has_normal(r)) {
-        if (data_.kinds[r] != HalfspaceKind::trivial || rows_[r].back() > 0) return wrong(" has no normal and another kind");
+        if (data_.kinds[r] != HalfspaceKind::trivial || rows_[r].back() > 0)
+          return wrong(" has no normal and another kind");
         continue;
       }
       if (first != r) {
@@ -339,7 +360,8 @@ class IntersectionChecker {
                    b = internal::integer_row(&data_.halfspaces[first * (d_ + 1)], d_ + 1);
         Integer dot = 0;
         for (std::size_t j = 0; j <= d_; ++j) dot += a[j] * b[j];
-        if (data_.kinds[r] != HalfspaceKind::duplicate || first > r || dot <= 0 || independent_rows({a, b}).size() != 1)
+        if (data_.kinds[r] != HalfspaceKind::duplicate || first > r || dot <= 0 ||
+            independent_rows({a, b}).size() != 1)
           return wrong(" is no duplicate of the row that it names");
         continue;
       }
@@ -354,16 +376,19 @@ class IntersectionChecker {
                                  : independent_rows(on).size() == k_ ? HalfspaceKind::facet
                                                                      : HalfspaceKind::touching;
       if (data_.kinds[r] != kind) return wrong(" has the wrong kind");
-      if ((kind == HalfspaceKind::facet) != (is_facet_[r] != 0)) return wrong(" is not rightly listed as a facet");
+      if ((kind == HalfspaceKind::facet) != (is_facet_[r] != 0))
+        return wrong(" is not rightly listed as a facet");
       if (kind != HalfspaceKind::facet) continue;
-      const auto f = static_cast<std::size_t>(
-          std::find(data_.facet_halfspaces.begin(), data_.facet_halfspaces.end(), static_cast<SignedIndex>(r)) -
-          data_.facet_halfspaces.begin());
+      const auto f =
+          static_cast<std::size_t>(std::find(data_.facet_halfspaces.begin(), data_.facet_halfspaces.end(),
+                                             static_cast<SignedIndex>(r)) -
+                                   data_.facet_halfspaces.begin());
       Rows listed(data_.facet(f).begin(), data_.facet(f).end()),
           listed_directions(data_.directions_of_facet(f).begin(), data_.directions_of_facet(f).end());
       std::sort(listed.begin(), listed.end());
       std::sort(listed_directions.begin(), listed_directions.end());
-      if (listed != vertices || listed_directions != directions) return wrong(" does not list the vertices on its facet");
+      if (listed != vertices || listed_directions != directions)
+        return wrong(" does not list the vertices on its facet");
     }
     return std::nullopt;
   }

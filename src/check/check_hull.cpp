@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // check_hull(): the levels of exact checks of a convex hull, our own or anybody's.
 //
-// Why levels 1–4 suffice. The cells are simplices, not flat, each with its hyperplane supporting all points (level 4): each
-// lies in the boundary of the convex hull. Every ridge is in two cells that are oriented coherently, and outwards (levels 2 and
-// 3), so as one moves on the boundary the number of cells that cover a point of general position does not change: it grows and
-// falls only at ridges, where one cell ends and the other begins on the other side. It is one at a point of cell 0 (level 4),
-// hence everywhere. (As Mehlhorn et al., doi:10.1016/S0925-7721(98)00036-4, check hulls.)
+// Why levels 1–4 suffice. The cells are simplices, not flat, each with its hyperplane supporting all points
+// (level 4): each lies in the boundary of the convex hull. Every ridge is in two cells that are oriented
+// coherently, and outwards (levels 2 and 3), so as one moves on the boundary the number of cells that cover a
+// point of general position does not change: it grows and falls only at ridges, where one cell ends and the
+// other begins on the other side. It is one at a point of cell 0 (level 4), hence everywhere. (As Mehlhorn et
+// al., doi:10.1016/S0925-7721(98)00036-4, check hulls.)
 #include "check/check_hull.hpp"
 
 #include <delone/convex_hull.hpp>
@@ -19,20 +20,21 @@ namespace internal {
 namespace {
 
 /// Lists of rows: offsets that divide the rows, which are in range.
-void check_lists(const char* what, const std::vector<SignedIndex>& offsets, const std::vector<SignedIndex>& rows,
-                 std::size_t n) {
+void check_lists(const char* what, const std::vector<SignedIndex>& offsets,
+                 const std::vector<SignedIndex>& rows, std::size_t n) {
   if (offsets.empty()) {
     if (!rows.empty()) throw Violation{fmt::format("the {}s have vertices, but no offsets", what), {}, {}};
     return;
   }
   if (offsets.front() != 0 || static_cast<std::size_t>(offsets.back()) != rows.size())
-    throw Violation{fmt::format("the offsets of the {}s go from {} to {}, for {} vertices", what, offsets.front(),
-                                offsets.back(), rows.size()),
+    throw Violation{fmt::format("the offsets of the {}s go from {} to {}, for {} vertices", what,
+                                offsets.front(), offsets.back(), rows.size()),
                     {},
                     {}};
   for (std::size_t i = 0; i + 1 < offsets.size(); ++i)
     if (offsets[i] > offsets[i + 1])
-      throw Violation{fmt::format("the offsets of the {}s fall from {} to {}", what, offsets[i], offsets[i + 1]), {}, {}};
+      throw Violation{
+          fmt::format("the offsets of the {}s fall from {} to {}", what, offsets[i], offsets[i + 1]), {}, {}};
   for (const SignedIndex row : rows)
     if (row < 0 || static_cast<std::size_t>(row) >= n)
       throw Violation{fmt::format("a {} has the vertex {}, but there are {} points", what, row, n), {}, {}};
@@ -40,7 +42,10 @@ void check_lists(const char* what, const std::vector<SignedIndex>& offsets, cons
 
 void check_hull_storage(const HullData& data, const ComplexData& boundary) {
   if (data.affine_dimension < -1 || data.affine_dimension > data.dimension)
-    throw Violation{fmt::format("the affine dimension is {}, outside -1...{}", data.affine_dimension, data.dimension), {}, {}};
+    throw Violation{
+        fmt::format("the affine dimension is {}, outside -1...{}", data.affine_dimension, data.dimension),
+        {},
+        {}};
   check_storage(boundary);
   const std::size_t n = boundary.num_points(), m = data.num_cells(), f = data.num_facets();
   const auto expect_size = [](const char* what, std::size_t actual, const char* of, std::size_t expected) {
@@ -49,24 +54,36 @@ void check_hull_storage(const HullData& data, const ComplexData& boundary) {
   };
   if (data.affine_dimension >= 1 && m == 0) throw Violation{"there is no cell", {}, {}};
   if (data.affine_dimension < 1 && f + data.num_ridges() > 0)
-    throw Violation{fmt::format("there are facets or ridges, but the affine dimension is {}", data.affine_dimension), {}, {}};
+    throw Violation{
+        fmt::format("there are facets or ridges, but the affine dimension is {}", data.affine_dimension),
+        {},
+        {}};
   expect_size("facet_of_cell", data.facet_of_cell.size(), "cells", m);
-  expect_size("equations", data.equations.size() / (static_cast<std::size_t>(data.dimension) + 1), "facets", f);
+  expect_size("equations", data.equations.size() / (static_cast<std::size_t>(data.dimension) + 1), "facets",
+              f);
   expect_size("equation_errors", data.equation_errors.size(), "facets", f);
   expect_size("vertex_of_point", data.vertex_of_point.size(), "points", n);
   expect_size("point_kinds", data.point_kinds.size(), "points", n);
-  if (data.ridge_offsets.size() != data.num_ridges() + 1 && !(data.ridge_offsets.empty() && data.num_ridges() == 0))
-    throw Violation{
-        fmt::format("{} entries in ridge_offsets for {} ridges", data.ridge_offsets.size(), data.num_ridges()), {}, {}};
+  if (data.ridge_offsets.size() != data.num_ridges() + 1 &&
+      !(data.ridge_offsets.empty() && data.num_ridges() == 0))
+    throw Violation{fmt::format("{} entries in ridge_offsets for {} ridges", data.ridge_offsets.size(),
+                                data.num_ridges()),
+                    {},
+                    {}};
   check_lists("facet", data.facet_offsets, data.facet_vertices, n);
   check_lists("ridge", data.ridge_offsets, data.ridge_vertices, n);
   for (std::size_t c = 0; c < data.facet_of_cell.size(); ++c)
     if (data.facet_of_cell[c] < 0 || static_cast<std::size_t>(data.facet_of_cell[c]) >= f)
       throw Violation{
-          fmt::format("cell {} is part of facet {}, but there are {} facets", c, data.facet_of_cell[c], f), {c}, {}};
+          fmt::format("cell {} is part of facet {}, but there are {} facets", c, data.facet_of_cell[c], f),
+          {c},
+          {}};
   for (std::size_t i = 0; i < data.ridge_facets.size(); ++i)
     if (data.ridge_facets[i] < 0 || static_cast<std::size_t>(data.ridge_facets[i]) >= f)
-      throw Violation{fmt::format("ridge {} is of facet {}, but there are {} facets", i / 2, data.ridge_facets[i], f), {}, {}};
+      throw Violation{
+          fmt::format("ridge {} is of facet {}, but there are {} facets", i / 2, data.ridge_facets[i], f),
+          {},
+          {}};
   for (const SignedIndex row : data.vertices)
     if (row < 0 || static_cast<std::size_t>(row) >= n)
       throw Violation{fmt::format("the extreme points include {}, but there are {} points", row, n), {}, {}};
@@ -93,8 +110,11 @@ void check_closed(ExaminedHull& examined, const ComplexData& boundary) {
         queue.push_back(across);
       }
   if (queue.size() < reached.size()) {
-    const auto other = static_cast<std::size_t>(std::find(reached.begin(), reached.end(), 0) - reached.begin());
-    throw Violation{fmt::format("the boundary falls apart: cell {} cannot be reached from cell 0", other), {0, other}, {}};
+    const auto other =
+        static_cast<std::size_t>(std::find(reached.begin(), reached.end(), 0) - reached.begin());
+    throw Violation{fmt::format("the boundary falls apart: cell {} cannot be reached from cell 0", other),
+                    {0, other},
+                    {}};
   }
 }
 
@@ -108,17 +128,20 @@ std::size_t check_convexity(ExaminedHull& examined) {
     if (sign == Sign::zero) throw Violation{fmt::format("cell {} {} is flat", c, examined.text(c)), {c}, {}};
     if (sign == Sign::negative)
       throw Violation{
-          fmt::format("cell {} {} is not oriented outwards, or a point is beyond it", c, examined.text(c)), {c}, {}};
+          fmt::format("cell {} {} is not oriented outwards, or a point is beyond it", c, examined.text(c)),
+          {c},
+          {}};
     for (std::size_t i = 0; hull.dimension > 1 && i < hull.corners(); ++i) {
       const Index across = hull.neighbors_of(c)[i];
       if (across < c) continue;
       const Index apex = apex_across(hull, c, i);
       const Sign side = examined.side(c, apex);
       if (side == Sign::negative)
-        throw Violation{fmt::format("the boundary is not convex: the vertex {} of cell {} {} is beyond cell {} {}", apex,
-                                    across, examined.text(across), c, examined.text(c)),
-                        {c, across},
-                        {apex}};
+        throw Violation{
+            fmt::format("the boundary is not convex: the vertex {} of cell {} {} is beyond cell {} {}", apex,
+                        across, examined.text(across), c, examined.text(c)),
+            {c, across},
+            {apex}};
       coplanar += side == Sign::zero;
     }
   }
@@ -131,14 +154,17 @@ void check_support(ExaminedHull& examined) {
   for (std::size_t c = 0; c < hull.num_cells(); ++c)
     for (Index row = 0; row < examined.sites.size(); ++row)
       if (examined.side(c, row) == Sign::negative)
-        throw Violation{fmt::format("the point {} is beyond cell {} {}", row, c, examined.text(c)), {c}, {row}};
+        throw Violation{
+            fmt::format("the point {} is beyond cell {} {}", row, c, examined.text(c)), {c}, {row}};
   const auto first = hull.cell(0);
   const Index inner = *std::find_if(examined.basis.begin(), examined.basis.end(),
                                     [&](Index row) { return examined.side(0, row) == Sign::positive; });
   for (std::size_t c = 1; c < hull.num_cells(); ++c) {
     const auto cell = hull.cell(c);
-    if (!std::all_of(cell.begin(), cell.end(), [&](Index v) { return examined.side(0, v) == Sign::zero; })) continue;
-    // The point of general position: vertex 0 of cell 0, moved by ε towards vertex 1, by ε² towards vertex 2, and so on.
+    if (!std::all_of(cell.begin(), cell.end(), [&](Index v) { return examined.side(0, v) == Sign::zero; }))
+      continue;
+    // The point of general position: vertex 0 of cell 0, moved by ε towards vertex 1, by ε² towards vertex 2,
+    // and so on.
     std::size_t i = 0;
     for (; i < cell.size(); ++i) {
       Sign sign = Sign::zero;
@@ -147,7 +173,8 @@ void check_support(ExaminedHull& examined) {
       if (sign != Sign::positive) break;
     }
     if (i == cell.size())
-      throw Violation{fmt::format("the cells 0 {} and {} {} overlap", examined.text(0), c, examined.text(c)), {0, c}, {}};
+      throw Violation{
+          fmt::format("the cells 0 {} and {} {} overlap", examined.text(0), c, examined.text(c)), {0, c}, {}};
   }
 }
 

@@ -3,8 +3,8 @@
 #pragma once
 
 #include "check/check_stages.hpp"
-#include "hull/hull_normal.hpp"
 #include "compiled/simplicial_hull.hpp"
+#include "hull/hull_normal.hpp"
 #include "kernel/predicates.hpp"
 
 #include <delone/convex_hull.hpp>
@@ -24,7 +24,8 @@ class ExaminedHull {
  public:
   ExaminedHull(const HullData& data, const std::vector<double>& points) : sites(data.dimension), data_(data) {
     sites.coordinates = points;
-    for (std::size_t row = 0; row < sites.size(); ++row) sites.grid.include(sites.point(static_cast<Index>(row)));
+    for (std::size_t row = 0; row < sites.size(); ++row)
+      sites.grid.include(sites.point(static_cast<Index>(row)));
     hull.dimension = data.affine_dimension;
     hull.cells.assign(data.cells.begin(), data.cells.end());
   }
@@ -35,15 +36,16 @@ class ExaminedHull {
     for (Index row = 0; row < sites.size() && affine_hull.dimension() < sites.ambient; ++row)
       if (affine_hull.add(sites.point(row))) basis.push_back(row);
     if (affine_hull.dimension() != hull.dimension)
-      throw Violation{
-          fmt::format("the affine dimension is given as {}, but the points span {}", hull.dimension, affine_hull.dimension()),
-          {},
-          {}};
+      throw Violation{fmt::format("the affine dimension is given as {}, but the points span {}",
+                                  hull.dimension, affine_hull.dimension()),
+                      {},
+                      {}};
     sites.axes = affine_hull.axes();
     normals.emplace(hull.dimension < 1 ? 1 : hull.dimension);
     records.resize(hull.num_cells() * normals->stride());
     for (std::size_t c = 0; c < hull.num_cells(); ++c)
-      normals->compute(sites, hull.cell(c), hull.dimension == 1 && c == 0, records.data() + c * normals->stride());
+      normals->compute(sites, hull.cell(c), hull.dimension == 1 && c == 0,
+                       records.data() + c * normals->stride());
   }
 
   Sign side(std::size_t c, Index row) {
@@ -87,7 +89,8 @@ inline Index apex_across(const SimplicialHull& hull, std::size_t c, std::size_t 
   });
 }
 
-/// Level 5: what the file says of facets, ridges, equations, extreme rows, duplicates and kinds of points, where it says so.
+/// Level 5: what the file says of facets, ridges, equations, extreme rows, duplicates and kinds of points,
+/// where it says so.
 void check_hull_faces(ExaminedHull& examined, const HullData& data);
 
 }  // namespace delone::internal

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The stages of `check` and what they hand to each other. A stage stops at the first violation by throwing Violation;
-// check() turns it into a report, so no stage has to thread a result through its loops.
+// The stages of `check` and what they hand to each other. A stage stops at the first violation by throwing
+// Violation; check() turns it into a report, so no stage has to thread a result through its loops.
 #pragma once
 
 #include "kernel/flat.hpp"
@@ -39,12 +39,14 @@ struct Examined {
 
   /// Filled by level 2, from the cells alone: m×(k+1), −1 beyond the hull.
   std::vector<SignedIndex> neighbors{};
-  /// Filled by level 3: the hull facets as (cell, opposite vertex), their k vertices each, in the order they have in the
-  /// cell, and for each of those vertices the hull facet across the ridge opposite to it.
+  /// Filled by level 3: the hull facets as (cell, opposite vertex), their k vertices each, in the order they
+  /// have in the cell, and for each of those vertices the hull facet across the ridge opposite to it.
   std::vector<std::pair<std::size_t, std::size_t>> hull{};
   std::vector<SignedIndex> hull_vertices{}, hull_neighbors{};
 
-  std::span<const SignedIndex> cell(std::size_t c) const { return {data.cells.data() + c * corners, corners}; }
+  std::span<const SignedIndex> cell(std::size_t c) const {
+    return {data.cells.data() + c * corners, corners};
+  }
   std::span<const SignedIndex> hull_facet(std::size_t h) const {
     return {hull_vertices.data() + h * (corners - 1), corners - 1};
   }
@@ -52,7 +54,9 @@ struct Examined {
   /// Whether points may be neither vertices nor equal to one.
   bool may_hide() const { return weighted() || furthest; }
   kernel::RowForm form() const {
-    return furthest ? kernel::RowForm::furthest_point : weighted() ? kernel::RowForm::weighted_point : kernel::RowForm::point;
+    return furthest     ? kernel::RowForm::furthest_point
+           : weighted() ? kernel::RowForm::weighted_point
+                        : kernel::RowForm::point;
   }
   std::size_t row_size() const { return static_cast<std::size_t>(data.dimension) + (weighted() ? 1 : 0); }
   /// The coordinates of a point, and its weight if it has one.
@@ -66,16 +70,17 @@ std::string braces(std::span<const SignedIndex> rows);
 /// A facet for a message: the vertices of a cell but one.
 std::vector<SignedIndex> facet_vertices(std::span<const SignedIndex> cell, std::size_t opposite);
 
-/// Pairs equal facets: for each of the m·corners facets (cell, opposite vertex) the cell on its other side, or −1. Vertex sets
-/// are hashed, then compared exactly; expected O(m·corners²). Throws Violation when three cells share a facet. For the facets
-/// of a hull, which share ridges, `hull` translates them into cells for the message.
+/// Pairs equal facets: for each of the m·corners facets (cell, opposite vertex) the cell on its other side,
+/// or −1. Vertex sets are hashed, then compared exactly; expected O(m·corners²). Throws Violation when three
+/// cells share a facet. For the facets of a hull, which share ridges, `hull` translates them into cells for
+/// the message.
 std::vector<SignedIndex> paired_facets(std::span<const SignedIndex> cells, std::size_t corners,
                                        const std::vector<std::pair<std::size_t, std::size_t>>& hull = {});
 
 /// For cells a and b that share the facet opposite a[i]: the index j of the vertex of b opposite that facet.
 std::size_t mirror(std::span<const SignedIndex> a, std::size_t i, std::span<const SignedIndex> b);
-/// True if the permutation that turns a, with a[i] replaced by b[j], into b is odd: then a and b, which lie on different sides
-/// of their common facet, are oriented alike. `scratch` saves an allocation.
+/// True if the permutation that turns a, with a[i] replaced by b[j], into b is odd: then a and b, which lie
+/// on different sides of their common facet, are oriented alike. `scratch` saves an allocation.
 bool coherent(std::span<const SignedIndex> a, std::size_t i, std::span<const SignedIndex> b, std::size_t j,
               std::vector<SignedIndex>& scratch);
 
@@ -89,10 +94,12 @@ void check_storage(const ComplexData& data, bool furthest = false);
 void check_incidence(Examined& examined, bool oriented);
 void check_sphere(Examined& examined);
 Volumes check_volume(const Examined& examined, bool oriented);
-std::size_t check_local_convexity(const Examined& examined, const Volumes& volumes, bool canonical);  // returns the ties
-/// Points that are no vertices nor equal to one must be hidden, if they may be: in the closed simplex of a cell that is
-/// not in conflict with them.
-void check_hidden(const Examined& examined, const Volumes& volumes, std::span<const std::size_t> rows, bool canonical);
+std::size_t check_local_convexity(const Examined& examined, const Volumes& volumes,
+                                  bool canonical);  // returns the ties
+/// Points that are no vertices nor equal to one must be hidden, if they may be: in the closed simplex of a
+/// cell that is not in conflict with them.
+void check_hidden(const Examined& examined, const Volumes& volumes, std::span<const std::size_t> rows,
+                  bool canonical);
 void check_completeness(const Examined& examined, const Volumes& volumes, bool canonical);
 
 }  // namespace delone::internal

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Levels 2 and 3 of check(): the cells with the infinite cells added form a closed pseudomanifold, oriented, connected, with
-// connected stars, and with the Euler characteristic of a sphere. No coordinate is looked at.
-#include "check/check_stages.hpp"
+// Levels 2 and 3 of check(): the cells with the infinite cells added form a closed pseudomanifold, oriented,
+// connected, with connected stars, and with the Euler characteristic of a sphere. No coordinate is looked at.
 #include "base/random.hpp"
+#include "check/check_stages.hpp"
 
 #include <delone/error.hpp>
 
@@ -19,8 +19,10 @@ bool contains(std::span<const SignedIndex> rows, SignedIndex row) {
   return std::find(rows.begin(), rows.end(), row) != rows.end();
 }
 
-// Whether the facets of a opposite a[i] and of b opposite b[j] have the same vertices, which are distinct in each.
-bool equal_facets(std::span<const SignedIndex> a, std::size_t i, std::span<const SignedIndex> b, std::size_t j) {
+// Whether the facets of a opposite a[i] and of b opposite b[j] have the same vertices, which are distinct in
+// each.
+bool equal_facets(std::span<const SignedIndex> a, std::size_t i, std::span<const SignedIndex> b,
+                  std::size_t j) {
   for (std::size_t t = 0; t < a.size(); ++t)
     if (t != i && (a[t] == b[j] || !contains(b, a[t]))) return false;
   return true;
@@ -54,11 +56,11 @@ std::vector<SignedIndex> paired_facets(std::span<const SignedIndex> cells, std::
           std::vector<std::size_t> three{other, static_cast<std::size_t>(across[facet]), cell};
           if (!hull.empty())
             for (std::size_t& facet_of_hull : three) facet_of_hull = hull[facet_of_hull].first;
-          throw Violation{
-              fmt::format("{}the cells {}, {} and {} share the {} {}", hull.empty() ? "" : "hull facets of ", three[0],
-                          three[1], three[2], hull.empty() ? "facet" : "ridge", braces(facet_vertices(a, i))),
-              three,
-              {}};
+          throw Violation{fmt::format("{}the cells {}, {} and {} share the {} {}",
+                                      hull.empty() ? "" : "hull facets of ", three[0], three[1], three[2],
+                                      hull.empty() ? "facet" : "ridge", braces(facet_vertices(a, i))),
+                          three,
+                          {}};
         }
         across[facet] = static_cast<SignedIndex>(cell);
         across[first + i] = static_cast<SignedIndex>(other);
@@ -102,17 +104,19 @@ void check_incidence(Examined& examined, bool oriented) {
     const std::string facet = braces(facet_vertices(examined.cell(c), i));
     const auto given_cell = static_cast<std::size_t>(given), derived_cell = static_cast<std::size_t>(derived);
     if (given < 0)
-      throw Violation{fmt::format("neighbor {} of cell {} is missing: cell {} shares the facet {}", i, c, derived, facet),
-                      {c, derived_cell},
-                      {}};
+      throw Violation{
+          fmt::format("neighbor {} of cell {} is missing: cell {} shares the facet {}", i, c, derived, facet),
+          {c, derived_cell},
+          {}};
     if (derived < 0)
-      throw Violation{fmt::format("neighbor {} of cell {} is cell {}, which does not share the facet {}", i, c, given, facet),
+      throw Violation{fmt::format("neighbor {} of cell {} is cell {}, which does not share the facet {}", i,
+                                  c, given, facet),
                       {c, given_cell},
                       {}};
-    throw Violation{
-        fmt::format("neighbor {} of cell {} is cell {}, but cell {} shares the facet {}", i, c, given, derived, facet),
-        {c, given_cell, derived_cell},
-        {}};
+    throw Violation{fmt::format("neighbor {} of cell {} is cell {}, but cell {} shares the facet {}", i, c,
+                                given, derived, facet),
+                    {c, given_cell, derived_cell},
+                    {}};
   }
 
   if (!oriented) return;
@@ -124,7 +128,8 @@ void check_incidence(Examined& examined, bool oriented) {
       const auto other = static_cast<std::size_t>(across);
       const auto a = examined.cell(c), b = examined.cell(other);
       if (!coherent(a, i, b, mirror(a, i, b), scratch))
-        throw Violation{fmt::format("the cells {} {} and {} {} are not oriented coherently", c, braces(a), other, braces(b)),
+        throw Violation{fmt::format("the cells {} {} and {} {} are not oriented coherently", c, braces(a),
+                                    other, braces(b)),
                         {c, other},
                         {}};
     }
@@ -132,7 +137,8 @@ void check_incidence(Examined& examined, bool oriented) {
 
 namespace {
 
-// The cells with one infinite cell per hull facet: the facet's vertices, then the infinite vertex, which is row n.
+// The cells with one infinite cell per hull facet: the facet's vertices, then the infinite vertex, which is
+// row n.
 struct Closed {
   std::size_t num_finite, num_cells, corners, num_vertices;  // num_vertices = n + 1
   std::vector<SignedIndex> cells, neighbors;
@@ -153,7 +159,8 @@ Closed closed_complex(Examined& examined) {
   if (h == 0) throw Violation{"there is no hull: every facet is shared by two cells", {}, {}};
   if (k == 0 && h > 1) throw Violation{"an affine dimension of 0 allows one cell only", {0, 1}, {}};
   if (m + h > static_cast<std::size_t>(max_index))
-    throw Error(Errc::too_many, fmt::format("delone::check: {} cells and {} hull facets are too many for this build", m, h));
+    throw Error(Errc::too_many,
+                fmt::format("delone::check: {} cells and {} hull facets are too many for this build", m, h));
 
   if (k > 0) examined.hull_neighbors = paired_facets(examined.hull_vertices, k, examined.hull);
   Closed closed{m, m + h, corners, data.num_points() + 1, data.cells, examined.neighbors};
@@ -194,15 +201,18 @@ void check_connected(const Closed& closed) {
       ++count;
     }
     if (waiting.empty() && count < closed.num_cells) {
-      const auto other = static_cast<std::size_t>(std::find(reached.begin(), reached.end(), false) - reached.begin());
-      throw Violation{fmt::format("the complex falls apart: cell {} cannot be reached from cell 0", other), {0, other}, {}};
+      const auto other =
+          static_cast<std::size_t>(std::find(reached.begin(), reached.end(), false) - reached.begin());
+      throw Violation{fmt::format("the complex falls apart: cell {} cannot be reached from cell 0", other),
+                      {0, other},
+                      {}};
     }
   }
 }
 
-// Counts faces of dimension 0…k of the closed complex, all of them and those with the infinite vertex. A face is counted at
-// its lowest vertex, while the star of that vertex is at hand. Vertices, edges, facets and cells cost nothing extra; the
-// dimensions 2…k−2 need k ≤ 6, and numbers of neighbors that fit the bits.
+// Counts faces of dimension 0…k of the closed complex, all of them and those with the infinite vertex. A face
+// is counted at its lowest vertex, while the star of that vertex is at hand. Vertices, edges, facets and
+// cells cost nothing extra; the dimensions 2…k−2 need k ≤ 6, and numbers of neighbors that fit the bits.
 class FaceCounter {
  public:
   static constexpr int max_dimension = 6;
@@ -216,8 +226,10 @@ class FaceCounter {
         faces_(closed.corners),
         seen_(closed.num_vertices, -1),
         local_(closed.num_vertices, 0) {
-    // 2^(k+1) is the number of subsets of a cell; in spheres of these dimensions faces are shared by four cells and more.
-    complete_ = k_ <= max_dimension && (k_ <= 3 || closed.num_cells * (std::size_t{1} << (k_ + 1)) / 4 <= max_faces);
+    // 2^(k+1) is the number of subsets of a cell; in spheres of these dimensions faces are shared by four
+    // cells and more.
+    complete_ =
+        k_ <= max_dimension && (k_ <= 3 || closed.num_cells * (std::size_t{1} << (k_ + 1)) / 4 <= max_faces);
   }
 
   void add_star(SignedIndex vertex, std::span<const std::size_t> star) {
@@ -250,9 +262,11 @@ class FaceCounter {
       std::sort(faces.begin(), faces.end());
       const auto last = std::unique(faces.begin(), faces.end());
       all_[size] += static_cast<std::size_t>(last - faces.begin());
-      // Subsets are packed in increasing order: the infinite vertex, number 0, leaves the highest digit empty.
+      // Subsets are packed in increasing order: the infinite vertex, number 0, leaves the highest digit
+      // empty.
       const std::uint64_t finite_from = std::uint64_t{1} << (bits * (size - 1));
-      infinite_[size] += static_cast<std::size_t>(std::lower_bound(faces.begin(), last, finite_from) - faces.begin());
+      infinite_[size] +=
+          static_cast<std::size_t>(std::lower_bound(faces.begin(), last, finite_from) - faces.begin());
     }
   }
 
@@ -287,11 +301,12 @@ class FaceCounter {
 
   static void expect(const std::vector<std::size_t>& counts, int dimension, const char* what) {
     std::ptrdiff_t characteristic = 0;
-    for (std::size_t j = counts.size(); j-- > 0;) characteristic = static_cast<std::ptrdiff_t>(counts[j]) - characteristic;
+    for (std::size_t j = counts.size(); j-- > 0;)
+      characteristic = static_cast<std::ptrdiff_t>(counts[j]) - characteristic;
     const std::ptrdiff_t sphere = dimension % 2 == 0 ? 2 : 0;
     if (characteristic != sphere)
-      throw Violation{fmt::format("{} has the Euler characteristic {}, a sphere of dimension {} has {}", what, characteristic,
-                                  dimension, sphere),
+      throw Violation{fmt::format("{} has the Euler characteristic {}, a sphere of dimension {} has {}", what,
+                                  characteristic, dimension, sphere),
                       {},
                       {}};
   }
@@ -337,14 +352,16 @@ void check_sphere(Examined& examined) {
     }
     if (star.size() != star_size[v]) {
       if (v + 1 == closed.num_vertices)
-        throw Violation{fmt::format("the hull falls apart: {} of its {} facets are reached from one of cell {}", star.size(),
-                                    star_size[v], examined.hull[incident[v] - closed.num_finite].first),
-                        {},
-                        {}};
-      throw Violation{fmt::format("the cells around the vertex {} fall apart: {} of {} are reached from one of them", v,
-                                  star.size(), star_size[v]),
-                      star.front() < closed.num_finite ? std::vector{star.front()} : std::vector<std::size_t>{},
-                      {v}};
+        throw Violation{
+            fmt::format("the hull falls apart: {} of its {} facets are reached from one of cell {}",
+                        star.size(), star_size[v], examined.hull[incident[v] - closed.num_finite].first),
+            {},
+            {}};
+      throw Violation{
+          fmt::format("the cells around the vertex {} fall apart: {} of {} are reached from one of them", v,
+                      star.size(), star_size[v]),
+          star.front() < closed.num_finite ? std::vector{star.front()} : std::vector<std::size_t>{},
+          {v}};
     }
     faces.add_star(vertex, star);
   }

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// check_voronoi: the arrays against the diagram of their points, made anew from a triangulation that check() has examined.
+// check_voronoi: the arrays against the diagram of their points, made anew from a triangulation that check()
+// has examined.
 //
-// A Voronoi vertex is known by the regions it is in: the sites nearest to it are the corners of one Delaunay polytope of full
-// dimension, and no two polytopes have the same corners. A ray is known by its vertex and the sites in the hyperplane of its
-// hull facet. So the numbers of file and diagram translate into each other exactly, and all else is compared as it stands.
+// A Voronoi vertex is known by the regions it is in: the sites nearest to it are the corners of one Delaunay
+// polytope of full dimension, and no two polytopes have the same corners. A ray is known by its vertex and
+// the sites in the hyperplane of its hull facet. So the numbers of file and diagram translate into each other
+// exactly, and all else is compared as it stands.
 #include <delone/check.hpp>
 #include <delone/predicates.hpp>
 #include <delone/regular.hpp>
@@ -31,16 +33,19 @@ std::string text_of(const char* what, std::size_t i) { return std::string(what) 
 std::string text_of(const Sites& sites) {
   constexpr std::size_t most = 12;
   std::string text;
-  for (std::size_t i = 0; i < std::min(sites.size(), most); ++i) text += (i == 0 ? "" : ", ") + std::to_string(sites[i]);
+  for (std::size_t i = 0; i < std::min(sites.size(), most); ++i)
+    text += (i == 0 ? "" : ", ") + std::to_string(sites[i]);
   return text + (sites.size() > most ? ", …" : "");
 }
 
-std::span<const SignedIndex> list(const std::vector<SignedIndex>& items, const std::vector<std::int64_t>& offsets,
-                                  std::size_t i) {
-  return std::span(items).subspan(static_cast<std::size_t>(offsets[i]), static_cast<std::size_t>(offsets[i + 1] - offsets[i]));
+std::span<const SignedIndex> list(const std::vector<SignedIndex>& items,
+                                  const std::vector<std::int64_t>& offsets, std::size_t i) {
+  return std::span(items).subspan(static_cast<std::size_t>(offsets[i]),
+                                  static_cast<std::size_t>(offsets[i + 1] - offsets[i]));
 }
 
-/// Whether two lists with the same entries, each at most once, are the same cycle. −1 is first in both or in none.
+/// Whether two lists with the same entries, each at most once, are the same cycle. −1 is first in both or in
+/// none.
 bool same_cycle(std::span<const SignedIndex> a, std::vector<SignedIndex> b, bool any_direction) {
   if (a.size() != b.size()) return false;
   if (a.size() < 2) return std::equal(a.begin(), a.end(), b.begin());
@@ -56,7 +61,8 @@ bool same_cycle(std::span<const SignedIndex> a, std::vector<SignedIndex> b, bool
 
 class DiagramChecker {
  public:
-  explicit DiagramChecker(const VoronoiData& data) : data_(data), d_(static_cast<std::size_t>(std::max(data.dimension, 0))) {}
+  explicit DiagramChecker(const VoronoiData& data)
+      : data_(data), d_(static_cast<std::size_t>(std::max(data.dimension, 0))) {}
 
   Violation check(VoronoiCheckLevel level) {
     switch (level) {
@@ -85,13 +91,20 @@ class DiagramChecker {
   Violation check_rays() const;
 
   std::size_t k() const { return static_cast<std::size_t>(std::max(data_.affine_dimension, 0)); }
-  std::span<const SignedIndex> region(std::size_t i) const { return list(data_.region_vertices, data_.region_offsets, i); }
-  std::span<const SignedIndex> ridge(std::size_t i) const { return list(data_.ridge_vertices, data_.ridge_offsets, i); }
+  std::span<const SignedIndex> region(std::size_t i) const {
+    return list(data_.region_vertices, data_.region_offsets, i);
+  }
+  std::span<const SignedIndex> ridge(std::size_t i) const {
+    return list(data_.ridge_vertices, data_.ridge_offsets, i);
+  }
   /// The number in the diagram of a region of the file by a row of it, and of the vertices in a list.
-  SignedIndex region_of_row(SignedIndex row) const { return diagram_->point_region()[static_cast<std::size_t>(row)]; }
+  SignedIndex region_of_row(SignedIndex row) const {
+    return diagram_->point_region()[static_cast<std::size_t>(row)];
+  }
   std::vector<SignedIndex> translated(std::span<const SignedIndex> vertices) const {
     std::vector<SignedIndex> result;
-    for (const SignedIndex v : vertices) result.push_back(v < 0 ? -1 : vertex_of_[static_cast<std::size_t>(v)]);
+    for (const SignedIndex v : vertices)
+      result.push_back(v < 0 ? -1 : vertex_of_[static_cast<std::size_t>(v)]);
     return result;
   }
   using RayKey = std::pair<SignedIndex, Sites>;
@@ -104,10 +117,12 @@ class DiagramChecker {
   std::vector<Sites> sites_of_;         // by vertex of the diagram
 };
 
-Violation DiagramChecker::check_list(const char* what, std::size_t i, std::span<const SignedIndex> items) const {
+Violation DiagramChecker::check_list(const char* what, std::size_t i,
+                                     std::span<const SignedIndex> items) const {
   Sites sorted(items.begin(), items.end());
   std::sort(sorted.begin(), sorted.end());
-  if (std::adjacent_find(sorted.begin(), sorted.end()) != sorted.end()) return text_of(what, i) + ": a vertex appears twice";
+  if (std::adjacent_find(sorted.begin(), sorted.end()) != sorted.end())
+    return text_of(what, i) + ": a vertex appears twice";
   for (const SignedIndex v : items)
     if (v < -1 || v >= static_cast<SignedIndex>(data_.num_vertices()))
       return text_of(what, i) + ": there is no vertex " + std::to_string(v);
@@ -117,11 +132,13 @@ Violation DiagramChecker::check_list(const char* what, std::size_t i, std::span<
 
 Violation DiagramChecker::check_storage() const {
   const VoronoiData& a = data_;
-  if (a.dimension < 1 || a.affine_dimension < -1 || a.affine_dimension > a.dimension) return "impossible dimensions";
+  if (a.dimension < 1 || a.affine_dimension < -1 || a.affine_dimension > a.dimension)
+    return "impossible dimensions";
   const std::size_t n = a.num_points();
   const auto size = [](const char* name, std::size_t found, std::size_t expected) -> Violation {
     if (found == expected) return {};
-    return std::string(name) + ": " + std::to_string(expected) + " entries were expected, not " + std::to_string(found);
+    return std::string(name) + ": " + std::to_string(expected) + " entries were expected, not " +
+           std::to_string(found);
   };
   for (const Violation& violation :
        {size("points", a.points.size(), n * d_), size("weights", a.weights.size(), a.weights.empty() ? 0 : n),
@@ -143,13 +160,14 @@ Violation DiagramChecker::check_storage() const {
                            SignedIndex least) -> Violation {
     for (std::size_t i = 0; i < items.size(); ++i)
       if (items[i] < least || items[i] >= static_cast<SignedIndex>(count))
-        return std::string(name) + ": entry " + std::to_string(i) + " is " + std::to_string(items[i]) + ", of " +
-               std::to_string(count);
+        return std::string(name) + ": entry " + std::to_string(i) + " is " + std::to_string(items[i]) +
+               ", of " + std::to_string(count);
     return {};
   };
   for (const Violation& violation :
-       {in_range("point_region", a.point_region, a.num_regions(), -1), in_range("ridge_points", a.ridge_points, n, 0),
-        in_range("ray_points", a.ray_points, n, 0), in_range("ray_vertices", a.ray_vertices, a.num_vertices(), 0)})
+       {in_range("point_region", a.point_region, a.num_regions(), -1),
+        in_range("ridge_points", a.ridge_points, n, 0), in_range("ray_points", a.ray_points, n, 0),
+        in_range("ray_vertices", a.ray_vertices, a.num_vertices(), 0)})
     if (violation) return violation;
   return {};
 }
@@ -158,7 +176,8 @@ void DiagramChecker::make_diagram() {
   const auto examined = [](const Triangulation& triangulation) {
     const CheckReport report = delone::check(triangulation.to_data());
     if (!report.ok)
-      throw Error(Errc::unsupported, "the triangulation of the points is wrong, a fault of delone: " + report.violation);
+      throw Error(Errc::unsupported,
+                  "the triangulation of the points is wrong, a fault of delone: " + report.violation);
   };
   if (data_.weights.empty()) {
     const Triangulation triangulation(data_.points, data_.dimension);
@@ -177,7 +196,8 @@ Violation DiagramChecker::check_regions() {
     return "the affine dimension is " + std::to_string(diagram.affine_dimension()) + ", not " +
            std::to_string(data_.affine_dimension);
   if (diagram.num_regions() != data_.num_regions())
-    return "there are " + std::to_string(diagram.num_regions()) + " regions, not " + std::to_string(data_.num_regions());
+    return "there are " + std::to_string(diagram.num_regions()) + " regions, not " +
+           std::to_string(data_.num_regions());
   // Regions of file and diagram by each other's numbers.
   std::vector<SignedIndex> there(diagram.num_regions(), -1), here(there);
   for (std::size_t row = 0; row < data_.num_points(); ++row) {
@@ -186,7 +206,8 @@ Violation DiagramChecker::check_regions() {
     if (s < 0) return text_of("point", row) + " is hidden, but has a region";
     if (r < 0) return text_of("point", row) + " has no region, but is not hidden";
     SignedIndex &to = there[static_cast<std::size_t>(r)], &back = here[static_cast<std::size_t>(s)];
-    if ((to >= 0 && to != s) || (back >= 0 && back != r)) return text_of("point", row) + " has the region of another site";
+    if ((to >= 0 && to != s) || (back >= 0 && back != r))
+      return text_of("point", row) + " has the region of another site";
     to = s;
     back = r;
   }
@@ -200,24 +221,30 @@ Violation DiagramChecker::check_regions() {
     for (const SignedIndex v : items)
       if (v >= 0) sites_here[static_cast<std::size_t>(v)].push_back(static_cast<SignedIndex>(s));
     if ((!items.empty() && items[0] < 0) == diagram.is_bounded(s) && diagram.affine_dimension() > 0)
-      return text_of("region", static_cast<std::size_t>(here[s])) + " is " + (diagram.is_bounded(s) ? "bounded" : "unbounded");
+      return text_of("region", static_cast<std::size_t>(here[s])) + " is " +
+             (diagram.is_bounded(s) ? "bounded" : "unbounded");
   }
   std::map<Sites, SignedIndex> vertex_with;
-  for (std::size_t v = 0; v < sites_of_.size(); ++v) vertex_with.emplace(sites_of_[v], static_cast<SignedIndex>(v));
+  for (std::size_t v = 0; v < sites_of_.size(); ++v)
+    vertex_with.emplace(sites_of_[v], static_cast<SignedIndex>(v));
   for (std::size_t v = 0; v < sites_here.size(); ++v) {
     const auto found = vertex_with.find(sites_here[v]);
     if (found == vertex_with.end() || found->second < 0)
       return text_of("vertex", v) +
-             (found == vertex_with.end() ? ": the sites of its regions, " : ": another vertex has the same regions, ") +
-             text_of(sites_here[v]) + (found == vertex_with.end() ? ", are not all that are nearest to a point" : "");
+             (found == vertex_with.end() ? ": the sites of its regions, "
+                                         : ": another vertex has the same regions, ") +
+             text_of(sites_here[v]) +
+             (found == vertex_with.end() ? ", are not all that are nearest to a point" : "");
     vertex_of_.push_back(std::exchange(found->second, -1));
   }
   if (data_.num_vertices() != diagram.num_vertices())
-    return "there are " + std::to_string(diagram.num_vertices()) + " vertices, not " + std::to_string(data_.num_vertices());
+    return "there are " + std::to_string(diagram.num_vertices()) + " vertices, not " +
+           std::to_string(data_.num_vertices());
   if (data_.affine_dimension != 2) return {};
   for (std::size_t s = 0; s < diagram.num_regions(); ++s) {
     const auto items = diagram.region(s), found = region(static_cast<std::size_t>(here[s]));
-    if (!same_cycle(translated(found), {items.begin(), items.end()}, data_.affine_dimension < data_.dimension))
+    if (!same_cycle(translated(found), {items.begin(), items.end()},
+                    data_.affine_dimension < data_.dimension))
       return text_of("region", static_cast<std::size_t>(here[s])) + ": its vertices are not in cyclic order";
   }
   return {};
@@ -238,7 +265,8 @@ Violation DiagramChecker::check_ridges() const {
   const auto regions_of = [&](std::span<const SignedIndex> rows, std::size_t i) {
     return std::pair{region_of_row(rows[2 * i]), region_of_row(rows[2 * i + 1])};
   };
-  for (std::size_t i = 0; i < diagram.num_ridges(); ++i) ridges.emplace(regions_of(diagram.ridge_points(), i), i);
+  for (std::size_t i = 0; i < diagram.num_ridges(); ++i)
+    ridges.emplace(regions_of(diagram.ridge_points(), i), i);
   for (std::size_t i = 0; i < data_.num_ridges(); ++i) {
     auto [r, s] = regions_of(data_.ridge_points, i);
     auto vertices = translated(ridge(i));
@@ -246,7 +274,8 @@ Violation DiagramChecker::check_ridges() const {
     const bool is_reversed = r > s;
     if (is_reversed) std::swap(r, s);
     const auto found = ridges.find({r, s});
-    if (found == ridges.end()) return text_of("ridge", i) + ": its points have no common ridge, or another one is theirs, too";
+    if (found == ridges.end())
+      return text_of("ridge", i) + ": its points have no common ridge, or another one is theirs, too";
     const auto items = diagram.ridge(found->second);
     std::vector<SignedIndex> expected(items.begin(), items.end());
     ridges.erase(found);
@@ -266,8 +295,10 @@ Violation DiagramChecker::check_ridges() const {
          std::to_string(diagram.ridge_points()[2 * missing + 1]);
 }
 
-/// The vertex and all its sites in the flat of k of them; nothing if the rows are not k independent sites of the vertex.
-std::optional<DiagramChecker::RayKey> DiagramChecker::key_of_ray(SignedIndex vertex, std::span<const SignedIndex> rows) const {
+/// The vertex and all its sites in the flat of k of them; nothing if the rows are not k independent sites of
+/// the vertex.
+std::optional<DiagramChecker::RayKey> DiagramChecker::key_of_ray(SignedIndex vertex,
+                                                                 std::span<const SignedIndex> rows) const {
   const Sites& sites = sites_of_[static_cast<std::size_t>(vertex)];
   RayKey key{vertex, {}};
   std::vector<double> points;
@@ -296,9 +327,12 @@ std::optional<DiagramChecker::RayKey> DiagramChecker::key_of_ray(SignedIndex ver
 Violation DiagramChecker::check_rays() const {
   const VoronoiDiagram& diagram = *diagram_;
   std::map<RayKey, std::size_t> rays;
-  const auto points_of = [&](std::span<const SignedIndex> rows, std::size_t i) { return rows.subspan(i * k(), k()); };
+  const auto points_of = [&](std::span<const SignedIndex> rows, std::size_t i) {
+    return rows.subspan(i * k(), k());
+  };
   for (std::size_t i = 0; i < diagram.num_rays(); ++i)
-    if (const auto key = key_of_ray(diagram.ray_vertices()[i], points_of(diagram.ray_points(), i))) rays.emplace(*key, i);
+    if (const auto key = key_of_ray(diagram.ray_vertices()[i], points_of(diagram.ray_points(), i)))
+      rays.emplace(*key, i);
   for (std::size_t i = 0; i < data_.num_rays(); ++i) {
     const SignedIndex vertex = vertex_of_[static_cast<std::size_t>(data_.ray_vertices[i])];
     const auto key = key_of_ray(vertex, points_of(data_.ray_points, i));
@@ -307,7 +341,8 @@ Violation DiagramChecker::check_rays() const {
       return text_of("ray", i) +
              ": no unbounded edge from its vertex is equally near to its points, or another ray is that edge";
     for (std::size_t j = 0; j < d_; ++j)
-      if (!(std::abs(data_.ray_directions[i * d_ + j] - diagram.ray_directions()[found->second * d_ + j]) <= 0x1p-30))
+      if (!(std::abs(data_.ray_directions[i * d_ + j] - diagram.ray_directions()[found->second * d_ + j]) <=
+            0x1p-30))
         return text_of("ray", i) + ": not the outward direction across its points";
     rays.erase(found);
   }

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What boundaries do with their cells, whatever their vertices stand for: points, or the duals of halfspaces. Vertex v is
-// site v − 1.
+// What boundaries do with their cells, whatever their vertices stand for: points, or the duals of halfspaces.
+// Vertex v is site v − 1.
 #pragma once
 
-#include "engine/conflict.hpp"
 #include "compiled/simplicial_hull.hpp"
+#include "engine/conflict.hpp"
 
 #include <vector>
 
@@ -25,12 +25,14 @@ void create_functionals(const Cells& cells, G& geometry) {
   }
 }
 
-/// A cell in conflict with q, or invalid_index: all cells are asked, where nothing is known that a walk could go by.
+/// A cell in conflict with q, or invalid_index: all cells are asked, where nothing is known that a walk could
+/// go by.
 template <class Cells, engine::QueryGeometry G>
 Index find_conflict(const Cells& cells, const G& geometry, const typename G::Query& q, StageCounts& counts) {
   const auto functional = geometry.evaluator(q);
   for (Index cell = 0; cell < cells.num_slots(); ++cell)
-    if (!cells.is_vacant(cell) && engine::in_conflict_exactly(cells, geometry, cell, q, functional, counts)) return cell;
+    if (!cells.is_vacant(cell) && engine::in_conflict_exactly(cells, geometry, cell, q, functional, counts))
+      return cell;
   return invalid_index;
 }
 

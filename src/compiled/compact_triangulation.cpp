@@ -14,7 +14,9 @@ namespace {
 class CompactCells {
  public:
   explicit CompactCells(const Complex& complex)
-      : dimension_(complex.dimension()), num_cells_(complex.num_cells()), num_infinite_(complex.num_infinite_cells()) {
+      : dimension_(complex.dimension()),
+        num_cells_(complex.num_cells()),
+        num_infinite_(complex.num_infinite_cells()) {
     links_.reserve(num_cells_ * stride());
     std::vector<Index> number(complex.num_cell_slots());
     Index next = 0;
@@ -74,14 +76,20 @@ class ExactGeometry : public geometry::PointPredicates<0> {
 
 class CompactHull final : public HullQueries {
  public:
-  CompactHull(const std::vector<int>& axes, const VertexPoints& points, const Hull& hull, const Complex& complex)
-      : points_(points), cells_(complex), geometry_(cells_, axes, points), frame_(hull.frame()), effort_(hull.effort()) {}
+  CompactHull(const std::vector<int>& axes, const VertexPoints& points, const Hull& hull,
+              const Complex& complex)
+      : points_(points),
+        cells_(complex),
+        geometry_(cells_, axes, points),
+        frame_(hull.frame()),
+        effort_(hull.effort()) {}
 
   const geometry::Frame& frame() const override { return frame_; }
 
   HullLocation locate(const double* query, Index start) const override {
     const kernel::Grid grid = points_.grid_with(query);
-    return internal::locate(cells_, geometry_, {query, &grid, points_.ambient}, start == invalid_index ? 0 : start);
+    return internal::locate(cells_, geometry_, {query, &grid, points_.ambient},
+                            start == invalid_index ? 0 : start);
   }
   std::vector<CellId> conflict_zone(const double* query, Index start) const override {
     const kernel::Grid grid = points_.grid_with(query);
@@ -116,8 +124,8 @@ class CompactHull final : public HullQueries {
 
 }  // namespace
 
-std::unique_ptr<HullQueries> make_compact_hull(const std::vector<int>& axes, const VertexPoints& points, const Hull& hull,
-                                               const Complex& complex) {
+std::unique_ptr<HullQueries> make_compact_hull(const std::vector<int>& axes, const VertexPoints& points,
+                                               const Hull& hull, const Complex& complex) {
   return std::make_unique<CompactHull>(axes, points, hull, complex);
 }
 

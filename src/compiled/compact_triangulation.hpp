@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A triangulation without what only insertions need: 8(k + 1) bytes per cell. Queries are exact and slower, as nothing is
-// cached: every test is a determinant.
+// A triangulation without what only insertions need: 8(k + 1) bytes per cell. Queries are exact and slower,
+// as nothing is cached: every test is a determinant.
 #pragma once
 
 #include "compiled/triangulation_engine.hpp"
@@ -10,7 +10,7 @@
 namespace delone {
 
 /// The cells of `complex`, numbered anew without gaps; the rest is taken from `hull`, which may go.
-std::unique_ptr<HullQueries> make_compact_hull(const std::vector<int>& axes, const VertexPoints& points, const Hull& hull,
-                                               const Complex& complex);
+std::unique_ptr<HullQueries> make_compact_hull(const std::vector<int>& axes, const VertexPoints& points,
+                                               const Hull& hull, const Complex& complex);
 
 }  // namespace delone

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The engine with the geometry of halfspaces behind one virtual interface: the boundary of the cone of homogeneous rows. The
-// dimension is fixed in an implementation, which is compiled as for convex hulls.
+// The engine with the geometry of halfspaces behind one virtual interface: the boundary of the cone of
+// homogeneous rows. The dimension is fixed in an implementation, which is compiled as for convex hulls.
 #pragma once
 
-#include "engine/build.hpp"
 #include "compiled/simplicial_hull.hpp"
+#include "engine/build.hpp"
 #include "geometry/halfspace_geometry.hpp"
 
 #include <delone/types.hpp>
@@ -24,7 +24,8 @@ class HalfspaceBoundary {
  public:
   virtual ~HalfspaceBoundary() = default;
 
-  /// Inserts a site, whose ray is that of no other. False if it is in conflict with no cell. Strong guarantee.
+  /// Inserts a site, whose ray is that of no other. False if it is in conflict with no cell. Strong
+  /// guarantee.
   virtual bool insert(Index site) = 0;
   /// Takes over the view's box, which has changed.
   virtual void update_box() = 0;
@@ -36,7 +37,8 @@ class HalfspaceBoundary {
   virtual std::vector<std::pair<Index, Index>> coplanar_neighbors(const SimplicialHull& hull) const = 0;
   /// The exact side of the cell in a slot that a site is on: + inside, 0 on its hyperplane.
   virtual Sign side(Index slot, Index site) const = 0;
-  /// For a site that is in no cell: the slot of a cell on whose hyperplane it is exactly, or nullopt if it is strictly inside.
+  /// For a site that is in no cell: the slot of a cell on whose hyperplane it is exactly, or nullopt if it is
+  /// strictly inside.
   virtual std::optional<Index> cell_through(Index site) const = 0;
 
   virtual const engine::Effort& effort() const = 0;

@@ -2,10 +2,10 @@
 // The implementation of HalfspaceBoundary for one dimension: joins engine/ and geometry/.
 #pragma once
 
-#include "engine/build.hpp"
-#include "engine/seed.hpp"
 #include "compiled/boundary_cells.hpp"
 #include "compiled/halfspace_engine.hpp"
+#include "engine/build.hpp"
+#include "engine/seed.hpp"
 
 #include <utility>
 
@@ -22,7 +22,8 @@ class HalfspaceBoundaryOfDimension final : public HalfspaceBoundary {
     const Index last = vertices.back();
     vertices.pop_back();
     StageCounts uncounted;
-    if (geometry_.side(vertices.data(), geometry_.row(last), uncounted) == Sign::negative) std::swap(vertices[0], vertices[1]);
+    if (geometry_.side(vertices.data(), geometry_.row(last), uncounted) == Sign::negative)
+      std::swap(vertices[0], vertices[1]);
     engine::seed(cells_, geometry_, vertices, last);
     effort_.created_cells = cells_.num_cells();
   }
@@ -31,7 +32,8 @@ class HalfspaceBoundaryOfDimension final : public HalfspaceBoundary {
     const Index v = site + 1;
     const Query q = geometry_.make_query(v);
     if (view_.is_inside) {
-      if (engine::insert(cells_, geometry_, v, q, work_.last_cell, work_, effort_) == invalid_index) return false;
+      if (engine::insert(cells_, geometry_, v, q, work_.last_cell, work_, effort_) == invalid_index)
+        return false;
     } else {
       const Index cell = find_conflict(cells_, geometry_, q, effort_.stages);
       if (cell == invalid_index) return false;
@@ -60,7 +62,8 @@ class HalfspaceBoundaryOfDimension final : public HalfspaceBoundary {
         const Index across = cells_.neighbors(cell)[i];
         if (across < cell) continue;
         const Index opposite = cells_.vertex(across, cells_.slot_of_neighbor(across, cell));
-        if (side(cell, opposite - 1) == Sign::zero) pairs.emplace_back(c, hull.neighbors_of(c)[static_cast<std::size_t>(i)]);
+        if (side(cell, opposite - 1) == Sign::zero)
+          pairs.emplace_back(c, hull.neighbors_of(c)[static_cast<std::size_t>(i)]);
       }
     }
     return pairs;

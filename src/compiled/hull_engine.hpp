@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The engine with the geometry of hulls behind one virtual interface: the dimension is fixed in an implementation, which is
-// compiled for flats of 2 … 8 dimensions and once for a dimension chosen at run time.
+// The engine with the geometry of hulls behind one virtual interface: the dimension is fixed in an
+// implementation, which is compiled for flats of 2 … 8 dimensions and once for a dimension chosen at run
+// time.
 #pragma once
 
-#include "engine/build.hpp"
 #include "compiled/simplicial_hull.hpp"
+#include "engine/build.hpp"
 
 #include <delone/types.hpp>
 
@@ -16,23 +17,26 @@ namespace delone::internal {
 
 /// What a boundary is seen from. It outlives boundaries, and its grid includes all sites.
 struct HullView {
-  std::vector<double> center;     ///< a point of R^d
-  bool is_inside = false;         ///< whether the centre is strictly inside the simplex the boundary began with
-  kernel::Grid grid;              ///< one for the sites and the centre
+  std::vector<double> center;  ///< a point of R^d
+  bool is_inside = false;      ///< whether the centre is strictly inside the simplex the boundary began with
+  kernel::Grid grid;           ///< one for the sites and the centre
   std::vector<double> low, high;  ///< a box for all sites
 };
 
-/// What has become of a new site: a vertex of the boundary; none, as it is in conflict with no cell; none, and in the interior.
+/// What has become of a new site: a vertex of the boundary; none, as it is in conflict with no cell; none,
+/// and in the interior.
 enum class Insertion { vertex, hidden, interior };
 
-/// The boundary of the hull of sites that span a k-flat, k ≥ 2. Its cells have k vertices; site i is vertex i + 1.
+/// The boundary of the hull of sites that span a k-flat, k ≥ 2. Its cells have k vertices; site i is vertex i
+/// + 1.
 class HullBoundary {
  public:
   virtual ~HullBoundary() = default;
 
   /// Inserts a site. Strong guarantee.
   virtual Insertion insert(Index site) = 0;
-  /// Whether a site is in the interior for certain; false says nothing. Walks from where the last insertion or question ended.
+  /// Whether a site is in the interior for certain; false says nothing. Walks from where the last insertion
+  /// or question ended.
   virtual bool is_surely_interior(Index site) = 0;
   /// Takes over the view's box, which has changed.
   virtual void update_box() = 0;
@@ -40,13 +44,16 @@ class HullBoundary {
   virtual std::unique_ptr<HullBoundary> copy(const HullSites& sites, const HullView& view) const = 0;
 
   virtual SimplicialHull to_simplicial_hull() const = 0;
-  /// The pairs of neighboring cells that lie in one hyperplane, exactly. `hull`: what to_simplicial_hull() gave.
+  /// The pairs of neighboring cells that lie in one hyperplane, exactly. `hull`: what to_simplicial_hull()
+  /// gave.
   virtual std::vector<std::pair<Index, Index>> coplanar_neighbors(const SimplicialHull& hull) const = 0;
 
-  /// The side of a cell's hyperplane that a point of the flat is on, by the filter: + inside, − beyond, zero if uncertain.
+  /// The side of a cell's hyperplane that a point of the flat is on, by the filter: + inside, − beyond, zero
+  /// if uncertain.
   virtual Sign certain_side(Index slot, const double* q) const = 0;
-  /// A cell near the ray from the centre to a point of the flat, and what is certain: − the point is beyond its hyperplane, +
-  /// it is in the interior of the hull. Starts from the best of some cells. O(k) per cell that is passed.
+  /// A cell near the ray from the centre to a point of the flat, and what is certain: − the point is beyond
+  /// its hyperplane, + it is in the interior of the hull. Starts from the best of some cells. O(k) per cell
+  /// that is passed.
   virtual std::pair<Index, Sign> descend(const double* q, const std::vector<Index>& starts) const = 0;
 
   virtual const engine::Effort& effort() const = 0;
@@ -55,6 +62,7 @@ class HullBoundary {
 
 /// The boundary of a simplex of k+1 sites. K is k − 1, the dimension of the cells, or 0 for any.
 template <int K>
-std::unique_ptr<HullBoundary> make_hull_boundary(const HullSites& sites, const HullView& view, std::vector<Index> simplex);
+std::unique_ptr<HullBoundary> make_hull_boundary(const HullSites& sites, const HullView& view,
+                                                 std::vector<Index> simplex);
 
 }  // namespace delone::internal

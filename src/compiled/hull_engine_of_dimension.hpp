@@ -2,10 +2,10 @@
 // The implementation of HullBoundary for one dimension: joins engine/ and geometry/.
 #pragma once
 
-#include "engine/build.hpp"
-#include "engine/seed.hpp"
 #include "compiled/boundary_cells.hpp"
 #include "compiled/hull_engine.hpp"
+#include "engine/build.hpp"
+#include "engine/seed.hpp"
 #include "geometry/hull_geometry.hpp"
 
 #include <algorithm>
@@ -41,7 +41,8 @@ class HullBoundaryOfDimension final : public HullBoundary {
       if (engine::insert(cells_, geometry_, v, q, work_.last_cell, work_, effort_) == invalid_index) {
         // q is in the cone of the cell where the walk ended.
         const auto h = geometry_.evaluator(q);
-        return h.value(work_.last_cell) > h.threshold(work_.last_cell) ? Insertion::interior : Insertion::hidden;
+        return h.value(work_.last_cell) > h.threshold(work_.last_cell) ? Insertion::interior
+                                                                       : Insertion::hidden;
       }
     } else {
       const Index cell = find_conflict(cells_, geometry_, q, effort_.stages);
@@ -84,7 +85,8 @@ class HullBoundaryOfDimension final : public HullBoundary {
         if (across < cell) continue;
         const Index opposite = cells_.vertex(across, cells_.slot_of_neighbor(across, cell));
         // One cell is convex at the ridge iff the other is.
-        if (is_certainly_inside(cell, opposite) || is_certainly_inside(across, cells_.vertex(cell, i))) continue;
+        if (is_certainly_inside(cell, opposite) || is_certainly_inside(across, cells_.vertex(cell, i)))
+          continue;
         const auto vertices = cells_.vertices(cell);
         if (geometry_.side(vertices, geometry_.point(opposite), uncounted) == Sign::zero)
           pairs.emplace_back(c, hull.neighbors_of(c)[static_cast<std::size_t>(i)]);
@@ -103,10 +105,11 @@ class HullBoundaryOfDimension final : public HullBoundary {
   std::pair<Index, Sign> descend(const double* point, const std::vector<Index>& starts) const override {
     const auto q = geometry_.make_query(point);
     const auto h = geometry_.evaluator(q);
-    const Index start =
-        *std::min_element(starts.begin(), starts.end(), [&](Index a, Index b) { return h.value(a) < h.value(b); });
+    const Index start = *std::min_element(starts.begin(), starts.end(),
+                                          [&](Index a, Index b) { return h.value(a) < h.value(b); });
     const auto [outcome, walk] = engine::descend(cells_, geometry_, q, start);
-    if (reach(q) > 1) return {walk.cell, certain_side(walk.cell, point) == Sign::negative ? Sign::negative : Sign::zero};
+    if (reach(q) > 1)
+      return {walk.cell, certain_side(walk.cell, point) == Sign::negative ? Sign::negative : Sign::zero};
     return {walk.cell, certain_sign(outcome, q, walk.cell)};
   }
 
@@ -122,8 +125,8 @@ class HullBoundaryOfDimension final : public HullBoundary {
         simplex_(std::move(simplex)),
         memory_(static_cast<int>(sites.axes.size()) - 1, ids_for(sites.size())),
         cells_(memory_),
-        geometry_(memory_, sites.axes, sites.ambient, sites.coordinates, view.grid, view.center, view.is_inside,
-                  vertices_of(simplex_)) {
+        geometry_(memory_, sites.axes, sites.ambient, sites.coordinates, view.grid, view.center,
+                  view.is_inside, vertices_of(simplex_)) {
     geometry_.set_box(view.low.data(), view.high.data());
     if (other == nullptr) return;
     memory_.copy(other->memory_, other->cells_.num_slots());
@@ -132,7 +135,8 @@ class HullBoundaryOfDimension final : public HullBoundary {
     effort_ = other->effort_;
   }
 
-  /// What a descent that ended in `cell` has proved: − q is beyond some cell, + it is in the interior of the hull.
+  /// What a descent that ended in `cell` has proved: − q is beyond some cell, + it is in the interior of the
+  /// hull.
   Sign certain_sign(engine::Descent outcome, const Query& q, Index cell) const {
     if (outcome == engine::Descent::conflict) return Sign::negative;
     return outcome == engine::Descent::hidden || is_above_plateau(q, cell) ? Sign::positive : Sign::zero;
@@ -144,13 +148,13 @@ class HullBoundaryOfDimension final : public HullBoundary {
     return certain_sign(outcome, q, walk.cell);
   }
 
-  /// Whether q is in the interior for certain, by the cells around one whose functional is nearly the least at q: cells of one
-  /// facet of the polytope have equal functionals, of which the descent knows no least.
+  /// Whether q is in the interior for certain, by the cells around one whose functional is nearly the least
+  /// at q: cells of one facet of the polytope have equal functionals, of which the descent knows no least.
   ///
-  /// A set of cells is collected until each neighbor outside of it is certainly greater than the cell of the set it is a
-  /// neighbor of. The cell of the set that is truly the least then has no lesser neighbor, nor has any cell of its facet, all
-  /// of which are in the set; so it is the least of all (a local minimum of a linear function on the polar polytope), and
-  /// positive as all of the set are.
+  /// A set of cells is collected until each neighbor outside of it is certainly greater than the cell of the
+  /// set it is a neighbor of. The cell of the set that is truly the least then has no lesser neighbor, nor
+  /// has any cell of its facet, all of which are in the set; so it is the least of all (a local minimum of a
+  /// linear function on the polar polytope), and positive as all of the set are.
   bool is_above_plateau(const Query& q, Index cell) const {
     constexpr std::size_t most_cells = 32;
     std::array<Index, most_cells> plateau{cell};
@@ -171,8 +175,8 @@ class HullBoundaryOfDimension final : public HullBoundary {
     return true;
   }
 
-  /// Thresholds are for rows in [−1, 1]. Functionals are off by a linear function of the row, and evaluations round in
-  /// proportion to it, so for a row outside the threshold grows by this factor.
+  /// Thresholds are for rows in [−1, 1]. Functionals are off by a linear function of the row, and evaluations
+  /// round in proportion to it, so for a row outside the threshold grows by this factor.
   double reach(const Query& q) const {
     double largest = 1;
     for (std::size_t r = 0; r < sites_.axes.size(); ++r)
@@ -191,7 +195,8 @@ class HullBoundaryOfDimension final : public HullBoundary {
 };
 
 template <int K>
-std::unique_ptr<HullBoundary> make_hull_boundary(const HullSites& sites, const HullView& view, std::vector<Index> simplex) {
+std::unique_ptr<HullBoundary> make_hull_boundary(const HullSites& sites, const HullView& view,
+                                                 std::vector<Index> simplex) {
   return std::make_unique<HullBoundaryOfDimension<K>>(sites, view, std::move(simplex));
 }
 

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Part of the proof of what was wrapped: cells that are right across every facet may still go around a vertex twice. Then they
-// cover all of space more than once, so one point tells (docs/predicates.md, "Wrapping").
+// Part of the proof of what was wrapped: cells that are right across every facet may still go around a vertex
+// twice. Then they cover all of space more than once, so one point tells (docs/predicates.md, "Wrapping").
 #pragma once
 
-#include "engine/cell_store.hpp"
 #include "compiled/triangulation_engine.hpp"
+#include "engine/cell_store.hpp"
 #include "geometry/delaunay_geometry.hpp"
 
 #include <algorithm>
@@ -16,11 +16,12 @@
 
 namespace delone {
 
-/// Whether a point is inside exactly one of the given finite cells, oriented either way, and on the boundary of none. Exact.
-/// REQUIRES that vertices are wide.
+/// Whether a point is inside exactly one of the given finite cells, oriented either way, and on the boundary
+/// of none. Exact. REQUIRES that vertices are wide.
 template <int K>
 bool is_in_one_of(std::span<const Index> finite_cells, const engine::CellStore<K>& cells,
-                  const geometry::DelaunayGeometry<K>& geometry, const VertexPoints& points, const double* point) {
+                  const geometry::DelaunayGeometry<K>& geometry, const VertexPoints& points,
+                  const double* point) {
   const kernel::Grid grid = points.grid_with(point);
   const auto q = geometry.make_query(point, grid);
   int containing = 0;
@@ -36,10 +37,11 @@ bool is_in_one_of(std::span<const Index> finite_cells, const engine::CellStore<K
   return containing == 1;
 }
 
-/// A point that is inside one finite cell, and inside or on the boundary of no other: of proposed cells, which may be oriented
-/// either way. It lies between a vertex with the least of all coordinates along an axis and all other vertices, so that only
-/// cells of that vertex can contain it. Nothing where no such point is found. REQUIRES that all slots are cells, and vertices
-/// wide. Cost O(k·(cells + vertices)) and few exact predicates.
+/// A point that is inside one finite cell, and inside or on the boundary of no other: of proposed cells,
+/// which may be oriented either way. It lies between a vertex with the least of all coordinates along an axis
+/// and all other vertices, so that only cells of that vertex can contain it. Nothing where no such point is
+/// found. REQUIRES that all slots are cells, and vertices wide. Cost O(k·(cells + vertices)) and few exact
+/// predicates.
 template <int K>
 std::optional<std::vector<double>> find_point_in_one_cell(const engine::CellStore<K>& cells,
                                                           const geometry::DelaunayGeometry<K>& geometry,
@@ -56,14 +58,16 @@ std::optional<std::vector<double>> find_point_in_one_cell(const engine::CellStor
     std::vector<Index> around;
     for (Index cell = 0; cell < cells.num_slots(); ++cell) {
       const Index* v = cells.wide_vertices(cell);
-      if (std::find(v, v + k + 1, first) != v + k + 1 && cells.infinite_slot(cell) < 0) around.push_back(cell);
+      if (std::find(v, v + k + 1, first) != v + k + 1 && cells.infinite_slot(cell) < 0)
+        around.push_back(cell);
     }
     if (around.empty()) return std::nullopt;
     const Index* v = cells.wide_vertices(around.front());
     std::vector<double> inside(static_cast<std::size_t>(points.ambient));
     for (std::size_t j = 0; j < inside.size(); ++j)
       for (int i = 0; i <= k; ++i) inside[j] += points.point(v[i])[j] / (k + 1);
-    const double step = (second - coordinate(first)) / 2 / (inside[static_cast<std::size_t>(axis)] - coordinate(first));
+    const double step =
+        (second - coordinate(first)) / 2 / (inside[static_cast<std::size_t>(axis)] - coordinate(first));
     for (std::size_t j = 0; j < inside.size(); ++j)
       inside[j] = points.point(first)[j] + step * (inside[j] - points.point(first)[j]);
     const double at = inside[static_cast<std::size_t>(axis)];

@@ -2,9 +2,9 @@
 // The queries of a triangulation that stays as it is, for any store of cells and any geometry.
 #pragma once
 
+#include "compiled/triangulation_engine.hpp"
 #include "engine/conflict_zone.hpp"
 #include "engine/locate.hpp"
-#include "compiled/triangulation_engine.hpp"
 
 #include <unordered_map>
 #include <vector>
@@ -29,7 +29,8 @@ HullLocation locate(const Cells& cells, const G& geometry, const typename G::Que
 }
 
 template <class Cells, engine::QueryGeometry G>
-std::vector<CellId> conflict_zone(const Cells& cells, const G& geometry, const typename G::Query& q, Index start) {
+std::vector<CellId> conflict_zone(const Cells& cells, const G& geometry, const typename G::Query& q,
+                                  Index start) {
   StageCounts uncounted;
   const engine::WalkResult found = engine::locate(cells, geometry, q, start, uncounted);
   if (found.vertex != invalid_index || found.hidden) return {};

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The engine with its geometry behind one virtual interface: the dimension of the flat is fixed in an implementation, which
-// is compiled for 1 … 8 and once for a dimension chosen at run time. Calls are as coarse as an insertion.
+// The engine with its geometry behind one virtual interface: the dimension of the flat is fixed in an
+// implementation, which is compiled for 1 … 8 and once for a dimension chosen at run time. Calls are as
+// coarse as an insertion.
 #pragma once
 
 #include "engine/build.hpp"
@@ -18,8 +19,8 @@
 
 namespace delone {
 
-/// The points of the vertices, which the hull reads: d coordinates each, and then the weight if points have one, by vertex id;
-/// vertex 0 is a dummy.
+/// The points of the vertices, which the hull reads: d coordinates each, and then the weight if points have
+/// one, by vertex id; vertex 0 is a dummy.
 struct VertexPoints {
   VertexPoints(int dimension, kernel::RowForm given)
       : ambient(dimension), form(given), coordinates(row_size(), 0.0), grid(dimension, weighted()) {}
@@ -43,14 +44,16 @@ struct VertexPoints {
   }
 };
 
-/// Where a query lies: the cell the walk ended in, and for a finite one the slots of the smallest face that contains it.
+/// Where a query lies: the cell the walk ended in, and for a finite one the slots of the smallest face that
+/// contains it.
 struct HullLocation {
   Index cell = invalid_index;
   bool outside = false;
   std::vector<VertexId> face;
 };
 
-/// A Delaunay, regular or furthest-site triangulation of points that span a k-flat, 1 ≤ k ≤ d, that does not change.
+/// A Delaunay, regular or furthest-site triangulation of points that span a k-flat, 1 ≤ k ≤ d, that does not
+/// change.
 class HullQueries {
  public:
   virtual ~HullQueries() = default;
@@ -58,8 +61,8 @@ class HullQueries {
   /// The box that insertions must stay in to profit from the filter.
   virtual const geometry::Frame& frame() const = 0;
 
-  /// A query has a weight where points have one; where it lies depends on its coordinates only. A walk that is not given a cell
-  /// to start from starts where the last insertion ended.
+  /// A query has a weight where points have one; where it lies depends on its coordinates only. A walk that
+  /// is not given a cell to start from starts where the last insertion ended.
   virtual HullLocation locate(const double* query, Index start) const = 0;
   virtual std::vector<CellId> conflict_zone(const double* query, Index start) const = 0;
   /// Negative if the query is in conflict with a finite cell, ties not perturbed.
@@ -75,10 +78,10 @@ class Hull : public HullQueries {
  public:
   /// Starts from k+1 affinely independent vertices.
   virtual void seed(std::span<const Index> vertices) = 0;
-  /// Starts from all vertices, if they can be wrapped: returns false, and has no cells, where rounded numbers do not say how,
-  /// and if there are ties. What only queries and insertions need is computed by the first of them, O(k³) per cell. REQUIRES
-  /// that points are of full dimension, and neither weighted nor sought for what is furthest. `tick` is called often; what it
-  /// throws is passed on.
+  /// Starts from all vertices, if they can be wrapped: returns false, and has no cells, where rounded numbers
+  /// do not say how, and if there are ties. What only queries and insertions need is computed by the first of
+  /// them, O(k³) per cell. REQUIRES that points are of full dimension, and neither weighted nor sought for
+  /// what is furthest. `tick` is called often; what it throws is passed on.
   virtual bool wrap(const std::function<void()>& tick) = 0;
   /// Starts from a triangulation of dimension k−1 and a vertex outside its flat.
   virtual void jump(const Complex& old, Index q) = 0;
@@ -88,8 +91,9 @@ class Hull : public HullQueries {
   /// Changing the frame recomputes all cached functionals.
   virtual void set_frame(geometry::Frame frame) = 0;
 
-  /// Inserts vertex v, starting at cell `start` or, if that is invalid, where the last insertion ended. Returns v, or the
-  /// vertex that is at the same point with the same weight, or invalid_index if v is hidden.
+  /// Inserts vertex v, starting at cell `start` or, if that is invalid, where the last insertion ended.
+  /// Returns v, or the vertex that is at the same point with the same weight, or invalid_index if v is
+  /// hidden.
   virtual Index insert(Index v, Index start) = 0;
   /// The facets that the cells of the last insertion were made from.
   virtual std::span<const HorizonFacet> star() const = 0;
@@ -101,7 +105,7 @@ class Hull : public HullQueries {
 
 /// A hull of the flat that projects one-to-one on `axes`. K = axes.size(), or 0 for any number of axes.
 template <int K>
-std::unique_ptr<Hull> make_hull(const std::vector<int>& axes, const VertexPoints& points, const geometry::Frame& frame,
-                                const engine::Effort& effort);
+std::unique_ptr<Hull> make_hull(const std::vector<int>& axes, const VertexPoints& points,
+                                const geometry::Frame& frame, const engine::Effort& effort);
 
 }  // namespace delone

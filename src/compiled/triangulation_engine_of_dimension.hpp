@@ -2,14 +2,14 @@
 // The implementation of Hull for one dimension: joins engine/ and geometry/.
 #pragma once
 
+#include "compiled/point_in_one_cell.hpp"
+#include "compiled/queries.hpp"
+#include "compiled/triangulation_engine.hpp"
 #include "engine/build.hpp"
 #include "engine/dimension_jump.hpp"
-#include "engine/wrap/proof.hpp"
 #include "engine/seed.hpp"
+#include "engine/wrap/proof.hpp"
 #include "engine/wrap/wrapping.hpp"
-#include "compiled/triangulation_engine.hpp"
-#include "compiled/queries.hpp"
-#include "compiled/point_in_one_cell.hpp"
 #include "geometry/delaunay_geometry.hpp"
 #include "geometry/facet_search/facet_search.hpp"
 
@@ -102,7 +102,8 @@ class HullOfDimension final : public Hull {
   Index insert(Index v, Index start) override {
     need_functionals();
     const Query q = geometry_.make_query(points_.point(v));
-    if (start == invalid_index) start = work_.star().empty() ? last_ : engine::start_in_star(geometry_, q, work_.star());
+    if (start == invalid_index)
+      start = work_.star().empty() ? last_ : engine::start_in_star(geometry_, q, work_.star());
     const Index at = engine::insert(cells_, geometry_, v, q, start, work_, effort_);
     if (at == v) {
       count_infinite();
@@ -154,8 +155,8 @@ class HullOfDimension final : public Hull {
   }
 
  private:
-  /// Cells that are wrapped get their functionals when these are asked for. Throws Errc::out_of_memory, and then changes
-  /// nothing.
+  /// Cells that are wrapped get their functionals when these are asked for. Throws Errc::out_of_memory, and
+  /// then changes nothing.
   void need_functionals() const {
     if (!lacks_functionals_.load(std::memory_order_acquire)) [[likely]]
       return;
@@ -217,8 +218,8 @@ class HullOfDimension final : public Hull {
     if (!point) return false;
     CellMemory<K> some_cells(K);
     some_cells.reserve(Proof::batch_size);
-    Geometry geometry_of_some(some_cells, geometry_.axes(), points_.ambient, points_.coordinates, points_.grid,
-                              geometry_.frame());
+    Geometry geometry_of_some(some_cells, geometry_.axes(), points_.ambient, points_.coordinates,
+                              points_.grid, geometry_.frame());
     geometry_of_some.keep_rows(last);
     std::vector<Query> queries;
     queries.reserve(last + 1);
@@ -234,7 +235,8 @@ class HullOfDimension final : public Hull {
   void count_infinite() {
     if (work_.zone.num_infinite == 0) return;  // then the infinite vertex is on no facet of the zone
     num_infinite_ -= static_cast<Index>(work_.zone.num_infinite);
-    for (const HorizonFacet& facet : work_.star()) num_infinite_ += geometry_.is_infinite(facet.created) ? 1 : 0;
+    for (const HorizonFacet& facet : work_.star())
+      num_infinite_ += geometry_.is_infinite(facet.created) ? 1 : 0;
   }
 
   void recount() {
@@ -257,8 +259,8 @@ class HullOfDimension final : public Hull {
 };
 
 template <int K>
-std::unique_ptr<Hull> make_hull(const std::vector<int>& axes, const VertexPoints& points, const geometry::Frame& frame,
-                                const engine::Effort& effort) {
+std::unique_ptr<Hull> make_hull(const std::vector<int>& axes, const VertexPoints& points,
+                                const geometry::Frame& frame, const engine::Effort& effort) {
   return std::make_unique<HullOfDimension<K>>(axes, points, frame, effort);
 }
 

@@ -35,20 +35,21 @@ void add_distinct(const std::vector<internal::PointTag>& tags, internal::HashAcc
   }
 }
 
-/// Tags of points with weights. Hidden points have no part in the hash, nor have weights if those of the vertices are all
-/// equal.
+/// Tags of points with weights. Hidden points have no part in the hash, nor have weights if those of the
+/// vertices are all equal.
 std::vector<internal::PointTag> weighted_tags(const ComplexData& data, internal::HashAccumulator& hash) {
   const std::size_t n = data.num_points(), d = static_cast<std::size_t>(data.dimension);
   if (data.weights.size() != n)
-    throw Error(Errc::invalid_argument, "delone::canonical_hash: " + std::to_string(data.weights.size()) + " weights for " +
-                                            std::to_string(n) + " points");
+    throw Error(Errc::invalid_argument, "delone::canonical_hash: " + std::to_string(data.weights.size()) +
+                                            " weights for " + std::to_string(n) + " points");
   std::vector<std::size_t> vertices;
   for (const SignedIndex row : data.cells)
     if (row >= 0 && static_cast<std::size_t>(row) < n) vertices.push_back(static_cast<std::size_t>(row));
   std::sort(vertices.begin(), vertices.end());
   vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
-  const bool weights_differ = std::any_of(vertices.begin(), vertices.end(),
-                                          [&](std::size_t row) { return data.weights[row] != data.weights[vertices.front()]; });
+  const bool weights_differ = std::any_of(vertices.begin(), vertices.end(), [&](std::size_t row) {
+    return data.weights[row] != data.weights[vertices.front()];
+  });
   std::vector<internal::PointTag> tags(n);
   std::vector<double> point(d + 1);
   for (const std::size_t row : vertices) {
@@ -68,13 +69,16 @@ CanonicalHash canonical_hash(const ComplexData& data) {
   internal::HashAccumulator hash;
   if (data.weights.empty()) {
     for (std::size_t row = 0; row < n; ++row)
-      tags[row] = internal::point_tag(data.points.data() + row * static_cast<std::size_t>(data.dimension), data.dimension);
-    if (std::find(data.vertex_of_point.begin(), data.vertex_of_point.end(), -1) == data.vertex_of_point.end()) {
+      tags[row] = internal::point_tag(data.points.data() + row * static_cast<std::size_t>(data.dimension),
+                                      data.dimension);
+    if (std::find(data.vertex_of_point.begin(), data.vertex_of_point.end(), -1) ==
+        data.vertex_of_point.end()) {
       add_distinct(tags, hash);
     } else {  // hidden points have no part in it
       std::vector<internal::PointTag> visible;
       for (std::size_t row = 0; row < n; ++row)
-        if (row >= data.vertex_of_point.size() || data.vertex_of_point[row] >= 0) visible.push_back(tags[row]);
+        if (row >= data.vertex_of_point.size() || data.vertex_of_point[row] >= 0)
+          visible.push_back(tags[row]);
       add_distinct(visible, hash);
     }
   } else {
@@ -86,8 +90,9 @@ CanonicalHash canonical_hash(const ComplexData& data) {
     for (std::size_t i = 0; i < corners; ++i) {
       const SignedIndex row = data.cells[cell * corners + i];
       if (row < 0 || static_cast<std::size_t>(row) >= n)
-        throw Error(Errc::invalid_argument, "delone::canonical_hash: cell " + std::to_string(cell) + " has the vertex " +
-                                                std::to_string(row) + ", but there are " + std::to_string(n) + " points");
+        throw Error(Errc::invalid_argument, "delone::canonical_hash: cell " + std::to_string(cell) +
+                                                " has the vertex " + std::to_string(row) +
+                                                ", but there are " + std::to_string(n) + " points");
       sum += tags[static_cast<std::size_t>(row)];
     }
     hash.add_cell(sum);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The building blocks of the canonical hash: tags of points, and an accumulator of vertices and cells whose result depends
-// on neither their order nor the order of the vertices in a cell. Both the plain data and the engine's complex feed it.
+// The building blocks of the canonical hash: tags of points, and an accumulator of vertices and cells whose
+// result depends on neither their order nor the order of the vertices in a cell. Both the plain data and the
+// engine's complex feed it.
 #pragma once
 
 #include "base/random.hpp"
@@ -46,13 +47,15 @@ class HashAccumulator {
   }
   /// The hash of what was added, for points of R^dimension with the given affine dimension.
   CanonicalHash finish(int dimension, int affine_dimension) const {
-    const auto shape = (static_cast<std::uint64_t>(dimension) << 32) ^ static_cast<std::uint32_t>(affine_dimension);
+    const auto shape =
+        (static_cast<std::uint64_t>(dimension) << 32) ^ static_cast<std::uint32_t>(affine_dimension);
     return {random::mix(random::mix(random::mix(cells_.high + num_cells_) + vertices_.high) + shape),
             random::mix(random::mix(random::mix(cells_.low ^ num_cells_) ^ vertices_.low) ^ shape)};
   }
 
  private:
-  // The sums are mixed before they are added up: without that, cells {a,b} and {c,d} would weigh the same as {a,c} and {b,d}.
+  // The sums are mixed before they are added up: without that, cells {a,b} and {c,d} would weigh the same as
+  // {a,c} and {b,d}.
   static void add(PointTag& total, const PointTag& tag) {
     total.high += random::mix(tag.high ^ std::rotl(tag.low, 32));
     total.low += random::mix(tag.low + 0x9e3779b97f4a7c15u * tag.high);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Traversals of the read-only complex: stars, links, faces. Nothing is written to the complex, so that any number of threads
-// may traverse it; sets of visited cells are local.
+// Traversals of the read-only complex: stars, links, faces. Nothing is written to the complex, so that any
+// number of threads may traverse it; sets of visited cells are local.
 #include <delone/complex.hpp>
 #include <delone/error.hpp>
 
@@ -124,11 +124,12 @@ std::vector<Facet> Complex::hull_facets() const {
 
 std::vector<VertexId> Complex::faces(int j) const {
   if (j < 0 || j > dimension_)
-    throw Error(Errc::invalid_argument,
-                "delone::Complex::faces: dimension " + std::to_string(j) + " is outside 0…" + std::to_string(dimension_));
+    throw Error(Errc::invalid_argument, "delone::Complex::faces: dimension " + std::to_string(j) +
+                                            " is outside 0…" + std::to_string(dimension_));
   const std::size_t width = static_cast<std::size_t>(j);  // vertices of a face after its lowest
 
-  // Visits the faces of every finite cell as increasing rows, combinations of its sorted vertices in lexicographic order.
+  // Visits the faces of every finite cell as increasing rows, combinations of its sorted vertices in
+  // lexicographic order.
   const auto for_each_face = [&](auto&& visit) {
     std::vector<VertexId> sorted, face(width + 1);
     std::vector<std::size_t> choice(width + 1);
@@ -148,14 +149,16 @@ std::vector<VertexId> Complex::faces(int j) const {
     }
   };
 
-  // Faces are first spread over their lowest vertices; what is left to sort is small and close together in memory.
+  // Faces are first spread over their lowest vertices; what is left to sort is small and close together in
+  // memory.
   std::vector<std::size_t> end_of(static_cast<std::size_t>(num_vertex_slots_) + 1, 0);
   for_each_face([&](const std::vector<VertexId>& face) { ++end_of[index(face[0]) + 1]; });
   for (std::size_t v = 1; v < end_of.size(); ++v) end_of[v] += end_of[v - 1];
   std::vector<VertexId> rest(end_of.back() * width);
   std::vector<std::size_t> next(end_of.begin(), end_of.end() - 1);
   for_each_face([&](const std::vector<VertexId>& face) {
-    std::copy(face.begin() + 1, face.end(), rest.begin() + static_cast<std::ptrdiff_t>(width * next[index(face[0])]++));
+    std::copy(face.begin() + 1, face.end(),
+              rest.begin() + static_cast<std::ptrdiff_t>(width * next[index(face[0])]++));
   });
 
   std::vector<VertexId> result;
@@ -166,8 +169,9 @@ std::vector<VertexId> Complex::faces(int j) const {
     std::sort(rows.begin(), rows.end(), [width](const VertexId* a, const VertexId* b) {
       return std::lexicographical_compare(a, a + width, b, b + width);
     });
-    const auto last = std::unique(rows.begin(), rows.end(),
-                                  [width](const VertexId* a, const VertexId* b) { return std::equal(a, a + width, b); });
+    const auto last = std::unique(rows.begin(), rows.end(), [width](const VertexId* a, const VertexId* b) {
+      return std::equal(a, a + width, b);
+    });
     for (auto row = rows.begin(); row != last; ++row) {
       result.push_back(VertexId{static_cast<Index>(v)});
       result.insert(result.end(), *row, *row + width);

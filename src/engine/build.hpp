@@ -7,7 +7,8 @@
 //     conflict_zone.hpp                  all cells in conflict: those whose sphere contains q      (§2.6)
 //     retriangulate.hpp                  replace the zone by the star of q                         (§2.6)
 //
-// The cells triangulate a sphere, thanks to the infinite vertex, so none of the steps has special cases at the hull.
+// The cells triangulate a sphere, thanks to the infinite vertex, so none of the steps has special cases at
+// the hull.
 #pragma once
 
 #include "engine/locate.hpp"
@@ -36,9 +37,9 @@ struct Workspace {
   std::span<const HorizonFacet> star() const { return {zone.horizon.data(), zone.num_facets}; }
 };
 
-/// The cell of a star for a walk to q to start from: one in conflict with q, or else the one with the least value, of some. In
-/// a sorted order the star of the last vertex is near q, but where cells are flat a walk from any of them may be long.
-/// REQUIRES that the star is not empty.
+/// The cell of a star for a walk to q to start from: one in conflict with q, or else the one with the least
+/// value, of some. In a sorted order the star of the last vertex is near q, but where cells are flat a walk
+/// from any of them may be long. REQUIRES that the star is not empty.
 template <Geometry G>
 Index start_in_star(const G& geometry, const typename G::Query& q, std::span<const HorizonFacet> star) {
   constexpr std::size_t most = 64;
@@ -57,14 +58,15 @@ Index start_in_star(const G& geometry, const typename G::Query& q, std::span<con
   return best;
 }
 
-/// Inserts vertex v, whose point is q, into a cell in conflict with q. Strong guarantee: if it throws (memory, ids), nothing
-/// has changed. REQUIRES q in the affine hull of the vertices and no vertex at q.
+/// Inserts vertex v, whose point is q, into a cell in conflict with q. Strong guarantee: if it throws
+/// (memory, ids), nothing has changed. REQUIRES q in the affine hull of the vertices and no vertex at q.
 template <int K, Geometry G>
-void insert_in_conflict(CellStore<K>& cells, G& geometry, Index v, const typename G::Query& q, Index cell, Workspace& work,
-                        Effort& effort) {
+void insert_in_conflict(CellStore<K>& cells, G& geometry, Index v, const typename G::Query& q, Index cell,
+                        Workspace& work, Effort& effort) {
   try {
     find_conflict_zone(cells, geometry, q, cell, cells.marks(), work.zone, effort.stages);
-    retriangulate(cells, geometry, v, q, work.zone, work.ridges, work.tracks_swallowed ? &work.swallowed : nullptr);
+    retriangulate(cells, geometry, v, q, work.zone, work.ridges,
+                  work.tracks_swallowed ? &work.swallowed : nullptr);
   } catch (...) {
     unmark(cells.marks(), work.zone);
     work.zone.num_cells = work.zone.num_facets = 0;  // there is no star
@@ -73,11 +75,11 @@ void insert_in_conflict(CellStore<K>& cells, G& geometry, Index v, const typenam
   effort.created_cells += work.zone.num_facets;
 }
 
-/// Inserts vertex v, whose point is q, starting the walk at `start`. Returns v; or the vertex that is at q already; or
-/// invalid_index: q is in conflict with no cell, and hidden. Guarantee and REQUIRES as above.
+/// Inserts vertex v, whose point is q, starting the walk at `start`. Returns v; or the vertex that is at q
+/// already; or invalid_index: q is in conflict with no cell, and hidden. Guarantee and REQUIRES as above.
 template <int K, Geometry G>
-Index insert(CellStore<K>& cells, G& geometry, Index v, const typename G::Query& q, Index start, Workspace& work,
-             Effort& effort) {
+Index insert(CellStore<K>& cells, G& geometry, Index v, const typename G::Query& q, Index start,
+             Workspace& work, Effort& effort) {
   work.zone.num_cells = work.zone.num_facets = 0;
   work.swallowed.clear();
   const WalkResult found = locate(cells, geometry, q, start, effort.stages);

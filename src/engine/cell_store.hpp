@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The cells of a triangulated sphere S^k in flat arrays: k+1 vertices and k+1 neighbors each, vacant slots in a free list.
-// Neighbor i is across the facet opposite vertex i. Cells are coherently oriented.
+// The cells of a triangulated sphere S^k in flat arrays: k+1 vertices and k+1 neighbors each, vacant slots in
+// a free list. Neighbor i is across the facet opposite vertex i. Cells are coherently oriented.
 #pragma once
 
 #include "cells/cell_memory.hpp"
@@ -36,11 +36,14 @@ class CellStore {
 
   Index vertex(Index cell, int i) const { return memory_.layout().vertex(memory_.links(cell), i); }
   /// REQUIRES an admitted vertex.
-  void set_vertex(Index cell, int i, Index vertex) { memory_.layout().set_vertex(memory_.links(cell), i, vertex); }
+  void set_vertex(Index cell, int i, Index vertex) {
+    memory_.layout().set_vertex(memory_.links(cell), i, vertex);
+  }
   CellVertices<K> vertices(Index cell) const {
     if constexpr (may_be_narrow(K))
-      return CellVertices<K>(
-          [layout = memory_.layout(), links = memory_.links(cell)](int i) { return layout.vertex(links, i); });
+      return CellVertices<K>([layout = memory_.layout(), links = memory_.links(cell)](int i) {
+        return layout.vertex(links, i);
+      });
     else
       return memory_.links(cell);
   }
@@ -56,7 +59,9 @@ class CellStore {
   /// The vertices of a cell where they are. REQUIRES that they are wide.
   const Index* wide_vertices(Index cell) const { return memory_.links(cell); }
   Index* wide_vertices(Index cell) { return memory_.links(cell); }
-  const Index* neighbors(Index cell) const { return memory_.links(cell) + memory_.layout().ids_before_neighbors(); }
+  const Index* neighbors(Index cell) const {
+    return memory_.links(cell) + memory_.layout().ids_before_neighbors();
+  }
   Index* neighbors(Index cell) { return memory_.links(cell) + memory_.layout().ids_before_neighbors(); }
 
   /// The vertices and neighbors of all cells.
@@ -77,11 +82,13 @@ class CellStore {
     const Index* const links = memory_.links(cell);
     const CellLayout<K> layout = memory_.layout();
     int slot = -1;
-    for (int i = 0; i <= dimension(); ++i) slot = layout.vertex(links, i) == index(infinite_vertex) ? i : slot;
+    for (int i = 0; i <= dimension(); ++i)
+      slot = layout.vertex(links, i) == index(infinite_vertex) ? i : slot;
     return slot;
   }
 
-  // Calls of functions that do nothing but prefetch are dropped by GCC as calls without effect, unless it inlines them early.
+  // Calls of functions that do nothing but prefetch are dropped by GCC as calls without effect, unless it
+  // inlines them early.
 
   /// Asks for the memory of a cell ahead of its use.
   [[gnu::always_inline]] void prefetch(Index cell) const {
@@ -98,7 +105,9 @@ class CellStore {
     for (int i = 0; i <= dimension(); ++i) prefetch(across[i]);
   }
   /// The same for the neighbor of an infinite cell across its hull facet.
-  [[gnu::always_inline]] void prefetch_across_hull(Index cell) const { prefetch(neighbors(cell)[infinite_slot(cell)]); }
+  [[gnu::always_inline]] void prefetch_across_hull(Index cell) const {
+    prefetch(neighbors(cell)[infinite_slot(cell)]);
+  }
   /// The same for the vertices and neighbors of a cell alone.
   [[gnu::always_inline]] void prefetch_links(Index cell) const {
     prefetch_bytes(memory_.links(cell), memory_.layout().num_link_ids() * sizeof(Index));
@@ -151,8 +160,8 @@ class CellStore {
     *memory_.records().certificate(cell) = 0;
     return cell;
   }
-  /// A slot behind all others, of which only the links are expected to be written before the next reserve(). REQUIRES a
-  /// reserve_links() that covers it, and no vacant slot.
+  /// A slot behind all others, of which only the links are expected to be written before the next reserve().
+  /// REQUIRES a reserve_links() that covers it, and no vacant slot.
   Index append() { return num_slots_++; }
   /// Makes a slot vacant. REQUIRES a reserve_vacancies() that covers it.
   void release(Index cell) {
@@ -165,17 +174,20 @@ class CellStore {
    public:
     explicit Marks(CellMemory<K>& memory) : records_(memory.records()) {}
     Mark operator()(Index cell) const { return mark_bits::read(std::bit_cast<std::uint64_t>(word(cell))); }
-    bool is_unseen(Index cell) const { return (std::bit_cast<std::uint64_t>(word(cell)) & mark_bits::all) == 0; }
+    bool is_unseen(Index cell) const {
+      return (std::bit_cast<std::uint64_t>(word(cell)) & mark_bits::all) == 0;
+    }
     bool is_in_conflict(Index cell) const {
       return (std::bit_cast<std::uint64_t>(word(cell)) >> mark_bits::in_conflict & 1) != 0;
     }
     void set(Index cell, Mark mark) {
-      word(cell) = std::bit_cast<double>((std::bit_cast<std::uint64_t>(word(cell)) & ~mark_bits::all) | mark_bits::write(mark));
+      word(cell) = std::bit_cast<double>((std::bit_cast<std::uint64_t>(word(cell)) & ~mark_bits::all) |
+                                         mark_bits::write(mark));
     }
     /// Marks a cell that is in conflict, and leaves the mark of another as it is, without a branch.
     void set_if(Index cell, bool conflict) {
-      word(cell) =
-          std::bit_cast<double>(std::bit_cast<std::uint64_t>(word(cell)) | std::uint64_t{conflict} << mark_bits::in_conflict);
+      word(cell) = std::bit_cast<double>(std::bit_cast<std::uint64_t>(word(cell)) |
+                                         std::uint64_t{conflict} << mark_bits::in_conflict);
     }
 
    private:
@@ -189,7 +201,8 @@ class CellStore {
   /// How many slots there will be with `count` more cells.
   std::size_t slots_for(std::size_t count) const {
     const std::size_t fresh = count > num_vacant_ ? count - num_vacant_ : 0;
-    if (fresh > max_index - num_slots_) throw Error(Errc::too_many, "the triangulation has more cells than this build has ids");
+    if (fresh > max_index - num_slots_)
+      throw Error(Errc::too_many, "the triangulation has more cells than this build has ids");
     return num_slots_ + fresh;
   }
   /// For how many to make room where there is room for `present`.
@@ -199,7 +212,8 @@ class CellStore {
 
   /// Not where they start at a line: lines that are asked for twice cost little, branches more.
   [[gnu::always_inline]] static void prefetch_bytes(const void* first, std::size_t bytes) {
-    for (std::size_t byte = 0; byte < bytes; byte += 64) __builtin_prefetch(static_cast<const char*>(first) + byte);
+    for (std::size_t byte = 0; byte < bytes; byte += 64)
+      __builtin_prefetch(static_cast<const char*>(first) + byte);
     if (bytes % 64 != 0) __builtin_prefetch(static_cast<const char*>(first) + bytes - 1);
   }
 

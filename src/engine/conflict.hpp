@@ -32,10 +32,12 @@ double threshold_at(const G& geometry, Index cell, const typename G::Query& q) {
   return threshold;
 }
 
-/// What find_unperturbed_side() does if no threshold settles the sign, nor the value proves a tie with a finite cell.
+/// What find_unperturbed_side() does if no threshold settles the sign, nor the value proves a tie with a
+/// finite cell.
 template <class Cells, QueryGeometry G, class Evaluator>
 [[gnu::noinline]] void ask_further_stages(const Cells& cells, const G& geometry, const typename G::Query& q,
-                                          const Evaluator& functional, StageCounts& counts, Unperturbed& known) {
+                                          const Evaluator& functional, StageCounts& counts,
+                                          Unperturbed& known) {
   for (bool is_tie = known.is_proved_zero;;) {
     const bool infinite = geometry.is_infinite(known.deciding);
     const int infinite_slot = infinite ? cells.infinite_slot(known.deciding) : -1;
@@ -54,17 +56,18 @@ template <class Cells, QueryGeometry G, class Evaluator>
   }
 }
 
-/// For a `value` of the cell's functional that is within the threshold. Cells: a CellStore, or what has vertices and neighbors
-/// like one. A query exactly on the hyperplane of an infinite cell conflicts with it iff it conflicts with the finite cell on
-/// the other side of the hull facet: the perturbation moves points along that hyperplane. `functional`: the geometry's
-/// evaluator for q. `threshold`: for q alone, unless the value proves a tie; known: {zero, whether it does, the cell} at first.
-/// `known` is written in place: to return it in registers, parts that were just written would be read
-/// together, for which processors wait. REQUIRES that q is none of the vertices of the cell, nor of the finite neighbor of an
-/// infinite cell.
+/// For a `value` of the cell's functional that is within the threshold. Cells: a CellStore, or what has
+/// vertices and neighbors like one. A query exactly on the hyperplane of an infinite cell conflicts with it
+/// iff it conflicts with the finite cell on the other side of the hull facet: the perturbation moves points
+/// along that hyperplane. `functional`: the geometry's evaluator for q. `threshold`: for q alone, unless the
+/// value proves a tie; known: {zero, whether it does, the cell} at first. `known` is written in place: to
+/// return it in registers, parts that were just written would be read together, for which processors wait.
+/// REQUIRES that q is none of the vertices of the cell, nor of the finite neighbor of an infinite cell.
 template <class Cells, QueryGeometry G, class Evaluator>
-[[gnu::always_inline]] inline void find_unperturbed_side(const Cells& cells, const G& geometry, double value, double threshold,
-                                                         const typename G::Query& q, const Evaluator& functional,
-                                                         StageCounts& counts, Unperturbed& known) {
+[[gnu::always_inline]] inline void find_unperturbed_side(const Cells& cells, const G& geometry, double value,
+                                                         double threshold, const typename G::Query& q,
+                                                         const Evaluator& functional, StageCounts& counts,
+                                                         Unperturbed& known) {
   if (known.is_proved_zero && !geometry.is_infinite(known.deciding))
     ++counts.filter;
   else if (known.is_proved_zero || !settle(value, threshold, counts, known.side))
@@ -89,8 +92,8 @@ bool in_conflict_exactly(const Cells& cells, const G& geometry, Index cell, cons
 
 /// The perturbed sides of several finite cells that q is exactly on the spheres of.
 template <QueryGeometry G>
-void perturbed_sides(const G& geometry, std::span<const Index* const> cells, const typename G::Query& q, Sign* sides,
-                     StageCounts& counts) {
+void perturbed_sides(const G& geometry, std::span<const Index* const> cells, const typename G::Query& q,
+                     Sign* sides, StageCounts& counts) {
   if constexpr (requires { geometry.perturbed_sides(cells, q, sides, counts); })
     geometry.perturbed_sides(cells, q, sides, counts);
   else

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The conflict zone of a query point and its border, the horizon (§2.6 of the report). The zone is connected, so it is found
-// by breadth-first search from one of its cells.
+// The conflict zone of a query point and its border, the horizon (§2.6 of the report). The zone is connected,
+// so it is found by breadth-first search from one of its cells.
 #pragma once
 
-#include "engine/conflict.hpp"
 #include "base/growable_array.hpp"
 #include "cells/horizon_facet.hpp"
+#include "engine/conflict.hpp"
 
 #include <algorithm>
 #include <bit>
@@ -30,19 +30,25 @@ struct ConflictZone {
     double value;  ///< h̃(q)
     Unperturbed known;
   };
-  /// A neighbor that the filter leaves open: the cell of an undecided one, or of one that is known not to be in conflict.
+  /// A neighbor that the filter leaves open: the cell of an undecided one, or of one that is known not to be
+  /// in conflict.
   struct Open : Candidate {
     double value;
     std::uint32_t undecided;  ///< which, or none
     static constexpr std::uint32_t none = 0xffffffff;
   };
-  /// How many cells are searched at a time, and of how many beyond the first of them the neighbors are asked for. No more than
-  /// some dozens of lines of the cache are under way at once: of larger cells, fewer must do.
+  /// How many cells are searched at a time, and of how many beyond the first of them the neighbors are asked
+  /// for. No more than some dozens of lines of the cache are under way at once: of larger cells, fewer must
+  /// do.
   static constexpr std::size_t block_size(std::size_t facets_of_cell) { return facets_of_cell <= 4 ? 16 : 4; }
-  static constexpr std::size_t cells_ahead(std::size_t facets_of_cell) { return facets_of_cell <= 4 ? 32 : 16; }
-  /// How many open neighbors are worth being decided before everything else has been searched: on small grids as many ties are
-  /// broken at once, from 6D on in more lanes.
-  static constexpr std::size_t enough_open(std::size_t facets_of_cell) { return facets_of_cell <= 6 ? 16 : 32; }
+  static constexpr std::size_t cells_ahead(std::size_t facets_of_cell) {
+    return facets_of_cell <= 4 ? 32 : 16;
+  }
+  /// How many open neighbors are worth being decided before everything else has been searched: on small grids
+  /// as many ties are broken at once, from 6D on in more lanes.
+  static constexpr std::size_t enough_open(std::size_t facets_of_cell) {
+    return facets_of_cell <= 6 ? 16 : 32;
+  }
 
   std::size_t num_cells = 0;
   std::size_t num_facets = 0;
@@ -51,7 +57,7 @@ struct ConflictZone {
   GrowableArray<Index> cells;           ///< in conflict
   GrowableArray<double> values;         ///< h̃(q) of each
   GrowableArray<HorizonFacet> horizon;  ///< facets to cells that are not
-  GrowableArray<Index> marked;          ///< cells of the horizon that are marked, as it took the exact stages to know
+  GrowableArray<Index> marked;  ///< cells of the horizon that are marked, as it took the exact stages to know
   // Of the star that takes the place of the cells, which slots its cells get.
   GrowableArray<std::uint8_t> has_facets;  ///< of each cell in conflict
   GrowableArray<Index> without_facets;     ///< cells in conflict that have none
@@ -69,8 +75,8 @@ struct ConflictZone {
   std::vector<Sign> sides;           ///< of these cells
   std::size_t num_undecided = 0, num_open = 0;
 
-  /// Makes room for `more` cells and as many horizon facets, and for the candidates of a block and what is open. Throws
-  /// std::bad_alloc. Cells must have as many facets as at the first call.
+  /// Makes room for `more` cells and as many horizon facets, and for the candidates of a block and what is
+  /// open. Throws std::bad_alloc. Cells must have as many facets as at the first call.
   void reserve(std::size_t more, std::size_t facets_of_cell) {
     const std::size_t least = std::max(num_cells, num_facets) + more;
     if (least >= room_) [[unlikely]]
@@ -103,11 +109,12 @@ struct ConflictZone {
   std::size_t room_ = 0;  // what all arrays have
 };
 
-/// Decides the cells that the filter has left open, all ties together, and adds them to the zone or to its horizon.
-/// Returns how many neighbors these were.
+/// Decides the cells that the filter has left open, all ties together, and adds them to the zone or to its
+/// horizon. Returns how many neighbors these were.
 template <class Cells, QueryGeometry G, class Evaluator, class Marks>
 [[gnu::noinline]] std::size_t decide_open(const Cells& cells, const G& geometry, const typename G::Query& q,
-                                          const Evaluator& functional, Marks marks, ConflictZone& zone, StageCounts& counts) {
+                                          const Evaluator& functional, Marks marks, ConflictZone& zone,
+                                          StageCounts& counts) {
   const std::span<ConflictZone::Undecided> undecided{zone.undecided.data(), zone.num_undecided};
   std::size_t num_asked = 0, num_tied = 0;
   for (ConflictZone::Undecided& open : undecided) {
@@ -121,7 +128,8 @@ template <class Cells, QueryGeometry G, class Evaluator, class Marks>
     find_unperturbed_side(cells, geometry, open.value, *threshold, q, functional, counts, open.known);
     threshold += !open.known.is_proved_zero;
     if (open.known.side != Sign::zero) continue;
-    Index* const room = zone.tied_vertices.data() + num_tied * (static_cast<std::size_t>(cells.dimension()) + 1);
+    Index* const room =
+        zone.tied_vertices.data() + num_tied * (static_cast<std::size_t>(cells.dimension()) + 1);
     zone.tied[num_tied++] = cells.vertices(open.known.deciding, room);
   }
   perturbed_sides(geometry, {zone.tied.data(), num_tied}, q, zone.sides.data(), counts);
@@ -131,7 +139,8 @@ template <class Cells, QueryGeometry G, class Evaluator, class Marks>
     const bool is_tied = open.known.side == Sign::zero;
     const bool conflict = (is_tied ? zone.sides[side] : open.known.side) == Sign::negative;
     side += is_tied;
-    if (open.known.is_proved_zero) open.value = std::bit_cast<double>(std::uint64_t{conflict} << 63);  // −0 in conflict
+    if (open.known.is_proved_zero)
+      open.value = std::bit_cast<double>(std::uint64_t{conflict} << 63);  // −0 in conflict
     marks.set(open.cell, conflict ? Mark::in_conflict : Mark::not_in_conflict);
     zone.cells[zone.num_cells] = open.cell;
     zone.values[zone.num_cells] = open.value;
@@ -154,24 +163,27 @@ template <class Cells, QueryGeometry G, class Evaluator, class Marks>
   return zone.num_cells - num_cells + zone.num_facets - num_facets;
 }
 
-/// Fills `zone` from a cell in conflict. `marks`: marks(cell), is_unseen(cell), is_in_conflict(cell), set(cell, mark) and
-/// set_if(cell, conflict), passed by value; all cells must be unseen before, and the cells of the zone and of `zone.marked`
-/// stay marked. REQUIRES that no vertex is at q. If memory runs out, unmark() takes back all marks.
+/// Fills `zone` from a cell in conflict. `marks`: marks(cell), is_unseen(cell), is_in_conflict(cell),
+/// set(cell, mark) and set_if(cell, conflict), passed by value; all cells must be unseen before, and the
+/// cells of the zone and of `zone.marked` stay marked. REQUIRES that no vertex is at q. If memory runs out,
+/// unmark() takes back all marks.
 ///
-/// Which neighbor is new, in conflict or on the horizon cannot be predicted, and each wrong guess costs as much as an
-/// evaluation. So cells are searched in blocks: first all neighbors not yet known to be in conflict are collected, then all are
-/// evaluated, then each is written to the zone and to the horizon, of which at most one advances; no branch depends on the
-/// data, and no evaluation waits for the mark that the one before it writes. The memory of the neighbors of a cell is asked for
-/// some blocks ahead. What the filter leaves open waits until it is worth being decided, many together.
+/// Which neighbor is new, in conflict or on the horizon cannot be predicted, and each wrong guess costs as
+/// much as an evaluation. So cells are searched in blocks: first all neighbors not yet known to be in
+/// conflict are collected, then all are evaluated, then each is written to the zone and to the horizon, of
+/// which at most one advances; no branch depends on the data, and no evaluation waits for the mark that the
+/// one before it writes. The memory of the neighbors of a cell is asked for some blocks ahead. What the
+/// filter leaves open waits until it is worth being decided, many together.
 ///
-/// In two dimensions the zone is a tree, unless vertices lose all their cells: the only neighbor known to be in conflict is
-/// that which a cell was found from. To evaluate it again costs less than to collect the others, and mispredicts fewer ends of
-/// loops.
+/// In two dimensions the zone is a tree, unless vertices lose all their cells: the only neighbor known to be
+/// in conflict is that which a cell was found from. To evaluate it again costs less than to collect the
+/// others, and mispredicts fewer ends of loops.
 template <class Cells, QueryGeometry G, class Marks>
-void find_conflict_zone(const Cells& cells, const G& geometry, const typename G::Query& q, Index first, Marks marks,
-                        ConflictZone& zone, StageCounts& counts) {
+void find_conflict_zone(const Cells& cells, const G& geometry, const typename G::Query& q, Index first,
+                        Marks marks, ConflictZone& zone, StageCounts& counts) {
   const auto facets = static_cast<std::size_t>(cells.dimension()) + 1;
-  const std::size_t block_size = ConflictZone::block_size(facets), cells_ahead = ConflictZone::cells_ahead(facets);
+  const std::size_t block_size = ConflictZone::block_size(facets),
+                    cells_ahead = ConflictZone::cells_ahead(facets);
   const std::size_t enough_open = ConflictZone::enough_open(facets);
   const bool is_tree = facets <= 3;
   zone.num_cells = zone.num_facets = zone.num_marked = zone.num_infinite = 0;
@@ -192,7 +204,9 @@ void find_conflict_zone(const Cells& cells, const G& geometry, const typename G:
       return;
     }
     ConflictZone::Open& open = zone.open[zone.num_open++];
-    open = {{cell, static_cast<std::uint32_t>(from), static_cast<std::uint32_t>(slot)}, value, ConflictZone::Open::none};
+    open = {{cell, static_cast<std::uint32_t>(from), static_cast<std::uint32_t>(slot)},
+            value,
+            ConflictZone::Open::none};
     if (mark != Mark::unseen) return;
     marks.set(cell, Mark::not_in_conflict);                            // until it is decided
     if (geometry.is_infinite(cell)) cells.prefetch_across_hull(cell);  // that cell decides ties
@@ -231,7 +245,8 @@ void find_conflict_zone(const Cells& cells, const G& geometry, const typename G:
         for (std::size_t i = 0; i < facets; ++i) place(neighbors[i], functional.value(neighbors[i]), next, i);
       }
     } else {
-      for (; asked_for < std::min(num_cells, next + cells_ahead); ++asked_for) cells.prefetch_neighbors(zone_cells[asked_for]);
+      for (; asked_for < std::min(num_cells, next + cells_ahead); ++asked_for)
+        cells.prefetch_neighbors(zone_cells[asked_for]);
       ConflictZone::Candidate* const candidates = zone.candidates.data();
       double* const values = zone.candidate_values.data();
       const std::size_t end = std::min(next + block_size, num_cells);
@@ -240,7 +255,8 @@ void find_conflict_zone(const Cells& cells, const G& geometry, const typename G:
         const Index* const neighbors = cells.neighbors(zone_cells[next]);
         for (std::size_t i = 0; i < facets; ++i) {
           const Index neighbor = neighbors[i];
-          candidates[num_candidates] = {neighbor, static_cast<std::uint32_t>(next), static_cast<std::uint32_t>(i)};
+          candidates[num_candidates] = {neighbor, static_cast<std::uint32_t>(next),
+                                        static_cast<std::uint32_t>(i)};
           num_candidates += !marks.is_in_conflict(neighbor);
         }
       }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A vertex outside the affine hull of all others raises the dimension by one (§2.4 of the report): every cell of the old
-// sphere S^k is joined to the new vertex, and every finite cell also to the infinite vertex.
+// A vertex outside the affine hull of all others raises the dimension by one (§2.4 of the report): every cell
+// of the old sphere S^k is joined to the new vertex, and every finite cell also to the infinite vertex.
 #pragma once
 
 #include "engine/cell_store.hpp"
@@ -16,8 +16,8 @@ namespace delone::engine {
 /// Fills an empty store of dimension k+1 from a complex of dimension k and the new vertex q.
 /// `q_is_positive`: a positively oriented old cell followed by q is positively oriented.
 ///
-/// Orientation: old cells are coherent, so all (σ, q) are coherent with each other, and positive or negative as one. The cells
-/// (σ, ∞) lie across the facet σ of (σ, q) and need one exchange more.
+/// Orientation: old cells are coherent, so all (σ, q) are coherent with each other, and positive or negative
+/// as one. The cells (σ, ∞) lie across the facet σ of (σ, q) and need one exchange more.
 template <int K, Geometry G>
 void jump(const Complex& old, CellStore<K>& cells, G& geometry, Index q, bool q_is_positive) {
   const int k = old.dimension();                                     // the new cells have slots 0 … k+1
@@ -37,9 +37,12 @@ void jump(const Complex& old, CellStore<K>& cells, G& geometry, Index q, bool q_
   };
   for (const CellId c : old.cells()) {
     const int infinite_slot = old.infinite_index(c);
-    // (σ, q) with σ infinite has as base the facet σ, whose other side is (τ, ∞) with τ the finite neighbor of σ.
-    const Index base = infinite_slot < 0 ? extended[index(c)] : extended[index(old.neighbor(c, infinite_slot))];
-    link(c, joined[index(c)], q, base, !q_is_positive, [&](int i) { return joined[index(old.neighbor(c, i))]; });
+    // (σ, q) with σ infinite has as base the facet σ, whose other side is (τ, ∞) with τ the finite neighbor
+    // of σ.
+    const Index base =
+        infinite_slot < 0 ? extended[index(c)] : extended[index(old.neighbor(c, infinite_slot))];
+    link(c, joined[index(c)], q, base, !q_is_positive,
+         [&](int i) { return joined[index(old.neighbor(c, i))]; });
   }
   for (const CellId c : old.finite_cells())
     link(c, extended[index(c)], index(infinite_vertex), joined[index(c)], q_is_positive, [&](int i) {

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// All that the engine asks of geometry. The engine knows vertices and cells by index; geometry knows coordinates.
+// All that the engine asks of geometry. The engine knows vertices and cells by index; geometry knows
+// coordinates.
 #pragma once
 
-#include "cells/horizon_facet.hpp"
 #include "base/stage_counts.hpp"
+#include "cells/horizon_facet.hpp"
 
 #include <delone/types.hpp>
 
@@ -13,13 +14,15 @@
 
 namespace delone::engine {
 
-/// Answers about a query point q and a cell, given as a slot (cached functional) or as its k+1 vertices (exact).
+/// Answers about a query point q and a cell, given as a slot (cached functional) or as its k+1 vertices
+/// (exact).
 template <class G>
-concept QueryGeometry = requires(const G& known, Index cell, const Index* vertices, int slot, const typename G::Query& q,
-                                 double value, double* numbers, std::span<const Index> cells, StageCounts& counts) {
-  /// A copy of what it takes to evaluate functionals at q. value(cell): approximately h(q); among finite cells, the smaller the
-  /// closer to a conflict. threshold(cell): a value beyond it has the sign of h(q). error(cell, value): |value − h(q)| is below
-  /// it. A value that is not a number says nothing.
+concept QueryGeometry = requires(const G& known, Index cell, const Index* vertices, int slot,
+                                 const typename G::Query& q, double value, double* numbers,
+                                 std::span<const Index> cells, StageCounts& counts) {
+  /// A copy of what it takes to evaluate functionals at q. value(cell): approximately h(q); among finite
+  /// cells, the smaller the closer to a conflict. threshold(cell): a value beyond it has the sign of h(q).
+  /// error(cell, value): |value − h(q)| is below it. A value that is not a number says nothing.
   { known.evaluator(q).value(cell) } -> std::same_as<double>;
   { known.evaluator(q).threshold(cell) } -> std::same_as<double>;
   { known.evaluator(q).error(cell, value) } -> std::same_as<double>;
@@ -40,13 +43,13 @@ concept QueryGeometry = requires(const G& known, Index cell, const Index* vertic
 /// The same, and functionals for new cells.
 template <class G>
 concept Geometry = QueryGeometry<G> &&
-    requires(G geometry, Index cell, const Index* vertices, int slot, const typename G::Query& q, std::size_t size,
-             std::span<const HorizonFacet> facets) {
-  /// Computes what is cached for a new cell; the third argument is the slot of the infinite vertex or −1, the fourth that of a
-  /// finite vertex.
+    requires(G geometry, Index cell, const Index* vertices, int slot, const typename G::Query& q,
+             std::size_t size, std::span<const HorizonFacet> facets) {
+  /// Computes what is cached for a new cell; the third argument is the slot of the infinite vertex or −1, the
+  /// fourth that of a finite vertex.
   {geometry.create(cell, vertices, slot, slot)};
-  /// Makes room for the star of a vertex, then computes what is cached for its cells from those on the two sides of each facet;
-  /// returns the facets whose cells must be created singly.
+  /// Makes room for the star of a vertex, then computes what is cached for its cells from those on the two
+  /// sides of each facet; returns the facets whose cells must be created singly.
   {geometry.reserve_star(cell, size)};
   { geometry.create_star(cell, q, facets) } -> std::same_as<std::span<const std::uint32_t>>;
 };

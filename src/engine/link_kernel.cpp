@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A cell's vertices, and then its neighbors, fit a vector of eight ids up to 7 dimensions; beyond, and where vectors are
-// shorter, they are treated in several pieces. The last piece may reach beyond them: what is read there is not used, and what
-// is written there is what was there, or will be written next. But what is read of neighbors ends with them: the next cell may
-// be in another line of the cache, that nobody needs.
+// A cell's vertices, and then its neighbors, fit a vector of eight ids up to 7 dimensions; beyond, and where
+// vectors are shorter, they are treated in several pieces. The last piece may reach beyond them: what is read
+// there is not used, and what is written there is what was there, or will be written next. But what is read
+// of neighbors ends with them: the next cell may be in another line of the cache, that nobody needs.
 #include "engine/link_kernel.hpp"
 
 #include "base/compiled_dimension.hpp"
@@ -21,13 +21,14 @@ namespace delone::engine {
 namespace HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
 
-// In the following K is k if that is from 2 to 8, 1 if it is at most 1, and 0 if it is more than 8. Ids tells how vertices are
-// kept: they are wide in vectors.
+// In the following K is k if that is from 2 to 8, 1 if it is at most 1, and 0 if it is more than 8. Ids tells
+// how vertices are kept: they are wide in vectors.
 
 /// The vectors for the ids of a cell.
 template <int K>
 using IdTag =
-    hn::FixedTag<std::uint32_t, std::min<std::size_t>({HWY_LANES(std::uint32_t), 8, K > 0 ? std::bit_ceil(K + 1u) : 8})>;
+    hn::FixedTag<std::uint32_t,
+                 std::min<std::size_t>({HWY_LANES(std::uint32_t), 8, K > 0 ? std::bit_ceil(K + 1u) : 8})>;
 
 /// The pieces of a cell's ids.
 template <int K>
@@ -38,7 +39,9 @@ struct Pieces {
   explicit Pieces(int k) : num_ids(static_cast<std::size_t>(K > 1 ? K : k) + 1) {}
   std::size_t num() const { return (num_ids + lanes - 1) / lanes; }
   /// The numbers from one on.
-  HWY_INLINE Ids numbers(std::size_t first) const { return hn::Add(lane, hn::Set(d, static_cast<std::uint32_t>(first))); }
+  HWY_INLINE Ids numbers(std::size_t first) const {
+    return hn::Add(lane, hn::Set(d, static_cast<std::uint32_t>(first)));
+  }
   /// Which of the lanes from a slot on is another one.
   HWY_INLINE hn::Mask<IdTag<K>> is(int slot, std::size_t begin) const {
     return hn::Eq(lane, hn::Set(d, static_cast<std::uint32_t>(slot) - static_cast<std::uint32_t>(begin)));
@@ -74,7 +77,8 @@ HWY_INLINE void store_vertices(hn::Vec<D> vertices, D d, Index* links, std::size
   if constexpr (Ids == VertexIds::narrow) {
     const hn::Rebind<std::uint16_t, D> narrow;
     const hn::RebindToSigned<D> positive;
-    hn::StoreU(hn::DemoteTo(narrow, hn::BitCast(positive, vertices)), narrow, reinterpret_cast<std::uint16_t*>(links) + begin);
+    hn::StoreU(hn::DemoteTo(narrow, hn::BitCast(positive, vertices)), narrow,
+               reinterpret_cast<std::uint16_t*>(links) + begin);
   } else {
     hn::StoreU(vertices, d, links + begin);
   }
@@ -114,13 +118,17 @@ void create_cells(const CellLinks& links, Index apex, const DeadCells& zone, std
   const IdTag<K> d;
   const Pieces<K> pieces(links.k);
   const auto layout = layout_of<K, Ids>(links);
-  const std::size_t stride = layout.link_stride(), ids_before_links = layout.words_before_links() * layout.ids_per_word;
+  const std::size_t stride = layout.link_stride(),
+                    ids_before_links = layout.words_before_links() * layout.ids_per_word;
   const auto of = [&](Index cell) { return links.first + cell * stride; };
-  const auto last_start = static_cast<std::ptrdiff_t>(pieces.num_ids) - static_cast<std::ptrdiff_t>(pieces.lanes);
-  const auto first_lane = static_cast<std::size_t>(std::max<std::ptrdiff_t>(-last_start, 0));  // those before are vertices
+  const auto last_start =
+      static_cast<std::ptrdiff_t>(pieces.num_ids) - static_cast<std::ptrdiff_t>(pieces.lanes);
+  const auto first_lane =
+      static_cast<std::size_t>(std::max<std::ptrdiff_t>(-last_start, 0));  // those before are vertices
   for (std::size_t f = 0; f < facets.size(); ++f) {
     HorizonFacet& facet = facets[f];
-    if (f + ahead < facets.size()) {  // what is side by side with its links too: the star's functionals are made from it
+    if (f + ahead <
+        facets.size()) {  // what is side by side with its links too: the star's functionals are made from it
       const Index* const end = of(facets[f + ahead].survivor) + layout.num_link_ids();
       const Index* const begin = end - layout.num_link_ids() - ids_before_links;
       for (const Index* line = begin; line < end; line += 16) __builtin_prefetch(line);
@@ -136,7 +144,8 @@ void create_cells(const CellLinks& links, Index apex, const DeadCells& zone, std
     for (std::size_t begin = pieces.num() * pieces.lanes; begin > 0;) {
       begin -= pieces.lanes;
       const auto vertices = load_vertices<Ids>(d, dead_links, begin);
-      store_vertices<Ids>(hn::IfThenElse(pieces.is(facet.slot, begin), hn::Set(d, apex), vertices), d, created_links, begin);
+      store_vertices<Ids>(hn::IfThenElse(pieces.is(facet.slot, begin), hn::Set(d, apex), vertices), d,
+                          created_links, begin);
       const std::ptrdiff_t start = std::min(static_cast<std::ptrdiff_t>(begin), last_start);
       auto is_mirror = hn::Eq(hn::LoadU(d, across_survivor + start), hn::Set(d, dead));
       if (first_lane > 0) is_mirror = hn::AndNot(hn::FirstN(d, first_lane), is_mirror);
@@ -152,8 +161,9 @@ void create_cells(const CellLinks& links, Index apex, const DeadCells& zone, std
 }
 
 template <int K, VertexIds Ids>
-void hash_ridges(const CellLinks& links, std::span<const HorizonFacet> facets, std::size_t first, std::size_t last,
-                 std::uint32_t* HWY_RESTRICT hashes, Index* HWY_RESTRICT created, const RidgeEntries* table) {
+void hash_ridges(const CellLinks& links, std::span<const HorizonFacet> facets, std::size_t first,
+                 std::size_t last, std::uint32_t* HWY_RESTRICT hashes, Index* HWY_RESTRICT created,
+                 const RidgeEntries* table) {
   const IdTag<K> d;
   const Pieces<K> pieces(links.k);
   const std::size_t stride = layout_of<K, Ids>(links).link_stride();
@@ -168,23 +178,27 @@ void hash_ridges(const CellLinks& links, std::span<const HorizonFacet> facets, s
     const std::size_t half = f << facet_shift;
     auto sum = hn::Zero(d);
     for (std::size_t begin = 0; begin < pieces.num_ids; begin += pieces.lanes)
-      sum = hn::Add(sum, hn::IfThenElseZero(pieces.others(facet.slot, begin), tags(d, load_vertices<Ids>(d, of_cell, begin))));
+      sum = hn::Add(sum, hn::IfThenElseZero(pieces.others(facet.slot, begin),
+                                            tags(d, load_vertices<Ids>(d, of_cell, begin))));
     sum = hn::SumOfLanes(d, sum);
     for (std::size_t begin = 0; begin < pieces.num_ids; begin += pieces.lanes) {
       const auto hash = hn::Sub(sum, tags(d, load_vertices<Ids>(d, of_cell, begin)));
       hn::StoreU(hash, d, hashes + half + begin);
       if (entries == nullptr) continue;
       HWY_ALIGN std::uint32_t selected[pieces.lanes];
-      hn::Store(hn::IfThenElse(pieces.others(facet.slot, begin), hn::ShiftRightSame(hash, hash_shift), none), d, selected);
+      hn::Store(hn::IfThenElse(pieces.others(facet.slot, begin), hn::ShiftRightSame(hash, hash_shift), none),
+                d, selected);
       auto more = one + static_cast<std::uint32_t>(half + begin);
-      for (std::size_t i = 0; i < std::min(pieces.lanes, pieces.num_ids - begin); ++i) entries[selected[i]] += more++;
+      for (std::size_t i = 0; i < std::min(pieces.lanes, pieces.num_ids - begin); ++i)
+        entries[selected[i]] += more++;
     }
   }
 }
 
 template <int K, VertexIds Ids>
-void match_ridges(const CellLinks& links, std::span<const HorizonFacet> facets, const std::uint32_t* HWY_RESTRICT hashes,
-                  const Index* HWY_RESTRICT created, const RidgeEntries& table, std::uint8_t* HWY_RESTRICT unmatched) {
+void match_ridges(const CellLinks& links, std::span<const HorizonFacet> facets,
+                  const std::uint32_t* HWY_RESTRICT hashes, const Index* HWY_RESTRICT created,
+                  const RidgeEntries& table, std::uint8_t* HWY_RESTRICT unmatched) {
   const IdTag<K> d;
   const Pieces<K> pieces(links.k);
   const auto layout = layout_of<K, Ids>(links);
@@ -213,32 +227,40 @@ void match_ridges(const CellLinks& links, std::span<const HorizonFacet> facets, 
       std::uint8_t bits[8];
       hn::StoreMaskBits(d, hn::AndNot(pair, valid), bits);
       const auto shifted = static_cast<std::uint8_t>(bits[0] << begin % 8);
-      unmatched[begin / 8] = begin % 8 == 0 ? shifted : static_cast<std::uint8_t>(unmatched[begin / 8] | shifted);
+      unmatched[begin / 8] =
+          begin % 8 == 0 ? shifted : static_cast<std::uint8_t>(unmatched[begin / 8] | shifted);
     }
   }
 }
 
-/// Calls work(k, ids), constants that say for which cells there is code: the dimension, 0 if it is a variable, and the width of
-/// vertices.
+/// Calls work(k, ids), constants that say for which cells there is code: the dimension, 0 if it is a
+/// variable, and the width of vertices.
 template <class Work>
 void for_layout(const CellLinks& links, Work&& work) {
   internal::with_compiled_dimension<1, 8>(static_cast<std::size_t>(links.k), [&](auto k) {
     if constexpr (may_be_narrow(k()))
-      if (links.ids == VertexIds::narrow) return work(k, std::integral_constant<VertexIds, VertexIds::narrow>());
+      if (links.ids == VertexIds::narrow)
+        return work(k, std::integral_constant<VertexIds, VertexIds::narrow>());
     work(k, std::integral_constant<VertexIds, VertexIds::wide>());
   });
 }
 
-void create_cells_here(const CellLinks& links, Index apex, const DeadCells& zone, std::span<HorizonFacet> facets) {
+void create_cells_here(const CellLinks& links, Index apex, const DeadCells& zone,
+                       std::span<HorizonFacet> facets) {
   for_layout(links, [&](auto k, auto ids) { create_cells<k(), ids()>(links, apex, zone, facets); });
 }
-void hash_ridges_here(const CellLinks& links, std::span<const HorizonFacet> facets, std::size_t first, std::size_t last,
-                      std::uint32_t* hashes, Index* created, const RidgeEntries* table) {
-  for_layout(links, [&](auto k, auto ids) { hash_ridges<k(), ids()>(links, facets, first, last, hashes, created, table); });
+void hash_ridges_here(const CellLinks& links, std::span<const HorizonFacet> facets, std::size_t first,
+                      std::size_t last, std::uint32_t* hashes, Index* created, const RidgeEntries* table) {
+  for_layout(links, [&](auto k, auto ids) {
+    hash_ridges<k(), ids()>(links, facets, first, last, hashes, created, table);
+  });
 }
-void match_ridges_here(const CellLinks& links, std::span<const HorizonFacet> facets, const std::uint32_t* hashes,
-                       const Index* created, const RidgeEntries& table, std::uint8_t* unmatched) {
-  for_layout(links, [&](auto k, auto ids) { match_ridges<k(), ids()>(links, facets, hashes, created, table, unmatched); });
+void match_ridges_here(const CellLinks& links, std::span<const HorizonFacet> facets,
+                       const std::uint32_t* hashes, const Index* created, const RidgeEntries& table,
+                       std::uint8_t* unmatched) {
+  for_layout(links, [&](auto k, auto ids) {
+    match_ridges<k(), ids()>(links, facets, hashes, created, table, unmatched);
+  });
 }
 
 }  // namespace HWY_NAMESPACE
@@ -255,8 +277,8 @@ HWY_EXPORT(match_ridges_here);
 void create_cells(const CellLinks& links, Index apex, const DeadCells& zone, std::span<HorizonFacet> facets) {
   HWY_DYNAMIC_DISPATCH(create_cells_here)(links, apex, zone, facets);
 }
-void hash_ridges(const CellLinks& links, std::span<const HorizonFacet> facets, std::size_t first, std::size_t last,
-                 std::uint32_t* hashes, Index* created, const RidgeEntries* table) {
+void hash_ridges(const CellLinks& links, std::span<const HorizonFacet> facets, std::size_t first,
+                 std::size_t last, std::uint32_t* hashes, Index* created, const RidgeEntries* table) {
   HWY_DYNAMIC_DISPATCH(hash_ridges_here)(links, facets, first, last, hashes, created, table);
 }
 void match_ridges(const CellLinks& links, std::span<const HorizonFacet> facets, const std::uint32_t* hashes,

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The cells of a new star and their links, all ids of a cell in one vector of the processor; compiled for several instruction
-// sets, of which the best that the machine has is chosen at run time.
+// The cells of a new star and their links, all ids of a cell in one vector of the processor; compiled for
+// several instruction sets, of which the best that the machine has is chosen at run time.
 #pragma once
 
 #include "cells/cell_memory.hpp"
@@ -16,8 +16,8 @@
 
 namespace delone::engine {
 
-/// Where the vertices and neighbors of all cells are, laid out as CellLayout says. Behind the last cell there is room for a
-/// vector of ids more.
+/// Where the vertices and neighbors of all cells are, laid out as CellLayout says. Behind the last cell there
+/// is room for a vector of ids more.
 struct CellLinks {
   Index* first;
   int k;
@@ -30,29 +30,33 @@ struct DeadCells {
   const double* values;
 };
 
-/// Writes the vertices of created cells, and links them with the survivors of their facets. The ids in facet.created are given;
-/// what else a facet lacks is filled in. A cell may be created where the dead cell of its facet is, or one of an earlier facet.
+/// Writes the vertices of created cells, and links them with the survivors of their facets. The ids in
+/// facet.created are given; what else a facet lacks is filled in. A cell may be created where the dead cell
+/// of its facet is, or one of an earlier facet.
 void create_cells(const CellLinks& links, Index apex, const DeadCells& zone, std::span<HorizonFacet> facets);
 
-/// A half-ridge is numbered facet · 2^half_ridge_shift + its slot in the created cell; numbers of the apex's slot and beyond
-/// that of the last vertex stand for none.
-constexpr int half_ridge_shift(int k) { return std::max(3, static_cast<int>(std::bit_width(static_cast<unsigned>(k)))); }
+/// A half-ridge is numbered facet · 2^half_ridge_shift + its slot in the created cell; numbers of the apex's
+/// slot and beyond that of the last vertex stand for none.
+constexpr int half_ridge_shift(int k) {
+  return std::max(3, static_cast<int>(std::bit_width(static_cast<unsigned>(k))));
+}
 
-/// Half-ridges are matched in a table of 2^bits entries and one more, each the sum of the numbers of the half-ridges that have
-/// selected it, plus as many times 2^sum_bits.
+/// Half-ridges are matched in a table of 2^bits entries and one more, each the sum of the numbers of the
+/// half-ridges that have selected it, plus as many times 2^sum_bits.
 struct RidgeEntries {
   std::uint32_t* entries;
   int bits;
   int sum_bits;
 };
 
-/// Hashes the ridges of facets first … last − 1, whose created cells have their vertices, and adds their half-ridges to the
-/// table, if there is one. hashes: of all half-ridges of the star; created: the created cells of all facets.
-void hash_ridges(const CellLinks& links, std::span<const HorizonFacet> facets, std::size_t first, std::size_t last,
-                 std::uint32_t* hashes, Index* created, const RidgeEntries* table);
+/// Hashes the ridges of facets first … last − 1, whose created cells have their vertices, and adds their
+/// half-ridges to the table, if there is one. hashes: of all half-ridges of the star; created: the created
+/// cells of all facets.
+void hash_ridges(const CellLinks& links, std::span<const HorizonFacet> facets, std::size_t first,
+                 std::size_t last, std::uint32_t* hashes, Index* created, const RidgeEntries* table);
 
-/// Links the created cells across all ridges whose two half-ridges have an entry to themselves. Of the others, bits are set in
-/// `unmatched`, those of all other numbers are not.
+/// Links the created cells across all ridges whose two half-ridges have an entry to themselves. Of the
+/// others, bits are set in `unmatched`, those of all other numbers are not.
 void match_ridges(const CellLinks& links, std::span<const HorizonFacet> facets, const std::uint32_t* hashes,
                   const Index* created, const RidgeEntries& table, std::uint8_t* unmatched);
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Replaces a conflict zone by the star of the new vertex (§2.6 of the report): one new cell per horizon facet, linked along the
-// ridges of the horizon by hashing; or as in the report, by rotating about them through the dead cells.
+// Replaces a conflict zone by the star of the new vertex (§2.6 of the report): one new cell per horizon
+// facet, linked along the ridges of the horizon by hashing; or as in the report, by rotating about them
+// through the dead cells.
 #pragma once
 
 #include "engine/conflict_zone.hpp"
@@ -11,21 +12,24 @@
 
 namespace delone::engine {
 
-/// How many cells of a star are created at a time, so that their records, and those of the cells they are made from, stay in
-/// the cache through all steps.
+/// How many cells of a star are created at a time, so that their records, and those of the cells they are
+/// made from, stay in the cache through all steps.
 constexpr std::size_t star_block = 128;
 
-/// Links the created cells of a star by rotating about each ridge, from the dead cell of the facet through the zone until the
-/// horizon (Boissonnat and Teillaud 1993, doi:10.1016/0304-3975(93)90024-N). REQUIRES that no dead cell has been released.
+/// Links the created cells of a star by rotating about each ridge, from the dead cell of the facet through
+/// the zone until the horizon (Boissonnat and Teillaud 1993, doi:10.1016/0304-3975(93)90024-N). REQUIRES that
+/// no dead cell has been released.
 template <int K>
 void link_by_rotation(CellStore<K>& cells, std::span<const HorizonFacet> facets) {
-  // Within the zone, a dead cell gets the new cell in place of the neighbor across each of its horizon facets.
+  // Within the zone, a dead cell gets the new cell in place of the neighbor across each of its horizon
+  // facets.
   for (const HorizonFacet& facet : facets) cells.neighbors(facet.dead)[facet.slot] = facet.created;
   for (const HorizonFacet& facet : facets)
     for (int slot = 0; slot <= cells.dimension(); ++slot) {
       if (slot == facet.slot) continue;
       Index cell = facet.dead;
-      int cross = slot;  // the facet to leave `cell` by: it contains the ridge, as does the facet opposite slot `other`
+      int cross = slot;  // the facet to leave `cell` by: it contains the ridge, as does the facet opposite
+                         // slot `other`
       int other = facet.slot;
       for (;;) {
         const Index next = cells.neighbors(cell)[cross];
@@ -41,14 +45,15 @@ void link_by_rotation(CellStore<K>& cells, std::span<const HorizonFacet> facets)
     }
 }
 
-/// Gives the cells of the star their slots. The cell that is made from the last facet of a dead cell takes its place; what is
-/// made before from other facets of it gets the slot of a dead cell that has none, or a vacant one. So a cell is close to where
-/// those were that it is made of, and what is met together stays together on a few pages. Throws what a reserve() throws, and
-/// then changes nothing.
+/// Gives the cells of the star their slots. The cell that is made from the last facet of a dead cell takes
+/// its place; what is made before from other facets of it gets the slot of a dead cell that has none, or a
+/// vacant one. So a cell is close to where those were that it is made of, and what is met together stays
+/// together on a few pages. Throws what a reserve() throws, and then changes nothing.
 ///
-/// If cells are made in the order of the facets, each of which is read before its cell is written, no dead cell is written over
-/// that is still to be read. Nor is a survivor ever next to two cells of one id: when a new cell gets the id of a dead one, all
-/// survivors next to that have been linked with what is made from its facets, or there are none.
+/// If cells are made in the order of the facets, each of which is read before its cell is written, no dead
+/// cell is written over that is still to be read. Nor is a survivor ever next to two cells of one id: when a
+/// new cell gets the id of a dead one, all survivors next to that have been linked with what is made from its
+/// facets, or there are none.
 template <int K, Geometry G>
 void replace_slots(CellStore<K>& cells, const G& geometry, ConflictZone& zone) {
   const std::span<HorizonFacet> facets{zone.horizon.data(), zone.num_facets};
@@ -98,8 +103,9 @@ void find_swallowed(const CellStore<K>& cells, const ConflictZone& zone, std::ve
   std::set_difference(all.begin(), all.end(), kept.begin(), kept.end(), std::back_inserter(swallowed));
 }
 
-/// Kills the zone and creates the star of vertex v at q; takes the marks back. If memory or ids run out it throws before
-/// anything has changed, the marks included. `swallowed`, if any, receives the vertices that lose all their cells.
+/// Kills the zone and creates the star of vertex v at q; takes the marks back. If memory or ids run out it
+/// throws before anything has changed, the marks included. `swallowed`, if any, receives the vertices that
+/// lose all their cells.
 template <int K, Geometry G>
 void retriangulate(CellStore<K>& cells, G& geometry, Index v, const typename G::Query& q, ConflictZone& zone,
                    RidgeTable& ridges, std::vector<Index>* swallowed) {
@@ -139,7 +145,8 @@ void retriangulate(CellStore<K>& cells, G& geometry, Index v, const typename G::
         facet.survivor_opposite = cells.vertex(survivor, mirror);
       }
     } else {
-      create_cells(cells.links(), v, {zone.cells.data(), zone.values.data()}, facets.subspan(first, last - first));
+      create_cells(cells.links(), v, {zone.cells.data(), zone.values.data()},
+                   facets.subspan(first, last - first));
     }
     ridges.hash(cells, facets, first, last);
     for (const std::uint32_t f : geometry.create_star(v, q, facets.subspan(first, last - first))) {

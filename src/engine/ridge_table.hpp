@@ -1,20 +1,23 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Finds which cells of a new star share a ridge of the horizon, by hashing and without branches that depend on the data.
+// Finds which cells of a new star share a ridge of the horizon, by hashing and without branches that depend
+// on the data.
 //
-// A half-ridge is a ridge seen from one of its cells. The horizon is the boundary of a ball, so every ridge has exactly two
-// half-ridges. Each adds itself and a count to the table entry that a hash of the ridge's vertex set selects. Both half-ridges
-// of a ridge select the same entry; so an entry that exactly two have selected holds the two halves of one ridge: the sum less
-// one half is the other, exactly, whatever the quality of the hash. Half-ridges in fuller entries are hashed anew, among
-// themselves, and those that are still left after some rounds, mostly since their hashes are the same, are compared.
+// A half-ridge is a ridge seen from one of its cells. The horizon is the boundary of a ball, so every ridge
+// has exactly two half-ridges. Each adds itself and a count to the table entry that a hash of the ridge's
+// vertex set selects. Both half-ridges of a ridge select the same entry; so an entry that exactly two have
+// selected holds the two halves of one ridge: the sum less one half is the other, exactly, whatever the
+// quality of the hash. Half-ridges in fuller entries are hashed anew, among themselves, and those that are
+// still left after some rounds, mostly since their hashes are the same, are compared.
 //
-// In two dimensions ridges are vertices and the horizon is a cycle of edges, each of which ends where another one begins: a
-// small table of where edges begin links nearly all stars. Where two vertices share an entry, hashing does.
+// In two dimensions ridges are vertices and the horizon is a cycle of edges, each of which ends where another
+// one begins: a small table of where edges begin links nearly all stars. Where two vertices share an entry,
+// hashing does.
 #pragma once
 
-#include "engine/cell_store.hpp"
-#include "engine/link_kernel.hpp"
 #include "base/growable_array.hpp"
 #include "cells/horizon_facet.hpp"
+#include "engine/cell_store.hpp"
+#include "engine/link_kernel.hpp"
 
 #include <algorithm>
 #include <array>
@@ -28,7 +31,8 @@ namespace delone::engine {
 
 class RidgeTable {
  public:
-  /// `rounds`: how often half-ridges are hashed before they are compared. 0: the caller links cells by other means.
+  /// `rounds`: how often half-ridges are hashed before they are compared. 0: the caller links cells by other
+  /// means.
   explicit RidgeTable(int rounds = 6) : rounds_(rounds) {}
   bool hashes() const { return rounds_ > 0; }
 
@@ -40,9 +44,11 @@ class RidgeTable {
       grow(facets, k);
   }
 
-  /// Takes note of a created triangle of facet f as soon as it has its vertices, that of the apex in slot `apex`.
+  /// Takes note of a created triangle of facet f as soon as it has its vertices, that of the apex in slot
+  /// `apex`.
   void note(std::uint32_t f, const Index* vertices, int apex) { beginning_at(vertices[next_slot[apex]]) = f; }
-  /// Hashes the ridges of the facets first … last − 1, whose created cells have their vertices. REQUIRES reserve().
+  /// Hashes the ridges of the facets first … last − 1, whose created cells have their vertices. REQUIRES
+  /// reserve().
   template <int K>
   void hash(CellStore<K>& cells, std::span<const HorizonFacet> facets, std::size_t first, std::size_t last) {
     if constexpr (K == 2) return;  // link() does it for the few stars of triangles that need it
@@ -58,22 +64,27 @@ class RidgeTable {
  private:
   /// The facet of a half-ridge, and its slot in the created cell.
   static std::uint32_t facet(std::uint32_t half, int k) { return half >> half_ridge_shift(k); }
-  static int slot(std::uint32_t half, int k) { return static_cast<int>(half & ((1u << half_ridge_shift(k)) - 1)); }
+  static int slot(std::uint32_t half, int k) {
+    return static_cast<int>(half & ((1u << half_ridge_shift(k)) - 1));
+  }
 
-  /// Entries count in the bits above those that the sum of two half-ridges takes. What more than two add to the sum may carry
-  /// into the count, less than one for every two of them: a count that is more than 2 cannot look like 2 as long as one and a
-  /// half times all half-ridges do not overflow it. That holds for 2^15 half-ridges with 16 bits for each part, and for all
-  /// with 32. With 24 bits of 32 for the sum, a count may come round to 2: then more half-ridges have found another than there
-  /// are entries with two, times two, and nothing is believed.
+  /// Entries count in the bits above those that the sum of two half-ridges takes. What more than two add to
+  /// the sum may carry into the count, less than one for every two of them: a count that is more than 2
+  /// cannot look like 2 as long as one and a half times all half-ridges do not overflow it. That holds for
+  /// 2^15 half-ridges with 16 bits for each part, and for all with 32. With 24 bits of 32 for the sum, a
+  /// count may come round to 2: then more half-ridges have found another than there are entries with two,
+  /// times two, and nothing is believed.
   static constexpr int short_bits = 16, narrow_bits = 24, wide_bits = 32;
   static bool fits(int sum_bits, std::size_t facets, int k) {
     return facets << half_ridge_shift(k) <= std::size_t{1} << (sum_bits - 1);
   }
-  /// A table that takes room from others in the first-level cache is better fuller, though more is left by it, and even more so
-  /// one that outgrows it.
+  /// A table that takes room from others in the first-level cache is better fuller, though more is left by
+  /// it, and even more so one that outgrows it.
   static std::size_t num_entries(std::size_t facets, int k) {
     const std::size_t halves = std::max<std::size_t>(facets * static_cast<std::size_t>(k), 1);
-    return std::bit_ceil(halves * (4 * halves <= least_entries ? 4 : fits(short_bits + 1, facets, k) ? 2 : 1));
+    return std::bit_ceil(halves * (4 * halves <= least_entries       ? 4
+                                   : fits(short_bits + 1, facets, k) ? 2
+                                                                     : 1));
   }
   /// No star of less than `few` facets has more entries than this, or than one of `few`.
   static constexpr std::size_t least_entries = 1024;
@@ -111,22 +122,26 @@ class RidgeTable {
   }
   static std::size_t num_words(std::size_t halves) { return halves / 64 + 1; }
 
-  /// Seen from the apex of a triangle, its edge goes from the vertex in the next slot to that in the one after it.
+  /// Seen from the apex of a triangle, its edge goes from the vertex in the next slot to that in the one
+  /// after it.
   static constexpr int next_slot[] = {1, 2, 0};
   std::uint32_t& beginning_at(Index vertex) { return beginning_[vertex % beginning_.size()]; }
 
-  /// Links the triangles of a star along the cycle of its edges. Returns whether each vertex has an entry of its own; else the
-  /// links are of no use.
+  /// Links the triangles of a star along the cycle of its edges. Returns whether each vertex has an entry of
+  /// its own; else the links are of no use.
   bool link_cycle(CellStore<2>& cells, std::span<const HorizonFacet> facets);
 
   /// Links the created cells of all half-ridges that match. Returns how many of unmatched_ are left.
   template <int K>
-  std::uint32_t match_narrow(const RidgeEntries& table, CellStore<K>& cells, std::span<const HorizonFacet> facets);
-  /// The same for those that are left, round after round, and by other hashes; returns those that are left then.
+  std::uint32_t match_narrow(const RidgeEntries& table, CellStore<K>& cells,
+                             std::span<const HorizonFacet> facets);
+  /// The same for those that are left, round after round, and by other hashes; returns those that are left
+  /// then.
   template <int SumBits, class Entry, int K>
-  std::span<std::uint32_t> match_rest(Entry* entries, std::size_t size, std::uint32_t left, CellStore<K>& cells);
-  /// The same for all that are left, by their vertices. The halves of a ridge have the same hash, so only such are compared.
-  /// Takes no memory, as it must not fail: cells have been changed.
+  std::span<std::uint32_t> match_rest(Entry* entries, std::size_t size, std::uint32_t left,
+                                      CellStore<K>& cells);
+  /// The same for all that are left, by their vertices. The halves of a ridge have the same hash, so only
+  /// such are compared. Takes no memory, as it must not fail: cells have been changed.
   template <int K>
   void compare(CellStore<K>& cells, std::span<std::uint32_t> left);
   std::uint32_t all_unmatched(std::span<const HorizonFacet> facets, int k);
@@ -135,21 +150,24 @@ class RidgeTable {
   static constexpr std::size_t few = 64;
 
   int rounds_;
-  int k_ = -1;                           // of cells that there is room for
-  std::vector<std::uint32_t> narrow_;    // entries, all zero between calls: above how many selected it, below their sum
-  std::vector<std::uint64_t> wide_;      // the same for stars that need the room, and for what is left of others
+  int k_ = -1;  // of cells that there is room for
+  std::vector<std::uint32_t>
+      narrow_;  // entries, all zero between calls: above how many selected it, below their sum
+  std::vector<std::uint64_t> wide_;  // the same for stars that need the room, and for what is left of others
   GrowableArray<std::uint32_t> hashes_;  // of the ridges of all half-ridges
   GrowableArray<std::uint32_t> unmatched_;
   GrowableArray<Index> created_;
-  std::vector<std::uint64_t> left_;              // of all half-ridges, a bit each: whether it is not matched
-  std::array<std::uint32_t, 1024> beginning_{};  // which edge of a cycle begins at a vertex, by the low bits of its id
+  std::vector<std::uint64_t> left_;  // of all half-ridges, a bit each: whether it is not matched
+  std::array<std::uint32_t, 1024>
+      beginning_{};  // which edge of a cycle begins at a vertex, by the low bits of its id
 };
 
 inline std::uint32_t RidgeTable::all_unmatched(std::span<const HorizonFacet> facets, int k) {
   std::uint32_t left = 0;
   for (std::uint32_t f = 0; f < facets.size(); ++f)
     for (int i = 0; i <= k; ++i)
-      if (i != facets[f].slot) unmatched_[left++] = (f << half_ridge_shift(k)) + static_cast<std::uint32_t>(i);
+      if (i != facets[f].slot)
+        unmatched_[left++] = (f << half_ridge_shift(k)) + static_cast<std::uint32_t>(i);
   return left;
 }
 
@@ -163,10 +181,12 @@ void RidgeTable::link(CellStore<K>& cells, std::span<const HorizonFacet> facets)
     hash_ridges(cells.links(), facets, 0, facets.size(), hashes_.data(), created_.data(),
                 table.entries != nullptr ? &table : nullptr);
   const std::size_t size = num_entries(facets.size(), k);
-  const std::uint32_t left = table.entries != nullptr ? match_narrow(table, cells, facets) : all_unmatched(facets, k);
+  const std::uint32_t left =
+      table.entries != nullptr ? match_narrow(table, cells, facets) : all_unmatched(facets, k);
   if (table.entries != nullptr && table.sum_bits == short_bits)
     return compare(cells, match_rest<short_bits>(narrow_.data(), size, left, cells));
-  compare(cells, match_rest<wide_bits>(wide_.data(), table.entries != nullptr ? rest_size(size) : size, left, cells));
+  compare(cells, match_rest<wide_bits>(wide_.data(), table.entries != nullptr ? rest_size(size) : size, left,
+                                       cells));
 }
 
 template <int K>
@@ -184,7 +204,8 @@ void RidgeTable::compare(CellStore<K>& cells, std::span<std::uint32_t> left) {
         return false;
     return true;
   };
-  std::sort(left.begin(), left.end(), [&](std::uint32_t a, std::uint32_t b) { return hashes_[a] < hashes_[b]; });
+  std::sort(left.begin(), left.end(),
+            [&](std::uint32_t a, std::uint32_t b) { return hashes_[a] < hashes_[b]; });
   for (std::size_t i = 0; i < left.size(); ++i)
     for (std::size_t j = i + 1; j < left.size() && hashes_[left[j]] == hashes_[left[i]]; ++j) {
       if (!is_one_ridge(left[i], left[j])) continue;
@@ -198,7 +219,8 @@ inline bool RidgeTable::link_cycle(CellStore<2>& cells, std::span<const HorizonF
   for (const HorizonFacet& facet : facets) {
     const int begin = next_slot[facet.slot], end = next_slot[begin];
     const Index vertex = cells.vertex(facet.created, end);
-    const HorizonFacet& other = facets[beginning_at(vertex)];  // some edge begins here, so that the entry is of this star
+    const HorizonFacet& other =
+        facets[beginning_at(vertex)];  // some edge begins here, so that the entry is of this star
     const int begin_of_other = next_slot[other.slot];
     matched &= cells.vertex(other.created, begin_of_other) == vertex;
     cells.neighbors(facet.created)[begin] = other.created;
@@ -208,26 +230,32 @@ inline bool RidgeTable::link_cycle(CellStore<2>& cells, std::span<const HorizonF
 }
 
 template <int K>
-std::uint32_t RidgeTable::match_narrow(const RidgeEntries& table, CellStore<K>& cells, std::span<const HorizonFacet> facets) {
+std::uint32_t RidgeTable::match_narrow(const RidgeEntries& table, CellStore<K>& cells,
+                                       std::span<const HorizonFacet> facets) {
   const int k = cells.dimension();
-  const std::size_t words = num_words(facets.size() << half_ridge_shift(k)), size = std::size_t{1} << table.bits;
+  const std::size_t words = num_words(facets.size() << half_ridge_shift(k)),
+                    size = std::size_t{1} << table.bits;
   left_[words - 1] = 0;
-  match_ridges(cells.links(), facets, hashes_.data(), created_.data(), table, reinterpret_cast<std::uint8_t*>(left_.data()));
+  match_ridges(cells.links(), facets, hashes_.data(), created_.data(), table,
+               reinterpret_cast<std::uint8_t*>(left_.data()));
   std::uint32_t left = 0;
   for (std::size_t word = 0; word < words; ++word)
     for (std::uint64_t bits = from_bytes(left_[word]); bits != 0; bits &= bits - 1)
-      unmatched_[left++] = static_cast<std::uint32_t>(64 * word) + static_cast<std::uint32_t>(std::countr_zero(bits));
+      unmatched_[left++] =
+          static_cast<std::uint32_t>(64 * word) + static_cast<std::uint32_t>(std::countr_zero(bits));
   std::size_t pairs = 0;
   if (table.sum_bits == narrow_bits)
     for (std::size_t i = 0; i < size; ++i) pairs += table.entries[i] >> narrow_bits == 2;
-  std::fill_n(table.entries, size + 1, 0u);  // it is in the cache, so that filling it is faster than finding what is not zero
+  std::fill_n(table.entries, size + 1,
+              0u);  // it is in the cache, so that filling it is faster than finding what is not zero
   if (table.sum_bits == narrow_bits && 2 * pairs + left != facets.size() * static_cast<std::size_t>(k))
     return all_unmatched(facets, k);
   return left;
 }
 
 template <int SumBits, class Entry, int K>
-std::span<std::uint32_t> RidgeTable::match_rest(Entry* entries, std::size_t size, std::uint32_t left, CellStore<K>& cells) {
+std::span<std::uint32_t> RidgeTable::match_rest(Entry* entries, std::size_t size, std::uint32_t left,
+                                                CellStore<K>& cells) {
   constexpr Entry one = Entry{1} << SumBits;
   const int k = cells.dimension();
   const int shift = 32 - (std::bit_width(size) - 1);
@@ -235,9 +263,12 @@ std::span<std::uint32_t> RidgeTable::match_rest(Entry* entries, std::size_t size
   std::uint32_t* spare = unmatched + unmatched_.capacity() / 2;
   std::uint32_t multiplier = 0x9e3779b9;
   for (int round = 1; round < rounds_ && left > 0; ++round, multiplier *= 0x85ebca6b) {
-    const auto entry_of = [&](std::uint32_t half) -> Entry& { return entries[hashes_[half] * multiplier >> shift]; };
+    const auto entry_of = [&](std::uint32_t half) -> Entry& {
+      return entries[hashes_[half] * multiplier >> shift];
+    };
     const std::uint32_t count = std::exchange(left, 0u);
-    for (std::uint32_t i = 0; i < count; ++i) entry_of(unmatched[i]) += static_cast<Entry>(one + unmatched[i]);
+    for (std::uint32_t i = 0; i < count; ++i)
+      entry_of(unmatched[i]) += static_cast<Entry>(one + unmatched[i]);
     for (std::uint32_t i = 0; i < count; ++i) {
       const std::uint32_t half = unmatched[i];
       const Entry entry = entry_of(half);

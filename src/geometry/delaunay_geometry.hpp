@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What joins the kernel to the engine: the conflict test of Delaunay, regular and furthest-site triangulations, from the cached
-// functional of a cell (stage filter_) to the exact stages. A point q is in conflict with a cell iff h(q) < 0.
+// What joins the kernel to the engine: the conflict test of Delaunay, regular and furthest-site
+// triangulations, from the cached functional of a cell (stage filter_) to the exact stages. A point q is in
+// conflict with a cell iff h(q) < 0.
 #pragma once
 
 #include "geometry/frame.hpp"
@@ -25,7 +26,8 @@ struct Query : PointQuery {
   Query(const double* at, const kernel::Grid& grid_of_all, std::size_t dimension, int row_size)
       : PointQuery{at, &grid_of_all, row_size}, row(dimension + 1) {}
   LatticeBounds bounds;
-  kernel::Buffer<double, K + (K > 0)> row;  ///< the image on the axes of the flat and the lift; not a number outside the frame
+  kernel::Buffer<double, K + (K > 0)>
+      row;  ///< the image on the axes of the flat and the lift; not a number outside the frame
 };
 
 template <int K>
@@ -36,10 +38,11 @@ class DelaunayGeometry : public PointPredicates<K> {
  public:
   using Query = geometry::Query<K>;
 
-  /// `coordinates`: the points of the vertices, `ambient` doubles each and then the weight if the frame is of weighted points,
-  /// indexed by vertex id (vertex 0 is a dummy). Both references must outlive this object; they may grow.
-  DelaunayGeometry(CellMemory<K>& cells, std::vector<int> axes, int ambient, const std::vector<double>& coordinates,
-                   const kernel::Grid& grid, Frame frame)
+  /// `coordinates`: the points of the vertices, `ambient` doubles each and then the weight if the frame is of
+  /// weighted points, indexed by vertex id (vertex 0 is a dummy). Both references must outlive this object;
+  /// they may grow.
+  DelaunayGeometry(CellMemory<K>& cells, std::vector<int> axes, int ambient,
+                   const std::vector<double>& coordinates, const kernel::Grid& grid, Frame frame)
       : PointPredicates<K>(std::move(axes), ambient, frame.form(), coordinates),
         grid_(grid),
         frame_(std::move(frame)),
@@ -76,7 +79,8 @@ class DelaunayGeometry : public PointPredicates<K> {
   /// A query anywhere; `grid` is one for the vertices and the point, and must outlive the query.
   Query make_query(const double* at, const kernel::Grid& grid) const {
     Query q(at, grid, axes_.size(), flat().row_size());
-    q.bounds = &grid == &grid_ && grid.revision() == bounds_revision_ ? bounds_ : lattice_.bounds(grid, axes_);
+    q.bounds =
+        &grid == &grid_ && grid.revision() == bounds_revision_ ? bounds_ : lattice_.bounds(grid, axes_);
     if (frame_.contains(at))
       write_row(at, q.row.data());
     else
@@ -84,7 +88,8 @@ class DelaunayGeometry : public PointPredicates<K> {
     return q;
   }
 
-  /// h̃(q), approximately the functional of the cell. Functionals of finite cells are comparable with each other.
+  /// h̃(q), approximately the functional of the cell. Functionals of finite cells are comparable with each
+  /// other.
   double value(Index cell, const Query& q) const { return evaluator(q).value(cell); }
   auto evaluator(const Query& q) const { return functionals_.evaluator(q.row.data()); }
   bool is_infinite(Index cell) const { return functionals_.is_infinite(cell); }
@@ -97,13 +102,18 @@ class DelaunayGeometry : public PointPredicates<K> {
   }
 
   /// Stage filter_, too: whether a value within the threshold proves that h(q) is exactly zero.
-  bool proves_tie(Index cell, double value, const Query& q) const { return functionals_.proves_zero(cell, value, q.bounds); }
+  bool proves_tie(Index cell, double value, const Query& q) const {
+    return functionals_.proves_zero(cell, value, q.bounds);
+  }
 
   /// The orientation of k+1 finite vertices.
-  Sign orientation(const Index* vertices) const { return kernel::orientation<K>(flat(), gather(vertices).data(), grid_); }
+  Sign orientation(const Index* vertices) const {
+    return kernel::orientation<K>(flat(), gather(vertices).data(), grid_);
+  }
 
-  /// Computes what is cached for a cell by elimination. `apex` is the slot of a finite vertex. Returns the orientation of the
-  /// vertices, zero if that is not certain, or the cell infinite, or the apex not in slot 0.
+  /// Computes what is cached for a cell by elimination. `apex` is the slot of a finite vertex. Returns the
+  /// orientation of the vertices, zero if that is not certain, or the cell infinite, or the apex not in slot
+  /// 0.
   Sign create(Index cell, const Index* vertices, int infinite_slot, int apex);
 
   /// The same for finite cells, many at once, apexes in slot 0. REQUIRES keep_rows().
@@ -121,10 +131,12 @@ class DelaunayGeometry : public PointPredicates<K> {
     rows_.reserve(growing(size));
     rows_.prepare(size);
   }
-  /// Computes what is cached for the created cells of a star of vertex v at q, from the cells on the two sides of each facet.
-  /// Returns the facets for whose cells that would be too inaccurate: they must be created singly.
+  /// Computes what is cached for the created cells of a star of vertex v at q, from the cells on the two
+  /// sides of each facet. Returns the facets for whose cells that would be too inaccurate: they must be
+  /// created singly.
   std::span<const std::uint32_t> create_star(Index v, const Query& q, std::span<const HorizonFacet> facets) {
-    if (!computes_rows_) std::memcpy(rows_.data() + v * row_size(), q.row.data(), row_size() * sizeof(double));
+    if (!computes_rows_)
+      std::memcpy(rows_.data() + v * row_size(), q.row.data(), row_size() * sizeof(double));
     return functionals_.combine(facets, rows(), q.row.data(), q.bounds);
   }
 
@@ -134,7 +146,8 @@ class DelaunayGeometry : public PointPredicates<K> {
     lattice_ = Lattice(frame_, axes_);
     bounds_revision_ = 0;
     bounds_ = {};
-    computes_rows_ = can_compute_rows(K) && dimension() == frame_.ambient() && frame_.form() == kernel::RowForm::point;
+    computes_rows_ =
+        can_compute_rows(K) && dimension() == frame_.ambient() && frame_.form() == kernel::RowForm::point;
   }
   VertexRows rows() const {
     if (!computes_rows_) return rows_.data();
@@ -166,7 +179,8 @@ class DelaunayGeometry : public PointPredicates<K> {
   const kernel::Grid& grid_;
   Frame frame_;
   Lattice lattice_;
-  LatticeBounds bounds_;  // for the grid of the vertices as it was in that revision; they say nothing in revision 0
+  LatticeBounds
+      bounds_;  // for the grid of the vertices as it was in that revision; they say nothing in revision 0
   std::uint64_t bounds_revision_ = 0;
   Functionals<K> functionals_;
   bool computes_rows_ = false;
@@ -189,8 +203,8 @@ Sign DelaunayGeometry<K>::create(Index cell, const Index* vertices, int infinite
     const Sign sign = functionals_.template solve<false>(cell, rows.data(), true);
     return apex == 0 ? sign : Sign::zero;
   } else {
-    // The sign that makes h negative where a point in the slot of the infinite vertex would make a positively oriented cell
-    // (docs/predicates.md, "Signs").
+    // The sign that makes h negative where a point in the slot of the infinite vertex would make a positively
+    // oriented cell (docs/predicates.md, "Signs").
     const int position = infinite_slot - (infinite_slot > apex ? 1 : 0);
     functionals_.template solve<true>(cell, rows.data(), (apex + position + k) % 2 == 0);
     return Sign::zero;
@@ -198,10 +212,12 @@ Sign DelaunayGeometry<K>::create(Index cell, const Index* vertices, int infinite
 }
 
 template <int K>
-void DelaunayGeometry<K>::create(std::span<const Index> cells, std::span<const Index* const> vertices, Sign* orientations) {
+void DelaunayGeometry<K>::create(std::span<const Index> cells, std::span<const Index* const> vertices,
+                                 Sign* orientations) {
   for (std::size_t first = 0; first < cells.size(); first += simplex_lanes) {
     const std::size_t count = std::min(simplex_lanes, cells.size() - first);
-    functionals_.solve(cells.subspan(first, count), vertices.subspan(first, count), rows_.data(), orientations + first);
+    functionals_.solve(cells.subspan(first, count), vertices.subspan(first, count), rows_.data(),
+                       orientations + first);
   }
   for (std::size_t i = 0; i < cells.size(); ++i)
     if (orientations[i] == Sign::zero) orientations[i] = create(cells[i], vertices[i], -1, 0);

@@ -1,20 +1,24 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The cached functionals of all cells: for each cell a linear function h of rows that vanishes at the cell's vertices, with a
-// certified threshold. A point is in conflict iff h < 0 at its row. Rows have k + 1 entries and a reference entry, in which all
-// finite functionals have the coefficient 1:
+// The cached functionals of all cells: for each cell a linear function h of rows that vanishes at the cell's
+// vertices, with a certified threshold. A point is in conflict iff h < 0 at its row. Rows have k + 1 entries
+// and a reference entry, in which all finite functionals have the coefficient 1:
 //
 // Lifted, (X, 1 | ℓ): the image of a point in the frame and its lift.
 //   Finite cell: h = ℓ + g·X + c, the power with respect to the circumsphere, up to the frame's scaling.
 //   Infinite cell: h = g·X + c with one coefficient ±1, positive on the side of the hull.
-// Not lifted, (X | 1): the image of a point of R^(k+1) relative to a point inside the hull. All cells are finite: h = 1 + g·X.
+// Not lifted, (X | 1): the image of a point of R^(k+1) relative to a point inside the hull. All cells are
+// finite: h = 1 + g·X.
 //
-// A threshold is one for signs: a value beyond it has the sign of h. Values are off by no more than that, too, but for those of
-// flat cells, whose spheres are far larger than the frame's box: their errors may grow with values, by threshold/bend.
+// A threshold is one for signs: a value beyond it has the sign of h. Values are off by no more than that,
+// too, but for those of flat cells, whose spheres are far larger than the frame's box: their errors may grow
+// with values, by threshold/bend.
 //
-// Knows images and lifts; neither vertices nor exact arithmetic. Proofs: docs/predicates.md, "The filter" and "The pencil".
+// Knows images and lifts; neither vertices nor exact arithmetic. Proofs: docs/predicates.md, "The filter" and
+// "The pencil".
 #pragma once
 
 #include "cells/cell_memory.hpp"
+#include "cells/horizon_facet.hpp"
 #include "geometry/certificate.hpp"
 #include "geometry/frame.hpp"
 #include "geometry/lattice.hpp"
@@ -23,7 +27,6 @@
 #include "geometry/simplex_kernel.hpp"
 #include "geometry/star_kernel.hpp"
 #include "geometry/vertex_rows.hpp"
-#include "cells/horizon_facet.hpp"
 #include "kernel/buffer.hpp"
 
 #include <delone/types.hpp>
@@ -71,14 +74,19 @@ class Functionals {
       const std::uint64_t finite = certificate::finite_mask(packed(cell));
       return h + std::bit_cast<double>(std::bit_cast<std::uint64_t>(row_.data()[k()]) & finite);
     }
-    /// A value beyond it has the sign of h, for all points of the frame's box; one within it is off by no more.
+    /// A value beyond it has the sign of h, for all points of the frame's box; one within it is off by no
+    /// more.
     double threshold(Index cell) const { return certificate::threshold(packed(cell)); }
     /// How far a value may be off, at most.
-    double error(Index cell, double value) const { return threshold(cell) * (1 + std::fabs(value) * per_bend_); }
+    double error(Index cell, double value) const {
+      return threshold(cell) * (1 + std::fabs(value) * per_bend_);
+    }
 
    private:
     int k() const { return K > 0 ? K : k_; }
-    std::uint64_t packed(Index cell) const { return std::bit_cast<std::uint64_t>(*records_.certificate(cell)); }
+    std::uint64_t packed(Index cell) const {
+      return std::bit_cast<std::uint64_t>(*records_.certificate(cell));
+    }
 
     CellRecords<K, const double> records_;
     kernel::Buffer<double, K + (K > 0)> row_;
@@ -88,51 +96,56 @@ class Functionals {
   Evaluator evaluator(const double* row) const { return {memory_, row, per_bend_}; }
 
   double threshold(Index cell) const { return certificate::threshold(packed(cell)); }
-  /// The same of several cells for one row alone: less if the row is near the vertices of the cell. `rows`: of all vertices.
-  /// Cost O(k²) per cell.
-  void thresholds_at(std::span<const Index> cells, const VertexRows& rows, const double* row, double* thresholds) const
-      requires(Lifted);
-  /// Whether a value that is within the threshold proves that h is exactly zero there. False for not-a-number.
+  /// The same of several cells for one row alone: less if the row is near the vertices of the cell. `rows`:
+  /// of all vertices. Cost O(k²) per cell.
+  void thresholds_at(std::span<const Index> cells, const VertexRows& rows, const double* row,
+                     double* thresholds) const requires(Lifted);
+  /// Whether a value that is within the threshold proves that h is exactly zero there. False for
+  /// not-a-number.
   bool proves_zero(Index cell, double value, const LatticeBounds& bounds) const {
     const double largest_error = 2 * threshold(cell);
     if (!(2 * std::fabs(value) <= largest_error)) return false;
     if (largest_error <= bounds.least_value(is_infinite(cell))) return true;
-    // The bound from the box is too small for most spheres of a fine grid. A lower bound on the determinant saves the upper
-    // one.
-    const auto proved_with = [&](double determinant) { return largest_error * determinant <= bounds.numerator; };
+    // The bound from the box is too small for most spheres of a fine grid. A lower bound on the determinant
+    // saves the upper one.
+    const auto proved_with = [&](double determinant) {
+      return largest_error * determinant <= bounds.numerator;
+    };
     return spheres_ && !is_infinite(cell) && proved_with(certificate::determinant(packed(cell))) &&
            proved_with(largest_determinant(cell));
   }
   bool is_infinite(Index cell) const { return certificate::infinite(packed(cell)); }
 
-  /// Computes a functional by elimination from the rows (k images and the lift) of the finite vertices, the apex first.
-  /// `positive`: for an infinite cell, the sign of the coefficient ±1 is that of the edge vectors' determinant, else its
-  /// opposite. Returns the sign of that determinant, zero if it is not certain. A cyclic shift of the vertices may
-  /// reverse it: what is said of the given rows holds of vertices only where the apex is in slot 0.
+  /// Computes a functional by elimination from the rows (k images and the lift) of the finite vertices, the
+  /// apex first. `positive`: for an infinite cell, the sign of the coefficient ±1 is that of the edge
+  /// vectors' determinant, else its opposite. Returns the sign of that determinant, zero if it is not
+  /// certain. A cyclic shift of the vertices may reverse it: what is said of the given rows holds of vertices
+  /// only where the apex is in slot 0.
   template <bool Infinite>
   Sign solve(Index cell, const double* rows, bool positive) requires(Lifted);
-  /// The same for up to simplex_lanes finite cells at once, given their vertices; `rows`: of all vertices. Where a sign is
-  /// zero, the functional is to be computed singly.
+  /// The same for up to simplex_lanes finite cells at once, given their vertices; `rows`: of all vertices.
+  /// Where a sign is zero, the functional is to be computed singly.
   void solve(std::span<const Index> cells, std::span<const Index* const> vertices, const double* rows,
              Sign* signs) requires(Lifted);
   /// The same for rows that are not lifted, k + 1 of them.
   void solve(Index cell, const double* rows) requires(!Lifted);
 
-  /// Computes the functionals of a star's cells from those of the cells on the two sides of each facet: the functionals that
-  /// vanish on the facet are a pencil, and the new one is its member that vanishes at the new vertex. `rows`: of all vertices.
-  /// Returns the facets whose certificates would be too weak: their cells must be solved for.
-  /// A cell may be created where the dead cell of its facet is, or one of an earlier facet: nothing is read of those
-  /// afterwards.
-  std::span<const std::uint32_t> combine(std::span<const HorizonFacet> facets, const VertexRows& rows, const double* query_row,
-                                         const LatticeBounds& bounds) {
+  /// Computes the functionals of a star's cells from those of the cells on the two sides of each facet: the
+  /// functionals that vanish on the facet are a pencil, and the new one is its member that vanishes at the
+  /// new vertex. `rows`: of all vertices. Returns the facets whose certificates would be too weak: their
+  /// cells must be solved for. A cell may be created where the dead cell of its facet is, or one of an
+  /// earlier facet: nothing is read of those afterwards.
+  std::span<const std::uint32_t> combine(std::span<const HorizonFacet> facets, const VertexRows& rows,
+                                         const double* query_row, const LatticeBounds& bounds) {
     const auto records = memory_.records();
-    const std::size_t num_weak =
-        combine_star({facets, k(), Lifted, memory_.layout().vertex_ids(), records.functional(0), records.certificate(0), rows,
-                      query_row, frame_constants(), scratch_.data(), weak_.data()});
+    const std::size_t num_weak = combine_star({facets, k(), Lifted, memory_.layout().vertex_ids(),
+                                               records.functional(0), records.certificate(0), rows, query_row,
+                                               frame_constants(), scratch_.data(), weak_.data()});
     const auto adopted = std::remove_if(weak_.begin(), weak_.begin() + static_cast<std::ptrdiff_t>(num_weak),
                                         [&](std::uint32_t f) { return adopt(facets[f], query_row, bounds); });
     const std::span<std::uint32_t> weak{weak_.begin(), adopted};
-    if constexpr (Lifted && can_certify_by_edges(K)) return weak.first(certify_by_edges(facets, weak, rows, query_row));
+    if constexpr (Lifted && can_certify_by_edges(K))
+      return weak.first(certify_by_edges(facets, weak, rows, query_row));
     return weak;
   }
   /// Makes room for a star. Throws std::bad_alloc.
@@ -145,25 +158,32 @@ class Functionals {
   int k() const { return memory_.dimension(); }
   const double* functional(Index cell) const { return memory_.records().functional(cell); }
   double* functional(Index cell) { return memory_.records().functional(cell); }
-  std::uint64_t packed(Index cell) const { return std::bit_cast<std::uint64_t>(*memory_.records().certificate(cell)); }
+  std::uint64_t packed(Index cell) const {
+    return std::bit_cast<std::uint64_t>(*memory_.records().certificate(cell));
+  }
   void certify(Index cell, double threshold, double error, double determinant, bool infinite) {
-    *memory_.records().certificate(cell) = std::bit_cast<double>(certificate::pack(threshold, error, determinant, infinite));
+    *memory_.records().certificate(cell) =
+        std::bit_cast<double>(certificate::pack(threshold, error, determinant, infinite));
   }
 
-  /// An upper bound on the determinant of the edge vectors of a finite cell, from the radius of its sphere. REQUIRES spheres_.
+  /// An upper bound on the determinant of the edge vectors of a finite cell, from the radius of its sphere.
+  /// REQUIRES spheres_.
   double largest_determinant(Index cell) const;
   void give_up(Index cell, bool infinite);
-  /// If the new vertex is exactly on the sphere of the survivor, that is the sphere of the new cell too: takes over its
-  /// functional, and returns true.
+  /// If the new vertex is exactly on the sphere of the survivor, that is the sphere of the new cell too:
+  /// takes over its functional, and returns true.
   bool adopt(const HorizonFacet& facet, const double* query_row, const LatticeBounds& bounds);
 
-  /// Certifies the functionals of cells of a star by their values at the vertices and the determinants and cofactors of their
-  /// edges at the new vertex, where elimination could hardly do better. Returns how many of the `weak` facets are left.
-  std::size_t certify_by_edges(std::span<const HorizonFacet> facets, std::span<std::uint32_t> weak, const VertexRows& rows,
-                               const double* query_row) requires(Lifted);
+  /// Certifies the functionals of cells of a star by their values at the vertices and the determinants and
+  /// cofactors of their edges at the new vertex, where elimination could hardly do better. Returns how many
+  /// of the `weak` facets are left.
+  std::size_t certify_by_edges(std::span<const HorizonFacet> facets, std::span<std::uint32_t> weak,
+                               const VertexRows& rows, const double* query_row) requires(Lifted);
   NearTask near_task(std::span<const Index> cells, const VertexRows& rows, const double* row) const;
   /// The sum of the magnitudes of the functional's terms in the box, at most.
-  double magnitude(Index cell) const { return sum_of_magnitudes(cell, Lifted && is_infinite(cell) ? 0 : largest_lift_); }
+  double magnitude(Index cell) const {
+    return sum_of_magnitudes(cell, Lifted && is_infinite(cell) ? 0 : largest_lift_);
+  }
   /// The same, given what the reference entry adds to it.
   double sum_of_magnitudes(Index cell, double sum) const {
     for (int r = 0; r <= k(); ++r) sum += std::fabs(functional(cell)[r]);
@@ -182,31 +202,35 @@ class Functionals {
   // Constants of the frame.
   double largest_lift_ = 0;
   double evaluation_error_ = 0;  // relative to the sum of the magnitudes of a functional's terms
-  double finite_spread_ = 0;     // Σ|barycentric coordinates| − 1 is at most finite_spread·R^(k−1)/det in the box, with
-                                 // spheres_; else the power of R is in it
+  double finite_spread_ = 0;  // Σ|barycentric coordinates| − 1 is at most finite_spread·R^(k−1)/det in the
+                              // box, with spheres_; else the power of R is in it
   double largest_radius_ = 0;
-  double bend_ = 0;                    // of lifts over planes that touch them, at most; 0: not known, or not lifted
-  double per_bend_ = 0;                // 1/bend, or 0
-  double flatness_ = 0;                // see FrameConstants
-  double infinite_spread_ = 0;         // the same for infinite cells, over det
-  std::vector<double> extent_ratio_;   // per axis, the frame's scale over that of lifts
-  std::vector<double> lift_weight_;    // per axis, of the square of an image in the lift: 1/extent_ratio²
-  double edge_error_ = 0;              // of edges between rows, and of their heights over planes
-  double largest_in_unit_sphere_ = 0;  // determinant of the edge vectors of a simplex whose sphere has radius 1
-  bool spheres_ = false;               // whether functionals of finite cells describe spheres that tell where vertices are
+  double bend_ = 0;             // of lifts over planes that touch them, at most; 0: not known, or not lifted
+  double per_bend_ = 0;         // 1/bend, or 0
+  double flatness_ = 0;         // see FrameConstants
+  double infinite_spread_ = 0;  // the same for infinite cells, over det
+  std::vector<double> extent_ratio_;  // per axis, the frame's scale over that of lifts
+  std::vector<double> lift_weight_;   // per axis, of the square of an image in the lift: 1/extent_ratio²
+  double edge_error_ = 0;             // of edges between rows, and of their heights over planes
+  double largest_in_unit_sphere_ =
+      0;                  // determinant of the edge vectors of a simplex whose sphere has radius 1
+  bool spheres_ = false;  // whether functionals of finite cells describe spheres that tell where vertices are
 };
 
 template <int K, bool Lifted>
-bool Functionals<K, Lifted>::adopt(const HorizonFacet& facet, const double* query_row, const LatticeBounds& bounds) {
+bool Functionals<K, Lifted>::adopt(const HorizonFacet& facet, const double* query_row,
+                                   const LatticeBounds& bounds) {
   if constexpr (Lifted)
-    if (facet.survivor_opposite == index(infinite_vertex)) return false;  // the plane of the facet is no sphere of the new cell
+    if (facet.survivor_opposite == index(infinite_vertex))
+      return false;  // the plane of the facet is no sphere of the new cell
   if (!proves_zero(facet.survivor, facet.survivor_value, bounds)) return false;
   const bool infinite = is_infinite(facet.survivor);
   const double* source = functional(facet.survivor);
   std::copy_n(source, k() + 1, functional(facet.created));
   const double error_at_query =
       std::fabs(evaluator(query_row).value(facet.survivor)) + evaluation_error_ * magnitude(facet.survivor);
-  certify(facet.created, threshold(facet.survivor), std::max(error_at_query, certificate::error(packed(facet.survivor))),
+  certify(facet.created, threshold(facet.survivor),
+          std::max(error_at_query, certificate::error(packed(facet.survivor))),
           bounds.least_determinant(infinite), infinite);
   return true;
 }
@@ -220,8 +244,8 @@ double Functionals<K, Lifted>::largest_determinant(Index cell) const {
     const double t = source[r] * extent_ratio_[static_cast<std::size_t>(r)];
     gradient_square += t * t;
   }
-  const double radius_square =
-      0.25 * gradient_square - source[k()] + certificate::error(packed(cell)) + 8 * 0x1p-53 * (magnitude + gradient_square);
+  const double radius_square = 0.25 * gradient_square - source[k()] + certificate::error(packed(cell)) +
+                               8 * 0x1p-53 * (magnitude + gradient_square);
   double bound = largest_in_unit_sphere_ * (k() % 2 == 1 ? std::sqrt(radius_square) : 1);
   for (int r = 1; r < k(); r += 2) bound *= radius_square;
   return bound;
@@ -266,8 +290,8 @@ void Functionals<K, Lifted>::set_frame(const Frame& frame, const std::vector<int
   } else {
     bend_ = per_bend_ = flatness_ = 0;
   }
-  // In a flat, and if spheres have all vertices inside, they say little about where vertices are, but the box does: R is the
-  // length of its half diagonal.
+  // In a flat, and if spheres have all vertices inside, they say little about where vertices are, but the box
+  // does: R is the length of its half diagonal.
   largest_radius_ = 1.001 * std::sqrt(diagonal);
   if (!spheres_) finite_spread_ *= std::pow(diagonal, (n - 1) / 2);
   const double m = n - 1;

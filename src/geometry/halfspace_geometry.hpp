@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What joins the kernel to the engine for intersections of halfspaces: vertices are homogeneous rows (n, c), and a row q is in
-// conflict with a cell iff it is beyond the linear hyperplane of the cell's rows. The cells bound a cone.
+// What joins the kernel to the engine for intersections of halfspaces: vertices are homogeneous rows (n, c),
+// and a row q is in conflict with a cell iff it is beyond the linear hyperplane of the cell's rows. The cells
+// bound a cone.
 //
-// Decisions are determinants of the rows as given. The filter sees the cone cut off by a hyperplane: the dual points n/s with
-// s = −(n·p + c), p an interior point, which are kept in pairs of doubles; so their images in the box are off by less than one
-// rounding, and everything that holds for the functionals of convex hulls holds here (hull_geometry.hpp).
+// Decisions are determinants of the rows as given. The filter sees the cone cut off by a hyperplane: the dual
+// points n/s with s = −(n·p + c), p an interior point, which are kept in pairs of doubles; so their images in
+// the box are off by less than one rounding, and everything that holds for the functionals of convex hulls
+// holds here (hull_geometry.hpp).
 #pragma once
 
 #include "geometry/hull_geometry.hpp"
@@ -15,8 +17,9 @@ namespace delone::geometry {
 
 /// Rows and their dual points by site. Vertex v of the engine is site v − 1.
 struct DualSites {
-  std::size_t row_size = 0;   ///< d + 1
-  std::vector<int> axes;      ///< k + 1 columns on which the linear hull of the rows projects one-to-one; the last is column d
+  std::size_t row_size = 0;  ///< d + 1
+  std::vector<int>
+      axes;  ///< k + 1 columns on which the linear hull of the rows projects one-to-one; the last is column d
   std::vector<double> rows;   ///< n×(d+1), as given
   std::vector<double> duals;  ///< n×2k: n_j/s on the first k axes, rounded, then what the rounding left over
 
@@ -29,7 +32,8 @@ struct DualSites {
   kernel::Flat flat() const { return {static_cast<int>(row_size), axes, kernel::RowForm::homogeneous}; }
 };
 
-/// What a cone is seen from: a row strictly inside, with its dual point as in DualSites, and a box for all dual points.
+/// What a cone is seen from: a row strictly inside, with its dual point as in DualSites, and a box for all
+/// dual points.
 struct DualView {
   std::vector<double> center, dual_of_center;
   bool is_inside = false;         ///< whether the centre is strictly inside the cone of the first simplex
@@ -44,9 +48,10 @@ class HalfspaceGeometry {
  public:
   using Query = HullQuery<K>;
 
-  /// The references must outlive this object; what they refer to may grow. `inner`: vertices whose rows are on no common
-  /// hyperplane, for a view from nowhere.
-  HalfspaceGeometry(CellMemory<K>& cells, const DualSites& sites, const DualView& view, std::vector<Index> inner)
+  /// The references must outlive this object; what they refer to may grow. `inner`: vertices whose rows are
+  /// on no common hyperplane, for a view from nowhere.
+  HalfspaceGeometry(CellMemory<K>& cells, const DualSites& sites, const DualView& view,
+                    std::vector<Index> inner)
       : sites_(sites),
         view_(view),
         inner_(std::move(inner)),
@@ -62,9 +67,11 @@ class HalfspaceGeometry {
     for (std::size_t j = 0; j < scale_.size(); ++j) {
       const double center = view_.is_inside ? view_.dual_of_center[j] : 0;
       const double half = std::max(view_.high[j] - center, center - view_.low[j]);
-      // Images are at most 1/2 and a few roundings; no scale, and the filter never certain, for what cannot be scaled.
-      scale_[j] = view_.is_inside && half > 0x1p-900 && half < 0x1p900 ? std::ldexp(1.0, -std::ilogb(half) - 2)
-                                                                       : std::numeric_limits<double>::quiet_NaN();
+      // Images are at most 1/2 and a few roundings; no scale, and the filter never certain, for what cannot
+      // be scaled.
+      scale_[j] = view_.is_inside && half > 0x1p-900 && half < 0x1p900
+                      ? std::ldexp(1.0, -std::ilogb(half) - 2)
+                      : std::numeric_limits<double>::quiet_NaN();
     }
     const auto n = static_cast<Index>(sites_.size());
     rows_.reserve((n + 1) * scale_.size());
@@ -79,7 +86,9 @@ class HalfspaceGeometry {
     return q;
   }
   const double* row(Index vertex) const { return sites_.row(vertex - 1); }
-  bool is_at(Index vertex, const Query& q) const { return kernel::equal_rows(sites_.flat(), row(vertex), q.point); }
+  bool is_at(Index vertex, const Query& q) const {
+    return kernel::equal_rows(sites_.flat(), row(vertex), q.point);
+  }
 
   auto evaluator(const Query& q) const { return functionals_.evaluator(q.row.data()); }
   bool is_infinite(Index) const { return false; }
@@ -93,7 +102,8 @@ class HalfspaceGeometry {
   Sign exact_side(const Index* vertices, int, const Query& q, StageCounts& counts) const {
     return side(vertices, q.point, counts);
   }
-  /// The side of the perturbed q if it is on the hyperplane, never zero. REQUIRES that q is none of the vertices.
+  /// The side of the perturbed q if it is on the hyperplane, never zero. REQUIRES that q is none of the
+  /// vertices.
   Sign perturbed_side(const Index* vertices, const Query& q, StageCounts& counts) const {
     ++counts.perturbed;
     const double* inner = view_.center.data();
@@ -108,8 +118,8 @@ class HalfspaceGeometry {
   Sign side(const Index* vertices, const double* row, StageCounts& counts) const {
     return kernel::hull_side<D>(sites_.flat(), gather(vertices).data(), row, no_grid_, counts);
   }
-  /// The exact side of the wall between the centre and the facet `slot` of a cell that q is on: positive is the side of the
-  /// cell.
+  /// The exact side of the wall between the centre and the facet `slot` of a cell that q is on: positive is
+  /// the side of the cell.
   Sign side_of_facet(const Index* vertices, int slot, const Query& q) const {
     auto rows = gather(vertices);
     rows[static_cast<std::size_t>(slot)] = q.point;
@@ -123,8 +133,8 @@ class HalfspaceGeometry {
     const std::size_t size = (static_cast<std::size_t>(v) + 1) * scale_.size();
     if (size > rows_.capacity()) rows_.reserve(size + size / 2);
   }
-  /// Computes what is cached for the created cells of a star of vertex v at q; returns the facets for whose cells that would be
-  /// too inaccurate: they must be created singly.
+  /// Computes what is cached for the created cells of a star of vertex v at q; returns the facets for whose
+  /// cells that would be too inaccurate: they must be created singly.
   std::span<const std::uint32_t> create_star(Index v, const Query& q, std::span<const HorizonFacet> facets) {
     std::copy_n(q.row.data(), scale_.size(), rows_.data() + v * scale_.size());
     return functionals_.combine(facets, rows_.data(), q.row.data(), {});
@@ -138,7 +148,8 @@ class HalfspaceGeometry {
   }
 
  private:
-  /// The difference of two pairs, rounded once but for terms of the second order (docs/predicates.md, "Halfspaces").
+  /// The difference of two pairs, rounded once but for terms of the second order (docs/predicates.md,
+  /// "Halfspaces").
   void write_image(Index vertex, double* image) const {
     const std::size_t k = scale_.size();
     const double* dual = sites_.dual(vertex - 1);

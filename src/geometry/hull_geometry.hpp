@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What joins the kernel to the engine for convex hulls: cells are the facets of a simplicial polytope in a flat of dimension
-// k + 1, and a point q is in conflict with a cell iff it is beyond its hyperplane.
+// What joins the kernel to the engine for convex hulls: cells are the facets of a simplicial polytope in a
+// flat of dimension k + 1, and a point q is in conflict with a cell iff it is beyond its hyperplane.
 //
-// All is seen from a point o strictly inside. Functionals are h(x) = 1 + g·X, where X is x relative to o in units of the box,
-// so h(o) = 1: the cells' functionals are the points of the polar polytope. Cells and o make the simplices of a fan; the walls
-// between them are what a walk crosses.
+// All is seen from a point o strictly inside. Functionals are h(x) = 1 + g·X, where X is x relative to o in
+// units of the box, so h(o) = 1: the cells' functionals are the points of the polar polytope. Cells and o
+// make the simplices of a fan; the walls between them are what a walk crosses.
 #pragma once
 
 #include "cells/cell_memory.hpp"
@@ -38,11 +38,12 @@ class HullGeometry {
  public:
   using Query = HullQuery<K>;
 
-  /// `coordinates`: the points, `ambient` doubles each; vertex v is point v − 1. `center` is o; if it is not strictly inside
-  /// the simplex of the vertices `inner`, the filter is never certain. `grid` is one for the points and o. The references must
-  /// outlive this object; what they refer to may grow.
-  HullGeometry(CellMemory<K>& cells, std::vector<int> axes, int ambient, const std::vector<double>& coordinates,
-               const kernel::Grid& grid, const std::vector<double>& center, bool center_is_inside, std::vector<Index> inner)
+  /// `coordinates`: the points, `ambient` doubles each; vertex v is point v − 1. `center` is o; if it is not
+  /// strictly inside the simplex of the vertices `inner`, the filter is never certain. `grid` is one for the
+  /// points and o. The references must outlive this object; what they refer to may grow.
+  HullGeometry(CellMemory<K>& cells, std::vector<int> axes, int ambient,
+               const std::vector<double>& coordinates, const kernel::Grid& grid,
+               const std::vector<double>& center, bool center_is_inside, std::vector<Index> inner)
       : axes_(std::move(axes)),
         ambient_(ambient),
         coordinates_(coordinates),
@@ -57,20 +58,24 @@ class HullGeometry {
 
   int dimension() const { return K > 0 ? K : static_cast<int>(axes_.size()) - 1; }
 
-  /// Takes over the box that all points are in, and computes their rows. All cells must be created anew after it.
+  /// Takes over the box that all points are in, and computes their rows. All cells must be created anew after
+  /// it.
   void set_box(const double* low, const double* high) {
     for (std::size_t r = 0; r < axes_.size(); ++r) {
       const auto axis = static_cast<std::size_t>(axes_[r]);
       const double half = std::max(high[axis] - center_[axis], center_[axis] - low[axis]);
-      // A power of two; none for what would overflow or is too small to be scaled: the filter is never certain then.
-      scale_[r] = center_is_inside_ && half > 0x1p-900 && half < 0x1p900 ? std::ldexp(1.0, -std::ilogb(half) - 1)
-                                                                         : std::numeric_limits<double>::quiet_NaN();
+      // A power of two; none for what would overflow or is too small to be scaled: the filter is never
+      // certain then.
+      scale_[r] = center_is_inside_ && half > 0x1p-900 && half < 0x1p900
+                      ? std::ldexp(1.0, -std::ilogb(half) - 1)
+                      : std::numeric_limits<double>::quiet_NaN();
     }
     lattice_ = Lattice(scale_);
     const std::size_t n = coordinates_.size() / static_cast<std::size_t>(ambient_);
     rows_.reserve((n + 1) * axes_.size());
     std::fill_n(rows_.data(), axes_.size(), 0.0);
-    for (std::size_t v = 1; v <= n; ++v) write_row(point(static_cast<Index>(v)), rows_.data() + v * axes_.size());
+    for (std::size_t v = 1; v <= n; ++v)
+      write_row(point(static_cast<Index>(v)), rows_.data() + v * axes_.size());
   }
 
   /// REQUIRES a point in the flat and in the box.
@@ -83,7 +88,9 @@ class HullGeometry {
   const double* point(Index vertex) const {
     return coordinates_.data() + (static_cast<std::size_t>(vertex) - 1) * static_cast<std::size_t>(ambient_);
   }
-  bool is_at(Index vertex, const Query& q) const { return kernel::equal_points(point(vertex), q.point, ambient_); }
+  bool is_at(Index vertex, const Query& q) const {
+    return kernel::equal_points(point(vertex), q.point, ambient_);
+  }
 
   auto evaluator(const Query& q) const { return functionals_.evaluator(q.row.data()); }
   bool is_infinite(Index) const { return false; }
@@ -92,19 +99,23 @@ class HullGeometry {
     std::fill_n(thresholds, cells.size(), std::numeric_limits<double>::infinity());
   }
   /// Whether a value within the threshold proves that q is exactly on the hyperplane.
-  bool proves_tie(Index cell, double value, const Query& q) const { return functionals_.proves_zero(cell, value, q.bounds); }
+  bool proves_tie(Index cell, double value, const Query& q) const {
+    return functionals_.proves_zero(cell, value, q.bounds);
+  }
   /// The exact side of q: positive inside.
   Sign exact_side(const Index* vertices, int, const Query& q, StageCounts& counts) const {
     return side(vertices, q.point, counts);
   }
-  /// The side of the perturbed q if it is on the hyperplane, never zero. REQUIRES that q is none of the vertices.
+  /// The side of the perturbed q if it is on the hyperplane, never zero. REQUIRES that q is none of the
+  /// vertices.
   Sign perturbed_side(const Index* vertices, const Query& q, StageCounts& counts) const {
     ++counts.perturbed;
     const double* inner = center_.data();
     if (!center_is_inside_) {
       StageCounts uncounted;
-      inner = point(*std::find_if(inner_.begin(), inner_.end(),
-                                  [&](Index v) { return side(vertices, point(v), uncounted) != Sign::zero; }));
+      inner = point(*std::find_if(inner_.begin(), inner_.end(), [&](Index v) {
+        return side(vertices, point(v), uncounted) != Sign::zero;
+      }));
     }
     return kernel::perturbed_hull_side<D>(flat(), gather(vertices).data(), q.point, inner, grid_);
   }
@@ -113,7 +124,8 @@ class HullGeometry {
     return kernel::hull_side<D>(flat(), gather(vertices).data(), point, grid_, counts);
   }
 
-  /// The exact side of the wall between o and the facet `slot` of a cell that q is on: positive is the side of the cell.
+  /// The exact side of the wall between o and the facet `slot` of a cell that q is on: positive is the side
+  /// of the cell.
   Sign side_of_facet(const Index* vertices, int slot, const Query& q) const {
     auto points = gather(vertices);
     points[static_cast<std::size_t>(slot)] = q.point;
@@ -127,8 +139,8 @@ class HullGeometry {
     const std::size_t size = (static_cast<std::size_t>(v) + 1) * axes_.size();
     if (size > rows_.capacity()) rows_.reserve(size + size / 2);
   }
-  /// Computes what is cached for the created cells of a star of vertex v at q; returns the facets for whose cells that would be
-  /// too inaccurate: they must be created singly.
+  /// Computes what is cached for the created cells of a star of vertex v at q; returns the facets for whose
+  /// cells that would be too inaccurate: they must be created singly.
   std::span<const std::uint32_t> create_star(Index v, const Query& q, std::span<const HorizonFacet> facets) {
     std::copy_n(q.row.data(), axes_.size(), rows_.data() + v * axes_.size());
     return functionals_.combine(facets, rows_.data(), q.row.data(), q.bounds);

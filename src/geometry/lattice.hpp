@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What coordinates on a power-of-two grid say about functionals: a value is an integer multiple of the grid's unit over a
-// determinant, which the box bounds. So a value that is certainly smaller is exactly zero, and no predicate need be asked.
-// Proofs: docs/predicates.md, "Ties on a grid".
+// What coordinates on a power-of-two grid say about functionals: a value is an integer multiple of the grid's
+// unit over a determinant, which the box bounds. So a value that is certainly smaller is exactly zero, and no
+// predicate need be asked. Proofs: docs/predicates.md, "Ties on a grid".
 #pragma once
 
 #include "geometry/frame.hpp"
@@ -17,8 +17,8 @@ namespace delone::geometry {
 
 /// Lower bounds for finite and infinite cells of points on a grid; 0 where the grid says nothing.
 struct LatticeBounds {
-  double numerator = 0;                              ///< |h(q)| of a finite cell times its determinant, if not 0
-  double value = 0, infinite_value = 0;              ///< |h(q)|, if not 0
+  double numerator = 0;                  ///< |h(q)| of a finite cell times its determinant, if not 0
+  double value = 0, infinite_value = 0;  ///< |h(q)|, if not 0
   double determinant = 0, infinite_determinant = 0;  ///< of the edge vectors of a cell
 
   double least_value(bool infinite) const { return infinite ? infinite_value : value; }
@@ -59,7 +59,8 @@ class Lattice {
  private:
   static constexpr std::int64_t unlimited = std::int64_t{1} << 40;
 
-  /// Units are no larger than the box where there are any determinants but zero: then it does not matter what is returned.
+  /// Units are no larger than the box where there are any determinants but zero: then it does not matter what
+  /// is returned.
   static double power_of_two(std::int64_t exponent) {
     return kernel::detail::power_of_two(static_cast<int>(std::clamp<std::int64_t>(exponent, -2000, 0)));
   }

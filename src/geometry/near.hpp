@@ -10,7 +10,8 @@
 namespace delone::geometry {
 
 template <int K, bool Lifted>
-NearTask Functionals<K, Lifted>::near_task(std::span<const Index> cells, const VertexRows& rows, const double* row) const {
+NearTask Functionals<K, Lifted>::near_task(std::span<const Index> cells, const VertexRows& rows,
+                                           const double* row) const {
   const auto records = std::as_const(memory_).records();
   return {k(),
           cells,
@@ -28,20 +29,22 @@ NearTask Functionals<K, Lifted>::near_task(std::span<const Index> cells, const V
 }
 
 template <int K, bool Lifted>
-void Functionals<K, Lifted>::thresholds_at(std::span<const Index> cells, const VertexRows& rows, const double* row,
-                                           double* thresholds) const requires(Lifted) {
+void Functionals<K, Lifted>::thresholds_at(std::span<const Index> cells, const VertexRows& rows,
+                                           const double* row, double* thresholds) const requires(Lifted) {
   for (std::size_t first = 0; first < cells.size(); first += near_lanes) {
     const auto some = cells.subspan(first, std::min(near_lanes, cells.size() - first));
     if (can_find_thresholds(k()))
       find_thresholds(near_task(some, rows, row), thresholds + first);
     else
-      std::transform(some.begin(), some.end(), thresholds + first, [&](Index cell) { return threshold(cell); });
+      std::transform(some.begin(), some.end(), thresholds + first,
+                     [&](Index cell) { return threshold(cell); });
   }
 }
 
 template <int K, bool Lifted>
-std::size_t Functionals<K, Lifted>::certify_by_edges(std::span<const HorizonFacet> facets, std::span<std::uint32_t> weak,
-                                                     const VertexRows& rows, const double* query_row) requires(Lifted) {
+std::size_t Functionals<K, Lifted>::certify_by_edges(std::span<const HorizonFacet> facets,
+                                                     std::span<std::uint32_t> weak, const VertexRows& rows,
+                                                     const double* query_row) requires(Lifted) {
   std::size_t num_left = 0;
   Index cells[near_lanes];
   EdgeCertificate certificates[near_lanes];

@@ -29,7 +29,8 @@ constexpr double smallest_sum = 0x1p-800;
 constexpr int most_dimensions = 16;
 constexpr double slack = 1 + 0x1p-30;  // covers all relative errors
 
-/// n^(n/2), rounded up: at least the permanent of the magnitudes of n vectors of R^n over the product of their lengths.
+/// n^(n/2), rounded up: at least the permanent of the magnitudes of n vectors of R^n over the product of
+/// their lengths.
 constexpr double most_terms_over_lengths[] = {1, 1, 2, 5.197, 16, 55.91, 216};
 
 static_assert(can_find_thresholds(most_dimensions) && !can_find_thresholds(most_dimensions + 1));
@@ -42,8 +43,8 @@ namespace delone::geometry {
 namespace HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
 
-/// Sums of products of the squared lengths d_i² of edges from a point and their squared heights t_i² over a plane through it,
-/// of all edges but one. No term is divided by another.
+/// Sums of products of the squared lengths d_i² of edges from a point and their squared heights t_i² over a
+/// plane through it, of all edges but one. No term is divided by another.
 template <class V>
 struct EdgeProducts {
   HWY_INLINE void add(V square) {
@@ -55,8 +56,9 @@ struct EdgeProducts {
     one_replaced = hn::MulAdd(one_replaced, square, hn::Mul(all, square_of_height));
     add(square);
   }
-  V all;                              ///< Π d_i²
-  V one_missing, one_replaced, flat;  ///< Σ_i Π_(j≠i) d_j², Σ_i t_i²·Π_(j≠i) d_j², Σ_i Σ_(j≠i) t_j²·Π_(l≠i,j) d_l²
+  V all;  ///< Π d_i²
+  V one_missing, one_replaced,
+      flat;  ///< Σ_i Π_(j≠i) d_j², Σ_i t_i²·Π_(j≠i) d_j², Σ_i Σ_(j≠i) t_j²·Π_(l≠i,j) d_l²
 };
 
 /// What is computed from, one cell per lane. K is k, or 0 for any.
@@ -68,12 +70,14 @@ class Gathered {
     if (task.cells.size() == near_lanes) return;
     for (std::size_t i = 0; i < num_entries() * near_lanes; i += hn::Lanes(d)) {
       hn::Store(hn::Zero(d), d, entries_ + i);
-      std::atomic_signal_fence(std::memory_order_seq_cst);  // else it would be an instruction that takes its time to start
+      std::atomic_signal_fence(
+          std::memory_order_seq_cst);  // else it would be an instruction that takes its time to start
     }
   }
 
-  /// Gathers the functionals, and the first `width` entries or one more of the rows of `num_vertices` vertices of each cell,
-  /// two cells at a time. The vertex `apart` is none of them, and the infinite vertex, if there is one, the last.
+  /// Gathers the functionals, and the first `width` entries or one more of the rows of `num_vertices`
+  /// vertices of each cell, two cells at a time. The vertex `apart` is none of them, and the infinite vertex,
+  /// if there is one, the last.
   HWY_INLINE void gather(const NearTask& task, Index apart, std::size_t num_vertices, std::size_t width) {
     const CellLayout<K> layout(task.k, task.ids);
     const CellRecords<K, const double> records(layout, task.functionals, task.certificates);
@@ -108,7 +112,8 @@ class Gathered {
       for (std::size_t i = 0; i < num_vertices; ++i) {
         const auto row_of_one = task.rows.template row<K>(vertices_of_one[i], static_cast<int>(k()));
         const auto row_of_two = task.rows.template row<K>(vertices_of_two[i], static_cast<int>(k()));
-        put(vertex(i, 0), &row_of_one[0], &row_of_two[0], width + width % 2 <= k() + 1 ? width + width % 2 : width);
+        put(vertex(i, 0), &row_of_one[0], &row_of_two[0],
+            width + width % 2 <= k() + 1 ? width + width % 2 : width);
       }
     }
   }
@@ -145,18 +150,20 @@ struct Unpacked {
     }
   }
   HWY_ALIGN double thresholds[near_lanes], errors[near_lanes], determinants[near_lanes];
-  HWY_ALIGN double lifts[near_lanes];  ///< what the lift adds to the magnitude of a functional: 0 for infinite cells
+  HWY_ALIGN double
+      lifts[near_lanes];  ///< what the lift adds to the magnitude of a functional: 0 for infinite cells
 };
 
-/// Writes the lesser of the cached threshold and that from a bound on the sum of the magnitudes of the determinants of edges
-/// without one, in place of the cached one. `is_proved`: whether the bound is one.
+/// Writes the lesser of the cached threshold and that from a bound on the sum of the magnitudes of the
+/// determinants of edges without one, in place of the cached one. `is_proved`: whether the bound is one.
 template <class D, class V, class M>
-HWY_INLINE void lower_threshold(D d, const NearTask& task, V sum, V magnitude, V inverse_determinant, M is_proved, V error,
-                                double* threshold) {
+HWY_INLINE void lower_threshold(D d, const NearTask& task, V sum, V magnitude, V inverse_determinant,
+                                M is_proved, V error, double* threshold) {
   const V rounding = hn::Mul(hn::Set(d, task.evaluation_error), magnitude);
   const V bound = hn::Mul(hn::MulAdd(error, hn::Mul(sum, inverse_determinant), rounding), hn::Set(d, slack));
   const V cached = hn::Load(d, threshold);
-  hn::Store(hn::IfThenElse(hn::And(is_proved, hn::Lt(bound, cached)), bound, cached), d, threshold);  // cached for NaN
+  hn::Store(hn::IfThenElse(hn::And(is_proved, hn::Lt(bound, cached)), bound, cached), d,
+            threshold);  // cached for NaN
 }
 
 /// For any dimension, from the lengths of edges.
@@ -174,7 +181,8 @@ void find_thresholds_by_lengths(const NearTask& task, double* thresholds) {
     const auto normal = [&](std::size_t r) {
       return hn::Add(coefficient(r), hn::Set(d, 2 * task.lift_weight[r] * task.row[r]));
     };
-    // Heights are over the plane that touches the sphere's concentric one through the row, times the length of a normal.
+    // Heights are over the plane that touches the sphere's concentric one through the row, times the length
+    // of a normal.
     V square_of_normal = zero, magnitude = hn::Load(d, cached.lifts + lane);
     const auto is_finite = hn::Gt(magnitude, zero);
     for (std::size_t r = 0; r < k; ++r) {
@@ -197,16 +205,20 @@ void find_thresholds_by_lengths(const NearTask& task, double* thresholds) {
       }
       edges.add(widened(d, task, square, one), widened(d, task, hn::Mul(height, height), square_of_normal));
     }
-    const V of_finite = hn::Min(edges.one_missing, hn::Mul(hn::Mul(hn::Set(d, n), edges.flat), inverse_square_of_normal));
-    const V square = hn::IfThenElse(is_finite, hn::Mul(hn::Set(d, n + 1), of_finite), hn::Mul(hn::Set(d, n), of_infinite));
-    lower_threshold(d, task, hn::Sqrt(square), magnitude, inverse_determinant, hn::Gt(square, hn::Set(d, smallest_sum)),
-                    hn::Load(d, cached.errors + lane), cached.thresholds + lane);
+    const V of_finite =
+        hn::Min(edges.one_missing, hn::Mul(hn::Mul(hn::Set(d, n), edges.flat), inverse_square_of_normal));
+    const V square =
+        hn::IfThenElse(is_finite, hn::Mul(hn::Set(d, n + 1), of_finite), hn::Mul(hn::Set(d, n), of_infinite));
+    lower_threshold(d, task, hn::Sqrt(square), magnitude, inverse_determinant,
+                    hn::Gt(square, hn::Set(d, smallest_sum)), hn::Load(d, cached.errors + lane),
+                    cached.thresholds + lane);
   }
   std::copy_n(cached.thresholds, task.cells.size(), thresholds);
 }
 
-/// The edge to the infinite vertex stands for the direction that the functional of an infinite cell depends on with a
-/// coefficient of ±1: with it in a determinant, that of the other edges without this coordinate is left.
+/// The edge to the infinite vertex stands for the direction that the functional of an infinite cell depends
+/// on with a coefficient of ±1: with it in a determinant, that of the other edges without this coordinate is
+/// left.
 template <class D, class V>
 HWY_INLINE V edge_to_infinity(D d, V coefficient) {
   const V one = hn::Set(d, 1.0);
@@ -218,17 +230,20 @@ template <int K>
 void find_thresholds_by_minors(const NearTask& task, double* thresholds) {
   const hn::CappedTag<double, near_lanes> d;
   using V = hn::Vec<decltype(d)>;
-  constexpr double expansion_error = 1.01 * (K * (K + 1) / 2) * kernel::unit_roundoff * most_terms_over_lengths[K];
+  constexpr double expansion_error =
+      1.01 * (K * (K + 1) / 2) * kernel::unit_roundoff * most_terms_over_lengths[K];
   Gathered<K> gathered(task);
   gathered.gather(task, index(infinite_vertex), K + 1, K);
   Unpacked cached(task, gathered.certificate());
   HWY_ALIGN double edge_entries[K * (K + 1) * near_lanes];  // an edge per column
-  const V zero = hn::Zero(d), one = hn::Set(d, 1.0), square_of_edge_error = hn::Set(d, task.edge_error * task.edge_error);
+  const V zero = hn::Zero(d), one = hn::Set(d, 1.0),
+          square_of_edge_error = hn::Set(d, task.edge_error * task.edge_error);
   for (std::size_t lane = 0; lane < task.cells.size(); lane += hn::Lanes(d)) {
     V magnitude = hn::Load(d, cached.lifts + lane), num_normal = zero;
     const auto is_finite = hn::Gt(magnitude, zero);
     const V inverse_determinant = hn::Div(one, hn::Load(d, cached.determinants + lane));
-    for (std::size_t r = 0; r <= K; ++r) magnitude = hn::Add(magnitude, hn::Abs(hn::Load(d, gathered.functional(r) + lane)));
+    for (std::size_t r = 0; r <= K; ++r)
+      magnitude = hn::Add(magnitude, hn::Abs(hn::Load(d, gathered.functional(r) + lane)));
     EdgeProducts<V> edges{one, zero, zero, zero};
     V of_infinite = zero;  // without the infinite vertex, which is the last
     for (std::size_t i = 0; i <= K; ++i) {
@@ -256,7 +271,8 @@ void find_thresholds_by_minors(const NearTask& task, double* thresholds) {
     sum = hn::Add(hn::MulAdd(hn::Set(d, expansion_error), by_lengths, sum),
                   hn::Sqrt(hn::Mul(hn::Set(d, K * (K + 1.0)), edges.flat)));
     // Where it is not certain which direction that is, lengths must do.
-    sum = hn::IfThenElse(hn::Or(is_finite, hn::Eq(num_normal, one)), sum, hn::Sqrt(hn::Mul(hn::Set(d, K), of_infinite)));
+    sum = hn::IfThenElse(hn::Or(is_finite, hn::Eq(num_normal, one)), sum,
+                         hn::Sqrt(hn::Mul(hn::Set(d, K), of_infinite)));
     lower_threshold(d, task, sum, magnitude, inverse_determinant,
                     hn::Gt(hn::Min(of_infinite, edges.one_missing), hn::Set(d, smallest_sum)),
                     hn::Load(d, cached.errors + lane), cached.thresholds + lane);
@@ -273,8 +289,8 @@ void find_thresholds_here(const NearTask& task, double* thresholds) {
   });
 }
 
-/// Sums over the rows of a matrix of edges from one point: of the magnitudes of the products of the row's cofactors with a unit
-/// vector, and, squared, of the lengths of what is left of them across it.
+/// Sums over the rows of a matrix of edges from one point: of the magnitudes of the products of the row's
+/// cofactors with a unit vector, and, squared, of the lengths of what is left of them across it.
 template <class V>
 struct CofactorSums {
   V along, square_across;
@@ -285,7 +301,8 @@ HWY_INLINE CofactorSums<V> sum_cofactors(const E& edges, const V* minors, const 
   V below[std::size_t{1} << K];
   kernel::HWY_NAMESPACE::tabulate_minors<K - 1>(kernel::HWY_NAMESPACE::FromLastRow<E>{edges}, below);
   CofactorSums<V> sums{hn::Zero(edges.d), hn::Zero(edges.d)};
-  const auto add_row = [&]<int Row, int... Column>(std::integral_constant<int, Row>, std::integer_sequence<int, Column...>) {
+  const auto add_row = [&]<int Row, int... Column>(std::integral_constant<int, Row>,
+                                                   std::integer_sequence<int, Column...>) {
     const V cofactors[] = {kernel::HWY_NAMESPACE::cofactor<K, Row, Column>(minors, below)...};
     V product = hn::Zero(edges.d);
     for (int r = 0; r < K; ++r) product = hn::MulAdd(cofactors[r], unit[r], product);
@@ -302,7 +319,8 @@ HWY_INLINE CofactorSums<V> sum_cofactors(const E& edges, const V* minors, const 
   return sums;
 }
 
-/// The sign of the coefficient ±1 of an infinite cell, if the determinant of its edges from the apex is positive.
+/// The sign of the coefficient ±1 of an infinite cell, if the determinant of its edges from the apex is
+/// positive.
 template <int K>
 double sign_of_normal(const NearTask& task, Index cell, Index apex) {
   const CellLayout<K> layout(task.k, task.ids);
@@ -322,9 +340,11 @@ void certify_by_edges_in(const NearTask& task, Index apex, EdgeCertificate* cert
   constexpr double finer = 4;  // by what factor its bounds on determinants are smaller, at most
   // Thresholds that are low enough not to ask for cofactors, which are cheap up to four dimensions.
   constexpr double low_per_square = 0x1p-9, low_per_radius = 0x1p-10, low_of_infinite = 0x1p-24;
-  constexpr double expansion_error = 1.01 * (K * (K + 1) / 2) * kernel::unit_roundoff * most_terms_over_lengths[K];
+  constexpr double expansion_error =
+      1.01 * (K * (K + 1) / 2) * kernel::unit_roundoff * most_terms_over_lengths[K];
   constexpr double cofactor_error =
-      1.01 * (K * (K + 1) / 2 + (1 << (K - 1))) * kernel::unit_roundoff * most_terms_over_lengths[K] + 0x1p-43;
+      1.01 * (K * (K + 1) / 2 + (1 << (K - 1))) * kernel::unit_roundoff * most_terms_over_lengths[K] +
+      0x1p-43;
   const hn::CappedTag<double, near_lanes> d;
   using V = hn::Vec<decltype(d)>;
   Gathered<K> gathered(task);
@@ -335,7 +355,8 @@ void certify_by_edges_in(const NearTask& task, Index apex, EdgeCertificate* cert
   HWY_ALIGN double signs[near_lanes] = {};
   for (std::size_t lane = 0; lane < task.cells.size(); ++lane)
     if (cached.lifts[lane] == 0) signs[lane] = sign_of_normal<K>(task, task.cells[lane], apex);
-  const V zero = hn::Zero(d), one = hn::Set(d, 1.0), square_of_edge_error = hn::Set(d, task.edge_error * task.edge_error);
+  const V zero = hn::Zero(d), one = hn::Set(d, 1.0),
+          square_of_edge_error = hn::Set(d, task.edge_error * task.edge_error);
   const V diagonal = hn::Set(d, 2.01 * std::sqrt(static_cast<double>(K)));  // of the box of images
   for (std::size_t lane = 0; lane < task.cells.size(); lane += hn::Lanes(d)) {
     V functional[K + 1], normal[K], magnitude = hn::Load(d, cached.lifts + lane), square_of_normal = zero;
@@ -347,13 +368,16 @@ void certify_by_edges_in(const NearTask& task, Index apex, EdgeCertificate* cert
     V at_apex = hn::Add(hn::IfThenElseZero(is_finite, hn::Set(d, task.row[K])), functional[K]);
     for (std::size_t r = 0; r < K; ++r) {
       at_apex = hn::MulAdd(functional[r], hn::Set(d, task.row[r]), at_apex);
-      normal[r] = hn::Add(functional[r], hn::Set(d, 2 * task.lift_weight[r] * task.row[r]));  // of a finite cell's sphere
+      normal[r] = hn::Add(functional[r],
+                          hn::Set(d, 2 * task.lift_weight[r] * task.row[r]));  // of a finite cell's sphere
       square_of_normal = hn::MulAdd(normal[r], normal[r], square_of_normal);
     }
     V residual = hn::Abs(at_apex), num_normal = zero, normal_sign = zero;
     EdgeProducts<V> edges{one, zero, zero, zero};
     for (std::size_t i = 0; i < K; ++i) {
-      V value = hn::Add(hn::IfThenElseZero(is_finite, hn::Load(d, gathered.vertex(i, K) + lane)), functional[K]), square = zero;
+      V value =
+            hn::Add(hn::IfThenElseZero(is_finite, hn::Load(d, gathered.vertex(i, K) + lane)), functional[K]),
+        square = zero;
       for (std::size_t r = 0; r < K; ++r) {
         const V image = hn::Load(d, gathered.vertex(i, r) + lane);
         V entry = hn::Sub(image, hn::Set(d, task.row[r]));
@@ -375,48 +399,55 @@ void certify_by_edges_in(const NearTask& task, Index apex, EdgeCertificate* cert
     V minors[std::size_t{1} << K];
     kernel::HWY_NAMESPACE::tabulate_minors<K>(entries, minors);
     const V others = hn::Sqrt(hn::Mul(hn::Set(d, K), edges.one_missing));  // ≥ Σ_i Π_(j≠i) of the lengths
-    const V determinant_error =
-        hn::MulAdd(hn::Set(d, task.edge_error), others, hn::Mul(hn::Set(d, expansion_error), hn::Sqrt(edges.all)));
+    const V determinant_error = hn::MulAdd(hn::Set(d, task.edge_error), others,
+                                           hn::Mul(hn::Set(d, expansion_error), hn::Sqrt(edges.all)));
     const V signed_determinant = minors[(std::size_t{1} << K) - 1];
     const V by_edges = hn::NegMulAdd(determinant_error, hn::Set(d, slack), hn::Abs(signed_determinant));
     const V by_pencil = hn::Load(d, cached.determinants + lane);
     const V determinant = hn::Max(by_edges, by_pencil);  // the pencil may know it better
-    // The functional of an infinite cell might be its opposite: the orientation must be certain, and tell the same.
+    // The functional of an infinite cell might be its opposite: the orientation must be certain, and tell the
+    // same.
     const V sign = hn::Mul(hn::Mul(signed_determinant, hn::Load(d, signs + lane)), normal_sign);
-    const auto has_sign =
-        hn::Or(is_finite, hn::And(hn::And(hn::Gt(by_edges, zero), hn::Gt(sign, zero)), hn::Eq(num_normal, one)));
+    const auto has_sign = hn::Or(
+        is_finite, hn::And(hn::And(hn::Gt(by_edges, zero), hn::Gt(sign, zero)), hn::Eq(num_normal, one)));
 
-    const V rounding = hn::Mul(hn::Set(d, task.evaluation_error), magnitude), error = hn::Add(residual, rounding);
-    const auto is_proved = hn::And(hn::And(hn::Le(error, hn::Mul(hn::Set(d, gain), rounding)), hn::Lt(rounding, one)),
-                                   hn::And(hn::Gt(determinant, hn::Set(d, certificate::smallest)), has_sign));
-    const auto is_hopeless = hn::And(hn::And(hn::Eq(by_pencil, zero), hn::Lt(error, hn::Set(d, certificate::largest))),
-                                     hn::Lt(hn::Mul(hn::Set(d, finer), hn::Abs(signed_determinant)), determinant_error));
-    const V gradient_error = hn::Div(hn::Mul(hn::Set(d, 2.01), error), determinant);  // over a sum of lengths of cofactors
+    const V rounding = hn::Mul(hn::Set(d, task.evaluation_error), magnitude),
+            error = hn::Add(residual, rounding);
+    const auto is_proved =
+        hn::And(hn::And(hn::Le(error, hn::Mul(hn::Set(d, gain), rounding)), hn::Lt(rounding, one)),
+                hn::And(hn::Gt(determinant, hn::Set(d, certificate::smallest)), has_sign));
+    const auto is_hopeless =
+        hn::And(hn::And(hn::Eq(by_pencil, zero), hn::Lt(error, hn::Set(d, certificate::largest))),
+                hn::Lt(hn::Mul(hn::Set(d, finer), hn::Abs(signed_determinant)), determinant_error));
+    const V gradient_error =
+        hn::Div(hn::Mul(hn::Set(d, 2.01), error), determinant);  // over a sum of lengths of cofactors
     const V at_vertices = hn::Add(error, rounding);
     V threshold = hn::MulAdd(hn::Mul(gradient_error, others), diagonal, at_vertices);
     const V length_of_normal = hn::Sqrt(square_of_normal);  // for finite cells in the order of the radius
-    const V low = hn::IfThenElse(
-        is_finite,
-        hn::Min(hn::Mul(square_of_normal, hn::Set(d, low_per_square)), hn::Mul(length_of_normal, hn::Set(d, low_per_radius))),
-        hn::Set(d, low_of_infinite));
+    const V low = hn::IfThenElse(is_finite,
+                                 hn::Min(hn::Mul(square_of_normal, hn::Set(d, low_per_square)),
+                                         hn::Mul(length_of_normal, hn::Set(d, low_per_radius))),
+                                 hn::Set(d, low_of_infinite));
     if (K <= 4 || !hn::AllFalse(d, hn::And(is_proved, hn::Gt(threshold, low)))) {
       const V bend = hn::Set(d, task.bend);
       const auto is_large = hn::And(hn::And(is_finite, hn::Gt(bend, zero)), hn::Ge(square_of_normal, one));
       const V inverse_normal = hn::IfThenElseZero(is_large, hn::Div(one, length_of_normal));
       for (std::size_t r = 0; r < K; ++r) normal[r] = hn::Mul(normal[r], inverse_normal);
       const CofactorSums<V> cofactors = sum_cofactors<K>(entries, minors, normal);
-      const V cofactor_errors =
-          hn::MulAdd(hn::Set(d, cofactor_error), others, hn::Sqrt(hn::Mul(hn::Set(d, K * (K - 1)), edges.flat)));
+      const V cofactor_errors = hn::MulAdd(hn::Set(d, cofactor_error), others,
+                                           hn::Sqrt(hn::Mul(hn::Set(d, K * (K - 1)), edges.flat)));
       const V along = hn::Add(cofactors.along, cofactor_errors);
       const V across = hn::Add(hn::Sqrt(hn::Mul(hn::Set(d, K), cofactors.square_across)), cofactor_errors);
       const V kappa = hn::Mul(hn::Mul(gradient_error, along), inverse_normal);
       const V in_plane = hn::MulAdd(hn::Mul(gradient_error, across), diagonal, at_vertices);
       const V in_box = hn::MulAdd(hn::Mul(gradient_error, along), diagonal, in_plane);
-      const V near_plane = hn::Mul(hn::MulAdd(kappa, bend, in_plane), hn::MulAdd(hn::Set(d, 3.0), kappa, one));
+      const V near_plane =
+          hn::Mul(hn::MulAdd(kappa, bend, in_plane), hn::MulAdd(hn::Set(d, 3.0), kappa, one));
       const auto is_flat = hn::And(is_large, hn::Le(kappa, hn::Set(d, 0.25)));
       threshold = hn::Min(threshold, hn::IfThenElse(is_flat, hn::Min(in_box, near_plane), in_box));
     }
-    hn::Store(hn::IfThenElse(is_proved, hn::Mul(threshold, hn::Set(d, slack)), hn::Inf(d)), d, thresholds + lane);
+    hn::Store(hn::IfThenElse(is_proved, hn::Mul(threshold, hn::Set(d, slack)), hn::Inf(d)), d,
+              thresholds + lane);
     hn::Store(error, d, errors + lane);
     hn::Store(hn::IfThenElseZero(is_proved, determinant), d, determinants + lane);
     hn::Store(hn::IfThenZeroElse(hn::Or(is_proved, is_hopeless), one), d, open + lane);
@@ -441,7 +472,9 @@ namespace delone::geometry {
 HWY_EXPORT(find_thresholds_here);
 HWY_EXPORT(certify_by_edges_here);
 
-void find_thresholds(const NearTask& task, double* thresholds) { HWY_DYNAMIC_DISPATCH(find_thresholds_here)(task, thresholds); }
+void find_thresholds(const NearTask& task, double* thresholds) {
+  HWY_DYNAMIC_DISPATCH(find_thresholds_here)(task, thresholds);
+}
 
 void certify_by_edges(const NearTask& task, Index apex, EdgeCertificate* certificates) {
   HWY_DYNAMIC_DISPATCH(certify_by_edges_here)(task, apex, certificates);

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Certificates from the edges between points, several cells per instruction; compiled for several instruction sets, of which
-// the best that the machine has is chosen at run time. Those of the pencil hold in the whole box, and know of a cell its sphere
-// only; of flat cells, as among points of a surface, they say too little near the cell, where nearly all queries are.
+// Certificates from the edges between points, several cells per instruction; compiled for several instruction
+// sets, of which the best that the machine has is chosen at run time. Those of the pencil hold in the whole
+// box, and know of a cell its sphere only; of flat cells, as among points of a surface, they say too little
+// near the cell, where nearly all queries are.
 #pragma once
 
 #include "cells/cell_memory.hpp"
@@ -28,24 +29,26 @@ struct NearTask {
   VertexRows rows;     ///< images and lifts, of all vertices; computed for can_compute_rows(k) only
   const double* row;   ///< of the point
   // Constants of the frame.
-  double evaluation_error;    ///< of a rounded evaluation, relative to the sum of the magnitudes of a functional's terms
-  double largest_lift;        ///< of a point of the box
-  double edge_error;          ///< of edges between rows, and of their heights over planes
-  double bend;                ///< how far lifts deviate from a plane that touches them in the box, at most; 0: not known
+  double evaluation_error;  ///< of a rounded evaluation, relative to the sum of the magnitudes of a
+                            ///< functional's terms
+  double largest_lift;      ///< of a point of the box
+  double edge_error;        ///< of edges between rows, and of their heights over planes
+  double bend;  ///< how far lifts deviate from a plane that touches them in the box, at most; 0: not known
   const double* lift_weight;  ///< per axis, of the square of an image in the lift
 };
 
 /// The dimensions in which thresholds for a point can be found.
 constexpr bool can_find_thresholds(int k) { return k >= 1 && k <= 16; }
 
-/// Writes a threshold for this point alone to each cell: the cached one, or less. Cost O(k²) per cell. REQUIRES
-/// can_find_thresholds(k).
+/// Writes a threshold for this point alone to each cell: the cached one, or less. Cost O(k²) per cell.
+/// REQUIRES can_find_thresholds(k).
 void find_thresholds(const NearTask& task, double* thresholds);
 
 /// What is proved of a functional.
 struct EdgeCertificate {
-  double threshold;    ///< a value beyond it has the sign of h, for all points of the box; one within it is off by no more
-  double error;        ///< |h̃| is below it at the vertices
+  double threshold;  ///< a value beyond it has the sign of h, for all points of the box; one within it is off
+                     ///< by no more
+  double error;      ///< |h̃| is below it at the vertices
   double determinant;  ///< of the edge vectors, at least that in magnitude; 0: none is known
   bool is_final;       ///< elimination could hardly prove more; else it is to be asked
 };
@@ -53,9 +56,10 @@ struct EdgeCertificate {
 /// The dimensions in which functionals can be certified by edges.
 constexpr bool can_certify_by_edges(int k) { return k >= 2 && k <= 6; }
 
-/// Certifies functionals by their values at the vertices and the determinants of the edges. Cells too flat for anything to be
-/// proved have an infinite threshold. Cost O(k·2^k) per cell. REQUIRES that the point is that of `apex`, a vertex of all cells,
-/// can_certify_by_edges(k), and that the cached determinants are lower bounds.
+/// Certifies functionals by their values at the vertices and the determinants of the edges. Cells too flat
+/// for anything to be proved have an infinite threshold. Cost O(k·2^k) per cell. REQUIRES that the point is
+/// that of `apex`, a vertex of all cells, can_certify_by_edges(k), and that the cached determinants are lower
+/// bounds.
 void certify_by_edges(const NearTask& task, Index apex, EdgeCertificate* certificates);
 
 }  // namespace delone::geometry

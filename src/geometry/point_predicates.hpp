@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The exact stages of the conflict test of Delaunay, regular and furthest-site triangulations, for cells given by their
-// vertices. Knows points; nothing of cached functionals.
+// The exact stages of the conflict test of Delaunay, regular and furthest-site triangulations, for cells
+// given by their vertices. Knows points; nothing of cached functionals.
 #pragma once
 
 #include "kernel/buffer.hpp"
@@ -16,32 +16,37 @@
 
 namespace delone::geometry {
 
-/// A point to be tested against cells: its coordinates (then its weight, if points have one), and a grid that all vertices and
-/// the point itself lie on.
+/// A point to be tested against cells: its coordinates (then its weight, if points have one), and a grid that
+/// all vertices and the point itself lie on.
 struct PointQuery {
   const double* point;
   const kernel::Grid* grid;
-  int compared;  ///< how many entries a vertex at the query must share: without the weight, any vertex at its coordinates is
+  int compared;  ///< how many entries a vertex at the query must share: without the weight, any vertex at its
+                 ///< coordinates is
 };
 
 /// K is the dimension of the flat, or 0 when it is chosen at run time.
 template <int K>
 class PointPredicates {
  public:
-  /// `coordinates`: the points of the vertices, `ambient` doubles each and then the weight if points have one, indexed by
-  /// vertex id (vertex 0 is a dummy). They must outlive this object; they may grow.
-  PointPredicates(std::vector<int> axes, int ambient, kernel::RowForm form, const std::vector<double>& coordinates)
+  /// `coordinates`: the points of the vertices, `ambient` doubles each and then the weight if points have
+  /// one, indexed by vertex id (vertex 0 is a dummy). They must outlive this object; they may grow.
+  PointPredicates(std::vector<int> axes, int ambient, kernel::RowForm form,
+                  const std::vector<double>& coordinates)
       : axes_(std::move(axes)), ambient_(ambient), form_(form), coordinates_(coordinates) {}
 
   int dimension() const { return K > 0 ? K : static_cast<int>(axes_.size()); }
   const std::vector<int>& axes() const { return axes_; }
   const double* point(Index vertex) const {
-    return coordinates_.data() + static_cast<std::size_t>(vertex) * static_cast<std::size_t>(flat().row_size());
+    return coordinates_.data() +
+           static_cast<std::size_t>(vertex) * static_cast<std::size_t>(flat().row_size());
   }
-  bool is_at(Index vertex, const PointQuery& q) const { return kernel::equal_points(point(vertex), q.point, q.compared); }
+  bool is_at(Index vertex, const PointQuery& q) const {
+    return kernel::equal_points(point(vertex), q.point, q.compared);
+  }
 
-  /// Stages direct_ and exact_: the sign of h(q) for the cell of these k+1 vertices, `infinite_slot` −1 for a finite cell.
-  /// REQUIRES that q is none of the vertices.
+  /// Stages direct_ and exact_: the sign of h(q) for the cell of these k+1 vertices, `infinite_slot` −1 for a
+  /// finite cell. REQUIRES that q is none of the vertices.
   Sign exact_side(const Index* vertices, int infinite_slot, const PointQuery& q, StageCounts& counts) const {
     auto points = gather(vertices);
     const kernel::Flat flat = this->flat();
@@ -58,9 +63,11 @@ class PointPredicates {
   }
 
   /// The same for many cells.
-  void perturbed_sides(std::span<const Index* const> cells, const PointQuery& q, Sign* sides, StageCounts& counts) const {
+  void perturbed_sides(std::span<const Index* const> cells, const PointQuery& q, Sign* sides,
+                       StageCounts& counts) const {
     const kernel::Flat flat = this->flat();
-    if (flat.ambient != flat.dimension() || !kernel::can_break_together(flat.ambient) || !q.grid->is_small()) {
+    if (flat.ambient != flat.dimension() || !kernel::can_break_together(flat.ambient) ||
+        !q.grid->is_small()) {
       for (const Index* vertices : cells) *sides++ = perturbed_side(vertices, q, counts);
       return;
     }
@@ -72,31 +79,35 @@ class PointPredicates {
       key_weights[j] = is_tiny ? q.grid->tiny_key_weight(axis) : q.grid->key_weight(axis);
       if (is_tiny) per_unit[j] = q.grid->per_unit(axis);
     }
-    kernel::break_ties({flat.ambient, cells, coordinates_.data(), static_cast<std::size_t>(flat.row_size()), q.point,
-                        key_weights.data(), is_tiny ? per_unit.data() : nullptr, sides});
+    kernel::break_ties({flat.ambient, cells, coordinates_.data(), static_cast<std::size_t>(flat.row_size()),
+                        q.point, key_weights.data(), is_tiny ? per_unit.data() : nullptr, sides});
   }
 
-  /// The sign of h(q) for a finite cell, ties not perturbed: that of the power of q with respect to its sphere, or, for
-  /// furthest points, its opposite.
+  /// The sign of h(q) for a finite cell, ties not perturbed: that of the power of q with respect to its
+  /// sphere, or, for furthest points, its opposite.
   Sign unperturbed_side(const Index* vertices, const PointQuery& q) const {
     StageCounts uncounted;
     return kernel::in_sphere<K>(flat(), gather(vertices).data(), q.point, *q.grid, uncounted);
   }
 
-  /// The exact sign of the barycentric coordinate of q at vertex `slot` of a finite, positively oriented cell.
+  /// The exact sign of the barycentric coordinate of q at vertex `slot` of a finite, positively oriented
+  /// cell.
   Sign side_of_facet(const Index* vertices, int slot, const PointQuery& q) const {
     auto points = gather(vertices);
     points[static_cast<std::size_t>(slot)] = q.point;
     return kernel::orientation<K>(flat(), points.data(), *q.grid);
   }
 
-  /// Of the given vertices the one that is strictly beyond facet `slot` of a finite cell and whose sphere through the facet is
-  /// the first to be met there; infinite_vertex if none is beyond, and nothing on a tie. The cell may be oriented either way.
-  /// `grid`: one that all vertices lie on. REQUIRES that none of them is a vertex of the cell.
+  /// Of the given vertices the one that is strictly beyond facet `slot` of a finite cell and whose sphere
+  /// through the facet is the first to be met there; infinite_vertex if none is beyond, and nothing on a tie.
+  /// The cell may be oriented either way. `grid`: one that all vertices lie on. REQUIRES that none of them is
+  /// a vertex of the cell.
   std::optional<Index> first_beyond(const Index* cell, int slot, std::span<const Index> vertices,
                                     const kernel::Grid& grid) const {
     std::vector<Index> simplex(cell, cell + dimension() + 1);
-    const auto orientation = [&] { return kernel::orientation<K>(flat(), gather(simplex.data()).data(), grid); };
+    const auto orientation = [&] {
+      return kernel::orientation<K>(flat(), gather(simplex.data()).data(), grid);
+    };
     const Sign inner = orientation();
     Index first = index(infinite_vertex);
     Index& apex = simplex[static_cast<std::size_t>(slot)];

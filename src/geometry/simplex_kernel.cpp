@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The inverse of the matrix of edges by elimination with exchanges of rows, and what its residuals prove. Proofs:
-// docs/predicates.md, "Simplices in lanes".
+// The inverse of the matrix of edges by elimination with exchanges of rows, and what its residuals prove.
+// Proofs: docs/predicates.md, "Simplices in lanes".
 #include "geometry/simplex_kernel.hpp"
 
 #include "geometry/pair.hpp"
@@ -31,7 +31,9 @@ struct SimplexArrays {
         determinant(column_sums + k * simplex_lanes),
         growth(determinant + simplex_lanes),
         proved(growth + simplex_lanes) {}
-  static std::size_t entries(std::size_t k) { return (k + 2) * (k + 1) + (k + 1) * (k + 1) + 2 * k * k + k + 2 + 3; }
+  static std::size_t entries(std::size_t k) {
+    return (k + 2) * (k + 1) + (k + 1) * (k + 1) + 2 * k * k + k + 2 + 3;
+  }
 
   std::size_t k, width;
   double* functions;    ///< (k + 2)·(k + 1)
@@ -92,7 +94,8 @@ void write_edges(const SimplexArrays& arrays, double* edges) {
     }
 }
 
-/// Inverts the matrices of edges in place, without exchanges. All lengths of loops are known, and the loops unrolled.
+/// Inverts the matrices of edges in place, without exchanges. All lengths of loops are known, and the loops
+/// unrolled.
 template <int K>
 void invert_in_place(const SimplexArrays& arrays) {
   const hn::CappedTag<double, simplex_lanes> d;
@@ -123,10 +126,12 @@ void invert_in_place(const SimplexArrays& arrays) {
         if (i > s) growth = hn::Max(growth, hn::Mul(hn::Abs(times), per_pivot));
 #pragma GCC unroll 8
         for (std::size_t r = 0; r < K; ++r)
-          hn::Store(hn::NegMulAdd(times, pivot_row[r], r == s ? zero : hn::Load(d, entry(i, r))), d, entry(i, r));
+          hn::Store(hn::NegMulAdd(times, pivot_row[r], r == s ? zero : hn::Load(d, entry(i, r))), d,
+                    entry(i, r));
       }
     }
-    for (std::size_t r = 0; r < K; ++r) hn::Store(column_sums[r], d, arrays.column_sums + r * simplex_lanes + lane);
+    for (std::size_t r = 0; r < K; ++r)
+      hn::Store(column_sums[r], d, arrays.column_sums + r * simplex_lanes + lane);
     hn::Store(determinant, d, arrays.determinant + lane);
     hn::Store(growth, d, arrays.growth + lane);
   }
@@ -139,8 +144,12 @@ void invert_with_exchanges(const SimplexArrays& arrays) {
   const std::size_t k = arrays.k;
   write_edges<0>(arrays, arrays.edges);
   for (std::size_t lane = 0; lane < simplex_lanes; lane += hn::Lanes(d)) {
-    const auto edge = [&](std::size_t i, std::size_t r) { return arrays.edges + (i * k + r) * simplex_lanes + lane; };
-    const auto entry = [&](std::size_t i, std::size_t r) { return arrays.inverse + (i * k + r) * simplex_lanes + lane; };
+    const auto edge = [&](std::size_t i, std::size_t r) {
+      return arrays.edges + (i * k + r) * simplex_lanes + lane;
+    };
+    const auto entry = [&](std::size_t i, std::size_t r) {
+      return arrays.inverse + (i * k + r) * simplex_lanes + lane;
+    };
     const auto column_sum = [&](std::size_t r) { return arrays.column_sums + r * simplex_lanes + lane; };
     const V zero = hn::Zero(d), one = hn::Set(d, 1.0);
     for (std::size_t r = 0; r < k; ++r) {
@@ -167,7 +176,8 @@ void invert_with_exchanges(const SimplexArrays& arrays) {
         hn::Store(hn::Add(hn::Load(d, column_sum(r)), hn::Abs(u)), d, column_sum(r));
         hn::Store(hn::Mul(u, factor), d, edge(s, r));
       }
-      for (std::size_t r = 0; r < k; ++r) hn::Store(hn::Mul(hn::Load(d, entry(s, r)), factor), d, entry(s, r));
+      for (std::size_t r = 0; r < k; ++r)
+        hn::Store(hn::Mul(hn::Load(d, entry(s, r)), factor), d, entry(s, r));
       for (std::size_t i = 0; i < k; ++i) {
         if (i == s) continue;
         const V times = hn::Load(d, edge(i, s));
@@ -190,10 +200,13 @@ void write_functions(const SimplexArrays& arrays) {
   const std::size_t k = K > 0 ? K : arrays.k, width = k + 1;
   for (std::size_t lane = 0; lane < simplex_lanes; lane += hn::Lanes(d)) {
     const auto at = [&](double* array, std::size_t i) { return array + i * simplex_lanes + lane; };
-    const auto image = [&](std::size_t i, std::size_t r) { return hn::Load(d, at(arrays.images, i * width + r)); };
+    const auto image = [&](std::size_t i, std::size_t r) {
+      return hn::Load(d, at(arrays.images, i * width + r));
+    };
     const auto function = [&](std::size_t f, std::size_t r) { return at(arrays.functions, f * width + r); };
     const V zero = hn::Zero(d), one = hn::Set(d, 1.0);
-    // Column i of the inverse is the gradient of coordinate i + 1; all of them add up to 0, and the constants to 1.
+    // Column i of the inverse is the gradient of coordinate i + 1; all of them add up to 0, and the constants
+    // to 1.
     V constant_of_first = one, constant_of_last = zero;
     for (std::size_t i = 1; i <= k; ++i) {
       V constant = zero;
@@ -228,7 +241,8 @@ void solve(const SimplexTask& task) {
   if constexpr (K > 0) {
     invert_in_place<K>(arrays);
     constexpr double largest_growth = 1e4;
-    for (std::size_t lane = 0; lane < simplex_lanes; ++lane) is_tame = is_tame && arrays.growth[lane] <= largest_growth;
+    for (std::size_t lane = 0; lane < simplex_lanes; ++lane)
+      is_tame = is_tame && arrays.growth[lane] <= largest_growth;
   }
   if (!is_tame) invert_with_exchanges(arrays);
   write_functions<K>(arrays);
@@ -254,7 +268,9 @@ void certify(const SimplexTask& task) {
   const std::size_t k = K > 0 ? K : arrays.k, width = k + 1;
   for (std::size_t lane = 0; lane < simplex_lanes; lane += hn::Lanes(d)) {
     const auto at = [&](double* array, std::size_t i) { return array + i * simplex_lanes + lane; };
-    const auto image = [&](std::size_t i, std::size_t r) { return hn::Load(d, at(arrays.images, i * width + r)); };
+    const auto image = [&](std::size_t i, std::size_t r) {
+      return hn::Load(d, at(arrays.images, i * width + r));
+    };
     const auto function = [&](std::size_t f, std::size_t r) { return at(arrays.functions, f * width + r); };
     const V one = hn::Set(d, 1.0);
     const auto value_at = [&](std::size_t f, std::size_t j) {
@@ -277,10 +293,12 @@ void certify(const SimplexTask& task) {
     for (std::size_t i = 0; i <= k; ++i) {
       const V value = hn::Add(value_at(width, i), image(i, k));
       for (std::size_t r = 0; r <= k; ++r)
-        hn::Store(hn::NegMulAdd(value, hn::Load(d, function(i, r)), hn::Load(d, function(width, r))), d, function(width, r));
+        hn::Store(hn::NegMulAdd(value, hn::Load(d, function(i, r)), hn::Load(d, function(width, r))), d,
+                  function(width, r));
     }
     V residual = hn::Zero(d);
-    for (std::size_t i = 0; i <= k; ++i) residual = hn::Max(residual, hn::Abs(hn::Add(value_at(width, i), image(i, k))));
+    for (std::size_t i = 0; i <= k; ++i)
+      residual = hn::Max(residual, hn::Abs(hn::Add(value_at(width, i), image(i, k))));
     hn::Store(farthest, d, at(arrays.proved, 0));
     hn::Store(spread, d, at(arrays.proved, 1));
     hn::Store(residual, d, at(arrays.proved, 2));
@@ -308,7 +326,9 @@ namespace delone::geometry {
 HWY_EXPORT(solve_here);
 HWY_EXPORT(certify_here);
 
-std::size_t simplex_scratch(int k) { return SimplexArrays::entries(static_cast<std::size_t>(k)) * simplex_lanes; }
+std::size_t simplex_scratch(int k) {
+  return SimplexArrays::entries(static_cast<std::size_t>(k)) * simplex_lanes;
+}
 
 void solve_simplices(const SimplexTask& task) { HWY_DYNAMIC_DISPATCH(solve_here)(task); }
 
@@ -321,7 +341,8 @@ void certify_simplices(const SimplexTask& task, SimplexCertificate* certificates
     const double spread = lane_entry(arrays.proved, 1, lane);
     const double farthest = slack * (lane_entry(arrays.proved, 0, lane) + 1.01 * (k + 8) * u * spread);
     double column_sum = 0;
-    for (std::size_t r = 0; r < arrays.k; ++r) column_sum = std::max(column_sum, lane_entry(arrays.column_sums, r, lane));
+    for (std::size_t r = 0; r < arrays.k; ++r)
+      column_sum = std::max(column_sum, lane_entry(arrays.column_sums, r, lane));
     const double growth = lane_entry(arrays.growth, 0, lane);
     const double change = slack * 2 * spread * (1.01 * (k + 4) * u * growth * column_sum + 4.1 * u);
     const double determinant = lane_entry(arrays.determinant, 0, lane);

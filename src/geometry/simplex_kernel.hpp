@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Barycentric coordinates and functionals of several finite cells at once, by elimination, one cell in each lane of the
-// processor's vectors; compiled for several instruction sets, of which the best that the machine has is chosen at run time.
+// Barycentric coordinates and functionals of several finite cells at once, by elimination, one cell in each
+// lane of the processor's vectors; compiled for several instruction sets, of which the best that the machine
+// has is chosen at run time.
 #pragma once
 
 #include <delone/types.hpp>
@@ -15,20 +16,23 @@ inline constexpr std::size_t simplex_lanes = 8;
 
 struct SimplexTask {
   int k;
-  std::span<const Index* const> simplices;  ///< the k + 1 vertices of each: at least one simplex, at most simplex_lanes
-  const double* rows;                       ///< the images and lifts of the vertices, k + 1 doubles each
-  double* scratch;                          ///< simplex_scratch(k) doubles, at a multiple of 64 bytes
+  std::span<const Index* const>
+      simplices;       ///< the k + 1 vertices of each: at least one simplex, at most simplex_lanes
+  const double* rows;  ///< the images and lifts of the vertices, k + 1 doubles each
+  double* scratch;     ///< simplex_scratch(k) doubles, at a multiple of 64 bytes
 };
 
 /// Entry i of an array of the scratch memory, for the simplex of a lane.
-inline double& lane_entry(double* array, std::size_t i, std::size_t lane) { return array[i * simplex_lanes + lane]; }
+inline double& lane_entry(double* array, std::size_t i, std::size_t lane) {
+  return array[i * simplex_lanes + lane];
+}
 
 /// How many doubles of scratch memory simplices of dimension k take.
 std::size_t simplex_scratch(int k);
 
-/// Writes k + 2 affine functions of images to the start of the scratch memory, k + 1 entries of simplex_lanes each, the
-/// constant last: the barycentric coordinates of the simplex, and its functional without the lift. Rounded; not finite if the
-/// simplex seems to be flat. Cost O(k³).
+/// Writes k + 2 affine functions of images to the start of the scratch memory, k + 1 entries of simplex_lanes
+/// each, the constant last: the barycentric coordinates of the simplex, and its functional without the lift.
+/// Rounded; not finite if the simplex seems to be flat. Cost O(k³).
 void solve_simplices(const SimplexTask& task);
 
 /// What is proved of a simplex.
@@ -39,8 +43,8 @@ struct SimplexCertificate {
   double determinant;  ///< of the edge vectors, at least that in magnitude
 };
 
-/// After solve_simplices: improves the functionals, and certifies all that was written (docs/predicates.md, "Simplices in
-/// lanes").
+/// After solve_simplices: improves the functionals, and certifies all that was written (docs/predicates.md,
+/// "Simplices in lanes").
 void certify_simplices(const SimplexTask& task, SimplexCertificate* certificates);
 
 }  // namespace delone::geometry

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A functional by elimination, O(k³): for first cells, after a dimension jump, and where the pencil's certificate is too weak.
+// A functional by elimination, O(k³): for first cells, after a dimension jump, and where the pencil's
+// certificate is too weak.
 #pragma once
 
 #include "geometry/cache_line.hpp"
@@ -26,10 +27,12 @@ Sign Functionals<K, Lifted>::solve(Index cell, const double* rows, bool positive
     for (int r = 0; r < k(); ++r) columns[static_cast<std::size_t>(j * k() + r)] = row_at(j + 1)[r] - rows[r];
     heights[static_cast<std::size_t>(j)] = Infinite ? 0 : row_at(j + 1)[k()] - rows[k()];
   }
-  // An image is off by a rounding of a number ≤ 1, twice per difference, and the difference is rounded once more.
+  // An image is off by a rounding of a number ≤ 1, twice per difference, and the difference is rounded once
+  // more.
   const kernel::EntryError entry_error{1.01 * kernel::unit_roundoff,
                                        2.02 * kernel::unit_roundoff * std::sqrt(static_cast<double>(k()))};
-  const kernel::CertifiedDeterminant det = kernel::factor<N>(columns.data(), n, k(), entry_error, row_of.data());
+  const kernel::CertifiedDeterminant det =
+      kernel::factor<N>(columns.data(), n, k(), entry_error, row_of.data());
   const double least_determinant = std::fabs(det.value) - det.error;
   if (!(least_determinant > 0)) {
     give_up(cell, Infinite);
@@ -47,21 +50,22 @@ Sign Functionals<K, Lifted>::solve(Index cell, const double* rows, bool positive
   functional[k()] = -linear_part(rows);
 
   double residual = 0;
-  for (int i = 0; i <= n; ++i) residual = std::max(residual, std::fabs(linear_part(row_at(i)) + functional[k()]));
+  for (int i = 0; i <= n; ++i)
+    residual = std::max(residual, std::fabs(linear_part(row_at(i)) + functional[k()]));
   double magnitude = lift_weight * largest_lift_;
   for (int r = 0; r <= k(); ++r) magnitude += std::fabs(functional[r]);
   const double rounding = evaluation_error_ * magnitude;
   const double error = residual + rounding;
   // Σ|barycentric coordinates| in the box, by Cramer's rule and Hadamard's inequality.
-  const double spread =
-      1 + 4.5 * std::sqrt(static_cast<double>(n)) * det.norm_product * det.inverse_norm_sum / least_determinant;
+  const double spread = 1 + 4.5 * std::sqrt(static_cast<double>(n)) * det.norm_product *
+                                det.inverse_norm_sum / least_determinant;
   certify(cell, error * spread + rounding, error, least_determinant, Infinite);
   return det.value > 0 ? Sign::positive : Sign::negative;
 }
 
 template <int K, bool Lifted>
-void Functionals<K, Lifted>::solve(std::span<const Index> cells, std::span<const Index* const> vertices, const double* rows,
-                                   Sign* signs) requires(Lifted) {
+void Functionals<K, Lifted>::solve(std::span<const Index> cells, std::span<const Index* const> vertices,
+                                   const double* rows, Sign* signs) requires(Lifted) {
   scratch_.resize(simplex_scratch(k()) + cache_line_of<double>);
   double* const functions = at_cache_line(scratch_.data());
   const SimplexTask task{k(), vertices, rows, functions};
@@ -73,7 +77,8 @@ void Functionals<K, Lifted>::solve(std::span<const Index> cells, std::span<const
     const SimplexCertificate& proved = certificates[lane];
     signs[lane] = proved.orientation;
     if (proved.orientation == Sign::zero) continue;
-    for (std::size_t r = 0; r < width; ++r) functional(cells[lane])[r] = lane_entry(functions, width * width + r, lane);
+    for (std::size_t r = 0; r < width; ++r)
+      functional(cells[lane])[r] = lane_entry(functions, width * width + r, lane);
     const double rounding = evaluation_error_ * sum_of_magnitudes(cells[lane], largest_lift_);
     const double error = proved.residual + rounding;
     certify(cells[lane], error * proved.spread + rounding, error, proved.determinant, false);
@@ -91,7 +96,8 @@ void Functionals<K, Lifted>::solve(Index cell, const double* rows) requires(!Lif
   std::copy_n(rows, size * size, columns.data());
   std::fill_n(ones.data(), size, 1.0);
   const kernel::EntryError entry_error{0, 1.01 * kernel::unit_roundoff * std::sqrt(static_cast<double>(n))};
-  const kernel::CertifiedDeterminant det = kernel::factor<N>(columns.data(), n, n, entry_error, row_of.data());
+  const kernel::CertifiedDeterminant det =
+      kernel::factor<N>(columns.data(), n, n, entry_error, row_of.data());
   const double least_determinant = std::fabs(det.value) - det.error;
   if (!(least_determinant > 0)) {
     give_up(cell, false);
@@ -109,8 +115,10 @@ void Functionals<K, Lifted>::solve(Index cell, const double* rows) requires(!Lif
   }
   const double rounding = evaluation_error_ * magnitude;
   const double error = residual + rounding;
-  // As above, with coefficients in place of barycentric coordinates and the row of a point, at most √n long, replacing one.
-  const double spread = 1.2 * std::sqrt(static_cast<double>(n)) * det.norm_product * det.inverse_norm_sum / least_determinant;
+  // As above, with coefficients in place of barycentric coordinates and the row of a point, at most √n long,
+  // replacing one.
+  const double spread =
+      1.2 * std::sqrt(static_cast<double>(n)) * det.norm_product * det.inverse_norm_sum / least_determinant;
   certify(cell, error * spread + rounding, error, least_determinant, false);
 }
 

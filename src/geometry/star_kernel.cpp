@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The pencil identity. With a = h_A(q) ≤ 0 and b = h_B(q) ≥ 0, the functional of the cell that joins q to the common facet of A
-// and B is (b·h_A − a·h_B)/ν, where ν is
+// The pencil identity. With a = h_A(q) ≤ 0 and b = h_B(q) ≥ 0, the functional of the cell that joins q to the
+// common facet of A and B is (b·h_A − a·h_B)/ν, where ν is
 //   A, B finite         b − a                                a convex combination
 //   A finite, B not     b
 //   B finite, A not     −a
 //   neither finite      the largest |b·g_A,r − a·g_B,r|      so that the largest coefficient becomes ±1
-// and in all four cases ν is the height of q over the facet in the units in which that of the opposite vertex of A (in the
-// third row, of B) is the value there of the other functional. Weights are non-negative, so errors at the facet's vertices
-// combine with the same weights and grow with the number of generations at most linearly; at q the error is one evaluation's.
-// The determinant of the new cell's edge vectors follows from that of A (or B) by the ratio of heights over the facet. Proofs:
-// docs/predicates.md, "The pencil".
+// and in all four cases ν is the height of q over the facet in the units in which that of the opposite vertex
+// of A (in the third row, of B) is the value there of the other functional. Weights are non-negative, so
+// errors at the facet's vertices combine with the same weights and grow with the number of generations at
+// most linearly; at q the error is one evaluation's. The determinant of the new cell's edge vectors follows
+// from that of A (or B) by the ratio of heights over the facet. Proofs: docs/predicates.md, "The pencil".
 #include "geometry/star_kernel.hpp"
 
 #include "base/compiled_dimension.hpp"
@@ -36,13 +36,16 @@ namespace delone::geometry {
 constexpr std::size_t block_size = 32;
 /// A threshold beyond this fraction of the functional's scale would leave too many tests open.
 constexpr double weakest = 0x1p-7;
-/// The same of the radius of a sphere that is far larger than the box, and of the normal of an infinite cell. Values are much
-/// smaller near such cells; but certificates by edges, which are better, are cheap up to four dimensions only.
+/// The same of the radius of a sphere that is far larger than the box, and of the normal of an infinite cell.
+/// Values are much smaller near such cells; but certificates by edges, which are better, are cheap up to four
+/// dimensions only.
 constexpr double weakest_of_large(std::size_t k) { return k <= 4 ? 0x1p-25 : 0x1p-10; }
 constexpr double weakest_of_infinite(std::size_t k) { return k <= 4 ? 0x1p-20 : 0x1p-7; }
-/// By what factor thresholds of such spheres are smaller at least, and what part of a value may be an error at most.
+/// By what factor thresholds of such spheres are smaller at least, and what part of a value may be an error
+/// at most.
 constexpr double least_shrinking = 2, most_kappa = 0.25;
-/// The arrays of a block, `block_size` entries of 64 bits each. A and B are the cells of a facet, N the new cell.
+/// The arrays of a block, `block_size` entries of 64 bits each. A and B are the cells of a facet, N the new
+/// cell.
 enum BlockArray : std::size_t {
   value_a,
   value_b,
@@ -70,10 +73,14 @@ CellRecords<K> records_of(const StarTask& task) {
 
 /// The value of B at the vertex of A opposite the facet; with A alone infinite, the other way round.
 template <int K>
-HWY_INLINE double value_at_opposite(const StarTask& task, const CellRecords<K>& records, const HorizonFacet& facet) {
+HWY_INLINE double value_at_opposite(const StarTask& task, const CellRecords<K>& records,
+                                    const HorizonFacet& facet) {
   const auto k = static_cast<std::size_t>(K > 0 ? K : task.k);
-  const auto is_infinite = [&](Index cell) { return certificate::infinite(bits_of(*records.certificate(cell))); };
-  const bool swapped = is_infinite(facet.dead) > is_infinite(facet.survivor);  // the one, and not the other: no branch
+  const auto is_infinite = [&](Index cell) {
+    return certificate::infinite(bits_of(*records.certificate(cell)));
+  };
+  const bool swapped =
+      is_infinite(facet.dead) > is_infinite(facet.survivor);  // the one, and not the other: no branch
   const Index cell = swapped ? facet.dead : facet.survivor;
   const Index vertex = swapped ? facet.survivor_opposite : facet.dead_opposite;
   const double* functional = records.functional(cell);
@@ -96,11 +103,13 @@ void gather(const StarTask& task, std::span<const HorizonFacet> facets, double* 
   for (std::size_t lane = 0; lane < facets.size(); lane += 2) {
     const HorizonFacet& one = facets[lane];
     const HorizonFacet& two = facets[std::min(lane + 1, facets.size() - 1)];
-    std::atomic_signal_fence(std::memory_order_seq_cst);  // one loop, not several: each costs a misprediction at its end
+    std::atomic_signal_fence(
+        std::memory_order_seq_cst);  // one loop, not several: each costs a misprediction at its end
     const auto put = [&](std::size_t array, double of_one, double of_two) {
       store_pair(block + array * block_size + lane, Pair{of_one, of_two});
     };
-    const auto put_cells = [&](Index of_one, Index of_two, std::size_t first_coefficient, std::size_t certificate) {
+    const auto put_cells = [&](Index of_one, Index of_two, std::size_t first_coefficient,
+                               std::size_t certificate) {
       const double* f = records.functional(of_one);
       const double* g = records.functional(of_two);
       for (std::size_t r = 0; r + 1 < entries; r += 2) {
@@ -138,14 +147,18 @@ void compute(const StarTask& task, std::size_t count, double* HWY_RESTRICT block
     const auto coefficient_b = [&](std::size_t r) { return load(coefficients + k + 1 + r); };
     const U of_a = hn::BitCast(du, load(certificate_a)), of_b = hn::BitCast(du, load(certificate_b));
     const auto is_infinite = [&](U packed) {
-      return hn::RebindMask(d, hn::MaskFromVec(hn::BroadcastSignBit(hn::BitCast(di, hn::ShiftLeft<32>(packed)))));
+      return hn::RebindMask(
+          d, hn::MaskFromVec(hn::BroadcastSignBit(hn::BitCast(di, hn::ShiftLeft<32>(packed)))));
     };
-    const auto unpack = [&](U bits) { return hn::BitCast(d, hn::Add(hn::ShiftLeft<certificate::fraction_shift>(bits), bias)); };
+    const auto unpack = [&](U bits) {
+      return hn::BitCast(d, hn::Add(hn::ShiftLeft<certificate::fraction_shift>(bits), bias));
+    };
     const auto unpack_short = [&](U bits) {
       return hn::BitCast(d, hn::Add(hn::ShiftLeft<certificate::short_shift>(bits), bias));
     };
     const U threshold_bits = hn::Set(du, 0x7fffffff), short_bits = hn::Set(du, 0x7fff);
-    // Exact stages may have decided: true values have the right signs, so 0 is closer to them than a computed wrong sign.
+    // Exact stages may have decided: true values have the right signs, so 0 is closer to them than a computed
+    // wrong sign.
     const V a = hn::Min(load(value_a), zero), b = hn::Max(load(value_b), zero), minus_a = hn::Neg(a);
     // How far values may be off, as thresholds of flat cells hold for values within them only.
     const auto error_of = [&](V threshold, V value) {
@@ -159,9 +172,10 @@ void compute(const StarTask& task, std::size_t count, double* HWY_RESTRICT block
     const auto infinite = hn::And(a_is_infinite, b_is_infinite);
     const auto swapped = hn::AndNot(b_is_infinite, a_is_infinite);
     const auto swapped_bits = hn::RebindMask(du, swapped);
-    const U packed_determinant = hn::And(hn::ShiftRight<48>(hn::IfThenElse(swapped_bits, of_b, of_a)), short_bits);
-    const V old_determinant =
-        hn::IfThenZeroElse(hn::RebindMask(d, hn::Eq(packed_determinant, hn::Zero(du))), unpack_short(packed_determinant));
+    const U packed_determinant =
+        hn::And(hn::ShiftRight<48>(hn::IfThenElse(swapped_bits, of_b, of_a)), short_bits);
+    const V old_determinant = hn::IfThenZeroElse(hn::RebindMask(d, hn::Eq(packed_determinant, hn::Zero(du))),
+                                                 unpack_short(packed_determinant));
 
     V height = hn::IfThenElse(b_is_infinite, b, hn::IfThenElse(a_is_infinite, minus_a, hn::Sub(b, a)));
     V height_error = hn::Add(hn::IfThenZeroElse(b_is_infinite, t_a), hn::IfThenZeroElse(a_is_infinite, t_b));
@@ -176,23 +190,26 @@ void compute(const StarTask& task, std::size_t count, double* HWY_RESTRICT block
         normal_a = hn::IfThenElse(larger, hn::Abs(from_a), normal_a);
         normal_b = hn::IfThenElse(larger, hn::Abs(from_b), normal_b);
       }
-      const V error =
-          hn::Add(hn::Mul(hn::Add(hn::Add(b, normal_b), t_b), t_a), hn::Mul(hn::Add(hn::Add(normal_a, minus_a), t_a), t_b));
+      const V error = hn::Add(hn::Mul(hn::Add(hn::Add(b, normal_b), t_b), t_a),
+                              hn::Mul(hn::Add(hn::Add(normal_a, minus_a), t_a), t_b));
       height = hn::IfThenElse(infinite, largest, height);
       height_error = hn::IfThenElse(infinite, error, height_error);
     }
     // Divisions take longest: as few as will do, and none that waits for the radius.
-    const V inverse_height = hn::Div(one, height), x = hn::Mul(b, inverse_height), y = hn::Mul(minus_a, inverse_height);
+    const V inverse_height = hn::Div(one, height), x = hn::Mul(b, inverse_height),
+            y = hn::Mul(minus_a, inverse_height);
     const V opposite = load(opposite_value),
             opposite_threshold = unpack(hn::And(hn::IfThenElse(swapped_bits, of_a, of_b), threshold_bits));
     const V opposite_height = hn::Add(opposite, error_of(opposite_threshold, hn::Abs(opposite)));
     const V moved_determinant = hn::Mul(old_determinant, hn::Sub(height, height_error));
     const V det = hn::Mul(hn::Div(moved_determinant, opposite_height), hn::Set(d, 1 - slack));
-    const V inverse_det = hn::Mul(hn::Div(opposite_height, moved_determinant), hn::Set(d, 1 + 2 * slack));  // ≥ 1/det
+    const V inverse_det =
+        hn::Mul(hn::Div(opposite_height, moved_determinant), hn::Set(d, 1 + 2 * slack));  // ≥ 1/det
 
     const V largest_reference = hn::Set(d, frame.largest_reference);
     const V reference_weight = hn::IfThenZeroElse(infinite, one);
-    V parts = hn::Mul(hn::Add(hn::IfThenZeroElse(a_is_infinite, x), hn::IfThenZeroElse(b_is_infinite, y)), largest_reference);
+    V parts = hn::Mul(hn::Add(hn::IfThenZeroElse(a_is_infinite, x), hn::IfThenZeroElse(b_is_infinite, y)),
+                      largest_reference);
     V magnitude = hn::Mul(reference_weight, largest_reference);
     V at_q = hn::Mul(reference_weight, hn::Set(d, task.lifted ? task.query_row[k] : 1.0));
     V gradient_square = zero;  // in the metric of lifts
@@ -219,15 +236,18 @@ void compute(const StarTask& task, std::size_t count, double* HWY_RESTRICT block
     }
 
     const V rounding = hn::Mul(hn::Set(d, frame.evaluation_error), magnitude);
-    const V error_at_facet = hn::Add(hn::Add(hn::Mul(x, e_a), hn::Mul(y, e_b)), hn::Mul(hn::Set(d, 6 * 0x1p-53), parts));
+    const V error_at_facet =
+        hn::Add(hn::Add(hn::Mul(x, e_a), hn::Mul(y, e_b)), hn::Mul(hn::Set(d, 6 * 0x1p-53), parts));
     const V error = hn::Mul(hn::Max(error_at_facet, hn::Add(hn::Abs(at_q), rounding)), hn::Set(d, 1 + slack));
     V power = hn::Set(d, frame.finite_spread);
-    V limit = hn::Mul(hn::Set(d, weakest), height);  // without a radius, values near the cell are as large as that
+    V limit =
+        hn::Mul(hn::Set(d, weakest), height);  // without a radius, values near the cell are as large as that
     V radius_square = zero, radius_error = zero;
     if (frame.uses_radius) {
       // All vertices are within R of the centre of the approximate sphere: |h̃| ≤ error there.
       radius_error = hn::Mul(hn::Set(d, 8 * 0x1p-53), hn::Add(magnitude, gradient_square));
-      radius_square = hn::Add(hn::Add(hn::Sub(hn::Mul(gradient_square, hn::Set(d, 0.25)), g), error), radius_error);
+      radius_square =
+          hn::Add(hn::Add(hn::Sub(hn::Mul(gradient_square, hn::Set(d, 0.25)), g), error), radius_error);
       const V square = hn::Min(radius_square, hn::Set(d, frame.largest_radius * frame.largest_radius));
       for (std::size_t r = 2; r < k; r += 2) power = hn::Mul(power, square);
       if (k % 2 == 0) power = hn::Mul(power, hn::Sqrt(square));
@@ -235,20 +255,25 @@ void compute(const StarTask& task, std::size_t count, double* HWY_RESTRICT block
     }
     power = hn::IfThenElse(infinite, hn::Set(d, frame.infinite_spread), power);
     limit = hn::IfThenElse(infinite, hn::Set(d, weakest_of_infinite(k)), limit);
-    V distance_error = hn::Mul(error, hn::Mul(power, inverse_det));  // in the box, beside the error at the vertices
+    V distance_error =
+        hn::Mul(error, hn::Mul(power, inverse_det));  // in the box, beside the error at the vertices
     V flat_growth = hn::Set(d, 1 + slack);
     if (frame.bend > 0) {
-      // Spheres far larger than the box are nearly planes in it: where a value is small, the cell's plane is near.
+      // Spheres far larger than the box are nearly planes in it: where a value is small, the cell's plane is
+      // near.
       const double least_radius = least_shrinking * frame.flatness * frame.bend;
-      const auto is_large = hn::AndNot(infinite, hn::Gt(radius_square, hn::Set(d, least_radius * least_radius)));
+      const auto is_large =
+          hn::AndNot(infinite, hn::Gt(radius_square, hn::Set(d, least_radius * least_radius)));
       if (!hn::AllFalse(d, is_large)) {
         const V margin = hn::Add(radius_error, error);
-        const V radius = hn::Sqrt(hn::Max(hn::NegMulAdd(hn::Set(d, 2.0), margin, radius_square), one));  // no more than it is
+        const V radius = hn::Sqrt(
+            hn::Max(hn::NegMulAdd(hn::Set(d, 2.0), margin, radius_square), one));  // no more than it is
         const V kappa = hn::Mul(distance_error, hn::Div(hn::Set(d, frame.flatness), radius));
-        const auto is_flat =
-            hn::And(hn::And(is_large, hn::Le(kappa, hn::Set(d, most_kappa))),
-                    hn::And(hn::Lt(margin, hn::Set(d, frame.bend / 1024)), hn::Gt(radius, hn::Set(d, least_radius))));
-        distance_error = hn::IfThenElse(is_flat, hn::Mul(kappa, hn::Set(d, 1.004 * frame.bend)), distance_error);
+        const auto is_flat = hn::And(
+            hn::And(is_large, hn::Le(kappa, hn::Set(d, most_kappa))),
+            hn::And(hn::Lt(margin, hn::Set(d, frame.bend / 1024)), hn::Gt(radius, hn::Set(d, least_radius))));
+        distance_error =
+            hn::IfThenElse(is_flat, hn::Mul(kappa, hn::Set(d, 1.004 * frame.bend)), distance_error);
         flat_growth = hn::IfThenElse(is_flat, hn::MulAdd(hn::Set(d, 3.001), kappa, flat_growth), flat_growth);
         limit = hn::IfThenElse(is_large, hn::Mul(radius, hn::Set(d, weakest_of_large(k))), limit);
       }
@@ -259,15 +284,21 @@ void compute(const StarTask& task, std::size_t count, double* HWY_RESTRICT block
     const auto usable = hn::And(hn::And(hn::Ge(det, smallest), hn::Le(det, largest)),
                                 hn::And(hn::Le(threshold, limit), hn::Lt(threshold, largest)));
     const auto pack = [&](V positive) { return hn::Sub(hn::BitCast(du, positive), bias); };
-    // Of certificates that are too weak, the determinant and whether the cell is infinite are still asked for: nothing may
-    // spill.
-    const auto clamped = [&](V bound) { return hn::IfThenElse(hn::Lt(bound, largest), hn::Max(bound, smallest), largest); };
-    const U up = hn::Add(hn::ShiftRight<certificate::fraction_shift>(pack(clamped(threshold))), hn::Set(du, 1));
-    const U error_up = hn::Add(hn::ShiftRight<certificate::short_shift>(pack(clamped(error))), hn::Set(du, 1));
+    // Of certificates that are too weak, the determinant and whether the cell is infinite are still asked
+    // for: nothing may spill.
+    const auto clamped = [&](V bound) {
+      return hn::IfThenElse(hn::Lt(bound, largest), hn::Max(bound, smallest), largest);
+    };
+    const U up =
+        hn::Add(hn::ShiftRight<certificate::fraction_shift>(pack(clamped(threshold))), hn::Set(du, 1));
+    const U error_up =
+        hn::Add(hn::ShiftRight<certificate::short_shift>(pack(clamped(error))), hn::Set(du, 1));
     const auto has_determinant = hn::RebindMask(du, hn::And(hn::Ge(det, smallest), hn::Le(det, largest)));
     const U down = hn::IfThenElseZero(has_determinant, hn::ShiftRight<certificate::short_shift>(pack(det)));
-    const U infinite_bit = hn::IfThenElseZero(hn::RebindMask(du, infinite), hn::Set(du, std::uint64_t{1} << 31));
-    const U packed = hn::Or(hn::Or(up, infinite_bit), hn::Or(hn::ShiftLeft<32>(error_up), hn::ShiftLeft<48>(down)));
+    const U infinite_bit =
+        hn::IfThenElseZero(hn::RebindMask(du, infinite), hn::Set(du, std::uint64_t{1} << 31));
+    const U packed =
+        hn::Or(hn::Or(up, infinite_bit), hn::Or(hn::ShiftLeft<32>(error_up), hn::ShiftLeft<48>(down)));
     hn::Store(hn::BitCast(d, packed), d, block + certificate_a * block_size + lane);
     hn::Store(hn::IfThenZeroElse(usable, one), d, block + certificate_b * block_size + lane);
   }

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The pencil for all cells of a new star at once, several facets per instruction; compiled for several instruction sets, of
-// which the best that the machine has is chosen at run time.
+// The pencil for all cells of a new star at once, several facets per instruction; compiled for several
+// instruction sets, of which the best that the machine has is chosen at run time.
 #pragma once
 
 #include "cells/cell_memory.hpp"
-#include "geometry/vertex_rows.hpp"
 #include "cells/horizon_facet.hpp"
+#include "geometry/vertex_rows.hpp"
 
 #include <delone/types.hpp>
 
@@ -17,15 +17,16 @@ namespace delone::geometry {
 
 /// What the certificates of a frame's functionals are computed from (docs/predicates.md, "The pencil").
 struct FrameConstants {
-  double evaluation_error;     ///< of a rounded evaluation, relative to the sum of the magnitudes of a functional's terms
-  double largest_reference;    ///< the largest reference entry of a row
-  double finite_spread;        ///< Σ|barycentric coordinates| − 1 is at most finite_spread·R^(k−1)/det in the box
-  double infinite_spread;      ///< the same for infinite cells, over det
-  double largest_radius;       ///< of a ball that contains the box
-  bool uses_radius;            ///< false: finite_spread/det is the bound, whatever the radius
-  double bend;                 ///< how far lifts deviate from a plane that touches them in the box, at most; 0: not known
-  double per_bend;             ///< 1/bend, or 0 if that is not known
-  double flatness;             ///< for radii L beyond the box, that bound times flatness·(bend + |value|)/L is one
+  double evaluation_error;   ///< of a rounded evaluation, relative to the sum of the magnitudes of a
+                             ///< functional's terms
+  double largest_reference;  ///< the largest reference entry of a row
+  double finite_spread;  ///< Σ|barycentric coordinates| − 1 is at most finite_spread·R^(k−1)/det in the box
+  double infinite_spread;  ///< the same for infinite cells, over det
+  double largest_radius;   ///< of a ball that contains the box
+  bool uses_radius;        ///< false: finite_spread/det is the bound, whatever the radius
+  double bend;  ///< how far lifts deviate from a plane that touches them in the box, at most; 0: not known
+  double per_bend;  ///< 1/bend, or 0 if that is not known
+  double flatness;  ///< for radii L beyond the box, that bound times flatness·(bend + |value|)/L is one
   const double* extent_ratio;  ///< per axis, the frame's scale over that of lifts
 };
 
@@ -40,15 +41,16 @@ struct StarTask {
   VertexRows rows;          ///< (X, ℓ), or X; computed for can_compute_rows(k) only
   const double* query_row;  ///< that of the new vertex
   FrameConstants frame;
-  double* scratch;      ///< star_scratch(k) doubles
-  std::uint32_t* weak;  ///< receives the facets whose certificate would be too weak: their cells need elimination
+  double* scratch;  ///< star_scratch(k) doubles
+  std::uint32_t*
+      weak;  ///< receives the facets whose certificate would be too weak: their cells need elimination
 };
 
 /// How many doubles of scratch memory a star of dimension k takes.
 std::size_t star_scratch(int k);
 
-/// Computes the functionals and certificates of all created cells, and returns how many entries of `weak` it has written. Cost
-/// O(k) per facet.
+/// Computes the functionals and certificates of all created cells, and returns how many entries of `weak` it
+/// has written. Cost O(k) per facet.
 std::size_t combine_star(const StarTask& task);
 
 }  // namespace delone::geometry

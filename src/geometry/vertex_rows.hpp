@@ -9,13 +9,13 @@
 
 namespace delone::geometry {
 
-/// The dimensions in which rows may be computed where they are needed. In the plane, where a vertex has two cells, to keep them
-/// takes a tenth of all memory; in space a twentieth, and among points of a surface, where rows are asked for most, to compute
-/// them takes longer.
+/// The dimensions in which rows may be computed where they are needed. In the plane, where a vertex has two
+/// cells, to keep them takes a tenth of all memory; in space a twentieth, and among points of a surface,
+/// where rows are asked for most, to compute them takes longer.
 constexpr bool can_compute_rows(int k) { return k == 2; }
 
-/// The rows of vertices, by vertex id: an array of them, or the points that they are images and lifts of. Copies refer to the
-/// same memory.
+/// The rows of vertices, by vertex id: an array of them, or the points that they are images and lifts of.
+/// Copies refer to the same memory.
 class VertexRows {
  public:
   /// An array of rows.

@@ -19,11 +19,13 @@ Sign orientation_of(const DualSites& sites, const std::vector<const double*>& ro
 
 }  // namespace
 
-HalfspaceCone::HalfspaceCone(const DualSites& sites, std::vector<Index> simplex, const InteriorPoint& p) : sites_(sites) {
+HalfspaceCone::HalfspaceCone(const DualSites& sites, std::vector<Index> simplex, const InteriorPoint& p)
+    : sites_(sites) {
   insertions_ = simplex.size();
   const auto k = static_cast<std::size_t>(sites.dimension());
   if (k == 1) {
-    const bool ordered = orientation_of(sites, {sites.row(simplex[0]), sites.row(simplex[1])}) == Sign::positive;
+    const bool ordered =
+        orientation_of(sites, {sites.row(simplex[0]), sites.row(simplex[1])}) == Sign::positive;
     ends_[0] = simplex[ordered ? 0 : 1];
     ends_[1] = simplex[ordered ? 1 : 0];
     return;
@@ -33,17 +35,21 @@ HalfspaceCone::HalfspaceCone(const DualSites& sites, std::vector<Index> simplex,
   for (Index site = 0; site < sites.size(); ++site) grow_box(site);
   choose_center(simplex, p);
   boundary_ = with_compiled_dimension(k, [&](auto dimension) {
-    return make_halfspace_boundary<(dimension() > 1 ? dimension() - 1 : 0)>(sites_, view_, std::move(simplex));
+    return make_halfspace_boundary<(dimension() > 1 ? dimension() - 1 : 0)>(sites_, view_,
+                                                                            std::move(simplex));
   });
 }
 
 HalfspaceCone::HalfspaceCone(const DualSites& sites, const HalfspaceCone& other)
-    : sites_(sites), view_(other.view_), ends_{other.ends_[0], other.ends_[1]}, insertions_(other.insertions_) {
+    : sites_(sites),
+      view_(other.view_),
+      ends_{other.ends_[0], other.ends_[1]},
+      insertions_(other.insertions_) {
   if (other.boundary_) boundary_ = other.boundary_->copy(sites, view_);
 }
 
-/// The sum of the simplex' rows, each times a power of two near 1/s: dual points count alike. Sums of few bits are tried first,
-/// as they keep determinants of lattices exact.
+/// The sum of the simplex' rows, each times a power of two near 1/s: dual points count alike. Sums of few
+/// bits are tried first, as they keep determinants of lattices exact.
 void HalfspaceCone::choose_center(const std::vector<Index>& simplex, const InteriorPoint& p) {
   std::vector<const double*> rows;
   for (const Index site : simplex) rows.push_back(sites_.row(site));
@@ -60,9 +66,11 @@ void HalfspaceCone::choose_center(const std::vector<Index>& simplex, const Inter
       for (std::size_t j = 0; j < sites_.row_size; ++j) view_.center[j] += std::ldexp(row[j], -std::ilogb(s));
     }
     for (double& x : view_.center)
-      if (const double unit = coarse && std::isfinite(x) && x != 0 ? std::ldexp(1.0, std::ilogb(x) - 10) : 0; unit > 0)
+      if (const double unit = coarse && std::isfinite(x) && x != 0 ? std::ldexp(1.0, std::ilogb(x) - 10) : 0;
+          unit > 0)
         x = std::nearbyint(x / unit) * unit;
-    if (!std::all_of(view_.center.begin(), view_.center.end(), [](double x) { return std::isfinite(x); })) continue;
+    if (!std::all_of(view_.center.begin(), view_.center.end(), [](double x) { return std::isfinite(x); }))
+      continue;
     view_.is_inside = true;
     for (std::size_t i = 0; i < rows.size() && view_.is_inside; ++i) {
       const double* const row = std::exchange(rows[i], view_.center.data());
@@ -75,7 +83,8 @@ void HalfspaceCone::choose_center(const std::vector<Index>& simplex, const Inter
   }
 }
 
-/// Twice the box is added where it has to grow, so that rows arriving ever closer to p change it a logarithmic number of times.
+/// Twice the box is added where it has to grow, so that rows arriving ever closer to p change it a
+/// logarithmic number of times.
 bool HalfspaceCone::grow_box(Index site) {
   constexpr double largest = std::numeric_limits<double>::max();
   const double* dual = sites_.dual(site);
@@ -90,8 +99,10 @@ bool HalfspaceCone::grow_box(Index site) {
 
 void HalfspaceCone::insert(Index site) {
   if (!boundary_) {
-    if (orientation_of(sites_, {sites_.row(ends_[0]), sites_.row(site)}) == Sign::negative) ends_[0] = site, ++insertions_;
-    if (orientation_of(sites_, {sites_.row(ends_[1]), sites_.row(site)}) == Sign::positive) ends_[1] = site, ++insertions_;
+    if (orientation_of(sites_, {sites_.row(ends_[0]), sites_.row(site)}) == Sign::negative)
+      ends_[0] = site, ++insertions_;
+    if (orientation_of(sites_, {sites_.row(ends_[1]), sites_.row(site)}) == Sign::positive)
+      ends_[1] = site, ++insertions_;
     return;
   }
   if (grow_box(site)) boundary_->update_box();
@@ -116,7 +127,8 @@ std::optional<Index> HalfspaceCone::cell_through(const SimplicialHull& hull, Ind
   if (!boundary_) return std::nullopt;  // a ray between two others
   const auto slot = boundary_->cell_through(site);
   if (!slot) return std::nullopt;
-  return static_cast<Index>(std::lower_bound(hull.slots.begin(), hull.slots.end(), *slot) - hull.slots.begin());
+  return static_cast<Index>(std::lower_bound(hull.slots.begin(), hull.slots.end(), *slot) -
+                            hull.slots.begin());
 }
 
 }  // namespace delone::internal

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The cone of the rows of an intersection of halfspaces, row by row: its boundary by the engine, or two rays for k = 1.
+// The cone of the rows of an intersection of halfspaces, row by row: its boundary by the engine, or two rays
+// for k = 1.
 //
-// Site 0 is the row at infinity (0, …, 0, −1), dual to the origin: cells on whose hyperplane it lies are directions to
-// infinity.
+// Site 0 is the row at infinity (0, …, 0, −1), dual to the origin: cells on whose hyperplane it lies are
+// directions to infinity.
 #pragma once
 
 #include "compiled/halfspace_engine.hpp"
@@ -17,8 +18,8 @@ namespace delone::internal {
 
 class HalfspaceCone {
  public:
-  /// The cone of the simplex of k+1 sites that are independent. `sites` holds all rows of the first batch, outlives this object
-  /// and may grow.
+  /// The cone of the simplex of k+1 sites that are independent. `sites` holds all rows of the first batch,
+  /// outlives this object and may grow.
   HalfspaceCone(const DualSites& sites, std::vector<Index> simplex, const InteriorPoint& p);
   /// A copy that reads the sites from another place.
   HalfspaceCone(const DualSites& sites, const HalfspaceCone& other);
@@ -26,13 +27,14 @@ class HalfspaceCone {
   /// Inserts a site, whose ray is that of no other. If it throws, the boundary is as it was.
   void insert(Index site);
 
-  /// The boundary. Inside of a cell is where the determinant of its rows and of the row asked for is positive; for k = 1 cell 0
-  /// is so, cell 1 the other way round.
+  /// The boundary. Inside of a cell is where the determinant of its rows and of the row asked for is
+  /// positive; for k = 1 cell 0 is so, cell 1 the other way round.
   SimplicialHull hull() const;
   std::vector<std::pair<Index, Index>> coplanar_neighbors(const SimplicialHull& hull) const;
   /// The exact side of cell c of hull() that a site is on: + inside, 0 on its hyperplane.
   Sign side(const SimplicialHull& hull, std::size_t c, Index site) const;
-  /// For a site in no cell: a cell of hull() on whose hyperplane it is exactly, or nullopt if it is strictly inside.
+  /// For a site in no cell: a cell of hull() on whose hyperplane it is exactly, or nullopt if it is strictly
+  /// inside.
   std::optional<Index> cell_through(const SimplicialHull& hull, Index site) const;
 
   engine::Effort effort() const { return boundary_ ? boundary_->effort() : engine::Effort{}; }
@@ -46,7 +48,7 @@ class HalfspaceCone {
   const DualSites& sites_;
   DualView view_;
   std::unique_ptr<HalfspaceBoundary> boundary_;  // none for k = 1
-  Index ends_[2] = {};                           // for k = 1: all rays are on the positive side of the first, seen from it
+  Index ends_[2] = {};  // for k = 1: all rays are on the positive side of the first, seen from it
   std::uint64_t insertions_ = 0;
 };
 

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The sum s = −(n·p + c) in pairs. Each product is a pair exactly, and so is each addition to the leading sum; the low parts,
-// 2d + 1 of them, are at most (d + 2)·u·M together, M = Σ|n_j·p_j| + |c|, and their sum is off by at most (2d + 2)·u times
-// that: s is off by less than 2(d + 3)²·u²·M. If that is at most 2⁻⁷⁰·|s|, the quotients are off by at most 2⁻⁶⁹: quotient and
-// remainder of the division by the leading part are exact, and the correction is rounded in the third order.
+// The sum s = −(n·p + c) in pairs. Each product is a pair exactly, and so is each addition to the leading
+// sum; the low parts, 2d + 1 of them, are at most (d + 2)·u·M together, M = Σ|n_j·p_j| + |c|, and their sum
+// is off by at most (2d + 2)·u times that: s is off by less than 2(d + 3)²·u²·M. If that is at most 2⁻⁷⁰·|s|,
+// the quotients are off by at most 2⁻⁶⁹: quotient and remainder of the division by the leading part are
+// exact, and the correction is rounded in the third order.
 #include "halfspaces/halfspace_dual.hpp"
 
 #include "kernel/double_double.hpp"
@@ -16,7 +17,9 @@ namespace delone::internal {
 namespace {
 
 /// 0, or so moderate that neither products nor what they lose leave the range of doubles.
-bool is_moderate(double x, double limit) { return x == 0 || (std::abs(x) >= 1 / limit && std::abs(x) <= limit); }
+bool is_moderate(double x, double limit) {
+  return x == 0 || (std::abs(x) >= 1 / limit && std::abs(x) <= limit);
+}
 
 bool find_in_pairs(const double* row, const std::vector<double>& p, std::span<const int> axes, double* dual) {
   const std::size_t d = p.size();
@@ -37,7 +40,8 @@ bool find_in_pairs(const double* row, const std::vector<double>& p, std::span<co
   }
   const double terms = static_cast<double>(d) + 3;
   const kernel::DoubleDouble s = kernel::two_sum(-sum, -rest);
-  if ((offset == 0) != (row[d] == 0) || !(s.high > 0) || !(2.1 * terms * terms * 0x1p-106 * magnitude <= 0x1p-71 * s.high))
+  if ((offset == 0) != (row[d] == 0) || !(s.high > 0) ||
+      !(2.1 * terms * terms * 0x1p-106 * magnitude <= 0x1p-71 * s.high))
     return false;
   const std::size_t k = axes.size();
   for (std::size_t j = 0; j < k; ++j) {

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// HalfspaceIntersection: rows to distinct sites, rank, interior point; the cone makes the boundary, halfspace_arrays the
-// arrays.
-#include "halfspaces/intersection_arrays.hpp"
-#include "halfspaces/interior_point.hpp"
+// HalfspaceIntersection: rows to distinct sites, rank, interior point; the cone makes the boundary,
+// halfspace_arrays the arrays.
 #include "base/guarded.hpp"
+#include "base/progress_meter.hpp"
 #include "base/require_finite.hpp"
 #include "base/stopwatch.hpp"
-#include "base/progress_meter.hpp"
+#include "halfspaces/interior_point.hpp"
+#include "halfspaces/intersection_arrays.hpp"
 #include "kernel/predicates.hpp"
 #include "order/insertion_order.hpp"
 
@@ -31,7 +31,9 @@ bool has_normal(const double* row, std::size_t d) {
   return std::any_of(row, row + d, [](double x) { return x != 0; });
 }
 
-std::string and_more(std::size_t more) { return more == 0 ? "" : " (and of " + std::to_string(more) + " more)"; }
+std::string and_more(std::size_t more) {
+  return more == 0 ? "" : " (and of " + std::to_string(more) + " more)";
+}
 
 }  // namespace
 
@@ -53,19 +55,22 @@ struct HalfspaceIntersection::Impl {
     if (added.size() % (d + 1) != 0)
       throw Error(Errc::bad_dimension, "the number of entries is not a multiple of the dimension and one");
     internal::require_finite(added, d + 1, "an entry", "halfspace", first);
-    if (added.size() / (d + 1) > max_index - 1 - first) throw Error(Errc::too_many, "more halfspaces than this build has ids");
+    if (added.size() / (d + 1) > max_index - 1 - first)
+      throw Error(Errc::too_many, "more halfspaces than this build has ids");
   }
 
   /// Throws unless p is strictly inside the rows from `first` on.
   void check_interior(const std::vector<double>& all, std::size_t first, const InteriorPoint& p) const {
     std::vector<std::size_t> bad;
     for (std::size_t r = first; r * (d + 1) < all.size(); ++r)
-      if (const double* row = &all[r * (d + 1)]; has_normal(row, d) ? !internal::is_strictly_inside(row, p) : row[d] > 0)
+      if (const double* row = &all[r * (d + 1)];
+          has_normal(row, d) ? !internal::is_strictly_inside(row, p) : row[d] > 0)
         bad.push_back(r);
     if (!bad.empty())
-      throw Error(
-          Errc::invalid_argument,
-          "the interior point is not strictly inside halfspace " + std::to_string(bad.front()) + and_more(bad.size() - 1), bad);
+      throw Error(Errc::invalid_argument,
+                  "the interior point is not strictly inside halfspace " + std::to_string(bad.front()) +
+                      and_more(bad.size() - 1),
+                  bad);
   }
 
   /// The state of all given rows, with an interior point or none known.
@@ -145,7 +150,9 @@ struct HalfspaceIntersection::Impl {
     stopwatch.restart();
     if (!parts.cone) {
       parts.cone.emplace(parts.sites, parts.basis, parts.interior);
-      std::erase_if(order, [&](Index site) { return std::binary_search(parts.basis.begin(), parts.basis.end(), site); });
+      std::erase_if(order, [&](Index site) {
+        return std::binary_search(parts.basis.begin(), parts.basis.end(), site);
+      });
     }
     internal::ProgressMeter progress(options.progress, order.size());
     for (std::size_t i = 0; i < order.size(); ++i) {
@@ -213,7 +220,8 @@ struct HalfspaceIntersection::Impl {
   }
 };
 
-HalfspaceIntersection::HalfspaceIntersection(std::span<const double> halfspaces, int dimension, const Options& options) {
+HalfspaceIntersection::HalfspaceIntersection(std::span<const double> halfspaces, int dimension,
+                                             const Options& options) {
   if (dimension < 1) throw Error(Errc::bad_dimension, "the dimension must be at least 1");
   internal::guarded("the intersection", [&] {
     impl_ = std::make_unique<Impl>(dimension, options);

@@ -1,22 +1,24 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Certified path. Rows are divided by powers of two, A·x = b. R is an approximate inverse of A, α ≥ ‖I − R·A‖∞
-// (linear_bound.hpp), x⁰ = R·b rounded, ρ = b − A·x⁰, ρ̃ that in pairs of doubles, e_i ≥ |ρ_i − ρ̃_i|, x¹ = R·ρ̃ rounded. As for
-// centres of spheres (voronoi_center.cpp), with t_j = Σ_i |R_ji|·(e_i + (n+2)u·|ρ̃_i|) and ζ = max_j(|x¹_j| + t_j)/(1 − α),
+// Certified path. Rows are divided by powers of two, A·x = b. R is an approximate inverse of A, α ≥ ‖I −
+// R·A‖∞ (linear_bound.hpp), x⁰ = R·b rounded, ρ = b − A·x⁰, ρ̃ that in pairs of doubles, e_i ≥ |ρ_i − ρ̃_i|, x¹
+// = R·ρ̃ rounded. As for centres of spheres (voronoi_center.cpp), with t_j = Σ_i |R_ji|·(e_i + (n+2)u·|ρ̃_i|)
+// and ζ = max_j(|x¹_j| + t_j)/(1 − α),
 //
 //     |x_j − x⁰_j − x¹_j| ≤ α·ζ + t_j.
 //
-// Products and sums of ρ̃_i leave 2n low parts, exact and at most (n + 1)·u·M together, M = Σ_j |a_ij·x⁰_j| + |b_i|; their sum
-// is off by at most 2n·u times that, and two more roundings follow: e_i = 2u·|ρ̃_i| + 2(n + 1)²·u²·M. If all low parts are 0 the
-// residual is exact, and if all residuals are 0, x⁰ is the solution: this settles coordinates that are 0 or have few digits.
-// Entries are 0 or so moderate that nothing underflows.
+// Products and sums of ρ̃_i leave 2n low parts, exact and at most (n + 1)·u·M together, M = Σ_j |a_ij·x⁰_j| +
+// |b_i|; their sum is off by at most 2n·u times that, and two more roundings follow: e_i = 2u·|ρ̃_i| + 2(n +
+// 1)²·u²·M. If all low parts are 0 the residual is exact, and if all residuals are 0, x⁰ is the solution:
+// this settles coordinates that are 0 or have few digits. Entries are 0 or so moderate that nothing
+// underflows.
 //
-// Rounding (Ziv 1991, doi:10.1145/114697.116813): if the two ends of the interval that holds x_j round to one double, that is
-// it.
+// Rounding (Ziv 1991, doi:10.1145/114697.116813): if the two ends of the interval that holds x_j round to one
+// double, that is it.
 #include "halfspaces/halfspace_vertex.hpp"
 
 #include "halfspaces/halfspace_dual.hpp"
-#include "kernel/linear_bound.hpp"
 #include "kernel/double_double.hpp"
+#include "kernel/linear_bound.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -59,7 +61,8 @@ struct System {
 
 bool find_certified(std::span<const double* const> rows, std::span<const int> columns, double* result) {
   const std::size_t n = rows.size();
-  System system{n, std::vector<double>(n * n), std::vector<double>(n), std::vector<double>(n), std::vector<double>(n)};
+  System system{n, std::vector<double>(n * n), std::vector<double>(n), std::vector<double>(n),
+                std::vector<double>(n)};
   for (std::size_t i = 0; i < n; ++i) {
     double largest = 0;
     for (std::size_t j = 0; j < n; ++j) largest = std::max(largest, std::abs(rows[i][columns[j]]));
@@ -88,8 +91,8 @@ bool find_certified(std::span<const double* const> rows, std::span<const int> co
     for (std::size_t j = 0; j < n; ++j) {
       for (std::size_t i = 0; i < n; ++i) {
         correction[j] += inverse[j * n + i] * system.residual[i];
-        tail[j] +=
-            std::abs(inverse[j * n + i]) * (system.error[i] + static_cast<double>(n + 2) * u * std::abs(system.residual[i]));
+        tail[j] += std::abs(inverse[j * n + i]) *
+                   (system.error[i] + static_cast<double>(n + 2) * u * std::abs(system.residual[i]));
       }
       tail[j] = 1.01 * tail[j] + 1e-300;  // of products that underflow
       zeta = std::max(zeta, std::abs(correction[j]) + tail[j]);
@@ -165,7 +168,8 @@ std::vector<double> unit_vector(std::span<const Integer> entries, std::span<cons
   return vector;
 }
 
-std::vector<double> lineality_basis(std::span<const double* const> rows, std::span<const int> axes, std::size_t d) {
+std::vector<double> lineality_basis(std::span<const double* const> rows, std::span<const int> axes,
+                                    std::size_t d) {
   const std::size_t k = rows.size();
   std::vector<double> basis;
   for (int free = 0; free < static_cast<int>(d); ++free) {

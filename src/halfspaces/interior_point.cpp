@@ -12,8 +12,8 @@
 namespace delone::internal {
 namespace {
 
-/// The program in the d+1 variables (x, t). Constraints: the given rows, then t ≤ T, then x_j = 0 for j < d, which hold from
-/// the start with multiplier 0 and are given up whenever a row takes their place.
+/// The program in the d+1 variables (x, t). Constraints: the given rows, then t ≤ T, then x_j = 0 for j < d,
+/// which hold from the start with multiplier 0 and are given up whenever a row takes their place.
 class InteriorProgram {
  public:
   InteriorProgram(std::span<const double> halfspaces, int dimension, std::span<const std::size_t> rows)
@@ -54,7 +54,8 @@ class InteriorProgram {
  private:
   const double* row(std::size_t i) const { return halfspaces_.data() + rows_[i] * (d_ + 1); }
 
-  /// Constraint as integers: the coefficients of x and t, and the right side. Positive multiples of the constraint will do.
+  /// Constraint as integers: the coefficients of x and t, and the right side. Positive multiples of the
+  /// constraint will do.
   std::vector<Integer> constraint(std::size_t i) const {
     std::vector<Integer> result(d_ + 2, Integer(0));
     if (i < rows_.size()) {
@@ -110,11 +111,13 @@ class InteriorProgram {
     std::optional<std::size_t> worst;
     double largest = -1;
     for (std::size_t i = 0; i < rows_.size(); ++i) {
-      // n·x + c + w·t, then over w. Each coordinate of the point is off by a rounding, or by half of the least double: that
-      // counts where it is multiplied by more than 1. Products and sums are rounded. Beyond the doubles nothing is certain.
+      // n·x + c + w·t, then over w. Each coordinate of the point is off by a rounding, or by half of the
+      // least double: that counts where it is multiplied by more than 1. Products and sums are rounded.
+      // Beyond the doubles nothing is certain.
       const double* r = row(i);
       const double weight = std::ldexp(1.0, weight_exponent_[i]);
-      double sum = r[d_] + weight * rounded_[d_], magnitude = std::abs(r[d_]) + std::abs(weight * rounded_[d_]);
+      double sum = r[d_] + weight * rounded_[d_],
+             magnitude = std::abs(r[d_]) + std::abs(weight * rounded_[d_]);
       double factors = weight;
       for (std::size_t j = 0; j < d_; ++j) {
         const double term = r[j] * rounded_[j];
@@ -122,7 +125,8 @@ class InteriorProgram {
         magnitude += std::abs(term);
         factors += std::abs(r[j]);
       }
-      const double error = 1.01 * (static_cast<double>(d_ + 6) * 0x1p-53 * magnitude + factors * 0x1p-1074) + 1e-300;
+      const double error =
+          1.01 * (static_cast<double>(d_ + 6) * 0x1p-53 * magnitude + factors * 0x1p-1074) + 1e-300;
       const bool is_bounded = error < std::numeric_limits<double>::infinity();
       if (is_bounded && sum <= -error) continue;
       const bool is_certain = is_bounded && sum >= error;
@@ -163,7 +167,8 @@ class InteriorProgram {
       }
       if (share.numerators[b] <= 0) continue;
       if (leaving) {
-        const Integer here = multiplier(b) * share.numerators[*leaving], best = multiplier(*leaving) * share.numerators[b];
+        const Integer here = multiplier(b) * share.numerators[*leaving],
+                      best = multiplier(*leaving) * share.numerators[b];
         if (here > best || (here == best && basis_[b] > basis_[*leaving])) continue;
       }
       leaving = b;
@@ -184,7 +189,8 @@ class InteriorProgram {
 
 }  // namespace
 
-InteriorSearch find_interior_point(std::span<const double> halfspaces, int dimension, std::span<const std::size_t> rows) {
+InteriorSearch find_interior_point(std::span<const double> halfspaces, int dimension,
+                                   std::span<const std::size_t> rows) {
   const auto d = static_cast<std::size_t>(dimension);
   InteriorSearch result;
   result.point.rounded.assign(d, 0.0);
@@ -198,13 +204,14 @@ InteriorSearch find_interior_point(std::span<const double> halfspaces, int dimen
     return result;
   }
   InteriorPoint& p = result.point;
-  for (std::size_t j = 0; j < d; ++j) p.rounded[j] = nearest_double(found.numerators[j], found.denominator, 0);
+  for (std::size_t j = 0; j < d; ++j)
+    p.rounded[j] = nearest_double(found.numerators[j], found.denominator, 0);
   StageCounts uncounted;
   const bool rounding_stays_inside =
       std::all_of(p.rounded.begin(), p.rounded.end(), [](double x) { return std::isfinite(x); }) &&
       std::all_of(rows.begin(), rows.end(), [&](std::size_t r) {
-        return kernel::side_of_hyperplane(halfspaces.data() + r * (d + 1), p.rounded.data(), dimension, uncounted) ==
-               Sign::negative;
+        return kernel::side_of_hyperplane(halfspaces.data() + r * (d + 1), p.rounded.data(), dimension,
+                                          uncounted) == Sign::negative;
       });
   if (rounding_stays_inside) return result;
   p.numerators.assign(found.numerators.begin(), found.numerators.begin() + dimension);

@@ -1,14 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Duality: cells of the boundary in one hyperplane merge into facets (convex_hull_faces.hpp); a facet is dual to a vertex, or
-// to a direction if the row at infinity is on its hyperplane. An extreme site is dual to a facet, a ridge to an edge.
+// Duality: cells of the boundary in one hyperplane merge into facets (convex_hull_faces.hpp); a facet is dual
+// to a vertex, or to a direction if the row at infinity is on its hyperplane. An extreme site is dual to a
+// facet, a ridge to an edge.
 //
-// Whether a site that is not extreme touches the intersection: the facets it is on are dual to the vertices and directions
-// where its hyperplane touches, so it does iff one of them is dual to a vertex.
+// Whether a site that is not extreme touches the intersection: the facets it is on are dual to the vertices
+// and directions where its hyperplane touches, so it does iff one of them is dual to a vertex.
 #include "halfspaces/intersection_arrays.hpp"
 
+#include "halfspaces/halfspace_vertex.hpp"
 #include "hull/hull_faces.hpp"
 #include "hull/hull_measure.hpp"
-#include "halfspaces/halfspace_vertex.hpp"
 #include "kernel/hull_stages.hpp"
 
 #include <algorithm>
@@ -22,14 +23,18 @@ namespace {
 class ArrayMaker {
  public:
   explicit ArrayMaker(const IntersectionParts& parts)
-      : parts_(parts), sites_(parts.sites), d_(parts.interior.rounded.size()), k_(static_cast<std::size_t>(parts.rank())) {}
+      : parts_(parts),
+        sites_(parts.sites),
+        d_(parts.interior.rounded.size()),
+        k_(static_cast<std::size_t>(parts.rank())) {}
 
   IntersectionData make() {
     data_.dimension = static_cast<int>(d_);
     data_.state = parts_.state;
     for (std::size_t r = 0; r < parts_.site_of_row.size(); ++r)
-      data_.first_of_halfspace.push_back(parts_.site_of_row[r] == invalid_index ? static_cast<SignedIndex>(r)
-                                                                                : parts_.row_of_site[parts_.site_of_row[r]]);
+      data_.first_of_halfspace.push_back(parts_.site_of_row[r] == invalid_index
+                                             ? static_cast<SignedIndex>(r)
+                                             : parts_.row_of_site[parts_.site_of_row[r]]);
     data_.witness = parts_.witness;
     if (parts_.state != IntersectionState::full) return std::move(data_);
     data_.rank = parts_.rank();
@@ -41,7 +46,8 @@ class ArrayMaker {
     for (std::size_t i = 1; i < parts_.basis.size(); ++i) basis.push_back(sites_.row(parts_.basis[i]));
     data_.lineality = lineality_basis(basis, axes_, d_);
     kind_of_site_.assign(sites_.size(), HalfspaceKind::redundant);
-    data_.vertex_offsets = data_.direction_offsets = data_.facet_offsets = data_.facet_direction_offsets = {0};
+    data_.vertex_offsets = data_.direction_offsets = data_.facet_offsets =
+        data_.facet_direction_offsets = {0};
     if (parts_.cone) {
       hull_ = parts_.cone->hull();
       merge_cells();
@@ -62,7 +68,8 @@ class ArrayMaker {
     const std::size_t num_facets = faces_.num_facets();
     cell_of_facet_.assign(num_facets, 0);
     is_at_infinity_.assign(num_facets, 0);
-    for (std::size_t c = hull_.num_cells(); c-- > 0;) cell_of_facet_[faces_.facet_of_cell[c]] = static_cast<Index>(c);
+    for (std::size_t c = hull_.num_cells(); c-- > 0;)
+      cell_of_facet_[faces_.facet_of_cell[c]] = static_cast<Index>(c);
     std::vector<char> is_corner(sites_.size(), 0);
     for (const Index site : hull_.cells) is_corner[site] = 1;
     data_.bounded = k_ == d_ && !is_corner[0] && !parts_.cone->cell_through(hull_, 0);
@@ -91,7 +98,8 @@ class ArrayMaker {
     for (std::size_t next = 0; next < seen.size(); ++next) {
       if (!is_at_infinity_[faces_.facet_of_cell[seen[next]]]) return true;
       for (const Index across : hull_.neighbors_of(seen[next]))
-        if (std::find(seen.begin(), seen.end(), across) == seen.end() && parts_.cone->side(hull_, across, site) == Sign::zero)
+        if (std::find(seen.begin(), seen.end(), across) == seen.end() &&
+            parts_.cone->side(hull_, across, site) == Sign::zero)
           seen.push_back(across);
     }
     return false;
@@ -164,7 +172,8 @@ class ArrayMaker {
     for (const auto& [row, site] : order) {
       data_.facet_halfspaces.push_back(row);
       const std::vector<Index> facets = k_ == 3 ? in_cycle(site, cell_with[site]) : around[site];
-      for (const Index f : facets) (is_at_infinity_[f] ? data_.facet_directions : data_.facet_vertices).push_back(number_[f]);
+      for (const Index f : facets)
+        (is_at_infinity_[f] ? data_.facet_directions : data_.facet_vertices).push_back(number_[f]);
       data_.facet_offsets.push_back(static_cast<SignedIndex>(data_.facet_vertices.size()));
       data_.facet_direction_offsets.push_back(static_cast<SignedIndex>(data_.facet_directions.size()));
     }
@@ -187,16 +196,18 @@ class ArrayMaker {
         if (is_at_infinity_[cycle[i]] && !is_at_infinity_[cycle[(i + 1) % cycle.size()]]) return i + 1;
       return static_cast<std::size_t>(0);
     }();
-    std::rotate(cycle.begin(), cycle.begin() + static_cast<std::ptrdiff_t>(after_infinity % cycle.size()), cycle.end());
+    std::rotate(cycle.begin(), cycle.begin() + static_cast<std::ptrdiff_t>(after_infinity % cycle.size()),
+                cycle.end());
     return cycle;
   }
 
   void make_kinds() {
     for (std::size_t r = 0; r < parts_.site_of_row.size(); ++r) {
       const Index site = parts_.site_of_row[r];
-      data_.kinds.push_back(site == invalid_index                                     ? HalfspaceKind::trivial
-                            : parts_.row_of_site[site] != static_cast<SignedIndex>(r) ? HalfspaceKind::duplicate
-                                                                                      : kind_of_site_[site]);
+      data_.kinds.push_back(site == invalid_index ? HalfspaceKind::trivial
+                            : parts_.row_of_site[site] != static_cast<SignedIndex>(r)
+                                ? HalfspaceKind::duplicate
+                                : kind_of_site_[site]);
     }
   }
 
@@ -207,7 +218,8 @@ class ArrayMaker {
     for (const Index site : parts_.site_of_row) {
       std::fill(dual.begin(), dual.end(), 0.0);
       if (site != invalid_index) dual_point(sites_.row(site), parts_.interior, all, dual.data());
-      data_.dual_points.insert(data_.dual_points.end(), dual.begin(), dual.begin() + static_cast<std::ptrdiff_t>(d_));
+      data_.dual_points.insert(data_.dual_points.end(), dual.begin(),
+                               dual.begin() + static_cast<std::ptrdiff_t>(d_));
     }
     // The dual points y of the rows through a vertex v have y·(v − p) = 1.
     for (std::size_t v = 0; v < data_.num_vertices(); ++v) {
@@ -263,14 +275,16 @@ IntersectionParts::IntersectionParts(const IntersectionParts& other)
 void IntersectionParts::add_dual(Index site) {
   const std::size_t k = sites.axes.size() - 1;
   sites.duals.resize((static_cast<std::size_t>(site) + 1) * 2 * k, 0.0);
-  if (site != 0) dual_point(sites.row(site), interior, std::span(sites.axes).first(k), sites.duals.data() + site * 2 * k);
+  if (site != 0)
+    dual_point(sites.row(site), interior, std::span(sites.axes).first(k), sites.duals.data() + site * 2 * k);
 }
 
 bool is_strictly_inside(const double* row, const InteriorPoint& p) {
   const std::size_t d = p.rounded.size();
   if (p.is_exact()) {
     StageCounts uncounted;
-    return kernel::side_of_hyperplane(row, p.rounded.data(), static_cast<int>(d), uncounted) == Sign::negative;
+    return kernel::side_of_hyperplane(row, p.rounded.data(), static_cast<int>(d), uncounted) ==
+           Sign::negative;
   }
   const std::vector<Integer> integers = integer_row(row, d + 1);
   Integer sum = integers[d] * p.denominator;
@@ -282,7 +296,8 @@ IntersectionData intersection_arrays(const IntersectionParts& parts) { return Ar
 
 double dual_measure(const IntersectionParts& parts, bool volume) {
   const auto d = parts.interior.rounded.size();
-  if (!parts.cone || static_cast<std::size_t>(parts.rank()) != d) return std::numeric_limits<double>::quiet_NaN();
+  if (!parts.cone || static_cast<std::size_t>(parts.rank()) != d)
+    return std::numeric_limits<double>::quiet_NaN();
   const SimplicialHull hull = parts.cone->hull();
   if (d == 1 && !volume) return 2;
   MeasureSum sum;

@@ -22,7 +22,8 @@ struct RayOrder {
   }
 };
 
-/// Rows as sites (one for each ray, site 0 is the row at infinity), an interior point, and the cone of the sites.
+/// Rows as sites (one for each ray, site 0 is the row at infinity), an interior point, and the cone of the
+/// sites.
 struct IntersectionParts {
   explicit IntersectionParts(std::size_t d);
   IntersectionParts(const IntersectionParts& other);

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Polytope: the public face of what convex_hull_state.hpp builds and convex_hull_analysis.hpp derives from it.
+// Polytope: the public face of what convex_hull_state.hpp builds and convex_hull_analysis.hpp derives from
+// it.
+#include "base/guarded.hpp"
+#include "base/require_finite.hpp"
 #include "complex/canonical_hash.hpp"
 #include "hull/hull_analysis.hpp"
 #include "hull/hull_state.hpp"
-#include "base/guarded.hpp"
-#include "base/require_finite.hpp"
 
 #include <delone/convex_hull.hpp>
 
@@ -21,7 +22,8 @@ using internal::HullState;
 using internal::SimplicialHull;
 
 struct Polytope::Impl {
-  Impl(int d, Options given) : dimension(d), options(std::move(given)), state(std::make_unique<HullState>(d)) {}
+  Impl(int d, Options given)
+      : dimension(d), options(std::move(given)), state(std::make_unique<HullState>(d)) {}
 
   int dimension;
   Options options;
@@ -47,7 +49,8 @@ struct Polytope::Impl {
   }
 
   HullInsertResult insert(std::span<const double> point) {
-    if (point.size() != ambient()) throw Error(Errc::bad_dimension, "the point has not as many coordinates as the space");
+    if (point.size() != ambient())
+      throw Error(Errc::bad_dimension, "the point has not as many coordinates as the space");
     internal::require_finite(point, ambient(), "a coordinate");
     check_room(1);
     if (state->raises_dimension(point.data())) {
@@ -76,11 +79,14 @@ struct Polytope::Impl {
   }
 
   const double* checked_query(std::span<const double> query) const {
-    if (query.size() != ambient()) throw Error(Errc::bad_dimension, "the query has not as many coordinates as the space");
+    if (query.size() != ambient())
+      throw Error(Errc::bad_dimension, "the query has not as many coordinates as the space");
     internal::require_finite(query, ambient(), "a coordinate");
     return query.data();
   }
-  bool in_flat(const double* q) const { return affine_dimension() == dimension || state->affine_hull().contains(q); }
+  bool in_flat(const double* q) const {
+    return affine_dimension() == dimension || state->affine_hull().contains(q);
+  }
   kernel::Grid grid_with(const double* q) const {
     kernel::Grid grid = state->sites().grid;
     grid.include(q);
@@ -92,10 +98,12 @@ Polytope::Polytope(int dimension, const Options& options) {
   if (dimension < 1) throw Error(Errc::bad_dimension, "the dimension must be at least 1");
   impl_ = std::make_unique<Impl>(dimension, options);
 }
-Polytope::Polytope(std::span<const double> coordinates, int dimension, const Options& options) : Polytope(dimension, options) {
+Polytope::Polytope(std::span<const double> coordinates, int dimension, const Options& options)
+    : Polytope(dimension, options) {
   insert_range(coordinates);
 }
-Polytope::Polytope(PointsView points, const Options& options) : Polytope(points.coordinates(), points.dimension(), options) {}
+Polytope::Polytope(PointsView points, const Options& options)
+    : Polytope(points.coordinates(), points.dimension(), options) {}
 Polytope::Polytope(Polytope&&) noexcept = default;
 Polytope& Polytope::operator=(Polytope&&) noexcept = default;
 Polytope::~Polytope() = default;
@@ -150,8 +158,9 @@ Measure Polytope::area() const {
   return impl_->analyse([](const HullAnalysis& analysis) { return analysis.measures().area; });
 }
 std::vector<std::size_t> Polytope::f_vector() const {
-  return impl_->analyse(
-      [&](const HullAnalysis& analysis) { return internal::count_faces(analysis.facet_sites(), affine_dimension()); });
+  return impl_->analyse([&](const HullAnalysis& analysis) {
+    return internal::count_faces(analysis.facet_sites(), affine_dimension());
+  });
 }
 
 Containment Polytope::locate(std::span<const double> query) const {
@@ -198,7 +207,8 @@ std::vector<SignedIndex> Polytope::visible_cells(std::span<const double> query) 
 std::vector<SignedIndex> Polytope::visible_facets(std::span<const double> query) const {
   std::vector<SignedIndex> facets;
   for (const SignedIndex c : visible_cells(query))
-    facets.push_back(static_cast<SignedIndex>(impl_->analysis().faces().facet_of_cell[static_cast<std::size_t>(c)]));
+    facets.push_back(
+        static_cast<SignedIndex>(impl_->analysis().faces().facet_of_cell[static_cast<std::size_t>(c)]));
   std::sort(facets.begin(), facets.end());
   facets.erase(std::unique(facets.begin(), facets.end()), facets.end());
   return facets;

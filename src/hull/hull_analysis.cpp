@@ -57,22 +57,26 @@ std::vector<PointKind> HullAnalysis::find_kinds() const {
     if (!locator_ || faces.is_extreme[site]) return PointKind::extreme;
     if (is_corner[site]) return PointKind::boundary;
     if (state_.is_surely_interior(site)) return PointKind::interior;
-    return locator_->locate(sites.point(site), sites.grid).side == Sign::zero ? PointKind::boundary : PointKind::interior;
+    return locator_->locate(sites.point(site), sites.grid).side == Sign::zero ? PointKind::boundary
+                                                                              : PointKind::interior;
   };
   std::vector<PointKind> kinds(state_.num_rows(), PointKind::duplicate);
-  for (Index site = 0; site < sites.size(); ++site) kinds[static_cast<std::size_t>(state_.row(site))] = kind_of(site);
+  for (Index site = 0; site < sites.size(); ++site)
+    kinds[static_cast<std::size_t>(state_.row(site))] = kind_of(site);
   return kinds;
 }
 
 FacetEquations HullAnalysis::equations() const {
   const HullSites& sites = state_.sites();
   std::vector<const double*> scratch;
-  return facet_equations(sites, state_.hull(), faces().facet_of_cell, faces().num_facets(), [&](std::size_t c) {
-    const auto is_inside = [&](Index site) {
-      return side_of_cell(sites, state_.hull(), c, sites.point(site), sites.grid, scratch) == Sign::positive;
-    };
-    return sites.point(*std::find_if(state_.basis().begin(), state_.basis().end(), is_inside));
-  });
+  return facet_equations(
+      sites, state_.hull(), faces().facet_of_cell, faces().num_facets(), [&](std::size_t c) {
+        const auto is_inside = [&](Index site) {
+          return side_of_cell(sites, state_.hull(), c, sites.point(site), sites.grid, scratch) ==
+                 Sign::positive;
+        };
+        return sites.point(*std::find_if(state_.basis().begin(), state_.basis().end(), is_inside));
+      });
 }
 
 HullData HullAnalysis::make_data() const {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What is derived from a finished boundary, each part when it is first asked for: faces, kinds of points, measures, and the
-// arrays of HullData. `const` members may be called from several threads at once.
+// What is derived from a finished boundary, each part when it is first asked for: faces, kinds of points,
+// measures, and the arrays of HullData. `const` members may be called from several threads at once.
 #pragma once
 
 #include "hull/hull_faces.hpp"

@@ -24,7 +24,8 @@ std::unique_ptr<HullBoundary> boundary_of_simplex(const HullSites& sites, const 
 }  // namespace
 
 ConvexHullBuilder::ConvexHullBuilder(const HullSites& sites, const std::vector<Index>& simplex)
-    : sites_(sites), view_{std::vector<double>(static_cast<std::size_t>(sites.ambient), 0.0), false, sites.grid, {}, {}} {
+    : sites_(sites),
+      view_{std::vector<double>(static_cast<std::size_t>(sites.ambient), 0.0), false, sites.grid, {}, {}} {
   insertions_ = simplex.size();
   if (simplex.size() == 2) {
     const int axis = sites.axes[0];
@@ -57,20 +58,21 @@ void ConvexHullBuilder::choose_center(const std::vector<Index>& simplex) {
   for (const Index site : simplex) points.push_back(sites_.point(site));
   const kernel::Flat flat = sites_.flat();
   const Sign orientation = kernel::orientation<0>(flat, points.data(), sites_.grid);
-  view_.is_inside = choose_interior_point(sites_, simplex, view_.center, [&](const double* point, const kernel::Grid& grid) {
-    for (std::size_t i = 0; i < points.size(); ++i) {
-      const double* const vertex = std::exchange(points[i], point);
-      const Sign side = kernel::orientation<0>(flat, points.data(), grid);
-      points[i] = vertex;
-      if (side != orientation) return false;
-    }
-    return true;
-  });
+  view_.is_inside = choose_interior_point(
+      sites_, simplex, view_.center, [&](const double* point, const kernel::Grid& grid) {
+        for (std::size_t i = 0; i < points.size(); ++i) {
+          const double* const vertex = std::exchange(points[i], point);
+          const Sign side = kernel::orientation<0>(flat, points.data(), grid);
+          points[i] = vertex;
+          if (side != orientation) return false;
+        }
+        return true;
+      });
   view_.grid.include(view_.center.data());
 }
 
-/// `margin` times the box is added where it has to grow, so that points arriving from ever farther away change it a logarithmic
-/// number of times.
+/// `margin` times the box is added where it has to grow, so that points arriving from ever farther away
+/// change it a logarithmic number of times.
 void ConvexHullBuilder::grow_box(const double* point, double margin) {
   constexpr double largest = std::numeric_limits<double>::max();
   for (std::size_t j = 0; j < view_.low.size(); ++j) {
@@ -97,7 +99,8 @@ void ConvexHullBuilder::include_sites(Index first) {
   for (Index site = first; site < sites_.size(); ++site) {
     const double* point = sites_.point(site);
     view_.grid.include(point);
-    for (std::size_t j = 0; j < view_.low.size(); ++j) in_box &= view_.low[j] <= point[j] && point[j] <= view_.high[j];
+    for (std::size_t j = 0; j < view_.low.size(); ++j)
+      in_box &= view_.low[j] <= point[j] && point[j] <= view_.high[j];
   }
   if (in_box) return;
   for (Index site = first; site < sites_.size(); ++site) grow_box(sites_.point(site), 2.0);

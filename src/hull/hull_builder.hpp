@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The boundary of a convex hull, site by site: a range of numbers in one dimension, a boundary of the engine's from two on.
+// The boundary of a convex hull, site by site: a range of numbers in one dimension, a boundary of the
+// engine's from two on.
 #pragma once
 
 #include "compiled/hull_engine.hpp"
@@ -14,7 +15,8 @@ namespace delone::internal {
 
 class ConvexHullBuilder {
  public:
-  /// The boundary of the simplex of k+1 affinely independent sites, k ≥ 1. `sites` must outlive this object and may grow.
+  /// The boundary of the simplex of k+1 affinely independent sites, k ≥ 1. `sites` must outlive this object
+  /// and may grow.
   ConvexHullBuilder(const HullSites& sites, const std::vector<Index>& simplex);
   /// A copy that reads the sites from another place.
   ConvexHullBuilder(const HullSites& sites, const ConvexHullBuilder& other);
@@ -23,7 +25,8 @@ class ConvexHullBuilder {
   void include_sites(Index first);
   /// Inserts a site, distinct from all earlier ones. If it throws, the boundary is as it was.
   Insertion insert(Index site);
-  /// Whether a site is in the interior for certain; false says nothing. Fast if the last one asked for was near.
+  /// Whether a site is in the interior for certain; false says nothing. Fast if the last one asked for was
+  /// near.
   bool is_surely_interior(Index site) { return boundary_ && boundary_->is_surely_interior(site); }
 
   /// Made on the first call after an insertion; `const` calls may come from several threads.

@@ -49,8 +49,9 @@ std::vector<Index> intersection(std::span<const Index> a, std::span<const Index>
 
 /// Whether any site but v is in all the given facets: whether v is no vertex of the polytope.
 bool has_company(Index v, const Lists& sites_of_facet, std::span<const Index> facets) {
-  const auto smallest = std::min_element(facets.begin(), facets.end(),
-                                         [&](Index a, Index b) { return sites_of_facet[a].size() < sites_of_facet[b].size(); });
+  const auto smallest = std::min_element(facets.begin(), facets.end(), [&](Index a, Index b) {
+    return sites_of_facet[a].size() < sites_of_facet[b].size();
+  });
   const auto candidates = sites_of_facet[*smallest];
   return std::any_of(candidates.begin(), candidates.end(), [&](Index w) {
     return w != v && std::all_of(facets.begin(), facets.end(), [&](Index f) {
@@ -61,7 +62,8 @@ bool has_company(Index v, const Lists& sites_of_facet, std::span<const Index> fa
 }
 
 /// The facets in increasing numbers of their first cells.
-void number_facets(const SimplicialHull& hull, std::span<const std::pair<Index, Index>> coplanar, PolytopeFaces& faces) {
+void number_facets(const SimplicialHull& hull, std::span<const std::pair<Index, Index>> coplanar,
+                   PolytopeFaces& faces) {
   const std::size_t m = hull.num_cells();
   if (coplanar.empty()) {  // each cell is a facet
     faces.facet_of_cell.resize(m);
@@ -85,11 +87,12 @@ void number_facets(const SimplicialHull& hull, std::span<const std::pair<Index, 
   std::partial_sum(offsets.begin(), offsets.end(), offsets.begin());
   std::vector<std::size_t> next(offsets.begin(), offsets.end() - 1);
   faces.cells_of_facet.items.resize(m);
-  for (std::size_t c = 0; c < m; ++c) faces.cells_of_facet.items[next[faces.facet_of_cell[c]]++] = static_cast<Index>(c);
+  for (std::size_t c = 0; c < m; ++c)
+    faces.cells_of_facet.items[next[faces.facet_of_cell[c]]++] = static_cast<Index>(c);
 }
 
-/// Calls visit(facet, other facet with a larger number, cell of the facet, vertex of the cell opposite the ridge) for each
-/// ridge, in increasing order of the pairs of facets. Two facets share one ridge at most.
+/// Calls visit(facet, other facet with a larger number, cell of the facet, vertex of the cell opposite the
+/// ridge) for each ridge, in increasing order of the pairs of facets. Two facets share one ridge at most.
 template <class Visit>
 void for_each_ridge(const SimplicialHull& hull, const PolytopeFaces& faces, Visit visit) {
   struct Side {
@@ -106,13 +109,15 @@ void for_each_ridge(const SimplicialHull& hull, const PolytopeFaces& faces, Visi
     }
     std::sort(sides.begin(), sides.end(), [](const Side& a, const Side& b) { return a.facet < b.facet; });
     for (std::size_t i = 0; i < sides.size(); ++i)
-      if (i == 0 || sides[i].facet != sides[i - 1].facet) visit(f, sides[i].facet, sides[i].cell, sides[i].vertex);
+      if (i == 0 || sides[i].facet != sides[i - 1].facet)
+        visit(f, sides[i].facet, sides[i].cell, sides[i].vertex);
   }
 }
 
 }  // namespace
 
-PolytopeFaces find_faces(const SimplicialHull& hull, std::size_t num_sites, std::span<const std::pair<Index, Index>> coplanar) {
+PolytopeFaces find_faces(const SimplicialHull& hull, std::size_t num_sites,
+                         std::span<const std::pair<Index, Index>> coplanar) {
   PolytopeFaces faces;
   number_facets(hull, coplanar, faces);
   faces.is_extreme.assign(num_sites, 0);
@@ -201,7 +206,8 @@ std::vector<std::size_t> count_faces(const Lists& facets, int dimension) {
   for (std::size_t f = 0; f < facets.size(); ++f)
     for (const Index v : facets[f]) pairs.emplace_back(v, static_cast<Index>(f));
   const Lists facets_of =
-      pairs.empty() ? Lists{} : grouped(pairs, std::max_element(pairs.begin(), pairs.end())->first + std::size_t{1});
+      pairs.empty() ? Lists{}
+                    : grouped(pairs, std::max_element(pairs.begin(), pairs.end())->first + std::size_t{1});
 
   for (std::size_t j = counts.size(); j-- > 0;) {
     counts[j] = level.size();
@@ -220,8 +226,9 @@ std::vector<std::size_t> count_faces(const Lists& facets, int dimension) {
       std::sort(cuts.begin(), cuts.end(), [](const auto& a, const auto& b) { return a.size() > b.size(); });
       std::vector<std::vector<Index>> largest;
       for (std::vector<Index>& cut : cuts)
-        if (std::none_of(largest.begin(), largest.end(),
-                         [&](const auto& other) { return std::includes(other.begin(), other.end(), cut.begin(), cut.end()); }))
+        if (std::none_of(largest.begin(), largest.end(), [&](const auto& other) {
+              return std::includes(other.begin(), other.end(), cut.begin(), cut.end());
+            }))
           largest.push_back(std::move(cut));
       next.insert(std::make_move_iterator(largest.begin()), std::make_move_iterator(largest.end()));
     }

@@ -3,8 +3,8 @@
 
 namespace delone::internal {
 
-std::size_t walk_cones(const HullSites& sites, const SimplicialHull& hull, const std::vector<double>& center, const double* q,
-                       std::size_t start, const kernel::Grid& grid) {
+std::size_t walk_cones(const HullSites& sites, const SimplicialHull& hull, const std::vector<double>& center,
+                       const double* q, std::size_t start, const kernel::Grid& grid) {
   kernel::Grid grid_of_all = grid;
   grid_of_all.include(center.data());
   const std::size_t k = hull.corners();

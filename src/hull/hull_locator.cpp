@@ -9,7 +9,8 @@
 
 namespace delone::internal {
 
-Sign HullLocator::side(std::size_t cell, const double* q, const kernel::Grid& grid, std::vector<const double*>& scratch) const {
+Sign HullLocator::side(std::size_t cell, const double* q, const kernel::Grid& grid,
+                       std::vector<const double*>& scratch) const {
   if (const HullBoundary* boundary = builder_.boundary())
     if (const Sign sign = boundary->certain_side(hull_.slots[cell], q); sign != Sign::zero) return sign;
   return side_of_cell(sites_, hull_, cell, q, grid, scratch);
@@ -24,8 +25,8 @@ HullLocator::Result HullLocator::locate(const double* q, const kernel::Grid& gri
   std::vector<Index> candidates;
   for (std::size_t i = 0; i < sample; ++i) candidates.push_back(hull_.slots[i * (m / sample)]);
   const auto [slot, sign] = boundary->descend(q, candidates);
-  const auto near =
-      static_cast<std::size_t>(std::lower_bound(hull_.slots.begin(), hull_.slots.end(), slot) - hull_.slots.begin());
+  const auto near = static_cast<std::size_t>(std::lower_bound(hull_.slots.begin(), hull_.slots.end(), slot) -
+                                             hull_.slots.begin());
   if (sign != Sign::zero) return {near, sign};
   const std::size_t c = walk_cones(sites_, hull_, builder_.center(), q, near, grid);
   std::vector<const double*> scratch;
@@ -37,11 +38,13 @@ HullLocator::Result HullLocator::search_all(const double* q, const kernel::Grid&
   Result result{0, Sign::positive};
   std::vector<const double*> scratch;
   for (std::size_t c = 0; c < hull_.num_cells() && result.side != Sign::negative; ++c)
-    if (const Sign sign = side(c, q, grid, scratch); static_cast<int>(sign) < static_cast<int>(result.side)) result = {c, sign};
+    if (const Sign sign = side(c, q, grid, scratch); static_cast<int>(sign) < static_cast<int>(result.side))
+      result = {c, sign};
   return result;
 }
 
-std::vector<Index> HullLocator::cells_on_side(std::size_t first, Sign wanted, const double* q, const kernel::Grid& grid) const {
+std::vector<Index> HullLocator::cells_on_side(std::size_t first, Sign wanted, const double* q,
+                                              const kernel::Grid& grid) const {
   std::vector<Index> cells{static_cast<Index>(first)};
   std::unordered_set<Index> seen{static_cast<Index>(first)};
   std::vector<const double*> scratch;

@@ -45,7 +45,8 @@ double times_power(double x, std::int64_t exponent) {
   return std::ldexp(x, static_cast<int>(std::clamp<std::int64_t>(exponent, -10000, 10000)));
 }
 
-std::vector<const double*>& gather(const HullSites& sites, std::span<const Index> cell, std::vector<const double*>& points) {
+std::vector<const double*>& gather(const HullSites& sites, std::span<const Index> cell,
+                                   std::vector<const double*>& points) {
   points.clear();
   for (const Index site : cell) points.push_back(sites.point(site));
   return points;
@@ -90,14 +91,16 @@ double extent_of(const HullSites& sites) {
   return 1.01 * std::sqrt(square) + 1e-150;  // squares may underflow
 }
 
-/// A normal without a bound, for flats and where elimination fails: what is left of the way to a point inside after the
-/// directions of the edges have been taken out, twice for accuracy.
-void orthogonalize(const std::vector<const double*>& points, const double* inner, std::size_t d, double* normal) {
+/// A normal without a bound, for flats and where elimination fails: what is left of the way to a point inside
+/// after the directions of the edges have been taken out, twice for accuracy.
+void orthogonalize(const std::vector<const double*>& points, const double* inner, std::size_t d,
+                   double* normal) {
   std::vector<std::vector<double>> basis;
   const auto direction = [&](const double* x) {
     std::vector<double> v(d);
     double largest = 0;
-    for (std::size_t j = 0; j < d; ++j) v[j] = x[j] / 2 - points[0][j] / 2, largest = std::max(largest, std::fabs(v[j]));
+    for (std::size_t j = 0; j < d; ++j)
+      v[j] = x[j] / 2 - points[0][j] / 2, largest = std::max(largest, std::fabs(v[j]));
     if (largest > 0)
       for (double& t : v) t = std::ldexp(t, -std::ilogb(largest));
     for (int pass = 0; pass < 2; ++pass)
@@ -126,10 +129,12 @@ void fill_equations(const HullSites& sites, const SimplicialHull& hull, std::spa
   for (std::size_t c = 0; c < hull.num_cells(); ++c) {
     gather(sites, hull.cell(c), points);
     const bool is_known = k == d && normal.compute(points.data(), sites.axes, k == 1 && c == 0);
-    // Two vectors as far apart as error(), each divided by its length, are within 2·error()/length(); the roundings of the
-    // length and of the quotients add (k + 5)·u.
+    // Two vectors as far apart as error(), each divided by its length, are within 2·error()/length(); the
+    // roundings of the length and of the quotients add (k + 5)·u.
     const double error =
-        is_known ? 1.01 * (2 * normal.error() / normal.length() + static_cast<double>(k + 5) * 0x1p-53) * extent : infinity;
+        is_known
+            ? 1.01 * (2 * normal.error() / normal.length() + static_cast<double>(k + 5) * 0x1p-53) * extent
+            : infinity;
     double* const equation = result.equations.data() + facet_of_cell[c] * (d + 1);
     double& best = result.errors[facet_of_cell[c]];
     if (best >= 0 && error >= best) continue;  // the best cell of the facet
@@ -191,25 +196,28 @@ Measure simplex_volume(std::span<const double* const> points, int ambient) {
   double value = 1;
   for (const double r : triangular_diagonal(edges, d)) value *= r;
   const double relative = 10.0 * static_cast<double>(j * (d + 8)) * 0x1p-53;
-  const double bound =
-      1.01 * product * (std::pow(1 + relative, static_cast<double>(j)) - 1) + static_cast<double>(3 * j) * 0x1p-53 * value;
+  const double bound = 1.01 * product * (std::pow(1 + relative, static_cast<double>(j)) - 1) +
+                       static_cast<double>(3 * j) * 0x1p-53 * value;
   return {times_power(value / factorial, exponent),
           times_power(bound / factorial, exponent) + std::numeric_limits<double>::denorm_min()};
 }
 
 HullMeasures measure_hull(const HullSites& sites, const SimplicialHull& hull) {
   if (hull.num_cells() == 0) return {};
-  HullMeasures measures = with_compiled_dimension(hull.corners(), [&](auto k) { return measure<k()>(sites, hull); });
+  HullMeasures measures =
+      with_compiled_dimension(hull.corners(), [&](auto k) { return measure<k()>(sites, hull); });
   if (hull.dimension == 1) measures.area = {static_cast<double>(hull.num_cells()), 0};
   return measures;
 }
 
-FacetEquations facet_equations(const HullSites& sites, const SimplicialHull& hull, std::span<const Index> facet_of_cell,
-                               std::size_t num_facets, const std::function<const double*(std::size_t)>& inner) {
+FacetEquations facet_equations(const HullSites& sites, const SimplicialHull& hull,
+                               std::span<const Index> facet_of_cell, std::size_t num_facets,
+                               const std::function<const double*(std::size_t)>& inner) {
   FacetEquations result{std::vector<double>(num_facets * (static_cast<std::size_t>(sites.ambient) + 1)),
                         std::vector<double>(num_facets, -1)};
   if (num_facets > 0)
-    with_compiled_dimension(hull.corners(), [&](auto k) { fill_equations<k()>(sites, hull, facet_of_cell, inner, result); });
+    with_compiled_dimension(hull.corners(),
+                            [&](auto k) { fill_equations<k()>(sites, hull, facet_of_cell, inner, result); });
   return result;
 }
 

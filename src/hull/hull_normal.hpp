@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The hyperplane through k points of R^k in binary64 with certified bounds, from one elimination, O(k³): its outward normal
-// (the filter of check_hull, and the equations of facets), the (k−1)-volume of the simplex of the points and the k-volume of
-// its join with a point. Proof: docs/predicates.md, "Normals of hull cells".
+// The hyperplane through k points of R^k in binary64 with certified bounds, from one elimination, O(k³): its
+// outward normal (the filter of check_hull, and the equations of facets), the (k−1)-volume of the simplex of
+// the points and the k-volume of its join with a point. Proof: docs/predicates.md, "Normals of hull cells".
 //
-// With e_1 … e_(k−1) the edges, N·x = det(x, e_1, …, e_(k−1)): positive outwards for a cell oriented as in simplicial_hull.hpp,
-// and |N| is (k−1)! times the volume. Edges are scaled to length about 1 by powers of two, which scales N by a positive factor.
-// Elimination picks k−1 coordinates as pivots; with y ⊥ e_i and y = 1 at the coordinate p that is left, N = N_p·y.
+// With e_1 … e_(k−1) the edges, N·x = det(x, e_1, …, e_(k−1)): positive outwards for a cell oriented as in
+// simplicial_hull.hpp, and |N| is (k−1)! times the volume. Edges are scaled to length about 1 by powers of
+// two, which scales N by a positive factor. Elimination picks k−1 coordinates as pivots; with y ⊥ e_i and y =
+// 1 at the coordinate p that is left, N = N_p·y.
 #pragma once
 
 #include "compiled/simplicial_hull.hpp"
@@ -94,11 +95,13 @@ class HullNormal {
   double error() const { return error_; }
   double length() const { return length_; }
 
-  /// The (k−1)-volume of the simplex. Both measures need volumes of edges' parallelepipeds that are normal numbers.
+  /// The (k−1)-volume of the simplex. Both measures need volumes of edges' parallelepipeds that are normal
+  /// numbers.
   bool has_measures() const { return weight_ > 1e-250 && weight_ < 1e250; }
   Measure content() const {
     const double value = weight_ * length_ / factorial_;
-    return {value, 1.01 * (weight_ * error_ + weight_error_ * (length_ + error_)) / factorial_ + rounding(8) * value};
+    return {value, 1.01 * (weight_ * error_ + weight_error_ * (length_ + error_)) / factorial_ +
+                       rounding(8) * value};
   }
   /// The k-volume of the simplex of the points and an apex that is not beyond the hyperplane.
   Measure cone(const double* apex, std::span<const int> axes) const {
@@ -110,10 +113,13 @@ class HullNormal {
       magnitude += std::fabs(normal_[j] * t);
       square += t * t;
     }
-    const double height_error = error_ * std::sqrt(square) + rounding(3) * magnitude + 1e-150 * error_ + 1e-320;
-    const double factorial = factorial_ * static_cast<double>(k()), value = weight_ * std::max(height, 0.0) / factorial;
-    return {value, 1.01 * (weight_ * height_error + weight_error_ * (std::fabs(height) + height_error)) / factorial +
-                       rounding(8) * value + std::numeric_limits<double>::denorm_min()};
+    const double height_error =
+        error_ * std::sqrt(square) + rounding(3) * magnitude + 1e-150 * error_ + 1e-320;
+    const double factorial = factorial_ * static_cast<double>(k()),
+                 value = weight_ * std::max(height, 0.0) / factorial;
+    return {value,
+            1.01 * (weight_ * height_error + weight_error_ * (std::fabs(height) + height_error)) / factorial +
+                rounding(8) * value + std::numeric_limits<double>::denorm_min()};
   }
 
  private:
@@ -149,7 +155,8 @@ class HullNormals {
     record[k_] = known ? normal_.error() : std::numeric_limits<double>::infinity();
   }
 
-  /// The side of the hyperplane through `base` that q is on, if the normal proves it, else zero: + inside, − beyond.
+  /// The side of the hyperplane through `base` that q is on, if the normal proves it, else zero: + inside, −
+  /// beyond.
   Sign side(const HullSites& sites, const double* record, const double* base, const double* q) const {
     double value = 0, magnitude = 0, length = 0;
     for (std::size_t j = 0; j < k_; ++j) {
@@ -159,10 +166,11 @@ class HullNormals {
       magnitude += std::fabs(record[j] * t);
       length += std::fabs(t);
     }
-    // Rounded differences, products and sums: γ_(k+2) of the magnitude; the error of the normal; products that underflow.
+    // Rounded differences, products and sums: γ_(k+2) of the magnitude; the error of the normal; products
+    // that underflow.
     const double n = static_cast<double>(k_);
-    const double bound =
-        1.01 * (record[k_] * length + (n + 3) * kernel::unit_roundoff * magnitude) + kernel::underflow_allowance;
+    const double bound = 1.01 * (record[k_] * length + (n + 3) * kernel::unit_roundoff * magnitude) +
+                         kernel::underflow_allowance;
     return value > bound ? Sign::negative : value < -bound ? Sign::positive : Sign::zero;
   }
 

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "hull/hull_state.hpp"
 
+#include "base/stopwatch.hpp"
 #include "complex/canonical_hash.hpp"
 #include "hull/outermost_sites.hpp"
-#include "base/stopwatch.hpp"
 #include "order/insertion_order.hpp"
 
 #include <algorithm>
@@ -30,7 +30,8 @@ HullState::HullState(const HullState& other)
 }
 
 Index HullState::find_site(std::uint64_t tag, const double* point) const {
-  return site_at_.find(tag, [&](Index site) { return kernel::equal_points(sites_.point(site), point, sites_.ambient); });
+  return site_at_.find(
+      tag, [&](Index site) { return kernel::equal_points(sites_.point(site), point, sites_.ambient); });
 }
 
 /// A new site, not yet part of the boundary.
@@ -105,7 +106,8 @@ void HullState::drop_interior(std::vector<Index>& sites, ProgressMeter& progress
   constexpr std::size_t sample = 64, rows_per_report = 1024;
   if (sites.size() < 2 * sample) return;
   std::size_t interior = 0;
-  for (std::size_t i = 0; i < sample; ++i) interior += builder_->is_surely_interior(sites[i * (sites.size() / sample)]) ? 1 : 0;
+  for (std::size_t i = 0; i < sample; ++i)
+    interior += builder_->is_surely_interior(sites[i * (sites.size() / sample)]) ? 1 : 0;
   if (interior < sample / 4) return;
   std::size_t seen = 0;
   std::erase_if(sites, [&](Index site) {
@@ -119,7 +121,8 @@ void HullState::drop_interior(std::vector<Index>& sites, ProgressMeter& progress
 void HullState::put_in_order(std::vector<Index>& sites, const Options& options) const {
   std::vector<double> coordinates;
   coordinates.reserve(sites.size() * ambient());
-  for (const Index site : sites) coordinates.insert(coordinates.end(), sites_.point(site), sites_.point(site) + ambient());
+  for (const Index site : sites)
+    coordinates.insert(coordinates.end(), sites_.point(site), sites_.point(site) + ambient());
   std::vector<Index> order = order::insertion_order({coordinates, sites_.ambient}, options);
   for (Index& at : order) at = sites[at];
   sites = std::move(order);

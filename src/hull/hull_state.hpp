@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What insertions into a Polytope change: rows to distinct sites, the affine hull, the boundary. A batch works on a copy, so
-// that it is done whole or not at all.
+// What insertions into a Polytope change: rows to distinct sites, the affine hull, the boundary. A batch
+// works on a copy, so that it is done whole or not at all.
 #pragma once
 
-#include "hull/hull_builder.hpp"
 #include "base/progress_meter.hpp"
 #include "compiled/simplicial_hull.hpp"
+#include "hull/hull_builder.hpp"
 #include "hull/site_table.hpp"
 #include "kernel/predicates.hpp"
 
@@ -25,7 +25,8 @@ class HullState {
   HullState(const HullState& other);
   HullState& operator=(const HullState&) = delete;
 
-  /// Inserts rows. If it throws, the state is of no more use. REQUIRES finite coordinates, and room for as many ids.
+  /// Inserts rows. If it throws, the state is of no more use. REQUIRES finite coordinates, and room for as
+  /// many ids.
   void insert_range(std::span<const double> coordinates, const Options& options);
   /// Inserts a row that is in the affine hull; the strong guarantee.
   HullInsertResult insert_in_flat(const double* point);

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // LowerHull: the hull of the points and of one more above them, of which the cells that look down are kept.
 //
-// Why one more point. It lies over the composition of a lowest point, higher than that. The hyperplane of a lower facet is,
-// over any composition of the domain, at most as high as the lower hull, so the new point is strictly above all of them: no
-// lower facet is lost or gained. But the hull is full-dimensional even when all heights are an affine function of the
-// compositions, and the upper side, of no interest, becomes simple.
+// Why one more point. It lies over the composition of a lowest point, higher than that. The hyperplane of a
+// lower facet is, over any composition of the domain, at most as high as the lower hull, so the new point is
+// strictly above all of them: no lower facet is lost or gained. But the hull is full-dimensional even when
+// all heights are an affine function of the compositions, and the upper side, of no interest, becomes simple.
 #include "base/guarded.hpp"
 #include "base/require_finite.hpp"
 #include "kernel/predicates.hpp"
@@ -39,7 +39,9 @@ struct LowerHull::Impl {
   std::size_t num_points() const { return points.size() / ambient(); }
   std::size_t num_cells() const { return cells.empty() ? 0 : cells.size() / corners(); }
   double height_sign() const { return side == HullSide::lower ? 1.0 : -1.0; }
-  const double* place(SignedIndex row) const { return projected.data() + static_cast<std::size_t>(row) * corners(); }
+  const double* place(SignedIndex row) const {
+    return projected.data() + static_cast<std::size_t>(row) * corners();
+  }
   kernel::Flat composition_flat() const {
     return {static_cast<int>(corners()), std::span<const int>(axes).first(corners() - 1)};
   }
@@ -82,8 +84,8 @@ struct LowerHull::Impl {
     collect(polytope->data());
   }
 
-  /// The sign of the last component of the outward normal of a cell is that of (−1)^(k+1)·(orientation over the compositions),
-  /// k = c + 1: expand det(n, e_1, …, e_(k−1)) > 0 along an n of the last axis.
+  /// The sign of the last component of the outward normal of a cell is that of (−1)^(k+1)·(orientation over
+  /// the compositions), k = c + 1: expand det(n, e_1, …, e_(k−1)) > 0 along an n of the last axis.
   bool looks_down(std::span<const SignedIndex> cell, std::size_t number) const {
     if (corners() == 1) return number == 0;
     std::vector<const double*> simplex;
@@ -125,10 +127,12 @@ struct LowerHull::Impl {
     vertices = std::move(extreme);
   }
 
-  std::span<const SignedIndex> cell(std::size_t c) const { return std::span(cells).subspan(c * corners(), corners()); }
+  std::span<const SignedIndex> cell(std::size_t c) const {
+    return std::span(cells).subspan(c * corners(), corners());
+  }
 
-  /// The walk: leave a cell by a facet that has the composition on its other side. It ends, as the cells are the projection of
-  /// a convex boundary (Edelsbrunner 1990, doi:10.1007/BF02122779).
+  /// The walk: leave a cell by a facet that has the composition on its other side. It ends, as the cells are
+  /// the projection of a convex boundary (Edelsbrunner 1990, doi:10.1007/BF02122779).
   std::optional<std::size_t> find_cell(const double* q, std::size_t start, const kernel::Grid& with_q) const {
     if (num_cells() == 0) return std::nullopt;
     if (corners() == 1) return 0;
@@ -188,7 +192,8 @@ struct LowerHull::Impl {
   /// Calls visit(query number, projected query, its cell or nullopt) for rows of `width` ≥ d−1 numbers.
   template <class Visit>
   void for_each_query(std::span<const double> queries, std::size_t width, Visit visit) const {
-    if (queries.size() % width != 0) throw Error(Errc::bad_dimension, "the number of coordinates does not fit the dimension");
+    if (queries.size() % width != 0)
+      throw Error(Errc::bad_dimension, "the number of coordinates does not fit the dimension");
     internal::require_finite(queries, width, "a coordinate", "query");
     std::size_t hint = 0;
     std::vector<double> q;
@@ -208,8 +213,10 @@ struct LowerHull::Impl {
   }
 };
 
-LowerHull::LowerHull(std::span<const double> coordinates, int dimension, HullSide side, const Options& options) {
-  if (dimension < 2) throw Error(Errc::bad_dimension, "a lower hull needs a composition and a height: at least 2 coordinates");
+LowerHull::LowerHull(std::span<const double> coordinates, int dimension, HullSide side,
+                     const Options& options) {
+  if (dimension < 2)
+    throw Error(Errc::bad_dimension, "a lower hull needs a composition and a height: at least 2 coordinates");
   if (coordinates.size() % static_cast<std::size_t>(dimension) != 0)
     throw Error(Errc::bad_dimension, "the number of coordinates is not a multiple of the dimension");
   internal::require_finite(coordinates, static_cast<std::size_t>(dimension), "a coordinate");
@@ -241,17 +248,19 @@ std::optional<std::size_t> LowerHull::find_cell(std::span<const double> composit
   if (composition.size() != impl_->ambient() - 1)
     throw Error(Errc::bad_dimension, "the composition has not as many coordinates as those of the points");
   std::optional<std::size_t> result;
-  impl_->for_each_query(composition, impl_->ambient() - 1, [&](auto, auto, const auto& cell, const auto&) { result = cell; });
+  impl_->for_each_query(composition, impl_->ambient() - 1,
+                        [&](auto, auto, const auto& cell, const auto&) { result = cell; });
   return result;
 }
 
 std::vector<double> LowerHull::heights(std::span<const double> compositions) const {
   const double outside = impl_->height_sign() * std::numeric_limits<double>::infinity();
   std::vector<double> result;
-  impl_->for_each_query(compositions, impl_->ambient() - 1,
-                        [&](auto, const double* q, const std::optional<std::size_t>& cell, const auto&) {
-                          result.push_back(cell ? impl_->height_sign() * impl_->interpolate(*cell, q) : outside);
-                        });
+  impl_->for_each_query(
+      compositions, impl_->ambient() - 1,
+      [&](auto, const double* q, const std::optional<std::size_t>& cell, const auto&) {
+        result.push_back(cell ? impl_->height_sign() * impl_->interpolate(*cell, q) : outside);
+      });
   return result;
 }
 
@@ -266,11 +275,14 @@ std::vector<double> LowerHull::height_above(std::span<const double> points) cons
     Sign sign = kernel::orientation<0>(hull.flat(), simplex.data(), grid);
     if (hull.reversed || hull.corners() == 1) sign = -sign;  // of one vertex, the cell is the lower end
     constexpr double least = std::numeric_limits<double>::denorm_min();
-    return sign == Sign::zero ? 0.0 : sign == Sign::positive ? std::max(difference, least) : std::min(difference, -least);
+    return sign == Sign::zero       ? 0.0
+           : sign == Sign::positive ? std::max(difference, least)
+                                    : std::min(difference, -least);
   };
-  hull.for_each_query(points, hull.ambient(), [&](auto, const double* q, const auto& cell, const kernel::Grid& grid) {
-    result.push_back(hull.height_sign() * above(q, cell, grid) + 0.0);
-  });
+  hull.for_each_query(points, hull.ambient(),
+                      [&](auto, const double* q, const auto& cell, const kernel::Grid& grid) {
+                        result.push_back(hull.height_sign() * above(q, cell, grid) + 0.0);
+                      });
   return result;
 }
 

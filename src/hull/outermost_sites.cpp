@@ -30,9 +30,11 @@ std::vector<Index> outermost_sites(const HullSites& sites, Index first) {
     for (std::size_t j = 0; j < d; ++j) ranges[j].include(sites.point(site)[j], site);
 
   if (d > 1 && d <= most_axes_with_diagonals) {
-    // Coordinates in units of the box, so that each axis counts; not finite where that overflows, and then passed over.
+    // Coordinates in units of the box, so that each axis counts; not finite where that overflows, and then
+    // passed over.
     std::vector<double> scale(d), x(d);
-    for (std::size_t j = 0; j < d; ++j) scale[j] = ranges[j].high > ranges[j].low ? 1 / (ranges[j].high - ranges[j].low) : 0;
+    for (std::size_t j = 0; j < d; ++j)
+      scale[j] = ranges[j].high > ranges[j].low ? 1 / (ranges[j].high - ranges[j].low) : 0;
     // One of each two opposite diagonals: +x_0 always.
     const std::size_t num_diagonals = std::size_t{1} << (d - 1);
     std::vector<Range> diagonals(num_diagonals);
@@ -54,7 +56,8 @@ std::vector<Index> outermost_sites(const HullSites& sites, Index first) {
   std::vector<Index> chosen;
   for (const Range& range : ranges)
     for (const Index site : {range.lowest, range.highest})
-      if (site != invalid_index && std::find(chosen.begin(), chosen.end(), site) == chosen.end()) chosen.push_back(site);
+      if (site != invalid_index && std::find(chosen.begin(), chosen.end(), site) == chosen.end())
+        chosen.push_back(site);
   return chosen;
 }
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Which site is at a point: a hash table with open addressing and linear probing, at most half full. Sites are numbered in the
-// order in which they are added.
+// Which site is at a point: a hash table with open addressing and linear probing, at most half full. Sites
+// are numbered in the order in which they are added.
 #pragma once
 
 #include <delone/types.hpp>

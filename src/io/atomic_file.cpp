@@ -20,12 +20,13 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/// Creates a new file next to `target`: the same directory, hence the same file system, so that renaming is atomic. The
-/// name is short whatever the target's is, and `x` refuses to touch a file that exists.
+/// Creates a new file next to `target`: the same directory, hence the same file system, so that renaming is
+/// atomic. The name is short whatever the target's is, and `x` refuses to touch a file that exists.
 std::FILE* create_beside(const fs::path& target, std::string& name) {
   static std::atomic<std::uint64_t> counter{0};
   for (int attempt = 0; attempt < 100; ++attempt) {
-    const auto ticks = static_cast<std::uint64_t>(std::chrono::steady_clock::now().time_since_epoch().count());
+    const auto ticks =
+        static_cast<std::uint64_t>(std::chrono::steady_clock::now().time_since_epoch().count());
     const std::uint64_t tag = (ticks + ++counter) * 0x9e3779b97f4a7c15u;
     name = (target.parent_path() / fmt::format(".delone-partial-{:016x}", tag)).string();
     errno = 0;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A file that appears whole or not at all: written beside its target under another name, renamed by commit(), removed by
-// the destructor if that was not reached. Text is collected in a buffer and every write is checked.
+// A file that appears whole or not at all: written beside its target under another name, renamed by commit(),
+// removed by the destructor if that was not reached. Text is collected in a buffer and every write is
+// checked.
 #pragma once
 
 #include <fmt/format.h>
@@ -15,8 +16,8 @@ namespace delone::io {
 
 class AtomicFile {
  public:
-  /// "-" is standard output. An existing target that is not a regular file (a device, a pipe) is written to directly; a
-  /// symbolic link is followed. Throws cannot_write with the system's reason, as all members do.
+  /// "-" is standard output. An existing target that is not a regular file (a device, a pipe) is written to
+  /// directly; a symbolic link is followed. Throws cannot_write with the system's reason, as all members do.
   explicit AtomicFile(const std::string& path);
   AtomicFile(const AtomicFile&) = delete;
   AtomicFile& operator=(const AtomicFile&) = delete;
@@ -30,7 +31,8 @@ class AtomicFile {
   template <class Number>
   void put(Number value) {
     if constexpr (std::is_integral_v<Number>)
-      put_number(static_cast<std::conditional_t<std::is_signed_v<Number>, long long, unsigned long long>>(value));
+      put_number(
+          static_cast<std::conditional_t<std::is_signed_v<Number>, long long, unsigned long long>>(value));
     else {
       static_assert(std::is_same_v<Number, double>);
       put_number(value);

@@ -14,18 +14,21 @@ std::string describe_not_finite(std::string_view text) {
   return in_quotes(text) + (decimal ? " is beyond the range of double precision" : " is not finite");
 }
 
-void require_finite(std::span<const double> coordinates, int dimension, const std::string& name, const std::string& first) {
+void require_finite(std::span<const double> coordinates, int dimension, const std::string& name,
+                    const std::string& first) {
   std::vector<std::size_t> rows;
   std::string message = first;
   const auto width = static_cast<std::size_t>(dimension);
   for (std::size_t i = 0; i < coordinates.size(); ++i) {
     if (std::isfinite(coordinates[i])) continue;
     const std::size_t row = i / width;
-    if (message.empty()) message = fmt::format("{}: row {}: column {}: {} is not finite", name, row, i % width, coordinates[i]);
+    if (message.empty())
+      message = fmt::format("{}: row {}: column {}: {} is not finite", name, row, i % width, coordinates[i]);
     if (rows.empty() || rows.back() != row) rows.push_back(row);
   }
   if (rows.empty()) return;
-  if (rows.size() > 1) message += fmt::format(" (and {} more row{})", rows.size() - 1, rows.size() == 2 ? "" : "s");
+  if (rows.size() > 1)
+    message += fmt::format(" (and {} more row{})", rows.size() - 1, rows.size() == 2 ? "" : "s");
   throw Error(Errc::not_finite, message, std::move(rows));
 }
 

@@ -25,7 +25,9 @@ std::string in_quotes(std::string_view text) {
   return out + "'";
 }
 
-std::string joined(const std::vector<std::string>& items) { return fmt::format("{}", fmt::join(items, ", ")); }
+std::string joined(const std::vector<std::string>& items) {
+  return fmt::format("{}", fmt::join(items, ", "));
+}
 
 std::string error_text(int error) {
   // Not strerror: several threads may fail at once.
@@ -47,7 +49,8 @@ void read_to_end(std::FILE* file, const std::string& name, Bytes& bytes) {
   for (;;) {
     if (bytes.size() == bytes.capacity()) bytes.reserve(bytes.capacity() + bytes.capacity() / 2 + 4096);
     errno = 0;
-    bytes.set_size(bytes.size() + std::fread(bytes.data() + bytes.size(), 1, bytes.capacity() - bytes.size(), file));
+    bytes.set_size(bytes.size() +
+                   std::fread(bytes.data() + bytes.size(), 1, bytes.capacity() - bytes.size(), file));
     if (std::ferror(file) != 0) {
       if (errno != EINTR) fail(Errc::cannot_open, "{}: {}", name, error_text(errno));
       std::clearerr(file);
@@ -77,8 +80,9 @@ Bytes read_all(const std::string& path) {
   return bytes;
 }
 
-std::string choose_format(const std::string& path, const std::string& format, std::string_view standard_stream,
-                          std::initializer_list<std::string_view> known, std::string_view purpose) {
+std::string choose_format(const std::string& path, const std::string& format,
+                          std::string_view standard_stream, std::initializer_list<std::string_view> known,
+                          std::string_view purpose) {
   std::string chosen = format;
   if (chosen.empty() && path == "-") chosen = standard_stream;
   if (chosen.empty()) {
@@ -89,9 +93,10 @@ std::string choose_format(const std::string& path, const std::string& format, st
                  [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; });
   if (std::find(known.begin(), known.end(), chosen) != known.end()) return chosen;
   if (!format.empty() || chosen.size() > 1)
-    fail(Errc::unsupported, "{}: format {} cannot be used for {}; available: {}", path, in_quotes(chosen), purpose,
-         fmt::join(known, ", "));
-  fail(Errc::unsupported, "{}: no extension tells the format for {}; name it: {}", path, purpose, fmt::join(known, ", "));
+    fail(Errc::unsupported, "{}: format {} cannot be used for {}; available: {}", path, in_quotes(chosen),
+         purpose, fmt::join(known, ", "));
+  fail(Errc::unsupported, "{}: no extension tells the format for {}; name it: {}", path, purpose,
+       fmt::join(known, ", "));
 }
 
 }  // namespace delone::io

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What every reader and writer shares: whole files in memory, the choice of a format, and error messages that quote
-// foreign text safely.
+// What every reader and writer shares: whole files in memory, the choice of a format, and error messages that
+// quote foreign text safely.
 #pragma once
 
 #include <fmt/format.h>
@@ -36,7 +36,8 @@ std::string error_text(int error);
 /// A path as messages name it: "-" is standard input (or output).
 std::string input_name(const std::string& path);
 
-/// The bytes of a file. Not initialised before they are read, and grown by realloc: files may be as large as memory.
+/// The bytes of a file. Not initialised before they are read, and grown by realloc: files may be as large as
+/// memory.
 class Bytes {
  public:
   explicit Bytes(std::size_t capacity) { reserve(capacity); }
@@ -65,10 +66,11 @@ class Bytes {
 /// All of a file, or of standard input when the path is "-". Throws cannot_open with the system's reason.
 Bytes read_all(const std::string& path);
 
-/// The lower-case format to use: `format` if given, `standard_stream` for the path "-", else the extension of the path.
-/// Throws unsupported, listing `known`, unless the result is among them.
-std::string choose_format(const std::string& path, const std::string& format, std::string_view standard_stream,
-                          std::initializer_list<std::string_view> known, std::string_view purpose);
+/// The lower-case format to use: `format` if given, `standard_stream` for the path "-", else the extension of
+/// the path. Throws unsupported, listing `known`, unless the result is among them.
+std::string choose_format(const std::string& path, const std::string& format,
+                          std::string_view standard_stream, std::initializer_list<std::string_view> known,
+                          std::string_view purpose);
 
 /// Runs a reader or writer, and turns exhausted memory into Error{out_of_memory}.
 template <class Work>

@@ -14,8 +14,8 @@ namespace delone::io {
 
 namespace {
 
-/// The header is the text of a Python dictionary with string keys; the values are a string, a boolean and a tuple of
-/// integers. Anything else (a list of fields, say) is seen as `other`.
+/// The header is the text of a Python dictionary with string keys; the values are a string, a boolean and a
+/// tuple of integers. Anything else (a list of fields, say) is seen as `other`.
 class HeaderParser {
  public:
   HeaderParser(std::string_view text, const std::string& name) : text_(text), name_(name) {}
@@ -35,7 +35,8 @@ class HeaderParser {
       expect(':');
       if (key == "descr") {
         if (peek() != '\'' && peek() != '"')
-          fail(Errc::unsupported, "{}: arrays with named fields are not supported; save one plain 2-D array", name_);
+          fail(Errc::unsupported, "{}: arrays with named fields are not supported; save one plain 2-D array",
+               name_);
         header.descr = string();
         seen[0] = true;
       } else if (key == "fortran_order") {
@@ -54,7 +55,9 @@ class HeaderParser {
   }
 
  private:
-  [[noreturn]] void malformed() const { fail(Errc::bad_format, "{}: malformed .npy header {}", name_, in_quotes(text_)); }
+  [[noreturn]] void malformed() const {
+    fail(Errc::bad_format, "{}: malformed .npy header {}", name_, in_quotes(text_));
+  }
   char peek() {
     while (at_ < text_.size() && (text_[at_] == ' ' || text_[at_] == '\n')) ++at_;
     return at_ < text_.size() ? text_[at_] : '\0';
@@ -125,8 +128,8 @@ void set_type(NpyArray& array, const std::string& descr, const std::string& name
                      (type.size() == 2 && (type[0] == 'i' || type[0] == 'u') &&
                       (type[1] == '1' || type[1] == '2' || type[1] == '4' || type[1] == '8'));
   if (!known)
-    fail(Errc::unsupported, "{}: data type {} is not supported; convert to float64 (or float32, or integers)", name,
-         in_quotes(descr));
+    fail(Errc::unsupported, "{}: data type {} is not supported; convert to float64 (or float32, or integers)",
+         name, in_quotes(descr));
   array.kind = type[0];
   array.item_size = static_cast<std::size_t>(type[1] - '0');
   array.big_endian = order == '>' || (order == '=' && std::endian::native == std::endian::big);
@@ -213,14 +216,17 @@ std::string shape_text(const std::vector<std::size_t>& shape) {
 
 NpyArray parse_npy(std::string_view bytes, const std::string& name) {
   if (bytes.empty()) fail(Errc::bad_format, "{}: the file is empty", name);
-  if (!bytes.starts_with("\x93NUMPY")) fail(Errc::bad_format, "{}: not an .npy file (its signature is missing)", name);
+  if (!bytes.starts_with("\x93NUMPY"))
+    fail(Errc::bad_format, "{}: not an .npy file (its signature is missing)", name);
   if (bytes.size() < 12) fail(Errc::bad_format, "{}: truncated .npy header", name);
   const int version = bytes[6];
-  if (version < 1 || version > 3) fail(Errc::unsupported, "{}: .npy format version {} is not supported", name, version);
+  if (version < 1 || version > 3)
+    fail(Errc::unsupported, "{}: .npy format version {} is not supported", name, version);
   const std::size_t start = version == 1 ? 10 : 12;
   const std::size_t length = little_endian(bytes.substr(8, start - 8));
   if (length > bytes.size() - start)
-    fail(Errc::bad_format, "{}: truncated .npy header: expected {} bytes, found {}", name, length, bytes.size() - start);
+    fail(Errc::bad_format, "{}: truncated .npy header: expected {} bytes, found {}", name, length,
+         bytes.size() - start);
   const auto header = HeaderParser(bytes.substr(start, length), name).parse();
 
   NpyArray array;
@@ -229,7 +235,8 @@ NpyArray parse_npy(std::string_view bytes, const std::string& name) {
   array.shape = header.shape;
   array.data = bytes.substr(start + length);
   if (array.shape.size() > 2)
-    fail(Errc::bad_format, "{}: the array has shape {}; expected at most 2 dimensions", name, shape_text(array.shape));
+    fail(Errc::bad_format, "{}: the array has shape {}; expected at most 2 dimensions", name,
+         shape_text(array.shape));
 
   // The product of the shape may overflow: compare by division.
   const std::size_t found = array.data.size();
@@ -242,14 +249,14 @@ NpyArray parse_npy(std::string_view bytes, const std::string& name) {
   }
   if (empty) expected = 0;
   if (overflow && !empty)
-    fail(Errc::bad_format, "{}: truncated: shape {} needs more than 2^64 bytes, found {}", name, shape_text(array.shape),
-         found);
+    fail(Errc::bad_format, "{}: truncated: shape {} needs more than 2^64 bytes, found {}", name,
+         shape_text(array.shape), found);
   if (found < expected)
     fail(Errc::bad_format, "{}: truncated: expected {} bytes of data for shape {}, found {}", name, expected,
          shape_text(array.shape), found);
   if (found > expected)
-    fail(Errc::bad_format, "{}: expected {} bytes of data for shape {}, found {}", name, expected, shape_text(array.shape),
-         found);
+    fail(Errc::bad_format, "{}: expected {} bytes of data for shape {}, found {}", name, expected,
+         shape_text(array.shape), found);
   return array;
 }
 
@@ -264,8 +271,8 @@ std::vector<double> to_doubles(const NpyArray& array, const std::string& name) {
     using T = decltype(sample);
     return convert_items<T, double>(array, [&](T value, std::size_t i) {
       if (!is_exact(value))
-        fail(Errc::bad_format, "{}: row {}: the integer {} is not exact in double precision", name, i / num_columns(array),
-             value);
+        fail(Errc::bad_format, "{}: row {}: the integer {} is not exact in double precision", name,
+             i / num_columns(array), value);
       return static_cast<double>(value);
     });
   });
@@ -278,8 +285,8 @@ std::vector<SignedIndex> to_indices(const NpyArray& array, const std::string& na
     return convert_items<T, SignedIndex>(array, [&](T value, std::size_t i) {
       const auto narrow = static_cast<SignedIndex>(value);
       if (static_cast<T>(narrow) != value || (narrow < 0) != (value < T{0}))
-        fail(Errc::bad_format, "{}: row {}: {} does not fit the {}-bit indices of this build", name, i / num_columns(array),
-             value, 8 * sizeof(SignedIndex));
+        fail(Errc::bad_format, "{}: row {}: {} does not fit the {}-bit indices of this build", name,
+             i / num_columns(array), value, 8 * sizeof(SignedIndex));
       return narrow;
     });
   });

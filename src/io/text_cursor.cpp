@@ -45,7 +45,8 @@ std::uint64_t TextCursor::count(std::string_view what, std::uint64_t largest) {
   if (text.empty()) fail(Errc::bad_format, "{}: the file ends before {}", place(), what);
   const auto value = to_count(text);
   if (!value) fail(Errc::bad_format, "{}: {} is {}, which is not a count", place(), what, in_quotes(text));
-  if (*value > largest) fail(Errc::bad_format, "{}: {} is {}, more than the {} possible here", place(), what, *value, largest);
+  if (*value > largest)
+    fail(Errc::bad_format, "{}: {} is {}, more than the {} possible here", place(), what, *value, largest);
   return *value;
 }
 

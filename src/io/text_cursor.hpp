@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A position in a text that knows its line: blanks, line ends (LF, CRLF or CR), '#' comments, tokens, numbers. The text
-// formats are written on top of it.
+// A position in a text that knows its line: blanks, line ends (LF, CRLF or CR), '#' comments, tokens,
+// numbers. The text formats are written on top of it.
 #pragma once
 
 #include <fast_float/fast_float.h>
@@ -14,8 +14,9 @@
 
 namespace delone::io {
 
-/// Parses the number that starts at `p`, correctly rounded: the end of it, or nullptr if there is none. Magnitudes beyond
-/// binary64 give an infinity or a zero. An explicit plus sign is accepted, hexadecimal and the like are not.
+/// Parses the number that starts at `p`, correctly rounded: the end of it, or nullptr if there is none.
+/// Magnitudes beyond binary64 give an infinity or a zero. An explicit plus sign is accepted, hexadecimal and
+/// the like are not.
 inline const char* parse_number(const char* p, const char* end, double& value) {
   if (p != end && *p == '+') {
     ++p;
@@ -69,7 +70,8 @@ class TextCursor {
     if (p_ != end_ && *p_ == '#') skip_to_line_end();
     return at_line_end();
   }
-  /// Goes to the next line end, comments and blanks included, until there is content; false at the end of the text.
+  /// Goes to the next line end, comments and blanks included, until there is content; false at the end of the
+  /// text.
   bool find_content() {
     while (skip_to_content()) {
       if (at_end()) return false;
@@ -88,11 +90,13 @@ class TextCursor {
   /// The rest of the line without blanks around it. Does not take the line end.
   std::string_view rest_of_line();
 
-  /// Reads the number at the cursor, which must be followed by a blank, a line end or a comment. `what` names it in errors.
+  /// Reads the number at the cursor, which must be followed by a blank, a line end or a comment. `what` names
+  /// it in errors.
   double number(std::string_view what) {
     double value = 0;
     const char* stop = parse_number(p_, end_, value);
-    if (stop == nullptr || (stop != end_ && !is_blank(*stop) && *stop != '\n' && *stop != '\r' && *stop != '#'))
+    if (stop == nullptr ||
+        (stop != end_ && !is_blank(*stop) && *stop != '\n' && *stop != '\r' && *stop != '#'))
       fail_number(what);
     p_ = stop;
     return value;

@@ -19,7 +19,8 @@ std::string_view little_endian_bytes(std::span<const T> items, std::string& stor
     return native;
   } else {
     storage.resize(native.size());
-    for (std::size_t i = 0; i < native.size(); ++i) storage[i] = native[i - i % sizeof(T) + sizeof(T) - 1 - i % sizeof(T)];
+    for (std::size_t i = 0; i < native.size(); ++i)
+      storage[i] = native[i - i % sizeof(T) + sizeof(T) - 1 - i % sizeof(T)];
     return storage;
   }
 }

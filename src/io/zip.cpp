@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Stored zip archives. See zip.hpp. All fields are little-endian; every offset read is checked before it is followed.
+// Stored zip archives. See zip.hpp. All fields are little-endian; every offset read is checked before it is
+// followed.
 #include "io/zip.hpp"
 
 #include "io/atomic_file.hpp"
@@ -12,11 +13,13 @@ namespace delone::io {
 
 namespace {
 
-constexpr std::uint32_t local_signature = 0x04034b50, central_signature = 0x02014b50, end_signature = 0x06054b50,
-                        end64_signature = 0x06064b50, locator64_signature = 0x07064b50;
+constexpr std::uint32_t local_signature = 0x04034b50, central_signature = 0x02014b50,
+                        end_signature = 0x06054b50, end64_signature = 0x06064b50,
+                        locator64_signature = 0x07064b50;
 constexpr std::size_t local_size = 30, central_size = 46, end_size = 22, end64_size = 56, locator64_size = 20;
 constexpr std::uint16_t plain_version = 20, zip64_version = 45, zip64_extra = 0x0001;
-constexpr std::uint32_t in_zip64 = 0xffffffff;   // the value of a 32-bit field whose true value is in the zip64 extra
+constexpr std::uint32_t in_zip64 =
+    0xffffffff;  // the value of a 32-bit field whose true value is in the zip64 extra
 constexpr std::uint16_t dos_date_1980 = 0x0021;  // fixed: equal content gives equal files
 
 /// Tables of eight bytes at a time ("slicing by 8"): an .npz may hold gigabytes.
@@ -53,7 +56,8 @@ struct Record {
 /// The bytes [at, at + size), or bad_format.
 std::string_view part(std::string_view bytes, std::uint64_t at, std::uint64_t size, const std::string& name) {
   if (at > bytes.size() || size > bytes.size() - at)
-    fail(Errc::bad_format, "{}: damaged or truncated archive: expected {} bytes at offset {}, the file has {}", name, size, at,
+    fail(Errc::bad_format,
+         "{}: damaged or truncated archive: expected {} bytes at offset {}, the file has {}", name, size, at,
          bytes.size());
   return bytes.substr(static_cast<std::size_t>(at), static_cast<std::size_t>(size));
 }
@@ -84,8 +88,8 @@ std::uint32_t crc32(std::string_view bytes, std::uint32_t crc) {
   std::size_t n = bytes.size();
   for (; n >= 8; n -= 8, p += 8) {
     const std::uint32_t low = crc ^ (p[0] | p[1] << 8 | p[2] << 16 | static_cast<std::uint32_t>(p[3]) << 24);
-    crc = t[7][low & 0xff] ^ t[6][low >> 8 & 0xff] ^ t[5][low >> 16 & 0xff] ^ t[4][low >> 24] ^ t[3][p[4]] ^ t[2][p[5]] ^
-          t[1][p[6]] ^ t[0][p[7]];
+    crc = t[7][low & 0xff] ^ t[6][low >> 8 & 0xff] ^ t[5][low >> 16 & 0xff] ^ t[4][low >> 24] ^ t[3][p[4]] ^
+          t[2][p[5]] ^ t[1][p[6]] ^ t[0][p[7]];
   }
   for (; n > 0; --n, ++p) crc = t[0][(crc ^ *p) & 0xff] ^ (crc >> 8);
   return ~crc;
@@ -104,7 +108,12 @@ void ZipWriter::add(const std::string& name, std::string_view head, std::string_
   m.offset = offset_;
   const bool large = m.size >= zip64_from_;
   Record r;
-  r.put(local_signature, 4).put(large ? zip64_version : plain_version, 2).put(0, 2).put(0, 2).put(0, 2).put(dos_date_1980, 2);
+  r.put(local_signature, 4)
+      .put(large ? zip64_version : plain_version, 2)
+      .put(0, 2)
+      .put(0, 2)
+      .put(0, 2)
+      .put(dos_date_1980, 2);
   r.put(m.crc, 4).put(large ? in_zip64 : m.size, 4).put(large ? in_zip64 : m.size, 4);
   r.put(name.size(), 2).put(large ? 20 : 0, 2).bytes += name;
   if (large) r.put(zip64_extra, 2).put(16, 2).put(m.size, 8).put(m.size, 8);
@@ -122,7 +131,13 @@ void ZipWriter::finish() {
     const unsigned extra = 8 * ((large ? 2 : 0) + (far ? 1 : 0));
     const std::uint16_t version = extra != 0 ? zip64_version : plain_version;
     Record r;
-    r.put(central_signature, 4).put(version, 2).put(version, 2).put(0, 2).put(0, 2).put(0, 2).put(dos_date_1980, 2);
+    r.put(central_signature, 4)
+        .put(version, 2)
+        .put(version, 2)
+        .put(0, 2)
+        .put(0, 2)
+        .put(0, 2)
+        .put(dos_date_1980, 2);
     r.put(m.crc, 4).put(large ? in_zip64 : m.size, 4).put(large ? in_zip64 : m.size, 4);
     r.put(m.name.size(), 2).put(extra != 0 ? extra + 4 : 0, 2).put(0, 2).put(0, 2).put(0, 2).put(0, 4);
     r.put(far ? in_zip64 : m.offset, 4).bytes += m.name;
@@ -135,7 +150,12 @@ void ZipWriter::finish() {
   const bool large = start >= zip64_from_ || size >= zip64_from_;
   Record r;
   if (large) {
-    r.put(end64_signature, 4).put(end64_size - 12, 8).put(zip64_version, 2).put(zip64_version, 2).put(0, 4).put(0, 4);
+    r.put(end64_signature, 4)
+        .put(end64_size - 12, 8)
+        .put(zip64_version, 2)
+        .put(zip64_version, 2)
+        .put(0, 4)
+        .put(0, 4);
     r.put(count, 8).put(count, 8).put(size, 8).put(start, 8);
     r.put(locator64_signature, 4).put(0, 4).put(offset_, 8).put(1, 4);
   }
@@ -148,7 +168,8 @@ ZipReader::ZipReader(std::string_view bytes, std::string name) : bytes_(bytes), 
   if (bytes.empty()) fail(Errc::bad_format, "{}: the file is empty", name_);
   // The end record is the last thing in the file but for a comment of at most 65535 bytes.
   const std::string end_mark("PK\x05\x06");
-  const std::size_t at = bytes.size() < end_size ? std::string_view::npos : bytes.rfind(end_mark, bytes.size() - end_size);
+  const std::size_t at =
+      bytes.size() < end_size ? std::string_view::npos : bytes.rfind(end_mark, bytes.size() - end_size);
   if (at == std::string_view::npos || bytes.size() - at > end_size + 0xffff) {
     if (bytes.starts_with("PK")) fail(Errc::bad_format, "{}: truncated archive: it has no directory", name_);
     fail(Errc::bad_format, "{}: not an .npz file (not a zip archive)", name_);
@@ -157,7 +178,8 @@ ZipReader::ZipReader(std::string_view bytes, std::string name) : bytes_(bytes), 
   if (count == 0xffff || size == in_zip64 || start == in_zip64) {
     if (at >= locator64_size && u32(bytes, at - locator64_size) == locator64_signature) {
       const std::string_view end64 = part(bytes, u64(bytes, at - locator64_size + 8), end64_size, name_);
-      if (u32(end64, 0) != end64_signature) fail(Errc::bad_format, "{}: damaged archive: zip64 directory", name_);
+      if (u32(end64, 0) != end64_signature)
+        fail(Errc::bad_format, "{}: damaged archive: zip64 directory", name_);
       count = u64(end64, 32);
       size = u64(end64, 40);
       start = u64(end64, 48);
@@ -166,7 +188,8 @@ ZipReader::ZipReader(std::string_view bytes, std::string name) : bytes_(bytes), 
   std::string_view directory = part(bytes, start, size, name_);
   for (std::uint64_t i = 0; i < count; ++i) {
     const std::string_view fixed = part(directory, 0, central_size, name_);
-    if (u32(fixed, 0) != central_signature) fail(Errc::bad_format, "{}: damaged archive: directory entry {}", name_, i);
+    if (u32(fixed, 0) != central_signature)
+      fail(Errc::bad_format, "{}: damaged archive: directory entry {}", name_, i);
     ZipMember m;
     m.flags = u16(fixed, 8);
     m.method = u16(fixed, 10);
@@ -177,25 +200,32 @@ ZipReader::ZipReader(std::string_view bytes, std::string name) : bytes_(bytes), 
     const std::size_t name_size = u16(fixed, 28), extra_size = u16(fixed, 30), comment_size = u16(fixed, 32);
     m.name = part(directory, central_size, name_size, name_);
     read_zip64_extra(part(directory, central_size + name_size, extra_size, name_), m, name_);
-    directory.remove_prefix(part(directory, 0, central_size + name_size + extra_size + comment_size, name_).size());
+    directory.remove_prefix(
+        part(directory, 0, central_size + name_size + extra_size + comment_size, name_).size());
     members_.push_back(std::move(m));
   }
 }
 
 std::optional<std::string_view> ZipReader::find(std::string_view member) const {
-  const auto found = std::find_if(members_.begin(), members_.end(), [&](const ZipMember& m) { return m.name == member; });
+  const auto found =
+      std::find_if(members_.begin(), members_.end(), [&](const ZipMember& m) { return m.name == member; });
   if (found == members_.end()) return std::nullopt;
   const ZipMember& m = *found;
   if ((m.flags & 1) != 0) fail(Errc::unsupported, "{}: {}: the member is encrypted", name_, member);
   if (m.method != 0)
-    fail(Errc::unsupported,
-         "{}: {}: the member is compressed; write the file with numpy.savez instead of numpy.savez_compressed", name_, member);
-  if (m.compressed_size != m.size) fail(Errc::bad_format, "{}: {}: damaged archive: sizes disagree", name_, member);
+    fail(
+        Errc::unsupported,
+        "{}: {}: the member is compressed; write the file with numpy.savez instead of numpy.savez_compressed",
+        name_, member);
+  if (m.compressed_size != m.size)
+    fail(Errc::bad_format, "{}: {}: damaged archive: sizes disagree", name_, member);
   const std::string_view local = part(bytes_, m.offset, local_size, name_);
-  if (u32(local, 0) != local_signature) fail(Errc::bad_format, "{}: {}: damaged archive: no member there", name_, member);
+  if (u32(local, 0) != local_signature)
+    fail(Errc::bad_format, "{}: {}: damaged archive: no member there", name_, member);
   const std::uint64_t start = m.offset + local_size + u16(local, 26) + u16(local, 28);
   const std::string_view content = part(bytes_, start, m.size, name_);
-  if (crc32(content) != m.crc) fail(Errc::bad_format, "{}: {}: damaged archive: the checksum is wrong", name_, member);
+  if (crc32(content) != m.crc)
+    fail(Errc::bad_format, "{}: {}: damaged archive: the checksum is wrong", name_, member);
   return content;
 }
 

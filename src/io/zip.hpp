@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Zip archives of stored (uncompressed) members, which is what an .npz is; zip64 where a size or an offset needs it.
-// Reference: PKWARE, APPNOTE.TXT, version 6.3.
+// Zip archives of stored (uncompressed) members, which is what an .npz is; zip64 where a size or an offset
+// needs it. Reference: PKWARE, APPNOTE.TXT, version 6.3.
 #pragma once
 
 #include <cstddef>
@@ -27,8 +27,10 @@ struct ZipMember {
 
 class ZipWriter {
  public:
-  /// Values from `zip64_from` on are written in zip64 form; the default is the first that the 32-bit fields cannot hold.
-  explicit ZipWriter(AtomicFile& file, std::uint64_t zip64_from = 0xffffffffu) : file_(file), zip64_from_(zip64_from) {}
+  /// Values from `zip64_from` on are written in zip64 form; the default is the first that the 32-bit fields
+  /// cannot hold.
+  explicit ZipWriter(AtomicFile& file, std::uint64_t zip64_from = 0xffffffffu)
+      : file_(file), zip64_from_(zip64_from) {}
 
   /// Adds a member whose content is `head` followed by `body`.
   void add(const std::string& name, std::string_view head, std::string_view body);
@@ -50,8 +52,8 @@ class ZipReader {
   ZipReader(std::string_view bytes, std::string name);
 
   const std::vector<ZipMember>& members() const { return members_; }
-  /// The content of a member, its checksum verified; nothing if there is no such member. Throws bad_format, or unsupported
-  /// for compressed and encrypted members.
+  /// The content of a member, its checksum verified; nothing if there is no such member. Throws bad_format,
+  /// or unsupported for compressed and encrypted members.
   std::optional<std::string_view> find(std::string_view member) const;
 
  private:

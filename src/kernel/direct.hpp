@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Stage `direct_`: orientation and sphere determinants in floating point, translated to a point, and determinants of
-// homogeneous rows, with a certified bound; and the proof of exact zeros for numbers on a coarse grid. Up to 6 columns the
-// determinant is expanded in a table of minors, as it is; beyond, it is scaled and eliminated. What binary64 leaves open is
-// asked of numbers of twice its precision.
+// Stage `direct_`: orientation and sphere determinants in floating point, translated to a point, and
+// determinants of homogeneous rows, with a certified bound; and the proof of exact zeros for numbers on a
+// coarse grid. Up to 6 columns the determinant is expanded in a table of minors, as it is; beyond, it is
+// scaled and eliminated. What binary64 leaves open is asked of numbers of twice its precision.
 #pragma once
 
 #include "kernel/determinant.hpp"
@@ -26,7 +26,8 @@ namespace delone::kernel {
 
 namespace detail {
 
-/// 2^e, or 0 or infinity where that is below or above the normal doubles. (std::ldexp is a call, and this is a hot path.)
+/// 2^e, or 0 or infinity where that is below or above the normal doubles. (std::ldexp is a call, and this is
+/// a hot path.)
 inline double power_of_two(std::int64_t e) {
   if (e < -1022) return 0;
   if (e > 1023) return std::numeric_limits<double>::infinity();
@@ -51,7 +52,8 @@ inline int upper_exponent(double x) {
   return biased != 0 ? biased - 1022 : -1010 - std::countl_zero(bits << 1 >> 1);
 }
 
-/// The sign of a value that is off by at most `error`, where the exact one is an integer multiple of grid_unit.
+/// The sign of a value that is off by at most `error`, where the exact one is an integer multiple of
+/// grid_unit.
 inline std::optional<Sign> certified_sign(double value, double error, double grid_unit) {
   if (std::fabs(value) > error) return value > 0 ? Sign::positive : Sign::negative;
   if (std::fabs(value) + error < grid_unit) return Sign::zero;
@@ -61,23 +63,25 @@ inline std::optional<Sign> certified_sign(const CertifiedDeterminant& det, doubl
   return certified_sign(det.value, det.error, grid_unit);
 }
 
-/// The sign of the determinant of N rows of N entries. REQUIRES that all minors and partial sums are exact in binary64.
+/// The sign of the determinant of N rows of N entries. REQUIRES that all minors and partial sums are exact in
+/// binary64.
 template <int N>
 Sign sign_by_exact_minors(const double* a) {
   const double det = determinant_by_minors<N>(a);
   return det > 0 ? Sign::positive : det < 0 ? Sign::negative : Sign::zero;
 }
 
-/// Unscaled differences up to this, and lifts up to its square, overflow in no determinant, and all that underflows there is
-/// below `unscaled_underflow` (docs/predicates.md, "By minors").
+/// Unscaled differences up to this, and lifts up to its square, overflow in no determinant, and all that
+/// underflows there is below `unscaled_underflow` (docs/predicates.md, "By minors").
 inline constexpr double moderate = 0x1p60;
 inline constexpr double unscaled_underflow = 0x1p-700;
 
-/// The sign of the determinant of N rows of which every term meets `roundings` roundings before the minors are expanded.
-/// `last_parts[i]`: the magnitudes of what the last entry of row i is made of. `unit_exponent` returns the exponent of the grid
-/// that the determinant is on.
+/// The sign of the determinant of N rows of which every term meets `roundings` roundings before the minors
+/// are expanded. `last_parts[i]`: the magnitudes of what the last entry of row i is made of. `unit_exponent`
+/// returns the exponent of the grid that the determinant is on.
 template <int N, class UnitExponent>
-std::optional<Sign> sign_by_minors(const double* a, const double* last_parts, double roundings, UnitExponent unit_exponent) {
+std::optional<Sign> sign_by_minors(const double* a, const double* last_parts, double roundings,
+                                   UnitExponent unit_exponent) {
   Magnitude parts[N * N];
   for (int i = 0; i < N; ++i) {
     for (int r = 0; r + 1 < N; ++r) parts[i * N + r].value = std::fabs(a[i * N + r]);
@@ -92,7 +96,8 @@ std::optional<Sign> sign_by_minors(const double* a, const double* last_parts, do
 
 /// direct_orientation by minors, without scaling.
 template <int K>
-std::optional<Sign> orientation_by_minors(const Flat& flat, const double* const* points, const double* base, const Grid& grid) {
+std::optional<Sign> orientation_by_minors(const Flat& flat, const double* const* points, const double* base,
+                                          const Grid& grid) {
   double a[K * K];
   for (int i = 0; i < K; ++i)
     for (int r = 0; r < K; ++r) {
@@ -114,7 +119,8 @@ std::optional<Sign> orientation_by_minors(const Flat& flat, const double* const*
 
 /// direct_sphere, likewise.
 template <int K>
-std::optional<Sign> sphere_by_minors(const Flat& flat, const double* const* points, const double* q, const Grid& grid) {
+std::optional<Sign> sphere_by_minors(const Flat& flat, const double* const* points, const double* q,
+                                     const Grid& grid) {
   constexpr int N = K + 1;
   double a[N * N], lift_parts[N];  // |p_i − q|² + |w_i − w_q|
   for (int i = 0; i < N; ++i) {
@@ -153,8 +159,8 @@ std::optional<Sign> sphere_by_minors(const Flat& flat, const double* const* poin
 
 /// direct_orientation by scaled elimination.
 template <int K>
-std::optional<Sign> orientation_by_elimination(const Flat& flat, const double* const* points, const double* base,
-                                               const Grid& grid) {
+std::optional<Sign> orientation_by_elimination(const Flat& flat, const double* const* points,
+                                               const double* base, const Grid& grid) {
   const int k = K > 0 ? K : flat.dimension();
   Buffer<double, K * K> a(static_cast<std::size_t>(k) * static_cast<std::size_t>(k));
   Buffer<int, K> row_of(static_cast<std::size_t>(k));
@@ -179,7 +185,8 @@ std::optional<Sign> orientation_by_elimination(const Flat& flat, const double* c
 
 /// direct_sphere, likewise.
 template <int K>
-std::optional<Sign> sphere_by_elimination(const Flat& flat, const double* const* points, const double* q, const Grid& grid) {
+std::optional<Sign> sphere_by_elimination(const Flat& flat, const double* const* points, const double* q,
+                                          const Grid& grid) {
   constexpr int N = K > 0 ? K + 1 : 0;
   const int k = K > 0 ? K : flat.dimension();
   const int n = k + 1;
@@ -206,7 +213,8 @@ std::optional<Sign> sphere_by_elimination(const Flat& flat, const double* const*
   auto [common_scale, common_exponent] = normalisation(largest_of_all);
   if (flat.weighted()) {
     double largest = 0;
-    for (int i = 0; i < n; ++i) largest = std::max(largest, std::fabs(points[i][flat.ambient] - q[flat.ambient]));
+    for (int i = 0; i < n; ++i)
+      largest = std::max(largest, std::fabs(points[i][flat.ambient] - q[flat.ambient]));
     if (largest == 0 && largest_of_all == 0) return Sign::zero;  // only for k = 0
     if (!(largest < 1e300)) return std::nullopt;
     if (largest > 0) {  // squares of differences and weights are scaled alike, all to at most 1
@@ -230,7 +238,8 @@ std::optional<Sign> sphere_by_elimination(const Flat& flat, const double* const*
     }
     a[static_cast<std::size_t>(i * n + k)] = lift;
   }
-  Buffer<double, N> lift_parts(static_cast<std::size_t>(flat.weighted() ? n : 0));  // |p_i − q|² + |w_i − w_q|, scaled
+  Buffer<double, N> lift_parts(
+      static_cast<std::size_t>(flat.weighted() ? n : 0));  // |p_i − q|² + |w_i − w_q|, scaled
   if (flat.weighted())
     for (int i = 0; i < n; ++i) {
       const double weight = (points[i][flat.ambient] - q[flat.ambient]) * common_scale * common_scale;
@@ -240,7 +249,8 @@ std::optional<Sign> sphere_by_elimination(const Flat& flat, const double* const*
     }
   for (int r = 0; r < k; ++r) {
     double largest = 0;
-    for (int i = 0; i < n; ++i) largest = std::max(largest, std::fabs(a[static_cast<std::size_t>(i * n + r)]));
+    for (int i = 0; i < n; ++i)
+      largest = std::max(largest, std::fabs(a[static_cast<std::size_t>(i * n + r)]));
     const auto [scale, exponent] = normalisation(largest);
     for (int i = 0; i < n; ++i) a[static_cast<std::size_t>(i * n + r)] *= scale;
     unit_exponent += grid.exponent(flat.axes[static_cast<std::size_t>(r)]) - exponent;
@@ -249,11 +259,13 @@ std::optional<Sign> sphere_by_elimination(const Flat& flat, const double* const*
   // Differences are rounded once; a lift is a sum of `ambient` squares of rounded differences.
   double relative_error = 1.01 * (flat.ambient + 3) * unit_roundoff;
   if (flat.weighted()) {
-    // A weight may cancel most of the squares: a lift is off relative to its parts, by how much they exceed the whole column.
+    // A weight may cancel most of the squares: a lift is off relative to its parts, by how much they exceed
+    // the whole column.
     double cancellation = 1;
     for (int i = 0; i < n; ++i) {
       double largest = 0;
-      for (int r = 0; r < n; ++r) largest = std::max(largest, std::fabs(a[static_cast<std::size_t>(i * n + r)]));
+      for (int r = 0; r < n; ++r)
+        largest = std::max(largest, std::fabs(a[static_cast<std::size_t>(i * n + r)]));
       cancellation = std::max(cancellation, lift_parts[static_cast<std::size_t>(i)] / largest);
     }
     relative_error = 1.01 * (flat.ambient + 4) * unit_roundoff * cancellation;
@@ -264,10 +276,11 @@ std::optional<Sign> sphere_by_elimination(const Flat& flat, const double* const*
 
 }  // namespace detail
 
-/// The sign of det(p_i − base), i < k, over the axes of the flat; nullopt when floating point cannot tell. K is k, or 0 for run
-/// time.
+/// The sign of det(p_i − base), i < k, over the axes of the flat; nullopt when floating point cannot tell. K
+/// is k, or 0 for run time.
 template <int K>
-std::optional<Sign> direct_orientation(const Flat& flat, const double* const* points, const double* base, const Grid& grid) {
+std::optional<Sign> direct_orientation(const Flat& flat, const double* const* points, const double* base,
+                                       const Grid& grid) {
   std::optional<Sign> sign;
   if constexpr (tabulates_minors<K>)
     sign = detail::orientation_by_minors<K>(flat, points, base, grid);
@@ -276,10 +289,11 @@ std::optional<Sign> direct_orientation(const Flat& flat, const double* const* po
   return sign ? sign : double_double_orientation(flat, points, base, grid);
 }
 
-/// The sign of det(p_i − q, |p_i − q|² − w_i + w_q), i = 0 … k, all weights 0 for points without; nullopt when floating point
-/// cannot tell. Weighted points may have k = 0.
+/// The sign of det(p_i − q, |p_i − q|² − w_i + w_q), i = 0 … k, all weights 0 for points without; nullopt
+/// when floating point cannot tell. Weighted points may have k = 0.
 template <int K>
-std::optional<Sign> direct_sphere(const Flat& flat, const double* const* points, const double* q, const Grid& grid) {
+std::optional<Sign> direct_sphere(const Flat& flat, const double* const* points, const double* q,
+                                  const Grid& grid) {
   std::optional<Sign> sign;
   if constexpr (tabulates_minors<K + (K > 0)>)
     sign = detail::sphere_by_minors<K>(flat, points, q, grid);
@@ -288,8 +302,9 @@ std::optional<Sign> direct_sphere(const Flat& flat, const double* const* points,
   return sign ? sign : double_double_sphere(flat, points, q, grid);
 }
 
-/// The sign of the determinant of N rows of `row_size` doubles, restricted to N columns `axes`; nullopt when binary64 cannot
-/// tell. N = 0: chosen at run time. Rows and columns are scaled by powers of two, so that rays of any length will do.
+/// The sign of the determinant of N rows of `row_size` doubles, restricted to N columns `axes`; nullopt when
+/// binary64 cannot tell. N = 0: chosen at run time. Rows and columns are scaled by powers of two, so that
+/// rays of any length will do.
 template <int N>
 std::optional<Sign> direct_determinant(std::span<const int> axes, const double* const* rows) {
   const int n = N > 0 ? N : static_cast<int>(axes.size());
@@ -321,10 +336,12 @@ std::optional<Sign> direct_determinant(std::span<const int> axes, const double* 
   }
   for (int i = 0; i < n; ++i)
     for (int c = 0; c < n; ++c) {
-      const int shift = -(row_exponent[static_cast<std::size_t>(i)] + column_exponent[static_cast<std::size_t>(c)]);
+      const int shift =
+          -(row_exponent[static_cast<std::size_t>(i)] + column_exponent[static_cast<std::size_t>(c)]);
       const double x = rows[i][axes[static_cast<std::size_t>(c)]];
       // At most 1 in magnitude, and exact but for underflow.
-      a[static_cast<std::size_t>(i * n + c)] = std::abs(shift) <= 1000 ? x * detail::power_of_two(shift) : std::ldexp(x, shift);
+      a[static_cast<std::size_t>(i * n + c)] =
+          std::abs(shift) <= 1000 ? x * detail::power_of_two(shift) : std::ldexp(x, shift);
     }
   const CertifiedDeterminant det = factor<N>(a.data(), n, n, {}, row_of.data());
   return detail::certified_sign(det, detail::power_of_two(unit_exponent));
@@ -338,8 +355,10 @@ inline std::optional<Sign> direct_affine_form(const double* row, const double* p
     sum += term;
     parts += std::fabs(term);
   }
-  // Each term meets at most d + 1 roundings (Higham 2002, §3.1), each product one underflow of at most 2⁻¹⁰⁷⁵.
-  const double error = 1.01 * (dimension + 2) * unit_roundoff * parts + dimension * std::numeric_limits<double>::denorm_min();
+  // Each term meets at most d + 1 roundings (Higham 2002, §3.1), each product one underflow of at most
+  // 2⁻¹⁰⁷⁵.
+  const double error =
+      1.01 * (dimension + 2) * unit_roundoff * parts + dimension * std::numeric_limits<double>::denorm_min();
   if (std::fabs(sum) > bound_slack * error) return sum > 0 ? Sign::positive : Sign::negative;
   return std::nullopt;
 }

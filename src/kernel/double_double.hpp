@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Numbers of twice the precision of binary64: the unevaluated sum of a double and the rest, with bounds that are proved in
-// docs/predicates.md, "Double-double". Needs no fused multiply-add.
+// Numbers of twice the precision of binary64: the unevaluated sum of a double and the rest, with bounds that
+// are proved in docs/predicates.md, "Double-double". Needs no fused multiply-add.
 #pragma once
 
 namespace delone::kernel {

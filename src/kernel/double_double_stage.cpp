@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Differences of coordinates and weights are pairs without error; lifts and minors are rounded to pairs. Every term of the
-// determinant is off by a few 2^−103 of itself, the determinant thus by as much of the permanent of the magnitudes
-// (docs/predicates.md, "Double-double"). Coordinates are scaled by powers of two, each axis to at most 1, lifts alike.
+// Differences of coordinates and weights are pairs without error; lifts and minors are rounded to pairs.
+// Every term of the determinant is off by a few 2^−103 of itself, the determinant thus by as much of the
+// permanent of the magnitudes (docs/predicates.md, "Double-double"). Coordinates are scaled by powers of two,
+// each axis to at most 1, lifts alike.
 #include "kernel/double_double_stage.hpp"
 
 #include "base/compiled_dimension.hpp"
@@ -65,8 +66,8 @@ std::optional<Sign> sign_by_minors(const Rows& rows, double roundings, double gr
 /// The same for a grid of 2^unit_exponent.
 std::optional<Sign> sign_of(const Rows& rows, double roundings, std::int64_t unit_exponent) {
   const double grid_unit = detail::power_of_two(unit_exponent);
-  return internal::with_compiled_dimension<1, 6>(rows.n,
-                                                 [&](auto n) { return sign_by_minors<n()>(rows, roundings, grid_unit); });
+  return internal::with_compiled_dimension<1, 6>(
+      rows.n, [&](auto n) { return sign_by_minors<n()>(rows, roundings, grid_unit); });
 }
 
 /// The largest |p_i − base| along an axis.
@@ -77,16 +78,18 @@ double extent(std::size_t n, int axis, const double* const* points, const double
 }
 
 /// Fills column r with p_i − base, scaled by 2^−e to at most 1; returns e.
-int fill(Rows& rows, std::size_t r, int axis, const double* const* points, const double* base, double largest) {
+int fill(Rows& rows, std::size_t r, int axis, const double* const* points, const double* base,
+         double largest) {
   const auto [scale, exponent] = detail::normalisation(largest);
-  for (std::size_t i = 0; i < rows.n; ++i) rows.set(i, r, scaled(difference(points[i][axis], base[axis]), scale));
+  for (std::size_t i = 0; i < rows.n; ++i)
+    rows.set(i, r, scaled(difference(points[i][axis], base[axis]), scale));
   return exponent;
 }
 
 }  // namespace
 
-std::optional<Sign> double_double_orientation(const Flat& flat, const double* const* points, const double* base,
-                                              const Grid& grid) {
+std::optional<Sign> double_double_orientation(const Flat& flat, const double* const* points,
+                                              const double* base, const Grid& grid) {
   Rows rows(flat.axes.size());
   if (rows.n == 0 || rows.n > most_columns) return std::nullopt;
   std::int64_t unit_exponent = 0;
@@ -100,7 +103,8 @@ std::optional<Sign> double_double_orientation(const Flat& flat, const double* co
   return sign_of(rows, 0, unit_exponent);
 }
 
-std::optional<Sign> double_double_sphere(const Flat& flat, const double* const* points, const double* q, const Grid& grid) {
+std::optional<Sign> double_double_sphere(const Flat& flat, const double* const* points, const double* q,
+                                         const Grid& grid) {
   const std::size_t k = flat.axes.size();
   Rows rows(k + 1);
   if (rows.n > most_columns) return std::nullopt;
@@ -119,7 +123,8 @@ std::optional<Sign> double_double_sphere(const Flat& flat, const double* const* 
   // Squares of differences and weights are scaled alike, all to at most 1.
   int exponent = -1000;
   if (largest > 0) exponent = detail::normalisation(largest).exponent;
-  if (largest_weight > 0) exponent = std::max(exponent, (detail::normalisation(largest_weight).exponent + 1) >> 1);
+  if (largest_weight > 0)
+    exponent = std::max(exponent, (detail::normalisation(largest_weight).exponent + 1) >> 1);
   const double scale = detail::power_of_two(-exponent);
   for (std::size_t i = 0; i < rows.n; ++i) {
     DoubleDouble lift{};
@@ -129,7 +134,8 @@ std::optional<Sign> double_double_sphere(const Flat& flat, const double* const* 
     }
     rows.set(i, k, lift);
     if (!flat.weighted()) continue;
-    const DoubleDouble weight = scaled(scaled(difference(points[i][flat.ambient], q[flat.ambient]), scale), scale);
+    const DoubleDouble weight =
+        scaled(scaled(difference(points[i][flat.ambient], q[flat.ambient]), scale), scale);
     rows.entries[i * rows.n + k] = lift - weight;
     rows.parts[i * rows.n + k].value += std::fabs(weight.high);
   }

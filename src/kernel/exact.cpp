@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Every finite double is an integer multiple of a power of two. A column of a determinant may be scaled by any positive
-// factor, so each coordinate gets the coarsest grid that its values lie on, and the entries become integers. Their number of
-// bits bounds the determinant, and the narrowest integer type that holds every minor is chosen: 64 and 128 bits for lattices,
-// 512 and 1024 bits for most doubles, unbounded integers for the rest.
+// Every finite double is an integer multiple of a power of two. A column of a determinant may be scaled by
+// any positive factor, so each coordinate gets the coarsest grid that its values lie on, and the entries
+// become integers. Their number of bits bounds the determinant, and the narrowest integer type that holds
+// every minor is chosen: 64 and 128 bits for lattices, 512 and 1024 bits for most doubles, unbounded integers
+// for the rest.
 #include "kernel/exact.hpp"
 
 #include "kernel/binary.hpp"
@@ -23,7 +24,8 @@ namespace {
 
 namespace mp = boost::multiprecision;
 template <unsigned Bits>
-using FixedInteger = mp::number<mp::cpp_int_backend<Bits, Bits, mp::signed_magnitude, mp::unchecked, void>, mp::et_off>;
+using FixedInteger =
+    mp::number<mp::cpp_int_backend<Bits, Bits, mp::signed_magnitude, mp::unchecked, void>, mp::et_off>;
 using BigInteger = mp::number<mp::cpp_int_backend<>, mp::et_off>;
 
 /// x·2^−grid as an integer. REQUIRES x on that grid, and that Integer holds the result.
@@ -32,7 +34,8 @@ Integer to_integer(double x, int grid) {
   if (x == 0) return Integer(0);
   const Binary binary = decompose(x);
   const int shift = binary.exponent - grid;
-  if (shift <= 0) return Integer(binary.mantissa >> -shift);  // exact: x lies on the grid, so the bits shifted out are zero
+  if (shift <= 0)
+    return Integer(binary.mantissa >> -shift);  // exact: x lies on the grid, so the bits shifted out are zero
   return Integer(binary.mantissa) * (Integer(1) << shift);
 }
 
@@ -41,7 +44,8 @@ Sign sign_of(const Integer& x) {
   return x > 0 ? Sign::positive : x < 0 ? Sign::negative : Sign::zero;
 }
 
-/// Laplace expansion over all minors of the first rows: n·2^(n−1) products of a minor and an entry, no division.
+/// Laplace expansion over all minors of the first rows: n·2^(n−1) products of a minor and an entry, no
+/// division.
 template <class Integer>
 Sign sign_by_minors(const std::vector<Integer>& a, int n) {
   std::vector<Integer> minors(std::size_t{1} << n, Integer(0));
@@ -65,7 +69,8 @@ Sign sign_by_minors(const std::vector<Integer>& a, int n) {
   return sign_of(minors.back());
 }
 
-/// Fraction-free elimination (Bareiss 1968, doi:10.1090/S0025-5718-1968-0226829-0): every intermediate value is a minor.
+/// Fraction-free elimination (Bareiss 1968, doi:10.1090/S0025-5718-1968-0226829-0): every intermediate value
+/// is a minor.
 template <class Integer>
 Sign sign_by_elimination(std::vector<Integer> a, int n) {
   const auto at = [&](int r, int c) -> Integer& { return a[static_cast<std::size_t>(r * n + c)]; };
@@ -87,8 +92,8 @@ Sign sign_by_elimination(std::vector<Integer> a, int n) {
   return negate ? -sign : sign;
 }
 
-/// One determinant: rows p_i − base, columns the axes of the flat and, for a sphere, the squared length less the difference of
-/// the weights. Without a base, the rows are as given.
+/// One determinant: rows p_i − base, columns the axes of the flat and, for a sphere, the squared length less
+/// the difference of the weights. Without a base, the rows are as given.
 class Problem {
  public:
   Problem(const Flat& flat, const double* const* points, const double* base, bool with_lift)
@@ -120,8 +125,8 @@ class Problem {
  private:
   double base(std::size_t j) const { return base_ == nullptr ? 0.0 : base_[j]; }
 
-  /// A grid that entry j of all rows and of the base lies on, and the bits of the differences in its units: none, 0 bits, if
-  /// all are zero.
+  /// A grid that entry j of all rows and of the base lies on, and the bits of the differences in its units:
+  /// none, 0 bits, if all are zero.
   struct Extent {
     int grid = std::numeric_limits<int>::max();
     int bits = 0;
@@ -144,7 +149,8 @@ class Problem {
     return all_equal ? Extent{} : Extent{grid, top + 1 - grid};
   }
 
-  /// The grid of each axis, and the bits of the determinant's entries: a sum over the columns of the bits of the largest.
+  /// The grid of each axis, and the bits of the determinant's entries: a sum over the columns of the bits of
+  /// the largest.
   void measure() {
     const auto ambient = static_cast<std::size_t>(flat_.ambient);
     grid_.resize(ambient);
@@ -172,7 +178,8 @@ class Problem {
     entry_bits_ += lift_bits_;
   }
 
-  /// Squares are integers of lift_bits_ bits on lift_grid_; a difference with weights lies on the finer of the two grids.
+  /// Squares are integers of lift_bits_ bits on lift_grid_; a difference with weights lies on the finer of
+  /// the two grids.
   void measure_weights() {
     const Extent weights = extent(static_cast<std::size_t>(flat_.ambient));
     weight_grid_ = weights.grid;
@@ -183,7 +190,8 @@ class Problem {
     lift_grid_ = finer;
   }
 
-  /// The matrix, row by row. Differences of coordinates and their squares are taken in the narrowest type that holds them.
+  /// The matrix, row by row. Differences of coordinates and their squares are taken in the narrowest type
+  /// that holds them.
   template <class Integer>
   std::vector<Integer> entries() const {
     if (lift_bits_ <= 126) return entries_from<Integer, Int128, Int128>();
@@ -197,18 +205,21 @@ class Problem {
     std::vector<Integer> a(n * n);
     for (std::size_t i = 0; i < n; ++i) {
       for (std::size_t r = 0; r < flat_.axes.size(); ++r)
-        a[i * n + r] = static_cast<Integer>(difference<Difference>(i, static_cast<std::size_t>(flat_.axes[r])));
+        a[i * n + r] =
+            static_cast<Integer>(difference<Difference>(i, static_cast<std::size_t>(flat_.axes[r])));
       if (!with_lift_) continue;
       Lift lift(0);
       for (std::size_t axis = 0; axis < grid_.size(); ++axis) {
         if (points_[i][axis] == base_[axis]) continue;
-        const Lift d = static_cast<Lift>(difference<Difference>(i, axis)) * (Lift(1) << (grid_[axis] - finest_));
+        const Lift d =
+            static_cast<Lift>(difference<Difference>(i, axis)) * (Lift(1) << (grid_[axis] - finest_));
         lift += d * d;
       }
       if (widest_ > 0 && lift_grid_ < 2 * finest_) lift *= Lift(1) << (2 * finest_ - lift_grid_);
       const auto weight = static_cast<std::size_t>(flat_.ambient);
       if (flat_.weighted() && points_[i][weight] != base_[weight])
-        lift -= (to_integer<Lift>(points_[i][weight], weight_grid_) - to_integer<Lift>(base_[weight], weight_grid_)) *
+        lift -= (to_integer<Lift>(points_[i][weight], weight_grid_) -
+                 to_integer<Lift>(base_[weight], weight_grid_)) *
                 (Lift(1) << (weight_grid_ - lift_grid_));
       a[i * n + n - 1] = static_cast<Integer>(lift);
     }
@@ -258,7 +269,8 @@ Sign exact_affine_form(const double* row, const double* p, int dimension) {
     if (!is_zero) grid = std::min(grid, exponent);
   };
   include(decompose(row[dimension]).exponent, row[dimension] == 0);
-  for (int j = 0; j < dimension; ++j) include(decompose(row[j]).exponent + decompose(p[j]).exponent, row[j] == 0 || p[j] == 0);
+  for (int j = 0; j < dimension; ++j)
+    include(decompose(row[j]).exponent + decompose(p[j]).exponent, row[j] == 0 || p[j] == 0);
   BigInteger sum(0);
   const auto add = [&](const BigInteger& mantissa, int exponent) {
     if (mantissa != 0) sum += mantissa << (exponent - grid);

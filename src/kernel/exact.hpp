@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Stage `exact_`: determinants and dot products in integer arithmetic, for all finite doubles. Never uncertain.
+// Stage `exact_`: determinants and dot products in integer arithmetic, for all finite doubles. Never
+// uncertain.
 #pragma once
 
 #include "kernel/flat.hpp"

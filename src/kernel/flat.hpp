@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Which numbers a predicate looks at: what the rows of the input are, and which of their entries enter a determinant.
+// Which numbers a predicate looks at: what the rows of the input are, and which of their entries enter a
+// determinant.
 #pragma once
 
 #include <span>
@@ -14,10 +15,10 @@ enum class RowForm {
   homogeneous,     ///< `ambient` entries; positive multiples are the same ray, the zero row is none
 };
 
-/// Points of R^ambient whose affine hull projects one-to-one on the coordinate axes `axes` (k of them, increasing).
-/// Orientations are taken after that projection; squared lengths |x|² use all `ambient` coordinates, so that spheres are
-/// those of the flat. In full dimension `axes` is 0 … ambient−1.
-/// Homogeneous rows: their linear hull, of dimension k+1, projects one-to-one on k+1 entries `axes`.
+/// Points of R^ambient whose affine hull projects one-to-one on the coordinate axes `axes` (k of them,
+/// increasing). Orientations are taken after that projection; squared lengths |x|² use all `ambient`
+/// coordinates, so that spheres are those of the flat. In full dimension `axes` is 0 … ambient−1. Homogeneous
+/// rows: their linear hull, of dimension k+1, projects one-to-one on k+1 entries `axes`.
 struct Flat {
   int ambient = 0;
   std::span<const int> axes;

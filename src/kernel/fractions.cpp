@@ -25,7 +25,8 @@ double nearest_double(Integer numerator, Integer denominator, int exponent) {
   const bool negative = (numerator < 0) != (denominator < 0);
   numerator = mp::abs(numerator);
   denominator = mp::abs(denominator);
-  // A quotient of 64 to 66 bits, its last bit set if anything was cut off: enough to round to at most 53 bits.
+  // A quotient of 64 to 66 bits, its last bit set if anything was cut off: enough to round to at most 53
+  // bits.
   const int shift = 65 - (static_cast<int>(mp::msb(numerator)) - static_cast<int>(mp::msb(denominator)));
   if (shift >= 0)
     numerator <<= shift;
@@ -66,8 +67,8 @@ Integer determinant(std::vector<Integer> a, std::size_t n) {
 }
 
 Fractions solve_exactly(std::vector<Integer> augmented, std::size_t n) {
-  // Fraction-free Gauss–Jordan: after step s every entry is a minor, so the divisions are exact; at the end the matrix is
-  // diagonal with the determinant in every place.
+  // Fraction-free Gauss–Jordan: after step s every entry is a minor, so the divisions are exact; at the end
+  // the matrix is diagonal with the determinant in every place.
   const std::size_t width = n + 1;
   auto& a = augmented;
   Integer previous(1);
@@ -83,7 +84,8 @@ Fractions solve_exactly(std::vector<Integer> augmented, std::size_t n) {
     for (std::size_t r = 0; r < n; ++r) {
       if (r == s) continue;
       const Integer factor = a[r * width + s];
-      for (std::size_t c = s; c < width; ++c) a[r * width + c] = (a[r * width + c] * p - factor * a[s * width + c]) / previous;
+      for (std::size_t c = s; c < width; ++c)
+        a[r * width + c] = (a[r * width + c] * p - factor * a[s * width + c]) / previous;
       if (r < s) a[r * width + r] = p;
     }
     previous = p;

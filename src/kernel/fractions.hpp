@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Integers and fractions without error, for what the certified binary64 paths of the Voronoi diagram leave open: doubles as
-// multiples of a power of two, determinants, linear systems, and fractions rounded correctly.
+// Integers and fractions without error, for what the certified binary64 paths of the Voronoi diagram leave
+// open: doubles as multiples of a power of two, determinants, linear systems, and fractions rounded
+// correctly.
 #pragma once
 
 #include <boost/multiprecision/cpp_int.hpp>
@@ -10,20 +11,22 @@
 
 namespace delone::kernel {
 
-using Integer = boost::multiprecision::number<boost::multiprecision::cpp_int_backend<>, boost::multiprecision::et_off>;
+using Integer =
+    boost::multiprecision::number<boost::multiprecision::cpp_int_backend<>, boost::multiprecision::et_off>;
 
 /// x·2^−grid. REQUIRES a finite x that is a multiple of 2^grid.
 Integer scaled_integer(double x, int grid);
 
-/// The double nearest to numerator/denominator·2^exponent, ties to even; ±infinity beyond the largest double, never −0.
-/// REQUIRES denominator ≠ 0.
+/// The double nearest to numerator/denominator·2^exponent, ties to even; ±infinity beyond the largest double,
+/// never −0. REQUIRES denominator ≠ 0.
 double nearest_double(Integer numerator, Integer denominator, int exponent);
 
 /// The determinant of an n×n matrix, row by row, by fraction-free elimination (Bareiss 1968,
 /// doi:10.1090/S0025-5718-1968-0226829-0).
 Integer determinant(std::vector<Integer> a, std::size_t n);
 
-/// The solution of A·x = b as x[j] = numerators[j]/denominator; `augmented` holds n rows of A and b. REQUIRES det A ≠ 0.
+/// The solution of A·x = b as x[j] = numerators[j]/denominator; `augmented` holds n rows of A and b. REQUIRES
+/// det A ≠ 0.
 struct Fractions {
   std::vector<Integer> numerators;
   Integer denominator;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The power-of-two grid that coordinates lie on: what lets a determinant in binary64 be proved to be exactly zero.
+// The power-of-two grid that coordinates lie on: what lets a determinant in binary64 be proved to be exactly
+// zero.
 #pragma once
 
 #include <algorithm>
@@ -11,7 +12,8 @@
 
 namespace delone::kernel {
 
-/// The exponent of the lowest set bit of a finite x: x is an odd multiple of 2^trailing_exponent(x). For 0: a huge value.
+/// The exponent of the lowest set bit of a finite x: x is an odd multiple of 2^trailing_exponent(x). For 0: a
+/// huge value.
 inline int trailing_exponent(double x) {
   const auto bits = std::bit_cast<std::uint64_t>(x);
   const std::uint64_t fraction = bits & ((std::uint64_t{1} << 52) - 1);
@@ -20,11 +22,13 @@ inline int trailing_exponent(double x) {
   return (fraction == 0 ? 52 : std::countr_zero(fraction)) + biased - 1075;
 }
 
-/// What a growing set of points is known to lie on: for each coordinate axis the finest exponent seen, so that every coordinate
-/// is an integer multiple of 2^exponent(axis), and the range of the axis. The same for weights, if points have weights.
+/// What a growing set of points is known to lie on: for each coordinate axis the finest exponent seen, so
+/// that every coordinate is an integer multiple of 2^exponent(axis), and the range of the axis. The same for
+/// weights, if points have weights.
 class Grid {
  public:
-  explicit Grid(int ambient, bool weighted = false) : axes_(static_cast<std::size_t>(ambient)), weighted_(weighted) {}
+  explicit Grid(int ambient, bool weighted = false)
+      : axes_(static_cast<std::size_t>(ambient)), weighted_(weighted) {}
 
   /// `point`: `ambient` coordinates, then the weight if points have one.
   void include(const double* point) {
@@ -39,19 +43,19 @@ class Grid {
   int finest() const { return finest_; }
   /// Every |p − q|² − (w_p − w_q) of two points is an integer multiple of 2^lift_exponent().
   int lift_exponent() const { return lift_exponent_; }
-  /// Whether every minor of a determinant of differences and lifts is exact in binary64, whatever the points of the set:
-  /// a multiple of its grid unit by less than 2^53 (docs/predicates.md, "Small lattices").
+  /// Whether every minor of a determinant of differences and lifts is exact in binary64, whatever the points
+  /// of the set: a multiple of its grid unit by less than 2^53 (docs/predicates.md, "Small lattices").
   bool is_small() const { return is_small_; }
-  /// Whether every minor of a determinant of differences, without lifts, is exact in binary32, as a multiple of its grid unit,
-  /// and so are keys in units of the axes. Only if is_small().
+  /// Whether every minor of a determinant of differences, without lifts, is exact in binary32, as a multiple
+  /// of its grid unit, and so are keys in units of the axes. Only if is_small().
   bool is_tiny() const { return is_tiny_; }
   /// How many units of an axis are in 1. REQUIRES is_tiny().
   double per_unit(int axis) const { return axes_[static_cast<std::size_t>(axis)].per_unit; }
-  /// The sum of differences of coordinates, in units of the grid, times these is exact in binary32, and orders points as
-  /// key_weight() does. REQUIRES is_tiny().
+  /// The sum of differences of coordinates, in units of the grid, times these is exact in binary32, and
+  /// orders points as key_weight() does. REQUIRES is_tiny().
   double tiny_key_weight(int axis) const { return axes_[static_cast<std::size_t>(axis)].tiny_key_weight; }
-  /// The sum of the coordinates times these, or of differences of coordinates, is exact in binary64 and orders points
-  /// lexicographically: an axis outweighs all later ones. REQUIRES is_small().
+  /// The sum of the coordinates times these, or of differences of coordinates, is exact in binary64 and
+  /// orders points lexicographically: an axis outweighs all later ones. REQUIRES is_small().
   double key_weight(int axis) const { return axes_[static_cast<std::size_t>(axis)].key_weight; }
   /// A number that is exact in binary64 and orders points lexicographically. REQUIRES is_small().
   double lexicographic_key(const double* point) const {
@@ -83,7 +87,8 @@ class Grid {
     ++revision_;
     finest_ = unlimited;
     for (const Axis& axis : axes_) finest_ = std::min(finest_, axis.exponent);
-    const bool weights_differ = weight_.high > weight_.low;  // equal weights cancel, whatever grid they lie on
+    const bool weights_differ =
+        weight_.high > weight_.low;  // equal weights cancel, whatever grid they lie on
     lift_exponent_ = finest_ == unlimited ? unlimited : 2 * finest_;
     if (weights_differ) lift_exponent_ = std::min(lift_exponent_, weight_.exponent);
     is_tiny_ = false;
@@ -113,7 +118,8 @@ class Grid {
       const int top = std::ilogb(range) + 1;
       constexpr int moderate = 120;  // that of the squares
       if (top > moderate || weight_.exponent < -moderate) is_small_ = false;
-      // A difference of two numbers: of squares below 2^lift_bits units of the square of the finest grid, and of weights.
+      // A difference of two numbers: of squares below 2^lift_bits units of the square of the finest grid, and
+      // of weights.
       if (widest > 0) lift_bits += 2.0 * finest_ - lift_exponent_;
       lift_bits = 1 + std::max(lift_bits, static_cast<double>(top - lift_exponent_));
     }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The approximate inverse of a small matrix in binary64, and how far it is from being one: what certifies the solution of a
-// linear system. Rump, "Verification methods", Acta Numerica 19 (2010), section 10, doi:10.1017/S096249291000005X.
+// The approximate inverse of a small matrix in binary64, and how far it is from being one: what certifies the
+// solution of a linear system. Rump, "Verification methods", Acta Numerica 19 (2010), section 10,
+// doi:10.1017/S096249291000005X.
 #pragma once
 
 #include <algorithm>
@@ -13,9 +14,9 @@ namespace delone::kernel {
 
 inline constexpr double unit_roundoff = 0x1p-53;
 
-/// An approximate inverse of the n×n matrix a (row-major), n = N, or chosen at run time when N is 0: by cofactors for N = 2, 3,
-/// otherwise by Gauss–Jordan elimination with row exchanges. a is overwritten. False if the matrix was found to be singular;
-/// entries may be infinite or NaN, which no bound below accepts.
+/// An approximate inverse of the n×n matrix a (row-major), n = N, or chosen at run time when N is 0: by
+/// cofactors for N = 2, 3, otherwise by Gauss–Jordan elimination with row exchanges. a is overwritten. False
+/// if the matrix was found to be singular; entries may be infinite or NaN, which no bound below accepts.
 template <int N>
 bool approximate_inverse(double* a, double* inverse, std::size_t size) {
   const std::size_t n = N > 0 ? static_cast<std::size_t>(N) : size;
@@ -28,7 +29,8 @@ bool approximate_inverse(double* a, double* inverse, std::size_t size) {
     return true;
   }
   if constexpr (N == 3) {
-    const double c0 = a[4] * a[8] - a[5] * a[7], c1 = a[5] * a[6] - a[3] * a[8], c2 = a[3] * a[7] - a[4] * a[6];
+    const double c0 = a[4] * a[8] - a[5] * a[7], c1 = a[5] * a[6] - a[3] * a[8],
+                 c2 = a[3] * a[7] - a[4] * a[6];
     const double scale = 1 / (a[0] * c0 + a[1] * c1 + a[2] * c2);
     inverse[0] = c0 * scale;
     inverse[1] = (a[2] * a[7] - a[1] * a[8]) * scale;
@@ -70,12 +72,13 @@ bool approximate_inverse(double* a, double* inverse, std::size_t size) {
   return true;
 }
 
-/// An upper bound on the largest row sum of |I − inverse·A|, for every A whose entries differ from a's by at most a relative
-/// unit_roundoff. Infinity or NaN if anything overflowed.
+/// An upper bound on the largest row sum of |I − inverse·A|, for every A whose entries differ from a's by at
+/// most a relative unit_roundoff. Infinity or NaN if anything overflowed.
 ///
-/// Entry (i, j) is computed with n products and n additions, so its error is at most γ_(n+1)·(δ_ij + Σ|inverse_im|·|a_mj|);
-/// A instead of a adds unit_roundoff·Σ|inverse_im|·|a_mj|. One more n and the factor 1.01 cover the rounding of the sums
-/// of absolute values, 10⁻²⁹⁰ underflows (of entries of a below 1 in magnitude times entries of the inverse below 10⁸).
+/// Entry (i, j) is computed with n products and n additions, so its error is at most γ_(n+1)·(δ_ij +
+/// Σ|inverse_im|·|a_mj|); A instead of a adds unit_roundoff·Σ|inverse_im|·|a_mj|. One more n and the
+/// factor 1.01 cover the rounding of the sums of absolute values, 10⁻²⁹⁰ underflows (of entries of a below 1
+/// in magnitude times entries of the inverse below 10⁸).
 template <int N>
 double inverse_defect(const double* a, const double* inverse, std::size_t size) {
   const std::size_t n = N > 0 ? static_cast<std::size_t>(N) : size;

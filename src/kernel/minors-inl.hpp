@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Tables of minors (kernel/minors.hpp) with a matrix in every lane of the processor's vectors: to be included once for each
-// instruction set, after hwy/highway.h. All sets are of columns, as bits.
+// Tables of minors (kernel/minors.hpp) with a matrix in every lane of the processor's vectors: to be included
+// once for each instruction set, after hwy/highway.h. All sets are of columns, as bits.
 #if defined(DELONE_KERNEL_MINORS_INL) == defined(HWY_TARGET_TOGGLE)
 #ifdef DELONE_KERNEL_MINORS_INL
 #undef DELONE_KERNEL_MINORS_INL
@@ -61,8 +61,8 @@ HWY_INLINE V minor_from_smaller(const E& entries, const V* minors) {
   return minor;
 }
 
-/// Calls f with the sets First … First + Count − 1, as constants: in several folds where one would nest deeper than compilers
-/// allow.
+/// Calls f with the sets First … First + Count − 1, as constants: in several folds where one would nest
+/// deeper than compilers allow.
 template <unsigned First, unsigned Count, class F>
 HWY_INLINE void for_each_set(const F& f) {
   constexpr unsigned most = 255;
@@ -70,7 +70,9 @@ HWY_INLINE void for_each_set(const F& f) {
     for_each_set<First, most>(f);
     for_each_set<First + most, Count - most>(f);
   } else {
-    [&]<unsigned... S>(std::integer_sequence<unsigned, S...>) { (f(std::integral_constant<unsigned, First + S>{}), ...); }
+    [&]<unsigned... S>(std::integer_sequence<unsigned, S...>) {
+      (f(std::integral_constant<unsigned, First + S>{}), ...);
+    }
     (std::make_integer_sequence<unsigned, Count>{});
   }
 }
@@ -83,7 +85,8 @@ HWY_INLINE void tabulate_minors(const E& entries, V* minors) {
   });
 }
 
-/// Whether the columns of one set, then another, then a third, each in ascending order, are an odd permutation.
+/// Whether the columns of one set, then another, then a third, each in ascending order, are an odd
+/// permutation.
 constexpr bool is_odd(unsigned first, unsigned second, unsigned third) {
   int inversions = 0;
   for (int column = 0; column < 32; ++column) {
@@ -94,8 +97,8 @@ constexpr bool is_odd(unsigned first, unsigned second, unsigned third) {
   return inversions % 2 != 0;
 }
 
-/// The cofactor of an entry of a square matrix, up to a sign that depends on the row only, from the minors of the rows above
-/// and below it (those of FromLastRow).
+/// The cofactor of an entry of a square matrix, up to a sign that depends on the row only, from the minors of
+/// the rows above and below it (those of FromLastRow).
 template <int Columns, int Row, int Column, class V>
 HWY_INLINE V cofactor(const V* above, const V* below) {
   namespace hn = hwy::HWY_NAMESPACE;

@@ -15,7 +15,8 @@ namespace delone::kernel {
 namespace {
 
 /// The points with two of them exchanged if that makes the simplex positively oriented.
-std::vector<const double*> positively_oriented(std::span<const double* const> points, Sign orientation_of_points) {
+std::vector<const double*> positively_oriented(std::span<const double* const> points,
+                                               Sign orientation_of_points) {
   std::vector<const double*> ordered(points.begin(), points.end());
   if (orientation_of_points == Sign::negative && ordered.size() > 1) std::swap(ordered[0], ordered[1]);
   return ordered;
@@ -29,7 +30,8 @@ Grid grid_of(std::span<const double* const> points, const double* q, const Flat&
 }
 
 /// Empty for homogeneous rows, which need none.
-Grid grid_of_hull(const Flat& flat, std::span<const double* const> facet, const double* inner, const double* q) {
+Grid grid_of_hull(const Flat& flat, std::span<const double* const> facet, const double* inner,
+                  const double* q) {
   if (flat.form == RowForm::homogeneous) return Grid(flat.ambient);
   Grid grid = grid_of(facet, q, flat);
   grid.include(inner);
@@ -42,14 +44,16 @@ Sign orientation(const Flat& flat, std::span<const double* const> points) {
   return orientation<0>(flat, points.data(), grid_of(points, nullptr, flat));
 }
 
-Sign in_sphere(const Flat& flat, std::span<const double* const> points, Sign orientation_of_points, const double* q) {
+Sign in_sphere(const Flat& flat, std::span<const double* const> points, Sign orientation_of_points,
+               const double* q) {
   if (flat.dimension() == 0 && !flat.weighted()) return Sign::positive;
   StageCounts counts;
   const auto ordered = positively_oriented(points, orientation_of_points);
   return in_sphere<0>(flat, ordered.data(), q, grid_of(points, q, flat), counts);
 }
 
-Sign in_sphere_perturbed(const Flat& flat, std::span<const double* const> points, Sign orientation_of_points, const double* q) {
+Sign in_sphere_perturbed(const Flat& flat, std::span<const double* const> points, Sign orientation_of_points,
+                         const double* q) {
   for (const double* p : points)
     if (equal_points(p, q, flat.row_size())) return Sign::zero;
   if (const Sign sign = in_sphere(flat, points, orientation_of_points, q); sign != Sign::zero) return sign;
@@ -65,17 +69,20 @@ Sign homogeneous_orientation(const Flat& flat, std::span<const double* const> ro
 Sign hull_side(const Flat& flat, std::span<const double* const> facet, const double* inner, const double* q) {
   const Grid grid = grid_of_hull(flat, facet, inner, q);
   StageCounts counts;
-  return hull_side<0>(flat, facet.data(), q, grid, counts) * hull_side<0>(flat, facet.data(), inner, grid, counts);
+  return hull_side<0>(flat, facet.data(), q, grid, counts) *
+         hull_side<0>(flat, facet.data(), inner, grid, counts);
 }
 
-Sign hull_side_perturbed(const Flat& flat, std::span<const double* const> facet, const double* inner, const double* q) {
+Sign hull_side_perturbed(const Flat& flat, std::span<const double* const> facet, const double* inner,
+                         const double* q) {
   for (const double* row : facet)
     if (equal_rows(flat, row, q)) return Sign::zero;
   const Grid grid = grid_of_hull(flat, facet, inner, q);
   StageCounts counts;
   const Sign side_of_inner = hull_side<0>(flat, facet.data(), inner, grid, counts);
   const Sign side = hull_side<0>(flat, facet.data(), q, grid, counts) * side_of_inner;
-  return side != Sign::zero ? side : perturbed_hull_side<0>(flat, facet.data(), q, inner, grid, side_of_inner);
+  return side != Sign::zero ? side
+                            : perturbed_hull_side<0>(flat, facet.data(), q, inner, grid, side_of_inner);
 }
 
 bool AffineHull::add(const double* p) {
@@ -91,7 +98,8 @@ bool AffineHull::add(const double* p) {
 
 std::vector<const double*> AffineHull::basis() const {
   std::vector<const double*> points;
-  for (std::size_t i = 0; i < basis_.size(); i += static_cast<std::size_t>(ambient_)) points.push_back(basis_.data() + i);
+  for (std::size_t i = 0; i < basis_.size(); i += static_cast<std::size_t>(ambient_))
+    points.push_back(basis_.data() + i);
   return points;
 }
 
@@ -133,8 +141,10 @@ std::vector<int> all_axes(int dimension) {
 }
 
 /// Rows of a point and its weight: the form that weighted predicates read.
-std::vector<double> with_weights(const std::vector<const double*>& points, std::span<const double> weights, int dimension) {
-  if (weights.size() != points.size()) throw Error(Errc::bad_dimension, "the number of weights is not that of the points");
+std::vector<double> with_weights(const std::vector<const double*>& points, std::span<const double> weights,
+                                 int dimension) {
+  if (weights.size() != points.size())
+    throw Error(Errc::bad_dimension, "the number of weights is not that of the points");
   std::vector<double> rows;
   internal::require_finite(weights, 1, "the weight");
   for (std::size_t row = 0; row < points.size(); ++row) {
@@ -145,7 +155,8 @@ std::vector<double> with_weights(const std::vector<const double*>& points, std::
 }
 
 template <class Predicate>
-Sign sphere_sign(const kernel::Flat& flat, std::span<const double* const> simplex, const double* q, Predicate predicate) {
+Sign sphere_sign(const kernel::Flat& flat, std::span<const double* const> simplex, const double* q,
+                 Predicate predicate) {
   const Sign orientation_of_points = kernel::orientation(flat, simplex);
   if (orientation_of_points == Sign::zero)
     throw Error(Errc::invalid_argument, "the points of the sphere are affinely dependent");
@@ -153,7 +164,8 @@ Sign sphere_sign(const kernel::Flat& flat, std::span<const double* const> simple
 }
 
 template <class Predicate>
-Sign sphere_sign(std::span<const double> points, std::span<const double> q, int dimension, Predicate predicate) {
+Sign sphere_sign(std::span<const double> points, std::span<const double> q, int dimension,
+                 Predicate predicate) {
   const auto simplex = rows_of(points, dimension, static_cast<std::size_t>(std::max(dimension, 0)) + 1);
   const auto query = rows_of(q, dimension, 1);
   const std::vector<int> axes = all_axes(dimension);
@@ -161,16 +173,18 @@ Sign sphere_sign(std::span<const double> points, std::span<const double> q, int 
 }
 
 template <class Predicate>
-Sign power_sphere_sign(std::span<const double> points, std::span<const double> weights, std::span<const double> q,
-                       double weight_of_q, int dimension, Predicate predicate) {
+Sign power_sphere_sign(std::span<const double> points, std::span<const double> weights,
+                       std::span<const double> q, double weight_of_q, int dimension, Predicate predicate) {
   const auto simplex = rows_of(points, dimension, static_cast<std::size_t>(std::max(dimension, 0)) + 1);
   const auto query = rows_of(q, dimension, 1);
   const auto rows = with_weights(simplex, weights, dimension);
   const auto query_row = with_weights(query, std::span(&weight_of_q, 1), dimension);
   std::vector<const double*> weighted;
-  for (std::size_t i = 0; i < simplex.size(); ++i) weighted.push_back(&rows[i * (static_cast<std::size_t>(dimension) + 1)]);
+  for (std::size_t i = 0; i < simplex.size(); ++i)
+    weighted.push_back(&rows[i * (static_cast<std::size_t>(dimension) + 1)]);
   const std::vector<int> axes = all_axes(dimension);
-  return sphere_sign(kernel::Flat{dimension, axes, kernel::RowForm::weighted_point}, weighted, query_row.data(), predicate);
+  return sphere_sign(kernel::Flat{dimension, axes, kernel::RowForm::weighted_point}, weighted,
+                     query_row.data(), predicate);
 }
 
 constexpr auto unperturbed = [](const auto&... arguments) { return kernel::in_sphere(arguments...); };
@@ -192,13 +206,13 @@ Sign in_sphere_perturbed(std::span<const double> points, std::span<const double>
   return sphere_sign(points, q, dimension, perturbed);
 }
 
-Sign in_power_sphere(std::span<const double> points, std::span<const double> weights, std::span<const double> q,
-                     double weight_of_q, int dimension) {
+Sign in_power_sphere(std::span<const double> points, std::span<const double> weights,
+                     std::span<const double> q, double weight_of_q, int dimension) {
   return power_sphere_sign(points, weights, q, weight_of_q, dimension, unperturbed);
 }
 
-Sign in_power_sphere_perturbed(std::span<const double> points, std::span<const double> weights, std::span<const double> q,
-                               double weight_of_q, int dimension) {
+Sign in_power_sphere_perturbed(std::span<const double> points, std::span<const double> weights,
+                               std::span<const double> q, double weight_of_q, int dimension) {
   return power_sphere_sign(points, weights, q, weight_of_q, dimension, perturbed);
 }
 
@@ -206,7 +220,8 @@ Sign homogeneous_orientation(std::span<const double> rows, int dimension) {
   if (dimension < 1) throw Error(Errc::bad_dimension, "the dimension must be at least 1");
   const auto pointers = rows_of(rows, dimension + 1, static_cast<std::size_t>(dimension) + 1);
   const std::vector<int> axes = all_axes(dimension + 1);
-  return kernel::homogeneous_orientation(kernel::Flat{dimension + 1, axes, kernel::RowForm::homogeneous}, pointers);
+  return kernel::homogeneous_orientation(kernel::Flat{dimension + 1, axes, kernel::RowForm::homogeneous},
+                                         pointers);
 }
 
 Sign side_of_hyperplane(std::span<const double> hyperplane, std::span<const double> p, int dimension) {

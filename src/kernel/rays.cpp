@@ -19,7 +19,10 @@ struct Product {
 Product product(double x, double y) {
   const Binary a = decompose(x), b = decompose(y);
   const Int128 mantissa = static_cast<Int128>(a.mantissa) * b.mantissa;
-  return {mantissa < 0 ? -mantissa : mantissa, a.exponent + b.exponent, mantissa < 0 ? -1 : mantissa > 0 ? 1 : 0};
+  return {mantissa < 0 ? -mantissa : mantissa, a.exponent + b.exponent,
+          mantissa < 0   ? -1
+          : mantissa > 0 ? 1
+                         : 0};
 }
 
 std::strong_ordering compare_magnitudes(Product a, Product b) {
@@ -27,8 +30,10 @@ std::strong_ordering compare_magnitudes(Product a, Product b) {
     const auto high = static_cast<std::uint64_t>(m >> 64), low = static_cast<std::uint64_t>(m);
     return 128 - (high != 0 ? std::countl_zero(high) : 64 + std::countl_zero(low));
   };
-  if (const auto top = width(a.magnitude) + a.exponent <=> width(b.magnitude) + b.exponent; top != 0) return top;
-  // The leading bits have one value: the exponents differ by no more than the widths do, and a shift by that stays below 2^106.
+  if (const auto top = width(a.magnitude) + a.exponent <=> width(b.magnitude) + b.exponent; top != 0)
+    return top;
+  // The leading bits have one value: the exponents differ by no more than the widths do, and a shift by that
+  // stays below 2^106.
   if (a.exponent > b.exponent) a.magnitude <<= a.exponent - b.exponent;
   if (b.exponent > a.exponent) b.magnitude <<= b.exponent - a.exponent;
   return a.magnitude < b.magnitude   ? std::strong_ordering::less
@@ -52,7 +57,8 @@ std::strong_ordering compare_rays(const double* a, const double* b, int size) {
   };
   const int last = last_nonzero(a);
   if (const auto index = last <=> last_nonzero(b); index != 0) return index;
-  if ((a[last] < 0) != (b[last] < 0)) return a[last] < 0 ? std::strong_ordering::less : std::strong_ordering::greater;
+  if ((a[last] < 0) != (b[last] < 0))
+    return a[last] < 0 ? std::strong_ordering::less : std::strong_ordering::greater;
   const double a_unit = std::fabs(a[last]), b_unit = std::fabs(b[last]);
   for (int j = 0; j < last; ++j)  // a_j/a_unit against b_j/b_unit
     if (const auto entry = compare(product(a[j], b_unit), product(b[j], a_unit)); entry != 0) return entry;

@@ -5,7 +5,8 @@
 
 #include <algorithm>
 
-// Vectors of these are no longer than those of SSE2, and the unrolled minors take their time to compile for each.
+// Vectors of these are no longer than those of SSE2, and the unrolled minors take their time to compile for
+// each.
 #define HWY_DISABLED_TARGETS (HWY_SSSE3 | HWY_SSE4)
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "kernel/tie_kernel.cpp"
@@ -28,9 +29,11 @@ namespace delone::kernel {
 namespace HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
 
-/// Writes the differences of the vertices of two cells and the query to two lanes side by side: binary32 in units of the grid.
+/// Writes the differences of the vertices of two cells and the query to two lanes side by side: binary32 in
+/// units of the grid.
 template <int K, class T>
-HWY_INLINE void write_differences(const TieTask& task, const Index* cell, const Index* other, T* HWY_RESTRICT lanes) {
+HWY_INLINE void write_differences(const TieTask& task, const Index* cell, const Index* other,
+                                  T* HWY_RESTRICT lanes) {
   constexpr bool in_units = sizeof(T) < sizeof(double);
   for (std::size_t i = 0; i <= K; ++i) {
     const double* const point = task.coordinates + cell[i] * task.row_size;
@@ -41,7 +44,8 @@ HWY_INLINE void write_differences(const TieTask& task, const Index* cell, const 
     const hn::FixedTag<double, 2> two;
     for (; r + 1 < K; r += 2) {
       const auto origin = hn::LoadU(two, task.query + r);
-      auto x = hn::Sub(hn::LoadU(two, point + r), origin), y = hn::Sub(hn::LoadU(two, other_point + r), origin);
+      auto x = hn::Sub(hn::LoadU(two, point + r), origin),
+           y = hn::Sub(hn::LoadU(two, other_point + r), origin);
       if constexpr (in_units) {
         const auto scale = hn::LoadU(two, task.per_unit + r);
         x = hn::Mul(x, scale);
@@ -75,18 +79,21 @@ void break_ties_of(const TieTask& task) {
   const V zero = hn::Zero(d);
   for (std::size_t first = 0; first < task.cells.size(); first += hn::Lanes(d)) {
     const std::size_t lanes = hn::Lanes(d), used = std::min(lanes, task.cells.size() - first);
-    const auto vertices = [&](std::size_t lane) { return task.cells[first + std::min(lane, used - 1)]; };  // the last to spare
+    const auto vertices = [&](std::size_t lane) {
+      return task.cells[first + std::min(lane, used - 1)];
+    };  // the last to spare
     for (std::size_t lane = 0; lane < lanes; lane += 2)
       write_differences<K, T>(task, vertices(lane), vertices(lane + 1), differences + lane);
     const Entries<K + 1, most_lanes<T>, decltype(d)> entries{d, differences};
     V minors[std::size_t{1} << (K + 1)];
     tabulate_minors<K>(entries, minors);
-    // The query decides unless a point is larger and matters: the largest one, by the orientation with the query in its place,
-    // which takes as many exchanges to come first.
+    // The query decides unless a point is larger and matters: the largest one, by the orientation with the
+    // query in its place, which takes as many exchanges to come first.
     V largest = zero, side = hn::Set(d, T{1});
     for (int i = 0; i <= K; ++i) {
       V key = zero;  // of the difference
-      for (int r = 0; r < K; ++r) key = hn::MulAdd(entries.at(r, i), hn::Set(d, static_cast<T>(task.key_weights[r])), key);
+      for (int r = 0; r < K; ++r)
+        key = hn::MulAdd(entries.at(r, i), hn::Set(d, static_cast<T>(task.key_weights[r])), key);
       const V volume = minors[((1u << (K + 1)) - 1) ^ (1u << i)];
       const auto decides = hn::And(hn::Gt(key, largest), hn::Ne(volume, zero));
       largest = hn::IfThenElse(decides, key, largest);

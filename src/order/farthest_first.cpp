@@ -39,8 +39,8 @@ namespace delone::order {
 namespace HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
 
-/// Updates distances by a point that is chosen, and returns the first of the farthest. D is the dimension, or 0 for any.
-/// Products are rounded before they are added, so that all instruction sets find the same.
+/// Updates distances by a point that is chosen, and returns the first of the farthest. D is the dimension, or
+/// 0 for any. Products are rounded before they are added, so that all instruction sets find the same.
 template <std::size_t D>
 std::uint32_t take(const FarthestTask& task, std::uint32_t point) {
   const hn::CappedTag<float, lanes> d;
@@ -66,7 +66,8 @@ std::uint32_t take(const FarthestTask& task, std::uint32_t point) {
     place = hn::Add(place, hn::Set(du, static_cast<std::uint32_t>(hn::Lanes(d))));
   }
   const auto is_farthest = hn::RebindMask(du, hn::Eq(largest, hn::MaxOfLanes(d, largest)));
-  return hn::GetLane(hn::MinOfLanes(du, hn::IfThenElse(is_farthest, place_of_largest, hn::Set(du, ~std::uint32_t{0}))));
+  return hn::GetLane(
+      hn::MinOfLanes(du, hn::IfThenElse(is_farthest, place_of_largest, hn::Set(du, ~std::uint32_t{0}))));
 }
 
 template <std::size_t D>
@@ -123,7 +124,8 @@ void FarthestFirst::load(PointsView points, std::span<const Index> rows) {
   std::fill(distances_.get() + rows.size(), distances_.get() + filled, -1.0f);
 }
 
-void FarthestFirst::choose(PointsView points, std::span<const Index> rows, std::size_t start, std::span<std::uint32_t> chosen) {
+void FarthestFirst::choose(PointsView points, std::span<const Index> rows, std::size_t start,
+                           std::span<std::uint32_t> chosen) {
   load(points, rows);
   HWY_DYNAMIC_DISPATCH(choose_here)
   ({dimension_, (rows.size() + lanes - 1) / lanes * lanes, stride_, coordinates_.get(), distances_.get(),

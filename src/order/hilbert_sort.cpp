@@ -1,17 +1,20 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Rows sorted along a Hilbert curve of any dimension by recursive median splits: RR-6743, appendix A, with the curve of
-// Hamilton and Rau-Chaplin, "Compact Hilbert indices", doi:10.1016/j.ipl.2007.08.034, followed one bit at a time.
+// Rows sorted along a Hilbert curve of any dimension by recursive median splits: RR-6743, appendix A, with
+// the curve of Hamilton and Rau-Chaplin, "Compact Hilbert indices", doi:10.1016/j.ipl.2007.08.034, followed
+// one bit at a time.
 //
-// One level of the curve visits the 2^d subcubes i = 0 … 2^d−1 of a cube. Subcube i lies at the corner with the bits
-// rotl(gc(i), δ+1) xor e: gc is the Gray code, e the corner at which the curve enters the cube, δ the axis along which
-// entry and exit differ. Splitting the points in two halves for each bit of i, from the highest one, visits the axes
-// δ, δ−1, …, δ+1 (mod d) once each. In the subcube the curve enters at e', along δ':
+// One level of the curve visits the 2^d subcubes i = 0 … 2^d−1 of a cube. Subcube i lies at the corner with
+// the bits rotl(gc(i), δ+1) xor e: gc is the Gray code, e the corner at which the curve enters the cube, δ
+// the axis along which entry and exit differ. Splitting the points in two halves for each bit of i, from the
+// highest one, visits the axes δ, δ−1, …, δ+1 (mod d) once each. In the subcube the curve enters at e', along
+// δ':
 //   (1) corner bit on the axis of bit b = (bit b of i) xor (bit b+1 of i) xor e;
 //   (2) e' = e for i = 0; otherwise the corner of i with bit 0 flipped, and bit ctz(i) flipped too if i is even;
 //   (3) δ' = δ + 1 + (0 for i = 0; ctz(i) for even i; the number of trailing ones of i for odd i)  (mod d).
-// So the length of the last run of equal bits of i is all there is to remember of i, and e is overwritten by the corner.
-#include "order/insertion_order.hpp"
+// So the length of the last run of equal bits of i is all there is to remember of i, and e is overwritten by
+// the corner.
 #include "base/compiled_dimension.hpp"
+#include "order/insertion_order.hpp"
 #include "order/select.hpp"
 
 #include <algorithm>
@@ -28,15 +31,16 @@ namespace {
 
 /// Where a part of the points lies on the curve: the bits of i read so far, and the frame (e, δ) of the cube.
 struct Position {
-  std::uint64_t corner = 0;  ///< per axis: e, replaced by the bit of the subcube's corner once that axis is split
-  int axis = 0;              ///< the axis of the next split
-  int bits_read = 0;         ///< of i, at this level
-  int run = 0;               ///< length of the last run of equal bits of i
+  std::uint64_t corner =
+      0;              ///< per axis: e, replaced by the bit of the subcube's corner once that axis is split
+  int axis = 0;       ///< the axis of the next split
+  int bits_read = 0;  ///< of i, at this level
+  int run = 0;        ///< length of the last run of equal bits of i
   bool last_bit = false;
 };
 
-/// Steps on the curve. Halving fewer than 2^64 points never gets beyond bit 63 of i: for d ≥ 64 the first level is never
-/// completed, no axis is split twice, and e = 0 on all axes still to come needs no storage.
+/// Steps on the curve. Halving fewer than 2^64 points never gets beyond bit 63 of i: for d ≥ 64 the first
+/// level is never completed, no axis is split twice, and e = 0 on all axes still to come needs no storage.
 class Curve {
  public:
   explicit Curve(int dimension) : dimension_(dimension) {}
@@ -116,7 +120,8 @@ void sort_packed(const Curve& curve, const Position& position, Packed* first, Pa
   const std::ptrdiff_t size = last - first;
   if (size < 2) return;
   Packed* middle = first + size / 2;
-  split_at(first, middle, last, Less{static_cast<std::size_t>(position.axis), curve.first_is_high(position) ? -1.0 : 1.0});
+  split_at(first, middle, last,
+           Less{static_cast<std::size_t>(position.axis), curve.first_is_high(position) ? -1.0 : 1.0});
   sort_packed(curve, curve.half(position, false), first, middle);
   sort_packed(curve, curve.half(position, true), middle, last);
 }
@@ -133,9 +138,9 @@ void sort_by_halves(const Position& start, PointsView points, std::span<Index> r
   for (std::size_t i = 0; i < rows.size(); ++i) rows[i] = packed[i].row;
 }
 
-/// The curve as an automaton: a state for each frame (e, δ). In a cube, the place of a subcube some levels below gives its
-/// number on the curve and the state in it. Each step waits for the one before: a step takes as many levels as it can with a
-/// table that fits the first cache.
+/// The curve as an automaton: a state for each frame (e, δ). In a cube, the place of a subcube some levels
+/// below gives its number on the curve and the state in it. Each step waits for the one before: a step takes
+/// as many levels as it can with a table that fits the first cache.
 template <int D>
 class Automaton {
  public:
@@ -156,7 +161,8 @@ class Automaton {
         }
         one_level[state * num_corners + corner] = {digit, state_of(p)};
       }
-    for (std::uint32_t state = 0; state < num_states; ++state) fill(one_level, state, levels_per_step, state << step_bits, 0);
+    for (std::uint32_t state = 0; state < num_states; ++state)
+      fill(one_level, state, levels_per_step, state << step_bits, 0);
   }
 
   /// The number on a curve of levels_per_step·steps levels of the cube with these integer coordinates.
@@ -183,7 +189,8 @@ class Automaton {
   using OneLevel = std::array<Step, std::size_t{num_states} * num_corners>;
 
   /// The entries whose highest levels are those of `entry`, where these lead to `state` and `number`.
-  void fill(const OneLevel& one_level, std::uint32_t state, int levels_left, std::uint32_t entry, std::uint32_t number) {
+  void fill(const OneLevel& one_level, std::uint32_t state, int levels_left, std::uint32_t entry,
+            std::uint32_t number) {
     if (levels_left == 0) {
       steps_[entry] = static_cast<std::uint16_t>(state << step_bits | number);
       return;
@@ -206,17 +213,18 @@ class Automaton {
     return p;
   }
 
-  /// At state·2^step_bits + the place in the cube, axis 0 in the lowest bits: next state·2^step_bits + number.
+  /// At state·2^step_bits + the place in the cube, axis 0 in the lowest bits: next state·2^step_bits +
+  /// number.
   std::array<std::uint16_t, std::size_t{num_states} << step_bits> steps_;
 };
 
-/// Sorts 64-bit words by the lowest `bits` bits of their upper halves, the others being equal, and writes their lower halves to
-/// `rows`; equal numbers keep their order. Distributes by the highest bits first, so that all that remains happens in parts
-/// that fit the caches. `other` is memory of as many words. Calls crowded(first, last) where more than `few` rows have one
-/// number.
+/// Sorts 64-bit words by the lowest `bits` bits of their upper halves, the others being equal, and writes
+/// their lower halves to `rows`; equal numbers keep their order. Distributes by the highest bits first, so
+/// that all that remains happens in parts that fit the caches. `other` is memory of as many words. Calls
+/// crowded(first, last) where more than `few` rows have one number.
 template <class Crowded>
-void sort_by_number(std::uint64_t* words, std::uint64_t* other, std::size_t size, int bits, Index* rows, std::uint32_t few,
-                    const Crowded& crowded) {
+void sort_by_number(std::uint64_t* words, std::uint64_t* other, std::size_t size, int bits, Index* rows,
+                    std::uint32_t few, const Crowded& crowded) {
   constexpr int last_bits = 12, max_bits = 10;
   if (size == 0) return;
   if (bits <= last_bits) {
@@ -241,20 +249,25 @@ void sort_by_number(std::uint64_t* words, std::uint64_t* other, std::size_t size
   for (std::uint32_t& count : begin) sum += std::exchange(count, sum);
   for (std::size_t i = 0; i < size; ++i) other[begin[words[i] >> shift & mask]++] = words[i];
   for (std::size_t digit = 0, first = 0; digit <= mask; first = begin[digit++])
-    sort_by_number(other + first, words + first, begin[digit] - first, bits - digit_bits, rows + first, few, crowded);
+    sort_by_number(other + first, words + first, begin[digit] - first, bits - digit_bits, rows + first, few,
+                   crowded);
 }
 
-/// Splits the box of the points into equal cubes, about one per point, and sorts the points by the cubes' numbers on the curve:
-/// a few instructions per bit, where halving takes a few passes. Halves only what is left together in one cube.
+/// Splits the box of the points into equal cubes, about one per point, and sorts the points by the cubes'
+/// numbers on the curve: a few instructions per bit, where halving takes a few passes. Halves only what is
+/// left together in one cube.
 template <int D>
 void sort_by_cubes(const Position& start, PointsView points, std::span<Index> rows) {
   static const Automaton<D> automaton;
   constexpr int levels_per_step = Automaton<D>::levels_per_step;
-  const int levels = (static_cast<int>(std::bit_width(rows.size())) + D - 1) / D;  // D·levels is at most 32 + D − 1
-  const int steps = (levels + levels_per_step - 1) / levels_per_step, spare = steps * levels_per_step - levels;
+  const int levels =
+      (static_cast<int>(std::bit_width(rows.size())) + D - 1) / D;  // D·levels is at most 32 + D − 1
+  const int steps = (levels + levels_per_step - 1) / levels_per_step,
+            spare = steps * levels_per_step - levels;
   const auto cubes = static_cast<double>(std::uint64_t{1} << levels);
   const std::size_t size = rows.size();
-  // First the bits of the coordinates, beside each other as they are read twice, then the words to sort: fresh memory is slow.
+  // First the bits of the coordinates, beside each other as they are read twice, then the words to sort:
+  // fresh memory is slow.
   const auto memory = std::make_unique_for_overwrite<std::uint64_t[]>(D * size);
   const auto point = [&](std::size_t i) { return points.data() + std::size_t{rows[i]} * D; };
   std::array<double, D> low, high, scale;
@@ -274,20 +287,24 @@ void sort_by_cubes(const Position& start, PointsView points, std::span<Index> ro
   }
   for (std::size_t j = 0; j < D; ++j) {
     scale[j] = cubes / (high[j] - low[j]);
-    if (!(scale[j] > 0 && scale[j] < 1e300)) return sort_by_halves<D>(start, points, rows);  // flat, tiny or huge
+    if (!(scale[j] > 0 && scale[j] < 1e300))
+      return sort_by_halves<D>(start, points, rows);  // flat, tiny or huge
   }
   for (std::size_t i = 0; i < size; ++i) {
     std::array<std::uint32_t, D> cube;
     for (std::size_t j = 0; j < D; ++j) {
       const double x = std::bit_cast<double>(memory[i * D + j]);
-      cube[j] = static_cast<std::uint32_t>(static_cast<std::int32_t>(std::min((x - low[j]) * scale[j], cubes - 1))) << spare;
+      cube[j] =
+          static_cast<std::uint32_t>(static_cast<std::int32_t>(std::min((x - low[j]) * scale[j], cubes - 1)))
+          << spare;
     }
     memory[i] = automaton.number(start, cube, steps) >> (D * spare) << 32 | rows[i];
   }
   constexpr std::uint32_t few = 8;
-  sort_by_number(memory.get(), memory.get() + size, size, D * levels, rows.data(), few, [&](Index* first, Index* last) {
-    sort_by_halves<D>(start, points, {first, last});
-  });
+  sort_by_number(memory.get(), memory.get() + size, size, D * levels, rows.data(), few,
+                 [&](Index* first, Index* last) {
+                   sort_by_halves<D>(start, points, {first, last});
+                 });
 }
 
 template <int D>
@@ -300,11 +317,14 @@ void sort_in_dimension(const Position& start, PointsView points, std::span<Index
 }
 
 /// Any dimension: the coordinate in use is gathered anew for each split.
-void sort_keyed(const Curve& curve, const Position& position, PointsView points, KeyedRow* first, KeyedRow* last) {
+void sort_keyed(const Curve& curve, const Position& position, PointsView points, KeyedRow* first,
+                KeyedRow* last) {
   const std::ptrdiff_t size = last - first;
   if (size < 2) return;
-  const auto dimension = static_cast<std::size_t>(points.dimension()), axis = static_cast<std::size_t>(position.axis);
-  for (KeyedRow* i = first; i != last; ++i) i->key = points.data()[static_cast<std::size_t>(i->row) * dimension + axis];
+  const auto dimension = static_cast<std::size_t>(points.dimension()),
+             axis = static_cast<std::size_t>(position.axis);
+  for (KeyedRow* i = first; i != last; ++i)
+    i->key = points.data()[static_cast<std::size_t>(i->row) * dimension + axis];
   KeyedRow* middle = first + size / 2;
   split_at(first, middle, last, Less{axis, curve.first_is_high(position) ? -1.0 : 1.0});
   sort_keyed(curve, curve.half(position, false), points, first, middle);

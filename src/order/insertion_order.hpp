@@ -15,18 +15,20 @@ namespace delone::order {
 /// The rows 0…n−1 in the order that the options ask for.
 std::vector<Index> insertion_order(PointsView points, const Options& options);
 
-/// BRIO (Amenta, Choi, Rote 2003, doi:10.1145/777792.777824): the rows 0…n−1 in random rounds of growing size, each round
-/// sorted along a d-dimensional Hilbert curve by coordinate comparisons only (RR-6743, appendix A). Deterministic in (points,
-/// seed).
+/// BRIO (Amenta, Choi, Rote 2003, doi:10.1145/777792.777824): the rows 0…n−1 in random rounds of growing
+/// size, each round sorted along a d-dimensional Hilbert curve by coordinate comparisons only (RR-6743,
+/// appendix A). Deterministic in (points, seed).
 std::vector<Index> brio_order(PointsView points, std::uint64_t seed);
 
-/// The rows 0…n−1 in rounds of which each doubles the points that are there. A round takes points that are far from those
-/// before it: in stretches of a Hilbert curve each is chosen as the farthest from those chosen before it. Within a round points
-/// are sorted along the curve, and the last rounds of each stretch come together. Deterministic in (points, seed). Cost O(n log
-/// n), and some 50 to 1000 ns per point of 3 to 8 dimensions for the distances; memory O(n·d).
+/// The rows 0…n−1 in rounds of which each doubles the points that are there. A round takes points that are
+/// far from those before it: in stretches of a Hilbert curve each is chosen as the farthest from those chosen
+/// before it. Within a round points are sorted along the curve, and the last rounds of each stretch come
+/// together. Deterministic in (points, seed). Cost O(n log n), and some 50 to 1000 ns per point of 3 to 8
+/// dimensions for the distances; memory O(n·d).
 std::vector<Index> spread_order(PointsView points, std::uint64_t seed);
 
-/// The better of the two: in the plane a tenth fewer cells are not worth what it takes to choose points that are far.
+/// The better of the two: in the plane a tenth fewer cells are not worth what it takes to choose points that
+/// are far.
 inline std::vector<Index> automatic_order(PointsView points, std::uint64_t seed) {
   return points.dimension() <= 2 ? brio_order(points, seed) : spread_order(points, seed);
 }
@@ -34,13 +36,14 @@ inline std::vector<Index> automatic_order(PointsView points, std::uint64_t seed)
 /// A uniformly random permutation of 0…n−1. Deterministic in (n, seed).
 std::vector<Index> shuffled_order(std::size_t n, std::uint64_t seed);
 
-/// Sorts rows along a d-dimensional Hilbert curve by recursive median splits. It only compares coordinates of one axis with
-/// each other: no scale, unit or offset of an axis matters. Equal coordinates are ordered by row. A thousand rows and more in 2
-/// to 4 dimensions are first distributed to equal cubes along the curve, which is several times faster; cubes with many rows
-/// are split at medians. The axes are split in the order first_axis, first_axis − 1, … (mod d). m rows are halved ⌈log2 m⌉
-/// times: with m ≤ 2^(d−1) some axes are never looked at, and since spreads of different axes may be in different units none is
-/// preferred; the rounds of brio_order() start with different axes instead. REQUIRES 0 ≤ first_axis < d. O(m log m) expected;
-/// memory O(m·d) for d ≤ 4, O(m) beyond.
+/// Sorts rows along a d-dimensional Hilbert curve by recursive median splits. It only compares coordinates of
+/// one axis with each other: no scale, unit or offset of an axis matters. Equal coordinates are ordered by
+/// row. A thousand rows and more in 2 to 4 dimensions are first distributed to equal cubes along the curve,
+/// which is several times faster; cubes with many rows are split at medians. The axes are split in the order
+/// first_axis, first_axis − 1, … (mod d). m rows are halved ⌈log2 m⌉ times: with m ≤ 2^(d−1) some axes are
+/// never looked at, and since spreads of different axes may be in different units none is preferred; the
+/// rounds of brio_order() start with different axes instead. REQUIRES 0 ≤ first_axis < d. O(m log m)
+/// expected; memory O(m·d) for d ≤ 4, O(m) beyond.
 void hilbert_sort(PointsView points, std::span<Index> rows, int first_axis = 0);
 
 }  // namespace delone::order

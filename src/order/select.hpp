@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Selection of the n-th element of an array under a strict total order: what std::nth_element does, with partitions free
-// of unpredictable branches and pivots taken from a sample (after Floyd and Rivest 1975, doi:10.1145/360680.360691).
-// About 1.5 comparisons per element for a median. Equal elements must not exist: the order breaks ties.
+// Selection of the n-th element of an array under a strict total order: what std::nth_element does, with
+// partitions free of unpredictable branches and pivots taken from a sample (after Floyd and Rivest 1975,
+// doi:10.1145/360680.360691). About 1.5 comparisons per element for a median. Equal elements must not exist:
+// the order breaks ties.
 #pragma once
 
 #include <algorithm>
@@ -34,7 +35,8 @@ void insertion_sort(T* first, T* last, const Less& less) {
   }
 }
 
-/// Two elements that with high probability enclose the element of rank `rank` closely, from an evenly spaced sample.
+/// Two elements that with high probability enclose the element of rank `rank` closely, from an evenly spaced
+/// sample.
 template <class T, class Less>
 std::pair<T, T> enclosing_pivots(const T* first, std::size_t size, std::size_t rank, const Less& less) {
   constexpr std::size_t max_sample = 256;
@@ -42,8 +44,8 @@ std::pair<T, T> enclosing_pivots(const T* first, std::size_t size, std::size_t r
   const std::size_t count = size >= 65536 ? max_sample : size >= 4096 ? 64 : 16;
   const std::size_t step = size / count;
   for (std::size_t i = 0; i < count; ++i) sample[i] = first[i * step + (i * 7919) % step];
-  const auto middle =
-      static_cast<std::ptrdiff_t>(static_cast<double>(rank) / static_cast<double>(size) * static_cast<double>(count));
+  const auto middle = static_cast<std::ptrdiff_t>(static_cast<double>(rank) / static_cast<double>(size) *
+                                                  static_cast<double>(count));
   // 1.25 standard deviations and more of the rank of a sample of that size, on each side.
   const std::ptrdiff_t margin = count == max_sample ? 14 : count == 64 ? 6 : 2;
   const std::ptrdiff_t end = static_cast<std::ptrdiff_t>(count) - 1;
@@ -53,7 +55,8 @@ std::pair<T, T> enclosing_pivots(const T* first, std::size_t size, std::size_t r
 }
 
 /// Rearranges [first, last) so that every element before `nth` is below every element from `nth` on.
-/// REQUIRES first < nth < last and a strict total order without equal elements. O(n) expected, O(n log n) worst case.
+/// REQUIRES first < nth < last and a strict total order without equal elements. O(n) expected, O(n log n)
+/// worst case.
 template <class T, class Less>
 void split_at(T* first, T* nth, T* last, const Less& less) {
   // Unlucky samples cost rounds; from there on introselect bounds the work.

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Rounds in which points are spread more evenly than at random, so that insertions create fewer cells
 // (docs/decisions/0008-points-are-inserted-farthest-first.md).
+#include "base/random.hpp"
 #include "order/farthest_first.hpp"
 #include "order/insertion_order.hpp"
-#include "base/random.hpp"
 
 #include <algorithm>
 #include <numeric>
@@ -12,7 +12,8 @@
 namespace delone::order {
 namespace {
 
-/// Points along the curve, and the round of each: 0 is the last round; those of kept_round are ordered by the next pass.
+/// Points along the curve, and the round of each: 0 is the last round; those of kept_round are ordered by the
+/// next pass.
 struct Pass {
   std::vector<Index> rows;
   std::vector<std::uint8_t> rounds;
@@ -20,17 +21,20 @@ struct Pass {
 /// Rounds double the points that are there.
 constexpr std::uint8_t kept_round = 3;
 
-/// How many points, side by side on the curve, are chosen from at a time. More are spread better, at a cost per point that
-/// grows with them: it is to stay below two per cent of what the insertion of a point costs.
+/// How many points, side by side on the curve, are chosen from at a time. More are spread better, at a cost
+/// per point that grows with them: it is to stay below two per cent of what the insertion of a point costs.
 std::size_t block_size(int dimension) { return dimension <= 3 ? 256 : dimension == 4 ? 512 : 4096; }
 
-/// All rounds of a pass are inserted for so many points before the next points have their turn: their cells stay in the
-/// cache. From 5 dimensions on stars are too large for that.
-std::size_t stretch_size(int dimension) { return dimension <= 3 ? 1024 : dimension == 4 ? 4096 : ~std::size_t{0}; }
+/// All rounds of a pass are inserted for so many points before the next points have their turn: their cells
+/// stay in the cache. From 5 dimensions on stars are too large for that.
+std::size_t stretch_size(int dimension) {
+  return dimension <= 3 ? 1024 : dimension == 4 ? 4096 : ~std::size_t{0};
+}
 
-/// Writes the rows of a round, between two places, forwards or backwards; returns the end of what is written. Which point is in
-/// the round cannot be predicted: there is no branch, and one more entry may be written.
-Index* write_round(const Pass& pass, std::uint8_t round, std::size_t begin, std::size_t end, bool backwards, Index* to) {
+/// Writes the rows of a round, between two places, forwards or backwards; returns the end of what is written.
+/// Which point is in the round cannot be predicted: there is no branch, and one more entry may be written.
+Index* write_round(const Pass& pass, std::uint8_t round, std::size_t begin, std::size_t end, bool backwards,
+                   Index* to) {
   for (std::size_t i = 0; i < end - begin; ++i) {
     const std::size_t at = backwards ? end - 1 - i : begin + i;
     *to = pass.rows[at];
@@ -56,7 +60,8 @@ std::vector<Index> spread_order(PointsView points, std::uint64_t seed) {
   FarthestFirst farthest(d, std::min(largest_block, rows.size()));
   std::vector<std::uint32_t> chosen(largest_block / 2);
   for (bool is_first_to_insert = false; !is_first_to_insert;) {
-    const std::size_t n = rows.size(), num_blocks = std::max<std::size_t>(1, (n + block_size(d) / 2) / block_size(d));
+    const std::size_t n = rows.size(),
+                      num_blocks = std::max<std::size_t>(1, (n + block_size(d) / 2) / block_size(d));
     is_first_to_insert = num_blocks == 1;
     Pass pass{std::move(rows), std::vector<std::uint8_t>(n, 0)};
     for (std::size_t b = 0, begin = 0; b < num_blocks; ++b) {
@@ -70,7 +75,8 @@ std::vector<Index> spread_order(PointsView points, std::uint64_t seed) {
       begin = end;
     }
     rows.assign(n, 0);
-    rows.resize(static_cast<std::size_t>(write_round(pass, kept_round, 0, n, false, rows.data()) - rows.data()));
+    rows.resize(
+        static_cast<std::size_t>(write_round(pass, kept_round, 0, n, false, rows.data()) - rows.data()));
     passes.push_back(std::move(pass));
   }
 

@@ -70,9 +70,9 @@ Coordinates make_moment(std::size_t d, std::size_t n, Generator& generator) {
 }
 
 Coordinates make_plummer(std::size_t d, std::size_t n, Generator& generator) {
-  // Mass within radius r ∝ s^d with s = r/√(1+r²): a point of the unit ball at radius s goes to r = s/√(1−s²). For d = 3
-  // this is the Plummer sphere with scale length 1; for d = 6 positions and velocities of its equilibrium (G = M = 1),
-  // speeds by rejection from q²(1−q²)^(7/2) (Aarseth, Hénon, Wielen 1974).
+  // Mass within radius r ∝ s^d with s = r/√(1+r²): a point of the unit ball at radius s goes to r =
+  // s/√(1−s²). For d = 3 this is the Plummer sphere with scale length 1; for d = 6 positions and velocities
+  // of its equilibrium (G = M = 1), speeds by rejection from q²(1−q²)^(7/2) (Aarseth, Hénon, Wielen 1974).
   const bool phase_space = d == 6;
   const std::size_t positions = phase_space ? 3 : d;
   Coordinates x(n * d);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Exactly degenerate sets: in a hyperplane, on a line, on a sphere, repeated. All coordinates are integers, or short binary
-// fractions, combined without rounding.
+// Exactly degenerate sets: in a hyperplane, on a line, on a sphere, repeated. All coordinates are integers,
+// or short binary fractions, combined without rounding.
 #include <delone/error.hpp>
 
 #include "point_sets/kinds.hpp"
@@ -20,7 +20,9 @@ namespace {
 double short_uniform(Generator& generator) { return static_cast<double>(generator.bits() >> 34) * 0x1p-30; }
 
 /// A non-zero integer of −3 … 3.
-double small_integer(Generator& generator) { return static_cast<double>(1 + generator.below(3)) * (generator.coin() ? 1 : -1); }
+double small_integer(Generator& generator) {
+  return static_cast<double>(1 + generator.below(3)) * (generator.coin() ? 1 : -1);
+}
 
 /// A right triangle: leg_1² + leg_2² = hypotenuse², the hypotenuse a prime.
 struct Triple {
@@ -42,13 +44,15 @@ struct IntegerSphere {
   std::int64_t radius = 1;
 };
 
-/// The turns of one point: a rational rotation for each, as many as make n points distinct and all coordinates non-zero.
+/// The turns of one point: a rational rotation for each, as many as make n points distinct and all
+/// coordinates non-zero.
 std::vector<Triple> turns_for(std::size_t d, std::size_t n) {
   std::vector<Triple> turns;
   if (d == 2) {  // rotations commute: m different primes give 4·3^m points; half of them at most are used
     for (std::size_t room = 4; room < 2 * n || turns.size() < 2; room *= 3) {
       if (turns.size() == triples.size())
-        throw Error(Errc::invalid_argument, "cospherical points in dimension 2: at most 118098 points can be made");
+        throw Error(Errc::invalid_argument,
+                    "cospherical points in dimension 2: at most 118098 points can be made");
       turns.push_back(triples[turns.size()]);
     }
     return turns;
@@ -59,8 +63,8 @@ std::vector<Triple> turns_for(std::size_t d, std::size_t n) {
   return std::vector<Triple>(std::min<std::size_t>(std::max(count, mixing), 22), triples[0]);
 }
 
-/// Distinct integer points with |x|² = radius², from an axis point by rotations (a, b)/c with a² + b² = c² of random pairs of
-/// axes. The radius is the product of all c, so every quotient is an integer.
+/// Distinct integer points with |x|² = radius², from an axis point by rotations (a, b)/c with a² + b² = c² of
+/// random pairs of axes. The radius is the product of all c, so every quotient is an integer.
 IntegerSphere integer_sphere(std::size_t d, std::size_t n, Generator& generator) {
   if (d < 2) throw Error(Errc::invalid_argument, "cospherical points exist from dimension 2 on");
   const std::vector<Triple> turns = turns_for(d, n);
@@ -72,7 +76,8 @@ IntegerSphere integer_sphere(std::size_t d, std::size_t n, Generator& generator)
   for (std::size_t j = 0; j < d; ++j) axes[j] = j;
   for (std::size_t attempts = 0; sphere.points.size() < n * d; ++attempts) {
     if (attempts > 100 * n + 1000)
-      throw Error(Errc::invalid_argument, "cospherical points: too many points for dimension " + std::to_string(d));
+      throw Error(Errc::invalid_argument,
+                  "cospherical points: too many points for dimension " + std::to_string(d));
     std::fill(x.begin(), x.end(), 0);
     x[generator.below(d)] = generator.coin() ? sphere.radius : -sphere.radius;
     for (const Triple& turn : turns) {
@@ -134,7 +139,8 @@ Coordinates make_duplicates(std::size_t d, std::size_t n, Generator& generator) 
   const std::size_t distinct = n / 4 + 1;
   const Coordinates points = make_uniform(d, distinct, generator);
   Coordinates x(n * d);
-  for (std::size_t i = 0; i < n; ++i) std::copy_n(points.data() + generator.below(distinct) * d, d, x.data() + i * d);
+  for (std::size_t i = 0; i < n; ++i)
+    std::copy_n(points.data() + generator.below(distinct) * d, d, x.data() + i * d);
   return x;
 }
 
@@ -147,7 +153,8 @@ Coordinates make_ulp_sphere(std::size_t d, std::size_t n, Generator& generator) 
   // Each coordinate is the double nearest to that of a point exactly on the unit sphere.
   const IntegerSphere sphere = integer_sphere(d, n, generator);
   Coordinates x(n * d);
-  for (std::size_t i = 0; i < x.size(); ++i) x[i] = static_cast<double>(sphere.points[i]) / static_cast<double>(sphere.radius);
+  for (std::size_t i = 0; i < x.size(); ++i)
+    x[i] = static_cast<double>(sphere.points[i]) / static_cast<double>(sphere.radius);
   return x;
 }
 

@@ -38,14 +38,16 @@ Coordinates counted(std::size_t d, std::size_t n, std::size_t side) {
   Coordinates x(n * d);
   for (std::size_t i = 0; i < n; ++i) {
     std::size_t rest = i;
-    for (std::size_t j = d; j-- > 0 && rest > 0; rest /= side) x[i * d + j] = static_cast<double>(rest % side);
+    for (std::size_t j = d; j-- > 0 && rest > 0; rest /= side)
+      x[i * d + j] = static_cast<double>(rest % side);
   }
   return x;
 }
 
 /// The next double above or below a positive normal number.
 double nudge(double v, int ulps) {
-  return std::bit_cast<double>(std::bit_cast<std::uint64_t>(v) + static_cast<std::uint64_t>(std::int64_t{ulps}));
+  return std::bit_cast<double>(std::bit_cast<std::uint64_t>(v) +
+                               static_cast<std::uint64_t>(std::int64_t{ulps}));
 }
 
 }  // namespace
@@ -53,7 +55,8 @@ double nudge(double v, int ulps) {
 Coordinates make_grid(std::size_t d, std::size_t n, Generator&) { return counted(d, n, grid_side(d, n)); }
 
 Coordinates make_tilted_grid(std::size_t d, std::size_t n, Generator& generator) {
-  // The image of the grid under L·U, bidiagonal integer matrices with ones on the diagonal: determinant 1, no right angles.
+  // The image of the grid under L·U, bidiagonal integer matrices with ones on the diagonal: determinant 1, no
+  // right angles.
   Coordinates x = make_grid(d, n, generator);
   std::vector<double> lower(d), upper(d);
   for (double& v : lower) v = static_cast<double>(1 + generator.below(3)) * (generator.coin() ? 1 : -1);

@@ -1,18 +1,19 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Barycentric coordinates y of q solve A·y = b, with columns p_j − p_0 and b = q − p_0, one row for each axis; that of p_0 is
-// what is left of 1. The method is that of the centres (voronoi_center.cpp), without a second step: R an approximate inverse,
-// α ≥ ‖I − R·A‖∞ (linear_bound.hpp), y⁰ = R·b rounded, ρ = b − A·y⁰. Then A⁻¹ρ = R·ρ + (I − R·A)·A⁻¹ρ, so
+// Barycentric coordinates y of q solve A·y = b, with columns p_j − p_0 and b = q − p_0, one row for each
+// axis; that of p_0 is what is left of 1. The method is that of the centres (voronoi_center.cpp), without a
+// second step: R an approximate inverse, α ≥ ‖I − R·A‖∞ (linear_bound.hpp), y⁰ = R·b rounded, ρ = b − A·y⁰.
+// Then A⁻¹ρ = R·ρ + (I − R·A)·A⁻¹ρ, so
 //
 //     ‖y − y⁰‖∞ ≤ ζ = max_j Σ_i |R_ji|·(|ρ̃_i| + e_i) / (1 − α),   e_i = (n+3)u·(|b_i| + Σ_j |a_ij|·|y⁰_j|),
 //
-// as each of the products of ρ̃ meets the rounding of a or b, its own, and that of n sums; what the factor 1.01 covers are
-// second orders and the rounding of the bounds. Rows are scaled by powers of two, exactly, so that nothing overflows, and what
-// underflows is far below the absolute term 10⁻²⁸⁰.
+// as each of the products of ρ̃ meets the rounding of a or b, its own, and that of n sums; what the
+// factor 1.01 covers are second orders and the rounding of the bounds. Rows are scaled by powers of two,
+// exactly, so that nothing overflows, and what underflows is far below the absolute term 10⁻²⁸⁰.
 #include "queries/barycentric.hpp"
 
-#include "kernel/linear_bound.hpp"
 #include "kernel/fractions.hpp"
 #include "kernel/grid.hpp"
+#include "kernel/linear_bound.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -33,7 +34,8 @@ int scale_exponent(double largest) {
 using Points = std::span<const double* const>;
 
 /// All k+1 coordinates, none off by more than `error`; false where that cannot be promised.
-bool find_certified(Points points, std::span<const int> axes, const double* q, double error, std::vector<double>& weights) {
+bool find_certified(Points points, std::span<const int> axes, const double* q, double error,
+                    std::vector<double>& weights) {
   const std::size_t n = axes.size();
   std::vector<double> a(n * n), b(n), inverse(n * n), work;
   for (std::size_t r = 0; r < n; ++r) {
@@ -110,15 +112,16 @@ void find_exactly(Points points, std::span<const int> axes, const double* q, std
   Integer first = n == 0 ? Integer(1) : y.denominator;
   for (const Integer& numerator : y.numerators) first -= numerator;
   weights.assign(1, nearest_double(first, n == 0 ? Integer(1) : y.denominator, 0));
-  for (const Integer& numerator : y.numerators) weights.push_back(nearest_double(numerator, y.denominator, 0));
+  for (const Integer& numerator : y.numerators)
+    weights.push_back(nearest_double(numerator, y.denominator, 0));
 }
 
 }  // namespace
 
-void barycentric(Points points, std::span<const unsigned char> on_face, std::span<const int> axes, const double* q,
-                 std::vector<double>& weights) {
-  // Where none is off by more than ε, the sum of n+1 differs from 1 by at most (n+1)·ε, and what is divided by it is off by
-  // less than (n+3)·ε.
+void barycentric(Points points, std::span<const unsigned char> on_face, std::span<const int> axes,
+                 const double* q, std::vector<double>& weights) {
+  // Where none is off by more than ε, the sum of n+1 differs from 1 by at most (n+1)·ε, and what is divided
+  // by it is off by less than (n+3)·ε.
   const double error = largest_weight_error / static_cast<double>(axes.size() + 3);
   if (!find_certified(points, axes, q, error, weights)) find_exactly(points, axes, q, weights);
   double sum = 0;
@@ -130,11 +133,13 @@ void barycentric(Points points, std::span<const unsigned char> on_face, std::spa
     if (on_face[i] != 0) weights[i] = std::max(weights[i] / sum, std::numeric_limits<double>::min());
 }
 
-/// With the differences E (k×d) of the points and F (k×columns) of the values, the gradients G (d×columns) have E·G = F and are
-/// combinations of the rows of E. Those are replaced by orthogonal ones (modified Gram–Schmidt, twice), F along with them.
-void gradients(std::span<const double* const> points, std::span<const double> values, int columns, int dimension,
-               std::vector<double>& result) {
-  const std::size_t k = points.size() - 1, d = static_cast<std::size_t>(dimension), m = static_cast<std::size_t>(columns);
+/// With the differences E (k×d) of the points and F (k×columns) of the values, the gradients G (d×columns)
+/// have E·G = F and are combinations of the rows of E. Those are replaced by orthogonal ones (modified
+/// Gram–Schmidt, twice), F along with them.
+void gradients(std::span<const double* const> points, std::span<const double> values, int columns,
+               int dimension, std::vector<double>& result) {
+  const std::size_t k = points.size() - 1, d = static_cast<std::size_t>(dimension),
+                    m = static_cast<std::size_t>(columns);
   result.assign(m * d, 0.0);
   double largest = 0;
   for (const double* p : points)
@@ -148,7 +153,8 @@ void gradients(std::span<const double* const> points, std::span<const double> va
       longest = std::max(longest, std::fabs(edges[i * d + j]));
     }
     for (std::size_t j = 0; j < d; ++j) edges[i * d + j] /= longest;
-    for (std::size_t c = 0; c < m; ++c) differences[i * m + c] = (values[(i + 1) * m + c] - values[c]) / longest;
+    for (std::size_t c = 0; c < m; ++c)
+      differences[i * m + c] = (values[(i + 1) * m + c] - values[c]) / longest;
   }
   for (std::size_t i = 0; i < k; ++i) {
     double* const edge = edges.data() + i * d;

@@ -46,12 +46,14 @@ struct Leftover {
 };
 
 [[noreturn]] void refuse(std::size_t query) {
-  throw Error(Errc::invalid_argument, "query " + std::to_string(query) + " is outside the convex hull of the points", {query});
+  throw Error(Errc::invalid_argument,
+              "query " + std::to_string(query) + " is outside the convex hull of the points", {query});
 }
 
 }  // namespace
 
-LinearInterpolator::LinearInterpolator(const Triangulation& triangulation, std::span<const double> values, std::size_t columns)
+LinearInterpolator::LinearInterpolator(const Triangulation& triangulation, std::span<const double> values,
+                                       std::size_t columns)
     : triangulation_(triangulation), locator_(triangulation), columns_(columns) {
   require_size(values.size(), triangulation.num_rows() * columns, "values");
   const Complex complex = triangulation.complex();
@@ -85,7 +87,8 @@ void LinearInterpolator::evaluate(std::span<const double> queries, std::span<dou
     for (std::size_t i = 0; i < where.weights.size(); ++i) {
       const double weight = where.weights[i];
       if (weight == 0) continue;  // a NaN beyond the face that the query is in has no part
-      const double* const value = values_.data() + index(complex.vertex(where.cell, static_cast<int>(i))) * columns_;
+      const double* const value =
+          values_.data() + index(complex.vertex(where.cell, static_cast<int>(i))) * columns_;
       for (std::size_t c = 0; c < columns_; ++c) at[c] += weight * value[c];
     }
   });
@@ -93,7 +96,8 @@ void LinearInterpolator::evaluate(std::span<const double> queries, std::span<dou
   locator_.nearest(beyond.coordinates, [&](std::size_t i, VertexId v) {
     meter();
     if (v != invalid_vertex)
-      std::copy_n(values_.data() + index(v) * columns_, columns_, result.data() + beyond.queries[i] * columns_);
+      std::copy_n(values_.data() + index(v) * columns_, columns_,
+                  result.data() + beyond.queries[i] * columns_);
   });
 }
 

@@ -1,14 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The vertex next to a point, by walking over edges; exact comparison of distances.
 //
-// The region of a vertex v in the (power) diagram is the intersection of one halfspace for each neighbor of v, as all others
-// follow from these (Aurenhammer 1987, doi:10.1137/0216006). So a v that is not nearest has a neighbor that is strictly nearer,
-// from wherever the walk starts: it ends at a nearest vertex. This also holds for a query outside the flat of the points, whose
-// squared distances differ from those of its projection by a constant. All vertices nearest to a query have the dual face that
-// it lies in as a common one; the edges of that face connect them, so those with the same distance are found by a search.
-#include "queries/point_locator_impl.hpp"
+// The region of a vertex v in the (power) diagram is the intersection of one halfspace for each neighbor of
+// v, as all others follow from these (Aurenhammer 1987, doi:10.1137/0216006). So a v that is not nearest has
+// a neighbor that is strictly nearer, from wherever the walk starts: it ends at a nearest vertex. This also
+// holds for a query outside the flat of the points, whose squared distances differ from those of its
+// projection by a constant. All vertices nearest to a query have the dual face that it lies in as a common
+// one; the edges of that face connect them, so those with the same distance are found by a search.
 #include "kernel/determinant.hpp"
 #include "kernel/exact.hpp"
+#include "queries/point_locator_impl.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -33,9 +34,10 @@ Power power(const double* q, const double* p, std::size_t d, double weight) {
   return {sum - weight, sum + std::fabs(weight)};
 }
 
-/// The sign of the difference of two powers by their rounded values. A difference is off by a factor within 1 ± u, its square
-/// 1 ± γ(3), and d − 1 sums and that with the weight add d: γ(d + 3) of the parts each, and one rounding for the difference of
-/// the two. Squares may underflow: each by 2^−1075. Infinities and NaN compare false.
+/// The sign of the difference of two powers by their rounded values. A difference is off by a factor within 1
+/// ± u, its square 1 ± γ(3), and d − 1 sums and that with the weight add d: γ(d + 3) of the parts each, and
+/// one rounding for the difference of the two. Squares may underflow: each by 2^−1075. Infinities and NaN
+/// compare false.
 bool certainly_less(const Power& a, const Power& b, std::size_t d) {
   const double error = 1.01 * static_cast<double>(d + 6) * kernel::unit_roundoff * (a.parts + b.parts) +
                        2 * static_cast<double>(d) * std::numeric_limits<double>::denorm_min();
@@ -43,7 +45,8 @@ bool certainly_less(const Power& a, const Power& b, std::size_t d) {
 }
 
 /// Σ a_j² − b_j² − 2·a_j·q_j + 2·b_j·q_j − weight_a + weight_b, as one sum of products.
-Sign compare_exactly(const double* q, const double* a, const double* b, std::size_t d, double weight_a, double weight_b) {
+Sign compare_exactly(const double* q, const double* a, const double* b, std::size_t d, double weight_a,
+                     double weight_b) {
   std::vector<double> row, point;
   const auto add = [&](double x, double y) {
     row.push_back(x);
@@ -103,10 +106,12 @@ class Nearest {
     std::vector<VertexId> found{best};
     std::unordered_set<Index> seen{index(best)};
     for (std::size_t next = 0; next < found.size(); ++next)
-      for (std::size_t e = edges_.offsets[index(found[next])]; e < edges_.offsets[index(found[next]) + 1]; ++e) {
+      for (std::size_t e = edges_.offsets[index(found[next])]; e < edges_.offsets[index(found[next]) + 1];
+           ++e) {
         const VertexId v = edges_.vertices[e];
         if (!seen.insert(index(v)).second) continue;
-        if (!certainly_less(power_of(q, best), power_of(q, v), d_) && compare(q, v, best) == Sign::zero) found.push_back(v);
+        if (!certainly_less(power_of(q, best), power_of(q, v), d_) && compare(q, v, best) == Sign::zero)
+          found.push_back(v);
       }
     return *std::min_element(found.begin(), found.end(), [&](VertexId a, VertexId b) {
       return where_.triangulation.row_of(a) < where_.triangulation.row_of(b);
@@ -121,15 +126,18 @@ class Nearest {
 
 }  // namespace
 
-Sign compare_distances(std::span<const double> q, std::span<const double> a, std::span<const double> b, double weight_a,
-                       double weight_b) {
-  if (a.size() != q.size() || b.size() != q.size()) throw Error(Errc::bad_dimension, "points of different dimensions");
+Sign compare_distances(std::span<const double> q, std::span<const double> a, std::span<const double> b,
+                       double weight_a, double weight_b) {
+  if (a.size() != q.size() || b.size() != q.size())
+    throw Error(Errc::bad_dimension, "points of different dimensions");
   const auto all_finite = [](std::span<const double> x) {
     return std::all_of(x.begin(), x.end(), [](double y) { return std::isfinite(y); });
   };
-  if (!all_finite(q) || !all_finite(a) || !all_finite(b) || !std::isfinite(weight_a) || !std::isfinite(weight_b))
+  if (!all_finite(q) || !all_finite(a) || !all_finite(b) || !std::isfinite(weight_a) ||
+      !std::isfinite(weight_b))
     throw Error(Errc::not_finite, "a coordinate or weight is not finite");
-  const Power at_a = power(q.data(), a.data(), q.size(), weight_a), at_b = power(q.data(), b.data(), q.size(), weight_b);
+  const Power at_a = power(q.data(), a.data(), q.size(), weight_a),
+              at_b = power(q.data(), b.data(), q.size(), weight_b);
   if (certainly_less(at_a, at_b, q.size())) return Sign::negative;
   if (certainly_less(at_b, at_a, q.size())) return Sign::positive;
   return compare_exactly(q.data(), a.data(), b.data(), q.size(), weight_a, weight_b);
@@ -178,7 +186,8 @@ const PointLocator::Edges& PointLocator::edges() const {
 void PointLocator::nearest(std::span<const double> queries,
                            const std::function<void(std::size_t query, VertexId nearest)>& visit) const {
   if (impl_->points.form == kernel::RowForm::furthest_point)
-    throw Error(Errc::unsupported, "the vertex of least distance is not found by a furthest-site triangulation");
+    throw Error(Errc::unsupported,
+                "the vertex of least distance is not found by a furthest-site triangulation");
   const auto d = static_cast<std::size_t>(impl_->dimension);
   if (impl_->triangulation.num_vertices() == 0) {
     impl_->in_order(queries, [&](Index query) { visit(query, invalid_vertex); });
@@ -186,7 +195,8 @@ void PointLocator::nearest(std::span<const double> queries,
   }
   Nearest nearest_to(*impl_, edges());
   VertexId start = invalid_vertex;
-  // Where the points fill the space, the vertices of the cell of a query are next to it. Others are reached over the edges.
+  // Where the points fill the space, the vertices of the cell of a query are next to it. Others are reached
+  // over the edges.
   locate(queries, [&](std::size_t query, const LocatedPoint& where) {
     const double* q = queries.data() + query * d;
     if (where.cell != invalid_cell) {
@@ -194,7 +204,8 @@ void PointLocator::nearest(std::span<const double> queries,
       for (int i = 0; i <= impl_->affine_dimension; ++i) {
         const VertexId v = impl_->complex.vertex(where.cell, i);
         if (v == infinite_vertex) continue;
-        const double at = power(q, impl_->point(v), d, impl_->points.weighted() ? impl_->point(v)[d] : 0.0).value;
+        const double at =
+            power(q, impl_->point(v), d, impl_->points.weighted() ? impl_->point(v)[d] : 0.0).value;
         if (start == invalid_vertex || at < least) {
           start = v;
           least = at;

@@ -3,9 +3,9 @@
 #include "queries/point_locator_impl.hpp"
 
 #include "base/require_finite.hpp"
+#include "kernel/predicates.hpp"
 #include "queries/barycentric.hpp"
 #include "queries/cell_minors.hpp"
-#include "kernel/predicates.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -16,7 +16,8 @@
 
 namespace delone {
 
-PointLocator::PointLocator(const Triangulation& triangulation) : impl_(std::make_unique<Impl>(triangulation)) {}
+PointLocator::PointLocator(const Triangulation& triangulation)
+    : impl_(std::make_unique<Impl>(triangulation)) {}
 PointLocator::PointLocator(PointLocator&&) noexcept = default;
 PointLocator& PointLocator::operator=(PointLocator&&) noexcept = default;
 PointLocator::~PointLocator() = default;
@@ -43,7 +44,8 @@ class TableWalk {
  public:
   explicit TableWalk(const PointLocator::Impl& where) : where_(where) {}
 
-  /// Locates q, starting from a finite cell or, if it is invalid, from any. False: the numbers are beyond the table's range.
+  /// Locates q, starting from a finite cell or, if it is invalid, from any. False: the numbers are beyond the
+  /// table's range.
   bool locate(const double* q, CellId start, LocatedPoint& found) {
     CellId cell = start != invalid_cell ? start : *where_.complex.finite_cells().begin();
     const double* points[K + 1];
@@ -68,7 +70,8 @@ class TableWalk {
   }
 
  private:
-  /// A facet that has q strictly beyond it, the certain ones first; −1 if there is none, and then signs_ is right.
+  /// A facet that has q strictly beyond it, the certain ones first; −1 if there is none, and then signs_ is
+  /// right.
   int facet_with_query_beyond(const double* const* points, const double* q) {
     int slot = -1;
     double least = -minors_.bound();
@@ -94,8 +97,8 @@ class TableWalk {
     return -1;
   }
 
-  /// Each weight is off by at most the bound, and so is their sum by K+1 times as much, if those that are 0 or rounded to less
-  /// are left out; where that is too much, the system of the cell is solved.
+  /// Each weight is off by at most the bound, and so is their sum by K+1 times as much, if those that are 0
+  /// or rounded to less are left out; where that is too much, the system of the cell is solved.
   std::span<const double> finish(const double* const* points, const double* q) {
     double sum = 0;
     unsigned char on_face[K + 1];
@@ -109,7 +112,8 @@ class TableWalk {
       return solved_;
     }
     for (int i = 0; i <= K; ++i)
-      if (signs_[i] == Sign::positive) weights_[i] = std::max(weights_[i] / sum, std::numeric_limits<double>::min());
+      if (signs_[i] == Sign::positive)
+        weights_[i] = std::max(weights_[i] / sum, std::numeric_limits<double>::min());
     return weights_;
   }
 
@@ -127,7 +131,8 @@ class PlainWalk {
 
   void locate(const double* q, CellId start, LocatedPoint& found) {
     const auto hint = start == invalid_cell ? std::nullopt : std::optional<CellId>(start);
-    const Location location = where_.triangulation.locate({q, static_cast<std::size_t>(where_.dimension)}, hint);
+    const Location location =
+        where_.triangulation.locate({q, static_cast<std::size_t>(where_.dimension)}, hint);
     found = {location.kind, location.cell, {}};
     if (location.face.empty()) return;
     const std::vector<VertexId> vertices = where_.complex.vertices(location.cell);
@@ -135,7 +140,8 @@ class PlainWalk {
     std::vector<unsigned char> on_face;
     for (const VertexId v : vertices) {
       points.push_back(where_.point(v));
-      on_face.push_back(std::find(location.face.begin(), location.face.end(), v) != location.face.end() ? 1 : 0);
+      on_face.push_back(std::find(location.face.begin(), location.face.end(), v) != location.face.end() ? 1
+                                                                                                        : 0);
     }
     internal::barycentric(points, on_face, where_.axes, q, weights_);
     found.weights = weights_;
@@ -157,7 +163,8 @@ void walk_through(const PointLocator::Impl& where, Table table, std::span<const 
   CellId start = invalid_cell;
   LocatedPoint found;
   where.in_order(queries, [&](Index query) {
-    const double* q = queries.data() + static_cast<std::size_t>(query) * static_cast<std::size_t>(where.dimension);
+    const double* q =
+        queries.data() + static_cast<std::size_t>(query) * static_cast<std::size_t>(where.dimension);
     if (!table.locate(q, start, found)) plain.locate(q, start, found);
     if (found.cell != invalid_cell) {
       const int infinite = where.complex.infinite_index(found.cell);
@@ -168,7 +175,8 @@ void walk_through(const PointLocator::Impl& where, Table table, std::span<const 
 }
 
 template <int K>
-void dispatch(const PointLocator::Impl& where, std::span<const double> queries, const PointLocator::Visit& visit) {
+void dispatch(const PointLocator::Impl& where, std::span<const double> queries,
+              const PointLocator::Visit& visit) {
   if (where.affine_dimension != where.dimension || where.dimension > largest_table)
     return walk_through(where, NoTable{}, queries, visit);
   if constexpr (K < largest_table)

@@ -2,8 +2,8 @@
 // What the parts of PointLocator share: the triangulation, with its coordinates at hand.
 #pragma once
 
-#include "triangulation/stored_points.hpp"
 #include "order/insertion_order.hpp"
+#include "triangulation/stored_points.hpp"
 
 #include <delone/point_locator.hpp>
 
@@ -34,8 +34,8 @@ struct PointLocator::Impl {
   mutable Edges edges;
 
   const double* point(VertexId v) const { return points.point(index(v)); }
-  /// Calls each(query) for all queries: piece by piece, each piece in the order of a Hilbert curve, so that no sort keeps those
-  /// waiting who want to stop a long batch. Throws as locate().
+  /// Calls each(query) for all queries: piece by piece, each piece in the order of a Hilbert curve, so that
+  /// no sort keeps those waiting who want to stop a long batch. Throws as locate().
   template <class Each>
   void in_order(std::span<const double> queries, Each each) const {
     std::vector<Index> rows = rows_of(queries);

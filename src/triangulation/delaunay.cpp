@@ -36,7 +36,8 @@ void Triangulation::insert_range(std::vector<double>&& coordinates) {
   insert_and_release(coordinates, [&] { const std::vector<double> taken = std::move(coordinates); });
 }
 
-void Triangulation::insert_and_release(std::span<const double> coordinates, const std::function<void()>& release) {
+void Triangulation::insert_and_release(std::span<const double> coordinates,
+                                       const std::function<void()>& release) {
   internal::guarded("the triangulation", [&] { impl_->insert_range(coordinates, {}, release); });
 }
 
@@ -53,7 +54,9 @@ int Triangulation::affine_dimension() const { return impl_->affine_hull.dimensio
 std::size_t Triangulation::num_points() const { return impl_->num_rows_inserted; }
 std::size_t Triangulation::num_rows() const { return impl_->vertex_of_row.size(); }
 Index Triangulation::num_vertices() const { return impl_->num_vertices; }
-std::size_t Triangulation::num_duplicates() const { return num_points() - num_vertices() - impl_->num_hidden(); }
+std::size_t Triangulation::num_duplicates() const {
+  return num_points() - num_vertices() - impl_->num_hidden();
+}
 Complex Triangulation::complex() const { return impl_->complex(); }
 std::vector<int> Triangulation::axes() const { return impl_->affine_hull.axes(); }
 
@@ -69,7 +72,8 @@ VertexId Triangulation::vertex_at(std::size_t row) const {
 
 Location Triangulation::locate(std::span<const double> query, std::optional<CellId> hint) const {
   // The least weight leads a walk by values of functionals to the cell that contains the point.
-  const double lightest = impl_->queries() != nullptr && impl_->weighted() ? impl_->queries()->frame().low().back() : 0.0;
+  const double lightest =
+      impl_->queries() != nullptr && impl_->weighted() ? impl_->queries()->frame().low().back() : 0.0;
   std::vector<double> storage;
   const double* q = impl_->checked_query(query, lightest, storage);
   const Index start = hint ? impl_->checked_hint(hint) : impl_->start_near(q);
@@ -92,11 +96,14 @@ Location Triangulation::locate(std::span<const double> query, std::optional<Cell
   return location;
 }
 
-std::vector<CellId> Triangulation::conflict_zone(std::span<const double> query, std::optional<CellId> hint) const {
+std::vector<CellId> Triangulation::conflict_zone(std::span<const double> query,
+                                                 std::optional<CellId> hint) const {
   return impl_->conflict_zone(query, 0.0, hint);
 }
 
-Sign Triangulation::in_sphere(CellId cell, std::span<const double> query) const { return impl_->in_sphere(cell, query, 0.0); }
+Sign Triangulation::in_sphere(CellId cell, std::span<const double> query) const {
+  return impl_->in_sphere(cell, query, 0.0);
+}
 
 ComplexData Triangulation::to_data(bool with_points) const {
   const Complex now = complex();
@@ -112,7 +119,8 @@ ComplexData Triangulation::to_data(bool with_points) const {
     data.vertex_of_point[row] = vertex_at(row) == invalid_vertex ? -1 : row_of_vertex(index(v));
     if (!with_points) continue;
     const double* point = v == invalid_vertex ? nullptr : impl_->points.point(index(v));
-    for (std::size_t j = 0; j < impl_->ambient(); ++j) data.points.push_back(point == nullptr ? unknown : point[j]);
+    for (std::size_t j = 0; j < impl_->ambient(); ++j)
+      data.points.push_back(point == nullptr ? unknown : point[j]);
     if (impl_->weighted()) data.weights.push_back(point == nullptr ? unknown : point[impl_->ambient()]);
   }
   std::vector<SignedIndex> number(now.num_cell_slots(), -1);
@@ -132,8 +140,9 @@ ComplexData Triangulation::to_data(bool with_points) const {
 CanonicalHash Triangulation::hash() const {
   const std::vector<VertexId> vertices = complex().finite_vertices();
   const auto weight = [&](VertexId v) { return impl_->points.point(index(v))[impl_->ambient()]; };
-  const bool with_weights = impl_->weighted() && std::any_of(vertices.begin(), vertices.end(),
-                                                             [&](VertexId v) { return weight(v) != weight(vertices.front()); });
+  const bool with_weights =
+      impl_->weighted() && std::any_of(vertices.begin(), vertices.end(),
+                                       [&](VertexId v) { return weight(v) != weight(vertices.front()); });
   std::vector<internal::PointTag> tags(complex().num_vertex_slots());  // by vertex id
   internal::HashAccumulator hash;
   for (const VertexId v : vertices) {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// FurthestSiteTriangulation: points whose lifts are negated, and what is hidden. Insertion is in triangulation_impl.cpp.
+// FurthestSiteTriangulation: points whose lifts are negated, and what is hidden. Insertion is in
+// triangulation_impl.cpp.
 #include <delone/furthest_site.hpp>
 
 #include "triangulation/triangulation_impl.hpp"
@@ -7,9 +8,11 @@
 namespace delone {
 
 FurthestSiteTriangulation::FurthestSiteTriangulation(int dimension, const Options& options)
-    : Triangulation(dimension < 1 ? throw Error(Errc::bad_dimension, "the dimension must be at least 1")
-                                  : std::make_unique<Impl>(dimension, kernel::RowForm::furthest_point, options)) {}
-FurthestSiteTriangulation::FurthestSiteTriangulation(std::span<const double> coordinates, int dimension, const Options& options)
+    : Triangulation(dimension < 1
+                        ? throw Error(Errc::bad_dimension, "the dimension must be at least 1")
+                        : std::make_unique<Impl>(dimension, kernel::RowForm::furthest_point, options)) {}
+FurthestSiteTriangulation::FurthestSiteTriangulation(std::span<const double> coordinates, int dimension,
+                                                     const Options& options)
     : FurthestSiteTriangulation(dimension, options) {
   insert_range(coordinates);
 }

@@ -9,24 +9,31 @@
 
 namespace delone {
 RegularTriangulation::RegularTriangulation(int dimension, const Options& options)
-    : Triangulation(dimension < 1 ? throw Error(Errc::bad_dimension, "the dimension must be at least 1") : internal::guarded("the triangulation", [&] {
-        return std::make_unique<Impl>(dimension, kernel::RowForm::weighted_point, options);
-      })) {}
-RegularTriangulation::RegularTriangulation(std::span<const double> coordinates, std::span<const double> weights, int dimension,
+    : Triangulation(dimension < 1 ? throw Error(Errc::bad_dimension, "the dimension must be at least 1")
+                                  : internal::guarded("the triangulation", [&] {
+                                      return std::make_unique<Impl>(dimension,
+                                                                    kernel::RowForm::weighted_point, options);
+                                    })) {}
+RegularTriangulation::RegularTriangulation(std::span<const double> coordinates,
+                                           std::span<const double> weights, int dimension,
                                            const Options& options)
     : RegularTriangulation(dimension, options) {
   insert_range(coordinates, weights);
 }
-RegularTriangulation::RegularTriangulation(PointsView points, std::span<const double> weights, const Options& options)
+RegularTriangulation::RegularTriangulation(PointsView points, std::span<const double> weights,
+                                           const Options& options)
     : RegularTriangulation(points.coordinates(), weights, points.dimension(), options) {}
 
-void RegularTriangulation::insert_range(std::span<const double> coordinates, std::span<const double> weights) {
+void RegularTriangulation::insert_range(std::span<const double> coordinates,
+                                        std::span<const double> weights) {
   if (weights.empty() && coordinates.size() >= impl().ambient())
-    throw Error(Errc::bad_dimension, "0 weights for " + std::to_string(coordinates.size() / impl().ambient()) + " points");
+    throw Error(Errc::bad_dimension,
+                "0 weights for " + std::to_string(coordinates.size() / impl().ambient()) + " points");
   internal::guarded("the triangulation", [&] { impl().insert_range(coordinates, weights); });
 }
 
-InsertResult RegularTriangulation::insert(std::span<const double> point, double weight, std::optional<CellId> hint) {
+InsertResult RegularTriangulation::insert(std::span<const double> point, double weight,
+                                          std::optional<CellId> hint) {
   return internal::guarded("the triangulation", [&] { return impl().insert(point, weight, hint); });
 }
 

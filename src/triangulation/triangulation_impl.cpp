@@ -3,12 +3,12 @@
 #include "triangulation/triangulation_impl.hpp"
 
 #include "base/compiled_dimension.hpp"
-#include "compiled/compact_triangulation.hpp"
+#include "base/growable_array.hpp"
+#include "base/progress_meter.hpp"
 #include "base/require_finite.hpp"
 #include "base/stopwatch.hpp"
+#include "compiled/compact_triangulation.hpp"
 #include "order/insertion_order.hpp"
-#include "base/progress_meter.hpp"
-#include "base/growable_array.hpp"
 
 #include <algorithm>
 #include <chrono>
@@ -39,7 +39,8 @@ std::vector<double> weighted_rows(PointsView points, std::span<const double> wei
 }
 
 /// For each place in the order the first place with an equal row.
-std::vector<std::size_t> first_equal_rows(std::span<const double> rows, std::size_t width, std::span<const Index> order) {
+std::vector<std::size_t> first_equal_rows(std::span<const double> rows, std::size_t width,
+                                          std::span<const Index> order) {
   const auto compare = [&](std::size_t a, std::size_t b) {
     const double* x = rows.data() + order[a] * width;
     const double* y = rows.data() + order[b] * width;
@@ -58,8 +59,8 @@ std::vector<std::size_t> first_equal_rows(std::span<const double> rows, std::siz
   return first;
 }
 
-/// Copies of rows, in the order of their insertion. Those that have been read are given back to the system, so that in the end,
-/// when memory is short, nothing is left of them.
+/// Copies of rows, in the order of their insertion. Those that have been read are given back to the system,
+/// so that in the end, when memory is short, nothing is left of them.
 class RowsInOrder {
  public:
   RowsInOrder(std::span<const double> rows, std::size_t width, std::span<const Index> order) : width_(width) {
@@ -80,7 +81,8 @@ class RowsInOrder {
 
   /// Valid until the next call. REQUIRES that not all have been read.
   const double* next() {
-    if (num_read_ % rows_at_once == 0 && num_read_ > 0) rows_.discard((num_read_ - rows_at_once) * width_, num_read_ * width_);
+    if (num_read_ % rows_at_once == 0 && num_read_ > 0)
+      rows_.discard((num_read_ - rows_at_once) * width_, num_read_ * width_);
     return rows_.data() + width_ * num_read_++;
   }
 
@@ -96,7 +98,8 @@ Triangulation::Impl::Impl(int d, kernel::RowForm form, const Options& given)
     : dimension(d), options(given), points(d, form), affine_hull(d) {}
 Triangulation::Impl::~Impl() = default;
 
-void Triangulation::Impl::check_finite(std::span<const double> coordinates, std::span<const double> weights) const {
+void Triangulation::Impl::check_finite(std::span<const double> coordinates,
+                                       std::span<const double> weights) const {
   internal::require_finite(coordinates, ambient(), "a coordinate");
   internal::require_finite(weights, 1, "the weight");
 }
@@ -115,7 +118,9 @@ Index Triangulation::Impl::append(const double* point) {
   points.coordinates.insert(points.coordinates.end(), point, point + row_size());
   return points.last_vertex();
 }
-void Triangulation::Impl::drop_last_vertex() { points.coordinates.resize(points.coordinates.size() - row_size()); }
+void Triangulation::Impl::drop_last_vertex() {
+  points.coordinates.resize(points.coordinates.size() - row_size());
+}
 
 void Triangulation::Impl::assign(std::size_t row, Index v) {
   vertex_of_row[row] = VertexId{v};
@@ -126,8 +131,9 @@ void Triangulation::Impl::assign(std::size_t row, Index v) {
     row_of_vertex.push_back(static_cast<Index>(row));
 }
 
-/// Inserts the point of a row; points outside the affine hull raise the dimension. `track`: keep cell_of_vertex up to date.
-/// Returns the vertex at the point, invalid_index if the point is hidden. If it throws, nothing has changed.
+/// Inserts the point of a row; points outside the affine hull raise the dimension. `track`: keep
+/// cell_of_vertex up to date. Returns the vertex at the point, invalid_index if the point is hidden. If it
+/// throws, nothing has changed.
 Index Triangulation::Impl::insert_row(std::size_t row, const double* point, Index start, bool track) {
   reserve_one_more(row_of_vertex);
   reserve_one_more(cell_of_vertex);
@@ -192,8 +198,8 @@ Index Triangulation::Impl::raise(std::size_t row, const double* point, kernel::A
   try {
     cell_of_vertex.reserve(static_cast<std::size_t>(v) + 1);
     if (grown.dimension() > 0) {
-      auto next = make_hull(grown.axes(), points, frame_with(point, point, 1.0), hull ? hull->effort() : engine::Effort{},
-                            options.force_runtime_dimension);
+      auto next = make_hull(grown.axes(), points, frame_with(point, point, 1.0),
+                            hull ? hull->effort() : engine::Effort{}, options.force_runtime_dimension);
       if (hull)
         next->jump(complex(), v);
       else
@@ -213,9 +219,9 @@ Index Triangulation::Impl::raise(std::size_t row, const double* point, kernel::A
   return v;
 }
 
-/// A frame for the present one, all vertices and the box [low, high]; `margin` times its size is added on each side where it
-/// had to grow, so that points arriving from ever farther away change it a logarithmic number of times. Weights have a range
-/// like coordinates.
+/// A frame for the present one, all vertices and the box [low, high]; `margin` times its size is added on
+/// each side where it had to grow, so that points arriving from ever farther away change it a logarithmic
+/// number of times. Weights have a range like coordinates.
 geometry::Frame Triangulation::Impl::frame_with(const double* low, const double* high, double margin) const {
   std::vector<double> lows(low, low + row_size()), highs(high, high + row_size());
   const auto cover = [&](const double* x) {
@@ -233,15 +239,18 @@ geometry::Frame Triangulation::Impl::frame_with(const double* low, const double*
   constexpr double largest = std::numeric_limits<double>::max() / 4;
   for (std::size_t j = 0; j < row_size(); ++j) {
     const double extent = std::min(highs[j] / 2 - lows[j] / 2, largest) * 2 * margin;
-    if (!hull || lows[j] < hull->frame().low()[j]) lows[j] = std::max(lows[j] - extent, std::min(lows[j], -largest));
-    if (!hull || highs[j] > hull->frame().high()[j]) highs[j] = std::min(highs[j] + extent, std::max(highs[j], largest));
+    if (!hull || lows[j] < hull->frame().low()[j])
+      lows[j] = std::max(lows[j] - extent, std::min(lows[j], -largest));
+    if (!hull || highs[j] > hull->frame().high()[j])
+      highs[j] = std::min(highs[j] + extent, std::max(highs[j], largest));
   }
   return {std::move(lows), std::move(highs), points.form};
 }
 
-/// The first sphere of a batch: the frame of the whole box, and a simplex of the batch's affine hull found along the order.
-void Triangulation::Impl::start_batch(std::span<const double> rows, std::size_t first_row, std::span<const Index> order,
-                                      const std::function<void()>& tick) {
+/// The first sphere of a batch: the frame of the whole box, and a simplex of the batch's affine hull found
+/// along the order.
+void Triangulation::Impl::start_batch(std::span<const double> rows, std::size_t first_row,
+                                      std::span<const Index> order, const std::function<void()>& tick) {
   const std::size_t width = row_size();
   std::vector<double> low(rows.begin(), rows.begin() + static_cast<std::ptrdiff_t>(width)), high = low;
   for (std::size_t i = 0; i < rows.size(); ++i) {
@@ -269,20 +278,23 @@ void Triangulation::Impl::start_batch(std::span<const double> rows, std::size_t 
     find_cells_of_vertices();
     return;
   }
-  hull = make_hull(affine_hull.axes(), points, frame_with(low.data(), high.data(), 0.0), {}, options.force_runtime_dimension);
+  hull = make_hull(affine_hull.axes(), points, frame_with(low.data(), high.data(), 0.0), {},
+                   options.force_runtime_dimension);
   if (!wrap_batch(rows, first_row, order, simplex, tick)) hull->seed(simplex);
 }
 
-/// Whether wrapping n points costs less than inserting them (docs/decisions/0007-small-sets-in-high-dimensions-are-wrapped.md).
+/// Whether wrapping n points costs less than inserting them
+/// (docs/decisions/0007-small-sets-in-high-dimensions-are-wrapped.md).
 bool Triangulation::Impl::is_worth_wrapping(std::size_t n) const {
   if (points.form != kernel::RowForm::point || affine_hull.dimension() != dimension) return false;
   return (dimension == 7 && 200 <= n && n <= 4000) || (dimension == 8 && 100 <= n && n <= 4000);
 }
 
-/// Inserts a batch at once. Returns false, and nothing has changed, if that is not to be done or fails. REQUIRES a hull without
-/// cells, and that all vertices are those of the simplex.
-bool Triangulation::Impl::wrap_batch(std::span<const double> rows, std::size_t first_row, std::span<const Index> order,
-                                     std::span<const Index> simplex, const std::function<void()>& tick) {
+/// Inserts a batch at once. Returns false, and nothing has changed, if that is not to be done or fails.
+/// REQUIRES a hull without cells, and that all vertices are those of the simplex.
+bool Triangulation::Impl::wrap_batch(std::span<const double> rows, std::size_t first_row,
+                                     std::span<const Index> order, std::span<const Index> simplex,
+                                     const std::function<void()>& tick) {
   if (!is_worth_wrapping(order.size()) || points.last_vertex() != simplex.size()) return false;
   std::vector<std::size_t> first_equal;
   std::vector<Index> others;  // the rows of the vertices to come
@@ -295,7 +307,9 @@ bool Triangulation::Impl::wrap_batch(std::span<const double> rows, std::size_t f
     return false;
   }
   for (const Index row : others) append(rows.data() + static_cast<std::size_t>(row) * row_size());
-  const auto drop = [&] { points.coordinates.resize(points.coordinates.size() - others.size() * row_size()); };
+  const auto drop = [&] {
+    points.coordinates.resize(points.coordinates.size() - others.size() * row_size());
+  };
   try {
     if (!hull->wrap(tick)) {
       drop();
@@ -320,7 +334,8 @@ void Triangulation::Impl::insert_range(std::span<const double> coordinates, std:
     throw Error(Errc::bad_dimension, "the number of coordinates is not a multiple of the dimension");
   const std::size_t n = coordinates.size() / ambient();
   if (!weights.empty() && weights.size() != n)
-    throw Error(Errc::bad_dimension, std::to_string(weights.size()) + " weights for " + std::to_string(n) + " points");
+    throw Error(Errc::bad_dimension,
+                std::to_string(weights.size()) + " weights for " + std::to_string(n) + " points");
   check_finite(coordinates, weights);
   if (n == 0) return;
   expand();
@@ -354,7 +369,8 @@ void Triangulation::Impl::insert_range(std::span<const double> coordinates, std:
     for (std::size_t i = 0; i < n; ++i) {
       __builtin_prefetch(vertex_of_row.data() + first_row + order[std::min(i + ahead, n - 1)], 1);
       const double* const point = rows_in_order.next();
-      if (vertex_of_row[first_row + order[i]] == invalid_vertex) insert_row(first_row + order[i], point, invalid_index, false);
+      if (vertex_of_row[first_row + order[i]] == invalid_vertex)
+        insert_row(first_row + order[i], point, invalid_index, false);
       progress(i + 1);
     }
   } catch (...) {
@@ -364,7 +380,8 @@ void Triangulation::Impl::insert_range(std::span<const double> coordinates, std:
   finish();
 }
 
-InsertResult Triangulation::Impl::insert(std::span<const double> point, double weight, std::optional<CellId> hint) {
+InsertResult Triangulation::Impl::insert(std::span<const double> point, double weight,
+                                         std::optional<CellId> hint) {
   std::vector<double> storage;
   const double* row_of_point = checked_query(point, weight, storage);
   Index start = checked_hint(hint);
@@ -403,8 +420,8 @@ void Triangulation::Impl::compact() {
 /// Makes insertions possible again after compact(): cells keep their ids.
 void Triangulation::Impl::expand() {
   if (!compacted) return;
-  auto restored =
-      make_hull(affine_hull.axes(), points, compacted->frame(), compacted->effort(), options.force_runtime_dimension);
+  auto restored = make_hull(affine_hull.axes(), points, compacted->frame(), compacted->effort(),
+                            options.force_runtime_dimension);
   restored->restore(complex());
   hull = std::move(restored);
   compacted.reset();
@@ -421,7 +438,8 @@ void Triangulation::Impl::add_landmarks(Index first, Index last) {
 }
 
 Index Triangulation::Impl::start_near(const double* point) const {
-  const Index v = landmarks ? landmarks->near(point, [&](Index near) { return is_visible(near); }) : invalid_index;
+  const Index v =
+      landmarks ? landmarks->near(point, [&](Index near) { return is_visible(near); }) : invalid_index;
   return v != invalid_index ? index(cell_of_vertex[v]) : invalid_index;
 }
 
@@ -431,23 +449,31 @@ void Triangulation::Impl::find_cells_of_vertices() {
   const Complex now = complex();
   for (const CellId c : now.cells())
     for (int i = 0; i <= now.dimension(); ++i) cell_of_vertex[index(now.vertex(c, i))] = c;
-  num_vertices =
-      static_cast<Index>(cell_of_vertex.size() - 1 -
-                         static_cast<std::size_t>(std::count(cell_of_vertex.begin() + 1, cell_of_vertex.end(), invalid_cell)));
+  num_vertices = static_cast<Index>(
+      cell_of_vertex.size() - 1 -
+      static_cast<std::size_t>(std::count(cell_of_vertex.begin() + 1, cell_of_vertex.end(), invalid_cell)));
 }
 
 Complex Triangulation::Impl::complex() const {
   if (queries() != nullptr) return queries()->complex(num_vertices, cell_of_vertex);
   if (affine_hull.dimension() == 0)
-    return {{single_links, 2, false}, 0, 2, 1, 1, 1, cell_of_vertex.data(), static_cast<Index>(cell_of_vertex.size())};
+    return {{single_links, 2, false},
+            0,
+            2,
+            1,
+            1,
+            1,
+            cell_of_vertex.data(),
+            static_cast<Index>(cell_of_vertex.size())};
   return {};
 }
 
 /// Inserted rows without a vertex that has cells.
 std::size_t Triangulation::Impl::num_hidden() const {
   if (!may_hide()) return 0;
-  return static_cast<std::size_t>(std::count_if(vertex_of_row.begin(), vertex_of_row.end(),
-                                                [&](VertexId v) { return v != invalid_vertex && !is_visible(index(v)); }));
+  return static_cast<std::size_t>(std::count_if(vertex_of_row.begin(), vertex_of_row.end(), [&](VertexId v) {
+    return v != invalid_vertex && !is_visible(index(v));
+  }));
 }
 
 bool Triangulation::Impl::is_hidden(std::size_t row) const {
@@ -463,8 +489,10 @@ std::vector<std::size_t> Triangulation::Impl::hidden_rows() const {
   return rows;
 }
 
-const double* Triangulation::Impl::checked_query(std::span<const double> query, double weight, std::vector<double>& row) const {
-  if (query.size() != ambient()) throw Error(Errc::bad_dimension, "the query has not as many coordinates as the space");
+const double* Triangulation::Impl::checked_query(std::span<const double> query, double weight,
+                                                 std::vector<double>& row) const {
+  if (query.size() != ambient())
+    throw Error(Errc::bad_dimension, "the query has not as many coordinates as the space");
   check_finite(query, {&weight, 1});
   if (!weighted()) return query.data();
   row.assign(query.begin(), query.end());
@@ -479,7 +507,8 @@ Index Triangulation::Impl::checked_hint(std::optional<CellId> hint) const {
 }
 
 Index Triangulation::Impl::checked_vertex(VertexId v) const {
-  if (v == infinite_vertex || !is_visible(index(v))) throw Error(Errc::invalid_argument, "not a finite vertex");
+  if (v == infinite_vertex || !is_visible(index(v)))
+    throw Error(Errc::invalid_argument, "not a finite vertex");
   return index(v);
 }
 

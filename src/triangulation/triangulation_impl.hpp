@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What Triangulation, RegularTriangulation and FurthestSiteTriangulation share: points to vertices, affine dimensions,
-// duplicates, hidden points, rows; the engine does the rest.
+// What Triangulation, RegularTriangulation and FurthestSiteTriangulation share: points to vertices, affine
+// dimensions, duplicates, hidden points, rows; the engine does the rest.
 //
-// Every row that was inserted has a vertex id, its own or that of an earlier equal row. Points with weights, and those for
-// which vertices are furthest, may be hidden, at once or by later insertions: their ids keep their points and have no cell.
-// Hidden points stay hidden, as more points only lower the lifted surface.
+// Every row that was inserted has a vertex id, its own or that of an earlier equal row. Points with weights,
+// and those for which vertices are furthest, may be hidden, at once or by later insertions: their ids keep
+// their points and have no cell. Hidden points stay hidden, as more points only lower the lifted surface.
 #pragma once
 
 #include "compiled/dispatch.hpp"
-#include "triangulation/landmarks.hpp"
 #include "kernel/predicates.hpp"
+#include "triangulation/landmarks.hpp"
 
 #include <delone/delaunay.hpp>
 
@@ -36,7 +36,8 @@ struct Triangulation::Impl {
   std::size_t num_rows_inserted = 0;
   Index num_vertices = 0;  // those that have cells
   Statistics statistics;
-  std::unique_ptr<internal::Landmarks> landmarks;  // from an insertion without hint on, until the frame changes
+  std::unique_ptr<internal::Landmarks>
+      landmarks;  // from an insertion without hint on, until the frame changes
 
   /// The links of the complex of one point, a finite and an infinite cell of one vertex each.
   Index single_links[4] = {0, 1, 0, 0};
@@ -49,8 +50,8 @@ struct Triangulation::Impl {
   bool may_hide() const { return points.form != kernel::RowForm::point; }
   bool is_visible(Index v) const { return v < cell_of_vertex.size() && cell_of_vertex[v] != invalid_cell; }
 
-  /// `weights`: one per point, or none: all are 0. `release`, if there is one, is called when the coordinates are not needed
-  /// any more, before most cells are created.
+  /// `weights`: one per point, or none: all are 0. `release`, if there is one, is called when the coordinates
+  /// are not needed any more, before most cells are created.
   void insert_range(std::span<const double> coordinates, std::span<const double> weights,
                     const std::function<void()>& release = {});
   InsertResult insert(std::span<const double> point, double weight, std::optional<CellId> hint);
@@ -58,7 +59,8 @@ struct Triangulation::Impl {
   /// The triangulation, if the affine dimension is at least 1.
   const HullQueries* queries() const { return hull ? hull.get() : compacted.get(); }
   Complex complex() const;
-  /// Where to start a walk to a point without a hint: a cell, or invalid_index for where the last insertion was.
+  /// Where to start a walk to a point without a hint: a cell, or invalid_index for where the last insertion
+  /// was.
   Index start_near(const double* point) const;
   bool is_hidden(std::size_t row) const;  // throws unless `row` is one
   std::size_t num_hidden() const;
@@ -69,7 +71,8 @@ struct Triangulation::Impl {
   Index checked_hint(std::optional<CellId> hint) const;
   Index checked_vertex(VertexId v) const;
 
-  std::vector<CellId> conflict_zone(std::span<const double> query, double weight, std::optional<CellId> hint) const;
+  std::vector<CellId> conflict_zone(std::span<const double> query, double weight,
+                                    std::optional<CellId> hint) const;
   Sign in_sphere(CellId cell, std::span<const double> query, double weight) const;
 
  private:

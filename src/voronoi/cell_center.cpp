@@ -1,32 +1,35 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// With a_i = p_i − p_0 and z = 2(c − p_0) the centre solves  Σ_j a_ij·z_j = Σ_j a_ij² − (w_i − w_0),  i = 1 … n.
+// With a_i = p_i − p_0 and z = 2(c − p_0) the centre solves  Σ_j a_ij·z_j = Σ_j a_ij² − (w_i − w_0),  i = 1 …
+// n.
 //
-// Certified path. R is an approximate inverse of A, α ≥ ‖I − R·A‖∞ (linear_bound.hpp), z⁰ = R·b rounded, ρ = b − A·z⁰ its
-// residual, ρ̃ that as computed in pairs of doubles, z¹ = R·ρ̃ rounded. Then z = z⁰ + A⁻¹ρ and A⁻¹ρ − Rρ = (I − RA)·A⁻¹ρ, so with
-// e_i ≥ |ρ_i − ρ̃_i| and t_j = Σ_i |R_ji|·(e_i + (n+2)u·|ρ̃_i|), which also covers the rounding of R·ρ̃,
+// Certified path. R is an approximate inverse of A, α ≥ ‖I − R·A‖∞ (linear_bound.hpp), z⁰ = R·b rounded, ρ =
+// b − A·z⁰ its residual, ρ̃ that as computed in pairs of doubles, z¹ = R·ρ̃ rounded. Then z = z⁰ + A⁻¹ρ and
+// A⁻¹ρ − Rρ = (I − RA)·A⁻¹ρ, so with e_i ≥ |ρ_i − ρ̃_i| and t_j = Σ_i |R_ji|·(e_i + (n+2)u·|ρ̃_i|), which also
+// covers the rounding of R·ρ̃,
 //
 //     ‖A⁻¹ρ‖∞ ≤ ζ = max_j(|z¹_j| + t_j)/(1 − α),      |z_j − z⁰_j − z¹_j| ≤ α·ζ + t_j.
 //
-// Residual. a_ij = h + l exactly (difference of two doubles, |l| ≤ u|h|), h − z⁰_j = t + r exactly, so each term a·(a − z⁰) is
-// h·t (a pair by TwoProduct) + h·(r + l) + l·t + l·(r + l). The last is dropped; all other low parts go into one sum. With
-// M = Σ_j |h|(|h| + |z⁰_j|) + |w_i − w_0|: low parts are at most (n + 6)·u·M together, there are 4n + 5 additions and
-// roundings among them, and dropped or rounded products are below 8u²M. So e_i = u·|ρ̃_i| + 5(n+3)²·u²·M, as
-// (4n+5)(n+6) + 8 ≤ 5(n+3)². The factor 1.01 covers higher orders and the rounding of the bounds.
+// Residual. a_ij = h + l exactly (difference of two doubles, |l| ≤ u|h|), h − z⁰_j = t + r exactly, so each
+// term a·(a − z⁰) is h·t (a pair by TwoProduct) + h·(r + l) + l·t + l·(r + l). The last is dropped; all other
+// low parts go into one sum. With M = Σ_j |h|(|h| + |z⁰_j|) + |w_i − w_0|: low parts are at most (n + 6)·u·M
+// together, there are 4n + 5 additions and roundings among them, and dropped or rounded products are below
+// 8u²M. So e_i = u·|ρ̃_i| + 5(n+3)²·u²·M, as (4n+5)(n+6) + 8 ≤ 5(n+3)². The factor 1.01 covers higher orders
+// and the rounding of the bounds.
 //
-// Scale: A is divided by a power of two so that its entries are below 1 in magnitude and the largest is at least 1/2, the right
-// sides by its square. Results below 10⁻²⁹⁰ that underflowed are covered by the absolute term 10⁻²⁸⁰, given that |z⁰| and
-// the entries of R are below 10⁸ (else the path gives up).
+// Scale: A is divided by a power of two so that its entries are below 1 in magnitude and the largest is at
+// least 1/2, the right sides by its square. Results below 10⁻²⁹⁰ that underflowed are covered by the absolute
+// term 10⁻²⁸⁰, given that |z⁰| and the entries of R are below 10⁸ (else the path gives up).
 //
-// Rounding (Ziv 1991, doi:10.1145/114697.116813): if the two ends of the interval that holds c_j round to one double, that is
-// it.
+// Rounding (Ziv 1991, doi:10.1145/114697.116813): if the two ends of the interval that holds c_j round to one
+// double, that is it.
 #include "voronoi/cell_center.hpp"
 
 #include "base/compiled_dimension.hpp"
-#include "kernel/linear_bound.hpp"
-#include "kernel/fractions.hpp"
 #include "kernel/buffer.hpp"
 #include "kernel/double_double.hpp"
+#include "kernel/fractions.hpp"
 #include "kernel/grid.hpp"
+#include "kernel/linear_bound.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -42,7 +45,8 @@ using kernel::DoubleDouble;
 using kernel::two_product;
 using kernel::two_sum;
 
-/// Points and weights as integers: differences from point 0 in units of 2^grid, weight differences in units of 2^(2·grid).
+/// Points and weights as integers: differences from point 0 in units of 2^grid, weight differences in units
+/// of 2^(2·grid).
 struct IntegerPoints {
   int grid = std::numeric_limits<int>::max();
   std::vector<Integer> edges;   // m×d, p_i − p_0
@@ -63,14 +67,15 @@ struct IntegerPoints {
         edges.push_back(scaled_integer(points[i][j], grid) - scaled_integer(points[0][j], grid));
         square += edges.back() * edges.back();
       }
-      if (weights != nullptr) square -= scaled_integer(weights[i], 2 * grid) - scaled_integer(weights[0], 2 * grid);
+      if (weights != nullptr)
+        square -= scaled_integer(weights[i], 2 * grid) - scaled_integer(weights[0], 2 * grid);
       rights.push_back(std::move(square));
     }
   }
 };
 
-/// 2(c − p_0) in units of 2^grid, in all d coordinates. In full dimension the equations above; inside a flat z is a combination
-/// of the edges with coefficients y that solve the Gram system E·Eᵀ·y = b.
+/// 2(c − p_0) in units of 2^grid, in all d coordinates. In full dimension the equations above; inside a flat
+/// z is a combination of the edges with coefficients y that solve the Gram system E·Eᵀ·y = b.
 Fractions twice_center(const IntegerPoints& p, std::size_t k, std::size_t d) {
   std::vector<Integer> system;
   for (std::size_t i = 0; i < k; ++i) {
@@ -95,9 +100,11 @@ Fractions twice_center(const IntegerPoints& p, std::size_t k, std::size_t d) {
 
 }  // namespace
 
-CenterFinder::CenterFinder(int dimension, std::vector<int> axes, bool aligned) : dimension_(dimension), axes_(std::move(axes)) {
+CenterFinder::CenterFinder(int dimension, std::vector<int> axes, bool aligned)
+    : dimension_(dimension), axes_(std::move(axes)) {
   if (!aligned) return;
-  certified_ = with_compiled_dimension<1, 5>(axes_.size(), [](auto k) { return &CenterFinder::find_certified<k()>; });
+  certified_ =
+      with_compiled_dimension<1, 5>(axes_.size(), [](auto k) { return &CenterFinder::find_certified<k()>; });
 }
 
 void CenterFinder::find(const double* const* points, const double* weights, double* center) {
@@ -106,18 +113,21 @@ void CenterFinder::find(const double* const* points, const double* weights, doub
   find_exactly(points, weights, center);
 }
 
-void CenterFinder::find_block(std::size_t count, const double* const* points, const double* weights, double* centers) {
+void CenterFinder::find_block(std::size_t count, const double* const* points, const double* weights,
+                              double* centers) {
   const auto d = static_cast<std::size_t>(dimension_), k = axes_.size();
   if (certified_ == nullptr || k != d || k < least_center_lanes || k > most_center_lanes) {
     for (std::size_t cell = 0; cell < count; ++cell)
-      find(points + cell * (k + 1), weights == nullptr ? nullptr : weights + cell * (k + 1), centers + cell * d);
+      find(points + cell * (k + 1), weights == nullptr ? nullptr : weights + cell * (k + 1),
+           centers + cell * d);
     return;
   }
   constexpr std::size_t most = most_center_lanes;
   alignas(64) double corners[(most + 1) * most * block], weights_of_corners[(most + 1) * block];
   alignas(64) double found[most * block], settled[block];
   for (std::size_t cell = 0; cell < block; ++cell) {
-    const double* const* of_cell = points + std::min(cell, count - 1) * (k + 1);  // the last one fills the block
+    const double* const* of_cell =
+        points + std::min(cell, count - 1) * (k + 1);  // the last one fills the block
     for (std::size_t i = 0; i <= k; ++i)
       for (std::size_t j = 0; j < d; ++j) corners[(i * d + j) * block + cell] = of_cell[i][j];
     for (std::size_t i = 0; weights != nullptr && i <= k; ++i)
@@ -204,7 +214,8 @@ bool CenterFinder::find_certified(const double* const* points, const double* wei
     tail[j] = 0;
     for (std::size_t i = 0; i < n; ++i) {
       correction[j] += inverse[j * n + i] * residual[i];
-      tail[j] += std::abs(inverse[j * n + i]) * (error[i] + static_cast<double>(n + 2) * u * std::abs(residual[i]));
+      tail[j] +=
+          std::abs(inverse[j * n + i]) * (error[i] + static_cast<double>(n + 2) * u * std::abs(residual[i]));
     }
     tail[j] = 1.01 * tail[j] + 1e-280;
     zeta = std::max(zeta, std::abs(correction[j]) + tail[j]);
@@ -218,7 +229,8 @@ bool CenterFinder::find_certified(const double* const* points, const double* wei
     const double middle = start.low + correction[j] * unscale;
     const DoubleDouble rounded = two_sum(start.high, middle);
     // The sum `middle` is rounded, and so are the ends of the interval below.
-    const double radius = 1.01 * (alpha * zeta + tail[j]) * unscale + 2 * u * std::abs(middle) + 4 * u * std::abs(rounded.low);
+    const double radius =
+        1.01 * (alpha * zeta + tail[j]) * unscale + 2 * u * std::abs(middle) + 4 * u * std::abs(rounded.low);
     const double below = rounded.high + (rounded.low - radius), above = rounded.high + (rounded.low + radius);
     if (!(below == above)) return false;
     center[axis] = above + 0.0;
@@ -232,11 +244,12 @@ void CenterFinder::find_exactly(const double* const* points, const double* weigh
   const Fractions z = twice_center(integers, k, d);
   const Integer denominator = z.denominator * 2;
   for (std::size_t j = 0; j < d; ++j)
-    center[j] =
-        nearest_double(scaled_integer(points[0][j], integers.grid) * denominator + z.numerators[j], denominator, integers.grid);
+    center[j] = nearest_double(scaled_integer(points[0][j], integers.grid) * denominator + z.numerators[j],
+                               denominator, integers.grid);
 }
 
-bool CenterFinder::on_sphere(const double* const* points, const double* weights, const double* q, double weight_of_q) const {
+bool CenterFinder::on_sphere(const double* const* points, const double* weights, const double* q,
+                             double weight_of_q) const {
   const auto d = static_cast<std::size_t>(dimension_), k = axes_.size();
   std::vector<const double*> all(points, points + k + 1);
   all.push_back(q);
@@ -270,7 +283,8 @@ bool normalise(std::vector<double>& x) {
 }
 
 /// v − Eᵀy with E·Eᵀ·y = E·v, E the edges of the facet and v from the vertex behind it to the facet.
-std::vector<double> outward_exactly(const std::vector<const double*>& facet, const double* behind, std::size_t d) {
+std::vector<double> outward_exactly(const std::vector<const double*>& facet, const double* behind,
+                                    std::size_t d) {
   std::vector<const double*> points = facet;
   points.push_back(behind);
   const IntegerPoints integers(points.data(), nullptr, points.size(), d);
@@ -300,7 +314,8 @@ std::vector<double> outward_exactly(const std::vector<const double*>& facet, con
 
 }  // namespace
 
-std::vector<double> outward_direction(const std::vector<const double*>& facet, const double* behind, std::size_t dimension) {
+std::vector<double> outward_direction(const std::vector<const double*>& facet, const double* behind,
+                                      std::size_t dimension) {
   constexpr double cancelled = 0x1p-10;
   const std::size_t d = dimension;
   std::vector<double> basis, x(d);

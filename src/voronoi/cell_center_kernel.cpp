@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Operation for operation what CenterFinder::find_certified() does, so that its proof is the proof of this; what gives up there
-// clears a lane of a mask here. Only the approximate inverse is another one, by elimination without row exchanges for n > 3:
-// its defect is bounded whatever it is. Products whose error is wanted use a fused multiplication where the machine has one,
-// which gives the same pair as Dekker's.
+// Operation for operation what CenterFinder::find_certified() does, so that its proof is the proof of this;
+// what gives up there clears a lane of a mask here. Only the approximate inverse is another one, by
+// elimination without row exchanges for n > 3: its defect is bounded whatever it is. Products whose error is
+// wanted use a fused multiplication where the machine has one, which gives the same pair as Dekker's.
 #include "voronoi/cell_center_kernel.hpp"
 
 #include "base/compiled_dimension.hpp"
@@ -76,11 +76,13 @@ inline void invert(D d, const V* a, V* inverse) {
         if (r == s) continue;
         const V factor = inverse[r * N + s];
         inverse[r * N + s] = hn::Zero(d);
-        for (int c = 0; c < N; ++c) inverse[r * N + c] = hn::Sub(inverse[r * N + c], hn::Mul(factor, inverse[s * N + c]));
+        for (int c = 0; c < N; ++c)
+          inverse[r * N + c] = hn::Sub(inverse[r * N + c], hn::Mul(factor, inverse[s * N + c]));
       }
     }
   } else {
-    const V c0 = minor(a[4], a[8], a[5], a[7]), c1 = minor(a[5], a[6], a[3], a[8]), c2 = minor(a[3], a[7], a[4], a[6]);
+    const V c0 = minor(a[4], a[8], a[5], a[7]), c1 = minor(a[5], a[6], a[3], a[8]),
+            c2 = minor(a[3], a[7], a[4], a[6]);
     const V scale = hn::Div(one, hn::Add(hn::Add(hn::Mul(a[0], c0), hn::Mul(a[1], c1)), hn::Mul(a[2], c2)));
     inverse[0] = hn::Mul(c0, scale);
     inverse[1] = hn::Mul(minor(a[2], a[7], a[1], a[8]), scale);
@@ -95,8 +97,8 @@ inline void invert(D d, const V* a, V* inverse) {
 }
 
 template <int N>
-void find(const double* HWY_RESTRICT corners, const double* HWY_RESTRICT weights, double* HWY_RESTRICT centers,
-          double* HWY_RESTRICT settled) {
+void find(const double* HWY_RESTRICT corners, const double* HWY_RESTRICT weights,
+          double* HWY_RESTRICT centers, double* HWY_RESTRICT settled) {
   constexpr std::size_t n = static_cast<std::size_t>(N);
   const hn::CappedTag<double, center_block> d;
   const hn::RebindToUnsigned<decltype(d)> du;
@@ -105,7 +107,9 @@ void find(const double* HWY_RESTRICT corners, const double* HWY_RESTRICT weights
   const V zero = hn::Zero(d), one = hn::Set(d, 1.0);
   const auto times = [&](double factor, V x) { return hn::Mul(hn::Set(d, factor), x); };
   for (std::size_t lane = 0; lane < center_block; lane += hn::Lanes(d)) {
-    const auto corner = [&](std::size_t i, std::size_t j) { return hn::LoadU(d, corners + (i * n + j) * center_block + lane); };
+    const auto corner = [&](std::size_t i, std::size_t j) {
+      return hn::LoadU(d, corners + (i * n + j) * center_block + lane);
+    };
     V high[n * n], low[n * n], inverse[n * n], z[n], residual[n], error[n], correction[n], tail[n];
     V largest = zero;
     for (std::size_t i = 0; i < n; ++i)
@@ -119,14 +123,16 @@ void find(const double* HWY_RESTRICT corners, const double* HWY_RESTRICT weights
     // In biased exponents: scale = 2^(−e−1), unscale = 2^e for 2^e ≤ largest < 2^(e+1).
     const V safe = hn::IfThenElse(ok, largest, one);
     const auto power = hn::And(hn::BitCast(du, safe), hn::Set(du, std::uint64_t{0x7ff} << 52));
-    const V unscale = hn::BitCast(d, power), scale = hn::BitCast(d, hn::Sub(hn::Set(du, std::uint64_t{2045} << 52), power));
+    const V unscale = hn::BitCast(d, power),
+            scale = hn::BitCast(d, hn::Sub(hn::Set(du, std::uint64_t{2045} << 52), power));
     for (std::size_t i = 0; i < n * n; ++i) {
       high[i] = hn::Mul(high[i], scale);
       low[i] = hn::Mul(low[i], scale);
     }
     invert<N>(d, high, inverse);
 
-    V alpha = zero;  // inverse_defect(); a NaN among the rows fails the first test, as `largest` there stays one
+    V alpha =
+        zero;  // inverse_defect(); a NaN among the rows fails the first test, as `largest` there stays one
     for (std::size_t i = 0; i < n; ++i) {
       V row = hn::Set(d, 1e-290), magnitudes = one;
       for (std::size_t j = 0; j < n; ++j) {
@@ -145,14 +151,16 @@ void find(const double* HWY_RESTRICT corners, const double* HWY_RESTRICT weights
 
     const auto weight_difference = [&](std::size_t i) {
       if (weights == nullptr) return Pair<V>{zero, zero};
-      const Pair<V> difference =
-          two_sum(hn::LoadU(d, weights + (i + 1) * center_block + lane), hn::Neg(hn::LoadU(d, weights + lane)));
-      return Pair<V>{hn::Mul(hn::Mul(difference.high, scale), scale), hn::Mul(hn::Mul(difference.low, scale), scale)};
+      const Pair<V> difference = two_sum(hn::LoadU(d, weights + (i + 1) * center_block + lane),
+                                         hn::Neg(hn::LoadU(d, weights + lane)));
+      return Pair<V>{hn::Mul(hn::Mul(difference.high, scale), scale),
+                     hn::Mul(hn::Mul(difference.low, scale), scale)};
     };
     V right[n];
     for (std::size_t i = 0; i < n; ++i) {
       right[i] = hn::Neg(weight_difference(i).high);
-      for (std::size_t j = 0; j < n; ++j) right[i] = hn::Add(right[i], hn::Mul(high[i * n + j], high[i * n + j]));
+      for (std::size_t j = 0; j < n; ++j)
+        right[i] = hn::Add(right[i], hn::Mul(high[i * n + j], high[i * n + j]));
     }
     const V too_large = hn::Set(d, 1e8);
     for (std::size_t j = 0; j < n; ++j) {
@@ -174,12 +182,13 @@ void find(const double* HWY_RESTRICT corners, const double* HWY_RESTRICT weights
         const Pair<V> product = two_product(d, a, factor.high);
         const Pair<V> next = two_sum(sum, product.high);
         sum = next.high;
-        rest = hn::Add(rest,
-                       hn::Add(hn::Add(next.low, product.low), hn::Add(hn::Mul(a, factor_low), hn::Mul(a_low, factor.high))));
+        rest = hn::Add(rest, hn::Add(hn::Add(next.low, product.low),
+                                     hn::Add(hn::Mul(a, factor_low), hn::Mul(a_low, factor.high))));
         magnitude = hn::Add(magnitude, hn::Mul(hn::Abs(a), hn::Add(hn::Abs(a), hn::Abs(z[j]))));
       }
       residual[i] = hn::Add(sum, rest);
-      error[i] = hn::Add(hn::Add(times(1.01 * u, hn::Abs(residual[i])), times(second_order, magnitude)), hn::Set(d, 1e-280));
+      error[i] = hn::Add(hn::Add(times(1.01 * u, hn::Abs(residual[i])), times(second_order, magnitude)),
+                         hn::Set(d, 1e-280));
     }
     V zeta = zero;
     for (std::size_t j = 0; j < n; ++j) {
@@ -210,7 +219,8 @@ void find(const double* HWY_RESTRICT corners, const double* HWY_RESTRICT weights
   }
 }
 
-void find_centers_here(std::size_t n, const double* corners, const double* weights, double* centers, double* settled) {
+void find_centers_here(std::size_t n, const double* corners, const double* weights, double* centers,
+                       double* settled) {
   internal::with_compiled_dimension<least_center_lanes, most_center_lanes>(n, [&](auto dimension) {
     if constexpr (dimension() > 0) find<dimension()>(corners, weights, centers, settled);
   });
@@ -225,7 +235,8 @@ namespace delone::internal {
 
 HWY_EXPORT(find_centers_here);
 
-void find_centers_in_lanes(std::size_t n, const double* corners, const double* weights, double* centers, double* settled) {
+void find_centers_in_lanes(std::size_t n, const double* corners, const double* weights, double* centers,
+                           double* settled) {
   HWY_DYNAMIC_DISPATCH(find_centers_here)(n, corners, weights, centers, settled);
 }
 

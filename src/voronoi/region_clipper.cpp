@@ -1,17 +1,18 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Cutting a simple polytope by a hyperplane is inserting a point into the dual complex: corners are its cells, planes its
-// vertices, and neighbor i of a corner is across the edge that leaves plane i. The corners beyond the plane are connected;
-// every edge from one of them to a corner that stays gets a new corner, and new corners that share all but one of their planes
-// are neighbors.
+// Cutting a simple polytope by a hyperplane is inserting a point into the dual complex: corners are its
+// cells, planes its vertices, and neighbor i of a corner is across the edge that leaves plane i. The corners
+// beyond the plane are connected; every edge from one of them to a corner that stays gets a new corner, and
+// new corners that share all but one of their planes are neighbors.
 //
-// Order of the perturbation: plane m is moved outward by ε_m, ε_0 ≫ ε_1 ≫ …. With A·y = b + ε at a corner, plane m says
+// Order of the perturbation: plane m is moved outward by ε_m, ε_0 ≫ ε_1 ≫ …. With A·y = b + ε at a corner,
+// plane m says
 //     b_m + ε_m − a_m·A⁻¹(b + ε) = (b_m − a_m·A⁻¹b) − Σ_i (a_m·A⁻¹)_i·ε_i + ε_m,
-// so on a tie the first plane i of the corner, in the order of planes, with (a_m·A⁻¹)_i ≠ 0 decides; if there were none, ε_m.
-// Planes are cut in the order of their numbers, hence m is larger than those of the corner.
+// so on a tie the first plane i of the corner, in the order of planes, with (a_m·A⁻¹)_i ≠ 0 decides; if there
+// were none, ε_m. Planes are cut in the order of their numbers, hence m is larger than those of the corner.
 #include "voronoi/region_clipper.hpp"
 
-#include "kernel/linear_bound.hpp"
 #include "kernel/grid.hpp"
+#include "kernel/linear_bound.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -23,7 +24,8 @@ namespace delone::internal {
 namespace {
 
 constexpr double u = unit_roundoff;
-/// The filter is used for boxes and planes in this range only, where no product overflows and underflow is below 10⁻²⁹⁰.
+/// The filter is used for boxes and planes in this range only, where no product overflows and underflow is
+/// below 10⁻²⁹⁰.
 constexpr double least_extent = 1e-80, largest_extent = 1e80, underflow = 1e-290;
 /// Corners known less well than this, in units of the box, get their coordinates from integers.
 constexpr double coarse = 0x1p-44;
@@ -83,8 +85,8 @@ void RegionClipper::make_box() {
     }
 }
 
-/// Half the difference of the powers of x with respect to the two sites: (t − s)·y ≤ (|t − s|² − (w_t − w_s))/2. Nearest first:
-/// that keeps the polytope small.
+/// Half the difference of the powers of x with respect to the two sites: (t − s)·y ≤ (|t − s|² − (w_t −
+/// w_s))/2. Nearest first: that keeps the polytope small.
 void RegionClipper::make_bisectors(std::span<const Site> others) {
   std::vector<double> distances(others.size());
   std::vector<Plane> made(others.size());
@@ -97,13 +99,15 @@ void RegionClipper::make_bisectors(std::span<const Site> others) {
     }
     const double weights = others[o].weight - site_.weight;
     plane.b = (square - weights) / 2;
-    // A square is off by 3u, their sum by another d·u, the difference of the weights and the last difference by u each.
+    // A square is off by 3u, their sum by another d·u, the difference of the weights and the last difference
+    // by u each.
     plane.b_error = 1.01 * static_cast<double>(d_ + 4) * u * (square + std::abs(weights)) + underflow;
     distances[o] = plane.b / std::sqrt(square);
   }
   order_.resize(others.size());
   std::iota(order_.begin(), order_.end(), std::size_t{0});
-  std::stable_sort(order_.begin(), order_.end(), [&](std::size_t a, std::size_t b) { return distances[a] < distances[b]; });
+  std::stable_sort(order_.begin(), order_.end(),
+                   [&](std::size_t a, std::size_t b) { return distances[a] < distances[b]; });
   other_of_plane_.assign(2 * d_, 0);
   for (const std::size_t o : order_) {
     planes_.push_back(std::move(made[o]));
@@ -111,7 +115,8 @@ void RegionClipper::make_bisectors(std::span<const Site> others) {
   }
 }
 
-/// |a·y − ã·ỹ| ≤ Σ|a_j|·(r + u|y_j|) with both vectors' errors, and d + 1 roundings of what is at most |b| + Σ|a_j||y_j|.
+/// |a·y − ã·ỹ| ≤ Σ|a_j|·(r + u|y_j|) with both vectors' errors, and d + 1 roundings of what is at most |b| +
+/// Σ|a_j||y_j|.
 bool RegionClipper::is_beyond(Corner corner, std::size_t plane) {
   const Plane& p = planes_[plane];
   const double* y = position(corner);
@@ -122,7 +127,8 @@ bool RegionClipper::is_beyond(Corner corner, std::size_t plane) {
     magnitude += std::abs(product);
     size += std::abs(p.a[j]);
   }
-  const double bound = 1.01 * (size * radii_[corner] + static_cast<double>(d_ + 3) * u * magnitude + p.b_error) + underflow;
+  const double bound =
+      1.01 * (size * radii_[corner] + static_cast<double>(d_ + 3) * u * magnitude + p.b_error) + underflow;
   if (is_moderate_ && magnitude < largest_extent * largest_extent) {
     if (value > bound) return false;
     if (value < -bound) return true;
@@ -156,8 +162,8 @@ const std::vector<Integer>& RegionClipper::exact_plane(std::size_t plane) {
     const bool is_high = plane % 2 == 1;
     p.exact.assign(d_ + 1, Integer(0));
     p.exact[axis] = is_high ? 1 : -1;
-    p.exact[d_] =
-        is_high ? integer(box_.high[axis]) - integer(site_.point[axis]) : integer(site_.point[axis]) - integer(box_.low[axis]);
+    p.exact[d_] = is_high ? integer(box_.high[axis]) - integer(site_.point[axis])
+                          : integer(site_.point[axis]) - integer(box_.low[axis]);
     return p.exact;
   }
   const Site& other = others_[other_of_plane_[plane]];
@@ -167,7 +173,8 @@ const std::vector<Integer>& RegionClipper::exact_plane(std::size_t plane) {
     square += difference * difference;
     p.exact.push_back(difference * 2);
   }
-  if (other.weight != site_.weight) square -= scaled_integer(other.weight, 2 * grid_) - scaled_integer(site_.weight, 2 * grid_);
+  if (other.weight != site_.weight)
+    square -= scaled_integer(other.weight, 2 * grid_) - scaled_integer(site_.weight, 2 * grid_);
   p.exact.push_back(std::move(square));
   return p.exact;
 }
@@ -278,7 +285,8 @@ void RegionClipper::link_new_corners(std::size_t plane) {
   }
 }
 
-/// With the residual r of the computed solution, |y − ỹ| ≤ |R|·(|r| + its error)/(1 − α), see linear_bound.hpp.
+/// With the residual r of the computed solution, |y − ỹ| ≤ |R|·(|r| + its error)/(1 − α), see
+/// linear_bound.hpp.
 void RegionClipper::find_coordinates(Corner corner) {
   double* y = position(corner);
   radii_[corner] = std::numeric_limits<double>::infinity();
@@ -289,7 +297,8 @@ void RegionClipper::find_coordinates(Corner corner) {
     const Plane& p = planes_[planes_of(corner)[i]];
     double largest = 0;
     for (const double a : p.a) largest = std::max(largest, std::abs(a));
-    if (!(largest > least_extent * least_extent && largest < largest_extent)) return find_coordinates_exactly(corner);
+    if (!(largest > least_extent * least_extent && largest < largest_extent))
+      return find_coordinates_exactly(corner);
     const double scale = std::ldexp(1.0, -std::ilogb(largest) - 1);
     for (std::size_t j = 0; j < d_; ++j) matrix_[i * d_ + j] = work_[i * d_ + j] = p.a[j] * scale;
     right_[i] = p.b * scale;
@@ -312,7 +321,8 @@ void RegionClipper::find_coordinates(Corner corner) {
       largest = std::max(largest, std::abs(p.a[j]));
     }
     const double scale = std::ldexp(1.0, -std::ilogb(largest) - 1);
-    right_[i] = std::abs(residual) + static_cast<double>(d_ + 3) * u * magnitude + p.b_error * scale + underflow;
+    right_[i] =
+        std::abs(residual) + static_cast<double>(d_ + 3) * u * magnitude + p.b_error * scale + underflow;
   }
   for (std::size_t j = 0; j < d_; ++j) {
     double error = 0;
@@ -388,7 +398,8 @@ ClippedRegion RegionClipper::geometry() {
   for (std::size_t i = 0; i < sorted.size(); ++i) {
     if (i == 0 || less(sorted[i - 1], sorted[i])) {
       for (std::size_t j = 0; j < d_; ++j)
-        region.corners.push_back(std::clamp(position(sorted[i])[j] + site_.point[j], box_.low[j], box_.high[j]));
+        region.corners.push_back(
+            std::clamp(position(sorted[i])[j] + site_.point[j], box_.low[j], box_.high[j]));
       ++count;
     }
     number[sorted[i]] = count - 1;
@@ -415,7 +426,8 @@ ClippedRegion RegionClipper::geometry() {
           p[j] = at(face[i], j) - at(face[0], j);
           q[j] = at(face[i + 1], j) - at(face[0], j);
         }
-        along += planes_[plane].a[0] * (p[1] * q[2] - p[2] * q[1]) + planes_[plane].a[1] * (p[2] * q[0] - p[0] * q[2]) +
+        along += planes_[plane].a[0] * (p[1] * q[2] - p[2] * q[1]) +
+                 planes_[plane].a[1] * (p[2] * q[0] - p[0] * q[2]) +
                  planes_[plane].a[2] * (p[0] * q[1] - p[1] * q[0]);
       }
       if (along < 0) std::reverse(face.begin(), face.end());

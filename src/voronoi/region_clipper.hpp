@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// One region cut off at a box. The box, a simple polytope with 2^d corners, is cut by one bisector after the other. Every
-// decision (is a corner beyond a hyperplane?) is exact: corners are known within a certified radius, and where that leaves
-// the sign open it is that of a determinant in integers. Ties are decided by a symbolic perturbation that moves every
-// hyperplane outward, later ones less, so that the polytope stays simple and its combinatorics consistent whatever the input.
+// One region cut off at a box. The box, a simple polytope with 2^d corners, is cut by one bisector after the
+// other. Every decision (is a corner beyond a hyperplane?) is exact: corners are known within a certified
+// radius, and where that leaves the sign open it is that of a determinant in integers. Ties are decided by a
+// symbolic perturbation that moves every hyperplane outward, later ones less, so that the polytope stays
+// simple and its combinatorics consistent whatever the input.
 #pragma once
 
-#include "voronoi/simple_polytope.hpp"
 #include "kernel/fractions.hpp"
+#include "voronoi/simple_polytope.hpp"
 
 #include <delone/voronoi.hpp>
 
@@ -52,7 +53,8 @@ class RegionClipper {
   void find_coordinates(Corner corner);
   void find_coordinates_exactly(Corner corner);
   void link_new_corners(std::size_t plane);
-  std::vector<Index> cycle(std::size_t plane, const std::vector<Index>& number, const std::vector<Corner>& corners);
+  std::vector<Index> cycle(std::size_t plane, const std::vector<Index>& number,
+                           const std::vector<Corner>& corners);
 
   std::size_t* planes_of(Corner c) { return planes_of_.data() + c * d_; }
   Corner* neighbors(Corner c) { return neighbors_.data() + c * d_; }

@@ -11,7 +11,8 @@ namespace delone::internal {
 void CompensatedSum::add(double x) {
   const double next = sum_ + x;
   // Beyond the range of doubles there is nothing to compensate, and inf − inf would be no number.
-  if (std::isfinite(next)) compensation_ += std::abs(sum_) >= std::abs(x) ? (sum_ - next) + x : (x - next) + sum_;
+  if (std::isfinite(next))
+    compensation_ += std::abs(sum_) >= std::abs(x) ? (sum_ - next) + x : (x - next) + sum_;
   sum_ = next;
 }
 
@@ -70,7 +71,8 @@ double SimplePolytope::height(std::size_t corner, const Face& face, std::size_t 
     before += normal_[j] * normal_[j];
   }
   after = before;
-  for (int pass = 0; pass < 2 && dimension > 0; ++pass) {  // the second makes up for cancellation in the first
+  for (int pass = 0; pass < 2 && dimension > 0;
+       ++pass) {  // the second makes up for cancellation in the first
     for (std::size_t b = 0; b < dimension * d_; b += d_) {
       double dot = 0;
       for (std::size_t j = 0; j < d_; ++j) dot += normal_[j] * basis[b + j];
@@ -95,7 +97,8 @@ SimplePolytope::Face SimplePolytope::find_face(std::size_t dimension, std::size_
   return face;
 }
 
-SimplePolytope::Face SimplePolytope::measure_face(std::size_t dimension, std::size_t first, std::size_t last) {
+SimplePolytope::Face SimplePolytope::measure_face(std::size_t dimension, std::size_t first,
+                                                  std::size_t last) {
   const std::size_t origin = face_[first];
   if (dimension == 0) return {1, origin, bases_.size()};
   auto& entries = entries_[dimension];  // facets on the way have entries of lower dimensions
@@ -107,10 +110,12 @@ SimplePolytope::Face SimplePolytope::measure_face(std::size_t dimension, std::si
       // Not the facets through the origin; those that contain the whole face are among them.
       if (std::find(of_origin, of_origin + m_, label) == of_origin + m_) entries.push_back({label, face_[f]});
     }
-  std::sort(entries.begin(), entries.end(),
-            [](const Entry& a, const Entry& b) { return a.label < b.label || (a.label == b.label && a.corner < b.corner); });
+  std::sort(entries.begin(), entries.end(), [](const Entry& a, const Entry& b) {
+    return a.label < b.label || (a.label == b.label && a.corner < b.corner);
+  });
   CompensatedSum sum;
-  // The basis is that of the facet with the largest part, and the normal: a thin facet would tell its directions badly.
+  // The basis is that of the facet with the largest part, and the normal: a thin facet would tell its
+  // directions badly.
   double largest = 0;
   Face base{0, 0, 0};
   for (std::size_t begin = 0, end = 0; begin < entries.size(); begin = end) {
@@ -134,7 +139,8 @@ SimplePolytope::Face SimplePolytope::measure_face(std::size_t dimension, std::si
   bases_.resize(basis + dimension * d_);
   std::copy_n(bases_.begin() + static_cast<std::ptrdiff_t>(base.basis), (dimension - 1) * d_,
               bases_.begin() + static_cast<std::ptrdiff_t>(basis));
-  std::copy(best_normals_[dimension].begin(), best_normals_[dimension].end(), bases_.end() - static_cast<std::ptrdiff_t>(d_));
+  std::copy(best_normals_[dimension].begin(), best_normals_[dimension].end(),
+            bases_.end() - static_cast<std::ptrdiff_t>(d_));
   return {sum.value() / static_cast<double>(dimension), origin, basis};
 }
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Volumes of simple polytopes: of dimension m, each corner on exactly m facets, which are named by labels. This is what the
-// dual of a triangulation and a polytope cut by perturbed hyperplanes are; corners may coincide, so that nothing is special
-// about degenerate input.
+// Volumes of simple polytopes: of dimension m, each corner on exactly m facets, which are named by labels.
+// This is what the dual of a triangulation and a polytope cut by perturbed hyperplanes are; corners may
+// coincide, so that nothing is special about degenerate input.
 #pragma once
 
 #include <cstddef>
@@ -11,7 +11,8 @@
 
 namespace delone::internal {
 
-/// A sum with the rounding errors of all additions added at the end (Neumaier 1974, doi:10.1002/zamm.19740540106).
+/// A sum with the rounding errors of all additions added at the end (Neumaier 1974,
+/// doi:10.1002/zamm.19740540106).
 class CompensatedSum {
  public:
   void add(double x);
@@ -28,19 +29,19 @@ class SimplePolytope {
   void start(std::size_t m, std::size_t d);
   /// `x`: d coordinates, which must stay where they are; `labels`: the m facets through it.
   void add_corner(const double* x, std::span<const std::size_t> labels);
-  /// The m-volume: a face of dimension j has 1/j times the volumes of its facets times their distances from one of its corners
-  /// (Cohen and Hickey 1979, doi:10.1145/322139.322141). A face, known by the facets that it lies on, is measured once however
-  /// many faces it belongs to, which makes the cost one of faces, not of flags: about Σ over faces of (corners)·m·log. See
-  /// Büeler, Enge and Fukuda 2000, doi:10.1007/978-3-0348-8438-9_6. Distances by Gram–Schmidt. Never negative; 0 for no
-  /// corners.
+  /// The m-volume: a face of dimension j has 1/j times the volumes of its facets times their distances from
+  /// one of its corners (Cohen and Hickey 1979, doi:10.1145/322139.322141). A face, known by the facets that
+  /// it lies on, is measured once however many faces it belongs to, which makes the cost one of faces, not of
+  /// flags: about Σ over faces of (corners)·m·log. See Büeler, Enge and Fukuda 2000,
+  /// doi:10.1007/978-3-0348-8438-9_6. Distances by Gram–Schmidt. Never negative; 0 for no corners.
   double volume();
 
  private:
   struct Entry {
     std::size_t label, corner;
   };
-  /// What is known of a face: its volume, and unless that is 0 a point of it and an orthonormal basis of its directions (as
-  /// many rows of d as its dimension).
+  /// What is known of a face: its volume, and unless that is 0 a point of it and an orthonormal basis of its
+  /// directions (as many rows of d as its dimension).
   struct Face {
     double volume;
     std::size_t origin, basis;  // a corner; a place in bases_

@@ -3,9 +3,9 @@
 #include <delone/voronoi.hpp>
 
 #include "base/guarded.hpp"
+#include "voronoi/region_clipper.hpp"
 #include "voronoi/simple_polytope.hpp"
 #include "voronoi/voronoi_builder.hpp"
-#include "voronoi/region_clipper.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -49,7 +49,8 @@ struct Neighbors {
 
   explicit Neighbors(const VoronoiDiagram& diagram) : offsets(diagram.num_regions() + 1, 0) {
     const auto region = [&](std::size_t i) {
-      return static_cast<std::size_t>(diagram.point_region()[static_cast<std::size_t>(diagram.ridge_points()[i])]);
+      return static_cast<std::size_t>(
+          diagram.point_region()[static_cast<std::size_t>(diagram.ridge_points()[i])]);
     };
     const std::size_t entries = diagram.ridge_points().size();
     for (std::size_t i = 0; i < entries; ++i) ++offsets[region(i) + 1];
@@ -63,7 +64,8 @@ struct Neighbors {
 /// Clips the regions of a diagram.
 class DiagramClipper {
  public:
-  DiagramClipper(const VoronoiDiagram& diagram, const Box& box) : diagram_(diagram), neighbors_(diagram), clipper_(box) {}
+  DiagramClipper(const VoronoiDiagram& diagram, const Box& box)
+      : diagram_(diagram), neighbors_(diagram), clipper_(box) {}
 
   internal::RegionClipper& clip(std::size_t region) {
     others_.clear();
@@ -74,7 +76,9 @@ class DiagramClipper {
   }
 
  private:
-  internal::RegionClipper::Site site(std::size_t r) const { return {diagram_.site(r).data(), diagram_.weight(r)}; }
+  internal::RegionClipper::Site site(std::size_t r) const {
+    return {diagram_.site(r).data(), diagram_.weight(r)};
+  }
 
   const VoronoiDiagram& diagram_;
   Neighbors neighbors_;
@@ -87,8 +91,8 @@ class DiagramClipper {
 VoronoiDiagram::VoronoiDiagram(const Triangulation& triangulation, VoronoiParts parts)
     : VoronoiDiagram(triangulation, nullptr, parts) {}
 
-VoronoiDiagram::VoronoiDiagram(const Triangulation& triangulation, const std::function<double(VertexId)>& weight,
-                               VoronoiParts parts)
+VoronoiDiagram::VoronoiDiagram(const Triangulation& triangulation,
+                               const std::function<double(VertexId)>& weight, VoronoiParts parts)
     : dimension_(triangulation.dimension()),
       affine_dimension_(triangulation.affine_dimension()),
       has_ridges_(parts == VoronoiParts::all),
@@ -106,18 +110,23 @@ double VoronoiDiagram::bisector_distance(std::size_t from, std::size_t to) const
   return length / 2 - (weight(to) - weight(from)) / length / 2;
 }
 
-double VoronoiDiagram::ridge_volume(std::size_t i, const std::vector<std::vector<Index>>& cells_of_region) const {
+double VoronoiDiagram::ridge_volume(std::size_t i,
+                                    const std::vector<std::vector<Index>>& cells_of_region) const {
   const auto corners = ridge(i);
   if (affine_dimension_ == 1) return 1;
   if (corners.front() < 0) return infinity;
-  const auto at = [&](std::size_t corner) { return vertex(static_cast<std::size_t>(corners[corner])).data(); };
+  const auto at = [&](std::size_t corner) {
+    return vertex(static_cast<std::size_t>(corners[corner])).data();
+  };
   if (affine_dimension_ == 2) return distance(at(0), at(1), ambient());
   if (affine_dimension_ == 3) {
     double area = 0;
-    for (std::size_t c = 1; c + 1 < corners.size(); ++c) area += triangle_area(at(0), at(c), at(c + 1), ambient());
+    for (std::size_t c = 1; c + 1 < corners.size(); ++c)
+      area += triangle_area(at(0), at(c), at(c + 1), ambient());
     return area;
   }
-  // The dual face of an edge of the triangulation: one corner for each cell around the edge, on a facet for each further site.
+  // The dual face of an edge of the triangulation: one corner for each cell around the edge, on a facet for
+  // each further site.
   const auto a = static_cast<std::size_t>(point_region_[static_cast<std::size_t>(ridge_points_[2 * i])]);
   const auto b = static_cast<std::size_t>(point_region_[static_cast<std::size_t>(ridge_points_[2 * i + 1])]);
   const std::size_t k = static_cast<std::size_t>(affine_dimension_);
@@ -162,7 +171,8 @@ std::vector<double> VoronoiDiagram::volumes_of(const std::vector<unsigned char>&
   std::vector<internal::CompensatedSum> sums(num_regions());
   for (std::size_t i = 0; i < num_ridges(); ++i) {
     const auto a = static_cast<std::size_t>(point_region_[static_cast<std::size_t>(ridge_points_[2 * i])]);
-    const auto b = static_cast<std::size_t>(point_region_[static_cast<std::size_t>(ridge_points_[2 * i + 1])]);
+    const auto b =
+        static_cast<std::size_t>(point_region_[static_cast<std::size_t>(ridge_points_[2 * i + 1])]);
     if (!wanted[a] && !wanted[b]) continue;
     const double volume = ridge_volume(i, cells) / affine_dimension_;
     if (wanted[a]) sums[a].add(volume * bisector_distance(a, b));
@@ -205,7 +215,8 @@ VoronoiData VoronoiDiagram::to_data() const {
     for (const SignedIndex region : point_region_) {
       const double* point = region < 0 ? hidden : site(static_cast<std::size_t>(region)).data();
       data.points.insert(data.points.end(), point, point + ambient());
-      if (is_weighted_) data.weights.push_back(region < 0 ? hidden[ambient()] : weight(static_cast<std::size_t>(region)));
+      if (is_weighted_)
+        data.weights.push_back(region < 0 ? hidden[ambient()] : weight(static_cast<std::size_t>(region)));
       if (region < 0) hidden += ambient() + 1;
     }
     return data;
@@ -226,7 +237,8 @@ void VoronoiDiagram::check_box(const Box& box) const {
       wrong("must have finite limits, low below high, along axis " + std::to_string(j));
   constexpr int largest_dimension = 12;  // 2^d corners
   if (dimension_ > largest_dimension)
-    throw Error(Errc::unsupported, "clipping to a box is available up to dimension " + std::to_string(largest_dimension));
+    throw Error(Errc::unsupported,
+                "clipping to a box is available up to dimension " + std::to_string(largest_dimension));
 }
 
 bool VoronoiDiagram::is_inside(std::size_t r, const Box& box) const {
@@ -252,10 +264,11 @@ std::vector<double> VoronoiDiagram::region_volumes(const Box& box) const {
   });
 }
 
-void VoronoiDiagram::for_each_clipped_region(const Box& box,
-                                             const std::function<void(std::size_t, const ClippedRegion&)>& visit) const {
+void VoronoiDiagram::for_each_clipped_region(
+    const Box& box, const std::function<void(std::size_t, const ClippedRegion&)>& visit) const {
   check_box(box);
-  if (dimension_ > 3) throw Error(Errc::unsupported, "the geometry of clipped regions is available up to dimension 3");
+  if (dimension_ > 3)
+    throw Error(Errc::unsupported, "the geometry of clipped regions is available up to dimension 3");
   DiagramClipper clipper(*this, box);
   for (std::size_t r = 0; r < num_regions(); ++r) visit(r, clipper.clip(r).geometry());
 }

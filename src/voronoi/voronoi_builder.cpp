@@ -2,9 +2,9 @@
 // Sites, vertices, regions and rays. Ridges are in voronoi_ridges.cpp.
 #include "voronoi/voronoi_builder.hpp"
 
+#include "kernel/predicates.hpp"
 #include "triangulation/stored_points.hpp"
 #include "voronoi/cell_center.hpp"
-#include "kernel/predicates.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -13,8 +13,8 @@
 
 namespace delone {
 
-VoronoiBuilder::VoronoiBuilder(const Triangulation& triangulation, const std::function<double(VertexId)>& weight,
-                               VoronoiDiagram& out)
+VoronoiBuilder::VoronoiBuilder(const Triangulation& triangulation,
+                               const std::function<double(VertexId)>& weight, VoronoiDiagram& out)
     : triangulation_(triangulation),
       weight_(weight),
       out_(out),
@@ -153,7 +153,8 @@ void VoronoiBuilder::merge_finite_cells() {
     for (int i = 0; i <= k_; ++i) {
       const CellId other = neighbors_[place * static_cast<std::size_t>(k_ + 1) + static_cast<std::size_t>(i)];
       const SignedIndex there = vertex_of_cell_[index(other)];
-      if (there < 0 || static_cast<std::size_t>(there) > place || !std::equal(here, here + d_, center(other))) continue;
+      if (there < 0 || static_cast<std::size_t>(there) > place || !std::equal(here, here + d_, center(other)))
+        continue;
       if (root(index(c)) == root(index(other))) continue;
       if (is_on_sphere(c, complex_.vertex(other, complex_.mirror_index(c, i)))) unite(index(c), index(other));
     }
@@ -212,15 +213,17 @@ void VoronoiBuilder::collect_stars() {
   const auto for_each_corner = [&](auto&& visit) {
     const VertexId* corner = corners_.data();
     for (std::size_t place = 0; k_ > 0 && place < cells_.size(); ++place)
-      for (int i = 0; i <= k_; ++i) visit(static_cast<std::size_t>(region_of(*corner++)), static_cast<SignedIndex>(place));
+      for (int i = 0; i <= k_; ++i)
+        visit(static_cast<std::size_t>(region_of(*corner++)), static_cast<SignedIndex>(place));
   };
   for_each_corner([&](std::size_t r, SignedIndex) { ++offsets[r + 1]; });
   for (std::size_t r = 0; r < num_regions; ++r) offsets[r + 1] += offsets[r] + (out_.bounded_[r] ? 0 : 1);
   out_.region_vertices_.assign(static_cast<std::size_t>(offsets.back()), -1);
   std::vector<std::int64_t> next(num_regions);
   for (std::size_t r = 0; r < num_regions; ++r) next[r] = offsets[r] + (out_.bounded_[r] ? 0 : 1);
-  for_each_corner(
-      [&](std::size_t r, SignedIndex place) { out_.region_vertices_[static_cast<std::size_t>(next[r]++)] = place; });
+  for_each_corner([&](std::size_t r, SignedIndex place) {
+    out_.region_vertices_[static_cast<std::size_t>(next[r]++)] = place;
+  });
 }
 
 /// Lists become shorter where cells have merged, so that they can move forward in place.
@@ -248,8 +251,9 @@ void VoronoiBuilder::collect_regions() {
   items.shrink_to_fit();
 }
 
-/// k = 2. Vertices near each other were inserted near each other, as a rule, while regions come in the order of the input:
-/// lists are made in the order of vertices, which stays in the cache, and then moved to their places.
+/// k = 2. Vertices near each other were inserted near each other, as a rule, while regions come in the order
+/// of the input: lists are made in the order of vertices, which stays in the cache, and then moved to their
+/// places.
 void VoronoiBuilder::collect_regions_in_plane() {
   const std::size_t num_regions = site_of_region_.size();
   std::vector<SignedIndex> lists;
@@ -268,13 +272,14 @@ void VoronoiBuilder::collect_regions_in_plane() {
     constexpr std::size_t ahead = 16;
     if (r + ahead < num_regions) __builtin_prefetch(lists.data() + begin[r + ahead]);
     const auto first = lists.begin() + static_cast<std::ptrdiff_t>(begin[r]);
-    out_.region_vertices_.insert(out_.region_vertices_.end(), first, first + static_cast<std::ptrdiff_t>(size[r]));
+    out_.region_vertices_.insert(out_.region_vertices_.end(), first,
+                                 first + static_cast<std::ptrdiff_t>(size[r]));
     out_.region_offsets_.push_back(static_cast<std::int64_t>(out_.region_vertices_.size()));
   }
 }
 
-/// k = 2: once around the site. Cells are coherently oriented, so crossing the edge opposite the vertex that follows the site
-/// goes counterclockwise.
+/// k = 2: once around the site. Cells are coherently oriented, so crossing the edge opposite the vertex that
+/// follows the site goes counterclockwise.
 void VoronoiBuilder::walk_region(std::size_t region, VertexId site, std::vector<SignedIndex>& items) {
   const auto first = static_cast<std::ptrdiff_t>(items.size());
   const CellId start = complex_.incident_cell(site);
@@ -284,7 +289,8 @@ void VoronoiBuilder::walk_region(std::size_t region, VertexId site, std::vector<
     if (static_cast<std::ptrdiff_t>(items.size()) == first || items.back() != vertex) items.push_back(vertex);
     c = complex_.neighbor(c, (complex_.index_of(c, site) + 1) % 3);
   } while (c != start);
-  if (static_cast<std::ptrdiff_t>(items.size()) > first + 1 && items.back() == items[static_cast<std::size_t>(first)])
+  if (static_cast<std::ptrdiff_t>(items.size()) > first + 1 &&
+      items.back() == items[static_cast<std::size_t>(first)])
     items.pop_back();
   if (!out_.bounded_[region])
     std::rotate(items.begin() + first, std::find(items.begin() + first, items.end(), -1), items.end());

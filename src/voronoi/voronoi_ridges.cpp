@@ -19,7 +19,8 @@ void VoronoiBuilder::add_ridge(VertexId s, VertexId t, std::span<const SignedInd
 
 void VoronoiBuilder::collect_ridges() {
   if (k_ == 1)
-    for (const CellId c : cells_) add_ridge(complex_.vertex(c, 0), complex_.vertex(c, 1), {&vertex_of_cell_[index(c)], 1});
+    for (const CellId c : cells_)
+      add_ridge(complex_.vertex(c, 0), complex_.vertex(c, 1), {&vertex_of_cell_[index(c)], 1});
   if (k_ == 2) collect_ridges_in_plane();
   if (k_ == 3) collect_ridges_in_space();
   if (k_ > 3) collect_ridges_by_region();
@@ -40,17 +41,20 @@ void VoronoiBuilder::collect_ridges_in_plane() {
 
 namespace {
 
-/// The cells of a complex of dimension 3 side by side in the order of their places, so that walks stay in the cache.
+/// The cells of a complex of dimension 3 side by side in the order of their places, so that walks stay in the
+/// cache.
 struct PlacedCell {
   Index vertices[4], neighbors[4];
 
   Index index_of(Index vertex) const {
-    return (vertices[1] == vertex ? 1 : 0) + (vertices[2] == vertex ? 2 : 0) + (vertices[3] == vertex ? 3 : 0);
+    return (vertices[1] == vertex ? 1 : 0) + (vertices[2] == vertex ? 2 : 0) +
+           (vertices[3] == vertex ? 3 : 0);
   }
 };
 
 /// The cells around the edge from corner a to corner b of a cell, counterclockwise about that direction.
-void walk_around(const std::vector<PlacedCell>& cells, Index first, Index a, Index b, std::vector<Index>& ring) {
+void walk_around(const std::vector<PlacedCell>& cells, Index first, Index a, Index b,
+                 std::vector<Index>& ring) {
   // Corners c and d such that (a, b, c, d) is an even permutation.
   constexpr Index others[4][4][2] = {{{0, 0}, {2, 3}, {3, 1}, {1, 2}},
                                      {{3, 2}, {0, 0}, {0, 3}, {2, 0}},
@@ -70,9 +74,9 @@ void walk_around(const std::vector<PlacedCell>& cells, Index first, Index a, Ind
 
 }  // namespace
 
-/// k = 3: the cells around an edge in cyclic order, each edge from its smaller vertex and the first cell of both. The dual is a
-/// polygon if these are of at least three classes; classes are met in one run each, as they are faces of a convex polygon's
-/// boundary.
+/// k = 3: the cells around an edge in cyclic order, each edge from its smaller vertex and the first cell of
+/// both. The dual is a polygon if these are of at least three classes; classes are met in one run each, as
+/// they are faces of a convex polygon's boundary.
 void VoronoiBuilder::collect_ridges_in_space() {
   std::vector<CellId> order = cells_;  // finite cells, then infinite ones
   order.reserve(complex_.num_cells());
@@ -84,7 +88,8 @@ void VoronoiBuilder::collect_ridges_in_space() {
     for (Index i = 0; i < 4; ++i) {
       const bool is_finite = place < cells_.size();
       const int corner = static_cast<int>(i);
-      cells[place].vertices[i] = index(is_finite ? corners_[4 * place + i] : complex_.vertex(order[place], corner));
+      cells[place].vertices[i] =
+          index(is_finite ? corners_[4 * place + i] : complex_.vertex(order[place], corner));
       const CellId neighbor = is_finite ? neighbors_[4 * place + i] : complex_.neighbor(order[place], corner);
       cells[place].neighbors[i] = place_of_cell[index(neighbor)];
     }
@@ -92,8 +97,10 @@ void VoronoiBuilder::collect_ridges_in_space() {
   corners_ = {};
   neighbors_ = {};
 
-  // Every cell is around six edges, an infinite one around three finite ones; S³ has as many edges as vertices and cells.
-  out_.ridge_vertices_.reserve(6 * std::size_t{complex_.num_finite_cells()} + 3 * std::size_t{complex_.num_infinite_cells()});
+  // Every cell is around six edges, an infinite one around three finite ones; S³ has as many edges as
+  // vertices and cells.
+  out_.ridge_vertices_.reserve(6 * std::size_t{complex_.num_finite_cells()} +
+                               3 * std::size_t{complex_.num_infinite_cells()});
   out_.ridge_points_.reserve(2 * (site_of_region_.size() + complex_.num_cells()));
   out_.ridge_offsets_.reserve(1 + site_of_region_.size() + complex_.num_cells());
   std::vector<Index> met(row_of_vertex_.size(), 0);  // the last vertex whose edge to this one was met
@@ -143,8 +150,8 @@ void VoronoiBuilder::collect_ridges_in_space() {
   }
 }
 
-/// k > 3: the cells of each region, distributed over the later regions they belong to, by counting. The corners of each cell
-/// are sorted, so that those are what follows the region.
+/// k > 3: the cells of each region, distributed over the later regions they belong to, by counting. The
+/// corners of each cell are sorted, so that those are what follows the region.
 void VoronoiBuilder::collect_ridges_by_region() {
   const auto corners = static_cast<std::size_t>(k_) + 1;
   const std::size_t num_regions = site_of_region_.size();
@@ -194,7 +201,8 @@ void VoronoiBuilder::collect_ridges_by_region() {
         const Index place = cells[e];
         const SignedIndex* const first = regions.data() + place * corners;
         std::size_t not_later = 0;  // counted, not searched: without a branch that depends on the data
-        for (std::size_t i = 0; i < corners; ++i) not_later += first[i] <= static_cast<SignedIndex>(r) ? 1 : 0;
+        for (std::size_t i = 0; i < corners; ++i)
+          not_later += first[i] <= static_cast<SignedIndex>(r) ? 1 : 0;
         for (std::size_t i = not_later; i < corners; ++i) visit(first[i], place);
       }
     };
@@ -210,7 +218,8 @@ void VoronoiBuilder::collect_ridges_by_region() {
       end += size;
     }
     stars.resize(end);
-    for_each_later([&](SignedIndex other, Index place) { stars[count[static_cast<std::size_t>(other)]++] = place; });
+    for_each_later(
+        [&](SignedIndex other, Index place) { stars[count[static_cast<std::size_t>(other)]++] = place; });
     Index first = 0;
     for (const SignedIndex other : others) {
       // Finite cells, then infinite ones.
@@ -225,7 +234,8 @@ void VoronoiBuilder::collect_ridges_by_region() {
       vertices.assign(star.back() < cells_.size() ? 0 : 1, -1);
       for (const Index place : star) {
         if (place >= cells_.size()) break;
-        vertices.push_back(has_merged_ ? vertex_of_cell_[index(order[place])] : static_cast<SignedIndex>(place));
+        vertices.push_back(has_merged_ ? vertex_of_cell_[index(order[place])]
+                                       : static_cast<SignedIndex>(place));
       }
       if (has_merged_) {
         std::sort(vertices.begin(), vertices.end());
@@ -273,13 +283,15 @@ bool VoronoiBuilder::is_ridge(VertexId s, VertexId t, std::span<const Index> sta
       common.assign(sites.begin(), sites.end());
     } else {
       kept.clear();
-      std::set_intersection(common.begin(), common.end(), sites.begin(), sites.end(), std::back_inserter(kept));
+      std::set_intersection(common.begin(), common.end(), sites.begin(), sites.end(),
+                            std::back_inserter(kept));
       common.swap(kept);
     }
     is_first = false;
     if (common.size() == 2) return true;
   }
-  // Sites between s and t in a power diagram may have regions without interior, which coincide with the ridge.
+  // Sites between s and t in a power diagram may have regions without interior, which coincide with the
+  // ridge.
   for (const VertexId v : common) {
     if (v == s || v == t) continue;
     std::vector<double> three;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The engine against the definition, cell by cell: every subset of up to 12 points in integers without error. Batches, single
-// insertions and the engine of run-time dimension; all kinds of degeneracy, and small integers full of ties.
+// The engine against the definition, cell by cell: every subset of up to 12 points in integers without error.
+// Batches, single insertions and the engine of run-time dimension; all kinds of degeneracy, and small
+// integers full of ties.
 #include "brute_force.hpp"
 
 #include "compare.hpp"
@@ -25,10 +26,12 @@ void expect_equal(const test::BruteForce& oracle, const test::Cells& expected, c
   ASSERT_EQ(data.vertex_of_point.size(), set.size());
   for (std::size_t row = 0; row < set.size(); ++row)
     EXPECT_EQ(data.vertex_of_point[row], oracle.first_row(static_cast<SignedIndex>(row))) << "row " << row;
-  for (std::size_t first = 0; first < data.cells.size(); first += static_cast<std::size_t>(data.affine_dimension) + 1) {
+  for (std::size_t first = 0; first < data.cells.size();
+       first += static_cast<std::size_t>(data.affine_dimension) + 1) {
     if (data.affine_dimension < data.dimension) break;
-    const test::BruteForce::Rows cell(data.cells.begin() + static_cast<std::ptrdiff_t>(first),
-                                      data.cells.begin() + static_cast<std::ptrdiff_t>(first) + data.affine_dimension + 1);
+    const test::BruteForce::Rows cell(
+        data.cells.begin() + static_cast<std::ptrdiff_t>(first),
+        data.cells.begin() + static_cast<std::ptrdiff_t>(first) + data.affine_dimension + 1);
     EXPECT_EQ(oracle.orientation(cell), Sign::positive) << "cell " << test::to_text(cell);
   }
 }
@@ -49,7 +52,8 @@ void expect_brute_force(const PointSet& set) {
     Triangulation triangulation(set.dimension, options);
     for (std::size_t row = 0; row < set.size(); ++row) {
       const InsertResult result = triangulation.insert(std::span(set.points).subspan(row * d, d));
-      EXPECT_EQ(result.inserted, oracle.first_row(static_cast<SignedIndex>(row)) == static_cast<SignedIndex>(row))
+      EXPECT_EQ(result.inserted,
+                oracle.first_row(static_cast<SignedIndex>(row)) == static_cast<SignedIndex>(row))
           << "row " << row;
       EXPECT_EQ(result.vertex, triangulation.vertex_at(row));
     }
@@ -58,12 +62,14 @@ void expect_brute_force(const PointSet& set) {
 }
 
 class BruteForceIn : public ::testing::TestWithParam<int> {};
-INSTANTIATE_TEST_SUITE_P(Dimensions, BruteForceIn, ::testing::Range(1, 6), ::testing::PrintToStringParamName());
+INSTANTIATE_TEST_SUITE_P(Dimensions, BruteForceIn, ::testing::Range(1, 6),
+                         ::testing::PrintToStringParamName());
 
 TEST_P(BruteForceIn, DegenerateSetsAgree) {
   const std::size_t rounds = test::scaled_count(GetParam() <= 3 ? 10 : GetParam() == 4 ? 4 : 1);
   for (std::uint64_t seed = 0; seed < rounds; ++seed)
-    for (const PointSet& set : test::degenerate_sets(GetParam(), GetParam() == 5 ? 10 : 12 - seed % 4, seed)) {
+    for (const PointSet& set :
+         test::degenerate_sets(GetParam(), GetParam() == 5 ? 10 : 12 - seed % 4, seed)) {
       expect_brute_force(set);
       if (HasFailure()) return;
     }
@@ -75,8 +81,8 @@ TEST_P(BruteForceIn, SmallIntegersAgree) {
   for (std::uint64_t seed = 0; seed < rounds; ++seed) {
     test::Random random(seed);
     const int high = random.integer(1, 4);
-    expect_brute_force(
-        test::small_integers(d, static_cast<std::size_t>(random.integer(1, 12)), -random.integer(0, 2), high, seed));
+    expect_brute_force(test::small_integers(d, static_cast<std::size_t>(random.integer(1, 12)),
+                                            -random.integer(0, 2), high, seed));
     if (HasFailure()) return;
   }
 }
@@ -94,8 +100,8 @@ TEST_P(BruteForceIn, GeneralPositionAgrees) {
 }
 
 TEST(BruteForceOracle, KnowsTheSquare) {
-  // All four corners lie on one circle. Raised most is (1,1), then (1,0): a lone raised point is cut off, so the diagonal
-  // joins (1,0) and (0,1).
+  // All four corners lie on one circle. Raised most is (1,1), then (1,0): a lone raised point is cut off, so
+  // the diagonal joins (1,0) and (0,1).
   const test::BruteForce oracle(std::vector<double>{0, 0, 1, 0, 0, 1, 1, 1}, 2);
   EXPECT_EQ(oracle.cells(), (test::Cells{{0, 1, 2}, {1, 2, 3}}));
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The engine against CGAL's dD Delaunay triangulation, which is exact too, by its documented interface. One dimension takes a
-// compiler about a gigabyte, so the tests are spread over several files.
+// The engine against CGAL's dD Delaunay triangulation, which is exact too, by its documented interface. One
+// dimension takes a compiler about a gigabyte, so the tests are spread over several files.
 #pragma once
 
 #include "compare.hpp"

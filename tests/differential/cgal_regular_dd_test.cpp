@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Regular triangulations against CGAL's in d dimensions, which are exact too, by their documented interface. In general
-// position both have the same cells. Ties are decided otherwise there, even which points of a tie are hidden: then the cells
-// of both must subdivide the same power cells, and the cells there must stand check() without `canonical`.
+// Regular triangulations against CGAL's in d dimensions, which are exact too, by their documented interface.
+// In general position both have the same cells. Ties are decided otherwise there, even which points of a tie
+// are hidden: then the cells of both must subdivide the same power cells, and the cells there must stand
+// check() without `canonical`.
 #include "compare.hpp"
 #include "degenerate.hpp"
 
@@ -46,7 +47,8 @@ WeightedSet with_weights(PointSet set, int largest, std::uint64_t seed) {
 }
 
 std::string describe(const WeightedSet& s) {
-  return s.set.name + "\n" + test::to_text(s.set.points, s.set.dimension) + "weights: " + testing::PrintToString(s.weights);
+  return s.set.name + "\n" + test::to_text(s.set.points, s.set.dimension) +
+         "weights: " + testing::PrintToString(s.weights);
 }
 
 /// The coordinates of a row, and its weight.
@@ -60,7 +62,8 @@ std::vector<double> key(const WeightedSet& s, std::size_t row) {
 /// The first row with each key.
 std::map<std::vector<double>, SignedIndex> first_rows(const WeightedSet& s) {
   std::map<std::vector<double>, SignedIndex> rows;
-  for (std::size_t row = 0; row < s.set.size(); ++row) rows.emplace(key(s, row), static_cast<SignedIndex>(row));
+  for (std::size_t row = 0; row < s.set.size(); ++row)
+    rows.emplace(key(s, row), static_cast<SignedIndex>(row));
   return rows;
 }
 
@@ -117,8 +120,8 @@ std::int64_t volume(const WeightedSet& s, const std::vector<SignedIndex>& cell) 
   return std::abs(m[d - 1][d - 1]);
 }
 
-/// The regular subdivision that the cells refine: the rows (one of each place and weight) on each power sphere, and the volume
-/// of the cells that share it. No row may be in conflict.
+/// The regular subdivision that the cells refine: the rows (one of each place and weight) on each power
+/// sphere, and the volume of the cells that share it. No row may be in conflict.
 std::map<std::vector<SignedIndex>, std::int64_t> power_cells(const WeightedSet& s, const Cells& cells) {
   std::map<std::vector<SignedIndex>, std::int64_t> result;
   const auto rows = first_rows(s);
@@ -131,7 +134,8 @@ std::map<std::vector<SignedIndex>, std::int64_t> power_cells(const WeightedSet& 
     }
     std::vector<SignedIndex> on_sphere;
     for (const auto& [p, row] : rows) {
-      const Sign sign = in_power_sphere(points, weights, std::span(p).first(p.size() - 1), p.back(), s.set.dimension);
+      const Sign sign =
+          in_power_sphere(points, weights, std::span(p).first(p.size() - 1), p.back(), s.set.dimension);
       EXPECT_NE(sign, Sign::negative) << row << " in " << test::to_text(cell) << describe(s);
       if (sign == Sign::zero) on_sphere.push_back(row);
     }

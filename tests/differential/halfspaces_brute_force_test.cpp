@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Intersections of halfspaces against their definition in rational numbers: general and degenerate, bounded and not, flat,
-// empty.
+// Intersections of halfspaces against their definition in rational numbers: general and degenerate, bounded
+// and not, flat, empty.
 #include "halfspace_brute_force.hpp"
 #include "scale.hpp"
 
@@ -52,8 +52,10 @@ void expect_same(const std::vector<double>& halfspaces, int dimension, const Int
 
   // Vertices and directions are told by the facets they are on.
   std::map<Rows, std::size_t> vertex_at, direction_at;
-  for (std::size_t v = 0; v < data.num_vertices(); ++v) vertex_at.emplace(list(data.halfspaces_of_vertex(v)), v);
-  for (std::size_t u = 0; u < data.num_directions(); ++u) direction_at.emplace(list(data.halfspaces_of_direction(u)), u);
+  for (std::size_t v = 0; v < data.num_vertices(); ++v)
+    vertex_at.emplace(list(data.halfspaces_of_vertex(v)), v);
+  for (std::size_t u = 0; u < data.num_directions(); ++u)
+    direction_at.emplace(list(data.halfspaces_of_direction(u)), u);
   ASSERT_EQ(data.num_vertices(), truth.vertices.size());
   ASSERT_EQ(data.num_directions(), truth.directions.size());
   for (const auto& [x, tight] : truth.vertices) {
@@ -68,12 +70,13 @@ void expect_same(const std::vector<double>& halfspaces, int dimension, const Int
     double largest = 0;
     for (const double x : data.direction(found->second)) largest = std::max(largest, std::abs(x));
     for (std::size_t j = 0; j < data.axes.size(); ++j)
-      EXPECT_NEAR(data.direction(found->second)[static_cast<std::size_t>(data.axes[j])] / largest, static_cast<double>(u[j]),
-                  1e-14);
+      EXPECT_NEAR(data.direction(found->second)[static_cast<std::size_t>(data.axes[j])] / largest,
+                  static_cast<double>(u[j]), 1e-14);
   }
 
   std::set<std::pair<SignedIndex, SignedIndex>> edges, rays, true_edges, true_rays;
-  for (std::size_t e = 0; e < data.num_edges(); ++e) edges.insert(std::minmax(data.edges[2 * e], data.edges[2 * e + 1]));
+  for (std::size_t e = 0; e < data.num_edges(); ++e)
+    edges.insert(std::minmax(data.edges[2 * e], data.edges[2 * e + 1]));
   for (std::size_t e = 0; e < data.num_rays(); ++e) rays.emplace(data.rays[2 * e], data.rays[2 * e + 1]);
   EXPECT_EQ(edges.size(), data.num_edges());
   EXPECT_EQ(rays.size(), data.num_rays());
@@ -81,7 +84,8 @@ void expect_same(const std::vector<double>& halfspaces, int dimension, const Int
     const auto here = static_cast<SignedIndex>(vertex_at.at(truth.facets_among(tight)));
     for (const auto& [y, other] : truth.vertices)
       if (x < y && truth.is_edge(tight, other))
-        true_edges.insert(std::minmax(here, static_cast<SignedIndex>(vertex_at.at(truth.facets_among(other)))));
+        true_edges.insert(
+            std::minmax(here, static_cast<SignedIndex>(vertex_at.at(truth.facets_among(other)))));
     for (const auto& [u, other] : truth.directions)
       if (truth.is_edge(tight, other))
         true_rays.emplace(here, static_cast<SignedIndex>(direction_at.at(truth.facets_among(other))));
@@ -92,9 +96,11 @@ void expect_same(const std::vector<double>& halfspaces, int dimension, const Int
   for (std::size_t f = 0; f < data.num_facets(); ++f) {
     Rows vertices, directions;
     for (const auto& [on, v] : vertex_at)
-      if (std::count(on.begin(), on.end(), data.facet_halfspaces[f]) > 0) vertices.push_back(static_cast<SignedIndex>(v));
+      if (std::count(on.begin(), on.end(), data.facet_halfspaces[f]) > 0)
+        vertices.push_back(static_cast<SignedIndex>(v));
     for (const auto& [on, u] : direction_at)
-      if (std::count(on.begin(), on.end(), data.facet_halfspaces[f]) > 0) directions.push_back(static_cast<SignedIndex>(u));
+      if (std::count(on.begin(), on.end(), data.facet_halfspaces[f]) > 0)
+        directions.push_back(static_cast<SignedIndex>(u));
     std::sort(vertices.begin(), vertices.end());
     std::sort(directions.begin(), directions.end());
     EXPECT_EQ(sorted(data.facet(f)), vertices);
@@ -102,10 +108,12 @@ void expect_same(const std::vector<double>& halfspaces, int dimension, const Int
     if (dimension != 3 || data.rank != 3) continue;
     // Along the border: neighbors share an edge, and the turn is to the left seen from outside.
     const auto border = data.facet(f);
-    for (std::size_t i = 0; i + 1 < border.size(); ++i) EXPECT_EQ(true_edges.count(std::minmax(border[i], border[i + 1])), 1u);
+    for (std::size_t i = 0; i + 1 < border.size(); ++i)
+      EXPECT_EQ(true_edges.count(std::minmax(border[i], border[i + 1])), 1u);
     if (border.size() < 3) continue;
     const double* n = &halfspaces[static_cast<std::size_t>(data.facet_halfspaces[f]) * 4];
-    const auto a = data.vertex(static_cast<std::size_t>(border[0])), b = data.vertex(static_cast<std::size_t>(border[1])),
+    const auto a = data.vertex(static_cast<std::size_t>(border[0])),
+               b = data.vertex(static_cast<std::size_t>(border[1])),
                c = data.vertex(static_cast<std::size_t>(border[2]));
     double turn = 0;
     for (std::size_t j = 0; j < 3; ++j) {
@@ -122,15 +130,17 @@ void expect_right(const std::vector<double>& halfspaces, int dimension) {
   if (testing::Test::HasFailure()) {
     std::string text;
     for (std::size_t i = 0; i < halfspaces.size(); ++i)
-      text += std::to_string(halfspaces[i]) +
-              (i % static_cast<std::size_t>(dimension + 1) == static_cast<std::size_t>(dimension) ? "\n" : " ");
+      text +=
+          std::to_string(halfspaces[i]) +
+          (i % static_cast<std::size_t>(dimension + 1) == static_cast<std::size_t>(dimension) ? "\n" : " ");
     FAIL() << "dimension " << dimension << ":\n" << text;
   }
   const IntersectionCheckReport report = check_halfspaces(found.to_data());
   ASSERT_TRUE(report.ok) << report.violation;
 }
 
-std::vector<double> random_rows(std::mt19937& random, int dimension, int count, int range, int offset_low, int offset_high) {
+std::vector<double> random_rows(std::mt19937& random, int dimension, int count, int range, int offset_low,
+                                int offset_high) {
   std::uniform_int_distribution<int> entry(-range, range), offset(offset_low, offset_high);
   std::vector<double> rows;
   for (int r = 0; r < count; ++r) {
@@ -163,7 +173,9 @@ TEST(HalfspacesBruteForce, SmallIntegersAroundTheOrigin) {
   std::mt19937 random(1);
   for (int d = 1; d <= 4; ++d)
     for (int repeat = 0; repeat < static_cast<int>(scaled_count(d < 4 ? 60 : 25)); ++repeat) {
-      expect_right(random_rows(random, d, static_cast<int>(random() % 10) + 1, 1 + static_cast<int>(random() % 3), -4, -1), d);
+      expect_right(random_rows(random, d, static_cast<int>(random() % 10) + 1,
+                               1 + static_cast<int>(random() % 3), -4, -1),
+                   d);
       if (HasFatalFailure() || HasFailure()) return;
     }
 }
@@ -172,7 +184,9 @@ TEST(HalfspacesBruteForce, SmallIntegersAnywhere) {
   std::mt19937 random(2);
   for (int d = 1; d <= 4; ++d)
     for (int repeat = 0; repeat < static_cast<int>(scaled_count(d < 4 ? 60 : 25)); ++repeat) {
-      expect_right(random_rows(random, d, static_cast<int>(random() % 8), 1 + static_cast<int>(random() % 3), -3, 2), d);
+      expect_right(
+          random_rows(random, d, static_cast<int>(random() % 8), 1 + static_cast<int>(random() % 3), -3, 2),
+          d);
       if (HasFatalFailure() || HasFailure()) return;
     }
 }
@@ -196,7 +210,8 @@ TEST(HalfspacesBruteForce, PyramidOverManySides) {
     std::vector<double> rows{0, 0, -1, 0};  // z ≥ 0, and sides through the apex (0, 0, 5)
     const int at[9][2] = {{5, 0}, {4, 3}, {3, 4}, {0, 5}, {-4, 3}, {-5, 0}, {-3, -4}, {0, -5}, {4, -3}};
     for (int i = 0; i < sides; ++i)
-      for (const double x : {1.0 * at[i * 9 / sides][0], 1.0 * at[i * 9 / sides][1], 1.0, -5.0}) rows.push_back(x);
+      for (const double x : {1.0 * at[i * 9 / sides][0], 1.0 * at[i * 9 / sides][1], 1.0, -5.0})
+        rows.push_back(x);
     expect_right(rows, 3);
     if (HasFatalFailure()) return;
   }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Intersections of halfspaces against lrs, which walks from vertex to vertex in rational numbers (Avis and Fukuda 1992,
-// doi:10.1007/BF02293050): the same vertices and directions, exactly.
+// Intersections of halfspaces against lrs, which walks from vertex to vertex in rational numbers (Avis and
+// Fukuda 1992, doi:10.1007/BF02293050): the same vertices and directions, exactly.
 #include "halfspace_brute_force.hpp"
 #include "halfspace_sets.hpp"
 
@@ -22,8 +22,8 @@ namespace {
 #ifdef DELONE_LRS
 using Row = test::RationalRow;
 
-/// Vertices (1, x) and directions (0, u), the latter divided by their largest entry in magnitude. Entries times 2²⁰ are
-/// integers.
+/// Vertices (1, x) and directions (0, u), the latter divided by their largest entry in magnitude. Entries
+/// times 2²⁰ are integers.
 std::set<Row> lrs(const std::vector<double>& rows, int dimension) {
   const auto width = static_cast<std::size_t>(dimension) + 1;
   std::string name = testing::UnitTest::GetInstance()->current_test_info()->name();
@@ -34,14 +34,15 @@ std::set<Row> lrs(const std::vector<double>& rows, int dimension) {
     file << "delone\nH-representation\nbegin\n" << rows.size() / width << " " << width << " integer\n";
     for (std::size_t i = 0; i < rows.size(); i += width) {
       file << static_cast<long long>(std::ldexp(-rows[i + width - 1], 20));
-      for (std::size_t j = 0; j + 1 < width; ++j) file << " " << static_cast<long long>(std::ldexp(-rows[i + j], 20));
+      for (std::size_t j = 0; j + 1 < width; ++j)
+        file << " " << static_cast<long long>(std::ldexp(-rows[i + j], 20));
       file << "\n";
     }
     file << "end\n";
   }
   std::set<Row> found;
-  const std::unique_ptr<std::FILE, int (*)(std::FILE*)> pipe(popen((DELONE_LRS " " + path + " 2>/dev/null").c_str(), "r"),
-                                                             pclose);
+  const std::unique_ptr<std::FILE, int (*)(std::FILE*)> pipe(
+      popen((DELONE_LRS " " + path + " 2>/dev/null").c_str(), "r"), pclose);
   std::string text;
   char part[4096];
   for (std::size_t size; (size = std::fread(part, 1, sizeof part, pipe.get())) > 0;) text.append(part, size);
@@ -49,8 +50,9 @@ std::set<Row> lrs(const std::vector<double>& rows, int dimension) {
   std::istringstream lines(text);
   bool is_within = false;
   for (std::string line; std::getline(lines, line);) {
-    if (line == "end" || line.rfind("*lrs", 0) == 0) is_within = false;  // it starts anew where integers grow too long
-    if (is_within && line.rfind("*", 0) != 0) {                          // not "***** 4 rational"
+    if (line == "end" || line.rfind("*lrs", 0) == 0)
+      is_within = false;                         // it starts anew where integers grow too long
+    if (is_within && line.rfind("*", 0) != 0) {  // not "***** 4 rational"
       std::istringstream fields(line);
       Row row;
       for (std::string field; fields >> field;) row.emplace_back(field);
@@ -71,14 +73,16 @@ void expect_same(const std::vector<double>& rows, int d) {
   if (data.rank < d) return;
   std::size_t vertices = 0, directions = 0;
   std::set<std::vector<double>> rounded, expected;
-  for (std::size_t v = 0; v < data.num_vertices(); ++v) rounded.emplace(data.vertex(v).begin(), data.vertex(v).end());
+  for (std::size_t v = 0; v < data.num_vertices(); ++v)
+    rounded.emplace(data.vertex(v).begin(), data.vertex(v).end());
   for (const Row& row : lrs(rows, d)) {
     ++(row[0] == 0 ? directions : vertices);
     if (row[0] == 0) continue;
     std::vector<double> x;
     for (std::size_t j = 1; j < row.size(); ++j) {
       x.push_back(static_cast<double>(row[j]));
-      for (const double to : {-INFINITY, INFINITY})  // the conversion may be off by one unit in the last place
+      for (const double to :
+           {-INFINITY, INFINITY})  // the conversion may be off by one unit in the last place
         if (const double next = std::nextafter(x.back(), to);
             !test::is_nearest(x.back(), row[j]) && test::is_nearest(next, row[j]))
           x.back() = next;
@@ -92,7 +96,8 @@ void expect_same(const std::vector<double>& rows, int d) {
 #endif
 
 class HalfspacesLrsIn : public ::testing::TestWithParam<int> {};
-INSTANTIATE_TEST_SUITE_P(Dimensions, HalfspacesLrsIn, ::testing::Range(2, 7), ::testing::PrintToStringParamName());
+INSTANTIATE_TEST_SUITE_P(Dimensions, HalfspacesLrsIn, ::testing::Range(2, 7),
+                         ::testing::PrintToStringParamName());
 
 TEST_P(HalfspacesLrsIn, GeneralPosition) {
 #ifdef DELONE_LRS

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Intersections of halfspaces against Qhull, in general position, where rounding does not change Qhull's answer.
+// Intersections of halfspaces against Qhull, in general position, where rounding does not change Qhull's
+// answer.
 #include "halfspace_sets.hpp"
 
 #include <delone/halfspaces.hpp>
@@ -57,7 +58,8 @@ QhullResult qhull(std::vector<double> rows, int dimension) {
 #endif
 
 class HalfspacesQhullIn : public ::testing::TestWithParam<int> {};
-INSTANTIATE_TEST_SUITE_P(Dimensions, HalfspacesQhullIn, ::testing::Range(2, 8), ::testing::PrintToStringParamName());
+INSTANTIATE_TEST_SUITE_P(Dimensions, HalfspacesQhullIn, ::testing::Range(2, 8),
+                         ::testing::PrintToStringParamName());
 
 TEST_P(HalfspacesQhullIn, RandomHalfspacesAgree) {
 #if DELONE_HAVE_QHULL
@@ -66,7 +68,8 @@ TEST_P(HalfspacesQhullIn, RandomHalfspacesAgree) {
   const QhullResult expected = qhull(rows, d);
   for (const bool given : {true, false}) {
     const std::vector<double> origin(static_cast<std::size_t>(d), 0.0);
-    const HalfspaceIntersection found = given ? HalfspaceIntersection(rows, d, origin) : HalfspaceIntersection(rows, d);
+    const HalfspaceIntersection found =
+        given ? HalfspaceIntersection(rows, d, origin) : HalfspaceIntersection(rows, d);
     const IntersectionData& data = found.data();
     EXPECT_TRUE(data.bounded);
     EXPECT_EQ(data.facet_halfspaces, expected.facets);
@@ -78,7 +81,8 @@ TEST_P(HalfspacesQhullIn, RandomHalfspacesAgree) {
       ASSERT_NE(at, expected.vertices.end()) << "vertex " << v;
       double size = 0;
       for (const double x : data.vertex(v)) size = std::max(size, std::abs(x));
-      for (std::size_t j = 0; j < at->second.size(); ++j) EXPECT_NEAR(data.vertex(v)[j], at->second[j], 1e-9 * size * size);
+      for (std::size_t j = 0; j < at->second.size(); ++j)
+        EXPECT_NEAR(data.vertex(v)[j], at->second[j], 1e-9 * size * size);
     }
   }
 #else

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Hulls against the definition: cells, facets, extreme points, kinds of points and numbers of faces, for sets of up to 12
-// points of all kinds of degeneracy.
+// Hulls against the definition: cells, facets, extreme points, kinds of points and numbers of faces, for sets
+// of up to 12 points of all kinds of degeneracy.
 #include "hull_brute_force.hpp"
 #include "compare.hpp"
 #include "degenerate.hpp"
@@ -29,7 +29,8 @@ void expect_equal(const test::HullBruteForce& oracle, const Polytope& actual, bo
   EXPECT_EQ(k, oracle.affine_dimension());
   EXPECT_EQ(data.vertex_of_point, oracle.first_row());
   for (std::size_t row = 0; row < data.num_points(); ++row)
-    EXPECT_EQ(static_cast<int>(data.point_kinds[row]), static_cast<int>(oracle.kind(static_cast<SignedIndex>(row))))
+    EXPECT_EQ(static_cast<int>(data.point_kinds[row]),
+              static_cast<int>(oracle.kind(static_cast<SignedIndex>(row))))
         << "row " << row;
   EXPECT_EQ(data.vertices, oracle.extreme_rows());
   EXPECT_TRUE(test::same_cells(oracle.extreme_facets(), lists(data.facet_offsets, data.facet_vertices)));
@@ -75,7 +76,8 @@ void expect_brute_force(const PointSet& set, bool with_cells = true) {
 }
 
 class HullBruteForceIn : public ::testing::TestWithParam<int> {};
-INSTANTIATE_TEST_SUITE_P(Dimensions, HullBruteForceIn, ::testing::Range(1, 6), ::testing::PrintToStringParamName());
+INSTANTIATE_TEST_SUITE_P(Dimensions, HullBruteForceIn, ::testing::Range(1, 6),
+                         ::testing::PrintToStringParamName());
 
 TEST_P(HullBruteForceIn, DegenerateSetsAgree) {
   const std::size_t rounds = test::scaled_count(GetParam() <= 3 ? 3 : 1);
@@ -86,8 +88,9 @@ TEST_P(HullBruteForceIn, DegenerateSetsAgree) {
                                                                        : 11 - seed % 4,
                                                      seed)) {
       // Carrying out the perturbation takes numbers of 12·k·4000 bits when coordinates span all exponents.
-      const bool moderate = std::all_of(set.points.begin(), set.points.end(),
-                                        [](double x) { return x == 0 || (std::fabs(x) > 1e-9 && std::fabs(x) < 1e17); });
+      const bool moderate = std::all_of(set.points.begin(), set.points.end(), [](double x) {
+        return x == 0 || (std::fabs(x) > 1e-9 && std::fabs(x) < 1e17);
+      });
       expect_brute_force(set, moderate);
       if (HasFailure()) return;
     }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Hulls against cddlib in rational numbers: facets by the points on them, and which points are extreme; in general position,
-// full of points on facets, and flat.
+// Hulls against cddlib in rational numbers: facets by the points on them, and which points are extreme; in
+// general position, full of points on facets, and flat.
 #include "degenerate.hpp"
 #include "double_description.hpp"
 
@@ -40,7 +40,8 @@ void expect_same(const test::PointSet& set) {
   std::set<SignedIndex> on_boundary;
   for (const auto& [row, on] : truth.found) {
     Rows extreme;
-    std::set_intersection(on.begin(), on.end(), truth.essential.begin(), truth.essential.end(), std::back_inserter(extreme));
+    std::set_intersection(on.begin(), on.end(), truth.essential.begin(), truth.essential.end(),
+                          std::back_inserter(extreme));
     expected.insert(extreme);
     on_boundary.insert(on.begin(), on.end());
   }
@@ -51,16 +52,18 @@ void expect_same(const test::PointSet& set) {
   EXPECT_EQ(data.num_facets(), expected.size());
   for (std::size_t r = 0; r < data.point_kinds.size(); ++r) {
     const auto row = static_cast<SignedIndex>(r);
-    const PointKind kind = std::binary_search(truth.essential.begin(), truth.essential.end(), row) ? PointKind::extreme
-                           : on_boundary.count(row) > 0                                            ? PointKind::boundary
-                                                                                                   : PointKind::interior;
+    const PointKind kind = std::binary_search(truth.essential.begin(), truth.essential.end(), row)
+                               ? PointKind::extreme
+                           : on_boundary.count(row) > 0 ? PointKind::boundary
+                                                        : PointKind::interior;
     EXPECT_EQ(data.point_kinds[r], kind) << "row " << r;
   }
 }
 #endif
 
 class HullCddlibIn : public ::testing::TestWithParam<int> {};
-INSTANTIATE_TEST_SUITE_P(Dimensions, HullCddlibIn, ::testing::Range(2, 7), ::testing::PrintToStringParamName());
+INSTANTIATE_TEST_SUITE_P(Dimensions, HullCddlibIn, ::testing::Range(2, 7),
+                         ::testing::PrintToStringParamName());
 
 TEST_P(HullCddlibIn, GeneralPosition) {
 #if DELONE_HAVE_CDDLIB

@@ -52,7 +52,8 @@ QhullResult qhull(std::vector<double> points, int dimension) {
 #endif
 
 class HullQhullIn : public ::testing::TestWithParam<int> {};
-INSTANTIATE_TEST_SUITE_P(Dimensions, HullQhullIn, ::testing::Range(2, 9), ::testing::PrintToStringParamName());
+INSTANTIATE_TEST_SUITE_P(Dimensions, HullQhullIn, ::testing::Range(2, 9),
+                         ::testing::PrintToStringParamName());
 
 TEST_P(HullQhullIn, RandomPointsAgree) {
 #if DELONE_HAVE_QHULL
@@ -71,7 +72,8 @@ TEST_P(HullQhullIn, RandomPointsAgree) {
     }
     const QhullResult expected = qhull(points, d);
     const Polytope hull(points, d);
-    EXPECT_TRUE(test::same_cells(expected.facets, test::sorted_cells(hull.data().cells, d - 1))) << test::to_text(points, d);
+    EXPECT_TRUE(test::same_cells(expected.facets, test::sorted_cells(hull.data().cells, d - 1)))
+        << test::to_text(points, d);
     EXPECT_EQ(hull.num_facets(), expected.facets.size());
     EXPECT_NEAR(hull.volume().value, expected.volume, 1e-10 * expected.volume);
     EXPECT_NEAR(hull.area().value, expected.area, 1e-10 * expected.area);

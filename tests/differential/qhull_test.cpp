@@ -18,8 +18,8 @@ namespace delone {
 namespace {
 
 #if DELONE_HAVE_QHULL
-// The cells of Qhull's Delaunay triangulation, or of the furthest-site one; none if Qhull reports an error or had to merge
-// facets.
+// The cells of Qhull's Delaunay triangulation, or of the furthest-site one; none if Qhull reports an error or
+// had to merge facets.
 test::Cells qhull_cells(std::vector<double> points, int dimension, bool furthest = false) {
   test::Cells cells;
   qhT state;
@@ -60,7 +60,8 @@ TEST_P(QhullIn, UniformPointsAgree) {
     std::vector<double> points;
     test::Random random(seed);
     for (int i = 0; i < sizes[d - 2] * d; ++i) points.push_back(random.real());
-    EXPECT_TRUE(test::same_cells(qhull_cells(points, d), test::sorted_cells(Triangulation(points, d).to_data())))
+    EXPECT_TRUE(
+        test::same_cells(qhull_cells(points, d), test::sorted_cells(Triangulation(points, d).to_data())))
         << "seed " << seed << '\n'
         << test::to_text(points, d);
   }
@@ -76,8 +77,8 @@ TEST_P(QhullIn, FurthestSitesAgree) {
     std::vector<double> points;
     test::Random random(seed);
     for (int i = 0; i < sizes[d - 2] * d; ++i) points.push_back(random.real());
-    EXPECT_TRUE(
-        test::same_cells(qhull_cells(points, d, true), test::sorted_cells(FurthestSiteTriangulation(points, d).to_data())))
+    EXPECT_TRUE(test::same_cells(qhull_cells(points, d, true),
+                                 test::sorted_cells(FurthestSiteTriangulation(points, d).to_data())))
         << "seed " << seed << '\n'
         << test::to_text(points, d);
   }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Voronoi diagrams against their definition, in fractions without error on few points; against Qhull on more; volumes against
-// boxes, counted samples and the geometry of clipped regions.
+// Voronoi diagrams against their definition, in fractions without error on few points; against Qhull on more;
+// volumes against boxes, counted samples and the geometry of clipped regions.
 #include "degenerate.hpp"
 
 #include <delone/voronoi.hpp>
@@ -31,7 +31,8 @@ Fraction squared_distance(const Vector& a, const Vector& b) {
   return sum;
 }
 
-/// The point of the affine hull of the sites that is equally far from all of them; none if they are dependent.
+/// The point of the affine hull of the sites that is equally far from all of them; none if they are
+/// dependent.
 std::optional<Vector> circumcenter(const std::vector<Vector>& sites) {
   const std::size_t k = sites.size() - 1, d = sites[0].size();
   std::vector<Vector> edges(k, Vector(d)), gram(k, Vector(k + 1));
@@ -105,7 +106,8 @@ void compare_with_definition(const test::PointSet& set) {
   std::vector<Vector> sites;
   for (std::size_t r = 0; r < diagram.num_regions(); ++r) {
     sites.push_back(exact(diagram.site(r)));
-    EXPECT_EQ(diagram.point_region()[static_cast<std::size_t>(diagram.region_points()[r])], static_cast<SignedIndex>(r));
+    EXPECT_EQ(diagram.point_region()[static_cast<std::size_t>(diagram.region_points()[r])],
+              static_cast<SignedIndex>(r));
   }
   ASSERT_EQ(sites.size(), triangulation.num_vertices());
   if (k < 1) return;
@@ -115,14 +117,16 @@ void compare_with_definition(const test::PointSet& set) {
   // The regions of each vertex name it: they are the nearest sites of exactly one expected vertex.
   std::vector<std::set<std::size_t>> nearest(diagram.num_vertices());
   for (std::size_t r = 0; r < diagram.num_regions(); ++r)
-    for (const SignedIndex v : diagram.region(r)) EXPECT_TRUE(v < 0 || nearest[static_cast<std::size_t>(v)].insert(r).second);
+    for (const SignedIndex v : diagram.region(r))
+      EXPECT_TRUE(v < 0 || nearest[static_cast<std::size_t>(v)].insert(r).second);
   std::map<std::set<std::size_t>, Vector> center_of;
   for (const auto& [center, around] : expected) center_of[around] = center;
   std::vector<Vector> centers;
   for (std::size_t v = 0; v < diagram.num_vertices(); ++v) {
     const auto found = center_of.find(nearest[v]);
     ASSERT_NE(found, center_of.end());
-    for (std::size_t j = 0; j < found->second.size(); ++j) expect_nearest(found->second[j], diagram.vertex(v)[j]);
+    for (std::size_t j = 0; j < found->second.size(); ++j)
+      expect_nearest(found->second[j], diagram.vertex(v)[j]);
     centers.push_back(found->second);
   }
 
@@ -139,7 +143,8 @@ void compare_with_definition(const test::PointSet& set) {
       std::set<SignedIndex> common;
       Vector middle(sites[0].size());
       for (std::size_t v = 0; v < centers.size(); ++v)
-        if (nearest[v].count(static_cast<std::size_t>(a)) != 0 && nearest[v].count(static_cast<std::size_t>(b)) != 0) {
+        if (nearest[v].count(static_cast<std::size_t>(a)) != 0 &&
+            nearest[v].count(static_cast<std::size_t>(b)) != 0) {
           common.insert(static_cast<SignedIndex>(v));
           for (std::size_t j = 0; j < middle.size(); ++j) middle[j] += centers[v][j];
         }
@@ -207,14 +212,16 @@ TEST(VoronoiByDefinition, LatticesAndSpheres) {
   for (int d = 1; d <= 3; ++d) compare_with_definition(test::sampled(test::lattice(d, 3), 12, 1));
   compare_with_definition(test::lattice(2, 3));
   compare_with_definition(test::lattice(3, 2));
-  for (int d = 2; d <= 4; ++d) compare_with_definition(test::sampled(test::cospherical(d, d == 2 ? 25 : 9), 9, 2));
+  for (int d = 2; d <= 4; ++d)
+    compare_with_definition(test::sampled(test::cospherical(d, d == 2 ? 25 : 9), 9, 2));
 }
 TEST(VoronoiByDefinition, Flats) {
   for (int d = 2; d <= 4; ++d)
     for (int k = 0; k < d; ++k)
       for (const bool tilted : {false, true})
         for (std::uint64_t seed = 1; seed <= 3; ++seed) {
-          const auto flat = k == 0 ? test::PointSet{"point", 1, {3}} : test::small_integers(k, 8, -3, 3, seed);
+          const auto flat =
+              k == 0 ? test::PointSet{"point", 1, {3}} : test::small_integers(k, 8, -3, 3, seed);
           compare_with_definition(test::embedded(flat, d, tilted, seed));
         }
 }
@@ -272,7 +279,8 @@ TEST(Voronoi, Grid) {
       EXPECT_EQ(diagram.region_volumes()[r], 1);
       EXPECT_EQ(diagram.region(r).size(), 4u);
     }
-  for (const double volume : diagram.region_volumes(Box{{-0.5, -0.5}, {4.5, 4.5}})) EXPECT_NEAR(volume, 1, 1e-14);
+  for (const double volume : diagram.region_volumes(Box{{-0.5, -0.5}, {4.5, 4.5}}))
+    EXPECT_NEAR(volume, 1, 1e-14);
   for (int d = 3; d <= 5; ++d) {
     const VoronoiDiagram other{Triangulation(test::lattice(d, 3).points, d)};
     EXPECT_EQ(other.num_vertices(), std::size_t{1} << d);
@@ -348,7 +356,8 @@ TEST(VoronoiVolumes, CountedSamples) {
     test::Random random(11);
     for (int s = 0; s < samples; ++s) {
       std::vector<double> x;
-      for (std::size_t j = 0; j < box.low.size(); ++j) x.push_back(box.low[j] + random.real() * (box.high[j] - box.low[j]));
+      for (std::size_t j = 0; j < box.low.size(); ++j)
+        x.push_back(box.low[j] + random.real() * (box.high[j] - box.low[j]));
       std::size_t best = 0;
       double least = INFINITY;
       for (std::size_t r = 0; r < 10; ++r) {
@@ -428,7 +437,9 @@ class ShiftedWeights : public Triangulation {
  public:
   ShiftedWeights(const std::vector<double>& points, std::vector<double> a)
       : Triangulation(points, static_cast<int>(a.size())), a_(std::move(a)) {}
-  double weight(VertexId v) const { return 2 * std::inner_product(a_.begin(), a_.end(), point(v).begin(), 0.0); }
+  double weight(VertexId v) const {
+    return 2 * std::inner_product(a_.begin(), a_.end(), point(v).begin(), 0.0);
+  }
 
  private:
   std::vector<double> a_;
@@ -452,7 +463,8 @@ TEST(Power, AffineWeightsShiftTheDiagram) {
       moved.high[j] -= a[j];
     }
     const auto expected = plain.region_volumes(box), volumes = power.region_volumes(moved);
-    for (std::size_t r = 0; r < volumes.size(); ++r) EXPECT_NEAR(volumes[r], expected[r], 1e-9 * (1 + expected[r]));
+    for (std::size_t r = 0; r < volumes.size(); ++r)
+      EXPECT_NEAR(volumes[r], expected[r], 1e-9 * (1 + expected[r]));
     const auto whole = plain.region_volumes(), whole_power = power.region_volumes();
     for (std::size_t r = 0; r < whole.size(); ++r)
       if (plain.is_bounded(r))
@@ -481,7 +493,8 @@ TEST(Voronoi, DoesNotDependOnTheOrderOfThePoints) {
 
 TEST(Voronoi, BadBoxes) {
   const VoronoiDiagram diagram{Triangulation(std::vector<double>{0, 0, 1, 0, 0, 1}, 2)};
-  for (const Box& box : {Box{{0}, {1}}, Box{{0, 0}, {1, 0}}, Box{{0, NAN}, {1, 1}}, Box{{0, 0}, {1, INFINITY}}}) {
+  for (const Box& box :
+       {Box{{0}, {1}}, Box{{0, 0}, {1, 0}}, Box{{0, NAN}, {1, 1}}, Box{{0, 0}, {1, INFINITY}}}) {
     try {
       diagram.region_volumes(box);
       ADD_FAILURE() << "no error";
@@ -508,7 +521,8 @@ TEST(VoronoiAgainstQhull, UniformPoints) {
     const int ridges = qh_eachvoronoi_all(qh, nullptr, nullptr, False, qh_RIDGEall, 1);
     // Qhull leaves out ridges of fewer than d vertices, infinity counted once: some of the unbounded ones.
     int expected = 0;
-    for (std::size_t i = 0; i < diagram.num_ridges(); ++i) expected += diagram.ridge(i).size() >= static_cast<std::size_t>(d);
+    for (std::size_t i = 0; i < diagram.num_ridges(); ++i)
+      expected += diagram.ridge(i).size() >= static_cast<std::size_t>(d);
     EXPECT_EQ(ridges, expected) << "d=" << d;
     EXPECT_EQ(static_cast<std::size_t>(num_centers) - 1, diagram.num_vertices());
     facetT* facet;
@@ -518,10 +532,12 @@ TEST(VoronoiAgainstQhull, UniformPoints) {
     std::sort(ours.begin(), ours.end());
     FORALLfacets {
       if (facet->upperdelaunay || facet->center == nullptr) continue;
-      const auto near = std::lower_bound(ours.begin(), ours.end(),
-                                         std::vector<double>{facet->center[0] - 1e-6 * (1 + std::abs(facet->center[0]))});
+      const auto near =
+          std::lower_bound(ours.begin(), ours.end(),
+                           std::vector<double>{facet->center[0] - 1e-6 * (1 + std::abs(facet->center[0]))});
       double least = INFINITY, size = 1;
-      for (auto it = near; it != ours.end() && (*it)[0] < facet->center[0] + 1e-6 * (1 + std::abs(facet->center[0])); ++it) {
+      for (auto it = near;
+           it != ours.end() && (*it)[0] < facet->center[0] + 1e-6 * (1 + std::abs(facet->center[0])); ++it) {
         double distance = 0;
         for (std::size_t j = 0; j < it->size(); ++j) {
           distance = std::max(distance, std::abs((*it)[j] - facet->center[j]));

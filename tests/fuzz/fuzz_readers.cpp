@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Bytes → a file of every format: reading must succeed or throw delone::Error, and what was read must be consistent.
+// Bytes → a file of every format: reading must succeed or throw delone::Error, and what was read must be
+// consistent.
 #include <delone/delone.hpp>
 
 #include <unistd.h>
@@ -19,7 +20,8 @@ void require(bool condition, const char* what) {
   std::abort();
 }
 
-/// The formats of points, then those of complexes, each with an opening that leads the bytes past the first check.
+/// The formats of points, then those of complexes, each with an opening that leads the bytes past the first
+/// check.
 struct Format {
   const char* name;
   const char* opening;
@@ -32,7 +34,9 @@ constexpr Format formats[] = {
     {"txt", "", false},
     {"off", "OFF\n", false},
     {"off", "nOFF\n2\n", false},
-    {"ply", "ply\nformat ascii 1.0\nelement vertex 2\nproperty float x\nproperty float y\nproperty float z\nend_header\n",
+    {"ply",
+     "ply\nformat ascii 1.0\nelement vertex 2\nproperty float x\nproperty float y\nproperty float "
+     "z\nend_header\n",
      false},
     {"npy", "\x93NUMPY\x01", false},
     {"qhull", "2 rbox\n", false},
@@ -62,9 +66,11 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     } else {
       const delone::PointTable table = delone::read_points(path, {.format = format.name, .columns = {}});
       require(table.coordinates.empty() || table.dimension >= 1, "coordinates without a dimension");
-      require(table.coordinates.size() == table.num_points() * static_cast<std::size_t>(std::max(table.dimension, 0)),
+      require(table.coordinates.size() ==
+                  table.num_points() * static_cast<std::size_t>(std::max(table.dimension, 0)),
               "an incomplete row");
-      for (const double value : table.coordinates) require(std::isfinite(value), "a coordinate that is not finite");
+      for (const double value : table.coordinates)
+        require(std::isfinite(value), "a coordinate that is not finite");
     }
   } catch (const delone::Error& error) {
     require(std::string(error.what()).size() > 0, "an error without a message");

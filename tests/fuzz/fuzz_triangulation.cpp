@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Bytes → points, mostly degenerate: the triangulation must pass every exact check, and must not depend on the order of
-// insertion. The first byte chooses the dimension and how the other bytes become coordinates.
+// Bytes → points, mostly degenerate: the triangulation must pass every exact check, and must not depend on
+// the order of insertion. The first byte chooses the dimension and how the other bytes become coordinates.
 #include <delone/delone.hpp>
 
 #include <algorithm>
@@ -59,7 +59,8 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   delone::Options options;
   options.force_runtime_dimension = true;
   delone::Triangulation one_by_one(dimension, options);
-  for (std::size_t row = num_points; row-- > 0;) one_by_one.insert(std::span<const double>(coordinates).subspan(row * d, d));
+  for (std::size_t row = num_points; row-- > 0;)
+    one_by_one.insert(std::span<const double>(coordinates).subspan(row * d, d));
   require(one_by_one.hash() == batch.hash(), "the order of insertion changed the result");
 
   for (std::size_t row = 0; row < num_points; ++row) {

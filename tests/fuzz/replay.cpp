@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Stands in for libFuzzer in ordinary builds: feeds the target the files named on the command line, or with `--inputs N` that
-// many pseudo-random inputs, scaled by DELONE_TEST_SCALE. The fuzz target ends the program when it finds a fault.
+// Stands in for libFuzzer in ordinary builds: feeds the target the files named on the command line, or with
+// `--inputs N` that many pseudo-random inputs, scaled by DELONE_TEST_SCALE. The fuzz target ends the program
+// when it finds a fault.
 #include "scale.hpp"
 
 #include <algorithm>

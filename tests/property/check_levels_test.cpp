@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Every triangulation passes every level of check, exactly and canonically: sizes that exercise filters and memory, and all
-// kinds of point sets.
+// Every triangulation passes every level of check, exactly and canonically: sizes that exercise filters and
+// memory, and all kinds of point sets.
 #include "compare.hpp"
 #include "degenerate.hpp"
 #include "scale.hpp"
@@ -36,7 +36,8 @@ TEST(CheckLevels, UniformPoints) {
   } cases[] = {{1, 20000}, {2, 40000}, {3, 40000}, {4, 4000}, {5, 800}, {6, 200},
                {7, 80},    {8, 50},    {9, 30},    {10, 22},  {11, 19}, {12, 18}};
   for (const auto& [d, n] : cases) {
-    const CheckReport report = expect_correct({"uniform", d, make_point_set("uniform", d, test::scaled_count(n), 1)});
+    const CheckReport report =
+        expect_correct({"uniform", d, make_point_set("uniform", d, test::scaled_count(n), 1)});
     EXPECT_EQ(report.ties, 0u);
   }
 }
@@ -80,7 +81,8 @@ TEST(CheckLevels, ZeroOneVectors) {
   for (int d = 1; d <= static_cast<int>(test::scaled_size(7, 6)); ++d) expect_correct(test::lattice(d, 2));
   // Samples of 8 … 10 dimensions: all vectors together have some 10^5 … 10^7 cells.
   for (int d = 8; d <= 10; ++d)
-    expect_correct(test::sampled(test::lattice(d, 2), d == 8 ? test::scaled_size(40, 24) : test::scaled_size(24, 18), 5));
+    expect_correct(test::sampled(test::lattice(d, 2),
+                                 d == 8 ? test::scaled_size(40, 24) : test::scaled_size(24, 18), 5));
 }
 
 TEST(CheckLevels, EveryNamedKind) {
@@ -93,7 +95,8 @@ TEST(CheckLevels, EveryNamedKind) {
         const std::size_t n = kind.name == "mixed_scales" ? 60 / static_cast<std::size_t>(d) : usual[d - 1];
         points = make_point_set(kind.name, d, test::scaled_count(n), 6);
       } catch (const Error& error) {
-        EXPECT_EQ(error.code(), Errc::invalid_argument) << kind.name << ' ' << d;  // kinds that do not exist in d dimensions
+        EXPECT_EQ(error.code(), Errc::invalid_argument)
+            << kind.name << ' ' << d;  // kinds that do not exist in d dimensions
         continue;
       }
       expect_correct({std::string(kind.name), d, std::move(points)});

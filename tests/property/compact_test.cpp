@@ -32,7 +32,8 @@ std::vector<std::vector<VertexId>> vertex_sets(const Triangulation& t, const std
   return sets;
 }
 
-void expect_same_answers(const Triangulation& before, const Triangulation& after, const std::vector<double>& queries) {
+void expect_same_answers(const Triangulation& before, const Triangulation& after,
+                         const std::vector<double>& queries) {
   ASSERT_EQ(after.hash(), before.hash());
   EXPECT_EQ(after.num_finite_cells(), before.num_finite_cells());
   EXPECT_EQ(after.num_infinite_cells(), before.num_infinite_cells());

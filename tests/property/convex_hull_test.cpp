@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Hulls whose faces are known, answers about queries, and what must not depend on anything but the set of points.
+// Hulls whose faces are known, answers about queries, and what must not depend on anything but the set of
+// points.
 #include "degenerate.hpp"
 #include "scale.hpp"
 
@@ -103,7 +104,8 @@ TEST_P(HullIn, CyclicPolytopesHaveTheMostFaces) {
   const Polytope hull(points, d());
   // McMullen's upper bound; all faces of up to ⌊d/2⌋ vertices are there.
   const std::size_t N = static_cast<std::size_t>(n), h = size() / 2;
-  const std::size_t facets = d() % 2 == 0 ? binomial(N - h, h) + binomial(N - h - 1, h - 1) : 2 * binomial(N - h - 1, h);
+  const std::size_t facets =
+      d() % 2 == 0 ? binomial(N - h, h) + binomial(N - h - 1, h - 1) : 2 * binomial(N - h - 1, h);
   EXPECT_EQ(hull.num_facets(), facets);
   EXPECT_EQ(hull.num_cells(), facets);
   const Counts f = hull.f_vector();
@@ -122,7 +124,8 @@ TEST_P(HullIn, ProductsOfSimplicesAreKnown) {
   const Polytope hull(points, d());
   Counts expected(size(), 0);
   for (std::size_t i = 0; i <= a; ++i)
-    for (std::size_t j = 0; j <= b && i + j < size(); ++j) expected[i + j] += binomial(a + 1, i + 1) * binomial(b + 1, j + 1);
+    for (std::size_t j = 0; j <= b && i + j < size(); ++j)
+      expected[i + j] += binomial(a + 1, i + 1) * binomial(b + 1, j + 1);
   EXPECT_EQ(hull.f_vector(), expected);
   expect_valid(hull);
 }
@@ -187,7 +190,8 @@ TEST_P(HullIn, QueriesAreAnsweredAsTheCellsSay) {
       EXPECT_EQ(hull.visible_cells(q), beyond);
       EXPECT_EQ(hull.visible_facets(q).empty(), beyond.empty());
       if (where.kind == Containment::Kind::on_boundary) {
-        // The smallest face: q is in it, so it adds no dimension, and it is in no facet of the face's own hull.
+        // The smallest face: q is in it, so it adds no dimension, and it is in no facet of the face's own
+        // hull.
         ASSERT_FALSE(where.face.empty());
         std::vector<double> face;
         for (const SignedIndex row : where.face)
@@ -199,7 +203,8 @@ TEST_P(HullIn, QueriesAreAnsweredAsTheCellsSay) {
       }
       if (i % 3 == 0) {
         const PointKind point_kind = data.point_kinds[static_cast<std::size_t>(data.vertex_of_point[a])];
-        EXPECT_EQ(where.kind, point_kind == PointKind::interior ? Containment::Kind::inside : Containment::Kind::on_boundary);
+        EXPECT_EQ(where.kind, point_kind == PointKind::interior ? Containment::Kind::inside
+                                                                : Containment::Kind::on_boundary);
         EXPECT_EQ(where.face.size() == 1, point_kind == PointKind::extreme);
       }
       if (HasFailure()) return;
@@ -272,7 +277,8 @@ TEST(Hull, OfAFewPointsIsAResult) {
 }
 
 TEST(Hull, InTheCompiledDimensionIsTheSame) {
-  const std::vector<std::array<double, 3>> points = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {.25, .25, .25}};
+  const std::vector<std::array<double, 3>> points = {
+      {0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {.25, .25, .25}};
   ConvexHull<3> hull(points);
   EXPECT_EQ(hull.num_facets(), 4u);
   EXPECT_FALSE(hull.insert(ConvexHull<3>::Point{0.1, 0.1, 0.1}).inserted);
@@ -322,7 +328,8 @@ TEST(CheckHull, FindsWhatIsWrong) {
   bad.facet_of_cell.clear();
   EXPECT_EQ(reached(bad), HullCheckLevel::incidence);
   bad = good;
-  for (std::size_t c = 0; c < bad.num_cells(); ++c) std::swap(bad.cells[3 * c], bad.cells[3 * c + 1]);  // inside out
+  for (std::size_t c = 0; c < bad.num_cells(); ++c)
+    std::swap(bad.cells[3 * c], bad.cells[3 * c + 1]);  // inside out
   bad.neighbors.clear();
   EXPECT_EQ(reached(bad), HullCheckLevel::convexity);
   bad = good;

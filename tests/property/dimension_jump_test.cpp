@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Points inserted one by one through all affine dimensions: every prefix is a correct triangulation inside its own flat.
+// Points inserted one by one through all affine dimensions: every prefix is a correct triangulation inside
+// its own flat.
 #include "compare.hpp"
 #include "degenerate.hpp"
 #include "scale.hpp"
@@ -19,7 +20,8 @@ void expect_correct(const Triangulation& triangulation, const char* what) {
   CheckOptions all;
   all.canonical = true;
   const CheckReport report = check(triangulation.to_data(), all);
-  EXPECT_TRUE(report.ok) << what << ": level " << static_cast<int>(report.reached) << ": " << report.violation;
+  EXPECT_TRUE(report.ok) << what << ": level " << static_cast<int>(report.reached) << ": "
+                         << report.violation;
 }
 
 void expect_every_prefix_correct(const PointSet& set, bool force_runtime_dimension) {
@@ -43,7 +45,8 @@ void expect_every_prefix_correct(const PointSet& set, bool force_runtime_dimensi
 }
 
 class DimensionJumpIn : public ::testing::TestWithParam<int> {};
-INSTANTIATE_TEST_SUITE_P(Dimensions, DimensionJumpIn, ::testing::Range(1, 7), ::testing::PrintToStringParamName());
+INSTANTIATE_TEST_SUITE_P(Dimensions, DimensionJumpIn, ::testing::Range(1, 7),
+                         ::testing::PrintToStringParamName());
 
 // A few points of every flat before the first point beyond it.
 TEST_P(DimensionJumpIn, ThroughAllFlats) {
@@ -57,8 +60,8 @@ TEST_P(DimensionJumpIn, ThroughAllFlats) {
       test::Random random(seed);
       for (int k = 1; k <= d; ++k) {
         // The same embedding, with the coordinates after the k-th at zero.
-        PointSet flat = test::small_integers(d, static_cast<std::size_t>(random.integer(1, k < 4 ? 6 : 3)), -2, 2,
-                                             seed * 10 + static_cast<unsigned>(k));
+        PointSet flat = test::small_integers(d, static_cast<std::size_t>(random.integer(1, k < 4 ? 6 : 3)),
+                                             -2, 2, seed * 10 + static_cast<unsigned>(k));
         for (std::size_t i = 0; i < flat.points.size(); ++i)
           if (static_cast<int>(i) % d >= k) flat.points[i] = 0;
         append(flat);
@@ -74,7 +77,8 @@ TEST_P(DimensionJumpIn, LatticeRowByRow) {
 }
 
 TEST_P(DimensionJumpIn, BatchesJumpToo) {
-  // The points of a flat first, then the rest, each as one range: the second range finds an engine of a lower dimension.
+  // The points of a flat first, then the rest, each as one range: the second range finds an engine of a lower
+  // dimension.
   const int d = GetParam();
   for (int k = 0; k < d; ++k) {
     PointSet flat = test::small_integers(d, 40, -5, 5, 3);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The ends of the exponent range: overflow and underflow inside the filters must not reach the result. A power of two that
-// loses no bit changes no cell.
+// The ends of the exponent range: overflow and underflow inside the filters must not reach the result. A
+// power of two that loses no bit changes no cell.
 #include "compare.hpp"
 #include "degenerate.hpp"
 #include "scale.hpp"
@@ -30,18 +30,21 @@ class ExtremeRangeIn : public ::testing::TestWithParam<int> {
     return test::scaled_count(usual[GetParam() - 1]);
   }
 };
-INSTANTIATE_TEST_SUITE_P(Dimensions, ExtremeRangeIn, ::testing::Range(1, 6), ::testing::PrintToStringParamName());
+INSTANTIATE_TEST_SUITE_P(Dimensions, ExtremeRangeIn, ::testing::Range(1, 6),
+                         ::testing::PrintToStringParamName());
 
 TEST_P(ExtremeRangeIn, PowersOfTwoChangeNoCell) {
   const int d = GetParam();
   for (const PointSet& set : {PointSet{"uniform", d, make_point_set("uniform", d, num_points(), 1)},
                               test::sampled(test::lattice(d, 6), num_points(), 2)}) {
     const test::Cells expected = test::sorted_cells(Triangulation(set.points, d).to_data());
-    // Numbers of [2^−21, 1) with at most 53 bits stay normal down to 2^−1000; |x|² leaves the range either way.
+    // Numbers of [2^−21, 1) with at most 53 bits stay normal down to 2^−1000; |x|² leaves the range either
+    // way.
     for (const int exponent : {-1000, -900, -540, -500, -100, 100, 500, 515, 900, 1020}) {
       PointSet scaled = test::scaled(set, std::ldexp(1.0, exponent));
       bool exact = true;
-      for (std::size_t i = 0; i < set.points.size(); ++i) exact &= std::ldexp(scaled.points[i], -exponent) == set.points[i];
+      for (std::size_t i = 0; i < set.points.size(); ++i)
+        exact &= std::ldexp(scaled.points[i], -exponent) == set.points[i];
       ASSERT_TRUE(exact);
       EXPECT_TRUE(test::same_cells(expected, test::sorted_cells(Triangulation(scaled.points, d).to_data())))
           << set.name << " 2^" << exponent;
@@ -78,8 +81,10 @@ TEST_P(ExtremeRangeIn, MixedExponents) {
 TEST_P(ExtremeRangeIn, FarFromTheOrigin) {
   const int d = GetParam();
   // One bit above the last: all differences are exact and small, all squares are not.
-  expect_correct(test::shifted(test::small_integers(d, num_points(), 0, 7, 5), {0x1p52, -0x1p51, 0x1p50}, 1.0));
-  expect_correct(test::shifted({"uniform", d, make_point_set("uniform", d, num_points(), 5)}, {1e9, 5e6, -7e7}, 1.0));
+  expect_correct(
+      test::shifted(test::small_integers(d, num_points(), 0, 7, 5), {0x1p52, -0x1p51, 0x1p50}, 1.0));
+  expect_correct(
+      test::shifted({"uniform", d, make_point_set("uniform", d, num_points(), 5)}, {1e9, 5e6, -7e7}, 1.0));
   // A tight cluster and a few points very far away.
   PointSet set{"uniform", d, make_point_set("uniform", d, num_points(), 6)};
   const PointSet far = test::scaled(test::small_integers(d, 6, -9, 9, 6), 1e200);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Furthest-site triangulations: against the definition in exact integers, against the upper hull of the lifted points, in any
-// order of insertion; hidden are exactly the points that are not extreme.
+// Furthest-site triangulations: against the definition in exact integers, against the upper hull of the
+// lifted points, in any order of insertion; hidden are exactly the points that are not extreme.
 #include "brute_force.hpp"
 #include "compare.hpp"
 #include "degenerate.hpp"
@@ -29,7 +29,9 @@ using test::sorted_cells;
 
 constexpr CheckOptions strictly{.canonical = true, .furthest_site = true};
 
-std::string describe(const PointSet& set) { return set.name + "\n" + test::to_text(set.points, set.dimension); }
+std::string describe(const PointSet& set) {
+  return set.name + "\n" + test::to_text(set.points, set.dimension);
+}
 
 /// The set with its first and its last point once more.
 PointSet with_duplicates(PointSet set) {
@@ -150,8 +152,8 @@ TEST(FurthestSite, IsTheUpperHullOfTheLiftedPoints) {
           const std::size_t c = at / (width + 1);
           if (data.neighbors[at] < 0) continue;
           const auto other = static_cast<std::size_t>(data.neighbors[at]);
-          const VertexId apex =
-              t.complex().vertex(cells[other], t.complex().mirror_index(cells[c], static_cast<int>(at % (width + 1))));
+          const VertexId apex = t.complex().vertex(
+              cells[other], t.complex().mirror_index(cells[c], static_cast<int>(at % (width + 1))));
           if (t.in_sphere(cells[c], t.point(apex)) == Sign::zero)
             group[std::max(root(c), root(other))] = std::min(root(c), root(other));
         }
@@ -159,9 +161,10 @@ TEST(FurthestSite, IsTheUpperHullOfTheLiftedPoints) {
         std::vector<SignedIndex> hull_cells(upper.cells().begin(), upper.cells().end());
         for (SignedIndex& row : hull_cells) row = data.vertex_of_point[static_cast<std::size_t>(row)];
         const auto facet = upper.facet_of_cell();
-        EXPECT_TRUE(test::same_cells(
-            merged(upper.num_cells(), width + 1, hull_cells, [&](std::size_t c) { return static_cast<std::size_t>(facet[c]); }),
-            merged(data.num_cells(), width + 1, data.cells, root)))
+        EXPECT_TRUE(
+            test::same_cells(merged(upper.num_cells(), width + 1, hull_cells,
+                                    [&](std::size_t c) { return static_cast<std::size_t>(facet[c]); }),
+                             merged(data.num_cells(), width + 1, data.cells, root)))
             << describe(set);
       }
 }
@@ -172,7 +175,9 @@ TEST(FurthestSite, DoesNotDependOnTheOrder) {
       const FurthestSiteTriangulation batch(set.points, d);
       const auto hash = batch.hash();
       for (const InsertionOrder order : {InsertionOrder::as_given, InsertionOrder::shuffled})
-        EXPECT_EQ(FurthestSiteTriangulation(set.points, d, {.seed = 7, .order = order, .force_runtime_dimension = true}).hash(),
+        EXPECT_EQ(FurthestSiteTriangulation(set.points, d,
+                                            {.seed = 7, .order = order, .force_runtime_dimension = true})
+                      .hash(),
                   hash)
             << describe(set);
       FurthestSiteTriangulation t(d);
@@ -217,7 +222,9 @@ TEST(FurthestSite, ManyPointsPassTheCheck) {
       if (spherical) continue;
       // The cached functionals serve here, too.
       EXPECT_GT(t.num_hidden(), 0u);
-      EXPECT_LT(t.statistics().direct + t.statistics().exact, t.statistics().filter / 10 + 100 * static_cast<unsigned>(d)) << d;
+      EXPECT_LT(t.statistics().direct + t.statistics().exact,
+                t.statistics().filter / 10 + 100 * static_cast<unsigned>(d))
+          << d;
     }
   }
 }
@@ -248,7 +255,8 @@ TEST(FurthestSite, CheckFindsWhatIsWrong) {
 }
 
 TEST(FurthestSite, CompiledDimensionsAndBadInput) {
-  const std::vector<std::array<double, 3>> points{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {0.2, 0.2, 0.2}};
+  const std::vector<std::array<double, 3>> points{
+      {0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {0.2, 0.2, 0.2}};
   const FurthestSite<3> t(points);
   EXPECT_EQ(t.num_finite_cells(), 1u);
   EXPECT_TRUE(t.is_hidden(4));

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Intersections of halfspaces that are unlucky on purpose: redundant, touching and repeated rows, flat and empty intersections
-// of every dimension, one unit in the last place to either side, entries at the ends of the exponent range.
+// Intersections of halfspaces that are unlucky on purpose: redundant, touching and repeated rows, flat and
+// empty intersections of every dimension, one unit in the last place to either side, entries at the ends of
+// the exponent range.
 #include "scale.hpp"
 
 #include <gtest/gtest.h>
@@ -62,7 +63,8 @@ TEST(HalfspaceDegenerate, RedundantRowsChangeNothing) {
       for (std::size_t j = 0; j < width; ++j) rows.push_back(j + 1 < width ? row[j] : 2 * row[j]);
       expected.push_back(HalfspaceKind::redundant);
     }
-    for (std::size_t v = 0; v < data.num_vertices(); ++v) {  // the sum of the rows of a vertex touches there, and nowhere else
+    for (std::size_t v = 0; v < data.num_vertices();
+         ++v) {  // the sum of the rows of a vertex touches there, and nowhere else
       std::vector<double> sum(width, 0.0);
       for (const SignedIndex r : data.halfspaces_of_vertex(v))
         for (std::size_t j = 0; j < width; ++j) sum[j] += rows[static_cast<std::size_t>(r) * width + j];
@@ -77,7 +79,8 @@ TEST(HalfspaceDegenerate, RedundantRowsChangeNothing) {
     EXPECT_EQ(more.data().num_rays(), data.num_rays());
     for (std::size_t r = 0; r < m; ++r) EXPECT_EQ(more.data().kinds[r], data.kinds[r]) << r;
     for (std::size_t r = m; r < more.num_halfspaces(); ++r)
-      EXPECT_TRUE(more.data().kinds[r] == expected[r - m] || more.data().kinds[r] == HalfspaceKind::duplicate) << r;
+      EXPECT_TRUE(more.data().kinds[r] == expected[r - m] || more.data().kinds[r] == HalfspaceKind::duplicate)
+          << r;
     expect_right(more);
     if (HasFailure()) FAIL() << "dimension " << d << ", repeat " << repeat;
   }
@@ -128,8 +131,10 @@ TEST(HalfspaceDegenerate, FlatAndEmptyInEveryDimension) {
       std::vector<double> open;
       for (std::size_t r = 0; r < static_cast<std::size_t>(k + d); ++r) {
         const std::vector<double> all = rows(1);
-        const std::size_t row = r < static_cast<std::size_t>(2 * k) ? r : 2 * r - static_cast<std::size_t>(2 * k);
-        open.insert(open.end(), all.begin() + static_cast<std::ptrdiff_t>(row * static_cast<std::size_t>(d + 1)),
+        const std::size_t row =
+            r < static_cast<std::size_t>(2 * k) ? r : 2 * r - static_cast<std::size_t>(2 * k);
+        open.insert(open.end(),
+                    all.begin() + static_cast<std::ptrdiff_t>(row * static_cast<std::size_t>(d + 1)),
                     all.begin() + static_cast<std::ptrdiff_t>((row + 1) * static_cast<std::size_t>(d + 1)));
       }
       const HalfspaceIntersection again(open, d);
@@ -192,12 +197,15 @@ TEST(HalfspaceDegenerate, PowersOfTwoScaleTheResult) {
     const std::vector<double> rows = random_rows(random, d, 12);
     const IntersectionData data = HalfspaceIntersection(rows, d).to_data();
     // Coordinate j becomes 2^e_j times as large; then the rows become as short as doubles can be, or long.
-    const std::vector<int> exponents = repeat % 2 == 0 ? std::vector<int>{990, -990, 0} : std::vector<int>{-500, 400, -30};
+    const std::vector<int> exponents =
+        repeat % 2 == 0 ? std::vector<int>{990, -990, 0} : std::vector<int>{-500, 400, -30};
     for (const bool denormal : {false, true}) {
       std::vector<double> scaled = rows;
       for (std::size_t i = 0; i < rows.size(); ++i) {
         const std::size_t j = i % width;
-        scaled[i] = denormal ? std::ldexp(rows[i], -1074) : j + 1 < width ? std::ldexp(rows[i], -exponents[j]) : rows[i];
+        scaled[i] = denormal        ? std::ldexp(rows[i], -1074)
+                    : j + 1 < width ? std::ldexp(rows[i], -exponents[j])
+                                    : rows[i];
       }
       const HalfspaceIntersection found(scaled, d);
       std::map<Rows, std::vector<double>> expected = vertices_of(data);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Polyhedra whose faces are known: cubes, cross-polytopes, simplices, duals of cyclic polytopes, cones and orthants; Euler's
-// relation on any; points given back by the intersection of the facets of their hull, exactly.
+// Polyhedra whose faces are known: cubes, cross-polytopes, simplices, duals of cyclic polytopes, cones and
+// orthants; Euler's relation on any; points given back by the intersection of the facets of their hull,
+// exactly.
 #include "degenerate.hpp"
 #include "scale.hpp"
 
@@ -22,8 +23,8 @@ using namespace delone::test;
 using Rows = std::vector<SignedIndex>;
 using Counts = std::vector<std::int64_t>;
 
-/// The number of faces of dimension 0 … k, the polyhedron itself the last, from the lists of rows alone: a face is where all
-/// rows that two vertices, or a vertex and a direction, have in common hold with equality.
+/// The number of faces of dimension 0 … k, the polyhedron itself the last, from the lists of rows alone: a
+/// face is where all rows that two vertices, or a vertex and a direction, have in common hold with equality.
 Counts f_vector(const IntersectionData& data) {
   std::vector<Rows> generators;
   std::set<Rows> faces;
@@ -45,7 +46,8 @@ Counts f_vector(const IntersectionData& data) {
   }
   // Faces by the number of rows, falling: those within a face come before it.
   std::vector<Rows> sorted(faces.begin(), faces.end());
-  std::stable_sort(sorted.begin(), sorted.end(), [](const Rows& a, const Rows& b) { return a.size() > b.size(); });
+  std::stable_sort(sorted.begin(), sorted.end(),
+                   [](const Rows& a, const Rows& b) { return a.size() > b.size(); });
   std::vector<std::size_t> dimension_of(sorted.size(), 0);
   Counts counts;
   for (std::size_t i = 0; i < sorted.size(); ++i) {
@@ -109,7 +111,8 @@ TEST(HalfspaceFaces, Cubes) {
     if (d < 2) continue;
     std::vector<double> open = cube(d);
     open.resize(open.size() - static_cast<std::size_t>(d) - 1);
-    for (int i = 0; i < d; ++i) expected[static_cast<std::size_t>(i)] -= (std::int64_t{1} << (d - 1 - i)) * binomial(d - 1, i);
+    for (int i = 0; i < d; ++i)
+      expected[static_cast<std::size_t>(i)] -= (std::int64_t{1} << (d - 1 - i)) * binomial(d - 1, i);
     EXPECT_EQ(counts_of(open, d), expected) << d;
   }
 }
@@ -147,7 +150,8 @@ TEST(HalfspaceFaces, SimplicesAndOrthants) {
   }
 }
 
-/// Dual to n points of the moment curve, whose polytope is neighborly: every ⌊d/2⌋ points span a face (Gale 1963).
+/// Dual to n points of the moment curve, whose polytope is neighborly: every ⌊d/2⌋ points span a face (Gale
+/// 1963).
 TEST(HalfspaceFaces, DualsOfCyclicPolytopes) {
   for (int d = 2; d <= 6; ++d)
     for (const std::int64_t n : {d + 1, d + 2, d + 4}) {
@@ -167,8 +171,10 @@ TEST(HalfspaceFaces, DualsOfCyclicPolytopes) {
       }
       const Counts counts = counts_of(rows, d);
       const std::int64_t m = d / 2;
-      EXPECT_EQ(counts[0], d % 2 == 0 ? binomial(n - m, m) * n / (n - m) : 2 * binomial(n - m - 1, m)) << d << " " << n;
-      for (int i = 1; i <= m; ++i) EXPECT_EQ(counts[static_cast<std::size_t>(d - i)], binomial(n, i)) << d << " " << n;
+      EXPECT_EQ(counts[0], d % 2 == 0 ? binomial(n - m, m) * n / (n - m) : 2 * binomial(n - m - 1, m))
+          << d << " " << n;
+      for (int i = 1; i <= m; ++i)
+        EXPECT_EQ(counts[static_cast<std::size_t>(d - i)], binomial(n, i)) << d << " " << n;
     }
 }
 
@@ -188,8 +194,10 @@ TEST(HalfspaceFaces, EulerOnRandomPolyhedra) {
   }
 }
 
-/// The determinant of the edges of a cell and one more row of unit vectors, expanded: an exact outward normal, as integers.
-std::vector<double> facet_row(const std::vector<double>& points, std::size_t d, std::span<const SignedIndex> cell) {
+/// The determinant of the edges of a cell and one more row of unit vectors, expanded: an exact outward
+/// normal, as integers.
+std::vector<double> facet_row(const std::vector<double>& points, std::size_t d,
+                              std::span<const SignedIndex> cell) {
   const auto coordinate = [&](std::size_t i, std::size_t j) {
     return static_cast<std::int64_t>(points[static_cast<std::size_t>(cell[i]) * d + j]);
   };

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What must hold for all intersections of halfspaces: nothing depends on the interior point, on the order of the rows or on
-// their lengths; hulls and intersections are dual to each other; rows may come one after the other; the check finds what is
-// wrong.
+// What must hold for all intersections of halfspaces: nothing depends on the interior point, on the order of
+// the rows or on their lengths; hulls and intersections are dual to each other; rows may come one after the
+// other; the check finds what is wrong.
 #include "scale.hpp"
 
 #include <gmock/gmock.h>
@@ -41,7 +41,8 @@ std::map<Rows, std::vector<double>> vertices_of(const IntersectionData& data, co
   std::map<Rows, std::vector<double>> result;
   for (std::size_t v = 0; v < data.num_vertices(); ++v) {
     Rows rows;
-    for (const SignedIndex r : data.halfspaces_of_vertex(v)) rows.push_back(rename[static_cast<std::size_t>(r)]);
+    for (const SignedIndex r : data.halfspaces_of_vertex(v))
+      rows.push_back(rename[static_cast<std::size_t>(r)]);
     std::sort(rows.begin(), rows.end());
     result.emplace(rows, std::vector<double>(data.vertex(v).begin(), data.vertex(v).end()));
   }
@@ -51,7 +52,8 @@ std::set<Rows> directions_of(const IntersectionData& data, const Rows& rename) {
   std::set<Rows> result;
   for (std::size_t u = 0; u < data.num_directions(); ++u) {
     Rows rows;
-    for (const SignedIndex r : data.halfspaces_of_direction(u)) rows.push_back(rename[static_cast<std::size_t>(r)]);
+    for (const SignedIndex r : data.halfspaces_of_direction(u))
+      rows.push_back(rename[static_cast<std::size_t>(r)]);
     std::sort(rows.begin(), rows.end());
     result.insert(rows);
   }
@@ -71,13 +73,15 @@ void expect_same(const IntersectionData& a, const IntersectionData& b, const Row
   EXPECT_EQ(directions_of(a, identity(a.kinds.size())), directions_of(b, rename));
   EXPECT_EQ(a.num_edges(), b.num_edges());
   EXPECT_EQ(a.num_rays(), b.num_rays());
-  for (std::size_t r = 0; r < rename.size(); ++r) EXPECT_EQ(a.kinds[static_cast<std::size_t>(rename[r])], b.kinds[r]);
+  for (std::size_t r = 0; r < rename.size(); ++r)
+    EXPECT_EQ(a.kinds[static_cast<std::size_t>(rename[r])], b.kinds[r]);
 }
 
 std::vector<double> permuted(const std::vector<double>& rows, std::size_t width, const Rows& order) {
   std::vector<double> result;
   for (const SignedIndex r : order)
-    result.insert(result.end(), rows.begin() + static_cast<std::ptrdiff_t>(static_cast<std::size_t>(r) * width),
+    result.insert(result.end(),
+                  rows.begin() + static_cast<std::ptrdiff_t>(static_cast<std::size_t>(r) * width),
                   rows.begin() + static_cast<std::ptrdiff_t>((static_cast<std::size_t>(r) + 1) * width));
   return result;
 }
@@ -89,7 +93,8 @@ TEST(Halfspaces, NothingDependsOnInteriorPointOrderAndLength) {
     const auto width = static_cast<std::size_t>(d) + 1;
     std::vector<double> rows = random_rows(random, d, 6 + 4 * d, repeat % 2 == 0);
     // Duplicates have numbers that depend on the order: each row once.
-    const IntersectionData given = HalfspaceIntersection(rows, d, std::vector<double>(static_cast<std::size_t>(d), 0.0)).data();
+    const IntersectionData given =
+        HalfspaceIntersection(rows, d, std::vector<double>(static_cast<std::size_t>(d), 0.0)).data();
     Rows first;
     for (std::size_t r = 0; r < given.kinds.size(); ++r)
       if (given.kinds[r] != HalfspaceKind::duplicate) first.push_back(static_cast<SignedIndex>(r));
@@ -115,8 +120,10 @@ TEST(Halfspaces, NothingDependsOnInteriorPointOrderAndLength) {
       const int exponent = static_cast<int>(random() % 1990) - 995;
       bool exact = true;
       for (std::size_t j = 0; j < width; ++j)
-        exact = exact && std::ldexp(std::ldexp(rows[r * width + j], exponent), -exponent) == rows[r * width + j];
-      for (std::size_t j = 0; exact && j < width; ++j) longer[r * width + j] = std::ldexp(rows[r * width + j], exponent);
+        exact =
+            exact && std::ldexp(std::ldexp(rows[r * width + j], exponent), -exponent) == rows[r * width + j];
+      for (std::size_t j = 0; exact && j < width; ++j)
+        longer[r * width + j] = std::ldexp(rows[r * width + j], exponent);
     }
     expect_same(data, HalfspaceIntersection(longer, d).data(), identity(first.size()));
     Options options;
@@ -144,12 +151,14 @@ TEST(Halfspaces, RowsMayComeOneAfterTheOther) {
       expect_same(whole, growing.data(), identity(at / width));
       EXPECT_EQ(whole.rank, growing.rank());
     }
-    if (const IntersectionCheckReport report = check_halfspaces(growing.to_data()); !report.ok) FAIL() << report.violation;
+    if (const IntersectionCheckReport report = check_halfspaces(growing.to_data()); !report.ok)
+      FAIL() << report.violation;
     if (HasFailure()) return;
   }
 }
 
-/// The points of a lattice in a ball are so dual to the facets of their hull: n·x ≤ 1 for integer n has the points as facets.
+/// The points of a lattice in a ball are so dual to the facets of their hull: n·x ≤ 1 for integer n has the
+/// points as facets.
 TEST(Halfspaces, DualOfTheHullHasTheExtremePointsAsFacets) {
   std::mt19937 random(13);
   for (std::size_t repeat = 0; repeat < scaled_count(24); ++repeat) {
@@ -178,9 +187,10 @@ TEST(Halfspaces, DualOfTheHullHasTheExtremePointsAsFacets) {
     EXPECT_EQ(data.num_edges(), polytope.num_ridges());
     std::set<Rows> facets, vertices;
     for (std::size_t f = 0; f < polytope.num_facets(); ++f)
-      facets.insert(list(std::span(polytope.facet_vertices)
-                             .subspan(static_cast<std::size_t>(polytope.facet_offsets[f]),
-                                      static_cast<std::size_t>(polytope.facet_offsets[f + 1] - polytope.facet_offsets[f]))));
+      facets.insert(list(
+          std::span(polytope.facet_vertices)
+              .subspan(static_cast<std::size_t>(polytope.facet_offsets[f]),
+                       static_cast<std::size_t>(polytope.facet_offsets[f + 1] - polytope.facet_offsets[f]))));
     for (std::size_t v = 0; v < data.num_vertices(); ++v) vertices.insert(list(data.halfspaces_of_vertex(v)));
     EXPECT_EQ(facets, vertices);
     for (std::size_t r = 0; r < polytope.point_kinds.size(); ++r)
@@ -195,7 +205,8 @@ TEST(Halfspaces, DualOfTheHullHasTheExtremePointsAsFacets) {
 }
 
 TEST(Halfspaces, ExtremeRanges) {
-  constexpr double tiny = std::numeric_limits<double>::denorm_min(), huge = std::numeric_limits<double>::max();
+  constexpr double tiny = std::numeric_limits<double>::denorm_min(),
+                   huge = std::numeric_limits<double>::max();
   for (const double size : {tiny, 1e-300, 1e-160, 1e160, 1e300, huge / 2})
     for (int d = 1; d <= 3; ++d) {
       std::vector<double> rows;
@@ -235,7 +246,10 @@ TEST(Halfspaces, Errors) {
   const Error outside = error_of([&] { HalfspaceIntersection({{1, 0, -1, 0, 1, 0, 1, 1, 2}}, 2, origin); });
   EXPECT_EQ(outside.code(), Errc::invalid_argument);
   EXPECT_EQ(outside.rows(), (std::vector<std::size_t>{1, 2}));
-  EXPECT_EQ(error_of([&] { HalfspaceIntersection({{1, 0, -1}}, 2, {{0, 0, 0}}); }).code(), Errc::bad_dimension);
+  EXPECT_EQ(error_of([&] {
+              HalfspaceIntersection({{1, 0, -1}}, 2, {{0, 0, 0}});
+            }).code(),
+            Errc::bad_dimension);
   HalfspaceIntersection half({{1, 0, -1}}, 2, origin);
   EXPECT_EQ(error_of([&] { half.add_halfspaces({{0, 1, 1}}); }).rows(), std::vector<std::size_t>{1});
   EXPECT_EQ(half.num_halfspaces(), 1u);
@@ -275,14 +289,16 @@ TEST(Halfspaces, TheCheckFindsWhatIsWrong) {
   EXPECT_EQ(level_of(wrong), IntersectionCheckLevel::completeness);
   for (std::size_t r = 0; r < data.kinds.size(); ++r) {
     wrong = data;
-    wrong.kinds[r] = data.kinds[r] == HalfspaceKind::redundant ? HalfspaceKind::touching : HalfspaceKind::redundant;
+    wrong.kinds[r] =
+        data.kinds[r] == HalfspaceKind::redundant ? HalfspaceKind::touching : HalfspaceKind::redundant;
     EXPECT_EQ(level_of(wrong), IntersectionCheckLevel::completeness);
   }
   wrong = data;
   wrong.facet_halfspaces[1] = wrong.facet_halfspaces[0];
   EXPECT_EQ(level_of(wrong), IntersectionCheckLevel::storage);
   wrong = data;
-  for (std::size_t j = 0; j < 3; ++j) wrong.interior_point[j] = 2 * data.vertex(0)[j];  // the origin is inside
+  for (std::size_t j = 0; j < 3; ++j)
+    wrong.interior_point[j] = 2 * data.vertex(0)[j];  // the origin is inside
   EXPECT_EQ(level_of(wrong), IntersectionCheckLevel::support);
   // A strip, of rank 1; a square that is said to be one.
   wrong = HalfspaceIntersection({{1, 0, -1, -1, 0, -1}}, 2).to_data();

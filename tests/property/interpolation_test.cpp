@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// LinearInterpolator: linear functions come back within the promised bound, given values exactly; outside, flat input, values
-// that are no numbers, and errors.
+// LinearInterpolator: linear functions come back within the promised bound, given values exactly; outside,
+// flat input, values that are no numbers, and errors.
 #include <delone/interpolation.hpp>
 
 #include "degenerate.hpp"
@@ -45,7 +45,8 @@ std::vector<double> queries_for(const test::PointSet& set, std::size_t count, st
     const double* corner[3];
     for (const double*& c : corner) c = set.points.data() + random.bits() % set.size() * d;
     const double s = random.real() / 2, t = random.integer(0, 1) == 0 ? 0.25 : random.real() / 2;
-    for (std::size_t j = 0; j < d; ++j) queries.push_back(s * corner[0][j] + t * corner[1][j] + (1 - s - t) * corner[2][j]);
+    for (std::size_t j = 0; j < d; ++j)
+      queries.push_back(s * corner[0][j] + t * corner[1][j] + (1 - s - t) * corner[2][j]);
   }
   return queries;
 }
@@ -60,9 +61,10 @@ TEST_P(InterpolationOfDimension, LinearFunctionsWithinTheBound) {
   test::Random random(static_cast<std::uint64_t>(d));
   std::vector<test::PointSet> sets{test::small_integers(d, d <= 3 ? 150 : 30, -9, 9, 3),
                                    test::sampled(test::lattice(d, d <= 4 ? 3 : 2), 40, 4)};
-  for (int k = 1; k < d; ++k) sets.push_back(test::embedded(test::small_integers(k, 25, -5, 5, 6), d, true, random.bits()));
-  test::PointSet thin =
-      test::small_integers(d, 30, -1000000, 1000000, 8);  // near the plane where all coordinates but one are equal
+  for (int k = 1; k < d; ++k)
+    sets.push_back(test::embedded(test::small_integers(k, 25, -5, 5, 6), d, true, random.bits()));
+  test::PointSet thin = test::small_integers(d, 30, -1000000, 1000000,
+                                             8);  // near the plane where all coordinates but one are equal
   for (std::size_t i = 0; i < thin.points.size(); ++i)
     if (i % size != 0) thin.points[i] = thin.points[i - i % size] + random.integer(-1, 1);
   sets.push_back(thin);
@@ -100,7 +102,8 @@ TEST_P(InterpolationOfDimension, LinearFunctionsWithinTheBound) {
           EXPECT_EQ(result[2 * i + c], values[2 * (i + set.size() - count) + c]);
         }
         if (t.affine_dimension() == d && &set == sets.data()) {
-          for (std::size_t j = 0; j < size; ++j) EXPECT_NEAR(slopes[(2 * i + c) * size + j], function.slope[j], 1e-6);
+          for (std::size_t j = 0; j < size; ++j)
+            EXPECT_NEAR(slopes[(2 * i + c) * size + j], function.slope[j], 1e-6);
         }
       }
     }
@@ -129,15 +132,18 @@ TEST(Interpolation, GradientsInsideAFlat) {
 }
 
 TEST(Interpolation, Outside) {
-  const std::vector<double> points{0, 0, 4, 0, 0, 4}, values{1, 10, 2, 20, 3, 30}, queries{1, 1, 9, 0, -1, 3, 4, 0};
+  const std::vector<double> points{0, 0, 4, 0, 0, 4}, values{1, 10, 2, 20, 3, 30},
+      queries{1, 1, 9, 0, -1, 3, 4, 0};
   const Triangulation t(points, 2);
   const LinearInterpolator interpolate(t, values, 2);
   std::vector<double> result(8), slopes(16);
   interpolate.evaluate(queries, result, Outside::fill, std::vector<double>{-1, -2});
-  EXPECT_EQ(std::vector<double>(result.begin() + 2, result.end()), (std::vector<double>{-1, -2, -1, -2, 2, 20}));
+  EXPECT_EQ(std::vector<double>(result.begin() + 2, result.end()),
+            (std::vector<double>{-1, -2, -1, -2, 2, 20}));
   EXPECT_NEAR(result[0], 1.75, 1e-15);
   interpolate.evaluate(queries, result, Outside::nearest);
-  EXPECT_EQ(std::vector<double>(result.begin() + 2, result.end()), (std::vector<double>{2, 20, 3, 30, 2, 20}));
+  EXPECT_EQ(std::vector<double>(result.begin() + 2, result.end()),
+            (std::vector<double>{2, 20, 3, 30, 2, 20}));
   interpolate.gradients(queries, slopes, Outside::nearest);
   EXPECT_EQ(slopes[4], 0);
   EXPECT_NEAR(slopes[0], 0.25, 1e-15);
@@ -154,10 +160,11 @@ TEST(Interpolation, Outside) {
     }
 }
 
-// Two triangles with a common edge: what is no number at a vertex stays off the cells, and the faces, that the vertex is not
-// of.
+// Two triangles with a common edge: what is no number at a vertex stays off the cells, and the faces, that
+// the vertex is not of.
 TEST(Interpolation, NotANumberStaysInItsCells) {
-  const std::vector<double> points{0, 0, 2, 0, 0, 2, 3, 3}, values{nan, 1, 3, 7}, queries{0.5, 0.5, 1, 1, 2, 2, 0, 0, 2, 0};
+  const std::vector<double> points{0, 0, 2, 0, 0, 2, 3, 3}, values{nan, 1, 3, 7},
+      queries{0.5, 0.5, 1, 1, 2, 2, 0, 0, 2, 0};
   const Triangulation t(points, 2);
   std::vector<double> result(5);
   LinearInterpolator(t, values).evaluate(queries, result);
@@ -215,10 +222,13 @@ TEST(Interpolation, Errors) {
   EXPECT_EQ(code_of([&] { LinearInterpolator(t, values, 2); }), Errc::bad_dimension);
   EXPECT_EQ(code_of([&] { interpolate.evaluate(queries, wrong); }), Errc::bad_dimension);
   EXPECT_EQ(code_of([&] { interpolate.gradients(queries, wrong); }), Errc::bad_dimension);
-  EXPECT_EQ(code_of([&] { interpolate.evaluate(queries, result, Outside::fill, wrong); }), Errc::bad_dimension);
+  EXPECT_EQ(code_of([&] { interpolate.evaluate(queries, result, Outside::fill, wrong); }),
+            Errc::bad_dimension);
   EXPECT_EQ(code_of([&] { interpolate.evaluate(bad, std::span(result).first(1)); }), Errc::not_finite);
   std::vector<double> many(2 * 5000, 1.0), answers(5000);
-  EXPECT_EQ(code_of([&] { interpolate.evaluate(many, answers, Outside::fill, {}, [](std::size_t) { return false; }); }),
+  EXPECT_EQ(code_of([&] {
+              interpolate.evaluate(many, answers, Outside::fill, {}, [](std::size_t) { return false; });
+            }),
             Errc::cancelled);
   std::size_t calls = 0;
   interpolate.evaluate(many, answers, Outside::fill, {}, [&](std::size_t) { return ++calls > 0; });

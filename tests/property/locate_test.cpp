@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// locate, conflict_zone and in_sphere against brute force in integers: queries at vertices, at midpoints and centers of faces
-// that doubles hold exactly, inside, outside the hull, beside the flat, and cospherical with cells.
+// locate, conflict_zone and in_sphere against brute force in integers: queries at vertices, at midpoints and
+// centers of faces that doubles hold exactly, inside, outside the hull, beside the flat, and cospherical with
+// cells.
 #include "brute_force.hpp"
 
 #include "compare.hpp"
@@ -60,13 +61,15 @@ class Examination {
     }
     std::sort(face.begin(), face.end());
     std::vector<SignedIndex> found_face;
-    for (const VertexId v : found.face) found_face.push_back(static_cast<SignedIndex>(triangulation_.row_of(v)));
+    for (const VertexId v : found.face)
+      found_face.push_back(static_cast<SignedIndex>(triangulation_.row_of(v)));
     std::sort(found_face.begin(), found_face.end());
     EXPECT_EQ(found_face, face);
-    const Location::Kind kind = holders.empty()                                             ? Location::Kind::outside_hull
-                                : face.size() == 1                                          ? Location::Kind::on_vertex
-                                : static_cast<int>(face.size()) == complex_.dimension() + 1 ? Location::Kind::in_cell
-                                                                                            : Location::Kind::on_face;
+    const Location::Kind kind = holders.empty()    ? Location::Kind::outside_hull
+                                : face.size() == 1 ? Location::Kind::on_vertex
+                                : static_cast<int>(face.size()) == complex_.dimension() + 1
+                                    ? Location::Kind::in_cell
+                                    : Location::Kind::on_face;
     ASSERT_EQ(found.kind, kind);
     if (kind == Location::Kind::outside_hull) {
       ASSERT_TRUE(complex_.is_cell(found.cell));
@@ -123,7 +126,8 @@ class Examination {
     return std::any_of(oracle_.vertices().begin(), oracle_.vertices().end(),
                        [&](SignedIndex v) { return oracle_.equal(v, q); });
   }
-  // Infinite cells: strictly beyond the hull facet, or on its plane and in conflict with the finite cell behind it.
+  // Infinite cells: strictly beyond the hull facet, or on its plane and in conflict with the finite cell
+  // behind it.
   bool in_conflict(CellId c, SignedIndex q) const {
     const int infinite = complex_.infinite_index(c);
     if (infinite < 0) return oracle_.in_conflict(rows(c), q);
@@ -209,7 +213,8 @@ TEST_P(LocateIn, LatticesAndFlats) {
   for (std::uint64_t seed = 0; seed < test::scaled_count(d <= 3 ? 10 : 2); ++seed) {
     expect_correct_queries(test::sampled(test::lattice(d, 3), 16, seed), 24, seed);
     for (int k = 1; k < d; ++k)
-      expect_correct_queries(test::embedded(test::sampled(test::lattice(k, 4), 14, seed), d, true, seed), 24, seed);
+      expect_correct_queries(test::embedded(test::sampled(test::lattice(k, 4), 14, seed), d, true, seed), 24,
+                             seed);
     if (HasFailure()) return;
   }
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Lower hulls: against Delaunay triangulations of integer points, whose lifts are exact; distances of the points themselves;
-// flat, vertical and constant input.
+// Lower hulls: against Delaunay triangulations of integer points, whose lifts are exact; distances of the
+// points themselves; flat, vertical and constant input.
 #include "compare.hpp"
 #include "degenerate.hpp"
 #include "scale.hpp"
@@ -34,7 +34,8 @@ std::vector<double> lifted(const PointSet& set) {
 }
 
 class LowerHullIn : public ::testing::TestWithParam<int> {};
-INSTANTIATE_TEST_SUITE_P(Dimensions, LowerHullIn, ::testing::Range(1, 6), ::testing::PrintToStringParamName());
+INSTANTIATE_TEST_SUITE_P(Dimensions, LowerHullIn, ::testing::Range(1, 6),
+                         ::testing::PrintToStringParamName());
 
 TEST_P(LowerHullIn, OfLiftedPointsInGeneralPositionIsTheDelaunayTriangulation) {
   const int d = GetParam();
@@ -73,7 +74,8 @@ TEST_P(LowerHullIn, EveryPointIsOnOrAboveItAndVerticesAreOnIt) {
         EXPECT_EQ(hull.num_points(), set.size());
         const std::vector<double> above = hull.height_above(set.points);
         for (std::size_t row = 0; row < above.size(); ++row) EXPECT_GE(sign * above[row], 0) << "row " << row;
-        for (const SignedIndex row : hull.cells()) EXPECT_EQ(above[static_cast<std::size_t>(row)], 0) << "row " << row;
+        for (const SignedIndex row : hull.cells())
+          EXPECT_EQ(above[static_cast<std::size_t>(row)], 0) << "row " << row;
         EXPECT_EQ(hull.vertices().empty(), set.points.empty());
         // Moved up or down by the least amount, a point of the hull is off it.
         for (const SignedIndex row : hull.vertices()) {
@@ -107,19 +109,23 @@ TEST_P(LowerHullIn, AffineHeightsMakeOneFacet) {
   EXPECT_EQ(hull.vertices().size(), std::size_t{1} << c);  // the corners of the cube
   const std::vector<double> query(static_cast<std::size_t>(c), 0.5);
   EXPECT_DOUBLE_EQ(hull.heights(query)[0], 7 + 0.25 * c * (c + 1));
-  EXPECT_EQ(hull.heights(std::vector<double>(static_cast<std::size_t>(c), 2.5))[0], std::numeric_limits<double>::infinity());
+  EXPECT_EQ(hull.heights(std::vector<double>(static_cast<std::size_t>(c), 2.5))[0],
+            std::numeric_limits<double>::infinity());
 }
 
 TEST(LowerHull, HasAKnownPhaseDiagram) {
-  // A binary system: A at 0, B at 1 with energy 0; a stable compound at 1/2, one slightly above the tie line, one far above.
+  // A binary system: A at 0, B at 1 with energy 0; a stable compound at 1/2, one slightly above the tie line,
+  // one far above.
   const std::vector<double> points = {0, 0, 1, 0, 0.5, -1, 0.25, -0.4375, 0.75, 2};
   const LowerHull hull(points, 2);
   EXPECT_EQ(hull.num_cells(), 2u);
-  EXPECT_EQ(std::vector<SignedIndex>(hull.vertices().begin(), hull.vertices().end()), (std::vector<SignedIndex>{0, 1, 2}));
+  EXPECT_EQ(std::vector<SignedIndex>(hull.vertices().begin(), hull.vertices().end()),
+            (std::vector<SignedIndex>{0, 1, 2}));
   EXPECT_EQ(hull.height_above(points), (std::vector<double>{0, 0, 0, 0.0625, 2.5}));
   EXPECT_EQ(hull.heights(std::vector<double>{0.25, 0.5, 0.75}), (std::vector<double>{-0.5, -1, -0.5}));
   const LowerHull upper(points, 2, HullSide::upper);
-  EXPECT_EQ(std::vector<SignedIndex>(upper.vertices().begin(), upper.vertices().end()), (std::vector<SignedIndex>{0, 1, 4}));
+  EXPECT_EQ(std::vector<SignedIndex>(upper.vertices().begin(), upper.vertices().end()),
+            (std::vector<SignedIndex>{0, 1, 4}));
 }
 
 TEST(LowerHull, OfOneCompositionIsTheLowestPoint) {
@@ -129,7 +135,8 @@ TEST(LowerHull, OfOneCompositionIsTheLowestPoint) {
   EXPECT_EQ(hull.num_cells(), 1u);
   EXPECT_EQ(hull.cells()[0], 1);
   EXPECT_EQ(hull.height_above(points), (std::vector<double>{11, 0, 7, 0}));
-  EXPECT_EQ(hull.heights(std::vector<double>{3, 4, 0, 0}), (std::vector<double>{-2, std::numeric_limits<double>::infinity()}));
+  EXPECT_EQ(hull.heights(std::vector<double>{3, 4, 0, 0}),
+            (std::vector<double>{-2, std::numeric_limits<double>::infinity()}));
 }
 
 TEST(LowerHull, TakesTheLargestDoubles) {

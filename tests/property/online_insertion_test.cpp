@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Points inserted one by one, in no order and without hints: the result is that of a batch, and walks stay short.
+// Points inserted one by one, in no order and without hints: the result is that of a batch, and walks stay
+// short.
 #include <delone/delaunay.hpp>
 #include <delone/point_sets.hpp>
 #include <delone/regular.hpp>
@@ -55,7 +56,8 @@ TEST(OnlineInsertion, AfterABatchAndBetweenBatches) {
 
 TEST(OnlineInsertion, FromAGrowingBox) {
   std::vector<double> points = points_of_kind("uniform", 2, 4000);
-  for (std::size_t i = 0; i < points.size(); ++i) points[i] *= std::ldexp(1.0, static_cast<int>(i / 2 / 500) * 40 - 160);
+  for (std::size_t i = 0; i < points.size(); ++i)
+    points[i] *= std::ldexp(1.0, static_cast<int>(i / 2 / 500) * 40 - 160);
   Triangulation online(2);
   for (std::size_t i = 0; i < 4000; ++i) online.insert(row(points, 2, i));
   EXPECT_EQ(online.hash(), Triangulation(points, 2).hash());

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The result is a function of the set of points: neither the order of the input, nor the order of insertion, nor the seed, nor
-// the engine that was compiled for the dimension changes it.
+// The result is a function of the set of points: neither the order of the input, nor the order of insertion,
+// nor the seed, nor the engine that was compiled for the dimension changes it.
 #include "compare.hpp"
 #include "degenerate.hpp"
 #include "scale.hpp"
@@ -51,11 +51,14 @@ void expect_same_by_all_routes(const PointSet& set) {
   expect_same(one_by_one(set, {}), "one by one");
   const PointSet permuted = test::permuted(set, 99);
   expect_same({permuted.points, d}, "permuted input");
-  expect_same({permuted.points, d, with(InsertionOrder::as_given, 0, true)}, "permuted input, as given, run-time dimension");
-  expect_same(one_by_one(permuted, with(InsertionOrder::automatic, 0, true)), "permuted, one by one, run-time dimension");
+  expect_same({permuted.points, d, with(InsertionOrder::as_given, 0, true)},
+              "permuted input, as given, run-time dimension");
+  expect_same(one_by_one(permuted, with(InsertionOrder::automatic, 0, true)),
+              "permuted, one by one, run-time dimension");
 
   // The vertices are the first rows of equal points in every route, so the rows of the cells agree as well.
-  EXPECT_TRUE(test::same_cells(test::sorted_cells(reference.to_data()), test::sorted_cells(one_by_one(set, {}).to_data())));
+  EXPECT_TRUE(test::same_cells(test::sorted_cells(reference.to_data()),
+                               test::sorted_cells(one_by_one(set, {}).to_data())));
 }
 
 class OrderIndependenceIn : public ::testing::TestWithParam<int> {
@@ -65,7 +68,8 @@ class OrderIndependenceIn : public ::testing::TestWithParam<int> {
     return test::scaled_count(usual[GetParam() - 1]);
   }
 };
-INSTANTIATE_TEST_SUITE_P(Dimensions, OrderIndependenceIn, ::testing::Range(1, 8), ::testing::PrintToStringParamName());
+INSTANTIATE_TEST_SUITE_P(Dimensions, OrderIndependenceIn, ::testing::Range(1, 8),
+                         ::testing::PrintToStringParamName());
 
 TEST_P(OrderIndependenceIn, UniformPoints) {
   expect_same_by_all_routes({"uniform", GetParam(), make_point_set("uniform", GetParam(), num_points(), 5)});
@@ -73,7 +77,8 @@ TEST_P(OrderIndependenceIn, UniformPoints) {
 
 TEST_P(OrderIndependenceIn, DegenerateSets) {
   static constexpr std::size_t usual[] = {300, 200, 120, 50, 30, 18, 14};
-  for (const PointSet& set : test::degenerate_sets(GetParam(), test::scaled_count(usual[GetParam() - 1]), 3)) {
+  for (const PointSet& set :
+       test::degenerate_sets(GetParam(), test::scaled_count(usual[GetParam() - 1]), 3)) {
     expect_same_by_all_routes(set);
     if (HasFailure()) return;
   }

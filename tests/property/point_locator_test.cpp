@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// PointLocator: batches against one query at a time and against fractions without error; the nearest vertex against all of
-// them.
+// PointLocator: batches against one query at a time and against fractions without error; the nearest vertex
+// against all of them.
 #include <delone/point_locator.hpp>
 
 #include "degenerate.hpp"
@@ -23,7 +23,8 @@ namespace {
 
 using Fraction = boost::multiprecision::cpp_rational;
 
-/// Vertices, midpoints (exact where doubles hold them), centres, points between, and points outside, flat or not.
+/// Vertices, midpoints (exact where doubles hold them), centres, points between, and points outside, flat or
+/// not.
 std::vector<double> queries_for(const test::PointSet& set, std::size_t count, std::uint64_t seed) {
   test::Random random(seed);
   const auto d = static_cast<std::size_t>(set.dimension);
@@ -94,7 +95,8 @@ struct Answer {
 std::vector<Answer> locate_all(const PointLocator& locator, std::span<const double> queries, int dimension) {
   std::vector<Answer> answers(queries.size() / static_cast<std::size_t>(dimension));
   locator.locate(queries, [&](std::size_t query, const LocatedPoint& where) {
-    answers[query] = {where.kind, where.cell, {where.weights.begin(), where.weights.end()}, answers[query].visits + 1};
+    answers[query] = {
+        where.kind, where.cell, {where.weights.begin(), where.weights.end()}, answers[query].visits + 1};
   });
   return answers;
 }
@@ -121,7 +123,8 @@ void expect_right_places(const test::PointSet& set, std::size_t num_queries, boo
     ASSERT_EQ(answer.visits, 1);
     const Location expected = t.locate(q);
     ASSERT_EQ(answer.kind, expected.kind) << "query " << i;
-    EXPECT_EQ(face_of(t, answer), std::set<VertexId>(expected.face.begin(), expected.face.end())) << "query " << i;
+    EXPECT_EQ(face_of(t, answer), std::set<VertexId>(expected.face.begin(), expected.face.end()))
+        << "query " << i;
     if (answer.kind == Location::Kind::outside_affine_hull) {
       EXPECT_EQ(answer.cell, invalid_cell);
       continue;
@@ -152,7 +155,8 @@ void expect_right_places(const test::PointSet& set, std::size_t num_queries, boo
     const std::vector<Fraction> exact = exact_weights(t, answer.cell, q);
     for (std::size_t j = 0; j < exact.size(); ++j) {
       EXPECT_EQ(exact[j] == 0, answer.weights[j] == 0);
-      EXPECT_LE(abs(exact[j] - Fraction(answer.weights[j])), Fraction(0x1p-36)) << exact[j].convert_to<double>();
+      EXPECT_LE(abs(exact[j] - Fraction(answer.weights[j])), Fraction(0x1p-36))
+          << exact[j].convert_to<double>();
     }
   }
 }
@@ -199,7 +203,8 @@ TEST(PointLocator, OtherTriangulations) {
   const RegularTriangulation regular(set.points, weights, 3);
   const FurthestSiteTriangulation furthest(set.points, 3);
   const std::vector<double> queries = queries_for(set, 200, 5);
-  for (const Triangulation* t : {static_cast<const Triangulation*>(&regular), static_cast<const Triangulation*>(&furthest)}) {
+  for (const Triangulation* t :
+       {static_cast<const Triangulation*>(&regular), static_cast<const Triangulation*>(&furthest)}) {
     const std::vector<Answer> answers = locate_all(PointLocator(*t), queries, 3);
     for (std::size_t i = 0; i < answers.size(); ++i) {
       const Location expected = t->locate(std::span(queries).subspan(3 * i, 3));
@@ -249,8 +254,9 @@ TEST(PointLocator, BadAndEmptyQueries) {
     EXPECT_EQ(e.code(), Errc::bad_dimension);
   }
   locator.locate({}, never);
-  EXPECT_THROW(locator.locate(square, [](std::size_t, const LocatedPoint&) { throw std::domain_error("enough"); }),
-               std::domain_error);
+  EXPECT_THROW(
+      locator.locate(square, [](std::size_t, const LocatedPoint&) { throw std::domain_error("enough"); }),
+      std::domain_error);
 
   const Triangulation empty(2);
   int visits = 0;
@@ -273,14 +279,16 @@ TEST(PointLocator, ManyThreadsOneLocator) {
   std::vector<std::vector<VertexId>> nearest(4, std::vector<VertexId>(queries.size() / 2));
   std::vector<std::thread> threads;
   for (auto& result : nearest)
-    threads.emplace_back([&] { locator.nearest(queries, [&](std::size_t i, VertexId v) { result[i] = v; }); });
+    threads.emplace_back(
+        [&] { locator.nearest(queries, [&](std::size_t i, VertexId v) { result[i] = v; }); });
   for (std::thread& thread : threads) thread.join();
   for (const auto& result : nearest) EXPECT_EQ(result, nearest[0]);
 }
 
 Fraction power(std::span<const double> q, std::span<const double> p, double weight) {
   Fraction sum(-weight);
-  for (std::size_t j = 0; j < q.size(); ++j) sum += (Fraction(q[j]) - Fraction(p[j])) * (Fraction(q[j]) - Fraction(p[j]));
+  for (std::size_t j = 0; j < q.size(); ++j)
+    sum += (Fraction(q[j]) - Fraction(p[j])) * (Fraction(q[j]) - Fraction(p[j]));
   return sum;
 }
 
@@ -292,7 +300,8 @@ void expect_nearest(const Triangulation& t, const std::vector<double>& queries, 
   std::vector<int> visits(queries.size() / d, 0);
   std::vector<VertexId> vertices;
   for (const VertexId v : t.complex().finite_vertices()) vertices.push_back(v);
-  std::sort(vertices.begin(), vertices.end(), [&](VertexId a, VertexId b) { return t.row_of(a) < t.row_of(b); });
+  std::sort(vertices.begin(), vertices.end(),
+            [&](VertexId a, VertexId b) { return t.row_of(a) < t.row_of(b); });
   locator.nearest(queries, [&](std::size_t i, VertexId found) {
     ++visits[i];
     const auto q = std::span(queries).subspan(i * d, d);
@@ -330,16 +339,19 @@ TEST_P(NearestOfDimension, LeastPower) {
   for (int run = 0; run < 8; ++run) {
     const int width = run % 3 == 0 ? 1 : 4;
     test::PointSet set = test::small_integers(d, 40, -width, width, random.bits());
-    if (run % 4 == 3 && d > 1) set = test::embedded(test::small_integers(d - 1, 30, -3, 3, 5), d, true, random.bits());
+    if (run % 4 == 3 && d > 1)
+      set = test::embedded(test::small_integers(d - 1, 30, -3, 3, 5), d, true, random.bits());
     std::vector<double> weights;
     for (std::size_t i = 0; i < set.size(); ++i)
       weights.push_back(run % 2 == 0 ? random.integer(-3, 9) : 0.1 * random.integer(0, 40));
     const RegularTriangulation t(set.points, weights, d);
-    expect_nearest(t, queries_for(set, test::scaled_count(30), random.bits()), [&](VertexId v) { return t.weight(v); });
+    expect_nearest(t, queries_for(set, test::scaled_count(30), random.bits()),
+                   [&](VertexId v) { return t.weight(v); });
   }
 }
 
-// The middle of every cube of a lattice is as near to all its corners: the first row in any order of the rows.
+// The middle of every cube of a lattice is as near to all its corners: the first row in any order of the
+// rows.
 TEST(Nearest, TiesGoToTheFirstRow) {
   for (const int d : {1, 2, 3, 4}) {
     const test::PointSet set = test::permuted(test::lattice(d, 3), 17);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Regular triangulations: against the definition in exact integers, against Delaunay for equal weights, in any order of
-// insertion. Weights are small integers on lattices (many hidden points, many ties), negative, huge, tiny, or all of them.
+// Regular triangulations: against the definition in exact integers, against Delaunay for equal weights, in
+// any order of insertion. Weights are small integers on lattices (many hidden points, many ties), negative,
+// huge, tiny, or all of them.
 #include "brute_force.hpp"
 #include "compare.hpp"
 #include "degenerate.hpp"
@@ -96,10 +97,12 @@ void expect_definition(const WeightedSet& s) {
     BruteForce::Rows simplex;
     for (const VertexId v : t.vertices(cell)) simplex.push_back(static_cast<SignedIndex>(t.row_of(v)));
     EXPECT_FALSE(oracle.in_conflict(simplex, static_cast<SignedIndex>(row)));
-    for (const Sign sign : oracle.barycentric_signs(simplex, static_cast<SignedIndex>(row))) EXPECT_NE(sign, Sign::negative);
+    for (const Sign sign : oracle.barycentric_signs(simplex, static_cast<SignedIndex>(row)))
+      EXPECT_NE(sign, Sign::negative);
     const std::span<const double> point =
         std::span(s.set.points).subspan(row * static_cast<std::size_t>(d), static_cast<std::size_t>(d));
-    EXPECT_EQ(t.in_power_sphere(cell, point, s.weights[row]), oracle.in_sphere(simplex, static_cast<SignedIndex>(row)));
+    EXPECT_EQ(t.in_power_sphere(cell, point, s.weights[row]),
+              oracle.in_sphere(simplex, static_cast<SignedIndex>(row)));
     EXPECT_TRUE(t.conflict_zone(point, s.weights[row]).empty());
   }
   EXPECT_EQ(t.num_hidden(), hidden);
@@ -131,7 +134,8 @@ void expect_same_one_by_one(const WeightedSet& s, const std::vector<std::size_t>
   EXPECT_EQ(t.num_vertices(), batch.num_vertices());
   EXPECT_EQ(t.num_duplicates(), batch.num_duplicates());
   EXPECT_EQ(t.complex().finite_vertices().size(), t.num_vertices());
-  for (const VertexId v : t.complex().finite_vertices()) EXPECT_GE(t.complex().index_of(t.complex().incident_cell(v), v), 0);
+  for (const VertexId v : t.complex().finite_vertices())
+    EXPECT_GE(t.complex().index_of(t.complex().incident_cell(v), v), 0);
   const CheckReport report = check(t.to_data(), {.canonical = true});
   EXPECT_TRUE(report.ok) << report.violation << describe(s);
 }
@@ -141,8 +145,9 @@ TEST(Regular, FollowsTheDefinition) {
     for (std::uint64_t seed = 0; seed < test::scaled_count(6); ++seed)
       for (const Weights kind : all_weights) {
         const std::size_t n = d < 4 ? 12 : 10;
-        for (const PointSet& set : {test::small_integers(d, n, 0, 2, seed), test::mixed_exponents(d, n - 2, -3, 3, seed + 7),
-                                    test::embedded(test::small_integers(std::max(d - 1, 1), n, 0, 3, seed), d, true, seed)})
+        for (const PointSet& set :
+             {test::small_integers(d, n, 0, 2, seed), test::mixed_exponents(d, n - 2, -3, 3, seed + 7),
+              test::embedded(test::small_integers(std::max(d - 1, 1), n, 0, 3, seed), d, true, seed)})
           expect_definition({set, make_weights(kind, set.size(), 2, seed + 100)});
       }
 }
@@ -152,7 +157,8 @@ TEST(Regular, FollowsTheDefinitionAtTheEndsOfTheRange) {
     for (std::uint64_t seed = 0; seed < test::scaled_count(2); ++seed)
       for (const double scale : {1e150, 1e-150, 1e300, 0x1p-1070}) {
         const PointSet set = test::scaled(test::small_integers(d, 10, -2, 2, seed), scale);
-        for (const Weights kind : all_weights) expect_definition({set, make_weights(kind, set.size(), 1, seed)});
+        for (const Weights kind : all_weights)
+          expect_definition({set, make_weights(kind, set.size(), 1, seed)});
         // Weights of the size of the squares, where these are doubles.
         expect_definition({set, make_weights(Weights::reals, set.size(), std::min(scale, 1e150), seed)});
         std::vector<double> extremes;
@@ -179,13 +185,14 @@ TEST(Regular, DoesNotDependOnTheOrder) {
   for (int d = 1; d <= 4; ++d)
     for (const Weights kind : all_weights)
       for (std::uint64_t seed = 0; seed < test::scaled_count(3); ++seed) {
-        const PointSet set = seed % 2 == 0 ? test::lattice(d, d < 3 ? 5 : 3) : test::small_integers(d, 60, 0, 3, seed);
+        const PointSet set =
+            seed % 2 == 0 ? test::lattice(d, d < 3 ? 5 : 3) : test::small_integers(d, 60, 0, 3, seed);
         const WeightedSet s{set, make_weights(kind, set.size(), 2, seed)};
         expect_same_one_by_one(s, test::random_order(set.size(), seed));
         const auto hash = RegularTriangulation(set.points, s.weights, d).hash();
         for (const InsertionOrder order : {InsertionOrder::as_given, InsertionOrder::shuffled}) {
-          const RegularTriangulation other(set.points, s.weights, d,
-                                           {.seed = seed + 5, .order = order, .force_runtime_dimension = true});
+          const RegularTriangulation other(
+              set.points, s.weights, d, {.seed = seed + 5, .order = order, .force_runtime_dimension = true});
           EXPECT_EQ(other.hash(), hash) << describe(s);
         }
       }
@@ -204,7 +211,8 @@ TEST(Regular, ManyWeightedPointsPassTheCheck) {
       const CheckReport report = check(t.to_data(), {.canonical = true});
       EXPECT_TRUE(report.ok) << report.violation;
       // The cached functionals serve weights: nearly all tests are theirs.
-      EXPECT_LT(t.statistics().direct + t.statistics().exact, t.statistics().filter / 20 + 50 * static_cast<unsigned>(d))
+      EXPECT_LT(t.statistics().direct + t.statistics().exact,
+                t.statistics().filter / 20 + 50 * static_cast<unsigned>(d))
           << d << ' ' << largest;
       expect_same_one_by_one({set, weights}, test::random_order(n, 1));
     }
@@ -296,7 +304,8 @@ TEST(Regular, BadInputIsRefused) {
 }
 
 TEST(Regular, CompiledDimensions) {
-  const std::vector<std::array<double, 3>> points{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {0.2, 0.2, 0.2}};
+  const std::vector<std::array<double, 3>> points{
+      {0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {0.2, 0.2, 0.2}};
   const std::vector<double> weights{0, 0, 0, 0, -1};
   const Regular<3> t(points, weights);
   EXPECT_EQ(t.num_finite_cells(), 1u);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The Delaunay, regular or furthest-site triangulation by its definition: every subset of k+1 points is tried against every
-// other point, in integers without error. Slow and simple, and written without a look at the library's predicates, so that the
-// two can disagree.
+// The Delaunay, regular or furthest-site triangulation by its definition: every subset of k+1 points is tried
+// against every other point, in integers without error. Slow and simple, and written without a look at the
+// library's predicates, so that the two can disagree.
 #pragma once
 
 #include <delone/complex.hpp>
@@ -35,7 +35,8 @@ inline Integer determinant(Matrix a) {
       negative = !negative;
     }
     for (std::size_t i = p + 1; i < n; ++i)
-      for (std::size_t j = p + 1; j < n; ++j) a[i][j] = Integer(a[i][j] * a[p][p] - a[i][p] * a[p][j]) / previous;
+      for (std::size_t j = p + 1; j < n; ++j)
+        a[i][j] = Integer(a[i][j] * a[p][p] - a[i][p] * a[p][j]) / previous;
     previous = a[p][p];
   }
   return negative ? Integer(-previous) : previous;
@@ -52,7 +53,8 @@ inline std::vector<std::size_t> pivot_columns(Matrix a) {
     std::swap(a[pivot], a[p]);
     for (std::size_t i = p + 1; i < a.size(); ++i) {
       const Integer factor = a[i][column];
-      for (std::size_t j = column; j < a[i].size(); ++j) a[i][j] = Integer(a[i][j] * a[p][column] - factor * a[p][j]);
+      for (std::size_t j = column; j < a[i].size(); ++j)
+        a[i][j] = Integer(a[i][j] * a[p][column] - factor * a[p][j]);
     }
     pivots.push_back(column);
   }
@@ -96,9 +98,9 @@ inline Matrix scaled_to_integers(std::span<const double> coordinates, int dimens
   return scaled_to_integers(coordinates, dimension, common_exponent(coordinates));
 }
 
-/// Exact answers about n points of R^d and, if given, some queries (rows n, n+1, …), which are no vertices. Points may have
-/// weights, which lower their lifts; then vertices() are the distinct weighted points, some of them hidden. `furthest`: all
-/// lifts are negated.
+/// Exact answers about n points of R^d and, if given, some queries (rows n, n+1, …), which are no vertices.
+/// Points may have weights, which lower their lifts; then vertices() are the distinct weighted points, some
+/// of them hidden. `furthest`: all lifts are negated.
 class BruteForce {
  public:
   using Rows = std::vector<SignedIndex>;
@@ -135,7 +137,9 @@ class BruteForce {
   /// The distinct points: the first row of each.
   const Rows& vertices() const { return vertices_; }
   SignedIndex first_row(SignedIndex row) const { return first_row_[at(row)]; }
-  bool equal(SignedIndex a, SignedIndex b) const { return rows_[at(a)] == rows_[at(b)] && lifts_[at(a)] == lifts_[at(b)]; }
+  bool equal(SignedIndex a, SignedIndex b) const {
+    return rows_[at(a)] == rows_[at(b)] && lifts_[at(a)] == lifts_[at(b)];
+  }
 
   /// Whether the point of this row lies in the affine hull of the points.
   bool in_flat(SignedIndex row) const {
@@ -149,7 +153,8 @@ class BruteForce {
   /// The sign of det(p_i − p_0) on the axes of the flat; k+1 rows.
   Sign orientation(const Rows& simplex) const { return sign_of(determinant(edges(simplex))); }
 
-  /// The signs of the barycentric coordinates of a point of the flat with respect to a simplex that is not flat.
+  /// The signs of the barycentric coordinates of a point of the flat with respect to a simplex that is not
+  /// flat.
   std::vector<Sign> barycentric_signs(const Rows& simplex, SignedIndex row) const {
     std::vector<Sign> signs;
     const Sign whole = orientation(simplex);
@@ -161,8 +166,8 @@ class BruteForce {
     return signs;
   }
 
-  /// |x|² − a·x − b, which vanishes at the vertices of a simplex that is not flat: its sign is − inside, 0 on, + outside the
-  /// sphere. By Cramer's rule a = slope/scale on a·(v_i − v_0) = |v_i|² − |v_0|².
+  /// |x|² − a·x − b, which vanishes at the vertices of a simplex that is not flat: its sign is − inside, 0
+  /// on, + outside the sphere. By Cramer's rule a = slope/scale on a·(v_i − v_0) = |v_i|² − |v_0|².
   struct Sphere {
     Rows simplex;
     Integer scale;
@@ -173,7 +178,8 @@ class BruteForce {
     Sphere result{simplex, determinant(e), {}};
     for (std::size_t j = 0; j < e.size(); ++j) {
       Matrix replaced = e;
-      for (std::size_t i = 0; i < e.size(); ++i) replaced[i][j] = lifts_[at(simplex[i + 1])] - lifts_[at(simplex[0])];
+      for (std::size_t i = 0; i < e.size(); ++i)
+        replaced[i][j] = lifts_[at(simplex[i + 1])] - lifts_[at(simplex[0])];
       result.slope.push_back(determinant(replaced));
     }
     return result;
@@ -195,14 +201,17 @@ class BruteForce {
     if (const Sign sign = in_sphere(sphere, row); sign != Sign::zero) return sign == Sign::negative;
     for (const SignedIndex vertex : simplex)
       if (equal(vertex, row)) return false;
-    // Raising q by ε moves it out. Raising v_i by ε raises the sphere's plane at q by ε times the coordinate of q at v_i.
+    // Raising q by ε moves it out. Raising v_i by ε raises the sphere's plane at q by ε times the coordinate
+    // of q at v_i.
     Rows involved = simplex;
     involved.push_back(row);
-    std::sort(involved.begin(), involved.end(), [&](SignedIndex a, SignedIndex b) { return rows_[at(a)] > rows_[at(b)]; });
+    std::sort(involved.begin(), involved.end(),
+              [&](SignedIndex a, SignedIndex b) { return rows_[at(a)] > rows_[at(b)]; });
     const std::vector<Sign> signs = barycentric_signs(simplex, row);
     for (const SignedIndex next : involved) {
       if (next == row) return false;
-      const auto i = static_cast<std::size_t>(std::find(simplex.begin(), simplex.end(), next) - simplex.begin());
+      const auto i =
+          static_cast<std::size_t>(std::find(simplex.begin(), simplex.end(), next) - simplex.begin());
       if (signs[i] != Sign::zero) return signs[i] == Sign::positive;
     }
     return false;
@@ -221,8 +230,8 @@ class BruteForce {
         if (chosen[i]) simplex.push_back(vertices_[i]);
       if (orientation(simplex) == Sign::zero) continue;
       const Sphere empty = sphere(simplex);
-      const bool is_empty =
-          std::none_of(vertices_.begin(), vertices_.end(), [&](SignedIndex vertex) { return in_conflict(empty, vertex); });
+      const bool is_empty = std::none_of(vertices_.begin(), vertices_.end(),
+                                         [&](SignedIndex vertex) { return in_conflict(empty, vertex); });
       if (is_empty) result.push_back(simplex);
     } while (std::prev_permutation(chosen.begin(), chosen.end()));
     std::sort(result.begin(), result.end());
@@ -234,7 +243,8 @@ class BruteForce {
     ComplexData data;
     data.dimension = static_cast<int>(d_);
     data.affine_dimension = affine_dimension();
-    data.points.assign(coordinates_.begin(), coordinates_.begin() + static_cast<std::ptrdiff_t>(num_points_ * d_));
+    data.points.assign(coordinates_.begin(),
+                       coordinates_.begin() + static_cast<std::ptrdiff_t>(num_points_ * d_));
     data.vertex_of_point = first_row_;
     for (Rows cell : cells()) {
       if (orientation(cell) == Sign::negative) std::swap(cell[0], cell[1]);
@@ -260,7 +270,8 @@ class BruteForce {
     Matrix result;
     for (std::size_t i = 1; i < simplex.size(); ++i) {
       result.emplace_back();
-      for (const std::size_t axis : axes_) result.back().push_back(rows_[at(simplex[i])][axis] - rows_[at(simplex[0])][axis]);
+      for (const std::size_t axis : axes_)
+        result.back().push_back(rows_[at(simplex[i])][axis] - rows_[at(simplex[0])][axis]);
     }
     return result;
   }

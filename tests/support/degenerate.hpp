@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Point sets that are hard on purpose: flat in every dimension, full of ties, one unit in the last place away from either, or
-// at the ends of the exponent range. Degeneracy is built here, not hoped for. Reproducible from their arguments.
+// Point sets that are hard on purpose: flat in every dimension, full of ties, one unit in the last place away
+// from either, or at the ends of the exponent range. Degeneracy is built here, not hoped for. Reproducible
+// from their arguments.
 #pragma once
 
 #include <delone/point_sets.hpp>
@@ -26,7 +27,9 @@ class Random {
     return z ^ (z >> 31);
   }
   /// Uniform in low…high, both included.
-  int integer(int low, int high) { return low + static_cast<int>(bits() % static_cast<std::uint64_t>(high - low + 1)); }
+  int integer(int low, int high) {
+    return low + static_cast<int>(bits() % static_cast<std::uint64_t>(high - low + 1));
+  }
   /// Uniform in [0, 1).
   double real() { return static_cast<double>(bits() >> 11) * 0x1p-53; }
 
@@ -42,7 +45,8 @@ struct PointSet {
 };
 
 /// The rows in the given order.
-inline std::vector<double> reordered(const std::vector<double>& points, int dimension, const std::vector<std::size_t>& order) {
+inline std::vector<double> reordered(const std::vector<double>& points, int dimension,
+                                     const std::vector<std::size_t>& order) {
   std::vector<double> result;
   const auto d = static_cast<std::size_t>(dimension);
   for (const std::size_t row : order)
@@ -75,12 +79,14 @@ inline PointSet sampled(PointSet set, std::size_t n, std::uint64_t seed) {
 inline PointSet small_integers(int dimension, std::size_t n, int low, int high, std::uint64_t seed) {
   PointSet set{"integers", dimension, {}};
   Random random(seed);
-  for (std::size_t i = 0; i < n * static_cast<std::size_t>(dimension); ++i) set.points.push_back(random.integer(low, high));
+  for (std::size_t i = 0; i < n * static_cast<std::size_t>(dimension); ++i)
+    set.points.push_back(random.integer(low, high));
   return set;
 }
 
-/// Carries points of R^k into R^dimension. Axis-aligned: the further coordinates are constant. Tilted: they are integer
-/// combinations of the k coordinates, and the axes are shuffled, so that no coordinate plane holds the flat.
+/// Carries points of R^k into R^dimension. Axis-aligned: the further coordinates are constant. Tilted: they
+/// are integer combinations of the k coordinates, and the axes are shuffled, so that no coordinate plane
+/// holds the flat.
 inline PointSet embedded(const PointSet& flat, int dimension, bool tilted, std::uint64_t seed) {
   PointSet set{flat.name + (tilted ? " tilted" : " axis-aligned") + " in a flat", dimension, {}};
   Random random(seed);
@@ -115,7 +121,8 @@ inline PointSet lattice(int dimension, int side) {
   return set;
 }
 
-/// Lattice points on one sphere around the origin: all of squared norm `squared_radius` with coordinates up to its root.
+/// Lattice points on one sphere around the origin: all of squared norm `squared_radius` with coordinates up
+/// to its root.
 inline PointSet cospherical(int dimension, int squared_radius) {
   const int side = static_cast<int>(std::sqrt(squared_radius));
   PointSet set{"cospherical", dimension, {}};
@@ -123,15 +130,16 @@ inline PointSet cospherical(int dimension, int squared_radius) {
   const auto d = static_cast<std::size_t>(dimension);
   for (std::size_t row = 0; row < box.size(); ++row) {
     double norm = 0;
-    for (std::size_t j = 0; j < d; ++j) norm += (box.points[row * d + j] - side) * (box.points[row * d + j] - side);
+    for (std::size_t j = 0; j < d; ++j)
+      norm += (box.points[row * d + j] - side) * (box.points[row * d + j] - side);
     if (norm != squared_radius) continue;
     for (std::size_t j = 0; j < d; ++j) set.points.push_back(box.points[row * d + j] - side);
   }
   return set;
 }
 
-/// Every third coordinate or so moved to the next or the previous double. Zeros stay unless asked for: next to them are the
-/// smallest denormals, and exact arithmetic over the whole exponent range takes its time.
+/// Every third coordinate or so moved to the next or the previous double. Zeros stay unless asked for: next
+/// to them are the smallest denormals, and exact arithmetic over the whole exponent range takes its time.
 inline PointSet nudged(PointSet set, std::uint64_t seed, bool zeros_too = false) {
   Random random(seed);
   set.name += " nudged";
@@ -144,7 +152,8 @@ inline PointSet nudged(PointSet set, std::uint64_t seed, bool zeros_too = false)
 inline PointSet shifted(PointSet set, const std::vector<double>& offset, double scale) {
   set.name += " shifted";
   for (std::size_t i = 0; i < set.points.size(); ++i)
-    set.points[i] = offset[i % static_cast<std::size_t>(set.dimension) % offset.size()] + scale * set.points[i];
+    set.points[i] =
+        offset[i % static_cast<std::size_t>(set.dimension) % offset.size()] + scale * set.points[i];
   return set;
 }
 
@@ -159,8 +168,9 @@ inline PointSet mixed_exponents(int dimension, std::size_t n, int lowest, int hi
   PointSet set{"mixed exponents", dimension, {}};
   Random random(seed);
   for (std::size_t i = 0; i < n * static_cast<std::size_t>(dimension); ++i)
-    set.points.push_back(random.integer(0, 7) == 0 ? 0.0
-                                                   : std::ldexp(random.integer(-7, 7) | 1, random.integer(lowest, highest)));
+    set.points.push_back(random.integer(0, 7) == 0
+                             ? 0.0
+                             : std::ldexp(random.integer(-7, 7) | 1, random.integer(lowest, highest)));
   return set;
 }
 
@@ -168,14 +178,16 @@ inline PointSet mixed_exponents(int dimension, std::size_t n, int lowest, int hi
 inline std::vector<PointSet> degenerate_sets(int dimension, std::size_t n, std::uint64_t seed) {
   std::vector<PointSet> sets;
   std::uint64_t next = seed * 1000;
-  // For numbers from one end of the exponent range to the other: each exact determinant has thousands of bits.
+  // For numbers from one end of the exponent range to the other: each exact determinant has thousands of
+  // bits.
   const std::size_t few = std::min(n, 80 / static_cast<std::size_t>(dimension));
   const auto add = [&](PointSet set) { sets.push_back(sampled(std::move(set), n, ++next)); };
 
   for (int k = 0; k <= dimension; ++k)
     for (const bool tilted : {false, true}) {
       if (k == dimension && tilted) continue;
-      const PointSet flat = k == 0 ? PointSet{"point", 1, {2, 2, 2}} : sampled(lattice(k, k <= 3 ? 4 : 3), n, ++next);
+      const PointSet flat =
+          k == 0 ? PointSet{"point", 1, {2, 2, 2}} : sampled(lattice(k, k <= 3 ? 4 : 3), n, ++next);
       const PointSet random_flat = small_integers(std::max(k, 1), n, -4, 4, ++next);
       if (k == 0) {
         PointSet point{"one point", dimension, {}};

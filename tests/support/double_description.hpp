@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The double description method of cddlib in rational numbers (Fukuda and Prodon 1996, doi:10.1007/3-540-61576-8_77): exact
-// vertices of halfspaces and exact facets of points, degenerate or not. An oracle; tests that need it skip themselves without.
+// The double description method of cddlib in rational numbers (Fukuda and Prodon 1996,
+// doi:10.1007/3-540-61576-8_77): exact vertices of halfspaces and exact facets of points, degenerate or not.
+// An oracle; tests that need it skip themselves without.
 #pragma once
 
 #if DELONE_HAVE_CDDLIB
@@ -28,11 +29,12 @@ struct DoubleDescription {
   using Row = std::vector<Rational>;
   using Rows = std::vector<SignedIndex>;
 
-  /// Of halfspaces: the vertices (1, x) and directions (0, u). Of points: the facets (b, a) with b + a·x ≥ 0. With each the
-  /// rows of the input that hold with equality, increasing. Rows are divided by their first entry that is not 0, in magnitude.
+  /// Of halfspaces: the vertices (1, x) and directions (0, u). Of points: the facets (b, a) with b + a·x ≥ 0.
+  /// With each the rows of the input that hold with equality, increasing. Rows are divided by their first
+  /// entry that is not 0, in magnitude.
   std::map<Row, Rows> found;
   std::size_t linearities = 0;  ///< lines, or equations that all points satisfy; they are not in `found`
-  Rows essential;               ///< rows of the input that are not redundant. REQUIRES that no two are the same
+  Rows essential;  ///< rows of the input that are not redundant. REQUIRES that no two are the same
 
   /// Of halfspaces n·x + c ≤ 0, each (n, c).
   static DoubleDescription of_halfspaces(std::span<const double> rows, int dimension) {
@@ -44,7 +46,8 @@ struct DoubleDescription {
   }
 
  private:
-  DoubleDescription(std::span<const double> input, std::size_t columns, dd_RepresentationType representation) {
+  DoubleDescription(std::span<const double> input, std::size_t columns,
+                    dd_RepresentationType representation) {
     dd_set_global_constants();
     const std::size_t n = input.size() / columns;
     const bool are_points = representation == dd_Generator;
@@ -78,7 +81,8 @@ struct DoubleDescription {
       for (Rational& x : row) x /= scale;
       Rows on;
       for (std::size_t r = 0; r < n; ++r)
-        if (set_member(static_cast<long>(r + 1), incidence->set[i])) on.push_back(static_cast<SignedIndex>(r));
+        if (set_member(static_cast<long>(r + 1), incidence->set[i]))
+          on.push_back(static_cast<SignedIndex>(r));
       if (are_points && on.empty()) continue;  // 1 ≥ 0
       found.emplace(std::move(row), std::move(on));
     }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Intersections of halfspaces by their definition, in rational numbers: every k rows are tried for a vertex, every k−1 for a
-// direction, every d+1 for a proof that there is no interior point.
+// Intersections of halfspaces by their definition, in rational numbers: every k rows are tried for a vertex,
+// every k−1 for a direction, every d+1 for a proof that there is no interior point.
 #pragma once
 
 #include <delone/halfspaces.hpp>
@@ -67,7 +67,8 @@ class HalfspaceBruteForce {
   using Rows = std::vector<SignedIndex>;
 
   /// `axes`: columns to work in where the normals do not span all.
-  HalfspaceBruteForce(std::span<const double> halfspaces, int dimension) : d_(static_cast<std::size_t>(dimension)) {
+  HalfspaceBruteForce(std::span<const double> halfspaces, int dimension)
+      : d_(static_cast<std::size_t>(dimension)) {
     for (std::size_t i = 0; i < halfspaces.size(); i += d_ + 1)
       rows_.emplace_back(halfspaces.begin() + static_cast<std::ptrdiff_t>(i),
                          halfspaces.begin() + static_cast<std::ptrdiff_t>(i + d_ + 1));
@@ -78,11 +79,13 @@ class HalfspaceBruteForce {
   IntersectionState state() const { return state_; }
   std::size_t rank() const { return rank_; }
   /// Whether the given rows alone have no interior point.
-  static bool has_no_interior(std::span<const double> halfspaces, int dimension, std::span<const SignedIndex> rows) {
+  static bool has_no_interior(std::span<const double> halfspaces, int dimension,
+                              std::span<const SignedIndex> rows) {
     std::vector<double> some;
     const auto width = static_cast<std::size_t>(dimension) + 1;
     for (const SignedIndex r : rows)
-      for (std::size_t j = 0; j < width; ++j) some.push_back(halfspaces[static_cast<std::size_t>(r) * width + j]);
+      for (std::size_t j = 0; j < width; ++j)
+        some.push_back(halfspaces[static_cast<std::size_t>(r) * width + j]);
     return HalfspaceBruteForce(some, dimension).state() != IntersectionState::full;
   }
 
@@ -189,7 +192,8 @@ class HalfspaceBruteForce {
     for (std::size_t j = 0; j < d_; ++j) all[j] = j;
     return all;
   }
-  std::vector<RationalRow> normals(const std::vector<std::size_t>& rows, const std::vector<std::size_t>& columns) const {
+  std::vector<RationalRow> normals(const std::vector<std::size_t>& rows,
+                                   const std::vector<std::size_t>& columns) const {
     std::vector<RationalRow> result;
     for (const std::size_t r : rows) {
       result.emplace_back();
@@ -212,7 +216,8 @@ class HalfspaceBruteForce {
     found.emplace(z, tight);
   }
 
-  /// No interior point iff some rows have λ > 0 with Σλ·n = 0 and Σλ·c ≥ 0; no point at all iff that sum can be positive.
+  /// No interior point iff some rows have λ > 0 with Σλ·n = 0 and Σλ·c ≥ 0; no point at all iff that sum can
+  /// be positive.
   void find_state() {
     for (std::size_t size = 1; size <= d_ + 1; ++size)
       for_each_subset(rows_.size(), size, [&](const std::vector<std::size_t>& chosen) {

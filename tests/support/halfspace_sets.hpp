@@ -12,7 +12,8 @@
 
 namespace delone::test {
 
-/// m halfspaces in general position, one in four of them far enough away to be redundant as a rule; multiples of 2⁻²⁰.
+/// m halfspaces in general position, one in four of them far enough away to be redundant as a rule; multiples
+/// of 2⁻²⁰.
 inline std::vector<double> halfspaces_around_a_ball(int d, int m, std::uint64_t seed) {
   Random random(seed + static_cast<std::uint64_t>(d));
   std::vector<double> rows;
@@ -35,7 +36,8 @@ inline std::vector<double> halfspaces_around_a_ball(int d, int m, std::uint64_t 
   return rows;
 }
 
-/// Up to m halfspaces with entries −2 … 2 and the offsets −1 and −2, no two the same: many meet in a vertex, some touch.
+/// Up to m halfspaces with entries −2 … 2 and the offsets −1 and −2, no two the same: many meet in a vertex,
+/// some touch.
 inline std::vector<double> halfspaces_of_small_integers(int d, int m, std::uint64_t seed) {
   Random random(seed * 1000 + static_cast<std::uint64_t>(d));
   std::set<std::vector<int>> seen;  // divided by their offsets, times 2
@@ -47,7 +49,8 @@ inline std::vector<double> halfspaces_of_small_integers(int d, int m, std::uint6
       row.push_back(random.integer(-2, 2));
       key.push_back(2 * row.back() / offset);
     }
-    if (std::all_of(row.begin(), row.end(), [](int x) { return x == 0; }) || !seen.insert(key).second) continue;
+    if (std::all_of(row.begin(), row.end(), [](int x) { return x == 0; }) || !seen.insert(key).second)
+      continue;
     rows.insert(rows.end(), row.begin(), row.end());
     rows.push_back(-offset);
   }

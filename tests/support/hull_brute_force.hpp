@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Convex hulls by their definition, in integers without error: every set of k points is tried against every other point. The
-// perturbation is carried out with numbers: each point is moved towards an inner point by its own power of a huge number, so
-// that what the library derives from signs is found here by plain arithmetic.
+// Convex hulls by their definition, in integers without error: every set of k points is tried against every
+// other point. The perturbation is carried out with numbers: each point is moved towards an inner point by
+// its own power of a huge number, so that what the library derives from signs is found here by plain
+// arithmetic.
 #pragma once
 
 #include "brute_force.hpp"
@@ -102,7 +103,8 @@ class HullBruteForce {
     Matrix matrix;
     for (const Row row : cell) {
       matrix.emplace_back();
-      for (const std::size_t axis : axes_) matrix.back().push_back(points_[at(row)][axis] - points_[at(x)][axis]);
+      for (const std::size_t axis : axes_)
+        matrix.back().push_back(points_[at(row)][axis] - points_[at(x)][axis]);
     }
     return sign_of(determinant(std::move(matrix)));
   }
@@ -120,7 +122,8 @@ class HullBruteForce {
     Matrix a;
     for (std::size_t i = 1; i < rows.size(); ++i) {
       a.emplace_back();
-      for (std::size_t j = 0; j < d_; ++j) a.back().push_back(points_[at(rows[i])][j] - points_[at(rows[0])][j]);
+      for (std::size_t j = 0; j < d_; ++j)
+        a.back().push_back(points_[at(rows[i])][j] - points_[at(rows[0])][j]);
     }
     return pivot_columns(std::move(a));
   }
@@ -177,9 +180,9 @@ class HullBruteForce {
     return face;
   }
 
-  /// Homogeneous rows (x, 1)·M^(rank + 1) + (o, o_w) with rank 0 for the lexicographically largest point, o the sum of a basis:
-  /// a point moved towards o by about M^−(rank + 1). Only first powers of these enter determinants, whose other factors are
-  /// integers below M/(n+1).
+  /// Homogeneous rows (x, 1)·M^(rank + 1) + (o, o_w) with rank 0 for the lexicographically largest point, o
+  /// the sum of a basis: a point moved towards o by about M^−(rank + 1). Only first powers of these enter
+  /// determinants, whose other factors are integers below M/(n+1).
   Matrix moved_points() const {
     std::size_t bits = 1;
     for (const auto& point : points_)

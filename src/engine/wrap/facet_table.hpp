@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The facets that have one cell so far, while cells are created one beside the other (wrap.hpp): a hash table of keys that come
-// and go in pairs.
+// The facets that have one cell so far, while cells are created one beside the other (wrap.hpp): a hash table
+// of keys that come and go in pairs.
 #pragma once
 
-#include "engine/wrap/facet_table_kernel.hpp"
 #include "base/growable_array.hpp"
+#include "engine/wrap/facet_table_kernel.hpp"
 
 #include <algorithm>
 #include <array>
@@ -17,9 +17,9 @@
 
 namespace delone::engine {
 
-/// Maps keys to values, each for as long as it is met an odd number of times. A line of the cache has room for five keys; what
-/// does not fit goes to the line beside it, and what does not fit there is kept apart. Nothing in match() but that is a branch
-/// that depends on the data.
+/// Maps keys to values, each for as long as it is met an odd number of times. A line of the cache has room
+/// for five keys; what does not fit goes to the line beside it, and what does not fit there is kept apart.
+/// Nothing in match() but that is a branch that depends on the data.
 class FacetTable {
  public:
   static constexpr std::uint32_t none = ~std::uint32_t{0};
@@ -28,9 +28,12 @@ class FacetTable {
   FacetTable() : FacetTable(fewest_lines) {}
 
   std::size_t size() const { return size_; }
-  [[gnu::always_inline]] void prefetch(std::uint64_t key) const { __builtin_prefetch(&lines_[place(key)], 1); }
+  [[gnu::always_inline]] void prefetch(std::uint64_t key) const {
+    __builtin_prefetch(&lines_[place(key)], 1);
+  }
 
-  /// Asks for the line beside that of a key, if the key may be there, or may go there. The line of the key should have come.
+  /// Asks for the line beside that of a key, if the key may be there, or may go there. The line of the key
+  /// should have come.
   [[gnu::always_inline]] void prefetch_overflow(std::uint64_t key) const {
     const std::size_t home = place(key);
     const Line& line = lines_[home];
@@ -38,17 +41,18 @@ class FacetTable {
     __builtin_prefetch(&lines_[home ^ static_cast<std::size_t>((overflows | (0 - overflows)) >> 63)], 1);
   }
 
-  /// For each of up to most_at_once keys, which are different: if it is there, removes it and gives its value; else adds it
-  /// with the value `first` + its number, and gives `none`. Slow without a reserve() that covers them. REQUIRES that no key is
-  /// 0. Throws std::bad_alloc.
+  /// For each of up to most_at_once keys, which are different: if it is there, removes it and gives its
+  /// value; else adds it with the value `first` + its number, and gives `none`. Slow without a reserve() that
+  /// covers them. REQUIRES that no key is 0. Throws std::bad_alloc.
   void match(std::span<const std::uint64_t> keys, std::uint32_t first, std::uint32_t* others) {
     std::array<FacetPlaces, most_at_once> places;
     find_facets(lines_.data(), num_lines_, keys, places.data());
-    for (std::size_t i = 0; i < keys.size(); ++i) others[i] = match(keys[i], first + static_cast<std::uint32_t>(i), places[i]);
+    for (std::size_t i = 0; i < keys.size(); ++i)
+      others[i] = match(keys[i], first + static_cast<std::uint32_t>(i), places[i]);
   }
 
-  /// Makes room for `count` more keys, and gives memory back where far fewer are left. Throws std::bad_alloc, and then nothing
-  /// has changed.
+  /// Makes room for `count` more keys, and gives memory back where far fewer are left. Throws std::bad_alloc,
+  /// and then nothing has changed.
   void reserve(std::size_t count) {
     if (2 * (size_ + count) > most_per_two_lines * num_lines_)
       rebuild(2 * num_lines_);
@@ -85,7 +89,8 @@ class FacetTable {
     return other;
   }
 
-  /// Removes a key that is not in its line from the line beside it, or from what is in no line; `none` if it is in neither.
+  /// Removes a key that is not in its line from the line beside it, or from what is in no line; `none` if it
+  /// is in neither.
   std::uint32_t take_from_overflow(std::size_t home, std::uint64_t key) {
     Line& line = lines_[home];
     Line& beside = lines_[home ^ 1];
@@ -133,7 +138,8 @@ class FacetTable {
     FacetTable other(lines);
     const auto add_all = [&](const Line& line) {
       for (int i = 0; i < room; ++i)
-        if (const std::uint64_t key = line.keys[i]; key != 0) other.add(other.place(key), key, line.values[i]);
+        if (const std::uint64_t key = line.keys[i]; key != 0)
+          other.add(other.place(key), key, line.values[i]);
     };
     // If not, it has keys of the line beside it.
     const auto has_only_its_own = [&](std::size_t l) { return lines_[l ^ 1].num_beside == 0; };
@@ -148,8 +154,8 @@ class FacetTable {
     for (const auto& [key, value] : elsewhere_) other.add(other.place(key), key, value);
     *this = std::move(other);
   }
-  /// Adds all keys of a line of a table half as large to two lines, both empty. Which of them cannot be predicted: there is no
-  /// branch.
+  /// Adds all keys of a line of a table half as large to two lines, both empty. Which of them cannot be
+  /// predicted: there is no branch.
   void share_out(const Line& line, Line& lower, Line& upper) {
     Line* const lines[] = {&lower, &upper};
     std::size_t counts[] = {0, 0};

@@ -21,12 +21,14 @@ HWY_INLINE std::uint32_t bits(hn::Mask<Tag> mask) {
   return bytes[0];
 }
 
-void find_here(const FacetLine* lines, std::size_t num_lines, std::span<const std::uint64_t> keys, FacetPlaces* places) {
+void find_here(const FacetLine* lines, std::size_t num_lines, std::span<const std::uint64_t> keys,
+               FacetPlaces* places) {
   const Tag d;
   constexpr std::size_t lanes = hn::MaxLanes(Tag());
   constexpr std::uint32_t all = (1u << FacetLine::room) - 1;
   for (std::size_t i = 0; i < keys.size(); ++i) {
-    const auto* const line = reinterpret_cast<const std::uint64_t*>(&lines[FacetLine::place(keys[i], num_lines)]);
+    const auto* const line =
+        reinterpret_cast<const std::uint64_t*>(&lines[FacetLine::place(keys[i], num_lines)]);
     const auto key = hn::Set(d, keys[i]);
     FacetPlaces found{0, 0};
     for (std::size_t begin = 0; begin < FacetLine::room; begin += lanes) {
@@ -47,7 +49,8 @@ namespace delone::engine {
 
 HWY_EXPORT(find_here);
 
-void find_facets(const FacetLine* lines, std::size_t num_lines, std::span<const std::uint64_t> keys, FacetPlaces* places) {
+void find_facets(const FacetLine* lines, std::size_t num_lines, std::span<const std::uint64_t> keys,
+                 FacetPlaces* places) {
   HWY_DYNAMIC_DISPATCH(find_here)(lines, num_lines, keys, places);
 }
 

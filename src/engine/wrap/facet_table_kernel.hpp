@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Looking up keys in lines of a table (facet_table.hpp), all keys of a line in one vector of the processor; compiled for
-// several instruction sets, of which the best that the machine has is chosen at run time.
+// Looking up keys in lines of a table (facet_table.hpp), all keys of a line in one vector of the processor;
+// compiled for several instruction sets, of which the best that the machine has is chosen at run time.
 #pragma once
 
 #include <cstddef>
@@ -27,7 +27,9 @@ struct FacetPlaces {
   std::uint32_t hits, vacancies;
 };
 
-/// For each key, which places of its line have it, and which are vacant. REQUIRES that the number of lines is a power of two.
-void find_facets(const FacetLine* lines, std::size_t num_lines, std::span<const std::uint64_t> keys, FacetPlaces* places);
+/// For each key, which places of its line have it, and which are vacant. REQUIRES that the number of lines is
+/// a power of two.
+void find_facets(const FacetLine* lines, std::size_t num_lines, std::span<const std::uint64_t> keys,
+                 FacetPlaces* places);
 
 }  // namespace delone::engine

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The proof that proposed cells are a Delaunay triangulation, by exact signs (docs/predicates.md, "Wrapping"): every cell is a
-// simplex, every facet has two cells on its two sides, and no vertex opposite a facet is inside the sphere of the cell beyond
-// it. That the cells do not cover space several times is proved by one point, of which the caller proves that it is in one
-// finite cell.
+// The proof that proposed cells are a Delaunay triangulation, by exact signs (docs/predicates.md,
+// "Wrapping"): every cell is a simplex, every facet has two cells on its two sides, and no vertex opposite a
+// facet is inside the sphere of the cell beyond it. That the cells do not cover space several times is proved
+// by one point, of which the caller proves that it is in one finite cell.
 //
-// Functionals are made for some cells at a time, and forgotten: most who ask for a triangulation never ask for them.
+// Functionals are made for some cells at a time, and forgotten: most who ask for a triangulation never ask
+// for them.
 #pragma once
 
 #include "engine/cell_store.hpp"
@@ -30,22 +31,28 @@ class Proof {
   using Evaluator = decltype(std::declval<const G&>().evaluator(std::declval<const Query&>()));
 
  public:
-  /// How many cells `geometry` is to have room for: it is asked for the functionals of so many at a time, which are not kept.
+  /// How many cells `geometry` is to have room for: it is asked for the functionals of so many at a time,
+  /// which are not kept.
   static constexpr std::size_t batch_size = 64;
 
   /// `queries`: one at every vertex, in the order of their ids; that of vertex 0 is not used.
   Proof(CellStore<K>& cells, G& geometry, std::span<const Query> queries, StageCounts& counts)
-      : cells_(cells), geometry_(geometry), queries_(queries), counts_(counts), is_flipped_(cells.num_slots()) {
+      : cells_(cells),
+        geometry_(geometry),
+        queries_(queries),
+        counts_(counts),
+        is_flipped_(cells.num_slots()) {
     evaluators_.reserve(queries.size());
     for (const Query& q : queries) evaluators_.push_back(geometry.evaluator(q));
   }
 
-  /// Cells have their vertices, which are wide, in ascending order, and no slot is vacant. Orients them. Returns whether all
-  /// holds, without ties, every vertex has a cell, and the point is on the inner side of all infinite cells. `tick` is called
-  /// often, and may throw.
+  /// Cells have their vertices, which are wide, in ascending order, and no slot is vacant. Orients them.
+  /// Returns whether all holds, without ties, every vertex has a cell, and the point is on the inner side of
+  /// all infinite cells. `tick` is called often, and may throw.
   bool run(const Query& point, const std::function<void()>& tick) {
     if (!check_finite_cells(tick) || !check_infinite_cells(point)) return false;
-    if (2 * num_checked_ != std::size_t{cells_.num_slots()} * (K + 1)) return false;  // some links are one-way
+    if (2 * num_checked_ != std::size_t{cells_.num_slots()} * (K + 1))
+      return false;  // some links are one-way
     orient();
     return true;
   }
@@ -89,14 +96,16 @@ class Proof {
     return std::find(has_cell.begin(), has_cell.end(), 0) == has_cell.end();
   }
 
-  /// Infinite cells are oriented like their finite neighbors. Then the hull facet between them has them on its two sides.
+  /// Infinite cells are oriented like their finite neighbors. Then the hull facet between them has them on
+  /// its two sides.
   bool check_infinite_cells(const Query& point) {
     const Evaluator at_point = geometry_.evaluator(point);
     for (std::size_t i = 0; i < infinite_cells_.size(); ++i) {
       if (i + ahead < infinite_cells_.size()) {
         const Index later = infinite_cells_[i + ahead];
         prefetch_earlier(later);
-        if (const Index finite = cells_.neighbors(later)[0]; finite != invalid_index) cells_.prefetch_links(finite);
+        if (const Index finite = cells_.neighbors(later)[0]; finite != invalid_index)
+          cells_.prefetch_links(finite);
       }
       const Index cell = infinite_cells_[i];
       const Index finite = cells_.neighbors(cell)[0];
@@ -107,12 +116,14 @@ class Proof {
       ++num_checked_;
       geometry_.create(0, oriented(cell).data(), is_flipped_[cell], 1 - is_flipped_[cell]);
       if (!check_earlier(cell, 0)) return false;
-      if (!(at_point.value(0) > at_point.threshold(0)) && exact_side(cell, point) != Sign::positive) return false;
+      if (!(at_point.value(0) > at_point.threshold(0)) && exact_side(cell, point) != Sign::positive)
+        return false;
     }
     return true;
   }
 
-  /// Exchanges two vertices of the cells that are oriented negatively. Which these are cannot be predicted: there is no branch.
+  /// Exchanges two vertices of the cells that are oriented negatively. Which these are cannot be predicted:
+  /// there is no branch.
   void orient() {
     for (Index cell = 0; cell < cells_.num_slots(); ++cell) {
       const Index flipped = Index{0} - static_cast<Index>(is_flipped_[cell]);
@@ -134,8 +145,8 @@ class Proof {
     }
   }
 
-  /// Checks the facets to those cells before this one that are finite or infinite like it. The geometry knows its functional as
-  /// that of cell `number`.
+  /// Checks the facets to those cells before this one that are finite or infinite like it. The geometry knows
+  /// its functional as that of cell `number`.
   bool check_earlier(Index cell, Index number) {
     const Index* const neighbors = cells_.neighbors(cell);
     const bool with_infinite = is_infinite(cell);
@@ -163,15 +174,17 @@ class Proof {
   }
 
   Sign exact_side(Index cell, const Query& q) {
-    return geometry_.exact_side(oriented(cell).data(), is_infinite(cell) ? int{is_flipped_[cell]} : -1, q, counts_);
+    return geometry_.exact_side(oriented(cell).data(), is_infinite(cell) ? int{is_flipped_[cell]} : -1, q,
+                                counts_);
   }
 
-  /// The facet of a neighbor that has the same vertices as facet `slot` of a cell, or −1 if they are no neighbors.
+  /// The facet of a neighbor that has the same vertices as facet `slot` of a cell, or −1 if they are no
+  /// neighbors.
   int mirror_slot(Index cell, int slot, Index neighbor) const {
     const Index* a = cells_.wide_vertices(cell);
     const Index* b = cells_.wide_vertices(neighbor);
-    // Which vertices of the facet the neighbor has in the same place among its own, and which in the next one: a bit for each.
-    // What is read beyond them are neighbors of the same cell.
+    // Which vertices of the facet the neighbor has in the same place among its own, and which in the next
+    // one: a bit for each. What is read beyond them are neighbors of the same cell.
     constexpr std::uint32_t all = (std::uint32_t{1} << K) - 1;
     static_assert(K >= 2 && K <= 16);
     FourIds same{}, next{};

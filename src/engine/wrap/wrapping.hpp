@@ -1,15 +1,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Gift wrapping: all cells of a triangulation, each created once, beside one that is there already. Across a facet that has one
-// cell so far lies the cell whose sphere is the first to be met when that of the one is moved beyond the facet. Where a vertex
-// has many of the others for neighbors this is several times cheaper than insertions, five of six of whose cells do not last
+// Gift wrapping: all cells of a triangulation, each created once, beside one that is there already. Across a
+// facet that has one cell so far lies the cell whose sphere is the first to be met when that of the one is
+// moved beyond the facet. Where a vertex has many of the others for neighbors this is several times cheaper
+// than insertions, five of six of whose cells do not last
 // (docs/decisions/0007-small-sets-in-high-dimensions-are-wrapped.md).
 //
 // The search works with rounded numbers, so what comes of it is a proposal; prove.hpp proves it, or not.
 #pragma once
 
+#include "cells/open_cell.hpp"
 #include "engine/cell_store.hpp"
 #include "engine/wrap/facet_table.hpp"
-#include "cells/open_cell.hpp"
 
 #include <algorithm>
 #include <array>
@@ -26,26 +27,28 @@ namespace delone::engine {
 
 /// Says what is beyond facets, where it is certain enough for a proposal.
 template <class S>
-concept SearchBeyondFacets = requires(S search, Index* vertices, std::span<const OpenCell> cells, Index* apexes) {
+concept SearchBeyondFacets = requires(S search, Index* vertices, std::span<const OpenCell> cells,
+                                      Index* apexes) {
   /// The k+1 vertices of a cell to start from. Returns whether one was found.
   { search.first_cell(vertices) } -> std::same_as<bool>;
-  /// For up to S::batch_size cells, k+1 apexes each: across each open facet the vertex of the cell there that is not on the
-  /// facet. Returns false to give up.
+  /// For up to S::batch_size cells, k+1 apexes each: across each open facet the vertex of the cell there that
+  /// is not on the facet. Returns false to give up.
   { search.find_apexes(cells, apexes) } -> std::same_as<bool>;
 };
 
-/// Fills an empty store whose vertices are wide. The vertices of a cell are in ascending order, whatever orientation that
-/// gives.
+/// Fills an empty store whose vertices are wide. The vertices of a cell are in ascending order, whatever
+/// orientation that gives.
 template <int K, SearchBeyondFacets S>
 class Wrapping {
  public:
   /// Vertices are 1 … num_vertices and the infinite one.
-  Wrapping(CellStore<K>& cells, S& search, Index num_vertices) : cells_(cells), search_(search), keys_(num_vertices + 1) {
+  Wrapping(CellStore<K>& cells, S& search, Index num_vertices)
+      : cells_(cells), search_(search), keys_(num_vertices + 1) {
     for (Index v = 0; v <= num_vertices; ++v) keys_[v] = mixed(v);
   }
 
-  /// Returns whether all facets have found two cells. If it does not, or throws (memory, ids), the cells make no sense. `tick`
-  /// is called often, and may throw.
+  /// Returns whether all facets have found two cells. If it does not, or throws (memory, ids), the cells make
+  /// no sense. `tick` is called often, and may throw.
   bool run(const std::function<void()>& tick) {
     NewCell first;
     if (!search_.first_cell(first.vertices.data())) return false;
@@ -75,7 +78,8 @@ class Wrapping {
     std::array<std::uint64_t, K + 1> facet_keys;
     std::uint64_t key;
     Index cell;
-    std::array<std::uint32_t, K + 1> mirrors;  ///< the facets that are the same as its own, or these, if they are open
+    std::array<std::uint32_t, K + 1>
+        mirrors;  ///< the facets that are the same as its own, or these, if they are open
   };
   /// Where it belongs.
   struct Place {
@@ -116,8 +120,9 @@ class Wrapping {
     find_keys(cell);
   }
 
-  /// Creates a cell, and finds those that have its facets already. REQUIRES reserved memory. Returns whether it is new, as far
-  /// as samples tell: after a wrong proposal wrapping never ends, but finds the same cells again and again.
+  /// Creates a cell, and finds those that have its facets already. REQUIRES reserved memory. Returns whether
+  /// it is new, as far as samples tell: after a wrong proposal wrapping never ends, but finds the same cells
+  /// again and again.
   bool create(NewCell& made) {
     made.cell = cells_.append();
     std::copy(made.vertices.begin(), made.vertices.end(), cells_.wide_vertices(made.cell));
@@ -146,7 +151,9 @@ class Wrapping {
     if (num_open != 0 && made.vertices[0] != index(infinite_vertex)) waiting_[num_open].push_back(made.cell);
   }
 
-  static std::uint32_t facet(Index cell, std::uint32_t slot) { return static_cast<std::uint32_t>(cell) * (K + 1) + slot; }
+  static std::uint32_t facet(Index cell, std::uint32_t slot) {
+    return static_cast<std::uint32_t>(cell) * (K + 1) + slot;
+  }
 
   std::uint32_t open_slots(Index cell) const {
     std::uint32_t open = 0;
@@ -154,8 +161,8 @@ class Wrapping {
     return open;
   }
 
-  /// Fills the batch with cells that have open facets. Those had fewest when they were created go first, so that dents of what
-  /// is there are filled, and few facets are open at a time.
+  /// Fills the batch with cells that have open facets. Those had fewest when they were created go first, so
+  /// that dents of what is there are filled, and few facets are open at a time.
   std::size_t take_cells() {
     std::size_t taken = 0;
     for (auto& waiting : waiting_)

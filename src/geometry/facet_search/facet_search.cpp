@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// With the barycentric coordinates λ_i of a cell as affine functions of the image X, its functional is h = ℓ − Σ ℓ_i·λ_i(X), ℓ
-// the lift; it is positive outside its sphere. The spheres through facet i are the members h + t·λ_i of a pencil, and a vertex
-// p beyond the facet, where λ_i < 0, is on that of t = h(p)/−λ_i(p). The cell beyond has the vertex with the least t.
+// With the barycentric coordinates λ_i of a cell as affine functions of the image X, its functional is h = ℓ
+// − Σ ℓ_i·λ_i(X), ℓ the lift; it is positive outside its sphere. The spheres through facet i are the members
+// h + t·λ_i of a pencil, and a vertex p beyond the facet, where λ_i < 0, is on that of t = h(p)/−λ_i(p). The
+// cell beyond has the vertex with the least t.
 //
-// In binary32 h is replaced by something that is hardly ever above it, −λ_i by something hardly ever below it, and their ratio
-// by the difference of their logarithms; vertices that may have the least t, mostly one, are computed again in binary64.
+// In binary32 h is replaced by something that is hardly ever above it, −λ_i by something hardly ever below
+// it, and their ratio by the difference of their logarithms; vertices that may have the least t, mostly one,
+// are computed again in binary64.
 #include "geometry/facet_search/facet_search.hpp"
 
 #include "base/compiled_dimension.hpp"
@@ -32,36 +34,39 @@
 #define DELONE_FACET_SEARCH
 namespace delone::geometry {
 
-/// Vertices are in blocks of as many, the images' first entries side by side, then the second ones, …, then the lifts.
+/// Vertices are in blocks of as many, the images' first entries side by side, then the second ones, …, then
+/// the lifts.
 constexpr std::size_t block = 16;
 /// The number of blocks is a multiple of that: so many may be looked at together.
 constexpr std::size_t most_together = 8;
 
-/// A tile is looked at for all facets of a batch before the next one is: in 7D and 8D half of the largest one has 16 or 18 kB.
+/// A tile is looked at for all facets of a batch before the next one is: in 7D and 8D half of the largest one
+/// has 16 or 18 kB.
 constexpr std::size_t most_tile_blocks = 64;
 static_assert(most_tile_blocks / 2 % most_together == 0);
 
-/// The height of vertices that are not to be met: those of the cell itself, and those that fill the last blocks. So is their
-/// ratio.
+/// The height of vertices that are not to be met: those of the cell itself, and those that fill the last
+/// blocks. So is their ratio.
 constexpr float out_of_reach = std::numeric_limits<float>::infinity();
 /// Ratios of vertices beyond the facet are less.
 constexpr float largest_ratio = 0x1p80f;
 /// Vertices whose ratio in binary32 is no more than that may have the least one.
 inline float bound_of(float least) { return least + 0x1p-6f * std::fabs(least); }
 
-/// Where all heights are larger, ratios are compared by their keys, the bits of a height less those of a value. Bits of a
-/// positive number in binary32 are its logarithm, but for a constant: too small by at most logarithm_error, in units of which
-/// there are an octave in a factor of two (log2(1 + m) − m is largest at m = 1/ln 2 − 1; Mitchell, Computer multiplication and
-/// division using binary logarithms, 1962, doi:10.1109/TEC.1962.5219391).
+/// Where all heights are larger, ratios are compared by their keys, the bits of a height less those of a
+/// value. Bits of a positive number in binary32 are its logarithm, but for a constant: too small by at most
+/// logarithm_error, in units of which there are an octave in a factor of two (log2(1 + m) − m is largest at m
+/// = 1/ln 2 − 1; Mitchell, Computer multiplication and division using binary logarithms, 1962,
+/// doi:10.1109/TEC.1962.5219391).
 constexpr float least_height = 0x1p-40f;
 constexpr std::int32_t octave = 1 << 23, logarithm_error = 722'100;  // 0.0860714 octaves
 /// The lowest bits of keys are replaced by the place in the tile.
 constexpr std::int32_t place_mask = most_tile_blocks * block - 1;
-/// Keys of vertices that may have the least ratio are no more than that above the least key: ratio_below() is not less than
-/// that ratio then.
+/// Keys of vertices that may have the least ratio are no more than that above the least key: ratio_below() is
+/// not less than that ratio then.
 constexpr std::int32_t doubt = 2 * (logarithm_error + place_mask);
-/// Keys of vertices beyond the facet are less. Those of others are not: bits of heights are at least 87 octaves, of infinity
-/// 255, those of values at most 167.
+/// Keys of vertices beyond the facet are less. Those of others are not: bits of heights are at least 87
+/// octaves, of infinity 255, those of values at most 167.
 constexpr std::int32_t largest_key = 80 * octave;
 /// No ratio with a larger key is less than that.
 inline float ratio_below(std::int32_t key) {
@@ -70,7 +75,8 @@ inline float ratio_below(std::int32_t key) {
 /// No positive ratio up to this one has a larger key.
 inline std::int32_t key_above(float ratio) {
   constexpr std::int32_t bits_of_one = std::bit_cast<std::int32_t>(1.0f);
-  return std::bit_cast<std::int32_t>(std::max(ratio, 0.0f)) - bits_of_one + 2 * (logarithm_error + place_mask);
+  return std::bit_cast<std::int32_t>(std::max(ratio, 0.0f)) - bits_of_one +
+         2 * (logarithm_error + place_mask);
 }
 
 /// Coefficients add up to less, or the cell is too flat for binary32: keys do not overflow.
@@ -96,18 +102,23 @@ namespace delone::geometry {
 namespace HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
 
-/// So many blocks are looked at together: sums of one after the other would wait for themselves, as a processor does not see
-/// far enough ahead. Processors with vectors of 512 bits have twice as many of them.
-constexpr std::size_t together = hn::MaxLanes(hn::CappedTag<float, block>()) == block ? most_together : most_together / 2;
+/// So many blocks are looked at together: sums of one after the other would wait for themselves, as a
+/// processor does not see far enough ahead. Processors with vectors of 512 bits have twice as many of them.
+constexpr std::size_t together =
+    hn::MaxLanes(hn::CappedTag<float, block>()) == block ? most_together : most_together / 2;
 
-/// An affine function, its coefficients in all lanes. K is k, or 0 for any: then they are loaded where they are needed.
+/// An affine function, its coefficients in all lanes. K is k, or 0 for any: then they are loaded where they
+/// are needed.
 template <int K, class D>
 class InLanes {
  public:
   using V = hn::Vec<D>;
 
   InLanes(D d, const SearchTask& task, Affine function)
-      : d_(d), k_(static_cast<std::size_t>(K > 0 ? K : task.k)), from_(function), constant_(hn::Set(d, function[k_])) {
+      : d_(d),
+        k_(static_cast<std::size_t>(K > 0 ? K : task.k)),
+        from_(function),
+        constant_(hn::Set(d, function[k_])) {
     for (std::size_t r = 0; r < K; ++r) kept_[r] = hn::Set(d, function[r]);
   }
 
@@ -121,7 +132,8 @@ class InLanes {
   template <std::size_t Count>
   HWY_INLINE void heights(const float* image, V (&sums)[Count]) const {
 #pragma GCC unroll 8
-    for (std::size_t b = 0; b < Count; ++b) sums[b] = hn::Add(hn::Load(d_, image + (b * (k_ + 1) + k_) * block), constant_);
+    for (std::size_t b = 0; b < Count; ++b)
+      sums[b] = hn::Add(hn::Load(d_, image + (b * (k_ + 1) + k_) * block), constant_);
     add_to(sums, image);
   }
 
@@ -143,8 +155,8 @@ class InLanes {
   V kept_[K > 0 ? K : 1];
 };
 
-/// Writes the heights at the vertices of a tile. Returns whether all are more than least_height, but for those of the cell. K
-/// is k, or 0 for any.
+/// Writes the heights at the vertices of a tile. Returns whether all are more than least_height, but for
+/// those of the cell. K is k, or 0 for any.
 template <int K>
 bool write_heights(const SearchTask& task, std::size_t first, std::size_t end, std::size_t cell) {
   const hn::CappedTag<float, block> d;
@@ -167,7 +179,8 @@ bool write_heights(const SearchTask& task, std::size_t first, std::size_t end, s
     }
   std::int32_t num_low = -hn::GetLane(hn::SumOfLanes(di, minus_low));
   for (std::size_t i = 0; i <= k; ++i) {
-    const std::size_t place = task.cells[cell].vertices[i] - 1 - first * block;  // wraps where it is less than 0
+    const std::size_t place =
+        task.cells[cell].vertices[i] - 1 - first * block;  // wraps where it is less than 0
     if (place >= (end - first) * block) continue;
     num_low -= heights[place] <= least_height;
     heights[place] = out_of_reach;
@@ -175,7 +188,8 @@ bool write_heights(const SearchTask& task, std::size_t first, std::size_t end, s
   return num_low == 0;
 }
 
-/// Heights over the values of an affine function, at the vertices of a tile; out of reach where these are not positive.
+/// Heights over the values of an affine function, at the vertices of a tile; out of reach where these are not
+/// positive.
 template <int K>
 class Ratios {
  public:
@@ -200,8 +214,8 @@ class Ratios {
       ratios[b] = hn::IfThenElse(hn::Gt(values[b], hn::Zero(D())), ratio, hn::Set(D(), out_of_reach));
     }
   }
-  /// The keys of the ratios; more than largest_key where these are out of reach. REQUIRES that all heights are more than
-  /// least_height.
+  /// The keys of the ratios; more than largest_key where these are out of reach. REQUIRES that all heights
+  /// are more than least_height.
   HWY_INLINE void keys(std::size_t start, std::size_t lane, hn::Vec<DI> (&keys)[together]) const {
     hn::Vec<D> values[together];
     function_.values(images_ + start * block * (k_ + 1) + lane, values);
@@ -239,27 +253,29 @@ HWY_INLINE std::uint64_t bits_of(D d, M mask) {
 
 /// Lists the vertices of a tile whose ratios are at most the bound, as far as there is room, and counts them.
 template <int K>
-void list_up_to(const Ratios<K>& ratios, std::size_t first, std::size_t end, float bound, std::span<std::uint32_t> list,
-                std::size_t& count) {
+void list_up_to(const Ratios<K>& ratios, std::size_t first, std::size_t end, float bound,
+                std::span<std::uint32_t> list, std::size_t& count) {
   const typename Ratios<K>::D d;
   for (std::size_t start = first; start < end; start += together) {
     std::uint64_t listed[together] = {};
     for (std::size_t lane = 0; lane < block; lane += hn::Lanes(d)) {
       hn::Vec<decltype(d)> of_blocks[together];
       ratios.ratios(start - first, lane, of_blocks);
-      for (std::size_t b = 0; b < together; ++b) listed[b] |= bits_of(d, hn::Le(of_blocks[b], hn::Set(d, bound))) << lane;
+      for (std::size_t b = 0; b < together; ++b)
+        listed[b] |= bits_of(d, hn::Le(of_blocks[b], hn::Set(d, bound))) << lane;
     }
     for (std::size_t b = 0; b < together; ++b)
       for (; listed[b] != 0; listed[b] &= listed[b] - 1, ++count)
         if (count < list.size())
-          list[count] =
-              static_cast<std::uint32_t>((start + b) * block) + static_cast<std::uint32_t>(std::countr_zero(listed[b]));
+          list[count] = static_cast<std::uint32_t>((start + b) * block) +
+                        static_cast<std::uint32_t>(std::countr_zero(listed[b]));
   }
 }
 
 /// The same for those that may have the least ratio, of which `least` is known not to be less.
 template <int K>
-void list_least(const Ratios<K>& ratios, std::size_t first, std::size_t end, float least, SoughtFacet& facet) {
+void list_least(const Ratios<K>& ratios, std::size_t first, std::size_t end, float least,
+                SoughtFacet& facet) {
   facet.least = std::min(facet.least, least);
   const float bound = std::min(bound_of(facet.least), largest_ratio);
   list_up_to<K>(ratios, first, end, bound, facet.listed, facet.num_listed);
@@ -303,7 +319,8 @@ void search_tile_by_keys(const SearchTask& task, std::size_t first, std::size_t 
         place = hn::Add(place, next_block);
       }
     }
-  const std::int32_t bound = std::min({hn::GetLane(hn::MinOfLanes(d, least)) + doubt, key_above(facet.least), largest_key});
+  const std::int32_t bound =
+      std::min({hn::GetLane(hn::MinOfLanes(d, least)) + doubt, key_above(facet.least), largest_key});
   const auto lanes_up_to_bound = [&](V keys) { return bits_of(d, hn::Lt(keys, hn::Set(d, bound + 1))); };
   std::uint64_t lanes = lanes_up_to_bound(least);
   HWY_ALIGN std::int32_t least_of_lanes[block];
@@ -340,7 +357,8 @@ void search_tiles(const SearchTask& task) {
 
 /// Lists all vertices whose ratio is at most the bound; returns how many there are.
 template <int K>
-std::size_t list_all(const SearchTask& task, const SoughtFacet& facet, float bound, std::span<std::uint32_t> list) {
+std::size_t list_all(const SearchTask& task, const SoughtFacet& facet, float bound,
+                     std::span<std::uint32_t> list) {
   std::size_t count = 0;
   for (std::size_t first = 0; first < task.num_blocks; first += task.tile_blocks) {
     const std::size_t end = std::min(first + task.tile_blocks, task.num_blocks);
@@ -351,11 +369,13 @@ std::size_t list_all(const SearchTask& task, const SoughtFacet& facet, float bou
 }
 
 void search_here(const SearchTask& task) {
-  internal::with_compiled_dimension<7, 8>(static_cast<std::size_t>(task.k), [&](auto k) { search_tiles<k()>(task); });
+  internal::with_compiled_dimension<7, 8>(static_cast<std::size_t>(task.k),
+                                          [&](auto k) { search_tiles<k()>(task); });
 }
-std::size_t list_here(const SearchTask& task, const SoughtFacet& facet, float bound, std::span<std::uint32_t> list) {
-  return internal::with_compiled_dimension<7, 8>(static_cast<std::size_t>(task.k),
-                                                 [&](auto k) { return list_all<k()>(task, facet, bound, list); });
+std::size_t list_here(const SearchTask& task, const SoughtFacet& facet, float bound,
+                      std::span<std::uint32_t> list) {
+  return internal::with_compiled_dimension<7, 8>(
+      static_cast<std::size_t>(task.k), [&](auto k) { return list_all<k()>(task, facet, bound, list); });
 }
 
 }  // namespace HWY_NAMESPACE
@@ -398,7 +418,8 @@ FacetSearch::FacetSearch(int k, const double* rows, Index num_vertices, Arbiter 
       const std::size_t v = b * block + lane + 1;
       for (std::size_t r = 0; r < width; ++r) {
         const float filling = r + 1 < width ? 0 : out_of_reach;
-        images[(b * width + r) * block + lane] = v <= num_vertices ? static_cast<float>(rows[v * width + r]) : filling;
+        images[(b * width + r) * block + lane] =
+            v <= num_vertices ? static_cast<float>(rows[v * width + r]) : filling;
       }
       if (v <= num_vertices) largest_lift_ = std::max(largest_lift_, std::fabs(rows[v * width + width - 1]));
     }
@@ -407,8 +428,8 @@ FacetSearch::FacetSearch(int k, const double* rows, Index num_vertices, Arbiter 
 bool FacetSearch::first_cell(Index* vertices) const {
   const auto k = static_cast<std::size_t>(k_), width = k + 1;
   const auto row = [&](Index v) { return rows_ + v * width; };
-  // A functional that is nowhere negative: at first the lift less the least lift. It is turned about the vertices where it is 0
-  // until there is another.
+  // A functional that is nowhere negative: at first the lift less the least lift. It is turned about the
+  // vertices where it is 0 until there is another.
   Index lowest = 1;
   for (Index v = 2; v <= num_vertices_; ++v)
     if (row(v)[k] < row(lowest)[k]) lowest = v;
@@ -474,7 +495,8 @@ bool FacetSearch::find_apexes(std::span<const OpenCell> cells, Index* apexes) {
   const auto k = static_cast<std::size_t>(k_), width = k + 1;
   double* const functions = at_cache_line(scratch_.data());
   std::array<const Index*, batch_size> simplices;
-  std::transform(cells.begin(), cells.end(), simplices.begin(), [](const OpenCell& cell) { return cell.vertices; });
+  std::transform(cells.begin(), cells.end(), simplices.begin(),
+                 [](const OpenCell& cell) { return cell.vertices; });
   solve_simplices({k_, {simplices.data(), cells.size()}, rows_, functions});
 
   float* const images = at_cache_line(images_.data());
@@ -492,7 +514,9 @@ bool FacetSearch::find_apexes(std::span<const OpenCell> cells, Index* apexes) {
         magnitudes[f][lane] += std::fabs(lane_entry(functions, f * width + r, lane));
   }
   for (std::size_t lane = 0; lane < cells.size(); ++lane) {
-    const auto coefficient = [&](std::size_t f, std::size_t r) { return lane_entry(functions, f * width + r, lane); };
+    const auto coefficient = [&](std::size_t f, std::size_t r) {
+      return lane_entry(functions, f * width + r, lane);
+    };
     Scale& scale = scales[lane];
     scale.spread = 0;
     for (std::size_t f = 0; f <= k; ++f) scale.spread += scale.slots[f] = magnitudes[f][lane];
@@ -534,7 +558,9 @@ std::optional<Index> FacetSearch::settle(const SearchTask& task, const SoughtFac
   ++num_settled_;
   if (!(scale.spread < largest_spread && scale.height < largest_spread)) return std::nullopt;
   if (facet.num_listed == 0) return index(infinite_vertex);
-  const auto coefficient = [&](std::size_t f, std::size_t r) { return lane_entry(functions, f * width + r, facet.cell); };
+  const auto coefficient = [&](std::size_t f, std::size_t r) {
+    return lane_entry(functions, f * width + r, facet.cell);
+  };
   // Barycentric coordinates magnify rounding errors at the vertices.
   const double unit = 8 * 0x1p-53 * scale.spread;
   const double height_error = unit * scale.height, error = unit * scale.slots[facet.slot];
@@ -543,7 +569,8 @@ std::optional<Index> FacetSearch::settle(const SearchTask& task, const SoughtFac
   bool is_listed = facet.num_listed <= facet.listed.size();
   for (float bound = facet.listed_up_to;; is_listed = false) {
     const std::size_t num_listed =
-        is_listed ? facet.num_listed : HWY_DYNAMIC_DISPATCH(list_here)(task, facet, bound, {list_.data(), list_.size()});
+        is_listed ? facet.num_listed
+                  : HWY_DYNAMIC_DISPATCH(list_here)(task, facet, bound, {list_.data(), list_.size()});
     const std::uint32_t* const listed = is_listed ? facet.listed.data() : list_.data();
     best = {index(infinite_vertex), 0, infinity};
     candidates_.clear();

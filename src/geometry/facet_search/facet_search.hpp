@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What is beyond a facet: of all vertices there, the one whose sphere through the facet is the first. Every vertex is looked
-// at, many per instruction, in binary32; the few that are left in binary64. Not proved: see engine/wrap/proof.hpp.
+// What is beyond a facet: of all vertices there, the one whose sphere through the facet is the first. Every
+// vertex is looked at, many per instruction, in binary32; the few that are left in binary64. Not proved: see
+// engine/wrap/proof.hpp.
 #pragma once
 
-#include "geometry/simplex_kernel.hpp"
 #include "cells/open_cell.hpp"
+#include "geometry/simplex_kernel.hpp"
 
 #include <delone/types.hpp>
 
@@ -34,25 +35,27 @@ struct SoughtFacet {
 
 struct SearchTask;
 
-/// Of the given vertices the one that is strictly beyond facet `slot` of a finite cell and whose sphere through the facet is
-/// the first, or infinite_vertex if none is beyond; nothing on a tie. Exact.
-using Arbiter = std::function<std::optional<Index>(const Index* cell, int slot, std::span<const Index> vertices)>;
+/// Of the given vertices the one that is strictly beyond facet `slot` of a finite cell and whose sphere
+/// through the facet is the first, or infinite_vertex if none is beyond; nothing on a tie. Exact.
+using Arbiter =
+    std::function<std::optional<Index>(const Index* cell, int slot, std::span<const Index> vertices)>;
 
 class FacetSearch {
  public:
   static constexpr std::size_t batch_size = simplex_lanes;
 
-  /// `rows`: the images and lifts of the vertices 1 … num_vertices, k + 1 doubles each, those of vertex 0 unused; they must
-  /// outlive this object. The arbiter is asked where rounded numbers leave several vertices. REQUIRES 2 ≤ k < 32.
+  /// `rows`: the images and lifts of the vertices 1 … num_vertices, k + 1 doubles each, those of vertex 0
+  /// unused; they must outlive this object. The arbiter is asked where rounded numbers leave several
+  /// vertices. REQUIRES 2 ≤ k < 32.
   FacetSearch(int k, const double* rows, Index num_vertices, Arbiter arbiter);
 
-  /// The vertices of a cell of the Delaunay triangulation, unless rounding deceives. Returns false if the images seem to be
-  /// flat. Cost O(n·k²).
+  /// The vertices of a cell of the Delaunay triangulation, unless rounding deceives. Returns false if the
+  /// images seem to be flat. Cost O(n·k²).
   bool first_cell(Index* vertices) const;
 
-  /// For up to batch_size finite cells, k + 1 apexes each: the vertex across every open facet, or infinite_vertex if there is
-  /// none; other entries are not written. Returns false on a tie, and where the arbiter would be asked too often. Cost
-  /// O(k³ + n·k·facets) per cell.
+  /// For up to batch_size finite cells, k + 1 apexes each: the vertex across every open facet, or
+  /// infinite_vertex if there is none; other entries are not written. Returns false on a tie, and where the
+  /// arbiter would be asked too often. Cost O(k³ + n·k·facets) per cell.
   bool find_apexes(std::span<const OpenCell> cells, Index* apexes);
 
  private:
@@ -67,7 +70,8 @@ class FacetSearch {
     Index vertex;
     double low, high;
   };
-  std::optional<Index> settle(const SearchTask& task, const SoughtFacet& facet, double* functions, const Scale& scale);
+  std::optional<Index> settle(const SearchTask& task, const SoughtFacet& facet, double* functions,
+                              const Scale& scale);
 
   int k_;
   const double* rows_;

@@ -13,12 +13,13 @@ namespace delone::io {
 /// The array that complexes do not have: what tells a hull from a triangulation.
 inline constexpr const char* hull_mark = "facet_of_cell";
 
-/// Calls visit(name, items, shape) for every array, in the order of docs/formats.md. `kinds` are those of the points as
-/// numbers.
+/// Calls visit(name, items, shape) for every array, in the order of docs/formats.md. `kinds` are those of the
+/// points as numbers.
 template <class Data, class Kinds, class Visit>
 void for_each_array(Data& data, Kinds& kinds, Visit visit) {
   using Shape = std::initializer_list<std::size_t>;
-  const auto d = static_cast<std::size_t>(data.dimension), k = static_cast<std::size_t>(std::max(data.affine_dimension, 0));
+  const auto d = static_cast<std::size_t>(data.dimension),
+             k = static_cast<std::size_t>(std::max(data.affine_dimension, 0));
   visit("points", data.points, Shape{data.num_points(), d});
   visit("cells", data.cells, Shape{data.num_cells(), k});
   visit("neighbors", data.neighbors, Shape{data.num_cells(), k});

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The arrays of an intersection of halfspaces in a file, by name: what write_halfspaces writes and read_halfspaces reads
-// (docs/formats.md).
+// The arrays of an intersection of halfspaces in a file, by name: what write_halfspaces writes and
+// read_halfspaces reads (docs/formats.md).
 #pragma once
 
 #include <delone/halfspaces.hpp>
@@ -19,8 +19,8 @@ inline constexpr const char* intersection_mark = "first_of_halfspace";
 /// In json; numbers 0 to 2 in npz.
 inline constexpr std::array<const char*, 3> state_names{"full", "flat", "empty"};
 
-/// Calls visit(name, items, shape) for every array, in the order of docs/formats.md. `axes` and `kinds` are those of the data
-/// as SignedIndex.
+/// Calls visit(name, items, shape) for every array, in the order of docs/formats.md. `axes` and `kinds` are
+/// those of the data as SignedIndex.
 template <class Data, class Indices, class Visit>
 void for_each_array(Data& data, Indices& axes, Indices& kinds, Visit visit) {
   using Shape = std::initializer_list<std::size_t>;
@@ -50,6 +50,7 @@ void for_each_array(Data& data, Indices& axes, Indices& kinds, Visit visit) {
 }
 
 /// `format`: npz or json.
-IntersectionData read_intersection_in(const std::string& format, std::string_view bytes, const std::string& name);
+IntersectionData read_intersection_in(const std::string& format, std::string_view bytes,
+                                      const std::string& name);
 
 }  // namespace delone::io

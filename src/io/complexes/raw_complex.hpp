@@ -26,8 +26,8 @@ struct RawComplex {
   std::optional<std::int64_t> affine_dimension;
 };
 
-/// Puts the members together; bad_format, naming the member, where they disagree. Rows that are out of range are left for
-/// `check` to name.
+/// Puts the members together; bad_format, naming the member, where they disagree. Rows that are out of range
+/// are left for `check` to name.
 ComplexData assemble(RawComplex raw, const std::string& name);
 
 ComplexData read_npz_complex(std::string_view bytes, const std::string& name);

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// read_halfspaces: the arrays of an intersection from .npz or .json. Each is read by name; then their shapes must agree.
+// read_halfspaces: the arrays of an intersection from .npz or .json. Each is read by name; then their shapes
+// must agree.
 #include "io/collect.hpp"
-#include "io/file.hpp"
 #include "io/complexes/intersection_arrays.hpp"
+#include "io/file.hpp"
 #include "io/npy.hpp"
 #include "io/text_cursor.hpp"
 #include "io/zip.hpp"
@@ -92,8 +93,9 @@ class JsonMembers {
   std::int64_t number(const char* member) const { return item<SignedIndex>(find(member), member, 0); }
   std::int64_t state() const {
     const json& entry = find("state");
-    const auto at = std::find_if(state_names.begin(), state_names.end(),
-                                 [&](const char* state) { return entry.is_string() && entry.get<std::string>() == state; });
+    const auto at = std::find_if(state_names.begin(), state_names.end(), [&](const char* state) {
+      return entry.is_string() && entry.get<std::string>() == state;
+    });
     return at - state_names.begin();
   }
   bool flag(const char* member) const {
@@ -117,7 +119,8 @@ class JsonMembers {
       fail(Errc::bad_format, "{}: {}: row {}: expected a number", name_, member, row);
     } else {
       const double x = entry.is_number() ? entry.get<double>() : std::numeric_limits<double>::quiet_NaN();
-      if (!(x == std::floor(x) && std::abs(x) <= static_cast<double>(std::numeric_limits<SignedIndex>::max())))
+      if (!(x == std::floor(x) &&
+            std::abs(x) <= static_cast<double>(std::numeric_limits<SignedIndex>::max())))
         fail(Errc::bad_format, "{}: {}: row {}: expected an index", name_, member, row);
       return static_cast<T>(x);
     }
@@ -130,11 +133,13 @@ class JsonMembers {
 template <class Members>
 IntersectionData assemble(const Members& members, const std::string& name) {
   IntersectionData data;
-  const std::int64_t dimension = members.number("dimension"), rank = members.number("rank"), state = members.state();
+  const std::int64_t dimension = members.number("dimension"), rank = members.number("rank"),
+                     state = members.state();
   if (dimension < 1 || dimension >= std::numeric_limits<int>::max())
     fail(Errc::bad_dimension, "{}: the dimension is {}", name, dimension);
   data.dimension = static_cast<int>(dimension);
-  if (rank < 0 || rank > dimension) fail(Errc::bad_format, "{}: rank {} is impossible in dimension {}", name, rank, dimension);
+  if (rank < 0 || rank > dimension)
+    fail(Errc::bad_format, "{}: rank {} is impossible in dimension {}", name, rank, dimension);
   data.rank = static_cast<int>(rank);
   if (state < 0 || state >= static_cast<std::int64_t>(state_names.size()))
     fail(Errc::bad_format, "{}: state: expected full, flat or empty (0 to 2)", name);
@@ -147,16 +152,19 @@ IntersectionData assemble(const Members& members, const std::string& name) {
   for_each_array(data, axes, kinds, [&](const char* member, auto& items, std::initializer_list<std::size_t>) {
     shapes[member] = members.read(member, items);
   });
-  for_each_array(data, axes, kinds, [&](const char* member, const auto& items, std::initializer_list<std::size_t> expected) {
-    const Shape& found = shapes[member];
-    if (found != Shape(expected) && !(items.empty() && (expected.size() == 0 || *expected.begin() == 0)))
-      fail(Errc::bad_format, "{}: {}: expected shape {}, as of the other arrays, found {}", name, member,
-           shape_text(Shape(expected)), shape_text(found));
-  });
+  for_each_array(
+      data, axes, kinds,
+      [&](const char* member, const auto& items, std::initializer_list<std::size_t> expected) {
+        const Shape& found = shapes[member];
+        if (found != Shape(expected) && !(items.empty() && (expected.size() == 0 || *expected.begin() == 0)))
+          fail(Errc::bad_format, "{}: {}: expected shape {}, as of the other arrays, found {}", name, member,
+               shape_text(Shape(expected)), shape_text(found));
+      });
   require_finite(data.halfspaces, data.dimension + 1, name + ": halfspaces");
   for (std::size_t row = 0; row < kinds.size(); ++row) {
     if (kinds[row] < 0 || kinds[row] > static_cast<SignedIndex>(HalfspaceKind::trivial))
-      fail(Errc::bad_format, "{}: kinds: row {}: {} is no kind of halfspace, which are 0 to 4", name, row, kinds[row]);
+      fail(Errc::bad_format, "{}: kinds: row {}: {} is no kind of halfspace, which are 0 to 4", name, row,
+           kinds[row]);
     data.kinds.push_back(static_cast<HalfspaceKind>(kinds[row]));
   }
   data.axes.assign(axes.begin(), axes.end());
@@ -165,14 +173,16 @@ IntersectionData assemble(const Members& members, const std::string& name) {
 
 }  // namespace
 
-IntersectionData read_intersection_in(const std::string& format, std::string_view bytes, const std::string& name) {
+IntersectionData read_intersection_in(const std::string& format, std::string_view bytes,
+                                      const std::string& name) {
   return format == "npz" ? assemble(NpzMembers(bytes, name), name) : assemble(JsonMembers(bytes, name), name);
 }
 
 }  // namespace io
 
 IntersectionData read_halfspaces(const std::string& path, const std::string& format) {
-  const std::string chosen = io::choose_format(path, format, "json", {"npz", "json"}, "reading an intersection");
+  const std::string chosen =
+      io::choose_format(path, format, "json", {"npz", "json"}, "reading an intersection");
   const std::string name = io::input_name(path);
   return io::guarded(name, [&] {
     const io::Bytes file = io::read_all(path);

@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// read_hull: the arrays of a hull from .npz or .json. All are collected by name first; then their shapes must agree.
+// read_hull: the arrays of a hull from .npz or .json. All are collected by name first; then their shapes must
+// agree.
 #include "io/collect.hpp"
-#include "io/file.hpp"
 #include "io/complexes/hull_arrays.hpp"
 #include "io/complexes/intersection_arrays.hpp"
-#include "io/npy.hpp"
 #include "io/complexes/raw_complex.hpp"
+#include "io/file.hpp"
+#include "io/npy.hpp"
 #include "io/text_cursor.hpp"
 #include "io/zip.hpp"
 
@@ -83,8 +84,8 @@ class ArrayHandler : public nlohmann::json_sax<nlohmann::json> {
     Shape& shape = array_->shape;
     if (shape.size() == 1) shape.push_back(row_size_);
     if (shape[1] != row_size_)
-      fail(Errc::bad_format, "{}: {}: row {}: expected {} numbers as in row 0, found {}", name_, member_, shape[0], shape[1],
-           row_size_);
+      fail(Errc::bad_format, "{}: {}: row {}: expected {} numbers as in row 0, found {}", name_, member_,
+           shape[0], shape[1], row_size_);
     ++shape[0];
     return true;
   }
@@ -95,7 +96,8 @@ class ArrayHandler : public nlohmann::json_sax<nlohmann::json> {
   bool boolean(bool) override { return wrong("a boolean"); }
   bool string(std::string& text) override { return wrong("the string " + in_quotes(text)); }
   bool binary(nlohmann::json::binary_t&) override { return true; }  // text has none
-  bool parse_error(std::size_t position, const std::string&, const nlohmann::json::exception& error) override {
+  bool parse_error(std::size_t position, const std::string&,
+                   const nlohmann::json::exception& error) override {
     std::string_view what = error.what();  // "[json.exception.parse_error.101] parse error at …"
     if (const auto close = what.find("] "); close != std::string_view::npos) what.remove_prefix(close + 2);
     fail(Errc::bad_format, "{}: not valid JSON (byte {}): {}", name_, position, what);
@@ -110,7 +112,8 @@ class ArrayHandler : public nlohmann::json_sax<nlohmann::json> {
     return true;
   }
   bool wrong(const std::string& found) const {
-    fail(Errc::bad_format, "{}: {}: {} is not expected there", name_, member_.empty() ? "the file" : member_, found);
+    fail(Errc::bad_format, "{}: {}: {} is not expected there", name_, member_.empty() ? "the file" : member_,
+         found);
   }
 
   const std::string& name_;
@@ -127,18 +130,19 @@ HullData assemble_hull(const std::string& name, Find find) {
   HullData data;
   std::vector<SignedIndex> kinds;
   std::map<std::string, Shape> shapes;
-  for_each_array(data, kinds,
-                 [&]<class T>(const char* member, std::vector<T>& items, std::initializer_list<std::size_t> expected) {
-                   const auto array = find(member);
-                   if (!array) fail(Errc::bad_format, "{}: there is no member '{}'", name, member);
-                   Shape& shape = shapes[member] = array->shape;
-                   items = items_of<T>(*array, name + ": " + member);
-                   // JSON does not tell how many columns a matrix without rows has.
-                   if (items.empty() && shape == Shape{0} && expected.size() == 2) shape.clear();
-                   if (!shape.empty() && shape.size() != expected.size())
-                     fail(Errc::bad_format, "{}: {}: expected {} dimension(s), found shape {}", name, member, expected.size(),
-                          shape_text(shape));
-                 });
+  for_each_array(
+      data, kinds,
+      [&]<class T>(const char* member, std::vector<T>& items, std::initializer_list<std::size_t> expected) {
+        const auto array = find(member);
+        if (!array) fail(Errc::bad_format, "{}: there is no member '{}'", name, member);
+        Shape& shape = shapes[member] = array->shape;
+        items = items_of<T>(*array, name + ": " + member);
+        // JSON does not tell how many columns a matrix without rows has.
+        if (items.empty() && shape == Shape{0} && expected.size() == 2) shape.clear();
+        if (!shape.empty() && shape.size() != expected.size())
+          fail(Errc::bad_format, "{}: {}: expected {} dimension(s), found shape {}", name, member,
+               expected.size(), shape_text(shape));
+      });
   const auto scalar = [&](const char* member) -> std::optional<SignedIndex> {
     const auto array = find(member);
     if (!array) return std::nullopt;
@@ -146,31 +150,37 @@ HullData assemble_hull(const std::string& name, Find find) {
     if (items.size() != 1) fail(Errc::bad_format, "{}: {}: expected one number", name, member);
     return items[0];
   };
-  const std::optional<SignedIndex> affine_dimension = scalar("affine_dimension"), dimension = scalar("dimension");
+  const std::optional<SignedIndex> affine_dimension = scalar("affine_dimension"),
+                                   dimension = scalar("dimension");
   if (!affine_dimension) fail(Errc::bad_format, "{}: there is no member 'affine_dimension'", name);
   const Shape& points = shapes["points"];
-  if (points.empty() && !dimension) fail(Errc::bad_format, "{}: without points the member 'dimension' is needed", name);
-  const std::size_t columns = points.empty() ? static_cast<std::size_t>(std::max<SignedIndex>(*dimension, 0)) : points[1];
+  if (points.empty() && !dimension)
+    fail(Errc::bad_format, "{}: without points the member 'dimension' is needed", name);
+  const std::size_t columns =
+      points.empty() ? static_cast<std::size_t>(std::max<SignedIndex>(*dimension, 0)) : points[1];
   if (columns < 1 || columns > static_cast<std::size_t>(std::numeric_limits<int>::max()) ||
       (dimension && static_cast<std::size_t>(*dimension) != columns))
-    fail(Errc::bad_dimension, "{}: the dimension is {}", name, dimension ? static_cast<std::size_t>(*dimension) : columns);
+    fail(Errc::bad_dimension, "{}: the dimension is {}", name,
+         dimension ? static_cast<std::size_t>(*dimension) : columns);
   data.dimension = static_cast<int>(columns);
   if (*affine_dimension < -1 || *affine_dimension > data.dimension)
-    fail(Errc::bad_format, "{}: affine dimension {} is impossible for points of dimension {}", name, *affine_dimension,
-         data.dimension);
+    fail(Errc::bad_format, "{}: affine dimension {} is impossible for points of dimension {}", name,
+         *affine_dimension, data.dimension);
   data.affine_dimension = static_cast<int>(*affine_dimension);
-  for_each_array(data, kinds, [&](const char* member, const auto& items, std::initializer_list<std::size_t> expected) {
-    const Shape& shape = shapes[member];
-    std::size_t size = 1;
-    for (const std::size_t extent : expected) size *= extent;
-    if (size != items.size() || (!shape.empty() && size > 0 && shape != Shape(expected)))
-      fail(Errc::bad_format, "{}: {}: expected shape {}, as of the other arrays, found {}", name, member,
-           shape_text(Shape(expected)), shape_text(shape));
-  });
+  for_each_array(data, kinds,
+                 [&](const char* member, const auto& items, std::initializer_list<std::size_t> expected) {
+                   const Shape& shape = shapes[member];
+                   std::size_t size = 1;
+                   for (const std::size_t extent : expected) size *= extent;
+                   if (size != items.size() || (!shape.empty() && size > 0 && shape != Shape(expected)))
+                     fail(Errc::bad_format, "{}: {}: expected shape {}, as of the other arrays, found {}",
+                          name, member, shape_text(Shape(expected)), shape_text(shape));
+                 });
   require_finite(data.points, data.dimension, name + ": points");
   for (std::size_t row = 0; row < kinds.size(); ++row) {
     if (kinds[row] < 0 || kinds[row] > static_cast<SignedIndex>(PointKind::duplicate))
-      fail(Errc::bad_format, "{}: point_kinds: row {}: {} is no kind of point, which are 0 to 3", name, row, kinds[row]);
+      fail(Errc::bad_format, "{}: point_kinds: row {}: {} is no kind of point, which are 0 to 3", name, row,
+           kinds[row]);
     data.point_kinds.push_back(static_cast<PointKind>(kinds[row]));
   }
   return data;
@@ -196,7 +206,8 @@ HullData read_json_hull(std::string_view bytes, const std::string& name) {
   });
 }
 
-bool holds_array(const char* array, std::string_view bytes, const std::string& format, const std::string& name) {
+bool holds_array(const char* array, std::string_view bytes, const std::string& format,
+                 const std::string& name) {
   // No text that these files may hold has quotes, but for names.
   if (format == "json") return bytes.find('"' + std::string(array) + '"') != std::string_view::npos;
   if (format != "npz") return false;
@@ -218,16 +229,18 @@ HullData read_hull(const std::string& path, const std::string& format) {
   });
 }
 
-std::variant<ComplexData, HullData, IntersectionData> read_any(const std::string& path, const std::string& format) {
+std::variant<ComplexData, HullData, IntersectionData> read_any(const std::string& path,
+                                                               const std::string& format) {
   using Result = std::variant<ComplexData, HullData, IntersectionData>;
-  const std::string chosen =
-      io::choose_format(path, format, "json", {"npz", "json", "off"}, "reading a triangulation, a hull or an intersection");
+  const std::string chosen = io::choose_format(path, format, "json", {"npz", "json", "off"},
+                                               "reading a triangulation, a hull or an intersection");
   const std::string name = io::input_name(path);
   return io::guarded(name, [&]() -> Result {
     const io::Bytes file = io::read_all(path);
     if (io::holds_array(io::intersection_mark, file.view(), chosen, name))
       return io::read_intersection_in(chosen, file.view(), name);
-    if (!io::holds_array(io::hull_mark, file.view(), chosen, name)) return io::read_complex_in(chosen, file.view(), name);
+    if (!io::holds_array(io::hull_mark, file.view(), chosen, name))
+      return io::read_complex_in(chosen, file.view(), name);
     return chosen == "npz" ? io::read_npz_hull(file.view(), name) : io::read_json_hull(file.view(), name);
   });
 }

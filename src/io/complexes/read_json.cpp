@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A triangulation from JSON: an object with the members points, cells (or simplices), and optionally dimension, neighbors,
-// vertex_of_point and affine_dimension; others are ignored. Read as a stream of events, so that no tree of the whole file
-// is built.
+// A triangulation from JSON: an object with the members points, cells (or simplices), and optionally
+// dimension, neighbors, vertex_of_point and affine_dimension; others are ignored. Read as a stream of events,
+// so that no tree of the whole file is built.
 #include "io/collect.hpp"
-#include "io/file.hpp"
 #include "io/complexes/raw_complex.hpp"
+#include "io/file.hpp"
 #include "io/text_cursor.hpp"
 
 #include <nlohmann/json.hpp>
@@ -25,13 +25,14 @@ class Handler : public nlohmann::json_sax<Json> {
 
   ComplexData finish() {
     if (!seen_.contains("points")) fail(Errc::bad_format, "{}: there is no member 'points'", name_);
-    if (points_.rows == 0 && !dimension_) fail(Errc::bad_format, "{}: without points the member 'dimension' is needed", name_);
+    if (points_.rows == 0 && !dimension_)
+      fail(Errc::bad_format, "{}: without points the member 'dimension' is needed", name_);
     const std::int64_t dimension = dimension_.value_or(static_cast<std::int64_t>(points_.columns));
     if (dimension < 1 || dimension > std::numeric_limits<int>::max())
       fail(Errc::bad_dimension, "{}: the dimension is {}", name_, dimension);
     if (points_.rows > 0 && static_cast<std::int64_t>(points_.columns) != dimension)
-      fail(Errc::bad_format, "{}: points: expected {} columns as 'dimension' says, found {}", name_, dimension,
-           points_.columns);
+      fail(Errc::bad_format, "{}: points: expected {} columns as 'dimension' says, found {}", name_,
+           dimension, points_.columns);
     raw_.points.dimension = static_cast<int>(dimension);
     require_finite(raw_.points.coordinates, raw_.points.dimension, name_ + ": points");
     if (raw_.weights) require_finite(*raw_.weights, 1, name_ + ": weights");
@@ -50,7 +51,8 @@ class Handler : public nlohmann::json_sax<Json> {
   }
   bool key(std::string& key) override {
     if (skip_depth_ > 0) return true;
-    if (!seen_.insert(key).second) fail(Errc::bad_format, "{}: the member {} appears twice", name_, in_quotes(key));
+    if (!seen_.insert(key).second)
+      fail(Errc::bad_format, "{}: the member {} appears twice", name_, in_quotes(key));
     member_ = key;
     matrix_ = nullptr;
     indices_ = nullptr;
@@ -88,7 +90,8 @@ class Handler : public nlohmann::json_sax<Json> {
     if (depth_-- < 2) return true;
     if (matrix_->rows == 0) matrix_->columns = column_;
     if (column_ != matrix_->columns)
-      fail(Errc::bad_format, "{}: expected {} numbers as in row 0, found {}", place(), matrix_->columns, column_);
+      fail(Errc::bad_format, "{}: expected {} numbers as in row 0, found {}", place(), matrix_->columns,
+           column_);
     ++matrix_->rows;
     return true;
   }
@@ -101,7 +104,8 @@ class Handler : public nlohmann::json_sax<Json> {
   bool number_unsigned(std::uint64_t value) override {
     if (skipping()) return true;
     if (at_number()) return coordinate(static_cast<double>(value));
-    if (value > static_cast<std::uint64_t>(std::numeric_limits<std::int64_t>::max())) too_large(fmt::format("{}", value));
+    if (value > static_cast<std::uint64_t>(std::numeric_limits<std::int64_t>::max()))
+      too_large(fmt::format("{}", value));
     return integer(static_cast<std::int64_t>(value));
   }
   bool number_float(double value, const std::string& text) override {
@@ -111,7 +115,9 @@ class Handler : public nlohmann::json_sax<Json> {
   }
   bool null() override { return skipping() || (wrong("null"), true); }
   bool boolean(bool) override { return skipping() || (wrong("a boolean"), true); }
-  bool string(std::string& text) override { return skipping() || (wrong("the string " + in_quotes(text)), true); }
+  bool string(std::string& text) override {
+    return skipping() || (wrong("the string " + in_quotes(text)), true);
+  }
   bool binary(Json::binary_t&) override { return true; }  // text has none
 
   bool parse_error(std::size_t position, const std::string& token, const Json::exception& error) override {
@@ -119,7 +125,8 @@ class Handler : public nlohmann::json_sax<Json> {
     if (error.id == number_overflow) {
       if (matrix_ == &points_ && depth_ == 2)
         throw Error(Errc::not_finite, place() + ": " + describe_not_finite(token), {points_.rows});
-      if (at_number()) throw Error(Errc::not_finite, place() + ": " + describe_not_finite(token), {raw_.weights->size()});
+      if (at_number())
+        throw Error(Errc::not_finite, place() + ": " + describe_not_finite(token), {raw_.weights->size()});
       too_large(token);
     }
     // "[json.exception.parse_error.101] parse error at line 1, column 5: …"
@@ -145,21 +152,25 @@ class Handler : public nlohmann::json_sax<Json> {
   bool at_number() const { return at_coordinate() || (in_weights() && depth_ == 1); }
   std::string place() const {
     if (kind_ == Kind::none) return name_;
-    if (kind_ == Kind::matrix && depth_ > 0) return fmt::format("{}: {}: row {}", name_, member_, matrix_->rows);
+    if (kind_ == Kind::matrix && depth_ > 0)
+      return fmt::format("{}: {}: row {}", name_, member_, matrix_->rows);
     if (kind_ == Kind::list && depth_ > 0)
-      return fmt::format("{}: {}: row {}", name_, member_, in_weights() ? raw_.weights->size() : indices_->size());
+      return fmt::format("{}: {}: row {}", name_, member_,
+                         in_weights() ? raw_.weights->size() : indices_->size());
     return fmt::format("{}: {}", name_, member_);
   }
   [[noreturn]] void wrong(const std::string& found) const {
     std::string_view expected = "an object";
-    if (kind_ == Kind::matrix) expected = depth_ == 0 ? "an array of arrays" : depth_ == 1 ? "an array" : "a number";
+    if (kind_ == Kind::matrix)
+      expected = depth_ == 0 ? "an array of arrays" : depth_ == 1 ? "an array" : "a number";
     if (kind_ == Kind::list) expected = depth_ == 0 ? "an array" : in_weights() ? "a number" : "an integer";
     if (kind_ == Kind::scalar) expected = "an integer";
     if (kind_ == Kind::matrix && depth_ == 2 && indices_ != nullptr) expected = "an integer";
     fail(Errc::bad_format, "{}: expected {}, found {}", place(), expected, found);
   }
   [[noreturn]] void too_large(const std::string& text) const {
-    fail(Errc::bad_format, "{}: {} does not fit the {}-bit indices of this build", place(), text, 8 * sizeof(SignedIndex));
+    fail(Errc::bad_format, "{}: {} does not fit the {}-bit indices of this build", place(), text,
+         8 * sizeof(SignedIndex));
   }
   bool coordinate(double value) {
     (in_weights() ? *raw_.weights : raw_.points.coordinates).push_back(value);
@@ -171,7 +182,8 @@ class Handler : public nlohmann::json_sax<Json> {
       (member_ == "dimension" ? dimension_ : raw_.affine_dimension) = value;
       return true;
     }
-    if ((kind_ != Kind::list || depth_ != 1) && (kind_ != Kind::matrix || depth_ != 2)) wrong(fmt::format("{}", value));
+    if ((kind_ != Kind::list || depth_ != 1) && (kind_ != Kind::matrix || depth_ != 2))
+      wrong(fmt::format("{}", value));
     if (value < std::numeric_limits<SignedIndex>::min() || value > std::numeric_limits<SignedIndex>::max())
       too_large(fmt::format("{}", value));
     indices_->push_back(static_cast<SignedIndex>(value));

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// read_voronoi: the arrays of a diagram from .npz or .json, collected by name; then their shapes must agree. What the numbers
-// say is left to check_voronoi().
+// read_voronoi: the arrays of a diagram from .npz or .json, collected by name; then their shapes must agree.
+// What the numbers say is left to check_voronoi().
 #include "io/collect.hpp"
+#include "io/complexes/voronoi_arrays.hpp"
 #include "io/file.hpp"
 #include "io/npy.hpp"
 #include "io/text_cursor.hpp"
-#include "io/complexes/voronoi_arrays.hpp"
 #include "io/zip.hpp"
 
 #include <nlohmann/json.hpp>
@@ -48,10 +48,12 @@ T number_of(const nlohmann::json& value, const std::string& name) {
     if (value.is_number()) return value.get<double>();
     fail(Errc::bad_format, "{}: expected numbers, found {}", name, value.type_name());
   } else {
-    if (!value.is_number_integer()) fail(Errc::bad_format, "{}: expected integers, found {}", name, value.type_name());
+    if (!value.is_number_integer())
+      fail(Errc::bad_format, "{}: expected integers, found {}", name, value.type_name());
     constexpr auto most = static_cast<std::int64_t>(std::numeric_limits<SignedIndex>::max());
-    const bool fits = value.is_number_unsigned() ? value.get<std::uint64_t>() <= static_cast<std::uint64_t>(most)
-                                                 : value.get<std::int64_t>() >= -most;
+    const bool fits = value.is_number_unsigned()
+                          ? value.get<std::uint64_t>() <= static_cast<std::uint64_t>(most)
+                          : value.get<std::int64_t>() >= -most;
     if (!fits) fail(Errc::bad_format, "{}: {} is not an index", name, value.dump());
     return static_cast<T>(value.get<std::int64_t>());
   }
@@ -83,12 +85,12 @@ Lists<T> lists_of(const nlohmann::json& value, const std::string& name) {
   return lists;
 }
 
-/// What is left once all arrays are read: the shapes they were found with. JSON does not tell how many columns a matrix without
-/// rows has: its shape is empty, and fits.
+/// What is left once all arrays are read: the shapes they were found with. JSON does not tell how many
+/// columns a matrix without rows has: its shape is empty, and fits.
 using Shapes = std::map<std::string, Shape>;
 
-VoronoiData finish(VoronoiData data, const Shapes& shapes, std::optional<std::int64_t> dimension, std::int64_t affine_dimension,
-                   const std::string& name) {
+VoronoiData finish(VoronoiData data, const Shapes& shapes, std::optional<std::int64_t> dimension,
+                   std::int64_t affine_dimension, const std::string& name) {
   const Shape& points = shapes.at("points");
   if (points.size() != 2 && !(points.empty() && dimension))
     fail(Errc::bad_format, "{}: points: expected a 2-D array, found shape {}", name, shape_text(points));
@@ -96,18 +98,20 @@ VoronoiData finish(VoronoiData data, const Shapes& shapes, std::optional<std::in
   if (columns < 1 || columns > std::numeric_limits<int>::max() || (dimension && *dimension != columns))
     fail(Errc::bad_dimension, "{}: the dimension is {}", name, dimension.value_or(columns));
   if (affine_dimension < -1 || affine_dimension > columns)
-    fail(Errc::bad_format, "{}: affine dimension {} is impossible for points of dimension {}", name, affine_dimension, columns);
+    fail(Errc::bad_format, "{}: affine dimension {} is impossible for points of dimension {}", name,
+         affine_dimension, columns);
   data.dimension = static_cast<int>(columns);
   data.affine_dimension = static_cast<int>(affine_dimension);
-  for_each_array(data, [&](const char* member, const auto& items, std::initializer_list<std::size_t> expected) {
-    const auto found = shapes.find(member);
-    if (found == shapes.end()) return;  // offsets of lists in json
-    std::size_t size = 1;
-    for (const std::size_t extent : expected) size *= extent;
-    if (size != items.size() || (!found->second.empty() && size > 0 && found->second != Shape(expected)))
-      fail(Errc::bad_format, "{}: {}: expected shape {}, as of the other arrays, found {}", name, member,
-           shape_text(Shape(expected)), shape_text(found->second));
-  });
+  for_each_array(
+      data, [&](const char* member, const auto& items, std::initializer_list<std::size_t> expected) {
+        const auto found = shapes.find(member);
+        if (found == shapes.end()) return;  // offsets of lists in json
+        std::size_t size = 1;
+        for (const std::size_t extent : expected) size *= extent;
+        if (size != items.size() || (!found->second.empty() && size > 0 && found->second != Shape(expected)))
+          fail(Errc::bad_format, "{}: {}: expected shape {}, as of the other arrays, found {}", name, member,
+               shape_text(Shape(expected)), shape_text(found->second));
+      });
   require_finite(data.points, data.dimension, name + ": points");
   require_finite(data.weights, 1, name + ": weights");
   return data;
@@ -164,13 +168,16 @@ VoronoiData read_json_voronoi(std::string_view bytes, const std::string& name) {
     if (!lists.is_nested && !lists.items.empty()) shape = {lists.items.size()};
     if (lists.is_nested) shape = {rows, static_cast<std::size_t>(lists.offsets[1])};
     for (std::size_t row = 0; row < rows; ++row)
-      if (const auto size = static_cast<std::size_t>(lists.offsets[row + 1] - lists.offsets[row]); size != shape[1])
-        fail(Errc::bad_format, "{}: row {}: expected {} numbers as in row 0, found {}", what, row, shape[1], size);
+      if (const auto size = static_cast<std::size_t>(lists.offsets[row + 1] - lists.offsets[row]);
+          size != shape[1])
+        fail(Errc::bad_format, "{}: row {}: expected {} numbers as in row 0, found {}", what, row, shape[1],
+             size);
     items = std::move(lists.items);
   };
   const auto read_lists = [&](const std::string& member, auto& items, std::vector<std::int64_t>& offsets) {
     Lists<SignedIndex> lists = lists_of<SignedIndex>(find(member), name + ": " + member);
-    if (!lists.is_nested && !lists.items.empty()) fail(Errc::bad_format, "{}: {}: expected a list of lists", name, member);
+    if (!lists.is_nested && !lists.items.empty())
+      fail(Errc::bad_format, "{}: {}: expected a list of lists", name, member);
     items = std::move(lists.items);
     offsets = std::move(lists.offsets);
   };
@@ -189,17 +196,20 @@ VoronoiData read_json_voronoi(std::string_view bytes, const std::string& name) {
 }  // namespace io
 
 VoronoiData read_voronoi(const std::string& path, const std::string& format) {
-  const std::string chosen = io::choose_format(path, format, "json", {"npz", "json"}, "reading a Voronoi diagram");
+  const std::string chosen =
+      io::choose_format(path, format, "json", {"npz", "json"}, "reading a Voronoi diagram");
   const std::string name = io::input_name(path);
   return io::guarded(name, [&] {
     const io::Bytes file = io::read_all(path);
-    return chosen == "npz" ? io::read_npz_voronoi(file.view(), name) : io::read_json_voronoi(file.view(), name);
+    return chosen == "npz" ? io::read_npz_voronoi(file.view(), name)
+                           : io::read_json_voronoi(file.view(), name);
   });
 }
 
 bool holds_voronoi(const std::string& path, const std::string& format) {
   if (path == "-") return false;
-  const std::string chosen = io::choose_format(path, format, "json", {"npz", "json", "off"}, "reading a Voronoi diagram");
+  const std::string chosen =
+      io::choose_format(path, format, "json", {"npz", "json", "off"}, "reading a Voronoi diagram");
   if (chosen == "off") return false;
   return io::guarded(path, [&] {
     const io::Bytes file = io::read_all(path);
@@ -210,8 +220,9 @@ bool holds_voronoi(const std::string& path, const std::string& format) {
       });
     const io::ZipReader zip(file.view(), path);
     return std::all_of(io::marks.begin(), io::marks.end(), [&](const char* mark) {
-      return std::any_of(zip.members().begin(), zip.members().end(),
-                         [&](const io::ZipMember& member) { return member.name == std::string(mark) + ".npy"; });
+      return std::any_of(zip.members().begin(), zip.members().end(), [&](const io::ZipMember& member) {
+        return member.name == std::string(mark) + ".npy";
+      });
     });
   });
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The arrays of a Voronoi or power diagram in a file, by name: what write_voronoi writes and read_voronoi reads
-// (docs/formats.md).
+// The arrays of a Voronoi or power diagram in a file, by name: what write_voronoi writes and read_voronoi
+// reads (docs/formats.md).
 #pragma once
 
 #include <delone/voronoi.hpp>
@@ -11,12 +11,13 @@
 
 namespace delone::io {
 
-/// Calls visit(name, items, shape) for every array; `weights` only if there are any. In json ridge_vertices and region_vertices
-/// (under the name `regions`) are lists of lists, and there are no offsets.
+/// Calls visit(name, items, shape) for every array; `weights` only if there are any. In json ridge_vertices
+/// and region_vertices (under the name `regions`) are lists of lists, and there are no offsets.
 template <class Data, class Visit>
 void for_each_array(Data& data, Visit visit) {
   using Shape = std::initializer_list<std::size_t>;
-  const auto d = static_cast<std::size_t>(data.dimension), k = static_cast<std::size_t>(std::max(data.affine_dimension, 0));
+  const auto d = static_cast<std::size_t>(data.dimension),
+             k = static_cast<std::size_t>(std::max(data.affine_dimension, 0));
   visit("points", data.points, Shape{data.num_points(), d});
   if (!data.weights.empty()) visit("weights", data.weights, Shape{data.num_points()});
   visit("vertices", data.vertices, Shape{data.num_vertices(), d});

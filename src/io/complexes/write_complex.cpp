@@ -19,21 +19,29 @@ namespace io {
 
 namespace {
 
-std::size_t num_corners(const ComplexData& data) { return static_cast<std::size_t>(data.affine_dimension + 1); }
+std::size_t num_corners(const ComplexData& data) {
+  return static_cast<std::size_t>(data.affine_dimension + 1);
+}
 
 /// The sizes of the arrays agree and the coordinates are finite.
 void validate(const ComplexData& data, const std::string& name) {
-  const auto wrong = [&](std::string_view what) { fail(Errc::invalid_argument, "{}: cannot write: {}", name, what); };
-  if (data.dimension < 1) fail(Errc::bad_dimension, "{}: cannot write: the dimension is {}", name, data.dimension);
+  const auto wrong = [&](std::string_view what) {
+    fail(Errc::invalid_argument, "{}: cannot write: {}", name, what);
+  };
+  if (data.dimension < 1)
+    fail(Errc::bad_dimension, "{}: cannot write: the dimension is {}", name, data.dimension);
   if (data.points.size() % static_cast<std::size_t>(data.dimension) != 0)
     wrong("the coordinates are no multiple of the dimension");
-  if (data.affine_dimension < -1 || data.affine_dimension > data.dimension) wrong("the affine dimension is out of range");
+  if (data.affine_dimension < -1 || data.affine_dimension > data.dimension)
+    wrong("the affine dimension is out of range");
   if (data.affine_dimension == -1 ? !data.cells.empty() : data.cells.size() % num_corners(data) != 0)
     wrong("the cells are no multiple of the affine dimension + 1");
-  if (!data.neighbors.empty() && data.neighbors.size() != data.cells.size()) wrong("cells and neighbors differ in size");
+  if (!data.neighbors.empty() && data.neighbors.size() != data.cells.size())
+    wrong("cells and neighbors differ in size");
   if (!data.vertex_of_point.empty() && data.vertex_of_point.size() != data.num_points())
     wrong("vertex_of_point has another size than the points");
-  if (!data.weights.empty() && data.weights.size() != data.num_points()) wrong("the weights have another size than the points");
+  if (!data.weights.empty() && data.weights.size() != data.num_points())
+    wrong("the weights have another size than the points");
   require_finite(data.points, data.dimension, name);
   require_finite(data.weights, 1, name + ": weights");
 }
@@ -43,8 +51,8 @@ void require_rows_in_range(const ComplexData& data, const std::string& name) {
   const std::size_t n = data.num_points();
   for (std::size_t i = 0; i < data.cells.size(); ++i)
     if (data.cells[i] < 0 || static_cast<std::uint64_t>(data.cells[i]) >= n)
-      fail(Errc::invalid_argument, "{}: cannot write: cell {} refers to point {} of {}", name, i / num_corners(data),
-           data.cells[i], n);
+      fail(Errc::invalid_argument, "{}: cannot write: cell {} refers to point {} of {}", name,
+           i / num_corners(data), data.cells[i], n);
 }
 
 void write_cells_npy(AtomicFile& file, const ComplexData& data) {
@@ -67,7 +75,8 @@ void write_qhull_cells(AtomicFile& file, const ComplexData& data) {
 void write_npz(AtomicFile& file, const ComplexData& data) {
   ZipWriter zip(file);
   std::string storage;
-  const auto add_indices = [&](const char* member, const std::vector<SignedIndex>& items, std::string_view header) {
+  const auto add_indices = [&](const char* member, const std::vector<SignedIndex>& items,
+                               std::string_view header) {
     zip.add(member, header, little_endian_bytes(std::span<const SignedIndex>(items), storage));
   };
   zip.add("points.npy", npy_header("f8", {data.num_points(), static_cast<std::size_t>(data.dimension)}),
@@ -81,7 +90,8 @@ void write_npz(AtomicFile& file, const ComplexData& data) {
     zip.add("weights.npy", npy_header("f8", {data.num_points()}),
             little_endian_bytes(std::span<const double>(data.weights), storage));
   const std::int64_t dimension = data.affine_dimension;
-  zip.add("affine_dimension.npy", npy_header("i8", {}), little_endian_bytes(std::span(&dimension, 1), storage));
+  zip.add("affine_dimension.npy", npy_header("i8", {}),
+          little_endian_bytes(std::span(&dimension, 1), storage));
   zip.finish();
 }
 
@@ -150,8 +160,8 @@ void write_off(AtomicFile& file, const ComplexData& data) {
 }  // namespace io
 
 void write_complex(const std::string& path, const ComplexData& data, const std::string& format) {
-  const std::string chosen =
-      io::choose_format(path, format, "txt", {"npz", "vtu", "off", "json", "svg", "txt", "npy"}, "writing a triangulation");
+  const std::string chosen = io::choose_format(
+      path, format, "txt", {"npz", "vtu", "off", "json", "svg", "txt", "npy"}, "writing a triangulation");
   io::guarded(path, [&] {
     io::validate(data, path);
     if (path == "-" && (chosen == "npz" || chosen == "npy" || chosen == "vtu"))

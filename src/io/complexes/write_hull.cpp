@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// write_hull: the arrays of a hull for NumPy and as JSON; for all other formats the cells, as a complex of dimension k−1.
+// write_hull: the arrays of a hull for NumPy and as JSON; for all other formats the cells, as a complex of
+// dimension k−1.
 #include "io/atomic_file.hpp"
 #include "io/collect.hpp"
-#include "io/file.hpp"
 #include "io/complexes/hull_arrays.hpp"
+#include "io/file.hpp"
 #include "io/npy.hpp"
 #include "io/write_npy.hpp"
 #include "io/zip.hpp"
@@ -19,11 +20,15 @@ namespace io {
 namespace {
 
 void validate(const HullData& data, const std::string& name) {
-  const auto wrong = [&](std::string_view what) { fail(Errc::invalid_argument, "{}: cannot write: {}", name, what); };
-  if (data.dimension < 1) fail(Errc::bad_dimension, "{}: cannot write: the dimension is {}", name, data.dimension);
+  const auto wrong = [&](std::string_view what) {
+    fail(Errc::invalid_argument, "{}: cannot write: {}", name, what);
+  };
+  if (data.dimension < 1)
+    fail(Errc::bad_dimension, "{}: cannot write: the dimension is {}", name, data.dimension);
   if (data.points.size() != data.num_points() * static_cast<std::size_t>(data.dimension))
     wrong("the coordinates are not as many as those of the points");
-  if (data.affine_dimension < -1 || data.affine_dimension > data.dimension) wrong("the affine dimension is out of range");
+  if (data.affine_dimension < -1 || data.affine_dimension > data.dimension)
+    wrong("the affine dimension is out of range");
   const auto k = static_cast<std::size_t>(std::max(data.affine_dimension, 1));
   if (data.cells.size() % k != 0) wrong("the cells are no multiple of the affine dimension");
   if (data.neighbors.size() != data.cells.size()) wrong("cells and neighbors differ in size");
@@ -38,12 +43,15 @@ void write_hull_npz(AtomicFile& file, const HullData& data, const std::vector<Si
   ZipWriter zip(file);
   std::string storage;
   for_each_array(
-      data, kinds, [&]<class T>(const char* name, const std::vector<T>& items, std::initializer_list<std::size_t> shape) {
+      data, kinds,
+      [&]<class T>(const char* name, const std::vector<T>& items, std::initializer_list<std::size_t> shape) {
         constexpr std::string_view type = std::is_same_v<T, double> ? std::string_view("f8") : npy_index_type;
-        zip.add(std::string(name) + ".npy", npy_header(type, shape), little_endian_bytes(std::span<const T>(items), storage));
+        zip.add(std::string(name) + ".npy", npy_header(type, shape),
+                little_endian_bytes(std::span<const T>(items), storage));
       });
   const std::int64_t dimension = data.affine_dimension;
-  zip.add("affine_dimension.npy", npy_header("i8", {}), little_endian_bytes(std::span(&dimension, 1), storage));
+  zip.add("affine_dimension.npy", npy_header("i8", {}),
+          little_endian_bytes(std::span(&dimension, 1), storage));
   zip.finish();
 }
 
@@ -60,20 +68,21 @@ void put_number(AtomicFile& file, SignedIndex x) { file.put(x); }
 
 void write_hull_json(AtomicFile& file, const HullData& data, const std::vector<SignedIndex>& kinds) {
   file.print("{{\n\"dimension\": {},\n\"affine_dimension\": {}", data.dimension, data.affine_dimension);
-  for_each_array(data, kinds,
-                 [&]<class T>(const char* name, const std::vector<T>& items, std::initializer_list<std::size_t> shape) {
-                   file.print(",\n\"{}\": [", name);
-                   const bool is_matrix = shape.size() == 2;
-                   const std::size_t columns = is_matrix ? *(shape.begin() + 1) : 0;
-                   for (std::size_t i = 0; i < items.size(); ++i) {
-                     if (is_matrix)
-                       file.write(i == 0 ? "\n[" : i % columns == 0 ? "],\n[" : ", ");
-                     else if (i > 0)
-                       file.write(", ");
-                     put_number(file, items[i]);
-                   }
-                   file.write(is_matrix && !items.empty() ? "]\n]" : "]");
-                 });
+  for_each_array(
+      data, kinds,
+      [&]<class T>(const char* name, const std::vector<T>& items, std::initializer_list<std::size_t> shape) {
+        file.print(",\n\"{}\": [", name);
+        const bool is_matrix = shape.size() == 2;
+        const std::size_t columns = is_matrix ? *(shape.begin() + 1) : 0;
+        for (std::size_t i = 0; i < items.size(); ++i) {
+          if (is_matrix)
+            file.write(i == 0 ? "\n[" : i % columns == 0 ? "],\n[" : ", ");
+          else if (i > 0)
+            file.write(", ");
+          put_number(file, items[i]);
+        }
+        file.write(is_matrix && !items.empty() ? "]\n]" : "]");
+      });
   file.write("\n}\n");
 }
 
@@ -81,8 +90,8 @@ void write_hull_json(AtomicFile& file, const HullData& data, const std::vector<S
 }  // namespace io
 
 void write_hull(const std::string& path, const HullData& data, const std::string& format) {
-  const std::string chosen =
-      io::choose_format(path, format, "txt", {"npz", "vtu", "off", "json", "svg", "txt", "npy"}, "writing a hull");
+  const std::string chosen = io::choose_format(
+      path, format, "txt", {"npz", "vtu", "off", "json", "svg", "txt", "npy"}, "writing a hull");
   io::guarded(path, [&] {
     io::validate(data, path);
     if (chosen != "npz" && chosen != "json") {

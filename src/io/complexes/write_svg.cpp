@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A picture of a triangulation in the plane: the larger side of the bounding box takes 1000 units, y points up.
+// A picture of a triangulation in the plane: the larger side of the bounding box takes 1000 units, y points
+// up.
 #include "io/atomic_file.hpp"
-#include "io/file.hpp"
 #include "io/complexes/write_complex.hpp"
+#include "io/file.hpp"
 
 #include <algorithm>
 #include <array>
@@ -34,7 +35,9 @@ class Frame {
 
   double width() const { return 2 * margin + side * ratio(0); }
   double height() const { return 2 * margin + side * ratio(1); }
-  std::array<double, 2> place(std::size_t row) const { return {margin + along(row, 0), height() - margin - along(row, 1)}; }
+  std::array<double, 2> place(std::size_t row) const {
+    return {margin + along(row, 0), height() - margin - along(row, 1)};
+  }
 
  private:
   double ratio(std::size_t axis) const { return largest_ > 0 ? extent_[axis] / largest_ : 0; }
@@ -51,14 +54,15 @@ class Frame {
 
 void write_svg(AtomicFile& file, const ComplexData& data) {
   if (data.dimension != 2)
-    fail(Errc::unsupported, "{}: an .svg file is a picture of the plane, these points have dimension {}", file.name(),
-         data.dimension);
+    fail(Errc::unsupported, "{}: an .svg file is a picture of the plane, these points have dimension {}",
+         file.name(), data.dimension);
   const Frame frame(data);
   const std::size_t n = data.num_points();
   // Lines get thinner as edges get shorter, which is as 1/sqrt(n).
   const double stroke = std::clamp(20 / std::sqrt(static_cast<double>(n) + 1), 0.1, 1.5);
   file.print(
-      "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {0:.2f} {1:.2f}\" width=\"{0:.2f}\" height=\"{1:.2f}\">\n"
+      "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {0:.2f} {1:.2f}\" width=\"{0:.2f}\" "
+      "height=\"{1:.2f}\">\n"
       "<rect width=\"100%\" height=\"100%\" fill=\"white\"/>\n",
       frame.width(), frame.height());
   if (data.affine_dimension >= 1) {

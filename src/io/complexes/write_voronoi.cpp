@@ -3,9 +3,9 @@
 #include "io/complexes/write_voronoi.hpp"
 
 #include "io/atomic_file.hpp"
+#include "io/complexes/voronoi_arrays.hpp"
 #include "io/file.hpp"
 #include "io/npy.hpp"
-#include "io/complexes/voronoi_arrays.hpp"
 #include "io/write_npy.hpp"
 #include "io/zip.hpp"
 
@@ -23,7 +23,8 @@ namespace io {
 
 namespace {
 
-/// JSON has no infinities; numbers this large exist only as vertices beyond the range of doubles. NaN: rows not inserted.
+/// JSON has no infinities; numbers this large exist only as vertices beyond the range of doubles. NaN: rows
+/// not inserted.
 void put_json(AtomicFile& file, double x) {
   if (std::isfinite(x))
     file.put(x);
@@ -41,10 +42,12 @@ void write_voronoi_npz(AtomicFile& file, const VoronoiData& data) {
     const std::string_view type = std::is_same_v<Item, double>         ? "f8"
                                   : std::is_same_v<Item, std::int64_t> ? "i8"
                                                                        : npy_index_type;
-    zip.add(std::string(member) + ".npy", npy_header(type, shape), little_endian_bytes(std::span<const Item>(items), storage));
+    zip.add(std::string(member) + ".npy", npy_header(type, shape),
+            little_endian_bytes(std::span<const Item>(items), storage));
   });
   const std::int64_t dimension = data.affine_dimension;
-  zip.add("affine_dimension.npy", npy_header("i8", {}), little_endian_bytes(std::span(&dimension, 1), storage));
+  zip.add("affine_dimension.npy", npy_header("i8", {}),
+          little_endian_bytes(std::span(&dimension, 1), storage));
   zip.finish();
 }
 
@@ -76,26 +79,29 @@ void write_voronoi_json(AtomicFile& file, const VoronoiData& data) {
                                       static_cast<std::size_t>(offsets[i + 1] - offsets[i]));
     });
   };
-  for_each_array(data, [&](const std::string_view name, const auto& items, std::initializer_list<std::size_t> shape) {
-    if (name == "ridge_offsets" || name == "region_offsets") return;
-    member(name == "region_vertices" ? "regions" : name.data());
-    if (name == "ridge_vertices") return lists(data.ridge_vertices, data.ridge_offsets);
-    if (name == "region_vertices") return lists(data.region_vertices, data.region_offsets);
-    const auto all = std::span<const typename std::decay_t<decltype(items)>::value_type>(items);
-    if (shape.size() == 1) return row(all);
-    const std::size_t width = shape.begin()[1];
-    rows(shape.begin()[0], [&](std::size_t i) { return all.subspan(i * width, width); });
-  });
+  for_each_array(
+      data, [&](const std::string_view name, const auto& items, std::initializer_list<std::size_t> shape) {
+        if (name == "ridge_offsets" || name == "region_offsets") return;
+        member(name == "region_vertices" ? "regions" : name.data());
+        if (name == "ridge_vertices") return lists(data.ridge_vertices, data.ridge_offsets);
+        if (name == "region_vertices") return lists(data.region_vertices, data.region_offsets);
+        const auto all = std::span<const typename std::decay_t<decltype(items)>::value_type>(items);
+        if (shape.size() == 1) return row(all);
+        const std::size_t width = shape.begin()[1];
+        rows(shape.begin()[0], [&](std::size_t i) { return all.subspan(i * width, width); });
+      });
   file.write("\n}\n");
 }
 
 }  // namespace io
 
-void write_voronoi(const std::string& path, const VoronoiDiagram& diagram, const Box* box, const std::string& format) {
+void write_voronoi(const std::string& path, const VoronoiDiagram& diagram, const Box* box,
+                   const std::string& format) {
   const std::string chosen =
       io::choose_format(path, format, "json", {"npz", "json", "svg", "vtu"}, "writing a Voronoi diagram");
   io::guarded(path, [&] {
-    if (!diagram.has_ridges()) io::fail(Errc::invalid_argument, "the Voronoi diagram was made without ridges");
+    if (!diagram.has_ridges())
+      io::fail(Errc::invalid_argument, "the Voronoi diagram was made without ridges");
     if (path == "-" && (chosen == "npz" || chosen == "vtu"))
       io::fail(Errc::unsupported, "format '{}' is binary and is not written to standard output", chosen);
     io::AtomicFile file(path);

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Clipped regions as geometry: a picture of the plane, and VTK's polygons and polyhedra for ParaView.
 #include "io/atomic_file.hpp"
+#include "io/complexes/write_voronoi.hpp"
 #include "io/file.hpp"
 #include "io/npy.hpp"
 #include "io/write_npy.hpp"
-#include "io/complexes/write_voronoi.hpp"
 
 #include <algorithm>
 #include <array>
@@ -51,8 +51,8 @@ void append(std::string& bytes, T value) {
 
 void write_voronoi_svg(AtomicFile& file, const VoronoiDiagram& diagram, const Box& box) {
   if (diagram.dimension() != 2)
-    fail(Errc::unsupported, "{}: an .svg file is a picture of the plane, these points have dimension {}", file.name(),
-         diagram.dimension());
+    fail(Errc::unsupported, "{}: an .svg file is a picture of the plane, these points have dimension {}",
+         file.name(), diagram.dimension());
   const Frame frame(box);
   // Lines get thinner as edges get shorter, which is as 1/sqrt(n).
   const double stroke = std::clamp(20 / std::sqrt(static_cast<double>(diagram.num_regions()) + 1), 0.1, 1.5);
@@ -61,7 +61,8 @@ void write_voronoi_svg(AtomicFile& file, const VoronoiDiagram& diagram, const Bo
     if (is_open) return;
     is_open = true;
     file.print(
-        "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {0:.2f} {1:.2f}\" width=\"{0:.2f}\" height=\"{1:.2f}\">\n"
+        "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {0:.2f} {1:.2f}\" width=\"{0:.2f}\" "
+        "height=\"{1:.2f}\">\n"
         "<rect width=\"100%\" height=\"100%\" fill=\"white\"/>\n"
         "<path fill=\"#dce9f5\" stroke=\"#1f4e79\" stroke-width=\"{2:.2f}\" stroke-linejoin=\"round\" d=\"",
         frame.width(), frame.height(), stroke);
@@ -95,8 +96,8 @@ void write_voronoi_svg(AtomicFile& file, const VoronoiDiagram& diagram, const Bo
 void write_voronoi_vtu(AtomicFile& file, const VoronoiDiagram& diagram, const Box& box) {
   const auto d = static_cast<std::size_t>(diagram.dimension());
   if (d != 2 && d != 3)
-    fail(Errc::unsupported, "{}: a .vtu file of regions needs 2 or 3 dimensions, these points have {}; use npz", file.name(),
-         d);
+    fail(Errc::unsupported,
+         "{}: a .vtu file of regions needs 2 or 3 dimensions, these points have {}; use npz", file.name(), d);
   constexpr std::uint8_t vtk_polygon = 7, vtk_polyhedron = 42;
   std::string points, connectivity, offsets, types, faces, face_offsets, regions, rows;
   std::int64_t num_points = 0, num_cells = 0, num_entries = 0, num_face_entries = 0;
@@ -106,7 +107,8 @@ void write_voronoi_vtu(AtomicFile& file, const VoronoiDiagram& diagram, const Bo
     for (std::size_t i = 0; i < region.corners.size(); i += d)
       for (std::size_t j = 0; j < 3; ++j) append(points, j < d ? region.corners[i + j] : 0.0);
     if (d == 2) {
-      for (const Index corner : region.faces.front()) append(connectivity, num_points + static_cast<std::int64_t>(corner));
+      for (const Index corner : region.faces.front())
+        append(connectivity, num_points + static_cast<std::int64_t>(corner));
       num_entries += static_cast<std::int64_t>(region.faces.front().size());
     } else {
       for (std::int64_t corner = 0; corner < corners; ++corner) append(connectivity, num_points + corner);
@@ -130,17 +132,20 @@ void write_voronoi_vtu(AtomicFile& file, const VoronoiDiagram& diagram, const Bo
 
   std::vector<const std::string*> appended;
   std::uint64_t offset = 0;
-  const auto array = [&](std::string_view type, std::string_view name, std::string_view attributes, const std::string& bytes) {
-    file.print("        <DataArray type=\"{}\" Name=\"{}\"{} format=\"appended\" offset=\"{}\"/>\n", type, name, attributes,
-               offset);
+  const auto array = [&](std::string_view type, std::string_view name, std::string_view attributes,
+                         const std::string& bytes) {
+    file.print("        <DataArray type=\"{}\" Name=\"{}\"{} format=\"appended\" offset=\"{}\"/>\n", type,
+               name, attributes, offset);
     offset += sizeof(std::uint64_t) + bytes.size();
     appended.push_back(&bytes);
   };
   file.write(
       "<?xml version=\"1.0\"?>\n"
-      "<VTKFile type=\"UnstructuredGrid\" version=\"1.0\" byte_order=\"LittleEndian\" header_type=\"UInt64\">\n"
+      "<VTKFile type=\"UnstructuredGrid\" version=\"1.0\" byte_order=\"LittleEndian\" "
+      "header_type=\"UInt64\">\n"
       "  <UnstructuredGrid>\n");
-  file.print("    <Piece NumberOfPoints=\"{}\" NumberOfCells=\"{}\">\n      <CellData>\n", num_points, num_cells);
+  file.print("    <Piece NumberOfPoints=\"{}\" NumberOfCells=\"{}\">\n      <CellData>\n", num_points,
+             num_cells);
   array("Int64", "region", "", regions);
   array("Int64", "point", "", rows);
   file.write("      </CellData>\n      <Points>\n");

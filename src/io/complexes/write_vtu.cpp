@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// VTK's XML format for unstructured grids, as ParaView opens it. The arrays follow the XML as raw little-endian bytes, each
-// after its size in bytes (a 64-bit integer).
+// VTK's XML format for unstructured grids, as ParaView opens it. The arrays follow the XML as raw
+// little-endian bytes, each after its size in bytes (a 64-bit integer).
 #include "io/atomic_file.hpp"
+#include "io/complexes/write_complex.hpp"
 #include "io/file.hpp"
 #include "io/npy.hpp"
-#include "io/complexes/write_complex.hpp"
 #include "io/write_npy.hpp"
 
 #include <array>
@@ -14,7 +14,8 @@ namespace delone::io {
 
 namespace {
 
-constexpr std::array<std::uint8_t, 4> vtk_cell_types{1, 3, 5, 10};  // VTK_VERTEX, VTK_LINE, VTK_TRIANGLE, VTK_TETRA
+constexpr std::array<std::uint8_t, 4> vtk_cell_types{1, 3, 5,
+                                                     10};  // VTK_VERTEX, VTK_LINE, VTK_TRIANGLE, VTK_TETRA
 
 template <class T>
 void put_bytes(AtomicFile& file, T value) {
@@ -26,20 +27,23 @@ void put_bytes(AtomicFile& file, T value) {
 
 void write_vtu(AtomicFile& file, const ComplexData& data) {
   if (data.dimension > 3)
-    fail(Errc::unsupported, "{}: a .vtu file holds at most 3 dimensions, these points have {}; use npz", file.name(),
-         data.dimension);
+    fail(Errc::unsupported, "{}: a .vtu file holds at most 3 dimensions, these points have {}; use npz",
+         file.name(), data.dimension);
   const std::uint64_t n = data.num_points(), m = data.num_cells();
-  const std::uint64_t point_bytes = n * 3 * sizeof(double), connectivity_bytes = data.cells.size() * sizeof(SignedIndex),
+  const std::uint64_t point_bytes = n * 3 * sizeof(double),
+                      connectivity_bytes = data.cells.size() * sizeof(SignedIndex),
                       offset_bytes = m * sizeof(std::int64_t), type_bytes = m;
   std::uint64_t offset = 0;
-  const auto array = [&](std::string_view type, std::string_view name, std::string_view attributes, std::uint64_t bytes) {
-    file.print("        <DataArray type=\"{}\" Name=\"{}\"{} format=\"appended\" offset=\"{}\"/>\n", type, name, attributes,
-               offset);
+  const auto array = [&](std::string_view type, std::string_view name, std::string_view attributes,
+                         std::uint64_t bytes) {
+    file.print("        <DataArray type=\"{}\" Name=\"{}\"{} format=\"appended\" offset=\"{}\"/>\n", type,
+               name, attributes, offset);
     offset += sizeof(std::uint64_t) + bytes;
   };
   file.write(
       "<?xml version=\"1.0\"?>\n"
-      "<VTKFile type=\"UnstructuredGrid\" version=\"1.0\" byte_order=\"LittleEndian\" header_type=\"UInt64\">\n"
+      "<VTKFile type=\"UnstructuredGrid\" version=\"1.0\" byte_order=\"LittleEndian\" "
+      "header_type=\"UInt64\">\n"
       "  <UnstructuredGrid>\n");
   file.print("    <Piece NumberOfPoints=\"{}\" NumberOfCells=\"{}\">\n      <Points>\n", n, m);
   array("Float64", "Points", " NumberOfComponents=\"3\"", point_bytes);
@@ -52,7 +56,8 @@ void write_vtu(AtomicFile& file, const ComplexData& data) {
   const auto dimension = static_cast<std::size_t>(data.dimension);
   put_bytes(file, point_bytes);
   for (std::size_t row = 0; row < n; ++row)
-    for (std::size_t i = 0; i < 3; ++i) put_bytes(file, i < dimension ? data.points[row * dimension + i] : 0.0);
+    for (std::size_t i = 0; i < 3; ++i)
+      put_bytes(file, i < dimension ? data.points[row * dimension + i] : 0.0);
   put_bytes(file, connectivity_bytes);
   std::string storage;
   file.write(little_endian_bytes(std::span<const SignedIndex>(data.cells), storage));
@@ -60,7 +65,9 @@ void write_vtu(AtomicFile& file, const ComplexData& data) {
   for (std::uint64_t cell = 1; cell <= m; ++cell)
     put_bytes(file, static_cast<std::int64_t>(cell * static_cast<std::uint64_t>(data.affine_dimension + 1)));
   put_bytes(file, type_bytes);
-  if (m > 0) file.write(std::string(m, static_cast<char>(vtk_cell_types[static_cast<std::size_t>(data.affine_dimension)])));
+  if (m > 0)
+    file.write(
+        std::string(m, static_cast<char>(vtk_cell_types[static_cast<std::size_t>(data.affine_dimension)])));
   file.write("\n  </AppendedData>\n</VTKFile>\n");
 }
 

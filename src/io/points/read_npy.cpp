@@ -11,9 +11,11 @@
 namespace delone::io {
 
 PointTable points_of(const NpyArray& array, const std::string& name) {
-  if (array.shape.empty()) fail(Errc::bad_format, "{}: a single number; expected an array of shape (n, d)", name);
+  if (array.shape.empty())
+    fail(Errc::bad_format, "{}: a single number; expected an array of shape (n, d)", name);
   const std::size_t dimension = array.shape.size() == 1 ? 1 : array.shape[1];
-  if (dimension == 0) fail(Errc::bad_dimension, "{}: shape {}: the dimension is 0", name, shape_text(array.shape));
+  if (dimension == 0)
+    fail(Errc::bad_dimension, "{}: shape {}: the dimension is 0", name, shape_text(array.shape));
   if (dimension > static_cast<std::size_t>(std::numeric_limits<int>::max()))
     fail(Errc::bad_dimension, "{}: shape {}: the dimension is too large", name, shape_text(array.shape));
   PointTable table;
@@ -23,6 +25,8 @@ PointTable points_of(const NpyArray& array, const std::string& name) {
   return table;
 }
 
-PointTable read_npy(std::string_view bytes, const std::string& name) { return points_of(parse_npy(bytes, name), name); }
+PointTable read_npy(std::string_view bytes, const std::string& name) {
+  return points_of(parse_npy(bytes, name), name);
+}
 
 }  // namespace delone::io

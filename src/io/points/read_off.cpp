@@ -16,7 +16,8 @@ namespace {
 /// No vertex and no cell takes less than two bytes: what the file cannot hold is never allocated.
 void require_room(const TextCursor& at, std::uint64_t count, std::string_view what) {
   if (count > at.remaining() / 2 + 1)
-    fail(Errc::bad_format, "{}: the header promises {} {}, more than the rest of the file can hold", at.place(), count, what);
+    fail(Errc::bad_format, "{}: the header promises {} {}, more than the rest of the file can hold",
+         at.place(), count, what);
 }
 
 }  // namespace
@@ -31,7 +32,8 @@ OffHeader read_off_header(TextCursor& at) {
     if (header.dimension == 0) fail(Errc::bad_dimension, "{}: the dimension is 0", at.place());
   } else if (keyword != "OFF") {
     if (keyword.ends_with("OFF"))
-      fail(Errc::unsupported, "{}: {} is not supported; use OFF, COFF or nOFF", at.place(), in_quotes(keyword));
+      fail(Errc::unsupported, "{}: {} is not supported; use OFF, COFF or nOFF", at.place(),
+           in_quotes(keyword));
     fail(Errc::bad_format, "{}: expected 'OFF', 'COFF' or 'nOFF', found {}", at.place(), in_quotes(keyword));
   }
   at.skip_blanks();
@@ -55,7 +57,8 @@ PointTable read_off_vertices(TextCursor& at, const OffHeader& header) {
     points.table.coordinates.reserve(static_cast<std::size_t>(header.num_vertices) * dimension);
   for (std::uint64_t row = 0; row < header.num_vertices; ++row) {
     if (!at.find_content())
-      fail(Errc::bad_format, "{}: expected {} vertices, the file ends after {}", at.place(), header.num_vertices, row);
+      fail(Errc::bad_format, "{}: expected {} vertices, the file ends after {}", at.place(),
+           header.num_vertices, row);
     std::size_t found = 0;
     for (; found < dimension && !at.skip_to_content(); ++found) {
       const char* start = at.position();
@@ -65,7 +68,8 @@ PointTable read_off_vertices(TextCursor& at, const OffHeader& header) {
       });
     }
     if (found < dimension)
-      fail(Errc::bad_format, "{}: vertex {}: expected {} coordinates, found {}", at.place(), row, dimension, found);
+      fail(Errc::bad_format, "{}: vertex {}: expected {} coordinates, found {}", at.place(), row, dimension,
+           found);
     if (header.colours) {
       at.skip_to_line_end();
     } else if (!at.skip_to_content()) {
@@ -97,20 +101,26 @@ ComplexData read_off_complex(std::string_view bytes, const std::string& name) {
   std::uint64_t size = 0;
   for (std::uint64_t row = 0; row < header.num_cells; ++row) {
     if (!at.find_content())
-      fail(Errc::bad_format, "{}: expected {} faces, the file ends after {}", at.place(), header.num_cells, row);
+      fail(Errc::bad_format, "{}: expected {} faces, the file ends after {}", at.place(), header.num_cells,
+           row);
     const std::uint64_t found = at.count("the number of vertices of a face", std::numeric_limits<int>::max());
     if (row == 0) {
       size = found;
       if (size == 0) fail(Errc::bad_format, "{}: a face without vertices", at.place());
       if (size > static_cast<std::uint64_t>(data.dimension) + 1)
-        fail(Errc::bad_format, "{}: a face of {} vertices is no simplex of dimension {}", at.place(), size, data.dimension);
-      data.cells.reserve(static_cast<std::size_t>(std::min<std::uint64_t>(header.num_cells * size, at.remaining() / 2 + 1)));
+        fail(Errc::bad_format, "{}: a face of {} vertices is no simplex of dimension {}", at.place(), size,
+             data.dimension);
+      data.cells.reserve(
+          static_cast<std::size_t>(std::min<std::uint64_t>(header.num_cells * size, at.remaining() / 2 + 1)));
     }
     if (found != size)
-      fail(Errc::bad_format, "{}: face {}: expected {} vertices as before, found {}", at.place(), row, size, found);
+      fail(Errc::bad_format, "{}: face {}: expected {} vertices as before, found {}", at.place(), row, size,
+           found);
     for (std::uint64_t i = 0; i < size; ++i) {
-      if (at.skip_to_content()) fail(Errc::bad_format, "{}: face {}: expected {} vertices, found {}", at.place(), row, size, i);
-      data.cells.push_back(static_cast<SignedIndex>(at.count("a vertex of a face", std::numeric_limits<SignedIndex>::max())));
+      if (at.skip_to_content())
+        fail(Errc::bad_format, "{}: face {}: expected {} vertices, found {}", at.place(), row, size, i);
+      data.cells.push_back(
+          static_cast<SignedIndex>(at.count("a vertex of a face", std::numeric_limits<SignedIndex>::max())));
     }
     while (!at.skip_to_content()) at.number("the colour of a face");
     at.take_line_end();

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The vertices of a PLY file (Stanford triangle format), ascii and binary of either byte order. Elements before the
-// vertices and properties that are not asked for are skipped, lists included.
+// The vertices of a PLY file (Stanford triangle format), ascii and binary of either byte order. Elements
+// before the vertices and properties that are not asked for are skipped, lists included.
 #include "io/collect.hpp"
 #include "io/file.hpp"
 #include "io/points/read_points.hpp"
@@ -71,7 +71,8 @@ Property parse_property(TextCursor& at) {
   if (type == "list") {
     property.is_list = true;
     property.count_type = parse_type(at, word(at));
-    if (property.count_type >= Type::float32) fail(Errc::bad_format, "{}: the length of a list must be an integer", at.place());
+    if (property.count_type >= Type::float32)
+      fail(Errc::bad_format, "{}: the length of a list must be an integer", at.place());
     type = word(at);
   }
   property.type = parse_type(at, type);
@@ -83,7 +84,8 @@ Property parse_property(TextCursor& at) {
 /// Leaves the cursor at the first byte of the data.
 Header parse_header(TextCursor& at) {
   Header header;
-  if (word(at) != "ply") fail(Errc::bad_format, "{}: not a PLY file (the first line is not 'ply')", at.name());
+  if (word(at) != "ply")
+    fail(Errc::bad_format, "{}: not a PLY file (the first line is not 'ply')", at.name());
   bool has_format = false;
   for (;;) {
     at.skip_to_line_end();
@@ -100,7 +102,8 @@ Header parse_header(TextCursor& at) {
         header.encoding = Encoding::big_endian;
       else
         fail(Errc::unsupported, "{}: the PLY format {} is not supported", at.place(), in_quotes(encoding));
-      if (version != "1.0") fail(Errc::unsupported, "{}: PLY version {} is not supported", at.place(), in_quotes(version));
+      if (version != "1.0")
+        fail(Errc::unsupported, "{}: PLY version {} is not supported", at.place(), in_quotes(version));
       has_format = true;
     } else if (keyword == "element") {
       Element element;
@@ -131,7 +134,9 @@ class AsciiSource {
   explicit AsciiSource(TextCursor at) : at_(std::move(at)) {}
   bool done() { return !at_.find_content(); }
   double value(Type) { return at_.number("a value"); }
-  std::uint64_t list_length(Type) { return at_.count("the length of a list", std::numeric_limits<std::uint64_t>::max()); }
+  std::uint64_t list_length(Type) {
+    return at_.count("the length of a list", std::numeric_limits<std::uint64_t>::max());
+  }
   void skip_value(Type) { at_.token(); }
   std::string place(std::uint64_t) const { return at_.place(); }
   /// Lists must be walked through, and here so must everything.
@@ -146,7 +151,9 @@ class AsciiSource {
 class BinarySource {
  public:
   BinarySource(std::string_view bytes, std::string name, bool big_endian)
-      : bytes_(bytes), name_(std::move(name)), swap_(big_endian != (std::endian::native == std::endian::big)) {}
+      : bytes_(bytes),
+        name_(std::move(name)),
+        swap_(big_endian != (std::endian::native == std::endian::big)) {}
 
   bool done() const { return bytes_.empty(); }
   double value(Type type) {
@@ -178,7 +185,8 @@ class BinarySource {
   std::string place(std::uint64_t row) const { return fmt::format("{}: vertex {}", name_, row); }
   /// Skips `count` records of `size` bytes at once.
   bool try_skip(std::uint64_t count, std::uint64_t size) {
-    if (size != 0 && count > bytes_.size() / size) fail(Errc::bad_format, "{}: the file ends in the middle of a record", name_);
+    if (size != 0 && count > bytes_.size() / size)
+      fail(Errc::bad_format, "{}: the file ends in the middle of a record", name_);
     skip(static_cast<std::size_t>(count * size));
     return true;
   }
@@ -234,9 +242,11 @@ void skip_element(Source& source, const Element& element) {
 }
 
 /// The positions of the properties to read.
-std::vector<std::size_t> select(const Element& vertex, const std::vector<std::string>& wanted, const std::string& name) {
+std::vector<std::size_t> select(const Element& vertex, const std::vector<std::string>& wanted,
+                                const std::string& name) {
   std::vector<std::string> available;
-  for (const Property& property : vertex.properties) available.push_back(property.is_list ? std::string{} : property.name);
+  for (const Property& property : vertex.properties)
+    available.push_back(property.is_list ? std::string{} : property.name);
   const auto position = [&](const std::string& one) {
     return static_cast<std::size_t>(std::find(available.begin(), available.end(), one) - available.begin());
   };
@@ -249,7 +259,8 @@ std::vector<std::size_t> select(const Element& vertex, const std::vector<std::st
   for (const std::string& one : names) {
     if (position(one) == available.size() || one.empty()) {
       std::erase(available, std::string{});
-      fail(Errc::bad_format, "{}: the vertices have no property {}; they have {}", name, in_quotes(one), joined(available));
+      fail(Errc::bad_format, "{}: the vertices have no property {}; they have {}", name, in_quotes(one),
+           joined(available));
     }
     columns.push_back(position(one));
   }
@@ -257,14 +268,16 @@ std::vector<std::size_t> select(const Element& vertex, const std::vector<std::st
 }
 
 template <class Source>
-PointTable read_vertices(Source source, const Header& header, const std::string& name, const std::vector<std::string>& wanted) {
+PointTable read_vertices(Source source, const Header& header, const std::string& name,
+                         const std::vector<std::string>& wanted) {
   auto vertex = header.elements.begin();
   for (; vertex != header.elements.end() && vertex->name != "vertex"; ++vertex) skip_element(source, *vertex);
   if (vertex == header.elements.end()) fail(Errc::bad_format, "{}: the file has no element 'vertex'", name);
   const std::vector<std::size_t> columns = select(*vertex, wanted, name);
   PointCollector points;
   points.table.dimension = static_cast<int>(columns.size());
-  for (const std::size_t column : columns) points.table.column_names.push_back(vertex->properties[column].name);
+  for (const std::size_t column : columns)
+    points.table.column_names.push_back(vertex->properties[column].name);
   if (vertex->count <= source.most_values() / columns.size())
     points.table.coordinates.reserve(static_cast<std::size_t>(vertex->count) * columns.size());
   std::vector<bool> selected(vertex->properties.size(), false);
@@ -272,7 +285,8 @@ PointTable read_vertices(Source source, const Header& header, const std::string&
   std::vector<double> row(vertex->properties.size());
   for (std::uint64_t i = 0; i < vertex->count; ++i) {
     for (std::size_t p = 0; p < vertex->properties.size(); ++p) {
-      if (source.done()) fail(Errc::bad_format, "{}: expected {} vertices, the file ends after {}", name, vertex->count, i);
+      if (source.done())
+        fail(Errc::bad_format, "{}: expected {} vertices, the file ends after {}", name, vertex->count, i);
       if (selected[p])
         row[p] = source.value(vertex->properties[p].type);
       else
@@ -280,7 +294,8 @@ PointTable read_vertices(Source source, const Header& header, const std::string&
     }
     for (const std::size_t column : columns)
       points.add(row[column], [&] {
-        return fmt::format("{}: {}: {} is not finite", source.place(i), vertex->properties[column].name, row[column]);
+        return fmt::format("{}: {}: {} is not finite", source.place(i), vertex->properties[column].name,
+                           row[column]);
       });
   }
   return points.finish();
@@ -288,13 +303,15 @@ PointTable read_vertices(Source source, const Header& header, const std::string&
 
 }  // namespace
 
-PointTable read_ply(std::string_view bytes, const std::string& name, const std::vector<std::string>& columns) {
+PointTable read_ply(std::string_view bytes, const std::string& name,
+                    const std::vector<std::string>& columns) {
   if (bytes.empty()) fail(Errc::bad_format, "{}: the file is empty", name);
   TextCursor at(bytes, name);
   const Header header = parse_header(at);
   if (header.encoding == Encoding::ascii) return read_vertices(AsciiSource(at), header, name, columns);
   const std::string_view data = bytes.substr(static_cast<std::size_t>(at.position() - bytes.data()));
-  return read_vertices(BinarySource(data, name, header.encoding == Encoding::big_endian), header, name, columns);
+  return read_vertices(BinarySource(data, name, header.encoding == Encoding::big_endian), header, name,
+                       columns);
 }
 
 }  // namespace delone::io

@@ -17,7 +17,8 @@ PointTable with_columns(PointTable table, const std::vector<std::string>& wanted
   for (const std::string& one : wanted) {
     const auto number = io::to_count(one);
     if (!number || *number >= width)
-      io::fail(Errc::bad_format, "{}: there is no column {}; the columns are 0 to {}", name, io::in_quotes(one), width - 1);
+      io::fail(Errc::bad_format, "{}: there is no column {}; the columns are 0 to {}", name,
+               io::in_quotes(one), width - 1);
     columns.push_back(static_cast<std::size_t>(*number));
   }
   PointTable out;
@@ -25,15 +26,17 @@ PointTable with_columns(PointTable table, const std::vector<std::string>& wanted
   const std::size_t rows = table.num_points();
   out.coordinates.reserve(rows * columns.size());
   for (std::size_t row = 0; row < rows; ++row)
-    for (const std::size_t column : columns) out.coordinates.push_back(table.coordinates[row * width + column]);
+    for (const std::size_t column : columns)
+      out.coordinates.push_back(table.coordinates[row * width + column]);
   return out;
 }
 
 }  // namespace
 
 PointTable read_points(const std::string& path, const ReadOptions& options) {
-  const std::string format = io::choose_format(
-      path, options.format, "qhull", {"npy", "csv", "tsv", "txt", "xyz", "pts", "off", "ply", "qhull"}, "reading points");
+  const std::string format =
+      io::choose_format(path, options.format, "qhull",
+                        {"npy", "csv", "tsv", "txt", "xyz", "pts", "off", "ply", "qhull"}, "reading points");
   const std::string name = io::input_name(path);
   return io::guarded(name, [&] {
     const io::Bytes file = io::read_all(path);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The readers of points, one per family of formats. They get the bytes of a file and its name for messages, and throw Error.
+// The readers of points, one per family of formats. They get the bytes of a file and its name for messages,
+// and throw Error.
 #pragma once
 
 #include <delone/io.hpp>

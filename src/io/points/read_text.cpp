@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Tables of text: csv and tsv with an optional header and quotes, white space separated rows, and Qhull's form. One pass
-// over the text, numbers are parsed in place; only fields that are asked for are looked at.
+// Tables of text: csv and tsv with an optional header and quotes, white space separated rows, and Qhull's
+// form. One pass over the text, numbers are parsed in place; only fields that are asked for are looked at.
 #include "io/collect.hpp"
 #include "io/file.hpp"
 #include "io/points/read_points.hpp"
@@ -26,16 +26,17 @@ std::vector<std::size_t> select(const std::vector<std::string>& wanted, const st
     if (found != names.end()) {
       const auto again = std::find(found + 1, names.end(), one);
       if (again != names.end())
-        fail(Errc::bad_format, "{}: columns {} and {} are both named {}; choose by number", name, found - names.begin(),
-             again - names.begin(), in_quotes(one));
+        fail(Errc::bad_format, "{}: columns {} and {} are both named {}; choose by number", name,
+             found - names.begin(), again - names.begin(), in_quotes(one));
       columns.push_back(static_cast<std::size_t>(found - names.begin()));
     } else if (const auto number = to_count(one); number && *number < width) {
       columns.push_back(static_cast<std::size_t>(*number));
     } else if (names.empty()) {
-      fail(Errc::bad_format, "{}: there is no column {}; there is no header, the columns are 0 to {}", name, in_quotes(one),
-           width - 1);
+      fail(Errc::bad_format, "{}: there is no column {}; there is no header, the columns are 0 to {}", name,
+           in_quotes(one), width - 1);
     } else {
-      fail(Errc::bad_format, "{}: there is no column {}; the columns are {}", name, in_quotes(one), joined(names));
+      fail(Errc::bad_format, "{}: there is no column {}; the columns are {}", name, in_quotes(one),
+           joined(names));
     }
   }
   return columns;
@@ -50,7 +51,8 @@ std::string_view trimmed(std::string_view text) {
 /// Reads csv and tsv.
 class DelimitedReader {
  public:
-  DelimitedReader(std::string_view text, const std::string& name, char delimiter, const std::vector<std::string>& wanted)
+  DelimitedReader(std::string_view text, const std::string& name, char delimiter,
+                  const std::vector<std::string>& wanted)
       : at_(text, name), delimiter_(delimiter), wanted_(wanted) {}
 
   PointTable read() {
@@ -84,7 +86,8 @@ class DelimitedReader {
     }
   }
 
-  /// The field at the cursor as text, without quotes or spaces around it; leaves the cursor at a delimiter or line end.
+  /// The field at the cursor as text, without quotes or spaces around it; leaves the cursor at a delimiter or
+  /// line end.
   std::string field() {
     skip_spaces();
     std::string text;
@@ -130,8 +133,8 @@ class DelimitedReader {
     return true;
   }
 
-  /// The first line gives the number of columns, and their names if any field is text. A line of numbers with empty fields
-  /// is a faulty row rather than a header.
+  /// The first line gives the number of columns, and their names if any field is text. A line of numbers with
+  /// empty fields is a faulty row rather than a header.
   void read_header() {
     const TextCursor start = at_;
     std::vector<std::string> fields;
@@ -165,7 +168,8 @@ class DelimitedReader {
       at_.move_to(stop);
       skip_spaces();
       if (at_field_end()) {
-        if (!std::isfinite(value)) note_not_finite(column, row_line, {start, static_cast<std::size_t>(stop - start)});
+        if (!std::isfinite(value))
+          note_not_finite(column, row_line, {start, static_cast<std::size_t>(stop - start)});
         return value;
       }
       at_.move_to(start);
@@ -174,7 +178,8 @@ class DelimitedReader {
     const std::string_view number_text = trimmed(text);
     if (number_text.empty()) fail(Errc::bad_format, "{}: the field is empty", field_place(column, row_line));
     const auto number = to_number(number_text);
-    if (!number) fail(Errc::bad_format, "{}: {} is not a number", field_place(column, row_line), in_quotes(text));
+    if (!number)
+      fail(Errc::bad_format, "{}: {} is not a number", field_place(column, row_line), in_quotes(text));
     if (!std::isfinite(*number)) note_not_finite(column, row_line, number_text);
     return *number;
   }
@@ -201,8 +206,8 @@ class DelimitedReader {
       ++found;
     } while (next_field());
     if (found != width_)
-      fail(Errc::bad_format, "{}:{}: expected {} field{}, found {}", at_.name(), row_line, width_, width_ == 1 ? "" : "s",
-           found);
+      fail(Errc::bad_format, "{}:{}: expected {} field{}, found {}", at_.name(), row_line, width_,
+           width_ == 1 ? "" : "s", found);
     at_.take_line_end();
     for (std::size_t column : columns_) points_.add(row_[column], [&] { return not_finite_; });
   }
@@ -249,7 +254,8 @@ PointTable read_white_space(std::string_view bytes, const std::string& name) {
       points.table.dimension = static_cast<int>(width);
     }
     if (found != width)
-      fail(Errc::bad_format, "{}: expected {} number{}, found {}", at.place(), width, width == 1 ? "" : "s", found);
+      fail(Errc::bad_format, "{}: expected {} number{}, found {}", at.place(), width, width == 1 ? "" : "s",
+           found);
   }
   return points.finish();
 }
@@ -264,19 +270,20 @@ PointTable read_qhull(std::string_view bytes, const std::string& name) {
   const std::uint64_t count = at.count("the number of points", std::numeric_limits<std::uint64_t>::max());
   // Each number takes two bytes at least: what the file cannot hold is never allocated.
   const std::size_t most = at.remaining() / 2 + 1;
-  if (count <= most / dimension) points.table.coordinates.reserve(static_cast<std::size_t>(count) * dimension);
+  if (count <= most / dimension)
+    points.table.coordinates.reserve(static_cast<std::size_t>(count) * dimension);
   for (std::uint64_t row = 0; row < count; ++row) {
     for (std::size_t column = 0; column < dimension; ++column) {
       if (!at.find_content())
-        fail(Errc::bad_format, "{}: expected {} points of {} coordinates, the file ends after {} numbers", at.place(), count,
-             dimension, points.table.coordinates.size());
+        fail(Errc::bad_format, "{}: expected {} points of {} coordinates, the file ends after {} numbers",
+             at.place(), count, dimension, points.table.coordinates.size());
       const char* start = at.position();
       points.add(at.number("a coordinate"), [&] { return place_of_value(at, column, start); });
     }
   }
   if (at.find_content())
-    fail(Errc::bad_format, "{}: expected {} points of {} coordinates, but more follows: {}", at.place(), count, dimension,
-         in_quotes(at.token()));
+    fail(Errc::bad_format, "{}: expected {} points of {} coordinates, but more follows: {}", at.place(),
+         count, dimension, in_quotes(at.token()));
   return points.finish();
 }
 

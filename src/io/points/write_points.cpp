@@ -15,9 +15,12 @@ namespace delone {
 
 namespace {
 
-/// The names as a header line. Left out when every one of them is a number or empty: the line would be read as a point.
+/// The names as a header line. Left out when every one of them is a number or empty: the line would be read
+/// as a point.
 void write_header(io::AtomicFile& file, const std::vector<std::string>& names, char delimiter) {
-  if (std::all_of(names.begin(), names.end(), [](const auto& n) { return n.empty() || io::to_number(n).has_value(); })) return;
+  if (std::all_of(names.begin(), names.end(),
+                  [](const auto& n) { return n.empty() || io::to_number(n).has_value(); }))
+    return;
   for (std::size_t i = 0; i < names.size(); ++i) {
     if (i > 0) file.put(delimiter);
     const std::string& name = names[i];
@@ -48,15 +51,17 @@ void write_rows(io::AtomicFile& file, const PointTable& points, char delimiter) 
 }  // namespace
 
 void write_points(const std::string& path, const PointTable& points, const std::string& format) {
-  const std::string chosen =
-      io::choose_format(path, format, "qhull", {"npy", "csv", "tsv", "txt", "xyz", "pts", "off", "qhull"}, "writing points");
+  const std::string chosen = io::choose_format(
+      path, format, "qhull", {"npy", "csv", "tsv", "txt", "xyz", "pts", "off", "qhull"}, "writing points");
   io::guarded(path, [&] {
     if (path == "-" && chosen == "npy")
       io::fail(Errc::unsupported, "format 'npy' is binary and is not written to standard output");
-    if (points.dimension < 1) io::fail(Errc::bad_dimension, "{}: cannot write: the dimension is {}", path, points.dimension);
+    if (points.dimension < 1)
+      io::fail(Errc::bad_dimension, "{}: cannot write: the dimension is {}", path, points.dimension);
     const auto dimension = static_cast<std::size_t>(points.dimension);
     if (points.coordinates.size() % dimension != 0)
-      io::fail(Errc::invalid_argument, "{}: cannot write: the coordinates are no multiple of the dimension", path);
+      io::fail(Errc::invalid_argument, "{}: cannot write: the coordinates are no multiple of the dimension",
+               path);
     io::require_finite(points.coordinates, points.dimension, path);
     io::AtomicFile file(path);
     const std::size_t n = points.num_points();

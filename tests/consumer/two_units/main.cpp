@@ -12,6 +12,7 @@ int main() {
   const std::vector<std::array<double, 2>> square = {{0, 0}, {1, 0}, {0, 1}, {1, 1}};
   const delone::Delaunay<2> t(square);
   const std::size_t other = cells_of_the_other_unit({0, 0, 1, 0, 0, 1, 1, 1}, 2);
-  std::printf("delone %s: %zu and %zu triangles\n", DELONE_VERSION, static_cast<std::size_t>(t.num_finite_cells()), other);
+  std::printf("delone %s: %zu and %zu triangles\n", DELONE_VERSION,
+              static_cast<std::size_t>(t.num_finite_cells()), other);
   return t.num_finite_cells() == 2 && other == 2 ? 0 : 1;
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// check() on damaged complexes: every level must be seen to fail, with the right cells and points, and on sound complexes that
-// other programs might write. The sound ones come from brute force, so nothing here depends on the engine.
+// check() on damaged complexes: every level must be seen to fail, with the right cells and points, and on
+// sound complexes that other programs might write. The sound ones come from brute force, so nothing here
+// depends on the engine.
 #include <delone/check.hpp>
 
 #include "brute_force.hpp"
@@ -35,10 +36,14 @@ void expect_failure(const ComplexData& data, CheckLevel level, const char* messa
 }
 
 // A few points in general position in R^d and their Delaunay triangulation.
-ComplexData sound(int d, std::size_t n = 9) { return test::BruteForce(make_point_set("uniform", d, n, 3), d).to_data(); }
+ComplexData sound(int d, std::size_t n = 9) {
+  return test::BruteForce(make_point_set("uniform", d, n, 3), d).to_data();
+}
 
 // A square with its center: cells around point 4.
-ComplexData square() { return {2, 2, {0, 0, 2, 0, 2, 2, 0, 2, 1, 1}, {0, 1, 4, 1, 2, 4, 2, 3, 4, 3, 0, 4}, {}, {}}; }
+ComplexData square() {
+  return {2, 2, {0, 0, 2, 0, 2, 2, 0, 2, 1, 1}, {0, 1, 4, 1, 2, 4, 2, 3, 4, 3, 0, 4}, {}, {}};
+}
 
 // The neighbors of the cells, by comparing all pairs.
 void add_neighbors(ComplexData& data) {
@@ -55,7 +60,8 @@ void add_neighbors(ComplexData& data) {
     for (std::size_t b = 0; b < data.num_cells(); ++b)
       for (std::size_t i = 0; i < corners; ++i)
         for (std::size_t j = 0; j < corners; ++j)
-          if (a != b && facet(a, i) == facet(b, j)) data.neighbors[a * corners + i] = static_cast<SignedIndex>(b);
+          if (a != b && facet(a, i) == facet(b, j))
+            data.neighbors[a * corners + i] = static_cast<SignedIndex>(b);
 }
 
 TEST(Check, SoundComplexesPass) {
@@ -65,7 +71,8 @@ TEST(Check, SoundComplexesPass) {
       EXPECT_TRUE(check_all(data).ok) << set.name << ": " << check_all(data).violation;
       add_neighbors(data);
       data.vertex_of_point.clear();
-      EXPECT_TRUE(check_all(data).ok) << set.name << " with neighbors, duplicates derived: " << check_all(data).violation;
+      EXPECT_TRUE(check_all(data).ok)
+          << set.name << " with neighbors, duplicates derived: " << check_all(data).violation;
     }
 }
 
@@ -97,17 +104,24 @@ TEST(CheckStorage, Damage) {
     return data;
   };
   expect_failure(damaged([](ComplexData& c) { c.dimension = 0; }), CheckLevel::storage, "dimension");
-  expect_failure(damaged([](ComplexData& c) { c.affine_dimension = 4; }), CheckLevel::storage, "affine dimension");
-  expect_failure(damaged([](ComplexData& c) { c.affine_dimension = -1; }), CheckLevel::storage, "affine dimension");
+  expect_failure(damaged([](ComplexData& c) { c.affine_dimension = 4; }), CheckLevel::storage,
+                 "affine dimension");
+  expect_failure(damaged([](ComplexData& c) { c.affine_dimension = -1; }), CheckLevel::storage,
+                 "affine dimension");
   expect_failure(damaged([](ComplexData& c) { c.points.pop_back(); }), CheckLevel::storage, "multiple");
   expect_failure(damaged([](ComplexData& c) { c.cells.pop_back(); }), CheckLevel::storage, "multiple");
   expect_failure(damaged([](ComplexData& c) { c.neighbors.pop_back(); }), CheckLevel::storage, "neighbors");
-  expect_failure(damaged([](ComplexData& c) { c.vertex_of_point.pop_back(); }), CheckLevel::storage, "vertex_of_point");
-  expect_failure(damaged([](ComplexData& c) { c.cells[5] = 9; }), CheckLevel::storage, "cell 1 has the vertex 9");
-  expect_failure(damaged([](ComplexData& c) { c.cells[5] = -1; }), CheckLevel::storage, "cell 1 has the vertex -1");
+  expect_failure(damaged([](ComplexData& c) { c.vertex_of_point.pop_back(); }), CheckLevel::storage,
+                 "vertex_of_point");
+  expect_failure(damaged([](ComplexData& c) { c.cells[5] = 9; }), CheckLevel::storage,
+                 "cell 1 has the vertex 9");
+  expect_failure(damaged([](ComplexData& c) { c.cells[5] = -1; }), CheckLevel::storage,
+                 "cell 1 has the vertex -1");
   expect_failure(damaged([](ComplexData& c) { c.cells[5] = c.cells[7]; }), CheckLevel::storage, "twice");
-  expect_failure(damaged([](ComplexData& c) { c.neighbors[5] = 1000; }), CheckLevel::storage, "neighbor 1 of cell 1");
-  expect_failure(damaged([](ComplexData& c) { c.neighbors[5] = -2; }), CheckLevel::storage, "neighbor 1 of cell 1");
+  expect_failure(damaged([](ComplexData& c) { c.neighbors[5] = 1000; }), CheckLevel::storage,
+                 "neighbor 1 of cell 1");
+  expect_failure(damaged([](ComplexData& c) { c.neighbors[5] = -2; }), CheckLevel::storage,
+                 "neighbor 1 of cell 1");
   expect_failure(damaged([](ComplexData& c) { c.vertex_of_point[2] = 9; }), CheckLevel::storage, "point 2");
   expect_failure(damaged([](ComplexData& c) { c.points[7] = std::nan(""); }), CheckLevel::storage, "point 2");
   expect_failure(damaged([](ComplexData& c) {
@@ -151,26 +165,30 @@ TEST(CheckIncidence, OrientationMatters) {
 
 TEST(CheckSphere, TwoPieces) {
   // Two triangles far apart, and two that share a vertex only.
-  expect_failure({2, 2, {0, 0, 1, 0, 0, 1, 5, 5, 6, 5, 5, 6}, {0, 1, 2, 3, 4, 5}, {}, {}}, CheckLevel::sphere, "falls apart");
+  expect_failure({2, 2, {0, 0, 1, 0, 0, 1, 5, 5, 6, 5, 5, 6}, {0, 1, 2, 3, 4, 5}, {}, {}}, CheckLevel::sphere,
+                 "falls apart");
   expect_failure({2, 2, {0, 0, 1, 0, 0, 1, -1, 0, 0, -1}, {0, 1, 2, 0, 3, 4}, {}, {}}, CheckLevel::sphere,
                  "share the ridge {0}");
 }
 
 TEST(CheckSphere, ARingHasAHole) {
   // Six triangles around a triangular hole: two closed curves of hull edges.
-  const ComplexData ring{2,  2, {0, 0, 9, 0, 0, 9, 2, 2, 4, 2, 2, 4}, {0, 1, 4, 0, 4, 3, 1, 2, 5, 1, 5, 4, 2, 0, 3, 2, 3, 5},
-                         {}, {}};
+  const ComplexData ring{
+      2,  2, {0, 0, 9, 0, 0, 9, 2, 2, 4, 2, 2, 4}, {0, 1, 4, 0, 4, 3, 1, 2, 5, 1, 5, 4, 2, 0, 3, 2, 3, 5},
+      {}, {}};
   expect_failure(ring, CheckLevel::sphere, "hull falls apart");
 }
 
 TEST(CheckSphere, ClosedSurfaceHasNoHull) {
-  const ComplexData tetrahedron{3, 2, {0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1}, {0, 2, 1, 0, 1, 3, 1, 2, 3, 0, 3, 2}, {}, {}};
+  const ComplexData tetrahedron{
+      3, 2, {0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1}, {0, 2, 1, 0, 1, 3, 1, 2, 3, 0, 3, 2}, {}, {}};
   expect_failure(tetrahedron, CheckLevel::sphere, "no hull");
 }
 
 TEST(CheckSphere, TwoTetrahedraAtAnEdge) {
   // They share the edge {0, 1} and nothing else, so four hull facets meet there.
-  const ComplexData data{3, 3, {0, 0, 0, 0, 0, 1, 1, 0, 0, 0, 1, 0, -1, 0, 0, 0, -1, 0}, {0, 2, 3, 1, 0, 4, 5, 1}, {}, {}};
+  const ComplexData data{
+      3, 3, {0, 0, 0, 0, 0, 1, 1, 0, 0, 0, 1, 0, -1, 0, 0, 0, -1, 0}, {0, 2, 3, 1, 0, 4, 5, 1}, {}, {}};
   expect_failure(data, CheckLevel::sphere, "share the ridge {0, 1}");
 }
 
@@ -180,10 +198,12 @@ TEST(CheckSphere, ASolidTorusIsNoBall) {
   constexpr SignedIndex length = 5;
   for (SignedIndex i = 0; i < length; ++i)
     for (int j = 0; j < 3; ++j)
-      data.points.insert(data.points.end(), {static_cast<double>(i), static_cast<double>(j), static_cast<double>(i * j)});
+      data.points.insert(data.points.end(),
+                         {static_cast<double>(i), static_cast<double>(j), static_cast<double>(i * j)});
   for (SignedIndex i = 0; i < length; ++i) {
     const SignedIndex a = 3 * i, b = 3 * ((i + 1) % length);
-    for (const auto& cell : {std::vector{a, a + 1, a + 2, b + 2}, {a, a + 1, b + 1, b + 2}, {a, b, b + 1, b + 2}})
+    for (const auto& cell :
+         {std::vector{a, a + 1, a + 2, b + 2}, {a, a + 1, b + 1, b + 2}, {a, b, b + 1, b + 2}})
       data.cells.insert(data.cells.end(), cell.begin(), cell.end());
   }
   CheckOptions options;
@@ -260,9 +280,9 @@ TEST(CheckLocalConvexity, HullWithADent) {
 }
 
 TEST(CheckLocalConvexity, WoundTwiceAroundAVertex) {
-  // A disk of triangles that turns twice around point 0. Everywhere it looks like a Delaunay triangulation with a convex
-  // hull, and it has the topology of one; only the cover is double. Eight places on a circle, each visited twice, the second
-  // time by other rows.
+  // A disk of triangles that turns twice around point 0. Everywhere it looks like a Delaunay triangulation
+  // with a convex hull, and it has the topology of one; only the cover is double. Eight places on a circle,
+  // each visited twice, the second time by other rows.
   ComplexData data{2, 2, {0, 0}, {}, {}, {}};
   const double around[8][2] = {{5, 0}, {4, 3}, {0, 5}, {-3, 4}, {-5, 0}, {-4, -3}, {0, -5}, {3, -4}};
   for (SignedIndex i = 0; i < 16; ++i) {
@@ -288,7 +308,8 @@ TEST(CheckCompleteness, PointsWithoutAVertex) {
   data.vertex_of_point[4] = 5;
   expect_failure(data, CheckLevel::completeness, "no cell has that");
   data.vertex_of_point[4] = 3;
-  expect_failure(data, CheckLevel::completeness, "point 4 is a vertex of a cell, but was merged into point 3");
+  expect_failure(data, CheckLevel::completeness,
+                 "point 4 is a vertex of a cell, but was merged into point 3");
 }
 
 TEST(CheckCompleteness, AffineDimension) {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The traversals of the read-only complex against plain scans over all cells, in every dimension, flat ones included.
+// The traversals of the read-only complex against plain scans over all cells, in every dimension, flat ones
+// included.
 #include <delone/complex.hpp>
 #include <delone/delaunay.hpp>
 #include <delone/error.hpp>
@@ -16,7 +17,9 @@ namespace {
 class ComplexOf : public ::testing::TestWithParam<std::pair<int, int>> {  // affine dimension, dimension
  protected:
   ComplexOf()
-      : triangulation_(make_points(), GetParam().second), complex_(triangulation_.complex()), k_(complex_.dimension()) {}
+      : triangulation_(make_points(), GetParam().second),
+        complex_(triangulation_.complex()),
+        k_(complex_.dimension()) {}
 
   static std::vector<double> make_points() {
     const auto [k, d] = GetParam();
@@ -36,8 +39,9 @@ class ComplexOf : public ::testing::TestWithParam<std::pair<int, int>> {  // aff
   int k_;
 };
 INSTANTIATE_TEST_SUITE_P(Dimensions, ComplexOf,
-                         ::testing::Values(std::pair{-1, 2}, std::pair{0, 3}, std::pair{1, 1}, std::pair{1, 3}, std::pair{2, 2},
-                                           std::pair{2, 4}, std::pair{3, 3}, std::pair{4, 4}, std::pair{5, 6}));
+                         ::testing::Values(std::pair{-1, 2}, std::pair{0, 3}, std::pair{1, 1},
+                                           std::pair{1, 3}, std::pair{2, 2}, std::pair{2, 4}, std::pair{3, 3},
+                                           std::pair{4, 4}, std::pair{5, 6}));
 
 TEST_P(ComplexOf, CountsAndRangesAgree) {
   ASSERT_EQ(k_, GetParam().first);
@@ -88,7 +92,8 @@ TEST_P(ComplexOf, StarsLinksAndAdjacentVertices) {
     EXPECT_EQ(std::set<CellId>(star.begin(), star.end()), expected);
     EXPECT_TRUE(expected.contains(complex_.incident_cell(vertex)));
     EXPECT_EQ(complex_.adjacent_vertices(vertex), std::vector<VertexId>(adjacent.begin(), adjacent.end()));
-    for (const Facet& facet : complex_.link(vertex)) EXPECT_EQ(complex_.vertex(facet.cell, facet.opposite), vertex);
+    for (const Facet& facet : complex_.link(vertex))
+      EXPECT_EQ(complex_.vertex(facet.cell, facet.opposite), vertex);
     EXPECT_EQ(complex_.link(vertex).size(), star.size());
   }
 }
@@ -140,7 +145,8 @@ TEST_P(ComplexOf, FacesAreAllSubsets) {
 }
 
 TEST(CanonicalHashText, IsThirtyTwoDigits) {
-  EXPECT_EQ((CanonicalHash{0x0123456789abcdefu, 0xfedcba9876543210u}).hex(), "0123456789abcdeffedcba9876543210");
+  EXPECT_EQ((CanonicalHash{0x0123456789abcdefu, 0xfedcba9876543210u}).hex(),
+            "0123456789abcdeffedcba9876543210");
   EXPECT_EQ((CanonicalHash{0, 1}).hex(), "00000000000000000000000000000001");
   // Ids in arrays that hold no points cannot be hashed.
   EXPECT_THROW(canonical_hash({2, 2, {}, {0, 1, 2}, {}, {}}), Error);

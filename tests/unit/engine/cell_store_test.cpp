@@ -63,7 +63,9 @@ TEST(CellStore, DimensionsAtRunTimeHaveTheSameLayout) {
 }
 
 /// What a test writes to cells: nothing of one is in its neighbors.
-Index test_vertex(Index cell, int i) { return last_narrow_vertex - 10 * (cell % 6000) - static_cast<Index>(i); }
+Index test_vertex(Index cell, int i) {
+  return last_narrow_vertex - 10 * (cell % 6000) - static_cast<Index>(i);
+}
 template <int K>
 void fill(CellMemory<K>& memory, CellStore<K>& cells, Index cell) {
   for (int i = 0; i <= K; ++i) {
@@ -150,13 +152,15 @@ TEST(CellMemory, PartsOfCellsAreApartFromThoseOfOthersAndStayAsMemoryGrowsAndIsC
       for (Index i = 0; i < 2 * n; ++i) memory.links(cell)[i] = 100 * cell + i;
     memory.reserve(count);
     for (Index cell = 0; cell < count; ++cell) {
-      for (std::size_t i = 0; i < n; ++i) memory.records().functional(cell)[i] = static_cast<double>(100 * cell + i);
+      for (std::size_t i = 0; i < n; ++i)
+        memory.records().functional(cell)[i] = static_cast<double>(100 * cell + i);
       *memory.records().certificate(cell) = -1.0 * cell;
     }
     const auto expect_all = [&](const CellMemory<0>& of) {
       for (Index cell = 0; cell < count; ++cell) {
         for (Index i = 0; i < 2 * n; ++i) ASSERT_EQ(of.links(cell)[i], 100 * cell + i);
-        for (std::size_t i = 0; i < n; ++i) ASSERT_EQ(of.records().functional(cell)[i], static_cast<double>(100 * cell + i));
+        for (std::size_t i = 0; i < n; ++i)
+          ASSERT_EQ(of.records().functional(cell)[i], static_cast<double>(100 * cell + i));
         ASSERT_EQ(*of.records().certificate(cell), -1.0 * cell);
       }
     };
@@ -223,7 +227,8 @@ TEST(PriceOfLargePages, DearPagesAreSoonTooMuchForAll) {
 }
 
 TEST(GrowableArray, KeepsEntriesAcrossHeapAndMappedMemory) {
-  for (const auto& [is_prepared, pages] : {std::pair{false, Pages::usual}, {true, Pages::usual}, {true, Pages::large}}) {
+  for (const auto& [is_prepared, pages] :
+       {std::pair{false, Pages::usual}, {true, Pages::usual}, {true, Pages::large}}) {
     GrowableArray<Index> array(pages);
     std::size_t filled = 0;
     for (std::size_t size = 10; size < 20'000'000; size = size * 5 / 2) {

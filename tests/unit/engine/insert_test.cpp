@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// An insertion that runs out of memory changes nothing, and leaves no star that a later one could start from. The cells of a
-// star are where those were that it replaces.
+// An insertion that runs out of memory changes nothing, and leaves no star that a later one could start from.
+// The cells of a star are where those were that it replaces.
 #include "engine/build.hpp"
 #include "engine/seed.hpp"
 #include "geometry/delaunay_geometry.hpp"
@@ -23,7 +23,8 @@ struct FailingGeometry : geometry::DelaunayGeometry<2> {
     if (fails) throw std::bad_alloc();
     DelaunayGeometry::reserve_star(v, facets);
   }
-  void perturbed_sides(std::span<const Index* const> tied, const Query& q, Sign* sides, StageCounts& counts) const {
+  void perturbed_sides(std::span<const Index* const> tied, const Query& q, Sign* sides,
+                       StageCounts& counts) const {
     if (fails_at_ties) throw std::bad_alloc();
     DelaunayGeometry::perturbed_sides(tied, q, sides, counts);
   }
@@ -69,10 +70,11 @@ TEST(Insert, ThatFailsLeavesNoStarAndNoMarks) {
   EXPECT_EQ(insert_from(start, 6), 6u);
 }
 
-/// Inserts the points of a grid in an order that is none; on a grid, horizons are not found in the order of the zone.
+/// Inserts the points of a grid in an order that is none; on a grid, horizons are not found in the order of
+/// the zone.
 TEST(Insert, PutsCellsWhereThoseWereThatTheyAreMadeFrom) {
   constexpr Index side = 5, num_points = side * side * side;
-  std::vector<double> points{0, 0, 0};                                               // that of vertex 0 is a dummy
+  std::vector<double> points{0, 0, 0};  // that of vertex 0 is a dummy
   for (const Index i : {0u, side - 1, side * (side - 1), side * side * (side - 1)})  // a simplex first
     for (const Index x : {i % side, i / side % side, i / side / side}) points.push_back(x);
   for (Index j = 0; j < num_points; ++j) {
@@ -85,7 +87,8 @@ TEST(Insert, PutsCellsWhereThoseWereThatTheyAreMadeFrom) {
   CellMemory<3> memory(3);
   CellStore<3> cells(memory);
   const double last = side - 1;
-  geometry::DelaunayGeometry<3> geometry(memory, {0, 1, 2}, 3, points, grid, geometry::Frame({0, 0, 0}, {last, last, last}));
+  geometry::DelaunayGeometry<3> geometry(memory, {0, 1, 2}, 3, points, grid,
+                                         geometry::Frame({0, 0, 0}, {last, last, last}));
   geometry.set_rows(num_points);
   std::vector<Index> simplex{1, 2, 3, 4};
   if (geometry.orientation(simplex.data()) == Sign::negative) std::swap(simplex[0], simplex[1]);
@@ -115,7 +118,8 @@ TEST(Insert, PutsCellsWhereThoseWereThatTheyAreMadeFrom) {
     EXPECT_EQ(cells.num_cells(), slots - vacant - num_dead + num_created);
     EXPECT_EQ(cells.num_slots(), std::max(slots, slots - vacant - num_dead + num_created));
     for (Index cell = 0; cell < cells.num_slots(); ++cell)
-      EXPECT_EQ(cells.is_vacant(cell), !created.contains(cell) && (!before.contains(cell) || dead.contains(cell)));
+      EXPECT_EQ(cells.is_vacant(cell),
+                !created.contains(cell) && (!before.contains(cell) || dead.contains(cell)));
   }
 }
 

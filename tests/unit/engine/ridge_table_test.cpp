@@ -2,11 +2,11 @@
 // The ridges of a star: linking by hash gives what rotating about every ridge gives.
 #include "engine/ridge_table.hpp"
 
+#include "base/random.hpp"
 #include "engine/build.hpp"
 #include "engine/seed.hpp"
 #include "geometry/delaunay_geometry.hpp"
 #include "kernel/predicates.hpp"
-#include "base/random.hpp"
 #include "scale.hpp"
 
 #include <gtest/gtest.h>
@@ -22,8 +22,9 @@
 namespace delone::engine {
 namespace {
 
-/// Of each cell the vertices, and those across, after the insertion of points one by one, ridges hashed `rounds` times.
-/// Vertices are the ids after `unused`, which says nothing of them here, and kept as `ids` at first.
+/// Of each cell the vertices, and those across, after the insertion of points one by one, ridges hashed
+/// `rounds` times. Vertices are the ids after `unused`, which says nothing of them here, and kept as `ids` at
+/// first.
 template <int K>
 std::vector<std::vector<Index>> links(Index n, double grid_size, int rounds, VertexIds ids = VertexIds::wide,
                                       Index unused = 0) {
@@ -43,8 +44,9 @@ std::vector<std::vector<Index>> links(Index n, double grid_size, int rounds, Ver
   std::iota(axes.begin(), axes.end(), 0);
   CellMemory<K> memory(K, ids);
   CellStore<K> cells(memory);
-  geometry::DelaunayGeometry<K> geometry(memory, axes, K, points, grid,
-                                         {std::vector<double>(K, 0.0), std::vector<double>(K, std::max(1.0, grid_size))});
+  geometry::DelaunayGeometry<K> geometry(
+      memory, axes, K, points, grid,
+      {std::vector<double>(K, 0.0), std::vector<double>(K, std::max(1.0, grid_size))});
   geometry.set_rows(unused + n);
   if (geometry.orientation(simplex.data()) == Sign::negative) std::swap(simplex[0], simplex[1]);
   seed(cells, geometry, simplex);
@@ -87,7 +89,8 @@ void expect_hashing_finds_what_rotation_finds(Index n, double grid_size) {
     EXPECT_EQ(by_rotation, links<K>(n, grid_size, 6, VertexIds::narrow));
     EXPECT_EQ(by_rotation, links<K>(n, grid_size, 0, VertexIds::narrow));
     EXPECT_EQ(by_rotation, links<K>(n, grid_size, 6, VertexIds::narrow, last_narrow_vertex - n));
-    EXPECT_EQ(by_rotation, links<K>(n, grid_size, 6, VertexIds::narrow, last_narrow_vertex - n / 2));  // they are made wide
+    EXPECT_EQ(by_rotation, links<K>(n, grid_size, 6, VertexIds::narrow,
+                                    last_narrow_vertex - n / 2));  // they are made wide
   }
 }
 
@@ -127,10 +130,11 @@ TEST(RidgeTable, TellsApartRidgesWithTheSameHash) {
   std::vector<std::pair<std::uint32_t, Index>> by_hash;
   for (std::uint32_t f = 0; f < num_edges; ++f) by_hash.push_back({hashes[f * halves + 3], 2 * f + 2});
   std::sort(by_hash.begin(), by_hash.end());
-  const auto same =
-      std::adjacent_find(by_hash.begin(), by_hash.end(), [](const auto& a, const auto& b) { return a.first == b.first; });
+  const auto same = std::adjacent_find(by_hash.begin(), by_hash.end(),
+                                       [](const auto& a, const auto& b) { return a.first == b.first; });
   ASSERT_NE(same, by_hash.end());
-  const Index a = same[0].second, c = same[1].second, b = a + 1, d = c + 1, top = 2 * num_edges + 2, bottom = top + 1;
+  const Index a = same[0].second, c = same[1].second, b = a + 1, d = c + 1, top = 2 * num_edges + 2,
+              bottom = top + 1;
   // The star over an octahedron, whose edges ab and cd are opposite.
   const Index equator[] = {a, b, c, d};
   facets.resize(8);
@@ -139,7 +143,8 @@ TEST(RidgeTable, TellsApartRidgesWithTheSameHash) {
     std::copy_n(vertices, k + 1, cells.wide_vertices(facets[f].created));
   }
   for (const int rounds : {1, 6}) {
-    for (const HorizonFacet& facet : facets) std::fill_n(cells.neighbors(facet.created), k + 1, invalid_index);
+    for (const HorizonFacet& facet : facets)
+      std::fill_n(cells.neighbors(facet.created), k + 1, invalid_index);
     RidgeTable ridges(rounds);
     ridges.reserve(facets.size(), k);
     ridges.hash(cells, facets, 0, facets.size());
@@ -155,7 +160,8 @@ TEST(RidgeTable, TellsApartRidgesWithTheSameHash) {
 
 // More half-ridges in a star than half of the bits of an entry can number.
 TEST(RidgeTable, FindsWhatRotationFindsInLargeStars) {
-  expect_hashing_finds_what_rotation_finds<7>(static_cast<Index>(std::max<std::size_t>(test::scaled_count(150), 40)), 0);
+  expect_hashing_finds_what_rotation_finds<7>(
+      static_cast<Index>(std::max<std::size_t>(test::scaled_count(150), 40)), 0);
 }
 
 }  // namespace

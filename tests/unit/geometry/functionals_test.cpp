@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The filter never lies: cached functionals of real triangulations, made by elimination and by the pencil, against exact signs
-// and exact values, far from their cells as well as near.
+// The filter never lies: cached functionals of real triangulations, made by elimination and by the pencil,
+// against exact signs and exact values, far from their cells as well as near.
 #include "brute_force.hpp"
 #include "engine/build.hpp"
 #include "engine/seed.hpp"
@@ -73,8 +73,8 @@ struct Built {
   Index num_vertices = 0;
 };
 
-/// Pairs of a cell and a vertex that is not its own: what the filter says must be the exact sign, zero included. Returns how
-/// often it says something.
+/// Pairs of a cell and a vertex that is not its own: what the filter says must be the exact sign, zero
+/// included. Returns how often it says something.
 template <int K>
 double expect_certified_signs_are_right(const char* kind, std::size_t n, std::size_t pairs) {
   SCOPED_TRACE(testing::Message() << kind << " in dimension " << K);
@@ -131,7 +131,8 @@ TEST(Filter, ProvesTheTiesOfLattices) {
 
 using Rational = boost::multiprecision::cpp_rational;
 
-/// The power of x with respect to the sphere through the vertices: x's height above the hyperplane of the lifted vertices.
+/// The power of x with respect to the sphere through the vertices: x's height above the hyperplane of the
+/// lifted vertices.
 template <int K>
 Rational power(const Built<K>& built, const Index* vertices, const double* x) {
   std::vector<double> rows;
@@ -193,7 +194,8 @@ TEST(Filter, ThresholdsBoundTheTrueError) {
 
 TEST(Certificate, PacksToTheSafeSide) {
   const auto field = [](std::uint64_t packed, int shift) {
-    return static_cast<double>(std::bit_cast<float>(static_cast<std::uint32_t>((packed >> shift & 0x7fff) << 16)));
+    return static_cast<double>(
+        std::bit_cast<float>(static_cast<std::uint32_t>((packed >> shift & 0x7fff) << 16)));
   };
   for (const double x : {1e-30, 1e-12, 0.3, 1.0, 1.0 + 0x1p-30, 7e5, 3e20}) {
     const std::uint64_t packed = certificate::pack(x, x, x, false);

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What is proved by edges holds in exact rational arithmetic, where it is hardest to hold: functionals are as wrong as they may
-// be, with errors at the vertices of such signs that they add up at a query.
+// What is proved by edges holds in exact rational arithmetic, where it is hardest to hold: functionals are as
+// wrong as they may be, with errors at the vertices of such signs that they add up at a query.
 #include "geometry/near_kernel.hpp"
 
+#include "base/random.hpp"
 #include "cells/cell_memory.hpp"
 #include "geometry/certificate.hpp"
-#include "base/random.hpp"
 #include "scale.hpp"
 
 #include <gtest/gtest.h>
@@ -79,8 +79,8 @@ constexpr double evaluation_error = 1.01 * (2 * K + 8) * unit_roundoff;
 template <int K>
 constexpr double bend = 4.01 * K;
 
-/// A simplex, its functional with errors, and the point where they add up. Functionals of infinite cells have the last
-/// coefficient 1, and so may be the opposite of what the order of vertices demands.
+/// A simplex, its functional with errors, and the point where they add up. Functionals of infinite cells have
+/// the last coefficient 1, and so may be the opposite of what the order of vertices demands.
 template <int K>
 struct Cell {
   std::vector<Point<K>> vertices;  ///< finite ones, the apex first
@@ -94,9 +94,11 @@ struct Cell {
 /// Coordinates are multiples of 2^-40, so that images are exact.
 double rounded(double x) { return std::nearbyint(std::ldexp(x, 40)) * 0x1p-40; }
 
-/// The more `flat`, the nearer the vertices are to a plane, by powers of two; `reach`: how far they are from each other.
+/// The more `flat`, the nearer the vertices are to a plane, by powers of two; `reach`: how far they are from
+/// each other.
 template <int K>
-Cell<K> random_cell(random::Generator& generator, const Point<K>& apex, bool infinite, int flat, double reach) {
+Cell<K> random_cell(random::Generator& generator, const Point<K>& apex, bool infinite, int flat,
+                    double reach) {
   const auto in = [&](double low, double high) { return rounded(low + (high - low) * generator.uniform()); };
   for (;;) {
     Cell<K> cell;
@@ -112,7 +114,8 @@ Cell<K> random_cell(random::Generator& generator, const Point<K>& apex, bool inf
       if (flat > 0) on_surface(x);
       cell.vertices.push_back(x);
     }
-    // The functional is determined in all coordinates, or in all but the last, in which it has the coefficient 1.
+    // The functional is determined in all coordinates, or in all but the last, in which it has the
+    // coefficient 1.
     const std::size_t n = cell.vertices.size() - 1;
     std::vector<Vector> edges, rows;
     Vector values;
@@ -152,7 +155,8 @@ Cell<K> random_cell(random::Generator& generator, const Point<K>& apex, bool inf
     if (generator.coin()) {  // near the plane or the sphere
       for (int step = 0; step < 3; ++step) {
         const double value = static_cast<double>(cell.exact.at(cell.worst));
-        const double slope = static_cast<double>(cell.exact.coefficients[K - 1]) + (infinite ? 0 : 2 * cell.worst[K - 1]);
+        const double slope =
+            static_cast<double>(cell.exact.coefficients[K - 1]) + (infinite ? 0 : 2 * cell.worst[K - 1]);
         const double moved = cell.worst[K - 1] - value / slope;
         if (std::fabs(moved) <= 1) cell.worst[K - 1] = moved;
       }
@@ -169,12 +173,14 @@ Cell<K> random_cell(random::Generator& generator, const Point<K>& apex, bool inf
     const Vector change = interpolate(errors);
     cell.cached = cell.exact;
     for (std::size_t r = 0; r <= K; ++r)
-      cell.cached.coefficients[r] = Rational(static_cast<double>(Rational(cell.exact.coefficients[r] + change[r])));
+      cell.cached.coefficients[r] =
+          Rational(static_cast<double>(Rational(cell.exact.coefficients[r] + change[r])));
     return cell;
   }
 }
 
-/// Whether an infinite cell is positively oriented with a point far above in the place of the infinite vertex.
+/// Whether an infinite cell is positively oriented with a point far above in the place of the infinite
+/// vertex.
 template <int K>
 bool is_positive_above(const std::vector<Index>& vertices, const std::vector<double>& rows) {
   std::vector<Vector> edges;
@@ -184,7 +190,8 @@ bool is_positive_above(const std::vector<Index>& vertices, const std::vector<dou
   };
   for (std::size_t i = 1; i < vertices.size(); ++i) {
     edges.emplace_back();
-    for (int r = 0; r < K; ++r) edges.back().push_back(coordinate(vertices[i], r) - coordinate(vertices[0], r));
+    for (int r = 0; r < K; ++r)
+      edges.back().push_back(coordinate(vertices[i], r) - coordinate(vertices[0], r));
   }
   return Inverse(edges).determinant > 0;
 }
@@ -193,7 +200,8 @@ bool is_positive_above(const std::vector<Index>& vertices, const std::vector<dou
 template <int K>
 class Store {
  public:
-  Store(const Point<K>& apex, std::size_t count) : memory_(K, count % 2 == 0 ? VertexIds::narrow : VertexIds::wide) {
+  Store(const Point<K>& apex, std::size_t count)
+      : memory_(K, count % 2 == 0 ? VertexIds::narrow : VertexIds::wide) {
     append(apex);
     memory_.reserve(count);
     memory_.prepare(count);
@@ -208,11 +216,13 @@ class Store {
     return static_cast<Index>(rows_.size() / (K + 1) - 1);
   }
   /// A cell with these vertices, the apex first, in a random order. Returns the order.
-  std::vector<Index> add(random::Generator& generator, const std::vector<Point<K>>& vertices, const Vector& functional) {
+  std::vector<Index> add(random::Generator& generator, const std::vector<Point<K>>& vertices,
+                         const Vector& functional) {
     const auto id = static_cast<Index>(ids_.size());
     ids_.push_back(id);
     is_infinite_.push_back(vertices.size() == K);
-    for (std::size_t r = 0; r <= K; ++r) memory_.records().functional(id)[r] = static_cast<double>(functional[r]);
+    for (std::size_t r = 0; r <= K; ++r)
+      memory_.records().functional(id)[r] = static_cast<double>(functional[r]);
     constexpr double infinity = std::numeric_limits<double>::infinity();
     certify(id, infinity, infinity, 0);
     std::vector<Index> order = {1};
@@ -273,8 +283,8 @@ void expect_proofs(std::uint64_t seed, double& sharpest, double& sharpest_near, 
   for (std::size_t i = 0; i < count; ++i) {
     constexpr int flats[] = {0, 4, 10, 16};
     constexpr double reaches[] = {0x1p-6, 0.5, 2};
-    cells.push_back(
-        random_cell<K>(generator, apex, generator.below(3) == 0, flats[generator.below(4)], reaches[generator.below(3)]));
+    cells.push_back(random_cell<K>(generator, apex, generator.below(3) == 0, flats[generator.below(4)],
+                                   reaches[generator.below(3)]));
   }
 
   Store<K> store(apex, count);
@@ -285,7 +295,9 @@ void expect_proofs(std::uint64_t seed, double& sharpest, double& sharpest_near, 
   }
   const std::vector<EdgeCertificate> certificates = store.certify_by_edges();
 
-  const auto share = [](const Rational& part, double whole) { return static_cast<double>(Rational(part / Rational(whole))); };
+  const auto share = [](const Rational& part, double whole) {
+    return static_cast<double>(Rational(part / Rational(whole)));
+  };
   for (Index id = 0; id < count; ++id) {
     const Cell<K>& cell = cells[id];
     const EdgeCertificate& proved = certificates[id];
@@ -297,7 +309,8 @@ void expect_proofs(std::uint64_t seed, double& sharpest, double& sharpest_near, 
     ASSERT_LE(Rational(proved.determinant), abs(cell.determinant));
     for (const Point<K>& x : cell.vertices) ASSERT_LE(abs(cell.cached.at(x)), Rational(proved.error));
     for (const Cell<K>& other : cells) {
-      const Rational value = cell.cached.at(other.worst), error = abs(Rational(value - cell.exact.at(other.worst)));
+      const Rational value = cell.cached.at(other.worst),
+                     error = abs(Rational(value - cell.exact.at(other.worst)));
       const double growth = 1 + (cell.is_infinite() ? 0 : std::fabs(static_cast<double>(value)) / bend<K>);
       ASSERT_LE(error, Rational(proved.threshold) * Rational(growth)) << "cell " << id;
       sharpest = std::max(sharpest, share(error, proved.threshold * growth));
@@ -341,8 +354,8 @@ TEST(NearKernel, ProofsHoldForTheWorstErrors) {
   expect_sharp_proofs<6>();
 }
 
-/// Every other cell has its vertices at heights of 2^-70 over a plane, where no rounded determinant shows a volume. The other
-/// functionals are wrong.
+/// Every other cell has its vertices at heights of 2^-70 over a plane, where no rounded determinant shows a
+/// volume. The other functionals are wrong.
 template <int K>
 void expect_flat_cells_to_be_final() {
   random::Generator generator(K);
@@ -360,7 +373,8 @@ void expect_flat_cells_to_be_final() {
       cell.vertices.push_back(x);
     }
     cell.cached = {{}, true};
-    for (int r = 0; r <= K; ++r) cell.cached.coefficients.push_back(std::ldexp(generator.uniform(), is_flat ? 65 : 0));
+    for (int r = 0; r <= K; ++r)
+      cell.cached.coefficients.push_back(std::ldexp(generator.uniform(), is_flat ? 65 : 0));
     store.add(generator, cell.vertices, cell.cached.coefficients);
   }
   const std::vector<EdgeCertificate> certificates = store.certify_by_edges();
@@ -369,7 +383,8 @@ void expect_flat_cells_to_be_final() {
     EXPECT_EQ(proved.is_final, id % 2 == 0) << "cell " << id;
     EXPECT_EQ(proved.determinant, 0);
     EXPECT_EQ(proved.threshold, std::numeric_limits<double>::infinity());
-    for (const Point<K>& x : cells[id].vertices) EXPECT_LE(abs(cells[id].cached.at(x)), Rational(proved.error));
+    for (const Point<K>& x : cells[id].vertices)
+      EXPECT_LE(abs(cells[id].cached.at(x)), Rational(proved.error));
   }
 }
 

@@ -1,14 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The pencil's bound holds: |h̃ − h| ≤ its bound in exact rational arithmetic and no certified sign is wrong, for cells of all
-// four kinds (made of finite and infinite cells in all combinations), in full dimension and in flats, with weights and without,
-// and for hulls; on random, lattice and near-degenerate points, thresholds for single queries included.
+// The pencil's bound holds: |h̃ − h| ≤ its bound in exact rational arithmetic and no certified sign is wrong,
+// for cells of all four kinds (made of finite and infinite cells in all combinations), in full dimension and
+// in flats, with weights and without, and for hulls; on random, lattice and near-degenerate points,
+// thresholds for single queries included.
+#include "base/random.hpp"
 #include "brute_force.hpp"
 #include "engine/build.hpp"
 #include "engine/seed.hpp"
 #include "geometry/delaunay_geometry.hpp"
 #include "geometry/hull_geometry.hpp"
 #include "kernel/predicates.hpp"
-#include "base/random.hpp"
 #include "scale.hpp"
 
 #include <delone/types.hpp>
@@ -48,8 +49,8 @@ struct Sample {
 
   std::string name() const {
     static constexpr const char* shapes[] = {"random", "lattice", "nudged lattice", "thin", "surface"};
-    return std::string(shapes[static_cast<int>(shape)]) + (weighted ? ", weighted, " : ", ") + std::to_string(k) +
-           "-flat of R^" + std::to_string(ambient);
+    return std::string(shapes[static_cast<int>(shape)]) + (weighted ? ", weighted, " : ", ") +
+           std::to_string(k) + "-flat of R^" + std::to_string(ambient);
   }
 
   /// One after the other, `ambient` coordinates and the weight if there is one. All are multiples of `unit`.
@@ -67,7 +68,8 @@ struct Sample {
         constexpr std::int64_t spacing = 1 << 24;
         if (shape == Shape::random) {
           x.push_back(below(1 << 26));
-        } else if (shape == Shape::surface) {  // a parabola over the first coordinate: cells are flat, spheres large
+        } else if (shape ==
+                   Shape::surface) {  // a parabola over the first coordinate: cells are flat, spheres large
           x.push_back(i + 1 < k || k == 1 ? below(1 << 26) : x[0] * (x[0] >> 13) >> 14);
         } else if (shape == Shape::thin) {  // the last coordinate is 2^20 times smaller
           x.push_back(below(i + 1 < k ? 1 << 26 : 1 << 6));
@@ -83,13 +85,15 @@ struct Sample {
         x.push_back(sum);
       }
       for (const std::int64_t entry : x) result.push_back(static_cast<double>(entry * unit));
-      if (weighted) result.push_back(static_cast<double>(below(shape == Shape::lattice ? 3 : std::int64_t{1} << 44)));
+      if (weighted)
+        result.push_back(static_cast<double>(below(shape == Shape::lattice ? 3 : std::int64_t{1} << 44)));
     }
     return result;
   }
 };
 
-/// The affine function that vanishes at m given points of R^m, up to a factor: m coefficients and the constant.
+/// The affine function that vanishes at m given points of R^m, up to a factor: m coefficients and the
+/// constant.
 IntegerRow vanishing_at(const std::vector<const IntegerRow*>& points) {
   IntegerRow result;
   for (std::size_t column = 0; column <= points.size(); ++column) {
@@ -124,7 +128,8 @@ struct Recording : Base {
     bool a_infinite = false, b_infinite = false, eliminated = true;
   };
 
-  std::span<const std::uint32_t> create_star(Index v, const typename Base::Query& q, std::span<const HorizonFacet> facets) {
+  std::span<const std::uint32_t> create_star(Index v, const typename Base::Query& q,
+                                             std::span<const HorizonFacet> facets) {
     for (const HorizonFacet& facet : facets) {
       if (origins.size() <= facet.created) origins.resize(2 * (facet.created + 1));
       origins[facet.created] = {this->is_infinite(facet.dead), this->is_infinite(facet.survivor), false};
@@ -141,15 +146,16 @@ struct Recording : Base {
   std::vector<Origin> origins;
 };
 
-/// Compares what the filter says of a cell at a query with the truth: `numerator`/`denominator` is h up to a positive factor,
-/// and h is `scale` times it. `exactly`: also the value, within its bound.
+/// Compares what the filter says of a cell at a query with the truth: `numerator`/`denominator` is h up to a
+/// positive factor, and h is `scale` times it. `exactly`: also the value, within its bound.
 template <class G>
 void expect_right(const G& geometry, const typename G::Query& q, Index cell, const Integer& numerator,
                   const Integer& denominator, double scale, bool exactly, Tally& tally) {
   const auto h = geometry.evaluator(q);
   double threshold;
   geometry.thresholds_at({&cell, 1}, q, &threshold);
-  const double value = h.value(cell), error = threshold < h.threshold(cell) ? threshold : h.error(cell, value);
+  const double value = h.value(cell),
+               error = threshold < h.threshold(cell) ? threshold : h.error(cell, value);
   threshold = std::min(threshold, h.threshold(cell));
   const Sign said = value < -threshold ? Sign::negative : value > threshold ? Sign::positive : Sign::zero;
   ++tally.pairs;
@@ -167,10 +173,11 @@ void expect_right(const G& geometry, const typename G::Query& q, Index cell, con
 
 /// Thresholds for a query do not depend on which cells they are asked for together.
 template <class G>
-void expect_same_thresholds_together(const G& geometry, const typename G::Query& q, const std::vector<Index>& cells,
-                                     random::Generator& generator) {
+void expect_same_thresholds_together(const G& geometry, const typename G::Query& q,
+                                     const std::vector<Index>& cells, random::Generator& generator) {
   for (std::size_t first = 0; first < cells.size();) {
-    const auto some = std::span(cells).subspan(first).first(std::min(cells.size() - first, 1 + generator.below(20)));
+    const auto some =
+        std::span(cells).subspan(first).first(std::min(cells.size() - first, 1 + generator.below(20)));
     std::vector<double> together(some.size());
     geometry.thresholds_at(some, q, together.data());
     for (std::size_t i = 0; i < some.size(); ++i) {
@@ -182,9 +189,10 @@ void expect_same_thresholds_together(const G& geometry, const typename G::Query&
   }
 }
 
-/// The magnitude of the determinant of the edges between corners in the frame, without one coordinate of all, if there is such.
-Rational determinant_of_edges(const std::vector<IntegerRow>& corners, std::size_t left_out, const Frame& frame,
-                              const std::vector<int>& axes) {
+/// The magnitude of the determinant of the edges between corners in the frame, without one coordinate of all,
+/// if there is such.
+Rational determinant_of_edges(const std::vector<IntegerRow>& corners, std::size_t left_out,
+                              const Frame& frame, const std::vector<int>& axes) {
   test::Matrix edges;
   for (std::size_t i = 1; i < corners.size(); ++i) {
     edges.emplace_back();
@@ -203,8 +211,10 @@ void expect_right_triangulation(const Sample& sample, std::uint64_t seed, Tally&
   SCOPED_TRACE(sample.name() + ", seed " + std::to_string(seed));
   random::Generator generator(seed);
   const std::vector<double> all = sample.points(generator);
-  const std::size_t size = static_cast<std::size_t>(sample.ambient) + (sample.weighted ? 1 : 0), n = all.size() / size;
-  std::vector<double> coordinates(size, 0.0), low(all.begin(), all.begin() + static_cast<std::ptrdiff_t>(size)), high = low;
+  const std::size_t size = static_cast<std::size_t>(sample.ambient) + (sample.weighted ? 1 : 0),
+                    n = all.size() / size;
+  std::vector<double> coordinates(size, 0.0),
+      low(all.begin(), all.begin() + static_cast<std::ptrdiff_t>(size)), high = low;
   coordinates.insert(coordinates.end(), all.begin(), all.end());
   kernel::Grid grid(sample.ambient, sample.weighted);
   for (std::size_t i = 0; i < n; ++i) {
@@ -232,7 +242,8 @@ void expect_right_triangulation(const Sample& sample, std::uint64_t seed, Tally&
   engine::Effort effort;
   Index start = 0;
   for (const Index v : others) {
-    const Index at = engine::insert(cells, geometry, v, geometry.make_query(geometry.point(v)), start, work, effort);
+    const Index at =
+        engine::insert(cells, geometry, v, geometry.make_query(geometry.point(v)), start, work, effort);
     start = at == v ? work.star().back().created : work.last_cell;
   }
 
@@ -263,7 +274,8 @@ void expect_right_triangulation(const Sample& sample, std::uint64_t seed, Tally&
     const int infinite_slot = cells.infinite_slot(cell);
     std::vector<IntegerRow> corners;
     for (int i = 0; i <= K; ++i)
-      if (i != infinite_slot) corners.push_back(infinite_slot < 0 ? rows[vertices[i]] : without_lift(rows[vertices[i]]));
+      if (i != infinite_slot)
+        corners.push_back(infinite_slot < 0 ? rows[vertices[i]] : without_lift(rows[vertices[i]]));
     std::vector<const IntegerRow*> pointers;
     for (const IntegerRow& corner : corners) pointers.push_back(&corner);
     const IntegerRow function = vanishing_at(pointers);
@@ -276,15 +288,16 @@ void expect_right_triangulation(const Sample& sample, std::uint64_t seed, Tally&
     } else {
       if (std::isinf(geometry.threshold(cell))) continue;  // too flat, and never certain
       const double* functional = memory.records().functional(cell);
-      normal = static_cast<std::size_t>(std::find_if(functional, functional + K, [](double g) { return std::fabs(g) == 1; }) -
-                                        functional);
+      normal = static_cast<std::size_t>(
+          std::find_if(functional, functional + K, [](double g) { return std::fabs(g) == 1; }) - functional);
       ASSERT_LT(normal, K);
       denominator = function[normal];
       if (functional[normal] < 0) denominator = -denominator;
       scale = frame.extent_ratio(axes[normal]) * frame.lift_scale();
     }
-    ASSERT_LE(Rational(certificate::determinant(std::bit_cast<std::uint64_t>(*memory.records().certificate(cell)))),
-              determinant_of_edges(corners, normal, frame, axes))
+    ASSERT_LE(
+        Rational(certificate::determinant(std::bit_cast<std::uint64_t>(*memory.records().certificate(cell)))),
+        determinant_of_edges(corners, normal, frame, axes))
         << "cell " << cell;
     for (Index v = 1; v <= n; ++v) {
       const auto q = geometry.make_query(geometry.point(v));
@@ -292,7 +305,8 @@ void expect_right_triangulation(const Sample& sample, std::uint64_t seed, Tally&
       if (infinite_slot >= 0 && v <= n / 2) {
         ASSERT_GE(test::sign_of(numerator) * test::sign_of(denominator), Sign::zero);
       }
-      ASSERT_NO_FATAL_FAILURE(expect_right(geometry, q, cell, numerator, denominator, scale, (cell + v) % 16 == 0, tally));
+      ASSERT_NO_FATAL_FAILURE(
+          expect_right(geometry, q, cell, numerator, denominator, scale, (cell + v) % 16 == 0, tally));
     }
   }
 }
@@ -302,7 +316,8 @@ template <int K>
 void expect_right_hull(const Sample& sample, std::uint64_t seed, Tally& tally) {
   SCOPED_TRACE("hull, " + sample.name() + ", seed " + std::to_string(seed));
   random::Generator generator(seed);
-  const std::vector<double> points = sample.points(generator, K + 2);  // so that the centre of K + 2 points is exact
+  const std::vector<double> points =
+      sample.points(generator, K + 2);  // so that the centre of K + 2 points is exact
   const auto size = static_cast<std::size_t>(sample.ambient);
   const auto n = static_cast<Index>(points.size() / size);
   std::vector<int> axes(K + 1);
@@ -310,7 +325,8 @@ void expect_right_hull(const Sample& sample, std::uint64_t seed, Tally& tally) {
   kernel::Grid grid(sample.ambient);
   kernel::AffineHull hull(sample.ambient);
   std::vector<Index> simplex, others;
-  std::vector<double> low(size, std::numeric_limits<double>::infinity()), high(size, -low[0]), center(size, 0.0);
+  std::vector<double> low(size, std::numeric_limits<double>::infinity()), high(size, -low[0]),
+      center(size, 0.0);
   for (Index v = 1; v <= n; ++v) {
     const double* x = points.data() + (v - 1) * size;
     grid.include(x);
@@ -332,12 +348,14 @@ void expect_right_hull(const Sample& sample, std::uint64_t seed, Tally& tally) {
   const Index last = simplex.back();
   simplex.pop_back();
   StageCounts uncounted;
-  if (geometry.side(simplex.data(), geometry.point(last), uncounted) == Sign::negative) std::swap(simplex[0], simplex[1]);
+  if (geometry.side(simplex.data(), geometry.point(last), uncounted) == Sign::negative)
+    std::swap(simplex[0], simplex[1]);
   engine::seed(cells, geometry, simplex, last);
   engine::Workspace work;
   engine::Effort effort;
   for (const Index v : others) {
-    const Index at = engine::insert(cells, geometry, v, geometry.make_query(geometry.point(v)), work.last_cell, work, effort);
+    const Index at = engine::insert(cells, geometry, v, geometry.make_query(geometry.point(v)),
+                                    work.last_cell, work, effort);
     if (at == v) work.last_cell = work.star().back().created;
   }
 
@@ -358,13 +376,14 @@ void expect_right_hull(const Sample& sample, std::uint64_t seed, Tally& tally) {
     const Integer denominator = value_at(function, rows.back());
     for (Index v = 1; v <= n; ++v) {
       const auto q = geometry.make_query(geometry.point(v));
-      ASSERT_NO_FATAL_FAILURE(
-          expect_right(geometry, q, cell, value_at(function, rows[v]), denominator, 1, (cell + v) % 16 == 0, tally));
+      ASSERT_NO_FATAL_FAILURE(expect_right(geometry, q, cell, value_at(function, rows[v]), denominator, 1,
+                                           (cell + v) % 16 == 0, tally));
     }
   }
 }
 
-constexpr Shape shapes[] = {Shape::random, Shape::lattice, Shape::nudged_lattice, Shape::thin, Shape::surface};
+constexpr Shape shapes[] = {Shape::random, Shape::lattice, Shape::nudged_lattice, Shape::thin,
+                            Shape::surface};
 
 template <int K>
 void expect_right_triangulations(std::size_t n, std::size_t rounds) {
@@ -379,7 +398,8 @@ void expect_right_triangulations(std::size_t n, std::size_t rounds) {
       for (const bool a_infinite : {false, true})
         for (const bool b_infinite : {false, true})
           EXPECT_GT(tally.cells[a_infinite][b_infinite], 0u)
-              << K << "-flat of R^" << ambient << ": A infinite " << a_infinite << ", B infinite " << b_infinite;
+              << K << "-flat of R^" << ambient << ": A infinite " << a_infinite << ", B infinite "
+              << b_infinite;
       EXPECT_GT(tally.certified, tally.pairs / 2);
       certified_near += tally.certified_near;
       beyond_box += tally.beyond_box;
@@ -391,7 +411,9 @@ void expect_right_triangulations(std::size_t n, std::size_t rounds) {
 }
 
 TEST(Pencil, KeepsItsBoundInThePlaneAndInPlanes) { expect_right_triangulations<2>(80, 3); }
-TEST(Pencil, KeepsItsBoundInSpaceAndInFlatsOfThreeDimensions) { expect_right_triangulations<3>(test::scaled_size(60, 36), 2); }
+TEST(Pencil, KeepsItsBoundInSpaceAndInFlatsOfThreeDimensions) {
+  expect_right_triangulations<3>(test::scaled_size(60, 36), 2);
+}
 TEST(Pencil, KeepsItsBoundInFourDimensions) { expect_right_triangulations<4>(test::scaled_size(36, 24), 1); }
 TEST(Pencil, KeepsItsBoundInFiveDimensions) { expect_right_triangulations<5>(test::scaled_size(34, 20), 1); }
 TEST(Pencil, KeepsItsBoundInSixDimensions) { expect_right_triangulations<6>(test::scaled_size(28, 18), 1); }

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What is certified of simplices in lanes is true, in exact arithmetic: of the images as rounded and of the points themselves;
-// and the thresholds of their functionals bound the true error.
+// What is certified of simplices in lanes is true, in exact arithmetic: of the images as rounded and of the
+// points themselves; and the thresholds of their functionals bound the true error.
 #include "geometry/simplex_kernel.hpp"
 
+#include "base/random.hpp"
 #include "brute_force.hpp"
 #include "geometry/functionals.hpp"
-#include "base/random.hpp"
 #include "scale.hpp"
 
 #include <gtest/gtest.h>
@@ -30,7 +30,8 @@ Integer units(double x) {
   int exponent;
   const auto mantissa = static_cast<std::int64_t>(std::ldexp(std::frexp(x, &exponent), 53));
   const int shift = exponent - 53 + bits;
-  return shift >= 0 ? Integer(Integer(mantissa) << shift) : Integer(mantissa / (std::int64_t{1} << std::min(-shift, 62)));
+  return shift >= 0 ? Integer(Integer(mantissa) << shift)
+                    : Integer(mantissa / (std::int64_t{1} << std::min(-shift, 62)));
 }
 Rational quotient(Integer numerator, Integer denominator) {
   if (denominator < 0) return {-numerator, -denominator};  // Boost 1.74 takes positive denominators only
@@ -38,18 +39,21 @@ Rational quotient(Integer numerator, Integer denominator) {
 }
 
 enum class Shape { random, flat, nearly_flat, lattice, thin, small };
-constexpr Shape shapes[] = {Shape::random, Shape::flat, Shape::nearly_flat, Shape::lattice, Shape::thin, Shape::small};
+constexpr Shape shapes[] = {Shape::random,  Shape::flat, Shape::nearly_flat,
+                            Shape::lattice, Shape::thin, Shape::small};
 
 /// A frame with points in its box. Either images are exact, or, of points near the lower bounds, rounded.
 struct Sample {
-  Sample(int dimension, bool is_centered) : k(dimension), centered(is_centered), low(k_size()), high(k_size()) {
+  Sample(int dimension, bool is_centered)
+      : k(dimension), centered(is_centered), low(k_size()), high(k_size()) {
     for (std::size_t j = 0; j < k_size(); ++j) {
       const double extent = centered ? 1 : std::ldexp(1.0, -static_cast<int>(j % 3));
       high[j] = extent * (1 - 0x1p-40) * (centered ? 1 : 2);
       low[j] = centered ? -high[j] : 0;
     }
     frame = Frame(low, high);
-    for (int j = 0; j < k; ++j) center.push_back(low[static_cast<std::size_t>(j)] / 2 + high[static_cast<std::size_t>(j)] / 2);
+    for (int j = 0; j < k; ++j)
+      center.push_back(low[static_cast<std::size_t>(j)] / 2 + high[static_cast<std::size_t>(j)] / 2);
     append(Point(center));  // vertex 0, not used
   }
   std::size_t k_size() const { return static_cast<std::size_t>(k); }
@@ -79,7 +83,8 @@ struct Sample {
     const Point base = random_point(generator);
     const double size = std::pow(10.0, -1.0 - static_cast<double>(generator.below(7)));
     // Not centred, lattices are near the lower bounds, where images are rounded.
-    const double spacing = centered ? 0x1p-4 : 0x1p-60 * static_cast<double>((1 << 30) + 1 + 2 * generator.below(1000));
+    const double spacing =
+        centered ? 0x1p-4 : 0x1p-60 * static_cast<double>((1 << 30) + 1 + 2 * generator.below(1000));
     for (int i = 0; i <= k; ++i) {
       Point x = random_point(generator);
       if (shape == Shape::small)
@@ -100,7 +105,8 @@ struct Sample {
       double sum = 0;
       for (int i = 0; i < k; ++i) {
         const double weight = 0.1 + generator.uniform();
-        for (std::size_t j = 0; j < k_size(); ++j) x[j] += weight * points[first + static_cast<std::size_t>(i)][j];
+        for (std::size_t j = 0; j < k_size(); ++j)
+          x[j] += weight * points[first + static_cast<std::size_t>(i)][j];
         sum += weight;
       }
       const double height = std::pow(10.0, -static_cast<double>(generator.below(17)));
@@ -114,7 +120,8 @@ struct Sample {
     rows.resize(first * (k_size() + 1));
     for (const Point& corner : corners) append(corner);
     append(x);
-    for (std::size_t i = points.size() - 1; i > first; --i)  // the one in the plane of the others may be any of them
+    for (std::size_t i = points.size() - 1; i > first;
+         --i)  // the one in the plane of the others may be any of them
       if (const std::size_t j = first + generator.below(i - first + 1); j != i) {
         std::swap(points[i], points[j]);
         std::swap_ranges(rows.begin() + static_cast<std::ptrdiff_t>(i * (k_size() + 1)),
@@ -127,7 +134,8 @@ struct Sample {
   IntegerRow image(Index v) const {
     IntegerRow row;
     for (std::size_t j = 0; j < k_size(); ++j)
-      row.push_back((units(points[v][j]) - units(center[j])) * Integer(static_cast<long long>(scale(static_cast<int>(j)))));
+      row.push_back((units(points[v][j]) - units(center[j])) *
+                    Integer(static_cast<long long>(scale(static_cast<int>(j)))));
     row.push_back(Integer(1) << bits);
     return row;
   }
@@ -135,7 +143,8 @@ struct Sample {
   Integer lift(Index v) const {
     Integer sum = 0;
     for (std::size_t j = 0; j < k_size(); ++j) {
-      const Integer c = (units(points[v][j]) - units(center[j])) * Integer(static_cast<long long>(frame.lift_scale()));
+      const Integer c =
+          (units(points[v][j]) - units(center[j])) * Integer(static_cast<long long>(frame.lift_scale()));
       sum += c * c;
     }
     return sum;
@@ -178,11 +187,13 @@ struct Exact {
       for (std::size_t i = 0; i < n; ++i) {
         if (i == p) continue;
         const Integer times = a[i][p];
-        for (std::size_t j = 0; j < 2 * n; ++j) a[i][j] = Integer(a[i][j] * a[p][p] - times * a[p][j]) / previous;
+        for (std::size_t j = 0; j < 2 * n; ++j)
+          a[i][j] = Integer(a[i][j] * a[p][p] - times * a[p][j]) / previous;
       }
       previous = a[p][p];
     }
-    for (std::size_t i = 0; i < n; ++i) inverse.emplace_back(a[i].begin() + static_cast<std::ptrdiff_t>(n), a[i].end());
+    for (std::size_t i = 0; i < n; ++i)
+      inverse.emplace_back(a[i].begin() + static_cast<std::ptrdiff_t>(n), a[i].end());
   }
   /// Times the determinant; x is homogeneous.
   Integer coordinate(std::size_t i, const IntegerRow& x) const {
@@ -239,7 +250,9 @@ std::vector<std::vector<Index>> append_simplices(Sample& sample, Shape shape, ra
 }
 
 /// The determinant of edges between homogeneous points in units has the same sign as theirs if k is even.
-Sign orientation(int k, const Integer& determinant) { return test::sign_of(k % 2 == 0 ? determinant : Integer(-determinant)); }
+Sign orientation(int k, const Integer& determinant) {
+  return test::sign_of(k % 2 == 0 ? determinant : Integer(-determinant));
+}
 
 struct Tally {
   std::size_t all = 0, oriented = 0;
@@ -265,15 +278,19 @@ void expect_true_certificates(int k, bool centered, Shape shape, std::size_t rou
       for (const bool as_rounded : {false, true}) {
         if (as_rounded && centered) continue;
         test::Matrix corners;
-        for (const Index v : simplices[lane]) corners.push_back(as_rounded ? sample.rounded_image(v) : sample.image(v));
+        for (const Index v : simplices[lane])
+          corners.push_back(as_rounded ? sample.rounded_image(v) : sample.image(v));
         const Exact exact(corners);
         ASSERT_EQ(proved.orientation, orientation(k, exact.determinant)) << "lane " << lane;
         // k + 1 columns in units
-        ASSERT_LE(Rational(proved.determinant), Rational(abs(exact.determinant), Integer(1) << bits * (k + 1)));
+        ASSERT_LE(Rational(proved.determinant),
+                  Rational(abs(exact.determinant), Integer(1) << bits * (k + 1)));
         ASSERT_GT(proved.determinant, 0);
         ASSERT_GE(Rational(proved.spread), exact.spread());
       }
-      const auto functional = [&](std::size_t r) { return lane_entry(scratch.data(), width * width + r, lane); };
+      const auto functional = [&](std::size_t r) {
+        return lane_entry(scratch.data(), width * width + r, lane);
+      };
       for (const Index v : simplices[lane]) {
         const double* row = sample.rows.data() + v * width;
         Rational value = Rational(row[k]) + Rational(functional(static_cast<std::size_t>(k)));
@@ -297,7 +314,8 @@ TEST(SimplexKernel, CertifiesOnlyWhatIsTrue) {
         SCOPED_TRACE(testing::Message() << "shape " << static_cast<int>(shape) << ", dimension " << k
                                         << (centered ? "" : ", images are rounded"));
         Tally tally;
-        ASSERT_NO_FATAL_FAILURE(expect_true_certificates(k, centered, shape, test::scaled_count(usual_rounds[k]), tally));
+        ASSERT_NO_FATAL_FAILURE(
+            expect_true_certificates(k, centered, shape, test::scaled_count(usual_rounds[k]), tally));
         if (shape == Shape::flat) {
           EXPECT_EQ(tally.oriented, 0u);
         } else if (shape == Shape::random) {
@@ -335,7 +353,8 @@ TEST(SimplexKernel, SolvesForBarycentricCoordinates) {
             const Index v = simplices[lane][i];
             const double expected = f == width ? -sample.rows[v * width + width - 1] : f == i ? 1.0 : 0.0;
             const double value = value_at(f, v, magnitude);
-            ASSERT_NEAR(value, expected, 1e-13 * (1 + magnitude) * (1 + magnitude)) << "function " << f << " at vertex " << i;
+            ASSERT_NEAR(value, expected, 1e-13 * (1 + magnitude) * (1 + magnitude))
+                << "function " << f << " at vertex " << i;
           }
       }
     }
@@ -361,7 +380,8 @@ TEST(SimplexKernel, TreatsLanesAlike) {
         certify_simplices(task, &one);
         ASSERT_EQ(one.orientation, all[lane].orientation);
         if (one.orientation == Sign::zero) continue;
-        // One lane may need exchanges of rows, which all then get: rounding differs, and what is proved of it.
+        // One lane may need exchanges of rows, which all then get: rounding differs, and what is proved of
+        // it.
         ASSERT_NEAR(one.spread, all[lane].spread, 0.05 * one.spread);
         ASSERT_NEAR(one.determinant, all[lane].determinant, 0.05 * one.determinant);
       }
@@ -435,7 +455,8 @@ void expect_values_within_thresholds(bool centered, Shape shape) {
 template <int K>
 void expect_values_within_thresholds() {
   for (const bool centered : {true, false})
-    for (const Shape shape : shapes) ASSERT_NO_FATAL_FAILURE(expect_values_within_thresholds<K>(centered, shape));
+    for (const Shape shape : shapes)
+      ASSERT_NO_FATAL_FAILURE(expect_values_within_thresholds<K>(centered, shape));
 }
 
 TEST(SimplexKernel, ThresholdsBoundTheTrueErrorOfItsFunctionals) {

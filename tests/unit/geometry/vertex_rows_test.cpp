@@ -2,8 +2,8 @@
 // Rows computed where they are needed are those of the frame, bit for bit.
 #include "geometry/vertex_rows.hpp"
 
-#include "geometry/frame.hpp"
 #include "base/random.hpp"
+#include "geometry/frame.hpp"
 #include "scale.hpp"
 
 #include <gtest/gtest.h>
@@ -53,7 +53,8 @@ TEST(VertexRows, AreThoseOfTheFrame) {
     const VertexRows kept(array.data());
     for (Index v = 0; v <= n; ++v) {
       const auto row = kept.row<K>(v, K);
-      EXPECT_TRUE(std::equal(row.begin(), row.end(), array.begin() + static_cast<std::ptrdiff_t>(v * (k + 1))));
+      EXPECT_TRUE(
+          std::equal(row.begin(), row.end(), array.begin() + static_cast<std::ptrdiff_t>(v * (k + 1))));
     }
   }
 }

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Certified normals against exact orientations, and the bounds of volumes, areas and equations against exact values.
+// Certified normals against exact orientations, and the bounds of volumes, areas and equations against exact
+// values.
 #include "hull/hull_normal.hpp"
 #include "hull/hull_measure.hpp"
 
@@ -26,9 +27,11 @@ HullSites sites_of(const test::PointSet& set) {
 }
 
 class HullNormalIn : public ::testing::TestWithParam<int> {};
-INSTANTIATE_TEST_SUITE_P(Dimensions, HullNormalIn, ::testing::Range(1, 8), ::testing::PrintToStringParamName());
+INSTANTIATE_TEST_SUITE_P(Dimensions, HullNormalIn, ::testing::Range(1, 8),
+                         ::testing::PrintToStringParamName());
 
-// (1) A side that the normal tells is the exact one. (2) Zero only where the exact side is zero or the points are nearly so.
+// (1) A side that the normal tells is the exact one. (2) Zero only where the exact side is zero or the points
+// are nearly so.
 TEST_P(HullNormalIn, WhatIsCertainIsRight) {
   const int d = GetParam();
   std::vector<const double*> scratch;
@@ -67,7 +70,9 @@ TEST_P(HullNormalIn, RandomPointsNeedNoExactStage) {
     std::vector<Index> cell(static_cast<std::size_t>(d));
     std::iota(cell.begin(), cell.end(), first);
     normals.compute(sites, cell, false, record.data());
-    EXPECT_NE(normals.side(sites, record.data(), sites.point(first), sites.point(first + static_cast<Index>(d))), Sign::zero);
+    EXPECT_NE(
+        normals.side(sites, record.data(), sites.point(first), sites.point(first + static_cast<Index>(d))),
+        Sign::zero);
   }
 }
 
@@ -92,7 +97,8 @@ TEST_P(HullNormalIn, VolumesOfSimplicesAreWithinTheirBounds) {
     double unit = 1;
     for (std::size_t i = 0; i < set.points.size(); ++i)
       if (set.points[i] != 0) {
-        unit = set.points[i] / static_cast<double>(rows[i / static_cast<std::size_t>(d)][i % static_cast<std::size_t>(d)]);
+        unit = set.points[i] /
+               static_cast<double>(rows[i / static_cast<std::size_t>(d)][i % static_cast<std::size_t>(d)]);
         break;
       }
     long double exact = static_cast<long double>(abs(test::determinant(edges)));
@@ -116,7 +122,8 @@ TEST_P(HullNormalIn, EquationsVanishOnTheirFacets) {
       const double* equation = data.equations.data() + f * (static_cast<std::size_t>(d) + 1);
       for (auto at = data.facet_offsets[f]; at < data.facet_offsets[f + 1]; ++at) {
         long double distance = equation[d], magnitude = std::fabs(equation[d]);
-        const auto point = hull.point(static_cast<std::size_t>(data.facet_vertices[static_cast<std::size_t>(at)]));
+        const auto point =
+            hull.point(static_cast<std::size_t>(data.facet_vertices[static_cast<std::size_t>(at)]));
         for (std::size_t j = 0; j < static_cast<std::size_t>(d); ++j) {
           distance += static_cast<long double>(equation[j]) * point[j];
           magnitude += std::fabs(static_cast<long double>(equation[j]) * point[j]);

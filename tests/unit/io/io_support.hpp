@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What the tests of readers and writers share: a directory of their own, byte strings, and the expectation of an error.
+// What the tests of readers and writers share: a directory of their own, byte strings, and the expectation of
+// an error.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -51,7 +52,8 @@ class TemporaryDirectory : public ::testing::Test {
   }
 
   /// The points of a file with this name and content.
-  delone::PointTable read(const std::string& name, std::string_view text, const std::vector<std::string>& columns = {}) const {
+  delone::PointTable read(const std::string& name, std::string_view text,
+                          const std::vector<std::string>& columns = {}) const {
     return delone::read_points(file(name, text), {"", columns});
   }
 
@@ -88,22 +90,23 @@ std::string bytes_of(T value, bool big_endian = false) {
 }
 
 /// An .npy file as NumPy writes it.
-inline std::string npy(const std::string& descr, const std::string& shape, const std::string& data, bool fortran = false,
-                       int version = 1) {
-  std::string header =
-      "{'descr': '" + descr + "', 'fortran_order': " + (fortran ? "True" : "False") + ", 'shape': " + shape + ", }";
+inline std::string npy(const std::string& descr, const std::string& shape, const std::string& data,
+                       bool fortran = false, int version = 1) {
+  std::string header = "{'descr': '" + descr + "', 'fortran_order': " + (fortran ? "True" : "False") +
+                       ", 'shape': " + shape + ", }";
   header.resize(version == 1 ? 117 : 115, ' ');
   header += '\n';
   std::string out = "\x93NUMPY";
   out += static_cast<char>(version);
   out += '\0';
-  out +=
-      version == 1 ? bytes_of(static_cast<std::uint16_t>(header.size())) : bytes_of(static_cast<std::uint32_t>(header.size()));
+  out += version == 1 ? bytes_of(static_cast<std::uint16_t>(header.size()))
+                      : bytes_of(static_cast<std::uint32_t>(header.size()));
   return out + header + data;
 }
 
 template <class T>
-std::string npy_of(const std::string& descr, const std::string& shape, const std::vector<T>& values, bool fortran = false) {
+std::string npy_of(const std::string& descr, const std::string& shape, const std::vector<T>& values,
+                   bool fortran = false) {
   std::string data;
   for (const T value : values) data += bytes_of(value, descr[0] == '>');
   return npy(descr, shape, data, fortran);

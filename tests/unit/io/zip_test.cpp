@@ -50,17 +50,18 @@ TEST_F(Zip, RoundTripWithAnyMixOfZip64Records) {
 TEST_F(Zip, EqualContentGivesEqualFiles) { EXPECT_EQ(archive(0xffffffff), archive(0xffffffff)); }
 
 /// A member as numpy.savez writes it: the local header in zip64 form, the directory not.
-std::string numpy_archive(std::uint16_t method = 0, std::uint16_t flags = 0, const std::string& comment = "") {
+std::string numpy_archive(std::uint16_t method = 0, std::uint16_t flags = 0,
+                          const std::string& comment = "") {
   const std::string name = "x.npy", data = "content";
   const std::string crc = bytes_of(io::crc32(data)), size = bytes_of<std::uint32_t>(7);
   const auto u16 = [](int v) { return bytes_of(static_cast<std::uint16_t>(v)); };
   const auto u32 = [](std::uint32_t v) { return bytes_of(v); };
-  std::string out = u32(0x04034b50) + u16(45) + u16(flags) + u16(method) + u16(0) + u16(0x21) + crc + u32(0xffffffff) +
-                    u32(0xffffffff) + u16(5) + u16(20) + name + u16(1) + u16(16) + bytes_of<std::uint64_t>(7) +
-                    bytes_of<std::uint64_t>(7) + data;
+  std::string out = u32(0x04034b50) + u16(45) + u16(flags) + u16(method) + u16(0) + u16(0x21) + crc +
+                    u32(0xffffffff) + u32(0xffffffff) + u16(5) + u16(20) + name + u16(1) + u16(16) +
+                    bytes_of<std::uint64_t>(7) + bytes_of<std::uint64_t>(7) + data;
   const auto start = static_cast<std::uint32_t>(out.size());
-  out += u32(0x02014b50) + u16(45) + u16(45) + u16(flags) + u16(method) + u16(0) + u16(0x21) + crc + size + size + u16(5) +
-         u16(0) + u16(0) + u16(0) + u16(0) + u32(0) + u32(0) + name;
+  out += u32(0x02014b50) + u16(45) + u16(45) + u16(flags) + u16(method) + u16(0) + u16(0x21) + crc + size +
+         size + u16(5) + u16(0) + u16(0) + u16(0) + u16(0) + u32(0) + u32(0) + name;
   const auto length = static_cast<std::uint32_t>(out.size()) - start;
   return out + u32(0x06054b50) + u16(0) + u16(0) + u16(1) + u16(1) + u32(length) + u32(start) +
          u16(static_cast<int>(comment.size())) + comment;

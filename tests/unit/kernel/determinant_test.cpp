@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The certified bound of the elimination against determinants in exact integers; and the linear solver on top of it.
+// The certified bound of the elimination against determinants in exact integers; and the linear solver on top
+// of it.
 #include "kernel/determinant.hpp"
 
-#include "brute_force.hpp"
 #include "base/random.hpp"
+#include "brute_force.hpp"
 #include "scale.hpp"
 
 #include <gtest/gtest.h>
@@ -24,7 +25,8 @@ std::vector<double> random_matrix(int n, Shape shape, random::Generator& generat
   for (std::size_t j = 0; j < size; ++j)
     for (std::size_t r = 0; r < size; ++r) {
       if (shape == Shape::graded) a[j * size + r] = std::ldexp(a[j * size + r], -3 * static_cast<int>(j + r));
-      if (shape == Shape::nearly_singular && j > 0 && j + 1 == size) a[j * size + r] = a[r] + std::ldexp(a[j * size + r], -50);
+      if (shape == Shape::nearly_singular && j > 0 && j + 1 == size)
+        a[j * size + r] = a[r] + std::ldexp(a[j * size + r], -50);
     }
   return a;
 }
@@ -44,8 +46,9 @@ double true_error(const std::vector<double>& a, int n, double value) {
   for (int i = 0; i < n; ++i) unit *= one;
   const int shift = exponent - 53;
   // value = mantissa·2^shift against exact/unit: over the common denominator unit·2^−shift.
-  const test::Integer numerator = shift < 0 ? test::Integer(mantissa * unit - (exact << -shift))
-                                            : test::Integer((test::Integer(mantissa) << shift) * unit - exact);
+  const test::Integer numerator = shift < 0
+                                      ? test::Integer(mantissa * unit - (exact << -shift))
+                                      : test::Integer((test::Integer(mantissa) << shift) * unit - exact);
   const test::Integer denominator = shift < 0 ? test::Integer(unit << -shift) : unit;
   return boost::multiprecision::cpp_rational(numerator, denominator).convert_to<double>();
 }
@@ -91,7 +94,8 @@ TEST(Determinant, RelativeErrorsOfEntriesCount) {
 TEST(Determinant, NothingIsKnownOfZeroColumnsAndOfNaN) {
   int row_of[2];
   std::vector<double> zero{0, 0, 1, 1}, undefined{std::nan(""), 1, 1, 1}, infinite{INFINITY, 1, 1, 1};
-  for (auto* a : {&zero, &undefined, &infinite}) EXPECT_FALSE(factor<2>(a->data(), 2, 2, {}, row_of).sign_is_certain());
+  for (auto* a : {&zero, &undefined, &infinite})
+    EXPECT_FALSE(factor<2>(a->data(), 2, 2, {}, row_of).sign_is_certain());
 }
 
 TEST(Determinant, ASingularMatrixIsNeverCertain) {
@@ -121,7 +125,8 @@ TEST(Determinant, SolvesForTheFunctionalOfItsColumns) {
     double largest = 0;
     for (int j = 0; j < n; ++j) {
       double sum = given[static_cast<std::size_t>(j)];
-      for (int r = 0; r < rows; ++r) sum += a[static_cast<std::size_t>(j * rows + r)] * x[static_cast<std::size_t>(r)];
+      for (int r = 0; r < rows; ++r)
+        sum += a[static_cast<std::size_t>(j * rows + r)] * x[static_cast<std::size_t>(r)];
       EXPECT_NEAR(sum, 0, 1e-12);
     }
     for (const double value : x) largest = std::max(largest, std::fabs(value));

@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Numbers of twice the precision of binary64 against exact integers, and the determinants in binary64, by minors up to six
-// columns, and by minors in these numbers against the exact stages: on points in general position, on nearly degenerate and
-// degenerate ones, over wide ranges of exponents and with denormal numbers.
+// Numbers of twice the precision of binary64 against exact integers, and the determinants in binary64, by
+// minors up to six columns, and by minors in these numbers against the exact stages: on points in general
+// position, on nearly degenerate and degenerate ones, over wide ranges of exponents and with denormal
+// numbers.
 #include "kernel/double_double.hpp"
 
+#include "base/random.hpp"
 #include "kernel/direct.hpp"
 #include "kernel/double_double_stage.hpp"
 #include "kernel/exact.hpp"
-#include "base/random.hpp"
 #include "row_case.hpp"
 #include "scale.hpp"
 
@@ -28,8 +29,10 @@ constexpr int lowest = -2200;  // exponents of the integers that sums and produc
 test::Integer exact(const DoubleDouble& x) { return integer_at(x.high, lowest) + integer_at(x.low, lowest); }
 
 double random_double(random::Generator& generator, int range) {
-  const double mantissa = generator.below(4) == 0 ? static_cast<double>(generator.below(9)) - 4 : 2 * generator.uniform() - 1;
-  return std::ldexp(mantissa, static_cast<int>(generator.below(static_cast<std::uint64_t>(2 * range))) - range);
+  const double mantissa =
+      generator.below(4) == 0 ? static_cast<double>(generator.below(9)) - 4 : 2 * generator.uniform() - 1;
+  return std::ldexp(mantissa,
+                    static_cast<int>(generator.below(static_cast<std::uint64_t>(2 * range))) - range);
 }
 
 /// The second of two numbers may nearly cancel the first.
@@ -66,7 +69,9 @@ TEST(DoubleDouble, SumsAndProductsKeepTheirBounds) {
 TEST(DoubleDouble, SumsAreBoundedAmongDenormalNumbers) {
   random::Generator generator(6);
   for (std::size_t round = 0; round < test::scaled_count(20000); ++round) {
-    const auto tiny = [&] { return std::ldexp(2 * generator.uniform() - 1, -960 - static_cast<int>(generator.below(110))); };
+    const auto tiny = [&] {
+      return std::ldexp(2 * generator.uniform() - 1, -960 - static_cast<int>(generator.below(110)));
+    };
     const DoubleDouble x = two_sum(tiny(), tiny()), y = two_sum(tiny(), tiny());
     const test::Integer a = exact(x), b = exact(y);
     EXPECT_LE(abs(exact(x + y) - (a + b)) << 106, 6 * (abs(a) + abs(b)));
@@ -80,9 +85,20 @@ TEST(DoubleDouble, SumsAreBoundedAmongDenormalNumbers) {
 
 // ---- Stages
 
-enum class Kind { uniform, lattice, large_lattice, nudged_lattice, nudged_sphere, nudged_plane, wide, denormal, extreme };
-constexpr Kind kinds[] = {Kind::uniform,      Kind::lattice, Kind::large_lattice, Kind::nudged_lattice, Kind::nudged_sphere,
-                          Kind::nudged_plane, Kind::wide,    Kind::denormal,      Kind::extreme};
+enum class Kind {
+  uniform,
+  lattice,
+  large_lattice,
+  nudged_lattice,
+  nudged_sphere,
+  nudged_plane,
+  wide,
+  denormal,
+  extreme
+};
+constexpr Kind kinds[] = {Kind::uniform,        Kind::lattice,       Kind::large_lattice,
+                          Kind::nudged_lattice, Kind::nudged_sphere, Kind::nudged_plane,
+                          Kind::wide,           Kind::denormal,      Kind::extreme};
 
 double nudged(double x, random::Generator& generator) {
   const auto move = generator.below(3);
@@ -90,7 +106,8 @@ double nudged(double x, random::Generator& generator) {
 }
 
 /// k+2 rows of `ambient` coordinates and, if asked for, a weight.
-std::vector<double> random_rows(Kind kind, int rows, int ambient, bool weighted, random::Generator& generator) {
+std::vector<double> random_rows(Kind kind, int rows, int ambient, bool weighted,
+                                random::Generator& generator) {
   std::vector<double> all;
   const double scale = std::ldexp(1 + generator.uniform(), static_cast<int>(generator.below(40)) - 20);
   for (int i = 0; i < rows; ++i) {
@@ -98,13 +115,15 @@ std::vector<double> random_rows(Kind kind, int rows, int ambient, bool weighted,
     double square = 0;
     for (int j = 0; j < ambient; ++j) {
       const double u = generator.uniform();
-      x.push_back(kind == Kind::uniform || kind == Kind::nudged_sphere || kind == Kind::nudged_plane ? 2 * u - 1
-                  : kind == Kind::lattice                                                            ? std::floor(6 * u)
-                  : kind == Kind::large_lattice                                                      ? std::floor(3e6 * u)
+      x.push_back(kind == Kind::uniform || kind == Kind::nudged_sphere || kind == Kind::nudged_plane
+                      ? 2 * u - 1
+                  : kind == Kind::lattice        ? std::floor(6 * u)
+                  : kind == Kind::large_lattice  ? std::floor(3e6 * u)
                   : kind == Kind::nudged_lattice ? nudged(1 + std::floor(3 * u), generator)
                   : kind == Kind::wide           ? random_double(generator, 100)
-                  : kind == Kind::denormal       ? std::ldexp(std::floor(9 * u) - 4, generator.below(2) == 0 ? -1074 : -1030)
-                                                 : random_double(generator, 1000));
+                  : kind == Kind::denormal
+                      ? std::ldexp(std::floor(9 * u) - 4, generator.below(2) == 0 ? -1074 : -1030)
+                      : random_double(generator, 1000));
       square += x.back() * x.back();
     }
     if (kind == Kind::nudged_sphere)
@@ -149,13 +168,15 @@ struct Decided {
 
 template <int K>
 std::optional<Sign> binary64_orientation(const RowCase& c) {
-  if constexpr (tabulates_minors<K>) return detail::orientation_by_minors<K>(c.flat(), c.rows.data(), c.q(), c.grid);
+  if constexpr (tabulates_minors<K>)
+    return detail::orientation_by_minors<K>(c.flat(), c.rows.data(), c.q(), c.grid);
   return detail::orientation_by_elimination<K>(c.flat(), c.rows.data(), c.q(), c.grid);
 }
 
 template <int K>
 std::optional<Sign> binary64_sphere(const RowCase& c) {
-  if constexpr (tabulates_minors<K + 1>) return detail::sphere_by_minors<K>(c.flat(), c.rows.data(), c.q(), c.grid);
+  if constexpr (tabulates_minors<K + 1>)
+    return detail::sphere_by_minors<K>(c.flat(), c.rows.data(), c.q(), c.grid);
   return detail::sphere_by_elimination<K>(c.flat(), c.rows.data(), c.q(), c.grid);
 }
 
@@ -163,13 +184,15 @@ template <int K>
 void expect_stages_agree(std::size_t rounds) {
   random::Generator generator(100 + K);
   std::size_t nearly_cospherical = 0;
-  for (const auto& [form, ambient] : {std::pair{RowForm::point, K}, {RowForm::weighted_point, K}, {RowForm::point, K + 1}}) {
+  for (const auto& [form, ambient] :
+       {std::pair{RowForm::point, K}, {RowForm::weighted_point, K}, {RowForm::point, K + 1}}) {
     Decided orientations, spheres;
     for (std::size_t round = 0; round < test::scaled_count(rounds); ++round)
       for (const Kind kind : kinds) {
         std::vector<int> axes(K);
         std::iota(axes.begin(), axes.end(), 0);
-        const RowCase c(form, ambient, random_rows(kind, K + 2, ambient, form == RowForm::weighted_point, generator), axes);
+        const RowCase c(form, ambient,
+                        random_rows(kind, K + 2, ambient, form == RowForm::weighted_point, generator), axes);
         const Flat flat = c.flat();
         orientations.count(kind, exact_orientation(flat, c.rows.data(), c.q()), binary64_orientation<K>(c),
                            double_double_orientation(flat, c.rows.data(), c.q(), c.grid));
@@ -199,7 +222,8 @@ TEST(StagesByMinors, AgreeWithIntegers9) { expect_stages_agree<9>(40); }
 
 TEST(StagesByMinors, PairsProveZerosOnLargeLattices) {
   constexpr double r = 200000;  // a multiple of 5
-  const RowCase c(RowForm::point, 3, {r, 0, 0, 0, -r, 0, 0, 0, r, r * 3 / 5, r * 4 / 5, 0, 0, r * 3 / 5, r * 4 / 5});
+  const RowCase c(RowForm::point, 3,
+                  {r, 0, 0, 0, -r, 0, 0, 0, r, r * 3 / 5, r * 4 / 5, 0, 0, r * 3 / 5, r * 4 / 5});
   EXPECT_EQ(detail::sphere_by_minors<3>(c.flat(), c.rows.data(), c.q(), c.grid), std::nullopt);
   EXPECT_EQ(double_double_sphere(c.flat(), c.rows.data(), c.q(), c.grid), Sign::zero);
 }

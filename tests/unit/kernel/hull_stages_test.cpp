@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Hull facets through points and through homogeneous rows: which stage decides, signs against exact integers, the order of
-// rays, and the perturbation against infinitesimals that are carried out as numbers.
+// Hull facets through points and through homogeneous rows: which stage decides, signs against exact integers,
+// the order of rays, and the perturbation against infinitesimals that are carried out as numbers.
 #include "kernel/hull_stages.hpp"
 
-#include "kernel/predicates.hpp"
 #include "base/random.hpp"
+#include "kernel/predicates.hpp"
 #include "row_case.hpp"
 #include "scale.hpp"
 
@@ -31,7 +31,8 @@ constexpr double huge = std::numeric_limits<double>::max();
 RowCase rays(int size, std::vector<double> all) { return {RowForm::homogeneous, size, std::move(all)}; }
 
 /// The rows (x, 1) of points, each times a positive number of few bits.
-std::vector<double> homogeneous_rows(const std::vector<double>& points, int dimension, random::Generator* scales = nullptr) {
+std::vector<double> homogeneous_rows(const std::vector<double>& points, int dimension,
+                                     random::Generator* scales = nullptr) {
   std::vector<double> all;
   for (std::size_t i = 0; i < points.size(); ++i) {
     all.push_back(points[i]);
@@ -40,7 +41,8 @@ std::vector<double> homogeneous_rows(const std::vector<double>& points, int dime
   if (scales == nullptr) return all;
   const auto size = static_cast<std::size_t>(dimension) + 1;
   for (std::size_t i = 0; i < all.size(); i += size) {
-    const double scale = std::ldexp(static_cast<double>(1 + scales->below(7)), static_cast<int>(scales->below(41)) - 20);
+    const double scale =
+        std::ldexp(static_cast<double>(1 + scales->below(7)), static_cast<int>(scales->below(41)) - 20);
     for (std::size_t j = i; j < i + size; ++j) all[j] *= scale;
   }
   return all;
@@ -51,7 +53,8 @@ std::vector<double> random_numbers(std::size_t count, std::size_t kind, random::
   for (std::size_t i = 0; i < count; ++i) {
     const double u = generator.uniform();
     const auto wide = [&](int range) {
-      return std::ldexp(u - 0.5, static_cast<int>(generator.below(static_cast<std::uint64_t>(2 * range))) - range);
+      return std::ldexp(u - 0.5,
+                        static_cast<int>(generator.below(static_cast<std::uint64_t>(2 * range))) - range);
     };
     all.push_back(kind == 0   ? u - 0.5
                   : kind == 1 ? std::floor(3 * u) - 1
@@ -99,11 +102,13 @@ TEST(HomogeneousOrientation, ExactStageDecidesTheRest) {
   const double third = 1.0 / 3;
   EXPECT_EQ(
       orientation_of<1>(rays(2, {third, 0.1, std::nextafter(third, 1), std::nextafter(0.1, 1)}), counts),
-      test::sign_of(test::determinant(integers(rays(2, {third, 0.1, std::nextafter(third, 1), std::nextafter(0.1, 1)})))));
+      test::sign_of(test::determinant(
+          integers(rays(2, {third, 0.1, std::nextafter(third, 1), std::nextafter(0.1, 1)})))));
   EXPECT_EQ(orientation_of<1>(rays(2, {third, 0.1, 2 * third, 0.2}), counts), Sign::zero);
-  EXPECT_EQ(orientation_of<2>(rays(3, {third, 0.1, 1e300, tiny, third, 0.1, tiny + third, 0.1 + third, 1e300}), counts),
-            test::sign_of(
-                test::determinant(integers(rays(3, {third, 0.1, 1e300, tiny, third, 0.1, tiny + third, 0.1 + third, 1e300})))));
+  EXPECT_EQ(orientation_of<2>(
+                rays(3, {third, 0.1, 1e300, tiny, third, 0.1, tiny + third, 0.1 + third, 1e300}), counts),
+            test::sign_of(test::determinant(
+                integers(rays(3, {third, 0.1, 1e300, tiny, third, 0.1, tiny + third, 0.1 + third, 1e300})))));
   EXPECT_GE(counts.exact, 2u);
 }
 
@@ -115,7 +120,8 @@ void expect_agreement_with_integers(int k, std::size_t rounds = 600) {
   for (std::size_t round = 0; round < test::scaled_count(rounds); ++round) {
     RowCase c = rays(k + 1, random_numbers(n * n, round % 6, generator));
     if (round % 12 > 5)  // nearly or exactly dependent
-      for (std::size_t j = 0; j < n; ++j) c.numbers[(n - 1) * n + j] = c.numbers[j] + (n > 2 ? c.numbers[n + j] : 0);
+      for (std::size_t j = 0; j < n; ++j)
+        c.numbers[(n - 1) * n + j] = c.numbers[j] + (n > 2 ? c.numbers[n + j] : 0);
     const Sign expected = test::sign_of(test::determinant(integers(c)));
     EXPECT_EQ(orientation_of<K>(c, counts), expected) << "k = " << k << ", kind " << round % 12;
     EXPECT_EQ(exact_determinant(c.axes, c.rows.data()), expected);
@@ -167,19 +173,22 @@ TEST(Rays, AreOrderedLikePointsAndWhateverTheirLength) {
   EXPECT_TRUE(less({tiny, huge}, {2 * tiny, huge}));
   EXPECT_TRUE(less({tiny, huge}, {huge, tiny}));
   EXPECT_TRUE(less({-huge, tiny}, {-tiny, huge}));
-  EXPECT_TRUE(same({3 * tiny, tiny}, {3e300, 1e300})) << "3e300 is three times 1e300 rounded: " << (3e300 == 3 * 1e300);
+  EXPECT_TRUE(same({3 * tiny, tiny}, {3e300, 1e300}))
+      << "3e300 is three times 1e300 rounded: " << (3e300 == 3 * 1e300);
 }
 
 TEST(Rays, OrderAgreesWithRationals) {
   random::Generator generator(4);
   using Rational = boost::multiprecision::cpp_rational;
   for (std::size_t round = 0; round < test::scaled_count(3000); ++round) {
-    std::vector<double> a = random_numbers(3, round % 6, generator), b = random_numbers(3, (round / 6) % 6, generator);
+    std::vector<double> a = random_numbers(3, round % 6, generator),
+                        b = random_numbers(3, (round / 6) % 6, generator);
     if (a[2] == 0 || b[2] == 0) continue;
     if (round % 2 == 0) b[0] = a[0], b[2] = a[2];  // decided later
     const auto key = [](const std::vector<double>& row) {
       const Rational unit = abs(Rational(row[2]));
-      return std::vector<Rational>{Rational(row[2] < 0 ? -1 : 1), Rational(row[0]) / unit, Rational(row[1]) / unit};
+      return std::vector<Rational>{Rational(row[2] < 0 ? -1 : 1), Rational(row[0]) / unit,
+                                   Rational(row[1]) / unit};
     };
     const auto order = compare_rays(a.data(), b.data(), 3);
     EXPECT_EQ(order < 0, key(a) < key(b));
@@ -202,8 +211,8 @@ TEST(HullSide, OfPointsAndOfTheirRowsIsTheSame) {
   }
 }
 
-/// The perturbation carried out: every row (of small integers) moves towards `inner` by 2^(−80·rank), the largest the farthest.
-/// REQUIRES homogeneous rows, the query last.
+/// The perturbation carried out: every row (of small integers) moves towards `inner` by 2^(−80·rank), the
+/// largest the farthest. REQUIRES homogeneous rows, the query last.
 Sign side_by_numbers(const RowCase& c, const std::vector<double>& inner) {
   std::vector<std::size_t> order(c.rows.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
@@ -213,7 +222,8 @@ Sign side_by_numbers(const RowCase& c, const std::vector<double>& inner) {
   for (std::size_t rank = 0; rank < order.size(); ++rank)
     for (std::size_t j = 0; j < m[0].size(); ++j) {
       test::Integer& entry = m[order[rank]][j];
-      entry = shifted(entry, 1000) + shifted(integer_at(inner[j], 0), 1000 - 80 * (static_cast<int>(rank) + 1));
+      entry =
+          shifted(entry, 1000) + shifted(integer_at(inner[j], 0), 1000 - 80 * (static_cast<int>(rank) + 1));
     }
   return test::sign_of(test::determinant(m));
 }
@@ -227,12 +237,16 @@ void expect_perturbation_as_by_numbers() {
   for (std::size_t round = 0; round < test::scaled_count(3000); ++round) {
     const bool of_points = round % 2 == 0;
     const std::vector<double> points = random_numbers(size * K, 1, generator);
-    RowCase c = rays(K + 1, of_points ? homogeneous_rows(points, K) : random_numbers(size * size, 1, generator));
+    RowCase c =
+        rays(K + 1, of_points ? homogeneous_rows(points, K) : random_numbers(size * size, 1, generator));
     StageCounts counts;
     if (hull_side<K>(c.flat(), c.rows.data(), c.q(), c.grid, counts) != Sign::zero) continue;
-    const auto is_no_ray = [&](const double* row) { return std::all_of(row, row + size, [](double x) { return x == 0; }); };
+    const auto is_no_ray = [&](const double* row) {
+      return std::all_of(row, row + size, [](double x) { return x == 0; });
+    };
     if (std::any_of(c.rows.begin(), c.rows.end(), is_no_ray)) continue;
-    if (std::any_of(c.rows.begin(), c.rows.end() - 1, [&](const double* row) { return equal_rows(c.flat(), row, c.q()); }))
+    if (std::any_of(c.rows.begin(), c.rows.end() - 1,
+                    [&](const double* row) { return equal_rows(c.flat(), row, c.q()); }))
       continue;
     std::optional<Sign> first;
     for (int attempt = 0; attempt < 4; ++attempt) {  // any row of the inner side gives the same answer
@@ -280,20 +294,25 @@ TEST(HullPerturbation, EveryBranch) {
     return perturbed_hull_side<2>(c.flat(), c.rows.data(), c.q(), inner.data(), c.grid, side);
   };
   EXPECT_EQ(perturbed({0, 0, 1, 0, 2, 0}, {1, 1}), Sign::positive) << "the query is the largest: it moves in";
-  EXPECT_EQ(perturbed({0, 0, 2, 0, 1, 0}, {1, 1}), Sign::negative) << "a larger vertex moved in first, q is between";
+  EXPECT_EQ(perturbed({0, 0, 2, 0, 1, 0}, {1, 1}), Sign::negative)
+      << "a larger vertex moved in first, q is between";
   EXPECT_EQ(perturbed({2, 0, 0, 0, 1, 0}, {1, -1}), Sign::negative) << "the same from the other side";
-  EXPECT_EQ(perturbed({1, 0, 2, 0, 0, 0}, {1, 1}), Sign::positive) << "a larger vertex moved in first, q is beyond the other";
-  // q is on the edge of two vertices of a triangle, whose third is the largest: of the two the larger decides.
+  EXPECT_EQ(perturbed({1, 0, 2, 0, 0, 0}, {1, 1}), Sign::positive)
+      << "a larger vertex moved in first, q is beyond the other";
+  // q is on the edge of two vertices of a triangle, whose third is the largest: of the two the larger
+  // decides.
   const std::vector<double> inner{0, 0, 1};
   RowCase c(RowForm::point, 3, {0, 0, 0, 0, 2, 0, 5, 0, 0, 0, 1, 0});
   c.grid.include(inner.data());
   StageCounts counts;
   const Sign side = hull_side<3>(c.flat(), c.rows.data(), inner.data(), c.grid, counts);
-  EXPECT_EQ(perturbed_hull_side<3>(c.flat(), c.rows.data(), c.q(), inner.data(), c.grid, side), Sign::negative);
+  EXPECT_EQ(perturbed_hull_side<3>(c.flat(), c.rows.data(), c.q(), inner.data(), c.grid, side),
+            Sign::negative);
 }
 
 /// The facets of the hull by definition: every k independent rows that no other row is in conflict with.
-std::set<std::vector<int>> hull_facets(const RowCase& input, const double* inner, const std::vector<int>& order) {
+std::set<std::vector<int>> hull_facets(const RowCase& input, const double* inner,
+                                       const std::vector<int>& order) {
   const int k = input.flat().dimension(), n = static_cast<int>(order.size());
   std::set<std::vector<int>> facets;
   for (unsigned subset = 0; subset < 1u << n; ++subset) {
@@ -329,7 +348,8 @@ void expect_closed_hulls() {
       for (const double x : p) points.push_back(x * static_cast<double>(n));
     if (delone::affine_dimension(points, D) != D) continue;
     ++hulls;
-    std::vector<double> inner(D, 0.0), inner_row(D + 1, 1.0);  // the centroid; a random row of a cone has no need of one
+    std::vector<double> inner(D, 0.0),
+        inner_row(D + 1, 1.0);  // the centroid; a random row of a cone has no need of one
     for (std::size_t i = 0; i < points.size(); ++i) inner[i % D] += points[i] / static_cast<double>(n);
     std::copy(inner.begin(), inner.end(), inner_row.begin());
     const RowCase of_points(RowForm::point, D, points);
@@ -353,7 +373,8 @@ void expect_closed_hulls() {
       for (std::size_t i = order.size(); i > 1; --i) std::swap(order[i - 1], order[generator.below(i)]);
       EXPECT_EQ(hull_facets(of_points, inner.data(), order), facets);
       // Uniform points times seven are rounded: rays of such lengths are other rays.
-      const RowCase of_rays(RowForm::homogeneous, D + 1, homogeneous_rows(points, D, round % 4 == 3 ? nullptr : &generator));
+      const RowCase of_rays(RowForm::homogeneous, D + 1,
+                            homogeneous_rows(points, D, round % 4 == 3 ? nullptr : &generator));
       EXPECT_EQ(hull_facets(of_rays, inner_row.data(), order), facets);
     }
   }
@@ -405,7 +426,8 @@ TEST(PublicHullPredicates, SayWhatIsWrong) {
   EXPECT_THROW(delone::homogeneous_orientation(rows, 2), Error);
   EXPECT_THROW(delone::homogeneous_orientation(rows, 0), Error);
   EXPECT_THROW(delone::side_of_hyperplane(p, p, 1), Error);
-  EXPECT_THROW(delone::side_of_hyperplane(std::vector<double>{1, -2}, std::vector<double>{INFINITY}, 1), Error);
+  EXPECT_THROW(delone::side_of_hyperplane(std::vector<double>{1, -2}, std::vector<double>{INFINITY}, 1),
+               Error);
   try {
     delone::homogeneous_orientation(bad, 1);
     FAIL();

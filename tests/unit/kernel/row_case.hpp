@@ -49,7 +49,8 @@ inline test::Integer integer_at(double x, int exponent) {
   int top;
   const test::Integer mantissa = static_cast<std::int64_t>(std::ldexp(std::frexp(x, &top), 53));
   const int shift = top - 53 - exponent;
-  return shift >= 0 ? test::Integer(mantissa << shift) : test::Integer(mantissa / (test::Integer(1) << -shift));
+  return shift >= 0 ? test::Integer(mantissa << shift)
+                    : test::Integer(mantissa / (test::Integer(1) << -shift));
 }
 
 /// x·2^exponent
@@ -64,7 +65,8 @@ inline test::Matrix lifted_rows(const RowCase& c) {
   for (const double* row : c.rows) {
     for (int j = 0; j < c.ambient; ++j)
       if (row[j] != 0) exponent = std::min(exponent, trailing_exponent(row[j]));
-    if (c.flat().weighted() && row[c.ambient] != 0) exponent = std::min(exponent, (trailing_exponent(row[c.ambient]) - 1) / 2);
+    if (c.flat().weighted() && row[c.ambient] != 0)
+      exponent = std::min(exponent, (trailing_exponent(row[c.ambient]) - 1) / 2);
   }
   test::Matrix lifted;
   for (const double* row : c.rows) {
@@ -92,7 +94,8 @@ inline Sign true_orientation_of(const test::Matrix& lifted) {
   return test::sign_of(test::determinant(m));
 }
 
-/// The position of the last row: the determinant is linear in its lift, and a query that is lifted far up is outside.
+/// The position of the last row: the determinant is linear in its lift, and a query that is lifted far up is
+/// outside.
 inline Sign true_side_of_sphere(const test::Matrix& lifted) {
   test::Matrix far_up = lifted;
   for (auto& x : far_up.back()) x = 0;

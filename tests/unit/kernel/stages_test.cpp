@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The predicates stage by stage: which stage decides what, every branch of the perturbation, and signs against exact integers.
+// The predicates stage by stage: which stage decides what, every branch of the perturbation, and signs
+// against exact integers.
 #include "kernel/stages.hpp"
 
+#include "base/random.hpp"
 #include "brute_force.hpp"
 #include "kernel/predicates.hpp"
-#include "base/random.hpp"
 #include "scale.hpp"
 
 #include <delone/error.hpp>
@@ -66,14 +67,16 @@ TEST(Grid, KeysOfSmallLatticesAreInLexicographicOrder) {
       }
       ASSERT_TRUE(grid.is_small());
       for (const auto& p : points)
-        for (const auto& q : points) EXPECT_EQ(grid.lexicographic_key(p.data()) < grid.lexicographic_key(q.data()), p < q);
+        for (const auto& q : points)
+          EXPECT_EQ(grid.lexicographic_key(p.data()) < grid.lexicographic_key(q.data()), p < q);
     }
 }
 
 TEST(Grid, KnowsWhetherDeterminantsAreExactInBinary64) {
   const auto is_small = [](std::vector<double> coordinates, int ambient) {
     Grid grid(ambient);
-    for (std::size_t i = 0; i < coordinates.size(); i += static_cast<std::size_t>(ambient)) grid.include(&coordinates[i]);
+    for (std::size_t i = 0; i < coordinates.size(); i += static_cast<std::size_t>(ambient))
+      grid.include(&coordinates[i]);
     return grid.is_small();
   };
   EXPECT_TRUE(is_small({0, 0, 0, 99, 99, 99}, 3));
@@ -102,20 +105,24 @@ TEST(DirectStage, DecidesPointsInGeneralPosition) {
 
 TEST(DirectStage, ProvesZerosOnIntegers) {
   const Case line(2, {0, 0, 3, 3, 7, 7});
-  EXPECT_EQ(direct_orientation<2>(line.flat(), line.points.data() + 1, line.points[0], line.grid), Sign::zero);
+  EXPECT_EQ(direct_orientation<2>(line.flat(), line.points.data() + 1, line.points[0], line.grid),
+            Sign::zero);
   const Case square(2, {0, 0, 100, 0, 100, 100, 0, 100});
   EXPECT_EQ(direct_sphere<2>(square.flat(), square.points.data(), square.q, square.grid), Sign::zero);
-  const Case scaled(2, {0, 0, std::ldexp(3, -500), 0, std::ldexp(3, -500), std::ldexp(5, -500), 0, std::ldexp(5, -500)});
+  const Case scaled(
+      2, {0, 0, std::ldexp(3, -500), 0, std::ldexp(3, -500), std::ldexp(5, -500), 0, std::ldexp(5, -500)});
   EXPECT_EQ(direct_sphere<2>(scaled.flat(), scaled.points.data(), scaled.q, scaled.grid), Sign::zero);
 }
 
 TEST(DirectStage, PassesOnWhatItCannotKnow) {
-  // One unit in the last place off a line through points of full precision: beyond binary64, not beyond integers.
+  // One unit in the last place off a line through points of full precision: beyond binary64, not beyond
+  // integers.
   const double x = 1.0 / 3, y = std::nextafter(x, 1);
   const Case c(2, {0, 0, 1, 1, x, y});
   EXPECT_EQ(exact_orientation(c.flat(), c.points.data() + 1, c.points[0]), Sign::positive);
   const Case tilted(2, {0.1, 0.1, 0.3, 0.3, 1e17, 1e17});
-  EXPECT_EQ(direct_orientation<2>(tilted.flat(), tilted.points.data() + 1, tilted.points[0], tilted.grid), std::nullopt);
+  EXPECT_EQ(direct_orientation<2>(tilted.flat(), tilted.points.data() + 1, tilted.points[0], tilted.grid),
+            std::nullopt);
   EXPECT_EQ(exact_orientation(tilted.flat(), tilted.points.data() + 1, tilted.points[0]), Sign::zero);
 }
 
@@ -147,9 +154,10 @@ Sign true_orientation(const test::Matrix& rows, std::size_t vertices) {
   return test::sign_of(test::determinant(m));
 }
 Sign true_in_sphere(const test::Matrix& rows) {
-  // The lifted determinant with a column of ones: rows (x, |x|², 1) of the vertices and of q. By parity of the dimension its
-  // sign for a positively oriented simplex is + or − inside; the sign is fixed by the vertex configuration itself, here through
-  // a point certainly outside: the determinant is linear in q's lift, so compare with a q lifted far up.
+  // The lifted determinant with a column of ones: rows (x, |x|², 1) of the vertices and of q. By parity of
+  // the dimension its sign for a positively oriented simplex is + or − inside; the sign is fixed by the
+  // vertex configuration itself, here through a point certainly outside: the determinant is linear in q's
+  // lift, so compare with a q lifted far up.
   test::Matrix m;
   for (const auto& row : rows) {
     m.push_back(row);
@@ -200,29 +208,36 @@ TEST(Perturbation, TheQueryDecidesWhenItIsTheLargest) {
 }
 
 TEST(Perturbation, ALargerVertexDecidesByTheBarycentricCoordinate) {
-  // The vertex (2,2) is largest. q = (0,0) has a negative barycentric coordinate there: lifting (2,2) lowers the sphere at q.
+  // The vertex (2,2) is largest. q = (0,0) has a negative barycentric coordinate there: lifting (2,2) lowers
+  // the sphere at q.
   const Case outside(2, {2, 0, 2, 2, 0, 2, 0, 0});
-  EXPECT_EQ(perturbed_in_sphere<2>(outside.flat(), outside.points.data(), outside.q, outside.grid), Sign::positive);
-  // q = (2,0) against (0,0), (2,2), (0,2): (2,2) is larger than q, and q's barycentric coordinate there is positive.
+  EXPECT_EQ(perturbed_in_sphere<2>(outside.flat(), outside.points.data(), outside.q, outside.grid),
+            Sign::positive);
+  // q = (2,0) against (0,0), (2,2), (0,2): (2,2) is larger than q, and q's barycentric coordinate there is
+  // positive.
   const Case inside(2, {0, 0, 2, 2, 0, 2, 2, 0});
-  EXPECT_EQ(perturbed_in_sphere<2>(inside.flat(), inside.points.data(), inside.q, inside.grid), Sign::negative);
+  EXPECT_EQ(perturbed_in_sphere<2>(inside.flat(), inside.points.data(), inside.q, inside.grid),
+            Sign::negative);
 }
 
 TEST(Perturbation, AZeroBarycentricCoordinatePassesToTheNextPoint) {
-  // Eight points of a cube are cospherical. q = (1,0,0) has barycentric coordinate 0 at the largest vertex (1,1,1) with respect
-  // to a simplex whose face opposite (1,1,1) lies in the plane z = 0 with q; the next larger vertex decides.
+  // Eight points of a cube are cospherical. q = (1,0,0) has barycentric coordinate 0 at the largest vertex
+  // (1,1,1) with respect to a simplex whose face opposite (1,1,1) lies in the plane z = 0 with q; the next
+  // larger vertex decides.
   const Case c(3, {0, 0, 0, 1, 1, 0, 0, 1, 0, 1, 1, 1, 1, 0, 0});
   ASSERT_EQ(orientation<3>(c.flat(), c.points.data(), c.grid), Sign::positive);
   EXPECT_EQ(perturbed_in_sphere<3>(c.flat(), c.points.data(), c.q, c.grid), Sign::negative);
 }
 
-/// Corners of a box are cospherical, and barycentric coordinates of many are 0. `length`: of the box along the first axis.
+/// Corners of a box are cospherical, and barycentric coordinates of many are 0. `length`: of the box along
+/// the first axis.
 template <int K>
 void expect_the_same_on_a_grid_as_without(double length) {
   SCOPED_TRACE(testing::Message() << "dimension " << K << ", a box of length " << length);
   random::Generator generator(static_cast<std::uint64_t>(K));
   Grid fine(K);  // holds the points, and is not small
-  for (const double x : {0.0, length, 1.0 / 3}) fine.include(std::vector<double>(static_cast<std::size_t>(K), x).data());
+  for (const double x : {0.0, length, 1.0 / 3})
+    fine.include(std::vector<double>(static_cast<std::size_t>(K), x).data());
   int compared = 0, negative = 0;
   while (compared < static_cast<int>(test::scaled_count(400))) {
     std::vector<double> corners;
@@ -259,8 +274,10 @@ TEST(Perturbation, IsNeverZeroAndAntisymmetricOnCospherical) {
   const std::vector<std::vector<double>> corners{{0, 0}, {1, 0}, {1, 1}, {0, 1}};
   for (int start = 0; start < 4; ++start) {
     std::vector<double> one, other;
-    for (int i : {0, 1, 2, 3}) one.insert(one.end(), corners[(start + i) % 4].begin(), corners[(start + i) % 4].end());
-    for (int i : {1, 2, 3, 0}) other.insert(other.end(), corners[(start + i) % 4].begin(), corners[(start + i) % 4].end());
+    for (int i : {0, 1, 2, 3})
+      one.insert(one.end(), corners[(start + i) % 4].begin(), corners[(start + i) % 4].end());
+    for (int i : {1, 2, 3, 0})
+      other.insert(other.end(), corners[(start + i) % 4].begin(), corners[(start + i) % 4].end());
     const Case a(2, one), b(2, other);
     EXPECT_EQ(perturbed_in_sphere<2>(a.flat(), a.points.data(), a.q, a.grid),
               -perturbed_in_sphere<2>(b.flat(), b.points.data(), b.q, b.grid));
@@ -270,7 +287,8 @@ TEST(Perturbation, IsNeverZeroAndAntisymmetricOnCospherical) {
 TEST(AffineHull, FindsDimensionAndAxes) {
   AffineHull hull(3);
   EXPECT_EQ(hull.dimension(), -1);
-  const double p[] = {1, 1, 1}, q[] = {1, 1, 3}, r[] = {1, 1, 2}, s[] = {2, 2, 5}, t[] = {4, 4, 0}, u[] = {0, 1, 0};
+  const double p[] = {1, 1, 1}, q[] = {1, 1, 3}, r[] = {1, 1, 2}, s[] = {2, 2, 5}, t[] = {4, 4, 0},
+               u[] = {0, 1, 0};
   EXPECT_TRUE(hull.add(p));
   EXPECT_FALSE(hull.add(p));
   EXPECT_TRUE(hull.add(q));
@@ -285,7 +303,8 @@ TEST(AffineHull, FindsDimensionAndAxes) {
 }
 
 TEST(PublicPredicates, SayWhatIsWrong) {
-  const std::vector<double> triangle{0, 0, 1, 0, 0, 1}, line{0, 0, 1, 1, 2, 2}, q{0.25, 0.25}, bad{0, 0, 1, NAN, 0, 1};
+  const std::vector<double> triangle{0, 0, 1, 0, 0, 1}, line{0, 0, 1, 1, 2, 2}, q{0.25, 0.25},
+      bad{0, 0, 1, NAN, 0, 1};
   EXPECT_EQ(delone::orientation(triangle, 2), Sign::positive);
   EXPECT_EQ(delone::in_sphere(triangle, q, 2), Sign::negative);
   EXPECT_EQ(delone::in_sphere_perturbed(triangle, std::vector<double>{1, 0}, 2), Sign::zero);

@@ -2,8 +2,8 @@
 // Ties broken many at a time, against one at a time and without a grid.
 #include "kernel/tie_kernel.hpp"
 
-#include "kernel/stages.hpp"
 #include "base/random.hpp"
+#include "kernel/stages.hpp"
 #include "scale.hpp"
 
 #include <gtest/gtest.h>
@@ -15,8 +15,8 @@
 namespace delone::kernel {
 namespace {
 
-/// Cells of corners of a box, which are cospherical: barycentric coordinates of many other corners are 0. Its sides along the
-/// axes are 1, 3, 5, … times `side`, up to `longest`.
+/// Cells of corners of a box, which are cospherical: barycentric coordinates of many other corners are 0. Its
+/// sides along the axes are 1, 3, 5, … times `side`, up to `longest`.
 template <int K>
 void expect_the_same_as_one_at_a_time(double side, std::size_t longest, bool is_tiny) {
   SCOPED_TRACE(testing::Message() << "dimension " << K << ", sides up to " << longest);
@@ -27,7 +27,8 @@ void expect_the_same_as_one_at_a_time(double side, std::size_t longest, bool is_
   Grid grid(K), fine(K);
   for (std::size_t v = 0; v < num_corners; ++v) {
     for (std::size_t r = 0; r < K; ++r)
-      corners[v * row_size + r] = (v >> r & 1) != 0 ? side * static_cast<double>(std::min(2 * r + 1, longest)) : 0.0;
+      corners[v * row_size + r] =
+          (v >> r & 1) != 0 ? side * static_cast<double>(std::min(2 * r + 1, longest)) : 0.0;
     grid.include(&corners[v * row_size]);
     fine.include(&corners[v * row_size]);
   }
@@ -70,7 +71,8 @@ void expect_the_same_as_one_at_a_time(double side, std::size_t longest, bool is_
     EXPECT_EQ(sides, expected);
     if (is_tiny && can_break_in_binary32(K)) {
       std::fill(sides.begin(), sides.end(), Sign::zero);
-      break_ties({K, vertices, corners.data(), row_size, query, tiny_key_weights.data(), per_unit.data(), sides.data()});
+      break_ties({K, vertices, corners.data(), row_size, query, tiny_key_weights.data(), per_unit.data(),
+                  sides.data()});
       EXPECT_EQ(sides, expected);
     }
     negative += static_cast<std::size_t>(std::count(expected.begin(), expected.end(), Sign::negative));

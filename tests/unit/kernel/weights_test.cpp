@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Spheres orthogonal to weighted points: which stage decides, signs against exact integers over the whole range of doubles, and
-// the perturbation against infinitesimals that are carried out as numbers.
+// Spheres orthogonal to weighted points: which stage decides, signs against exact integers over the whole
+// range of doubles, and the perturbation against infinitesimals that are carried out as numbers.
+#include "base/random.hpp"
 #include "kernel/predicates.hpp"
 #include "kernel/stages.hpp"
-#include "base/random.hpp"
 #include "row_case.hpp"
 #include "scale.hpp"
 
@@ -23,7 +23,9 @@
 namespace delone::kernel {
 namespace {
 
-RowCase weighted(int dimension, std::vector<double> all) { return {RowForm::weighted_point, dimension, std::move(all)}; }
+RowCase weighted(int dimension, std::vector<double> all) {
+  return {RowForm::weighted_point, dimension, std::move(all)};
+}
 
 template <int K>
 std::optional<Sign> direct(const RowCase& c) {
@@ -54,7 +56,8 @@ TEST(WeightedGrid, TheLiftLiesOnTheFinerOfTwoGrids) {
 TEST(WeightedGrid, KnowsWhetherDeterminantsAreExactInBinary64) {
   const auto is_small = [](std::vector<double> rows, int ambient) {
     Grid grid(ambient, true);
-    for (std::size_t i = 0; i < rows.size(); i += static_cast<std::size_t>(ambient) + 1) grid.include(&rows[i]);
+    for (std::size_t i = 0; i < rows.size(); i += static_cast<std::size_t>(ambient) + 1)
+      grid.include(&rows[i]);
     return grid.is_small();
   };
   EXPECT_TRUE(is_small({0, 0, 0, 5, 99, 99, 99, 1005}, 3));
@@ -82,8 +85,9 @@ TEST(WeightedSphere, DirectStageProvesZerosOnGrids) {
   const double s = 999;
   const RowCase large = weighted(2, {0, 0, 0, s, 0, 9, s, s, 9 + s, 0, s, s});
   EXPECT_EQ(direct<0>(large), Sign::zero);
-  const RowCase scaled = weighted(2, {0, 0, 0, std::ldexp(3, -400), 0, std::ldexp(5, -800), std::ldexp(3, -400),
-                                      std::ldexp(3, -400), std::ldexp(7, -800), 0, std::ldexp(3, -400), std::ldexp(2, -800)});
+  const RowCase scaled =
+      weighted(2, {0, 0, 0, std::ldexp(3, -400), 0, std::ldexp(5, -800), std::ldexp(3, -400),
+                   std::ldexp(3, -400), std::ldexp(7, -800), 0, std::ldexp(3, -400), std::ldexp(2, -800)});
   EXPECT_FALSE(scaled.grid.is_small());
   EXPECT_EQ(direct<2>(scaled), Sign::zero);
   // One unit of the lift more is no tie.
@@ -171,7 +175,8 @@ std::vector<double> random_rows(int ambient, int count, std::size_t kind, random
     if (kind == 5) w = std::ldexp(std::floor(8 * w), 300);
     if (kind == 6) w = wide(80);
     if (kind == 7) w = wide(1000);
-    if (kind == 8) w = square + std::ldexp(w, -static_cast<int>(generator.below(60)));  // cancelled to a few bits
+    if (kind == 8)
+      w = square + std::ldexp(w, -static_cast<int>(generator.below(60)));  // cancelled to a few bits
     if (kind == 9) w = std::ldexp(w, -1070);
     all.push_back(w);
   }
@@ -213,7 +218,8 @@ TEST(WeightedSphere, InFlatsOfLowerDimensionToo) {
     for (std::size_t i = 0; i < plane.size(); i += 3) {
       const double u = std::floor(1024 * plane[i]), v = std::floor(1024 * plane[i + 1]);
       const double square = u * u + v * v + (1000 * u + v) * (1000 * u + v) + (u - 3000 * v) * (u - 3000 * v);
-      all.insert(all.end(), {u, v, 1000 * u + v, u - 3000 * v, round % 8 < 4 ? plane[i + 2] : square + plane[i + 2]});
+      all.insert(all.end(),
+                 {u, v, 1000 * u + v, u - 3000 * v, round % 8 < 4 ? plane[i + 2] : square + plane[i + 2]});
     }
     RowCase c(RowForm::weighted_point, 4, all, {0, 1});
     const test::Matrix lifted = lifted_rows(c);
@@ -225,13 +231,16 @@ TEST(WeightedSphere, InFlatsOfLowerDimensionToo) {
 }
 
 TEST(WeightedSphere, TheBoundCountsWhatWeightsCancelInShortColumns) {
-  // The plane (u, v, 2^20·(u − v)) over (u, v), with one point far along the diagonal: two others are short over the axes while
-  // their squares are as large as any, and weights cancel these to a few units in the last place.
+  // The plane (u, v, 2^20·(u − v)) over (u, v), with one point far along the diagonal: two others are short
+  // over the axes while their squares are as large as any, and weights cancel these to a few units in the
+  // last place.
   random::Generator generator(12);
   int uncertain = 0;
   for (std::size_t round = 0; round < test::scaled_count(300); ++round) {
     std::vector<double> all;
-    const auto near = [&] { return std::ldexp(static_cast<double>(1 + generator.below(std::uint64_t{1} << 32)), -32); };
+    const auto near = [&] {
+      return std::ldexp(static_cast<double>(1 + generator.below(std::uint64_t{1} << 32)), -32);
+    };
     const auto add = [&](double u, double v) {
       const double x = std::ldexp(u - v, 20), square = u * u + v * v + x * x;
       const double units = static_cast<double>(generator.below(9)) - 4;
@@ -255,7 +264,8 @@ TEST(WeightedSphere, TheBoundCountsWhatWeightsCancelInShortColumns) {
 TEST(WeightedSphere, EqualWeightsAreNoWeights) {
   random::Generator generator(6);
   for (std::size_t round = 0; round < test::scaled_count(500); ++round) {
-    const std::vector<double> plain = random_rows(2, 4, round % 5, generator);  // R^3, by misreading the weight as a coordinate
+    const std::vector<double> plain =
+        random_rows(2, 4, round % 5, generator);  // R^3, by misreading the weight as a coordinate
     std::vector<double> with_weight;
     for (std::size_t i = 0; i < plain.size(); ++i) {
       with_weight.push_back(plain[i]);
@@ -276,7 +286,8 @@ TEST(WeightedSphere, DoesNotDependOnTheOrderOfVerticesNorOnAConstantInTheWeights
     const std::vector<double> all = random_rows(3, 5, 1, generator);
     std::vector<double> points, weights, raised;
     for (std::size_t i = 0; i < 5; ++i) {
-      points.insert(points.end(), all.begin() + static_cast<int>(4 * i), all.begin() + static_cast<int>(4 * i) + 3);
+      points.insert(points.end(), all.begin() + static_cast<int>(4 * i),
+                    all.begin() + static_cast<int>(4 * i) + 3);
       weights.push_back(all[4 * i + 3]);
       raised.push_back(weights.back() + 1024);
     }
@@ -285,7 +296,8 @@ TEST(WeightedSphere, DoesNotDependOnTheOrderOfVerticesNorOnAConstantInTheWeights
     const auto first_weights = std::span<const double>(weights).first(4);
     const Sign sign = delone::in_power_sphere(p, first_weights, q, weights[4], 3);
     EXPECT_EQ(delone::in_power_sphere(p, std::span<const double>(raised).first(4), q, raised[4], 3), sign);
-    std::vector<double> turned(p.begin() + 3, p.end()), turned_weights(first_weights.begin() + 1, first_weights.end());
+    std::vector<double> turned(p.begin() + 3, p.end()),
+        turned_weights(first_weights.begin() + 1, first_weights.end());
     turned.insert(turned.end(), p.begin(), p.begin() + 3);
     turned_weights.push_back(weights[0]);
     EXPECT_EQ(delone::in_power_sphere(turned, turned_weights, q, weights[4], 3), sign);
@@ -294,8 +306,8 @@ TEST(WeightedSphere, DoesNotDependOnTheOrderOfVerticesNorOnAConstantInTheWeights
   }
 }
 
-/// The perturbation carried out: the lifts of points of small integers get 2^(−60·rank), the largest point the largest; equal
-/// points of different weight, equal ranks.
+/// The perturbation carried out: the lifts of points of small integers get 2^(−60·rank), the largest point
+/// the largest; equal points of different weight, equal ranks.
 Sign side_by_numbers(const RowCase& c) {
   test::Matrix lifted = lifted_rows(c);
   std::set<std::vector<double>> coordinates;
@@ -319,7 +331,9 @@ void expect_perturbation_as_by_numbers() {
     if (true_orientation_of(lifted_rows(c)) == Sign::zero) continue;
     StageCounts counts;
     if (side<D>(c, counts) != Sign::zero) continue;
-    if (std::any_of(c.rows.begin(), c.rows.end() - 1, [&](const double* p) { return equal_points(p, c.q(), D + 1); })) continue;
+    if (std::any_of(c.rows.begin(), c.rows.end() - 1,
+                    [&](const double* p) { return equal_points(p, c.q(), D + 1); }))
+      continue;
     ++ties;
     const Sign sign = perturbed_in_sphere<D>(c.flat(), c.rows.data(), c.q(), c.grid);
     seen.insert(sign);
@@ -337,19 +351,24 @@ TEST(WeightedPerturbation, AgreesWithInfinitesimalsCarriedOut) {
 }
 
 TEST(WeightedPerturbation, EveryBranch) {
-  const auto perturbed = [](const RowCase& c) { return perturbed_in_sphere<1>(c.flat(), c.rows.data(), c.q(), c.grid); };
+  const auto perturbed = [](const RowCase& c) {
+    return perturbed_in_sphere<1>(c.flat(), c.rows.data(), c.q(), c.grid);
+  };
   // Three lifted points on a line: weights x² flatten the parabola.
-  EXPECT_EQ(perturbed(weighted(1, {0, 0, 1, 1, 2, 4})), Sign::positive) << "q is the largest: hidden by none, but outside";
-  EXPECT_EQ(perturbed(weighted(1, {0, 0, 2, 4, 1, 1})), Sign::negative) << "the vertex 2 is lifted, q is between";
-  EXPECT_EQ(perturbed(weighted(1, {1, 1, 2, 4, 0, 0})), Sign::positive) << "the vertex 2 is lifted, q is beyond";
+  EXPECT_EQ(perturbed(weighted(1, {0, 0, 1, 1, 2, 4})), Sign::positive)
+      << "q is the largest: hidden by none, but outside";
+  EXPECT_EQ(perturbed(weighted(1, {0, 0, 2, 4, 1, 1})), Sign::negative)
+      << "the vertex 2 is lifted, q is between";
+  EXPECT_EQ(perturbed(weighted(1, {1, 1, 2, 4, 0, 0})), Sign::positive)
+      << "the vertex 2 is lifted, q is beyond";
   // The largest vertex has coefficient 0: q is on the edge of the other two, of which the larger decides.
   const RowCase edge = weighted(2, {0, 0, 0, 2, 0, 4, 3, 1, 10, 1, 0, 1});
   ASSERT_EQ(exact(edge), Sign::zero);
   EXPECT_EQ(perturbed_in_sphere<2>(edge.flat(), edge.rows.data(), edge.q(), edge.grid), Sign::negative);
 }
 
-/// All cells of a regular triangulation by its definition, as sets of rows: every simplex that no other point is in conflict
-/// with.
+/// All cells of a regular triangulation by its definition, as sets of rows: every simplex that no other point
+/// is in conflict with.
 template <int D>
 std::set<std::vector<int>> regular_cells(const std::vector<double>& all, const std::vector<int>& order) {
   const RowCase input = weighted(D, all);
@@ -376,7 +395,8 @@ std::set<std::vector<int>> regular_cells(const std::vector<double>& all, const s
   return cells;
 }
 
-/// d!·volume of all cells of a triangulation is that of the hull, and every facet has a cell on either side or is on the hull.
+/// d!·volume of all cells of a triangulation is that of the hull, and every facet has a cell on either side
+/// or is on the hull.
 template <int D>
 void expect_triangulation(const std::vector<double>& all, const std::set<std::vector<int>>& cells) {
   const RowCase input = weighted(D, all);
@@ -399,7 +419,8 @@ void expect_triangulation(const std::vector<double>& all, const std::set<std::ve
       EXPECT_EQ(side_of(opposite[1]), Sign::negative);
       continue;
     }
-    for (int row = 0; row < static_cast<int>(input.rows.size()); ++row) EXPECT_NE(side_of(row), Sign::negative);
+    for (int row = 0; row < static_cast<int>(input.rows.size()); ++row)
+      EXPECT_NE(side_of(row), Sign::negative);
   }
 }
 
@@ -413,7 +434,8 @@ void expect_regular_triangulations() {
     std::iota(order.begin(), order.end(), 0);
     {  // equal rows would be one vertex
       std::set<std::vector<double>> rows;
-      for (auto row = all.begin(); row != all.end(); row += D + 1) rows.insert(std::vector<double>(row, row + D + 1));
+      for (auto row = all.begin(); row != all.end(); row += D + 1)
+        rows.insert(std::vector<double>(row, row + D + 1));
       if (rows.size() != order.size()) continue;
     }
     const auto cells = regular_cells<D>(all, order);
@@ -435,9 +457,12 @@ TEST(PublicPowerSphere, SaysWhatIsWrong) {
   const std::vector<double> triangle{0, 0, 1, 0, 0, 1}, q{0.25, 0.25}, weights{0, 0, 0};
   EXPECT_EQ(delone::in_power_sphere(triangle, weights, q, 0, 2), Sign::negative);
   EXPECT_EQ(delone::in_power_sphere(triangle, weights, q, -1, 2), Sign::positive);
-  EXPECT_EQ(delone::in_power_sphere_perturbed(triangle, weights, std::vector<double>{1, 0}, 0, 2), Sign::zero);
-  EXPECT_EQ(delone::in_power_sphere_perturbed(triangle, weights, std::vector<double>{1, 0}, 1, 2), Sign::negative);
-  EXPECT_NE(delone::in_power_sphere_perturbed(triangle, weights, std::vector<double>{1, 1}, 0, 2), Sign::zero);
+  EXPECT_EQ(delone::in_power_sphere_perturbed(triangle, weights, std::vector<double>{1, 0}, 0, 2),
+            Sign::zero);
+  EXPECT_EQ(delone::in_power_sphere_perturbed(triangle, weights, std::vector<double>{1, 0}, 1, 2),
+            Sign::negative);
+  EXPECT_NE(delone::in_power_sphere_perturbed(triangle, weights, std::vector<double>{1, 1}, 0, 2),
+            Sign::zero);
   EXPECT_THROW(delone::in_power_sphere(triangle, q, q, 0, 2), Error);
   EXPECT_THROW(delone::in_power_sphere({}, weights, q, 0, 0), Error);
   const std::vector<double> line{0, 0, 1, 1, 2, 2}, bad{0, NAN, 0};

@@ -14,8 +14,8 @@ namespace delone::order {
 namespace {
 
 /// The same without vectors, of integers so small that nothing is rounded.
-std::vector<std::uint32_t> chosen_one_by_one(PointsView points, std::span<const Index> rows, std::size_t start,
-                                             std::size_t count) {
+std::vector<std::uint32_t> chosen_one_by_one(PointsView points, std::span<const Index> rows,
+                                             std::size_t start, std::size_t count) {
   std::vector<double> distances(rows.size(), std::numeric_limits<double>::infinity());
   std::vector<std::uint32_t> chosen;
   for (std::size_t next = start; chosen.size() < count;) {
@@ -23,7 +23,8 @@ std::vector<std::uint32_t> chosen_one_by_one(PointsView points, std::span<const 
     for (std::size_t i = 0; i < rows.size(); ++i) {
       double square = 0;
       for (int r = 0; r < points.dimension(); ++r) {
-        const double edge = points[rows[i]][static_cast<std::size_t>(r)] - points[rows[next]][static_cast<std::size_t>(r)];
+        const double edge =
+            points[rows[i]][static_cast<std::size_t>(r)] - points[rows[next]][static_cast<std::size_t>(r)];
         square += edge * edge;
       }
       distances[i] = std::min(distances[i], square);

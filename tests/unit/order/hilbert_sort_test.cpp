@@ -81,11 +81,13 @@ TEST_P(HilbertGrid, ConsecutivePointsOfAFullGridAreNeighbors) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Grids, HilbertGrid,
-                         testing::Values(Grid{1, 64}, Grid{2, 2}, Grid{2, 4}, Grid{2, 64}, Grid{3, 2}, Grid{3, 16}, Grid{4, 2},
-                                         Grid{4, 8}, Grid{5, 4}, Grid{6, 4}, Grid{10, 2}));
+                         testing::Values(Grid{1, 64}, Grid{2, 2}, Grid{2, 4}, Grid{2, 64}, Grid{3, 2},
+                                         Grid{3, 16}, Grid{4, 2}, Grid{4, 8}, Grid{5, 4}, Grid{6, 4},
+                                         Grid{10, 2}));
 
 TEST(HilbertSort, HalvesOfAnyLevelAreSeparated) {
-  // The property that appendix A rests on: each half of a half, … of the order lies on one side of a median hyperplane.
+  // The property that appendix A rests on: each half of a half, … of the order lies on one side of a median
+  // hyperplane.
   const auto x = uniform_points(3, 512, 3);
   const auto rows = sorted_rows(x, 3);
   for (std::size_t width = 512; width >= 2; width /= 2)
@@ -105,7 +107,8 @@ TEST(HilbertSort, HalvesOfAnyLevelAreSeparated) {
 }
 
 TEST(HilbertSort, KeepsConsecutivePointsClose) {
-  // A Hilbert order of n uniform points in the square has steps of about 1.1·n^(−1/2); a random order of about 0.52.
+  // A Hilbert order of n uniform points in the square has steps of about 1.1·n^(−1/2); a random order of
+  // about 0.52.
   const auto x = uniform_points(2, 10000, 5);
   const auto rows = sorted_rows(x, 2);
   double length = 0;
@@ -115,7 +118,8 @@ TEST(HilbertSort, KeepsConsecutivePointsClose) {
 }
 
 TEST(HilbertSort, KeepsPointsOfAClusterClose) {
-  // Most points are in one of the cubes that the box is split into, and further apart points come before and after them.
+  // Most points are in one of the cubes that the box is split into, and further apart points come before and
+  // after them.
   auto x = uniform_points(2, 10000, 5);
   for (std::size_t i = 0; i < 8000; ++i) {
     x[2 * i] = 0.3 + x[2 * i] * 1e-6;
@@ -141,7 +145,8 @@ TEST(HilbertSort, IsBlindToScaleAndOffsetOfEachAxis) {
   EXPECT_EQ(sorted_rows(x, 3), sorted_rows(y, 3));
   const auto far = uniform_points(6, 500, 1);
   auto moved = far;
-  for (double& v : moved) v = v * 0x1p40 + 0x1p42;  // monotone; ties of the rounded coordinates are possible and rare
+  for (double& v : moved)
+    v = v * 0x1p40 + 0x1p42;  // monotone; ties of the rounded coordinates are possible and rare
   EXPECT_TRUE(is_permutation(sorted_rows(moved, 6), 500));
 }
 
@@ -170,7 +175,8 @@ TEST(HilbertSort, FewerPointsThanCorners) {
 
 TEST(HilbertSort, AllPointsEqual) {
   for (int d : {1, 3, 4, 7, 100})
-    EXPECT_TRUE(is_permutation(sorted_rows(std::vector<double>(static_cast<std::size_t>(d) * 1000, 0.5), d), 1000));
+    EXPECT_TRUE(
+        is_permutation(sorted_rows(std::vector<double>(static_cast<std::size_t>(d) * 1000, 0.5), d), 1000));
 }
 
 TEST(HilbertSort, SortedAndHeavilyTiedInput) {

@@ -53,7 +53,8 @@ TEST(ShuffledOrder, EveryPermutationIsAboutEquallyLikely) {
   }
   double chi_squared = 0;
   for (int c : count) chi_squared += (c - 1000.0) * (c - 1000.0) / 1000.0;
-  EXPECT_LT(chi_squared, 50);  // 23 degrees of freedom: exceeded once in a thousand seeds, and the seeds are fixed
+  EXPECT_LT(chi_squared,
+            50);  // 23 degrees of freedom: exceeded once in a thousand seeds, and the seeds are fixed
 }
 
 TEST(BrioOrder, IsAPermutationDeterminedByTheSeed) {
@@ -83,7 +84,8 @@ TEST(BrioOrder, TheLastRoundIsSortedAndTheFirstPointsAreSpread) {
   for (std::size_t i = n / 2; i < n; ++i)
     last_half += std::hypot(x[2 * rows[i]] - x[2 * rows[i - 1]], x[2 * rows[i] + 1] - x[2 * rows[i - 1] + 1]);
   EXPECT_LT(last_half / (n / 2.0), 0.02);
-  // Random rounds: the first 156 points (10000/64) reach into all quarters of the square, although each round is sorted.
+  // Random rounds: the first 156 points (10000/64) reach into all quarters of the square, although each round
+  // is sorted.
   int quarter[4] = {};
   for (std::size_t i = 0; i < 156; ++i) ++quarter[(x[2 * rows[i]] < 0.5) + 2 * (x[2 * rows[i] + 1] < 0.5)];
   for (int count : quarter) EXPECT_GT(count, 20);
@@ -123,7 +125,8 @@ double spacing(const std::vector<double>& x, int d, const std::vector<Index>& ro
     for (std::size_t j = 0; j < m; ++j) {
       double square = 0;
       for (std::size_t r = 0; r < static_cast<std::size_t>(d); ++r) {
-        const double edge = x[rows[i] * static_cast<std::size_t>(d) + r] - x[rows[j] * static_cast<std::size_t>(d) + r];
+        const double edge =
+            x[rows[i] * static_cast<std::size_t>(d) + r] - x[rows[j] * static_cast<std::size_t>(d) + r];
         square += edge * edge;
       }
       if (i != j) least = std::min(least, square);
@@ -158,13 +161,15 @@ TEST(SpreadOrder, ConsecutivePointsAreClose) {
 
 TEST(Generator, BelowIsInRangeForEveryKindOfBound) {
   random::Generator generator(1);
-  for (std::uint64_t bound : {std::uint64_t{1}, std::uint64_t{2}, std::uint64_t{3}, std::uint64_t{0xffffffffu},
-                              std::uint64_t{1} << 32, (std::uint64_t{1} << 32) + 1, ~std::uint64_t{0}})
+  for (std::uint64_t bound :
+       {std::uint64_t{1}, std::uint64_t{2}, std::uint64_t{3}, std::uint64_t{0xffffffffu},
+        std::uint64_t{1} << 32, (std::uint64_t{1} << 32) + 1, ~std::uint64_t{0}})
     for (int i = 0; i < 1000; ++i) EXPECT_LT(generator.below(bound), bound);
 }
 
 TEST(Generator, MatchesTheReferenceImplementation) {
-  // splitmix64 from state 1234567, as published with the algorithm; the first outputs seed the generator's state.
+  // splitmix64 from state 1234567, as published with the algorithm; the first outputs seed the generator's
+  // state.
   std::uint64_t state = 1234567;
   EXPECT_EQ(random::mix(state += 0x9e3779b97f4a7c15u), 6457827717110365317u);
   EXPECT_EQ(random::mix(state += 0x9e3779b97f4a7c15u), 3203168211198807973u);

@@ -62,7 +62,8 @@ TEST(PointSets, HaveTheSizeAskedForFiniteCoordinatesAndDependOnTheSeedOnly) {
           continue;
         }
         const auto x = make_point_set(name, d, n, 7);
-        const std::size_t expected = name == "cube01" && d < 6 ? std::min<std::size_t>(n, std::size_t{1} << d) : n;
+        const std::size_t expected =
+            name == "cube01" && d < 6 ? std::min<std::size_t>(n, std::size_t{1} << d) : n;
         EXPECT_EQ(x.size(), expected * static_cast<std::size_t>(d)) << name << " " << d;
         for (double v : x) EXPECT_TRUE(std::isfinite(v)) << name;
         EXPECT_EQ(x, make_point_set(name, d, n, 7)) << name;
@@ -76,13 +77,16 @@ TEST(PointSets, HaveTheSizeAskedForFiniteCoordinatesAndDependOnTheSeedOnly) {
 TEST(PointSets, TheSameBitsOnEveryPlatform) {
   // Golden values: a change of a generator changes published data sets, and must be a decision.
   const std::map<std::string_view, std::uint64_t> golden{
-      {"ball", 0x59d8a7771426e114u},        {"clusters", 0xa8b734b6cd71275cu},    {"collinear", 0xd73e939c95ef4315u},
-      {"cospherical", 0x2bb9c092fe7f4315u}, {"cube01", 0x68d23fd7003c2305u},      {"duplicates", 0xac10d031105ed1fcu},
-      {"equal", 0x3c39e125653d6385u},       {"flat", 0x51d81b4197df4315u},        {"gaussian", 0x10ad2153b4b37431u},
-      {"grid", 0x6cd11692fe7f4315u},        {"manifold", 0x4882a055e9ee9b98u},    {"mixed_scales", 0x346ffa71df826bd6u},
-      {"moment", 0x7c8ac017e752be29u},      {"nudged_grid", 0xa7040fecd441a82au}, {"offset", 0x2494aa37038e6765u},
-      {"plummer", 0xc16b803f2f9c9a56u},     {"sphere", 0xdb2b39c46842f859u},      {"tilted_grid", 0x1bd91692fe7f4315u},
-      {"ulp_sphere", 0x85e46800667d119eu},  {"uniform", 0x671c3e2e9083c5adu}};
+      {"ball", 0x59d8a7771426e114u},       {"clusters", 0xa8b734b6cd71275cu},
+      {"collinear", 0xd73e939c95ef4315u},  {"cospherical", 0x2bb9c092fe7f4315u},
+      {"cube01", 0x68d23fd7003c2305u},     {"duplicates", 0xac10d031105ed1fcu},
+      {"equal", 0x3c39e125653d6385u},      {"flat", 0x51d81b4197df4315u},
+      {"gaussian", 0x10ad2153b4b37431u},   {"grid", 0x6cd11692fe7f4315u},
+      {"manifold", 0x4882a055e9ee9b98u},   {"mixed_scales", 0x346ffa71df826bd6u},
+      {"moment", 0x7c8ac017e752be29u},     {"nudged_grid", 0xa7040fecd441a82au},
+      {"offset", 0x2494aa37038e6765u},     {"plummer", 0xc16b803f2f9c9a56u},
+      {"sphere", 0xdb2b39c46842f859u},     {"tilted_grid", 0x1bd91692fe7f4315u},
+      {"ulp_sphere", 0x85e46800667d119eu}, {"uniform", 0x671c3e2e9083c5adu}};
   for (const auto& kind : point_set_kinds()) {
     const auto found = golden.find(kind.name);
     ASSERT_NE(found, golden.end()) << kind.name;
@@ -131,7 +135,8 @@ TEST(PointSets, CosphericalPointsSpanTheSpace) {
 
 TEST(PointSets, FlatPointsAreExactlyInAHyperplane) {
   for (int d : {2, 3, 7}) {
-    // Coordinates are multiples of 2^−30: integers after scaling. The slopes are recovered by trying all that are possible.
+    // Coordinates are multiples of 2^−30: integers after scaling. The slopes are recovered by trying all that
+    // are possible.
     const Rows rows = make("flat", d, 200);
     const auto integer = [](double v) { return static_cast<std::int64_t>(v * 0x1p30); };
     std::vector<std::int64_t> slope(static_cast<std::size_t>(d) - 1, -3);
@@ -163,7 +168,8 @@ TEST(PointSets, CollinearPointsAreExactlyOnALine) {
 }
 
 TEST(PointSets, Lattices) {
-  EXPECT_EQ(make("grid", 2, 9), (Rows{{0, 0}, {0, 1}, {0, 2}, {1, 0}, {1, 1}, {1, 2}, {2, 0}, {2, 1}, {2, 2}}));
+  EXPECT_EQ(make("grid", 2, 9),
+            (Rows{{0, 0}, {0, 1}, {0, 2}, {1, 0}, {1, 1}, {1, 2}, {2, 0}, {2, 1}, {2, 2}}));
   EXPECT_EQ(make("grid", 3, 9).back(), (std::vector<double>{0, 2, 2}));  // side 3
   EXPECT_EQ(make("grid", 1, 4), (Rows{{0}, {1}, {2}, {3}}));
   EXPECT_EQ(make("grid", 3, 1000).back(), (std::vector<double>{9, 9, 9}));

@@ -19,7 +19,8 @@ using internal::Landmarks;
 constexpr auto any = [](Index) { return true; };
 
 geometry::Frame box_of(const std::vector<double>& points, std::size_t dimension) {
-  std::vector<double> low(points.begin(), points.begin() + static_cast<std::ptrdiff_t>(dimension)), high = low;
+  std::vector<double> low(points.begin(), points.begin() + static_cast<std::ptrdiff_t>(dimension)),
+      high = low;
   for (std::size_t i = 0; i < points.size(); ++i) {
     low[i % dimension] = std::min(low[i % dimension], points[i]);
     high[i % dimension] = std::max(high[i % dimension], points[i]);
@@ -44,12 +45,14 @@ Landmarks landmarks_at(const std::vector<double>& points, std::size_t dimension)
 /// How far near() is from uniform queries on average, divided by how far the nearest point is.
 double mean_distance(const char* kind, int dimension, std::size_t n) {
   const auto d = static_cast<std::size_t>(dimension);
-  const std::vector<double> points = make_point_set(kind, dimension, n, 1), queries = make_point_set(kind, dimension, 300, 2);
+  const std::vector<double> points = make_point_set(kind, dimension, n, 1),
+                            queries = make_point_set(kind, dimension, 300, 2);
   const Landmarks landmarks = landmarks_at(points, d);
   double found = 0, least = 0;
   for (std::size_t i = 0; i < queries.size(); i += d) {
     double nearest = std::numeric_limits<double>::infinity();
-    for (std::size_t j = 0; j < points.size(); j += d) nearest = std::min(nearest, distance(&points[j], &queries[i], d));
+    for (std::size_t j = 0; j < points.size(); j += d)
+      nearest = std::min(nearest, distance(&points[j], &queries[i], d));
     least += nearest;
     found += distance(&points[(landmarks.near(&queries[i], any) - 1) * d], &queries[i], d);
   }
@@ -101,11 +104,13 @@ TEST(Landmarks, OfEqualPointsFillAllCubesAndNoMore) {
 }
 
 TEST(Landmarks, OfPointsBeyondTheBoxAndOfBoxesOfAnySize) {
-  constexpr double huge = std::numeric_limits<double>::max(), tiny = std::numeric_limits<double>::denorm_min();
+  constexpr double huge = std::numeric_limits<double>::max(),
+                   tiny = std::numeric_limits<double>::denorm_min();
   for (const double size : {0.0, tiny, 1e-300, 1.0, 1e300, huge}) {
     SCOPED_TRACE(size);
     Landmarks landmarks(geometry::Frame({-size, 0}, {size, size}), 2);
-    const double points[][2] = {{0, 0}, {size, size}, {-size, size}, {huge, -huge}, {-huge, huge}, {tiny, tiny}};
+    const double points[][2] = {{0, 0},        {size, size},  {-size, size},
+                                {huge, -huge}, {-huge, huge}, {tiny, tiny}};
     Index v = 0;
     for (const auto& point : points) landmarks.add(++v, point);
     v = 0;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Points that are taken over: the result is that of points which are only read, and their memory is given back.
+// Points that are taken over: the result is that of points which are only read, and their memory is given
+// back.
 #include <delone/delaunay.hpp>
 #include <delone/point_sets.hpp>
 

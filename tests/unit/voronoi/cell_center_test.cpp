@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The pieces of Voronoi diagrams one by one: correct rounding of fractions, the certified path of centres against the exact
-// one, volumes of simple polytopes.
+// The pieces of Voronoi diagrams one by one: correct rounding of fractions, the certified path of centres
+// against the exact one, volumes of simple polytopes.
 #include "voronoi/cell_center.hpp"
 #include "degenerate.hpp"
-#include "voronoi/simple_polytope.hpp"
 #include "kernel/fractions.hpp"
+#include "voronoi/simple_polytope.hpp"
 
 #include <delone/predicates.hpp>
 
@@ -20,7 +20,8 @@ namespace {
 TEST(NearestDouble, RoundsLikeTheHardware) {
   test::Random random(3);
   for (int i = 0; i < 20000; ++i) {
-    const auto a = static_cast<double>(random.integer(-1000000, 1000000)), b = static_cast<double>(random.integer(1, 1000000));
+    const auto a = static_cast<double>(random.integer(-1000000, 1000000)),
+               b = static_cast<double>(random.integer(1, 1000000));
     EXPECT_EQ(nearest_double(Integer(a), Integer(b), 0), a / b + 0.0);
     EXPECT_EQ(nearest_double(Integer(-a), Integer(-b), 0), a / b + 0.0);
   }
@@ -69,7 +70,8 @@ TEST(SolveExactly, InAnyPivotOrder) {
 class CenterOfDimension : public ::testing::TestWithParam<int> {};
 INSTANTIATE_TEST_SUITE_P(Dimensions, CenterOfDimension, ::testing::Range(1, 9));
 
-// What the certified path answers must be the double that integers give, on easy and on nearly flat simplices.
+// What the certified path answers must be the double that integers give, on easy and on nearly flat
+// simplices.
 TEST_P(CenterOfDimension, CertifiedEqualsExact) {
   const int d = GetParam();
   const auto size = static_cast<std::size_t>(d);
@@ -107,7 +109,8 @@ TEST_P(CenterOfDimension, CertifiedEqualsExact) {
   EXPECT_LE(num_easy, d == 1 ? 50u : 2u) << "the certified path gives up on random simplices";
 }
 
-// Blocks of all sizes, in lanes for d = 2, 3: from lattices, nearly flat cells and the ends of the range, all in one block.
+// Blocks of all sizes, in lanes for d = 2, 3: from lattices, nearly flat cells and the ends of the range, all
+// in one block.
 TEST_P(CenterOfDimension, BlocksEqualSingleCells) {
   const int d = GetParam();
   const auto size = static_cast<std::size_t>(d);
@@ -134,7 +137,8 @@ TEST_P(CenterOfDimension, BlocksEqualSingleCells) {
       for (std::size_t i = 0; i <= size; ++i) points.push_back(x.data() + i * size);
     std::vector<double> found(count * size), expected(count * size);
     blocks.find_block(count, points.data(), nullptr, found.data());
-    for (std::size_t c = 0; c < count; ++c) slow.find(points.data() + c * (size + 1), nullptr, expected.data() + c * size);
+    for (std::size_t c = 0; c < count; ++c)
+      slow.find(points.data() + c * (size + 1), nullptr, expected.data() + c * size);
     EXPECT_EQ(found, expected) << count << " cells";
   }
   EXPECT_LT(blocks.num_exact(), slow.num_exact());

@@ -86,7 +86,8 @@ TEST(FacetTable, KeepsApartWhatALineHasNoRoomFor) {
   for (const std::size_t num_keys : {4, 6, 7, 12, 40}) {
     SCOPED_TRACE(testing::Message() << num_keys << " keys in a line");
     std::vector<std::uint64_t> keys;
-    for (std::uint64_t i = 0; i < num_keys; ++i) keys.push_back(generator.bits() << 50 | std::uint64_t{12345} << 20 | i);
+    for (std::uint64_t i = 0; i < num_keys; ++i)
+      keys.push_back(generator.bits() << 50 | std::uint64_t{12345} << 20 | i);
     Compared compared;
     ASSERT_NO_FATAL_FAILURE(expect_the_same(compared, keys, 300000, generator));
     ASSERT_NO_FATAL_FAILURE(compared.empty());

@@ -1,15 +1,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Wrapping gives what insertions give, or nothing, and can be inserted into; and no wrong set of cells is proved.
+// Wrapping gives what insertions give, or nothing, and can be inserted into; and no wrong set of cells is
+// proved.
 #include "engine/wrap/wrapping.hpp"
 
+#include "base/random.hpp"
 #include "compare.hpp"
-#include "engine/wrap/proof.hpp"
 #include "compiled/dispatch.hpp"
 #include "compiled/point_in_one_cell.hpp"
+#include "engine/wrap/proof.hpp"
 #include "geometry/delaunay_geometry.hpp"
 #include "geometry/facet_search/facet_search.hpp"
 #include "kernel/predicates.hpp"
-#include "base/random.hpp"
 #include "scale.hpp"
 
 #include <delone/delaunay.hpp>
@@ -64,7 +65,8 @@ class GrowingHull {
   void seed() {
     kernel::AffineHull span(points_.ambient);
     std::vector<Index> simplex, others;
-    for (Index v = 1; v <= points_.last_vertex(); ++v) (span.add(points_.point(v)) ? simplex : others).push_back(v);
+    for (Index v = 1; v <= points_.last_vertex(); ++v)
+      (span.add(points_.point(v)) ? simplex : others).push_back(v);
     hull_->seed(simplex);
     for (const Index v : others) hull_->insert(v, invalid_index);
   }
@@ -85,7 +87,8 @@ class GrowingHull {
       for (int i = 0; i <= complex.dimension(); ++i) {
         result.back().push_back(static_cast<SignedIndex>(index(complex.vertex(cell, i))));
         const CellId neighbor = complex.neighbor(cell, i);
-        EXPECT_TRUE(complex.is_cell(neighbor) && complex.neighbor(neighbor, complex.mirror_index(cell, i)) == cell);
+        EXPECT_TRUE(complex.is_cell(neighbor) &&
+                    complex.neighbor(neighbor, complex.mirror_index(cell, i)) == cell);
       }
       if (!complex.is_infinite(cell)) {
         std::vector<const double*> corners;
@@ -115,7 +118,8 @@ class GrowingHull {
   std::unique_ptr<Hull> hull_;
 };
 
-/// Wraps all points but the last ones, and inserts those; where that fails, all are inserted. Returns whether it did not fail.
+/// Wraps all points but the last ones, and inserts those; where that fails, all are inserted. Returns whether
+/// it did not fail.
 bool expect_the_same_as_insertion(int k, const Coordinates& all, std::size_t later = 3) {
   const std::size_t n = all.size() / static_cast<std::size_t>(k), first = n > k + 1 + later ? n - later : n;
   SCOPED_TRACE(testing::Message() << first << " of " << n << " points in dimension " << k);
@@ -133,7 +137,8 @@ bool expect_the_same_as_insertion(int k, const Coordinates& all, std::size_t lat
 /// Whether those that are wrapped are.
 bool is_of_full_dimension(int k, const Coordinates& points, std::size_t later = 3) {
   kernel::AffineHull span(k);
-  for (std::size_t i = 0; i + later * static_cast<std::size_t>(k) < points.size(); i += static_cast<std::size_t>(k))
+  for (std::size_t i = 0; i + later * static_cast<std::size_t>(k) < points.size();
+       i += static_cast<std::size_t>(k))
     span.add(points.data() + i);
   return span.dimension() == k;
 }
@@ -161,7 +166,8 @@ TEST(Wrap, GivesWhatInsertionGives) {
 Coordinates make_sine(int k, std::size_t n) {
   const auto d = static_cast<std::size_t>(k);
   Coordinates points = make_point_set("uniform", k, n, 3);
-  for (std::size_t i = 0; i < points.size(); i += d) points[i + d - 1] = std::sin(3.14159265358979 * points[i]);
+  for (std::size_t i = 0; i < points.size(); i += d)
+    points[i + d - 1] = std::sin(3.14159265358979 * points[i]);
   return points;
 }
 
@@ -193,12 +199,16 @@ TEST(Wrap, GivesWhatInsertionGivesOrNothingWherePointsAreFarFromUniform) {
     };
     for (const std::size_t n : sizes(k, 2)) {
       for (const char* kind : {"sphere", "clusters", "plummer", "mixed_scales", "manifold", "moment"}) {
-        const bool is_slow = k > 4 && (kind == std::string("mixed_scales") || (kind == std::string("moment") && n > 12));
-        if (!is_slow) expect_the_same(kind, make_point_set(kind, k, n, 7));  // exact arithmetic of long numbers
+        const bool is_slow =
+            k > 4 && (kind == std::string("mixed_scales") || (kind == std::string("moment") && n > 12));
+        if (!is_slow)
+          expect_the_same(kind, make_point_set(kind, k, n, 7));  // exact arithmetic of long numbers
       }
       expect_the_same("sine", make_sine(k, n));
-      for (const double ratio : {0.9, 0.5, k > 4 ? 0.8 : 0.1}) expect_the_same("spiral", make_spiral(k, n, ratio));
-      for (const double distance : {1e-3, 1e-6, 1e-9, 1e-12}) expect_the_same("pairs", make_pairs(k, n, distance));
+      for (const double ratio : {0.9, 0.5, k > 4 ? 0.8 : 0.1})
+        expect_the_same("spiral", make_spiral(k, n, ratio));
+      for (const double distance : {1e-3, 1e-6, 1e-9, 1e-12})
+        expect_the_same("pairs", make_pairs(k, n, distance));
     }
   }
   EXPECT_GT(wrapped, all / 3);
@@ -207,7 +217,8 @@ TEST(Wrap, GivesWhatInsertionGivesOrNothingWherePointsAreFarFromUniform) {
 TEST(Wrap, GivesWhatInsertionGivesOrNothingWherePointsAreNotInGeneralPosition) {
   for (int k = 2; k <= largest_dimension; ++k) {
     const auto d = static_cast<std::size_t>(k);
-    for (const char* kind : {"grid", "tilted_grid", "nudged_grid", "cube01", "cospherical", "ulp_sphere", "duplicates"})
+    for (const char* kind :
+         {"grid", "tilted_grid", "nudged_grid", "cube01", "cospherical", "ulp_sphere", "duplicates"})
       for (const std::size_t n : sizes(k, 2)) {
         SCOPED_TRACE(kind);
         const Coordinates points = make_point_set(kind, k, n, 7);
@@ -220,7 +231,8 @@ TEST(Wrap, GivesWhatInsertionGivesOrNothingWherePointsAreNotInGeneralPosition) {
         EXPECT_FALSE(expect_the_same_as_insertion(k, points, 0));
       }
       points = make_point_set("uniform", k, n, 9);
-      for (std::size_t i = 0; i < n; i += 2) points[i * d + d - 1] = 0;  // on the hull, if many then more than a facet has
+      for (std::size_t i = 0; i < n; i += 2)
+        points[i * d + d - 1] = 0;  // on the hull, if many then more than a facet has
       expect_the_same_as_insertion(k, points, 0);
     }
   }
@@ -232,7 +244,8 @@ TEST(Wrap, DoesNotDecideTies) {
     if (k <= 5) {
       EXPECT_FALSE(expect_the_same_as_insertion(k, make_point_set("cube01", k, std::size_t{1} << k), 0));
     }
-    EXPECT_FALSE(expect_the_same_as_insertion(k, make_point_set("cospherical", k, 4 * static_cast<std::size_t>(k)), 0));
+    EXPECT_FALSE(expect_the_same_as_insertion(
+        k, make_point_set("cospherical", k, 4 * static_cast<std::size_t>(k)), 0));
   }
 }
 
@@ -264,14 +277,16 @@ TEST(Wrap, BuildsBatchesOfFewPointsInSevenDimensions) {
 TEST(Wrap, LeavesWhatQueriesNeedToTheFirst) {
   if (largest_dimension < 7) GTEST_SKIP() << "no engine for it is compiled";
   constexpr std::size_t d = 7;
-  const Coordinates points = make_point_set("uniform", d, 210, 3), queries = make_point_set("uniform", d, 40, 4);
+  const Coordinates points = make_point_set("uniform", d, 210, 3),
+                    queries = make_point_set("uniform", d, 40, 4);
   Options inserting;
   inserting.force_runtime_dimension = true;
   Triangulation wrapped(points, d);
   const Triangulation inserted(points, d, inserting);
   const auto rows_of = [](const Triangulation& t, const CellId cell) {
     std::vector<std::size_t> rows;
-    for (const VertexId v : t.vertices(cell)) rows.push_back(v == infinite_vertex ? ~std::size_t{0} : t.row_of(v));
+    for (const VertexId v : t.vertices(cell))
+      rows.push_back(v == infinite_vertex ? ~std::size_t{0} : t.row_of(v));
     std::sort(rows.begin(), rows.end());
     return rows;
   };
@@ -442,8 +457,8 @@ void expect_no_proof_with_wrong_links() {
               cells.neighbors(b)[of_b] = c;
             }
             ASSERT_FALSE(proposed.is_proved())
-                << (crosswise ? "each of them has" : "the first has") << " the neighbor of the other: " << a << " in slot " << i
-                << ", " << c << " in slot " << j;
+                << (crosswise ? "each of them has" : "the first has") << " the neighbor of the other: " << a
+                << " in slot " << i << ", " << c << " in slot " << j;
           }
   // One link that is missing.
   for (Index a = 0; a < right.size(); ++a)
@@ -469,11 +484,13 @@ TEST(Proof, NoticesAFlip) {
   std::vector<std::pair<Index, Index>> pairs;
   for (Index cell = 0; cell < right.size(); ++cell)
     for (int i = 0; i <= 2; ++i)
-      if (proposed.cells.neighbors(cell)[i] > cell) pairs.emplace_back(cell, proposed.cells.neighbors(cell)[i]);
+      if (proposed.cells.neighbors(cell)[i] > cell)
+        pairs.emplace_back(cell, proposed.cells.neighbors(cell)[i]);
   for (const auto& [a, b] : pairs) {
     test::Cells wrong = right;
     std::vector<SignedIndex> common, different;
-    std::set_intersection(right[a].begin(), right[a].end(), right[b].begin(), right[b].end(), std::back_inserter(common));
+    std::set_intersection(right[a].begin(), right[a].end(), right[b].begin(), right[b].end(),
+                          std::back_inserter(common));
     std::set_symmetric_difference(right[a].begin(), right[a].end(), right[b].begin(), right[b].end(),
                                   std::back_inserter(different));
     for (const std::size_t i : {0u, 1u}) {
@@ -533,8 +550,9 @@ TEST(Proof, NoticesTies) {
   }
   // 4 is on the edge of 1 and 2, in the triangulation and beside it.
   Proposed<2> collinear({0, 0, 2, 0, 1, 3, 1, 0});
-  for (const test::Cells& cells : {test::Cells{{1, 3, 4}, {2, 3, 4}, {0, 1, 4}, {0, 2, 4}, {0, 1, 3}, {0, 2, 3}},
-                                   test::Cells{{1, 2, 3}, {1, 2, 4}, {0, 1, 4}, {0, 2, 4}, {0, 1, 3}, {0, 2, 3}}}) {
+  for (const test::Cells& cells :
+       {test::Cells{{1, 3, 4}, {2, 3, 4}, {0, 1, 4}, {0, 2, 4}, {0, 1, 3}, {0, 2, 3}},
+        test::Cells{{1, 2, 3}, {1, 2, 4}, {0, 1, 4}, {0, 2, 4}, {0, 1, 3}, {0, 2, 3}}}) {
     ASSERT_TRUE(collinear.propose(cells));
     EXPECT_FALSE(collinear.is_proved());
   }

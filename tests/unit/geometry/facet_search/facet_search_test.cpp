@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What is found beyond facets, against every vertex in turn; and the search ends whatever cell it starts from.
+// What is found beyond facets, against every vertex in turn; and the search ends whatever cell it starts
+// from.
 #include "geometry/facet_search/facet_search.hpp"
 
 #include "base/random.hpp"
@@ -74,7 +75,8 @@ bool is_empty(int k, const std::vector<double>& rows, Index n, const std::vector
 
 TEST(FacetSearch, FindsCellsWithEmptySpheres) {
   for (int k = 2; k <= 9; ++k)
-    for (const Index n : {static_cast<Index>(k + 1), static_cast<Index>(k + 2), Index{33}, Index{300}, Index{2500}}) {
+    for (const Index n :
+         {static_cast<Index>(k + 1), static_cast<Index>(k + 2), Index{33}, Index{300}, Index{2500}}) {
       if (n > 1000 && k % 5 != 2) continue;  // more than are looked at at once
       SCOPED_TRACE(testing::Message() << n << " points in dimension " << k);
       random::Generator generator(n);
@@ -88,7 +90,8 @@ TEST(FacetSearch, FindsCellsWithEmptySpheres) {
       for (std::size_t round = 0; round < test::scaled_count(30); ++round) {
         // As many of the last cells as are treated at once, or fewer.
         const std::size_t count = std::min(1 + round % FacetSearch::batch_size, cells.size());
-        const std::vector<std::vector<Index>> batch(cells.end() - static_cast<std::ptrdiff_t>(count), cells.end());
+        const std::vector<std::vector<Index>> batch(cells.end() - static_cast<std::ptrdiff_t>(count),
+                                                    cells.end());
         std::vector<OpenCell> open;
         for (const auto& cell : batch)
           open.push_back({cell.data(), static_cast<std::uint32_t>(1 + generator.below((1u << width) - 1))});
@@ -117,7 +120,8 @@ TEST(FacetSearch, FindsCellsWithEmptySpheres) {
 // 4 and 5 are on the circle of 1, 2 and 3, or too near to it to tell.
 TEST(FacetSearch, LeavesWhatIsCloseToTheArbiter) {
   for (const double distance : {0.0, 1e-17, -1e-16}) {
-    const std::vector<double> rows = rows_of(2, {0.6, 0.8, -0.6, 0.8, 0, 1, 0.8 + distance, -0.6, -0.8, -0.6});
+    const std::vector<double> rows =
+        rows_of(2, {0.6, 0.8, -0.6, 0.8, 0, 1, 0.8 + distance, -0.6, -0.8, -0.6});
     const Index cell[] = {1, 2, 3};
     Index apexes[3];
     const OpenCell open{cell, 1 << 2};
@@ -142,7 +146,8 @@ TEST(FacetSearch, LeavesAllThatAreCloseToTheArbiter) {
     std::vector<Index> close;
     for (std::size_t i = 0; i < count; ++i) {
       const double angle = -3.14159265358979 * (static_cast<double>(i) + 0.5) / static_cast<double>(count);
-      points.insert(points.end(), {std::cos(angle), std::sin(angle), 3 * std::cos(angle), 2 * std::sin(angle)});
+      points.insert(points.end(),
+                    {std::cos(angle), std::sin(angle), 3 * std::cos(angle), 2 * std::sin(angle)});
       close.push_back(static_cast<Index>(4 + 2 * i));
     }
     const auto n = static_cast<Index>(3 + 2 * count);
@@ -167,7 +172,8 @@ TEST(FacetSearch, FindsTheFirstOfManyThatAreClose) {
   for (const std::size_t count : {3, 7, 40}) {
     std::vector<double> points{0.6, 0.8, -0.6, 0.8, 0, 1};
     for (std::size_t i = 0; i < count; ++i) {
-      const double center = -1 - 1e-4 * static_cast<double>(count - i), radius = std::hypot(0.6, 0.8 - center);
+      const double center = -1 - 1e-4 * static_cast<double>(count - i),
+                   radius = std::hypot(0.6, 0.8 - center);
       const double angle = -3.14159265358979 * (static_cast<double>(i) + 0.5) / static_cast<double>(count);
       points.insert(points.end(), {radius * std::cos(angle), center + radius * std::sin(angle)});
     }

@@ -19,7 +19,8 @@ TEST_F(ReadOff, Vertices) {
   const Doubles expected{0, 0, 0, 1, 0, 0.5};
   for (const char* text :
        {"OFF\n2 0 0\n0 0 0\n1 0 0.5\n", "# made by\r\nOFF 2 1 0\r\n\r\n0 0 0 # a\r\n1 0 .5\r\n2 0 1",
-        "OFF\n2 0\n0 0 0\n1 0 0.5", "COFF\n2 0 0\n0 0 0 255 0 0 1\n1 0 0.5 0 0 0 1\n", "nOFF\n3\n2 0 0\n0 0 0\n1 0 0.5\n"})
+        "OFF\n2 0\n0 0 0\n1 0 0.5", "COFF\n2 0 0\n0 0 0 255 0 0 1\n1 0 0.5 0 0 0 1\n",
+        "nOFF\n3\n2 0 0\n0 0 0\n1 0 0.5\n"})
     EXPECT_EQ(read("a.off", text).coordinates, expected) << text;
   EXPECT_EQ(read("a.off", "nOFF 5\n1 0 0\n1 2 3 4 5\n").dimension, 5);
 }
@@ -28,7 +29,8 @@ TEST_F(ReadOff, Faults) {
   expect_error(Errc::bad_format, {"a.off:1", "'OOF'"}, [&] { read("a.off", "OOF\n1 0 0\n0 0 0\n"); });
   expect_error(Errc::unsupported, {"'STOFF'"}, [&] { read("a.off", "STOFF\n1 0 0\n0 0 0\n"); });
   expect_error(Errc::unsupported, {"binary"}, [&] { read("a.off", "OFF BINARY\n"); });
-  expect_error(Errc::bad_format, {"expected 3 vertices", "after 2"}, [&] { read("a.off", "OFF\n3 0 0\n0 0 0\n1 1 1\n"); });
+  expect_error(Errc::bad_format, {"expected 3 vertices", "after 2"},
+               [&] { read("a.off", "OFF\n3 0 0\n0 0 0\n1 1 1\n"); });
   expect_error(Errc::bad_format, {"a.off:4: vertex 1: expected 3 coordinates, found 2"},
                [&] { read("a.off", "OFF\n2 0 0\n0 0 0\n1 1\n"); });
   expect_error(Errc::bad_format, {"a.off:3: vertex 0: more than 3", "'255 0 0'"},
@@ -38,19 +40,20 @@ TEST_F(ReadOff, Faults) {
   expect_error(Errc::bad_dimension, {"dimension is 0"}, [&] { read("a.off", "nOFF\n0\n1 0 0\n\n"); });
   expect_error(Errc::bad_format, {"18446744073709551615 vertices"},
                [&] { read("a.off", "OFF\n18446744073709551615 0 0\n0 0 0\n"); });
-  EXPECT_EQ(
-      expect_error(Errc::not_finite, {"a.off:4: column 2: 'inf'"}, [&] { read("a.off", "OFF\n2 0 0\n0 0 0\n1 1 inf\n"); }),
-      (std::vector<std::size_t>{1}));
+  EXPECT_EQ(expect_error(Errc::not_finite, {"a.off:4: column 2: 'inf'"},
+                         [&] { read("a.off", "OFF\n2 0 0\n0 0 0\n1 1 inf\n"); }),
+            (std::vector<std::size_t>{1}));
   expect_error(Errc::bad_format, {"empty"}, [&] { read("a.off", ""); });
 }
 
 TEST_F(ReadPly, Ascii) {
-  const auto t =
-      read("a.ply",
-           "ply\nformat ascii 1.0\ncomment a # b\nobj_info x\nelement extra 2\nproperty list uchar int a\nproperty float b\n"
-           "element vertex 2\nproperty float x\nproperty list uchar int skip\nproperty double y\nproperty uchar red\n"
-           "property float z\nelement face 1\nproperty list uchar int vertex_index\nend_header\n"
-           "3 1 2 3 0.5\n0 0.25\n1 2 7 8 2.5 255 3\n4 0 5 0 6\n3 0 1 0\n");
+  const auto t = read("a.ply",
+                      "ply\nformat ascii 1.0\ncomment a # b\nobj_info x\nelement extra 2\nproperty list "
+                      "uchar int a\nproperty float b\n"
+                      "element vertex 2\nproperty float x\nproperty list uchar int skip\nproperty double "
+                      "y\nproperty uchar red\n"
+                      "property float z\nelement face 1\nproperty list uchar int vertex_index\nend_header\n"
+                      "3 1 2 3 0.5\n0 0.25\n1 2 7 8 2.5 255 3\n4 0 5 0 6\n3 0 1 0\n");
   EXPECT_EQ(t.dimension, 3);
   EXPECT_EQ(t.coordinates, (Doubles{1, 2.5, 3, 4, 5, 6}));
   EXPECT_EQ(t.column_names, (Names{"x", "y", "z"}));
@@ -60,9 +63,11 @@ std::string binary_ply(bool big, int vertices, const std::string& data) {
   return std::string("ply\r\nformat binary_") + (big ? "big" : "little") +
          "_endian 1.0\r\nelement fixed 2\r\nproperty int a\r\nproperty char b\r\n" +
          "element lists 2\r\nproperty list ushort double l\r\nelement vertex " + std::to_string(vertices) +
-         "\r\nproperty int8 i1\r\nproperty uint8 u1\r\nproperty int16 i2\r\nproperty uint16 u2\r\nproperty list uint8 float32 "
+         "\r\nproperty int8 i1\r\nproperty uint8 u1\r\nproperty int16 i2\r\nproperty uint16 u2\r\nproperty "
+         "list uint8 float32 "
          "skip\r\n"
-         "property int32 i4\r\nproperty uint32 u4\r\nproperty float32 x\r\nproperty float64 y\r\nelement face 1\r\nproperty "
+         "property int32 i4\r\nproperty uint32 u4\r\nproperty float32 x\r\nproperty float64 y\r\nelement "
+         "face 1\r\nproperty "
          "float q\r\nend_header\r\n" +
          data;
 }
@@ -71,9 +76,10 @@ std::string binary_data(bool big) {
   std::string data(2 * 5, 'x');
   data += bytes_of<std::uint16_t>(2, big) + std::string(16, 'y') + bytes_of<std::uint16_t>(0, big);
   for (int row = 0; row < 2; ++row) {
-    data += bytes_of<std::int8_t>(-1, big) + bytes_of<std::uint8_t>(200, big) + bytes_of<std::int16_t>(-300, big) +
-            bytes_of<std::uint16_t>(40000, big) + bytes_of<std::uint8_t>(1, big) + "list" +
-            bytes_of<std::int32_t>(-70000, big) + bytes_of<std::uint32_t>(4000000000u, big) + bytes_of<float>(1.5f, big) +
+    data += bytes_of<std::int8_t>(-1, big) + bytes_of<std::uint8_t>(200, big) +
+            bytes_of<std::int16_t>(-300, big) + bytes_of<std::uint16_t>(40000, big) +
+            bytes_of<std::uint8_t>(1, big) + "list" + bytes_of<std::int32_t>(-70000, big) +
+            bytes_of<std::uint32_t>(4000000000u, big) + bytes_of<float>(1.5f, big) +
             bytes_of<double>(0.1 + row, big);
   }
   return data + "face";
@@ -95,7 +101,8 @@ TEST_F(ReadPly, TruncatedBinary) {
   const std::size_t vertices_end = bytes.size() - 4;
   for (std::size_t size = bytes.find("element"); size < vertices_end; ++size)
     expect_error(Errc::bad_format, {"a.ply"}, [&] { read("a.ply", bytes.substr(0, size)); });
-  expect_error(Errc::bad_format, {"a.ply"}, [&] { read("a.ply", binary_ply(false, 2000000000, binary_data(false))); });
+  expect_error(Errc::bad_format, {"a.ply"},
+               [&] { read("a.ply", binary_ply(false, 2000000000, binary_data(false))); });
 }
 
 TEST_F(ReadPly, CountsThatNoFileHoldsAreNotAllocated) {
@@ -114,7 +121,8 @@ TEST_F(ReadPly, CountsThatNoFileHoldsAreNotAllocated) {
 TEST_F(ReadPly, Faults) {
   const std::string start = "ply\nformat ascii 1.0\nelement vertex 2\n",
                     xyz = "property float x\nproperty float y\nproperty float z\nend_header\n";
-  expect_error(Errc::bad_format, {"expected 2 vertices", "after 1"}, [&] { read("a.ply", start + xyz + "1 2 3\n"); });
+  expect_error(Errc::bad_format, {"expected 2 vertices", "after 1"},
+               [&] { read("a.ply", start + xyz + "1 2 3\n"); });
   expect_error(Errc::bad_format, {"a.ply:9", "'q'"}, [&] { read("a.ply", start + xyz + "1 2 3\n1 q 3\n"); });
   expect_error(Errc::bad_format, {"no property 'y'", "x, w"},
                [&] { read("a.ply", start + "property float x\nproperty float w\nend_header\n1 2\n1 2\n"); });
@@ -122,7 +130,8 @@ TEST_F(ReadPly, Faults) {
                [&] { read("a.ply", start + xyz + "1 2 3\n4 5 6\n", {"red"}); });
   expect_error(Errc::bad_format, {"no element 'vertex'"},
                [&] { read("a.ply", "ply\nformat ascii 1.0\nelement face 0\nend_header\n"); });
-  expect_error(Errc::bad_format, {"a.ply:4", "'quad'"}, [&] { read("a.ply", start + "property quad x\nend_header\n"); });
+  expect_error(Errc::bad_format, {"a.ply:4", "'quad'"},
+               [&] { read("a.ply", start + "property quad x\nend_header\n"); });
   expect_error(Errc::bad_format, {"a.ply:4", "integer"},
                [&] { read("a.ply", start + "property list float int x\nend_header\n"); });
   expect_error(Errc::bad_format, {"'end_header'"}, [&] { read("a.ply", start); });
@@ -130,8 +139,10 @@ TEST_F(ReadPly, Faults) {
   expect_error(Errc::bad_format, {"'format'"},
                [&] { read("a.ply", "ply\nelement vertex 0\nproperty int x\nproperty int y\nend_header\n"); });
   expect_error(Errc::unsupported, {"'utf8'"}, [&] { read("a.ply", "ply\nformat utf8 1.0\nend_header\n"); });
-  expect_error(Errc::bad_format, {"'-5'"}, [&] { read("a.ply", "ply\nformat ascii 1.0\nelement vertex -5\nend_header\n"); });
-  EXPECT_EQ(expect_error(Errc::not_finite, {"y: nan is not finite"}, [&] { read("a.ply", start + xyz + "1 2 3\n4 nan 6\n"); }),
+  expect_error(Errc::bad_format, {"'-5'"},
+               [&] { read("a.ply", "ply\nformat ascii 1.0\nelement vertex -5\nend_header\n"); });
+  EXPECT_EQ(expect_error(Errc::not_finite, {"y: nan is not finite"},
+                         [&] { read("a.ply", start + xyz + "1 2 3\n4 nan 6\n"); }),
             (std::vector<std::size_t>{1}));
   expect_error(Errc::bad_format, {"empty"}, [&] { read("a.ply", ""); });
 }

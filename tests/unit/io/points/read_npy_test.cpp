@@ -26,7 +26,8 @@ class ReadNpy : public delone_test::TemporaryDirectory {
       EXPECT_EQ(t.dimension, 3);
       EXPECT_EQ(t.coordinates, expected) << order + type;
       EXPECT_EQ(
-          read_bytes(npy_of(order + type, "(2, 3)", std::vector<T>{v[0], v[3], v[1], v[4], v[2], v[5]}, true)).coordinates,
+          read_bytes(npy_of(order + type, "(2, 3)", std::vector<T>{v[0], v[3], v[1], v[4], v[2], v[5]}, true))
+              .coordinates,
           expected)
           << order + type << " Fortran";
     }
@@ -39,8 +40,8 @@ TEST_F(ReadNpy, AllNumbersInAllOrders) {
   expect_all_orders<std::int8_t>("i1", {-128, 127, 1, 2, 3, 4});
   expect_all_orders<std::int16_t>("i2", {-32768, 32767, 1, 2, 3, 4});
   expect_all_orders<std::int32_t>("i4", {-2147483647 - 1, 2147483647, 1, 2, 3, 4});
-  expect_all_orders<std::int64_t>(
-      "i8", {-(std::int64_t{1} << 53), std::int64_t{1} << 53, std::numeric_limits<std::int64_t>::min(), 2, 3, 4});
+  expect_all_orders<std::int64_t>("i8", {-(std::int64_t{1} << 53), std::int64_t{1} << 53,
+                                         std::numeric_limits<std::int64_t>::min(), 2, 3, 4});
   expect_all_orders<std::uint8_t>("u1", {255, 127, 1, 2, 3, 4});
   expect_all_orders<std::uint16_t>("u2", {65535, 1, 1, 2, 3, 4});
   expect_all_orders<std::uint32_t>("u4", {4294967295u, 1, 1, 2, 3, 4});
@@ -61,15 +62,18 @@ TEST_F(ReadNpy, HeaderVersionsAndForeignOrderOfKeys) {
   EXPECT_EQ(read_bytes(npy("<f8", "(1, 1)", bytes_of(2.5), false, 2)).coordinates, (Doubles{2.5}));
   EXPECT_EQ(read_bytes(npy("<f8", "(1, 1)", bytes_of(2.5), false, 3)).coordinates, (Doubles{2.5}));
   const std::string header = "{\"shape\":(1,1),\"fortran_order\":False,\"descr\":\"<f8\"}\n";
-  EXPECT_EQ(
-      read_bytes(std::string("\x93NUMPY\1\0", 8) + bytes_of(static_cast<std::uint16_t>(header.size())) + header + bytes_of(2.5))
-          .coordinates,
-      (Doubles{2.5}));
+  EXPECT_EQ(read_bytes(std::string("\x93NUMPY\1\0", 8) + bytes_of(static_cast<std::uint16_t>(header.size())) +
+                       header + bytes_of(2.5))
+                .coordinates,
+            (Doubles{2.5}));
 }
 
 TEST_F(ReadNpy, Columns) {
-  EXPECT_EQ(read("a.npy", npy_of<double>("<f8", "(2, 3)", {1, 2, 3, 4, 5, 6}), {"2", "0"}).coordinates, (Doubles{3, 1, 6, 4}));
-  expect_error(Errc::bad_format, {"'3'", "0 to 2"}, [&] { read("a.npy", npy_of<double>("<f8", "(1, 3)", {1, 2, 3}), {"3"}); });
+  EXPECT_EQ(read("a.npy", npy_of<double>("<f8", "(2, 3)", {1, 2, 3, 4, 5, 6}), {"2", "0"}).coordinates,
+            (Doubles{3, 1, 6, 4}));
+  expect_error(Errc::bad_format, {"'3'", "0 to 2"}, [&] {
+    read("a.npy", npy_of<double>("<f8", "(1, 3)", {1, 2, 3}), {"3"});
+  });
 }
 
 TEST_F(ReadNpy, NotFinite) {
@@ -98,19 +102,25 @@ TEST_F(ReadNpy, IntegersThatAreNotExact) {
 
 TEST_F(ReadNpy, KindsThatAreNotSupported) {
   for (const char* type : {"<c16", "|O", "<U7", "|S3", "<f2", "<f16", "|b1", "<M8[ns]", "|V8"})
-    expect_error(Errc::unsupported, {"a.npy", type}, [&] { read_bytes(npy(type, "(1, 1)", std::string(64, '\0'))); });
-  const std::string header = "{'descr': [('x', '<f8'), ('y', '<f8')], 'fortran_order': False, 'shape': (1,), }\n";
+    expect_error(Errc::unsupported, {"a.npy", type},
+                 [&] { read_bytes(npy(type, "(1, 1)", std::string(64, '\0'))); });
+  const std::string header =
+      "{'descr': [('x', '<f8'), ('y', '<f8')], 'fortran_order': False, 'shape': (1,), }\n";
   expect_error(Errc::unsupported, {"a.npy", "named fields"}, [&] {
-    read_bytes(std::string("\x93NUMPY\1\0", 8) + bytes_of(static_cast<std::uint16_t>(header.size())) + header +
-               std::string(16, '\0'));
+    read_bytes(std::string("\x93NUMPY\1\0", 8) + bytes_of(static_cast<std::uint16_t>(header.size())) +
+               header + std::string(16, '\0'));
   });
-  expect_error(Errc::unsupported, {"version 9"}, [&] { read_bytes(npy("<f8", "(1,)", bytes_of(1.0), false, 9)); });
+  expect_error(Errc::unsupported, {"version 9"},
+               [&] { read_bytes(npy("<f8", "(1,)", bytes_of(1.0), false, 9)); });
 }
 
 TEST_F(ReadNpy, WrongShapes) {
-  expect_error(Errc::bad_format, {"a.npy", "(1, 1, 1)"}, [&] { read_bytes(npy_of<double>("<f8", "(1, 1, 1)", {1})); });
-  expect_error(Errc::bad_format, {"a.npy", "single number"}, [&] { read_bytes(npy_of<double>("<f8", "()", {1})); });
-  expect_error(Errc::bad_dimension, {"a.npy", "(5, 0)", "dimension is 0"}, [&] { read_bytes(npy("<f8", "(5, 0)", "")); });
+  expect_error(Errc::bad_format, {"a.npy", "(1, 1, 1)"},
+               [&] { read_bytes(npy_of<double>("<f8", "(1, 1, 1)", {1})); });
+  expect_error(Errc::bad_format, {"a.npy", "single number"},
+               [&] { read_bytes(npy_of<double>("<f8", "()", {1})); });
+  expect_error(Errc::bad_dimension, {"a.npy", "(5, 0)", "dimension is 0"},
+               [&] { read_bytes(npy("<f8", "(5, 0)", "")); });
 }
 
 TEST_F(ReadNpy, Truncated) {
@@ -124,20 +134,25 @@ TEST_F(ReadNpy, Truncated) {
 }
 
 TEST_F(ReadNpy, ShapesThatNoFileHoldsAreNotAllocated) {
-  expect_error(Errc::bad_format, {"a.npy", "truncated"}, [&] { read_bytes(npy("<f8", "(1000000000000, 3)", "12345678")); });
-  expect_error(Errc::bad_format, {"a.npy", "truncated"}, [&] { read_bytes(npy("<f8", "(4611686018427387904, 4)", "")); });
-  expect_error(Errc::bad_format, {"malformed"}, [&] { read_bytes(npy("<f8", "(99999999999999999999, 4)", "")); });
+  expect_error(Errc::bad_format, {"a.npy", "truncated"},
+               [&] { read_bytes(npy("<f8", "(1000000000000, 3)", "12345678")); });
+  expect_error(Errc::bad_format, {"a.npy", "truncated"},
+               [&] { read_bytes(npy("<f8", "(4611686018427387904, 4)", "")); });
+  expect_error(Errc::bad_format, {"malformed"},
+               [&] { read_bytes(npy("<f8", "(99999999999999999999, 4)", "")); });
   expect_error(Errc::bad_dimension, {"too large"}, [&] { read_bytes(npy("<f8", "(0, 4294967296)", "")); });
 }
 
 TEST_F(ReadNpy, MalformedHeaders) {
   const auto with_header = [&](std::string header) {
     header += '\n';
-    read_bytes(std::string("\x93NUMPY\1\0", 8) + bytes_of(static_cast<std::uint16_t>(header.size())) + header + bytes_of(1.0));
+    read_bytes(std::string("\x93NUMPY\1\0", 8) + bytes_of(static_cast<std::uint16_t>(header.size())) +
+               header + bytes_of(1.0));
   };
   for (const char* header :
        {"", "{", "{}", "[1]", "{'descr': '<f8'}", "{'descr': '<f8', 'fortran_order': Maybe, 'shape': (1,)}",
-        "{'descr': '<f8', 'fortran_order': False, 'shape': (-1,)}", "{'descr': '<f8', 'fortran_order': False, 'shape': 1}",
+        "{'descr': '<f8', 'fortran_order': False, 'shape': (-1,)}",
+        "{'descr': '<f8', 'fortran_order': False, 'shape': 1}",
         "{'descr': '<f8', 'fortran_order': False, 'shape': (1,), 'more': 1}", "{'descr': '<f8"})
     expect_error(Errc::bad_format, {"a.npy", "malformed"}, [&] { with_header(header); });
   expect_error(Errc::bad_format, {"signature"}, [&] { read_bytes("PK\3\4 this is a zip"); });

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Points from csv, tsv, white space separated text and Qhull's form: what is accepted, and that every fault is named.
+// Points from csv, tsv, white space separated text and Qhull's form: what is accepted, and that every fault
+// is named.
 #include "io_support.hpp"
 
 #include <unistd.h>
@@ -93,15 +94,20 @@ TEST_F(ReadCsv, TsvKeepsEmptyFieldsApart) {
 }
 
 TEST_F(ReadCsv, RaggedRows) {
-  expect_error(Errc::bad_format, {"a.csv:3: expected 3 fields, found 2"}, [&] { read("a.csv", "1,2,3\n4,5,6\n7,8\n"); });
-  expect_error(Errc::bad_format, {"a.csv:2: expected 2 fields, found 4"}, [&] { read("a.csv", "1,2\n4,5,6,text\n"); });
+  expect_error(Errc::bad_format, {"a.csv:3: expected 3 fields, found 2"},
+               [&] { read("a.csv", "1,2,3\n4,5,6\n7,8\n"); });
+  expect_error(Errc::bad_format, {"a.csv:2: expected 2 fields, found 4"},
+               [&] { read("a.csv", "1,2\n4,5,6,text\n"); });
   // also in columns that nobody asked for
-  expect_error(Errc::bad_format, {"a.csv:2: expected 2 fields, found 3"}, [&] { read("a.csv", "x,y\n1,2,3\n", {"x"}); });
+  expect_error(Errc::bad_format, {"a.csv:2: expected 2 fields, found 3"},
+               [&] { read("a.csv", "x,y\n1,2,3\n", {"x"}); });
 }
 
 TEST_F(ReadCsv, TextInNumbers) {
-  expect_error(Errc::bad_format, {"a.csv:2: column 1: 'abc' is not a number"}, [&] { read("a.csv", "1,2\n3,abc\n"); });
-  expect_error(Errc::bad_format, {"a.csv:3: column 1 (y): '4x' is not a number"}, [&] { read("a.csv", "x,y\n1,2\n3,4x\n"); });
+  expect_error(Errc::bad_format, {"a.csv:2: column 1: 'abc' is not a number"},
+               [&] { read("a.csv", "1,2\n3,abc\n"); });
+  expect_error(Errc::bad_format, {"a.csv:3: column 1 (y): '4x' is not a number"},
+               [&] { read("a.csv", "x,y\n1,2\n3,4x\n"); });
   expect_error(Errc::bad_format, {"'1;2'"}, [&] { read("a.csv", "x\n1;2\n"); });
   expect_error(Errc::bad_format, {"'+-3'"}, [&] { read("a.csv", "1,2\n+-3,4\n"); });
   expect_error(Errc::bad_format, {"'0x10'"}, [&] { read("a.csv", "1,2\n0x10,4\n"); });
@@ -109,7 +115,8 @@ TEST_F(ReadCsv, TextInNumbers) {
 }
 
 TEST_F(ReadCsv, EmptyFields) {
-  expect_error(Errc::bad_format, {"a.csv:2: column 1: the field is empty"}, [&] { read("a.csv", "1,2,3\n4,,6\n"); });
+  expect_error(Errc::bad_format, {"a.csv:2: column 1: the field is empty"},
+               [&] { read("a.csv", "1,2,3\n4,,6\n"); });
   expect_error(Errc::bad_format, {"a.csv:2: column 2", "empty"}, [&] { read("a.csv", "1,2,3\n4,5,\n"); });
   expect_error(Errc::bad_format, {"a.csv:2: column 0", "empty"}, [&] { read("a.csv", "1,2\n\"\",5\n"); });
   // a first row with a hole is a faulty row, not a header
@@ -117,26 +124,33 @@ TEST_F(ReadCsv, EmptyFields) {
 }
 
 TEST_F(ReadCsv, NotFiniteNamesAllRows) {
-  const auto rows = expect_error(Errc::not_finite, {"a.csv:3: column 1 (y): 'nan' is not finite", "2 more rows"},
-                                 [&] { read("a.csv", "x,y\n0,0\n1,nan\n2,2\n-inf,Infinity\n1e999,0\n"); });
+  const auto rows =
+      expect_error(Errc::not_finite, {"a.csv:3: column 1 (y): 'nan' is not finite", "2 more rows"},
+                   [&] { read("a.csv", "x,y\n0,0\n1,nan\n2,2\n-inf,Infinity\n1e999,0\n"); });
   EXPECT_EQ(rows, (std::vector<std::size_t>{1, 3, 4}));
-  EXPECT_EQ(
-      expect_error(Errc::not_finite, {"a.csv:2: column 0: '-1e999' is beyond the range"}, [&] { read("a.csv", "1\n-1e999"); }),
-      (std::vector<std::size_t>{1}));
-  EXPECT_EQ(expect_error(Errc::not_finite, {"'NaN'"}, [&] { read("a.csv", "\"NaN\",1\n"); }), (std::vector<std::size_t>{0}));
+  EXPECT_EQ(expect_error(Errc::not_finite, {"a.csv:2: column 0: '-1e999' is beyond the range"},
+                         [&] { read("a.csv", "1\n-1e999"); }),
+            (std::vector<std::size_t>{1}));
+  EXPECT_EQ(expect_error(Errc::not_finite, {"'NaN'"}, [&] { read("a.csv", "\"NaN\",1\n"); }),
+            (std::vector<std::size_t>{0}));
   // unused columns may hold anything
   EXPECT_EQ(read("a.csv", "x,y\n1,nan\n", {"x"}).coordinates, (Doubles{1}));
 }
 
 TEST_F(ReadCsv, WrongColumns) {
-  expect_error(Errc::bad_format, {"a.csv", "'w'", "x, y, z"}, [&] { read("a.csv", "x,y,z\n1,2,3\n", {"x", "w"}); });
-  expect_error(Errc::bad_format, {"a.csv", "'3'", "x, y, z"}, [&] { read("a.csv", "x,y,z\n1,2,3\n", {"3"}); });
+  expect_error(Errc::bad_format, {"a.csv", "'w'", "x, y, z"}, [&] {
+    read("a.csv", "x,y,z\n1,2,3\n", {"x", "w"});
+  });
+  expect_error(Errc::bad_format, {"a.csv", "'3'", "x, y, z"},
+               [&] { read("a.csv", "x,y,z\n1,2,3\n", {"3"}); });
   expect_error(Errc::bad_format, {"'x'", "no header", "0 to 2"}, [&] { read("a.csv", "1,2,3\n", {"x"}); });
 }
 
 TEST_F(ReadCsv, Quotes) {
-  expect_error(Errc::bad_format, {"a.csv:2: a quoted field is not closed"}, [&] { read("a.csv", "1,2\n3,\"4\n5,6\n"); });
-  expect_error(Errc::bad_format, {"a.csv:2", "after a closing quote"}, [&] { read("a.csv", "1,2\n3,\"4\"5\n"); });
+  expect_error(Errc::bad_format, {"a.csv:2: a quoted field is not closed"},
+               [&] { read("a.csv", "1,2\n3,\"4\n5,6\n"); });
+  expect_error(Errc::bad_format, {"a.csv:2", "after a closing quote"},
+               [&] { read("a.csv", "1,2\n3,\"4\"5\n"); });
 }
 
 TEST_F(ReadCsv, EmptyAndForeignFiles) {
@@ -160,12 +174,15 @@ TEST_F(ReadWhiteSpace, RowsOfNumbers) {
 }
 
 TEST_F(ReadWhiteSpace, Faults) {
-  expect_error(Errc::bad_format, {"a.txt:2: expected 2 numbers, found 3"}, [&] { read("a.txt", "1 2\n3 4 5\n"); });
-  expect_error(Errc::bad_format, {"a.txt:3: expected 2 numbers, found 1"}, [&] { read("a.txt", "1 2\n\n3\n"); });
+  expect_error(Errc::bad_format, {"a.txt:2: expected 2 numbers, found 3"},
+               [&] { read("a.txt", "1 2\n3 4 5\n"); });
+  expect_error(Errc::bad_format, {"a.txt:3: expected 2 numbers, found 1"},
+               [&] { read("a.txt", "1 2\n\n3\n"); });
   expect_error(Errc::bad_format, {"a.txt:2", "'x'", "not a number"}, [&] { read("a.txt", "1 2\n3 x\n"); });
   expect_error(Errc::bad_format, {"'1,2'"}, [&] { read("a.txt", "1,2\n"); });
-  EXPECT_EQ(expect_error(Errc::not_finite, {"a.txt:2: column 0: 'inf'"}, [&] { read("a.txt", "1 2\ninf 2\n"); }),
-            (std::vector<std::size_t>{1}));
+  EXPECT_EQ(
+      expect_error(Errc::not_finite, {"a.txt:2: column 0: 'inf'"}, [&] { read("a.txt", "1 2\ninf 2\n"); }),
+      (std::vector<std::size_t>{1}));
   expect_error(Errc::bad_format, {"a.txt", "no row"}, [&] { read("a.txt", "# only\n"); });
   expect_error(Errc::bad_format, {"a.txt", "empty"}, [&] { read("a.txt", ""); });
   expect_error(Errc::bad_format, {"'x'", "0 to 1"}, [&] { read("a.txt", "1 2\n", {"x"}); });
@@ -184,23 +201,28 @@ TEST_F(ReadQhull, CommentCountRows) {
 TEST_F(ReadQhull, Faults) {
   expect_error(Errc::bad_format, {"expected 3 points of 2 coordinates", "after 4 numbers"},
                [&] { read("a.qhull", "2\n3\n1 2\n3 4\n"); });
-  expect_error(Errc::bad_format, {"a.qhull:4", "expected 1 points", "'3'"}, [&] { read("a.qhull", "2\n1\n1 2\n3 4\n"); });
+  expect_error(Errc::bad_format, {"a.qhull:4", "expected 1 points", "'3'"},
+               [&] { read("a.qhull", "2\n1\n1 2\n3 4\n"); });
   expect_error(Errc::bad_dimension, {"a.qhull:1", "dimension is 0"}, [&] { read("a.qhull", "0\n1\n1 2\n"); });
   expect_error(Errc::bad_format, {"a.qhull:1", "the dimension", "'x'"}, [&] { read("a.qhull", "x\n1\n"); });
   expect_error(Errc::bad_format, {"the dimension", "'-3'"}, [&] { read("a.qhull", "-3\n1\n"); });
-  expect_error(Errc::bad_format, {"the dimension", "99999999999"}, [&] { read("a.qhull", "99999999999\n1\n"); });
+  expect_error(Errc::bad_format, {"the dimension", "99999999999"},
+               [&] { read("a.qhull", "99999999999\n1\n"); });
   expect_error(Errc::bad_format, {"the number of points"}, [&] { read("a.qhull", "3 only a dimension\n"); });
   expect_error(Errc::bad_format, {"a.qhull:4", "'abc'"}, [&] { read("a.qhull", "2\n2\n1 2\nabc 4\n"); });
-  EXPECT_EQ(expect_error(Errc::not_finite, {"a.qhull:4: column 1: 'nan'"}, [&] { read("a.qhull", "2\n2\n1 2\n3 nan\n"); }),
+  EXPECT_EQ(expect_error(Errc::not_finite, {"a.qhull:4: column 1: 'nan'"},
+                         [&] { read("a.qhull", "2\n2\n1 2\n3 nan\n"); }),
             (std::vector<std::size_t>{1}));
   expect_error(Errc::bad_format, {"empty"}, [&] { read("a.qhull", ""); });
 }
 
 TEST_F(ReadQhull, CountsThatNoFileHoldsAreNotAllocated) {
-  expect_error(Errc::bad_format, {"the file ends after 2 numbers"}, [&] { read("a.qhull", "2\n9223372036854775807\n1 2\n"); });
+  expect_error(Errc::bad_format, {"the file ends after 2 numbers"},
+               [&] { read("a.qhull", "2\n9223372036854775807\n1 2\n"); });
   expect_error(Errc::bad_format, {"the file ends after 2 numbers"},
                [&] { read("a.qhull", "2147483647\n18446744073709551615\n1 2\n"); });
-  expect_error(Errc::bad_format, {"'18446744073709551616'"}, [&] { read("a.qhull", "2\n18446744073709551616\n1 2\n"); });
+  expect_error(Errc::bad_format, {"'18446744073709551616'"},
+               [&] { read("a.qhull", "2\n18446744073709551616\n1 2\n"); });
 }
 
 TEST_F(ReadPath, FilesThatCannotBeOpened) {

@@ -36,7 +36,10 @@ TEST_F(WritePoints, RoundTripsAreBitwise) {
       const PointTable back = read_points(path(name));
       EXPECT_EQ(back.dimension, dimension) << name;
       ASSERT_EQ(back.coordinates.size(), t.coordinates.size()) << name;
-      EXPECT_EQ(std::memcmp(back.coordinates.data(), t.coordinates.data(), t.coordinates.size() * sizeof(double)), 0) << name;
+      EXPECT_EQ(
+          std::memcmp(back.coordinates.data(), t.coordinates.data(), t.coordinates.size() * sizeof(double)),
+          0)
+          << name;
     }
   }
   EXPECT_EQ(num_files(), 8u);
@@ -87,13 +90,16 @@ TEST_F(WritePoints, Faults) {
   const PointTable t{2, {1, 2}, {}};
   expect_error(Errc::unsupported, {"'ply'", "npy, csv"}, [&] { write_points(path("a.ply"), t); });
   expect_error(Errc::bad_dimension, {"dimension is 0"}, [&] { write_points(path("a.csv"), PointTable{}); });
-  expect_error(Errc::invalid_argument, {"multiple"}, [&] { write_points(path("a.csv"), PointTable{2, {1, 2, 3}, {}}); });
+  expect_error(Errc::invalid_argument, {"multiple"}, [&] {
+    write_points(path("a.csv"), PointTable{2, {1, 2, 3}, {}});
+  });
   EXPECT_EQ(expect_error(Errc::not_finite, {"row 1"},
                          [&] {
                            write_points(path("a.csv"), PointTable{1, {1, NAN}, {}});
                          }),
             (std::vector<std::size_t>{1}));
-  expect_error(Errc::cannot_write, {"none/a.csv", "No such file"}, [&] { write_points(path("none/a.csv"), t); });
+  expect_error(Errc::cannot_write, {"none/a.csv", "No such file"},
+               [&] { write_points(path("none/a.csv"), t); });
   fs::create_directory(path("dir.csv"));
   expect_error(Errc::cannot_write, {"dir.csv", "directory"}, [&] { write_points(path("dir.csv"), t); });
   EXPECT_EQ(num_files(), 1u);
@@ -106,7 +112,8 @@ TEST_F(WritePoints, DiskFull) {
   });
   PointTable large{1, std::vector<double>(100000, 0.1), {}};
   for (const char* format : {"csv", "npy", "off"})
-    expect_error(Errc::cannot_write, {"/dev/full", "No space left"}, [&] { write_points("/dev/full", large, format); });
+    expect_error(Errc::cannot_write, {"/dev/full", "No space left"},
+                 [&] { write_points("/dev/full", large, format); });
   EXPECT_TRUE(fs::is_character_file("/dev/full"));
 }
 
