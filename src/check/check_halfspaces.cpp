@@ -22,9 +22,9 @@
 namespace delone {
 namespace {
 
-using internal::Fractions;
-using internal::Integer;
-using IntegerRow = std::vector<Integer>;
+using kernel::Fractions;
+using kernel::Integer;
+using IntegerRow = std::vector<kernel::Integer>;
 
 /// What is wrong.
 struct Violation {
@@ -41,11 +41,11 @@ std::vector<std::size_t> independent_rows(std::vector<IntegerRow> rows) {
     IntegerRow& row = rows[r];
     for (const auto& [pivot, by] : reduced) {
       if (row[pivot] == 0) continue;
-      const Integer factor = row[pivot], scale = by[pivot];
+      const kernel::Integer factor = row[pivot], scale = by[pivot];
       for (std::size_t j = 0; j < row.size(); ++j) row[j] = row[j] * scale - by[j] * factor;
     }
     const auto pivot = static_cast<std::size_t>(
-        std::find_if(row.begin(), row.end(), [](const Integer& x) { return x != 0; }) - row.begin());
+        std::find_if(row.begin(), row.end(), [](const kernel::Integer& x) { return x != 0; }) - row.begin());
     if (pivot == row.size()) continue;
     found.push_back(r);
     reduced.emplace_back(pivot, row);
@@ -141,8 +141,8 @@ class IntersectionChecker {
     result.push_back(all[d_]);
     return result;
   }
-  static Integer value(const IntegerRow& row, const IntegerRow& z) {
-    Integer sum = 0;
+  static kernel::Integer value(const IntegerRow& row, const IntegerRow& z) {
+    kernel::Integer sum = 0;
     for (std::size_t j = 0; j < row.size(); ++j) sum += row[j] * z[j];
     return sum;
   }
@@ -162,9 +162,10 @@ class IntersectionChecker {
     const auto lambda = null_vector(transposed, rows.size());
     if (!lambda) return wrong;
     const bool negative = (*lambda)[0] < 0;
-    for (const Integer& x : *lambda)
+    for (const kernel::Integer& x : *lambda)
       if (negative ? x >= 0 : x <= 0) return wrong;
-    const Integer sum = negative ? Integer(-value(offsets, *lambda)) : value(offsets, *lambda);
+    const kernel::Integer sum =
+        negative ? kernel::Integer(-value(offsets, *lambda)) : value(offsets, *lambda);
     if (data_.state == IntersectionState::flat ? sum != 0 : sum <= 0) return wrong;
     return std::nullopt;
   }
@@ -176,12 +177,12 @@ class IntersectionChecker {
     if (n == 0 || basis.size() + 1 != n) return std::nullopt;
     IntegerRow result;
     for (std::size_t j = 0; j < n; ++j) {
-      std::vector<Integer> minor;
+      std::vector<kernel::Integer> minor;
       for (const std::size_t r : basis)
         for (std::size_t c = 0; c < n; ++c)
           if (c != j) minor.push_back(rows[r][c]);
-      const Integer det = internal::determinant(std::move(minor), n - 1);
-      result.push_back(j % 2 == 0 ? det : Integer(-det));
+      const kernel::Integer det = kernel::exact_determinant(std::move(minor), n - 1);
+      result.push_back(j % 2 == 0 ? det : kernel::Integer(-det));
     }
     return result;
   }
@@ -258,12 +259,12 @@ class IntersectionChecker {
       negate = (data_.direction(i)[static_cast<std::size_t>(data_.axes[j])] < 0) != ((*z)[j] < 0);
     }
     if (negate)
-      for (Integer& x : *z) x = -x;
+      for (kernel::Integer& x : *z) x = -x;
     const std::vector<double> unit =
         is_vertex ? std::vector<double>{} : internal::unit_vector(*z, data_.axes, d_);
     for (std::size_t j = 0; j < k_; ++j) {
       const auto axis = static_cast<std::size_t>(data_.axes[j]);
-      const bool right = is_vertex ? data_.vertex(i)[axis] == internal::nearest_double((*z)[j], z->back(), 0)
+      const bool right = is_vertex ? data_.vertex(i)[axis] == kernel::nearest_double((*z)[j], z->back(), 0)
                                    : std::abs(data_.direction(i)[axis] - unit[axis]) <= 1e-14;
       if (!right) return Violation{"a coordinate of " + name + " is not the nearest double", concerned, {}};
     }
@@ -274,7 +275,7 @@ class IntersectionChecker {
     if (!is_vertex) z->push_back(0);
     Rows on;
     for (std::size_t r = 0; r < rows_.size(); ++r) {
-      const Integer side = value(rows_[r], *z);
+      const kernel::Integer side = value(rows_[r], *z);
       if (side > 0) return Violation{name + " is outside of halfspace " + std::to_string(r), concerned, {r}};
       if (side == 0 && is_facet_[r]) on.push_back(static_cast<SignedIndex>(r));
     }
@@ -331,7 +332,7 @@ class IntersectionChecker {
       Rows common;
       bool above = false, below = false;
       for (std::size_t i = 0; i < listed.size(); ++i) {
-        const Integer side = value(normals[i], *u);
+        const kernel::Integer side = value(normals[i], *u);
         if (side == 0) common.push_back(listed[i]);
         above = above || side > 0;
         below = below || side < 0;
@@ -358,7 +359,7 @@ class IntersectionChecker {
       if (first != r) {
         const auto a = internal::integer_row(&data_.halfspaces[r * (d_ + 1)], d_ + 1),
                    b = internal::integer_row(&data_.halfspaces[first * (d_ + 1)], d_ + 1);
-        Integer dot = 0;
+        kernel::Integer dot = 0;
         for (std::size_t j = 0; j <= d_; ++j) dot += a[j] * b[j];
         if (data_.kinds[r] != HalfspaceKind::duplicate || first > r || dot <= 0 ||
             independent_rows({a, b}).size() != 1)

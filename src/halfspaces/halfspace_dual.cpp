@@ -55,41 +55,42 @@ bool find_in_pairs(const double* row, const std::vector<double>& p, std::span<co
 
 void find_in_integers(const double* row, const InteriorPoint& p, std::span<const int> axes, double* dual) {
   const std::size_t d = p.rounded.size();
-  const std::vector<Integer> n = integer_row(row, d + 1);
+  const std::vector<kernel::Integer> n = integer_row(row, d + 1);
   int exponent = p.exponent;
-  std::vector<Integer> numerators = p.numerators;
+  std::vector<kernel::Integer> numerators = p.numerators;
   if (p.is_exact()) {
     exponent = std::numeric_limits<int>::max();
     for (const double x : p.rounded) exponent = std::min(exponent, kernel::trailing_exponent(x));
     if (exponent == std::numeric_limits<int>::max()) exponent = 0;
-    for (const double x : p.rounded) numerators.push_back(scaled_integer(x, exponent));
+    for (const double x : p.rounded) numerators.push_back(kernel::scaled_integer(x, exponent));
   }
   // −(n·p + c) times denominator·2^−below
   const int below = std::min(exponent, 0);
-  Integer sum = 0;
+  kernel::Integer sum = 0;
   for (std::size_t j = 0; j < d; ++j) sum -= n[j] * numerators[j];
   sum <<= exponent - below;
   sum -= (n[d] * p.denominator) << -below;
 
   const std::size_t k = axes.size();
   for (std::size_t j = 0; j < k; ++j) {
-    const Integer numerator = (n[static_cast<std::size_t>(axes[j])] * p.denominator) << -below;
-    dual[j] = nearest_double(numerator, sum, 0);
+    const kernel::Integer numerator = (n[static_cast<std::size_t>(axes[j])] * p.denominator) << -below;
+    dual[j] = kernel::nearest_double(numerator, sum, 0);
     dual[k + j] = 0;
     if (dual[j] == 0 || !std::isfinite(dual[j])) continue;
     const int grid = kernel::trailing_exponent(dual[j]), common = std::min(grid, 0);
-    const Integer left = (numerator << -common) - ((scaled_integer(dual[j], grid) * sum) << (grid - common));
-    dual[k + j] = nearest_double(left, sum, common);
+    const kernel::Integer left =
+        (numerator << -common) - ((kernel::scaled_integer(dual[j], grid) * sum) << (grid - common));
+    dual[k + j] = kernel::nearest_double(left, sum, common);
   }
 }
 
 }  // namespace
 
-std::vector<Integer> integer_row(const double* row, std::size_t size) {
+std::vector<kernel::Integer> integer_row(const double* row, std::size_t size) {
   int grid = std::numeric_limits<int>::max();
   for (std::size_t j = 0; j < size; ++j) grid = std::min(grid, kernel::trailing_exponent(row[j]));
-  std::vector<Integer> integers;
-  for (std::size_t j = 0; j < size; ++j) integers.push_back(scaled_integer(row[j], grid));
+  std::vector<kernel::Integer> integers;
+  for (std::size_t j = 0; j < size; ++j) integers.push_back(kernel::scaled_integer(row[j], grid));
   return integers;
 }
 

@@ -14,14 +14,14 @@ namespace delone::internal {
 /// numerators[j]/denominator·2^exponent.
 struct InteriorPoint {
   std::vector<double> rounded;
-  std::vector<Integer> numerators;
-  Integer denominator = 1;
+  std::vector<kernel::Integer> numerators;
+  kernel::Integer denominator = 1;
   int exponent = 0;
   bool is_exact() const { return numerators.empty(); }
 };
 
 /// A row divided by a power of two: integers.
-std::vector<Integer> integer_row(const double* row, std::size_t size);
+std::vector<kernel::Integer> integer_row(const double* row, std::size_t size);
 
 /// n_j/−(n·p + c) for the `axes` of a row (n, c) of d+1 doubles, strictly negative at p: first each rounded
 /// to the nearest double or its neighbor, then what that leaves over. Together they are off by at most 2⁻⁶⁸

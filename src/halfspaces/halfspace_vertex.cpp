@@ -28,7 +28,7 @@
 namespace delone::internal {
 namespace {
 
-constexpr double u = unit_roundoff;
+constexpr double u = kernel::unit_roundoff;
 
 bool is_moderate(double x) { return x == 0 || (std::abs(x) >= 0x1p-200 && std::abs(x) <= 0x1p200); }
 
@@ -75,11 +75,11 @@ bool find_certified(std::span<const double* const> rows, std::span<const int> co
     }
   }
   std::vector<double> work = system.a, inverse(n * n), x(n), correction(n), tail(n);
-  if (!(n == 2   ? approximate_inverse<2>(work.data(), inverse.data(), n)
-        : n == 3 ? approximate_inverse<3>(work.data(), inverse.data(), n)
-                 : approximate_inverse<0>(work.data(), inverse.data(), n)))
+  if (!(n == 2   ? kernel::approximate_inverse<2>(work.data(), inverse.data(), n)
+        : n == 3 ? kernel::approximate_inverse<3>(work.data(), inverse.data(), n)
+                 : kernel::approximate_inverse<0>(work.data(), inverse.data(), n)))
     return false;
-  const double alpha = inverse_defect<0>(system.a.data(), inverse.data(), n);
+  const double alpha = kernel::inverse_defect<0>(system.a.data(), inverse.data(), n);
   if (!(alpha < 0.5)) return false;
   for (std::size_t j = 0; j < n; ++j) {
     for (std::size_t i = 0; i < n; ++i) x[j] += inverse[j * n + i] * system.b[i];
@@ -117,15 +117,15 @@ bool find_certified(std::span<const double* const> rows, std::span<const int> co
 
 void find_exactly(std::span<const double* const> rows, std::span<const int> columns, double* result) {
   const std::size_t n = rows.size();
-  std::vector<Integer> system;
+  std::vector<kernel::Integer> system;
   std::vector<double> entries(n + 1);
   for (const double* row : rows) {
     for (std::size_t j = 0; j <= n; ++j) entries[j] = row[columns[j]];
-    for (Integer& x : integer_row(entries.data(), n + 1)) system.push_back(std::move(x));
+    for (kernel::Integer& x : integer_row(entries.data(), n + 1)) system.push_back(std::move(x));
     system.back() = -system.back();
   }
-  const Fractions x = solve_exactly(std::move(system), n);
-  for (std::size_t j = 0; j < n; ++j) result[j] = nearest_double(x.numerators[j], x.denominator, 0);
+  const kernel::Fractions x = kernel::solve_exactly(std::move(system), n);
+  for (std::size_t j = 0; j < n; ++j) result[j] = kernel::nearest_double(x.numerators[j], x.denominator, 0);
 }
 
 }  // namespace
@@ -134,34 +134,36 @@ void meeting_point(std::span<const double* const> rows, std::span<const int> col
   if (!find_certified(rows, columns, x)) find_exactly(rows, columns, x);
 }
 
-std::vector<Integer> cone_normal(std::span<const double* const> rows, std::span<const int> columns) {
+std::vector<kernel::Integer> cone_normal(std::span<const double* const> rows, std::span<const int> columns) {
   const std::size_t k = rows.size();
-  std::vector<std::vector<Integer>> integers;
+  std::vector<std::vector<kernel::Integer>> integers;
   std::vector<double> entries(k + 1);
   for (const double* row : rows) {
     for (std::size_t j = 0; j <= k; ++j) entries[j] = row[columns[j]];
     integers.push_back(integer_row(entries.data(), k + 1));
   }
-  std::vector<Integer> normal;
+  std::vector<kernel::Integer> normal;
   for (std::size_t j = 0; j <= k; ++j) {
-    std::vector<Integer> minor;
+    std::vector<kernel::Integer> minor;
     for (std::size_t i = 0; i < k; ++i)
       for (std::size_t c = 0; c <= k; ++c)
         if (c != j) minor.push_back(integers[i][c]);
-    const Integer det = determinant(std::move(minor), k);
-    normal.push_back((k + j) % 2 == 0 ? det : Integer(-det));
+    const kernel::Integer det = kernel::exact_determinant(std::move(minor), k);
+    normal.push_back((k + j) % 2 == 0 ? det : kernel::Integer(-det));
   }
   return normal;
 }
 
-std::vector<double> unit_vector(std::span<const Integer> entries, std::span<const int> axes, std::size_t d) {
-  Integer largest = 0;
-  for (const Integer& x : entries) largest = std::max(largest, Integer(boost::multiprecision::abs(x)));
+std::vector<double> unit_vector(std::span<const kernel::Integer> entries, std::span<const int> axes,
+                                std::size_t d) {
+  kernel::Integer largest = 0;
+  for (const kernel::Integer& x : entries)
+    largest = std::max(largest, kernel::Integer(boost::multiprecision::abs(x)));
   std::vector<double> vector(d, 0.0);
   double square = 0;
   for (std::size_t j = 0; j < axes.size(); ++j) {
     double& x = vector[static_cast<std::size_t>(axes[j])];
-    x = nearest_double(entries[j], largest, 0);
+    x = kernel::nearest_double(entries[j], largest, 0);
     square += x * x;
   }
   for (double& x : vector) x = x / std::sqrt(square) + 0.0;
@@ -174,20 +176,20 @@ std::vector<double> lineality_basis(std::span<const double* const> rows, std::sp
   std::vector<double> basis;
   for (int free = 0; free < static_cast<int>(d); ++free) {
     if (std::binary_search(axes.begin(), axes.end(), free)) continue;
-    std::vector<Integer> system;
+    std::vector<kernel::Integer> system;
     std::vector<double> entries(k + 1);
     std::vector<int> columns(axes.begin(), axes.end());
     columns.push_back(free);
     for (const double* row : rows) {
       for (std::size_t j = 0; j <= k; ++j) entries[j] = row[columns[j]];
-      for (Integer& x : integer_row(entries.data(), k + 1)) system.push_back(std::move(x));
+      for (kernel::Integer& x : integer_row(entries.data(), k + 1)) system.push_back(std::move(x));
     }
     // The system is solved for the negative of what belongs on the axes.
-    std::vector<Integer> direction;
-    Integer denominator = 1;
+    std::vector<kernel::Integer> direction;
+    kernel::Integer denominator = 1;
     if (k > 0) {
-      Fractions solution = solve_exactly(std::move(system), k);
-      for (Integer& x : solution.numerators) direction.push_back(-x);
+      kernel::Fractions solution = kernel::solve_exactly(std::move(system), k);
+      for (kernel::Integer& x : solution.numerators) direction.push_back(-x);
       denominator = solution.denominator;
     }
     direction.push_back(denominator);

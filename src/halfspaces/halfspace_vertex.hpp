@@ -19,11 +19,12 @@ void meeting_point(std::span<const double* const> rows, std::span<const int> col
 
 /// The integers z_j, j ≤ k, with det(rows, q) = Σ q_j·z_j for every row q, up to one positive factor, on k+1
 /// columns: a normal of the linear hyperplane of k rows. All 0 if the rows are dependent.
-std::vector<Integer> cone_normal(std::span<const double* const> rows, std::span<const int> columns);
+std::vector<kernel::Integer> cone_normal(std::span<const double* const> rows, std::span<const int> columns);
 
 /// The unit vector along integers that are not all 0, `d` coordinates of which those in `axes` are given:
 /// each is off by a few roundings of itself.
-std::vector<double> unit_vector(std::span<const Integer> entries, std::span<const int> axes, std::size_t d);
+std::vector<double> unit_vector(std::span<const kernel::Integer> entries, std::span<const int> axes,
+                                std::size_t d);
 
 /// A basis of the x with n_i·x = 0 for k rows whose normals are independent on the axes: for each other axis
 /// the vector that has 1 there and 0 in the remaining ones, made a unit vector.

@@ -40,10 +40,10 @@ class InteriorProgram {
     }
   }
 
-  const Fractions& point() const { return point_; }  ///< x and t
+  const kernel::Fractions& point() const { return point_; }  ///< x and t
   /// The rows whose multipliers are positive.
   std::vector<std::size_t> supporting_rows() const {
-    const Fractions multipliers = solve_transposed(objective());
+    const kernel::Fractions multipliers = solve_transposed(objective());
     std::vector<std::size_t> found;
     for (std::size_t b = 0; b <= d_; ++b)
       if (basis_[b] < rows_.size() && multipliers.numerators[b] != 0) found.push_back(rows_[basis_[b]]);
@@ -56,54 +56,55 @@ class InteriorProgram {
 
   /// Constraint as integers: the coefficients of x and t, and the right side. Positive multiples of the
   /// constraint will do.
-  std::vector<Integer> constraint(std::size_t i) const {
-    std::vector<Integer> result(d_ + 2, Integer(0));
+  std::vector<kernel::Integer> constraint(std::size_t i) const {
+    std::vector<kernel::Integer> result(d_ + 2, kernel::Integer(0));
     if (i < rows_.size()) {
       std::vector<double> entries(row(i), row(i) + d_ + 1);
       int grid = std::numeric_limits<int>::max();
       for (const double x : entries) grid = std::min(grid, kernel::trailing_exponent(x));
-      for (std::size_t j = 0; j < d_; ++j) result[j] = scaled_integer(entries[j], grid);
-      result[d_] = Integer(1) << (weight_exponent_[i] - grid);
-      result[d_ + 1] = -scaled_integer(entries[d_], grid);
+      for (std::size_t j = 0; j < d_; ++j) result[j] = kernel::scaled_integer(entries[j], grid);
+      result[d_] = kernel::Integer(1) << (weight_exponent_[i] - grid);
+      result[d_ + 1] = -kernel::scaled_integer(entries[d_], grid);
     } else if (i == rows_.size()) {
-      result[d_] = Integer(1) << std::max(-cap_exponent_, 0);
-      result[d_ + 1] = Integer(1) << std::max(cap_exponent_, 0);
+      result[d_] = kernel::Integer(1) << std::max(-cap_exponent_, 0);
+      result[d_ + 1] = kernel::Integer(1) << std::max(cap_exponent_, 0);
     } else {
       result[i - rows_.size() - 1] = 1;
     }
     return result;
   }
-  std::vector<Integer> objective() const {
-    std::vector<Integer> result(d_ + 1, Integer(0));
+  std::vector<kernel::Integer> objective() const {
+    std::vector<kernel::Integer> result(d_ + 1, kernel::Integer(0));
     result[d_] = 1;
     return result;
   }
 
   void find_point() {
-    std::vector<Integer> system;
+    std::vector<kernel::Integer> system;
     for (const std::size_t b : basis_) {
-      const std::vector<Integer> entries = constraint(b);
+      const std::vector<kernel::Integer> entries = constraint(b);
       system.insert(system.end(), entries.begin(), entries.end());
     }
-    point_ = solve_exactly(std::move(system), d_ + 1);
+    point_ = kernel::solve_exactly(std::move(system), d_ + 1);
     if (point_.denominator < 0) {
       point_.denominator = -point_.denominator;
-      for (Integer& x : point_.numerators) x = -x;
+      for (kernel::Integer& x : point_.numerators) x = -x;
     }
     rounded_.clear();
-    for (const Integer& x : point_.numerators) rounded_.push_back(nearest_double(x, point_.denominator, 0));
+    for (const kernel::Integer& x : point_.numerators)
+      rounded_.push_back(kernel::nearest_double(x, point_.denominator, 0));
   }
 
   /// `target` as a combination of the rows of the basis.
-  Fractions solve_transposed(const std::vector<Integer>& target) const {
+  kernel::Fractions solve_transposed(const std::vector<kernel::Integer>& target) const {
     const std::size_t n = d_ + 1;
-    std::vector<Integer> system(n * (n + 1));
+    std::vector<kernel::Integer> system(n * (n + 1));
     for (std::size_t b = 0; b < n; ++b) {
-      const std::vector<Integer> entries = constraint(basis_[b]);
+      const std::vector<kernel::Integer> entries = constraint(basis_[b]);
       for (std::size_t j = 0; j < n; ++j) system[j * (n + 1) + b] = entries[j];
     }
     for (std::size_t j = 0; j < n; ++j) system[j * (n + 1) + n] = target[j];
-    return solve_exactly(std::move(system), n);
+    return kernel::solve_exactly(std::move(system), n);
   }
 
   /// A row that the point violates: the first, or the one that it violates most as far as binary64 can tell.
@@ -140,24 +141,25 @@ class InteriorProgram {
   }
   bool is_violated(std::size_t i) const {
     if (std::find(basis_.begin(), basis_.end(), i) != basis_.end()) return false;
-    const std::vector<Integer> entries = constraint(i);
-    Integer sum = -entries[d_ + 1] * point_.denominator;
+    const std::vector<kernel::Integer> entries = constraint(i);
+    kernel::Integer sum = -entries[d_ + 1] * point_.denominator;
     for (std::size_t j = 0; j <= d_; ++j) sum += entries[j] * point_.numerators[j];
     return sum > 0;
   }
 
   /// Row r enters with a multiplier that grows until that of another row is 0, which leaves.
   void exchange(std::size_t entering) {
-    std::vector<Integer> target = constraint(entering);
+    std::vector<kernel::Integer> target = constraint(entering);
     target.pop_back();
-    Fractions share = solve_transposed(target);
-    const Fractions multipliers = solve_transposed(objective());
+    kernel::Fractions share = solve_transposed(target);
+    const kernel::Fractions multipliers = solve_transposed(objective());
     // Both have the denominator det B, whose sign does not matter for ratios but does for shares.
     if (share.denominator < 0)
-      for (Integer& x : share.numerators) x = -x;
+      for (kernel::Integer& x : share.numerators) x = -x;
     std::optional<std::size_t> leaving;
-    const auto multiplier = [&](std::size_t b) -> Integer {
-      return multipliers.denominator < 0 ? Integer(-multipliers.numerators[b]) : multipliers.numerators[b];
+    const auto multiplier = [&](std::size_t b) -> kernel::Integer {
+      return multipliers.denominator < 0 ? kernel::Integer(-multipliers.numerators[b])
+                                         : multipliers.numerators[b];
     };
     for (std::size_t b = 0; b <= d_; ++b) {
       if (basis_[b] > rows_.size()) {  // x_j = 0
@@ -167,8 +169,8 @@ class InteriorProgram {
       }
       if (share.numerators[b] <= 0) continue;
       if (leaving) {
-        const Integer here = multiplier(b) * share.numerators[*leaving],
-                      best = multiplier(*leaving) * share.numerators[b];
+        const kernel::Integer here = multiplier(b) * share.numerators[*leaving],
+                              best = multiplier(*leaving) * share.numerators[b];
         if (here > best || (here == best && basis_[b] > basis_[*leaving])) continue;
       }
       leaving = b;
@@ -183,7 +185,7 @@ class InteriorProgram {
   std::vector<int> weight_exponent_;
   int cap_exponent_ = 0;
   std::vector<std::size_t> basis_;
-  Fractions point_;
+  kernel::Fractions point_;
   std::vector<double> rounded_;
 };
 
@@ -197,7 +199,7 @@ InteriorSearch find_interior_point(std::span<const double> halfspaces, int dimen
   if (rows.empty()) return result;
   InteriorProgram program(halfspaces, dimension, rows);
   program.run();
-  const Fractions& found = program.point();
+  const kernel::Fractions& found = program.point();
   if (found.numerators[d] <= 0) {
     result.state = found.numerators[d] == 0 ? IntersectionState::flat : IntersectionState::empty;
     result.witness = program.supporting_rows();
@@ -205,7 +207,7 @@ InteriorSearch find_interior_point(std::span<const double> halfspaces, int dimen
   }
   InteriorPoint& p = result.point;
   for (std::size_t j = 0; j < d; ++j)
-    p.rounded[j] = nearest_double(found.numerators[j], found.denominator, 0);
+    p.rounded[j] = kernel::nearest_double(found.numerators[j], found.denominator, 0);
   StageCounts uncounted;
   const bool rounding_stays_inside =
       std::all_of(p.rounded.begin(), p.rounded.end(), [](double x) { return std::isfinite(x); }) &&

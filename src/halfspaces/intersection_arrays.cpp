@@ -124,10 +124,10 @@ class ArrayMaker {
       offsets.push_back(static_cast<SignedIndex>(halfspaces.size()));
       if (is_at_infinity_[f]) {
         // det(rows, q) is positive for q inside, where q·z is to be negative.
-        std::vector<Integer> z = cone_normal(rows, sites_.axes);
+        std::vector<kernel::Integer> z = cone_normal(rows, sites_.axes);
         z.pop_back();
         const bool keep = hull_.dimension == 1 && cell_of_facet_[f] == 1;
-        for (Integer& entry : z)
+        for (kernel::Integer& entry : z)
           if (!keep) entry = -entry;
         const std::vector<double> direction = unit_vector(z, axes_, d_);
         data_.directions.insert(data_.directions.end(), direction.begin(), direction.end());
@@ -286,8 +286,8 @@ bool is_strictly_inside(const double* row, const InteriorPoint& p) {
     return kernel::side_of_hyperplane(row, p.rounded.data(), static_cast<int>(d), uncounted) ==
            Sign::negative;
   }
-  const std::vector<Integer> integers = integer_row(row, d + 1);
-  Integer sum = integers[d] * p.denominator;
+  const std::vector<kernel::Integer> integers = integer_row(row, d + 1);
+  kernel::Integer sum = integers[d] * p.denominator;
   for (std::size_t j = 0; j < d; ++j) sum += integers[j] * p.numerators[j];
   return sum < 0;
 }

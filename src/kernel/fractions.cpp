@@ -47,7 +47,7 @@ double nearest_double(Integer numerator, Integer denominator, int exponent) {
   return magnitude == 0 ? 0 : negative ? -magnitude : magnitude;
 }
 
-Integer determinant(std::vector<Integer> a, std::size_t n) {
+Integer exact_determinant(std::vector<Integer> a, std::size_t n) {
   Integer previous(1);
   bool negate = false;
   for (std::size_t s = 0; s < n; ++s) {

@@ -23,7 +23,7 @@ double nearest_double(Integer numerator, Integer denominator, int exponent);
 
 /// The determinant of an n×n matrix, row by row, by fraction-free elimination (Bareiss 1968,
 /// doi:10.1090/S0025-5718-1968-0226829-0).
-Integer determinant(std::vector<Integer> a, std::size_t n);
+Integer exact_determinant(std::vector<Integer> a, std::size_t n);
 
 /// The solution of A·x = b as x[j] = numerators[j]/denominator; `augmented` holds n rows of A and b. REQUIRES
 /// det A ≠ 0.

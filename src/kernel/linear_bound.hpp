@@ -4,6 +4,8 @@
 // doi:10.1017/S096249291000005X.
 #pragma once
 
+#include "kernel/determinant.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
@@ -11,8 +13,6 @@
 #include <utility>
 
 namespace delone::kernel {
-
-inline constexpr double unit_roundoff = 0x1p-53;
 
 /// An approximate inverse of the n×n matrix a (row-major), n = N, or chosen at run time when N is 0: by
 /// cofactors for N = 2, 3, otherwise by Gauss–Jordan elimination with row exchanges. a is overwritten. False

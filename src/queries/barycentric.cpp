@@ -62,8 +62,8 @@ bool find_certified(Points points, std::span<const int> axes, const double* q, d
     b[r] = std::ldexp(b[r], row_exponent);
   }
   work = a;
-  if (!approximate_inverse<0>(work.data(), inverse.data(), n)) return false;
-  const double alpha = inverse_defect<0>(a.data(), inverse.data(), n);
+  if (!kernel::approximate_inverse<0>(work.data(), inverse.data(), n)) return false;
+  const double alpha = kernel::inverse_defect<0>(a.data(), inverse.data(), n);
   if (!(alpha < 0.5)) return false;
   weights.assign(n + 1, 0.0);
   for (std::size_t j = 0; j < n; ++j)
@@ -80,7 +80,7 @@ bool find_certified(Points points, std::span<const int> axes, const double* q, d
       sum -= product;
       parts += std::fabs(product);
     }
-    residual[i] = std::fabs(sum) + 1.01 * static_cast<double>(n + 3) * unit_roundoff * parts;
+    residual[i] = std::fabs(sum) + 1.01 * static_cast<double>(n + 3) * kernel::unit_roundoff * parts;
   }
   for (std::size_t j = 0; j < n; ++j) {
     double sum = 1e-280;
@@ -93,27 +93,28 @@ bool find_certified(Points points, std::span<const int> axes, const double* q, d
   for (std::size_t j = 1; j <= n; ++j) weights[0] -= weights[j];
   // Coordinates are at most 1 + ζ, so that the n roundings of that difference are below n·(n+2)·u together.
   const auto size = static_cast<double>(n);
-  return size * zeta + 2 * size * (size + 2) * unit_roundoff <= error;
+  return size * zeta + 2 * size * (size + 2) * kernel::unit_roundoff <= error;
 }
 
 /// The doubles nearest to the coordinates.
 void find_exactly(Points points, std::span<const int> axes, const double* q, std::vector<double>& weights) {
   const std::size_t n = axes.size();
-  std::vector<Integer> system;
+  std::vector<kernel::Integer> system;
   for (const int j : axes) {
     const auto axis = static_cast<std::size_t>(j);
     int grid = kernel::trailing_exponent(q[axis]);
     for (const double* p : points) grid = std::min(grid, kernel::trailing_exponent(p[axis]));
-    const Integer base = scaled_integer(points[0][axis], grid);
-    for (std::size_t i = 1; i <= n; ++i) system.push_back(scaled_integer(points[i][axis], grid) - base);
-    system.push_back(scaled_integer(q[axis], grid) - base);
+    const kernel::Integer base = kernel::scaled_integer(points[0][axis], grid);
+    for (std::size_t i = 1; i <= n; ++i)
+      system.push_back(kernel::scaled_integer(points[i][axis], grid) - base);
+    system.push_back(kernel::scaled_integer(q[axis], grid) - base);
   }
-  const Fractions y = solve_exactly(std::move(system), n);
-  Integer first = n == 0 ? Integer(1) : y.denominator;
-  for (const Integer& numerator : y.numerators) first -= numerator;
-  weights.assign(1, nearest_double(first, n == 0 ? Integer(1) : y.denominator, 0));
-  for (const Integer& numerator : y.numerators)
-    weights.push_back(nearest_double(numerator, y.denominator, 0));
+  const kernel::Fractions y = kernel::solve_exactly(std::move(system), n);
+  kernel::Integer first = n == 0 ? kernel::Integer(1) : y.denominator;
+  for (const kernel::Integer& numerator : y.numerators) first -= numerator;
+  weights.assign(1, kernel::nearest_double(first, n == 0 ? kernel::Integer(1) : y.denominator, 0));
+  for (const kernel::Integer& numerator : y.numerators)
+    weights.push_back(kernel::nearest_double(numerator, y.denominator, 0));
 }
 
 }  // namespace

@@ -39,7 +39,7 @@
 namespace delone::internal {
 namespace {
 
-constexpr double u = unit_roundoff;
+constexpr double u = kernel::unit_roundoff;
 
 using kernel::DoubleDouble;
 using kernel::two_product;
@@ -49,8 +49,8 @@ using kernel::two_sum;
 /// of 2^(2·grid).
 struct IntegerPoints {
   int grid = std::numeric_limits<int>::max();
-  std::vector<Integer> edges;   // m×d, p_i − p_0
-  std::vector<Integer> rights;  // m, |p_i − p_0|² − (w_i − w_0)
+  std::vector<kernel::Integer> edges;   // m×d, p_i − p_0
+  std::vector<kernel::Integer> rights;  // m, |p_i − p_0|² − (w_i − w_0)
 
   IntegerPoints(const double* const* points, const double* weights, std::size_t count, std::size_t d) {
     for (std::size_t i = 0; i < count; ++i) {
@@ -62,13 +62,14 @@ struct IntegerPoints {
     }
     if (grid == std::numeric_limits<int>::max()) grid = 0;
     for (std::size_t i = 1; i < count; ++i) {
-      Integer square = 0;
+      kernel::Integer square = 0;
       for (std::size_t j = 0; j < d; ++j) {
-        edges.push_back(scaled_integer(points[i][j], grid) - scaled_integer(points[0][j], grid));
+        edges.push_back(kernel::scaled_integer(points[i][j], grid) -
+                        kernel::scaled_integer(points[0][j], grid));
         square += edges.back() * edges.back();
       }
       if (weights != nullptr)
-        square -= scaled_integer(weights[i], 2 * grid) - scaled_integer(weights[0], 2 * grid);
+        square -= kernel::scaled_integer(weights[i], 2 * grid) - kernel::scaled_integer(weights[0], 2 * grid);
       rights.push_back(std::move(square));
     }
   }
@@ -76,23 +77,23 @@ struct IntegerPoints {
 
 /// 2(c − p_0) in units of 2^grid, in all d coordinates. In full dimension the equations above; inside a flat
 /// z is a combination of the edges with coefficients y that solve the Gram system E·Eᵀ·y = b.
-Fractions twice_center(const IntegerPoints& p, std::size_t k, std::size_t d) {
-  std::vector<Integer> system;
+kernel::Fractions twice_center(const IntegerPoints& p, std::size_t k, std::size_t d) {
+  std::vector<kernel::Integer> system;
   for (std::size_t i = 0; i < k; ++i) {
     for (std::size_t m = 0; m < k; ++m) {
       if (k == d) {
         system.push_back(p.edges[i * d + m]);
         continue;
       }
-      Integer dot = 0;
+      kernel::Integer dot = 0;
       for (std::size_t j = 0; j < d; ++j) dot += p.edges[i * d + j] * p.edges[m * d + j];
       system.push_back(std::move(dot));
     }
     system.push_back(p.rights[i]);
   }
-  Fractions solution = solve_exactly(std::move(system), k);
+  kernel::Fractions solution = kernel::solve_exactly(std::move(system), k);
   if (k == d) return solution;
-  std::vector<Integer> z(d, Integer(0));
+  std::vector<kernel::Integer> z(d, kernel::Integer(0));
   for (std::size_t i = 0; i < k; ++i)
     for (std::size_t j = 0; j < d; ++j) z[j] += solution.numerators[i] * p.edges[i * d + j];
   return {std::move(z), std::move(solution.denominator)};
@@ -169,8 +170,8 @@ bool CenterFinder::find_certified(const double* const* points, const double* wei
     low[i] *= scale;
     work[i] = high[i];
   }
-  if (!approximate_inverse<N>(work.data(), inverse.data(), n)) return false;
-  const double alpha = inverse_defect<N>(high.data(), inverse.data(), n);
+  if (!kernel::approximate_inverse<N>(work.data(), inverse.data(), n)) return false;
+  const double alpha = kernel::inverse_defect<N>(high.data(), inverse.data(), n);
   if (!(alpha < 0.5)) return false;
 
   const auto weight_difference = [&](std::size_t i) {
@@ -241,11 +242,12 @@ bool CenterFinder::find_certified(const double* const* points, const double* wei
 void CenterFinder::find_exactly(const double* const* points, const double* weights, double* center) const {
   const auto d = static_cast<std::size_t>(dimension_), k = axes_.size();
   const IntegerPoints integers(points, weights, k + 1, d);
-  const Fractions z = twice_center(integers, k, d);
-  const Integer denominator = z.denominator * 2;
+  const kernel::Fractions z = twice_center(integers, k, d);
+  const kernel::Integer denominator = z.denominator * 2;
   for (std::size_t j = 0; j < d; ++j)
-    center[j] = nearest_double(scaled_integer(points[0][j], integers.grid) * denominator + z.numerators[j],
-                               denominator, integers.grid);
+    center[j] = kernel::nearest_double(
+        kernel::scaled_integer(points[0][j], integers.grid) * denominator + z.numerators[j], denominator,
+        integers.grid);
 }
 
 bool CenterFinder::on_sphere(const double* const* points, const double* weights, const double* q,
@@ -259,8 +261,8 @@ bool CenterFinder::on_sphere(const double* const* points, const double* weights,
     all_weights.push_back(weight_of_q);
   }
   const IntegerPoints integers(all.data(), weights == nullptr ? nullptr : all_weights.data(), k + 2, d);
-  const Fractions z = twice_center(integers, k, d);
-  Integer dot = 0;
+  const kernel::Fractions z = twice_center(integers, k, d);
+  kernel::Integer dot = 0;
   for (std::size_t j = 0; j < d; ++j) dot += integers.edges[k * d + j] * z.numerators[j];
   return dot == integers.rights[k] * z.denominator;
 }
@@ -290,24 +292,24 @@ std::vector<double> outward_exactly(const std::vector<const double*>& facet, con
   const IntegerPoints integers(points.data(), nullptr, points.size(), d);
   const std::size_t m = facet.size() - 1;
   const auto dot = [&](std::size_t a, std::size_t b) {
-    Integer sum = 0;
+    kernel::Integer sum = 0;
     for (std::size_t j = 0; j < d; ++j) sum += integers.edges[a * d + j] * integers.edges[b * d + j];
     return sum;
   };
-  std::vector<Integer> system;
+  std::vector<kernel::Integer> system;
   for (std::size_t i = 0; i < m; ++i)
     for (std::size_t j = 0; j <= m; ++j) system.push_back(dot(i, j));
-  const Fractions y = solve_exactly(std::move(system), m);
-  const Integer scale = m == 0 ? Integer(1) : y.denominator;  // a Gram determinant: positive
-  std::vector<Integer> direction;
-  Integer largest = 0;
+  const kernel::Fractions y = kernel::solve_exactly(std::move(system), m);
+  const kernel::Integer scale = m == 0 ? kernel::Integer(1) : y.denominator;  // a Gram determinant: positive
+  std::vector<kernel::Integer> direction;
+  kernel::Integer largest = 0;
   for (std::size_t j = 0; j < d; ++j) {
     direction.push_back(-integers.edges[m * d + j] * scale);
     for (std::size_t i = 0; i < m; ++i) direction[j] += y.numerators[i] * integers.edges[i * d + j];
-    largest = std::max(largest, Integer(boost::multiprecision::abs(direction[j])));
+    largest = std::max(largest, kernel::Integer(boost::multiprecision::abs(direction[j])));
   }
   std::vector<double> result;
-  for (const Integer& x : direction) result.push_back(nearest_double(x, largest, 0));
+  for (const kernel::Integer& x : direction) result.push_back(kernel::nearest_double(x, largest, 0));
   normalise(result);
   return result;
 }

@@ -103,7 +103,7 @@ void find(const double* HWY_RESTRICT corners, const double* HWY_RESTRICT weights
   const hn::CappedTag<double, center_block> d;
   const hn::RebindToUnsigned<decltype(d)> du;
   using V = hn::Vec<decltype(d)>;
-  constexpr double u = unit_roundoff;
+  constexpr double u = kernel::unit_roundoff;
   const V zero = hn::Zero(d), one = hn::Set(d, 1.0);
   const auto times = [&](double factor, V x) { return hn::Mul(hn::Set(d, factor), x); };
   for (std::size_t lane = 0; lane < center_block; lane += hn::Lanes(d)) {
@@ -131,8 +131,8 @@ void find(const double* HWY_RESTRICT corners, const double* HWY_RESTRICT weights
     }
     invert<N>(d, high, inverse);
 
-    V alpha =
-        zero;  // inverse_defect(); a NaN among the rows fails the first test, as `largest` there stays one
+    V alpha = zero;  // kernel::inverse_defect(); a NaN among the rows fails the first test, as `largest`
+                     // there stays one
     for (std::size_t i = 0; i < n; ++i) {
       V row = hn::Set(d, 1e-290), magnitudes = one;
       for (std::size_t j = 0; j < n; ++j) {

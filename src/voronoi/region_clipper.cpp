@@ -23,7 +23,7 @@
 namespace delone::internal {
 namespace {
 
-constexpr double u = unit_roundoff;
+constexpr double u = kernel::unit_roundoff;
 /// The filter is used for boxes and planes in this range only, where no product overflows and underflow is
 /// below 10⁻²⁹⁰.
 constexpr double least_extent = 1e-80, largest_extent = 1e80, underflow = 1e-290;
@@ -136,7 +136,7 @@ bool RegionClipper::is_beyond(Corner corner, std::size_t plane) {
   return is_beyond_exactly(corner, plane);
 }
 
-const std::vector<Integer>& RegionClipper::exact_plane(std::size_t plane) {
+const std::vector<kernel::Integer>& RegionClipper::exact_plane(std::size_t plane) {
   if (!has_grid_) {  // all coordinates are multiples of 2^grid, all weights of 2^(2·grid)
     grid_ = std::numeric_limits<int>::max();
     const auto include = [&](double x) { grid_ = std::min(grid_, kernel::trailing_exponent(x)); };
@@ -156,25 +156,26 @@ const std::vector<Integer>& RegionClipper::exact_plane(std::size_t plane) {
   }
   Plane& p = planes_[plane];
   if (!p.exact.empty()) return p.exact;
-  const auto integer = [&](double x) { return scaled_integer(x, grid_); };
+  const auto integer = [&](double x) { return kernel::scaled_integer(x, grid_); };
   if (plane < 2 * d_) {
     const std::size_t axis = plane / 2;
     const bool is_high = plane % 2 == 1;
-    p.exact.assign(d_ + 1, Integer(0));
+    p.exact.assign(d_ + 1, kernel::Integer(0));
     p.exact[axis] = is_high ? 1 : -1;
     p.exact[d_] = is_high ? integer(box_.high[axis]) - integer(site_.point[axis])
                           : integer(site_.point[axis]) - integer(box_.low[axis]);
     return p.exact;
   }
   const Site& other = others_[other_of_plane_[plane]];
-  Integer square = 0;
+  kernel::Integer square = 0;
   for (std::size_t j = 0; j < d_; ++j) {
-    Integer difference = integer(other.point[j]) - integer(site_.point[j]);
+    kernel::Integer difference = integer(other.point[j]) - integer(site_.point[j]);
     square += difference * difference;
     p.exact.push_back(difference * 2);
   }
   if (other.weight != site_.weight)
-    square -= scaled_integer(other.weight, 2 * grid_) - scaled_integer(site_.weight, 2 * grid_);
+    square -=
+        kernel::scaled_integer(other.weight, 2 * grid_) - kernel::scaled_integer(site_.weight, 2 * grid_);
   p.exact.push_back(std::move(square));
   return p.exact;
 }
@@ -182,7 +183,7 @@ const std::vector<Integer>& RegionClipper::exact_plane(std::size_t plane) {
 bool RegionClipper::is_beyond_exactly(Corner corner, std::size_t plane) {
   std::vector<std::size_t> through(planes_of(corner), planes_of(corner) + d_);
   std::sort(through.begin(), through.end());
-  std::vector<Integer> normals, bordered;
+  std::vector<kernel::Integer> normals, bordered;
   for (const std::size_t p : through) {
     const auto& row = exact_plane(p);
     normals.insert(normals.end(), row.begin(), row.end() - 1);
@@ -191,14 +192,14 @@ bool RegionClipper::is_beyond_exactly(Corner corner, std::size_t plane) {
   const auto& row = exact_plane(plane);
   bordered.insert(bordered.end(), row.begin(), row.end());
   // det [A b; a_m b_m] = det A · (b_m − a_m·A⁻¹b)
-  const bool is_negative = determinant(normals, d_) < 0;
-  const Integer value = determinant(std::move(bordered), d_ + 1);
+  const bool is_negative = kernel::exact_determinant(normals, d_) < 0;
+  const kernel::Integer value = kernel::exact_determinant(std::move(bordered), d_ + 1);
   if (value != 0) return (value < 0) != is_negative;
   has_ties_ = true;
   for (std::size_t i = 0; i < d_; ++i) {  // (a_m·A⁻¹)_i = det(A with row i replaced by a_m) / det A
-    std::vector<Integer> replaced = normals;
+    std::vector<kernel::Integer> replaced = normals;
     std::copy(row.begin(), row.end() - 1, replaced.begin() + static_cast<std::ptrdiff_t>(i * d_));
-    const Integer coefficient = determinant(std::move(replaced), d_);
+    const kernel::Integer coefficient = kernel::exact_determinant(std::move(replaced), d_);
     if (coefficient != 0) return (coefficient > 0) != is_negative;
   }
   return false;
@@ -303,8 +304,9 @@ void RegionClipper::find_coordinates(Corner corner) {
     for (std::size_t j = 0; j < d_; ++j) matrix_[i * d_ + j] = work_[i * d_ + j] = p.a[j] * scale;
     right_[i] = p.b * scale;
   }
-  if (!approximate_inverse<0>(work_.data(), inverse_.data(), d_)) return find_coordinates_exactly(corner);
-  const double alpha = inverse_defect<0>(matrix_.data(), inverse_.data(), d_);
+  if (!kernel::approximate_inverse<0>(work_.data(), inverse_.data(), d_))
+    return find_coordinates_exactly(corner);
+  const double alpha = kernel::inverse_defect<0>(matrix_.data(), inverse_.data(), d_);
   if (!(alpha < 0.5)) return find_coordinates_exactly(corner);
   for (std::size_t j = 0; j < d_; ++j)
     for (std::size_t i = 0; i < d_; ++i) y[j] += inverse_[j * d_ + i] * right_[i];
@@ -335,15 +337,15 @@ void RegionClipper::find_coordinates(Corner corner) {
 }
 
 void RegionClipper::find_coordinates_exactly(Corner corner) {
-  std::vector<Integer> system;
+  std::vector<kernel::Integer> system;
   for (std::size_t i = 0; i < d_; ++i) {
     const auto& row = exact_plane(planes_of(corner)[i]);
     system.insert(system.end(), row.begin(), row.end());
   }
-  const Fractions solution = solve_exactly(std::move(system), d_);
+  const kernel::Fractions solution = kernel::solve_exactly(std::move(system), d_);
   double largest = 0;
   for (std::size_t j = 0; j < d_; ++j) {
-    position(corner)[j] = nearest_double(solution.numerators[j], solution.denominator, grid_);
+    position(corner)[j] = kernel::nearest_double(solution.numerators[j], solution.denominator, grid_);
     largest = std::max(largest, std::abs(position(corner)[j]));
   }
   radii_[corner] = u * largest + std::numeric_limits<double>::denorm_min();

@@ -39,7 +39,7 @@ class RegionClipper {
   struct Plane {
     std::vector<double> a;
     double b = 0, b_error = 0;
-    std::vector<Integer> exact;  // a and b times a common positive factor; made when first needed
+    std::vector<kernel::Integer> exact;  // a and b times a common positive factor; made when first needed
   };
   using Corner = std::size_t;
 
@@ -48,7 +48,7 @@ class RegionClipper {
   void cut(std::size_t plane);
   bool is_beyond(Corner corner, std::size_t plane);
   bool is_beyond_exactly(Corner corner, std::size_t plane);
-  const std::vector<Integer>& exact_plane(std::size_t plane);
+  const std::vector<kernel::Integer>& exact_plane(std::size_t plane);
   Corner new_corner();
   void find_coordinates(Corner corner);
   void find_coordinates_exactly(Corner corner);

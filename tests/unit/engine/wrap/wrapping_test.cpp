@@ -151,7 +151,7 @@ std::vector<std::size_t> sizes(int k, std::size_t divisor = 1) {
 }
 
 /// Only engines that are compiled for a dimension wrap.
-constexpr int largest_dimension = std::min(8, largest_compiled_dimension);
+constexpr int largest_dimension = std::min(8, internal::largest_compiled_dimension);
 
 TEST(Wrap, GivesWhatInsertionGives) {
   for (int k = 2; k <= largest_dimension; ++k)

@@ -3,7 +3,7 @@
 // disagree.
 #include "io/atomic_file.hpp"
 #include "io/zip.hpp"
-#include "io_support.hpp"
+#include "../io_support.hpp"
 
 #include <cmath>
 #include <cstdlib>

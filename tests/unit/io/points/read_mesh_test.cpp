@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Points from OFF and PLY files.
-#include "io_support.hpp"
+#include "../io_support.hpp"
 
 #include <limits>
 

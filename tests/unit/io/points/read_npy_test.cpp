@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Points from .npy: every kind of number, either byte order, either memory order, and headers that lie.
-#include "io_support.hpp"
+#include "../io_support.hpp"
 
 #include <limits>
 

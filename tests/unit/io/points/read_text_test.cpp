@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Points from csv, tsv, white space separated text and Qhull's form: what is accepted, and that every fault
 // is named.
-#include "io_support.hpp"
+#include "../io_support.hpp"
 
 #include <unistd.h>
 #include <cmath>
