@@ -1,9 +1,9 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: BSD-3-Clause
-"""Writes the tables of docs/performance.md from the newest records in benchmarks/history/.
+"""Writes the tables of docs/performance.md and benchmarks/figures.md from the newest records in benchmarks/history/.
 
   tables.py            replaces what is between <!-- figures: NAME --> and <!-- end of figures -->
-  tables.py --check    only says whether the page has the newest figures; status 1 if not
+  tables.py --check    only says whether the pages have the newest figures; status 1 if not
 """
 import argparse
 import re
@@ -11,7 +11,7 @@ import sys
 
 import record
 
-PAGE = record.ROOT / "docs" / "performance.md"
+PAGES = (record.ROOT / "docs" / "performance.md", record.ROOT / "benchmarks" / "figures.md")
 BLOCK = re.compile(r"(<!-- figures: ([a-z ]+) -->\n).*?(<!-- end of figures -->)", re.S)
 
 
@@ -139,12 +139,16 @@ def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--check", action="store_true")
     options = parser.parse_args()
-    text = PAGE.read_text(encoding="utf-8")
-    new = BLOCK.sub(block, text)
-    if options.check and new != text:
-        sys.exit(f"{PAGE.relative_to(record.ROOT)} does not have the newest figures: run benchmarks/tables.py")
-    if not options.check:
-        PAGE.write_text(new, encoding="utf-8")
+    stale = []
+    for page in PAGES:
+        text = page.read_text(encoding="utf-8")
+        new = BLOCK.sub(block, text)
+        if new != text:
+            stale.append(page.relative_to(record.ROOT).as_posix())
+        if not options.check:
+            page.write_text(new, encoding="utf-8")
+    if options.check and stale:
+        sys.exit(f"{' and '.join(stale)} lack the newest figures: run benchmarks/tables.py")
 
 
 if __name__ == "__main__":

@@ -57,7 +57,6 @@ PENDING = frozenset((
     "docs/experiments.md",
     "docs/formats.md",
     "docs/guide.md",
-    "docs/performance.md",
     "docs/predicates.md",
 ))
 
