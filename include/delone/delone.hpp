@@ -16,6 +16,7 @@
 #include <delone/options.hpp>
 #include <delone/point_locator.hpp>
 #include <delone/point_sets.hpp>
+#include <delone/points.hpp>
 #include <delone/predicates.hpp>
 #include <delone/regular.hpp>
 #include <delone/types.hpp>

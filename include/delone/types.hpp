@@ -49,6 +49,9 @@ struct Facet {
   friend bool operator==(const Facet&, const Facet&) = default;
 };
 
+/// The dimension of a class template whose dimension is given to the constructor.
+inline constexpr int dynamic = 0;
+
 /// The sign of an exactly evaluated real number.
 enum class Sign : int { negative = -1, zero = 0, positive = 1 };
 
@@ -56,6 +59,9 @@ constexpr Sign operator-(Sign s) { return static_cast<Sign>(-static_cast<int>(s)
 constexpr Sign operator*(Sign a, Sign b) {
   return static_cast<Sign>(static_cast<int>(a) * static_cast<int>(b));
 }
+
+/// The side of a sphere or hyperplane that a point lies on, decided exactly. Positive is inside.
+enum class Side : signed char { outside = -1, on = 0, inside = 1 };
 
 /// A read-only view of n points in R^d: n·d contiguous doubles, row-major (one point after the other).
 class PointsView {
