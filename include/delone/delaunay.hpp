@@ -5,6 +5,7 @@
 #include <delone/complex.hpp>
 #include <delone/error.hpp>
 #include <delone/options.hpp>
+#include <delone/points.hpp>
 #include <delone/types.hpp>
 
 #include <array>
@@ -144,7 +145,7 @@ namespace detail {
 
 /// A class of the size of D doubles that, if it names its entries' type, holds doubles.
 template <int D, class Element>
-constexpr bool is_point() {
+constexpr bool is_point_of_old() {
   if constexpr (requires { typename Element::value_type; })
     return sizeof(Element) == D * sizeof(double) && std::same_as<typename Element::value_type, double>;
   else
@@ -155,15 +156,11 @@ constexpr bool is_point() {
 template <int D, class Range>
 std::span<const double> as_coordinates(const Range& points) {
   using Element = std::remove_cv_t<std::ranges::range_value_t<Range>>;
-  static_assert(std::same_as<Element, double> || is_point<D, Element>(),
+  static_assert(std::same_as<Element, double> || is_point_of_old<D, Element>(),
                 "a point must be D contiguous doubles, such as std::array<double, D>");
   return {reinterpret_cast<const double*>(std::ranges::data(points)),
           std::ranges::size(points) * sizeof(Element) / sizeof(double)};
 }
-
-/// A container that is about to end, so that it may be emptied.
-template <class Range>
-concept Expiring = !std::is_reference_v<Range> && !std::is_const_v<Range> && !std::ranges::view<Range>;
 
 }  // namespace detail
 
