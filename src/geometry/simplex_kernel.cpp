@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The inverse of the matrix of edges by elimination with exchanges of rows, and what its residuals prove.
-// Proofs: docs/predicates.md, "Simplices in lanes".
+// Proofs: docs/predicates.md, "Many simplices at once".
 #include "geometry/simplex_kernel.hpp"
 
 #include "geometry/pair.hpp"

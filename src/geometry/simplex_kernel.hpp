@@ -44,7 +44,7 @@ struct SimplexCertificate {
 };
 
 /// After solve_simplices: improves the functionals, and certifies all that was written (docs/predicates.md,
-/// "Simplices in lanes").
+/// "Many simplices at once").
 void certify_simplices(const SimplexTask& task, SimplexCertificate* certificates);
 
 }  // namespace delone::geometry
