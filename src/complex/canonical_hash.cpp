@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The canonical hash of a plain triangulation, whoever made it.
+// The canonical hash of a triangulation as plain data, from any source.
 #include "complex/canonical_hash.hpp"
 
 #include <delone/error.hpp>
@@ -22,7 +22,7 @@ std::string CanonicalHash::hex() const {
 
 namespace {
 
-// Adds each distinct tag once. Rows with equal tags have equal coordinates, up to a chance of n²/2^129.
+// Adds each distinct tag once. Distinct points share a tag with probability below n²/2^129.
 void add_distinct(const std::vector<internal::PointTag>& tags, internal::HashAccumulator& hash) {
   const std::size_t capacity = std::bit_ceil(2 * tags.size() + 1);
   std::vector<std::size_t> table(capacity, 0);  // 1 + row; 0 is an empty place
@@ -35,8 +35,8 @@ void add_distinct(const std::vector<internal::PointTag>& tags, internal::HashAcc
   }
 }
 
-/// Tags of points with weights. Hidden points have no part in the hash, nor have weights if those of the
-/// vertices are all equal.
+/// The tags of weighted points. Hidden points do not count. Weights count only if those of the vertices
+/// differ.
 std::vector<internal::PointTag> weighted_tags(const ComplexData& data, internal::HashAccumulator& hash) {
   const std::size_t n = data.num_points(), d = static_cast<std::size_t>(data.dimension);
   if (data.weights.size() != n)
@@ -74,7 +74,7 @@ CanonicalHash canonical_hash(const ComplexData& data) {
     if (std::find(data.vertex_of_point.begin(), data.vertex_of_point.end(), -1) ==
         data.vertex_of_point.end()) {
       add_distinct(tags, hash);
-    } else {  // hidden points have no part in it
+    } else {  // hidden points do not count
       std::vector<internal::PointTag> visible;
       for (std::size_t row = 0; row < n; ++row)
         if (row >= data.vertex_of_point.size() || data.vertex_of_point[row] >= 0)

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The building blocks of the canonical hash: tags of points, and an accumulator of vertices and cells whose
-// result depends on neither their order nor the order of the vertices in a cell. Both the plain data and the
-// engine's complex feed it.
+// The canonical hash: tags of points, and an accumulator of vertices and cells. The result depends neither on
+// the order of vertices and cells nor on the order of the vertices in a cell. Plain data and the engine's
+// complex both feed it.
 #pragma once
 
 #include "base/random.hpp"
@@ -13,7 +13,8 @@
 
 namespace delone::internal {
 
-/// 128 bits for one point; equal for equal coordinates, −0 = +0. Sums of tags stand for sets of points.
+/// 128 bits for one point. Equal coordinates have equal tags, and −0 = +0. A sum of tags stands for a set of
+/// points.
 struct PointTag {
   std::uint64_t high = 0, low = 0;
   friend bool operator==(const PointTag&, const PointTag&) = default;
@@ -26,9 +27,10 @@ struct PointTag {
 
 /// The tag of a point of R^dimension. O(dimension).
 inline PointTag point_tag(const double* point, int dimension) {
-  PointTag tag{0x243f6a8885a308d3u, 0x13198a2e03707344u};  // digits of π: lanes that start apart stay apart
+  PointTag tag{0x243f6a8885a308d3u,
+               0x13198a2e03707344u};  // digits of π: the two halves must start differently
   for (int axis = 0; axis < dimension; ++axis) {
-    // x + 0.0 turns −0 into +0 and leaves every other number as it is.
+    // Adding 0.0 turns −0 into +0 and changes no other number.
     const auto bits = std::bit_cast<std::uint64_t>(point[axis] + 0.0);
     tag.high = random::mix(tag.high + 0x9e3779b97f4a7c15u + bits);
     tag.low = random::mix((tag.low ^ bits) + 0xd1342543de82ef95u);
@@ -45,7 +47,7 @@ class HashAccumulator {
     add(cells_, sum_of_vertices);
     ++num_cells_;
   }
-  /// The hash of what was added, for points of R^dimension with the given affine dimension.
+  /// The hash of everything added, for points of R^dimension with the given affine dimension.
   CanonicalHash finish(int dimension, int affine_dimension) const {
     const auto shape =
         (static_cast<std::uint64_t>(dimension) << 32) ^ static_cast<std::uint32_t>(affine_dimension);
@@ -54,8 +56,8 @@ class HashAccumulator {
   }
 
  private:
-  // The sums are mixed before they are added up: without that, cells {a,b} and {c,d} would weigh the same as
-  // {a,c} and {b,d}.
+  // Tags are mixed before they are added up. Otherwise cells {a,b} and {c,d} would give the same sum as {a,c}
+  // and {b,d}.
   static void add(PointTag& total, const PointTag& tag) {
     total.high += random::mix(tag.high ^ std::rotl(tag.low, 32));
     total.low += random::mix(tag.low + 0x9e3779b97f4a7c15u * tag.high);

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The sum s = −(n·p + c) in pairs. Each product is a pair exactly, and so is each addition to the leading
-// sum; the low parts, 2d + 1 of them, are at most (d + 2)·u·M together, M = Σ|n_j·p_j| + |c|, and their sum
-// is off by at most (2d + 2)·u times that: s is off by less than 2(d + 3)²·u²·M. If that is at most 2⁻⁷⁰·|s|,
-// the quotients are off by at most 2⁻⁶⁹: quotient and remainder of the division by the leading part are
-// exact, and the correction is rounded in the third order.
+// The sum s = −(n·p + c) in pairs of doubles. Each product is exactly a pair, and so is each addition to the
+// leading sum. With M = Σ|n_j·p_j| + |c|, the 2d + 1 low parts are at most (d + 2)·u·M together, and summing
+// them adds an error of at most (2d + 2)·u times that. So s is off by less than 2(d + 3)²·u²·M. If this is at
+// most 2⁻⁷⁰·|s|, the quotients are off by at most 2⁻⁶⁹: quotient and remainder of the division by the leading
+// part are exact, and the rounding of the correction is of third order.
 #include "halfspaces/halfspace_dual.hpp"
 
 #include "kernel/double_double.hpp"
@@ -16,7 +16,7 @@
 namespace delone::internal {
 namespace {
 
-/// 0, or so moderate that neither products nor what they lose leave the range of doubles.
+/// Zero, or so moderate that neither products nor their rounding errors leave the range of doubles.
 bool is_moderate(double x, double limit) {
   return x == 0 || (std::abs(x) >= 1 / limit && std::abs(x) <= limit);
 }

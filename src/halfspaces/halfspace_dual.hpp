@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Interior points and dual points. A dual point is a quotient; it is kept as a pair of doubles, for the
-// filter alone.
+// Interior points and dual points. A dual point is a quotient. It is kept as a pair of doubles, and only
+// filters use it.
 #pragma once
 
 #include "kernel/fractions.hpp"
@@ -10,8 +10,8 @@
 
 namespace delone::internal {
 
-/// A point strictly inside. Where `numerators` are given, the exact one:
-/// numerators[j]/denominator·2^exponent.
+/// A point strictly inside, and its rounding. If `numerators` is empty, `rounded` is the point itself; else
+/// its coordinates are numerators[j]/denominator·2^exponent.
 struct InteriorPoint {
   std::vector<double> rounded;
   std::vector<kernel::Integer> numerators;
@@ -20,13 +20,13 @@ struct InteriorPoint {
   bool is_exact() const { return numerators.empty(); }
 };
 
-/// A row divided by a power of two: integers.
+/// The row divided by a power of two that makes all its entries integers.
 std::vector<kernel::Integer> integer_row(const double* row, std::size_t size);
 
-/// n_j/−(n·p + c) for the `axes` of a row (n, c) of d+1 doubles, strictly negative at p: first each rounded
-/// to the nearest double or its neighbor, then what that leaves over. Together they are off by at most 2⁻⁶⁸
-/// of the entry, barring underflow; infinite where the exact entry is beyond the doubles. In pairs of doubles
-/// if cancellation allows, otherwise in integers.
+/// The coordinates n_j/−(n·p + c) on the `axes`, for a row (n, c) of d+1 doubles that is strictly negative at
+/// p. Writes one leading part per axis, the nearest double or a neighbor of it, and then one remainder per
+/// axis. The sum of both is off by at most 2⁻⁶⁸ of the exact coordinate, barring underflow, and infinite
+/// beyond the range of doubles. Computed in pairs of doubles if cancellation allows, otherwise in integers.
 void dual_point(const double* row, const InteriorPoint& p, std::span<const int> axes, double* dual);
 
 }  // namespace delone::internal

@@ -1,19 +1,19 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Certified path. Rows are divided by powers of two, A·x = b. R is an approximate inverse of A, α ≥ ‖I −
-// R·A‖∞ (linear_bound.hpp), x⁰ = R·b rounded, ρ = b − A·x⁰, ρ̃ that in pairs of doubles, e_i ≥ |ρ_i − ρ̃_i|, x¹
-// = R·ρ̃ rounded. As for centres of spheres (voronoi_center.cpp), with t_j = Σ_i |R_ji|·(e_i + (n+2)u·|ρ̃_i|)
-// and ζ = max_j(|x¹_j| + t_j)/(1 − α),
+// Certified path. Rows are scaled by powers of two to A·x = b. R is an approximate inverse of A, α ≥ ‖I −
+// R·A‖∞ (linear_bound.hpp), x⁰ = R·b rounded, ρ = b − A·x⁰, ρ̃ its value in pairs of doubles, e_i ≥ |ρ_i −
+// ρ̃_i|, x¹ = R·ρ̃ rounded. As for centers of spheres (voronoi/cell_center.cpp), with t_j = Σ_i |R_ji|·(e_i +
+// (n+2)u·|ρ̃_i|) and ζ = max_j(|x¹_j| + t_j)/(1 − α),
 //
 //     |x_j − x⁰_j − x¹_j| ≤ α·ζ + t_j.
 //
-// Products and sums of ρ̃_i leave 2n low parts, exact and at most (n + 1)·u·M together, M = Σ_j |a_ij·x⁰_j| +
-// |b_i|; their sum is off by at most 2n·u times that, and two more roundings follow: e_i = 2u·|ρ̃_i| + 2(n +
-// 1)²·u²·M. If all low parts are 0 the residual is exact, and if all residuals are 0, x⁰ is the solution:
-// this settles coordinates that are 0 or have few digits. Entries are 0 or so moderate that nothing
-// underflows.
+// Residual. The products and sums of ρ̃_i leave 2n low parts, which are exact and at most (n + 1)·u·M
+// together, where M = Σ_j |a_ij·x⁰_j| + |b_i|. Summing them errs by at most 2n·u times that, and two more
+// roundings follow: e_i = 2u·|ρ̃_i| + 2(n + 1)²·u²·M. If all low parts are zero, the residual is exact; if
+// all residuals are then zero, x⁰ is the solution. This settles coordinates that are zero or have few digits.
+// All entries are zero or so moderate that nothing underflows.
 //
-// Rounding (Ziv 1991, doi:10.1145/114697.116813): if the two ends of the interval that holds x_j round to one
-// double, that is it.
+// Rounding (Ziv 1991, doi:10.1145/114697.116813): if both ends of the interval that contains x_j round to one
+// double, that double is the result.
 #include "halfspaces/halfspace_vertex.hpp"
 
 #include "halfspaces/halfspace_dual.hpp"
@@ -35,9 +35,9 @@ bool is_moderate(double x) { return x == 0 || (std::abs(x) >= 0x1p-200 && std::a
 struct System {
   std::size_t n;
   std::vector<double> a, b;
-  std::vector<double> residual, error;  // of the last call of evaluate()
+  std::vector<double> residual, error;  // set by evaluate()
 
-  /// Residuals of x with their bounds; whether all are certainly 0.
+  /// Computes the residual of x with its error bounds. Returns whether it is certainly zero.
   bool evaluate(const std::vector<double>& x) {
     bool all_zero = true;
     for (std::size_t i = 0; i < n; ++i) {
@@ -184,7 +184,7 @@ std::vector<double> lineality_basis(std::span<const double* const> rows, std::sp
       for (std::size_t j = 0; j <= k; ++j) entries[j] = row[columns[j]];
       for (kernel::Integer& x : integer_row(entries.data(), k + 1)) system.push_back(std::move(x));
     }
-    // The system is solved for the negative of what belongs on the axes.
+    // The solution of the system is the negative of the coordinates on the axes.
     std::vector<kernel::Integer> direction;
     kernel::Integer denominator = 1;
     if (k > 0) {

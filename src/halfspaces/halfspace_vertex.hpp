@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// From homogeneous rows to coordinates: the point where k hyperplanes meet, correctly rounded; directions,
+// From homogeneous rows to coordinates: the common point of k hyperplanes, correctly rounded, and directions,
 // rounded.
 #pragma once
 
@@ -11,23 +11,23 @@
 
 namespace delone::internal {
 
-/// The solution x of n_i·x + c_i = 0, i < k, for k homogeneous rows, n_i being the first k of the given
-/// columns and c_i the last: each of the k coordinates is the nearest double, ties to even, ±infinity beyond
-/// the range of doubles. First in pairs of doubles with a certified bound, and where that does not settle the
-/// rounding in integers. REQUIRES independent normals.
+/// Solves n_i·x + c_i = 0, i < k, for k homogeneous rows, where the first k of the given columns are n_i and
+/// the last is c_i. Each coordinate is the nearest double, ties to even, ±infinity beyond the range of
+/// doubles. Tries pairs of doubles with a certified bound first, and integers where that does not settle the
+/// rounding. REQUIRES independent normals.
 void meeting_point(std::span<const double* const> rows, std::span<const int> columns, double* x);
 
-/// The integers z_j, j ≤ k, with det(rows, q) = Σ q_j·z_j for every row q, up to one positive factor, on k+1
-/// columns: a normal of the linear hyperplane of k rows. All 0 if the rows are dependent.
+/// A normal of the linear hyperplane spanned by k rows on k+1 columns: the integers z_j, j ≤ k, with
+/// det(rows, q) = λ·Σ q_j·z_j for every row q and one factor λ > 0. All zero if the rows are dependent.
 std::vector<kernel::Integer> cone_normal(std::span<const double* const> rows, std::span<const int> columns);
 
-/// The unit vector along integers that are not all 0, `d` coordinates of which those in `axes` are given:
-/// each is off by a few roundings of itself.
+/// The unit vector of R^d along integers, not all zero, on the given axes; zero on the other axes. Each
+/// coordinate is off by a few roundings.
 std::vector<double> unit_vector(std::span<const kernel::Integer> entries, std::span<const int> axes,
                                 std::size_t d);
 
-/// A basis of the x with n_i·x = 0 for k rows whose normals are independent on the axes: for each other axis
-/// the vector that has 1 there and 0 in the remaining ones, made a unit vector.
+/// A basis of the solutions of n_i·x = 0, for k rows whose normals are independent on the axes. It has one
+/// unit vector for each other axis: positive on that axis and zero on the remaining ones.
 std::vector<double> lineality_basis(std::span<const double* const> rows, std::span<const int> axes,
                                     std::size_t d);
 

@@ -12,8 +12,9 @@
 namespace delone::internal {
 namespace {
 
-/// The program in the d+1 variables (x, t). Constraints: the given rows, then t ≤ T, then x_j = 0 for j < d,
-/// which hold from the start with multiplier 0 and are given up whenever a row takes their place.
+/// The program in the d+1 variables (x, t). Constraints are numbered: the given rows, then t ≤ T, then x_j =
+/// 0 for j < d. The last d start in the basis with multiplier zero, and each leaves as soon as a row can
+/// replace it.
 class InteriorProgram {
  public:
   InteriorProgram(std::span<const double> halfspaces, int dimension, std::span<const std::size_t> rows)
@@ -41,7 +42,7 @@ class InteriorProgram {
   }
 
   const kernel::Fractions& point() const { return point_; }  ///< x and t
-  /// The rows whose multipliers are positive.
+  /// The rows of the basis with nonzero multipliers, in increasing order: they bound t.
   std::vector<std::size_t> supporting_rows() const {
     const kernel::Fractions multipliers = solve_transposed(objective());
     std::vector<std::size_t> found;
@@ -54,8 +55,8 @@ class InteriorProgram {
  private:
   const double* row(std::size_t i) const { return halfspaces_.data() + rows_[i] * (d_ + 1); }
 
-  /// Constraint as integers: the coefficients of x and t, and the right side. Positive multiples of the
-  /// constraint will do.
+  /// A constraint in integers, up to a positive factor: the coefficients of x and t, then the right-hand
+  /// side.
   std::vector<kernel::Integer> constraint(std::size_t i) const {
     std::vector<kernel::Integer> result(d_ + 2, kernel::Integer(0));
     if (i < rows_.size()) {
@@ -95,7 +96,7 @@ class InteriorProgram {
       rounded_.push_back(kernel::nearest_double(x, point_.denominator, 0));
   }
 
-  /// `target` as a combination of the rows of the basis.
+  /// The coefficients of `target` as a linear combination of the rows of the basis.
   kernel::Fractions solve_transposed(const std::vector<kernel::Integer>& target) const {
     const std::size_t n = d_ + 1;
     std::vector<kernel::Integer> system(n * (n + 1));
@@ -107,14 +108,15 @@ class InteriorProgram {
     return kernel::solve_exactly(std::move(system), n);
   }
 
-  /// A row that the point violates: the first, or the one that it violates most as far as binary64 can tell.
+  /// A row that the point violates: the first one, or the one with the largest violation as far as binary64
+  /// can tell.
   std::optional<std::size_t> find_violated(bool first) const {
     std::optional<std::size_t> worst;
     double largest = -1;
     for (std::size_t i = 0; i < rows_.size(); ++i) {
-      // n·x + c + w·t, then over w. Each coordinate of the point is off by a rounding, or by half of the
-      // least double: that counts where it is multiplied by more than 1. Products and sums are rounded.
-      // Beyond the doubles nothing is certain.
+      // The violation is n·x + c + w·t, measured in units of w. Each coordinate of the point is off by one
+      // rounding or, below the normal numbers, by half of the smallest double, times its factor. Products and
+      // sums are rounded. If the bound overflows, nothing is certain.
       const double* r = row(i);
       const double weight = std::ldexp(1.0, weight_exponent_[i]);
       double sum = r[d_] + weight * rounded_[d_],
@@ -147,13 +149,14 @@ class InteriorProgram {
     return sum > 0;
   }
 
-  /// Row r enters with a multiplier that grows until that of another row is 0, which leaves.
+  /// Lets a row enter the basis: its multiplier grows until that of another row becomes zero, and that row
+  /// leaves.
   void exchange(std::size_t entering) {
     std::vector<kernel::Integer> target = constraint(entering);
     target.pop_back();
     kernel::Fractions share = solve_transposed(target);
     const kernel::Fractions multipliers = solve_transposed(objective());
-    // Both have the denominator det B, whose sign does not matter for ratios but does for shares.
+    // Both solutions have the denominator det B. Its sign cancels in ratios, but shares need it.
     if (share.denominator < 0)
       for (kernel::Integer& x : share.numerators) x = -x;
     std::optional<std::size_t> leaving;
@@ -175,7 +178,7 @@ class InteriorProgram {
       }
       leaving = b;
     }
-    // All rows allow t → −∞, so there is one that leaves.
+    // Every row is satisfied for t → −∞, so the program is feasible and some row leaves.
     basis_[*leaving] = entering;
   }
 

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Duality: cells of the boundary in one hyperplane merge into facets (convex_hull_faces.hpp); a facet is dual
-// to a vertex, or to a direction if the row at infinity is on its hyperplane. An extreme site is dual to a
-// facet, a ridge to an edge.
+// Duality. Cells of the boundary in one hyperplane merge into a facet (hull/hull_faces.hpp). A facet is dual
+// to a vertex of the intersection, or to a direction of it if the hyperplane of the facet contains the row at
+// infinity. An extreme site is dual to a facet, and a ridge to an edge.
 //
-// Whether a site that is not extreme touches the intersection: the facets it is on are dual to the vertices
-// and directions where its hyperplane touches, so it does iff one of them is dual to a vertex.
+// A site that is not extreme may still touch the intersection. The facets of the boundary that contain it are
+// dual to the vertices and directions where its hyperplane touches. So it touches iff one of these facets is
+// dual to a vertex.
 #include "halfspaces/intersection_arrays.hpp"
 
 #include "halfspaces/halfspace_vertex.hpp"
@@ -92,7 +93,7 @@ class ArrayMaker {
         kind_of_site_[site] = HalfspaceKind::touching;
   }
 
-  /// The cells whose hyperplanes contain a site are connected: they are around the face that the site is in.
+  /// The cells whose hyperplanes contain a site are connected: they surround the face that contains the site.
   bool touches(Index site, Index start) const {
     std::vector<Index> seen{start};
     for (std::size_t next = 0; next < seen.size(); ++next) {
@@ -105,7 +106,7 @@ class ArrayMaker {
     return false;
   }
 
-  /// The number of each vertex and of each direction, by facet of the boundary.
+  /// Makes vertices and directions, and numbers them by facet of the boundary.
   void make_vertices() {
     const std::size_t num_facets = faces_.num_facets();
     number_.resize(num_facets);
@@ -123,7 +124,7 @@ class ArrayMaker {
       std::sort(halfspaces.begin() + static_cast<std::ptrdiff_t>(first), halfspaces.end());
       offsets.push_back(static_cast<SignedIndex>(halfspaces.size()));
       if (is_at_infinity_[f]) {
-        // det(rows, q) is positive for q inside, where q·z is to be negative.
+        // det(rows, q) is positive for q inside, where q·z must be negative.
         std::vector<kernel::Integer> z = cone_normal(rows, sites_.axes);
         z.pop_back();
         const bool keep = hull_.dimension == 1 && cell_of_facet_[f] == 1;
@@ -150,7 +151,7 @@ class ArrayMaker {
       list.push_back(number_[a]);
       list.push_back(number_[b]);
     }
-    // k = 1: the two ends have no ridge in common, but an edge.
+    // For k = 1 the boundary has no ridges, but an edge joins its two ends.
     if (k_ == 1) {
       const bool first = is_at_infinity_[0], second = is_at_infinity_[1];
       if (first != second) data_.rays = {0, 0};
@@ -179,7 +180,7 @@ class ArrayMaker {
     }
   }
 
-  /// k = 3: the facets around a site, those at infinity last.
+  /// For k = 3, the facets of the boundary around a site in cyclic order, those at infinity last.
   std::vector<Index> in_cycle(Index site, Index start) const {
     std::vector<Index> cycle;
     Index c = start;
@@ -190,7 +191,7 @@ class ArrayMaker {
       c = hull_.neighbors_of(c)[(slot + 2) % 3];
     } while (c != start);
     if (cycle.size() > 1 && cycle.back() == cycle.front()) cycle.pop_back();
-    // A facet's cells around the site follow each other, as faces are convex.
+    // Faces are convex, so the facets at infinity are consecutive.
     const auto after_infinity = [&] {
       for (std::size_t i = 0; i < cycle.size(); ++i)
         if (is_at_infinity_[cycle[i]] && !is_at_infinity_[cycle[(i + 1) % cycle.size()]]) return i + 1;
@@ -221,7 +222,7 @@ class ArrayMaker {
       data_.dual_points.insert(data_.dual_points.end(), dual.begin(),
                                dual.begin() + static_cast<std::ptrdiff_t>(d_));
     }
-    // The dual points y of the rows through a vertex v have y·(v − p) = 1.
+    // The dual points y of the rows through a vertex v satisfy y·(v − p) = 1.
     for (std::size_t v = 0; v < data_.num_vertices(); ++v) {
       double largest = 0, square = 0;
       for (std::size_t j = 0; j < d_; ++j) {

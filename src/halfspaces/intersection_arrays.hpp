@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What makes an intersection of halfspaces, and the arrays that describe it.
+// The state of an intersection of halfspaces, and the arrays that describe it.
 #pragma once
 
 #include "halfspaces/halfspace_cone.hpp"
@@ -14,7 +14,7 @@
 
 namespace delone::internal {
 
-/// Sites by their rays.
+/// Orders sites by their rays.
 struct RayOrder {
   const DualSites* sites;
   bool operator()(Index a, Index b) const {
@@ -22,8 +22,8 @@ struct RayOrder {
   }
 };
 
-/// Rows as sites (one for each ray, site 0 is the row at infinity), an interior point, and the cone of the
-/// sites.
+/// The rows as sites, an interior point, and the cone of the sites. Rows on one ray share a site; site 0 is
+/// the row at infinity.
 struct IntersectionParts {
   explicit IntersectionParts(std::size_t d);
   IntersectionParts(const IntersectionParts& other);
@@ -40,16 +40,16 @@ struct IntersectionParts {
   InteriorPoint interior;
   IntersectionState state = IntersectionState::full;
   std::vector<SignedIndex> witness;
-  std::optional<HalfspaceCone> cone;  // none while the rank is 0
+  std::optional<HalfspaceCone> cone;  // empty while the rank is 0
 };
 
-/// Whether n·p + c < 0, exactly.
+/// Whether n·p + c < 0. Exact.
 bool is_strictly_inside(const double* row, const InteriorPoint& p);
 
-/// All of IntersectionData but the halfspaces.
+/// All of IntersectionData except the halfspaces.
 IntersectionData intersection_arrays(const IntersectionParts& parts);
 
-/// The volume or the surface area of the boundary of the rounded dual points; NaN for k < d.
+/// The volume of the hull of the rounded dual points, or the area of its boundary; NaN for k < d.
 double dual_measure(const IntersectionParts& parts, bool volume);
 
 }  // namespace delone::internal

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What is derived from a finished boundary, each part when it is first asked for: faces, kinds of points,
-// measures, and the arrays of HullData. `const` members may be called from several threads at once.
+// What follows from a finished boundary: faces, kinds of points, measures and the arrays of HullData. Each is
+// computed on first use. `const` members are safe to call from several threads at once.
 #pragma once
 
 #include "hull/hull_faces.hpp"
@@ -18,7 +18,7 @@
 
 namespace delone::internal {
 
-/// A value that is made once.
+/// A value computed on first use, by one thread. If `make` throws, the next call tries again.
 template <class T>
 class Lazy {
  public:
@@ -36,10 +36,10 @@ class Lazy {
 
 class HullAnalysis {
  public:
-  /// The state must outlive this object, unchanged.
+  /// The state must outlive this object and must not change.
   explicit HullAnalysis(const HullState& state);
 
-  /// None for k < 1.
+  /// Empty for k < 1.
   const std::optional<HullLocator>& locator() const { return locator_; }
   const PolytopeFaces& faces() const;
   const Lists& facet_sites() const;

@@ -10,7 +10,7 @@
 namespace delone::internal {
 namespace {
 
-/// Disjoint sets with path halving; the root is the least member.
+/// Disjoint sets with path halving. The root of a set is its smallest member.
 class UnionFind {
  public:
   explicit UnionFind(std::size_t n) : parent_(n) { std::iota(parent_.begin(), parent_.end(), Index{0}); }
@@ -27,7 +27,7 @@ class UnionFind {
   std::vector<Index> parent_;
 };
 
-/// For each key 0 … num_keys−1 the increasing, distinct values paired with it.
+/// For each key 0 … num_keys−1, the distinct values paired with it, in increasing order.
 Lists grouped(std::vector<std::pair<Index, Index>> pairs, std::size_t num_keys) {
   std::sort(pairs.begin(), pairs.end());
   pairs.erase(std::unique(pairs.begin(), pairs.end()), pairs.end());
@@ -47,7 +47,7 @@ std::vector<Index> intersection(std::span<const Index> a, std::span<const Index>
   return common;
 }
 
-/// Whether any site but v is in all the given facets: whether v is no vertex of the polytope.
+/// Whether the given facets have a common site besides v. If so, v is not a vertex of the polytope.
 bool has_company(Index v, const Lists& sites_of_facet, std::span<const Index> facets) {
   const auto smallest = std::min_element(facets.begin(), facets.end(), [&](Index a, Index b) {
     return sites_of_facet[a].size() < sites_of_facet[b].size();
@@ -61,7 +61,7 @@ bool has_company(Index v, const Lists& sites_of_facet, std::span<const Index> fa
   });
 }
 
-/// The facets in increasing numbers of their first cells.
+/// Numbers the facets in the order of their first cells.
 void number_facets(const SimplicialHull& hull, std::span<const std::pair<Index, Index>> coplanar,
                    PolytopeFaces& faces) {
   const std::size_t m = hull.num_cells();
@@ -91,8 +91,9 @@ void number_facets(const SimplicialHull& hull, std::span<const std::pair<Index, 
     faces.cells_of_facet.items[next[faces.facet_of_cell[c]]++] = static_cast<Index>(c);
 }
 
-/// Calls visit(facet, other facet with a larger number, cell of the facet, vertex of the cell opposite the
-/// ridge) for each ridge, in increasing order of the pairs of facets. Two facets share one ridge at most.
+/// Calls visit(facet, neighbor, cell, vertex) once for each ridge, in increasing order of the pairs (facet,
+/// neighbor) with facet < neighbor. The ridge is opposite `vertex` in `cell`, a cell of `facet`. Two facets
+/// share at most one ridge.
 template <class Visit>
 void for_each_ridge(const SimplicialHull& hull, const PolytopeFaces& faces, Visit visit) {
   struct Side {
@@ -125,7 +126,7 @@ PolytopeFaces find_faces(const SimplicialHull& hull, std::size_t num_sites,
     for (const Index site : hull.cells) faces.is_extreme[site] = 1;
     return faces;
   }
-  std::vector<Index> merged;  // cells of facets that have several
+  std::vector<Index> merged;  // cells of facets with several cells
   for (std::size_t c = 0; c < hull.num_cells(); ++c)
     if (faces.cells_of_facet[faces.facet_of_cell[c]].size() > 1)
       merged.push_back(static_cast<Index>(c));
@@ -179,7 +180,7 @@ PolytopeRidges find_ridges(const SimplicialHull& hull, const PolytopeFaces& face
       ridges.sites.add(intersection(facet_sites[a], facet_sites[b]));
       return;
     }
-    // One of the two is a simplex, and the ridge a facet of it.
+    // One of the two facets is a simplex, so the ridge is the face of `c` opposite `vertex`.
     const auto cell = hull.cell(c);
     sites.assign(cell.begin(), cell.end());
     sites.erase(sites.begin() + static_cast<std::ptrdiff_t>(vertex));

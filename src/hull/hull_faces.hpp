@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// From the simplices of a boundary to the faces of the polytope: cells in one hyperplane merge into facets,
-// from which extreme points, ridges and all other faces follow by intersection of sets. A facet of one cell
-// is that simplex, and its vertices are extreme; only facets of several cells take any work.
+// From the simplicial cells of a boundary to the faces of the polytope. Neighboring cells in one hyperplane
+// merge into facets; extreme points, ridges and all other faces are intersections of facets, as sets of
+// sites. A facet of one cell is that simplex, and all its vertices are extreme. Only facets of several cells
+// cost anything.
 #pragma once
 
 #include "compiled/simplicial_hull.hpp"
@@ -13,7 +14,7 @@
 
 namespace delone::internal {
 
-/// Lists of one kind, one after the other.
+/// A sequence of lists, stored back to back.
 struct Lists {
   std::vector<std::size_t> offsets{0};
   std::vector<Index> items;
@@ -35,16 +36,17 @@ struct PolytopeFaces {
   std::size_t num_facets() const { return cells_of_facet.size(); }
 };
 
-/// `coplanar`: the pairs of neighboring cells that lie in one hyperplane.
+/// `coplanar`: all pairs of neighboring cells in one hyperplane.
 ///
-/// Why sets suffice. The boundary is a fan seen from inside, and sites move on the rays of that fan only (the
-/// perturbation), so a vertex of cells is a vertex of some cell in each facet that contains it. The facets
-/// that contain a site meet in the smallest face that contains it; it is extreme iff that face has no other
-/// vertex. O(m·k), and the sizes of the lists of facets of several cells.
+/// Why sets suffice. Seen from inside, the boundary is a fan, and the perturbation moves sites only along the
+/// rays of that fan. So a site that is a vertex of any cell is a vertex of a cell in each facet that contains
+/// the site. The facets that contain a site intersect in the smallest face that contains it, and the site is
+/// extreme iff that face contains no other vertex of a cell. O(m·k) for m cells, plus the total size of the
+/// vertex lists of merged facets, up to a logarithm.
 PolytopeFaces find_faces(const SimplicialHull& hull, std::size_t num_sites,
                          std::span<const std::pair<Index, Index>> coplanar);
 
-/// The extreme sites of each facet, increasing.
+/// The extreme sites of each facet, in increasing order.
 Lists find_facet_sites(const SimplicialHull& hull, const PolytopeFaces& faces);
 
 struct PolytopeRidges {
@@ -54,11 +56,11 @@ struct PolytopeRidges {
 PolytopeRidges find_ridges(const SimplicialHull& hull, const PolytopeFaces& faces, const Lists& facet_sites);
 std::size_t count_ridges(const SimplicialHull& hull, const PolytopeFaces& faces);
 
-/// The number of faces of each dimension 0 … k−1, from the facets. Faces of dimension j−1 of a face are its
-/// largest proper intersections with facets.
+/// The number of faces of each dimension 0 … k−1, given the vertices of each facet. The facets of a face are
+/// its maximal proper intersections with facets of the polytope.
 std::vector<std::size_t> count_faces(const Lists& facets, int dimension);
 
-/// The vertices common to all given facets, increasing.
+/// The vertices common to all given facets, in increasing order.
 std::vector<Index> common_vertices(const Lists& facets, std::span<const Index> which);
 
 }  // namespace delone::internal

@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The fan of a boundary: seen from a point o strictly inside, the cells are cones that cover space. A query q
-// leaves the hull, if at all, through the cell whose cone it is in, so q is inside, on the boundary or
-// outside as it is inside, on or beyond the hyperplane of that cell. Where the descent of the engine ends
-// uncertain, a visibility walk finds the cone, exactly: leave a cone by a wall that has q on its other side.
-// Boundaries of convex polytopes have no cycles of cells as seen along rays (Edelsbrunner 1990,
-// doi:10.1007/BF02122779). Where cells share a hyperplane, the perturbation moves vertices on their rays,
-// which makes the boundary convex at all ridges and leaves the fan as it is.
+// The fan of a boundary: seen from a point strictly inside, the cells span cones that cover space. A query
+// lies in the cone of some cell. It is inside the hull, on its boundary or outside exactly as it is inside,
+// on or beyond the hyperplane of that cell.
+//
+// Where the engine's filtered descent ends in doubt, an exact visibility walk finds the cone: leave a cone
+// through any wall that has the query on its other side. The walk ends, because the cells of the boundary of
+// a convex polytope have no cycle in front-to-back order (Edelsbrunner 1990, doi:10.1007/BF02122779). Where
+// cells share a hyperplane, the perturbation moves vertices along their rays. That makes the boundary
+// strictly convex at every ridge and does not change the fan.
 #pragma once
 
 #include "compiled/simplicial_hull.hpp"
@@ -17,9 +19,9 @@
 
 namespace delone::internal {
 
-/// Sets `point` to one near the mean of some sites (rounded to few bits if possible, as that keeps
-/// determinants of lattices exact) that `is_inside(point, grid of all sites and it)` accepts. False if there
-/// is none.
+/// Looks for a point near the mean of the sites `around` for which `is_inside(point, grid)` holds, where
+/// `grid` covers all sites and the point. Tries the mean rounded to a few bits first, which keeps
+/// determinants of lattices exact, then the mean itself. Returns false if neither is inside.
 template <class IsInside>
 bool choose_interior_point(const HullSites& sites, const std::vector<Index>& around,
                            std::vector<double>& point, IsInside is_inside) {
@@ -46,7 +48,7 @@ bool choose_interior_point(const HullSites& sites, const std::vector<Index>& aro
   return false;
 }
 
-/// A cell whose closed cone contains q, seen from `center`, exactly. `grid` is one for the sites and q.
+/// A cell whose closed cone, seen from `center`, contains q. Exact. `grid` covers the sites and q.
 std::size_t walk_cones(const HullSites& sites, const SimplicialHull& hull, const std::vector<double>& center,
                        const double* q, std::size_t start, const kernel::Grid& grid);
 

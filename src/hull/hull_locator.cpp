@@ -19,7 +19,7 @@ Sign HullLocator::side(std::size_t cell, const double* q, const kernel::Grid& gr
 HullLocator::Result HullLocator::locate(const double* q, const kernel::Grid& grid) const {
   const HullBoundary* boundary = builder_.boundary();
   if (boundary == nullptr || !builder_.has_center()) return search_all(q, grid);
-  // Start from the best of a sample, so that the way is short in large hulls.
+  // Start at the best of a sample of cells, which keeps the walk short in large hulls.
   const std::size_t m = hull_.num_cells();
   const auto sample = static_cast<std::size_t>(std::sqrt(static_cast<double>(m)) / 4) + 1;
   std::vector<Index> candidates;
@@ -33,7 +33,7 @@ HullLocator::Result HullLocator::locate(const double* q, const kernel::Grid& gri
   return {c, side(c, q, grid, scratch)};
 }
 
-/// Without a center: any cell beyond whose hyperplane q is, else any whose hyperplane q is on, else any.
+/// Without a center: a cell with q beyond its hyperplane; else one with q on it; else any cell.
 HullLocator::Result HullLocator::search_all(const double* q, const kernel::Grid& grid) const {
   Result result{0, Sign::positive};
   std::vector<const double*> scratch;

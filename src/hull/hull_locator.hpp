@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Where a point lies with respect to a finished boundary: in which cone of its fan, and on which side of that
-// cell. Where no double is inside the hull, all cells are asked.
+// Locates a point with respect to a finished boundary: the cone of the fan that contains it, and the side of
+// that cell's hyperplane. Where no double is strictly inside the hull there is no fan, and all cells are
+// tested.
 #pragma once
 
 #include "compiled/simplicial_hull.hpp"
@@ -13,25 +14,27 @@ namespace delone::internal {
 
 class HullLocator {
  public:
-  /// Both must outlive this object, unchanged. O(1).
+  /// Both arguments must outlive this object and must not change. O(1).
   HullLocator(const HullSites& sites, const ConvexHullBuilder& builder)
       : sites_(sites), builder_(builder), hull_(builder.hull()) {}
 
   struct Result {
     std::size_t cell;
-    Sign side;  ///< of q: + inside the hull, 0 on its boundary and the cell's hyperplane, − beyond the cell's
-                ///< hyperplane
+    /// Of q: + inside the hull, 0 on the boundary and on the hyperplane of the cell, − beyond that
+    /// hyperplane.
+    Sign side;
   };
-  /// REQUIRES q in the flat, k ≥ 1; `grid` is one for the sites and q.
+  /// REQUIRES q in the flat of the hull and k ≥ 1. `grid` covers the sites and q.
   Result locate(const double* q, const kernel::Grid& grid) const;
 
-  /// The cells whose hyperplane has q on the given side (zero or negative), one of them being `first`: they
-  /// are connected by ridges if q is on the boundary or outside, respectively. Increasing.
+  /// All cells whose hyperplane has q on the side `side` (zero or negative), in increasing order. `first`
+  /// must be one of them. Searches across ridges: for q on the boundary the cells with side zero are
+  /// connected, for q outside those with side negative.
   std::vector<Index> cells_on_side(std::size_t first, Sign side, const double* q,
                                    const kernel::Grid& grid) const;
 
  private:
-  /// The exact side, with the filter.
+  /// The exact side, filtered first.
   Sign side(std::size_t cell, const double* q, const kernel::Grid& grid,
             std::vector<const double*>& scratch) const;
   Result search_all(const double* q, const kernel::Grid& grid) const;

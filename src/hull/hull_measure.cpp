@@ -15,7 +15,7 @@ namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-/// Reflects columns, each of `rows` entries, to triangular form; returns the diagonal.
+/// Reduces the columns, of `rows` entries each, to triangular form by reflections; returns |r_ii|.
 std::vector<double> triangular_diagonal(std::vector<std::vector<double>>& columns, std::size_t rows) {
   std::vector<double> diagonal;
   std::vector<double> reflector(rows);
@@ -40,7 +40,7 @@ std::vector<double> triangular_diagonal(std::vector<std::vector<double>>& column
   return diagonal;
 }
 
-/// x·2^exponent for exponents of any size.
+/// x·2^exponent for an exponent of any size.
 double times_power(double x, std::int64_t exponent) {
   return std::ldexp(x, static_cast<int>(std::clamp<std::int64_t>(exponent, -10000, 10000)));
 }
@@ -61,7 +61,7 @@ HullMeasures measure(const HullSites& sites, const SimplicialHull& hull) {
   for (std::size_t c = 0; c < hull.num_cells(); ++c) {
     const auto cell = hull.cell(c);
     gather(sites, cell, points);
-    // Areas within a flat are not those of its projection.
+    // HullNormal works on k axes; if k < d, these give the areas of projections.
     const bool is_known = hull.dimension > 1 && hull.dimension == sites.ambient &&
                           normal.compute(points.data(), sites.axes, false) && normal.has_measures();
     const bool has_apex = std::find(cell.begin(), cell.end(), apex) != cell.end();
@@ -77,9 +77,9 @@ HullMeasures measure(const HullSites& sites, const SimplicialHull& hull) {
   return {volume.result(), area.result()};
 }
 
-/// A bound on the distance of two sites.
+/// An upper bound on the distance between two sites.
 double extent_of(const HullSites& sites) {
-  double square = 0;  // of the diagonal of the box of all sites
+  double square = 0;  // of the diagonal of the bounding box
   for (int j = 0; j < sites.ambient; ++j) {
     double low = sites.point(0)[j], high = low;
     for (Index site = 1; site < sites.size(); ++site) {
@@ -91,8 +91,8 @@ double extent_of(const HullSites& sites) {
   return 1.01 * std::sqrt(square) + 1e-150;  // squares may underflow
 }
 
-/// A normal without a bound, for flats and where elimination fails: what is left of the way to a point inside
-/// after the directions of the edges have been taken out, twice for accuracy.
+/// A normal without an error bound, for flats and where elimination fails: the direction from the cell to a
+/// point inside, made orthogonal to the edges by Gram–Schmidt (two passes) and negated.
 void orthogonalize(const std::vector<const double*>& points, const double* inner, std::size_t d,
                    double* normal) {
   std::vector<std::vector<double>> basis;
@@ -129,15 +129,15 @@ void fill_equations(const HullSites& sites, const SimplicialHull& hull, std::spa
   for (std::size_t c = 0; c < hull.num_cells(); ++c) {
     gather(sites, hull.cell(c), points);
     const bool is_known = k == d && normal.compute(points.data(), sites.axes, k == 1 && c == 0);
-    // Two vectors as far apart as error(), each divided by its length, are within 2·error()/length(); the
-    // roundings of the length and of the quotients add (k + 5)·u.
+    // Vectors N and N′ with |N − N′| ≤ e differ by at most 2e/|N| after normalization. Rounding the length
+    // and the quotients adds (k + 5)·u.
     const double error =
         is_known
             ? 1.01 * (2 * normal.error() / normal.length() + static_cast<double>(k + 5) * 0x1p-53) * extent
             : infinity;
     double* const equation = result.equations.data() + facet_of_cell[c] * (d + 1);
     double& best = result.errors[facet_of_cell[c]];
-    if (best >= 0 && error >= best) continue;  // the best cell of the facet
+    if (best >= 0 && error >= best) continue;  // another cell of the facet is better
     if (is_known)
       for (std::size_t j = 0; j < d; ++j) equation[j] = normal.normal()[j] / normal.length();
     else
@@ -165,7 +165,7 @@ void MeasureSum::add(const Measure& term) {
 Measure MeasureSum::result() const {
   const double value = sum_ + lost_;
   if (!std::isfinite(value)) return {sum_, infinity};
-  // One rounding of the result, and second-order terms of the sum for fewer than 2^40 terms.
+  // The rounding of the result, and the second-order terms of the sum for fewer than 2^40 terms.
   return {value, (1 + 0x1p-20) * error_ + 0x1p-52 * std::fabs(value) + 0x1p-64 * magnitude_ + 1e-320};
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Lengths, areas and volumes of simplices, hyperplanes of facets: binary64 with error bounds.
+// Lengths, areas and volumes of simplices, and hyperplanes of facets: binary64 with error bounds.
 #pragma once
 
 #include "compiled/simplicial_hull.hpp"
@@ -13,7 +13,7 @@
 
 namespace delone::internal {
 
-/// A compensated sum (Neumaier 1974, doi:10.1002/zamm.19740540106) of measures, with their errors.
+/// The sum of measures and of their errors, compensated (Neumaier 1974, doi:10.1002/zamm.19740540106).
 class MeasureSum {
  public:
   void add(const Measure& term);
@@ -23,24 +23,27 @@ class MeasureSum {
   double sum_ = 0, lost_ = 0, error_ = 0, magnitude_ = 0;
 };
 
-/// The j-dimensional volume of the simplex of j+1 points of R^d: |r_11 ⋯ r_jj|/j! for the triangular factor R
-/// of its edges, by Householder's reflections. A reflection of a column of length d is off by at most 10·(d +
-/// 8)·u of the column's norm (dot product, scaling, subtraction, and the rounding of the reflector itself,
-/// counted to first order), so R is exact for edges e_i + δ_i, |δ_i| ≤ 10·j·(d + 8)·u·|e_i|. The volume is
-/// multilinear in the edges and at most their product: its error is at most Π|e_i|·((1 + 10·j·(d + 8)·u)^j −
-/// 1)/j!. The differences' own rounding is part of the slack.
+/// The j-dimensional volume of the simplex of j+1 points of R^d: |r_11 ⋯ r_jj|/j!, where R is the triangular
+/// factor of the edges by Householder reflections.
+///
+/// Error. A computed reflection of a column of length d is off by at most 10·(d + 8)·u times the norm of the
+/// column: dot product, scaling, subtraction and the rounding of the reflector itself, to first order. So R
+/// is the exact factor for edges e_i + δ_i with |δ_i| ≤ 10·j·(d + 8)·u·|e_i|. The volume is multilinear in
+/// the edges and at most the product of their lengths over j!. Hence its error is at most Π|e_i|·((1 +
+/// 10·j·(d + 8)·u)^j − 1)/j!. The slack covers the rounding of the edges.
 Measure simplex_volume(std::span<const double* const> points, int ambient);
 
-/// The volume of the hull and the area of its boundary, within the flat: one elimination per cell. Every cell
-/// is joined to one vertex: none of these simplices has negative volume, so nothing cancels.
+/// The volume of the hull and the area of its boundary, both within the flat, with one elimination per cell.
+/// The volume is the sum over the simplices that join each cell to one fixed vertex. None of them has
+/// negative volume, so nothing cancels.
 struct HullMeasures {
   Measure volume, area;
 };
 HullMeasures measure_hull(const HullSites& sites, const SimplicialHull& hull);
 
-/// The unit normals of the facets' hyperplanes within the flat, outwards, with the offsets: d+1 numbers each,
-/// and the bounds of Polytope::data(). Of the cells of a facet the one with the best bound is taken.
-/// `inner(c)`: a site of the flat that is strictly inside the hyperplane of cell c.
+/// For each facet the outward unit normal of its hyperplane within the flat and the offset, d+1 numbers, with
+/// the error bounds of Polytope::data(). Each facet takes the equation of its cell with the smallest bound.
+/// `inner(c)`: a site strictly inside the hyperplane of cell c.
 struct FacetEquations {
   std::vector<double> equations, errors;
 };

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The hyperplane through k points of R^k in binary64 with certified bounds, from one elimination, O(k³): its
-// outward normal (the filter of check_hull, and the equations of facets), the (k−1)-volume of the simplex of
-// the points and the k-volume of its join with a point. Proof: docs/predicates.md, "Normals of hull cells".
+// outward normal (the filter of check_hull and the equations of facets), the (k−1)-volume of the simplex of
+// the points, and the k-volume of its join with a point. Proof: docs/predicates.md, "Normals of hull cells".
 //
-// With e_1 … e_(k−1) the edges, N·x = det(x, e_1, …, e_(k−1)): positive outwards for a cell oriented as in
-// simplicial_hull.hpp, and |N| is (k−1)! times the volume. Edges are scaled to length about 1 by powers of
-// two, which scales N by a positive factor. Elimination picks k−1 coordinates as pivots; with y ⊥ e_i and y =
-// 1 at the coordinate p that is left, N = N_p·y.
+// With edges e_1 … e_(k−1), N·x = det(x, e_1, …, e_(k−1)) is positive outwards for a cell oriented as in
+// simplicial_hull.hpp, and |N| is (k−1)! times the volume. Scaling the edges to length about 1 by powers of
+// two scales N by a positive factor. Elimination with row pivoting chooses k−1 coordinates as pivots and
+// leaves one, p. With y ⊥ e_i and y_p = 1, N = N_p·y.
 #pragma once
 
 #include "compiled/simplicial_hull.hpp"
@@ -25,7 +25,7 @@
 
 namespace delone::internal {
 
-/// D is k, or 0 when it is chosen at run time.
+/// D is k, or 0 for k chosen at run time.
 template <int D>
 class HullNormal {
  public:
@@ -38,7 +38,8 @@ class HullNormal {
         normal_(k_),
         factorial_(std::tgamma(static_cast<double>(k))) {}
 
-  /// The hyperplane through points[0 … k−1] on the given axes. False if binary64 cannot tell.
+  /// The hyperplane through points[0 … k−1], projected to the given axes. Returns false if binary64 cannot
+  /// certify it.
   bool compute(const double* const* points, std::span<const int> axes, bool reversed) {
     points_base_ = points[0];
     int exponent = 0;
@@ -90,13 +91,13 @@ class HullNormal {
     return error_ < 0.125 * length_;
   }
 
-  /// Outwards, one entry ±1: within error(), in 2-norm, of a normal of the hyperplane.
+  /// The outward normal with one entry ±1. Some exact normal of the hyperplane is within error() of it in
+  /// 2-norm.
   const double* normal() const { return normal_.data(); }
   double error() const { return error_; }
   double length() const { return length_; }
 
-  /// The (k−1)-volume of the simplex. Both measures need volumes of edges' parallelepipeds that are normal
-  /// numbers.
+  /// content() and cone() need a volume of the edges' parallelepiped that neither overflows nor underflows.
   bool has_measures() const { return weight_ > 1e-250 && weight_ < 1e250; }
   Measure content() const {
     const double value = weight_ * length_ / factorial_;
@@ -139,14 +140,14 @@ class HullNormal {
   double weight_ = 0, weight_error_ = 0;  // |N_p|, unscaled
 };
 
-/// Normals of many cells, to be kept and asked for sides.
+/// Certified normals of many cells, stored by the caller as records, and the sides that they prove.
 class HullNormals {
  public:
   explicit HullNormals(int k) : normal_(k), k_(static_cast<std::size_t>(k)) {}
 
   std::size_t stride() const { return k_ + 1; }
 
-  /// Writes a normal, k numbers, then a bound on its error in 2-norm, or infinity: nothing is known.
+  /// Writes k numbers, the normal, then a bound on its error in 2-norm: infinity if nothing is known.
   void compute(const HullSites& sites, std::span<const Index> cell, bool reversed, double* record) {
     points_.clear();
     for (const Index site : cell) points_.push_back(sites.point(site));
@@ -155,8 +156,8 @@ class HullNormals {
     record[k_] = known ? normal_.error() : std::numeric_limits<double>::infinity();
   }
 
-  /// The side of the hyperplane through `base` that q is on, if the normal proves it, else zero: + inside, −
-  /// beyond.
+  /// The side of q with respect to the hyperplane through `base`, + inside and − beyond, if the normal proves
+  /// it; else zero.
   Sign side(const HullSites& sites, const double* record, const double* base, const double* q) const {
     double value = 0, magnitude = 0, length = 0;
     for (std::size_t j = 0; j < k_; ++j) {
@@ -166,8 +167,8 @@ class HullNormals {
       magnitude += std::fabs(record[j] * t);
       length += std::fabs(t);
     }
-    // Rounded differences, products and sums: γ_(k+2) of the magnitude; the error of the normal; products
-    // that underflow.
+    // Rounded differences, products and sums: γ_(k+2) of the magnitude. Then the error of the normal, and
+    // products that underflow.
     const double n = static_cast<double>(k_);
     const double bound = 1.01 * (record[k_] * length + (n + 3) * kernel::unit_roundoff * magnitude) +
                          kernel::underflow_allowance;

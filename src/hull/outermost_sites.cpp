@@ -10,7 +10,7 @@ namespace {
 
 constexpr std::size_t most_axes_with_diagonals = 5;
 
-/// The least and the greatest of a function, and the sites where it takes them.
+/// The minimum and maximum of a function, and the first sites that attain them.
 struct Range {
   double low = std::numeric_limits<double>::infinity(), high = -std::numeric_limits<double>::infinity();
   Index lowest = invalid_index, highest = invalid_index;
@@ -30,12 +30,11 @@ std::vector<Index> outermost_sites(const HullSites& sites, Index first) {
     for (std::size_t j = 0; j < d; ++j) ranges[j].include(sites.point(site)[j], site);
 
   if (d > 1 && d <= most_axes_with_diagonals) {
-    // Coordinates in units of the box, so that each axis counts; not finite where that overflows, and then
-    // passed over.
+    // Coordinates in units of the box give all axes the same weight. A sum that overflows to NaN is ignored.
     std::vector<double> scale(d), x(d);
     for (std::size_t j = 0; j < d; ++j)
       scale[j] = ranges[j].high > ranges[j].low ? 1 / (ranges[j].high - ranges[j].low) : 0;
-    // One of each two opposite diagonals: +x_0 always.
+    // One of each pair of opposite diagonals: the sign of x_0 is always +.
     const std::size_t num_diagonals = std::size_t{1} << (d - 1);
     std::vector<Range> diagonals(num_diagonals);
     std::vector<double> sums(num_diagonals);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Which site is at a point: a hash table with open addressing and linear probing, at most half full. Sites
-// are numbered in the order in which they are added.
+// A hash table from points to sites: open addressing with linear probing, at most half full. Sites are
+// numbered in the order in which they are added.
 #pragma once
 
 #include <delone/types.hpp>
@@ -13,7 +13,7 @@ namespace delone::internal {
 
 class SiteTable {
  public:
-  /// The site with this tag for which is_at(site) holds, or invalid_index.
+  /// The site with this tag for which is_at(site) holds; invalid_index if there is none.
   template <class IsAt>
   Index find(std::uint64_t tag, IsAt is_at) const {
     if (entries_.empty()) return invalid_index;
@@ -24,23 +24,24 @@ class SiteTable {
     }
   }
 
-  /// Makes room for n sites in all.
+  /// Makes room for n sites in total.
   void reserve(std::size_t n) {
     while (2 * n > entries_.size()) grow();
   }
-  /// Asks the memory for what find() and add() will look at.
+  /// Prefetches the entry where find() and add() start.
   [[gnu::always_inline]] void prefetch(std::uint64_t tag) const {
     if (!entries_.empty()) __builtin_prefetch(&entries_[tag & mask()], 1);
   }
 
-  /// Throws std::bad_alloc, and then changes nothing.
+  /// Strong guarantee: throws std::bad_alloc or succeeds.
   void add(std::uint64_t tag, Index site) {
     if (2 * (size_ + 1) > entries_.size()) grow();
     place(entries_, {tag, site});
     ++size_;
   }
 
-  /// Takes back a site that was added last, or not at all: no later one was pushed on by it.
+  /// Removes the site if it is the last one added; does nothing if it is not in the table. No later entry was
+  /// displaced by it, so it leaves no gap in a probe sequence.
   void remove_last(std::uint64_t tag, Index site) {
     if (entries_.empty()) return;
     std::size_t at = tag & mask();

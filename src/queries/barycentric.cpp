@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Barycentric coordinates y of q solve A·y = b, with columns p_j − p_0 and b = q − p_0, one row for each
-// axis; that of p_0 is what is left of 1. The method is that of the centres (voronoi_center.cpp), without a
-// second step: R an approximate inverse, α ≥ ‖I − R·A‖∞ (linear_bound.hpp), y⁰ = R·b rounded, ρ = b − A·y⁰.
-// Then A⁻¹ρ = R·ρ + (I − R·A)·A⁻¹ρ, so
+// The barycentric coordinates y of q solve A·y = b with columns p_j − p_0, b = q − p_0 and one row per axis;
+// that of p_0 is 1 minus their sum. The method is that of the centers of spheres (voronoi/cell_center.cpp)
+// without the second step: R is an approximate inverse, α ≥ ‖I − R·A‖∞ (linear_bound.hpp), y⁰ = R·b rounded,
+// ρ = b − A·y⁰. Since A⁻¹ρ = R·ρ + (I − R·A)·A⁻¹ρ,
 //
-//     ‖y − y⁰‖∞ ≤ ζ = max_j Σ_i |R_ji|·(|ρ̃_i| + e_i) / (1 − α),   e_i = (n+3)u·(|b_i| + Σ_j |a_ij|·|y⁰_j|),
+//     ‖y − y⁰‖∞ ≤ ζ = max_j Σ_i |R_ji|·(|ρ̃_i| + e_i) / (1 − α),   e_i = (n+3)u·(|b_i| + Σ_j |a_ij|·|y⁰_j|):
 //
-// as each of the products of ρ̃ meets the rounding of a or b, its own, and that of n sums; what the
-// factor 1.01 covers are second orders and the rounding of the bounds. Rows are scaled by powers of two,
-// exactly, so that nothing overflows, and what underflows is far below the absolute term 10⁻²⁸⁰.
+// each product in ρ̃ carries the rounding of an entry of A or b, its own, and that of n sums. The factor 1.01
+// covers second-order terms and the rounding of the bounds. Rows are scaled by powers of two, which is exact,
+// so nothing overflows, and underflow stays far below the absolute term 10⁻²⁸⁰.
 #include "queries/barycentric.hpp"
 
 #include "kernel/fractions.hpp"
@@ -24,7 +24,7 @@
 namespace delone::internal {
 namespace {
 
-/// A power of two that makes all numbers of an axis at most 1/4.
+/// The exponent of a power of two that scales all numbers of an axis to at most 1/4.
 int scale_exponent(double largest) {
   int exponent = 0;
   std::frexp(largest, &exponent);
@@ -33,7 +33,7 @@ int scale_exponent(double largest) {
 
 using Points = std::span<const double* const>;
 
-/// All k+1 coordinates, none off by more than `error`; false where that cannot be promised.
+/// All k+1 coordinates, none off by more than `error`. Returns false if that cannot be certified.
 bool find_certified(Points points, std::span<const int> axes, const double* q, double error,
                     std::vector<double>& weights) {
   const std::size_t n = axes.size();
@@ -91,12 +91,12 @@ bool find_certified(Points points, std::span<const int> axes, const double* q, d
   zeta *= 1.01 / (1 - alpha);
   weights[0] = 1;
   for (std::size_t j = 1; j <= n; ++j) weights[0] -= weights[j];
-  // Coordinates are at most 1 + ζ, so that the n roundings of that difference are below n·(n+2)·u together.
+  // Coordinates are at most 1 + ζ, so the n roundings of that difference are at most n·(n+2)·u together.
   const auto size = static_cast<double>(n);
   return size * zeta + 2 * size * (size + 2) * kernel::unit_roundoff <= error;
 }
 
-/// The doubles nearest to the coordinates.
+/// The coordinates rounded to the nearest doubles.
 void find_exactly(Points points, std::span<const int> axes, const double* q, std::vector<double>& weights) {
   const std::size_t n = axes.size();
   std::vector<kernel::Integer> system;
@@ -121,8 +121,8 @@ void find_exactly(Points points, std::span<const int> axes, const double* q, std
 
 void barycentric(Points points, std::span<const unsigned char> on_face, std::span<const int> axes,
                  const double* q, std::vector<double>& weights) {
-  // Where none is off by more than ε, the sum of n+1 differs from 1 by at most (n+1)·ε, and what is divided
-  // by it is off by less than (n+3)·ε.
+  // If no coordinate is off by more than ε, the sum of all n+1 is off by at most (n+1)·ε, and their quotients
+  // by the sum are off by less than (n+3)·ε.
   const double error = largest_weight_error / static_cast<double>(axes.size() + 3);
   if (!find_certified(points, axes, q, error, weights)) find_exactly(points, axes, q, weights);
   double sum = 0;
@@ -135,8 +135,8 @@ void barycentric(Points points, std::span<const unsigned char> on_face, std::spa
 }
 
 /// With the differences E (k×d) of the points and F (k×columns) of the values, the gradients G (d×columns)
-/// have E·G = F and are combinations of the rows of E. Those are replaced by orthogonal ones (modified
-/// Gram–Schmidt, twice), F along with them.
+/// satisfy E·G = F and are combinations of the rows of E. Modified Gram–Schmidt, two passes, replaces the
+/// rows of E by orthonormal ones and transforms F along with them; then G = Eᵀ·F.
 void gradients(std::span<const double* const> points, std::span<const double> values, int columns,
                int dimension, std::vector<double>& result) {
   const std::size_t k = points.size() - 1, d = static_cast<std::size_t>(dimension),

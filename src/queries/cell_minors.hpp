@@ -1,21 +1,24 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// All barycentric coordinates of a point in a simplex at once, up to a common factor, with a certified bound
-// of their errors.
+// All barycentric coordinates of a point in a simplex at once, up to a common factor, with a certified error
+// bound.
 //
 // With the rows a_j = p_j − q of K+1 vertices, the coordinate at vertex i is proportional to w_i =
-// (−1)^i·det(a_j, j ≠ i): expand det(a_j, 1), which is (−1)^K·det(p_1 − p_0, …, p_K − p_0) whatever q is,
-// along its last column. For a positively oriented simplex the w_i are positive inside.
+// (−1)^i·det(a_j, j ≠ i): expand det(a_j, 1), which is (−1)^K·det(p_1 − p_0, …, p_K − p_0) for every q, along
+// its last column. For a positively oriented simplex all w_i are positive inside.
 //
-// The K+1 determinants come from one table of the minors of the first columns, by the rows they take (Laplace
-// expansion along the last column). The error: a minor of s columns is a sum of products, each of which meets
-// the rounding of the difference of its new entry, of the product, and of s−1 sums, beside those of the
-// smaller minor: e_1 = 1, e_s = e_(s−1) + s + 1, so e_K = K(K+3)/2 − 1 in all. The computed value is thus the
-// sum over the K! permutations with each product off by a factor within 1 ± γ(e_K) (Higham 2002, lemma 3.1),
-// and |ŵ − w| ≤ γ(e_K)·K!·Π_c max_j |a_jc| with exact differences; computed ones are smaller by at most 1 − u
-// each, and the product of the bound has K more roundings: γ(e_K + 3K) covers both. Underflow: with all
-// column maxima in [2^−100, 2^100], a product that underflows is off by 2^−1075, times at most the minors of
-// the other columns; the bound's share of the same columns is at least 2^−53·2^−600, so that even 2^20 such
-// errors vanish in the slack of 1 %. Nothing overflows: K!·2^600.
+// All K+1 determinants come from one table of the minors of the first columns, indexed by the set of rows
+// (Laplace expansion along the last column).
+//
+// Error. A minor of s columns is a sum of products. Besides the errors of the smaller minor, each product
+// carries the rounding of its new entry (a difference), its own, and that of s−1 sums: e_1 = 1, e_s = e_(s−1)
+// + s + 1, so e_K = K(K+3)/2 − 1. So the computed value is the sum over the K! permutations with each product
+// off by a factor within 1 ± γ(e_K) (Higham 2002, lemma 3.1), and |ŵ − w| ≤ γ(e_K)·K!·Π_c max_j |a_jc| with
+// exact differences. Computed differences are smaller by at most a factor 1 − u each, and the product in the
+// bound has K more roundings: γ(e_K + 3K) covers both.
+//
+// Range. All column maxima are in [2^−100, 2^100]. A product that underflows is off by 2^−1075, times at most
+// the minors of the other columns. The share of the same columns in the bound is at least 2^−53·2^−600, so
+// the slack of 1 % covers even 2^20 such errors. Nothing overflows: K!·2^600.
 #pragma once
 
 #include "kernel/determinant.hpp"
@@ -33,7 +36,7 @@ class CellMinors {
   static_assert(K >= 1 && K <= 6);
 
  public:
-  /// Evaluates the vertices; false if the numbers are outside the range of the bound.
+  /// Evaluates all coordinates. Returns false if the numbers are outside the range of the bound.
   bool evaluate(const double* const* vertices, const double* q) {
     double bound = slack;
     for (int c = 0; c < K; ++c) {
@@ -57,13 +60,13 @@ class CellMinors {
     return true;
   }
   double weight(int i) const { return weights_[i]; }
-  double bound() const { return bound_; }  ///< no weight is off by as much
+  double bound() const { return bound_; }  ///< every weight is off by less
 
  private:
   static constexpr double factorial = K == 1 ? 1 : K == 2 ? 2 : K == 3 ? 6 : K == 4 ? 24 : K == 5 ? 120 : 720;
   static constexpr double slack = 1.01 * (K * (K + 3) / 2 - 1 + 3 * K) * kernel::unit_roundoff * factorial;
 
-  /// The minor of the rows of a bit set and as many first columns.
+  /// The minor of the rows in a bit set and of as many first columns.
   template <unsigned Rows>
   double minor() const {
     constexpr int column = std::popcount(Rows) - 1;

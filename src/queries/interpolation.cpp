@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// LinearInterpolator: values by vertex, sums over the vertices of the cell that has the query.
+// LinearInterpolator: values at the vertices, weighted sums over the vertices of the cell that contains a
+// query.
 #include <delone/interpolation.hpp>
 
 #include "queries/barycentric.hpp"
@@ -14,7 +15,7 @@
 namespace delone {
 namespace {
 
-/// Counts queries; asks `progress` every thousand.
+/// Counts queries and calls `progress` every 1024 of them.
 class Meter {
  public:
   explicit Meter(const LinearInterpolator::Progress& progress) : progress_(progress) {}
@@ -34,7 +35,7 @@ void require_size(std::size_t size, std::size_t wanted, const char* what) {
                 std::string(what) + ": " + std::to_string(size) + " numbers, not " + std::to_string(wanted));
 }
 
-/// The queries outside, which cannot be answered from a cell.
+/// Queries outside the hull, which no cell answers.
 struct Leftover {
   std::vector<std::size_t> queries;
   std::vector<double> coordinates;
@@ -86,7 +87,7 @@ void LinearInterpolator::evaluate(std::span<const double> queries, std::span<dou
     std::fill_n(at, columns_, 0.0);
     for (std::size_t i = 0; i < where.weights.size(); ++i) {
       const double weight = where.weights[i];
-      if (weight == 0) continue;  // a NaN beyond the face that the query is in has no part
+      if (weight == 0) continue;  // a NaN at a vertex outside the face of the query does not count
       const double* const value =
           values_.data() + index(complex.vertex(where.cell, static_cast<int>(i))) * columns_;
       for (std::size_t c = 0; c < columns_; ++c) at[c] += weight * value[c];

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The vertex next to a point, by walking over edges; exact comparison of distances.
+// The nearest vertex, by a walk over edges, and the exact comparison of distances.
 //
-// The region of a vertex v in the (power) diagram is the intersection of one halfspace for each neighbor of
-// v, as all others follow from these (Aurenhammer 1987, doi:10.1137/0216006). So a v that is not nearest has
-// a neighbor that is strictly nearer, from wherever the walk starts: it ends at a nearest vertex. This also
-// holds for a query outside the flat of the points, whose squared distances differ from those of its
-// projection by a constant. All vertices nearest to a query have the dual face that it lies in as a common
-// one; the edges of that face connect them, so those with the same distance are found by a search.
+// The region of a vertex v in the Voronoi or power diagram is the intersection of one halfspace per neighbor
+// of v; the other sites add nothing (Aurenhammer 1987, doi:10.1137/0216006). So a vertex that is not nearest
+// has a neighbor that is strictly nearer, and a walk from any vertex to strictly nearer neighbors ends at a
+// nearest vertex. This also holds for a query outside the flat of the points: its squared distances differ
+// from those of its projection by a constant. The vertices nearest to a query are those of one Delaunay face,
+// whose edges connect them, so a search over edges between equally near vertices finds all of them.
 #include "kernel/determinant.hpp"
 #include "kernel/exact.hpp"
 #include "queries/point_locator_impl.hpp"
@@ -20,7 +20,7 @@
 namespace delone {
 namespace {
 
-/// Σ (q_j − p_j)² − weight and the sum of magnitudes.
+/// Σ (q_j − p_j)² − weight, and the sum of the magnitudes of its terms.
 struct Power {
   double value, parts;
 };
@@ -34,17 +34,17 @@ Power power(const double* q, const double* p, std::size_t d, double weight) {
   return {sum - weight, sum + std::fabs(weight)};
 }
 
-/// The sign of the difference of two powers by their rounded values. A difference is off by a factor within 1
-/// ± u, its square 1 ± γ(3), and d − 1 sums and that with the weight add d: γ(d + 3) of the parts each, and
-/// one rounding for the difference of the two. Squares may underflow: each by 2^−1075. Infinities and NaN
-/// compare false.
+/// Whether the rounded powers prove a < b. A rounded difference is off by a factor within 1 ± u, so its
+/// square is off by 1 ± γ(3). The d − 1 sums and the subtraction of the weight add d: γ(d + 3) of the parts
+/// each, and one rounding for the difference of the two. Each square may underflow by 2^−1075. Infinities and
+/// NaN prove nothing.
 bool certainly_less(const Power& a, const Power& b, std::size_t d) {
   const double error = 1.01 * static_cast<double>(d + 6) * kernel::unit_roundoff * (a.parts + b.parts) +
                        2 * static_cast<double>(d) * std::numeric_limits<double>::denorm_min();
   return b.value - a.value > error;
 }
 
-/// Σ a_j² − b_j² − 2·a_j·q_j + 2·b_j·q_j − weight_a + weight_b, as one sum of products.
+/// The sign of Σ a_j² − b_j² − 2·a_j·q_j + 2·b_j·q_j − weight_a + weight_b, as one exact sum of products.
 Sign compare_exactly(const double* q, const double* a, const double* b, std::size_t d, double weight_a,
                      double weight_b) {
   std::vector<double> row, point;
@@ -101,7 +101,7 @@ class Nearest {
     return compare_exactly(q, where_.point(a), where_.point(b), d_, weight(a), weight(b));
   }
 
-  /// Of all vertices as near as `best`, reached over edges between them, the one with the first row.
+  /// Among all vertices as near as `best`, found over edges between them, the one with the smallest row.
   VertexId first_of_ties(const double* q, VertexId best) {
     std::vector<VertexId> found{best};
     std::unordered_set<Index> seen{index(best)};
@@ -143,7 +143,7 @@ Sign compare_distances(std::span<const double> q, std::span<const double> a, std
   return compare_exactly(q.data(), a.data(), b.data(), q.size(), weight_a, weight_b);
 }
 
-/// Cells by vertex first, then the neighbors of one vertex after the other.
+/// Collects the cells of each vertex, then the neighbors of one vertex after the other.
 const PointLocator::Edges& PointLocator::edges() const {
   const auto make = [this] {
     const Complex& complex = impl_->complex;
@@ -195,8 +195,8 @@ void PointLocator::nearest(std::span<const double> queries,
   }
   Nearest nearest_to(*impl_, edges());
   VertexId start = invalid_vertex;
-  // Where the points fill the space, the vertices of the cell of a query are next to it. Others are reached
-  // over the edges.
+  // The vertices of the cell that contains a query are near it. If the points lie in a flat and there is no
+  // such cell, the walk starts at the answer to the previous query.
   locate(queries, [&](std::size_t query, const LocatedPoint& where) {
     const double* q = queries.data() + query * d;
     if (where.cell != invalid_cell) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Batches of queries: the certified visibility walk. The nearest vertex is in nearest_vertex.cpp.
+// Batches of queries by a certified visibility walk. The nearest vertex is in nearest_vertex.cpp.
 #include "queries/point_locator_impl.hpp"
 
 #include "base/require_finite.hpp"
@@ -38,14 +38,14 @@ namespace {
 
 constexpr int largest_table = 6;
 
-/// Walks for k = d = K.
+/// The walk for k = d = K.
 template <int K>
 class TableWalk {
  public:
   explicit TableWalk(const PointLocator::Impl& where) : where_(where) {}
 
-  /// Locates q, starting from a finite cell or, if it is invalid, from any. False: the numbers are beyond the
-  /// table's range.
+  /// Locates q, starting from a finite cell, any of them if `start` is invalid. Returns false if the numbers
+  /// are beyond the range of CellMinors.
   bool locate(const double* q, CellId start, LocatedPoint& found) {
     CellId cell = start != invalid_cell ? start : *where_.complex.finite_cells().begin();
     const double* points[K + 1];
@@ -70,8 +70,7 @@ class TableWalk {
   }
 
  private:
-  /// A facet that has q strictly beyond it, the certain ones first; −1 if there is none, and then signs_ is
-  /// right.
+  /// A facet with q strictly beyond it, certain ones first; −1 if there is none, and then signs_ is exact.
   int facet_with_query_beyond(const double* const* points, const double* q) {
     int slot = -1;
     double least = -minors_.bound();
@@ -97,8 +96,9 @@ class TableWalk {
     return -1;
   }
 
-  /// Each weight is off by at most the bound, and so is their sum by K+1 times as much, if those that are 0
-  /// or rounded to less are left out; where that is too much, the system of the cell is solved.
+  /// Each coordinate is off by at most the bound, and so is each one that is left out as zero or negative;
+  /// their sum is off by at most K+1 times the bound. If that is too much, barycentric() solves the system of
+  /// the cell.
   std::span<const double> finish(const double* const* points, const double* q) {
     double sum = 0;
     unsigned char on_face[K + 1];
@@ -124,7 +124,7 @@ class TableWalk {
   std::vector<double> solved_;
 };
 
-/// Walks of the triangulation itself, for flat input, more dimensions and extreme numbers.
+/// The walk of the triangulation itself: for flat input, more dimensions and extreme numbers.
 class PlainWalk {
  public:
   explicit PlainWalk(const PointLocator::Impl& where) : where_(where) {}

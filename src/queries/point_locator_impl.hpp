@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What the parts of PointLocator share: the triangulation, with its coordinates at hand.
+// What the parts of PointLocator share: the triangulation, with direct access to its coordinates.
 #pragma once
 
 #include "order/insertion_order.hpp"
@@ -34,8 +34,9 @@ struct PointLocator::Impl {
   mutable Edges edges;
 
   const double* point(VertexId v) const { return points.point(index(v)); }
-  /// Calls each(query) for all queries: piece by piece, each piece in the order of a Hilbert curve, so that
-  /// no sort keeps those waiting who want to stop a long batch. Throws as locate().
+  /// Calls each(query) for all queries, chunk by chunk, each chunk in the order of a Hilbert curve. Chunks
+  /// bound the time until the first call, so that a callback can stop a large batch early. Throws as
+  /// locate().
   template <class Each>
   void in_order(std::span<const double> queries, Each each) const {
     std::vector<Index> rows = rows_of(queries);
@@ -48,7 +49,7 @@ struct PointLocator::Impl {
   static constexpr std::size_t piece = std::size_t{1} << 18;
 
  private:
-  /// The numbers of the queries, which are checked. Throws as locate().
+  /// Checks the queries and returns their numbers. Throws as locate().
   std::vector<Index> rows_of(std::span<const double> queries) const;
 };
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The points of a triangulation as they are stored, without the checks of its members: for loops over cells,
-// and for hidden points, which no member gives.
+// The points of a triangulation as they are stored, including hidden points, which its members do not give.
+// Skips the checks of the members, for loops over cells.
 #pragma once
 
 #include "triangulation/triangulation_impl.hpp"
@@ -17,8 +17,8 @@ class StoredPoints : private Triangulation {
 
  public:
   static const VertexPoints& of(const Triangulation& t) { return impl_of(t).points; }
-  /// The coordinates, and the weight if points have one, of an input row, hidden or not; null if it was not
-  /// inserted.
+  /// The coordinates of an input row, followed by its weight if points have one; hidden or not. Null if the
+  /// row was not inserted.
   static const double* of_row(const Triangulation& t, std::size_t row) {
     const VertexId v = impl_of(t).vertex_of_row[row];
     return v == invalid_vertex ? nullptr : of(t).point(index(v));

@@ -1,27 +1,27 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// With a_i = p_i − p_0 and z = 2(c − p_0) the centre solves  Σ_j a_ij·z_j = Σ_j a_ij² − (w_i − w_0),  i = 1 …
+// With a_i = p_i − p_0 and z = 2(c − p_0), the center solves Σ_j a_ij·z_j = Σ_j a_ij² − (w_i − w_0), i = 1 …
 // n.
 //
 // Certified path. R is an approximate inverse of A, α ≥ ‖I − R·A‖∞ (linear_bound.hpp), z⁰ = R·b rounded, ρ =
-// b − A·z⁰ its residual, ρ̃ that as computed in pairs of doubles, z¹ = R·ρ̃ rounded. Then z = z⁰ + A⁻¹ρ and
-// A⁻¹ρ − Rρ = (I − RA)·A⁻¹ρ, so with e_i ≥ |ρ_i − ρ̃_i| and t_j = Σ_i |R_ji|·(e_i + (n+2)u·|ρ̃_i|), which also
-// covers the rounding of R·ρ̃,
+// b − A·z⁰, ρ̃ its value in pairs of doubles, z¹ = R·ρ̃ rounded. Then z = z⁰ + A⁻¹ρ and A⁻¹ρ − Rρ = (I −
+// RA)·A⁻¹ρ. So with e_i ≥ |ρ_i − ρ̃_i| and t_j = Σ_i |R_ji|·(e_i + (n+2)u·|ρ̃_i|), which also covers the
+// rounding of R·ρ̃,
 //
 //     ‖A⁻¹ρ‖∞ ≤ ζ = max_j(|z¹_j| + t_j)/(1 − α),      |z_j − z⁰_j − z¹_j| ≤ α·ζ + t_j.
 //
-// Residual. a_ij = h + l exactly (difference of two doubles, |l| ≤ u|h|), h − z⁰_j = t + r exactly, so each
-// term a·(a − z⁰) is h·t (a pair by TwoProduct) + h·(r + l) + l·t + l·(r + l). The last is dropped; all other
-// low parts go into one sum. With M = Σ_j |h|(|h| + |z⁰_j|) + |w_i − w_0|: low parts are at most (n + 6)·u·M
-// together, there are 4n + 5 additions and roundings among them, and dropped or rounded products are below
-// 8u²M. So e_i = u·|ρ̃_i| + 5(n+3)²·u²·M, as (4n+5)(n+6) + 8 ≤ 5(n+3)². The factor 1.01 covers higher orders
-// and the rounding of the bounds.
+// Residual. a_ij = h + l exactly (the difference of two doubles, |l| ≤ u|h|) and h − z⁰_j = t + r exactly, so
+// each term a·(a − z⁰) is h·t (a pair by TwoProduct) + h·(r + l) + l·t + l·(r + l). The last product is
+// dropped; all other low parts go into one sum. With M = Σ_j |h|(|h| + |z⁰_j|) + |w_i − w_0|, the low parts
+// are at most (n + 6)·u·M together, they meet 4n + 5 additions and roundings, and products dropped or rounded
+// are below 8u²M. So e_i = u·|ρ̃_i| + 5(n+3)²·u²·M, because (4n+5)(n+6) + 8 ≤ 5(n+3)². The factor 1.01 covers
+// higher orders and the rounding of the bounds.
 //
-// Scale: A is divided by a power of two so that its entries are below 1 in magnitude and the largest is at
-// least 1/2, the right sides by its square. Results below 10⁻²⁹⁰ that underflowed are covered by the absolute
-// term 10⁻²⁸⁰, given that |z⁰| and the entries of R are below 10⁸ (else the path gives up).
+// Scale. A is divided by a power of two such that its largest entry is in [1/2, 1), the right-hand sides by
+// its square. The absolute term 10⁻²⁸⁰ covers results below 10⁻²⁹⁰ that underflowed, as |z⁰| and the entries
+// of R are below 10⁸; otherwise the path gives up.
 //
-// Rounding (Ziv 1991, doi:10.1145/114697.116813): if the two ends of the interval that holds c_j round to one
-// double, that is it.
+// Rounding (Ziv 1991, doi:10.1145/114697.116813): if both ends of the interval that contains c_j round to one
+// double, that double is the result.
 #include "voronoi/cell_center.hpp"
 
 #include "base/compiled_dimension.hpp"
@@ -45,8 +45,8 @@ using kernel::DoubleDouble;
 using kernel::two_product;
 using kernel::two_sum;
 
-/// Points and weights as integers: differences from point 0 in units of 2^grid, weight differences in units
-/// of 2^(2·grid).
+/// Points and weights as integers: differences from point 0 in units of 2^grid, differences of weights in
+/// units of 2^(2·grid).
 struct IntegerPoints {
   int grid = std::numeric_limits<int>::max();
   std::vector<kernel::Integer> edges;   // m×d, p_i − p_0
@@ -75,8 +75,8 @@ struct IntegerPoints {
   }
 };
 
-/// 2(c − p_0) in units of 2^grid, in all d coordinates. In full dimension the equations above; inside a flat
-/// z is a combination of the edges with coefficients y that solve the Gram system E·Eᵀ·y = b.
+/// 2(c − p_0) in units of 2^grid, in all d coordinates. In full dimension it solves the equations above. In a
+/// flat it is a combination of the edges, whose coefficients y solve the Gram system E·Eᵀ·y = b.
 kernel::Fractions twice_center(const IntegerPoints& p, std::size_t k, std::size_t d) {
   std::vector<kernel::Integer> system;
   for (std::size_t i = 0; i < k; ++i) {
@@ -127,8 +127,7 @@ void CenterFinder::find_block(std::size_t count, const double* const* points, co
   alignas(64) double corners[(most + 1) * most * block], weights_of_corners[(most + 1) * block];
   alignas(64) double found[most * block], settled[block];
   for (std::size_t cell = 0; cell < block; ++cell) {
-    const double* const* of_cell =
-        points + std::min(cell, count - 1) * (k + 1);  // the last one fills the block
+    const double* const* of_cell = points + std::min(cell, count - 1) * (k + 1);  // repeats the last cell
     for (std::size_t i = 0; i <= k; ++i)
       for (std::size_t j = 0; j < d; ++j) corners[(i * d + j) * block + cell] = of_cell[i][j];
     for (std::size_t i = 0; weights != nullptr && i <= k; ++i)
@@ -140,7 +139,7 @@ void CenterFinder::find_block(std::size_t count, const double* const* points, co
     for (std::size_t j = 0; j < d; ++j) center[j] = found[j * block + cell];
     if (settled[cell] != 0) continue;
     const double* of_cell = weights == nullptr ? nullptr : weights + cell * (k + 1);
-    // Up to n = 3 one path does what the other did; beyond, row exchanges may help.
+    // For k ≤ 3 the scalar path computes the same. For larger k it exchanges rows and may succeed.
     if (k > 3 && (this->*certified_)(points + cell * (k + 1), of_cell, center)) continue;
     ++num_exact_;
     find_exactly(points + cell * (k + 1), of_cell, center);
@@ -229,7 +228,7 @@ bool CenterFinder::find_certified(const double* const* points, const double* wei
     const DoubleDouble start = two_sum(origin[axis], z[j] * unscale);
     const double middle = start.low + correction[j] * unscale;
     const DoubleDouble rounded = two_sum(start.high, middle);
-    // The sum `middle` is rounded, and so are the ends of the interval below.
+    // `middle` is a rounded sum, and so are the ends of the interval.
     const double radius =
         1.01 * (alpha * zeta + tail[j]) * unscale + 2 * u * std::abs(middle) + 4 * u * std::abs(rounded.low);
     const double below = rounded.high + (rounded.low - radius), above = rounded.high + (rounded.low + radius);
@@ -269,7 +268,7 @@ bool CenterFinder::on_sphere(const double* const* points, const double* weights,
 
 namespace {
 
-/// Divides by the length; returns false for a vector of zeros.
+/// Scales x to length 1. Returns false for a zero vector.
 bool normalise(std::vector<double>& x) {
   double largest = 0;
   for (const double entry : x) largest = std::max(largest, std::abs(entry));
@@ -284,7 +283,7 @@ bool normalise(std::vector<double>& x) {
   return true;
 }
 
-/// v − Eᵀy with E·Eᵀ·y = E·v, E the edges of the facet and v from the vertex behind it to the facet.
+/// v − Eᵀy with E·Eᵀ·y = E·v, where E holds the edges of the facet and v leads from `behind` to the facet.
 std::vector<double> outward_exactly(const std::vector<const double*>& facet, const double* behind,
                                     std::size_t d) {
   std::vector<const double*> points = facet;
@@ -300,7 +299,7 @@ std::vector<double> outward_exactly(const std::vector<const double*>& facet, con
   for (std::size_t i = 0; i < m; ++i)
     for (std::size_t j = 0; j <= m; ++j) system.push_back(dot(i, j));
   const kernel::Fractions y = kernel::solve_exactly(std::move(system), m);
-  const kernel::Integer scale = m == 0 ? kernel::Integer(1) : y.denominator;  // a Gram determinant: positive
+  const kernel::Integer scale = m == 0 ? kernel::Integer(1) : y.denominator;  // positive, a Gram determinant
   std::vector<kernel::Integer> direction;
   kernel::Integer largest = 0;
   for (std::size_t j = 0; j < d; ++j) {

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Operation for operation what CenterFinder::find_certified() does, so that its proof is the proof of this;
-// what gives up there clears a lane of a mask here. Only the approximate inverse is another one, by
-// elimination without row exchanges for n > 3: its defect is bounded whatever it is. Products whose error is
-// wanted use a fused multiplication where the machine has one, which gives the same pair as Dekker's.
+// Performs the operations of CenterFinder::find_certified() in the same order, so its proof applies. Where
+// that function gives up, a lane of a mask is cleared here. Only the approximate inverse differs: for n > 3
+// it is elimination without row exchanges. The proof needs no more, as it bounds the defect of any inverse.
+// Exact products use FMA where the processor has it, which gives the same pairs as Dekker's product.
 #include "voronoi/cell_center_kernel.hpp"
 
 #include "base/compiled_dimension.hpp"
@@ -34,7 +34,7 @@ inline Pair<V> two_sum(V a, V b) {
   return {sum, hn::Add(hn::Sub(a, hn::Sub(sum, part)), hn::Sub(b, part))};
 }
 
-/// a·b exactly, barring underflow and |a|, |b| beyond 2^990.
+/// a·b exactly, barring underflow and factors beyond 2^990.
 template <class D, class V = hn::Vec<D>>
 inline Pair<V> two_product([[maybe_unused]] D d, V a, V b) {
   const V product = hn::Mul(a, b);
@@ -54,7 +54,7 @@ inline Pair<V> two_product([[maybe_unused]] D d, V a, V b) {
 #endif
 }
 
-/// An approximate inverse; not a number where there is none.
+/// An approximate inverse; infinite or NaN if the elimination fails.
 template <int N, class D, class V = hn::Vec<D>>
 inline void invert(D d, const V* a, V* inverse) {
   const auto minor = [](V p, V q, V r, V s) { return hn::Sub(hn::Mul(p, q), hn::Mul(r, s)); };
@@ -120,7 +120,7 @@ void find(const double* HWY_RESTRICT corners, const double* HWY_RESTRICT weights
         largest = hn::Max(largest, hn::Abs(edge.high));
       }
     auto ok = hn::And(hn::Gt(largest, hn::Set(d, 0x1p-100)), hn::Lt(largest, hn::Set(d, 0x1p200)));
-    // In biased exponents: scale = 2^(−e−1), unscale = 2^e for 2^e ≤ largest < 2^(e+1).
+    // By biased exponents: scale = 2^(−e−1) and unscale = 2^e for 2^e ≤ largest < 2^(e+1).
     const V safe = hn::IfThenElse(ok, largest, one);
     const auto power = hn::And(hn::BitCast(du, safe), hn::Set(du, std::uint64_t{0x7ff} << 52));
     const V unscale = hn::BitCast(d, power),
@@ -131,8 +131,8 @@ void find(const double* HWY_RESTRICT corners, const double* HWY_RESTRICT weights
     }
     invert<N>(d, high, inverse);
 
-    V alpha = zero;  // kernel::inverse_defect(); a NaN among the rows fails the first test, as `largest`
-                     // there stays one
+    // As kernel::inverse_defect(). A NaN in any row fails the test of that row.
+    V alpha = zero;
     for (std::size_t i = 0; i < n; ++i) {
       V row = hn::Set(d, 1e-290), magnitudes = one;
       for (std::size_t j = 0; j < n; ++j) {

@@ -1,14 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Cutting a simple polytope by a hyperplane is inserting a point into the dual complex: corners are its
-// cells, planes its vertices, and neighbor i of a corner is across the edge that leaves plane i. The corners
-// beyond the plane are connected; every edge from one of them to a corner that stays gets a new corner, and
-// new corners that share all but one of their planes are neighbors.
+// Cutting a simple polytope by a hyperplane is the insertion of a point into the dual complex. Corners are
+// its cells, planes its vertices, and neighbor i of a corner is across the edge that leaves plane i. The
+// corners beyond the plane are connected. Every edge from one of them to a corner that stays gets a new
+// corner, and new corners that share all but one of their planes are neighbors.
 //
-// Order of the perturbation: plane m is moved outward by ε_m, ε_0 ≫ ε_1 ≫ …. With A·y = b + ε at a corner,
-// plane m says
-//     b_m + ε_m − a_m·A⁻¹(b + ε) = (b_m − a_m·A⁻¹b) − Σ_i (a_m·A⁻¹)_i·ε_i + ε_m,
-// so on a tie the first plane i of the corner, in the order of planes, with (a_m·A⁻¹)_i ≠ 0 decides; if there
-// were none, ε_m. Planes are cut in the order of their numbers, hence m is larger than those of the corner.
+// Perturbation. Plane m moves outward by ε_m, with ε_0 ≫ ε_1 ≫ …. With A·y = b + ε at a corner, plane m
+// compares
+//     b_m + ε_m − a_m·A⁻¹(b + ε) = (b_m − a_m·A⁻¹b) − Σ_i (a_m·A⁻¹)_i·ε_i + ε_m
+// with zero. So on a tie the first plane i of the corner, in the order of planes, with (a_m·A⁻¹)_i ≠ 0
+// decides; if there were none, ε_m would. Planes cut in the order of their numbers, so m is larger than the
+// numbers of the corner's planes.
 #include "voronoi/region_clipper.hpp"
 
 #include "kernel/grid.hpp"
@@ -24,10 +25,10 @@ namespace delone::internal {
 namespace {
 
 constexpr double u = kernel::unit_roundoff;
-/// The filter is used for boxes and planes in this range only, where no product overflows and underflow is
+/// The filter handles only boxes and planes in this range, where no product overflows and underflow stays
 /// below 10⁻²⁹⁰.
 constexpr double least_extent = 1e-80, largest_extent = 1e80, underflow = 1e-290;
-/// Corners known less well than this, in units of the box, get their coordinates from integers.
+/// Corners with a larger radius than this, in units of the box, get their coordinates from integers.
 constexpr double coarse = 0x1p-44;
 
 }  // namespace
@@ -85,8 +86,8 @@ void RegionClipper::make_box() {
     }
 }
 
-/// Half the difference of the powers of x with respect to the two sites: (t − s)·y ≤ (|t − s|² − (w_t −
-/// w_s))/2. Nearest first: that keeps the polytope small.
+/// Half the difference of the powers of x with respect to the sites s and t gives
+/// (t − s)·y ≤ (|t − s|² − (w_t − w_s))/2. The nearest bisectors come first, which keeps the polytope small.
 void RegionClipper::make_bisectors(std::span<const Site> others) {
   std::vector<double> distances(others.size());
   std::vector<Plane> made(others.size());
@@ -99,8 +100,7 @@ void RegionClipper::make_bisectors(std::span<const Site> others) {
     }
     const double weights = others[o].weight - site_.weight;
     plane.b = (square - weights) / 2;
-    // A square is off by 3u, their sum by another d·u, the difference of the weights and the last difference
-    // by u each.
+    // A square is off by 3u, their sum by another d·u, and both differences by u each.
     plane.b_error = 1.01 * static_cast<double>(d_ + 4) * u * (square + std::abs(weights)) + underflow;
     distances[o] = plane.b / std::sqrt(square);
   }
@@ -115,8 +115,8 @@ void RegionClipper::make_bisectors(std::span<const Site> others) {
   }
 }
 
-/// |a·y − ã·ỹ| ≤ Σ|a_j|·(r + u|y_j|) with both vectors' errors, and d + 1 roundings of what is at most |b| +
-/// Σ|a_j||y_j|.
+/// The errors of both vectors give |a·y − ã·ỹ| ≤ Σ|a_j|·(r + u|y_j|). On top come d + 1 roundings of partial
+/// sums of at most |b| + Σ|a_j||y_j|.
 bool RegionClipper::is_beyond(Corner corner, std::size_t plane) {
   const Plane& p = planes_[plane];
   const double* y = position(corner);
@@ -232,7 +232,7 @@ void RegionClipper::cut(std::size_t plane) {
   if (!any) return;
   struct Edge {
     Corner kept;
-    std::size_t slot;  // the neighbor there is beyond
+    std::size_t slot;  // of the neighbor that is beyond
   };
   std::vector<Edge> horizon;
   for (Corner c = 0; c < alive_.size(); ++c)
@@ -257,11 +257,11 @@ void RegionClipper::cut(std::size_t plane) {
   link_new_corners(plane);
 }
 
-/// Each set of d − 1 planes with the new one among them is shared by two new corners.
+/// Each set of d − 1 planes that includes the new one belongs to two new corners, which are neighbors.
 void RegionClipper::link_new_corners(std::size_t plane) {
   if (d_ == 1) return;
   struct Edge {
-    std::size_t key;  // where its d − 2 other planes, sorted, are in `keys`
+    std::size_t key;  // the position of its d − 2 other planes, sorted, in `keys`
     Corner corner;
     std::size_t slot;
   };
@@ -286,14 +286,14 @@ void RegionClipper::link_new_corners(std::size_t plane) {
   }
 }
 
-/// With the residual r of the computed solution, |y − ỹ| ≤ |R|·(|r| + its error)/(1 − α), see
+/// With the residual r of the computed solution, |y − ỹ| ≤ |R|·(|r| + its error)/(1 − α); see
 /// linear_bound.hpp.
 void RegionClipper::find_coordinates(Corner corner) {
   double* y = position(corner);
   radii_[corner] = std::numeric_limits<double>::infinity();
   std::fill(y, y + d_, 0.0);
   if (!is_moderate_) return find_coordinates_exactly(corner);
-  // Rows are scaled by powers of two, so that entries are below 1: no effect but on the certificate.
+  // Scaling the rows by powers of two makes all entries smaller than 1. It affects only the certificate.
   for (std::size_t i = 0; i < d_; ++i) {
     const Plane& p = planes_[planes_of(corner)[i]];
     double largest = 0;
@@ -358,7 +358,7 @@ double RegionClipper::volume() {
   return polytope_.volume();
 }
 
-/// The corners on a plane in the order of its polygon; on no plane (d = 2), all corners.
+/// The corners on a plane in the order of its polygon; for d = 2, all corners.
 std::vector<Index> RegionClipper::cycle(std::size_t plane, const std::vector<Index>& number,
                                         const std::vector<Corner>& corners) {
   std::vector<Index> face;
@@ -387,7 +387,7 @@ ClippedRegion RegionClipper::geometry() {
   std::vector<Corner> corners;
   for (Corner c = 0; c < alive_.size(); ++c)
     if (alive_[c] != 0) corners.push_back(c);
-  // After a tie several corners may be one point; correctly rounded, they are equal.
+  // After a tie several corners may coincide. Correctly rounded, they become equal.
   if (has_ties_)
     for (const Corner c : corners) find_coordinates_exactly(c);
   std::vector<Corner> sorted = corners;

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// One region cut off at a box. The box, a simple polytope with 2^d corners, is cut by one bisector after the
-// other. Every decision (is a corner beyond a hyperplane?) is exact: corners are known within a certified
-// radius, and where that leaves the sign open it is that of a determinant in integers. Ties are decided by a
-// symbolic perturbation that moves every hyperplane outward, later ones less, so that the polytope stays
-// simple and its combinatorics consistent whatever the input.
+// Clips one region to a box. The box is a simple polytope with 2^d corners, and one bisector after the other
+// cuts it. Every decision (is this corner beyond that hyperplane?) is exact: corners are known within a
+// certified radius, and where that leaves the sign open, it is the sign of a determinant in integers. Ties
+// are broken by a symbolic perturbation that moves every hyperplane outward, later ones less. So the polytope
+// stays simple and its combinatorics consistent for any input.
 #pragma once
 
 #include "kernel/fractions.hpp"
@@ -19,27 +19,28 @@ namespace delone::internal {
 
 class RegionClipper {
  public:
-  /// REQUIRES a box of dimension at most 12 with finite low < high.
+  /// REQUIRES a box of dimension at most 12 with low < high, both finite.
   explicit RegionClipper(const Box& box);
 
   struct Site {
     const double* point;
     double weight;
   };
-  /// Cuts off the region of `site` among the others.
+  /// Clips the region of `site` among the others.
   void clip(const Site& site, std::span<const Site> others);
 
-  /// The d-volume of the result of the last clip().
+  /// The d-volume of the clipped region.
   double volume();
-  /// Its corners and faces, coincident corners merged. REQUIRES d ≤ 3.
+  /// The corners and faces of the clipped region, with coincident corners merged. REQUIRES d ≤ 3.
   ClippedRegion geometry();
 
  private:
-  /// a·y ≤ b for y = x − site: binary64 with every a within a relative unit roundoff and b within b_error.
+  /// a·y ≤ b for y = x − site. In binary64 each entry of a is within a relative unit roundoff, and b within
+  /// b_error.
   struct Plane {
     std::vector<double> a;
     double b = 0, b_error = 0;
-    std::vector<kernel::Integer> exact;  // a and b times a common positive factor; made when first needed
+    std::vector<kernel::Integer> exact;  // a and b times a positive factor; computed on first use
   };
   using Corner = std::size_t;
 

@@ -10,7 +10,7 @@ namespace delone::internal {
 
 void CompensatedSum::add(double x) {
   const double next = sum_ + x;
-  // Beyond the range of doubles there is nothing to compensate, and inf − inf would be no number.
+  // Beyond the range of doubles there is nothing to compensate, and inf − inf would give NaN.
   if (std::isfinite(next))
     compensation_ += std::abs(sum_) >= std::abs(x) ? (sum_ - next) + x : (x - next) + sum_;
   sum_ = next;
@@ -47,7 +47,7 @@ double SimplePolytope::volume() {
       largest = std::max(largest, difference);
     }
   if (largest == 0) return 0;
-  // Lengths in units of a power of two near the diameter, so that no product leaves the range.
+  // Lengths are in units of a power of two near the diameter, so that no product overflows or underflows.
   const int exponent = std::ilogb(largest) + 1;
   scale_ = std::ldexp(1.0, -std::clamp(exponent, -1000, 1000));
   entries_.resize(std::max(entries_.size(), m_ + 1));
@@ -71,8 +71,8 @@ double SimplePolytope::height(std::size_t corner, const Face& face, std::size_t 
     before += normal_[j] * normal_[j];
   }
   after = before;
-  for (int pass = 0; pass < 2 && dimension > 0;
-       ++pass) {  // the second makes up for cancellation in the first
+  // Gram–Schmidt; a second pass makes up for cancellation in the first.
+  for (int pass = 0; pass < 2 && dimension > 0; ++pass) {
     for (std::size_t b = 0; b < dimension * d_; b += d_) {
       double dot = 0;
       for (std::size_t j = 0; j < d_; ++j) dot += normal_[j] * basis[b + j];
@@ -89,7 +89,7 @@ double SimplePolytope::height(std::size_t corner, const Face& face, std::size_t 
 }
 
 SimplePolytope::Face SimplePolytope::find_face(std::size_t dimension, std::size_t first, std::size_t last) {
-  // A facet of the polytope is met once, edges and corners are measured faster than found.
+  // Facets of the polytope occur once; edges and corners are cheaper to measure than to look up.
   if (dimension < 2 || dimension + 1 >= m_) return measure_face(dimension, first, last);
   if (const auto found = known_.find(on_); found != known_.end()) return found->second;
   const Face face = measure_face(dimension, first, last);
@@ -101,21 +101,21 @@ SimplePolytope::Face SimplePolytope::measure_face(std::size_t dimension, std::si
                                                   std::size_t last) {
   const std::size_t origin = face_[first];
   if (dimension == 0) return {1, origin, bases_.size()};
-  auto& entries = entries_[dimension];  // facets on the way have entries of lower dimensions
+  auto& entries = entries_[dimension];  // the recursion uses those of lower dimensions
   entries.clear();
   const std::size_t* of_origin = labels_.data() + origin * m_;
   for (std::size_t f = first + 1; f < last; ++f)
     for (std::size_t i = 0; i < m_; ++i) {
       const std::size_t label = labels_[face_[f] * m_ + i];
-      // Not the facets through the origin; those that contain the whole face are among them.
+      // Skips the facets through the origin, which include those that contain the whole face.
       if (std::find(of_origin, of_origin + m_, label) == of_origin + m_) entries.push_back({label, face_[f]});
     }
   std::sort(entries.begin(), entries.end(), [](const Entry& a, const Entry& b) {
     return a.label < b.label || (a.label == b.label && a.corner < b.corner);
   });
   CompensatedSum sum;
-  // The basis is that of the facet with the largest part, and the normal: a thin facet would tell its
-  // directions badly.
+  // The basis of the face is that of its facet with the largest part, plus the normal. The directions of a
+  // thin facet are less accurate.
   double largest = 0;
   Face base{0, 0, 0};
   for (std::size_t begin = 0, end = 0; begin < entries.size(); begin = end) {

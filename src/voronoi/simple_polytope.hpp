@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Volumes of simple polytopes: of dimension m, each corner on exactly m facets, which are named by labels.
-// This is what the dual of a triangulation and a polytope cut by perturbed hyperplanes are; corners may
-// coincide, so that nothing is special about degenerate input.
+// Volumes of simple polytopes: each corner of a polytope of dimension m is on exactly m facets, which have
+// labels. Duals of triangulations are simple, and so are polytopes cut by perturbed hyperplanes. Corners may
+// coincide, so degenerate input is not a special case.
 #pragma once
 
 #include <cstddef>
@@ -11,7 +11,7 @@
 
 namespace delone::internal {
 
-/// A sum with the rounding errors of all additions added at the end (Neumaier 1974,
+/// A sum that is corrected at the end by the rounding errors of all additions (Neumaier 1974,
 /// doi:10.1002/zamm.19740540106).
 class CompensatedSum {
  public:
@@ -22,37 +22,40 @@ class CompensatedSum {
   double sum_ = 0, compensation_ = 0;
 };
 
-/// Collects the corners of a polytope, then its volume. Scratch memory is kept from one polytope to the next.
+/// Collects the corners of a polytope and computes its volume. Keeps its scratch memory from one polytope to
+/// the next.
 class SimplePolytope {
  public:
-  /// A polytope of dimension m ≥ 1 in R^d; forgets the one before.
+  /// Starts a polytope of dimension m ≥ 1 in R^d.
   void start(std::size_t m, std::size_t d);
-  /// `x`: d coordinates, which must stay where they are; `labels`: the m facets through it.
+  /// `x`: d coordinates, which are not copied and must stay valid; `labels`: the m facets that meet at the
+  /// corner.
   void add_corner(const double* x, std::span<const std::size_t> labels);
-  /// The m-volume: a face of dimension j has 1/j times the volumes of its facets times their distances from
-  /// one of its corners (Cohen and Hickey 1979, doi:10.1145/322139.322141). A face, known by the facets that
-  /// it lies on, is measured once however many faces it belongs to, which makes the cost one of faces, not of
-  /// flags: about Σ over faces of (corners)·m·log. See Büeler, Enge and Fukuda 2000,
-  /// doi:10.1007/978-3-0348-8438-9_6. Distances by Gram–Schmidt. Never negative; 0 for no corners.
+  /// The m-volume. The volume of a face of dimension j is 1/j times the sum, over its facets, of volume times
+  /// distance from one corner of the face (Cohen and Hickey 1979, doi:10.1145/322139.322141). A face is
+  /// identified by the facets that contain it and measured once, however many faces it belongs to. So the
+  /// cost is one of faces, not of flags: about Σ (corners)·m·log over all faces (Büeler, Enge and Fukuda
+  /// 2000, doi:10.1007/978-3-0348-8438-9_6). Distances by Gram–Schmidt. Never negative; zero without corners.
   double volume();
 
  private:
   struct Entry {
     std::size_t label, corner;
   };
-  /// What is known of a face: its volume, and unless that is 0 a point of it and an orthonormal basis of its
-  /// directions (as many rows of d as its dimension).
+  /// A measured face: its volume and, unless that is zero, one of its points and an orthonormal basis of its
+  /// directions, one row of d numbers per dimension.
   struct Face {
     double volume;
-    std::size_t origin, basis;  // a corner; a place in bases_
+    std::size_t origin, basis;  // a corner; an offset in bases_
   };
   struct LabelsHash {
     std::size_t operator()(const std::vector<std::size_t>& labels) const;
   };
-  /// The face of the given dimension on the facets on_, whose corners are face_[first…last).
+  /// The face of the given dimension on the facets on_, with the corners face_[first…last).
   Face find_face(std::size_t dimension, std::size_t first, std::size_t last);
   Face measure_face(std::size_t dimension, std::size_t first, std::size_t last);
-  /// The distance of a corner from the flat of a face; normal_ becomes the unit vector to it unless it is 0.
+  /// The distance of a corner from the flat of a face. Sets normal_ to the unit vector from the flat to the
+  /// corner, unless the distance is zero.
   double height(std::size_t corner, const Face& face, std::size_t dimension);
 
   std::size_t m_ = 0, d_ = 0;
@@ -60,7 +63,7 @@ class SimplePolytope {
   std::vector<std::size_t> labels_;          // m per corner
   std::vector<std::size_t> face_;            // a stack of lists of corners
   std::vector<std::vector<Entry>> entries_;  // by dimension
-  std::vector<std::size_t> on_;              // the labels of the face in hand, sorted
+  std::vector<std::size_t> on_;              // the labels of the current face, sorted
   std::vector<double> bases_, normal_;
   std::vector<std::vector<double>> best_normals_;  // by dimension
   std::unordered_map<std::vector<std::size_t>, Face, LabelsHash> known_;

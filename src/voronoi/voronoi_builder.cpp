@@ -73,7 +73,7 @@ void VoronoiBuilder::collect_sites() {
   }
   out_.point_region_.assign(site_of_row.size(), -1);
   for (std::size_t row = 0; row < site_of_row.size(); ++row) {
-    // The first row at a vertex comes before the others.
+    // Rows increase, so the first row at a vertex precedes its duplicates.
     if (const VertexId v = site_of_row[row]; v != infinite_vertex) {
       region_of_vertex_[index(v)] = static_cast<SignedIndex>(site_of_region_.size());
       site_of_region_.push_back(v);
@@ -181,7 +181,7 @@ void VoronoiBuilder::merge_infinite_cells() {
   }
 }
 
-/// Centres move to the number of their vertex, which is at most their place.
+/// Moves each center to the number of its vertex, which is at most its position.
 void VoronoiBuilder::number_vertices() {
   if (has_merged_) {
     std::vector<SignedIndex> number_of_root(complex_.num_cell_slots(), -1);
@@ -226,7 +226,7 @@ void VoronoiBuilder::collect_stars() {
   });
 }
 
-/// Lists become shorter where cells have merged, so that they can move forward in place.
+/// Merging only shortens lists, so they can move forward in place.
 void VoronoiBuilder::collect_regions() {
   corners_ = {};
   neighbors_ = {};
@@ -251,9 +251,8 @@ void VoronoiBuilder::collect_regions() {
   items.shrink_to_fit();
 }
 
-/// k = 2. Vertices near each other were inserted near each other, as a rule, while regions come in the order
-/// of the input: lists are made in the order of vertices, which stays in the cache, and then moved to their
-/// places.
+/// k = 2. Vertices with close ids are usually close in space, while regions come in input order. So the lists
+/// are made in the order of vertices, which keeps the cells in the cache, and then moved to their places.
 void VoronoiBuilder::collect_regions_in_plane() {
   const std::size_t num_regions = site_of_region_.size();
   std::vector<SignedIndex> lists;
@@ -278,8 +277,8 @@ void VoronoiBuilder::collect_regions_in_plane() {
   }
 }
 
-/// k = 2: once around the site. Cells are coherently oriented, so crossing the edge opposite the vertex that
-/// follows the site goes counterclockwise.
+/// k = 2: walks once around the site. Cells are coherently oriented, so crossing the edge opposite the vertex
+/// that follows the site goes counterclockwise.
 void VoronoiBuilder::walk_region(std::size_t region, VertexId site, std::vector<SignedIndex>& items) {
   const auto first = static_cast<std::ptrdiff_t>(items.size());
   const CellId start = complex_.incident_cell(site);

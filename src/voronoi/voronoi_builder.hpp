@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// From the cells of a triangulation to the arrays of its Voronoi or power diagram, in the order of the
-// members of run().
+// From the cells of a triangulation to the arrays of its Voronoi or power diagram, in the order of the calls
+// in run().
 #pragma once
 
 #include <delone/voronoi.hpp>
@@ -30,23 +30,23 @@ class VoronoiBuilder {
   }
 
  private:
-  /// Finite cells by their largest vertex: the last round of an insertion along a space-filling curve has
-  /// most vertices, so that cells that follow each other are close to each other, in space and thus in
-  /// memory. Half of the time depends on it.
+  /// Sorts finite cells by their largest vertex. Insertion follows a space-filling curve, and most vertices
+  /// belong to its last round, so consecutive cells are close to each other in space and in memory.
+  /// Without this order, cache misses double the time.
   void sort_cells();
-  /// The vertices of finite cells: hidden points have no region.
+  /// Sites are the vertices of finite cells. Hidden points have no region.
   void collect_sites();
-  /// The centre of every finite cell, in sorted order.
+  /// The center of every finite cell, in sorted order.
   void find_centers();
-  /// Cells of one sphere become one class. They are connected: they triangulate one polytope. As centres are
-  /// rounded correctly, only neighbors with equal centres need the exact test.
+  /// Merges the cells of each sphere into one class. They triangulate one polytope, so they are connected.
+  /// Centers are correctly rounded, so only neighbors with equal centers need the exact test.
   void merge_finite_cells();
-  /// Infinite cells become one class if their hull facets lie in one hyperplane of the flat and the cells
-  /// behind have one sphere: their unbounded edges are then the same.
+  /// Merges infinite cells whose hull facets are in one hyperplane of the flat, if the cells behind have one
+  /// sphere: their unbounded edges coincide.
   void merge_infinite_cells();
   void number_vertices();
-  /// The finite cells of each site, as places, increasing: where no cells merge, places are Voronoi vertices
-  /// and this is the list of the region. Not for k = 2.
+  /// For each site its finite cells, as positions in cells_, in increasing order. If no cells merge,
+  /// positions are Voronoi vertices and this is the vertex list of the region. Not for k = 2.
   void collect_stars();
   void collect_regions();
   void collect_regions_in_plane();
@@ -55,9 +55,9 @@ class VoronoiBuilder {
   void collect_ridges_in_plane();
   void collect_ridges_in_space();
   void collect_ridges_by_region();
-  /// Whether the Delaunay face whose interior holds the edge is the edge itself, so that its dual has
-  /// dimension k−1: no site off the line through both is common to all polytopes (classes of cells) around
-  /// the edge.
+  /// Whether the edge s–t is itself the Delaunay face that contains its interior, so that its dual has
+  /// dimension k−1. This holds iff every site common to all polytopes (classes of cells) around the edge is
+  /// on the line through s and t.
   bool is_ridge(VertexId s, VertexId t, std::span<const Index> star);
   void add_ridge(VertexId s, VertexId t, std::span<const SignedIndex> vertices);
   void collect_rays();
@@ -86,14 +86,14 @@ class VoronoiBuilder {
   std::vector<double> coordinates_, weights_;                  // by vertex id
   std::vector<SignedIndex> region_of_vertex_, row_of_vertex_;  // −1: not a site
   std::vector<CellId> cells_;                                  // the finite ones, sorted
-  std::vector<VertexId> corners_;  // k+1 for each of cells_, until all lists are made
-  std::vector<CellId> neighbors_;  // as many; those of the complex lie far from each other
-  std::vector<double> centers_;    // by place in cells_, then by Voronoi vertex
-  std::vector<Index> parent_;      // by slot: the classes of cells, a forest; empty: no cells merged
-  std::vector<SignedIndex> vertex_of_cell_;  // by slot: the place in centers_; −1: not a finite cell
+  std::vector<VertexId> corners_;            // k+1 for each of cells_; freed once all lists exist
+  std::vector<CellId> neighbors_;            // likewise; those of the complex are scattered
+  std::vector<double> centers_;              // by position in cells_, then by Voronoi vertex
+  std::vector<Index> parent_;                // by slot: union–find; empty if no cells merged
+  std::vector<SignedIndex> vertex_of_cell_;  // by slot: the position in centers_; −1: not a finite cell
   bool has_merged_ = false;
-  std::unordered_map<Index, std::vector<VertexId>>
-      sites_of_class_;  // of classes of more than one cell: sorted
+  /// The sites of each class of several cells, sorted; by root.
+  std::unordered_map<Index, std::vector<VertexId>> sites_of_class_;
 };
 
 }  // namespace delone

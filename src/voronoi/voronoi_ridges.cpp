@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Ridges: the duals of edges, and which edges have one. Where no two cells share a sphere every edge has.
+// Ridges, the duals of edges. If no two cells share a sphere, every edge has a ridge; otherwise is_ridge()
+// decides.
 #include "voronoi/voronoi_builder.hpp"
 
 #include <delone/predicates.hpp>
@@ -41,7 +42,7 @@ void VoronoiBuilder::collect_ridges_in_plane() {
 
 namespace {
 
-/// The cells of a complex of dimension 3 side by side in the order of their places, so that walks stay in the
+/// The cells of a complex of dimension 3, stored in the order of their positions, which keeps walks in the
 /// cache.
 struct PlacedCell {
   Index vertices[4], neighbors[4];
@@ -52,7 +53,7 @@ struct PlacedCell {
   }
 };
 
-/// The cells around the edge from corner a to corner b of a cell, counterclockwise about that direction.
+/// The cells around the edge from corner a to corner b of a cell, counterclockwise around its direction.
 void walk_around(const std::vector<PlacedCell>& cells, Index first, Index a, Index b,
                  std::vector<Index>& ring) {
   // Corners c and d such that (a, b, c, d) is an even permutation.
@@ -62,7 +63,7 @@ void walk_around(const std::vector<PlacedCell>& cells, Index first, Index a, Ind
                                      {{2, 1}, {0, 2}, {1, 0}, {0, 0}}};
   const PlacedCell& start = cells[first];
   const Index edge = start.vertices[a] ^ start.vertices[b];
-  Index shared = start.vertices[others[a][b][1]];  // with the edge the facet that was crossed
+  Index shared = start.vertices[others[a][b][1]];  // the third vertex of the facet just crossed
   ring.assign(1, first);
   for (Index at = start.neighbors[others[a][b][0]]; at != first;) {
     ring.push_back(at);
@@ -74,9 +75,9 @@ void walk_around(const std::vector<PlacedCell>& cells, Index first, Index a, Ind
 
 }  // namespace
 
-/// k = 3: the cells around an edge in cyclic order, each edge from its smaller vertex and the first cell of
-/// both. The dual is a polygon if these are of at least three classes; classes are met in one run each, as
-/// they are faces of a convex polygon's boundary.
+/// k = 3: the cells around each edge in cyclic order, starting from the smaller vertex of the edge and the
+/// first cell of both. The dual is a polygon if these cells belong to at least three classes. Each class is
+/// one run of the cycle, because classes are faces of the boundary of a convex polytope.
 void VoronoiBuilder::collect_ridges_in_space() {
   std::vector<CellId> order = cells_;  // finite cells, then infinite ones
   order.reserve(complex_.num_cells());
@@ -97,13 +98,13 @@ void VoronoiBuilder::collect_ridges_in_space() {
   corners_ = {};
   neighbors_ = {};
 
-  // Every cell is around six edges, an infinite one around three finite ones; S³ has as many edges as
-  // vertices and cells.
+  // A finite cell has six edges, an infinite one three finite ones; a triangulation of S³ has as many edges
+  // as vertices and cells.
   out_.ridge_vertices_.reserve(6 * std::size_t{complex_.num_finite_cells()} +
                                3 * std::size_t{complex_.num_infinite_cells()});
   out_.ridge_points_.reserve(2 * (site_of_region_.size() + complex_.num_cells()));
   out_.ridge_offsets_.reserve(1 + site_of_region_.size() + complex_.num_cells());
-  std::vector<Index> met(row_of_vertex_.size(), 0);  // the last vertex whose edge to this one was met
+  std::vector<Index> met(row_of_vertex_.size(), 0);  // by vertex: the last s whose edge to it was visited
   std::vector<Index> ring;
   std::vector<SignedIndex> vertices;
   for (Index s = 1; s < row_of_vertex_.size(); ++s) {
@@ -150,8 +151,8 @@ void VoronoiBuilder::collect_ridges_in_space() {
   }
 }
 
-/// k > 3: the cells of each region, distributed over the later regions they belong to, by counting. The
-/// corners of each cell are sorted, so that those are what follows the region.
+/// k > 3: distributes the cells of each region over the later regions that they belong to, by counting. The
+/// corners of each cell are sorted, so the later regions are those that follow.
 void VoronoiBuilder::collect_ridges_by_region() {
   const auto corners = static_cast<std::size_t>(k_) + 1;
   const std::size_t num_regions = site_of_region_.size();
@@ -165,13 +166,13 @@ void VoronoiBuilder::collect_ridges_by_region() {
     for (int i = 0; i <= k_; ++i) regions.push_back(region_of(complex_.vertex(c, i)));
   for (auto first = regions.begin(); first != regions.end();) {
     const auto last = first + static_cast<std::ptrdiff_t>(corners);
-    for (auto next = first + 1; next != last; ++next)  // few, so by insertion
+    for (auto next = first + 1; next != last; ++next)  // insertion sort
       for (auto at = next; at != first && at[-1] > *at; --at) std::swap(at[-1], *at);
     first = last;
   }
   corners_ = {};
   neighbors_ = {};
-  // The finite cells of a region are its list of vertices by now.
+  // The vertex list of a region still holds its finite cells.
   std::vector<std::size_t> offsets(num_regions + 1, 0);
   const auto for_each_infinite_corner = [&](auto&& visit) {
     for (std::size_t place = cells_.size(); place < order.size(); ++place)
@@ -184,7 +185,7 @@ void VoronoiBuilder::collect_ridges_by_region() {
   std::vector<std::size_t> next(offsets.begin(), offsets.end() - 1);
   for_each_infinite_corner([&](std::size_t r, Index place) { infinite_cells[next[r]++] = place; });
 
-  // Where no cells merge, every finite cell is at an edge for each two of its corners.
+  // If no cells merge, every finite cell contributes to an edge for each pair of its corners.
   out_.ridge_vertices_.reserve(cells_.size() * (corners * (corners - 1) / 2) + infinite_cells.size());
   std::vector<Index> count(num_regions, 0), cells, stars, slots;
   std::vector<SignedIndex> others, vertices;
@@ -200,7 +201,7 @@ void VoronoiBuilder::collect_ridges_by_region() {
         if (e + ahead < cells.size()) __builtin_prefetch(regions.data() + cells[e + ahead] * corners);
         const Index place = cells[e];
         const SignedIndex* const first = regions.data() + place * corners;
-        std::size_t not_later = 0;  // counted, not searched: without a branch that depends on the data
+        std::size_t not_later = 0;  // counting avoids unpredictable branches
         for (std::size_t i = 0; i < corners; ++i)
           not_later += first[i] <= static_cast<SignedIndex>(r) ? 1 : 0;
         for (std::size_t i = not_later; i < corners; ++i) visit(first[i], place);
@@ -214,7 +215,7 @@ void VoronoiBuilder::collect_ridges_by_region() {
     Index end = 0;
     for (const SignedIndex other : others) {
       const Index size = count[static_cast<std::size_t>(other)];
-      count[static_cast<std::size_t>(other)] = end;  // from now on, where the star is filled next
+      count[static_cast<std::size_t>(other)] = end;  // now the position where the star grows
       end += size;
     }
     stars.resize(end);
@@ -245,7 +246,7 @@ void VoronoiBuilder::collect_ridges_by_region() {
     }
   }
   if (has_merged_) out_.ridge_vertices_.shrink_to_fit();
-  // Volumes are made of the faces of finite cells.
+  // Volumes use the faces of finite cells only.
   regions.resize(cells_.size() * corners);
   regions.shrink_to_fit();
   out_.cell_vertex_.reserve(cells_.size());
@@ -290,8 +291,7 @@ bool VoronoiBuilder::is_ridge(VertexId s, VertexId t, std::span<const Index> sta
     is_first = false;
     if (common.size() == 2) return true;
   }
-  // Sites between s and t in a power diagram may have regions without interior, which coincide with the
-  // ridge.
+  // In a power diagram, sites between s and t may have regions without interior, which lie in the ridge.
   for (const VertexId v : common) {
     if (v == s || v == t) continue;
     std::vector<double> three;
