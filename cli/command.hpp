@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What the sub-commands share: how they are registered, exit statuses, and errors that name the file they are
-// about.
+// What the sub-commands share: registration, exit statuses, and error messages that name the file in
+// question.
 #pragma once
 
 #include <delone/delone.hpp>
@@ -20,7 +20,7 @@ namespace exit_status {
 inline constexpr int ok = 0, check_failed = 1, bad_input = 2, out_of_memory = 3, usage = 64;
 }
 
-/// Thrown for an option whose value makes no sense together with the others: exit status 64.
+/// An option whose value does not go together with the others: exit status 64.
 struct UsageError : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
@@ -40,10 +40,10 @@ Run add_check(CLI::App& app);
 Run add_generate(CLI::App& app);
 Run add_info(CLI::App& app);
 
-/// A path as messages name it.
+/// The name of a path in messages.
 inline std::string input_name(const std::string& path) { return path == "-" ? "standard input" : path; }
 
-/// Runs `work`; errors that do not begin with the name of the file they are about get it put in front.
+/// Runs `work`. Puts the name of the file in front of error messages that do not begin with it.
 template <class Work>
 auto about(const std::string& name, Work&& work) {
   try {
@@ -56,7 +56,7 @@ auto about(const std::string& name, Work&& work) {
   }
 }
 
-/// The options of every command that reads points.
+/// The options of all commands that read points.
 struct PointInput {
   std::string path;
   ReadOptions options;
@@ -69,7 +69,7 @@ struct PointInput {
 void add_columns(CLI::App& command, const std::string& name, std::vector<std::string>& columns);
 void add_seed(CLI::App& command, std::uint64_t& seed, const std::string& description);
 
-/// The names --format accepts: of points, and of triangulations to write and to read.
+/// The format names that --format accepts: for points, and for triangulations to write and to read.
 const std::vector<std::string>& point_formats();
 const std::vector<std::string>& complex_formats();
 const std::vector<std::string>& readable_complex_formats();

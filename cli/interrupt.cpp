@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Signal handlers: they set flags, lower a resource limit or end the process, all of which is allowed in a
-// handler.
+// Signal handlers. They set flags, lower a resource limit or end the process, all of which a handler may do.
 #include "interrupt.hpp"
 
 #include <sys/resource.h>
@@ -19,11 +18,11 @@ std::atomic<int> signal_caught{0};
 std::atomic<Stage> stage_now{Stage::plain};
 static_assert(std::atomic<int>::is_always_lock_free && std::atomic<Stage>::is_always_lock_free);
 
-/// The progress callback gets this long to stop the library.
+/// The time that the progress callback has to stop the library.
 constexpr long grace_microseconds = 800000;
 
-/// Lets every further write to a regular file fail with EFBIG (SIGXFSZ is ignored): the writer then takes its
-/// ordinary path for a full disk, which removes the temporary file.
+/// Makes every further write to a regular file fail with EFBIG (SIGXFSZ is ignored). The writer then handles
+/// it like a full disk and removes the temporary file.
 void refuse_writes() {
   rlimit limit{};
   if (getrlimit(RLIMIT_FSIZE, &limit) != 0) return;
@@ -86,7 +85,7 @@ StageGuard::StageGuard(Stage stage) {
 }
 
 StageGuard::~StageGuard() {
-  // A build that finished just before it could be stopped; a file that was finished is kept.
+  // The build finished before the signal could stop it. A file that was finished is kept.
   if (stage_now.exchange(Stage::plain) == Stage::building && std::uncaught_exceptions() == 0) end_if_caught();
 }
 

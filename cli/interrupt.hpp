@@ -4,23 +4,22 @@
 
 namespace delone::cli {
 
-/// What a signal does depends on what it would interrupt.
+/// What a signal does depends on what it interrupts.
 enum class Stage : int {
   plain,     ///< nothing to clean up: the process ends at once
-  building,  ///< the progress callback stops the library; if that takes too long the process ends
-  writing,   ///< a regular file is being written: every further write fails, so that the writer removes its
-             ///< temporary file
+  building,  ///< the progress callback stops the library; if that takes too long, the process ends
+  writing,   ///< to a regular file: further writes fail, and the writer removes its temporary file
 };
 
-/// Exit statuses are 128 + the number of the signal: 130 and 143. A signal that was ignored at the start
-/// stays ignored.
+/// The exit status is 128 + the number of the signal: 130 or 143. A signal that was ignored when the process
+/// started stays ignored.
 void install_interrupt_handlers();
 
 /// The signal caught so far, or 0.
 int caught_signal();
 
-/// Enters a stage for the life of the object, back to `plain` after it. A signal that came in before, or too
-/// late for the progress callback, ends the process here.
+/// Enters a stage for the life of the object, then returns to `plain`. If a signal came before, or too late
+/// for the progress callback, the process ends here.
 class StageGuard {
  public:
   explicit StageGuard(Stage stage);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The command `delone`: picks the sub-command, and turns errors into one line on standard error and an exit
+// The command `delone`: runs the sub-command, and turns errors into one line on standard error and an exit
 // status.
 #include "command.hpp"
 #include "interrupt.hpp"
@@ -20,7 +20,7 @@
 namespace delone::cli {
 namespace {
 
-/// Messages are one line whatever they quote.
+/// Joins the lines of a message, which may quote anything.
 int complain(int status, std::string message) {
   for (char& c : message)
     if (c == '\n' || c == '\r') c = ' ';
@@ -88,7 +88,7 @@ int run_and_report(int argc, char** argv) {
   } catch (const UsageError& e) {
     return complain(exit_status::usage, e.what());
   } catch (const Error& e) {
-    // Whatever failed after Ctrl-C failed because of it.
+    // Any failure after Ctrl-C is a consequence of it.
     if (const int signal = caught_signal(); signal != 0) return complain(128 + signal, "interrupted");
     return complain(status_of(e.code()), e.what());
   } catch (const std::bad_alloc&) {
@@ -98,9 +98,9 @@ int run_and_report(int argc, char** argv) {
   }
 }
 
-/// Large blocks, such as files that were read, are given back to the system as soon as they are freed.
-/// Otherwise the C library of GNU keeps more and more of them, the larger the first ones are.
-void give_back_large_blocks() {
+/// Returns large blocks, such as the contents of files, to the system as soon as they are freed. By default
+/// glibc raises the threshold for this with the first large blocks and keeps later ones.
+void return_large_blocks() {
 #ifdef __GLIBC__
   mallopt(M_MMAP_THRESHOLD, 1 << 20);
 #endif
@@ -110,7 +110,7 @@ void give_back_large_blocks() {
 }  // namespace delone::cli
 
 int main(int argc, char** argv) {
-  delone::cli::give_back_large_blocks();
+  delone::cli::return_large_blocks();
   delone::cli::install_interrupt_handlers();
   return delone::cli::run_and_report(argc, argv);
 }

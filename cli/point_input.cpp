@@ -30,7 +30,7 @@ void add_columns(CLI::App& command, const std::string& name, std::vector<std::st
 }
 
 void add_seed(CLI::App& command, std::uint64_t& seed, const std::string& description) {
-  // The parser takes −1 for 2^64 − 1.
+  // The parser reads −1 as 2^64 − 1.
   const auto not_negative = [](const std::string& text) {
     return text.find('-') == std::string::npos ? "" : "must be 0 or more";
   };

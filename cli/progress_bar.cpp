@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The progress bar: fraction, and the time left as the time so far suggests it.
+// The progress bar: the fraction done, and the time left, extrapolated from the time so far.
 #include "progress_bar.hpp"
 
 #include "interrupt.hpp"

@@ -7,8 +7,7 @@
 
 namespace delone::cli {
 
-/// Draws only when standard error is a terminal, nobody asked for quiet, and the work takes more than half a
-/// second.
+/// Draws only if standard error is a terminal, --quiet is not set and the work takes more than half a second.
 class ProgressBar {
  public:
   explicit ProgressBar(bool quiet);
@@ -16,7 +15,7 @@ class ProgressBar {
   ProgressBar& operator=(const ProgressBar&) = delete;
   ~ProgressBar() { clear(); }
 
-  /// For Options::progress; refers to this bar. False once a signal was caught.
+  /// For Options::progress; refers to this bar. Returns false once a signal was caught.
   std::function<bool(double)> callback();
   /// Removes the bar from the terminal.
   void clear();

@@ -19,7 +19,7 @@ std::optional<std::size_t> as_number(const std::string& text) {
   return number;
 }
 
-/// Takes a column out of a table.
+/// Removes a column from a table and returns it.
 std::vector<double> take_column(PointTable& table, std::size_t column) {
   const auto width = static_cast<std::size_t>(table.dimension);
   std::vector<double> taken, rest;
@@ -32,7 +32,7 @@ std::vector<double> take_column(PointTable& table, std::size_t column) {
   return taken;
 }
 
-/// The weights as a file of one column.
+/// Reads weights from a file with one column.
 std::vector<double> read_weights(const std::string& path, std::size_t expected) {
   PointTable table = about(input_name(path), [&] { return read_points(path); });
   if (table.num_points() > 0 && table.dimension != 1)
@@ -63,7 +63,7 @@ PointTable WeightedInput::read(std::vector<double>& weights_read) const {
   if (is_file && weights == "-" && input.path == "-")
     throw UsageError("points and weights cannot both come from standard input");
   PointInput all = input;
-  // Chosen columns are the coordinates; the weight is read behind them.
+  // The chosen columns are the coordinates, so the weight is read after them.
   const bool appended = !is_file && !input.options.columns.empty();
   if (appended) all.options.columns.push_back(weights);
   PointTable table = all.read();

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Points with weights: the weights are a column of the input, or a file of their own.
+// Weighted points: the weights are a column of the input or a file of their own.
 #pragma once
 
 #include "command.hpp"
@@ -14,7 +14,7 @@ struct WeightedInput {
   std::string weights;  ///< a column's name, a column's number, or a file
 
   void add_to(CLI::App& command);
-  /// The points, and one finite weight for each. Errors name the file.
+  /// Reads the points and one finite weight for each. Errors name the file.
   PointTable read(std::vector<double>& weights_read) const;
 };
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Conversions of inputs. See arrays.hpp.
+// Conversions of inputs; see arrays.hpp.
 #include "arrays.hpp"
 
 #include <cstdint>
@@ -15,7 +15,7 @@ namespace {
                         std::string(py::str(value)) + " is not exact in double precision");
 }
 
-/// The first integer that float64 rounds, or −1. Beyond 2^53 a number is exact if its lower bits are zero.
+/// The first integer that float64 would round, or −1. A number beyond 2^53 is exact if its low bits are zero.
 template <class T>
 py::ssize_t find_inexact(const py::array& array) {
   const auto integers = py::array_t<T, py::array::c_style | py::array::forcecast>(array);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// NumPy arrays in and out: inputs as C-contiguous float64 without a copy where they are that already, outputs
-// as read-only views that keep their owner alive.
+// NumPy arrays in and out. Inputs become C-contiguous float64, without a copy if they are that already.
+// Outputs are read-only views that keep their owner alive.
 #pragma once
 
 #include <pybind11/numpy.h>
@@ -19,19 +19,19 @@ namespace delone::python {
 
 namespace py = pybind11;
 
-/// Any array-like of real numbers as C-contiguous float64. ValueError, naming the row, if an integer (or a
-/// long double, or another number object) is not exact in float64, and for masked, complex or ragged input;
-/// `name` is the argument's. Values may be NaN or infinite.
+/// Any array-like of real numbers as C-contiguous float64. Raises ValueError for an integer, long double or
+/// other number that float64 cannot represent exactly (naming its row), and for masked, complex or ragged
+/// input. `name` is the name of the argument. Values may be NaN or infinite.
 py::array_t<double> as_doubles(const py::object& object, const std::string& name);
 
 inline std::span<const double> numbers(const py::array_t<double>& array) {
   return {array.data(), static_cast<std::size_t>(array.size())};
 }
 
-/// An (n, d) array of points, d ≥ 1. ValueError for another shape.
+/// An (n, d) array of points, d ≥ 1. Raises ValueError for any other shape.
 py::array_t<double> as_points(const py::object& object, const std::string& name);
 
-/// Queries of shape (…, d), and arrays of answers, one for each.
+/// Queries of shape (…, d), and arrays with one answer for each.
 class Queries {
  public:
   Queries(const py::object& object, int dimension);
@@ -44,7 +44,7 @@ class Queries {
     for (const std::size_t length : further) shape.push_back(static_cast<py::ssize_t>(length));
     return py::array_t<T>(shape);
   }
-  /// Answers to a single query of shape (d,) as a scalar, if they are one number.
+  /// For a single query of shape (d,) with one number as answer: that number as a scalar.
   static py::object scalar_if_single(const py::array& answers) {
     return answers.ndim() == 0 ? py::object(answers[py::tuple()]) : py::object(answers);
   }
@@ -55,7 +55,7 @@ class Queries {
   std::size_t size_ = 0;
 };
 
-/// A read-only array of memory that `owner` keeps.
+/// A read-only array over memory that `owner` keeps alive.
 template <class T>
 py::array view(std::span<const T> items, std::vector<py::ssize_t> shape, std::shared_ptr<const void> owner) {
   using Owner = std::shared_ptr<const void>;
@@ -67,7 +67,7 @@ py::array view(std::span<const T> items, std::vector<py::ssize_t> shape, std::sh
   return array;
 }
 
-/// Rows of `width` numbers; `rows` matters where the width is 0.
+/// The same with rows of `width` numbers. `rows` matters if the width is 0.
 template <class T, class Owner>
 py::array rows_view(const std::vector<T>& items, std::size_t rows, std::size_t width,
                     const std::shared_ptr<Owner>& owner) {
@@ -78,7 +78,7 @@ py::array list_view(const std::vector<T>& items, const std::shared_ptr<Owner>& o
   return view<T>(items, {static_cast<py::ssize_t>(items.size())}, owner);
 }
 
-/// The same for numbers that nothing else holds.
+/// The same for a vector that the array itself takes over.
 template <class T>
 py::array rows_view(std::vector<T>&& items, std::size_t rows, std::size_t width) {
   const auto owner = std::make_shared<const std::vector<T>>(std::move(items));

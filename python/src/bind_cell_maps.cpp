@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Linear maps of many cells at once, rounded: barycentric coordinates, and hyperplanes on the paraboloid. For
-// delone._transform and delone.spatial; nothing combinatorial is decided with them.
+// delone._transform and delone.spatial. They decide nothing combinatorial.
 #include "arrays.hpp"
 #include "module.hpp"
 #include "running.hpp"
@@ -18,12 +18,12 @@ constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 using Rows = py::array_t<SignedIndex, py::array::c_style | py::array::forcecast>;
 using Reals = py::array_t<double, py::array::c_style | py::array::forcecast>;
 
-/// The matrix of a cell, whose rows are the edges from its last vertex, decomposed with partial pivoting.
+/// The matrix of a cell, whose rows are the edges from its last vertex, factored with partial pivoting.
 class Edges {
  public:
   explicit Edges(std::size_t k) : k_(k), matrix_(k * k), place_(k), scratch_(k) {}
 
-  /// False: singular, or beyond the range of doubles.
+  /// Returns false if the matrix is singular or beyond the range of doubles.
   bool set(const double* points, const SignedIndex* cell) {
     const double* const last = point(points, cell[k_]);
     for (std::size_t i = 0; i < k_; ++i) {
@@ -38,7 +38,7 @@ class Edges {
     }
     return decompose();
   }
-  /// The largest sum of magnitudes of a column.
+  /// The largest absolute column sum.
   double norm() const { return norm_; }
 
   /// Solves matrix · x = b.
@@ -87,7 +87,7 @@ class Edges {
   double norm_ = 0;
 };
 
-/// The number of cells; both arrays must fit each other.
+/// Checks that the arrays fit each other. Returns the number of cells.
 std::size_t checked(const Reals& points, const Rows& cells) {
   if (points.ndim() != 2 || cells.ndim() != 2 || cells.shape(1) != points.shape(1) + 1)
     throw py::value_error("points (n, k) and cells (m, k+1) do not fit");

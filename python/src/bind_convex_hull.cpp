@@ -53,7 +53,7 @@ class HeldHull {
     });
   }
 
-  /// The arrays, which later insertions leave alone.
+  /// The arrays. Later insertions do not change them.
   std::shared_ptr<const HullData> data() const {
     return ask([this](const Polytope& hull) {
       const std::lock_guard lock(data_mutex_);
@@ -67,10 +67,10 @@ class HeldHull {
 
  private:
   BuildArguments arguments_;
-  Guard guard_;  // of all below
+  Guard guard_;  // of all members below
   Polytope hull_;
   std::vector<std::size_t> batches_;
-  mutable std::mutex data_mutex_;  // of data_, besides the guard
+  mutable std::mutex data_mutex_;  // of data_, under the guard
   mutable std::shared_ptr<const HullData> data_;
 };
 

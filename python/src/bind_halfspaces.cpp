@@ -66,7 +66,7 @@ class HeldIntersection {
     });
   }
 
-  /// The arrays, which later additions leave alone.
+  /// The arrays. Later insertions do not change them.
   std::shared_ptr<const IntersectionData> data() const {
     return ask([this](const HalfspaceIntersection& intersection) {
       const std::lock_guard lock(data_mutex_);
@@ -85,13 +85,13 @@ class HeldIntersection {
   BuildArguments arguments_;
   int dimension_ = 0;
   bool has_interior_ = false;
-  Guard guard_;  // of all below
+  Guard guard_;  // of all members below
   std::optional<HalfspaceIntersection> intersection_;
-  mutable std::mutex data_mutex_;  // of data_, besides the guard
+  mutable std::mutex data_mutex_;  // of data_, under the guard
   mutable std::shared_ptr<const IntersectionData> data_;
 };
 
-/// Rows of `extra` more than d numbers.
+/// Rows of d + extra numbers.
 template <std::vector<double> IntersectionData::*Member, std::size_t extra = 0>
 py::array rows_of(const HeldIntersection& held) {
   const auto data = held.data();
@@ -108,7 +108,7 @@ py::array pairs_of(const HeldIntersection& held) {
   const auto data = held.data();
   return rows_view((*data).*Member, ((*data).*Member).size() / 2, 2, data);
 }
-/// Offsets; [0] where there are no lists.
+/// Offsets; [0] if there are no lists.
 template <std::vector<SignedIndex> IntersectionData::*Member>
 py::array offsets_of(const HeldIntersection& held) {
   const auto data = held.data();

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// delone.LinearInterpolator: real and complex values of any shape; the sums are the library's.
+// delone.LinearInterpolator, for real and complex values of any shape. The library computes the sums.
 #include "arrays.hpp"
 #include "module.hpp"
 #include "triangulation.hpp"
@@ -65,7 +65,7 @@ class HeldInterpolator {
       gradients_into(queries, result.mutable_data());
       return result;
     }
-    // The library has the gradients of real and imaginary parts one after the other.
+    // The library returns the gradients of real and imaginary parts one after the other.
     py::array_t<Complex128> result(shape);
     std::vector<double> parts(static_cast<std::size_t>(result.size()) * 2);
     gradients_into(queries, parts.data());

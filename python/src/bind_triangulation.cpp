@@ -18,7 +18,7 @@ using namespace py::literals;
 using Held = HeldTriangulation;
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
-// One class of C++ for each of Python.
+// One C++ class for each Python class.
 template <Form F>
 class HeldForm : public Held {
  public:
@@ -63,7 +63,7 @@ std::unique_ptr<T> construct(const py::object& points, const py::object& weights
   return held;
 }
 
-/// The engine's answer to a question without arguments.
+/// Forwards a question without arguments to the engine.
 template <class Question>
 auto ask(const Held& held, Question question) {
   Supervisor supervisor;
@@ -123,8 +123,8 @@ py::array cell_of_point(const Held& held) {
   return list_view(std::move(cell));
 }
 
-/// With a point inside put first, the vertices of a facet are positively oriented: a cell with vertex j moved
-/// to the front is, after j transpositions.
+/// A point inside, followed by the vertices of a facet, must be positively oriented. Moving vertex j of a
+/// cell to the front takes j transpositions.
 py::array hull_facets(const Held& held) {
   const auto data = data_of(held);
   const std::size_t size = width(*data);
@@ -166,7 +166,7 @@ py::tuple vertex_neighbors(const Held& held) {
   return py::make_tuple(list_view(std::move(offsets)), list_view(std::move(rows)));
 }
 
-/// Locates queries, calling visit(query, where, number of the cell or −1).
+/// Locates queries. Calls visit(query, where, row of the cell or −1).
 template <class Visit>
 void locate_each(const Held& held, const Queries& queries, Visit visit) {
   Supervisor supervisor;
@@ -241,7 +241,7 @@ py::tuple barycentric(const Held& held, const py::object& object) {
   return py::make_tuple(Queries::scalar_if_single(cells), weights_array);
 }
 
-/// The length of a − b, without overflow or underflow on the way.
+/// |a − b| without intermediate overflow or underflow.
 double distance(const double* a, const double* b, std::size_t d) {
   double squares = 0, length = 0;
   for (std::size_t j = 0; j < d; ++j) squares += (a[j] - b[j]) * (a[j] - b[j]);

@@ -15,7 +15,7 @@ namespace {
 
 using namespace py::literals;
 
-/// A diagram and the points it was made from.
+/// A diagram and the points that it belongs to.
 class HeldDiagram {
  public:
   explicit HeldDiagram(const py::object& triangulation) : source_type_(py::type::of(triangulation)) {
@@ -30,8 +30,7 @@ class HeldDiagram {
         source.with_engine(supervisor, [&](const Triangulation& engine) {
           if (source.form() == Form::regular)
             diagram_ = std::make_shared<PowerDiagram>(static_cast<const RegularTriangulation&>(engine));
-          else  // the dual of furthest sites has the same vertices, ridges and regions, and rays in the other
-                // direction
+          else  // the furthest-site diagram differs only in the direction of its rays
             diagram_ = std::make_shared<VoronoiDiagram>(engine);
         });
         points_ = source.points(supervisor);
@@ -40,7 +39,7 @@ class HeldDiagram {
     }
   }
 
-  /// For pickle: the triangulation, from which it is made anew.
+  /// For pickle: the triangulation, from which unpickling rebuilds the diagram.
   py::tuple recipe(const py::object& self) const {
     return py::make_tuple(py::module_::import("delone._pickling").attr("diagram"),
                           py::make_tuple(py::type::of(self), source_type_, source_state_));

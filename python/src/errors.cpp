@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The exceptions of the module, each also the built-in exception that says most about it; options and
+// The exceptions of the module, each derived also from the built-in exception that fits best; options and
 // statistics.
 #include "running.hpp"
 
@@ -12,7 +12,7 @@ struct Types {
   py::object base, input, memory, cancelled;
 };
 
-/// Kept for the life of the interpreter, as the module itself is.
+/// Lives as long as the interpreter, like the module itself.
 Types& types() {
   static auto* const all = new Types;
   return *all;

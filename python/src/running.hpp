@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Work without the GIL that Ctrl-C and a progress function can stop; errors of the library as Python's.
+// Work without the GIL that Ctrl-C and a progress function can stop; errors of the library as Python
+// exceptions.
 #pragma once
 
 #include <pybind11/pybind11.h>
@@ -22,15 +23,14 @@ namespace delone::python {
 
 namespace py = pybind11;
 
-/// Asks Python, ten times a second, whether work is to go on: signal handlers have their turn (in the main
-/// thread), and the progress function. Both may throw; their exception is kept, and takes the place of the
-/// library's.
+/// Ten times a second, lets Python decide whether work goes on: signal handlers run (in the main thread),
+/// then the progress function. Both may raise. Their exception is kept and replaces that of the library.
 class Supervisor {
  public:
-  /// `progress`: None, or a function of the fraction done that may return False to stop.
+  /// `progress`: None, or a function of the fraction done. It may return False to stop.
   explicit Supervisor(py::object progress = py::none()) : progress_(std::move(progress)) {}
 
-  /// False: stop. To be called without the GIL.
+  /// Returns false to stop. Call it without the GIL.
   bool go_on(double fraction) {
     const auto now = Clock::now();
     if (now - last_ < std::chrono::milliseconds(100)) return true;
@@ -38,7 +38,7 @@ class Supervisor {
     const py::gil_scoped_acquire gil;
     return ask(fraction);
   }
-  /// For loops over queries: looks at the clock now and then only.
+  /// For loops over queries: looks at the clock only now and then.
   void count() {
     if (++count_ % 4096 == 0 && !go_on(0)) throw Error(Errc::cancelled, "cancelled");
   }
@@ -73,12 +73,12 @@ class Supervisor {
   unsigned count_ = 0;
 };
 
-/// Lets threads share an object of the library: questions hold a lock together, a change holds it alone.
-/// Nothing asks for the GIL while it waits for the lock; the Supervisor takes the GIL for a moment under the
-/// lock, and threads that wait for the lock have let it go. To be called with the GIL.
+/// Lets threads share an object of the library: queries hold a lock together, a change holds it alone.
+/// Nothing waits for the lock while it holds the GIL. Supervisor takes the GIL briefly under the lock, which
+/// is safe because threads that wait for the lock have released the GIL. Call all members with the GIL.
 class Guard {
  public:
-  /// For the options of the object: asks whoever is waiting for the present change. Refers to the guard.
+  /// For the options of the object: calls the Supervisor of the current change. Refers to the guard.
   std::function<bool(double)> progress() {
     return [this](double fraction) { return supervisor_ == nullptr || supervisor_->go_on(fraction); };
   }
@@ -106,7 +106,7 @@ class Guard {
   }
 
  private:
-  /// Says who is changing the object, as long as it is.
+  /// Marks the thread that is changing the object.
   class Change {
    public:
     Change(Guard& guard, Supervisor& supervisor) : guard_(guard) {
@@ -124,7 +124,7 @@ class Guard {
     Guard& guard_;
   };
 
-  /// A progress function that asks the object it reports on would wait for itself.
+  /// A progress function that uses the object it reports on would deadlock.
   void refuse_reentry() const {
     if (changing_.load() == std::this_thread::get_id())
       throw std::runtime_error("the object is being changed");
@@ -141,7 +141,7 @@ struct BuildArguments {
   std::string order = "automatic";
   int threads = 1;
 
-  /// ValueError for a bad one.
+  /// Raises ValueError for a bad argument.
   Options to_options() const;
   Options to_options(std::function<bool(double)> progress) const {
     Options options = to_options();
@@ -150,7 +150,7 @@ struct BuildArguments {
   }
 };
 
-/// As Python has it.
+/// Statistics with their names in Python.
 py::dict as_dict(const Statistics& statistics);
 
 /// delone.Error and its kinds.

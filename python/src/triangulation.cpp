@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Insertions, what is computed on demand, and recovery from insertions that were broken off. See
-// triangulation.hpp.
+// Insertion, derived data, and recovery from interrupted insertions; see triangulation.hpp.
 #include "triangulation.hpp"
 
 #include <utility>
@@ -8,7 +7,7 @@
 namespace delone::python {
 namespace {
 
-/// Says which thread is changing an object, as long as it is.
+/// Marks the thread that is changing an object.
 class Changing {
  public:
   explicit Changing(std::atomic<std::thread::id>& thread) : thread_(thread) {
@@ -82,7 +81,7 @@ void HeldTriangulation::add(std::span<const double> coordinates, std::span<const
   locator_.reset();
 }
 
-/// Inserts the rows that are ours into a new engine, batch by batch, so that cells get the same numbers.
+/// Inserts our rows into a new engine, batch by batch, so that cells keep their numbers.
 void HeldTriangulation::rebuild(Supervisor& supervisor) const {
   const std::unique_lock lock(mutex_);
   if (!is_stale_) return;

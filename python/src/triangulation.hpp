@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A triangulation as Python holds it: the engine, what is computed from it on demand, and the locks that let
+// A triangulation as Python holds it: the engine, data derived from it on demand, and the locks that let
 // threads share it.
 //
-// Everything below the line `without the GIL` is called without it. Queries share a lock, changes have it
-// alone. Nothing asks for the GIL while it waits for a lock that a thread with the GIL could want: Supervisor
-// takes it for a moment, under a lock, and threads that wait for that lock have let it go.
+// Call everything below the line `Without the GIL` without it. Queries share a lock, a change holds it alone.
+// Nothing waits for a lock while it holds the GIL. Supervisor takes the GIL briefly under a lock, which is
+// safe because threads that wait for that lock have released the GIL.
 #pragma once
 
 #include "running.hpp"
@@ -26,7 +26,7 @@ namespace delone::python {
 
 enum class Form { delaunay, regular, furthest_site };
 
-/// A plain copy of the combinatorics, which arrays are views of: further insertions leave it alone.
+/// A plain copy of the combinatorics, which arrays are views of. Later insertions do not change it.
 struct Cells {
   ComplexData data;                         // without points
   std::vector<SignedIndex> number_of_slot;  // the row in data.cells of each CellId, −1 for infinite cells
@@ -42,11 +42,10 @@ class HeldTriangulation {
 
   // Without the GIL:
 
-  /// Adds points, all or none. REQUIRES as many weights as points for a regular triangulation, and none for
-  /// others.
+  /// Adds all points or none. REQUIRES one weight per point for a regular triangulation, otherwise none.
   void add(std::span<const double> coordinates, std::span<const double> weights, Supervisor& supervisor);
 
-  /// Calls work(engine) with the engine as it should be.
+  /// Calls work(engine) after recovering the engine if necessary.
   template <class Work>
   auto with_engine(Supervisor& supervisor, Work work) const {
     refuse_reentry();
@@ -74,7 +73,7 @@ class HeldTriangulation {
   std::shared_ptr<const std::vector<double>> weights(Supervisor& supervisor) const;
   std::vector<std::size_t> batches() const;
 
-  /// Changes with every insertion. Under with_engine() it stands still.
+  /// Changes with every insertion, but never during with_engine().
   std::uint64_t version() const { return version_; }
 
  private:
@@ -87,7 +86,7 @@ class HeldTriangulation {
   const PointLocator& locator_of(const Triangulation& engine) const;
   std::shared_ptr<const std::vector<double>> row_data(Supervisor& supervisor, bool want_weights) const;
 
-  /// What the engine's progress function asks: whoever is waiting for the present change.
+  /// The engine's progress function: calls the Supervisor of the current change.
   struct Watch {
     Supervisor* supervisor = nullptr;
   };
@@ -97,17 +96,17 @@ class HeldTriangulation {
   BuildArguments arguments_;
   std::shared_ptr<Watch> watch_ = std::make_shared<Watch>();
 
-  mutable std::shared_mutex mutex_;  // of all below
+  mutable std::shared_mutex mutex_;  // of all members below
   mutable std::shared_ptr<Triangulation> engine_;
   std::size_t num_rows_ = 0;
   std::vector<std::size_t> batches_;
-  /// The last insertion was broken off: the engine has rows that are not ours, and is rebuilt without them
+  /// The last insertion was interrupted: the engine has rows that are not ours. It is rebuilt without them
   /// before its next use.
   mutable bool is_stale_ = false;
   std::atomic<std::uint64_t> version_{0};
   mutable std::atomic<std::thread::id> changing_;
 
-  mutable std::mutex derived_mutex_;  // of all below, besides the other
+  mutable std::mutex derived_mutex_;  // of all members below, under mutex_
   mutable std::shared_ptr<const Cells> cells_;
   mutable std::shared_ptr<const std::vector<double>> points_, weights_;
   mutable std::unique_ptr<PointLocator> locator_;
