@@ -46,7 +46,6 @@ PENDING = frozenset((
     "README.md",
     "benchmarks/rivals/README.md",
     "docs/architecture.md",
-    "docs/experiments.md",
     "docs/formats.md",
     "docs/guide.md",
 ))

@@ -1,26 +1,23 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Fills experiments.md.in. {{NAME}} is replaced by what PIECES says: a table, a sentence with measured figures, or a fact about the
-run. A name that is not known, and a piece that no template asks for, is an error."""
+"""Fills experiments.md.in. {{NAME}} is replaced by what pieces() says: a table, a sentence with measured figures, or a fact about
+the run. An unknown name is an error, and so is a piece that the template does not use. Lines of prose are wrapped."""
 import pathlib
 import re
+import textwrap
 
 from . import plan, plots, report_2008, tables
 from .results import Results, cpu, cpu_ratio, memory_ratio, wall
 
 TEMPLATE = pathlib.Path(__file__).with_name("experiments.md.in")
+WIDTH = 120  # of lines of prose
 
 
 def spread(ratios):
-    """Words for the ratios theirs/ours of several inputs."""
+    """Words for the ratios theirs / delone of several inputs."""
     ratios = [r for r in ratios if r]
     if not ratios:
         return "has not been measured here"
-    low, high = min(ratios), max(ratios)
-    if low >= 1:
-        return f"takes {tables.number(low)} to {tables.number(high)} times as long"
-    if high <= 1:
-        return f"takes {tables.number(low)} to {tables.number(high)} of the time"
-    return f"takes {tables.number(low)} to {tables.number(high)} times the time"
+    return f"takes {tables.number(min(ratios))} to {tables.number(max(ratios))} times as long as delone"
 
 
 def ratios_to_delone(results, experiment, key, ratio=cpu_ratio, dimensions=None):
@@ -45,7 +42,7 @@ def per_dimension(results, key):
 
 
 def crossings(results, key):
-    """From which size on delone is the faster one, in words."""
+    """From which size on delone is faster, in words."""
     words = []
     for d in results.dimensions("uniform"):
         pairs = [(r["points"], cpu_ratio(r, results.at("uniform", "uniform", d, r["points"], "delone"))) for r in results.of("uniform", key, dimension=d)]
@@ -190,8 +187,8 @@ def rounds(results):
     one = sum(n == 1 for n in found)
     if limits["rounds"] == 1:
         return "once"
-    return (f"up to {limits['rounds']} times: a program that has taken more than {limits['turn_seconds']:g} s on an input has no further turn, so that "
-            f"{one} of the {len(found)} figures are of one turn")
+    return (f"up to {limits['rounds']} times (a program that has taken more than {limits['turn_seconds']:g} s on an input gets no "
+            f"further turn, so that {one} of the {len(found)} figures are of one turn)")
 
 
 def agreement(results):
@@ -221,15 +218,17 @@ def limits(about):
 
 
 def load(results):
-    """How busy the machine was: its load, and what the clock says beside the processor time of programs of one thread."""
+    """How busy the machine was: its load, and wall-clock beside processor time of programs of one thread."""
     about = results.about
     words = f"The load of the machine was {about['load'][0]:.1f} at the start and {about['load'][1]:.1f} at the end, on {about['cores']} cores"
     waits = sorted(wall(r) / cpu(r) for r in results.records if r["outcome"] == "ok" and r.get("threads", 1) == 1 and cpu(r) > 0.1)
     if not waits:
         return words + "."
     median, tenth = waits[len(waits) // 2], waits[9 * len(waits) // 10]
-    words += f"; by the clock, constructions of one thread took {median:.2f} times their processor time in the median, {tenth:.2f} in the worst tenth"
-    return words + (": it was quiet." if tenth < 1.2 and max(about["load"]) < 2 else ": other work went on beside, which shows in all times, and most where caches matter.")
+    words += (f"; constructions on one thread took {median:.2f} times their processor time by the wall clock in the median, {tenth:.2f} in the "
+              "worst tenth")
+    return words + (": it was quiet." if tenth < 1.2 and max(about["load"]) < 2 else
+                    ": other work went on beside, which shows in all times, and most where caches matter.")
 
 
 def clarkson(results):
@@ -249,8 +248,35 @@ def fill(template, values):
     asked = set(re.findall(r"\{\{(\w+)\}\}", template))
     unknown, unused = asked - set(values), set(values) - asked
     if unknown or unused:
-        raise KeyError(f"the template asks for {sorted(unknown)} in vain and leaves {sorted(unused)}")
-    return re.sub(r"\{\{(\w+)\}\}", lambda match: str(values[match[1]]), template)
+        raise KeyError(f"the template names {sorted(unknown)}, which do not exist, and does not use {sorted(unused)}")
+    return wrapped(re.sub(r"\{\{(\w+)\}\}", lambda match: str(values[match[1]]), template))
+
+
+CODE = re.compile(r"`[^`]{1,100}`")
+
+
+def wrapped(text):
+    """The text with paragraphs and list items in lines of at most WIDTH characters; other lines stay as they are."""
+    lines, paragraph = [], []
+
+    def close():
+        if paragraph:
+            words = CODE.sub(lambda match: match[0].replace(" ", "\0"), " ".join(paragraph))
+            indent = "  " if words.startswith("- ") else ""
+            lines.extend(line.replace("\0", " ") for line in
+                         textwrap.wrap(words, WIDTH, subsequent_indent=indent, break_long_words=False, break_on_hyphens=False))
+            paragraph.clear()
+
+    for line in text.split("\n"):
+        stays = not line or line.startswith(("|", "#", "!", "<!--"))
+        if stays or line.startswith("- "):
+            close()
+        if stays:
+            lines.append(line)
+        else:
+            paragraph.append(line.strip())
+    close()
+    return "\n".join(lines)
 
 
 def write(document, docs):

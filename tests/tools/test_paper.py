@@ -250,6 +250,8 @@ class WritingUp(unittest.TestCase):
             self.assertIn(f"pictures/experiments/{picture})", page)
         self.assertEqual(page.count(".svg)"), len(pictures))
         self.assertNotIn("{{", page)
+        prose = [line for line in page.split("\n") if not line.startswith(("|", "#", "!", "<!--"))]
+        self.assertLessEqual(max(map(len, prose)), render.WIDTH)
         self.assertIn("QH6154 initial simplex is flat", page)
         self.assertIn("**volume**", page)
         self.assertIn("too slow", page)
