@@ -1,18 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // delone halfspaces: inequalities in, the polyhedron that they describe out.
-#include "command.hpp"
-#include "cost.hpp"
 #include "interrupt.hpp"
-#include "output.hpp"
-#include "progress_bar.hpp"
-
-#include <delone/halfspaces.hpp>
+#include "report.hpp"
 
 #include <fmt/format.h>
-#include <nlohmann/json.hpp>
 
 #include <charconv>
-#include <cmath>
 #include <filesystem>
 #include <limits>
 #include <memory>
@@ -24,10 +17,8 @@ namespace {
 
 struct HalfspacesOptions {
   PointInput input;
-  std::string interior, output, output_format;
-  std::uint64_t seed = 0;
-  std::string order = "automatic";
-  bool stats = false, quiet = false;
+  BuildOptions build;
+  std::string interior;
 };
 
 /// "1,2.5,-3" as numbers; nothing if it is something else, a path say.
@@ -61,7 +52,7 @@ std::vector<double> interior_point(const HalfspacesOptions& options, int dimensi
 }
 
 /// Throws what the writing would throw in the end, as far as that is known before the work.
-void check_output(const HalfspacesOptions& options, int dimension) {
+void check_output(const BuildOptions& options, int dimension) {
   check_writable(options.output);
   const std::string name = options.output == "-" ? "standard output" : options.output;
   std::string format = options.output_format;
@@ -86,14 +77,9 @@ const char* name_of(IntersectionState state) {
 /// In higher dimensions volumes cost more than the intersection.
 bool has_volume(const HalfspaceIntersection& found) { return found.is_bounded() && found.dimension() <= 3; }
 
-nlohmann::ordered_json number(double x) {
-  return std::isfinite(x) ? nlohmann::ordered_json(x) : nlohmann::ordered_json(nullptr);
-}
-
-nlohmann::ordered_json stats_json(const HalfspaceIntersection& found, const Cost& cost,
-                                  const HalfspacesOptions& options) {
+Json stats(const HalfspaceIntersection& found, const Cost& cost, std::uint64_t seed) {
   const IntersectionData& data = found.data();
-  nlohmann::ordered_json json;
+  Json json;
   json["command"] = "halfspaces";
   json["dimension"] = found.dimension();
   json["halfspaces"] = found.num_halfspaces();
@@ -113,50 +99,42 @@ nlohmann::ordered_json stats_json(const HalfspaceIntersection& found, const Cost
   json["trivial"] = found.count(HalfspaceKind::trivial);
   json["cells"] = found.num_cells();
   json["volume"] = number(has_volume(found) ? found.volume() : std::numeric_limits<double>::quiet_NaN());
-  add_cost(json, found.statistics(), found.num_cells(), cost, options.seed);
+  add_cost(json, found.statistics(), found.num_cells(), cost, seed);
   return json;
 }
 
-std::string summary(const HalfspaceIntersection& found, const Cost& cost, const HalfspacesOptions& options) {
+Summary summary(const HalfspaceIntersection& found, const Cost& cost, const HalfspacesOptions& options) {
   const IntersectionData& data = found.data();
-  std::string text = fmt::format("{}: intersection of {} halfspaces in dimension {}\n",
-                                 input_name(options.input.path), found.num_halfspaces(), found.dimension());
-  const auto line = [&](const char* what, const std::string& value) {
-    text += fmt::format("  {:<18}{}\n", what, value);
-  };
+  Summary summary(options.input.path, fmt::format("intersection of {} halfspaces in dimension {}",
+                                                  found.num_halfspaces(), found.dimension()));
   if (found.state() != IntersectionState::full) {
-    std::string rows;
-    for (const SignedIndex r : data.witness) rows += fmt::format("{}{}", rows.empty() ? "" : ", ", r);
-    line("no interior point", fmt::format("{}: halfspaces {} have none in common",
-                                          found.state() == IntersectionState::flat ? "flat" : "empty", rows));
+    summary.line("no interior point", fmt::format("{}: halfspaces {} have none in common",
+                                                  name_of(found.state()), fmt::join(data.witness, ", ")));
   } else {
-    line("rank", fmt::format("{}{}", data.rank,
-                             data.rank < found.dimension()
-                                 ? fmt::format(" (the intersection contains {}-dimensional flats)",
-                                               found.dimension() - data.rank)
-                                 : ""));
-    line("vertices", fmt::format("{}, {} edges", data.num_vertices(), data.num_edges()));
-    line("bounded", data.bounded
-                        ? "yes"
-                        : fmt::format("no: {} directions, {} rays", data.num_directions(), data.num_rays()));
-    line("facets", fmt::format("{}", data.num_facets()));
-    line("other halfspaces",
-         fmt::format("{} redundant, {} of them touching; {} duplicates, {} trivial",
-                     found.count(HalfspaceKind::redundant) + found.count(HalfspaceKind::touching),
-                     found.count(HalfspaceKind::touching), found.count(HalfspaceKind::duplicate),
-                     found.count(HalfspaceKind::trivial)));
-    if (has_volume(found)) line("volume", fmt::format("{}", found.volume()));
+    summary.line("rank", fmt::format("{}{}", data.rank,
+                                     data.rank < found.dimension()
+                                         ? fmt::format(" (the intersection contains {}-dimensional flats)",
+                                                       found.dimension() - data.rank)
+                                         : ""));
+    summary.line("vertices", fmt::format("{}, {} edges", data.num_vertices(), data.num_edges()));
+    summary.line("bounded", data.bounded ? "yes"
+                                         : fmt::format("no: {} directions, {} rays", data.num_directions(),
+                                                       data.num_rays()));
+    summary.line("facets", fmt::format("{}", data.num_facets()));
+    summary.line("other halfspaces",
+                 fmt::format("{} redundant, {} of them touching; {} duplicates, {} trivial",
+                             found.count(HalfspaceKind::redundant) + found.count(HalfspaceKind::touching),
+                             found.count(HalfspaceKind::touching), found.count(HalfspaceKind::duplicate),
+                             found.count(HalfspaceKind::trivial)));
+    if (has_volume(found)) summary.line("volume", fmt::format("{}", found.volume()));
   }
-  const Statistics s = found.statistics();
-  line("conflict tests",
-       fmt::format("{} by filter, {} direct, {} exact, {} ties", s.filter, s.direct, s.exact, s.perturbed));
-  line("time", fmt::format("{:.3f} s (reading {:.3f}, building {:.3f})", cost.total, cost.read, cost.build));
-  return text;
+  return summary.cost(found.statistics(), cost);
 }
 
 int run_halfspaces(const HalfspacesOptions& options) {
-  if (options.stats && options.output == "-")
-    throw UsageError("--stats and --output - both want standard output");
+  const BuildOptions& build = options.build;
+  build.check();
+  const bool writes = !build.output.empty();
   const auto start = Clock::now();
   Cost cost;
   const PointTable table = options.input.read();
@@ -168,35 +146,31 @@ int run_halfspaces(const HalfspacesOptions& options) {
   const int dimension = table.dimension - 1;
   std::vector<double> interior;
   if (!options.interior.empty()) interior = interior_point(options, dimension);
-  if (!options.output.empty()) check_output(options, dimension);
-  ProgressBar bar(options.quiet);
+  if (writes) check_output(build, dimension);
+  ProgressBar bar(build.quiet);
   const auto build_start = Clock::now();
   const HalfspaceIntersection found = [&] {
     const StageGuard guard(Stage::building);
-    Options build_options;
-    build_options.seed = options.seed;
-    build_options.order = insertion_order(options.order);
-    build_options.progress = bar.callback();
+    const Options how = build.to_options(bar);
     return about(name, [&] {
-      return interior.empty() ? HalfspaceIntersection(table.coordinates, dimension, build_options)
-                              : HalfspaceIntersection(table.coordinates, dimension, interior, build_options);
+      return interior.empty() ? HalfspaceIntersection(table.coordinates, dimension, how)
+                              : HalfspaceIntersection(table.coordinates, dimension, interior, how);
     });
   }();
   about(name, [&] { found.data(); });
   cost.build = seconds_since(build_start);
   bar.clear();
-  if (!options.output.empty()) {
+  if (writes) {
     const auto write_start = Clock::now();
-    const StageGuard guard(options.output == "-" ? Stage::plain : Stage::writing);
-    about(options.output == "-" ? "standard output" : options.output,
-          [&] { write_halfspaces(options.output, found.to_data(), options.output_format); });
+    const StageGuard guard(build.output == "-" ? Stage::plain : Stage::writing);
+    about(build.output == "-" ? "standard output" : build.output,
+          [&] { write_halfspaces(build.output, found.to_data(), build.output_format); });
     cost.write = seconds_since(write_start);
   }
   cost.close(start);
-  if (options.stats)
-    print_output(stats_json(found, cost, options).dump(2) + "\n");
-  else if (options.output.empty())
-    print_output(summary(found, cost, options));
+  print_report(
+      build, writes, [&] { return stats(found, cost, build.seed); },
+      [&] { return summary(found, cost, options); });
   return exit_status::ok;
 }
 
@@ -210,17 +184,8 @@ Run add_halfspaces(CLI::App& app) {
          "--interior", options->interior,
          "A point strictly inside all halfspaces: numbers, or a file with one point; found if not given")
       ->type_name("X,Y,...|FILE");
-  app.add_option("-o,--output", options->output,
-                 "Write the intersection there; without it a summary is printed")
-      ->type_name("OUT");
-  app.add_option("--output-format", options->output_format, "Format of OUT, if not told by its extension")
-      ->check(CLI::IsMember({"npz", "json", "off"}));
-  add_seed(app, options->seed, "Seed of the insertion order; the result does not depend on it");
-  app.add_option("--order", options->order, "Insertion order; the result does not depend on it")
-      ->check(CLI::IsMember({"automatic", "given", "shuffled"}));
-  app.add_flag("--stats", options->stats,
-               "Print one JSON object about the result and its cost, and nothing else");
-  app.add_flag("-q,--quiet", options->quiet, "No progress bar, no notes");
+  options->build.add_output(app, "the intersection", {"npz", "json", "off"});
+  options->build.add_construction(app);
   return [options] { return run_halfspaces(*options); };
 }
 

@@ -1,15 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What a run has cost: the part of --stats and of summaries that all commands which build something share.
+// What a run has cost: time and memory.
 #pragma once
-
-#include <delone/delone.hpp>
-
-#include <nlohmann/json_fwd.hpp>
 
 #include <chrono>
 #include <cstddef>
-#include <cstdint>
-#include <string>
+#include <optional>
 
 namespace delone::cli {
 
@@ -25,17 +20,11 @@ struct Cost {
   void close(Clock::time_point start);
 
   double read = 0;
-  double build = 0;  ///< ordering included
+  double build = 0;               ///< ordering included
+  std::optional<double> diagram;  ///< from the triangulation to its diagram
   double write = 0;
   double total = 0;
   std::size_t peak_rss_bytes = 0;
 };
-
-/// Adds the members of --stats from `cost` to `version`. `num_cells`: infinite ones included.
-void add_cost(nlohmann::ordered_json& json, const Statistics& statistics, std::size_t num_cells,
-              const Cost& cost, std::uint64_t seed);
-
-/// The value of --order.
-InsertionOrder insertion_order(const std::string& name);
 
 }  // namespace delone::cli

@@ -37,7 +37,7 @@ try "$delone" check "$out/cars.npz"
 
 say "5. A lattice, where every sphere passes through many points: the hash does not depend on the order of insertion"
 try "$delone" generate grid -d 4 -n 625 -o "$out/grid.csv"
-try "$delone" delaunay "$out/grid.csv" --order given
+try "$delone" delaunay "$out/grid.csv" --order as_given
 try "$delone" delaunay "$out/grid.csv" --order shuffled --seed 42 | grep -E '^\$|hash'
 try "$delone" delaunay "$out/grid.csv" -o "$out/grid.npz"
 try "$delone" check --canonical "$out/grid.npz"

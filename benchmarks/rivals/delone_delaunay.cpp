@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// delone itself, through the interface of its rivals. Options: --order automatic|given|shuffled (the
+// delone itself, through the interface of its rivals. Options: --order automatic|as_given|shuffled (the
 // library's), --order curve (one Hilbert curve through all points) and --order report (rounds sorted along
 // it, as in 2008), --seed S.
 #include "rival.hpp"
@@ -24,10 +24,10 @@ class Delone {
     options_.seed = std::stoull(arguments.option("seed", "0"));
     if (order_ == "shuffled")
       options_.order = delone::InsertionOrder::shuffled;
-    else if (order_ == "given" || order_ == "curve" || order_ == "report")
+    else if (order_ == "as_given" || order_ == "curve" || order_ == "report")
       options_.order = delone::InsertionOrder::as_given;
     else if (order_ != "automatic")
-      throw std::invalid_argument("--order is automatic, given, shuffled, curve or report");
+      throw std::invalid_argument("--order is automatic, as_given, shuffled, curve or report");
   }
 
   rival::Program program() const { return {"delone", DELONE_VERSION, DELONE_BENCHMARK_FLAGS}; }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // delone's convex hull, through the interface of its rivals. Timed are the boundary and what the other
 // programs find with it: which cells merge into facets and which points are extreme. `data_seconds`: all the
-// rest that Polytope::data() has, after that. Options: --order automatic|given|shuffled, --seed S.
+// rest that Polytope::data() has, after that. Options: --order automatic|as_given|shuffled, --seed S.
 #include "rival.hpp"
 
 #include <delone/convex_hull.hpp>
@@ -21,10 +21,10 @@ class Delone {
     options_.seed = std::stoull(arguments.option("seed", "0"));
     if (order_ == "shuffled")
       options_.order = delone::InsertionOrder::shuffled;
-    else if (order_ == "given")
+    else if (order_ == "as_given")
       options_.order = delone::InsertionOrder::as_given;
     else if (order_ != "automatic")
-      throw std::invalid_argument("--order is automatic, given or shuffled");
+      throw std::invalid_argument("--order is automatic, as_given or shuffled");
   }
 
   rival::Program program() const { return {"delone", DELONE_VERSION, DELONE_BENCHMARK_FLAGS}; }

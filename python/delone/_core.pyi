@@ -12,7 +12,7 @@ __version__: str
 
 _Reals = npt.NDArray[np.float64]
 _Rows = npt.NDArray[np.signedinteger[Any]]
-_Order = Literal["automatic", "given", "shuffled"]
+_Order = Literal["automatic", "as_given", "shuffled"]
 _Progress = Optional[Callable[[float], Any]]
 _Box = Optional[npt.ArrayLike]
 

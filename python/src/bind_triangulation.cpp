@@ -446,7 +446,7 @@ void bind_triangulations(py::module_& module) {
       module, "Delaunay",
       "Delaunay(points, *, seed=0, order='automatic', threads=1, progress=None)\n\n"
       "The Delaunay triangulation of points, (n, d) numbers that are exact in float64, in any dimension.\n\n"
-      "Exact, a function of the set of points: seed and order ('automatic', 'given', 'shuffled') only change "
+      "Exact, a function of the set of points: seed and order ('automatic', 'as_given', 'shuffled') only change "
       "the way there.\n"
       "Duplicates are merged, flat points are triangulated in their flat. At most `threads` threads are "
       "used. `progress` is\n"

@@ -70,10 +70,10 @@ Options BuildArguments::to_options() const {
   options.seed = seed;
   if (order == "shuffled")
     options.order = InsertionOrder::shuffled;
-  else if (order == "given")
+  else if (order == "as_given")
     options.order = InsertionOrder::as_given;
   else if (order != "automatic")
-    throw py::value_error("order: 'automatic', 'given' or 'shuffled', not '" + order + "'");
+    throw py::value_error("order: 'automatic', 'as_given' or 'shuffled', not '" + order + "'");
   if (threads < 1) throw py::value_error("threads: at least 1, not " + std::to_string(threads));
   return options;
 }

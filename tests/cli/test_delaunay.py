@@ -41,7 +41,7 @@ class Delaunay(Case):
             points = self.path("points.npy")
             self.output("generate", kind, "-d", d, "-n", 150, "-o", points)
             hashes = {self.stats(points, *options)["hash"]
-                      for options in ([], ["--seed", 9], ["--order", "given"], ["--order", "shuffled"], ["--runtime-dimension"])}
+                      for options in ([], ["--seed", 9], ["--order", "as_given"], ["--order", "shuffled"], ["--runtime-dimension"])}
             self.assertEqual(len(hashes), 1, kind)
 
     def test_summary_is_for_reading(self):

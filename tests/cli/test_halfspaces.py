@@ -96,7 +96,7 @@ class Halfspaces(Case):
         self.output("generate", "sphere", "-d", 4, "-n", 60, "-o", self.path("points.npy"))
         rows = self.file("rows.npy", np.column_stack([np.load(self.path("points.npy")), np.full(60, -1.0)]))
         expected = self.intersection_stats(rows)
-        for order in ("given", "shuffled"):
+        for order in ("as_given", "shuffled"):
             stats = self.intersection_stats(rows, "--order", order, "--seed", 5)
             for name in ("vertices", "edges", "rays", "facets", "redundant", "cells"):
                 self.assertEqual(stats[name], expected[name], name)

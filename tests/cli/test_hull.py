@@ -91,7 +91,7 @@ class Hull(Case):
         self.output("generate", "grid", "-d", 4, "-n", 81, "-o", points)
         expected = self.hull_stats(points)["hash"]
         self.assertEqual(self.hull_stats(points, "--order", "shuffled", "--seed", 3)["hash"], expected)
-        self.assertEqual(self.hull_stats(points, "--order", "given")["hash"], expected)
+        self.assertEqual(self.hull_stats(points, "--order", "as_given")["hash"], expected)
 
     def test_bad_input(self):
         self.assertIn("bad.csv:2", self.complaint("hull", self.file("bad.csv", "0,0\n1,nan\n")))

@@ -93,7 +93,7 @@ def test_result_depends_on_the_set_of_points_alone(points, random):
     t = delone.Delaunay(points)
     rows = list(range(len(points)))
     random.shuffle(rows)
-    for other in (delone.Delaunay(points[rows]), delone.Delaunay(points, order="given"), delone.Delaunay(points, order="shuffled", seed=7),
+    for other in (delone.Delaunay(points[rows]), delone.Delaunay(points, order="as_given"), delone.Delaunay(points, order="shuffled", seed=7),
                   delone.Delaunay(points, threads=2)):
         assert other.hash == t.hash
         assert {frozenset(map(tuple, c)) for c in other.points[other.cells].tolist()} == {frozenset(map(tuple, c)) for c in points[t.cells].tolist()}
@@ -219,7 +219,7 @@ def test_representation_and_statistics():
 
 
 @pytest.mark.parametrize("arguments, message", [
-    ({"order": "random"}, "order: 'automatic', 'given' or 'shuffled', not 'random'"),
+    ({"order": "random"}, "order: 'automatic', 'as_given' or 'shuffled', not 'random'"),
     ({"threads": 0}, "threads: at least 1, not 0"),
 ])
 def test_bad_arguments(arguments, message):

@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "build_options.hpp"
+
+#include <array>
+#include <utility>
+
+namespace delone::cli {
+namespace {
+
+/// The values of --order.
+constexpr std::array<std::pair<const char*, InsertionOrder>, 3> insertion_orders{
+    {{"automatic", InsertionOrder::automatic},
+     {"as_given", InsertionOrder::as_given},
+     {"shuffled", InsertionOrder::shuffled}}};
+
+}  // namespace
+
+void BuildOptions::add_output(CLI::App& command, const std::string& what,
+                              const std::vector<std::string>& formats) {
+  command.add_option("-o,--output", output, "Write " + what + " there; without it a summary is printed")
+      ->type_name("OUT");
+  command.add_option("--output-format", output_format, "Format of OUT, if not told by its extension")
+      ->check(CLI::IsMember(formats));
+}
+
+void BuildOptions::add_construction(CLI::App& command) {
+  std::vector<std::string> names;
+  for (const auto& [name, unused] : insertion_orders) names.push_back(name);
+  add_seed(command, seed, "Seed of the insertion order; the result does not depend on it");
+  command.add_option("--order", order, "Insertion order; the result does not depend on it")
+      ->check(CLI::IsMember(names));
+  command.add_flag("--stats", stats, "Print one JSON object about the result and its cost, and nothing else");
+  command.add_flag("-q,--quiet", quiet, "No progress bar, no notes");
+}
+
+void BuildOptions::check() const {
+  if (stats && output == "-") throw UsageError("--stats and --output - both want standard output");
+}
+
+Options BuildOptions::to_options(ProgressBar& bar) const {
+  Options options;
+  options.seed = seed;
+  for (const auto& [name, value] : insertion_orders)
+    if (order == name) options.order = value;
+  options.progress = bar.callback();
+  return options;
+}
+
+}  // namespace delone::cli

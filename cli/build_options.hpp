@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The options of every command that builds something: where the result goes, how it is built, what is
+// reported.
+#pragma once
+
+#include "command.hpp"
+#include "progress_bar.hpp"
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace delone::cli {
+
+struct BuildOptions {
+  std::string output, output_format;
+  std::uint64_t seed = 0;
+  std::string order = "automatic";
+  bool stats = false, quiet = false;
+
+  /// --output and --output-format; `what` is the result, as in "the hull".
+  void add_output(CLI::App& command, const std::string& what, const std::vector<std::string>& formats);
+  /// --seed, --order, --stats and --quiet.
+  void add_construction(CLI::App& command);
+
+  /// Throws UsageError if --stats and --output both want standard output.
+  void check() const;
+  /// The options of the library; refers to the bar.
+  Options to_options(ProgressBar& bar) const;
+};
+
+}  // namespace delone::cli
