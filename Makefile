@@ -59,10 +59,11 @@ paper:                ## the experiments of the report, docs/experiments.md: an 
 docs: python          ## run the programs and commands of the documentation, follow its links
 	tools/check_docs.py build/release --python $(python_of_build)
 
-lint:                 ## formatting, layering, clang-tidy
+lint:                 ## formatting, layering, prose, clang-tidy
 	tools/install_dependencies.sh lint test
 	clang-format --dry-run -Werror $(sources)
 	tools/check_layering.py
+	tools/check_docs.py --prose
 	cmake --preset dev $(launcher) >/dev/null
 	clang-tidy -p build/dev --quiet $$(git ls-files --cached --others --exclude-standard 'src/*.cpp' 'cli/*.cpp')
 

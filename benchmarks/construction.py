@@ -6,12 +6,12 @@
   construction.py NEW --against OLD                        both in turn, input by input, and the ratios NEW/OLD
   construction.py build/release/delone --record            also benchmarks/history/DATE-COMMIT-construction.json
 
-Rounds go through all inputs in turn. Figures are medians over the rounds and, where it says so, least values: seconds and
-processor seconds (user and system) for ordering and building, nanoseconds of processor time per created cell for building, bytes
-reserved per cell, and the peak memory of the process. The processor time of a run, less what the command takes to start and to end, is
-split like its wall time, of which the command knows reading, ordering, building and the rest. `vs` is the ratio of nanoseconds per
-created cell to those of the reference input, which is uniform; small inputs have one of as many points, as long as these are inserted
-and not wrapped. Quote ratios of one run, not seconds of two.
+Each round goes through all inputs. Figures are medians over the rounds, or least values where the column says so: seconds and
+processor seconds (user and system) of ordering and building, nanoseconds of processor time per created cell of building, bytes
+reserved per cell, and peak memory of the process. The command reports the wall time of reading, ordering, building and the rest;
+the processor time of a run, less that of starting and ending the command, is split in the same proportions. `vs` divides the
+nanoseconds per created cell by those of the reference input, which is uniform. Small inputs have a reference with as many points,
+if so many are inserted and not wrapped. Quote ratios of one run, not seconds of two runs.
 """
 import argparse
 import functools
@@ -27,7 +27,7 @@ import record
 
 DATA = record.ROOT / "data"
 
-# name -> (kind or file, dimension, points, reference); a file has its columns in place of the dimension.
+# name -> (kind or file, dimension, points, reference); for a file, its columns instead of the dimension.
 STANDARD = {
     "uniform 2D 1e6": ("uniform", 2, 1_000_000, None),
     "uniform 3D 1e6": ("uniform", 3, 1_000_000, None),
@@ -67,7 +67,7 @@ STANDARD = {
 
 
 def arguments_of(command, name, folder):
-    """What the command reads: its own points in a file, or columns of a real one."""
+    """The input of the command: generated points in a file, or columns of a real data set."""
     kind, dimension, n, _ = STANDARD[name]
     if kind.endswith(".csv"):
         return [str(DATA / kind), "--columns", dimension]
@@ -78,7 +78,7 @@ def arguments_of(command, name, folder):
 
 
 def run_command(command, *arguments):
-    """What it writes, and the resources it uses."""
+    """The output of a process, and the resources it used."""
     process = subprocess.Popen([command, *arguments], stdout=subprocess.PIPE, text=True)
     output = process.stdout.read()
     _, status, usage = os.wait4(process.pid, 0)
@@ -138,7 +138,7 @@ def evaluate(runs):
         figures = results[name] = summary(of_command[0])
         reference = STANDARD[name][3]
         if runs.get(reference, [[]])[0]:
-            # Round by round, so that both were measured at about the same time.
+            # Round by round, so that both are measured at about the same time.
             figures["vs_reference"] = statistics.median(a["ns_per_created_cell"] / b["ns_per_created_cell"]
                                                         for a, b in zip(of_command[0], runs[reference][0]))
         if len(of_command) == 2:

@@ -6,9 +6,9 @@
   hulls.py build/bench --only sphere          inputs whose name contains a text, also repeated
   hulls.py build/bench --record               also benchmarks/history/DATE-COMMIT-hulls.json
 
-Figures are medians over the rounds: seconds, processor seconds (user and system: quote their ratios where the machine is shared) and
-peak memory. A rival that fails, is given up after --patience seconds, or was not built, has no figures; one whose facets are not as
-many as delone's is marked with its number.
+Figures are medians over the rounds: seconds, processor seconds (user and system; quote their ratios if the machine is shared) and
+peak memory. A rival has no figures if it fails, takes longer than --patience seconds, or was not built. If it finds another number
+of facets than delone, that number is shown.
 """
 import argparse
 import itertools
@@ -63,7 +63,7 @@ def make_points(delone, kind, dimension, n, path):
 
 
 def command_line(build, program, dimension, path):
-    """What runs a program, or None if it was not built."""
+    """The command line of a program, or None if it was not built."""
     if program.endswith(".py"):
         return [sys.executable, str(RIVALS / program), path]
     executable = build / "rivals" / program.format(d=dimension)

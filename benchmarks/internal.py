@@ -6,7 +6,7 @@
   internal.py build/bench --only kernel --record           one, and benchmarks/history/DATE-COMMIT-kernel.json
   internal.py build/bench --only order --filter 5D         what matches a regular expression
 
-The build needs -DDELONE_BUILD_BENCHMARKS=ON. What a figure means is said at the top of the program's source.
+The build needs -DDELONE_BUILD_BENCHMARKS=ON. The head of each program's source explains its figures.
 """
 import argparse
 import json
@@ -17,13 +17,13 @@ import tempfile
 import record
 
 PROGRAMS = ("kernel", "order", "phases", "touch")
-# What Google Benchmark says of a run besides the counters of the program.
+# The fields that Google Benchmark adds to the counters of the program.
 ITS_OWN = {"family_index", "per_family_instance_index", "repetitions", "repetition_index", "threads", "iterations", "real_time", "cpu_time",
            "items_per_second"}
 
 
 def run(program, pattern):
-    """name -> the counters of each benchmark, and for those without times of their own the nanoseconds of processor time of a call."""
+    """name -> the counters of each benchmark, and nanoseconds of processor time per call if it does not count time itself."""
     with tempfile.TemporaryDirectory() as folder:
         out = pathlib.Path(folder) / "out.json"
         command = [str(program), f"--benchmark_out={out}", "--benchmark_out_format=json", f"--benchmark_filter={pattern}"]

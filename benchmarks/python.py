@@ -5,8 +5,9 @@
   PYTHONPATH=build/release/python benchmarks/python.py               a table
   PYTHONPATH=build/release/python benchmarks/python.py --record      also benchmarks/history/DATE-COMMIT-python.json
 
-In each round both work on the same arrays, in turn; figures are medians of processor times over the rounds, ratios are medians of
-ratios. Construction includes the arrays of simplices and neighbors; scipy computes hyperplanes at once as well, so "with equations" has them for both.
+In each round both work on the same arrays, in turn. Figures are medians of processor times over the rounds, ratios are medians of
+ratios. Construction includes the arrays of simplices and neighbors. SciPy always computes hyperplanes too; "with equations", delone
+does as well.
 """
 import argparse
 import datetime
@@ -46,7 +47,7 @@ def values_at(points):
 
 
 def experiments():
-    """(name, what delone does, what scipy does, whether both results are the same), built when it is their turn."""
+    """(name, function of delone, function of scipy, comparison of their results), each made when it is its turn."""
     for dimension, n in CONSTRUCTIONS.items():
         points = uniform(dimension, n, 1)
         same = lambda a, b: len(a[0]) == len(b[0])
@@ -69,7 +70,7 @@ def experiments():
 
 
 def seconds(action):
-    """Processor time, which other programs on the machine disturb less than they do the time of the clock."""
+    """Processor time, which other programs on the machine disturb less than wall-clock time."""
     begin = time.process_time()
     result = action()
     return time.process_time() - begin, result

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Records of measurements, benchmarks/history/DATE-COMMIT-KIND.json: who measured, on what, with which build."""
+"""Records of measurements, benchmarks/history/DATE-COMMIT-KIND.json, with their machine and build."""
 import datetime
 import json
 import os
@@ -40,7 +40,7 @@ def cache_entry(folder, name):
 
 
 def describe(program):
-    """What a record says beside its results; "load" is the mean number of processes that wanted a processor, for five minutes."""
+    """What a record holds besides its results. "load" is the load average of the last five minutes."""
     folder = build_folder(program)
     compiler = cache_entry(folder, "CMAKE_CXX_COMPILER")
     version = "unknown"

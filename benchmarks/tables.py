@@ -29,7 +29,7 @@ def table(head, rows):
 
 
 def origin(kind):
-    """Where a table's figures come from."""
+    """The line below a table: date, commit, machine and build of its record."""
     r = record.newest(kind)
     return (f"{r['date']}, commit {r['commit']}, {r['machine']}, load {r['load']}, {r['compiler'].replace('c++ (', 'g++ (')}, `{r['flags']}`, "
             f"{r['threads']} thread.")

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: BSD-3-Clause
 # Install rules: the library with its public headers, the command, and a CMake package that offers delone::delone.
-# What the library links is private; of it, only Highway and fmt have to be present where a static library is used.
+# The library's dependencies are private; users of a static library need only Highway and fmt.
 include(GNUInstallDirs)
 include(CMakePackageConfigHelpers)
 
@@ -21,7 +21,7 @@ endif()
 install(EXPORT delone-targets NAMESPACE delone:: DESTINATION ${delone_package_dir})
 configure_package_config_file(${PROJECT_SOURCE_DIR}/cmake/delone-config.cmake.in ${PROJECT_BINARY_DIR}/delone-config.cmake
   INSTALL_DESTINATION ${delone_package_dir})
-# Before 1.0 a minor version may change the API, so a consumer gets the minor version it asked for.
+# Before 1.0 a minor version may change the API, so the minor version must match the one requested.
 write_basic_package_version_file(${PROJECT_BINARY_DIR}/delone-config-version.cmake COMPATIBILITY SameMinorVersion)
 install(FILES ${PROJECT_BINARY_DIR}/delone-config.cmake ${PROJECT_BINARY_DIR}/delone-config-version.cmake
   DESTINATION ${delone_package_dir})

@@ -163,7 +163,7 @@ def matches(expected, actual):
 
 
 def check_blocks(path, build, compiler, python, faults):
-    """Runs the marked blocks of a file; returns how many were run and how many left out, and adds what is wrong to `faults`."""
+    """Runs the marked blocks of a file and adds to `faults`. Returns how many blocks were run and how many were left out."""
     text = path.read_text(encoding="utf-8")
     count, left_out, output = 0, 0, None
     with tempfile.TemporaryDirectory(prefix="delone_docs_") as scratch:
@@ -207,7 +207,7 @@ def anchors(path):
 
 
 def broken_links(path):
-    """What the relative links of a file name that does not exist."""
+    """The relative links of a file whose targets do not exist."""
     text = path.read_text(encoding="utf-8")
     for link in LINK.finditer(blanked(FENCED, text)):
         target = path if not link[1] else (path.parent / link[1]).resolve()

@@ -1,7 +1,8 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: BSD-3-Clause
-"""Checks who includes whom, and that the library keeps its manners. The rules are the data below; docs/architecture.md
-explains them. Prints every violation as FILE:LINE, also files and rooms that are too large, and exits with status 1 if there is one.
+"""Checks which room of the project includes which, the size of files and rooms, and that the library never prints or ends the
+program. The rules are the data below; docs/architecture.md explains them. Prints every violation as FILE:LINE, and exits with
+status 1 if there is one.
 
 Usage: check_layering.py [--self-test]
 """
@@ -11,7 +12,7 @@ import sys
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent
 
-# What every room may include of the public headers, beside what it may include of the other rooms of src/.
+# The public headers that a room may include; its other rooms are listed beside them.
 BASICS = {"types", "error", "config"}
 PUBLIC = "all public headers"
 
@@ -42,7 +43,7 @@ RULES = {
     "cli": (PUBLIC, set()),
     "examples": (PUBLIC, set()),
     "benchmarks": (PUBLIC, {"tests/support"}),
-    # What users never call by itself is timed by itself: predicates, orders, the phases of an insertion.
+    # These time what is below the public interface: predicates, orders, the phases of an insertion.
     "benchmarks/internal": (PUBLIC, {"src/*"}),
     "tests": (PUBLIC, {"tests/*"}),
     "tests/support": (PUBLIC, set()),
@@ -50,14 +51,14 @@ RULES = {
     "tests/unit": (PUBLIC, {"tests/support", "src/*"}),
 }
 
-# Rooms and files that have grown too large to be one.
+# The largest that files and rooms may be.
 LARGEST_SHARE_OF_ROOM = 1 / 8  # of the lines of src/, rooms within a room apart
 MOST_LINES_OF_FILE = 500
 
-# Where a quoted include is looked for, after the folder of the file itself.
+# Folders to search for a quoted include, after that of the file itself.
 SEARCH = ["src", "tests/support", "include", ""]
 
-# What no file below src/ may do: a library returns results or throws delone::Error.
+# Forbidden below src/: the library returns results or throws delone::Error.
 FORBIDDEN = [
     (re.compile(r"\bstd::(cout|cerr|clog)\b|#\s*include\s*<iostream>"), "the library prints nothing"),
     (re.compile(r"(?<![\w.>])(?:std::)?(?:v?f?printf|puts|fputs|putchar|perror)\s*\((?!\s*\))"), "the library prints nothing"),
@@ -65,7 +66,7 @@ FORBIDDEN = [
     (re.compile(r"(?<![\w.>])(?:std::)?(?:abort|exit|_Exit|quick_exit|terminate)\s*\("), "the library never ends the program"),
     (re.compile(r"\bfesetround\s*\("), "the library does not switch the rounding mode"),
 ]
-# Where one of them has a reason: (path, pattern text) -> the reason.
+# Exceptions: (path, pattern text) -> the reason.
 ALLOWED = {
     ("src/io", "fputs"): "text written to a file",
 }
@@ -122,7 +123,7 @@ def include_violation(path, kind, target, exists):
 
 
 def forbidden_in(path, line):
-    """Why this line (comments and strings removed) may not stand in the library, or None."""
+    """Why this line (without comments and strings) is forbidden in the library, or None."""
     for pattern, reason in FORBIDDEN:
         match = pattern.search(line)
         if match and not any(path.startswith(where) and what in match.group() for where, what in ALLOWED):
@@ -171,7 +172,7 @@ def size_violations(lines_of_file):
 
 
 def self_test():
-    """The rules refuse what they are there to refuse, and nothing innocent."""
+    """The rules find violations, and only violations."""
     there = {"src/engine/build.hpp", "src/kernel/exact.hpp", "src/order/insertion_order.hpp", "cli/command.hpp"}.__contains__
     wrong = [
         ("src/kernel/filter.hpp", '"', "engine/build.hpp"),

@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: BSD-3-Clause
 # Installs the packages that are missing on Debian and Ubuntu:  tools/install_dependencies.sh [build] [python] [test] [bench] [paper] [lint] [clang]
-# Says nothing and touches nothing when all are there. Elsewhere it prints what is needed and leaves the rest to you.
+# Does nothing if all are there. On other systems it prints what is needed and leaves the rest to you.
 set -euo pipefail
 
 build=(g++ cmake ninja-build libcli11-dev libfmt-dev nlohmann-json3-dev libfast-float-dev libboost-dev libhwy-dev)

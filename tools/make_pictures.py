@@ -48,7 +48,7 @@ def circumradii(tri):
 
 
 def bunny(path):
-    """Of a scanned surface the tetrahedra whose spheres are small, and the triangles around them."""
+    """The tetrahedra of a scanned surface that have small spheres, and the triangles around them."""
     columns = read("bunny")
     tri = delone.Delaunay(np.stack([columns["x"], columns["z"], columns["y"]], axis=1))
     radii = circumradii(tri)

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What the kernel counts for the calling thread: processor time, interruptions, fresh pages.
+// The kernel's counters for the calling thread: processor time, context switches, page faults.
 #pragma once
 
 #include <sys/resource.h>

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A batch of points through the engine as the library sends it, but one step at a time and with an observer
-// that is told when an insertion passes from one phase to the next. The engine is unchanged: the observer
-// sits in the geometry, which the engine asks for an evaluator when a walk and when the search of a conflict
-// zone begin, and for memory and functionals when a star is made.
+// Inserts a batch of points as the library does, but one step at a time, and tells an observer when an
+// insertion passes from one phase to the next. The engine is unchanged. The observer sits in the geometry:
+// the engine gets an evaluator from it when a walk or the search of a conflict zone begins, and memory and
+// functionals when a star is made.
 #pragma once
 
 #include "compiled/triangulation_engine.hpp"
@@ -25,15 +25,16 @@ namespace benchmarks {
 
 using delone::Index;
 
-/// What an observer is told, in this order; of creation block by block. The base class does not care.
+/// The events of an insertion, in this order; those of creation come once per block. This base class ignores
+/// them.
 struct Observer {
   void begins() {}  ///< an insertion: the walk follows
   void evaluates() {
-  }  ///< an evaluator is asked for: by the walk, then by the search of the conflict zone, then by tests
+  }  ///< an evaluator is made: for the walk, then for the search of the conflict zone, then for tests
   void reserves() {}  ///< the conflict zone is complete; slots, vertices, mirrors and keys of ridges follow
   void creates() {}   ///< functionals follow
   void created() {
-  }  ///< functionals are done, or one more of those that need elimination; the next block follows, or gluing
+  }  ///< the functionals of a block, or one more by elimination; the next block or gluing follows
   void ends(const delone::engine::Workspace& /*work*/) {}
 };
 

@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What one question costs at each stage: the cached functional (filter), the determinant in binary64
-// (direct), in integers (exact), and the symbolic perturbation of a tie (perturbed). One call each; the
-// argument is the dimension.
+// The cost of one predicate call at each stage: the cached functional (filter), the determinant in binary64
+// (direct) and in integers (exact), and the symbolic perturbation of a tie (perturbed). The argument is the
+// dimension.
 //
-//   filter/finite          evaluation and comparison with the threshold, cells in the first-level cache
+//   filter/finite          evaluation and comparison with the threshold, cells in the L1 cache
 //   STAGE/FORM/INPUT       in-sphere tests of points, weighted and furthest points; sides of facets for homogeneous rows
 //   STAGE/orientation/INPUT
 //
 // Inputs: random (uniform), near (rounded points of one sphere or hyperplane), lattice (integers with exact
-// ties), wide (magnitudes from 1e-300 to 1e150, denormal numbers), denormal (nothing but). `decided` is the
-// share of calls that the stage decides; direct stages leave the rest to the exact one.
+// ties), wide (magnitudes from 1e-300 to 1e150, denormal numbers), denormal (denormal numbers only).
+// `decided` is the share of calls that the stage decides; direct stages leave the rest to the exact one.
 #include "engine_run.hpp"
 
 #include "base/random.hpp"
@@ -41,10 +41,10 @@ enum class Input { random, near, lattice, wide, denormal };
 constexpr std::array<const char*, 5> input_names{"random", "near", "lattice", "wide", "denormal"};
 constexpr std::array<const char*, 4> form_names{"point", "weighted", "furthest", "homogeneous"};
 
-/// What is asked: on which side of the sphere of k+1 rows, or of the flat of k rows, the last row is.
+/// The question: on which side of the sphere of k+1 rows, or of the flat of k rows, is the last row?
 enum class Question { sphere, side };
 
-/// Instances of a question, enough of them that no branch predictor learns them by heart.
+/// Instances of a question, too many for a branch predictor to learn.
 template <int K>
 class Pool {
  public:

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Orders of insertion: what sorting costs for each point, and what each order makes of the insertions: cells
-// created by each, and cells visited by each walk.
+// Orders of insertion: the cost of sorting per point, and for each order the cells created per insertion and
+// visited per walk.
 //
 //   sort/brio/dD/n      nanoseconds for each point, uniform points
 //   build/ORDER/dD/n    one construction; online: points one by one in random order, without hints, through insert()

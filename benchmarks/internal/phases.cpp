@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Where the nanoseconds of a created cell go: order, walk, search of the conflict zone, creation (slots and
-// mirrors; functionals), gluing, the kernel's clearing of fresh pages, and the rest of the library.
+// Where the time per created cell goes: order, walk, search of the conflict zone, creation (slots and
+// mirrors; functionals), gluing, page faults, and the rest of the library.
 //
-// Some insertions are timed phase by phase. Those that take microseconds are timed by the monotonic clock,
-// and do not count if the thread was interrupted; long ones by the processor time of the thread, which a busy
-// machine spoils little. Those that got fresh pages never count, so that clearing is not told twice; the cost
-// of looking at the clock is measured and subtracted. The whole is the processor time of the library building
-// the same triangulation unobserved; the rest is what the phases leave of it.
+// Some insertions are timed phase by phase. Insertions of microseconds are timed by the monotonic clock, and
+// do not count if the thread was interrupted. Longer ones are timed by the processor time of the thread,
+// which a busy machine disturbs little. Insertions with page faults never count, so that these are not
+// counted twice. The cost of reading the clock is measured and subtracted. The whole is the processor time in
+// which the library builds the same triangulation unobserved; the rest is the whole less all phases.
 #include "clocks.hpp"
 #include "engine_run.hpp"
 
@@ -39,7 +39,7 @@ class Clock {
     return 1e9 * static_cast<double>(time.tv_sec) + static_cast<double>(time.tv_nsec);
   }
   bool stops_for_others() const { return id_ == CLOCK_THREAD_CPUTIME_ID; }
-  /// Between two looks with nothing between.
+  /// The time between two readings with nothing in between.
   double cost() const {
     double least = std::numeric_limits<double>::infinity();
     for (int round = 0; round < 100; ++round) {

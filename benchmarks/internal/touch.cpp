@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The yardstick: what merely touching the same memory in the same order costs. The cells that each insertion
-// of a real build looks at, kills and creates are recorded; then, on memory of the same size, all of a cell
-// side by side, and without any geometry,
+// The yardstick: the cost of only touching the same memory in the same order. The cells that each insertion
+// of a real build reads, deletes and creates are recorded. Then, on memory of the same size, with each cell
+// in one place and without any geometry,
 //   every cell of the conflict zone is read, and every cell beyond its horizon;
 //   for every facet of the horizon a record is written in full, and one neighbor of the survivor;
 //   one word of every dead cell is written.
-// Once on memory that has been written before, once on fresh memory, whose pages the kernel has to clear.
-// What is left of a build's time is what better code could take away; the yardstick knows all ids beforehand
-// and asks for memory early, which no engine can.
+// This is done once on memory that has been written before, and once on fresh memory, with page faults. The
+// rest of a build's time is what better code could save. The yardstick knows all ids beforehand and
+// prefetches early, which no engine can.
 #include "clocks.hpp"
 #include "engine_run.hpp"
 
@@ -41,10 +41,10 @@ class Recorder : public benchmarks::Observer {
   std::vector<Index> trace;
 };
 
-/// A record is asked for this many records ahead of its use.
+/// A record is prefetched this many records ahead of its use.
 constexpr std::size_t ahead = 8;
 
-/// Returns a number that depends on all that was read.
+/// Returns a number that depends on everything read.
 std::uint64_t touch(const std::vector<Index>& trace, std::uint64_t* words, std::size_t stride) {
   std::uint64_t all = 0;
   const auto fetch = [&](Index cell) {

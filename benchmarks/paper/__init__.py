@@ -3,6 +3,6 @@
 
 S. Hornus and J.-D. Boissonnat, "An efficient implementation of Delaunay triangulations in medium dimensions", INRIA RR-6743 (2008).
 
-plan.py says what is measured, runner.py how, programs.py by whom; results are records in one JSON file, from which tables.py and
-plots.py make what experiments.md.in asks for. No number of the result is written by hand.
+plan.py lists the cases, programs.py the programs, and runner.py runs them. Results are records in one JSON file, from which tables.py
+and plots.py fill experiments.md.in. No number of the result is written by hand.
 """

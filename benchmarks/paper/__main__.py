@@ -84,13 +84,13 @@ def limits_of(options):
 
 
 def not_there(catalogue, planned, build):
-    """The names of the programs that no case can measure."""
+    """The names of the programs that are in some case but not installed or built."""
     there = {key for case in planned for key in case.programs if key in catalogue and catalogue[key].command_line(build, "points.npy", case.dimension)}
     return list(dict.fromkeys(program.name for key, program in catalogue.items() if key not in there and any(key in case.programs for case in planned)))
 
 
 def begin(options, limits, path, missing):
-    """A new document, or the one of an earlier sitting."""
+    """A new document, or with --resume that of an earlier sitting."""
     document = {"about": about(options, limits, missing), "records": []}
     if options.resume and path.exists():
         kept = json.loads(path.read_text(encoding="utf-8"))

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""What a run will take, roughly, before anything has been measured: for the order of the cases, for --minutes and for --dry-run. No
-figure of the write-up depends on it."""
+"""Rough estimates of what a run will take, before anything has been measured: for the order of the cases, for --minutes and for
+--dry-run. No figure of the write-up depends on them."""
 
 # program -> dimension -> (points, processor seconds, exponent) of uniform points on a machine of about 2022
 UNIFORM = {
@@ -25,7 +25,7 @@ LIKE = {"delone:report": ("delone", 1.1), "delone:curve": ("delone", 1.1), "delo
         "qhull_qt": ("qhull", 1.2), "clarkson": ("delone", 10.0)}
 # Peak memory of delone on uniform points, at the largest sizes.
 BYTES_PER_POINT = {2: 250, 3: 800, 4: 3_500, 5: 18_600, 6: 145_000, 7: 700_000, 8: 2_500_000}
-# How many times as long as uniform points other inputs take: hulls are of points on a sphere, of one dimension less.
+# Time of other inputs as a multiple of that of uniform points; for hulls, of points on a sphere, of one dimension less.
 INPUT = {"uniform": 1.0, "order": 1.0, "manifold": 1.0, "small": 1.0, "hulls": 1.0, "degenerate": 1.5, "tiny": 2.0}
 MANIFOLD = {2: 1.5, 3: 4.0, 4: 3.0, 5: 2.5, 6: 1.5}
 REAL_POINTS = 2_000
@@ -34,7 +34,7 @@ CHECK_SECONDS_PER_CASE = 0.5
 
 
 def construction_seconds(experiment, program, dimension, points):
-    """Processor seconds of one construction; 0 where there is nothing to go by."""
+    """Processor seconds of one construction; 0 if unknown."""
     like, factor = LIKE.get(program, (program, 1.0))
     if program.startswith("hull_"):
         like, dimension = program.removeprefix("hull_").replace("cgal", "cgal_d"), dimension - 1
@@ -48,7 +48,7 @@ def construction_seconds(experiment, program, dimension, points):
 
 
 def turns(seconds, limits):
-    """How many turns a program has that takes so long."""
+    """The number of turns of a program that takes so long."""
     done = 1
     while done < limits.rounds and done * seconds <= limits.turn_seconds:
         done += 1
@@ -56,7 +56,7 @@ def turns(seconds, limits):
 
 
 def process_seconds(program, seconds, limits):
-    """All turns of a program that takes so long to construct, with what a process costs besides; 0 where it would not be tried."""
+    """All turns of a program that takes so long to construct, with the overhead of a process; 0 if it would not be tried."""
     if seconds > limits.of(program):
         return 0.0
     whole = 1.1 * seconds + START_SECONDS.get(program, 0.03)

@@ -16,14 +16,14 @@ def power_law(sizes, values):
 
 
 def median_ratio(numerators, denominators):
-    """The median of the ratios of what was measured in turn; None where nothing was."""
+    """The median of the ratios of values measured in turn; None if there are none."""
     ratios = [a / b for a, b in zip(numerators, denominators) if b > 0]
     return statistics.median(ratios) if ratios else None
 
 
 def extrapolate(history, points):
-    """What (size, value) pairs of growing size let expect at a larger size: growth as between the last two, at least linear, at
-    most cubic; None without any pair."""
+    """The value to expect at a larger size, from (size, value) pairs of growing size: growth as between the last two, at least
+    linear, at most cubic; None without any pair."""
     if not history:
         return None
     size, value = history[-1]

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""What is measured. A case is one input and the programs that run on it in turn; cases of one series have growing sizes, so that a
-program that has become too slow or too large for the next one is not tried."""
+"""The cases. A case is one input and the programs that run on it in turn. The cases of a series have growing sizes, so that a program
+that has become too slow or too large is not tried on the next one."""
 import dataclasses
 
 from . import estimates
@@ -31,7 +31,7 @@ DEGENERATE = ("delone", "cgal_2", "cgal_3", "cgal_3_parallel", "cgal_d", "triang
 TINY = ("delone", "cddlib", "cddlib_gmp", "lrs")
 REAL = (("earthquakes", 3), ("bunny", 3), ("cars", 5))
 
-# How much an experiment is worth where time is short: its cases come before those of another that cost this many times less.
+# Weights of the experiments: if time is short, the estimated cost of a case is divided by its weight, and the cheapest come first.
 WEIGHT = {"uniform": 6, "degenerate": 4, "tiny": 4, "small": 2, "hulls": 2, "order": 1, "manifold": 1}
 
 
@@ -41,7 +41,7 @@ def doublings(first, last):
 
 def full():
     thousand = 1000
-    # Up to the first size that does not fit in 16 GiB, whose record says so: BYTES_PER_POINT of estimates.py.
+    # Up to the first size that does not fit in 16 GiB (BYTES_PER_POINT of estimates.py), whose record says so.
     uniform = {2: doublings(thousand, 1_024_000), 3: doublings(thousand, 1_024_000), 4: doublings(thousand, 1_024_000),
                5: doublings(thousand, 1_024_000), 6: doublings(250, 128_000), 7: doublings(125, 4_000), 8: [60, 120, 250, 500, 1_000]}
     manifold = {2: doublings(thousand, 1_024_000)[::2], 3: doublings(thousand, 1_024_000)[::2], 4: doublings(thousand, 256_000)[::2],
@@ -97,8 +97,8 @@ def cases(is_quick):
 
 
 def by_importance(planned, limits):
-    """The cases in the order in which they are measured, so that those which a run without enough time leaves out are few: what costs
-    least first, a case of an experiment of some weight before others that cost as much; sizes of a series stay in order."""
+    """The cases in the order of measurement, so that a run without enough time leaves out few: the cheapest first, relative to
+    the weights of their experiments. Sizes of a series stay in order."""
     largest, keys = {}, {}
     for case in planned:
         cost = estimates.case_seconds(case, limits) / WEIGHT[case.experiment]

@@ -47,7 +47,7 @@ def plain(value, _):
 
 
 def ticks(axis):
-    """Numbers at a logarithmic axis, between the powers of ten, too, where it has few of these."""
+    """Labels of a logarithmic axis, also between the powers of ten if it has few of these."""
     if axis.get_scale() != "log":
         return
     low, high = axis.get_view_interval()

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Who is measured: the adapters of benchmarks/rivals, by a short key. A program is left out where its adapter was not built."""
+"""The programs that are measured: the adapters of benchmarks/rivals, by a short key. Those that were not built are left out."""
 import dataclasses
 import pathlib
 import shutil
@@ -18,7 +18,7 @@ class Program:
     command: str = ""  # an executable that the script needs
 
     def command_line(self, build, points, dimension):
-        """What to run, or None where the program is not there or not for this dimension."""
+        """The command line, or None if the program is not there or not for this dimension."""
         if dimension not in self.dimensions:
             return None
         adapter = self.adapter.format(d=dimension)

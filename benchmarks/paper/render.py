@@ -68,7 +68,7 @@ def ours_against(results, key, dimension):
 
 
 def specialised_largest(results, dimension):
-    """What the triangulations made for one dimension take at the largest size, one thread, to what delone takes."""
+    """The times of triangulations made for one dimension, one thread, at the largest size, divided by delone's."""
     words = []
     for key in plan.SPECIALISED[dimension]:
         ratio = largest(results, key, dimension)
@@ -78,7 +78,7 @@ def specialised_largest(results, dimension):
 
 
 def then_and_now(results, key):
-    """The report's fit over the time of a program of today, at its largest input of each dimension."""
+    """The report's fit divided by the time of a program of today, at its largest input of each dimension."""
     words = []
     for d in report_2008.FIT:
         records = results.ok("uniform", key, d)
@@ -88,7 +88,7 @@ def then_and_now(results, key):
 
 
 def created(results):
-    """Cells created by rounds, and by one curve, to those created in random order, at the largest size of each dimension."""
+    """Cells created by rounds, and by one curve, divided by those of random order, at the largest size of each dimension."""
     words = []
     for d in results.dimensions("order"):
         last = [results.ok("order", key, d)[-1:] for key in ("delone:report", "delone:curve", "delone:shuffled")]
@@ -181,7 +181,7 @@ def pieces(results):
 
 
 def rounds(results):
-    """How often the programs took turns; what is short has more turns."""
+    """How often the programs took turns."""
     limits = results.about["limits"]
     found = [len(r["seconds"]) for r in results.records if r["outcome"] == "ok"]
     one = sum(n == 1 for n in found)

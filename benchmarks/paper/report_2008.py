@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""What the report says in figures, quoted as printed, and what its theory says."""
+"""The figures of the report, quoted as printed, and those of its theory."""
 import math
 
 MACHINE = "2.6 GHz Intel Core 2 Duo, 6 MB of cache, 4 GB of memory, Mac OS X 10.5.4, GCC 4.3.2"

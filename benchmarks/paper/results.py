@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""The measured records, and what tables and plots ask of them."""
+"""The measured records, and queries of them for tables and plots."""
 import statistics
 
 from . import fit
@@ -50,7 +50,7 @@ def wall(record):
 
 
 def cpu_ratio(record, to):
-    """How many times the time of `to` a record took, both measured in turn; None unless both have a result."""
+    """The time of a record divided by that of `to`, both measured in turn; None unless both have a result."""
     if not record or not to or record["outcome"] != "ok" or to["outcome"] != "ok":
         return None
     return fit.median_ratio(record["cpu_seconds"], to["cpu_seconds"])

@@ -91,7 +91,7 @@ def run_limited(command, seconds, memory_bytes):
 
 
 def repeats(program, points, dimension):
-    """How often one process constructs: several times where once takes about a millisecond."""
+    """How often one process constructs: several times if one construction takes about a millisecond."""
     if program in ENUMERATORS:
         return 1
     return 5 if points <= 2000 and dimension <= 3 else 3 if points <= 1000 and dimension <= 4 else 1
@@ -105,7 +105,7 @@ class Runner:
         self.history = {}  # (experiment, kind, dimension, program) -> [(points, cpu seconds, peak bytes)], or the reason it stopped
 
     def measure(self, case):
-        """The records of a case, one for each of its programs that is there."""
+        """The records of a case, one for each of its programs that is installed."""
         path = self.folder / "points.npy"
         points = inputs.write(case.kind, case.dimension, case.points, path, self.delone)
         records = {}
@@ -158,7 +158,7 @@ class Runner:
         return None
 
     def expected_seconds(self, case):
-        """What a case will take, from the smaller inputs of its series; what estimates.py knows where there are none."""
+        """The time that a case will take, from the smaller inputs of its series, or from estimates.py if there are none."""
         total = 0.0
         for key in case.programs:
             program = self.programs.get(key)
@@ -183,7 +183,7 @@ def median(record, what):
 
 
 def line(record):
-    """One line about a record, to watch."""
+    """One line about a record, to print while measuring."""
     head = f"{record['experiment']:<12}{record['kind']:<14}{record['dimension']}D {record['points']:>8}  {record['program']:<16}"
     if record["outcome"] != "ok":
         return f"{head}{record['outcome']}: {record['message']}"

@@ -49,7 +49,7 @@ def has_threads(record):
 
 
 def outcome(record):
-    """Processor seconds, by the clock where there are several threads, or why there are none."""
+    """Processor seconds (wall-clock seconds with several threads), or why there are none."""
     if record is None:
         return NONE
     return number(wall(record) if has_threads(record) else cpu(record)) if record["outcome"] == "ok" else record["outcome"]
@@ -95,7 +95,7 @@ def stopping(records):
 
 
 def bytes_per_cell(record):
-    """What construction added to the memory of the process; of small inputs that says nothing."""
+    """Memory that construction added to the process, per cell; not given for small inputs."""
     return number((record["peak_bytes"] - record["input_bytes"]) / record["cells"]) if record["cells"] > 20_000 else NONE
 
 
@@ -184,7 +184,7 @@ def by_program(results, experiment):
 
 
 def with_failures(results, experiment):
-    """by_program(), and what the programs said that failed."""
+    """by_program(), and the messages of the programs that failed."""
     failed = [f"- {r['kind']} {r['dimension']}D, n = {count(r['points'])}: {r['name']} failed: {plain(r['message'])}"
               for r in results.of(experiment) if r["outcome"] == "failed"]
     return "\n".join([by_program(results, experiment), *([""] if failed else []), *failed])
@@ -228,12 +228,12 @@ def what_was_wrong(results):
 
 
 def plain(text):
-    """Text of programs, so that Markdown takes it as it is."""
+    """Text of a program, escaped for Markdown."""
     return "`" + " ".join(text.replace("`", "'").split()) + "`"
 
 
 def accepted(results):
-    """How many results of each program were accepted, with what each rests on."""
+    """How many results of each program were accepted, wrong, missing or not judged."""
     rows = []
     for experiment in ("degenerate", "tiny"):
         for key in results.programs(experiment):

@@ -84,8 +84,8 @@ class Cddlib {
     return count;
   }
 
-  /// Of points that span less than their space each equation takes one from the size of a cell; of equal
-  /// points the first is meant.
+  /// For points that span less than their space, each equation lowers the size of a cell by one; equal points
+  /// stand for the first of them.
   rival::Cells cells() const {
     const int size = dimension_ + 1 - static_cast<int>(set_card(inequalities_->linset));
     rival::Cells cells{size, {}};

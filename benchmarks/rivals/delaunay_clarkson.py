@@ -1,10 +1,10 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: BSD-3-Clause
-"""Clarkson's Hull (netlib.org/voronoi/hull.html), any executable of it that the user names:  delaunay_clarkson.py points.npy --hull PATH
+"""Clarkson's Hull (netlib.org/voronoi/hull.html), as an executable that the user names:  delaunay_clarkson.py points.npy --hull PATH
 
-No distribution packages it. It rounds coordinates to integers and is exact where those are small: they are multiplied so that
-seven decimal digits are left in dimensions up to 4, six beyond, as the report did. Times are those of the whole process, its
-reading included, without output; cells are counted in a second run, which is not timed.
+No distribution packages it. It rounds coordinates to integers, and is exact if those are small. As in the report, coordinates are
+scaled so that seven decimal digits are left in dimensions up to 4, six beyond. Times are those of the whole process, including
+reading but not output; cells are counted in a second run, which is not timed.
 """
 import numpy as np
 import rival
@@ -31,7 +31,7 @@ class Clarkson:
             return rival.run_command(self.command("-oN"), out)
 
     def cells(self):
-        """Lines of point numbers; one that holds −1, the point at infinity, is no cell."""
+        """Lines of point numbers; a line with −1, the point at infinity, is not a cell."""
         with open(self.output, "w", encoding="ascii") as out:
             rival.run_command(self.command("-fvn"), out)
         rows = []

@@ -73,7 +73,7 @@ class Hxt {
     mesh_->vertices.num = mesh_->vertices.size = static_cast<std::uint32_t>(count);
   }
 
-  /// The finite cells: the others have a vertex beyond all.
+  /// The finite cells; the others have the ghost vertex.
   template <class F>
   void for_each_cell(F&& f) const {
     for (std::size_t cell = 0; cell < mesh_->tetrahedra.num; ++cell) {

@@ -51,7 +51,7 @@ class Lrs:
         return sum(1 for _ in self.facets())
 
     def cells(self):
-        """Of points that span less than their space each equation takes one from the size of a cell; of equal points the first is meant."""
+        """For points that span less than their space, each equation lowers the size of a cell by one; equal points stand for the first."""
         size = self.points.shape[1] + 1 - self.num_equations()
         first = {}
         meant = [first.setdefault(tuple(point), row) for row, point in enumerate(self.points.tolist())]

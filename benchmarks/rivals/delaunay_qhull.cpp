@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Qhull's Delaunay triangulation, through its reentrant library. Option: --options "d Qbb Qc Q12 Qz" (the
 // default; "Qt" added makes every cell a simplex). Qhull decides in floating point and merges what it cannot
-// decide; cells that are no simplices are counted once, and cannot be written.
+// decide; cells that are not simplices are counted once, and cannot be written.
 #include "rival.hpp"
 
 #define qh_dllimport
@@ -80,7 +80,7 @@ class Qhull {
     void operator()(std::FILE* file) const { std::fclose(file); }
   };
 
-  /// The first line of what Qhull has to say, "QH6154 …".
+  /// The first line of Qhull's message, "QH6154 …".
   std::string first_message() {
     std::rewind(messages_.get());
     std::vector<char> line(400, '\0');

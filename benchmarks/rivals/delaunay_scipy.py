@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: BSD-3-Clause
-"""scipy.spatial.Delaunay, which is Qhull with its options for Delaunay triangulations, and arrays. Its memory includes Python's."""
+"""scipy.spatial.Delaunay: Qhull with its options for Delaunay triangulations, and arrays. Its memory includes Python's."""
 import rival
 import scipy
 import scipy.spatial

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// delone's convex hull, through the interface of its rivals. Timed are the boundary and what the other
-// programs find with it: which cells merge into facets and which points are extreme. `data_seconds`: all the
-// rest that Polytope::data() has, after that. Options: --order automatic|as_given|shuffled, --seed S.
+// delone's convex hull, through the interface of its rivals. The time covers the boundary and what the other
+// programs compute with it: merged facets and extreme points. `data_seconds` is the time of everything else
+// in Polytope::data(). Options: --order automatic|as_given|shuffled, --seed S.
 #include "rival.hpp"
 
 #include <delone/convex_hull.hpp>

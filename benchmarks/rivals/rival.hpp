@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The one interface of all programs that are measured against each other:
 //   PROGRAM points.npy [--repeat K] [--cells out.npy] [--NAME VALUE ...]
-// Only the construction is timed; reading, conversion to the peer's types and counting are not. One line of
-// JSON on standard output: program, version, flags, points, dimension, seconds [K], cpu_seconds [K] (user and
-// system time of all threads), cells, peak_bytes, input_bytes (the peak before the first construction), and
-// what the adapter adds. Exit status 2 and one line on standard error where the input is refused or the peer
-// gives up.
+// Only the construction is timed, not reading, conversion to the peer's types, or counting. Writes one line
+// of JSON to standard output: program, version, flags, points, dimension, seconds [K], cpu_seconds [K] (user
+// and system time of all threads), cells, peak_bytes, input_bytes (the peak before the first construction),
+// and the adapter's own members. Exit status 2 and one line on standard error if the input is refused or the
+// peer gives up.
 #pragma once
 
 #include <delone/complex.hpp>
@@ -30,7 +30,7 @@
 
 namespace rival {
 
-/// What the command line asks for.
+/// The command line.
 struct Arguments {
   std::string points;
   int repeat = 1;
@@ -44,13 +44,13 @@ struct Arguments {
   }
 };
 
-/// Cells as an adapter hands them over: `size` rows of points each, in a flat array.
+/// The cells of a result: `size` rows of points each, in a flat array.
 struct Cells {
   int size = 0;
   std::vector<std::int64_t> rows;
 };
 
-/// Who was measured.
+/// The program that is measured.
 struct Program {
   std::string name, version, flags;
 };

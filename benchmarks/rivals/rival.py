@@ -41,7 +41,7 @@ def parser(description):
 
 
 def run_command(command, stdout, environment=None):
-    """Runs a command to its end; (seconds, cpu seconds, peak bytes) of its process. Refused where it fails."""
+    """Runs a command to its end; (seconds, cpu seconds, peak bytes) of its process. Raises Refused if it fails."""
     start, cpu, peak = time.perf_counter(), cpu_seconds(resource.RUSAGE_CHILDREN), 0
     process = subprocess.Popen(command, stdin=subprocess.DEVNULL, stdout=stdout, stderr=subprocess.PIPE, text=True, env=environment)
     try:

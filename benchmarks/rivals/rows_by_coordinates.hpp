@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Which row of the input a peer's vertex is: found by its coordinates, so that the triangulations that are
-// timed carry nothing but points, and may permute them. Of duplicates the first row is meant.
+// Finds the input row of a peer's vertex by its coordinates, so that the timed triangulations hold nothing
+// but points and may permute them. Duplicates stand for their first row.
 #pragma once
 
 #include <algorithm>
