@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Points in every format, and what is refused of them: one line that says where."""
+"""Points in every format; what is refused gives one line that says where."""
 import time
 import unittest
 

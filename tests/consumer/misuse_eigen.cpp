@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Matrices that are no points, one per value of MISUSE; 0 is the correct program.
+// Matrices that are not points, one per value of MISUSE; 0 is the correct program.
 #include <delone/points.hpp>
 
 #include <Eigen/Core>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What is no point, one per value of MISUSE; 0 is the correct program.
+// Arguments that are not points, one per value of MISUSE; 0 is the correct program.
 #include <delone/points.hpp>
 
 #include <array>

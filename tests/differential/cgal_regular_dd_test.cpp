@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Regular triangulations against CGAL's in d dimensions, which are exact too, by their documented interface.
-// In general position both have the same cells. Ties are decided otherwise there, even which points of a tie
-// are hidden: then the cells of both must subdivide the same power cells, and the cells there must stand
-// check() without `canonical`.
+// In general position both have the same cells. CGAL decides ties in another way, and may hide other points
+// of a tie: then the cells of both must subdivide the same power cells, and those of CGAL must pass check()
+// without `canonical`.
 #include "compare.hpp"
 #include "degenerate.hpp"
 
@@ -145,7 +145,7 @@ std::map<std::vector<SignedIndex>, std::int64_t> power_cells(const WeightedSet& 
   return result;
 }
 
-/// check() of somebody's cells; a row that is no vertex is a duplicate of one, or hidden.
+/// check() of another program's cells; a row that is not a vertex is a duplicate of one, or hidden.
 void expect_checked(const WeightedSet& s, const Cells& cells) {
   const auto rows = first_rows(s);
   std::vector<bool> is_vertex(s.set.size(), false);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Regular triangulations against CGAL's in 3 dimensions, which are exact too, by their documented interface.
-// General position: ties are decided otherwise there.
+// Only in general position, as CGAL decides ties in another way.
 #include "compare.hpp"
 #include "degenerate.hpp"
 

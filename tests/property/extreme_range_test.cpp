@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The ends of the exponent range: overflow and underflow inside the filters must not reach the result. A
-// power of two that loses no bit changes no cell.
+// The ends of the exponent range: overflow and underflow inside the filters must not reach the result.
+// Scaling by a power of two that loses no bit changes no cell.
 #include "compare.hpp"
 #include "degenerate.hpp"
 #include "scale.hpp"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Intersections of halfspaces that are unlucky on purpose: redundant, touching and repeated rows, flat and
+// Intersections of halfspaces that are degenerate on purpose: redundant, touching and repeated rows, flat and
 // empty intersections of every dimension, one unit in the last place to either side, entries at the ends of
 // the exponent range.
 #include "scale.hpp"

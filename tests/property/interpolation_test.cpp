@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // LinearInterpolator: linear functions come back within the promised bound, given values exactly; outside,
-// flat input, values that are no numbers, and errors.
+// flat input, values that are NaN, and errors.
 #include <delone/interpolation.hpp>
 
 #include "degenerate.hpp"
@@ -160,8 +160,8 @@ TEST(Interpolation, Outside) {
     }
 }
 
-// Two triangles with a common edge: what is no number at a vertex stays off the cells, and the faces, that
-// the vertex is not of.
+// Two triangles with a common edge: a NaN at a vertex does not spread to cells and faces without that
+// vertex.
 TEST(Interpolation, NotANumberStaysInItsCells) {
   const std::vector<double> points{0, 0, 2, 0, 0, 2, 3, 3}, values{nan, 1, 3, 7},
       queries{0.5, 0.5, 1, 1, 2, 2, 0, 0, 2, 0};

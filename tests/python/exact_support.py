@@ -4,7 +4,7 @@ from fractions import Fraction
 
 
 def determinant(matrix):
-    """Of a square matrix of integers or fractions, exactly."""
+    """The exact determinant of a square matrix of integers or fractions."""
     rows = [[Fraction(x) for x in row] for row in matrix]
     result = Fraction(1)
     for i in range(len(rows)):

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The Delaunay, regular or furthest-site triangulation by its definition: every subset of k+1 points is tried
-// against every other point, in integers without error. Slow and simple, and written without a look at the
+// against every other point, in integers without error. Slow and simple, and independent of the
 // library's predicates, so that the two can disagree.
 #pragma once
 

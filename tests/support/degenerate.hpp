@@ -138,8 +138,8 @@ inline PointSet cospherical(int dimension, int squared_radius) {
   return set;
 }
 
-/// Every third coordinate or so moved to the next or the previous double. Zeros stay unless asked for: next
-/// to them are the smallest denormals, and exact arithmetic over the whole exponent range takes its time.
+/// Every third coordinate or so moved to the next or the previous double. Zeros stay unless `zeros_too`:
+/// next to them are the smallest denormals, and exact arithmetic over the whole exponent range is slow.
 inline PointSet nudged(PointSet set, std::uint64_t seed, bool zeros_too = false) {
   Random random(seed);
   set.name += " nudged";

@@ -151,7 +151,7 @@ class HalfspaceBruteForce {
       if (has_normal(other) && are_proportional(rows_[other], rows_[r])) return other;
     return r;
   }
-  /// Of all rows that hold with equality, those that define facets.
+  /// The rows that hold with equality and define facets.
   Rows facets_among(const Rows& tight) const {
     Rows result;
     for (const SignedIndex r : tight)
@@ -233,7 +233,7 @@ class HalfspaceBruteForce {
           if (system[i][free] >= 0) return;
           sum -= system[i][free] * rows_[chosen[pivots[i]]][d_];
         }
-        if (size == 1 && sum == 0) return;  // 0 ≤ 0 asks for nothing
+        if (size == 1 && sum == 0) return;  // 0 ≤ 0 always holds
         if (sum > 0) state_ = IntersectionState::empty;
         if (sum == 0 && state_ == IntersectionState::full) state_ = IntersectionState::flat;
       });

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Convex hulls by their definition, in integers without error: every set of k points is tried against every
-// other point. The perturbation is carried out with numbers: each point is moved towards an inner point by
-// its own power of a huge number, so that what the library derives from signs is found here by plain
-// arithmetic.
+// other point. The perturbation is made with actual numbers: each point moves towards an inner point by its
+// own power of a huge number, so that plain arithmetic finds here what the library derives from signs.
 #pragma once
 
 #include "brute_force.hpp"

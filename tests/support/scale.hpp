@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// How much randomized tests do: DELONE_TEST_SCALE=small or large in the environment, for sanitizers and for
-// long nights.
+// The size of randomized tests: DELONE_TEST_SCALE=small or large in the environment, for sanitizers and for
+// nightly runs.
 #pragma once
 
 #include <algorithm>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // An insertion that runs out of memory changes nothing, and leaves no star that a later one could start from.
-// The cells of a star are where those were that it replaces.
+// A star takes the places of the cells that it replaces.
 #include "engine/build.hpp"
 #include "engine/seed.hpp"
 #include "geometry/delaunay_geometry.hpp"

@@ -22,9 +22,9 @@
 namespace delone::engine {
 namespace {
 
-/// Of each cell the vertices, and those across, after the insertion of points one by one, ridges hashed
-/// `rounds` times. Vertices are the ids after `unused`, which says nothing of them here, and kept as `ids` at
-/// first.
+/// The vertices of each cell, and those across its facets, after the insertion of points one by one, ridges
+/// hashed `rounds` times. Vertices are the ids after `unused`, which says nothing of them here, and kept as
+/// `ids` at first.
 template <int K>
 std::vector<std::vector<Index>> links(Index n, double grid_size, int rounds, VertexIds ids = VertexIds::wide,
                                       Index unused = 0) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What is proved by edges holds in exact rational arithmetic, where it is hardest to hold: functionals are as
-// wrong as they may be, with errors at the vertices of such signs that they add up at a query.
+// Certificates by edges hold in exact rational arithmetic in the worst case: functionals have the largest
+// errors allowed, with signs at the vertices such that they add up at a query.
 #include "geometry/near_kernel.hpp"
 
 #include "base/random.hpp"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Pairs may begin at any double, of which every second one is not where a vector of two would be aligned.
+// Pairs may begin at any double, of which every second is not aligned for a vector of two.
 #include "geometry/pair.hpp"
 
 #include <gtest/gtest.h>

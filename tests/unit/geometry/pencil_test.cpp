@@ -171,7 +171,7 @@ void expect_right(const G& geometry, const typename G::Query& q, Index cell, con
   }
 }
 
-/// Thresholds for a query do not depend on which cells they are asked for together.
+/// Thresholds for a query do not depend on which cells are treated together.
 template <class G>
 void expect_same_thresholds_together(const G& geometry, const typename G::Query& q,
                                      const std::vector<Index>& cells, random::Generator& generator) {
@@ -394,7 +394,7 @@ void expect_right_triangulations(std::size_t n, std::size_t rounds) {
       for (const Shape shape : shapes)
         for (std::uint64_t seed = 0; seed < test::scaled_count(rounds); ++seed)
           expect_right_triangulation<K>({shape, K, ambient, weighted, n}, seed, tally);
-      // Cells of all origins were there, and the filter was not silent.
+      // There were cells of all origins, and the filter decided.
       for (const bool a_infinite : {false, true})
         for (const bool b_infinite : {false, true})
           EXPECT_GT(tally.cells[a_infinite][b_infinite], 0u)

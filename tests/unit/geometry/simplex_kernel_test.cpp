@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What is certified of simplices in lanes is true, in exact arithmetic: of the images as rounded and of the
+// What the SIMD kernel certifies of simplices is true in exact arithmetic, for the rounded images and for the
 // points themselves; and the thresholds of their functionals bound the true error.
 #include "geometry/simplex_kernel.hpp"
 

@@ -105,7 +105,7 @@ double nudged(double x, random::Generator& generator) {
   return move == 0 ? x : std::nextafter(x, move == 1 ? 1e300 : -1e300);
 }
 
-/// k+2 rows of `ambient` coordinates and, if asked for, a weight.
+/// k+2 rows of `ambient` coordinates and, if `weighted`, a weight.
 std::vector<double> random_rows(Kind kind, int rows, int ambient, bool weighted,
                                 random::Generator& generator) {
   std::vector<double> all;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Hull facets through points and through homogeneous rows: which stage decides, signs against exact integers,
-// the order of rays, and the perturbation against infinitesimals that are carried out as numbers.
+// the order of rays, and the perturbation against actual small numbers for the infinitesimals.
 #include "kernel/hull_stages.hpp"
 
 #include "base/random.hpp"
@@ -87,7 +87,7 @@ TEST(HomogeneousOrientation, DirectStageDecidesAndProvesZeros) {
   StageCounts counts;
   EXPECT_EQ(orientation_of<1>(rays(2, {0.1, 0.2, 0.3, 0.1}), counts), Sign::negative);
   EXPECT_EQ(orientation_of<2>(rays(3, {1, 2, 3, 4, 5, 6, 7, 8, 9}), counts), Sign::zero);
-  // Rows and columns of very different sizes are no obstacle.
+  // Rows and columns may have very different sizes.
   EXPECT_EQ(orientation_of<1>(rays(2, {1e300, 2e300, 3e-300, 1e-300}), counts), Sign::negative);
   EXPECT_EQ(orientation_of<1>(rays(2, {1e300, 2e-300, 3e300, 1e-300}), counts), Sign::negative);
   EXPECT_EQ(orientation_of<1>(rays(2, {huge, tiny, huge, -tiny}), counts), Sign::negative);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Rows for the tests of the predicates, and what is true of them by integers and independent code.
+// Rows for the tests of the predicates, with the right answers from integers and independent code.
 #pragma once
 
 #include "brute_force.hpp"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Spheres orthogonal to weighted points: which stage decides, signs against exact integers over the whole
-// range of doubles, and the perturbation against infinitesimals that are carried out as numbers.
+// range of doubles, and the perturbation against actual small numbers for the infinitesimals.
 #include "base/random.hpp"
 #include "kernel/predicates.hpp"
 #include "kernel/stages.hpp"
@@ -90,7 +90,7 @@ TEST(WeightedSphere, DirectStageProvesZerosOnGrids) {
                    std::ldexp(3, -400), std::ldexp(7, -800), 0, std::ldexp(3, -400), std::ldexp(2, -800)});
   EXPECT_FALSE(scaled.grid.is_small());
   EXPECT_EQ(direct<2>(scaled), Sign::zero);
-  // One unit of the lift more is no tie.
+  // One unit of the lift more breaks the tie.
   EXPECT_EQ(direct<0>(weighted(2, {0, 0, 0, s, 0, 9, s, s, 9 + s, 0, s, s + 1})), Sign::positive);
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Farthest points first: what is chosen by vectors is what is chosen one by one.
+// Farthest points first: SIMD chooses the same points as a scalar loop.
 #include "order/farthest_first.hpp"
 #include "base/random.hpp"
 

@@ -111,7 +111,7 @@ TEST_P(CenterOfDimension, CertifiedEqualsExact) {
   EXPECT_LE(num_easy, d == 1 ? 50u : 2u) << "the certified path gives up on random simplices";
 }
 
-// Blocks of all sizes, in lanes for d = 2, 3: from lattices, nearly flat cells and the ends of the range, all
+// Blocks of all sizes, by SIMD for d = 2, 3: from lattices, nearly flat cells and the ends of the range, all
 // in one block.
 TEST_P(CenterOfDimension, BlocksEqualSingleCells) {
   const int d = GetParam();

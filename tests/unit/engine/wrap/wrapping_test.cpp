@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Wrapping gives what insertions give, or nothing, and can be inserted into; and no wrong set of cells is
-// proved.
+// Wrapping gives the cells that insertion gives, or none; the result accepts insertions; and no wrong set of
+// cells passes the proof.
 #include "engine/wrap/wrapping.hpp"
 
 #include "base/random.hpp"

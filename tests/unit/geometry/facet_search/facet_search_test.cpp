@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What is found beyond facets, against every vertex in turn; and the search ends whatever cell it starts
-// from.
+// The search beyond facets against a scan of all vertices; it ends whatever cell it starts from.
 #include "geometry/facet_search/facet_search.hpp"
 
 #include "base/random.hpp"

@@ -98,7 +98,7 @@ TEST_F(ReadCsv, RaggedRows) {
                [&] { read("a.csv", "1,2,3\n4,5,6\n7,8\n"); });
   expect_error(Errc::bad_format, {"a.csv:2: expected 2 fields, found 4"},
                [&] { read("a.csv", "1,2\n4,5,6,text\n"); });
-  // also in columns that nobody asked for
+  // also in columns that are not used
   expect_error(Errc::bad_format, {"a.csv:2: expected 2 fields, found 3"},
                [&] { read("a.csv", "x,y\n1,2,3\n", {"x"}); });
 }
