@@ -50,11 +50,11 @@ bench: python         ## the standard constructions, timed; takes minutes
 	python3 benchmarks/construction.py build/release/delone
 	PYTHONPATH=build/release/python $(python_of_build) benchmarks/python.py
 
-paper:                ## the experiments of the report, docs/experiments.md: an hour; QUICK=1: minutes; HULL=/path/to/hull
+paper:                ## the experiments of the report, in build/paper: an hour; QUICK=1: minutes; DOCS=1: over docs/experiments.md; HULL=/path/to/hull
 	tools/install_dependencies.sh paper
 	cmake --preset bench $(launcher) >/dev/null
 	cmake --build --preset bench -j $(jobs)
-	PYTHONPATH=benchmarks $(python_with_plots) -m paper --build build/bench $(if $(QUICK),--quick) $(if $(HULL),--hull $(HULL)) $(PAPER)
+	PYTHONPATH=benchmarks $(python_with_plots) -m paper --build build/bench $(if $(QUICK),--quick) $(if $(DOCS),--docs) $(if $(HULL),--hull $(HULL)) $(PAPER)
 
 docs: python          ## run the programs and commands of the documentation, follow its links
 	tools/check_docs.py build/release --python $(python_of_build)

@@ -58,7 +58,7 @@ STANDARD = {
     "uniform 5D 400": ("uniform", 5, 400, None),
     "uniform 5D 1700": ("uniform", 5, 1_700, None),
     "uniform 6D 400": ("uniform", 6, 400, None),
-    "bunny 3D": ("bunny.csv", "x,y,z", 1_839, "uniform 3D 1800"),
+    "protein 3D": ("protein.csv", "x,y,z", 1_516, "uniform 3D 1800"),
     "earthquakes 3D": ("earthquakes.csv", "longitude,latitude,depth_km", 1_707, "uniform 3D 1800"),
     "earthquakes 5D": ("earthquakes.csv", "longitude,latitude,depth_km,magnitude,time_ms", 1_707, "uniform 5D 1700"),
     "cars 5D": ("cars.csv", "Miles_per_Gallon,Displacement,Horsepower,Weight_in_lbs,Acceleration", 392, "uniform 5D 400"),

@@ -11,7 +11,7 @@ int main(int argc, char** argv) {
   const char* from_environment = std::getenv("DELONE_EXAMPLE_INPUT");
   const std::string input = argc > 1                      ? argv[1]
                             : from_environment != nullptr ? from_environment
-                                                          : "data/bunny.csv";
+                                                          : "data/protein.csv";
   const std::string output = argc > 2 ? argv[2] : "triangulation.npz";
   try {
     const delone::PointTable points = delone::read_points(input);

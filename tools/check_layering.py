@@ -1,10 +1,10 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: BSD-3-Clause
 """Checks which room of the project includes which, the size of files and rooms, and that the library never prints or ends the
-program. The rules are the data below; docs/architecture.md explains them. Prints every violation as FILE:LINE, and exits with
-status 1 if there is one.
+program. The rules are the data below; docs/architecture.md explains them and has them as a table. Prints every violation as
+FILE:LINE, and exits with status 1 if there is one.
 
-Usage: check_layering.py [--self-test]
+Usage: check_layering.py [--self-test | --write-table]      --write-table renews the table of docs/architecture.md
 """
 import pathlib
 import re
@@ -54,6 +54,10 @@ RULES = {
 # The largest that files and rooms may be.
 LARGEST_SHARE_OF_ROOM = 1 / 8  # of the lines of src/, rooms within a room apart
 MOST_LINES_OF_FILE = 500
+
+# The page that has the rules as a table, and what is around the table there.
+PAGE = ROOT / "docs" / "architecture.md"
+TABLE = re.compile(r"(?<=<!-- rules -->\n\n).*?(?=\n\n<!-- end of rules -->)", re.S)
 
 # Folders to search for a quoted include, after that of the file itself.
 SEARCH = ["src", "tests/support", "include", ""]
@@ -131,6 +135,16 @@ def forbidden_in(path, line):
     return None
 
 
+def table_of_rules():
+    """The rules in Markdown."""
+    lines = ["| room | public headers | other rooms |", "|---|---|---|"]
+    for room, (public, rooms) in RULES.items():
+        headers = "all" if public == PUBLIC else ", ".join(["basics", *sorted(public - BASICS)])
+        known = [f"all of `{other[:-1]}`" if other.endswith("/*") else other.removeprefix("src/") for other in sorted(rooms)]
+        lines.append(f"| `{room}` | {headers} | {', '.join(known) or '–'} |")
+    return "\n".join(lines)
+
+
 def violations():
     exists = lambda candidate: (ROOT / candidate).is_file()
     for top in ("include", "src", "cli", "examples", "benchmarks", "tests"):
@@ -147,6 +161,8 @@ def violations():
                     found = forbidden_in(path, bare[number - 1])
                     if found:
                         yield path, number, found
+    if TABLE.findall(PAGE.read_text(encoding="utf-8")) != [table_of_rules()]:
+        yield PAGE.relative_to(ROOT).as_posix(), 0, "the table of rules is not that of tools/check_layering.py, which --write-table writes"
     yield from size_violations({file.relative_to(ROOT).as_posix(): len(file.read_text(encoding="utf-8").splitlines())
                                 for file in sources_of("src")})
 
@@ -212,6 +228,8 @@ def self_test():
 def main():
     if sys.argv[1:] == ["--self-test"]:
         return self_test()
+    if sys.argv[1:] == ["--write-table"]:
+        PAGE.write_text(TABLE.sub(lambda _: table_of_rules(), PAGE.read_text(encoding="utf-8")), encoding="utf-8")
     found = list(violations())
     for path, number, reason in found[:20]:
         print(f"{path}:{number}: {reason}")

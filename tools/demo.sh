@@ -24,11 +24,11 @@ say "2. The same earthquakes on the map: a picture"
 try "$delone" delaunay data/earthquakes.csv --columns longitude,latitude
 try "$delone" delaunay data/earthquakes.csv --columns longitude,latitude -o "$out/earthquakes.svg"
 
-say "3. A scanned surface: points in space, tetrahedra for ParaView"
-try "$delone" delaunay data/bunny.csv
-try "$delone" delaunay data/bunny.csv -o "$out/bunny.npz"
-try "$delone" delaunay data/bunny.csv -o "$out/bunny.vtu"
-try "$delone" check "$out/bunny.npz"
+say "3. The atoms of a protein: points in space, tetrahedra for ParaView"
+try "$delone" delaunay data/protein.csv
+try "$delone" delaunay data/protein.csv -o "$out/protein.npz"
+try "$delone" delaunay data/protein.csv -o "$out/protein.vtu"
+try "$delone" check "$out/protein.npz"
 
 say "4. Cars: 6 dimensions, decimal numbers, a duplicate"
 try "$delone" delaunay data/cars.csv

@@ -12,12 +12,13 @@ import numpy as np
 
 matplotlib.use("Agg")
 import matplotlib.pyplot as plt  # noqa: E402
+from mpl_toolkits.mplot3d.art3d import Poly3DCollection  # noqa: E402
 
 import delone  # noqa: E402
 from delone import spatial  # noqa: E402
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent
-INK, ACCENT, SOFT = "#1f3a5f", "#c8553d", "#9fb4c7"
+INK, ACCENT, SOFT, TINT = "#1f3a5f", "#c8553d", "#9fb4c7", "#f6d9d2"
 
 
 def read(name):
@@ -26,17 +27,55 @@ def read(name):
     return {column: table[column] for column in table.dtype.names}
 
 
+def draw_triangulation(ax, points):
+    """A Delaunay triangulation and the cell that contains one place."""
+    tri = spatial.Delaunay(points)
+    ax.triplot(*points.T, tri.simplices, color=SOFT, lw=1)
+    ax.fill(*points[tri.simplices[tri.find_simplex([0.62, 0.55])]].T, facecolor=TINT, edgecolor=ACCENT, lw=1.5, zorder=3)
+    dots(ax, points)
+
+
+def draw_diagram(ax, points):
+    """The Voronoi diagram, and one of its regions."""
+    diagram = spatial.Voronoi(points)
+    spatial.voronoi_plot_2d(diagram, ax=ax, show_points=False, show_vertices=False, line_colors=INK, line_width=1)
+    site = np.argmin(np.linalg.norm(points - [0.62, 0.55], axis=1))
+    corners = diagram.vertices[diagram.regions[diagram.point_region[site]]]
+    around = corners[np.argsort(np.arctan2(*(corners - points[site]).T))]
+    ax.fill(*around.T, facecolor=TINT, edgecolor=ACCENT, lw=1.5, zorder=3)
+    dots(ax, points)
+
+
+def dots(ax, points):
+    ax.plot(*points.T, "o", color=INK, ms=3, zorder=4)
+    ax.set(xlim=(-0.05, 1.05), ylim=(-0.05, 1.05), aspect="equal", xticks=[], yticks=[])
+
+
+def sixty_points():
+    return np.random.default_rng(7).random((60, 2))
+
+
 def plane(path):
     """A Delaunay triangulation and its Voronoi diagram."""
-    points = np.random.default_rng(7).random((60, 2))
-    tri, diagram = spatial.Delaunay(points), spatial.Voronoi(points)
-    figure, axes = plt.subplots(1, 2, figsize=(9, 4.4), sharex=True, sharey=True)
-    axes[0].triplot(*points.T, tri.simplices, color=SOFT, lw=1)
-    axes[0].triplot(*points.T, tri.simplices[tri.find_simplex([[0.62, 0.55]])], color=ACCENT, lw=2)
-    spatial.voronoi_plot_2d(diagram, ax=axes[1], show_points=False, show_vertices=False, line_colors=INK, line_width=1)
-    for ax, title in zip(axes, ["Delaunay triangulation, a cell located", "Voronoi diagram"]):
-        ax.plot(*points.T, "o", color=INK, ms=3)
-        ax.set(title=title, xlim=(-0.08, 1.08), ylim=(-0.08, 1.08), aspect="equal", xticks=[], yticks=[])
+    figure, axes = plt.subplots(1, 2, figsize=(9, 4.4))
+    for ax, draw, title in zip(axes, [draw_triangulation, draw_diagram], ["Delaunay triangulation, a cell located", "Voronoi diagram, a region"]):
+        draw(ax, sixty_points())
+        ax.set_title(title)
+    save(figure, path)
+
+
+def overview(path):
+    """What the library is for, for the README."""
+    figure = plt.figure(figsize=(10.5, 3.4))
+    for i, draw in enumerate([draw_triangulation, draw_diagram]):
+        ax = figure.add_subplot(1, 3, i + 1)
+        draw(ax, sixty_points())
+        ax.set_title(["Delaunay triangulation", "Voronoi diagram"][i], fontsize=10)
+        ax.set_frame_on(False)
+    ax = figure.add_subplot(1, 3, 3, projection="3d")
+    tri = delone.Delaunay(atoms())
+    draw_alpha_shape(ax, tri, circumradii(tri), 2.6)
+    ax.set_title("alpha shape of a protein, in space", fontsize=10)
     save(figure, path)
 
 
@@ -47,24 +86,43 @@ def circumradii(tri):
     return np.linalg.norm(np.einsum("mij,mi->mj", inverse, (edges**2).sum(axis=2) / 2), axis=1)
 
 
-def bunny(path):
-    """The tetrahedra of a scanned surface that have small spheres, and the triangles around them."""
-    columns = read("bunny")
-    tri = delone.Delaunay(np.stack([columns["x"], columns["z"], columns["y"]], axis=1))
+def draw_alpha_shape(ax, tri, radii, largest):
+    """The surface of the cells whose circumradii are below a bound, seen and lit from above."""
+    kept = radii < largest
+    beyond = ~np.append(kept, False)[tri.neighbors]  # neighbor −1 is the last entry: not kept
+    cell, opposite = np.nonzero(kept[:, None] & beyond)
+    corners = tri.points[tri.cells[cell][np.arange(4) != opposite[:, None]].reshape(-1, 3)]
+    inside = tri.points[tri.cells[cell, opposite]]
+    normals = np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0])
+    normals *= -np.sign((normals * (inside - corners[:, 0])).sum(axis=1))[:, None]
+    light = np.array([-0.28, 0.35, 0.9])
+    brightness = 0.25 + 0.75 * np.clip(normals @ light / np.linalg.norm(normals, axis=1), 0, 1)[:, None]
+    dark, bright = (np.array(matplotlib.colors.to_rgb(color)) for color in (INK, "#e3ebf2"))
+    ax.add_collection3d(Poly3DCollection(corners, facecolors=dark + brightness * (bright - dark), edgecolors=INK, lw=0.1))
+    low, high = tri.points.min(axis=0), tri.points.max(axis=0)
+    ax.set(xlim=(low[0], high[0]), ylim=(low[1], high[1]), zlim=(low[2], high[2]))
+    ax.view_init(90, -90)
+    ax.set_box_aspect(high - low, zoom=1.35)
+    ax.set_axis_off()
+
+
+def atoms():
+    """The atoms of the protein along their principal axes, so that the longest is horizontal."""
+    columns = read("protein")
+    points = np.stack([columns["x"], columns["y"], columns["z"]], axis=1)
+    points -= points.mean(axis=0)
+    return points @ np.linalg.svd(points, full_matrices=False)[2].T
+
+
+def protein(path):
+    """Alpha shapes of a protein at three radii."""
+    tri = delone.Delaunay(atoms())
     radii = circumradii(tri)
-    size = np.ptp(tri.points, axis=0).max()
-    figure = plt.figure(figsize=(9, 4.2))
-    for i, share in enumerate([0.07, 0.13, np.inf]):
-        kept = radii < share * size
-        beyond = ~np.append(kept, False)[tri.neighbors]  # neighbor −1 is the last entry: not kept
-        cell, opposite = np.nonzero(kept[:, None] & beyond)
-        surface = tri.cells[cell][np.arange(4) != opposite[:, None]].reshape(-1, 3)
+    figure = plt.figure(figsize=(9, 2.7))
+    for i, largest in enumerate([2.6, 6, np.inf]):
         ax = figure.add_subplot(1, 3, i + 1, projection="3d")
-        ax.plot_trisurf(*tri.points.T, triangles=surface, color=SOFT, edgecolor=INK, lw=0.1)
-        ax.set_title("all cells" if np.isinf(share) else f"radius < {share:.0%} of the size", fontsize=10)
-        ax.view_init(12, -70)
-        ax.set_box_aspect(np.ptp(tri.points, axis=0), zoom=1.4)
-        ax.set_axis_off()
+        draw_alpha_shape(ax, tri, radii, largest)
+        ax.set_title("all cells" if np.isinf(largest) else f"radius < {largest} Å", fontsize=10)
     save(figure, path)
 
 
@@ -98,7 +156,7 @@ def save(figure, path, tight=True):
 def main():
     folder = pathlib.Path(sys.argv[1]) if len(sys.argv) > 1 else ROOT / "docs" / "pictures"
     folder.mkdir(parents=True, exist_ok=True)
-    for draw in (plane, bunny, earthquakes):
+    for draw in (overview, plane, protein, earthquakes):
         draw(folder / f"{draw.__name__}.png")
 
 

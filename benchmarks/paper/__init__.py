@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""The experiments of section 5 of the report, measured on this machine and written up as docs/experiments.md.
+"""The experiments of section 5 of the report, measured on this machine and written up as experiments.md.
 
 S. Hornus and J.-D. Boissonnat, "An efficient implementation of Delaunay triangulations in medium dimensions", INRIA RR-6743 (2008).
 

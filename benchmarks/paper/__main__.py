@@ -1,8 +1,9 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Measures the experiments of the report and writes them up.
+"""Measures the experiments of the report and writes them up, in build/paper.
 
   make paper                       everything: about an hour
   make paper QUICK=1               the same at small sizes: minutes
+  make paper DOCS=1                the write-up replaces docs/experiments.md and its pictures
   make paper HULL=/path/to/hull    with an executable of Clarkson's Hull
   make paper PAPER="--minutes 40"  what fits in that time, the most important and the shortest first
 
@@ -24,13 +25,15 @@ import time
 from . import estimates, plan, programs, render, runner, scoreboard
 from .inputs import ROOT
 
+OUTPUT = ROOT / "build" / "paper"
+
 
 def arguments(words=None):
     parser = argparse.ArgumentParser(prog="paper", description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--build", type=pathlib.Path, default=ROOT / "build" / "bench", help="a build with DELONE_BUILD_BENCHMARKS")
     parser.add_argument("--delone", help="the command, if it is not in BUILD")
     parser.add_argument("--quick", action="store_true", help="small sizes, short limits")
-    parser.add_argument("--results", type=pathlib.Path, help="the file of records; BUILD/paper.json or BUILD/paper-quick.json")
+    parser.add_argument("--results", type=pathlib.Path, help="the file of records; OUTPUT/records.json or OUTPUT/records-quick.json")
     parser.add_argument("--resume", action="store_true", help="keep the cases that this file holds already")
     parser.add_argument("--only", action="append", metavar="EXPERIMENT", help="one of uniform order manifold small hulls degenerate tiny")
     parser.add_argument("--minutes", type=float, help="leave out, and list as left out, what does not fit in so much time")
@@ -39,7 +42,8 @@ def arguments(words=None):
     parser.add_argument("--memory", type=float, metavar="GB", help="limit of memory of one process; 85 %% of the machine's otherwise, 16 GiB at most")
     parser.add_argument("--rounds", type=int)
     parser.add_argument("--hull", default=os.environ.get("DELONE_HULL", ""), metavar="PATH", help="an executable of Clarkson's Hull")
-    parser.add_argument("--docs", type=pathlib.Path, default=ROOT / "docs", help="where experiments.md is written")
+    parser.add_argument("--output", type=pathlib.Path, default=OUTPUT, metavar="FOLDER", help="where experiments.md is written; build/paper")
+    parser.add_argument("--docs", action="store_true", help="write experiments.md and its pictures in docs/, over those there")
     parser.add_argument("--record", action="store_true", help="keep the records in benchmarks/history, too")
     parser.add_argument("--render", type=pathlib.Path, metavar="FILE", help="measure nothing, write up these records")
     return parser.parse_args(words)
@@ -140,6 +144,10 @@ def measure(options, path):
     return document
 
 
+def write_up(document, options):
+    print(render.write(document, ROOT / "docs" if options.docs else options.output))
+
+
 def dry_run(options):
     """The cases in the order of measurement, with a rough estimate of each and the sum so far."""
     limits = limits_of(options)
@@ -162,12 +170,12 @@ def write_json(path, document):
 def main():
     options = arguments()
     if options.render:
-        print(render.write(json.loads(options.render.read_text(encoding="utf-8")), options.docs))
+        write_up(json.loads(options.render.read_text(encoding="utf-8")), options)
         return
     if options.dry_run:
         dry_run(options)
         return
-    path = options.results or options.build / ("paper-quick.json" if options.quick else "paper.json")
+    path = options.results or options.output / ("records-quick.json" if options.quick else "records.json")
     document = measure(options, path)
     if not document["records"]:
         sys.exit("nothing was measured: no case fits in that time" if document["about"]["left_out"] else
@@ -176,7 +184,7 @@ def main():
         name = f"{document['about']['date']}-{document['about']['commit'].replace(' and ', '+')}-paper{'-quick' if options.quick else ''}.json"
         history = ROOT / "benchmarks" / "history" / name
         write_json(history, document)
-    print(render.write(document, options.docs))
+    write_up(document, options)
 
 
 if __name__ == "__main__":

@@ -10,7 +10,7 @@ ROOT = pathlib.Path(__file__).resolve().parents[2]
 # name -> (file of data/, columns)
 REAL = {
     "earthquakes": ("earthquakes.csv", ("longitude", "latitude", "depth_km")),
-    "bunny": ("bunny.csv", ("x", "y", "z")),
+    "protein": ("protein.csv", ("x", "y", "z")),
     "cars": ("cars.csv", ("Miles_per_Gallon", "Displacement", "Horsepower", "Weight_in_lbs", "Acceleration")),
 }
 SEED = 1

@@ -29,7 +29,7 @@ HULLS = ("hull_delone", "hull_qhull", "hull_cgal", "hull_cddlib", "hull_cddlib_g
 DEGENERATE = ("delone", "cgal_2", "cgal_3", "cgal_3_parallel", "cgal_d", "triangle", "delaunator", "geogram", "hxt", "tetgen", "qhull", "qhull_qt", "scipy",
               "clarkson")
 TINY = ("delone", "cddlib", "cddlib_gmp", "lrs")
-REAL = (("earthquakes", 3), ("bunny", 3), ("cars", 5))
+REAL = (("earthquakes", 3), ("protein", 3), ("cars", 5))
 
 # Weights of the experiments: if time is short, the estimated cost of a case is divided by its weight, and the cheapest come first.
 WEIGHT = {"uniform": 6, "degenerate": 4, "tiny": 4, "small": 2, "hulls": 2, "order": 1, "manifold": 1}

@@ -1,11 +1,13 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Fills experiments.md.in. {{NAME}} is replaced by what pieces() says: a table, a sentence with measured figures, or a fact about
 the run. An unknown name is an error, and so is a piece that the template does not use. Lines of prose are wrapped."""
+import os
 import pathlib
 import re
 import textwrap
 
 from . import plan, plots, report_2008, tables
+from .inputs import ROOT
 from .results import Results, cpu, cpu_ratio, memory_ratio, wall
 
 TEMPLATE = pathlib.Path(__file__).with_name("experiments.md.in")
@@ -279,11 +281,11 @@ def wrapped(text):
     return "\n".join(lines)
 
 
-def write(document, docs):
-    """Writes docs/experiments.md and its pictures."""
+def write(document, folder):
+    """Writes experiments.md and its pictures in a folder; links of the template are relative to docs/."""
     results = Results(document)
-    docs = pathlib.Path(docs)
-    plots.all_figures(results, docs / "pictures" / "experiments")
-    text = fill(TEMPLATE.read_text(encoding="utf-8"), pieces(results))
-    (docs / "experiments.md").write_text(text, encoding="utf-8")
-    return docs / "experiments.md"
+    folder = pathlib.Path(folder)
+    plots.all_figures(results, folder / "pictures" / "experiments")
+    template = TEMPLATE.read_text(encoding="utf-8").replace("](../", f"]({os.path.relpath(ROOT, folder)}/")
+    (folder / "experiments.md").write_text(fill(template, pieces(results)), encoding="utf-8")
+    return folder / "experiments.md"

@@ -9,6 +9,7 @@ import io
 import json
 import os
 import pathlib
+import re
 import subprocess
 import sys
 import tempfile
@@ -236,7 +237,7 @@ class WritingUp(unittest.TestCase):
         with tempfile.TemporaryDirectory() as folder:
             folder = pathlib.Path(folder)
             (folder / "records.json").write_text(json.dumps(document()), encoding="utf-8")
-            done = subprocess.run([sys.executable, "-B", "-m", "paper", "--render", str(folder / "records.json"), "--docs", str(folder)],
+            done = subprocess.run([sys.executable, "-B", "-m", "paper", "--render", str(folder / "records.json"), "--output", str(folder)],
                                   env={**os.environ, "PYTHONPATH": str(ROOT / "benchmarks")}, capture_output=True, text=True)
             self.assertEqual(done.returncode, 0, done.stderr)
             page = (folder / "experiments.md").read_text(encoding="utf-8")
@@ -245,7 +246,10 @@ class WritingUp(unittest.TestCase):
             with plots.plt.rc_context(plots.STYLE):
                 plots.figure_2(found, folder)
             self.assertEqual((folder / "figure-2.svg").read_text(encoding="utf-8"), pictures["figure-2.svg"])
-            self.assertEqual(page, render.fill(render.TEMPLATE.read_text(encoding="utf-8"), render.pieces(found)))
+            template = render.TEMPLATE.read_text(encoding="utf-8").replace("](../", f"]({os.path.relpath(ROOT, folder)}/")
+            self.assertEqual(page, render.fill(template, render.pieces(found)))
+            for link in re.findall(r"\]\(([^)#]+)[^)]*\)", page):
+                self.assertTrue("://" in link or (folder / link).exists(), link)
         for picture in pictures:
             self.assertIn(f"pictures/experiments/{picture})", page)
         self.assertEqual(page.count(".svg)"), len(pictures))
@@ -255,6 +259,13 @@ class WritingUp(unittest.TestCase):
         self.assertIn("QH6154 initial simplex is flat", page)
         self.assertIn("**volume**", page)
         self.assertIn("too slow", page)
+
+    def test_only_the_option_docs_writes_the_documentation(self):
+        for words, folder in (([], ROOT / "build" / "paper"), (["--quick"], ROOT / "build" / "paper"), (["--output", "here"], pathlib.Path("here")),
+                              (["--docs"], ROOT / "docs"), (["--docs", "--output", "here"], ROOT / "docs")):
+            with mock.patch.object(render, "write") as write, contextlib.redirect_stdout(io.StringIO()):
+                command.write_up({}, command.arguments(words))
+            write.assert_called_once_with({}, folder)
 
     def test_what_is_said_of_the_run(self):
         made = document()
