@@ -5,7 +5,7 @@
 Usage: check_docs.py BUILD_DIR [--compiler CXX] [--python PYTHON]
                                    BUILD_DIR holds libdelone and the command, and for PYTHON the module;
                                    without PYTHON its examples are left out
-       check_docs.py --prose       only measures prose and follows links; needs no build
+       check_docs.py --prose       only measures prose, follows links and looks for the files named; needs no build
        check_docs.py --self-test   shows that each rule of prose finds what it should
 
 In README.md and docs/*.md a comment line directly before a fenced block says what the block is:
@@ -19,6 +19,8 @@ Relative links, and their #anchors, must exist in every .md file of the project.
 
 Prose: no line is longer than 160 characters, no paragraph or list item longer than 130 words, no decision
 (docs/decisions) longer than 600 words. Tables, link definitions, code blocks and comments do not count.
+
+A source file in backquotes, such as `engine/build.hpp`, must exist: from the root of the project, or in src/, include/ or tests/.
 """
 import argparse
 import json
@@ -285,11 +287,24 @@ def self_test():
         "an indented block": ("a.md", f"text\n\n    {long_line}\n    {long_line}"),
         "a comment": ("a.md", f"<!-- {long_line} -->"),
     }
+    exists = {"src/engine/build.hpp", "tools/a.py"}.__contains__
+    wrong_files = list(missing_files("a.md", "`engine/build.hpp` `engine/other.hpp`\n`tools/a.py` `b.hpp` `tools/b.py`", exists))
+    assert wrong_files == ["a.md:1: there is no file engine/other.hpp", "a.md:2: there is no file tools/b.py"], wrong_files
     missed = [what for what, case in wrong.items() if len(list(prose_faults(*case))) != 1]
     imagined = [what for what, case in right.items() if list(prose_faults(*case))]
     if missed or imagined:
         sys.exit(f"not found: {missed}; found without reason: {imagined}")
     print("the rules of prose find what they should")
+
+
+SOURCE_FILE = re.compile(r"`((?:[\w.-]+/)+[\w.-]+\.(?:hpp|cpp|in|py|pyi|cmake|sh|md))`")
+
+
+def missing_files(name, text, exists=lambda path: (ROOT / path).exists()):
+    """The source files in backquotes that do not exist."""
+    for found in SOURCE_FILE.finditer(blanked(FENCED, text)):
+        if not any(exists(folder + found[1]) for folder in ("", "src/", "include/", "tests/")):
+            yield f"{name}:{line_of(text, found.start())}: there is no file {found[1]}"
 
 
 def documents():
@@ -303,7 +318,7 @@ def main():
     parser.add_argument("build", type=pathlib.Path, nargs="?", help="a build directory that holds the library and the command")
     parser.add_argument("--compiler", default=os.environ.get("CXX") or shutil.which("c++") or "c++")
     parser.add_argument("--python", help="a Python for which BUILD_DIR/python holds the module")
-    parser.add_argument("--prose", action="store_true", help="only measure prose and follow links")
+    parser.add_argument("--prose", action="store_true", help="only measure prose, follow links and look for files")
     parser.add_argument("--self-test", action="store_true", help="only show that the rules of prose find what they should")
     arguments = parser.parse_args()
     if arguments.self_test:
@@ -315,6 +330,8 @@ def main():
     for path in documents():
         name = path.relative_to(ROOT).as_posix()
         faults += broken_links(path)
+        if not name.startswith("benchmarks/history/"):  # records name the files of their day
+            faults += missing_files(name, path.read_text(encoding="utf-8"))
         (pending if name in PENDING else faults).extend(prose_faults(name, path.read_text(encoding="utf-8")))
         if not arguments.prose:
             run, not_run = check_blocks(path, arguments.build.resolve(), arguments.compiler, arguments.python, faults)
@@ -330,7 +347,7 @@ def main():
     if faults:
         sys.exit(f"{len(faults)} fault(s) in the documentation")
     examples = "" if arguments.prose else f"{blocks} examples run, {left_out} left out, "
-    print(f"{len(documents())} documents: {examples}all links lead somewhere, lines and paragraphs are short enough")
+    print(f"{len(documents())} documents: {examples}links and files exist, lines and paragraphs are short enough")
 
 
 if __name__ == "__main__":
