@@ -50,7 +50,7 @@ void expect_same(const std::vector<double>& halfspaces, int dimension, const Int
   }
   EXPECT_THAT(data.facet_halfspaces, ElementsAreArray(facets));
 
-  // Vertices and directions are told by the facets they are on.
+  // Vertices and directions are identified by the facets they are on.
   std::map<Rows, std::size_t> vertex_at, direction_at;
   for (std::size_t v = 0; v < data.num_vertices(); ++v)
     vertex_at.emplace(list(data.halfspaces_of_vertex(v)), v);

@@ -112,7 +112,8 @@ void expect_definition(const WeightedSet& s) {
   EXPECT_EQ(t.complex().finite_vertices().size(), visible.size());
 }
 
-/// One by one, every insertion checked against the zone foretold; a heavier copy of a vertex swallows it.
+/// One by one, every insertion checked against the predicted conflict zone; a heavier copy of a vertex
+/// swallows it.
 void expect_same_one_by_one(const WeightedSet& s, const std::vector<std::size_t>& order) {
   const auto d = static_cast<std::size_t>(s.set.dimension);
   const RegularTriangulation batch(s.set.points, s.weights, s.set.dimension);

@@ -37,8 +37,8 @@ def weights(simplex, query):
 
 
 def in_sphere(simplex, query, heights=None):
-    """Negative if the query is inside the sphere of d+1 points, 0 if it is on it. `heights`: what is taken off |x|² of each of the
-    simplex's points and the query (their weights)."""
+    """Negative if the query is inside the sphere of d+1 points, 0 if it is on it. `heights`: the weights of the simplex's points and
+    of the query, which are subtracted from |x|²."""
     heights = heights if heights is not None else [0] * (len(simplex) + 1)
     lifted = [[*exact(point), sum(x * x for x in exact(point)) - Fraction(float(weight))]
               for point, weight in zip([*simplex, query], heights)]

@@ -61,7 +61,7 @@ def test_adding_halfspaces_agrees(case, parts):
     ours = spatial.HalfspaceIntersection(halfspaces[:first], interior, incremental=True)
     for rows in np.array_split(halfspaces[first:], parts):
         ours.add_halfspaces(rows)
-    # Not that of scipy after additions of its own: it refuses some, and misses dual vertices after others.
+    # Compared with scipy in one batch: scipy refuses some additions, and misses dual vertices after others.
     assert_agree(ours, scipy_spatial.HalfspaceIntersection(halfspaces, interior))
     ours.close()
     with pytest.raises(RuntimeError):

@@ -51,7 +51,7 @@ def test_diagrams_are_drawn(plt):
 
 
 def test_rays_point_away_from_the_other_points(plt):
-    """Of a flat triangle the ray of the long side starts beyond it: the middle of the points is no guide to its direction."""
+    """In a flat triangle the ray of the long side starts beyond that side, so the middle of the points does not tell its direction."""
     points = np.array([[0, 0], [10, 0], [5, 1.0]])
     diagram = spatial.Voronoi(points)
     axes = spatial.voronoi_plot_2d(diagram).gca()

@@ -98,7 +98,7 @@ inline Matrix scaled_to_integers(std::span<const double> coordinates, int dimens
   return scaled_to_integers(coordinates, dimension, common_exponent(coordinates));
 }
 
-/// Exact answers about n points of R^d and, if given, some queries (rows n, n+1, …), which are no vertices.
+/// Exact answers about n points of R^d and, if given, some queries (rows n, n+1, …), which are not vertices.
 /// Points may have weights, which lower their lifts; then vertices() are the distinct weighted points, some
 /// of them hidden. `furthest`: all lifts are negated.
 class BruteForce {

@@ -380,8 +380,7 @@ TEST(SimplexKernel, TreatsLanesAlike) {
         certify_simplices(task, &one);
         ASSERT_EQ(one.orientation, all[lane].orientation);
         if (one.orientation == Sign::zero) continue;
-        // One lane may need exchanges of rows, which all then get: rounding differs, and what is proved of
-        // it.
+        // If one lane needs exchanges of rows, all get them: rounding differs, and so do the bounds.
         ASSERT_NEAR(one.spread, all[lane].spread, 0.05 * one.spread);
         ASSERT_NEAR(one.determinant, all[lane].determinant, 0.05 * one.determinant);
       }
