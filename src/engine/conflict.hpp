@@ -10,14 +10,14 @@
 
 namespace delone::engine {
 
-/// What the stages before the perturbation say of a cell and a query.
+/// The answer of the stages before the perturbation for a cell and a query.
 struct Unperturbed {
   Sign side;            ///< the sign of h(q)
   bool is_proved_zero;  ///< by the value of the cell's functional
   Index deciding;       ///< on a tie, the finite cell whose perturbed side decides
 };
 
-/// Settles a sign by a value beyond a threshold. Returns whether it is.
+/// Settles a sign if the value is beyond the threshold. Returns whether it is.
 inline bool settle(double value, double threshold, StageCounts& counts, Sign& side) {
   if (!(std::fabs(value) > threshold)) return false;
   ++counts.filter;
@@ -32,8 +32,8 @@ double threshold_at(const G& geometry, Index cell, const typename G::Query& q) {
   return threshold;
 }
 
-/// What find_unperturbed_side() does if no threshold settles the sign, nor the value proves a tie with a
-/// finite cell.
+/// The part of find_unperturbed_side() for when no threshold settles the sign and the value proves no tie
+/// with a finite cell.
 template <class Cells, QueryGeometry G, class Evaluator>
 [[gnu::noinline]] void ask_further_stages(const Cells& cells, const G& geometry, const typename G::Query& q,
                                           const Evaluator& functional, StageCounts& counts,
@@ -60,9 +60,10 @@ template <class Cells, QueryGeometry G, class Evaluator>
 /// vertices and neighbors like one. A query exactly on the hyperplane of an infinite cell conflicts with it
 /// iff it conflicts with the finite cell on the other side of the hull facet: the perturbation moves points
 /// along that hyperplane. `functional`: the geometry's evaluator for q. `threshold`: for q alone, unless the
-/// value proves a tie; known: {zero, whether it does, the cell} at first. `known` is written in place: to
-/// return it in registers, parts that were just written would be read together, for which processors wait.
-/// REQUIRES that q is none of the vertices of the cell, nor of the finite neighbor of an infinite cell.
+/// value proves a tie; known: {zero, whether it does, the cell} at first. `known` is written in place:
+/// returning it in registers would read together parts that were just written apart, a store-forwarding
+/// stall. REQUIRES that q is none of the vertices of the cell, nor of the finite neighbor of an infinite
+/// cell.
 template <class Cells, QueryGeometry G, class Evaluator>
 [[gnu::always_inline]] inline void find_unperturbed_side(const Cells& cells, const G& geometry, double value,
                                                          double threshold, const typename G::Query& q,

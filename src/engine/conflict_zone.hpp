@@ -17,35 +17,33 @@
 
 namespace delone::engine {
 
-/// Reused from insertion to insertion: the arrays only grow.
+/// Memory that is reused from insertion to insertion: the arrays only grow.
 struct ConflictZone {
-  /// A neighbor of a cell of the zone: the zone's from-th, across its facet `slot`.
+  /// The neighbor of cell number `from` of the zone across its facet `slot`.
   struct Candidate {
     Index cell;
     std::uint32_t from, slot;
   };
-  /// A cell that the filter leaves open, and what the other stages say of it.
+  /// A cell that the filter leaves open, and the answer of the other stages.
   struct Undecided {
     Index cell;
     double value;  ///< h̃(q)
     Unperturbed known;
   };
-  /// A neighbor that the filter leaves open: the cell of an undecided one, or of one that is known not to be
-  /// in conflict.
+  /// A neighbor that the filter leaves open: an undecided cell, or one that is known not to be in conflict.
   struct Open : Candidate {
     double value;
-    std::uint32_t undecided;  ///< which, or none
+    std::uint32_t undecided;  ///< its number among the undecided cells, or none
     static constexpr std::uint32_t none = 0xffffffff;
   };
-  /// How many cells are searched at a time, and of how many beyond the first of them the neighbors are asked
-  /// for. No more than some dozens of lines of the cache are under way at once: of larger cells, fewer must
-  /// do.
+  /// How many cells are searched at a time, and how many cells ahead neighbors are prefetched. A processor
+  /// fetches only some dozens of cache lines at once, so there are fewer cells if these are larger.
   static constexpr std::size_t block_size(std::size_t facets_of_cell) { return facets_of_cell <= 4 ? 16 : 4; }
   static constexpr std::size_t cells_ahead(std::size_t facets_of_cell) {
     return facets_of_cell <= 4 ? 32 : 16;
   }
-  /// How many open neighbors are worth being decided before everything else has been searched: on small grids
-  /// as many ties are broken at once, from 6D on in more lanes.
+  /// How many open neighbors are decided together before everything else has been searched: as many as fill
+  /// the SIMD lanes when ties on small grids are broken; from 6D on there are more lanes.
   static constexpr std::size_t enough_open(std::size_t facets_of_cell) {
     return facets_of_cell <= 6 ? 16 : 32;
   }
@@ -57,19 +55,19 @@ struct ConflictZone {
   GrowableArray<Index> cells;           ///< in conflict
   GrowableArray<double> values;         ///< h̃(q) of each
   GrowableArray<HorizonFacet> horizon;  ///< facets to cells that are not
-  GrowableArray<Index> marked;  ///< cells of the horizon that are marked, as it took the exact stages to know
-  // Of the star that takes the place of the cells, which slots its cells get.
+  GrowableArray<Index> marked;  ///< cells of the horizon that are marked: the exact stages decided them
+  // For the star that replaces the zone: the slots that its cells get.
   GrowableArray<std::uint8_t> has_facets;  ///< of each cell in conflict
   GrowableArray<Index> without_facets;     ///< cells in conflict that have none
   GrowableArray<std::uint32_t> others;     ///< facets that are not the last of their cell in conflict
-  // Of the block that is searched.
+  // The block that is being searched.
   std::vector<Candidate> candidates;
   std::vector<double> candidate_values;  ///< h̃(q) of each
-  // Of the blocks since the last time that open neighbors were decided.
+  // The blocks since open neighbors were last decided.
   std::vector<Undecided> undecided;
   std::vector<Open> open;
-  std::vector<Index> asked;          ///< those that are no proved ties
-  std::vector<double> thresholds;    ///< for q, of these
+  std::vector<Index> asked;          ///< those that are not proved ties
+  std::vector<double> thresholds;    ///< of these cells, for q
   std::vector<Index> tied_vertices;  ///< of the cells that decide the ties, where they are copied
   std::vector<const Index*> tied;    ///< those of each
   std::vector<Sign> sides;           ///< of these cells
@@ -110,7 +108,7 @@ struct ConflictZone {
 };
 
 /// Decides the cells that the filter has left open, all ties together, and adds them to the zone or to its
-/// horizon. Returns how many neighbors these were.
+/// horizon. Returns the number of these neighbors.
 template <class Cells, QueryGeometry G, class Evaluator, class Marks>
 [[gnu::noinline]] std::size_t decide_open(const Cells& cells, const G& geometry, const typename G::Query& q,
                                           const Evaluator& functional, Marks marks, ConflictZone& zone,
@@ -168,16 +166,16 @@ template <class Cells, QueryGeometry G, class Evaluator, class Marks>
 /// cells of the zone and of `zone.marked` stay marked. REQUIRES that no vertex is at q. If memory runs out,
 /// unmark() takes back all marks.
 ///
-/// Which neighbor is new, in conflict or on the horizon cannot be predicted, and each wrong guess costs as
-/// much as an evaluation. So cells are searched in blocks: first all neighbors not yet known to be in
-/// conflict are collected, then all are evaluated, then each is written to the zone and to the horizon, of
-/// which at most one advances; no branch depends on the data, and no evaluation waits for the mark that the
-/// one before it writes. The memory of the neighbors of a cell is asked for some blocks ahead. What the
-/// filter leaves open waits until it is worth being decided, many together.
+/// Whether a neighbor is new, in conflict or on the horizon is unpredictable, and a misprediction costs more
+/// than an evaluation. So cells are searched in blocks: first all neighbors not yet known to be in conflict
+/// are collected, then all are evaluated, then each is written to the zone and to the horizon, of which at
+/// most one advances. The only branch that depends on data is that for tests the filter leaves open, and no
+/// evaluation waits for the mark of the one before it. Neighbors are prefetched some blocks ahead. Open tests
+/// wait until there are several, and are decided together.
 ///
 /// In two dimensions the zone is a tree, unless vertices lose all their cells: the only neighbor known to be
-/// in conflict is that which a cell was found from. To evaluate it again costs less than to collect the
-/// others, and mispredicts fewer ends of loops.
+/// in conflict is the one from which a cell was found. Evaluating it again is cheaper than collecting the
+/// others, with fewer mispredicted ends of loops.
 template <class Cells, QueryGeometry G, class Marks>
 void find_conflict_zone(const Cells& cells, const G& geometry, const typename G::Query& q, Index first,
                         Marks marks, ConflictZone& zone, StageCounts& counts) {
@@ -194,7 +192,7 @@ void find_conflict_zone(const Cells& cells, const G& geometry, const typename G:
   if (geometry.proves_tie(first, zone.values[0], q)) zone.values[0] = -0.0;
   zone.num_cells = 1;
   marks.set(first, Mark::in_conflict);
-  std::size_t asked_for = 0;
+  std::size_t prefetched = 0;
   std::uint64_t evaluated = 0, uncertain = 0;
   zone.num_undecided = zone.num_open = 0;
   const auto leave_open = [&](Index cell, double value, std::size_t from, std::size_t slot) {
@@ -245,8 +243,8 @@ void find_conflict_zone(const Cells& cells, const G& geometry, const typename G:
         for (std::size_t i = 0; i < facets; ++i) place(neighbors[i], functional.value(neighbors[i]), next, i);
       }
     } else {
-      for (; asked_for < std::min(num_cells, next + cells_ahead); ++asked_for)
-        cells.prefetch_neighbors(zone_cells[asked_for]);
+      for (; prefetched < std::min(num_cells, next + cells_ahead); ++prefetched)
+        cells.prefetch_neighbors(zone_cells[prefetched]);
       ConflictZone::Candidate* const candidates = zone.candidates.data();
       double* const values = zone.candidate_values.data();
       const std::size_t end = std::min(next + block_size, num_cells);

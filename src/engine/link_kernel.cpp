@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A cell's vertices, and then its neighbors, fit a vector of eight ids up to 7 dimensions; beyond, and where
-// vectors are shorter, they are treated in several pieces. The last piece may reach beyond them: what is read
-// there is not used, and what is written there is what was there, or will be written next. But what is read
-// of neighbors ends with them: the next cell may be in another line of the cache, that nobody needs.
+// Up to 7 dimensions the vertices of a cell, and likewise its neighbors, fit a vector of eight ids. Beyond,
+// and if vectors are shorter, they are treated in several pieces. The last piece may reach beyond them: ids
+// read there are not used, and what is written there is what was there, or will be overwritten next. But
+// vectors of neighbors end with the last one: the next cell may be on another cache line, which nothing else
+// needs.
 #include "engine/link_kernel.hpp"
 
 #include "base/compiled_dimension.hpp"
@@ -21,8 +22,8 @@ namespace delone::engine {
 namespace HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
 
-// In the following K is k if that is from 2 to 8, 1 if it is at most 1, and 0 if it is more than 8. Ids tells
-// how vertices are kept: they are wide in vectors.
+// In the following K is k if that is from 2 to 8, 1 if it is at most 1, and 0 if it is more than 8. Ids says
+// how vertices are stored; in vectors they are wide.
 
 /// The vectors for the ids of a cell.
 template <int K>
@@ -38,15 +39,15 @@ struct Pieces {
 
   explicit Pieces(int k) : num_ids(static_cast<std::size_t>(K > 1 ? K : k) + 1) {}
   std::size_t num() const { return (num_ids + lanes - 1) / lanes; }
-  /// The numbers from one on.
+  /// The numbers from `first` on.
   HWY_INLINE Ids numbers(std::size_t first) const {
     return hn::Add(lane, hn::Set(d, static_cast<std::uint32_t>(first)));
   }
-  /// Which of the lanes from a slot on is another one.
+  /// The lane of `slot`, among lanes that start at slot `begin`.
   HWY_INLINE hn::Mask<IdTag<K>> is(int slot, std::size_t begin) const {
     return hn::Eq(lane, hn::Set(d, static_cast<std::uint32_t>(slot) - static_cast<std::uint32_t>(begin)));
   }
-  /// Which of the lanes from a slot on are ids of the cell, but for that of one slot.
+  /// The lanes with ids of the cell other than that of `slot`, among lanes that start at slot `begin`.
   HWY_INLINE hn::Mask<IdTag<K>> others(int slot, std::size_t begin) const {
     return hn::AndNot(is(slot, begin), hn::FirstN(d, num_ids - begin));
   }
@@ -56,13 +57,13 @@ struct Pieces {
   const std::size_t num_ids;
 };
 
-/// The layout of cells, known to the compiler from 2D to 8D.
+/// The layout of cells, known at compile time from 2D to 8D.
 template <int K, VertexIds Ids>
 CellLayout<(K > 1 ? K : 0)> layout_of(const CellLinks& links) {
   return CellLayout<(K > 1 ? K : 0)>(links.k, Ids);
 }
 
-/// Vertices of a cell from one on, given its links.
+/// Vertices of a cell from number `begin` on, given its links.
 template <VertexIds Ids, class D>
 HWY_INLINE hn::Vec<D> load_vertices(D d, const Index* links, std::size_t begin) {
   if constexpr (Ids == VertexIds::narrow) {
@@ -84,10 +85,10 @@ HWY_INLINE void store_vertices(hn::Vec<D> vertices, D d, Index* links, std::size
   }
 }
 
-/// Survivors are asked for so many facets ahead of their turn.
+/// Survivors are prefetched this many facets ahead.
 constexpr std::size_t ahead = 8;
 
-/// Sums of tags are to be different for different sets of vertices, as a rule.
+/// Different sets of vertices should have different sums of tags, in all but a few cases.
 template <class D>
 HWY_INLINE hn::Vec<D> tags(D d, hn::Vec<D> vertices) {
   auto x = hn::Mul(vertices, hn::Set(d, 0x9e3779b1u));
@@ -95,7 +96,7 @@ HWY_INLINE hn::Vec<D> tags(D d, hn::Vec<D> vertices) {
   return hn::Mul(x, hn::Set(d, 0x85ebca6bu));
 }
 
-/// The entries at the indices of the first `count` lanes, one by one: gathers take as long, or twice as long.
+/// The entries at the indices of the first `count` lanes, loaded one by one: a gather is no faster.
 template <class D>
 HWY_INLINE hn::Vec<D> look_up(D d, const std::uint32_t* entries, hn::Vec<D> indices, std::size_t count) {
   HWY_ALIGN std::uint32_t index[hn::MaxLanes(d)];
@@ -220,7 +221,7 @@ void match_ridges(const CellLinks& links, std::span<const HorizonFacet> facets,
       const auto valid = pieces.others(facets[f].slot, begin);
       const auto pair = hn::Eq(hn::ShiftRightSame(entry, table.sum_bits), hn::Set(d, 2u));
       const auto matched = hn::And(valid, pair);
-      // The least, for what comes of a count that came round.
+      // Clamped, as a count that has overflowed gives a meaningless number.
       const auto other = hn::Min(hn::IfThenElse(matched, hn::Sub(hn::Sub(entry, two), own), own), last);
       const auto across = look_up(d, created, hn::ShiftRightSame(other, facet_shift), count);
       hn::BlendedStore(across, valid, d, neighbors + begin);
@@ -233,8 +234,8 @@ void match_ridges(const CellLinks& links, std::span<const HorizonFacet> facets,
   }
 }
 
-/// Calls work(k, ids), constants that say for which cells there is code: the dimension, 0 if it is a
-/// variable, and the width of vertices.
+/// Calls work(k, ids) with constants for the compiled code: the dimension, 0 if it is a variable, and the
+/// width of vertices.
 template <class Work>
 void for_layout(const CellLinks& links, Work&& work) {
   internal::with_compiled_dimension<1, 8>(static_cast<std::size_t>(links.k), [&](auto k) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The cells of a new star and their links, all ids of a cell in one vector of the processor; compiled for
-// several instruction sets, of which the best that the machine has is chosen at run time.
+// The cells of a new star and their links, with all ids of a cell in one SIMD vector; compiled for several
+// instruction sets, of which the best that the machine has is chosen at run time.
 #pragma once
 
 #include "cells/cell_memory.hpp"
@@ -31,18 +31,18 @@ struct DeadCells {
 };
 
 /// Writes the vertices of created cells, and links them with the survivors of their facets. The ids in
-/// facet.created are given; what else a facet lacks is filled in. A cell may be created where the dead cell
-/// of its facet is, or one of an earlier facet.
+/// facet.created are given; the other members of the facets are filled in. A cell may be created in the place
+/// of the dead cell of its facet, or of that of an earlier facet.
 void create_cells(const CellLinks& links, Index apex, const DeadCells& zone, std::span<HorizonFacet> facets);
 
-/// A half-ridge is numbered facet · 2^half_ridge_shift + its slot in the created cell; numbers of the apex's
-/// slot and beyond that of the last vertex stand for none.
+/// The number of a half-ridge is facet · 2^half_ridge_shift + its slot in the created cell. Numbers with the
+/// slot of the apex, or with one beyond the last vertex, are not used.
 constexpr int half_ridge_shift(int k) {
   return std::max(3, static_cast<int>(std::bit_width(static_cast<unsigned>(k))));
 }
 
-/// Half-ridges are matched in a table of 2^bits entries and one more, each the sum of the numbers of the
-/// half-ridges that have selected it, plus as many times 2^sum_bits.
+/// The table in which half-ridges are matched has 2^bits entries and one more. Each is the sum of the numbers
+/// of the half-ridges that have selected it, plus 2^sum_bits for each of them.
 struct RidgeEntries {
   std::uint32_t* entries;
   int bits;
@@ -55,8 +55,8 @@ struct RidgeEntries {
 void hash_ridges(const CellLinks& links, std::span<const HorizonFacet> facets, std::size_t first,
                  std::size_t last, std::uint32_t* hashes, Index* created, const RidgeEntries* table);
 
-/// Links the created cells across all ridges whose two half-ridges have an entry to themselves. Of the
-/// others, bits are set in `unmatched`, those of all other numbers are not.
+/// Links the created cells across all ridges whose two half-ridges have an entry to themselves. In
+/// `unmatched`, sets the bits of the other half-ridges and clears those of all other numbers.
 void match_ridges(const CellLinks& links, std::span<const HorizonFacet> facets, const std::uint32_t* hashes,
                   const Index* created, const RidgeEntries& table, std::uint8_t* unmatched);
 

@@ -1,17 +1,17 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Finds which cells of a new star share a ridge of the horizon, by hashing and without branches that depend
-// on the data.
+// Finds the cells of a new star that share a ridge of the horizon, by hashing and without branches that
+// depend on data.
 //
 // A half-ridge is a ridge seen from one of its cells. The horizon is the boundary of a ball, so every ridge
 // has exactly two half-ridges. Each adds itself and a count to the table entry that a hash of the ridge's
 // vertex set selects. Both half-ridges of a ridge select the same entry; so an entry that exactly two have
 // selected holds the two halves of one ridge: the sum less one half is the other, exactly, whatever the
-// quality of the hash. Half-ridges in fuller entries are hashed anew, among themselves, and those that are
-// still left after some rounds, mostly since their hashes are the same, are compared.
+// quality of the hash. Half-ridges in fuller entries are hashed again, among themselves. Those that are still
+// left after some rounds, mostly because their hashes are equal, are compared.
 //
 // In two dimensions ridges are vertices and the horizon is a cycle of edges, each of which ends where another
-// one begins: a small table of where edges begin links nearly all stars. Where two vertices share an entry,
-// hashing does.
+// one begins: a small table of where edges begin links nearly all stars. If two vertices share an entry, the
+// ridges are hashed.
 #pragma once
 
 #include "base/growable_array.hpp"
@@ -44,8 +44,7 @@ class RidgeTable {
       grow(facets, k);
   }
 
-  /// Takes note of a created triangle of facet f as soon as it has its vertices, that of the apex in slot
-  /// `apex`.
+  /// Notes a created triangle of facet f as soon as it has its vertices, with the apex in slot `apex`.
   void note(std::uint32_t f, const Index* vertices, int apex) { beginning_at(vertices[next_slot[apex]]) = f; }
   /// Hashes the ridges of the facets first … last − 1, whose created cells have their vertices. REQUIRES
   /// reserve().
@@ -68,28 +67,28 @@ class RidgeTable {
     return static_cast<int>(half & ((1u << half_ridge_shift(k)) - 1));
   }
 
-  /// Entries count in the bits above those that the sum of two half-ridges takes. What more than two add to
-  /// the sum may carry into the count, less than one for every two of them: a count that is more than 2
-  /// cannot look like 2 as long as one and a half times all half-ridges do not overflow it. That holds for
-  /// 2^15 half-ridges with 16 bits for each part, and for all with 32. With 24 bits of 32 for the sum, a
-  /// count may come round to 2: then more half-ridges have found another than there are entries with two,
-  /// times two, and nothing is believed.
+  /// An entry has its count in the bits above the sum, which has room for two half-ridges. The sum of more
+  /// than two may carry into the count, less than 1 for every two of them. So a count above 2 cannot look
+  /// like 2 as long as one and a half times the number of all half-ridges does not overflow it. That holds
+  /// for 2^15 half-ridges with 16 bits for each part, and always with 32. With 24 of 32 bits for the sum, a
+  /// count may overflow and come round to 2. Then the half-ridges that have found another are more than twice
+  /// as many as the entries with a count of two, and no match is used.
   static constexpr int short_bits = 16, narrow_bits = 24, wide_bits = 32;
   static bool fits(int sum_bits, std::size_t facets, int k) {
     return facets << half_ridge_shift(k) <= std::size_t{1} << (sum_bits - 1);
   }
-  /// A table that takes room from others in the first-level cache is better fuller, though more is left by
-  /// it, and even more so one that outgrows it.
+  /// Small tables have more entries per half-ridge than large ones: a table that fills the L1 cache, or does
+  /// not fit it, is better fuller, although it leaves more half-ridges unmatched.
   static std::size_t num_entries(std::size_t facets, int k) {
     const std::size_t halves = std::max<std::size_t>(facets * static_cast<std::size_t>(k), 1);
     return std::bit_ceil(halves * (4 * halves <= least_entries       ? 4
                                    : fits(short_bits + 1, facets, k) ? 2
                                                                      : 1));
   }
-  /// No star of less than `few` facets has more entries than this, or than one of `few`.
+  /// A star of less than `few` facets has at most this many entries, or as many as a star of `few` facets.
   static constexpr std::size_t least_entries = 1024;
 
-  /// Makes room for a star of so many facets; if these are `few`, for all smaller ones.
+  /// Makes room for a star of so many facets; for `few` facets, also for all smaller stars.
   [[gnu::noinline]] void grow(std::size_t facets, int k) {
     const std::size_t halves = facets << half_ridge_shift(k);
     if (halves >= std::min(hashes_.capacity(), unmatched_.capacity() / 2)) {
@@ -135,29 +134,27 @@ class RidgeTable {
   template <int K>
   std::uint32_t match_narrow(const RidgeEntries& table, CellStore<K>& cells,
                              std::span<const HorizonFacet> facets);
-  /// The same for those that are left, round after round, and by other hashes; returns those that are left
-  /// then.
+  /// The same for those that are left, by other hashes, round after round. Returns those that are left then.
   template <int SumBits, class Entry, int K>
   std::span<std::uint32_t> match_rest(Entry* entries, std::size_t size, std::uint32_t left,
                                       CellStore<K>& cells);
-  /// The same for all that are left, by their vertices. The halves of a ridge have the same hash, so only
-  /// such are compared. Takes no memory, as it must not fail: cells have been changed.
+  /// The same for all that are left, by comparing vertices. The halves of a ridge have the same hash, so only
+  /// half-ridges of one hash are compared. Allocates nothing, as it must not fail: cells have been changed.
   template <int K>
   void compare(CellStore<K>& cells, std::span<std::uint32_t> left);
   std::uint32_t all_unmatched(std::span<const HorizonFacet> facets, int k);
 
-  /// Stars of so many facets have room from the first one on.
+  /// There is room for stars of so many facets from the first one on.
   static constexpr std::size_t few = 64;
 
   int rounds_;
-  int k_ = -1;  // of cells that there is room for
-  std::vector<std::uint32_t>
-      narrow_;  // entries, all zero between calls: above how many selected it, below their sum
-  std::vector<std::uint64_t> wide_;  // the same for stars that need the room, and for what is left of others
+  int k_ = -1;                           // the dimension of the cells that there is room for
+  std::vector<std::uint32_t> narrow_;    // entries, all zero between calls: counts above, sums below
+  std::vector<std::uint64_t> wide_;      // the same for large stars, and for the rest of others
   GrowableArray<std::uint32_t> hashes_;  // of the ridges of all half-ridges
   GrowableArray<std::uint32_t> unmatched_;
   GrowableArray<Index> created_;
-  std::vector<std::uint64_t> left_;  // of all half-ridges, a bit each: whether it is not matched
+  std::vector<std::uint64_t> left_;  // a bit for each half-ridge: whether it is unmatched
   std::array<std::uint32_t, 1024>
       beginning_{};  // which edge of a cycle begins at a vertex, by the low bits of its id
 };
@@ -247,7 +244,7 @@ std::uint32_t RidgeTable::match_narrow(const RidgeEntries& table, CellStore<K>& 
   if (table.sum_bits == narrow_bits)
     for (std::size_t i = 0; i < size; ++i) pairs += table.entries[i] >> narrow_bits == 2;
   std::fill_n(table.entries, size + 1,
-              0u);  // it is in the cache, so that filling it is faster than finding what is not zero
+              0u);  // it is in the cache, so filling it is faster than clearing single entries
   if (table.sum_bits == narrow_bits && 2 * pairs + left != facets.size() * static_cast<std::size_t>(k))
     return all_unmatched(facets, k);
   return left;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The facets that have one cell so far, while cells are created one beside the other (wrap.hpp): a hash table
-// of keys that come and go in pairs.
+// The facets that have one cell so far, while cells are created one beside the other (wrapping.hpp): a hash
+// table of keys that come and go in pairs.
 #pragma once
 
 #include "base/growable_array.hpp"
@@ -17,9 +17,9 @@
 
 namespace delone::engine {
 
-/// Maps keys to values, each for as long as it is met an odd number of times. A line of the cache has room
-/// for five keys; what does not fit goes to the line beside it, and what does not fit there is kept apart.
-/// Nothing in match() but that is a branch that depends on the data.
+/// Maps keys to values; a key is in the table while it has been met an odd number of times. A cache line has
+/// room for five keys. Keys that do not fit go to the neighboring line, and those that do not fit there to a
+/// map. Only these overflows are branches that depend on data in match().
 class FacetTable {
  public:
   static constexpr std::uint32_t none = ~std::uint32_t{0};
@@ -32,8 +32,8 @@ class FacetTable {
     __builtin_prefetch(&lines_[place(key)], 1);
   }
 
-  /// Asks for the line beside that of a key, if the key may be there, or may go there. The line of the key
-  /// should have come.
+  /// Prefetches the line beside that of a key, if the key may be there or may go there. The key's own line
+  /// should have been prefetched.
   [[gnu::always_inline]] void prefetch_overflow(std::uint64_t key) const {
     const std::size_t home = place(key);
     const Line& line = lines_[home];
@@ -41,9 +41,9 @@ class FacetTable {
     __builtin_prefetch(&lines_[home ^ static_cast<std::size_t>((overflows | (0 - overflows)) >> 63)], 1);
   }
 
-  /// For each of up to most_at_once keys, which are different: if it is there, removes it and gives its
-  /// value; else adds it with the value `first` + its number, and gives `none`. Slow without a reserve() that
-  /// covers them. REQUIRES that no key is 0. Throws std::bad_alloc.
+  /// For each of up to most_at_once keys, which are different: if it is there, removes it and writes its
+  /// value to `others`; else adds it with the value `first` + its number, and writes `none`. Slow without a
+  /// reserve() that covers them. REQUIRES that no key is 0. Throws std::bad_alloc.
   void match(std::span<const std::uint64_t> keys, std::uint32_t first, std::uint32_t* others) {
     std::array<FacetPlaces, most_at_once> places;
     find_facets(lines_.data(), num_lines_, keys, places.data());
@@ -51,8 +51,8 @@ class FacetTable {
       others[i] = match(keys[i], first + static_cast<std::uint32_t>(i), places[i]);
   }
 
-  /// Makes room for `count` more keys, and gives memory back where far fewer are left. Throws std::bad_alloc,
-  /// and then nothing has changed.
+  /// Makes room for `count` more keys, and releases memory if far fewer are left. Throws std::bad_alloc, and
+  /// then changes nothing.
   void reserve(std::size_t count) {
     if (2 * (size_ + count) > most_per_two_lines * num_lines_)
       rebuild(2 * num_lines_);
@@ -66,21 +66,21 @@ class FacetTable {
   static constexpr std::size_t fewest_lines = 1024;
   static constexpr std::size_t most_per_two_lines = 4;  ///< then one line in 60 overflows
 
-  /// `places`: of a key, before other keys were added.
+  /// `places`: where the key is and may go, found before other keys were added.
   [[gnu::always_inline]] std::uint32_t match(std::uint64_t key, std::uint32_t value, FacetPlaces places) {
     const std::size_t home = place(key);
     Line& line = lines_[home];
-    // Whether the key is there cannot be predicted; but the rest can, and is asked first.
+    // Whether the key is there is unpredictable; the rest is predictable and tested first.
     if ((line.num_beside | line.num_elsewhere) != 0) [[unlikely]]
       if (places.hits == 0)
         if (const std::uint32_t other = take_from_overflow(home, key); other != none) return other;
     if ((places.hits | places.vacancies) == 0) [[unlikely]]
       return add(home, key, value);
-    // Compilers make branches of selections: so these are masks.
+    // Masks, as compilers turn selections into branches.
     const std::uint32_t hit = 0u - static_cast<std::uint32_t>(places.hits != 0);
     const int i = std::countr_zero(places.hits | (places.vacancies & ~hit));
     const std::uint64_t vacated = static_cast<std::uint64_t>(static_cast<std::int32_t>(hit));
-    if ((line.keys[i] & ~vacated) != 0) [[unlikely]]  // taken since it was looked at
+    if ((line.keys[i] & ~vacated) != 0) [[unlikely]]  // taken meanwhile
       return add(home, key, value);
     const std::uint32_t other = line.values[i] | ~hit;
     line.keys[i] = key & ~vacated;
@@ -89,8 +89,8 @@ class FacetTable {
     return other;
   }
 
-  /// Removes a key that is not in its line from the line beside it, or from what is in no line; `none` if it
-  /// is in neither.
+  /// Removes a key that is not in its line from the line beside it or from the map, and returns its value;
+  /// `none` if it is in neither.
   std::uint32_t take_from_overflow(std::size_t home, std::uint64_t key) {
     Line& line = lines_[home];
     Line& beside = lines_[home ^ 1];
@@ -110,7 +110,7 @@ class FacetTable {
     --size_;
     return other;
   }
-  /// Adds a key where there is room. Returns `none`.
+  /// Adds a key to the first place with room. Returns `none`.
   std::uint32_t add(std::size_t home, std::uint64_t key, std::uint32_t value) {
     const auto put = [&](Line& line) {
       std::uint64_t* const vacant = std::find(line.keys, line.keys + room, 0);
@@ -141,7 +141,7 @@ class FacetTable {
         if (const std::uint64_t key = line.keys[i]; key != 0)
           other.add(other.place(key), key, line.values[i]);
     };
-    // If not, it has keys of the line beside it.
+    // Otherwise the line also has keys of the line beside it.
     const auto has_only_its_own = [&](std::size_t l) { return lines_[l ^ 1].num_beside == 0; };
     if (lines == 2 * num_lines_) {
       for (std::size_t l = 0; l < num_lines_; ++l)
@@ -154,8 +154,8 @@ class FacetTable {
     for (const auto& [key, value] : elsewhere_) other.add(other.place(key), key, value);
     *this = std::move(other);
   }
-  /// Adds all keys of a line of a table half as large to two lines, both empty. Which of them cannot be
-  /// predicted: there is no branch.
+  /// Distributes the keys of a line of a table half as large to two empty lines. The choice is unpredictable,
+  /// so there is no branch.
   void share_out(const Line& line, Line& lower, Line& upper) {
     Line* const lines[] = {&lower, &upper};
     std::size_t counts[] = {0, 0};

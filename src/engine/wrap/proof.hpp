@@ -4,8 +4,7 @@
 // facet is inside the sphere of the cell beyond it. That the cells do not cover space several times is proved
 // by one point, of which the caller proves that it is in one finite cell.
 //
-// Functionals are made for some cells at a time, and forgotten: most who ask for a triangulation never ask
-// for them.
+// Functionals are made for some cells at a time and forgotten: most users of a triangulation never need them.
 #pragma once
 
 #include "engine/cell_store.hpp"
@@ -31,8 +30,8 @@ class Proof {
   using Evaluator = decltype(std::declval<const G&>().evaluator(std::declval<const Query&>()));
 
  public:
-  /// How many cells `geometry` is to have room for: it is asked for the functionals of so many at a time,
-  /// which are not kept.
+  /// How many cells `geometry` must have room for: functionals are made for so many cells at a time, and not
+  /// kept.
   static constexpr std::size_t batch_size = 64;
 
   /// `queries`: one at every vertex, in the order of their ids; that of vertex 0 is not used.
@@ -46,9 +45,9 @@ class Proof {
     for (const Query& q : queries) evaluators_.push_back(geometry.evaluator(q));
   }
 
-  /// Cells have their vertices, which are wide, in ascending order, and no slot is vacant. Orients them.
-  /// Returns whether all holds, without ties, every vertex has a cell, and the point is on the inner side of
-  /// all infinite cells. `tick` is called often, and may throw.
+  /// Returns whether the cells are proved, without ties, every vertex has a cell, and the point is on the
+  /// inner side of all infinite cells. If so, orients the cells. `tick` is called often, and may throw.
+  /// REQUIRES cells with wide vertices in ascending order, and no vacant slot.
   bool run(const Query& point, const std::function<void()>& tick) {
     if (!check_finite_cells(tick) || !check_infinite_cells(point)) return false;
     if (2 * num_checked_ != std::size_t{cells_.num_slots()} * (K + 1))
@@ -60,11 +59,11 @@ class Proof {
 
  private:
   static constexpr Index infinite = index(infinite_vertex);
-  /// How many cells ahead memory is asked for.
+  /// How many cells ahead memory is prefetched.
   static constexpr Index ahead = 6;
 
   bool check_finite_cells(const std::function<void()>& tick) {
-    std::vector<unsigned char> has_cell(queries_.size());  // written more often than bits should be
+    std::vector<unsigned char> has_cell(queries_.size());  // bytes, as bits would be slower to write
     std::array<Index, batch_size> batch, numbers;
     std::iota(numbers.begin(), numbers.end(), Index{0});
     std::array<const Index*, batch_size> vertices;
@@ -122,8 +121,8 @@ class Proof {
     return true;
   }
 
-  /// Exchanges two vertices of the cells that are oriented negatively. Which these are cannot be predicted:
-  /// there is no branch.
+  /// Exchanges two vertices of the cells that are oriented negatively, without a branch, as these are
+  /// unpredictable.
   void orient() {
     for (Index cell = 0; cell < cells_.num_slots(); ++cell) {
       const Index flipped = Index{0} - static_cast<Index>(is_flipped_[cell]);
@@ -135,8 +134,9 @@ class Proof {
     }
   }
 
-  /// Asks for the neighbors of a cell that come before it, without a branch.
-  [[gnu::always_inline]] void prefetch_earlier(Index cell) const {  // else GCC drops calls, as without effect
+  /// Prefetches the neighbors of a cell that come before it, without a branch.
+  [[gnu::always_inline]] void prefetch_earlier(
+      Index cell) const {  // otherwise GCC drops calls as having no effect
     if (cell >= cells_.num_slots()) return;
     for (int i = 0; i <= K; ++i) {
       const Index n = cells_.neighbors(cell)[i];
@@ -145,8 +145,8 @@ class Proof {
     }
   }
 
-  /// Checks the facets to those cells before this one that are finite or infinite like it. The geometry knows
-  /// its functional as that of cell `number`.
+  /// Checks the facets to the cells before this one that are finite or infinite like it. The geometry has its
+  /// functional under the id `number`.
   bool check_earlier(Index cell, Index number) {
     const Index* const neighbors = cells_.neighbors(cell);
     const bool with_infinite = is_infinite(cell);
@@ -178,13 +178,13 @@ class Proof {
                                 counts_);
   }
 
-  /// The facet of a neighbor that has the same vertices as facet `slot` of a cell, or −1 if they are no
+  /// The facet of a neighbor that has the same vertices as facet `slot` of a cell, or −1 if they are not
   /// neighbors.
   int mirror_slot(Index cell, int slot, Index neighbor) const {
     const Index* a = cells_.wide_vertices(cell);
     const Index* b = cells_.wide_vertices(neighbor);
-    // Which vertices of the facet the neighbor has in the same place among its own, and which in the next
-    // one: a bit for each. What is read beyond them are neighbors of the same cell.
+    // A bit for each vertex of the facet: does the neighbor have it in the same place among its own, or in
+    // the next one? Ids read beyond the vertices are neighbors of the same cell.
     constexpr std::uint32_t all = (std::uint32_t{1} << K) - 1;
     static_assert(K >= 2 && K <= 16);
     FourIds same{}, next{};

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Gift wrapping: all cells of a triangulation, each created once, beside one that is there already. Across a
-// facet that has one cell so far lies the cell whose sphere is the first to be met when that of the one is
-// moved beyond the facet. Where a vertex has many of the others for neighbors this is several times cheaper
-// than insertions, five of six of whose cells do not last
+// Gift wrapping: creates all cells of a triangulation, each once, next to one that is there already. The cell
+// across an open facet is found by moving the sphere of the facet's one cell, through the facet, towards the
+// other side: the first vertex that it meets is the apex. If most vertices are neighbors of each other, this
+// is cheaper than insertion, which deletes most of the cells that it creates
 // (docs/decisions/0007-small-sets-in-high-dimensions-are-wrapped.md).
 //
-// The search works with rounded numbers, so what comes of it is a proposal; prove.hpp proves it, or not.
+// The search works with rounded numbers, so its result is a proposal; proof.hpp proves or refuses it.
 #pragma once
 
 #include "cells/open_cell.hpp"
@@ -25,7 +25,7 @@
 
 namespace delone::engine {
 
-/// Says what is beyond facets, where it is certain enough for a proposal.
+/// Finds what is beyond facets, with enough certainty for a proposal.
 template <class S>
 concept SearchBeyondFacets = requires(S search, Index* vertices, std::span<const OpenCell> cells,
                                       Index* apexes) {
@@ -36,8 +36,8 @@ concept SearchBeyondFacets = requires(S search, Index* vertices, std::span<const
   { search.find_apexes(cells, apexes) } -> std::same_as<bool>;
 };
 
-/// Fills an empty store whose vertices are wide. The vertices of a cell are in ascending order, whatever
-/// orientation that gives.
+/// Fills an empty store whose vertices are wide. The vertices of a cell are in ascending order, whatever its
+/// orientation.
 template <int K, SearchBeyondFacets S>
 class Wrapping {
  public:
@@ -47,8 +47,8 @@ class Wrapping {
     for (Index v = 0; v <= num_vertices; ++v) keys_[v] = mixed(v);
   }
 
-  /// Returns whether all facets have found two cells. If it does not, or throws (memory, ids), the cells make
-  /// no sense. `tick` is called often, and may throw.
+  /// Returns whether every facet has two cells in the end. If not, or if it throws (memory, ids), the cells
+  /// are meaningless. `tick` is called often, and may throw.
   bool run(const std::function<void()>& tick) {
     NewCell first;
     if (!search_.first_cell(first.vertices.data())) return false;
@@ -67,9 +67,9 @@ class Wrapping {
 
  private:
   static constexpr std::size_t batch_size = S::batch_size;
-  /// How many cells ahead of their creation the lines of the table are asked for.
+  /// How many cells before their creation the lines of the table are prefetched.
   static constexpr std::size_t ahead = 8;
-  /// And how many cells after it they are linked.
+  /// How many cells after their creation they are linked.
   static constexpr std::size_t behind = 2;
 
   /// A cell to be created.
@@ -79,7 +79,7 @@ class Wrapping {
     std::uint64_t key;
     Index cell;
     std::array<std::uint32_t, K + 1>
-        mirrors;  ///< the facets that are the same as its own, or these, if they are open
+        mirrors;  ///< for each facet, the same facet of another cell, or itself if it is open
   };
   /// Where it belongs.
   struct Place {
@@ -87,7 +87,7 @@ class Wrapping {
     int slot;  ///< of the facet of `beside`
   };
 
-  /// 64 bits that look random (Steele, Lea, Flood, Fast splittable pseudorandom number generators, 2014,
+  /// 64 pseudorandom bits (Steele, Lea, Flood, Fast splittable pseudorandom number generators, 2014,
   /// doi:10.1145/2714064.2660195).
   static std::uint64_t mixed(std::uint64_t x) {
     x += 0x9e3779b97f4a7c15;
@@ -96,7 +96,7 @@ class Wrapping {
     return x ^ x >> 31;
   }
 
-  /// The key of a set of vertices is the sum of theirs; that of a facet the same, never 0.
+  /// The key of a cell or facet is the sum of the keys of its vertices; that of a facet is never 0.
   void find_keys(NewCell& cell) const {
     cell.key = 0;
     for (const Index v : cell.vertices) cell.key += keys_[v];
@@ -107,7 +107,7 @@ class Wrapping {
     }
   }
 
-  /// Describes the cell beyond facet `slot` of a cell: its vertices with the apex in place of one, in order.
+  /// Describes the cell beyond a facet: the vertices of the facet and the apex, in ascending order.
   void describe(Place place, Index apex, NewCell& cell) const {
     const Index* const old = cells_.wide_vertices(place.beside);
     std::size_t before = 0;
@@ -120,15 +120,15 @@ class Wrapping {
     find_keys(cell);
   }
 
-  /// Creates a cell, and finds those that have its facets already. REQUIRES reserved memory. Returns whether
-  /// it is new, as far as samples tell: after a wrong proposal wrapping never ends, but finds the same cells
-  /// again and again.
+  /// Creates a cell, and finds the cells that have its facets already. Returns false if a sample of all cells
+  /// shows that it is not new: after a wrong proposal wrapping may never end, finding the same cells again
+  /// and again. REQUIRES reserved memory.
   bool create(NewCell& made) {
     made.cell = cells_.append();
     std::copy(made.vertices.begin(), made.vertices.end(), cells_.wide_vertices(made.cell));
     facets_.match(made.facet_keys, facet(made.cell, 0), made.mirrors.data());
     for (std::uint32_t i = 0; i <= K; ++i) {
-      // Which facets are open cannot be predicted: there is no branch, and an open one is linked with itself.
+      // Without a branch, as open facets are unpredictable: an open facet is linked with itself.
       const std::uint32_t open = 0u - static_cast<std::uint32_t>(made.mirrors[i] == FacetTable::none);
       made.mirrors[i] = (facet(made.cell, i) & open) | (made.mirrors[i] & ~open);
       __builtin_prefetch(cells_.neighbors(made.mirrors[i] / (K + 1)), 1);
@@ -136,7 +136,7 @@ class Wrapping {
     return made.key % 256 != 0 || sample_.insert(made.key).second;
   }
 
-  /// Links a created cell with those.
+  /// Links a created cell with the cells that have its facets.
   void link(const NewCell& made) {
     std::uint32_t num_open = 0;
     for (std::uint32_t i = 0; i <= K; ++i) {
@@ -161,8 +161,8 @@ class Wrapping {
     return open;
   }
 
-  /// Fills the batch with cells that have open facets. Those had fewest when they were created go first, so
-  /// that dents of what is there are filled, and few facets are open at a time.
+  /// Fills the batch with cells that have open facets. Those that had fewest when they were created go first,
+  /// so that dents are filled and few facets are open at a time.
   std::size_t take_cells() {
     std::size_t taken = 0;
     for (auto& waiting : waiting_)
@@ -173,7 +173,7 @@ class Wrapping {
         const std::uint32_t open = open_slots(cell);
         taken_[taken] = cell;
         batch_[taken] = {cells_.wide_vertices(cell), open};
-        taken += open != 0;  // nothing foretells it: no branch
+        taken += open != 0;  // unpredictable, so without a branch
       }
     return taken;
   }
@@ -198,7 +198,7 @@ class Wrapping {
       }
       if (i >= ahead && i - ahead < count) {
         const std::size_t c = i - ahead;
-        // A cell of the same batch may have been the neighbor, or may be about to be.
+        // The neighbor may have been created in the same batch, or may be about to be.
         bool is_there = cells_.neighbors(places_[c].beside)[places_[c].slot] != invalid_index;
         for (std::size_t other = c - std::min(c, behind); other < c; ++other)
           is_there |= new_cells_[other].key == new_cells_[c].key;
@@ -214,7 +214,7 @@ class Wrapping {
   std::vector<std::uint64_t> keys_;                // of the vertices
   FacetTable facets_;                              // those with one cell: cell · (k + 1) + slot
   std::array<std::vector<Index>, K + 2> waiting_;  // finite cells, by how many open facets they had at first
-  std::unordered_set<std::uint64_t> sample_;       // of the keys of cells
+  std::unordered_set<std::uint64_t> sample_;       // of keys of cells
   std::array<Index, batch_size> taken_;
   std::array<OpenCell, batch_size> batch_;
   std::array<Index, batch_size*(K + 1)> apexes_, found_;
