@@ -41,11 +41,6 @@ LONGEST_LINE = 160  # characters
 LONGEST_PARAGRAPH = 130  # words
 LONGEST_DECISION = 600  # words
 
-# Documents that still break the rules of prose: their faults are printed, but do not fail the check.
-PENDING = frozenset((
-    "docs/formats.md",
-))
-
 LEFT_OUT = object()  # in place of the output of a block that was not run
 
 
@@ -326,22 +321,18 @@ def main():
     if not arguments.prose and arguments.build is None:
         parser.error("a build directory is needed, or --prose")
 
-    faults, pending, blocks, left_out = [], [], 0, 0
+    faults, blocks, left_out = [], 0, 0
     for path in documents():
         name = path.relative_to(ROOT).as_posix()
         faults += broken_links(path)
         if not name.startswith("benchmarks/history/"):  # records name the files of their day
             faults += missing_files(name, path.read_text(encoding="utf-8"))
-        (pending if name in PENDING else faults).extend(prose_faults(name, path.read_text(encoding="utf-8")))
+        faults += prose_faults(name, path.read_text(encoding="utf-8"))
         if not arguments.prose:
             run, not_run = check_blocks(path, arguments.build.resolve(), arguments.compiler, arguments.python, faults)
             blocks, left_out = blocks + run, left_out + not_run
     if blocks == 0 and not faults and not arguments.prose:
         faults.append("no runnable block was found: the marks have changed")
-    for fault in pending:
-        print(f"to be fixed: {fault}")
-    for name in PENDING - {fault.split(":")[0] for fault in pending}:
-        print(f"{name} obeys now: take it from PENDING in tools/check_docs.py")
     for fault in faults:
         print(fault)
     if faults:
