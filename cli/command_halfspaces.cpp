@@ -75,9 +75,9 @@ const char* name_of(IntersectionState state) {
 }
 
 /// In higher dimensions volumes cost more than the intersection.
-bool has_volume(const HalfspaceIntersection& found) { return found.is_bounded() && found.dimension() <= 3; }
+bool has_volume(const Polyhedron& found) { return found.is_bounded() && found.dimension() <= 3; }
 
-Json stats(const HalfspaceIntersection& found, const Cost& cost, std::uint64_t seed) {
+Json stats(const Polyhedron& found, const Cost& cost, std::uint64_t seed) {
   const IntersectionData& data = found.data();
   Json json;
   json["command"] = "halfspaces";
@@ -103,7 +103,7 @@ Json stats(const HalfspaceIntersection& found, const Cost& cost, std::uint64_t s
   return json;
 }
 
-Summary summary(const HalfspaceIntersection& found, const Cost& cost, const HalfspacesOptions& options) {
+Summary summary(const Polyhedron& found, const Cost& cost, const HalfspacesOptions& options) {
   const IntersectionData& data = found.data();
   Summary summary(options.input.path, fmt::format("intersection of {} halfspaces in dimension {}",
                                                   found.num_halfspaces(), found.dimension()));
@@ -149,7 +149,7 @@ int run_halfspaces(const HalfspacesOptions& options) {
   if (writes) check_output(build, dimension);
   ProgressBar bar(build.quiet);
   const auto build_start = Clock::now();
-  const HalfspaceIntersection found = [&] {
+  const HalfspaceIntersection<> found = [&] {
     const StageGuard guard(Stage::building);
     const Options how = build.to_options(bar);
     return about(name, [&] {

@@ -32,11 +32,11 @@ Json stats(const Polytope& hull, const Cost& cost, const HullOptions& options) {
   return json;
 }
 
-Statistics statistics_of(const LowerHull& hull) {
+Statistics statistics_of(const Envelope& hull) {
   return hull.num_points() == 0 ? Statistics{} : hull.polytope().statistics();
 }
 
-Json stats(const LowerHull& hull, const Cost& cost, const HullOptions& options) {
+Json stats(const Envelope& hull, const Cost& cost, const HullOptions& options) {
   Json json;
   json["command"] = "hull";
   json["side"] = hull.side() == HullSide::lower ? "lower" : "upper";
@@ -72,7 +72,7 @@ Summary summary(const Polytope& hull, const Cost& cost, const HullOptions& optio
       .cost(hull.statistics(), cost);
 }
 
-Summary summary(const LowerHull& hull, const Cost& cost, const HullOptions& options) {
+Summary summary(const Envelope& hull, const Cost& cost, const HullOptions& options) {
   return Summary(options.input.path, fmt::format("{} hull of {} points in dimension {}",
                                                  hull.side() == HullSide::lower ? "lower" : "upper",
                                                  hull.num_points(), hull.dimension()))
@@ -122,15 +122,15 @@ int run_hull(const HullOptions& options) {
     return about(input_name(options.input.path), [&] { return make(build.to_options(bar)); });
   };
   if (!one_side) {
-    const Polytope hull =
-        built([&](const Options& how) { return Polytope(table.coordinates, table.dimension, how); });
+    const ConvexHull<> hull =
+        built([&](const Options& how) { return ConvexHull(table.coordinates, table.dimension, how); });
     cost.build = seconds_since(build_start);
     bar.clear();
     return finish(hull, options, cost, start,
                   [&] { write_hull_output(build.output, hull.to_data(), build.output_format); });
   }
   const HullSide side = options.lower ? HullSide::lower : HullSide::upper;
-  const LowerHull hull =
+  const LowerHull<> hull =
       built([&](const Options& how) { return LowerHull(table.coordinates, table.dimension, side, how); });
   cost.build = seconds_since(build_start);
   bar.clear();

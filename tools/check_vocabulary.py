@@ -26,6 +26,9 @@ HEADER = ["name", "meaning", "C++", "command", "Python"]
 RETIRED = [
     (r"--order[ =]given\b|\border ?= ?[\"']given[\"']|[\"']--order[\"'], [\"']given[\"']",
      ["cli/*", "python/**/*.py*", "python/src/*", "tests/**/*", "docs/*.md", "README.md", "tools/*.sh"], [], "as_given"),
+    (r"\badd_points\b|\badd_halfspaces\b",
+     ["include/**/*", "src/**/*", "python/**/*", "tests/**/*", "examples/*", "docs/*.md", "README.md"],
+     ["python/delone/spatial/*", "tests/python/*spatial*", "tests/python/test_pickle.py", "docs/from-scipy.md"], "insert_range"),
 ]
 
 

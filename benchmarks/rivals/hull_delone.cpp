@@ -64,7 +64,7 @@ class Delone {
   delone::PointTable table_;
   std::string order_;
   delone::Options options_;
-  std::optional<delone::Polytope> result_;
+  std::optional<delone::ConvexHull<>> result_;
   std::size_t num_facets_ = 0, num_vertices_ = 0;
 };
 

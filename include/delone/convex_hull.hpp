@@ -4,19 +4,17 @@
 #pragma once
 
 #include <delone/complex.hpp>
-#include <delone/delaunay.hpp>
 #include <delone/error.hpp>
+#include <delone/options.hpp>
+#include <delone/points.hpp>
 #include <delone/types.hpp>
 
-#include <array>
-#include <concepts>
 #include <cstddef>
 #include <cstdint>
 #include <memory>
-#include <ranges>
 #include <span>
 #include <string>
-#include <type_traits>
+#include <utility>
 #include <vector>
 
 namespace delone {
@@ -90,36 +88,13 @@ struct HullInsertResult {
   bool duplicate = false;  ///< equal to an earlier point
 };
 
-/// The convex hull of points in R^d, d chosen at run time.
+/// A convex polytope as the convex hull of points of R^d: what is true of it in every dimension.
+/// ConvexHull<D> makes one; functions for all dimensions take a `const Polytope&`.
 ///
-/// Method: incremental insertion. Points that lie in the hyperplane of a cell are moved inwards by
-/// infinitesimals, larger ones for lexicographically larger points, so that the boundary is always made of
-/// simplices and is a function of the set of points alone (after Devillers and Teillaud, "Perturbations for
-/// Delaunay and weighted Delaunay 3D triangulations", doi:10.1016/j.comgeo.2010.09.010). Cells in one
-/// hyperplane are then merged into the facets of the polytope, exactly; facets, ridges, faces and extreme
-/// points do not depend on the perturbation.
-///
-/// Exact for all finite doubles. Flat input has the hull in its flat, k < d: for k = 1 two end points, each a
-/// facet; for k = 0 a single point, without facets. Duplicates are merged. `const` members may be called from
-/// several threads at once. Worst case O(n^⌊d/2⌋) cells.
+/// `const` members may be called from several threads at once. REQUIRES of queries finite coordinates;
+/// otherwise they throw Errc::not_finite, and Errc::bad_dimension unless there are d of them.
 class Polytope {
  public:
-  /// The hull of no points. Throws Errc::bad_dimension unless dimension ≥ 1.
-  explicit Polytope(int dimension, const Options& options = {});
-  /// The hull of n×d coordinates, row-major. Throws as insert_range().
-  Polytope(std::span<const double> coordinates, int dimension, const Options& options = {});
-  Polytope(PointsView points, const Options& options = {});
-  Polytope(Polytope&&) noexcept;
-  Polytope& operator=(Polytope&&) noexcept;
-  ~Polytope();
-
-  /// Inserts n points (n·d coordinates) as the next n rows. If it throws (not_finite, bad_dimension,
-  /// cancelled, too_many, out_of_memory), the hull is as it was. A point outside the affine hull of all
-  /// earlier ones rebuilds it.
-  void insert_range(std::span<const double> coordinates);
-  /// Inserts one point (d coordinates) as the next row; errors as above.
-  HullInsertResult insert(std::span<const double> point);
-
   int dimension() const;           ///< d
   int affine_dimension() const;    ///< k ≤ d; 0 for one distinct point, −1 for none
   std::size_t num_points() const;  ///< rows inserted, duplicates included
@@ -156,65 +131,110 @@ class Polytope {
   /// Σ(−1)^j·f_j = 1 − (−1)^k holds. Cost up to O(faces · facets · k), memory for all faces of one dimension.
   std::vector<std::size_t> f_vector() const;
 
-  /// Where q lies, exactly. Cost: a walk over cells. REQUIRES d finite coordinates.
-  Containment locate(std::span<const double> query) const;
-  bool contains(std::span<const double> query) const;  ///< inside or on the boundary
+  /// Where q lies, exactly. Cost: a walk over cells.
+  Containment locate(const AnyPoint<>& query) const;
+  bool contains(const AnyPoint<>& query) const;  ///< inside or on the boundary
 
   /// The cells that are strictly visible from q, increasing: those whose hyperplane has q strictly beyond it.
   /// Empty for a q of the hull or outside the affine hull. O(answer·k⁴).
-  std::vector<SignedIndex> visible_cells(std::span<const double> query) const;
+  std::vector<SignedIndex> visible_cells(const AnyPoint<>& query) const;
   /// The facets that are strictly visible from q, increasing.
-  std::vector<SignedIndex> visible_facets(std::span<const double> query) const;
+  std::vector<SignedIndex> visible_facets(const AnyPoint<>& query) const;
 
   /// Depends on the coordinates of the cells' vertices and the set of cells only: not on order, seed,
   /// duplicates, interior points.
   CanonicalHash hash() const;
   Statistics statistics() const;
 
+ protected:
+  struct Clone {};
+  Polytope(int dimension, const Options& options);
+  Polytope(Clone, const Polytope& other);
+  Polytope(Polytope&&) noexcept;
+  Polytope& operator=(Polytope&&) noexcept;
+  ~Polytope();
+
+  void insert_coordinates(std::span<const double> coordinates);
+  HullInsertResult insert_point(std::span<const double> point);
+
  private:
   struct Impl;
   std::unique_ptr<Impl> impl_;
 };
 
-/// The convex hull of points in R^D.
-template <int D>
+/// The convex hull of points of R^D; of R^d, d chosen at run time, if D is dynamic.
+///
+/// Method: incremental insertion. Points that lie in the hyperplane of a cell are moved inwards by
+/// infinitesimals, larger ones for lexicographically larger points, so that the boundary is always made of
+/// simplices and is a function of the set of points alone (after Devillers and Teillaud, "Perturbations for
+/// Delaunay and weighted Delaunay 3D triangulations", doi:10.1016/j.comgeo.2010.09.010). Cells in one
+/// hyperplane are then merged into the facets of the polytope, exactly; facets, ridges, faces and extreme
+/// points do not depend on the perturbation.
+///
+/// Exact for all finite doubles. Flat input has the hull in its flat, k < d: for k = 1 two end points, each a
+/// facet; for k = 0 a single point, without facets. Duplicates are merged. Worst case O(n^⌊d/2⌋) cells.
+template <int D = dynamic>
 class ConvexHull : public Polytope {
-  static_assert(D >= 1, "the dimension of the space is at least 1");
+  static_assert(D >= 1 || D == dynamic, "the dimension of the space is at least 1");
 
  public:
-  using Point = std::array<double, D>;
+  using Coordinates =
+      std::span<const double, D == dynamic ? std::dynamic_extent : static_cast<std::size_t>(D)>;
 
-  explicit ConvexHull(const Options& options = {}) : Polytope(D, options) {}
-  /// From any contiguous range of points of D doubles each, or of doubles (D per point).
-  template <std::ranges::contiguous_range Range>
-  requires std::ranges::sized_range<Range> &&
-      (!std::same_as<std::remove_cvref_t<Range>, ConvexHull>)explicit ConvexHull(const Range& points,
-                                                                                 const Options& options = {})
-      : Polytope(as_coordinates(points), D, options) {}
+  /// The hull of no points. Throws Errc::bad_dimension unless dimension ≥ 1.
+  explicit ConvexHull(int dimension, const Options& options = {}) requires(D == dynamic)
+      : Polytope(dimension, options) {}
+  explicit ConvexHull(const Options& options = {}) requires(D != dynamic) : Polytope(D, options) {}
+  /// The hull of points. Throws as insert_range().
+  ConvexHull(AnyPoints<> points, int dimension, const Options& options = {}) requires(D == dynamic)
+      : Polytope(dimension, options) {
+    insert_range(std::move(points));
+  }
+  explicit ConvexHull(PointsView points, const Options& options = {}) requires(D == dynamic)
+      : Polytope(points.dimension(), options) {
+    insert_range(points);
+  }
+  explicit ConvexHull(AnyPoints<D> points, const Options& options = {}) requires(D != dynamic)
+      : Polytope(D, options) {
+    insert_range(std::move(points));
+  }
+  ConvexHull(ConvexHull&&) noexcept = default;
+  ConvexHull& operator=(ConvexHull&&) noexcept = default;
 
-  template <std::ranges::contiguous_range Range>
-  requires std::ranges::sized_range<Range>
-  void insert_range(const Range& points) { Polytope::insert_range(as_coordinates(points)); }
+  /// A deep copy. Cost: that of copying the cells and the points. Throws Errc::out_of_memory.
+  ConvexHull clone() const { return ConvexHull(Clone{}, *this); }
+
+  /// Inserts points as the next rows. If it throws (not_finite, bad_dimension, cancelled, too_many,
+  /// out_of_memory), the hull is as it was. A point outside the affine hull of all earlier ones rebuilds it.
+  void insert_range(AnyPoints<D> points) {
+    points.require_dimension(dimension());
+    insert_coordinates(points.coordinates());
+  }
+  /// Inserts one point as the next row; errors as above.
+  HullInsertResult insert(const AnyPoint<D>& point) { return insert_point(point); }
+
+  /// The coordinates of a row.
+  Coordinates point(std::size_t row) const { return Coordinates(Polytope::point(row)); }
+  Containment locate(const AnyPoint<D>& query) const { return Polytope::locate(query.coordinates()); }
+  bool contains(const AnyPoint<D>& query) const { return Polytope::contains(query.coordinates()); }
+  std::vector<SignedIndex> visible_cells(const AnyPoint<D>& query) const {
+    return Polytope::visible_cells(query.coordinates());
+  }
+  std::vector<SignedIndex> visible_facets(const AnyPoint<D>& query) const {
+    return Polytope::visible_facets(query.coordinates());
+  }
 
  private:
-  /// A class of the size of D doubles that, if it names its entries' type, holds doubles.
-  template <class Element>
-  static constexpr bool is_point() {
-    if constexpr (requires { typename Element::value_type; })
-      return sizeof(Element) == D * sizeof(double) && std::same_as<typename Element::value_type, double>;
-    else
-      return sizeof(Element) == D * sizeof(double) && std::is_class_v<Element>;
-  }
-
-  template <class Range>
-  static std::span<const double> as_coordinates(const Range& points) {
-    using Element = std::remove_cv_t<std::ranges::range_value_t<Range>>;
-    static_assert(std::same_as<Element, double> || is_point<Element>(),
-                  "a point must be D contiguous doubles, such as std::array<double, D>");
-    return {reinterpret_cast<const double*>(std::ranges::data(points)),
-            std::ranges::size(points) * sizeof(Element) / sizeof(double)};
-  }
+  ConvexHull(Clone clone, const ConvexHull& other) : Polytope(clone, other) {}
 };
+
+ConvexHull(int, const Options& = {})->ConvexHull<dynamic>;
+ConvexHull(PointsView, const Options& = {})->ConvexHull<dynamic>;
+template <class Points>
+ConvexHull(Points&&, int, const Options& = {}) -> ConvexHull<dynamic>;
+template <class Points>
+requires(detail::dimension_of_range<Points>() > 0) ConvexHull(Points&&, const Options& = {})
+->ConvexHull<detail::dimension_of_range<Points>()>;
 
 enum class HullCheckLevel : int {
   storage = 1,    ///< array sizes; rows, neighbors and facets in range; no repeated vertex in a cell

@@ -3,8 +3,9 @@
 // polyhedron that is given by inequalities.
 #pragma once
 
-#include <delone/delaunay.hpp>
 #include <delone/error.hpp>
+#include <delone/options.hpp>
+#include <delone/points.hpp>
 #include <delone/types.hpp>
 
 #include <cstddef>
@@ -103,45 +104,15 @@ struct IntersectionData {
   }
 };
 
-/// The intersection of the halfspaces n·x + c ≤ 0 of R^d, given as rows (n, c) of d+1 doubles.
+/// A polyhedron, the intersection of halfspaces n·x + c ≤ 0 of R^d: what is true of it in every dimension.
+/// HalfspaceIntersection<D> makes one; functions for all dimensions take a `const Polyhedron&`.
 ///
-/// Method: a row is dual to a point, n/−(n·p + c) for an interior point p; facets of the convex hull of these
-/// points and of the origin are dual to the vertices, those that contain the origin to directions to infinity
-/// (Preparata and Muller 1979, doi:10.1016/0304-3975(79)90055-0). Dual points are not representable, but
-/// every decision is the sign of a determinant of the rows as they were given, whatever p is
-/// (docs/predicates.md). So the result is exact for all finite doubles, does not depend on p, on the order of
-/// the rows or on their lengths, and is rounded only in the end: coordinates of vertices are the nearest
-/// doubles, and vertices of more than k facets are found to be one.
-///
-/// The interior point is given, or found: by an exact linear program (the largest t with n·x + c + w·t ≤ 0
-/// for all rows, w near |n|), solved by the dual simplex method in integers with Bland's rule against
-/// cycling; rounding decides nothing. Where no double is strictly inside, as between two neighboring doubles,
-/// the exact solution serves and is reported rounded. An intersection without interior points is a result,
-/// see state() and witness().
-///
-/// Cost: that of the convex hull of m+1 points, one solve per vertex, a walk per redundant row. `const`
-/// members may be called from several threads at once.
-class HalfspaceIntersection {
+/// `const` members may be called from several threads at once.
+class Polyhedron {
  public:
-  /// Finds an interior point. Throws bad_dimension (dimension < 1, or a number of entries that is no multiple
-  /// of d+1), not_finite (rows() names the rows), cancelled, too_many, out_of_memory.
-  HalfspaceIntersection(std::span<const double> halfspaces, int dimension, const Options& options = {});
-  /// With an interior point of d doubles. Throws invalid_argument, rows() naming them, if it is not strictly
-  /// inside all halfspaces (a trivial row asks for nothing); otherwise as above.
-  HalfspaceIntersection(std::span<const double> halfspaces, int dimension,
-                        std::span<const double> interior_point, const Options& options = {});
-  HalfspaceIntersection(HalfspaceIntersection&&) noexcept;
-  HalfspaceIntersection& operator=(HalfspaceIntersection&&) noexcept;
-  ~HalfspaceIntersection();
-
-  /// Adds halfspaces as the next rows. The interior point must be strictly inside them, or invalid_argument
-  /// is thrown. A rank that rises rebuilds all, as does every call where there is no interior point. If it
-  /// throws, nothing has changed.
-  void add_halfspaces(std::span<const double> halfspaces);
-
   int dimension() const;  ///< d
-  int rank()
-      const;  ///< k, of the normals; d−k is the dimension of the lineality space. 0 where state() is not full
+  /// k, the rank of the normals; d−k is the dimension of the lineality space. 0 where state() is not full.
+  int rank() const;
   std::size_t num_halfspaces() const;
   IntersectionState state() const;
   /// Flat and empty intersections: at most d+1 rows whose halfspaces have no interior point in common;
@@ -171,10 +142,96 @@ class HalfspaceIntersection {
   std::size_t num_cells() const;
   Statistics statistics() const;
 
+ protected:
+  struct Clone {};
+  Polyhedron(const AnyPoints<>& halfspaces, int dimension, const Options& options);
+  Polyhedron(const AnyPoints<>& halfspaces, int dimension, std::span<const double> interior_point,
+             const Options& options);
+  Polyhedron(Clone, const Polyhedron& other);
+  Polyhedron(Polyhedron&&) noexcept;
+  Polyhedron& operator=(Polyhedron&&) noexcept;
+  ~Polyhedron();
+
+  void insert_rows(const AnyPoints<>& halfspaces);
+
  private:
   struct Impl;
   std::unique_ptr<Impl> impl_;
 };
+
+/// The intersection of halfspaces n·x + c ≤ 0 of R^D, given as rows (n, c) of D+1 doubles; of R^d, d chosen
+/// at run time, if D is dynamic.
+///
+/// Method: a row is dual to a point, n/−(n·p + c) for an interior point p; facets of the convex hull of these
+/// points and of the origin are dual to the vertices, those that contain the origin to directions to infinity
+/// (Preparata and Muller 1979, doi:10.1016/0304-3975(79)90055-0). Dual points are not representable, but
+/// every decision is the sign of a determinant of the rows as they were given, whatever p is
+/// (docs/predicates.md). So the result is exact for all finite doubles, does not depend on p, on the order of
+/// the rows or on their lengths, and is rounded only in the end: coordinates of vertices are the nearest
+/// doubles, and vertices of more than k facets are found to be one.
+///
+/// The interior point is given, or found: by an exact linear program (the largest t with n·x + c + w·t ≤ 0
+/// for all rows, w near |n|), solved by the dual simplex method in integers with Bland's rule against
+/// cycling; rounding decides nothing. Where no double is strictly inside, as between two neighboring doubles,
+/// the exact solution serves and is reported rounded. An intersection without interior points is a result,
+/// see state() and witness().
+///
+/// Cost: that of the convex hull of m+1 points, one solve per vertex, a walk per redundant row.
+template <int D = dynamic>
+class HalfspaceIntersection : public Polyhedron {
+  static_assert(D >= 1 || D == dynamic, "the dimension of the space is at least 1");
+
+ public:
+  /// The numbers of a row, as a template argument of AnyPoint and AnyPoints.
+  static constexpr int row_size = D == dynamic ? dynamic : D + 1;
+
+  /// Finds an interior point. Throws bad_dimension (dimension < 1, or a number of entries that is no multiple
+  /// of d+1), not_finite (rows() names the rows), cancelled, too_many, out_of_memory.
+  HalfspaceIntersection(const AnyPoints<>& halfspaces, int dimension,
+                        const Options& options = {}) requires(D == dynamic)
+      : Polyhedron(halfspaces, dimension, options) {}
+  explicit HalfspaceIntersection(const AnyPoints<row_size>& halfspaces,
+                                 const Options& options = {}) requires(D != dynamic)
+      : Polyhedron(rows(halfspaces), D, options) {}
+  /// With an interior point. Throws invalid_argument, rows() naming them, if it is not strictly inside all
+  /// halfspaces (a trivial row asks for nothing); otherwise as above.
+  HalfspaceIntersection(const AnyPoints<>& halfspaces, int dimension, const AnyPoint<>& interior_point,
+                        const Options& options = {}) requires(D == dynamic)
+      : Polyhedron(halfspaces, dimension, interior_point, options) {}
+  HalfspaceIntersection(const AnyPoints<row_size>& halfspaces, const AnyPoint<D>& interior_point,
+                        const Options& options = {}) requires(D != dynamic)
+      : Polyhedron(rows(halfspaces), D, interior_point, options) {}
+  HalfspaceIntersection(HalfspaceIntersection&&) noexcept = default;
+  HalfspaceIntersection& operator=(HalfspaceIntersection&&) noexcept = default;
+
+  /// A deep copy. Throws Errc::out_of_memory.
+  HalfspaceIntersection clone() const { return HalfspaceIntersection(Clone{}, *this); }
+
+  /// Adds halfspaces as the next rows. The interior point must be strictly inside them, or invalid_argument
+  /// is thrown. A rank that rises rebuilds all, as does every call where there is no interior point. If it
+  /// throws, nothing has changed.
+  void insert_range(const AnyPoints<row_size>& halfspaces) { insert_rows(rows(halfspaces)); }
+  /// Adds one halfspace; as above.
+  void insert(const AnyPoint<row_size>& halfspace) { insert_rows(halfspace.coordinates()); }
+
+ private:
+  HalfspaceIntersection(Clone clone, const HalfspaceIntersection& other) : Polyhedron(clone, other) {}
+  static const AnyPoints<>& rows(const AnyPoints<>& halfspaces) requires(D == dynamic) { return halfspaces; }
+  static AnyPoints<> rows(const AnyPoints<row_size>& halfspaces) requires(D != dynamic) {
+    return halfspaces.coordinates();
+  }
+};
+
+template <class Rows, class... Arguments>
+HalfspaceIntersection(Rows&&, int, Arguments&&...) -> HalfspaceIntersection<dynamic>;
+template <class Rows>
+requires(detail::dimension_of_range<Rows>() > 1) HalfspaceIntersection(Rows&&, const Options& = {})
+->HalfspaceIntersection<detail::dimension_of_range<Rows>() - 1>;
+template <class Rows>
+requires(detail::dimension_of_range<Rows>() > 1)
+    HalfspaceIntersection(Rows&&, const AnyPoint<detail::dimension_of_range<Rows>() - 1>&,
+                          const Options& = {})
+->HalfspaceIntersection<detail::dimension_of_range<Rows>() - 1>;
 
 enum class IntersectionCheckLevel : int {
   storage = 1,  ///< array sizes; rows, vertices and directions in range

@@ -5,6 +5,8 @@
 
 #include <delone/complex.hpp>
 #include <delone/convex_hull.hpp>
+#include <delone/options.hpp>
+#include <delone/points.hpp>
 #include <delone/types.hpp>
 
 #include <cstddef>
@@ -17,26 +19,19 @@ namespace delone {
 
 enum class HullSide { lower, upper };
 
-/// The lower hull of points of R^d, d ≥ 2: the graph of the largest convex function that is nowhere above the
-/// points, over the convex hull of their *compositions*, the first d−1 coordinates; the last coordinate is
-/// the *height* (an energy, say). The upper hull is that of the least concave function that is nowhere below.
+/// The convex envelope of points of R^d, d ≥ 2, or the concave one: what is true of it in every dimension.
+/// LowerHull<D> makes one.
 ///
-/// The cells are simplices of c+1 points, c the affine dimension of the compositions; seen along the last
-/// axis they triangulate the domain, and cells in one hyperplane belong to one facet. Where all heights are
-/// an affine function of the compositions there is a single facet. Exact for all finite doubles; a function
-/// of the set of points. Duplicates, flat compositions and points above the hull are ordinary input. `const`
-/// members may be called from several threads at once.
-class LowerHull {
+/// The first d−1 coordinates of a point are its *composition*, the last one is its *height* (an energy, say).
+/// The envelope consists of simplices of c+1 points, the *cells*, c the affine dimension of the compositions.
+/// Seen along the last axis they triangulate the domain, the convex hull of the compositions. Cells in one
+/// hyperplane belong to one facet; where all heights are an affine function of the compositions there is a
+/// single facet.
+///
+/// `const` members may be called from several threads at once. REQUIRES of queries finite coordinates;
+/// otherwise they throw Errc::not_finite, and Errc::bad_dimension for a wrong number of them.
+class Envelope {
  public:
-  /// From n×d coordinates, row-major. Throws Errc::bad_dimension (d < 2, or a number of coordinates that does
-  /// not fit), not_finite, too_many, out_of_memory, cancelled. Cost: a convex hull of n+1 points.
-  LowerHull(std::span<const double> coordinates, int dimension, HullSide side = HullSide::lower,
-            const Options& options = {});
-  LowerHull(PointsView points, HullSide side = HullSide::lower, const Options& options = {});
-  LowerHull(LowerHull&&) noexcept;
-  LowerHull& operator=(LowerHull&&) noexcept;
-  ~LowerHull();
-
   int dimension() const;              ///< d
   int composition_dimension() const;  ///< c ≤ d−1, the affine dimension of the compositions; −1 for no point
   HullSide side() const;
@@ -57,28 +52,96 @@ class LowerHull {
 
   /// A cell whose domain contains the composition (d−1 numbers), exactly; nullopt outside the domain. Cost: a
   /// walk.
-  std::optional<std::size_t> find_cell(std::span<const double> composition) const;
+  std::optional<std::size_t> find_cell(const AnyPoint<>& composition) const;
 
-  /// The height of the hull over each of q compositions (q×(d−1)): an interpolation in the cell, rounded.
+  /// The height of the envelope over each of q compositions (q×(d−1)): an interpolation in the cell, rounded.
   /// Outside the domain +∞ for the lower hull, −∞ for the upper.
-  std::vector<double> heights(std::span<const double> compositions) const;
+  std::vector<double> heights(const AnyPoints<>& compositions) const;
 
-  /// The height of each of q points (q×d) above the hull ("energy above hull"). The sign is exact: 0 only for
-  /// points exactly on the hull, negative below it. The magnitude is rounded, as in heights(). −∞ (+∞ for the
-  /// upper hull) outside the domain.
-  std::vector<double> height_above(std::span<const double> points) const;
+  /// The height of each of q points (q×d) above the envelope ("energy above hull"). The sign is exact: 0 only
+  /// for points exactly on the envelope, negative below it. The magnitude is rounded, as in heights(). −∞
+  /// (+∞ for the upper hull) outside the domain.
+  std::vector<double> height_above(const AnyPoints<>& points) const;
 
   /// The cells as plain data: dimension d, affine_dimension c (of the cells). For files and pictures; not a
   /// Delaunay triangulation.
   ComplexData to_data() const;
 
   /// The convex hull that this is a part of: of the points, projected to the composition axes and the height
-  /// (negated for the upper hull), and of one point above them all.
+  /// (negated for the upper hull), and of one point above them all. Throws Errc::invalid_argument if there
+  /// are no points.
   const Polytope& polytope() const;
+
+ protected:
+  struct Clone {};
+  Envelope(const AnyPoints<>& points, int dimension, HullSide side, const Options& options);
+  Envelope(Clone, const Envelope& other);
+  Envelope(Envelope&&) noexcept;
+  Envelope& operator=(Envelope&&) noexcept;
+  ~Envelope();
 
  private:
   struct Impl;
   std::unique_ptr<Impl> impl_;
 };
+
+/// The lower hull of points of R^D, D ≥ 2; of R^d, d chosen at run time, if D is dynamic: the graph of the
+/// largest convex function that is nowhere above the points, over the convex hull of their compositions. The
+/// upper hull is that of the least concave function that is nowhere below them.
+///
+/// Exact for all finite doubles; a function of the set of points. Duplicates, flat compositions and points
+/// above the hull are ordinary input. Cost: a convex hull of n+1 points.
+template <int D = dynamic>
+class LowerHull : public Envelope {
+  static_assert(D >= 2 || D == dynamic, "a point of a lower hull has a composition and a height");
+
+ public:
+  /// The numbers of a composition, as a template argument of AnyPoint and AnyPoints.
+  static constexpr int composition_size = D == dynamic ? dynamic : D - 1;
+
+  /// Throws Errc::bad_dimension (d < 2, or a number of coordinates that does not fit), not_finite, too_many,
+  /// out_of_memory, cancelled.
+  LowerHull(const AnyPoints<>& points, int dimension, HullSide side = HullSide::lower,
+            const Options& options = {}) requires(D == dynamic)
+      : Envelope(points, dimension, side, options) {}
+  explicit LowerHull(PointsView points, HullSide side = HullSide::lower,
+                     const Options& options = {}) requires(D == dynamic)
+      : Envelope(points, points.dimension(), side, options) {}
+  explicit LowerHull(const AnyPoints<D>& points, HullSide side = HullSide::lower,
+                     const Options& options = {}) requires(D != dynamic)
+      : Envelope(PointsView(points.coordinates(), D), D, side, options) {}
+  LowerHull(LowerHull&&) noexcept = default;
+  LowerHull& operator=(LowerHull&&) noexcept = default;
+
+  /// A deep copy. Throws Errc::out_of_memory.
+  LowerHull clone() const { return LowerHull(Clone{}, *this); }
+
+  std::optional<std::size_t> find_cell(const AnyPoint<composition_size>& composition) const {
+    return Envelope::find_cell(composition.coordinates());
+  }
+  std::vector<double> heights(const AnyPoints<composition_size>& compositions) const {
+    if constexpr (D == dynamic)
+      return Envelope::heights(compositions);
+    else
+      return Envelope::heights(compositions.coordinates());
+  }
+  std::vector<double> height_above(const AnyPoints<D>& points) const {
+    if constexpr (D == dynamic)
+      return Envelope::height_above(points);
+    else
+      return Envelope::height_above(points.coordinates());
+  }
+
+ private:
+  LowerHull(Clone clone, const LowerHull& other) : Envelope(clone, other) {}
+};
+
+LowerHull(PointsView, HullSide = HullSide::lower, const Options& = {})->LowerHull<dynamic>;
+template <class Points>
+LowerHull(Points&&, int, HullSide = HullSide::lower, const Options& = {}) -> LowerHull<dynamic>;
+template <class Points>
+requires(detail::dimension_of_range<Points>() > 0)
+    LowerHull(Points&&, HullSide = HullSide::lower, const Options& = {})
+->LowerHull<detail::dimension_of_range<Points>()>;
 
 }  // namespace delone

@@ -34,9 +34,9 @@ class HeldHull {
   auto ask(Question question) const {
     return guard_.ask([&](Supervisor& supervisor) {
       if constexpr (std::is_invocable_v<Question, const Polytope&>)
-        return question(hull_);
+        return question(static_cast<const Polytope&>(hull_));
       else
-        return question(hull_, supervisor);
+        return question(static_cast<const Polytope&>(hull_), supervisor);
     });
   }
 
@@ -68,7 +68,7 @@ class HeldHull {
  private:
   BuildArguments arguments_;
   Guard guard_;  // of all members below
-  Polytope hull_;
+  ConvexHull<> hull_;
   std::vector<std::size_t> batches_;
   mutable std::mutex data_mutex_;  // of data_, under the guard
   mutable std::shared_ptr<const HullData> data_;
@@ -200,67 +200,115 @@ auto asking(Question question) {
   return [question](const HeldHull& held) { return held.ask(question); };
 }
 
+constexpr const char* class_doc = R"(
+ConvexHull(points, *, seed=0, order='automatic', threads=1, progress=None)
+
+The convex hull of points, (n, d) numbers that are exact in float64, in any dimension d >= 1.
+
+Exact: a function of the set of points. Duplicates are merged, and flat points have the hull in their flat, of
+affine dimension k <= d. A *cell* is a simplex of the boundary with k vertices; a *facet* is one of the polytope
+and consists of one cell, or of several in one hyperplane. Index arrays are int32, and read-only as all arrays.
+Arguments and errors as in Delaunay; methods release the GIL. Cost: O(n) cells for evenly spread points,
+at worst O(n^(d/2)). Source: incremental insertion with perturbed ties, doi:10.1016/j.comgeo.2010.09.010.)";
+
+constexpr const char* insert_range_doc = R"(
+Adds points, (n, d), as the next rows: all of them, or none if it raises. Arrays taken before stay as they are.
+Errors as in the constructor; ValueError for another number of columns. Cost: that of the new points, unless one
+raises the affine dimension: then the hull is built anew.)";
+
+constexpr const char* locate_doc = R"(
+Where each query (..., d) lies, exactly: a delone.Locations, one entry for each query. Kinds: inside, on_boundary,
+outside, outside_affine_hull. `cell`: from outside a cell that is visible; on the boundary one whose hyperplane
+contains the query; inside one that a ray from an interior point through the query leaves by; else -1. `face`: on
+the boundary the extreme rows of the smallest face that contains the query. InputError for NaN or infinity. Cost: a
+walk over cells for each query.)";
+
+constexpr const char* neighbors_doc = R"(
+(m, k) cells: neighbor j is across the ridge opposite vertex j of the cell. All are >= 0: a boundary has no end.)";
+
+constexpr const char* ridges_doc = R"(
+(facets (r, 2), offsets (r+1,), rows): the two facets that meet in ridge i, the smaller number first, and its
+extreme rows, rows[offsets[i]:offsets[i+1]], increasing.)";
+
+constexpr const char* equations_doc = R"(
+(f, d+1) float64: the unit outward normal and the offset of each facet, with the unit of the coordinates;
+normal . x + offset <= 0 inside, up to equation_errors. For k < d normals are parallel to the flat.)";
+
+constexpr const char* equation_errors_doc = R"(
+(f,) float64: the largest difference between the exact signed distance of a point of the hull from the facet and
+that of the rounded equation, evaluated without error; infinite when k < d.)";
+
+constexpr const char* plane_distance_doc = R"(
+(..., f) float64: the signed distances of queries (..., d) from the hyperplanes of the facets, positive outside.
+Rounded; where a sign must be exact take locate() or visible_facets(). Cost:
+O(f d) for each query.)";
+
+constexpr const char* visible_facets_doc = R"(
+The facets that have the point, (d,), strictly beyond their hyperplane, exactly; increasing numbers. Empty for a point
+of the hull, or off its flat. InputError for NaN or infinity. Cost: that of the visible cells, and a walk.)";
+
+constexpr const char* statistics_doc = R"(
+What the construction has cost: a dict of counts (created_cells, visited_cells, insertions, and the tests decided by
+the stages filter, direct, exact, perturbed), order_seconds, build_seconds and cell_bytes.)";
+
+/// The text of a docstring, without the line break that it begins with.
+constexpr const char* text(const char* doc) { return doc + 1; }
+
 }  // namespace
 
 void bind_convex_hull(py::module_& module) {
-  py::class_<HeldHull> type(
-      module, "ConvexHull",
-      "ConvexHull(points, *, seed=0, order='automatic', threads=1, progress=None)\n\n"
-      "The convex hull of points, (n, d) numbers that are exact in float64, in any dimension; k is their "
-      "affine dimension.\n\n"
-      "A cell is a simplex of the boundary with k vertices; a facet is one of the polytope, made of one cell "
-      "or more. Exact, "
-      "a\n"
-      "function of the set of points. Arguments and errors as in Delaunay. Methods let go of the GIL.");
+  py::class_<HeldHull> type(module, "ConvexHull", text(class_doc));
   type.def(py::init(&construct), "points"_a, py::kw_only(), "seed"_a = 0, "order"_a = "automatic",
            "threads"_a = 1, "progress"_a = py::none());
-  type.def("add_points", &HeldHull::add, "points"_a, py::kw_only(), "progress"_a = py::none(),
-           "Adds points, (n, d), as the next rows: all of them, or none if it raises. Arrays taken before "
-           "stay as they are.");
-  type.def_property_readonly("dimension", &HeldHull::dimension, "d, the number of coordinates.")
-      .def_property_readonly("affine_dimension",
-                             asking([](const Polytope& h) { return h.affine_dimension(); }),
-                             "k <= d; 0 for one distinct point, -1 for none.")
+  type.def("insert_range", &HeldHull::add, "points"_a, py::kw_only(), "progress"_a = py::none(),
+           text(insert_range_doc));
+  type.def_property_readonly("dimension", &HeldHull::dimension,
+                             "d >= 1, the number of coordinates of a point.")
+      .def_property_readonly(
+          "affine_dimension", asking([](const Polytope& h) { return h.affine_dimension(); }),
+          "k <= d, of the smallest flat that contains all points; 0 for one distinct point, "
+          "-1 for none.")
       .def_property_readonly(
           "axes",
           [](const HeldHull& h) {
             return py::tuple(py::cast(h.ask([](const Polytope& p) { return p.axes(); })));
           },
-          "k coordinate axes onto which the flat of the points projects one-to-one, increasing.")
+          "k coordinate axes onto which the flat of the points projects one-to-one, increasing: a tuple.")
       .def_property_readonly("num_points", asking([](const Polytope& h) { return h.num_points(); }),
-                             "n, the rows of the input.")
+                             "n, the rows of the input, duplicates included.")
       .def_property_readonly("num_duplicates", asking([](const Polytope& h) { return h.num_duplicates(); }),
-                             "Rows that are equal to an earlier one.")
+                             "How many rows are equal to an earlier one.")
       .def_property_readonly("num_vertices", asking([](const Polytope& h) { return h.num_vertices(); }),
-                             "Extreme points.")
+                             "How many distinct points are extreme: in no segment between two others.")
       .def_property_readonly("num_cells", asking([](const Polytope& h) { return h.num_cells(); }),
-                             "m, simplices of the boundary.")
+                             "m, the simplices of the boundary.")
       .def_property_readonly("num_facets", asking([](const Polytope& h) { return h.num_facets(); }),
-                             "f, of the polytope.")
+                             "f, the facets of the polytope; also len().")
       .def_property_readonly("num_ridges", asking([](const Polytope& h) { return h.num_ridges(); }),
-                             "r, of the polytope.")
+                             "r, the ridges of the polytope: where two facets meet.")
       .def("__len__", asking([](const Polytope& h) { return h.num_facets(); }))
-      .def_property_readonly("points", &points, "(n, d) float64, read-only.")
+      .def_property_readonly("points", &points, "(n, d) float64: all rows of the input, in their order.")
       .def_property_readonly(
           "cells",
           [](const HeldHull& h) {
             const auto data = h.data();
             return rows_view(data->cells, data->num_cells(), width(*data), data);
           },
-          "(m, k) input rows. With a point inside put first they are positively oriented when k = d.")
+          "(m, k) input rows, in no particular order. With a point inside put first each is positively "
+          "oriented when k = d.")
       .def_property_readonly(
           "neighbors",
           [](const HeldHull& h) {
             const auto data = h.data();
             return rows_view(data->neighbors, data->num_cells(), width(*data), data);
           },
-          "(m, k) cells: neighbor j is across the ridge opposite vertex j.")
+          text(neighbors_doc))
       .def_property_readonly("facet_of_cell", &list_of<&HullData::facet_of_cell>,
-                             "(m,) the facet each cell is part of.")
+                             "(m,) numbers 0 ... f-1: the facet each cell is part of.")
       .def_property_readonly("vertices", &list_of<&HullData::vertices>,
-                             "The rows of the extreme points, increasing.")
+                             "The rows of the extreme points, increasing; of equal rows the first.")
       .def_property_readonly("vertex_of_point", &list_of<&HullData::vertex_of_point>,
-                             "(n,) the first row equal to each row.")
+                             "(n,) the first row that is equal to each row.")
       .def_property_readonly(
           "facets",
           [](const HeldHull& h) {
@@ -277,7 +325,7 @@ void bind_convex_hull(py::module_& module) {
                                   list_view(data->ridge_offsets, data),
                                   list_view(data->ridge_vertices, data));
           },
-          "(facets (r, 2), offsets (r+1,), rows): the two facets that meet in ridge i, and its extreme rows.")
+          text(ridges_doc))
       .def_property_readonly(
           "equations",
           [](const HeldHull& h) {
@@ -285,16 +333,14 @@ void bind_convex_hull(py::module_& module) {
             return rows_view(data->equations, data->num_facets(),
                              static_cast<std::size_t>(data->dimension) + 1, data);
           },
-          "(f, d+1): unit outward normal and offset of each facet; normal . x + offset <= 0 inside, up to "
-          "rounding.")
+          text(equations_doc))
       .def_property_readonly(
           "equation_errors",
           [](const HeldHull& h) {
             const auto data = h.data();
             return list_view(data->equation_errors, data);
           },
-          "(f,) how far the exact distance of a point of the hull may be from that of the equation; infinite "
-          "when k < d.")
+          text(equation_errors_doc))
       .def_property_readonly(
           "point_kinds",
           [](const HeldHull& h) {
@@ -304,39 +350,37 @@ void bind_convex_hull(py::module_& module) {
                 {static_cast<py::ssize_t>(data->point_kinds.size())}, data);
           },
           "(n,) uint8: 0 extreme, 1 on the boundary otherwise, 2 interior, 3 equal to an earlier row.")
-      .def_property_readonly("volume", asking([](const Polytope& h) { return h.volume().value; }),
-                             "The k-dimensional volume.")
-      .def_property_readonly("volume_error", asking([](const Polytope& h) { return h.volume().error; }),
-                             "How far it may be from the exact one.")
-      .def_property_readonly("area", asking([](const Polytope& h) { return h.area().value; }),
-                             "The (k-1)-dimensional volume of the boundary.")
-      .def_property_readonly("area_error", asking([](const Polytope& h) { return h.area().error; }),
-                             "How far it may be from the exact one.")
+      .def_property_readonly(
+          "volume", asking([](const Polytope& h) { return h.volume().value; }),
+          "The k-dimensional volume, >= 0, off by at most volume_error; 0 for k < 1. Cost: O(m d^3), once.")
+      .def_property_readonly(
+          "volume_error", asking([](const Polytope& h) { return h.volume().error; }),
+          "A bound of how far `volume` is from the exact one; infinite where numbers overflow.")
+      .def_property_readonly(
+          "area", asking([](const Polytope& h) { return h.area().value; }),
+          "The (k-1)-dimensional volume of the boundary, >= 0, off by at most area_error; 2 for k = 1.")
+      .def_property_readonly(
+          "area_error", asking([](const Polytope& h) { return h.area().error; }),
+          "A bound of how far `area` is from the exact one; infinite where numbers overflow.")
       .def_property_readonly(
           "f_vector",
           [](const HeldHull& h) {
             return py::tuple(py::cast(h.ask([](const Polytope& p) { return p.f_vector(); })));
           },
-          "The number of faces of each dimension 0 ... k-1. Cost: all faces of one dimension at a time.")
+          "The number of faces of the polytope of each dimension 0 ... k-1: a tuple. Cost: up to O(faces f "
+          "k), "
+          "and memory for all faces of one dimension.")
       .def_property_readonly("hash", asking([](const Polytope& h) { return h.hash().hex(); }),
                              "32 hexadecimal digits that depend on the coordinates of the cells' vertices "
-                             "and the set of cells only.")
-      .def_property_readonly("statistics", &statistics,
-                             "What the construction has cost: a dict of counts, seconds and bytes.")
-      .def("contains", &contains, "queries"_a,
-           "Whether each query (..., d) is inside or on the boundary, exactly: (...) bool.")
-      .def("locate", &locate, "queries"_a,
-           "Where each query (..., d) lies, exactly: delone.Locations with the kinds inside, on_boundary, "
-           "outside and\n"
-           "outside_affine_hull, a cell (visible from outside; in whose hyperplane it is; or that a ray from "
-           "the inside "
-           "meets),\n"
-           "and on the boundary the extreme rows of the smallest face that contains it.")
-      .def("plane_distance", &plane_distance, "queries"_a,
-           "(..., f): the signed distances of queries (..., d) from the facets' hyperplanes, rounded; "
-           "positive outside.")
-      .def("visible_facets", &visible_facets, "point"_a,
-           "The facets that have the point, (d,), strictly beyond their hyperplane, exactly; increasing.")
+                             "and the set of cells only; the command prints the same. Cost: O(m k).")
+      .def_property_readonly("statistics", &statistics, text(statistics_doc))
+      .def(
+          "contains", &contains, "queries"_a,
+          "Whether each query (..., d) is inside or on the boundary, exactly: (...) bool. Errors and cost as "
+          "in locate().")
+      .def("locate", &locate, "queries"_a, text(locate_doc))
+      .def("plane_distance", &plane_distance, "queries"_a, text(plane_distance_doc))
+      .def("visible_facets", &visible_facets, "point"_a, text(visible_facets_doc))
       .def("__repr__", &repr)
       .def(py::pickle(&state, &restored));
 }

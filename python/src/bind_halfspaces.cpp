@@ -52,7 +52,7 @@ class HeldIntersection {
 
   template <class Question>
   auto ask(Question question) const {
-    return guard_.ask([&](Supervisor&) { return question(*intersection_); });
+    return guard_.ask([&](Supervisor&) { return question(static_cast<const Polyhedron&>(*intersection_)); });
   }
 
   void add(const py::object& halfspaces, const py::object& progress) {
@@ -61,14 +61,14 @@ class HeldIntersection {
       throw py::value_error("halfspaces: " + std::to_string(rows.shape(1)) + " numbers per row, not " +
                             std::to_string(dimension_ + 1));
     guard_.change(progress, [&, h = numbers(rows)] {
-      intersection_->add_halfspaces(h);
+      intersection_->insert_range(h);
       data_.reset();
     });
   }
 
   /// The arrays. Later insertions do not change them.
   std::shared_ptr<const IntersectionData> data() const {
-    return ask([this](const HalfspaceIntersection& intersection) {
+    return ask([this](const Polyhedron& intersection) {
       const std::lock_guard lock(data_mutex_);
       if (!data_) data_ = std::make_shared<const IntersectionData>(intersection.to_data());
       return data_;
@@ -86,7 +86,7 @@ class HeldIntersection {
   int dimension_ = 0;
   bool has_interior_ = false;
   Guard guard_;  // of all members below
-  std::optional<HalfspaceIntersection> intersection_;
+  std::optional<HalfspaceIntersection<>> intersection_;
   mutable std::mutex data_mutex_;  // of data_, under the guard
   mutable std::shared_ptr<const IntersectionData> data_;
 };
@@ -128,7 +128,7 @@ py::array kinds(const HeldIntersection& held) {
 }
 
 std::string repr(const HeldIntersection& held) {
-  return held.ask([](const HalfspaceIntersection& h) {
+  return held.ask([](const Polyhedron& h) {
     std::string text = "<delone.HalfspaceIntersection: " + std::to_string(h.num_halfspaces()) +
                        " halfspaces in dimension " + std::to_string(h.dimension());
     if (h.state() != IntersectionState::full) return text + ", " + name_of(h.state()) + ">";
@@ -157,24 +157,58 @@ auto asking(Question question) {
   return [question](const HeldIntersection& held) { return held.ask(question); };
 }
 
+constexpr const char* class_doc = R"(
+HalfspaceIntersection(halfspaces, interior_point=None, *, seed=0, order='automatic', threads=1, progress=None)
+
+The points x with A x + b <= 0, for halfspaces (m, d+1) with the rows [A, b], d >= 1: the vertices, facets and
+edges of a polyhedron, exactly. interior_point: (d,), strictly inside all of them; without one it is found, by an
+exact linear program.
+
+An intersection that is flat or empty is a result, see `state`. Where it contains lines (the rank k of the normals
+is less than d), vertices and the like are those of its section by the coordinates `axes`, and `lineality` spans
+the lines. Arguments as in Delaunay; methods release the GIL. Raises InputError, a ValueError, for NaN and
+infinities, and if interior_point is not strictly inside; `rows` of the error names the halfspaces. Cost: that of
+the convex hull of m+1 points. Source: duality, doi:10.1016/0304-3975(79)90055-0.)";
+
+constexpr const char* insert_range_doc = R"(
+Adds halfspaces, (n, d+1), as the next rows; the interior point must be strictly inside them, or InputError is
+raised. If it raises, nothing has changed. Arrays taken before stay as they are. Where there was no interior point,
+or the rank rises, all is built anew.)";
+
+constexpr const char* vertex_halfspaces_doc = R"(
+The rows of the facets that meet in vertex i: vertex_halfspaces[vertex_offsets[i]:vertex_offsets[i+1]], increasing,
+k of them or more.)";
+
+constexpr const char* direction_halfspaces_doc = R"(
+The rows of the facets that contain direction i: direction_halfspaces[direction_offsets[i]:direction_offsets[i+1]],
+increasing.)";
+
+constexpr const char* facet_vertices_doc = R"(
+The vertices of facet i: facet_vertices[facet_offsets[i]:facet_offsets[i+1]]; for k = 3 along its border,
+counterclockwise seen from outside when k = d; otherwise increasing.)";
+
+constexpr const char* volume_doc = R"(
+The d-volume of the convex hull of the rounded vertices: infinite if unbounded, 0 if flat or empty. Cost: that hull, at
+every call; from d = 5 on it may take far longer than the intersection.)";
+
+constexpr const char* dual_points_doc = R"(
+(m, d) float64: -A / (A p + b) with the interior point p, rounded; 0 for a row without a normal.)";
+
+constexpr const char* dual_equations_doc = R"(
+(v, d+1) float64: the unit normal and the offset of the facet of the dual points' hull for each vertex, rounded.)";
+
+constexpr const char* statistics_doc = R"(
+What the construction has cost: a dict of counts (created_cells, visited_cells, insertions, and the tests decided by
+the stages filter, direct, exact, perturbed), order_seconds, build_seconds and cell_bytes.)";
+
+/// The text of a docstring, without the line break that it begins with.
+constexpr const char* text(const char* doc) { return doc + 1; }
+
 }  // namespace
 
 void bind_halfspaces(py::module_& module) {
   using Data = IntersectionData;
-  using Intersection = HalfspaceIntersection;
-  py::class_<HeldIntersection> type(
-      module, "HalfspaceIntersection",
-      "HalfspaceIntersection(halfspaces, interior_point=None, *, seed=0, order='automatic', threads=1, "
-      "progress=None)\n\n"
-      "The points x with A x + b <= 0, for halfspaces (m, d+1) with the rows [A, b]: vertices, facets and "
-      "edges of a\n"
-      "polyhedron, exactly. interior_point: (d,), strictly inside all of them; without one it is found.\n\n"
-      "An intersection that is flat or empty is a result, see `state`. Where it contains lines (rank k < d), "
-      "vertices and\n"
-      "the like are those of its section by the coordinates `axes`, and `lineality` spans the lines. "
-      "Arguments as in\n"
-      "Delaunay. Raises InputError, a ValueError, for NaN and infinities, and if interior_point is not "
-      "strictly inside.");
+  py::class_<HeldIntersection> type(module, "HalfspaceIntersection", text(class_doc));
   type.def(py::init([](const py::object& halfspaces, const py::object& interior_point, std::uint64_t seed,
                        std::string order, int threads, const py::object& progress) {
              return std::make_unique<HeldIntersection>(
@@ -182,86 +216,83 @@ void bind_halfspaces(py::module_& module) {
            }),
            "halfspaces"_a, "interior_point"_a = py::none(), py::kw_only(), "seed"_a = 0,
            "order"_a = "automatic", "threads"_a = 1, "progress"_a = py::none());
-  type.def("add_halfspaces", &HeldIntersection::add, "halfspaces"_a, py::kw_only(), "progress"_a = py::none(),
-           "Adds halfspaces, (n, d+1), as the next rows; the interior point must be strictly inside them. If "
-           "it raises, nothing\n"
-           "has changed. Arrays taken before stay as they are.");
-  type.def_property_readonly("dimension", &HeldIntersection::dimension, "d, the number of coordinates.")
-      .def_property_readonly(
-          "rank", asking([](const Intersection& h) { return h.rank(); }),
-          "k, the rank of the normals: d-k is the dimension of the lines in the intersection.")
-      .def_property_readonly("state", asking([](const Intersection& h) { return name_of(h.state()); }),
+  type.def("insert_range", &HeldIntersection::add, "halfspaces"_a, py::kw_only(), "progress"_a = py::none(),
+           text(insert_range_doc));
+  type.def_property_readonly("dimension", &HeldIntersection::dimension,
+                             "d >= 1, the number of coordinates of a point.")
+      .def_property_readonly("rank", asking([](const Polyhedron& h) { return h.rank(); }),
+                             "k <= d, the rank of the normals: d-k is the dimension of the lines in the "
+                             "intersection. 0 unless the "
+                             "state is 'full'.")
+      .def_property_readonly("state", asking([](const Polyhedron& h) { return name_of(h.state()); }),
                              "'full', 'flat' (points, but none strictly inside) or 'empty'.")
-      .def_property_readonly("is_bounded", asking([](const Intersection& h) { return h.is_bounded(); }),
-                             "Whether the intersection is a polytope.")
-      .def_property_readonly("num_halfspaces",
-                             asking([](const Intersection& h) { return h.num_halfspaces(); }), "m.")
-      .def_property_readonly("num_vertices", asking([](const Intersection& h) { return h.num_vertices(); }),
-                             "v.")
-      .def_property_readonly("num_facets", asking([](const Intersection& h) { return h.num_facets(); }), "f.")
-      .def("__len__", asking([](const Intersection& h) { return h.num_facets(); }))
-      .def_property_readonly("halfspaces", &rows_of<&Data::halfspaces, 1>, "(m, d+1) float64, read-only.")
-      .def_property_readonly("interior_point", &interior_point,
-                             "(d,): the one given, or found (rounded); empty if the state is not 'full'.")
+      .def_property_readonly("is_bounded", asking([](const Polyhedron& h) { return h.is_bounded(); }),
+                             "Whether the intersection is a polytope: full, without directions and lines.")
+      .def_property_readonly("num_halfspaces", asking([](const Polyhedron& h) { return h.num_halfspaces(); }),
+                             "m, the rows of the input.")
+      .def_property_readonly("num_vertices", asking([](const Polyhedron& h) { return h.num_vertices(); }),
+                             "v, the vertices, all finite.")
+      .def_property_readonly("num_facets", asking([](const Polyhedron& h) { return h.num_facets(); }),
+                             "f, the facets; also len().")
+      .def("__len__", asking([](const Polyhedron& h) { return h.num_facets(); }))
+      .def_property_readonly("halfspaces", &rows_of<&Data::halfspaces, 1>,
+                             "(m, d+1) float64: all rows of the input, in their order.")
       .def_property_readonly(
-          "witness", &list_of<&Data::witness>,
-          "At most d+1 rows that have no interior point in common, if the state is not 'full'.")
+          "interior_point", &interior_point,
+          "(d,) float64: the one given, or found (rounded); empty if the state is not 'full'.")
+      .def_property_readonly("witness", &list_of<&Data::witness>,
+                             "At most d+1 rows that have no interior point in common, increasing, if the "
+                             "state is not 'full': its "
+                             "proof.")
       .def_property_readonly(
           "axes", [](const HeldIntersection& h) { return py::tuple(py::cast(h.data()->axes)); },
-          "k coordinates onto which the normals project one-to-one.")
+          "k coordinates onto which the normals project one-to-one, increasing: a tuple.")
       .def_property_readonly("vertices", &rows_of<&Data::vertices>,
-                             "(v, d), each coordinate the double nearest to the exact one.")
+                             "(v, d) float64, each coordinate the double nearest to the exact one.")
       .def_property_readonly("vertex_offsets", &offsets_of<&Data::vertex_offsets>,
                              "(v+1,), see vertex_halfspaces.")
       .def_property_readonly("vertex_halfspaces", &list_of<&Data::vertex_halfspaces>,
-                             "The rows of the facets that meet in vertex i are\n"
-                             "vertex_halfspaces[vertex_offsets[i]:vertex_offsets[i+1]], increasing.")
-      .def_property_readonly("directions", &rows_of<&Data::directions>,
-                             "(r, d) unit vectors: the extreme ones to infinity.")
+                             text(vertex_halfspaces_doc))
+      .def_property_readonly(
+          "directions", &rows_of<&Data::directions>,
+          "(r, d) float64, unit vectors: the extreme directions to infinity; none if bounded.")
       .def_property_readonly("direction_offsets", &offsets_of<&Data::direction_offsets>,
                              "(r+1,), see direction_halfspaces.")
       .def_property_readonly("direction_halfspaces", &list_of<&Data::direction_halfspaces>,
-                             "The rows of the facets that contain direction i are\n"
-                             "direction_halfspaces[direction_offsets[i]:direction_offsets[i+1]].")
-      .def_property_readonly("edges", &pairs_of<&Data::edges>, "(e, 2) vertices: the bounded edges.")
+                             text(direction_halfspaces_doc))
+      .def_property_readonly("edges", &pairs_of<&Data::edges>,
+                             "(e, 2) numbers of vertices, the smaller first: the bounded edges.")
       .def_property_readonly("rays", &pairs_of<&Data::rays>,
                              "(u, 2): the vertex and the direction of each unbounded edge.")
       .def_property_readonly("facet_halfspaces", &list_of<&Data::facet_halfspaces>,
                              "(f,) the row of each facet, increasing.")
       .def_property_readonly("facet_offsets", &offsets_of<&Data::facet_offsets>,
                              "(f+1,), see facet_vertices.")
+      .def_property_readonly("facet_vertices", &list_of<&Data::facet_vertices>, text(facet_vertices_doc))
       .def_property_readonly(
-          "facet_vertices", &list_of<&Data::facet_vertices>,
-          "The vertices of facet i are facet_vertices[facet_offsets[i]:facet_offsets[i+1]]: for k = 3 along\n"
-          "its border, counterclockwise seen from outside when k = d; otherwise increasing.")
-      .def_property_readonly("lineality", &rows_of<&Data::lineality>,
-                             "(d-k, d) unit vectors that span the lines inside.")
+          "lineality", &rows_of<&Data::lineality>,
+          "(d-k, d) float64, unit vectors that span the lines in the intersection, rounded.")
       .def_property_readonly("first_of_halfspace", &list_of<&Data::first_of_halfspace>,
-                             "(m,) the first row that is the same halfspace.")
+                             "(m,) the first row that is the same halfspace, a positive multiple.")
       .def_property_readonly(
           "kinds", &kinds,
-          "(m,) uint8: 0 a facet, 1 redundant and touching, 2 redundant, 3 a duplicate of an earlier row, 4\n"
-          "no condition at all.")
-      .def_property_readonly("dual_points", &rows_of<&Data::dual_points>,
-                             "(m, d): -A / (A p + b) with the interior point p, rounded.")
+          "(m,) uint8: 0 a facet, 1 redundant and touching, 2 redundant, 3 a duplicate of an earlier row, "
+          "4 no condition at all.")
+      .def_property_readonly("dual_points", &rows_of<&Data::dual_points>, text(dual_points_doc))
+      .def_property_readonly("dual_equations", &rows_of<&Data::dual_equations, 1>, text(dual_equations_doc))
+      .def_property_readonly("volume", asking([](const Polyhedron& h) { return h.volume(); }),
+                             text(volume_doc))
       .def_property_readonly(
-          "dual_equations", &rows_of<&Data::dual_equations, 1>,
-          "(v, d+1): unit normal and offset of the facet of the dual points' hull for each vertex, rounded.")
-      .def_property_readonly(
-          "volume", asking([](const Intersection& h) { return h.volume(); }),
-          "The d-volume: infinite if unbounded, 0 if flat or empty. Computed at every call; in many\n"
-          "dimensions it may take longer than the intersection.")
-      .def_property_readonly(
-          "dual_volume", asking([](const Intersection& h) { return h.dual_volume(); }),
+          "dual_volume", asking([](const Polyhedron& h) { return h.dual_volume(); }),
           "The volume of the hull of the dual points (and of the origin, if unbounded). NaN for k < d.")
-      .def_property_readonly("dual_area", asking([](const Intersection& h) { return h.dual_area(); }),
+      .def_property_readonly("dual_area", asking([](const Polyhedron& h) { return h.dual_area(); }),
                              "The surface area of the same.")
       .def_property_readonly(
           "statistics",
           [](const HeldIntersection& h) {
-            return as_dict(h.ask([](const Intersection& i) { return i.statistics(); }));
+            return as_dict(h.ask([](const Polyhedron& i) { return i.statistics(); }));
           },
-          "What the construction has cost: a dict of counts, seconds and bytes.")
+          text(statistics_doc))
       .def("__repr__", &repr)
       .def(py::pickle(&state, &restored));
 }

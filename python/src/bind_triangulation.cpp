@@ -326,7 +326,7 @@ void bind_points_only(py::class_<T, Held, std::shared_ptr<T>>& type) {
            "points"_a, py::kw_only(), "seed"_a = 0, "order"_a = "automatic", "threads"_a = 1,
            "progress"_a = py::none());
   type.def(
-      "add_points",
+      "insert_range",
       [](T& held, const py::object& points, const py::object& progress) {
         add(held, points, py::none(), progress);
       },
@@ -475,7 +475,7 @@ void bind_triangulations(py::module_& module) {
               "points"_a, "weights"_a, py::kw_only(), "seed"_a = 0, "order"_a = "automatic", "threads"_a = 1,
               "progress"_a = py::none());
   regular.def(
-      "add_points",
+      "insert_range",
       [](HeldRegular& held, const py::object& points, const py::object& weights, const py::object& progress) {
         add(held, points, weights, progress);
       },

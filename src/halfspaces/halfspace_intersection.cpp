@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// HalfspaceIntersection: rows to distinct sites, rank, interior point; the cone makes the boundary,
-// halfspace_arrays the arrays.
+// Polyhedron: rows to distinct sites, rank, interior point; halfspace_cone.hpp makes the boundary,
+// intersection_arrays.hpp the arrays.
 #include "base/guarded.hpp"
 #include "base/progress_meter.hpp"
 #include "base/require_finite.hpp"
@@ -37,8 +37,15 @@ std::string and_more(std::size_t more) {
 
 }  // namespace
 
-struct HalfspaceIntersection::Impl {
+struct Polyhedron::Impl {
   Impl(int dimension, Options given) : d(static_cast<std::size_t>(dimension)), options(std::move(given)) {}
+  Impl(const Impl& other)
+      : d(other.d),
+        options(other.options),
+        rows(other.rows),
+        current(std::make_unique<const IntersectionParts>(*other.current)),
+        order_seconds(other.order_seconds),
+        build_seconds(other.build_seconds) {}
 
   std::size_t d;
   Options options;
@@ -71,6 +78,13 @@ struct HalfspaceIntersection::Impl {
                   "the interior point is not strictly inside halfspace " + std::to_string(bad.front()) +
                       and_more(bad.size() - 1),
                   bad);
+  }
+
+  /// The first rows.
+  void start(std::span<const double> given, const InteriorPoint* known) {
+    check_rows(given, 0);
+    rows.assign(given.begin(), given.end());
+    current = build(rows, known);
   }
 
   /// The state of all given rows, with an interior point or none known.
@@ -220,70 +234,70 @@ struct HalfspaceIntersection::Impl {
   }
 };
 
-HalfspaceIntersection::HalfspaceIntersection(std::span<const double> halfspaces, int dimension,
-                                             const Options& options) {
+Polyhedron::Polyhedron(const AnyPoints<>& halfspaces, int dimension, const Options& options) {
   if (dimension < 1) throw Error(Errc::bad_dimension, "the dimension must be at least 1");
+  halfspaces.require_dimension(dimension + 1);
   internal::guarded("the intersection", [&] {
     impl_ = std::make_unique<Impl>(dimension, options);
-    impl_->check_rows(halfspaces, 0);
-    impl_->rows.assign(halfspaces.begin(), halfspaces.end());
-    impl_->current = impl_->build(impl_->rows, nullptr);
+    impl_->start(halfspaces.coordinates(), nullptr);
   });
 }
 
-HalfspaceIntersection::HalfspaceIntersection(std::span<const double> halfspaces, int dimension,
-                                             std::span<const double> interior_point, const Options& options) {
+Polyhedron::Polyhedron(const AnyPoints<>& halfspaces, int dimension, std::span<const double> interior_point,
+                       const Options& options) {
   if (dimension < 1) throw Error(Errc::bad_dimension, "the dimension must be at least 1");
+  halfspaces.require_dimension(dimension + 1);
   if (interior_point.size() != static_cast<std::size_t>(dimension))
     throw Error(Errc::bad_dimension, "the interior point has not as many coordinates as the space");
   for (const double x : interior_point)
     if (!std::isfinite(x)) throw Error(Errc::not_finite, "a coordinate of the interior point is not finite");
   internal::guarded("the intersection", [&] {
     impl_ = std::make_unique<Impl>(dimension, options);
-    impl_->check_rows(halfspaces, 0);
-    impl_->rows.assign(halfspaces.begin(), halfspaces.end());
     InteriorPoint point;
     point.rounded.assign(interior_point.begin(), interior_point.end());
-    impl_->current = impl_->build(impl_->rows, &point);
+    impl_->start(halfspaces.coordinates(), &point);
   });
 }
 
-HalfspaceIntersection::HalfspaceIntersection(HalfspaceIntersection&&) noexcept = default;
-HalfspaceIntersection& HalfspaceIntersection::operator=(HalfspaceIntersection&&) noexcept = default;
-HalfspaceIntersection::~HalfspaceIntersection() = default;
+Polyhedron::Polyhedron(Clone, const Polyhedron& other)
+    : impl_(internal::guarded("the intersection", [&] { return std::make_unique<Impl>(*other.impl_); })) {}
+Polyhedron::Polyhedron(Polyhedron&&) noexcept = default;
+Polyhedron& Polyhedron::operator=(Polyhedron&&) noexcept = default;
+Polyhedron::~Polyhedron() = default;
 
-void HalfspaceIntersection::add_halfspaces(std::span<const double> halfspaces) {
-  internal::guarded("the intersection", [&] { impl_->add(halfspaces); });
+void Polyhedron::insert_rows(const AnyPoints<>& halfspaces) {
+  halfspaces.require_dimension(dimension() + 1);
+  internal::guarded("the intersection", [&] { impl_->add(halfspaces.coordinates()); });
 }
 
-int HalfspaceIntersection::dimension() const { return static_cast<int>(impl_->d); }
-int HalfspaceIntersection::rank() const { return impl_->current->rank(); }
-std::size_t HalfspaceIntersection::num_halfspaces() const { return impl_->num_rows(); }
-IntersectionState HalfspaceIntersection::state() const { return impl_->current->state; }
-std::size_t HalfspaceIntersection::count(HalfspaceKind kind) const {
+int Polyhedron::dimension() const { return static_cast<int>(impl_->d); }
+int Polyhedron::rank() const { return impl_->current->rank(); }
+std::size_t Polyhedron::num_halfspaces() const { return impl_->num_rows(); }
+IntersectionState Polyhedron::state() const { return impl_->current->state; }
+std::size_t Polyhedron::count(HalfspaceKind kind) const {
   return static_cast<std::size_t>(std::count(data().kinds.begin(), data().kinds.end(), kind));
 }
-const IntersectionData& HalfspaceIntersection::data() const { return impl_->analyse(); }
-IntersectionData HalfspaceIntersection::to_data() const {
+const IntersectionData& Polyhedron::data() const { return impl_->analyse(); }
+IntersectionData Polyhedron::to_data() const {
   IntersectionData copy = data();
   copy.halfspaces = impl_->rows;
   return copy;
 }
 
-double HalfspaceIntersection::volume() const {
+double Polyhedron::volume() const {
   const IntersectionData& found = data();
   if (found.state != IntersectionState::full) return 0;
   if (!found.bounded) return std::numeric_limits<double>::infinity();
-  return Polytope(found.vertices, dimension(), impl_->options).volume().value;
+  return ConvexHull<>(found.vertices, dimension(), impl_->options).volume().value;
 }
-double HalfspaceIntersection::dual_volume() const { return internal::dual_measure(*impl_->current, true); }
-double HalfspaceIntersection::dual_area() const { return internal::dual_measure(*impl_->current, false); }
+double Polyhedron::dual_volume() const { return internal::dual_measure(*impl_->current, true); }
+double Polyhedron::dual_area() const { return internal::dual_measure(*impl_->current, false); }
 
-std::size_t HalfspaceIntersection::num_cells() const {
+std::size_t Polyhedron::num_cells() const {
   return impl_->current->cone ? impl_->current->cone->hull().num_cells() : 0;
 }
 
-Statistics HalfspaceIntersection::statistics() const {
+Statistics Polyhedron::statistics() const {
   Statistics s;
   s.order_seconds = impl_->order_seconds;
   s.build_seconds = impl_->build_seconds;

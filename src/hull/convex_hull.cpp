@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Polytope: the public face of what convex_hull_state.hpp builds and convex_hull_analysis.hpp derives from
-// it.
+// Polytope: the public members of what hull_state.hpp builds and hull_analysis.hpp derives from it.
 #include "base/guarded.hpp"
 #include "base/require_finite.hpp"
 #include "complex/canonical_hash.hpp"
@@ -24,6 +23,10 @@ using internal::SimplicialHull;
 struct Polytope::Impl {
   Impl(int d, Options given)
       : dimension(d), options(std::move(given)), state(std::make_unique<HullState>(d)) {}
+  Impl(const Impl& other)
+      : dimension(other.dimension),
+        options(other.options),
+        state(std::make_unique<HullState>(*other.state)) {}
 
   int dimension;
   Options options;
@@ -98,20 +101,16 @@ Polytope::Polytope(int dimension, const Options& options) {
   if (dimension < 1) throw Error(Errc::bad_dimension, "the dimension must be at least 1");
   impl_ = std::make_unique<Impl>(dimension, options);
 }
-Polytope::Polytope(std::span<const double> coordinates, int dimension, const Options& options)
-    : Polytope(dimension, options) {
-  insert_range(coordinates);
-}
-Polytope::Polytope(PointsView points, const Options& options)
-    : Polytope(points.coordinates(), points.dimension(), options) {}
+Polytope::Polytope(Clone, const Polytope& other)
+    : impl_(internal::guarded("the hull", [&] { return std::make_unique<Impl>(*other.impl_); })) {}
 Polytope::Polytope(Polytope&&) noexcept = default;
 Polytope& Polytope::operator=(Polytope&&) noexcept = default;
 Polytope::~Polytope() = default;
 
-void Polytope::insert_range(std::span<const double> coordinates) {
+void Polytope::insert_coordinates(std::span<const double> coordinates) {
   internal::guarded("the hull", [&] { impl_->insert_range(coordinates); });
 }
-HullInsertResult Polytope::insert(std::span<const double> point) {
+HullInsertResult Polytope::insert_point(std::span<const double> point) {
   return internal::guarded("the hull", [&] { return impl_->insert(point); });
 }
 
@@ -163,7 +162,7 @@ std::vector<std::size_t> Polytope::f_vector() const {
   });
 }
 
-Containment Polytope::locate(std::span<const double> query) const {
+Containment Polytope::locate(const AnyPoint<>& query) const {
   const double* q = impl_->checked_query(query);
   Containment result;
   if (affine_dimension() < 0 || !impl_->in_flat(q)) return result;
@@ -189,12 +188,12 @@ Containment Polytope::locate(std::span<const double> query) const {
     result.face.push_back(impl_->state->row(site));
   return result;
 }
-bool Polytope::contains(std::span<const double> query) const {
+bool Polytope::contains(const AnyPoint<>& query) const {
   const Containment::Kind kind = locate(query).kind;
   return kind == Containment::Kind::inside || kind == Containment::Kind::on_boundary;
 }
 
-std::vector<SignedIndex> Polytope::visible_cells(std::span<const double> query) const {
+std::vector<SignedIndex> Polytope::visible_cells(const AnyPoint<>& query) const {
   const double* q = impl_->checked_query(query);
   if (affine_dimension() < 1 || !impl_->in_flat(q)) return {};
   const HullAnalysis& analysis = impl_->analysis();
@@ -204,7 +203,7 @@ std::vector<SignedIndex> Polytope::visible_cells(std::span<const double> query) 
   const std::vector<Index> cells = analysis.locator()->cells_on_side(found.cell, Sign::negative, q, grid);
   return {cells.begin(), cells.end()};
 }
-std::vector<SignedIndex> Polytope::visible_facets(std::span<const double> query) const {
+std::vector<SignedIndex> Polytope::visible_facets(const AnyPoint<>& query) const {
   std::vector<SignedIndex> facets;
   for (const SignedIndex c : visible_cells(query))
     facets.push_back(

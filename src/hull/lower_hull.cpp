@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// LowerHull: the hull of the points and of one more above them, of which the cells that look down are kept.
+// Envelope: the hull of the points and of one more above them, of which the cells that look down are kept.
 //
 // Why one more point. It lies over the composition of a lowest point, higher than that. The hyperplane of a
 // lower facet is, over any composition of the domain, at most as high as the lower hull, so the new point is
@@ -19,14 +19,14 @@
 
 namespace delone {
 
-struct LowerHull::Impl {
+struct Envelope::Impl {
   int dimension = 0;
   HullSide side = HullSide::lower;
-  std::vector<double> points;       // n×d, as given
-  kernel::AffineHull compositions;  // in R^(d−1)
-  std::optional<Polytope> polytope;
-  std::vector<double> projected;  // n×(c+1): the composition axes, the height
-  std::vector<int> axes;          // 0 … c
+  std::vector<double> points;                    // n×d, as given
+  kernel::AffineHull compositions;               // in R^(d−1)
+  std::shared_ptr<const ConvexHull<>> polytope;  // of no copy of the envelope alone: it never changes
+  std::vector<double> projected;                 // n×(c+1): the composition axes, the height
+  std::vector<int> axes;                         // 0 … c
   kernel::Grid grid;
   bool reversed = false;  // whether cells were turned to be positive over the compositions
   std::vector<SignedIndex> cells, neighbors, facet_of_cell, vertices;
@@ -80,7 +80,7 @@ struct LowerHull::Impl {
     project(points.data() + lowest * ambient(), raised, all);
     grid = kernel::Grid(static_cast<int>(corners()));
     for (std::size_t row = 0; row < n; ++row) grid.include(place(static_cast<SignedIndex>(row)));
-    polytope.emplace(all, static_cast<int>(corners()), options);
+    polytope = std::make_shared<const ConvexHull<>>(all, static_cast<int>(corners()), options);
     collect(polytope->data());
   }
 
@@ -213,10 +213,11 @@ struct LowerHull::Impl {
   }
 };
 
-LowerHull::LowerHull(std::span<const double> coordinates, int dimension, HullSide side,
-                     const Options& options) {
+Envelope::Envelope(const AnyPoints<>& points, int dimension, HullSide side, const Options& options) {
   if (dimension < 2)
     throw Error(Errc::bad_dimension, "a lower hull needs a composition and a height: at least 2 coordinates");
+  points.require_dimension(dimension);
+  const std::span<const double> coordinates = points.coordinates();
   if (coordinates.size() % static_cast<std::size_t>(dimension) != 0)
     throw Error(Errc::bad_dimension, "the number of coordinates is not a multiple of the dimension");
   internal::require_finite(coordinates, static_cast<std::size_t>(dimension), "a coordinate");
@@ -226,26 +227,26 @@ LowerHull::LowerHull(std::span<const double> coordinates, int dimension, HullSid
     impl_->build(options);
   });
 }
-LowerHull::LowerHull(PointsView points, HullSide side, const Options& options)
-    : LowerHull(points.coordinates(), points.dimension(), side, options) {}
-LowerHull::LowerHull(LowerHull&&) noexcept = default;
-LowerHull& LowerHull::operator=(LowerHull&&) noexcept = default;
-LowerHull::~LowerHull() = default;
+Envelope::Envelope(Clone, const Envelope& other)
+    : impl_(internal::guarded("the hull", [&] { return std::make_unique<Impl>(*other.impl_); })) {}
+Envelope::Envelope(Envelope&&) noexcept = default;
+Envelope& Envelope::operator=(Envelope&&) noexcept = default;
+Envelope::~Envelope() = default;
 
-int LowerHull::dimension() const { return impl_->dimension; }
-int LowerHull::composition_dimension() const { return impl_->compositions.dimension(); }
-HullSide LowerHull::side() const { return impl_->side; }
-std::size_t LowerHull::num_points() const { return impl_->num_points(); }
-std::size_t LowerHull::num_cells() const { return impl_->num_cells(); }
-std::size_t LowerHull::num_facets() const { return impl_->num_facets; }
-std::span<const SignedIndex> LowerHull::cells() const { return impl_->cells; }
-std::span<const SignedIndex> LowerHull::neighbors() const { return impl_->neighbors; }
-std::span<const SignedIndex> LowerHull::facet_of_cell() const { return impl_->facet_of_cell; }
-std::span<const SignedIndex> LowerHull::vertices() const { return impl_->vertices; }
-std::vector<int> LowerHull::composition_axes() const { return impl_->compositions.axes(); }
+int Envelope::dimension() const { return impl_->dimension; }
+int Envelope::composition_dimension() const { return impl_->compositions.dimension(); }
+HullSide Envelope::side() const { return impl_->side; }
+std::size_t Envelope::num_points() const { return impl_->num_points(); }
+std::size_t Envelope::num_cells() const { return impl_->num_cells(); }
+std::size_t Envelope::num_facets() const { return impl_->num_facets; }
+std::span<const SignedIndex> Envelope::cells() const { return impl_->cells; }
+std::span<const SignedIndex> Envelope::neighbors() const { return impl_->neighbors; }
+std::span<const SignedIndex> Envelope::facet_of_cell() const { return impl_->facet_of_cell; }
+std::span<const SignedIndex> Envelope::vertices() const { return impl_->vertices; }
+std::vector<int> Envelope::composition_axes() const { return impl_->compositions.axes(); }
 
-std::optional<std::size_t> LowerHull::find_cell(std::span<const double> composition) const {
-  if (composition.size() != impl_->ambient() - 1)
+std::optional<std::size_t> Envelope::find_cell(const AnyPoint<>& composition) const {
+  if (composition.coordinates().size() != impl_->ambient() - 1)
     throw Error(Errc::bad_dimension, "the composition has not as many coordinates as those of the points");
   std::optional<std::size_t> result;
   impl_->for_each_query(composition, impl_->ambient() - 1,
@@ -253,18 +254,20 @@ std::optional<std::size_t> LowerHull::find_cell(std::span<const double> composit
   return result;
 }
 
-std::vector<double> LowerHull::heights(std::span<const double> compositions) const {
+std::vector<double> Envelope::heights(const AnyPoints<>& compositions) const {
+  compositions.require_dimension(dimension() - 1);
   const double outside = impl_->height_sign() * std::numeric_limits<double>::infinity();
   std::vector<double> result;
   impl_->for_each_query(
-      compositions, impl_->ambient() - 1,
+      compositions.coordinates(), impl_->ambient() - 1,
       [&](auto, const double* q, const std::optional<std::size_t>& cell, const auto&) {
         result.push_back(cell ? impl_->height_sign() * impl_->interpolate(*cell, q) : outside);
       });
   return result;
 }
 
-std::vector<double> LowerHull::height_above(std::span<const double> points) const {
+std::vector<double> Envelope::height_above(const AnyPoints<>& points) const {
+  points.require_dimension(dimension());
   std::vector<double> result;
   const Impl& hull = *impl_;
   const auto above = [&](const double* q, const std::optional<std::size_t>& cell, const kernel::Grid& grid) {
@@ -279,14 +282,14 @@ std::vector<double> LowerHull::height_above(std::span<const double> points) cons
            : sign == Sign::positive ? std::max(difference, least)
                                     : std::min(difference, -least);
   };
-  hull.for_each_query(points, hull.ambient(),
+  hull.for_each_query(points.coordinates(), hull.ambient(),
                       [&](auto, const double* q, const auto& cell, const kernel::Grid& grid) {
                         result.push_back(hull.height_sign() * above(q, cell, grid) + 0.0);
                       });
   return result;
 }
 
-ComplexData LowerHull::to_data() const {
+ComplexData Envelope::to_data() const {
   ComplexData data;
   data.dimension = dimension();
   data.affine_dimension = composition_dimension();
@@ -295,7 +298,7 @@ ComplexData LowerHull::to_data() const {
   data.neighbors = impl_->neighbors;
   return data;
 }
-const Polytope& LowerHull::polytope() const {
+const Polytope& Envelope::polytope() const {
   if (!impl_->polytope) throw Error(Errc::invalid_argument, "there is no point, hence no hull");
   return *impl_->polytope;
 }

@@ -63,10 +63,10 @@ void expect_brute_force(const PointSet& set, bool with_cells = true) {
   const auto d = static_cast<std::size_t>(set.dimension);
   {
     SCOPED_TRACE("batch");
-    expect_equal(oracle, Polytope(set.points, set.dimension), with_cells);
+    expect_equal(oracle, ConvexHull(set.points, set.dimension), with_cells);
   }
   SCOPED_TRACE("one by one");
-  Polytope hull(set.dimension);
+  ConvexHull hull(set.dimension);
   for (std::size_t row = 0; row < set.size(); ++row) {
     const HullInsertResult result = hull.insert(std::span(set.points).subspan(row * d, d));
     EXPECT_EQ(result.row, row);

@@ -32,7 +32,7 @@ void expect_same(const test::PointSet& set) {
   for (const std::vector<double>& point : distinct) points.insert(points.end(), point.begin(), point.end());
 
   const auto truth = test::DoubleDescription::of_points(points, set.dimension);
-  const Polytope hull(points, set.dimension);
+  const ConvexHull hull(points, set.dimension);
   const HullData& data = hull.data();
   EXPECT_EQ(static_cast<std::size_t>(data.affine_dimension) + truth.linearities, d);
   EXPECT_EQ(data.vertices, truth.essential);

@@ -71,7 +71,7 @@ TEST_P(HullQhullIn, RandomPointsAgree) {
         for (auto at = points.end() - d; at != points.end(); ++at) *at /= std::sqrt(square);
     }
     const QhullResult expected = qhull(points, d);
-    const Polytope hull(points, d);
+    const ConvexHull hull(points, d);
     EXPECT_TRUE(test::same_cells(expected.facets, test::sorted_cells(hull.data().cells, d - 1)))
         << test::to_text(points, d);
     EXPECT_EQ(hull.num_facets(), expected.facets.size());

@@ -53,7 +53,7 @@ INSTANTIATE_TEST_SUITE_P(Dimensions, HullIn, ::testing::Range(2, 7), ::testing::
 
 TEST_P(HullIn, CubesAreKnown) {
   const PointSet cube = test::permuted(test::lattice(d(), d() <= 4 ? 3 : 2), 1);
-  const Polytope hull(cube.points, d());
+  const ConvexHull hull(cube.points, d());
   Counts expected;
   for (std::size_t j = 0; j < size(); ++j) expected.push_back(binomial(size(), j) << (size() - j));
   EXPECT_EQ(hull.f_vector(), expected);
@@ -84,7 +84,7 @@ TEST_P(HullIn, CrossPolytopesAreKnown) {
   for (int i = 0; i < 2 * d(); ++i)
     for (int j = 0; j < d(); ++j) points.push_back(i / 2 == j ? (i % 2 == 0 ? 1 : -1) : 0);
   points.insert(points.end(), size(), 0.0);  // the centre
-  const Polytope hull(points, d());
+  const ConvexHull hull(points, d());
   Counts expected;
   for (std::size_t j = 0; j < size(); ++j) expected.push_back(binomial(size(), j + 1) << (j + 1));
   EXPECT_EQ(hull.f_vector(), expected);
@@ -101,7 +101,7 @@ TEST_P(HullIn, CyclicPolytopesHaveTheMostFaces) {
   std::vector<double> points;
   for (int t = 0; t < n; ++t)
     for (int j = 1; j <= d(); ++j) points.push_back(std::pow(t - n / 2, j));
-  const Polytope hull(points, d());
+  const ConvexHull hull(points, d());
   // McMullen's upper bound; all faces of up to ⌊d/2⌋ vertices are there.
   const std::size_t N = static_cast<std::size_t>(n), h = size() / 2;
   const std::size_t facets =
@@ -121,7 +121,7 @@ TEST_P(HullIn, ProductsOfSimplicesAreKnown) {
       for (std::size_t j = 1; j <= a; ++j) points.push_back(v == j);
       for (std::size_t j = 1; j <= b; ++j) points.push_back(w == j);
     }
-  const Polytope hull(points, d());
+  const ConvexHull hull(points, d());
   Counts expected(size(), 0);
   for (std::size_t i = 0; i <= a; ++i)
     for (std::size_t j = 0; j <= b && i + j < size(); ++j)
@@ -134,15 +134,15 @@ TEST_P(HullIn, TheOrderOfThePointsDoesNotMatter) {
   for (std::uint64_t seed = 0; seed < test::scaled_count(2); ++seed)
     for (const PointSet& set : test::degenerate_sets(d(), d() <= 4 ? 20 : 12, seed)) {
       SCOPED_TRACE(set.name);
-      const Polytope hull(set.points, d());
+      const ConvexHull hull(set.points, d());
       const PointSet other = test::permuted(set, seed + 1);
       Options options;
       options.order = InsertionOrder::as_given;
-      const Polytope shuffled(other.points, d(), options);
+      const ConvexHull shuffled(other.points, d(), options);
       EXPECT_EQ(hull.hash(), shuffled.hash());
       EXPECT_EQ(hull.num_facets(), shuffled.num_facets());
       EXPECT_EQ(hull.num_vertices(), shuffled.num_vertices());
-      Polytope grown(d());  // in three parts
+      ConvexHull grown(d());  // in three parts
       const std::size_t third = set.size() / 3 * size();
       grown.insert_range(std::span(set.points).first(third));
       grown.insert_range(std::span(set.points).subspan(third, third));
@@ -156,7 +156,7 @@ TEST_P(HullIn, TheOrderOfThePointsDoesNotMatter) {
 TEST_P(HullIn, QueriesAreAnsweredAsTheCellsSay) {
   for (const PointSet& set : test::degenerate_sets(d(), d() <= 4 ? 20 : 12, 3)) {
     SCOPED_TRACE(set.name + "\n");
-    const Polytope hull(set.points, d());
+    const ConvexHull hull(set.points, d());
     const HullData data = hull.to_data();
     if (data.affine_dimension != d()) continue;
     test::Random random(5);
@@ -197,7 +197,7 @@ TEST_P(HullIn, QueriesAreAnsweredAsTheCellsSay) {
         for (const SignedIndex row : where.face)
           face.insert(face.end(), hull.point(static_cast<std::size_t>(row)).begin(),
                       hull.point(static_cast<std::size_t>(row)).end());
-        const Polytope inner(face, d());
+        const ConvexHull inner(face, d());
         const Containment::Kind kind = inner.locate(q).kind;
         EXPECT_EQ(kind, where.face.size() == 1 ? Containment::Kind::on_boundary : Containment::Kind::inside);
       }
@@ -214,7 +214,7 @@ TEST_P(HullIn, QueriesAreAnsweredAsTheCellsSay) {
 
 TEST_P(HullIn, TheVolumeIsThatOfTheTriangulation) {
   const PointSet set = test::small_integers(d(), 40, -50, 50, 7);
-  const Polytope hull(set.points, d());
+  const ConvexHull hull(set.points, d());
   const Triangulation triangulation(set.points, d());
   EXPECT_EQ(hull.affine_dimension(), d());
   double sum = 0;
@@ -224,7 +224,7 @@ TEST_P(HullIn, TheVolumeIsThatOfTheTriangulation) {
       const auto point = triangulation.point(v);
       simplex.insert(simplex.end(), point.begin(), point.end());
     }
-    sum += Polytope(simplex, d()).volume().value;
+    sum += ConvexHull(simplex, d()).volume().value;
   }
   EXPECT_NEAR(hull.volume().value, sum, 1e-9 * sum);
   expect_valid(hull);
@@ -233,7 +233,7 @@ TEST_P(HullIn, TheVolumeIsThatOfTheTriangulation) {
 TEST_P(HullIn, FlatInputHasTheHullOfItsFlat) {
   for (int k = 2; k < d(); ++k) {
     const PointSet flat = test::lattice(k, 3);
-    const Polytope inside(flat.points, k), outside(test::embedded(flat, d(), true, 9).points, d());
+    const ConvexHull inside(flat.points, k), outside(test::embedded(flat, d(), true, 9).points, d());
     EXPECT_EQ(outside.affine_dimension(), k);
     EXPECT_EQ(outside.f_vector(), inside.f_vector());
     EXPECT_EQ(outside.data().point_kinds, inside.data().point_kinds);
@@ -254,17 +254,17 @@ TEST_P(HullIn, FlatInputHasTheHullOfItsFlat) {
 }
 
 TEST(Hull, OfAFewPointsIsAResult) {
-  EXPECT_EQ(Polytope(3).affine_dimension(), -1);
-  EXPECT_EQ(Polytope(3).f_vector(), Counts{});
-  EXPECT_EQ(Polytope(3).volume().value, 0);
-  const Polytope point(std::vector<double>{1, 2, 1, 2, 1, 2}, 2);
+  EXPECT_EQ(ConvexHull(3).affine_dimension(), -1);
+  EXPECT_EQ(ConvexHull(3).f_vector(), Counts{});
+  EXPECT_EQ(ConvexHull(3).volume().value, 0);
+  const ConvexHull point(std::vector<double>{1, 2, 1, 2, 1, 2}, 2);
   EXPECT_EQ(point.affine_dimension(), 0);
   EXPECT_EQ(point.num_vertices(), 1u);
   EXPECT_EQ(point.num_facets(), 0u);
   EXPECT_EQ(point.count(PointKind::duplicate), 2u);
   EXPECT_EQ(point.locate(std::vector<double>{1, 2}).kind, Containment::Kind::on_boundary);
   EXPECT_EQ(point.locate(std::vector<double>{1, 3}).kind, Containment::Kind::outside_affine_hull);
-  const Polytope segment(std::vector<double>{3, 3, 1, 1, 2, 2, 3, 3}, 2);
+  const ConvexHull segment(std::vector<double>{3, 3, 1, 1, 2, 2, 3, 3}, 2);
   EXPECT_EQ(segment.affine_dimension(), 1);
   EXPECT_EQ(segment.data().vertices, (std::vector<SignedIndex>{0, 1}));
   EXPECT_EQ(segment.kind(2), PointKind::interior);
@@ -281,24 +281,24 @@ TEST(Hull, InTheCompiledDimensionIsTheSame) {
       {0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {.25, .25, .25}};
   ConvexHull<3> hull(points);
   EXPECT_EQ(hull.num_facets(), 4u);
-  EXPECT_FALSE(hull.insert(ConvexHull<3>::Point{0.1, 0.1, 0.1}).inserted);
-  EXPECT_TRUE(hull.insert(ConvexHull<3>::Point{1, 1, 1}).inserted);
-  EXPECT_TRUE(hull.insert(ConvexHull<3>::Point{1, 1, 1}).duplicate);
+  EXPECT_FALSE(hull.insert({0.1, 0.1, 0.1}).inserted);
+  EXPECT_TRUE(hull.insert({1, 1, 1}).inserted);
+  EXPECT_TRUE(hull.insert({1, 1, 1}).duplicate);
   EXPECT_EQ(hull.num_vertices(), 5u);
 }
 
 TEST(Hull, ErrorsChangeNothing) {
-  Polytope hull(std::vector<double>{0, 0, 1, 0, 0, 1}, 2);
+  ConvexHull hull(std::vector<double>{0, 0, 1, 0, 0, 1}, 2);
   const CanonicalHash before = hull.hash();
   EXPECT_THROW(hull.insert_range(std::vector<double>{5, 5, std::nan(""), 1}), Error);
   EXPECT_THROW(hull.insert(std::vector<double>{5}), Error);
-  EXPECT_THROW(Polytope(0), Error);
+  EXPECT_THROW(ConvexHull(0), Error);
   EXPECT_EQ(hull.hash(), before);
   EXPECT_EQ(hull.num_points(), 3u);
   Options options;
   options.progress = [](double) { return false; };
   try {
-    const Polytope cancelled(test::lattice(3, 6).points, 3, options);
+    const ConvexHull cancelled(test::lattice(3, 6).points, 3, options);
     FAIL();
   } catch (const Error& e) {
     EXPECT_EQ(e.code(), Errc::cancelled);
@@ -306,7 +306,7 @@ TEST(Hull, ErrorsChangeNothing) {
 }
 
 TEST(CheckHull, FindsWhatIsWrong) {
-  const Polytope hull(test::lattice(3, 3).points, 3);
+  const ConvexHull hull(test::lattice(3, 3).points, 3);
   const HullData good = hull.to_data();
   EXPECT_TRUE(check_hull(good).ok);
   const auto reached = [](const HullData& data) {

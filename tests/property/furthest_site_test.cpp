@@ -74,7 +74,7 @@ void expect_definition(const PointSet& set) {
 /// The hidden points are those that the convex hull calls neither extreme nor duplicates of such.
 void expect_extreme_vertices(const PointSet& set) {
   const FurthestSiteTriangulation t(set.points, set.dimension);
-  const Polytope hull(set.points, set.dimension);
+  const ConvexHull hull(set.points, set.dimension);
   if (t.affine_dimension() < 1) return;
   std::set<std::vector<double>> extreme;
   const auto point = [&](std::size_t row) {

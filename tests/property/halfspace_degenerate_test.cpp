@@ -39,7 +39,7 @@ std::map<Rows, std::vector<double>> vertices_of(const IntersectionData& data) {
   return result;
 }
 
-void expect_right(const HalfspaceIntersection& found) {
+void expect_right(const Polyhedron& found) {
   const IntersectionCheckReport report = check_halfspaces(found.to_data());
   EXPECT_TRUE(report.ok) << report.violation;
 }
@@ -104,7 +104,7 @@ TEST(HalfspaceDegenerate, FlatAndEmptyInEveryDimension) {
       EXPECT_EQ(flat.state(), IntersectionState::flat);
       EXPECT_EQ(empty.state(), IntersectionState::empty);
       EXPECT_EQ(thin.state(), IntersectionState::full);
-      for (const HalfspaceIntersection* none : {&flat, &empty}) {
+      for (const Polyhedron* none : {&flat, &empty}) {
         expect_right(*none);
         EXPECT_EQ(none->witness().size(), 2u);
         EXPECT_EQ(none->witness()[0] + 1, none->witness()[1]);
@@ -156,10 +156,10 @@ TEST(HalfspaceDegenerate, ContradictoryRows) {
   rows.resize(6);
   HalfspaceIntersection quadrant(rows, 2);
   EXPECT_EQ(quadrant.state(), IntersectionState::full);
-  EXPECT_THROW(quadrant.add_halfspaces({{1, 1, 1}}), Error);
+  EXPECT_THROW(quadrant.insert_range(std::vector<double>{1, 1, 1}), Error);
   EXPECT_EQ(quadrant.num_vertices(), 1u);
   // 0 ≤ −1
-  const HalfspaceIntersection never({{1, 0, -1, 0, 0, 1}}, 2);
+  const HalfspaceIntersection never(std::vector<double>{1, 0, -1, 0, 0, 1}, 2);
   EXPECT_EQ(never.state(), IntersectionState::empty);
   EXPECT_EQ(Rows(never.witness().begin(), never.witness().end()), Rows{1});
 }

@@ -232,7 +232,7 @@ TEST(HalfspaceFaces, FacetsOfAHullGiveItsPointsBack) {
     std::vector<double> points;
     const int range = repeat % 3 == 0 ? 1 : 20;  // facets of a lattice, or simplices
     for (std::size_t i = 0; i < (d + 3) * d * 2; ++i) points.push_back(random.integer(-range, range));
-    const Polytope hull(points, static_cast<int>(d));
+    const ConvexHull hull(points, static_cast<int>(d));
     if (hull.affine_dimension() < static_cast<int>(d)) continue;
     const HullData& data = hull.data();
     std::vector<double> rows;

@@ -142,10 +142,10 @@ TEST(Halfspaces, RowsMayComeOneAfterTheOther) {
     const auto width = static_cast<std::size_t>(d) + 1;
     const std::vector<double> rows = random_rows(random, d, 5 + 4 * d, repeat % 3 != 0);
     const std::vector<double> origin(static_cast<std::size_t>(d), 0.0);
-    HalfspaceIntersection growing({}, d, origin);
+    HalfspaceIntersection growing(std::vector<double>{}, d, origin);
     for (std::size_t at = 0; at < rows.size();) {
       const std::size_t next = std::min(rows.size(), at + width * (1 + random() % 3));
-      growing.add_halfspaces(std::span(rows).subspan(at, next - at));
+      growing.insert_range(std::span(rows).subspan(at, next - at));
       at = next;
       const IntersectionData whole = HalfspaceIntersection(std::span(rows).first(at), d, origin).data();
       expect_same(whole, growing.data(), identity(at / width));
@@ -177,7 +177,7 @@ TEST(Halfspaces, DualOfTheHullHasTheExtremePointsAsFacets) {
                   points.begin() + static_cast<std::ptrdiff_t>(i + size));
       rows.push_back(-1);
     }
-    const Polytope hull(points, d);
+    const ConvexHull hull(points, d);
     const HullData& polytope = hull.data();
     const HalfspaceIntersection dual(rows, d, std::vector<double>(size, 0.0));
     const IntersectionData& data = dual.data();
@@ -223,7 +223,7 @@ TEST(Halfspaces, ExtremeRanges) {
       EXPECT_TRUE(report.ok) << report.violation << " " << size;
     }
   // Beyond the doubles: x ≤ huge/tiny.
-  const HalfspaceIntersection far({{tiny, 0, -huge, -1, 0, -1, 0, 1, -1, 0, -1, -1}}, 2);
+  const HalfspaceIntersection far(std::vector<double>{tiny, 0, -huge, -1, 0, -1, 0, 1, -1, 0, -1, -1}, 2);
   EXPECT_EQ(far.num_vertices(), 4u);
   EXPECT_TRUE(far.is_bounded());
 }
@@ -238,27 +238,36 @@ TEST(Halfspaces, Errors) {
     }
     return Error(Errc::unsupported, "none");
   };
-  EXPECT_EQ(error_of([] { HalfspaceIntersection({}, 0); }).code(), Errc::bad_dimension);
-  EXPECT_EQ(error_of([] { HalfspaceIntersection({{1, 2, 3, 4}}, 2); }).code(), Errc::bad_dimension);
-  const Error nan = error_of([] { HalfspaceIntersection({{1, 2, 3, 1, NAN, 2}}, 2); });
+  EXPECT_EQ(error_of([] { HalfspaceIntersection(std::vector<double>{}, 0); }).code(), Errc::bad_dimension);
+  EXPECT_EQ(error_of([] {
+              HalfspaceIntersection(std::vector<double>{1, 2, 3, 4}, 2);
+            }).code(),
+            Errc::bad_dimension);
+  const Error nan = error_of([] { HalfspaceIntersection(std::vector<double>{1, 2, 3, 1, NAN, 2}, 2); });
   EXPECT_EQ(nan.code(), Errc::not_finite);
   EXPECT_EQ(nan.rows(), std::vector<std::size_t>{1});
-  const Error outside = error_of([&] { HalfspaceIntersection({{1, 0, -1, 0, 1, 0, 1, 1, 2}}, 2, origin); });
+  const Error outside = error_of([&] {
+    HalfspaceIntersection(std::vector<double>{1, 0, -1, 0, 1, 0, 1, 1, 2}, 2, origin);
+  });
   EXPECT_EQ(outside.code(), Errc::invalid_argument);
   EXPECT_EQ(outside.rows(), (std::vector<std::size_t>{1, 2}));
   EXPECT_EQ(error_of([&] {
-              HalfspaceIntersection({{1, 0, -1}}, 2, {{0, 0, 0}});
+              HalfspaceIntersection(std::vector<double>{1, 0, -1}, 2, std::vector<double>{0, 0, 0});
             }).code(),
             Errc::bad_dimension);
-  HalfspaceIntersection half({{1, 0, -1}}, 2, origin);
-  EXPECT_EQ(error_of([&] { half.add_halfspaces({{0, 1, 1}}); }).rows(), std::vector<std::size_t>{1});
+  HalfspaceIntersection half(std::vector<double>{1, 0, -1}, 2, origin);
+  EXPECT_EQ(error_of([&] {
+              half.insert_range(std::vector<double>{0, 1, 1});
+            }).rows(),
+            std::vector<std::size_t>{1});
   EXPECT_EQ(half.num_halfspaces(), 1u);
   Options cancelling;
   cancelling.progress = [](double) { return false; };
-  EXPECT_EQ(error_of([&] {
-              HalfspaceIntersection({{1, 0, -1, 0, 1, -1, -1, -1, -1}}, 2, origin, cancelling);
-            }).code(),
-            Errc::cancelled);
+  EXPECT_EQ(
+      error_of([&] {
+        HalfspaceIntersection(std::vector<double>{1, 0, -1, 0, 1, -1, -1, -1, -1}, 2, origin, cancelling);
+      }).code(),
+      Errc::cancelled);
 }
 
 TEST(Halfspaces, TheCheckFindsWhatIsWrong) {
@@ -301,7 +310,7 @@ TEST(Halfspaces, TheCheckFindsWhatIsWrong) {
     wrong.interior_point[j] = 2 * data.vertex(0)[j];  // the origin is inside
   EXPECT_EQ(level_of(wrong), IntersectionCheckLevel::support);
   // A strip, of rank 1; a square that is said to be one.
-  wrong = HalfspaceIntersection({{1, 0, -1, -1, 0, -1}}, 2).to_data();
+  wrong = HalfspaceIntersection(std::vector<double>{1, 0, -1, -1, 0, -1}, 2).to_data();
   EXPECT_TRUE(check_halfspaces(wrong).ok);
   wrong.vertices[1] = 1;
   EXPECT_EQ(level_of(wrong), IntersectionCheckLevel::support);
@@ -312,7 +321,8 @@ TEST(Halfspaces, TheCheckFindsWhatIsWrong) {
     wrong.kinds.push_back(HalfspaceKind::redundant);
   }
   EXPECT_EQ(level_of(wrong), IntersectionCheckLevel::support);
-  IntersectionData flat = HalfspaceIntersection({{1, 0, -1, -1, 0, 1, 0, 1, 0}}, 2).to_data();
+  IntersectionData flat =
+      HalfspaceIntersection(std::vector<double>{1, 0, -1, -1, 0, 1, 0, 1, 0}, 2).to_data();
   EXPECT_TRUE(check_halfspaces(flat).ok);
   flat.bounded = true;
   EXPECT_EQ(level_of(flat), IntersectionCheckLevel::storage);

@@ -87,7 +87,7 @@ def test_rows_that_are_not_finite_are_named(make, bad):
 def test_wrong_number_of_coordinates_in_later_rows():
     for made in (delone.Delaunay(SQUARE), delone.ConvexHull(SQUARE), delone.FurthestSite(SQUARE)):
         with pytest.raises(ValueError, match="points: 3 coordinates per row, not 2"):
-            made.add_points([[1, 2, 3]])
+            made.insert_range([[1, 2, 3]])
 
 
 def peak(action):
@@ -129,7 +129,7 @@ def test_arrays_stay_as_they_are_when_points_are_added():
         arrays = made.cells, made.neighbors, made.points
         copies = [array.copy() for array in arrays]
         assert made.cells.__array_interface__["data"] == arrays[0].__array_interface__["data"]  # a view, not a copy
-        made.add_points([[2, 2], [-1, 0.5]])
+        made.insert_range([[2, 2], [-1, 0.5]])
         assert len(made.points) == 502 and len(made.cells) != len(arrays[0])
         for array, copy in zip(arrays, copies):
             np.testing.assert_array_equal(array, copy)

@@ -77,7 +77,7 @@ def test_containment_is_exact(points):
 @given(lattice_points(), st.integers(0, 14))
 def test_adding_points_in_parts(points, i):
     hull = delone.ConvexHull(points[:i])
-    hull.add_points(points[i:])
+    hull.insert_range(points[i:])
     whole = delone.ConvexHull(points)
     assert hull.hash == whole.hash and hull.point_kinds.tolist() == whole.point_kinds.tolist()
     assert sorted(lists(*hull.facets)) == sorted(lists(*whole.facets)) and hull.points.tolist() == points.tolist()

@@ -105,7 +105,7 @@ def test_adding_points_in_parts(points, i, j):
     i, j = sorted((min(i, len(points)), min(j, len(points))))
     t = delone.Delaunay(points[:i].reshape(-1, points.shape[1]))
     for part in (points[i:j], points[j:]):
-        t.add_points(part)
+        t.insert_range(part)
     whole = delone.Delaunay(points)
     assert t.hash == whole.hash and t.points.tolist() == points.tolist()
     assert t.vertex_of_point.tolist() == whole.vertex_of_point.tolist()
@@ -251,7 +251,7 @@ class TestFurthestSite:
     def test_queries(self):
         points = np.random.default_rng(4).random((60, 2))
         t = delone.FurthestSite(points[:40])
-        t.add_points(points[40:])
+        t.insert_range(points[40:])
         assert t.hash == delone.FurthestSite(points).hash
         inside = delone.ConvexHull(points).contains(points * 1.1)
         assert ((t.find_simplex(points * 1.1) >= 0) == inside).all()

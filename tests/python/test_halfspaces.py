@@ -103,13 +103,13 @@ def test_adding_halfspaces(given_point):
     h = delone.HalfspaceIntersection(cube(3), given_point)
     before = h.vertices
     kept = before.copy()
-    h.add_halfspaces([[1, 1, 1, -1.5]])
-    h.add_halfspaces(np.zeros((0, 4)))
+    h.insert_range([[1, 1, 1, -1.5]])
+    h.insert_range(np.zeros((0, 4)))
     whole = delone.HalfspaceIntersection(np.concatenate([cube(3), [[1, 1, 1, -1.5]]]))
     assert sorted_rows(h.vertices).tolist() == sorted_rows(whole.vertices).tolist() and h.num_halfspaces == 7
     assert (before == kept).all()
     with pytest.raises(delone.InputError) as raised:
-        h.add_halfspaces([[1, 0, 0, -1], [1, 0, 0, 5]])
+        h.insert_range([[1, 0, 0, -1], [1, 0, 0, 5]])
     assert raised.value.rows == [8] or raised.value.rows == [1]
     assert h.num_halfspaces == 7
 

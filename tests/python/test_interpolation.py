@@ -138,9 +138,9 @@ def test_values_are_a_copy_that_cannot_be_changed():
 def test_points_may_not_be_added_afterwards():
     t = delone.Delaunay([[0, 0], [1, 0], [0, 1]])
     function = delone.LinearInterpolator(t, [1, 2, 3])
-    t.add_points(np.zeros((0, 2)))
+    t.insert_range(np.zeros((0, 2)))
     assert function([0, 0]) == 1
-    t.add_points([[1, 1]])
+    t.insert_range([[1, 1]])
     with pytest.raises(RuntimeError, match="points were added"):
         function([0, 0])
 

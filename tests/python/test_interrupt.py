@@ -116,11 +116,11 @@ def test_after_an_interrupted_addition_everything_is_as_before(make, alarm):
     cells, digest = made.cells.copy(), made.hash
     alarm(0.4)
     with pytest.raises(Alarm):
-        made.add_points(many)
+        made.insert_range(many)
     assert made.num_points == 150 and made.hash == digest and len(made.points) == 150
     if make is not delone.ConvexHull:
         np.testing.assert_array_equal(made.cells, cells)
-    made.add_points(more)
+    made.insert_range(more)
     assert made.hash == make(np.concatenate([first, more])).hash
 
 

@@ -15,14 +15,15 @@ PARTS = POINTS[:30], POINTS[30:31], POINTS[31:]
 
 def in_parts(make):
     made = make(PARTS[0])
+    insert = made.add_points if type(made).__module__.startswith("delone.spatial") else made.insert_range
     for part in PARTS[1:]:
-        made.add_points(part)
+        insert(part)
     return made
 
 
 def regular():
     r = delone.Regular(POINTS, np.linspace(-0.02, 0.02, 80), seed=5, order="shuffled")
-    r.add_points([[0.1, 0.2, 0.3]], [0.1])
+    r.insert_range([[0.1, 0.2, 0.3]], [0.1])
     return r
 
 
@@ -88,7 +89,7 @@ def test_copies_are_the_same(name):
 def test_copies_are_independent(make, duplicate):
     made = make(PARTS[0])
     other = duplicate(made)
-    other.add_points(PARTS[2])
+    other.insert_range(PARTS[2])
     assert made.num_points == 30 and made.hash == make(PARTS[0]).hash
     assert other.num_points == 79 and other.hash == make(np.concatenate([PARTS[0], PARTS[2]])).hash
 

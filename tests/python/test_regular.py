@@ -59,7 +59,7 @@ def test_nearest_has_the_least_power(both, random):
 def test_adding_points_in_parts(both, i):
     points, heights = both
     t = delone.Regular(points[:i], heights[:i])
-    t.add_points(points[i:], heights[i:])
+    t.insert_range(points[i:], heights[i:])
     assert t.hash == delone.Regular(points, heights).hash and t.weights.tolist() == heights.tolist()
 
 
@@ -86,5 +86,5 @@ def test_weights_that_are_not_finite_change_nothing():
     t = delone.Regular([[0, 0], [1, 0], [0, 1]], [0, 0, 0])
     before = t.hash
     with pytest.raises(delone.InputError) as raised:
-        t.add_points([[2, 2], [3, 3]], [0, np.inf])
+        t.insert_range([[2, 2], [3, 3]], [0, np.inf])
     assert raised.value.rows == [1] and t.hash == before and t.num_points == 3

@@ -68,7 +68,7 @@ def test_queries_beside_insertions_see_all_of_them_or_none(make):
 
     def add():
         for n in sizes[1:]:
-            made.add_points(points[n - 100:n])
+            made.insert_range(points[n - 100:n])
 
     run_together([ask, ask, add])
     assert set(seen) <= expected and made.hash == make(points).hash
@@ -77,7 +77,7 @@ def test_queries_beside_insertions_see_all_of_them_or_none(make):
 def test_two_threads_may_insert():
     points = np.random.default_rng(3).random((1000, 2))
     t = delone.Delaunay(points[:100])
-    run_together([lambda i=i: t.add_points(points[i:i + 100]) for i in range(100, 1000, 100)])
+    run_together([lambda i=i: t.insert_range(points[i:i + 100]) for i in range(100, 1000, 100)])
     assert t.num_points == 1000 and t.hash == delone.Delaunay(points).hash
 
 
@@ -114,5 +114,5 @@ def test_a_progress_function_that_asks_its_object_is_told_off():
         return not errors
 
     with pytest.raises(delone.CancelledError):
-        made.add_points(np.random.default_rng(5).random((20_000, 5)), progress=progress)
+        made.insert_range(np.random.default_rng(5).random((20_000, 5)), progress=progress)
     assert errors == ["the object is being changed"] and made.num_points == 1

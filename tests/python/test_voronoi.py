@@ -92,7 +92,7 @@ def test_it_is_data_of_its_own():
     v = delone.Voronoi(t)
     vertices = v.vertices
     before = vertices.copy()
-    t.add_points([[0.5, 0.5]])
+    t.insert_range([[0.5, 0.5]])
     assert v.num_points == 40 and (v.vertices == before).all()
     del v, t
     assert (vertices == before).all() and not vertices.flags.writeable

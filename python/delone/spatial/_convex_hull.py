@@ -64,7 +64,7 @@ class ConvexHull(OfPoints):
         self._core = delone.ConvexHull(self._without_good_row(self._points))
 
     def _extend(self, rows):
-        self._core.add_points(rows)
+        self._core.insert_range(rows)
 
     def _update(self):
         self._forget()

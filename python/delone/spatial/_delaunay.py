@@ -65,7 +65,7 @@ class Delaunay(OfPoints):
         self._core = (delone.FurthestSite if self._options.furthest else delone.Delaunay)(self._points)
 
     def _extend(self, rows):
-        self._core.add_points(rows)
+        self._core.insert_range(rows)
 
     def _update(self):
         self._forget()

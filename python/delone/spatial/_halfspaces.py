@@ -75,7 +75,7 @@ class HalfspaceIntersection(Incremental):
 
     def _extend(self, rows):
         with _not_inside():
-            self._core.add_halfspaces(rows)
+            self._core.insert_range(rows)
 
     def _update(self):
         self._forget()

@@ -114,7 +114,7 @@ TEST_P(HullNormalIn, VolumesOfSimplicesAreWithinTheirBounds) {
 TEST_P(HullNormalIn, EquationsVanishOnTheirFacets) {
   const int d = GetParam();
   for (const test::PointSet& set : test::degenerate_sets(d, 16, 2)) {
-    const Polytope hull(set.points, d);
+    const ConvexHull hull(set.points, d);
     if (hull.affine_dimension() != d) continue;
     const HullData data = hull.to_data();
     for (std::size_t f = 0; f < data.num_facets(); ++f) {

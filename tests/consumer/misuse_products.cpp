@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What cannot be done with hulls and intersections, one mistake per value of MISUSE; 0 is the correct program.
+#include <delone/delone.hpp>
+
+#include <array>
+#include <memory>
+#include <vector>
+
+using Points = std::vector<std::array<double, 3>>;
+
+#if MISUSE == 0
+std::size_t correct(const Points& points) {
+  const delone::ConvexHull hull(points);
+  const delone::Polytope& base = hull;
+  delone::ConvexHull<3> copy = hull.clone();
+  copy.insert({1, 2, 3});
+  return base.num_facets() + copy.num_facets();
+}
+#elif MISUSE == 1  // a base has no object of its own: nothing to delete
+void deleted(delone::Polytope* hull) { delete hull; }
+#elif MISUSE == 2  // likewise
+void owned(std::unique_ptr<delone::Polyhedron> intersection) { intersection.reset(); }
+#elif MISUSE == 3  // nor to copy: that would cut the product off
+void sliced(const delone::ConvexHull<3>& hull) { const delone::Polytope copy = hull; }
+#elif MISUSE == 4  // copies are made by clone()
+delone::LowerHull<3> copied(const delone::LowerHull<3>& hull) { return hull; }
+#elif MISUSE == 5  // points of another dimension
+delone::ConvexHull<2> too_long(const Points& points) { return delone::ConvexHull<2>(points); }
+#elif MISUSE == 6  // halfspaces of the plane have three numbers
+delone::HalfspaceIntersection<3> too_short(const Points& rows) {
+  return delone::HalfspaceIntersection<3>(rows);
+}
+#elif MISUSE == 7  // a lower hull needs a composition
+delone::LowerHull<1> nothing_below() { return delone::LowerHull<1>(std::vector<double>{1, 2}); }
+#endif
