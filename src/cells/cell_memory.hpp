@@ -3,10 +3,10 @@
 //   functional    k + 1 coefficients, for geometry/
 //   certificate   64 bits, for geometry/; two of them are the engine's mark
 //   links         k + 1 vertices and k + 1 neighbors, for engine/
-// Insertions need all of a cell together, so it is side by side, with two exceptions. In 3D, functional and
-// links fill a line of the cache: certificates are apart. In the dimensions in which points are wrapped,
-// links are: until all cells are there, nothing else of them is needed. In 5D and 6D, vertices take 16 bits
-// as long as their ids fit (docs/decisions/0010-short-ids-of-vertices.md).
+// Insertions need all of a cell together, so it is in one record, with two exceptions. In 3D, functional and
+// links fill a cache line, and certificates are in an array of their own. From 7D on, where points are
+// wrapped, links are in an array of their own: until all cells are there, nothing else of them is needed. In
+// 5D and 6D, vertices take 16 bits as long as their ids fit (docs/decisions/0010-short-ids-of-vertices.md).
 #pragma once
 
 #include "base/growable_array.hpp"
@@ -21,24 +21,24 @@
 
 namespace delone {
 
-/// What an insertion has found out about a cell.
+/// The state of a cell during the search of a conflict zone.
 enum class Mark : std::uint8_t { unseen = 0, in_conflict = 1, not_in_conflict = 2 };
 
-/// How vertices are kept in cells: in 32 bits, or in 16.
+/// How vertices are stored in cells: in 32 bits, or in 16.
 enum class VertexIds : std::uint8_t { wide, narrow };
 
-/// The last id that fits 16 bits, and what stands for invalid_index there.
+/// The last id that fits 16 bits, and the 16-bit form of invalid_index.
 inline constexpr Index last_narrow_vertex = 0xfffe, invalid_narrow_index = 0xffff;
 
-/// Whether vertices may be narrow in this dimension, if it is known to the compiler.
+/// Whether vertices may be narrow in this dimension, if it is known at compile time.
 constexpr bool may_be_narrow(int k) { return k == 5 || k == 6; }
 
-/// For vertices up to this one.
+/// The width for vertices up to this one.
 constexpr VertexIds ids_for(std::size_t last_vertex) {
   return last_vertex <= last_narrow_vertex ? VertexIds::narrow : VertexIds::wide;
 }
 
-/// A copy of the vertices of a cell, made wide. It is used like a pointer to the first.
+/// A wide copy of the vertices of a cell. It is used like a pointer to the first.
 template <int K>
 class CopiedVertices {
  public:
@@ -47,20 +47,20 @@ class CopiedVertices {
     for (int i = 0; i <= K; ++i) ids_[i] = vertex(i);
   }
   operator const Index*() const& { return ids_; }
-  operator const Index*() const&& = delete;  // it would not live as long
+  operator const Index*() const&& = delete;  // the pointer would outlive the copy
 
  private:
   Index ids_[K + 1];
 };
-/// The vertices of a cell, of 32 bits: where they are, or a copy.
+/// The vertices of a cell in 32 bits: a pointer to them, or a copy.
 template <int K>
 using CellVertices = std::conditional_t<may_be_narrow(K), CopiedVertices<K>, const Index*>;
 
-/// Where what is kept of a cell is. K is the dimension of the cells, or 0 when it is chosen at run time.
+/// The layout of cells in memory. K is the dimension of the cells, or 0 if it is chosen at run time.
 template <int K>
 class CellLayout {
  public:
-  /// `ids`: of which none are narrow where they may not be.
+  /// `ids`: ignored in dimensions in which vertices are always wide.
   explicit CellLayout(int dimension, VertexIds ids = VertexIds::wide) : dimension_(dimension), ids_(ids) {}
 
   int dimension() const { return K > 0 ? K : dimension_; }
@@ -70,26 +70,26 @@ class CellLayout {
   bool certificates_are_apart() const { return dimension() == 3; }
   bool links_are_apart() const { return dimension() >= 7; }
 
-  /// From a cell to the next, in words.
+  /// The distance from a cell to the next, in words.
   std::size_t functional_stride() const {
     const std::size_t words = links_are_apart() ? words_of_record() : words_before_links() + words_of_links();
-    // Lines of the cache have 8 words: one word more is no waste if it keeps cells from straddling more lines
-    // than they need.
+    // Cache lines have 8 words: one word of padding keeps cells of 7 words, and of 15, from straddling more
+    // lines than they need.
     return words % 8 == 7 ? words + 1 : words;
   }
   /// The same for links, in ids.
   std::size_t link_stride() const {
     return (links_are_apart() ? words_of_links() : functional_stride()) * ids_per_word;
   }
-  /// From the first vertex of a cell to its first neighbor, in ids.
+  /// The distance from the first vertex of a cell to its first neighbor, in ids.
   std::size_t ids_before_neighbors() const {
     return is_narrow() ? (num_coefficients() + 1) / 2 : num_coefficients();
   }
-  /// The ids of a cell.
+  /// The size of the vertices and neighbors of a cell, in ids.
   std::size_t num_link_ids() const { return ids_before_neighbors() + num_coefficients(); }
-  /// What is side by side with the links of a cell, before them.
+  /// How many words of the record are before the links.
   std::size_t words_before_links() const { return links_are_apart() ? 0 : words_of_record(); }
-  /// Of all that is kept of a cell.
+  /// The memory of a cell, all arrays together.
   std::size_t bytes() const {
     return (functional_stride() + certificates_are_apart() + (links_are_apart() ? words_of_links() : 0)) *
            sizeof(double);
@@ -105,7 +105,7 @@ class CellLayout {
     else
       links[i] = vertex;
   }
-  /// What vertex 0 of a vacant slot is.
+  /// Vertex 0 of a vacant slot.
   Index vacant() const { return is_narrow() ? invalid_narrow_index : invalid_index; }
 
   static constexpr std::size_t ids_per_word = sizeof(double) / sizeof(Index);
@@ -118,7 +118,8 @@ class CellLayout {
   VertexIds ids_;
 };
 
-/// The functionals and certificates of all cells, valid until memory grows. Word is double or const double.
+/// Access to the functionals and certificates of all cells, valid until memory grows. Word is double or const
+/// double.
 template <int K, class Word = double>
 class CellRecords {
  public:
@@ -138,11 +139,11 @@ class CellRecords {
   Word* certificates_;  ///< if they are apart
 };
 
-/// K is the dimension of the cells, or 0 when it is chosen at run time.
+/// The memory of all cells. K is the dimension of the cells, or 0 if it is chosen at run time.
 template <int K>
 class CellMemory {
  public:
-  /// `ids`: for vertices at first.
+  /// `ids`: the width of vertices at first.
   explicit CellMemory(int dimension, VertexIds ids = VertexIds::wide) : layout_(dimension, ids) {}
 
   int dimension() const { return layout_.dimension(); }
@@ -157,14 +158,14 @@ class CellMemory {
                                           layout_.words_before_links());
   }
 
-  /// How many cells there is room for, and for the links of how many.
+  /// The number of cells, and of links, that there is room for.
   std::size_t capacity() const { return capacity_; }
   std::size_t link_capacity() const { return link_capacity_; }
   std::size_t bytes() const {
     return (words_.capacity() + certificates_.capacity()) * sizeof(double) +
            links_.capacity() * sizeof(Index);
   }
-  /// Makes room for cells, keeping the present ones. Throws std::bad_alloc, and then changes nothing.
+  /// Makes room for cells and keeps the present ones. Throws std::bad_alloc, and then changes nothing.
   void reserve(std::size_t cells) {
     words_.reserve(cells * layout_.functional_stride() + spare);
     if (layout_.certificates_are_apart()) certificates_.reserve(cells);
@@ -178,7 +179,7 @@ class CellMemory {
     links_.reserve(cells * layout_.link_stride() + spare * CellLayout<K>::ids_per_word);
     link_capacity_ = std::max(link_capacity_, cells);
   }
-  /// Says that cells before `cells`, of which there is room for, will now be written.
+  /// Announces that cells before `cells` will now be written. REQUIRES room for them.
   void prepare(std::size_t cells) {
     words_.prepare(cells * layout_.functional_stride());
     if (layout_.certificates_are_apart()) certificates_.prepare(cells);
@@ -189,7 +190,7 @@ class CellMemory {
     if (!layout_.links_are_apart()) return prepare(cells);
     links_.prepare(cells * layout_.link_stride());
   }
-  /// Makes vertices wide, of the first `cells` cells. Throws std::bad_alloc, and then changes nothing.
+  /// Makes the vertices of the first `cells` cells wide. Throws std::bad_alloc, and then changes nothing.
   void widen(std::size_t cells) {
     if constexpr (may_be_narrow(K)) {
       if (!layout_.is_narrow()) return;
@@ -225,17 +226,17 @@ class CellMemory {
   }
 
  private:
-  /// Words behind the last cell, so that vectors may reach beyond its ids.
+  /// Words after the last cell, so that vectors may reach beyond its ids.
   static constexpr std::size_t spare = 4;
 
   CellLayout<K> layout_;
   std::size_t capacity_ = 0, link_capacity_ = 0;
-  GrowableArray<double> words_{Pages::large};         // functionals, and all that is not apart from them
+  GrowableArray<double> words_{Pages::large};         // functionals, and everything that is not apart
   GrowableArray<double> certificates_{Pages::large};  // if they are apart
   GrowableArray<Index> links_{Pages::large};          // if they are apart
 };
 
-/// The marks, in bits that certificates leave free.
+/// The bits of a certificate that hold the mark of the cell.
 namespace mark_bits {
 constexpr int in_conflict = 47, not_in_conflict = 63;
 constexpr std::uint64_t all = std::uint64_t{1} << in_conflict | std::uint64_t{1} << not_in_conflict;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What engine/ asks of geometry/ while it wraps a set of points: which facets of a cell have no neighbor yet.
+// A cell with open facets, beyond which geometry/ searches while engine/ wraps a set of points.
 #pragma once
 
 #include <delone/types.hpp>
