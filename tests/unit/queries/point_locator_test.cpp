@@ -1,0 +1,149 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Where queries lie in small triangulations: the table of minors, the plain walk, and what passes from one to
+// the other.
+#include "degenerate.hpp"
+
+#include <delone/delaunay.hpp>
+#include <delone/error.hpp>
+#include <delone/point_locator.hpp>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cmath>
+#include <numeric>
+#include <stdexcept>
+
+namespace delone {
+namespace {
+
+using ::testing::ElementsAre;
+using Kind = Location::Kind;
+using Point2 = std::array<double, 2>;
+
+template <class T>
+std::vector<Kind> kinds(const T& t, const std::vector<double>& queries) {
+  std::vector<Kind> result(queries.size() / static_cast<std::size_t>(t.dimension()));
+  PointLocator(t).locate(queries,
+                         [&](std::size_t query, const LocatedPoint& where) { result[query] = where.kind; });
+  return result;
+}
+
+/// Each query is the sum of the vertices of its cell times the coordinates, which are positive on its face
+/// and 0 elsewhere.
+template <class T>
+void expect_barycentric(const T& t, const std::vector<double>& queries, double tolerance) {
+  const auto d = static_cast<std::size_t>(t.dimension());
+  const Complex complex = t.complex();
+  std::size_t visits = 0;
+  PointLocator(t).locate(queries, [&](std::size_t query, const LocatedPoint& where) {
+    ++visits;
+    ASSERT_EQ(where.weights.size(), static_cast<std::size_t>(complex.dimension()) + 1);
+    std::vector<double> sum(d, 0.0);
+    int positive = 0;
+    for (int i = 0; i <= complex.dimension(); ++i) {
+      const double weight = where.weights[static_cast<std::size_t>(i)];
+      EXPECT_GE(weight, 0);
+      positive += weight > 0 ? 1 : 0;
+      const auto p = t.point(complex.vertex(where.cell, i));
+      for (std::size_t j = 0; j < d; ++j) sum[j] += weight * p[j];
+    }
+    for (std::size_t j = 0; j < d; ++j) EXPECT_NEAR(sum[j], queries[query * d + j], tolerance);
+    EXPECT_EQ(positive, where.kind == Kind::on_vertex ? 1
+                        : where.kind == Kind::on_face ? std::min(positive, complex.dimension())
+                                                      : complex.dimension() + 1);
+  });
+  EXPECT_EQ(visits, queries.size() / d);
+}
+
+TEST(PointLocator, TellsKinds) {
+  const Delaunay<2> t(std::vector<Point2>{{0, 0}, {4, 0}, {0, 4}, {1, 1}});
+  EXPECT_THAT(kinds(t, {1, 0.5, 1, 1, 2, 0, 0.5, 0.5, 2, 2, 3, 3, -1, 0}),
+              ElementsAre(Kind::in_cell, Kind::on_vertex, Kind::on_face, Kind::on_face, Kind::on_face,
+                          Kind::outside_hull, Kind::outside_hull));
+  const double next = std::nextafter(2, 3), previous = std::nextafter(2, 1);
+  EXPECT_THAT(
+      kinds(t, {next, 2, previous, 2, 1, std::nextafter(1, 2), 2, 0x1p-1074, 2, -0x1p-1074}),
+      ElementsAre(Kind::outside_hull, Kind::in_cell, Kind::in_cell, Kind::in_cell, Kind::outside_hull));
+}
+
+// On every lattice point, edge and cell of a lattice, in dimensions with and without a table.
+TEST(PointLocator, GivesBarycentricCoordinates) {
+  const auto halves = [](int d) {
+    std::vector<double> queries = test::lattice(d, d <= 3 ? 5 : 3).points;
+    for (double& x : queries) x /= d <= 3 ? 2 : 1;
+    return queries;
+  };
+  expect_barycentric(Delaunay<1>(std::vector<std::array<double, 1>>{{0}, {2}, {1}}), halves(1), 0);
+  std::vector<Point2> square;
+  for (const double x : {0, 1, 2})
+    for (const double y : {0, 1, 2}) square.push_back({x, y});
+  expect_barycentric(Delaunay<2>(square), halves(2), 0);
+  std::vector<std::array<double, 3>> cube;
+  for (const double x : {0, 1, 2})
+    for (const double y : {0, 1, 2})
+      for (const double z : {0, 1, 2}) cube.push_back({x, y, z});
+  expect_barycentric(Delaunay<3>(cube), halves(3), 0);
+  std::vector<std::array<double, 7>> simplex(8);
+  for (std::size_t i = 0; i < 7; ++i) simplex[i][i] = 8;
+  expect_barycentric(Delaunay<7>(simplex), {1, 1, 1, 1, 1, 1, 1, 2, 2, 2, 2, 0, 0, 0}, 1e-14);
+}
+
+TEST(PointLocator, OfFlatInput) {
+  const Delaunay<2> line(std::vector<Point2>{{0, 0}, {3, 3}, {1, 1}});
+  EXPECT_THAT(kinds(line, {2, 2, 1, 1, 4, 4, 2, 2.5, 2, std::nextafter(2, 3)}),
+              ElementsAre(Kind::in_cell, Kind::on_vertex, Kind::outside_hull, Kind::outside_affine_hull,
+                          Kind::outside_affine_hull));
+  expect_barycentric(line, {2, 2, 1, 1, 0.1, 0.1}, 1e-15);
+  EXPECT_THAT(kinds(Delaunay<2>(), {0, 0}), ElementsAre(Kind::outside_affine_hull));
+}
+
+// Numbers beyond the range of the table go to the plain walk, in the middle of a batch.
+TEST(PointLocator, AtTheEndsOfTheRange) {
+  const Delaunay<2> t(std::vector<Point2>{{0, 0}, {1, 0}, {0, 1}, {1e200, 1e200}, {-1e-200, -1e-200}});
+  EXPECT_THAT(kinds(t, {0.25, 0.25, 1e199, 1e199, 1e200, 1e200, 1e201, 1e201, -5e-201, -5e-201}),
+              ElementsAre(Kind::in_cell, Kind::in_cell, Kind::on_vertex, Kind::outside_hull, Kind::on_face));
+}
+
+// A cell so thin that the bound of the table says nothing of its coordinates: the system is solved.
+TEST(PointLocator, OfAThinCell) {
+  const double thin = 0x1p-49;
+  const Delaunay<2> t(std::vector<Point2>{{1, 1}, {2, 2}, {1, 1 + thin}});
+  PointLocator(t).locate(
+      std::vector<double>{1.25, 1.25 + thin / 4}, [&](std::size_t, const LocatedPoint& where) {
+        EXPECT_EQ(where.kind, Kind::in_cell);
+        for (int i = 0; i < 3; ++i) {
+          const auto row = t.row_of(t.complex().vertex(where.cell, i));
+          EXPECT_NEAR(where.weights[static_cast<std::size_t>(i)], row == 0 ? 0.5 : 0.25, 1e-10);
+        }
+      });
+}
+
+TEST(PointLocator, VisitsEveryQueryOnceInAnyOrder) {
+  const Delaunay<2> t(std::vector<Point2>{{0, 0}, {4, 0}, {0, 4}, {4, 4}});
+  const test::PointSet queries = test::small_integers(2, 1000, -1, 5, 1);
+  std::vector<int> visits(1000, 0);
+  PointLocator(t).locate(queries.points, [&](std::size_t query, const LocatedPoint&) { ++visits[query]; });
+  EXPECT_EQ(visits, std::vector<int>(1000, 1));
+}
+
+TEST(PointLocator, PassesExceptionsOn) {
+  const Delaunay<2> t(std::vector<Point2>{{0, 0}, {4, 0}, {0, 4}});
+  const PointLocator locator(t);
+  const auto ignore = [](std::size_t, const LocatedPoint&) {};
+  EXPECT_THROW(locator.locate(std::vector<double>{1, 2, 3}, ignore), Error);
+  try {
+    locator.locate(std::vector<double>{1, 2, 3, std::nan(""), 1, INFINITY}, ignore);
+    FAIL();
+  } catch (const Error& e) {
+    EXPECT_EQ(e.code(), Errc::not_finite);
+    EXPECT_THAT(e.rows(), ElementsAre(1, 2));
+  }
+  EXPECT_THROW(locator.locate(std::vector<double>{1, 2},
+                              [](std::size_t, const LocatedPoint&) { throw std::runtime_error("enough"); }),
+               std::runtime_error);
+}
+
+}  // namespace
+}  // namespace delone
