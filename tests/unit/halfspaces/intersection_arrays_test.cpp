@@ -97,6 +97,7 @@ TEST(IntersectionArrays, OfAQuadrantAndAStrip) {
     EXPECT_EQ(direction[0] + direction[1], 1);
     EXPECT_EQ(list(quadrant.halfspaces_of_direction(r)), std::vector<SignedIndex>{direction[0] == 1 ? 1 : 0});
   }
+  EXPECT_THAT(intersect({-1, 0, 0, 0, -1, 0, -1, 0, -3}, 2).kinds, ElementsAre(facet, facet, redundant));
   // |x + y| ≤ 1 contains a line; it is a segment times that line.
   const IntersectionData strip = intersect({1, 1, -1, -1, -1, -1}, 2);
   EXPECT_EQ(strip.rank, 1);
@@ -141,10 +142,12 @@ TEST(IntersectionArrays, OfAnOctahedron) {
 }
 
 // A square pillar, open upwards: its sides are unbounded facets, whose vertices come before the directions.
+// The last row meets it only at infinity.
 TEST(IntersectionArrays, OfAPillar) {
   const IntersectionData pillar =
-      intersect({1, 0, 0, -1, -1, 0, 0, -1, 0, 1, 0, -1, 0, -1, 0, -1, 0, 0, -1, 0}, 3);
+      intersect({1, 0, 0, -1, -1, 0, 0, -1, 0, 1, 0, -1, 0, -1, 0, -1, 0, 0, -1, 0, 1, 0, 0, -5}, 3);
   EXPECT_FALSE(pillar.bounded);
+  EXPECT_THAT(pillar.kinds, ElementsAre(facet, facet, facet, facet, facet, redundant));
   EXPECT_EQ(pillar.num_vertices(), 4u);
   EXPECT_EQ(pillar.num_edges(), 4u);
   EXPECT_EQ(pillar.num_rays(), 4u);
@@ -152,8 +155,14 @@ TEST(IntersectionArrays, OfAPillar) {
   EXPECT_THAT(list(pillar.halfspaces_of_direction(0)), ElementsAre(0, 1, 2, 3));
   EXPECT_EQ(pillar.facet(4).size(), 4u);
   for (std::size_t f = 0; f < 4; ++f) {
-    EXPECT_EQ(pillar.facet(f).size(), 2u);
     EXPECT_EQ(pillar.directions_of_facet(f).size(), 1u);
+    const auto corners = pillar.facet(f);
+    ASSERT_EQ(corners.size(), 2u);
+    // Counterclockwise seen from outside: the edge, times the direction upwards, points outwards.
+    const auto p = pillar.vertex(static_cast<std::size_t>(corners[0])),
+               q = pillar.vertex(static_cast<std::size_t>(corners[1]));
+    const double* n = pillar.halfspaces.data() + 4 * f;
+    EXPECT_EQ((q[1] - p[1]) * n[0] - (q[0] - p[0]) * n[1], 2);
   }
 }
 
