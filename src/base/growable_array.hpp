@@ -1,52 +1,20 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A large array of trivial entries that grows without being copied: on Linux its pages are moved to a larger
-// range of addresses; elsewhere it is reallocated.
+// A large array of trivial entries that grows without being copied: where memory can be mapped, its pages are
+// moved to a larger range of addresses; elsewhere it is reallocated.
 #pragma once
 
+#include "base/platform.hpp"
+
 #include <algorithm>
-#include <atomic>
 #include <cstddef>
 #include <cstdlib>
-#include <limits>
 #include <new>
 #include <type_traits>
 #include <utility>
 
-#ifdef __linux__
-#include <sys/mman.h>
-#include <time.h>
-#endif
-
 namespace delone {
 
-/// The size of the pages to ask the system for: large ones as long as they are not dear
-/// (docs/decisions/0009-large-pages-while-they-are-cheap.md).
-enum class Pages { usual, large };
-
-/// Keeps account of what large pages cost more than as much memory in usual ones. An account for each array,
-/// but what one has found out is known to all of the process for a while.
-class PriceOfLargePages {
- public:
-  /// Whether it is still low enough to go on, after what `large_pages` of them have cost. `now`: seconds of
-  /// any clock.
-  bool pay(double seconds, std::size_t large_pages, double now) {
-    debt_ = std::max(debt_ + seconds - usual_price * static_cast<double>(large_pages), 0.0);
-    if (debt_ <= most_debt) return true;
-    found_dear_at_.store(now, std::memory_order_relaxed);
-    return false;
-  }
-  /// Whether no array has found them dear of late.
-  static bool are_worth_trying(double now) {
-    return now - found_dear_at_.load(std::memory_order_relaxed) > for_a_while;
-  }
-
- private:
-  static constexpr double usual_price = 600e-6, most_debt = 3e-3, for_a_while = 1;  // seconds
-  inline static std::atomic<double> found_dear_at_ = -std::numeric_limits<double>::infinity();
-  double debt_ = 0;
-};
-
-/// Entries beyond those ever written are unspecified. Memory that was never touched costs nothing on Linux.
+/// Entries that were never written are unspecified. Where memory can be mapped, they take up no memory.
 template <class T>
 class GrowableArray {
   static_assert(std::is_trivially_copyable_v<T>);
@@ -67,7 +35,12 @@ class GrowableArray {
     std::swap(price_, other.price_);
     return *this;
   }
-  ~GrowableArray() { release(); }
+  ~GrowableArray() {
+    if (is_mapped())
+      platform::unmap(entries_, bytes());
+    else
+      std::free(entries_);
+  }
 
   T* data() { return entries_; }
   const T* data() const { return entries_; }
@@ -80,103 +53,76 @@ class GrowableArray {
   void reserve(std::size_t size) {
     if (size <= capacity_) return;
     if (size > static_cast<std::size_t>(-1) / 4 / sizeof(T)) throw std::bad_alloc();
-    const std::size_t bytes = rounded_up(size * sizeof(T));
-#ifdef __linux__
-    if (bytes >= mapped_from) {
-      void* moved;
-      if (is_mapped()) {
-        moved = mremap(entries_, rounded_up(capacity_ * sizeof(T)), bytes, MREMAP_MAYMOVE);
-        if (moved == MAP_FAILED) throw std::bad_alloc();
-      } else {
-        moved = mmap(nullptr, bytes, PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0);
-        if (moved == MAP_FAILED) throw std::bad_alloc();
+    const std::size_t new_bytes = rounded_up(size * sizeof(T));
+    void* moved = nullptr;
+    if (!platform::maps_memory || new_bytes < mapped_from) {
+      moved = std::realloc(entries_, new_bytes);
+      if (moved == nullptr) throw std::bad_alloc();
+    } else {
+      moved = is_mapped() ? platform::remap(entries_, bytes(), new_bytes) : platform::map(new_bytes);
+      if (moved == nullptr) throw std::bad_alloc();
+      if (!is_mapped()) {
         std::copy(entries_, entries_ + capacity_, static_cast<T*>(moved));
         std::free(entries_);
       }
-      if (pages_ == Pages::large) madvise(moved, bytes, MADV_HUGEPAGE);  // a wish: failure is no error
-      entries_ = static_cast<T*>(moved);
+      if (pages_ == Pages::large) platform::use_large_pages(moved, new_bytes, true);
       prepared_ = std::min(prepared_, capacity_);
-      capacity_ = bytes / sizeof(T);
-      return;
     }
-#endif
-    void* moved = std::realloc(entries_, bytes);
-    if (moved == nullptr) throw std::bad_alloc();
     entries_ = static_cast<T*>(moved);
-    capacity_ = bytes / sizeof(T);
+    capacity_ = new_bytes / sizeof(T);
   }
 
-  /// Says that the entries before `size`, of which there is room for, will soon have been written. Pages that
-  /// were never touched are fetched many at a time: one by one, each costs the processor an exception.
+  /// Says that the entries before `size`, for which there is room, will soon be written. Pages that were
+  /// never touched are fetched many at a time, as a page fault for each would be slower.
   void prepare(std::size_t size) {
     if (size > prepared_) [[unlikely]]
       populate(size);
   }
 
-  /// Says that the entries first … last − 1 are not needed any more: they are unspecified from then on.
-  /// Memory is given back to the system in whole pages, each when the whole of it was in one range.
-  void discard([[maybe_unused]] std::size_t first, [[maybe_unused]] std::size_t last) {
-#ifdef __linux__
+  /// Says that the entries first … last − 1 are not needed any more: they are unspecified from then on. A
+  /// page is given back to the system when the whole of it is in one such range.
+  void discard(std::size_t first, std::size_t last) {
     if (!is_mapped()) return;
-    const std::size_t begin = (first * sizeof(T) + small_page - 1) / small_page * small_page,
-                      end = last * sizeof(T) / small_page * small_page;
-    if (begin < end) madvise(reinterpret_cast<char*>(entries_) + begin, end - begin, MADV_DONTNEED);
-#endif
+    constexpr std::size_t page = platform::usual_page;
+    const std::size_t begin = (first * sizeof(T) + page - 1) / page * page;
+    const std::size_t end = last * sizeof(T) / page * page;
+    if (begin < end) platform::discard(reinterpret_cast<char*>(entries_) + begin, end - begin);
   }
 
  private:
-  /// From this size on, memory is mapped; smaller arrays come from the heap.
+  /// Memory of this size or more is mapped, in multiples of large pages; smaller arrays come from the heap.
   static constexpr std::size_t mapped_from = std::size_t{1} << 20;
-  static constexpr std::size_t large_page = std::size_t{2} << 20;
-  static constexpr std::size_t small_page = std::size_t{64} << 10;  // of any machine
-  /// What is populated at a time.
-  std::size_t portion() const { return pages_ == Pages::large ? large_page : std::size_t{256} << 10; }
 
   static std::size_t rounded_up(std::size_t bytes) {
-    // Mapped ranges are whole large pages, and a multiple of the entry's size where that matters: the rest is
-    // left unused.
-    return bytes < mapped_from ? bytes : (bytes + large_page - 1) / large_page * large_page;
+    constexpr std::size_t page = platform::large_page;
+    return bytes < mapped_from ? bytes : (bytes + page - 1) / page * page;
   }
-  [[gnu::noinline]] void populate([[maybe_unused]] std::size_t size) {
-    [[maybe_unused]] const std::size_t prepared =
-        std::exchange(prepared_, capacity_);  // also where it cannot be done
-#if defined(__linux__) && defined(MADV_POPULATE_WRITE)
+  /// What has been allocated: the last bytes are not used if entries do not fill them.
+  std::size_t bytes() const { return rounded_up(capacity_ * sizeof(T)); }
+  bool is_mapped() const { return platform::maps_memory && bytes() >= mapped_from; }
+
+  [[gnu::noinline]] void populate(std::size_t size) {
+    const std::size_t prepared = std::exchange(prepared_, capacity_);  // also where pages cannot be fetched
     if (!is_mapped()) return;
-    if (pages_ == Pages::large && !PriceOfLargePages::are_worth_trying(seconds_of(CLOCK_MONOTONIC)))
+    if (pages_ == Pages::large && !PriceOfLargePages::are_worth_trying(platform::clock_seconds()))
       avoid_large_pages();
-    const std::size_t begin = prepared * sizeof(T) / portion() * portion();
-    const std::size_t end =
-        std::min((size * sizeof(T) / portion() + 1) * portion(), rounded_up(capacity_ * sizeof(T)));
-    const double start = seconds_of(CLOCK_THREAD_CPUTIME_ID);
-    if (madvise(reinterpret_cast<char*>(entries_) + begin, end - begin, MADV_POPULATE_WRITE) == 0)
+    const std::size_t portion =
+        pages_ == Pages::large ? platform::large_page : std::size_t{256} << 10;  // fetched at a time
+    const std::size_t begin = prepared * sizeof(T) / portion * portion;
+    const std::size_t end = std::min((size * sizeof(T) / portion + 1) * portion, bytes());
+    const double start = platform::thread_seconds();
+    if (platform::populate(reinterpret_cast<char*>(entries_) + begin, end - begin))
       prepared_ = end / sizeof(T);
     if (pages_ == Pages::usual) return;
-    const double price = seconds_of(CLOCK_THREAD_CPUTIME_ID) - start;
-    if (!price_.pay(price, (end - begin) / large_page, seconds_of(CLOCK_MONOTONIC))) avoid_large_pages();
-#endif
+    const double seconds = platform::thread_seconds() - start;
+    if (!price_.pay(seconds, (end - begin) / platform::large_page, platform::clock_seconds()))
+      avoid_large_pages();
   }
-#ifdef __linux__
-  static double seconds_of(clockid_t clock) {
-    timespec now{};
-    clock_gettime(clock, &now);
-    return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
-  }
-  /// For pages to come.
+  /// For pages that are not there yet.
   void avoid_large_pages() {
     pages_ = Pages::usual;
-    madvise(entries_, rounded_up(capacity_ * sizeof(T)), MADV_NOHUGEPAGE);
+    platform::use_large_pages(entries_, bytes(), false);
   }
-#endif
-  void release() {
-#ifdef __linux__
-    if (is_mapped()) {
-      munmap(entries_, rounded_up(capacity_ * sizeof(T)));
-      return;
-    }
-#endif
-    std::free(entries_);
-  }
-  bool is_mapped() const { return rounded_up(capacity_ * sizeof(T)) >= mapped_from; }
 
   T* entries_ = nullptr;
   std::size_t capacity_ = 0;

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What is beyond a facet: of all vertices there, the one whose sphere through the facet is the first. Every
-// vertex is looked at, many per instruction, in binary32; the few that are left in binary64. Not proved: see
-// engine/wrap/proof.hpp.
+// What is beyond a facet: of all vertices there, the one whose sphere through the facet comes first. Every
+// vertex is examined in binary32, many per instruction, and the few that remain in binary64. Results are not
+// proved here but by engine/wrap/proof.hpp.
 #pragma once
 
-#include "cells/open_cell.hpp"
+#include "geometry/facet_search/tile_search.hpp"
 #include "geometry/simplex_kernel.hpp"
 
 #include <delone/types.hpp>
@@ -19,24 +19,8 @@
 
 namespace delone::geometry {
 
-/// An affine function of images: k coefficients and the constant.
-using Affine = const float*;
-
-/// An open facet of a batch. The ratio of a vertex says where in the pencil of the facet its sphere is.
-struct SoughtFacet {
-  std::size_t cell;  ///< in the batch
-  std::size_t slot;
-  Affine beyond;                        ///< positive beyond the facet
-  float least;                          ///< ratio, or more
-  float listed_up_to;                   ///< all vertices with at most this ratio are
-  std::size_t num_listed;               ///< vertices whose ratio may be the least
-  std::array<std::uint32_t, 6> listed;  ///< their numbers, if they are not more
-};
-
-struct SearchTask;
-
-/// Of the given vertices the one that is strictly beyond facet `slot` of a finite cell and whose sphere
-/// through the facet is the first, or infinite_vertex if none is beyond; nothing on a tie. Exact.
+/// Of the given vertices, the one that is strictly beyond facet `slot` of a finite cell and whose sphere
+/// through the facet comes first, or infinite_vertex if none is beyond; nothing on a tie. Exact.
 using Arbiter =
     std::function<std::optional<Index>(const Index* cell, int slot, std::span<const Index> vertices)>;
 
@@ -45,31 +29,32 @@ class FacetSearch {
   static constexpr std::size_t batch_size = simplex_lanes;
 
   /// `rows`: the images and lifts of the vertices 1 … num_vertices, k + 1 doubles each, those of vertex 0
-  /// unused; they must outlive this object. The arbiter is asked where rounded numbers leave several
-  /// vertices. REQUIRES 2 ≤ k < 32.
+  /// unused; they must outlive this object. The arbiter decides where rounded numbers leave several vertices.
+  /// REQUIRES 2 ≤ k < 32.
   FacetSearch(int k, const double* rows, Index num_vertices, Arbiter arbiter);
 
-  /// The vertices of a cell of the Delaunay triangulation, unless rounding deceives. Returns false if the
-  /// images seem to be flat. Cost O(n·k²).
+  /// The vertices of a cell of the Delaunay triangulation, up to rounding errors. Returns false if the images
+  /// seem to be flat. Cost O(n·k²).
   bool first_cell(Index* vertices) const;
 
   /// For up to batch_size finite cells, k + 1 apexes each: the vertex across every open facet, or
   /// infinite_vertex if there is none; other entries are not written. Returns false on a tie, and where the
-  /// arbiter would be asked too often. Cost O(k³ + n·k·facets) per cell.
+  /// arbiter would be called too often. Cost O(k³ + n·k·facets) per cell.
   bool find_apexes(std::span<const OpenCell> cells, Index* apexes);
 
  private:
-  /// The magnitudes of a cell's functions in the frame's box, at most.
+  /// Bounds on the magnitudes of a cell's functions in the frame's box.
   struct Scale {
     double height;
     double spread;  ///< of all slots together
     std::array<double, 32> slots;
   };
-  /// A vertex that may be the apex, and between which bounds its ratio is, as far as can be told.
+  /// A vertex that may be the apex, and bounds on its ratio.
   struct Candidate {
     Index vertex;
     double low, high;
   };
+  /// The apex by binary64 or the arbiter.
   std::optional<Index> settle(const SearchTask& task, const SoughtFacet& facet, double* functions,
                               const Scale& scale);
 
@@ -85,9 +70,9 @@ class FacetSearch {
   std::vector<double> scratch_;      // of simplices
   std::vector<std::uint32_t> list_;
   std::vector<Candidate> candidates_;
-  std::vector<Index> contenders_;
+  std::vector<Index> contenders_;  // for the arbiter
   Arbiter arbiter_;
-  std::size_t num_settled_ = 0, num_asked_ = 0;  // facets, and vertices that the arbiter was asked about
+  std::size_t num_settled_ = 0, num_asked_ = 0;  // facets, and vertices that the arbiter had to compare
 };
 
 }  // namespace delone::geometry

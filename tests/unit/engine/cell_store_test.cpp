@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The arrays of cells: slots are reused, memory grows without losing entries, and ids never wrap.
+// The arrays of cells: slots are reused, and ids never wrap.
 #include "engine/cell_store.hpp"
-#include "base/growable_array.hpp"
 
 #include <gtest/gtest.h>
 
@@ -209,71 +208,6 @@ TEST(CellStore, MarksLiveBesideTheCertificate) {
   marks.set_if(cell, true);
   EXPECT_EQ(marks(cell), Mark::in_conflict);
   EXPECT_EQ(cells.mark(cell), Mark::in_conflict);
-}
-
-TEST(PriceOfLargePages, FewDearPagesAmongManyAreAccepted) {
-  PriceOfLargePages price;
-  for (int i = 0; i < 100; ++i) EXPECT_TRUE(price.pay(i % 10 == 0 ? 3e-3 : 0.1e-3, 1, 0)) << i;
-  EXPECT_TRUE(price.pay(50e-3, 100, 0));  // a long time, but for many
-}
-
-TEST(PriceOfLargePages, DearPagesAreSoonTooMuchForAll) {
-  PriceOfLargePages price;
-  int accepted = 0;
-  while (price.pay(2e-3, 1, -100)) ++accepted;
-  EXPECT_EQ(accepted, 2);
-  EXPECT_FALSE(PriceOfLargePages::are_worth_trying(-99.5));
-  EXPECT_TRUE(PriceOfLargePages::are_worth_trying(-98));
-}
-
-TEST(GrowableArray, KeepsEntriesAcrossHeapAndMappedMemory) {
-  for (const auto& [is_prepared, pages] :
-       {std::pair{false, Pages::usual}, {true, Pages::usual}, {true, Pages::large}}) {
-    GrowableArray<Index> array(pages);
-    std::size_t filled = 0;
-    for (std::size_t size = 10; size < 20'000'000; size = size * 5 / 2) {
-      array.reserve(size);
-      ASSERT_GE(array.capacity(), size);
-      for (; filled < size; filled += 7) {
-        if (is_prepared) array.prepare(filled + 1);
-        array[filled] = static_cast<Index>(filled);
-      }
-      if (is_prepared) array.prepare(array.capacity());
-      for (std::size_t i = 0; i < filled; i += 7) ASSERT_EQ(array[i], i);
-    }
-    GrowableArray<Index> moved = std::move(array);
-    EXPECT_EQ(array.capacity(), 0u);
-    EXPECT_EQ(moved[7], 7u);
-    array = std::move(moved);
-    array.prepare(array.capacity());
-    EXPECT_EQ(array[7], 7u);
-  }
-}
-
-TEST(GrowableArray, DiscardsNothingBesides) {
-  for (const std::size_t size : {std::size_t{1000}, std::size_t{1'000'000}}) {
-    GrowableArray<Index> array;
-    array.reserve(size);
-    for (std::size_t i = 0; i < size; ++i) array[i] = static_cast<Index>(i);
-    array.discard(0, 0);
-    array.discard(size / 10 + 1, size / 2 + 1);
-    array.discard(size / 2 + 1, size / 2 + 3);
-    for (std::size_t i = 0; i < size; ++i)
-      if (i <= size / 10 || i >= size / 2 + 3) {
-        ASSERT_EQ(array[i], i);
-      }
-    array[size / 4] = 7;  // may be written again
-    EXPECT_EQ(array[size / 4], 7u);
-  }
-}
-
-TEST(GrowableArray, AsksForNoImpossibleMemory) {
-  GrowableArray<double> array;
-  array.reserve(100);
-  array[99] = 1;
-  EXPECT_THROW(array.reserve(static_cast<std::size_t>(-1) / 2), std::bad_alloc);
-  EXPECT_THROW(array.reserve(std::size_t{1} << 50), std::bad_alloc);
-  EXPECT_EQ(array[99], 1);
 }
 
 }  // namespace

@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "base/platform.hpp"
+
+#include <chrono>
+
+#ifdef __linux__
+#include <sys/mman.h>
+#endif
+#if __has_include(<unistd.h>)
+#include <time.h>
+#include <unistd.h>
+#endif
+
+namespace delone::platform {
+
+#ifdef __linux__
+
+void* map(std::size_t bytes) {
+  void* const memory = mmap(nullptr, bytes, PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0);
+  return memory == MAP_FAILED ? nullptr : memory;
+}
+
+void* remap(void* memory, std::size_t bytes, std::size_t new_bytes) {
+  void* const moved = mremap(memory, bytes, new_bytes, MREMAP_MAYMOVE);
+  return moved == MAP_FAILED ? nullptr : moved;
+}
+
+void unmap(void* memory, std::size_t bytes) { munmap(memory, bytes); }
+
+bool populate([[maybe_unused]] void* memory, [[maybe_unused]] std::size_t bytes) {
+#ifdef MADV_POPULATE_WRITE  // since Linux 5.14
+  return madvise(memory, bytes, MADV_POPULATE_WRITE) == 0;
+#else
+  return false;
+#endif
+}
+
+void discard(void* memory, std::size_t bytes) { madvise(memory, bytes, MADV_DONTNEED); }
+
+void use_large_pages(void* memory, std::size_t bytes, bool wanted) {
+  madvise(memory, bytes, wanted ? MADV_HUGEPAGE : MADV_NOHUGEPAGE);
+}
+
+#else
+
+void* map(std::size_t) { return nullptr; }
+void* remap(void*, std::size_t, std::size_t) { return nullptr; }
+void unmap(void*, std::size_t) {}
+bool populate(void*, std::size_t) { return false; }
+void discard(void*, std::size_t) {}
+void use_large_pages(void*, std::size_t, bool) {}
+
+#endif
+
+double clock_seconds() {
+  return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
+}
+
+double thread_seconds() {
+#ifdef CLOCK_THREAD_CPUTIME_ID
+  timespec now{};
+  if (clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now) == 0)
+    return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
+#endif
+  return clock_seconds();
+}
+
+std::size_t first_level_cache() {
+#ifdef _SC_LEVEL1_DCACHE_SIZE
+  if (const long bytes = sysconf(_SC_LEVEL1_DCACHE_SIZE); bytes > 0) return static_cast<std::size_t>(bytes);
+#endif
+  return 0;
+}
+
+}  // namespace delone::platform
