@@ -106,8 +106,8 @@ class GrowableArray {
     if (!is_mapped()) return;
     if (pages_ == Pages::large && !PriceOfLargePages::are_worth_trying(platform::clock_seconds()))
       avoid_large_pages();
-    const std::size_t portion =
-        pages_ == Pages::large ? platform::large_page : std::size_t{256} << 10;  // fetched at a time
+    // The unit in which pages are fetched.
+    const std::size_t portion = pages_ == Pages::large ? platform::large_page : std::size_t{256} << 10;
     const std::size_t begin = prepared * sizeof(T) / portion * portion;
     const std::size_t end = std::min((size * sizeof(T) / portion + 1) * portion, bytes());
     const double start = platform::thread_seconds();

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Where the library throws delone::Error and nothing else: exhausted memory becomes one.
+// The library throws delone::Error and nothing else: here exhausted memory becomes one.
 #pragma once
 
 #include <delone/error.hpp>

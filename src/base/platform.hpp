@@ -68,7 +68,7 @@ class PriceOfLargePages {
     found_dear_at_.store(now, std::memory_order_relaxed);
     return false;
   }
-  /// Whether no array has found them dear of late.
+  /// Whether no array has found them dear within the last second.
   static bool are_worth_trying(double now) {
     return now - found_dear_at_.load(std::memory_order_relaxed) > for_a_while;
   }

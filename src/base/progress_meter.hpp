@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Calls the user's progress function now and then, and turns its `false` into Errc::cancelled.
+// Calls the user's progress function at most every 20 milliseconds, and turns its `false` into
+// Errc::cancelled.
 #pragma once
 
 #include <delone/error.hpp>
@@ -16,7 +17,7 @@ class ProgressMeter {
   ProgressMeter(const std::function<bool(double)>& callback, std::size_t total)
       : callback_(callback), total_(total) {}
 
-  /// Looks at the clock less often while calls follow each other within microseconds.
+  /// Reads the clock less often while calls follow each other within microseconds.
   void operator()(std::size_t done) {
     if (!callback_ || ++calls_ < step_) return;
     calls_ = 0;
@@ -34,7 +35,7 @@ class ProgressMeter {
   static constexpr std::size_t longest_step = 64;
   const std::function<bool(double)>& callback_;
   std::size_t total_;
-  std::size_t calls_ = 0, step_ = 1;  // since the last look, and until the next
+  std::size_t calls_ = 0, step_ = 1;  // since the clock was last read, and from one reading to the next
   Clock::time_point last_look_{}, last_call_{};
 };
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The one random generator of the library: xoshiro256++ seeded by splitmix64 (Blackman and Vigna, "Scrambled
 // linear pseudorandom number generators", doi:10.1145/3460772). The same seed gives the same numbers on every
-// platform, which the distributions of <random> do not promise. Integer arithmetic, and + − × on doubles that
-// are exact, only.
+// platform, which the distributions of <random> do not promise. Only integer arithmetic and exact operations
+// on doubles are used.
 #pragma once
 
 #include <array>

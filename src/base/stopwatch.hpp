@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Wall-clock time since a moment.
+// Measures wall-clock time.
 #pragma once
 
 #include <chrono>
@@ -11,7 +11,7 @@ class Stopwatch {
  public:
   /// Seconds since construction or the last restart().
   double seconds() const { return std::chrono::duration<double>(Clock::now() - start_).count(); }
-  /// The same, and starts anew.
+  /// The same; starts again.
   double restart() {
     const Clock::time_point now = Clock::now();
     return std::chrono::duration<double>(now - std::exchange(start_, now)).count();

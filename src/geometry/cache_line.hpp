@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Arrays that are loaded into the processor's vectors start at a line of the cache, so that no load straddles
-// two.
+// Arrays that are loaded into SIMD registers start at a cache line, so that no load straddles two.
 #pragma once
 
 #include <cstddef>
@@ -10,11 +9,11 @@ namespace delone::geometry {
 
 constexpr std::size_t cache_line = 64;
 
-/// So many entries are to spare in memory that at_cache_line() is asked about.
+/// The number of entries by which memory must be larger than the array that at_cache_line() finds in it.
 template <class T>
 constexpr std::size_t cache_line_of = cache_line / sizeof(T);
 
-/// The first entry from here on that is at the start of a line.
+/// The first address from here on that is the start of a cache line.
 template <class T>
 T* at_cache_line(T* from) {
   return reinterpret_cast<T*>((reinterpret_cast<std::uintptr_t>(from) + cache_line - 1) / cache_line *

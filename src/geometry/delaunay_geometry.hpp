@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What joins the kernel to the engine: the conflict test of Delaunay, regular and furthest-site
-// triangulations, from the cached functional of a cell (stage filter_) to the exact stages. A point q is in
-// conflict with a cell iff h(q) < 0.
+// Joins the kernel to the engine: the conflict test of Delaunay, regular and furthest-site triangulations,
+// from the cached functional of a cell (stage filter_) to the exact stages. A point q is in conflict with a
+// cell iff h(q) < 0.
 #pragma once
 
 #include "geometry/frame.hpp"
@@ -20,14 +20,14 @@
 
 namespace delone::geometry {
 
-/// A point to be tested against cells: its image in the frame, and what its grid says.
+/// A point to be tested against cells: its image in the frame, and what its grid proves.
 template <int K>
 struct Query : PointQuery {
   Query(const double* at, const kernel::Grid& grid_of_all, std::size_t dimension, int row_size)
       : PointQuery{at, &grid_of_all, row_size}, row(dimension + 1) {}
   LatticeBounds bounds;
-  kernel::Buffer<double, K + (K > 0)>
-      row;  ///< the image on the axes of the flat and the lift; not a number outside the frame
+  /// The image on the axes of the flat, and the lift; NaN outside the frame.
+  kernel::Buffer<double, K + (K > 0)> row;
 };
 
 template <int K>
@@ -53,17 +53,17 @@ class DelaunayGeometry : public PointPredicates<K> {
   using PointPredicates<K>::dimension;
   using PointPredicates<K>::point;
   const Frame& frame() const { return frame_; }
-  /// All cells must be created anew after it. Makes the rows of the first `vertices` vertices known.
+  /// All cells must be created anew after it. Sets the rows of the first `vertices` vertices.
   void set_frame(Frame frame, Index vertices) {
     frame_ = std::move(frame);
     adopt_frame();
     set_rows(vertices);
   }
-  /// Makes the rows of vertices 1 … `vertices` known.
+  /// Sets the rows of vertices 1 … `vertices`, unless rows are computed where they are needed.
   void set_rows(Index vertices) {
     if (!computes_rows_) keep_rows(vertices);
   }
-  /// Computes these rows, and keeps them.
+  /// Computes these rows and stores them, in any case.
   void keep_rows(Index vertices) {
     rows_.reserve((static_cast<std::size_t>(vertices) + 1) * row_size());
     std::fill_n(rows_.data(), row_size(), 0.0);
@@ -96,12 +96,12 @@ class DelaunayGeometry : public PointPredicates<K> {
   /// Stage filter_: a value beyond it has the sign of h, for all queries in the frame.
   double threshold(Index cell) const { return functionals_.threshold(cell); }
 
-  /// The same of several cells for this query alone, at a greater cost.
+  /// Thresholds of several cells for this query alone, which are tighter and cost more.
   void thresholds_at(std::span<const Index> cells, const Query& q, double* thresholds) const {
     functionals_.thresholds_at(cells, rows(), q.row.data(), thresholds);
   }
 
-  /// Stage filter_, too: whether a value within the threshold proves that h(q) is exactly zero.
+  /// Also stage filter_: whether a value within the threshold proves that h(q) is exactly zero.
   bool proves_tie(Index cell, double value, const Query& q) const {
     return functionals_.proves_zero(cell, value, q.bounds);
   }
@@ -112,8 +112,8 @@ class DelaunayGeometry : public PointPredicates<K> {
   }
 
   /// Computes what is cached for a cell by elimination. `apex` is the slot of a finite vertex. Returns the
-  /// orientation of the vertices, zero if that is not certain, or the cell infinite, or the apex not in slot
-  /// 0.
+  /// orientation of the vertices, or zero if that is not certain, the cell is infinite, or the apex is not in
+  /// slot 0.
   Sign create(Index cell, const Index* vertices, int infinite_slot, int apex);
 
   /// The same for finite cells, many at once, apexes in slot 0. REQUIRES keep_rows().
@@ -132,8 +132,8 @@ class DelaunayGeometry : public PointPredicates<K> {
     rows_.prepare(size);
   }
   /// Computes what is cached for the created cells of a star of vertex v at q, from the cells on the two
-  /// sides of each facet. Returns the facets for whose cells that would be too inaccurate: they must be
-  /// created singly.
+  /// sides of each facet. Returns the facets for whose cells that is too inaccurate: these cells must be
+  /// created one by one.
   std::span<const std::uint32_t> create_star(Index v, const Query& q, std::span<const HorizonFacet> facets) {
     if (!computes_rows_)
       std::memcpy(rows_.data() + v * row_size(), q.row.data(), row_size() * sizeof(double));
@@ -153,7 +153,7 @@ class DelaunayGeometry : public PointPredicates<K> {
     if (!computes_rows_) return rows_.data();
     return rows_of(point(0));
   }
-  /// Those of points one after the other.
+  /// Rows of points that lie one after the other in memory.
   VertexRows rows_of(const double* points) const {
     return {points, frame_.center().data(), frame_.scale().data(), frame_.lift_scale()};
   }
@@ -179,12 +179,11 @@ class DelaunayGeometry : public PointPredicates<K> {
   const kernel::Grid& grid_;
   Frame frame_;
   Lattice lattice_;
-  LatticeBounds
-      bounds_;  // for the grid of the vertices as it was in that revision; they say nothing in revision 0
+  LatticeBounds bounds_;  // for the grid of the vertices in this revision; in revision 0 they prove nothing
   std::uint64_t bounds_revision_ = 0;
   Functionals<K> functionals_;
   bool computes_rows_ = false;
-  GrowableArray<double> rows_{Pages::large};  // of the vertices in the frame, unless they are computed
+  GrowableArray<double> rows_{Pages::large};  // of the vertices in the frame, if they are kept
 };
 
 template <int K>

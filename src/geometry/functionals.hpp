@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The cached functionals of all cells: for each cell a linear function h of rows that vanishes at the cell's
 // vertices, with a certified threshold. A point is in conflict iff h < 0 at its row. Rows have k + 1 entries
-// and a reference entry, in which all finite functionals have the coefficient 1:
+// and a reference entry, for which all finite functionals have the coefficient 1:
 //
 // Lifted, (X, 1 | ℓ): the image of a point in the frame and its lift.
 //   Finite cell: h = ℓ + g·X + c, the power with respect to the circumsphere, up to the frame's scaling.
@@ -9,12 +9,12 @@
 // Not lifted, (X | 1): the image of a point of R^(k+1) relative to a point inside the hull. All cells are
 // finite: h = 1 + g·X.
 //
-// A threshold is one for signs: a value beyond it has the sign of h. Values are off by no more than that,
-// too, but for those of flat cells, whose spheres are far larger than the frame's box: their errors may grow
-// with values, by threshold/bend.
+// A value beyond the threshold has the sign of h. The threshold also bounds the error of a value, except for
+// flat cells, whose spheres are far larger than the frame's box: there the error may grow with the value, by
+// threshold/bend.
 //
-// Knows images and lifts; neither vertices nor exact arithmetic. Proofs: docs/predicates.md, "The filter" and
-// "The pencil".
+// Knows images and lifts, but neither vertices nor exact arithmetic. Proofs: docs/predicates.md, "The filter"
+// and "The pencil".
 #pragma once
 
 #include "cells/cell_memory.hpp"
@@ -45,12 +45,12 @@ class Functionals {
  public:
   explicit Functionals(CellMemory<K>& memory) : memory_(memory) {}
 
-  /// Takes over the constants of a frame. All functionals must be computed anew after it.
+  /// Computes the constants of a frame. All functionals must be computed anew after it.
   void set_frame(const Frame& frame, const std::vector<int>& axes) requires(Lifted);
   /// The same for rows that are not lifted, whose entries are in [−1, 1] and off by at most one rounding.
   void set_frame() requires(!Lifted);
 
-  /// The functionals at one row: a copy of all that evaluations need.
+  /// The functionals at one row, with a copy of all that evaluations read.
   class Evaluator {
    public:
     Evaluator(const CellMemory<K>& memory, const double* row, double per_bend)
@@ -74,10 +74,10 @@ class Functionals {
       const std::uint64_t finite = certificate::finite_mask(packed(cell));
       return h + std::bit_cast<double>(std::bit_cast<std::uint64_t>(row_.data()[k()]) & finite);
     }
-    /// A value beyond it has the sign of h, for all points of the frame's box; one within it is off by no
-    /// more.
+    /// A value beyond it has the sign of h, for all points of the frame's box; a value within it is off by at
+    /// most the threshold.
     double threshold(Index cell) const { return certificate::threshold(packed(cell)); }
-    /// How far a value may be off, at most.
+    /// A bound on the error of a value.
     double error(Index cell, double value) const {
       return threshold(cell) * (1 + std::fabs(value) * per_bend_);
     }
@@ -96,18 +96,17 @@ class Functionals {
   Evaluator evaluator(const double* row) const { return {memory_, row, per_bend_}; }
 
   double threshold(Index cell) const { return certificate::threshold(packed(cell)); }
-  /// The same of several cells for one row alone: less if the row is near the vertices of the cell. `rows`:
-  /// of all vertices. Cost O(k²) per cell.
+  /// Thresholds of several cells for one row alone, smaller if the row is near the vertices of the cell.
+  /// `rows`: of all vertices. Cost O(k²) per cell.
   void thresholds_at(std::span<const Index> cells, const VertexRows& rows, const double* row,
                      double* thresholds) const requires(Lifted);
-  /// Whether a value that is within the threshold proves that h is exactly zero there. False for
-  /// not-a-number.
+  /// Whether a value within the threshold proves that h is exactly zero. False for NaN.
   bool proves_zero(Index cell, double value, const LatticeBounds& bounds) const {
     const double largest_error = 2 * threshold(cell);
     if (!(2 * std::fabs(value) <= largest_error)) return false;
     if (largest_error <= bounds.least_value(is_infinite(cell))) return true;
-    // The bound from the box is too small for most spheres of a fine grid. A lower bound on the determinant
-    // saves the upper one.
+    // The bound from the box is too small for most spheres of a fine grid. Where the lower bound on the
+    // determinant is already too large, the upper bound need not be computed.
     const auto proved_with = [&](double determinant) {
       return largest_error * determinant <= bounds.numerator;
     };
@@ -119,12 +118,12 @@ class Functionals {
   /// Computes a functional by elimination from the rows (k images and the lift) of the finite vertices, the
   /// apex first. `positive`: for an infinite cell, the sign of the coefficient ±1 is that of the edge
   /// vectors' determinant, else its opposite. Returns the sign of that determinant, zero if it is not
-  /// certain. A cyclic shift of the vertices may reverse it: what is said of the given rows holds of vertices
-  /// only where the apex is in slot 0.
+  /// certain. A cyclic shift of the vertices may reverse the sign, so it is that of the cell's vertices only
+  /// if the apex is in slot 0.
   template <bool Infinite>
   Sign solve(Index cell, const double* rows, bool positive) requires(Lifted);
   /// The same for up to simplex_lanes finite cells at once, given their vertices; `rows`: of all vertices.
-  /// Where a sign is zero, the functional is to be computed singly.
+  /// Where a sign is zero, the functional must be computed by itself.
   void solve(std::span<const Index> cells, std::span<const Index* const> vertices, const double* rows,
              Sign* signs) requires(Lifted);
   /// The same for rows that are not lifted, k + 1 of them.
@@ -133,8 +132,8 @@ class Functionals {
   /// Computes the functionals of a star's cells from those of the cells on the two sides of each facet: the
   /// functionals that vanish on the facet are a pencil, and the new one is its member that vanishes at the
   /// new vertex. `rows`: of all vertices. Returns the facets whose certificates would be too weak: their
-  /// cells must be solved for. A cell may be created where the dead cell of its facet is, or one of an
-  /// earlier facet: nothing is read of those afterwards.
+  /// cells must be solved for. A cell may be created in the slot of the dead cell of its facet or of an
+  /// earlier one, which is not read afterwards.
   std::span<const std::uint32_t> combine(std::span<const HorizonFacet> facets, const VertexRows& rows,
                                          const double* query_row, const LatticeBounds& bounds) {
     const auto records = memory_.records();
@@ -170,21 +169,21 @@ class Functionals {
   /// REQUIRES spheres_.
   double largest_determinant(Index cell) const;
   void give_up(Index cell, bool infinite);
-  /// If the new vertex is exactly on the sphere of the survivor, that is the sphere of the new cell too:
-  /// takes over its functional, and returns true.
+  /// If the new vertex is exactly on the sphere of the survivor, the new cell has the same sphere: copies the
+  /// functional and returns true.
   bool adopt(const HorizonFacet& facet, const double* query_row, const LatticeBounds& bounds);
 
-  /// Certifies the functionals of cells of a star by their values at the vertices and the determinants and
-  /// cofactors of their edges at the new vertex, where elimination could hardly do better. Returns how many
-  /// of the `weak` facets are left.
+  /// Certifies functionals of a star's cells by their values at the vertices and the determinants and
+  /// cofactors of their edges at the new vertex, where elimination could hardly do better. Moves the `weak`
+  /// facets that remain to the front and returns their number.
   std::size_t certify_by_edges(std::span<const HorizonFacet> facets, std::span<std::uint32_t> weak,
                                const VertexRows& rows, const double* query_row) requires(Lifted);
   NearTask near_task(std::span<const Index> cells, const VertexRows& rows, const double* row) const;
-  /// The sum of the magnitudes of the functional's terms in the box, at most.
+  /// A bound on the sum of the magnitudes of the functional's terms in the box.
   double magnitude(Index cell) const {
     return sum_of_magnitudes(cell, Lifted && is_infinite(cell) ? 0 : largest_lift_);
   }
-  /// The same, given what the reference entry adds to it.
+  /// The same, given the contribution of the reference entry.
   double sum_of_magnitudes(Index cell, double sum) const {
     for (int r = 0; r <= k(); ++r) sum += std::fabs(functional(cell)[r]);
     return sum;
@@ -205,16 +204,15 @@ class Functionals {
   double finite_spread_ = 0;  // Σ|barycentric coordinates| − 1 is at most finite_spread·R^(k−1)/det in the
                               // box, with spheres_; else the power of R is in it
   double largest_radius_ = 0;
-  double bend_ = 0;             // of lifts over planes that touch them, at most; 0: not known, or not lifted
-  double per_bend_ = 0;         // 1/bend, or 0
-  double flatness_ = 0;         // see FrameConstants
-  double infinite_spread_ = 0;  // the same for infinite cells, over det
-  std::vector<double> extent_ratio_;  // per axis, the frame's scale over that of lifts
-  std::vector<double> lift_weight_;   // per axis, of the square of an image in the lift: 1/extent_ratio²
-  double edge_error_ = 0;             // of edges between rows, and of their heights over planes
-  double largest_in_unit_sphere_ =
-      0;                  // determinant of the edge vectors of a simplex whose sphere has radius 1
-  bool spheres_ = false;  // whether functionals of finite cells describe spheres that tell where vertices are
+  double bend_ = 0;  // bounds the heights of lifts over planes that touch them; 0: not known, or not lifted
+  double per_bend_ = 0;                // 1/bend, or 0
+  double flatness_ = 0;                // see FrameConstants
+  double infinite_spread_ = 0;         // the same for infinite cells, over det
+  std::vector<double> extent_ratio_;   // per axis, the frame's scale over that of lifts
+  std::vector<double> lift_weight_;    // per axis, of the square of an image in the lift: 1/extent_ratio²
+  double edge_error_ = 0;              // of edges between rows, and of their heights over planes
+  double largest_in_unit_sphere_ = 0;  // determinant of the edge vectors of a simplex in a unit sphere
+  bool spheres_ = false;               // whether the spheres of finite cells bound where their vertices are
 };
 
 template <int K, bool Lifted>
@@ -284,14 +282,14 @@ void Functionals<K, Lifted>::set_frame(const Frame& frame, const std::vector<int
   largest_in_unit_sphere_ = 1.001 * std::pow(n + 1, (n + 1) / 2) / std::pow(n, n / 2) / volume_ratio;
   finite_spread_ = 1.001 * 2 * std::sqrt(diagonal) * (n + 1) * regular / volume_ratio;
   if (spheres_ && frame.form() == kernel::RowForm::point) {
-    bend_ = 1.001 * 4 * diagonal;  // that is the square of the diagonal of the box
+    bend_ = 1.001 * 4 * diagonal;  // the square of the diagonal of the box
     per_bend_ = 1 / bend_;
     flatness_ = 1.001 * (n + 1) / (8 * std::sqrt(diagonal));
   } else {
     bend_ = per_bend_ = flatness_ = 0;
   }
-  // In a flat, and if spheres have all vertices inside, they say little about where vertices are, but the box
-  // does: R is the length of its half diagonal.
+  // In a flat, and for furthest points, spheres do not bound where the vertices are, but the box does: R is
+  // half of its diagonal.
   largest_radius_ = 1.001 * std::sqrt(diagonal);
   if (!spheres_) finite_spread_ *= std::pow(diagonal, (n - 1) / 2);
   const double m = n - 1;

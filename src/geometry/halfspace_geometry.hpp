@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What joins the kernel to the engine for intersections of halfspaces: vertices are homogeneous rows (n, c),
-// and a row q is in conflict with a cell iff it is beyond the linear hyperplane of the cell's rows. The cells
-// bound a cone.
+// Joins the kernel to the engine for intersections of halfspaces: vertices are homogeneous rows (n, c), and a
+// row q is in conflict with a cell iff it is beyond the linear hyperplane of the cell's rows. The cells bound
+// a cone.
 //
-// Decisions are determinants of the rows as given. The filter sees the cone cut off by a hyperplane: the dual
-// points n/s with s = −(n·p + c), p an interior point, which are kept in pairs of doubles; so their images in
-// the box are off by less than one rounding, and everything that holds for the functionals of convex hulls
-// holds here (hull_geometry.hpp).
+// Decisions are determinants of the rows as given. The filter works on the section of the cone with a
+// hyperplane: the dual points n/s with s = −(n·p + c), p an interior point. These are pairs of doubles, so
+// that their images in the box are off by less than one rounding, and everything that is proved of the
+// functionals of convex hulls holds here (hull_geometry.hpp).
 #pragma once
 
 #include "geometry/hull_geometry.hpp"
@@ -18,10 +18,11 @@ namespace delone::geometry {
 /// Rows and their dual points by site. Vertex v of the engine is site v − 1.
 struct DualSites {
   std::size_t row_size = 0;  ///< d + 1
-  std::vector<int>
-      axes;  ///< k + 1 columns on which the linear hull of the rows projects one-to-one; the last is column d
-  std::vector<double> rows;   ///< n×(d+1), as given
-  std::vector<double> duals;  ///< n×2k: n_j/s on the first k axes, rounded, then what the rounding left over
+  /// k + 1 columns on which the linear hull of the rows projects one-to-one; the last is column d.
+  std::vector<int> axes;
+  std::vector<double> rows;  ///< n×(d+1), as given
+  /// n×2k: n_j/s on the first k axes, rounded, then the remainders of the rounding.
+  std::vector<double> duals;
 
   int dimension() const { return static_cast<int>(axes.size()) - 1; }
   std::size_t size() const { return row_size == 0 ? 0 : rows.size() / row_size; }
@@ -32,7 +33,7 @@ struct DualSites {
   kernel::Flat flat() const { return {static_cast<int>(row_size), axes, kernel::RowForm::homogeneous}; }
 };
 
-/// What a cone is seen from: a row strictly inside, with its dual point as in DualSites, and a box for all
+/// The point of view: a row strictly inside the cone, with its dual point as in DualSites, and a box for all
 /// dual points.
 struct DualView {
   std::vector<double> center, dual_of_center;
@@ -49,7 +50,7 @@ class HalfspaceGeometry {
   using Query = HullQuery<K>;
 
   /// The references must outlive this object; what they refer to may grow. `inner`: vertices whose rows are
-  /// on no common hyperplane, for a view from nowhere.
+  /// on no common hyperplane, for a view without a centre.
   HalfspaceGeometry(CellMemory<K>& cells, const DualSites& sites, const DualView& view,
                     std::vector<Index> inner)
       : sites_(sites),
@@ -62,13 +63,13 @@ class HalfspaceGeometry {
 
   int dimension() const { return K > 0 ? K : static_cast<int>(scale_.size()) - 1; }
 
-  /// Takes over the view's box. All cells must be created anew after it.
+  /// Adopts the view's box. All cells must be created anew after it.
   void update_box() {
     for (std::size_t j = 0; j < scale_.size(); ++j) {
       const double center = view_.is_inside ? view_.dual_of_center[j] : 0;
       const double half = std::max(view_.high[j] - center, center - view_.low[j]);
-      // Images are at most 1/2 and a few roundings; no scale, and the filter never certain, for what cannot
-      // be scaled.
+      // With this scale images are at most 1/2 and a few roundings. Boxes that cannot be scaled have none,
+      // and the filter is never certain.
       scale_[j] = view_.is_inside && half > 0x1p-900 && half < 0x1p900
                       ? std::ldexp(1.0, -std::ilogb(half) - 2)
                       : std::numeric_limits<double>::quiet_NaN();
@@ -92,11 +93,11 @@ class HalfspaceGeometry {
 
   auto evaluator(const Query& q) const { return functionals_.evaluator(q.row.data()); }
   bool is_infinite(Index) const { return false; }
-  /// There is no better one.
+  /// There is no tighter one.
   void thresholds_at(std::span<const Index> cells, const Query&, double* thresholds) const {
     std::fill_n(thresholds, cells.size(), std::numeric_limits<double>::infinity());
   }
-  /// Dual points lie on no grid that would prove anything.
+  /// Dual points lie on no grid, so ties are never proved here.
   bool proves_tie(Index, double, const Query&) const { return false; }
   /// The exact side of q: positive inside.
   Sign exact_side(const Index* vertices, int, const Query& q, StageCounts& counts) const {
@@ -118,7 +119,7 @@ class HalfspaceGeometry {
   Sign side(const Index* vertices, const double* row, StageCounts& counts) const {
     return kernel::hull_side<D>(sites_.flat(), gather(vertices).data(), row, no_grid_, counts);
   }
-  /// The exact side of the wall between the centre and the facet `slot` of a cell that q is on: positive is
+  /// On which side of the wall between the centre and the facet `slot` of a cell q is, exactly: positive on
   /// the side of the cell.
   Sign side_of_facet(const Index* vertices, int slot, const Query& q) const {
     auto rows = gather(vertices);
@@ -134,7 +135,7 @@ class HalfspaceGeometry {
     if (size > rows_.capacity()) rows_.reserve(size + size / 2);
   }
   /// Computes what is cached for the created cells of a star of vertex v at q; returns the facets for whose
-  /// cells that would be too inaccurate: they must be created singly.
+  /// cells that is too inaccurate: these cells must be created one by one.
   std::span<const std::uint32_t> create_star(Index v, const Query& q, std::span<const HorizonFacet> facets) {
     std::copy_n(q.row.data(), scale_.size(), rows_.data() + v * scale_.size());
     return functionals_.combine(facets, rows_.data(), q.row.data(), {});
@@ -148,7 +149,7 @@ class HalfspaceGeometry {
   }
 
  private:
-  /// The difference of two pairs, rounded once but for terms of the second order (docs/predicates.md,
+  /// The difference of two pairs, rounded once up to terms of second order (docs/predicates.md,
   /// "Halfspaces").
   void write_image(Index vertex, double* image) const {
     const std::size_t k = scale_.size();

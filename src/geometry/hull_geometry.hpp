@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What joins the kernel to the engine for convex hulls: cells are the facets of a simplicial polytope in a
-// flat of dimension k + 1, and a point q is in conflict with a cell iff it is beyond its hyperplane.
+// Joins the kernel to the engine for convex hulls: cells are the facets of a simplicial polytope in a flat of
+// dimension k + 1, and a point q is in conflict with a cell iff it is beyond its hyperplane.
 //
-// All is seen from a point o strictly inside. Functionals are h(x) = 1 + g·X, where X is x relative to o in
-// units of the box, so h(o) = 1: the cells' functionals are the points of the polar polytope. Cells and o
+// All is relative to a point o strictly inside. Functionals are h(x) = 1 + g·X, where X is x relative to o
+// in units of the box, so h(o) = 1: the cells' functionals are the points of the polar polytope. Cells and o
 // make the simplices of a fan; the walls between them are what a walk crosses.
 #pragma once
 
@@ -58,14 +58,13 @@ class HullGeometry {
 
   int dimension() const { return K > 0 ? K : static_cast<int>(axes_.size()) - 1; }
 
-  /// Takes over the box that all points are in, and computes their rows. All cells must be created anew after
-  /// it.
+  /// Adopts the box of all points, and computes their rows. All cells must be created anew after it.
   void set_box(const double* low, const double* high) {
     for (std::size_t r = 0; r < axes_.size(); ++r) {
       const auto axis = static_cast<std::size_t>(axes_[r]);
       const double half = std::max(high[axis] - center_[axis], center_[axis] - low[axis]);
-      // A power of two; none for what would overflow or is too small to be scaled: the filter is never
-      // certain then.
+      // A power of two. Boxes that are too large or too small to be scaled have none, and the filter is never
+      // certain.
       scale_[r] = center_is_inside_ && half > 0x1p-900 && half < 0x1p900
                       ? std::ldexp(1.0, -std::ilogb(half) - 1)
                       : std::numeric_limits<double>::quiet_NaN();
@@ -94,7 +93,7 @@ class HullGeometry {
 
   auto evaluator(const Query& q) const { return functionals_.evaluator(q.row.data()); }
   bool is_infinite(Index) const { return false; }
-  /// There is no better one.
+  /// There is no tighter one.
   void thresholds_at(std::span<const Index> cells, const Query&, double* thresholds) const {
     std::fill_n(thresholds, cells.size(), std::numeric_limits<double>::infinity());
   }
@@ -124,7 +123,7 @@ class HullGeometry {
     return kernel::hull_side<D>(flat(), gather(vertices).data(), point, grid_, counts);
   }
 
-  /// The exact side of the wall between o and the facet `slot` of a cell that q is on: positive is the side
+  /// On which side of the wall between o and the facet `slot` of a cell q is, exactly: positive on the side
   /// of the cell.
   Sign side_of_facet(const Index* vertices, int slot, const Query& q) const {
     auto points = gather(vertices);
@@ -140,7 +139,7 @@ class HullGeometry {
     if (size > rows_.capacity()) rows_.reserve(size + size / 2);
   }
   /// Computes what is cached for the created cells of a star of vertex v at q; returns the facets for whose
-  /// cells that would be too inaccurate: they must be created singly.
+  /// cells that is too inaccurate: these cells must be created one by one.
   std::span<const std::uint32_t> create_star(Index v, const Query& q, std::span<const HorizonFacet> facets) {
     std::copy_n(q.row.data(), axes_.size(), rows_.data() + v * axes_.size());
     return functionals_.combine(facets, rows_.data(), q.row.data(), q.bounds);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What coordinates on a power-of-two grid say about functionals: a value is an integer multiple of the grid's
-// unit over a determinant, which the box bounds. So a value that is certainly smaller is exactly zero, and no
-// predicate need be asked. Proofs: docs/predicates.md, "Ties on a grid".
+// What a power-of-two grid of coordinates proves about functionals: a value is an integer multiple of the
+// grid's unit over a determinant, which the box bounds. So a value that is certainly smaller is exactly zero,
+// without an exact predicate. Proofs: docs/predicates.md, "Ties on a grid".
 #pragma once
 
 #include "geometry/frame.hpp"
@@ -15,7 +15,7 @@
 
 namespace delone::geometry {
 
-/// Lower bounds for finite and infinite cells of points on a grid; 0 where the grid says nothing.
+/// Lower bounds for finite and infinite cells of points on a grid; 0 where the grid proves nothing.
 struct LatticeBounds {
   double numerator = 0;                  ///< |h(q)| of a finite cell times its determinant, if not 0
   double value = 0, infinite_value = 0;  ///< |h(q)|, if not 0
@@ -25,18 +25,18 @@ struct LatticeBounds {
   double least_determinant(bool infinite) const { return infinite ? infinite_determinant : determinant; }
 };
 
-/// What of the bounds depends on the frame only.
+/// The part of the bounds that depends on the frame only.
 class Lattice {
  public:
   Lattice() = default;
-  /// Of lifted rows.
+  /// For lifted rows.
   Lattice(const Frame& frame, const std::vector<int>& axes) : lift_scale_(2 * frame.lift_scale_exponent()) {
     for (const int axis : axes) scales_.push_back(frame.scale_exponent(axis));
     const auto k = static_cast<double>(axes.size());
     share_ = 0.99 / std::pow(k + 1, (k + 1) / 2);
     infinite_share_ = 0.99 / std::pow(k, k / 2);
   }
-  /// Of rows that are not, with these scales.
+  /// For rows that are not lifted, with these scales.
   explicit Lattice(const std::vector<double>& scales) {
     for (const double scale : scales) scales_.push_back(std::isfinite(scale) ? std::ilogb(scale) : 0);
     const auto n = static_cast<double>(scales.size());
@@ -59,8 +59,7 @@ class Lattice {
  private:
   static constexpr std::int64_t unlimited = std::int64_t{1} << 40;
 
-  /// Units are no larger than the box where there are any determinants but zero: then it does not matter what
-  /// is returned.
+  /// A unit is larger than the box only if all determinants are zero: then any bound holds.
   static double power_of_two(std::int64_t exponent) {
     return kernel::detail::power_of_two(static_cast<int>(std::clamp<std::int64_t>(exponent, -2000, 0)));
   }

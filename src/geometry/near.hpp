@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What Functionals asks of the edges between points (geometry/near_kernel.hpp).
+// The members of Functionals that use the edges between points (geometry/near_kernel.hpp).
 #pragma once
 
 #include "geometry/functionals.hpp"

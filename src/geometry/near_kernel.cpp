@@ -24,12 +24,12 @@
 #define DELONE_NEAR_LIMITS
 namespace delone::geometry {
 
-/// Sums of products beyond it, of so few edges, have lost nothing by underflow that matters.
+/// In sums of products of so few edges that exceed this, nothing that matters is lost to underflow.
 constexpr double smallest_sum = 0x1p-800;
 constexpr int most_dimensions = 16;
 constexpr double slack = 1 + 0x1p-30;  // covers all relative errors
 
-/// n^(n/2), rounded up: at least the permanent of the magnitudes of n vectors of R^n over the product of
+/// n^(n/2), rounded up: a bound on the permanent of the magnitudes of n vectors of R^n over the product of
 /// their lengths.
 constexpr double most_terms_over_lengths[] = {1, 1, 2, 5.197, 16, 55.91, 216};
 
@@ -44,7 +44,7 @@ namespace HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
 
 /// Sums of products of the squared lengths d_i² of edges from a point and their squared heights t_i² over a
-/// plane through it, of all edges but one. No term is divided by another.
+/// plane through it, of all edges but one. Computed without divisions.
 template <class V>
 struct EdgeProducts {
   HWY_INLINE void add(V square) {
@@ -61,7 +61,7 @@ struct EdgeProducts {
       flat;  ///< Σ_i Π_(j≠i) d_j², Σ_i t_i²·Π_(j≠i) d_j², Σ_i Σ_(j≠i) t_j²·Π_(l≠i,j) d_l²
 };
 
-/// What is computed from, one cell per lane. K is k, or 0 for any.
+/// The input of the computations, one cell per lane. K is k, or 0 for any k.
 template <int K>
 class Gathered {
  public:
@@ -70,8 +70,8 @@ class Gathered {
     if (task.cells.size() == near_lanes) return;
     for (std::size_t i = 0; i < num_entries() * near_lanes; i += hn::Lanes(d)) {
       hn::Store(hn::Zero(d), d, entries_ + i);
-      std::atomic_signal_fence(
-          std::memory_order_seq_cst);  // else it would be an instruction that takes its time to start
+      // Keeps the compiler from a string instruction, which is slow to start.
+      std::atomic_signal_fence(std::memory_order_seq_cst);
     }
   }
 
@@ -85,7 +85,7 @@ class Gathered {
     const auto list_vertices = [&](Index cell, Index* vertices) {
       const Index* const all = task.links + cell * layout.link_stride();
       std::size_t n = 0;
-      for (std::size_t i = 0; i <= k(); ++i) {  // which vertex it is cannot be predicted: there is no branch
+      for (std::size_t i = 0; i <= k(); ++i) {  // without a branch, as it would be unpredictable
         const Index vertex = layout.vertex(all, static_cast<int>(i));
         vertices[n] = vertex;
         n += static_cast<std::size_t>((vertex != apart) & (vertex != infinite));
@@ -131,14 +131,14 @@ class Gathered {
   HWY_ALIGN double entries_[(most + 2 + (most + 1) * (most + 1)) * near_lanes];
 };
 
-/// At least the square of s·(|x| + edge_error), from (s·x)² and s².
+/// A bound on the square of s·(|x| + edge_error), from (s·x)² and s².
 template <class D, class V>
 HWY_INLINE V widened(D d, const NearTask& task, V square, V square_of_scale) {
   const V error = hn::Set(d, 17 * task.edge_error * task.edge_error);
   return hn::MulAdd(hn::Set(d, 1.0625), square, hn::Mul(error, square_of_scale));
 }
 
-/// What certificates say, one cell per lane.
+/// The fields of certificates, one cell per lane.
 struct Unpacked {
   HWY_INLINE Unpacked(const NearTask& task, const double* certificates) {
     for (std::size_t lane = 0; lane < near_lanes; ++lane) {
@@ -150,12 +150,12 @@ struct Unpacked {
     }
   }
   HWY_ALIGN double thresholds[near_lanes], errors[near_lanes], determinants[near_lanes];
-  HWY_ALIGN double
-      lifts[near_lanes];  ///< what the lift adds to the magnitude of a functional: 0 for infinite cells
+  HWY_ALIGN double lifts[near_lanes];  ///< the contribution of the lift to the magnitude of a functional: 0
+                                       ///< for infinite cells
 };
 
-/// Writes the lesser of the cached threshold and that from a bound on the sum of the magnitudes of the
-/// determinants of edges without one, in place of the cached one. `is_proved`: whether the bound is one.
+/// Replaces the cached threshold by one from a bound on the sum of the magnitudes of the determinants of all
+/// edges but one, if that is smaller. `is_proved`: whether that bound holds.
 template <class D, class V, class M>
 HWY_INLINE void lower_threshold(D d, const NearTask& task, V sum, V magnitude, V inverse_determinant,
                                 M is_proved, V error, double* threshold) {
@@ -163,7 +163,7 @@ HWY_INLINE void lower_threshold(D d, const NearTask& task, V sum, V magnitude, V
   const V bound = hn::Mul(hn::MulAdd(error, hn::Mul(sum, inverse_determinant), rounding), hn::Set(d, slack));
   const V cached = hn::Load(d, threshold);
   hn::Store(hn::IfThenElse(hn::And(is_proved, hn::Lt(bound, cached)), bound, cached), d,
-            threshold);  // cached for NaN
+            threshold);  // NaN leaves the cached one
 }
 
 /// For any dimension, from the lengths of edges.
@@ -181,8 +181,8 @@ void find_thresholds_by_lengths(const NearTask& task, double* thresholds) {
     const auto normal = [&](std::size_t r) {
       return hn::Add(coefficient(r), hn::Set(d, 2 * task.lift_weight[r] * task.row[r]));
     };
-    // Heights are over the plane that touches the sphere's concentric one through the row, times the length
-    // of a normal.
+    // Heights are over the plane that touches, at the row, the sphere's concentric one through it, times the
+    // length of a normal.
     V square_of_normal = zero, magnitude = hn::Load(d, cached.lifts + lane);
     const auto is_finite = hn::Gt(magnitude, zero);
     for (std::size_t r = 0; r < k; ++r) {
@@ -190,7 +190,7 @@ void find_thresholds_by_lengths(const NearTask& task, double* thresholds) {
       magnitude = hn::Add(magnitude, hn::Abs(coefficient(r)));
     }
     magnitude = hn::Add(magnitude, hn::Abs(coefficient(k)));
-    // Divisions take longest: none waits for the edges.
+    // Divisions have the longest latency: none depends on the edges.
     const V inverse_square_of_normal = hn::Div(one, square_of_normal);
     const V inverse_determinant = hn::Div(one, hn::Load(d, cached.determinants + lane));
     EdgeProducts<V> edges{one, zero, zero, zero};
@@ -216,9 +216,9 @@ void find_thresholds_by_lengths(const NearTask& task, double* thresholds) {
   std::copy_n(cached.thresholds, task.cells.size(), thresholds);
 }
 
-/// The edge to the infinite vertex stands for the direction that the functional of an infinite cell depends
-/// on with a coefficient of ±1: with it in a determinant, that of the other edges without this coordinate is
-/// left.
+/// In place of an edge to the infinite vertex: the unit vector of the coordinate in which the functional of
+/// an infinite cell has the coefficient ±1. A determinant with it is that of the other edges without this
+/// coordinate.
 template <class D, class V>
 HWY_INLINE V edge_to_infinity(D d, V coefficient) {
   const V one = hn::Set(d, 1.0);
@@ -270,7 +270,7 @@ void find_thresholds_by_minors(const NearTask& task, double* thresholds) {
     const V by_lengths = hn::Sqrt(hn::Mul(hn::Set(d, K + 1.0), edges.one_missing));
     sum = hn::Add(hn::MulAdd(hn::Set(d, expansion_error), by_lengths, sum),
                   hn::Sqrt(hn::Mul(hn::Set(d, K * (K + 1.0)), edges.flat)));
-    // Where it is not certain which direction that is, lengths must do.
+    // Where several coordinates have the coefficient ±1, the bound is by lengths.
     sum = hn::IfThenElse(hn::Or(is_finite, hn::Eq(num_normal, one)), sum,
                          hn::Sqrt(hn::Mul(hn::Set(d, K), of_infinite)));
     lower_threshold(d, task, sum, magnitude, inverse_determinant,
@@ -289,8 +289,8 @@ void find_thresholds_here(const NearTask& task, double* thresholds) {
   });
 }
 
-/// Sums over the rows of a matrix of edges from one point: of the magnitudes of the products of the row's
-/// cofactors with a unit vector, and, squared, of the lengths of what is left of them across it.
+/// For the vectors of cofactors of the rows of a matrix of edges from one point: the sum of the magnitudes of
+/// their components along a unit vector, and the sum of the squared lengths of their components across it.
 template <class V>
 struct CofactorSums {
   V along, square_across;
@@ -319,7 +319,7 @@ HWY_INLINE CofactorSums<V> sum_cofactors(const E& edges, const V* minors, const 
   return sums;
 }
 
-/// The sign of the coefficient ±1 of an infinite cell, if the determinant of its edges from the apex is
+/// The sign that the coefficient ±1 of an infinite cell has if the determinant of its edges from the apex is
 /// positive.
 template <int K>
 double sign_of_normal(const NearTask& task, Index cell, Index apex) {
@@ -336,9 +336,10 @@ double sign_of_normal(const NearTask& task, Index cell, Index apex) {
 
 template <int K>
 void certify_by_edges_in(const NearTask& task, Index apex, EdgeCertificate* certificates) {
-  constexpr double gain = 16;  // what elimination may gain before it is worth its time
-  constexpr double finer = 4;  // by what factor its bounds on determinants are smaller, at most
-  // Thresholds that are low enough not to ask for cofactors, which are cheap up to four dimensions.
+  constexpr double gain = 16;  // the factor that elimination must gain to be worth its cost
+  constexpr double finer = 4;  // by this factor at most its bounds on determinants are tighter
+  // Thresholds that are low enough without cofactors. (Up to four dimensions cofactors are cheap and always
+  // used.)
   constexpr double low_per_square = 0x1p-9, low_per_radius = 0x1p-10, low_of_infinite = 0x1p-24;
   constexpr double expansion_error =
       1.01 * (K * (K + 1) / 2) * kernel::unit_roundoff * most_terms_over_lengths[K];
@@ -404,9 +405,9 @@ void certify_by_edges_in(const NearTask& task, Index apex, EdgeCertificate* cert
     const V signed_determinant = minors[(std::size_t{1} << K) - 1];
     const V by_edges = hn::NegMulAdd(determinant_error, hn::Set(d, slack), hn::Abs(signed_determinant));
     const V by_pencil = hn::Load(d, cached.determinants + lane);
-    const V determinant = hn::Max(by_edges, by_pencil);  // the pencil may know it better
-    // The functional of an infinite cell might be its opposite: the orientation must be certain, and tell the
-    // same.
+    const V determinant = hn::Max(by_edges, by_pencil);  // the pencil's bound may be the larger one
+    // The functional of an infinite cell might have the wrong sign: it must have that of the orientation,
+    // which must be certain.
     const V sign = hn::Mul(hn::Mul(signed_determinant, hn::Load(d, signs + lane)), normal_sign);
     const auto has_sign = hn::Or(
         is_finite, hn::And(hn::And(hn::Gt(by_edges, zero), hn::Gt(sign, zero)), hn::Eq(num_normal, one)));
@@ -419,11 +420,11 @@ void certify_by_edges_in(const NearTask& task, Index apex, EdgeCertificate* cert
     const auto is_hopeless =
         hn::And(hn::And(hn::Eq(by_pencil, zero), hn::Lt(error, hn::Set(d, certificate::largest))),
                 hn::Lt(hn::Mul(hn::Set(d, finer), hn::Abs(signed_determinant)), determinant_error));
-    const V gradient_error =
-        hn::Div(hn::Mul(hn::Set(d, 2.01), error), determinant);  // over a sum of lengths of cofactors
+    // Over a sum of lengths of cofactors.
+    const V gradient_error = hn::Div(hn::Mul(hn::Set(d, 2.01), error), determinant);
     const V at_vertices = hn::Add(error, rounding);
     V threshold = hn::MulAdd(hn::Mul(gradient_error, others), diagonal, at_vertices);
-    const V length_of_normal = hn::Sqrt(square_of_normal);  // for finite cells in the order of the radius
+    const V length_of_normal = hn::Sqrt(square_of_normal);  // for finite cells of the order of the radius
     const V low = hn::IfThenElse(is_finite,
                                  hn::Min(hn::Mul(square_of_normal, hn::Set(d, low_per_square)),
                                          hn::Mul(length_of_normal, hn::Set(d, low_per_radius))),

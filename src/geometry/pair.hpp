@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Two doubles that are added and multiplied, read and written at once, on every processor. What is read soon
-// after it was written has to be written in the same pairs: a processor waits when it must put together what
-// it reads from several recent writes.
+// Two doubles that are loaded, stored, added and multiplied together, on every processor. What is loaded soon
+// after it was stored must be stored in the same pairs: a load that combines several recent stores is a
+// store-forwarding stall.
 #pragma once
 
 #include <cstring>

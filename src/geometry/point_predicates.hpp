@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The exact stages of the conflict test of Delaunay, regular and furthest-site triangulations, for cells
-// given by their vertices. Knows points; nothing of cached functionals.
+// given by their vertices. Knows points, but no cached functionals.
 #pragma once
 
 #include "kernel/buffer.hpp"
@@ -21,8 +21,8 @@ namespace delone::geometry {
 struct PointQuery {
   const double* point;
   const kernel::Grid* grid;
-  int compared;  ///< how many entries a vertex at the query must share: without the weight, any vertex at its
-                 ///< coordinates is
+  int compared;  ///< how many entries a vertex must share with the query to be at it; without the weight, a
+                 ///< vertex with its coordinates is
 };
 
 /// K is the dimension of the flat, or 0 when it is chosen at run time.
@@ -62,7 +62,7 @@ class PointPredicates {
     return kernel::perturbed_in_sphere<K>(flat(), gather(vertices).data(), q.point, *q.grid);
   }
 
-  /// The same for many cells.
+  /// The same for many cells, several per instruction where the grid is small.
   void perturbed_sides(std::span<const Index* const> cells, const PointQuery& q, Sign* sides,
                        StageCounts& counts) const {
     const kernel::Flat flat = this->flat();
@@ -83,8 +83,8 @@ class PointPredicates {
                         q.point, key_weights.data(), is_tiny ? per_unit.data() : nullptr, sides});
   }
 
-  /// The sign of h(q) for a finite cell, ties not perturbed: that of the power of q with respect to its
-  /// sphere, or, for furthest points, its opposite.
+  /// The sign of h(q) for a finite cell, zero on a tie: that of the power of q with respect to the cell's
+  /// sphere or, for furthest points, its opposite.
   Sign unperturbed_side(const Index* vertices, const PointQuery& q) const {
     StageCounts uncounted;
     return kernel::in_sphere<K>(flat(), gather(vertices).data(), q.point, *q.grid, uncounted);
@@ -98,8 +98,8 @@ class PointPredicates {
     return kernel::orientation<K>(flat(), points.data(), *q.grid);
   }
 
-  /// Of the given vertices the one that is strictly beyond facet `slot` of a finite cell and whose sphere
-  /// through the facet is the first to be met there; infinite_vertex if none is beyond, and nothing on a tie.
+  /// Of the given vertices, the one that is strictly beyond facet `slot` of a finite cell and whose sphere
+  /// through the facet has no other of them inside; infinite_vertex if none is beyond, and nothing on a tie.
   /// The cell may be oriented either way. `grid`: one that all vertices lie on. REQUIRES that none of them is
   /// a vertex of the cell.
   std::optional<Index> first_beyond(const Index* cell, int slot, std::span<const Index> vertices,
@@ -113,7 +113,7 @@ class PointPredicates {
     Index& apex = simplex[static_cast<std::size_t>(slot)];
     Index& other = simplex[slot == 0 ? 1 : 0];
     Index& another = simplex[slot <= 1 ? 2 : 1];
-    if (inner == Sign::positive) std::swap(other, another);  // now simplices beyond are positively oriented
+    if (inner == Sign::positive) std::swap(other, another);  // apexes beyond make positive simplices now
     for (const Index v : vertices) {
       apex = v;
       if (orientation() != Sign::positive) continue;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The inverse of the matrix of edges by elimination with exchanges of rows, and what its residuals prove.
+// Inverts the matrix of edges by elimination with row exchanges, and derives certificates from the residuals.
 // Proofs: docs/predicates.md, "Many simplices at once".
 #include "geometry/simplex_kernel.hpp"
 
@@ -18,7 +18,7 @@
 #define DELONE_SIMPLEX_KERNEL
 namespace delone::geometry {
 
-/// The arrays of the scratch memory, in numbers of entries of simplex_lanes doubles.
+/// The arrays of the scratch memory. Sizes count entries of simplex_lanes doubles.
 struct SimplexArrays {
   explicit SimplexArrays(const SimplexTask& task)
       : k(static_cast<std::size_t>(task.k)),
@@ -38,12 +38,12 @@ struct SimplexArrays {
   std::size_t k, width;
   double* functions;    ///< (k + 2)·(k + 1)
   double* images;       ///< (k + 1)², with lifts, of the vertices
-  double* edges;        ///< k²: row i is vertex i + 1 less vertex 0, as far as not eliminated
-  double* inverse;      ///< k², in the end of the edges
+  double* edges;        ///< k²: row i is vertex i + 1 less vertex 0; eliminated in place
+  double* inverse;      ///< k²: in the end the inverse of the matrix of edges
   double* column_sums;  ///< k: the sum of the magnitudes of a column of U
   double* determinant;  ///< the product of the pivots, with the sign of the exchanges
   double* growth;       ///< the largest ratio of an entry to the pivot above it, at least 1
-  double* proved;       ///< 3: how far from 1 the inverse is, the spread without that, the residual
+  double* proved;       ///< 3: the defect of the inverse, the spread without it, the residual
 };
 
 }  // namespace delone::geometry
@@ -54,7 +54,7 @@ namespace delone::geometry {
 namespace HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
 
-/// Writes the images of the vertices, one simplex per lane, those of two simplices at a time.
+/// Gathers the images of the vertices, one simplex per lane, two simplices at a time.
 template <int K>
 void gather(const SimplexTask& task, const SimplexArrays& arrays) {
   const std::size_t width = K > 0 ? K + 1 : arrays.width, last = task.simplices.size() - 1;
@@ -94,7 +94,7 @@ void write_edges(const SimplexArrays& arrays, double* edges) {
     }
 }
 
-/// Inverts the matrices of edges in place, without exchanges. All lengths of loops are known, and the loops
+/// Inverts the matrices of edges in place, without row exchanges. All loops have constant lengths and are
 /// unrolled.
 template <int K>
 void invert_in_place(const SimplexArrays& arrays) {
@@ -137,7 +137,7 @@ void invert_in_place(const SimplexArrays& arrays) {
   }
 }
 
-/// Inverts the matrices of edges; exchanges of rows keep entries from growing.
+/// Inverts the matrices of edges with row exchanges, which keep entries from growing.
 void invert_with_exchanges(const SimplexArrays& arrays) {
   const hn::CappedTag<double, simplex_lanes> d;
   using V = hn::Vec<decltype(d)>;
@@ -192,7 +192,7 @@ void invert_with_exchanges(const SimplexArrays& arrays) {
   }
 }
 
-/// Writes the affine functions, given the inverses. K is k, or 0 for any.
+/// Writes the affine functions, given the inverses. K is k, or 0 for any k.
 template <int K>
 void write_functions(const SimplexArrays& arrays) {
   const hn::CappedTag<double, simplex_lanes> d;
@@ -205,8 +205,8 @@ void write_functions(const SimplexArrays& arrays) {
     };
     const auto function = [&](std::size_t f, std::size_t r) { return at(arrays.functions, f * width + r); };
     const V zero = hn::Zero(d), one = hn::Set(d, 1.0);
-    // Column i of the inverse is the gradient of coordinate i + 1; all of them add up to 0, and the constants
-    // to 1.
+    // Column i of the inverse is the gradient of coordinate i + 1. The gradients of all coordinates add up to
+    // 0, and the constants to 1.
     V constant_of_first = one, constant_of_last = zero;
     for (std::size_t i = 1; i <= k; ++i) {
       V constant = zero;
@@ -236,7 +236,7 @@ template <int K>
 void solve(const SimplexTask& task) {
   const SimplexArrays arrays(task);
   gather<K>(task, arrays);
-  // Exchanges are half of the work, and seldom matter.
+  // Row exchanges are half of the work and seldom needed.
   bool is_tame = K > 0;
   if constexpr (K > 0) {
     invert_in_place<K>(arrays);
@@ -289,7 +289,7 @@ void certify(const SimplexTask& task) {
     }
     for (std::size_t i = 0; i <= k; ++i)
       for (std::size_t r = 0; r <= k; ++r) spread = hn::Add(spread, hn::Abs(hn::Load(d, function(i, r))));
-    // What the functional is at the vertices is taken from it, once.
+    // The values of the functional at the vertices are subtracted from it, once.
     for (std::size_t i = 0; i <= k; ++i) {
       const V value = hn::Add(value_at(width, i), image(i, k));
       for (std::size_t r = 0; r <= k; ++r)
@@ -346,7 +346,7 @@ void certify_simplices(const SimplexTask& task, SimplexCertificate* certificates
     const double growth = lane_entry(arrays.growth, 0, lane);
     const double change = slack * 2 * spread * (1.01 * (k + 4) * u * growth * column_sum + 4.1 * u);
     const double determinant = lane_entry(arrays.determinant, 0, lane);
-    // Not so for what is not a number, nor where pivots underflow.
+    // False for NaN, and where pivots underflow.
     const bool is_proved = farthest < 1.0 / 64 && change < 1.0 / 64 && std::fabs(determinant) > 1e-240;
     certificates[lane] = {!is_proved        ? Sign::zero
                           : determinant > 0 ? Sign::positive

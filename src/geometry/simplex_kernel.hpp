@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Barycentric coordinates and functionals of several finite cells at once, by elimination, one cell in each
-// lane of the processor's vectors; compiled for several instruction sets, of which the best that the machine
-// has is chosen at run time.
+// Barycentric coordinates and functionals of several finite cells at once, by elimination, one cell per SIMD
+// lane. Compiled for several instruction sets; the best one of the machine is chosen at run time.
 #pragma once
 
 #include <delone/types.hpp>
@@ -11,13 +10,13 @@
 
 namespace delone::geometry {
 
-/// As many cells are treated at once; where there are fewer, the last is repeated.
+/// The number of cells per call; if there are fewer, the last one fills the other lanes.
 inline constexpr std::size_t simplex_lanes = 8;
 
 struct SimplexTask {
   int k;
-  std::span<const Index* const>
-      simplices;       ///< the k + 1 vertices of each: at least one simplex, at most simplex_lanes
+  /// The k + 1 vertices of each: at least one simplex, at most simplex_lanes.
+  std::span<const Index* const> simplices;
   const double* rows;  ///< the images and lifts of the vertices, k + 1 doubles each
   double* scratch;     ///< simplex_scratch(k) doubles, at a multiple of 64 bytes
 };
@@ -35,12 +34,12 @@ std::size_t simplex_scratch(int k);
 /// Rounded; not finite if the simplex seems to be flat. Cost O(k³).
 void solve_simplices(const SimplexTask& task);
 
-/// What is proved of a simplex.
+/// What has been proved of a simplex.
 struct SimplexCertificate {
   Sign orientation;    ///< zero: nothing is known
-  double spread;       ///< Σ|barycentric coordinates| is at most that in the box of the frame
+  double spread;       ///< a bound on Σ|barycentric coordinates| in the box of the frame
   double residual;     ///< the largest magnitude of the functional at the vertices, as computed
-  double determinant;  ///< of the edge vectors, at least that in magnitude
+  double determinant;  ///< a lower bound on the magnitude of that of the edge vectors
 };
 
 /// After solve_simplices: improves the functionals, and certifies all that was written (docs/predicates.md,

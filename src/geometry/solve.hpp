@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A functional by elimination, O(k³): for first cells, after a dimension jump, and where the pencil's
+// Functionals by elimination, O(k³): of first cells, after a dimension jump, and where the pencil's
 // certificate is too weak.
 #pragma once
 
@@ -15,7 +15,7 @@ template <int K, bool Lifted>
 template <bool Infinite>
 Sign Functionals<K, Lifted>::solve(Index cell, const double* rows, bool positive) requires(Lifted) {
   const int n = Infinite ? k() - 1 : k();                // the vertices besides the apex
-  constexpr int N = K > 0 ? (Infinite ? K - 1 : K) : 0;  // n, or 0 when it is not known or no more than that
+  constexpr int N = K > 0 ? (Infinite ? K - 1 : K) : 0;  // n, or 0 if n is not known or is 0
   const auto size = static_cast<std::size_t>(k());
   const auto row_at = [&](int i) { return rows + static_cast<std::ptrdiff_t>(i) * (k() + 1); };
   double* functional = this->functional(cell);
@@ -27,8 +27,8 @@ Sign Functionals<K, Lifted>::solve(Index cell, const double* rows, bool positive
     for (int r = 0; r < k(); ++r) columns[static_cast<std::size_t>(j * k() + r)] = row_at(j + 1)[r] - rows[r];
     heights[static_cast<std::size_t>(j)] = Infinite ? 0 : row_at(j + 1)[k()] - rows[k()];
   }
-  // An image is off by a rounding of a number ≤ 1, twice per difference, and the difference is rounded once
-  // more.
+  // Each of the two images of a difference is off by a rounding of a number ≤ 1, and the difference is
+  // rounded once more.
   const kernel::EntryError entry_error{1.01 * kernel::unit_roundoff,
                                        2.02 * kernel::unit_roundoff * std::sqrt(static_cast<double>(k()))};
   const kernel::CertifiedDeterminant det =
@@ -115,14 +115,14 @@ void Functionals<K, Lifted>::solve(Index cell, const double* rows) requires(!Lif
   }
   const double rounding = evaluation_error_ * magnitude;
   const double error = residual + rounding;
-  // As above, with coefficients in place of barycentric coordinates and the row of a point, at most √n long,
-  // replacing one.
+  // As above, with the coefficients of rows in place of barycentric coordinates; the row of a point, at most
+  // √n long, replaces one of them.
   const double spread =
       1.2 * std::sqrt(static_cast<double>(n)) * det.norm_product * det.inverse_norm_sum / least_determinant;
   certify(cell, error * spread + rounding, error, least_determinant, false);
 }
 
-/// Too flat to say anything: never certain, and never attractive to a walk.
+/// For cells too flat to be certified: the filter is never certain, and a walk never prefers the cell.
 template <int K, bool Lifted>
 void Functionals<K, Lifted>::give_up(Index cell, bool infinite) {
   constexpr double infinity = std::numeric_limits<double>::infinity();

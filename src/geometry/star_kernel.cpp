@@ -32,17 +32,17 @@
 #define DELONE_STAR_BLOCK
 namespace delone::geometry {
 
-/// Facets are treated in blocks that fit in the first-level cache.
+/// Facets are processed in blocks that fit in the first-level cache.
 constexpr std::size_t block_size = 32;
 /// A threshold beyond this fraction of the functional's scale would leave too many tests open.
 constexpr double weakest = 0x1p-7;
-/// The same of the radius of a sphere that is far larger than the box, and of the normal of an infinite cell.
-/// Values are much smaller near such cells; but certificates by edges, which are better, are cheap up to four
-/// dimensions only.
+/// The same fractions of the radius of a sphere that is far larger than the box, and of the normal of an
+/// infinite cell. Values are much smaller near such cells. Up to four dimensions the fractions are small, as
+/// better certificates, by edges, are cheap there.
 constexpr double weakest_of_large(std::size_t k) { return k <= 4 ? 0x1p-25 : 0x1p-10; }
 constexpr double weakest_of_infinite(std::size_t k) { return k <= 4 ? 0x1p-20 : 0x1p-7; }
-/// By what factor thresholds of such spheres are smaller at least, and what part of a value may be an error
-/// at most.
+/// The least factor by which thresholds of such spheres must shrink, and the largest part of a value that may
+/// be an error.
 constexpr double least_shrinking = 2, most_kappa = 0.25;
 /// The arrays of a block, `block_size` entries of 64 bits each. A and B are the cells of a facet, N the new
 /// cell.
@@ -79,8 +79,8 @@ HWY_INLINE double value_at_opposite(const StarTask& task, const CellRecords<K>& 
   const auto is_infinite = [&](Index cell) {
     return certificate::infinite(bits_of(*records.certificate(cell)));
   };
-  const bool swapped =
-      is_infinite(facet.dead) > is_infinite(facet.survivor);  // the one, and not the other: no branch
+  // The dead one and not the other is infinite: without a branch, as it would be unpredictable.
+  const bool swapped = is_infinite(facet.dead) > is_infinite(facet.survivor);
   const Index cell = swapped ? facet.dead : facet.survivor;
   const Index vertex = swapped ? facet.survivor_opposite : facet.dead_opposite;
   const double* functional = records.functional(cell);
@@ -95,7 +95,7 @@ HWY_INLINE double value_at_opposite(const StarTask& task, const CellRecords<K>& 
   return value + std::bit_cast<double>(reference);
 }
 
-/// Gathers what a block is computed from, one facet per lane, two facets at a time. K is k, or 0 for any.
+/// Gathers the input of a block, one facet per lane, two facets at a time. K is k, or 0 for any k.
 template <int K>
 void gather(const StarTask& task, std::span<const HorizonFacet> facets, double* HWY_RESTRICT block) {
   const auto entries = static_cast<std::size_t>(K > 0 ? K : task.k) + 1;
@@ -103,8 +103,8 @@ void gather(const StarTask& task, std::span<const HorizonFacet> facets, double* 
   for (std::size_t lane = 0; lane < facets.size(); lane += 2) {
     const HorizonFacet& one = facets[lane];
     const HorizonFacet& two = facets[std::min(lane + 1, facets.size() - 1)];
-    std::atomic_signal_fence(
-        std::memory_order_seq_cst);  // one loop, not several: each costs a misprediction at its end
+    // Keeps this one loop: several would cost a branch misprediction each, at their ends.
+    std::atomic_signal_fence(std::memory_order_seq_cst);
     const auto put = [&](std::size_t array, double of_one, double of_two) {
       store_pair(block + array * block_size + lane, Pair{of_one, of_two});
     };
@@ -157,10 +157,10 @@ void compute(const StarTask& task, std::size_t count, double* HWY_RESTRICT block
       return hn::BitCast(d, hn::Add(hn::ShiftLeft<certificate::short_shift>(bits), bias));
     };
     const U threshold_bits = hn::Set(du, 0x7fffffff), short_bits = hn::Set(du, 0x7fff);
-    // Exact stages may have decided: true values have the right signs, so 0 is closer to them than a computed
-    // wrong sign.
+    // Exact stages may have decided that the signs are these: then 0 is closer to the true value than a
+    // computed value of the wrong sign.
     const V a = hn::Min(load(value_a), zero), b = hn::Max(load(value_b), zero), minus_a = hn::Neg(a);
-    // How far values may be off, as thresholds of flat cells hold for values within them only.
+    // Bounds the error of a value; for flat cells the threshold alone does so only for values within it.
     const auto error_of = [&](V threshold, V value) {
       return hn::MulAdd(hn::Mul(threshold, value), hn::Set(d, frame.per_bend), threshold);
     };
@@ -195,7 +195,7 @@ void compute(const StarTask& task, std::size_t count, double* HWY_RESTRICT block
       height = hn::IfThenElse(infinite, largest, height);
       height_error = hn::IfThenElse(infinite, error, height_error);
     }
-    // Divisions take longest: as few as will do, and none that waits for the radius.
+    // Divisions have the longest latency: as few as possible, and none depends on the radius.
     const V inverse_height = hn::Div(one, height), x = hn::Mul(b, inverse_height),
             y = hn::Mul(minus_a, inverse_height);
     const V opposite = load(opposite_value),
@@ -240,8 +240,7 @@ void compute(const StarTask& task, std::size_t count, double* HWY_RESTRICT block
         hn::Add(hn::Add(hn::Mul(x, e_a), hn::Mul(y, e_b)), hn::Mul(hn::Set(d, 6 * 0x1p-53), parts));
     const V error = hn::Mul(hn::Max(error_at_facet, hn::Add(hn::Abs(at_q), rounding)), hn::Set(d, 1 + slack));
     V power = hn::Set(d, frame.finite_spread);
-    V limit =
-        hn::Mul(hn::Set(d, weakest), height);  // without a radius, values near the cell are as large as that
+    V limit = hn::Mul(hn::Set(d, weakest), height);  // without a radius, values near the cell are this large
     V radius_square = zero, radius_error = zero;
     if (frame.uses_radius) {
       // All vertices are within R of the centre of the approximate sphere: |h̃| ≤ error there.
@@ -255,19 +254,18 @@ void compute(const StarTask& task, std::size_t count, double* HWY_RESTRICT block
     }
     power = hn::IfThenElse(infinite, hn::Set(d, frame.infinite_spread), power);
     limit = hn::IfThenElse(infinite, hn::Set(d, weakest_of_infinite(k)), limit);
-    V distance_error =
-        hn::Mul(error, hn::Mul(power, inverse_det));  // in the box, beside the error at the vertices
+    // In the box, besides the error at the vertices.
+    V distance_error = hn::Mul(error, hn::Mul(power, inverse_det));
     V flat_growth = hn::Set(d, 1 + slack);
     if (frame.bend > 0) {
-      // Spheres far larger than the box are nearly planes in it: where a value is small, the cell's plane is
-      // near.
+      // Spheres far larger than the box are nearly planes in it: small values are near the cell's plane.
       const double least_radius = least_shrinking * frame.flatness * frame.bend;
       const auto is_large =
           hn::AndNot(infinite, hn::Gt(radius_square, hn::Set(d, least_radius * least_radius)));
       if (!hn::AllFalse(d, is_large)) {
         const V margin = hn::Add(radius_error, error);
-        const V radius = hn::Sqrt(
-            hn::Max(hn::NegMulAdd(hn::Set(d, 2.0), margin, radius_square), one));  // no more than it is
+        // A lower bound.
+        const V radius = hn::Sqrt(hn::Max(hn::NegMulAdd(hn::Set(d, 2.0), margin, radius_square), one));
         const V kappa = hn::Mul(distance_error, hn::Div(hn::Set(d, frame.flatness), radius));
         const auto is_flat = hn::And(
             hn::And(is_large, hn::Le(kappa, hn::Set(d, most_kappa))),
@@ -279,13 +277,13 @@ void compute(const StarTask& task, std::size_t count, double* HWY_RESTRICT block
       }
     }
     const V threshold = hn::Mul(hn::Add(hn::Add(error, distance_error), rounding), flat_growth);
-    // With not-a-number anywhere, a comparison fails.
+    // If anything is NaN, a comparison fails.
     const V smallest = hn::Set(d, certificate::smallest), largest = hn::Set(d, certificate::largest);
     const auto usable = hn::And(hn::And(hn::Ge(det, smallest), hn::Le(det, largest)),
                                 hn::And(hn::Le(threshold, limit), hn::Lt(threshold, largest)));
     const auto pack = [&](V positive) { return hn::Sub(hn::BitCast(du, positive), bias); };
-    // Of certificates that are too weak, the determinant and whether the cell is infinite are still asked
-    // for: nothing may spill.
+    // The determinant and the infinite bit of a certificate are read even if it is too weak, so no field may
+    // overflow into another.
     const auto clamped = [&](V bound) {
       return hn::IfThenElse(hn::Lt(bound, largest), hn::Max(bound, smallest), largest);
     };
@@ -338,7 +336,7 @@ std::size_t combine_blocks(const StarTask& task, double* block) {
   std::size_t num_weak = 0;
   for (std::size_t first = 0; first < task.facets.size(); first += block_size) {
     const auto facets = task.facets.subspan(first, std::min(block_size, task.facets.size() - first));
-    // Vertices are met in no order of their own: all that a block needs are asked for together.
+    // Vertices are scattered in memory: all rows of a block are prefetched together.
     for (const HorizonFacet& facet : facets) {
       task.rows.prefetch(facet.dead_opposite, k);
       task.rows.prefetch(facet.survivor_opposite, k);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The pencil for all cells of a new star at once, several facets per instruction; compiled for several
-// instruction sets, of which the best that the machine has is chosen at run time.
+// The pencil for all cells of a new star at once, one facet per SIMD lane. Compiled for several instruction
+// sets; the best one of the machine is chosen at run time.
 #pragma once
 
 #include "cells/cell_memory.hpp"
@@ -15,7 +15,7 @@
 
 namespace delone::geometry {
 
-/// What the certificates of a frame's functionals are computed from (docs/predicates.md, "The pencil").
+/// The constants of a frame that certificates depend on (docs/predicates.md, "The pencil").
 struct FrameConstants {
   double evaluation_error;   ///< of a rounded evaluation, relative to the sum of the magnitudes of a
                              ///< functional's terms
@@ -24,9 +24,10 @@ struct FrameConstants {
   double infinite_spread;  ///< the same for infinite cells, over det
   double largest_radius;   ///< of a ball that contains the box
   bool uses_radius;        ///< false: finite_spread/det is the bound, whatever the radius
-  double bend;  ///< how far lifts deviate from a plane that touches them in the box, at most; 0: not known
+  double bend;  ///< a bound on how far lifts deviate in the box from a plane that touches them; 0: not known
   double per_bend;  ///< 1/bend, or 0 if that is not known
-  double flatness;  ///< for radii L beyond the box, that bound times flatness·(bend + |value|)/L is one
+  double flatness;  ///< for radii L beyond the box, finite_spread's bound times flatness·(bend + |value|)/L
+                    ///< is one
   const double* extent_ratio;  ///< per axis, the frame's scale over that of lifts
 };
 
@@ -41,9 +42,8 @@ struct StarTask {
   VertexRows rows;          ///< (X, ℓ), or X; computed for can_compute_rows(k) only
   const double* query_row;  ///< that of the new vertex
   FrameConstants frame;
-  double* scratch;  ///< star_scratch(k) doubles
-  std::uint32_t*
-      weak;  ///< receives the facets whose certificate would be too weak: their cells need elimination
+  double* scratch;      ///< star_scratch(k) doubles
+  std::uint32_t* weak;  ///< receives the facets whose certificate is too weak: their cells need elimination
 };
 
 /// How many doubles of scratch memory a star of dimension k takes.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Where the rows of vertices are found: in memory, or computed from the points.
+// The rows of vertices: read from memory, or computed from the points.
 #pragma once
 
 #include <delone/types.hpp>
@@ -9,9 +9,9 @@
 
 namespace delone::geometry {
 
-/// The dimensions in which rows may be computed where they are needed. In the plane, where a vertex has two
-/// cells, to keep them takes a tenth of all memory; in space a twentieth, and among points of a surface,
-/// where rows are asked for most, to compute them takes longer.
+/// The dimensions in which rows may be computed where they are needed. In the plane, with two cells per
+/// vertex, stored rows would be a tenth of all memory. In space they are a twentieth, and computing them
+/// takes longer than loading them.
 constexpr bool can_compute_rows(int k) { return k == 2; }
 
 /// The rows of vertices, by vertex id: an array of them, or the points that they are images and lifts of.
@@ -19,7 +19,7 @@ constexpr bool can_compute_rows(int k) { return k == 2; }
 class VertexRows {
  public:
   /// An array of rows.
-  VertexRows(const double* rows) : rows_(rows) {}  // implicit, as that is all there is to most of them
+  VertexRows(const double* rows) : rows_(rows) {}  // implicit, as most rows are arrays
   /// The images and lifts of points of R^k without weights in a frame with these centers and scales. REQUIRES
   /// can_compute_rows(k).
   VertexRows(const double* points, const double* center, const double* scale, double lift_scale)
@@ -47,7 +47,7 @@ class VertexRows {
       return rows_ + v * (static_cast<std::size_t>(k) + 1);
     }
   }
-  /// Asks for the memory of the row of a vertex, ahead of its use.
+  /// Prefetches the row of a vertex.
   [[gnu::always_inline]] void prefetch(Index v, int k) const {
     const bool computed = rows_ == nullptr;
     const double* const first = computed ? points_ : rows_;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Finite doubles as integers times powers of two: what the exact stages compute with.
+// Finite doubles as integers times powers of two, for the exact stages.
 #pragma once
 
 #include <algorithm>

@@ -22,8 +22,8 @@ class StackBuffer {
   T entries_[static_cast<std::size_t>(Size)];
 };
 
-/// An array whose size depends on a dimension, constructed with that size: Size entries when the dimension is
-/// a template parameter (the size is then at most Size), a vector when Size is 0.
+/// An array whose size depends on a dimension, constructed with that size: Size entries on the stack if the
+/// dimension is a template parameter (the size is then at most Size), a vector if Size is 0.
 template <class T, int Size>
 using Buffer = std::conditional_t<(Size > 0), StackBuffer<T, (Size > 0 ? Size : 1)>, std::vector<T>>;
 

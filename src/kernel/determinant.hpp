@@ -5,8 +5,8 @@
 // Elimination with row pivoting gives L·U = A + E with |L| ≤ 1 entrywise, and |E_j| ≤ γ_n·‖U_j‖₁ in every
 // entry of column j (Higham, Accuracy and Stability of Numerical Algorithms, 2002, Theorem 9.3). The
 // determinant is linear in each column, so by Hadamard's inequality replacing every column A_j by A_j + E_j
-// changes it by at most Π(‖A_j‖ + ‖E_j‖) − Π‖A_j‖. Errors that are in A already (rounded differences of
-// coordinates) join E_j.
+// changes it by at most Π(‖A_j‖ + ‖E_j‖) − Π‖A_j‖. Errors that A already has (rounded differences of
+// coordinates) are added to E_j.
 #pragma once
 
 #include "kernel/buffer.hpp"
@@ -26,7 +26,7 @@ inline constexpr double bound_slack = 1.0 + 0x1p-40;
 /// "Underflow").
 inline constexpr double underflow_allowance = 1e-300;
 
-/// A determinant, a bound on |value − exact| (infinity: nothing is known), and what the bound was made of.
+/// A determinant, a bound on |value − exact| (infinity: nothing is known), and the terms of the bound.
 struct CertifiedDeterminant {
   double value = 0;
   double error = std::numeric_limits<double>::infinity();
@@ -35,8 +35,7 @@ struct CertifiedDeterminant {
   bool sign_is_certain() const { return std::fabs(value) > error; }
 };
 
-/// How far the entries of a matrix may be from the true ones: column j, in 2-norm, by relative·‖A_j‖ +
-/// absolute.
+/// Bounds how far a matrix is from the true one: column j by relative·‖A_j‖ + absolute in the 2-norm.
 struct EntryError {
   double relative = 0;
   double absolute = 0;
@@ -69,8 +68,8 @@ CertifiedDeterminant factor(double* columns, int run_time_n, int rows, EntryErro
 
   const double gamma = 1.01 * n * unit_roundoff * std::sqrt(static_cast<double>(n));  // ≥ γ_n·√n
   double value = 1;
-  double relative_sum =
-      n * entry_error.relative + entry_error.absolute * det.inverse_norm_sum;  // Σ_j ‖E_j‖/‖A_j‖
+  // Σ_j ‖E_j‖/‖A_j‖
+  double relative_sum = n * entry_error.relative + entry_error.absolute * det.inverse_norm_sum;
   for (int s = 0; s < n; ++s) {
     double* p = column(s);
     int pivot_row = s;
@@ -85,8 +84,8 @@ CertifiedDeterminant factor(double* columns, int run_time_n, int rows, EntryErro
     double u_norm = 0;  // ‖U_s‖₁
     for (int r = 0; r <= s; ++r) u_norm += std::fabs(p[r]);
     relative_sum += (gamma * u_norm + underflow_allowance) / norm[static_cast<std::size_t>(s)];
-    if (p[s] ==
-        0) {  // the first s+1 columns of A + E are dependent whatever the others are: those need no E_j
+    // The first s + 1 columns of A + E are dependent, whatever the others are: those need no E_j.
+    if (p[s] == 0) {
       value = 0;
       break;
     }

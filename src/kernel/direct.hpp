@@ -2,7 +2,7 @@
 // Stage `direct_`: orientation and sphere determinants in floating point, translated to a point, and
 // determinants of homogeneous rows, with a certified bound; and the proof of exact zeros for numbers on a
 // coarse grid. Up to 6 columns the determinant is expanded in a table of minors, as it is; beyond, it is
-// scaled and eliminated. What binary64 leaves open is asked of numbers of twice its precision.
+// scaled and eliminated. What binary64 leaves open goes to arithmetic of twice its precision.
 #pragma once
 
 #include "kernel/determinant.hpp"
@@ -26,8 +26,8 @@ namespace delone::kernel {
 
 namespace detail {
 
-/// 2^e, or 0 or infinity where that is below or above the normal doubles. (std::ldexp is a call, and this is
-/// a hot path.)
+/// 2^e, or 0 or infinity where that is below or above the normal doubles. (std::ldexp is a function call, too
+/// slow for a hot path.)
 inline double power_of_two(std::int64_t e) {
   if (e < -1022) return 0;
   if (e > 1023) return std::numeric_limits<double>::infinity();
@@ -52,7 +52,7 @@ inline int upper_exponent(double x) {
   return biased != 0 ? biased - 1022 : -1010 - std::countl_zero(bits << 1 >> 1);
 }
 
-/// The sign of a value that is off by at most `error`, where the exact one is an integer multiple of
+/// The sign of a value that is off by at most `error`, if the exact value is an integer multiple of
 /// grid_unit.
 inline std::optional<Sign> certified_sign(double value, double error, double grid_unit) {
   if (std::fabs(value) > error) return value > 0 ? Sign::positive : Sign::negative;
@@ -71,14 +71,14 @@ Sign sign_by_exact_minors(const double* a) {
   return det > 0 ? Sign::positive : det < 0 ? Sign::negative : Sign::zero;
 }
 
-/// Unscaled differences up to this, and lifts up to its square, overflow in no determinant, and all that
-/// underflows there is below `unscaled_underflow` (docs/predicates.md, "By minors").
+/// With unscaled differences up to this and lifts up to its square no determinant overflows, and all that
+/// underflows is below `unscaled_underflow` (docs/predicates.md, "By minors").
 inline constexpr double moderate = 0x1p60;
 inline constexpr double unscaled_underflow = 0x1p-700;
 
-/// The sign of the determinant of N rows of which every term meets `roundings` roundings before the minors
-/// are expanded. `last_parts[i]`: the magnitudes of what the last entry of row i is made of. `unit_exponent`
-/// returns the exponent of the grid that the determinant is on.
+/// The sign of the determinant of N rows, of which every term goes through `roundings` roundings before the
+/// minors are expanded. `last_parts[i]`: the sum of the magnitudes of the terms of the last entry of row i.
+/// `unit_exponent` returns the exponent of the grid that the determinant lies on.
 template <int N, class UnitExponent>
 std::optional<Sign> sign_by_minors(const double* a, const double* last_parts, double roundings,
                                    UnitExponent unit_exponent) {
@@ -117,7 +117,7 @@ std::optional<Sign> orientation_by_minors(const Flat& flat, const double* const*
   });
 }
 
-/// direct_sphere, likewise.
+/// direct_sphere by minors, without scaling.
 template <int K>
 std::optional<Sign> sphere_by_minors(const Flat& flat, const double* const* points, const double* q,
                                      const Grid& grid) {
@@ -183,7 +183,7 @@ std::optional<Sign> orientation_by_elimination(const Flat& flat, const double* c
   return certified_sign(det, power_of_two(unit_exponent));
 }
 
-/// direct_sphere, likewise.
+/// direct_sphere by scaled elimination.
 template <int K>
 std::optional<Sign> sphere_by_elimination(const Flat& flat, const double* const* points, const double* q,
                                           const Grid& grid) {
@@ -217,7 +217,7 @@ std::optional<Sign> sphere_by_elimination(const Flat& flat, const double* const*
       largest = std::max(largest, std::fabs(points[i][flat.ambient] - q[flat.ambient]));
     if (largest == 0 && largest_of_all == 0) return Sign::zero;  // only for k = 0
     if (!(largest < 1e300)) return std::nullopt;
-    if (largest > 0) {  // squares of differences and weights are scaled alike, all to at most 1
+    if (largest > 0) {  // squares of differences and weights have one scale: all become at most 1
       const int half = (normalisation(largest).exponent + 1) >> 1;
       common_exponent = std::max(common_exponent, half);
       common_scale = power_of_two(-common_exponent);
@@ -238,8 +238,8 @@ std::optional<Sign> sphere_by_elimination(const Flat& flat, const double* const*
     }
     a[static_cast<std::size_t>(i * n + k)] = lift;
   }
-  Buffer<double, N> lift_parts(
-      static_cast<std::size_t>(flat.weighted() ? n : 0));  // |p_i − q|² + |w_i − w_q|, scaled
+  // |p_i − q|² + |w_i − w_q|, scaled
+  Buffer<double, N> lift_parts(static_cast<std::size_t>(flat.weighted() ? n : 0));
   if (flat.weighted())
     for (int i = 0; i < n; ++i) {
       const double weight = (points[i][flat.ambient] - q[flat.ambient]) * common_scale * common_scale;
@@ -259,8 +259,8 @@ std::optional<Sign> sphere_by_elimination(const Flat& flat, const double* const*
   // Differences are rounded once; a lift is a sum of `ambient` squares of rounded differences.
   double relative_error = 1.01 * (flat.ambient + 3) * unit_roundoff;
   if (flat.weighted()) {
-    // A weight may cancel most of the squares: a lift is off relative to its parts, by how much they exceed
-    // the whole column.
+    // A weight may cancel most of the squares: the error of a lift is relative to its parts, and these may
+    // exceed the whole column by the factor `cancellation`.
     double cancellation = 1;
     for (int i = 0; i < n; ++i) {
       double largest = 0;
@@ -304,7 +304,7 @@ std::optional<Sign> direct_sphere(const Flat& flat, const double* const* points,
 
 /// The sign of the determinant of N rows of `row_size` doubles, restricted to N columns `axes`; nullopt when
 /// binary64 cannot tell. N = 0: chosen at run time. Rows and columns are scaled by powers of two, so that
-/// rays of any length will do.
+/// rays may have any length.
 template <int N>
 std::optional<Sign> direct_determinant(std::span<const int> axes, const double* const* rows) {
   const int n = N > 0 ? N : static_cast<int>(axes.size());
@@ -355,8 +355,8 @@ inline std::optional<Sign> direct_affine_form(const double* row, const double* p
     sum += term;
     parts += std::fabs(term);
   }
-  // Each term meets at most d + 1 roundings (Higham 2002, §3.1), each product one underflow of at most
-  // 2⁻¹⁰⁷⁵.
+  // Each term goes through at most d + 1 roundings (Higham 2002, §3.1), and each product may underflow by at
+  // most 2⁻¹⁰⁷⁵.
   const double error =
       1.01 * (dimension + 2) * unit_roundoff * parts + dimension * std::numeric_limits<double>::denorm_min();
   if (std::fabs(sum) > bound_slack * error) return sum > 0 ? Sign::positive : Sign::negative;

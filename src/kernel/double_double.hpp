@@ -27,7 +27,7 @@ inline DoubleDouble two_product(double a, double b) {
 
 inline DoubleDouble operator-(const DoubleDouble& x) { return {-x.high, -x.low}; }
 
-/// Off by at most 6u²·(|x| + |y|): where x and y cancel, not relative to the sum.
+/// Off by at most 6u²·(|x| + |y|), which is no bound relative to the sum where x and y cancel.
 inline DoubleDouble operator+(const DoubleDouble& x, const DoubleDouble& y) {
   const DoubleDouble sum = two_sum(x.high, y.high);
   return two_sum(sum.high, sum.low + (x.low + y.low));

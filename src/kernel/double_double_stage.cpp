@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Differences of coordinates and weights are pairs without error; lifts and minors are rounded to pairs.
-// Every term of the determinant is off by a few 2^−103 of itself, the determinant thus by as much of the
-// permanent of the magnitudes (docs/predicates.md, "Double-double"). Coordinates are scaled by powers of two,
-// each axis to at most 1, lifts alike.
+// Every term of the determinant is off by a few 2^−103 relative to itself, so the determinant is off by that
+// times the permanent of the magnitudes (docs/predicates.md, "Double-double"). Coordinates are scaled by
+// powers of two, each axis to at most 1, and so are lifts.
 #include "kernel/double_double_stage.hpp"
 
 #include "base/compiled_dimension.hpp"
@@ -18,7 +18,7 @@
 namespace delone::kernel {
 namespace {
 
-/// Minors of more would take as long as integers.
+/// Minors of more columns take as long as integers.
 constexpr std::size_t most_columns = 10;
 
 /// Of sums (relative to the magnitudes of both terms) and of products.
@@ -30,7 +30,7 @@ constexpr double largest_difference = 1e300;
 DoubleDouble difference(double a, double b) { return two_sum(a, -b); }
 DoubleDouble scaled(const DoubleDouble& x, double scale) { return {x.high * scale, x.low * scale}; }
 
-/// Rows of n entries, and the magnitudes of what these are made of.
+/// Rows of n entries, and the sums of the magnitudes of their terms.
 struct Rows {
   explicit Rows(std::size_t size) : n(size) {}  // NOLINT: entries are written before they are read
   std::size_t n;
@@ -120,7 +120,7 @@ std::optional<Sign> double_double_sphere(const Flat& flat, const double* const* 
   for (int j = 0; j < flat.ambient; ++j) largest = std::max(largest, extent(rows.n, j, points, q));
   const double largest_weight = flat.weighted() ? extent(rows.n, flat.ambient, points, q) : 0;
   if (!(largest < largest_difference && largest_weight < largest_difference)) return std::nullopt;
-  // Squares of differences and weights are scaled alike, all to at most 1.
+  // Squares of differences and weights have one scale, which makes all of them at most 1.
   int exponent = -1000;
   if (largest > 0) exponent = detail::normalisation(largest).exponent;
   if (largest_weight > 0)

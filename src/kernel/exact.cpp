@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Every finite double is an integer multiple of a power of two. A column of a determinant may be scaled by
-// any positive factor, so each coordinate gets the coarsest grid that its values lie on, and the entries
-// become integers. Their number of bits bounds the determinant, and the narrowest integer type that holds
-// every minor is chosen: 64 and 128 bits for lattices, 512 and 1024 bits for most doubles, unbounded integers
-// for the rest.
+// Every finite double is an integer multiple of a power of two. A positive factor of a column does not change
+// the sign of a determinant, so each coordinate is taken in units of the coarsest grid that its values lie
+// on, and the entries become integers. Their number of bits bounds the determinant, which selects the
+// narrowest integer type that holds every minor: 64 or 128 bits for lattices, 512 or 1024 bits for most
+// doubles, unbounded integers for the rest.
 #include "kernel/exact.hpp"
 
 #include "kernel/binary.hpp"
@@ -92,8 +92,8 @@ Sign sign_by_elimination(std::vector<Integer> a, int n) {
   return negate ? -sign : sign;
 }
 
-/// One determinant: rows p_i − base, columns the axes of the flat and, for a sphere, the squared length less
-/// the difference of the weights. Without a base, the rows are as given.
+/// One determinant. Its rows are p_i − base, or as given without a base; its columns are the axes of the flat
+/// and, for a sphere, the squared length less the difference of the weights.
 class Problem {
  public:
   Problem(const Flat& flat, const double* const* points, const double* base, bool with_lift)
@@ -125,8 +125,8 @@ class Problem {
  private:
   double base(std::size_t j) const { return base_ == nullptr ? 0.0 : base_[j]; }
 
-  /// A grid that entry j of all rows and of the base lies on, and the bits of the differences in its units:
-  /// none, 0 bits, if all are zero.
+  /// A grid that entry j of all rows and of the base lies on, and the number of bits of the differences in
+  /// its units, 0 if all differences are zero.
   struct Extent {
     int grid = std::numeric_limits<int>::max();
     int bits = 0;
@@ -149,8 +149,8 @@ class Problem {
     return all_equal ? Extent{} : Extent{grid, top + 1 - grid};
   }
 
-  /// The grid of each axis, and the bits of the determinant's entries: a sum over the columns of the bits of
-  /// the largest.
+  /// Finds the grid of each axis, and the number of bits of a term of the determinant: the sum over the
+  /// columns of the bits of their largest entries.
   void measure() {
     const auto ambient = static_cast<std::size_t>(flat_.ambient);
     grid_.resize(ambient);
@@ -178,8 +178,8 @@ class Problem {
     entry_bits_ += lift_bits_;
   }
 
-  /// Squares are integers of lift_bits_ bits on lift_grid_; a difference with weights lies on the finer of
-  /// the two grids.
+  /// Squares are integers of lift_bits_ bits on lift_grid_; their differences with weights lie on the finer
+  /// of the two grids.
   void measure_weights() {
     const Extent weights = extent(static_cast<std::size_t>(flat_.ambient));
     weight_grid_ = weights.grid;

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Stage `exact_`: determinants and dot products in integer arithmetic, for all finite doubles. Never
-// uncertain.
+// Stage `exact_`: the signs of determinants and dot products in integer arithmetic, for all finite doubles.
 #pragma once
 
 #include "kernel/flat.hpp"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Which numbers a predicate looks at: what the rows of the input are, and which of their entries enter a
+// Which numbers a predicate reads: what the rows of the input mean, and which of their entries enter a
 // determinant.
 #pragma once
 

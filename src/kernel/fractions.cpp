@@ -25,8 +25,8 @@ double nearest_double(Integer numerator, Integer denominator, int exponent) {
   const bool negative = (numerator < 0) != (denominator < 0);
   numerator = mp::abs(numerator);
   denominator = mp::abs(denominator);
-  // A quotient of 64 to 66 bits, its last bit set if anything was cut off: enough to round to at most 53
-  // bits.
+  // A quotient of 64 to 66 bits, its last bit set if the remainder is not 0, is enough to round correctly to
+  // at most 53 bits.
   const int shift = 65 - (static_cast<int>(mp::msb(numerator)) - static_cast<int>(mp::msb(denominator)));
   if (shift >= 0)
     numerator <<= shift;

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Integers and fractions without error, for what the certified binary64 paths of the Voronoi diagram leave
-// open: doubles as multiples of a power of two, determinants, linear systems, and fractions rounded
-// correctly.
+// Integers and fractions without error, where certified binary64 is not enough: doubles as multiples of a
+// power of two, determinants, linear systems, and correctly rounded quotients.
 #pragma once
 
 #include <boost/multiprecision/cpp_int.hpp>

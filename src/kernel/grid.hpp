@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The power-of-two grid that coordinates lie on: what lets a determinant in binary64 be proved to be exactly
-// zero.
+// The power-of-two grid that coordinates lie on: with it, determinants in binary64 can be proved to be
+// exactly zero.
 #pragma once
 
 #include <algorithm>
@@ -22,9 +22,9 @@ inline int trailing_exponent(double x) {
   return (fraction == 0 ? 52 : std::countr_zero(fraction)) + biased - 1075;
 }
 
-/// What a growing set of points is known to lie on: for each coordinate axis the finest exponent seen, so
-/// that every coordinate is an integer multiple of 2^exponent(axis), and the range of the axis. The same for
-/// weights, if points have weights.
+/// What is known of the coordinates of a growing set of points: for each axis the finest exponent, so that
+/// every coordinate is an integer multiple of 2^exponent(axis), and the range. The same for weights, if
+/// points have weights.
 class Grid {
  public:
   explicit Grid(int ambient, bool weighted = false)
@@ -37,7 +37,7 @@ class Grid {
     if (weighted_) changed = weight_.include(point[axes_.size()]) || changed;
     if (changed) measure();
   }
-  /// Changes whenever any of what follows does; 0 as long as there is no point.
+  /// Changes whenever any of the following does; 0 as long as there is no point.
   std::uint64_t revision() const { return revision_; }
   int exponent(int axis) const { return axes_[static_cast<std::size_t>(axis)].exponent; }
   int finest() const { return finest_; }
@@ -46,10 +46,10 @@ class Grid {
   /// Whether every minor of a determinant of differences and lifts is exact in binary64, whatever the points
   /// of the set: a multiple of its grid unit by less than 2^53 (docs/predicates.md, "Small lattices").
   bool is_small() const { return is_small_; }
-  /// Whether every minor of a determinant of differences, without lifts, is exact in binary32, as a multiple
-  /// of its grid unit, and so are keys in units of the axes. Only if is_small().
+  /// Whether every minor of a determinant of differences, without lifts, is exact in binary32 as a multiple
+  /// of its grid unit, and so are keys in units of the axes. Implies is_small().
   bool is_tiny() const { return is_tiny_; }
-  /// How many units of an axis are in 1. REQUIRES is_tiny().
+  /// The number of units of an axis in 1. REQUIRES is_tiny().
   double per_unit(int axis) const { return axes_[static_cast<std::size_t>(axis)].per_unit; }
   /// The sum of differences of coordinates, in units of the grid, times these is exact in binary32, and
   /// orders points as key_weight() does. REQUIRES is_tiny().
@@ -71,7 +71,7 @@ class Grid {
     int exponent = unlimited;
     double low = std::numeric_limits<double>::infinity();
     double high = -std::numeric_limits<double>::infinity();
-    double key_weight = 0;  // of lexicographic_key(): more than all following axes together can add up to
+    double key_weight = 0;  // of lexicographic_key(): one unit outweighs all following axes together
     double tiny_key_weight = 0, per_unit = 0;
 
     /// Returns whether that changed anything.
@@ -87,8 +87,8 @@ class Grid {
     ++revision_;
     finest_ = unlimited;
     for (const Axis& axis : axes_) finest_ = std::min(finest_, axis.exponent);
-    const bool weights_differ =
-        weight_.high > weight_.low;  // equal weights cancel, whatever grid they lie on
+    // Equal weights cancel, whatever grid they lie on.
+    const bool weights_differ = weight_.high > weight_.low;
     lift_exponent_ = finest_ == unlimited ? unlimited : 2 * finest_;
     if (weights_differ) lift_exponent_ = std::min(lift_exponent_, weight_.exponent);
     is_tiny_ = false;
@@ -131,7 +131,7 @@ class Grid {
 
   void weigh_axes() {
     constexpr double exact = 0x1p24;  // integers up to here
-    double keys = 1;                  // how many numbers differences on the following axes make
+    double keys = 1;                  // the number of different keys of the following axes
     double minors = 1;                // the largest sum of products
     for (std::size_t j = axes_.size(); j-- > 0;) {
       Axis& axis = axes_[j];

@@ -56,9 +56,9 @@ inline bool equal_rows(const Flat& flat, const double* p, const double* q) {
 ///   q itself: it moves inwards, +;   v_i: the hyperplane at q moves inwards by ε_i times the barycentric coordinate of q at
 ///   v_i.
 /// `inner` is any row on the positive side of the facet; all of them give the same answer
-/// (docs/predicates.md). `grid`: one for the facet, q and `inner`, used for points only. A facet whose inside
-/// is negative may say so: `side_of_inner`. Never 0. REQUIRES that q is none of the rows of the facet, which
-/// are independent, and that hull_side is 0.
+/// (docs/predicates.md). `grid`: one for the facet, q and `inner`, used for points only. `side_of_inner` is
+/// negative for a facet whose inside is. Never 0. REQUIRES that q is none of the rows of the facet, which are
+/// independent, and that hull_side is 0.
 template <int K>
 Sign perturbed_hull_side(const Flat& flat, const double* const* facet, const double* q, const double* inner,
                          const Grid& grid, Sign side_of_inner = Sign::positive) {

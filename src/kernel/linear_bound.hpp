@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The approximate inverse of a small matrix in binary64, and how far it is from being one: what certifies the
-// solution of a linear system. Rump, "Verification methods", Acta Numerica 19 (2010), section 10,
+// The approximate inverse of a small matrix in binary64 and a bound on its defect, which certifies the
+// solutions of linear systems. Rump, "Verification methods", Acta Numerica 19 (2010), section 10,
 // doi:10.1017/S096249291000005X.
 #pragma once
 
@@ -76,9 +76,9 @@ bool approximate_inverse(double* a, double* inverse, std::size_t size) {
 /// most a relative unit_roundoff. Infinity or NaN if anything overflowed.
 ///
 /// Entry (i, j) is computed with n products and n additions, so its error is at most γ_(n+1)·(δ_ij +
-/// Σ|inverse_im|·|a_mj|); A instead of a adds unit_roundoff·Σ|inverse_im|·|a_mj|. One more n and the
-/// factor 1.01 cover the rounding of the sums of absolute values, 10⁻²⁹⁰ underflows (of entries of a below 1
-/// in magnitude times entries of the inverse below 10⁸).
+/// Σ|inverse_im|·|a_mj|); A instead of a adds unit_roundoff·Σ|inverse_im|·|a_mj|. One more n and the factor
+/// 1.01 cover the rounding of the sums of absolute values, 10⁻²⁹⁰ underflows (of entries of a below 1 in
+/// magnitude times entries of the inverse below 10⁸).
 template <int N>
 double inverse_defect(const double* a, const double* inverse, std::size_t size) {
   const std::size_t n = N > 0 ? static_cast<std::size_t>(N) : size;

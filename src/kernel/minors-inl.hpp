@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Tables of minors (kernel/minors.hpp) with a matrix in every lane of the processor's vectors: to be included
-// once for each instruction set, after hwy/highway.h. All sets are of columns, as bits.
+// Tables of minors (kernel/minors.hpp) with one matrix per SIMD lane. Included once for each instruction set,
+// after hwy/highway.h. All sets are sets of columns, as bits.
 #if defined(DELONE_KERNEL_MINORS_INL) == defined(HWY_TARGET_TOGGLE)
 #ifdef DELONE_KERNEL_MINORS_INL
 #undef DELONE_KERNEL_MINORS_INL
@@ -61,7 +61,7 @@ HWY_INLINE V minor_from_smaller(const E& entries, const V* minors) {
   return minor;
 }
 
-/// Calls f with the sets First … First + Count − 1, as constants: in several folds where one would nest
+/// Calls f with the sets First … First + Count − 1 as constants, in several folds, as a single one could nest
 /// deeper than compilers allow.
 template <unsigned First, unsigned Count, class F>
 HWY_INLINE void for_each_set(const F& f) {

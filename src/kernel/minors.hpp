@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Determinants of a few columns by a table of the minors of the first rows: Laplace expansion without a
-// division and, if the number of columns is known to the compiler, without a loop or a branch.
+// Determinants of a few columns by a table of the minors of the first rows: Laplace expansion without
+// divisions and, if the number of columns is known at compile time, without loops or branches.
 #pragma once
 
 #include <bit>
@@ -9,7 +9,7 @@
 
 namespace delone::kernel {
 
-/// Up to how many columns the table of minors is faster than elimination.
+/// Whether the table of minors is faster than elimination for N columns.
 template <int N>
 inline constexpr bool tabulates_minors = N > 0 && N <= 6;
 
@@ -42,9 +42,9 @@ Number minor_from_smaller(const Number* a, const Number* minors) {
 
 }  // namespace detail
 
-/// The determinant of N rows of N entries. In row s a product meets one multiplication and at most s − 1
-/// additions, in all rows fewer than N(N + 1)/2 roundings: with unit roundoff u the error is at most γ_n, n =
-/// N(N + 1)/2, times the permanent of the magnitudes (barring underflow).
+/// The determinant of N rows of N entries. In row s a product goes through one multiplication and at most s −
+/// 1 additions, in all rows through fewer than n = N(N + 1)/2 roundings. Barring underflow, the error is at
+/// most γ_n times the permanent of the magnitudes.
 template <int N, class Number>
 Number determinant_by_minors(const Number* a) {
   Number minors[std::size_t{1} << N];  // by the set of columns; that of none is not used

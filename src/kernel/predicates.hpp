@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The exact predicates for callers outside the engine: dimension chosen at run time, no cached data.
+// The exact predicates for callers outside the engine: the dimension is chosen at run time, and nothing is
+// cached.
 #pragma once
 
 #include "kernel/flat.hpp"

@@ -77,8 +77,8 @@ Sign largest_decides(const double* const* vertices, int size, const double* q, K
                      Volume volume) {
   using Key = std::decay_t<decltype(key_of(q))>;
   Buffer<Key, K + (K > 0)> keys(static_cast<std::size_t>(size));
-  Buffer<std::size_t, K + (K > 0)> larger(
-      static_cast<std::size_t>(size));  // than q: only these can decide before q does
+  // The rows larger than q: only these can decide before q does.
+  Buffer<std::size_t, K + (K > 0)> larger(static_cast<std::size_t>(size));
   Buffer<const double*, K + (K > 0)> moved(static_cast<std::size_t>(size));
   const Key key_of_q = key_of(q);
   std::size_t left = 0;
@@ -88,7 +88,7 @@ Sign largest_decides(const double* const* vertices, int size, const double* q, K
     larger[left] = i;
     left += less(key_of_q, keys[i]) ? 1 : 0;
   }
-  // As a rule the first decides, so that they are not sorted.
+  // The first one mostly decides, so they are not sorted.
   while (left > 0) {
     std::size_t largest = 0;
     for (std::size_t j = 1; j < left; ++j)

@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// perturbed_in_sphere_on_grid() with a cell in every lane. On a small grid all that is computed is exact
-// (docs/predicates.md, "Small lattices"), in whatever order and with whatever instructions.
+// perturbed_in_sphere_on_grid() with one cell per lane. On a small grid all intermediate results are exact
+// (docs/predicates.md, "Small lattices"), in any order and with any instructions.
 #include "kernel/tie_kernel.hpp"
 
 #include <algorithm>
 
-// Vectors of these are no longer than those of SSE2, and the unrolled minors take their time to compile for
-// each.
+// Their vectors are as short as those of SSE2, and the unrolled minors are slow to compile.
 #define HWY_DISABLED_TARGETS (HWY_SSSE3 | HWY_SSE4)
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "kernel/tie_kernel.cpp"
@@ -81,14 +80,14 @@ void break_ties_of(const TieTask& task) {
     const std::size_t lanes = hn::Lanes(d), used = std::min(lanes, task.cells.size() - first);
     const auto vertices = [&](std::size_t lane) {
       return task.cells[first + std::min(lane, used - 1)];
-    };  // the last to spare
+    };  // the last one fills the lanes to spare
     for (std::size_t lane = 0; lane < lanes; lane += 2)
       write_differences<K, T>(task, vertices(lane), vertices(lane + 1), differences + lane);
     const Entries<K + 1, most_lanes<T>, decltype(d)> entries{d, differences};
     V minors[std::size_t{1} << (K + 1)];
     tabulate_minors<K>(entries, minors);
-    // The query decides unless a point is larger and matters: the largest one, by the orientation with the
-    // query in its place, which takes as many exchanges to come first.
+    // The query decides unless larger points have a coefficient that is not zero: then the largest of them
+    // does, by the orientation with the query in its place, which takes i exchanges to come first.
     V largest = zero, side = hn::Set(d, T{1});
     for (int i = 0; i <= K; ++i) {
       V key = zero;  // of the difference

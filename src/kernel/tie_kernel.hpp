@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The tie-break of points on a small grid for many cells at once, several cells per instruction; compiled for
-// several instruction sets, of which the best that the machine has is chosen at run time.
+// The tie-break of points on a small grid for many cells at once, one per SIMD lane. Compiled for several
+// instruction sets; the best one of the machine is chosen at run time.
 #pragma once
 
 #include <delone/types.hpp>
@@ -13,19 +13,19 @@ namespace delone::kernel {
 /// A query that is exactly on the spheres of several cells.
 struct TieTask {
   int k;                                ///< the dimension: can_break_together(k)
-  std::span<const Index* const> cells;  ///< the k+1 vertices of each
+  std::span<const Index* const> cells;  ///< the k + 1 vertices of each
   const double* coordinates;  ///< of all points, by vertex id, in full dimension and on a small grid
   std::size_t row_size;       ///< from a point to the next
   const double* query;
-  const double* key_weights;  ///< Grid::key_weight() of the k axes, or Grid::tiny_key_weight()
-  const double* per_unit;     ///< if the latter, how many units of the grid are in 1, on each axis; else null
+  const double* key_weights;  ///< Grid::key_weight() of the k axes; in binary32 Grid::tiny_key_weight()
+  const double* per_unit;     ///< in binary32 Grid::per_unit() of the k axes; else null
   Sign* sides;                ///< receives perturbed_in_sphere() for each cell
 };
 
-/// The dimensions in which tables of minors are small; in fewer than 3, one at a time is as fast.
+/// The dimensions in which tables of minors are small. In fewer than 3, one cell at a time is as fast.
 constexpr bool can_break_together(int k) { return k >= 3 && k <= 8; }
 
-/// Those in which it is faster in binary32, on a tiny grid: tables are so large, and cells so many, that
+/// The dimensions in which binary32, on a tiny grid, is faster: tables are so large and cells so many that
 /// twice as many lanes pay.
 constexpr bool can_break_in_binary32(int k) { return k >= 6 && can_break_together(k); }
 

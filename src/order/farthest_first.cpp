@@ -18,7 +18,7 @@
 #define DELONE_FARTHEST_TASK
 namespace delone::order {
 
-/// Arrays are filled to a multiple of as many entries.
+/// Arrays are filled up to a multiple of this many entries.
 constexpr std::size_t lanes = 16;
 
 struct FarthestTask {
@@ -39,8 +39,9 @@ namespace delone::order {
 namespace HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
 
-/// Updates distances by a point that is chosen, and returns the first of the farthest. D is the dimension, or
-/// 0 for any. Products are rounded before they are added, so that all instruction sets find the same.
+/// Updates the distances after a point has been chosen, and returns the first of the farthest points. D is
+/// the dimension, or 0 for any. Products are rounded before they are added, so that all instruction sets give
+/// the same result.
 template <std::size_t D>
 std::uint32_t take(const FarthestTask& task, std::uint32_t point) {
   const hn::CappedTag<float, lanes> d;

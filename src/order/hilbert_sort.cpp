@@ -11,8 +11,7 @@
 //   (1) corner bit on the axis of bit b = (bit b of i) xor (bit b+1 of i) xor e;
 //   (2) e' = e for i = 0; otherwise the corner of i with bit 0 flipped, and bit ctz(i) flipped too if i is even;
 //   (3) δ' = δ + 1 + (0 for i = 0; ctz(i) for even i; the number of trailing ones of i for odd i)  (mod d).
-// So the length of the last run of equal bits of i is all there is to remember of i, and e is overwritten by
-// the corner.
+// So of i only the length of its last run of equal bits is kept, and e is overwritten by the corner.
 #include "base/compiled_dimension.hpp"
 #include "order/insertion_order.hpp"
 #include "order/select.hpp"
@@ -31,8 +30,8 @@ namespace {
 
 /// Where a part of the points lies on the curve: the bits of i read so far, and the frame (e, δ) of the cube.
 struct Position {
-  std::uint64_t corner =
-      0;              ///< per axis: e, replaced by the bit of the subcube's corner once that axis is split
+  /// Per axis: e, replaced by the bit of the subcube's corner once that axis is split.
+  std::uint64_t corner = 0;
   int axis = 0;       ///< the axis of the next split
   int bits_read = 0;  ///< of i, at this level
   int run = 0;        ///< length of the last run of equal bits of i
@@ -40,12 +39,13 @@ struct Position {
 };
 
 /// Steps on the curve. Halving fewer than 2^64 points never gets beyond bit 63 of i: for d ≥ 64 the first
-/// level is never completed, no axis is split twice, and e = 0 on all axes still to come needs no storage.
+/// level is never completed, no axis is split twice, and e, which is 0 on all axes still to come, need not
+/// be stored.
 class Curve {
  public:
   explicit Curve(int dimension) : dimension_(dimension) {}
 
-  /// Does the first half of the curve lie at the high end of the axis?
+  /// Whether the first half of the curve lies at the high end of the axis.
   bool first_is_high(const Position& p) const { return flipped(p, p.axis) != p.last_bit; }
 
   Position half(Position p, bool second) const {
@@ -87,7 +87,7 @@ class Curve {
   int dimension_;
 };
 
-/// A row with its coordinates beside it: no access to far memory while sorting.
+/// A row with its coordinates, so that sorting has no cache misses for the points.
 template <int D>
 struct PackedRow {
   std::array<double, static_cast<std::size_t>(D)> x;
@@ -139,8 +139,8 @@ void sort_by_halves(const Position& start, PointsView points, std::span<Index> r
 }
 
 /// The curve as an automaton: a state for each frame (e, δ). In a cube, the place of a subcube some levels
-/// below gives its number on the curve and the state in it. Each step waits for the one before: a step takes
-/// as many levels as it can with a table that fits the first cache.
+/// below gives its number on the curve and the state in it. Each step depends on the one before, so a step
+/// takes as many levels as a table in the first-level cache allows.
 template <int D>
 class Automaton {
  public:
@@ -220,7 +220,7 @@ class Automaton {
 
 /// Sorts 64-bit words by the lowest `bits` bits of their upper halves, the others being equal, and writes
 /// their lower halves to `rows`; equal numbers keep their order. Distributes by the highest bits first, so
-/// that all that remains happens in parts that fit the caches. `other` is memory of as many words. Calls
+/// that the rest happens in parts that fit the caches. `other` is memory of as many words. Calls
 /// crowded(first, last) where more than `few` rows have one number.
 template <class Crowded>
 void sort_by_number(std::uint64_t* words, std::uint64_t* other, std::size_t size, int bits, Index* rows,
@@ -254,8 +254,8 @@ void sort_by_number(std::uint64_t* words, std::uint64_t* other, std::size_t size
 }
 
 /// Splits the box of the points into equal cubes, about one per point, and sorts the points by the cubes'
-/// numbers on the curve: a few instructions per bit, where halving takes a few passes. Halves only what is
-/// left together in one cube.
+/// numbers on the curve: a few instructions per bit of the number, where halving takes a few passes over the
+/// points. Only rows that share a cube are then sorted by halves.
 template <int D>
 void sort_by_cubes(const Position& start, PointsView points, std::span<Index> rows) {
   static const Automaton<D> automaton;
@@ -266,8 +266,8 @@ void sort_by_cubes(const Position& start, PointsView points, std::span<Index> ro
             spare = steps * levels_per_step - levels;
   const auto cubes = static_cast<double>(std::uint64_t{1} << levels);
   const std::size_t size = rows.size();
-  // First the bits of the coordinates, beside each other as they are read twice, then the words to sort:
-  // fresh memory is slow.
+  // Holds the coordinates first, contiguous as they are read twice, and then the words to sort: memory that
+  // is used twice has half of the page faults.
   const auto memory = std::make_unique_for_overwrite<std::uint64_t[]>(D * size);
   const auto point = [&](std::size_t i) { return points.data() + std::size_t{rows[i]} * D; };
   std::array<double, D> low, high, scale;
@@ -277,7 +277,7 @@ void sort_by_cubes(const Position& start, PointsView points, std::span<Index> ro
     constexpr std::size_t ahead = 32;
     const double* next = point(std::min(i + ahead, size - 1));
     __builtin_prefetch(next);
-    __builtin_prefetch(next + D - 1);  // often in the next line of the cache
+    __builtin_prefetch(next + D - 1);  // often in the next cache line
     for (std::size_t j = 0; j < D; ++j) {
       const double x = point(i)[j];
       memory[i * D + j] = std::bit_cast<std::uint64_t>(x);

@@ -13,17 +13,16 @@
 namespace delone::order {
 namespace {
 
-/// Of the points not yet placed, one in `points_per_earlier` goes to an earlier round: the last round holds
-/// 7/8 of all. Ratios from 2 to 10 are within a few per cent of each other; few rounds mean few walks across
-/// the whole complex.
+/// Of the points of a round and all before it, one in `points_per_earlier` is in an earlier round: the last
+/// round holds 7/8 of all points. The ratio matters little; with few rounds there are few walks across the
+/// whole complex.
 constexpr std::size_t points_per_earlier = 8;
 
-/// A round of at most this many points per dimension is the first one: it is too small for its order to
-/// matter.
+/// A round of at most this many points per dimension is the first one: its order hardly matters.
 constexpr std::size_t first_round_per_dimension = 64;
 
-/// How many times the points of a round are halved: the number of axes, counted with repetition, that its
-/// order looks at.
+/// How many times the points of a round are halved: the number of splits, along one axis each, that determine
+/// its order.
 int num_splits(std::size_t n) { return n < 2 ? 0 : static_cast<int>(std::bit_width(n - 1)); }
 
 }  // namespace
@@ -66,10 +65,10 @@ std::vector<Index> brio_order(PointsView points, std::uint64_t seed) {
   for (auto end = ends.rbegin(); end != ends.rend(); ++end) {
     const std::span<Index> round(rows.data() + begin, *end - begin);
     hilbert_sort(points, round, first_axis);
-    // A round that ends where the curve ends is followed by one that starts there.
+    // A round that ends at the end of the curve is followed by one that starts there.
     if (backwards) std::reverse(round.begin(), round.end());
     backwards = !backwards;
-    // With fewer than 2^d points a round looks at some of the axes only: the next round starts with the
+    // A round of fewer than 2^d points is split along some of the axes only: the next round starts with the
     // others.
     const int splits = num_splits(round.size());
     if (splits < d) first_axis = (first_axis + d - splits) % d;

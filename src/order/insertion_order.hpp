@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Points → the order in which to insert them: rounds, each sorted along a Hilbert curve.
-// Knows coordinates only.
+// Points → the order in which to insert them: rounds, each sorted along a Hilbert curve. Knows coordinates
+// only.
 #pragma once
 
 #include <delone/options.hpp>
@@ -12,7 +12,7 @@
 
 namespace delone::order {
 
-/// The rows 0…n−1 in the order that the options ask for.
+/// The rows 0…n−1 in the order that the options name.
 std::vector<Index> insertion_order(PointsView points, const Options& options);
 
 /// BRIO (Amenta, Choi, Rote 2003, doi:10.1145/777792.777824): the rows 0…n−1 in random rounds of growing
@@ -20,15 +20,15 @@ std::vector<Index> insertion_order(PointsView points, const Options& options);
 /// appendix A). Deterministic in (points, seed).
 std::vector<Index> brio_order(PointsView points, std::uint64_t seed);
 
-/// The rows 0…n−1 in rounds of which each doubles the points that are there. A round takes points that are
-/// far from those before it: in stretches of a Hilbert curve each is chosen as the farthest from those chosen
-/// before it. Within a round points are sorted along the curve, and the last rounds of each stretch come
-/// together. Deterministic in (points, seed). Cost O(n log n), and some 50 to 1000 ns per point of 3 to 8
-/// dimensions for the distances; memory O(n·d).
+/// The rows 0…n−1 in rounds, each of which doubles the number of points. A round takes points that are far
+/// from those before it: within a block of the Hilbert curve, each is the farthest from those chosen before
+/// it. Within a round points are sorted along the curve, and the last rounds of each stretch of the curve
+/// come together. Deterministic in (points, seed). Cost O(n log n), and O(d) times the size of a block per
+/// point for the distances; memory O(n·d).
 std::vector<Index> spread_order(PointsView points, std::uint64_t seed);
 
-/// The better of the two: in the plane a tenth fewer cells are not worth what it takes to choose points that
-/// are far.
+/// brio_order() in the plane, where choosing far points costs more than the cells it saves, and else
+/// spread_order().
 inline std::vector<Index> automatic_order(PointsView points, std::uint64_t seed) {
   return points.dimension() <= 2 ? brio_order(points, seed) : spread_order(points, seed);
 }
@@ -40,10 +40,10 @@ std::vector<Index> shuffled_order(std::size_t n, std::uint64_t seed);
 /// one axis with each other: no scale, unit or offset of an axis matters. Equal coordinates are ordered by
 /// row. A thousand rows and more in 2 to 4 dimensions are first distributed to equal cubes along the curve,
 /// which is several times faster; cubes with many rows are split at medians. The axes are split in the order
-/// first_axis, first_axis − 1, … (mod d). m rows are halved ⌈log2 m⌉ times: with m ≤ 2^(d−1) some axes are
-/// never looked at, and since spreads of different axes may be in different units none is preferred; the
-/// rounds of brio_order() start with different axes instead. REQUIRES 0 ≤ first_axis < d. O(m log m)
-/// expected; memory O(m·d) for d ≤ 4, O(m) beyond.
+/// first_axis, first_axis − 1, … (mod d). m rows are halved ⌈log2 m⌉ times, so with m ≤ 2^(d−1) some axes are
+/// never used. As different axes may have different units, no axis is preferred; the rounds of brio_order()
+/// start with different axes instead. REQUIRES 0 ≤ first_axis < d. O(m log m) expected; memory O(m·d) for d ≤
+/// 4, O(m) beyond.
 void hilbert_sort(PointsView points, std::span<Index> rows, int first_axis = 0);
 
 }  // namespace delone::order

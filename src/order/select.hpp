@@ -46,7 +46,7 @@ std::pair<T, T> enclosing_pivots(const T* first, std::size_t size, std::size_t r
   for (std::size_t i = 0; i < count; ++i) sample[i] = first[i * step + (i * 7919) % step];
   const auto middle = static_cast<std::ptrdiff_t>(static_cast<double>(rank) / static_cast<double>(size) *
                                                   static_cast<double>(count));
-  // 1.25 standard deviations and more of the rank of a sample of that size, on each side.
+  // At least 1.25 standard deviations of the rank in a sample of this size, on each side.
   const std::ptrdiff_t margin = count == max_sample ? 14 : count == 64 ? 6 : 2;
   const std::ptrdiff_t end = static_cast<std::ptrdiff_t>(count) - 1;
   std::sort(sample.data(), sample.data() + count, less);
@@ -54,12 +54,11 @@ std::pair<T, T> enclosing_pivots(const T* first, std::size_t size, std::size_t r
           sample[static_cast<std::size_t>(std::clamp(middle + margin, std::ptrdiff_t{0}, end))]};
 }
 
-/// Rearranges [first, last) so that every element before `nth` is below every element from `nth` on.
-/// REQUIRES first < nth < last and a strict total order without equal elements. O(n) expected, O(n log n)
-/// worst case.
+/// Rearranges [first, last) so that every element before `nth` is below every element from `nth` on. REQUIRES
+/// first < nth < last and a strict total order without equal elements. O(n) expected, O(n log n) worst case.
 template <class T, class Less>
 void split_at(T* first, T* nth, T* last, const Less& less) {
-  // Unlucky samples cost rounds; from there on introselect bounds the work.
+  // Unlucky samples cost rounds; after 16 of them introselect bounds the work.
   for (int round = 0; round < 16; ++round) {
     const auto size = static_cast<std::size_t>(last - first);
     if (size <= 8) return insertion_sort(first, last, less);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Rounds in which points are spread more evenly than at random, so that insertions create fewer cells
+// Rounds whose points are spread more evenly than at random, so that insertions create fewer cells
 // (docs/decisions/0008-points-are-inserted-farthest-first.md).
 #include "base/random.hpp"
 #include "order/farthest_first.hpp"
@@ -12,27 +12,28 @@
 namespace delone::order {
 namespace {
 
-/// Points along the curve, and the round of each: 0 is the last round; those of kept_round are ordered by the
-/// next pass.
+/// Points along the curve, and the round of each: 0 is the last round; those of kept_round go on to the next
+/// pass.
 struct Pass {
   std::vector<Index> rows;
   std::vector<std::uint8_t> rounds;
 };
-/// Rounds double the points that are there.
+/// Each round doubles the number of points.
 constexpr std::uint8_t kept_round = 3;
 
-/// How many points, side by side on the curve, are chosen from at a time. More are spread better, at a cost
-/// per point that grows with them: it is to stay below two per cent of what the insertion of a point costs.
+/// The number of consecutive points of the curve from which points are chosen at a time. Larger blocks spread
+/// points better, at a cost per point that is proportional to their size; this one is small against the cost
+/// of an insertion.
 std::size_t block_size(int dimension) { return dimension <= 3 ? 256 : dimension == 4 ? 512 : 4096; }
 
-/// All rounds of a pass are inserted for so many points before the next points have their turn: their cells
-/// stay in the cache. From 5 dimensions on stars are too large for that.
+/// All rounds of a pass are inserted for this many consecutive points before the next stretch, so that their
+/// cells stay in the cache. From 5 dimensions on stars are too large for that.
 std::size_t stretch_size(int dimension) {
   return dimension <= 3 ? 1024 : dimension == 4 ? 4096 : ~std::size_t{0};
 }
 
-/// Writes the rows of a round, between two places, forwards or backwards; returns the end of what is written.
-/// Which point is in the round cannot be predicted: there is no branch, and one more entry may be written.
+/// Writes the rows of a round between two places, forwards or backwards, and returns the end of the output.
+/// Without a branch, as it would be unpredictable: one entry more may be overwritten.
 Index* write_round(const Pass& pass, std::uint8_t round, std::size_t begin, std::size_t end, bool backwards,
                    Index* to) {
   for (std::size_t i = 0; i < end - begin; ++i) {
@@ -80,7 +81,7 @@ std::vector<Index> spread_order(PointsView points, std::uint64_t seed) {
     passes.push_back(std::move(pass));
   }
 
-  // What ends where the curve ends is followed by what starts there.
+  // A round that ends at the end of a stretch is followed by one that starts there.
   bool backwards = false;
   for (auto pass = passes.rbegin(); pass != passes.rend(); ++pass) {
     const std::size_t n = pass->rows.size(), stretch = std::min(stretch_size(d), n);

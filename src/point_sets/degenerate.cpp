@@ -44,8 +44,8 @@ struct IntegerSphere {
   std::int64_t radius = 1;
 };
 
-/// The turns of one point: a rational rotation for each, as many as make n points distinct and all
-/// coordinates non-zero.
+/// The rotations of a point, one triple for each: enough to make n points distinct and their coordinates
+/// non-zero.
 std::vector<Triple> turns_for(std::size_t d, std::size_t n) {
   std::vector<Triple> turns;
   if (d == 2) {  // rotations commute: m different primes give 4·3^m points; half of them at most are used

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The makers behind the names of make_point_set(): n points of R^d each, row-major. REQUIRES d ≥ 1 and n·d
-// representable.
+// The functions behind the names of make_point_set(): each makes n points of R^d, row-major. REQUIRES d ≥ 1
+// and a representable n·d.
 #pragma once
 
 #include "base/random.hpp"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Lattices: every sphere through a cell has further points on it, the rule in pixel, voxel and decimal data.
+// Lattices, as in pixel, voxel and decimal data: every sphere through a cell has further points on it.
 #include "point_sets/kinds.hpp"
 
 #include <algorithm>

@@ -97,8 +97,8 @@ bool write_heights(const SearchTask& task, std::size_t first, std::size_t end, s
     }
   std::int32_t num_low = -hn::GetLane(hn::SumOfLanes(di, minus_low));
   for (std::size_t i = 0; i <= k; ++i) {
-    const std::size_t place =
-        task.cells[cell].vertices[i] - 1 - first * block;  // wraps around where it is negative
+    // Wraps around where it is negative.
+    const std::size_t place = task.cells[cell].vertices[i] - 1 - first * block;
     if (place >= (end - first) * block) continue;
     num_low -= heights[place] <= least_height;
     heights[place] = out_of_reach;

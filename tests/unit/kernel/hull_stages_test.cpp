@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Hull facets through points and through homogeneous rows: which stage decides, signs against exact integers,
-// the order of rays, and the perturbation against actual small numbers for the infinitesimals.
+// and the perturbation against actual small numbers for the infinitesimals.
 #include "kernel/hull_stages.hpp"
 
 #include "base/random.hpp"
@@ -8,7 +8,6 @@
 #include "row_case.hpp"
 #include "scale.hpp"
 
-#include <delone/error.hpp>
 #include <delone/predicates.hpp>
 
 #include <gtest/gtest.h>
@@ -44,24 +43,6 @@ std::vector<double> homogeneous_rows(const std::vector<double>& points, int dime
     const double scale =
         std::ldexp(static_cast<double>(1 + scales->below(7)), static_cast<int>(scales->below(41)) - 20);
     for (std::size_t j = i; j < i + size; ++j) all[j] *= scale;
-  }
-  return all;
-}
-
-std::vector<double> random_numbers(std::size_t count, std::size_t kind, random::Generator& generator) {
-  std::vector<double> all;
-  for (std::size_t i = 0; i < count; ++i) {
-    const double u = generator.uniform();
-    const auto wide = [&](int range) {
-      return std::ldexp(u - 0.5,
-                        static_cast<int>(generator.below(static_cast<std::uint64_t>(2 * range))) - range);
-    };
-    all.push_back(kind == 0   ? u - 0.5
-                  : kind == 1 ? std::floor(3 * u) - 1
-                  : kind == 2 ? 0.1 * std::floor(4 * u)
-                  : kind == 3 ? wide(60)
-                  : kind == 4 ? wide(1000)
-                              : std::ldexp(std::floor(5 * u) - 2, -1074));
   }
   return all;
 }
@@ -148,52 +129,6 @@ TEST(HomogeneousOrientation, TakesTheChosenColumns) {
   EXPECT_EQ(c.flat().dimension(), 1);
   EXPECT_EQ(orientation_of<1>(c, counts), Sign::negative);
   EXPECT_EQ(exact_determinant(c.axes, c.rows.data()), Sign::negative);
-}
-
-TEST(Rays, AreOrderedLikePointsAndWhateverTheirLength) {
-  const auto less = [](std::vector<double> a, std::vector<double> b) {
-    EXPECT_EQ(compare_rays(a.data(), b.data(), static_cast<int>(a.size())) < 0,
-              compare_rays(b.data(), a.data(), static_cast<int>(a.size())) > 0);
-    return compare_rays(a.data(), b.data(), static_cast<int>(a.size())) < 0;
-  };
-  const auto same = [](std::vector<double> a, std::vector<double> b) {
-    return compare_rays(a.data(), b.data(), static_cast<int>(a.size())) == 0;
-  };
-  EXPECT_TRUE(less({1, 5, 1}, {2, 0, 1}));
-  EXPECT_TRUE(less({2, 0, 2}, {3, 0, 2}));
-  EXPECT_TRUE(less({2, 0, 2}, {1.5, 0, 1}));
-  EXPECT_TRUE(less({9, 9, -1}, {0, 0, 1})) << "negative before positive";
-  EXPECT_TRUE(less({9, 9, 0}, {0, 0, -1})) << "a zero at the end comes first";
-  EXPECT_TRUE(less({-5, 0, 0}, {3, 0, 0}));
-  EXPECT_TRUE(same({1, 2, 3}, {3, 6, 9}));
-  EXPECT_TRUE(same({0.1, 0.3, 0}, {0x1p-900 * 0.1, 0x1p-900 * 0.3, 0}));
-  EXPECT_TRUE(same({0, 0.0, 4}, {-0.0, 0, 1}));
-  EXPECT_FALSE(same({1, 2, 3}, {-1, -2, -3}));
-  EXPECT_TRUE(less({0.1, 0.3}, {std::nextafter(0.1, 1), 0.3}));
-  EXPECT_TRUE(less({tiny, huge}, {2 * tiny, huge}));
-  EXPECT_TRUE(less({tiny, huge}, {huge, tiny}));
-  EXPECT_TRUE(less({-huge, tiny}, {-tiny, huge}));
-  EXPECT_TRUE(same({3 * tiny, tiny}, {3e300, 1e300}))
-      << "3e300 is three times 1e300 rounded: " << (3e300 == 3 * 1e300);
-}
-
-TEST(Rays, OrderAgreesWithRationals) {
-  random::Generator generator(4);
-  using Rational = boost::multiprecision::cpp_rational;
-  for (std::size_t round = 0; round < test::scaled_count(3000); ++round) {
-    std::vector<double> a = random_numbers(3, round % 6, generator),
-                        b = random_numbers(3, (round / 6) % 6, generator);
-    if (a[2] == 0 || b[2] == 0) continue;
-    if (round % 2 == 0) b[0] = a[0], b[2] = a[2];  // decided later
-    const auto key = [](const std::vector<double>& row) {
-      const Rational unit = abs(Rational(row[2]));
-      return std::vector<Rational>{Rational(row[2] < 0 ? -1 : 1), Rational(row[0]) / unit,
-                                   Rational(row[1]) / unit};
-    };
-    const auto order = compare_rays(a.data(), b.data(), 3);
-    EXPECT_EQ(order < 0, key(a) < key(b));
-    EXPECT_EQ(order == 0, key(a) == key(b));
-  }
 }
 
 TEST(HullSide, OfPointsAndOfTheirRowsIsTheSame) {
@@ -416,24 +351,6 @@ TEST(SideOfHyperplane, EveryStage) {
       sum += boost::multiprecision::cpp_rational(row[j]) * boost::multiprecision::cpp_rational(p[j]);
     EXPECT_EQ(side(row, p, counts), sum > 0 ? Sign::positive : sum < 0 ? Sign::negative : Sign::zero);
     EXPECT_EQ(delone::side_of_hyperplane(row, p, 3), exact_affine_form(row.data(), p.data(), 3));
-  }
-}
-
-TEST(PublicHullPredicates, SayWhatIsWrong) {
-  const std::vector<double> rows{1, 0, 0, 1}, bad{1, 0, NAN, 1}, p{2};
-  EXPECT_EQ(delone::homogeneous_orientation(rows, 1), Sign::positive);
-  EXPECT_EQ(delone::side_of_hyperplane(std::vector<double>{1, -2}, p, 1), Sign::zero);
-  EXPECT_THROW(delone::homogeneous_orientation(rows, 2), Error);
-  EXPECT_THROW(delone::homogeneous_orientation(rows, 0), Error);
-  EXPECT_THROW(delone::side_of_hyperplane(p, p, 1), Error);
-  EXPECT_THROW(delone::side_of_hyperplane(std::vector<double>{1, -2}, std::vector<double>{INFINITY}, 1),
-               Error);
-  try {
-    delone::homogeneous_orientation(bad, 1);
-    FAIL();
-  } catch (const Error& error) {
-    EXPECT_EQ(error.code(), Errc::not_finite);
-    EXPECT_EQ(error.rows(), (std::vector<std::size_t>{1}));
   }
 }
 

@@ -2,6 +2,7 @@
 // Rows for the tests of the predicates, with the right answers from integers and independent code.
 #pragma once
 
+#include "base/random.hpp"
 #include "brute_force.hpp"
 #include "kernel/flat.hpp"
 #include "kernel/grid.hpp"
@@ -43,6 +44,26 @@ struct RowCase {
   Grid grid;
   std::vector<const double*> rows;
 };
+
+/// Numbers of one kind: 0 uniform, 1 small integers, 2 multiples of 0.1, 3 of many magnitudes, 4 of all
+/// magnitudes, 5 small multiples of the least denormal number.
+inline std::vector<double> random_numbers(std::size_t count, std::size_t kind, random::Generator& generator) {
+  std::vector<double> all;
+  for (std::size_t i = 0; i < count; ++i) {
+    const double u = generator.uniform();
+    const auto wide = [&](int range) {
+      return std::ldexp(u - 0.5,
+                        static_cast<int>(generator.below(static_cast<std::uint64_t>(2 * range))) - range);
+    };
+    all.push_back(kind == 0   ? u - 0.5
+                  : kind == 1 ? std::floor(3 * u) - 1
+                  : kind == 2 ? 0.1 * std::floor(4 * u)
+                  : kind == 3 ? wide(60)
+                  : kind == 4 ? wide(1000)
+                              : std::ldexp(std::floor(5 * u) - 2, -1074));
+  }
+  return all;
+}
 
 /// x·2^−exponent. REQUIRES an integer.
 inline test::Integer integer_at(double x, int exponent) {

@@ -40,37 +40,6 @@ Sign side(RowCase& c, StageCounts& counts) {
   return in_sphere<K>(c.flat(), c.rows.data(), c.q(), c.grid, counts);
 }
 
-TEST(WeightedGrid, TheLiftLiesOnTheFinerOfTwoGrids) {
-  const auto grid_of = [](std::vector<double> rows) {  // of R^1
-    Grid grid(1, true);
-    for (std::size_t i = 0; i < rows.size(); i += 2) grid.include(&rows[i]);
-    return grid;
-  };
-  EXPECT_EQ(grid_of({0.5, 1, 1, 3}).lift_exponent(), -2);
-  EXPECT_EQ(grid_of({4, 8, 8, 0}).lift_exponent(), 3);
-  EXPECT_EQ(grid_of({4, 32, 8, 0}).lift_exponent(), 4);
-  EXPECT_EQ(grid_of({4, 0.1, 8, 0.1}).lift_exponent(), 4) << "equal weights cancel";
-  EXPECT_EQ(grid_of({0, 3, 0, 1}).lift_exponent(), 0);
-}
-
-TEST(WeightedGrid, KnowsWhetherDeterminantsAreExactInBinary64) {
-  const auto is_small = [](std::vector<double> rows, int ambient) {
-    Grid grid(ambient, true);
-    for (std::size_t i = 0; i < rows.size(); i += static_cast<std::size_t>(ambient) + 1)
-      grid.include(&rows[i]);
-    return grid.is_small();
-  };
-  EXPECT_TRUE(is_small({0, 0, 0, 5, 99, 99, 99, 1005}, 3));
-  EXPECT_TRUE(is_small({0, 0, 0, 0.1, 99, 99, 99, 0.1}, 3));
-  EXPECT_FALSE(is_small({0, 0, 0, 0.1, 99, 99, 99, 0.2}, 3));
-  EXPECT_TRUE(is_small({0, std::ldexp(1, 40), 9, 0}, 1));
-  EXPECT_FALSE(is_small({0, std::ldexp(1, 52), 9, 0}, 1));
-  EXPECT_FALSE(is_small({0, std::ldexp(1, 130), 0, 0}, 1));
-  EXPECT_FALSE(is_small({0, std::ldexp(1, -130), 0, 0}, 1));
-  constexpr double huge = std::numeric_limits<double>::max();
-  EXPECT_FALSE(is_small({0, huge, 1, -huge}, 1));
-}
-
 TEST(WeightedSphere, DirectStageDecidesGeneralPosition) {
   RowCase c = weighted(2, {0.1, 0.2, 0.3, 1.3, 0.1, -0.2, 0.4, 0.9, 0.1, 0.5, 0.5, 0.7});
   StageCounts counts;
@@ -451,30 +420,6 @@ TEST(WeightedPerturbation, MakesOneRegularTriangulationInAnyOrder) {
   expect_regular_triangulations<1>();
   expect_regular_triangulations<2>();
   expect_regular_triangulations<3>();
-}
-
-TEST(PublicPowerSphere, SaysWhatIsWrong) {
-  const std::vector<double> triangle{0, 0, 1, 0, 0, 1}, q{0.25, 0.25}, weights{0, 0, 0};
-  EXPECT_EQ(delone::in_power_sphere(triangle, weights, q, 0, 2), Sign::negative);
-  EXPECT_EQ(delone::in_power_sphere(triangle, weights, q, -1, 2), Sign::positive);
-  EXPECT_EQ(delone::in_power_sphere_perturbed(triangle, weights, std::vector<double>{1, 0}, 0, 2),
-            Sign::zero);
-  EXPECT_EQ(delone::in_power_sphere_perturbed(triangle, weights, std::vector<double>{1, 0}, 1, 2),
-            Sign::negative);
-  EXPECT_NE(delone::in_power_sphere_perturbed(triangle, weights, std::vector<double>{1, 1}, 0, 2),
-            Sign::zero);
-  EXPECT_THROW(delone::in_power_sphere(triangle, q, q, 0, 2), Error);
-  EXPECT_THROW(delone::in_power_sphere({}, weights, q, 0, 0), Error);
-  const std::vector<double> line{0, 0, 1, 1, 2, 2}, bad{0, NAN, 0};
-  EXPECT_THROW(delone::in_power_sphere(line, weights, q, 0, 2), Error);
-  EXPECT_THROW(delone::in_power_sphere(triangle, weights, q, INFINITY, 2), Error);
-  try {
-    delone::in_power_sphere(triangle, bad, q, 0, 2);
-    FAIL();
-  } catch (const Error& error) {
-    EXPECT_EQ(error.code(), Errc::not_finite);
-    EXPECT_EQ(error.rows(), (std::vector<std::size_t>{1}));
-  }
 }
 
 }  // namespace

@@ -1,0 +1,131 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Cells of the cone of halfspaces: images of dual points are as exact as promised, and what the filter says
+// of them is the exact side of the rows.
+#include "geometry/halfspace_geometry.hpp"
+
+#include "base/random.hpp"
+#include "geometry/solve.hpp"
+
+#include <gtest/gtest.h>
+
+#include <boost/multiprecision/cpp_int.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+namespace delone::geometry {
+namespace {
+
+/// n/s in pairs: rounded, then what the rounding left over.
+std::vector<double> dual(const std::vector<double>& row) {
+  const double s = -row.back();
+  std::vector<double> high, low;
+  for (std::size_t j = 0; j + 1 < row.size(); ++j) {
+    high.push_back(row[j] / s);
+    low.push_back(std::fma(-high.back(), s, row[j]) / s);
+  }
+  high.insert(high.end(), low.begin(), low.end());
+  return high;
+}
+
+/// Halfspaces of R^2 around the origin: the row at infinity, and random or tied ones.
+struct Cone {
+  Cone(bool tied, random::Generator& generator) : memory(1) {
+    sites.row_size = 3;
+    sites.axes = {0, 1, 2};
+    const auto append = [&](const std::vector<double>& row) {
+      sites.rows.insert(sites.rows.end(), row.begin(), row.end());
+      const std::vector<double> y = dual(row);
+      sites.duals.insert(sites.duals.end(), y.begin(), y.end());
+      for (std::size_t j = 0; j < 2; ++j) {
+        view.low.resize(2, 0.0);
+        view.high.resize(2, 0.0);
+        view.low[j] = std::min(view.low[j], y[j]);
+        view.high[j] = std::max(view.high[j], y[j]);
+      }
+    };
+    append({0, 0, -1});
+    append({3, 1, -1});
+    append({-2, 3, -1});
+    append({-1, -4, -1});
+    for (int i = 0; i < 60; ++i) {
+      const auto entry = [&](double from, double to) {
+        const double x = from + (to - from) * generator.uniform();
+        return tied ? std::round(x) : x;
+      };
+      append({entry(-4, 4), entry(-4, 4), entry(-4, -1)});
+    }
+    view.center = {1, 1, -5};
+    view.dual_of_center = dual(view.center);
+    view.is_inside = true;
+    memory.reserve(1);
+    geometry.emplace(memory, sites, view, std::vector<Index>{1, 2, 3});
+    geometry->update_box();
+  }
+  DualSites sites;
+  DualView view;
+  CellMemory<1> memory;
+  std::optional<HalfspaceGeometry<1>> geometry;
+};
+
+TEST(HalfspaceGeometry, TheFilterSaysTheExactSide) {
+  random::Generator generator(1);
+  StageCounts counts;
+  for (const bool tied : {false, true}) {
+    Cone cone(tied, generator);
+    const auto n = static_cast<Index>(cone.sites.size());
+    std::size_t certain = 0, tested = 0;
+    for (int round = 0; round < 300; ++round) {
+      Index cell[2];
+      for (Index& v : cell) v = 1 + static_cast<Index>(generator.below(n));
+      const Sign inner = cone.geometry->side(cell, cone.view.center.data(), counts);
+      if (inner == Sign::zero) continue;
+      if (inner == Sign::negative) std::swap(cell[0], cell[1]);
+      cone.geometry->create(0, cell, -1, 0);
+      for (Index v = 1; v <= n; ++v) {
+        const auto q = cone.geometry->make_query(v);
+        if (cone.geometry->is_at(cell[0], q) || cone.geometry->is_at(cell[1], q)) continue;
+        const Sign exact = cone.geometry->exact_side(cell, -1, q, counts);
+        const double value = cone.geometry->evaluator(q).value(0);
+        ++tested;
+        if (std::fabs(value) > cone.geometry->evaluator(q).threshold(0)) {
+          ASSERT_EQ(value > 0 ? Sign::positive : Sign::negative, exact);
+          ++certain;
+        } else if (exact == Sign::zero) {
+          ++certain;  // left open, as it must be
+          EXPECT_NE(cone.geometry->perturbed_side(cell, q, counts), Sign::zero);
+        }
+      }
+      for (int slot = 0; slot < 2; ++slot)
+        EXPECT_EQ(cone.geometry->side_of_facet(cell, slot, cone.geometry->make_query(cell[slot])),
+                  Sign::positive);
+    }
+    EXPECT_GT(certain, tested * 95 / 100);
+  }
+}
+
+TEST(HalfspaceGeometry, ImagesAreOffByLessThanOneRounding) {
+  using Rational = boost::multiprecision::cpp_rational;
+  random::Generator generator(2);
+  Cone cone(false, generator);
+  const auto n = static_cast<Index>(cone.sites.size());
+  const auto true_dual = [](const double* row, std::size_t j) {
+    return Rational(row[j]) / -Rational(row[2]);
+  };
+  for (std::size_t j = 0; j < 2; ++j) {
+    const double center = cone.view.dual_of_center[j];
+    const double half = std::max(cone.view.high[j] - center, center - cone.view.low[j]);
+    const Rational scale(std::ldexp(1.0, -std::ilogb(half) - 2));
+    for (Index v = 1; v <= n; ++v) {
+      const double image = cone.geometry->make_query(v).row.data()[j];
+      EXPECT_LE(std::fabs(image), 0.5 + 1e-15);
+      const Rational exact =
+          (true_dual(cone.sites.row(v - 1), j) - true_dual(cone.view.center.data(), j)) * scale;
+      EXPECT_LE(abs(Rational(image) - exact), Rational(0x1p-53));
+    }
+  }
+}
+
+}  // namespace
+}  // namespace delone::geometry
