@@ -155,7 +155,7 @@ class HullOfDimension final : public Hull {
   }
 
  private:
-  /// Cells that are wrapped get their functionals when these are asked for. Throws Errc::out_of_memory, and
+  /// Makes the functionals of wrapped cells when they are first needed. Throws Errc::out_of_memory, and
   /// then changes nothing.
   void need_functionals() const {
     if (!lacks_functionals_.load(std::memory_order_acquire)) [[likely]]
