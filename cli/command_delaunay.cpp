@@ -7,6 +7,7 @@
 
 #include <cstdio>
 #include <memory>
+#include <utility>
 
 namespace delone::cli {
 namespace {
@@ -28,35 +29,25 @@ Summary summary(const Triangulation& t, const Counts& counts, const Cost& cost,
 }
 
 /// Takes the coordinates over, unless they are to be written.
-std::unique_ptr<Triangulation> build(PointTable& table, const DelaunayOptions& options) {
+template <class Product>
+Product build(PointTable& table, const DelaunayOptions& options) {
   ProgressBar bar(options.build.quiet);
   const StageGuard guard(Stage::building);
   Options build_options = options.build.to_options(bar);
   build_options.force_runtime_dimension = options.runtime_dimension;
-  return about(input_name(options.input.path), [&]() -> std::unique_ptr<Triangulation> {
-    if (options.furthest_site)
-      return std::make_unique<FurthestSiteTriangulation>(table.coordinates, table.dimension, build_options);
+  return about(input_name(options.input.path), [&] {
     if (options.build.output.empty())
-      return std::make_unique<Triangulation>(std::move(table.coordinates), table.dimension, build_options);
-    return std::make_unique<Triangulation>(table.coordinates, table.dimension, build_options);
+      return Product(std::move(table.coordinates), table.dimension, build_options);
+    return Product(table.coordinates, table.dimension, build_options);
   });
 }
 
-int run_delaunay(const DelaunayOptions& options) {
+template <class Product>
+int run_with(PointTable table, const DelaunayOptions& options, Clock::time_point start, Cost cost) {
   const BuildOptions& to = options.build;
-  to.check();
   const bool writes = !to.output.empty();
-  const auto start = Clock::now();
-  Cost cost;
-  PointTable table = options.input.read();
-  cost.read = seconds_since(start);
-  if (writes) check_complex_output(to.output, to.output_format, table.dimension);
-  if (options.threads > threads_used && !to.quiet)
-    fmt::print(stderr, "delone: note: this version builds with one thread, not {}\n", options.threads);
-
   const auto build_start = Clock::now();
-  const std::unique_ptr<const Triangulation> built = build(table, options);
-  const Triangulation& triangulation = *built;
+  const Product triangulation = build<Product>(table, options);
   cost.build = seconds_since(build_start);
 
   std::string hash;
@@ -78,6 +69,20 @@ int run_delaunay(const DelaunayOptions& options) {
       to, writes, [&] { return stats_of("delaunay", counts, triangulation.statistics(), cost, to.seed); },
       [&] { return summary(triangulation, counts, cost, options); });
   return exit_status::ok;
+}
+
+int run_delaunay(const DelaunayOptions& options) {
+  const BuildOptions& to = options.build;
+  to.check();
+  const auto start = Clock::now();
+  Cost cost;
+  PointTable table = options.input.read();
+  cost.read = seconds_since(start);
+  if (!to.output.empty()) check_complex_output(to.output, to.output_format, table.dimension);
+  if (options.threads > threads_used && !to.quiet)
+    fmt::print(stderr, "delone: note: this version builds with one thread, not {}\n", options.threads);
+  return options.furthest_site ? run_with<FurthestSite<>>(std::move(table), options, start, cost)
+                               : run_with<Delaunay<>>(std::move(table), options, start, cost);
 }
 
 }  // namespace

@@ -16,7 +16,7 @@ struct RegularOptions {
   BuildOptions build;
 };
 
-Summary summary(const RegularTriangulation& t, const Counts& counts, const Cost& cost,
+Summary summary(const Regular<>& t, const Counts& counts, const Cost& cost,
                 const RegularOptions& options) {
   return Summary(options.weighted.input.path,
                  fmt::format("regular triangulation of {} weighted points in dimension {}", counts.points,
@@ -37,10 +37,10 @@ int run_regular(const RegularOptions& options) {
   if (writes) check_complex_output(build.output, build.output_format, table.dimension);
 
   auto stage_start = Clock::now();
-  const RegularTriangulation triangulation = about(input_name(options.weighted.input.path), [&] {
+  const Regular<> triangulation = about(input_name(options.weighted.input.path), [&] {
     ProgressBar bar(build.quiet);
     const StageGuard guard(Stage::building);
-    return RegularTriangulation(table.coordinates, weights, table.dimension, build.to_options(bar));
+    return Regular<>(table.coordinates, weights, table.dimension, build.to_options(bar));
   });
   cost.build = seconds_since(stage_start);
 

@@ -62,7 +62,7 @@ void check_outputs(const VoronoiOptions& options, int dimension) {
     format.erase(0, 1);
   }
   try {
-    write_voronoi("/dev/null", VoronoiDiagram(Triangulation(dimension)), nullptr, format);
+    write_voronoi("/dev/null", VoronoiDiagram(Delaunay<>(dimension)), nullptr, format);
   } catch (const Error& e) {
     std::string message = e.what();
     if (message.rfind("/dev/null", 0) == 0) message.replace(0, 9, name);
@@ -121,7 +121,7 @@ int run_with(Build build, const std::optional<Box>& box, Cost cost, Clock::time_
   cost.build = seconds_since(stage_start);
 
   stage_start = Clock::now();
-  using Diagram = std::conditional_t<WeightedTriangulation<std::decay_t<decltype(triangulation)>>,
+  using Diagram = std::conditional_t<std::is_same_v<std::decay_t<decltype(triangulation)>, Regular<>>,
                                      PowerDiagram, VoronoiDiagram>;
   const auto diagram = about(name, [&] { return Diagram(triangulation); });
   const std::string volumes =
@@ -159,13 +159,13 @@ int run_voronoi(const VoronoiOptions& options) {
     return run_with(
         [&](const Options& build_options) {
           const PointTable points = taken();
-          return RegularTriangulation(points.coordinates, weights, points.dimension, build_options);
+          return Regular<>(points.coordinates, weights, points.dimension, build_options);
         },
         box, cost, start, options);
   return run_with(
       [&](const Options& build_options) {
         const PointTable points = taken();
-        return Triangulation(points.coordinates, points.dimension, build_options);
+        return Delaunay<>(points.coordinates, points.dimension, build_options);
       },
       box, cost, start, options);
 }

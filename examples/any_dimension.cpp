@@ -9,7 +9,7 @@ int main() {
   bool euler = true;
   for (int dimension = 2; dimension <= 6; ++dimension) {
     const std::vector<double> coordinates = delone::make_point_set("uniform", dimension, 200, /*seed=*/1);
-    const delone::Triangulation triangulation(coordinates, dimension);
+    const delone::Delaunay<> triangulation(coordinates, dimension);
     const delone::Complex complex = triangulation.complex();
     std::cout << dimension << " dimensions: " << complex.num_vertices() << " vertices, "
               << complex.num_finite_cells() << " cells, " << complex.num_infinite_cells()

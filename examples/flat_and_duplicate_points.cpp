@@ -10,7 +10,7 @@
 int main() {
   // A square of the plane x + y + z = 1, with one corner twice.
   const std::vector<double> square = {1, 0, 0, 0, 1, 0, 1, 1, -1, 0, 0, 1, 0, 1, 0};
-  delone::Triangulation triangulation(square, 3);
+  delone::Delaunay<> triangulation(square, 3);
   std::cout << triangulation.num_points() << " points in " << triangulation.dimension() << " dimensions span "
             << triangulation.affine_dimension() << ": " << triangulation.num_finite_cells() << " triangles, "
             << triangulation.num_duplicates() << " duplicate\n";
@@ -22,7 +22,7 @@ int main() {
   std::cout << "with a point off the plane: dimension " << triangulation.affine_dimension() << ", "
             << triangulation.num_finite_cells() << " tetrahedra\n";
 
-  const delone::Triangulation one(std::vector<double>{1, 2, 3}, 3), none(3);
+  const delone::Delaunay<> one(std::vector<double>{1, 2, 3}, 3), none(3);
   std::cout << "one point has dimension " << one.affine_dimension() << ", no point "
             << none.affine_dimension() << '\n';
 

@@ -15,7 +15,7 @@ int main(int argc, char** argv) {
   const std::string output = argc > 2 ? argv[2] : "triangulation.npz";
   try {
     const delone::PointTable points = delone::read_points(input);
-    const delone::Triangulation triangulation(points.coordinates, points.dimension);
+    const delone::Delaunay<> triangulation(points.coordinates, points.dimension);
     delone::write_complex(output, triangulation.to_data());
 
     // The file holds all that `check` needs; it finds faults in the triangulations of other programs just as

@@ -41,8 +41,8 @@ delone::Statistics construct(std::span<const double> coordinates, int dimension,
   options.order = order == Order::automatic ? delone::InsertionOrder::automatic
                   : order == Order::given   ? delone::InsertionOrder::as_given
                                             : delone::InsertionOrder::shuffled;
-  if (order != Order::online) return delone::Triangulation(coordinates, dimension, options).statistics();
-  delone::Triangulation triangulation(dimension, options);
+  if (order != Order::online) return delone::Delaunay<>(coordinates, dimension, options).statistics();
+  delone::Delaunay<> triangulation(dimension, options);
   const auto d = static_cast<std::size_t>(dimension);
   for (std::size_t at = 0; at < coordinates.size(); at += d) triangulation.insert(coordinates.subspan(at, d));
   return triangulation.statistics();

@@ -121,7 +121,7 @@ void phases(benchmark::State& state) {
   double user = never, system = never, order = never, kept = 0, created = 0;
   for (auto _ : state) {
     const ThreadUsage start = ThreadUsage::now();
-    std::optional<delone::Triangulation> triangulation(std::in_place, coordinates, K);
+    std::optional<delone::Delaunay<>> triangulation(std::in_place, coordinates, K);
     const ThreadUsage whole = ThreadUsage::now() - start;
     created = static_cast<double>(triangulation->statistics().created_cells);
     triangulation.reset();

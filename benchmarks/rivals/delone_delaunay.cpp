@@ -82,7 +82,7 @@ class Delone {
   delone::Options options_;
   std::vector<std::size_t> rows_;  ///< where the adapter sorted the points: their rows, in order of insertion
   double sort_seconds_ = 0;
-  std::optional<delone::Triangulation> result_;
+  std::optional<delone::Delaunay<>> result_;
 };
 
 }  // namespace

@@ -19,5 +19,6 @@
 #include <delone/points.hpp>
 #include <delone/predicates.hpp>
 #include <delone/regular.hpp>
+#include <delone/triangulation.hpp>
 #include <delone/types.hpp>
 #include <delone/voronoi.hpp>

@@ -3,17 +3,17 @@
 // point.
 #pragma once
 
-#include <delone/delaunay.hpp>
+#include <delone/triangulation.hpp>
 
-#include <array>
 #include <cstddef>
-#include <ranges>
+#include <optional>
 #include <span>
 #include <vector>
 
 namespace delone {
 
-/// The furthest-site Delaunay triangulation of points in R^d, d chosen at run time: the cells whose spheres
+/// The furthest-site Delaunay triangulation of points in R^D (of R^d, d an argument of the
+/// constructor, for D = dynamic): the cells whose spheres
 /// have no point outside; the upper boundary of the convex hull of the points (x, |x|²), seen from above. It
 /// is the dual of the diagram that assigns to each point of space the site furthest from it.
 ///
@@ -31,42 +31,59 @@ namespace delone {
 /// The members of Triangulation are those of the vertices that are left; in_sphere() is the side of the
 /// sphere as ever, and a cell is in conflict with points *outside* its sphere. Of to_data(), `check` is to be
 /// told CheckOptions::furthest_site.
-class FurthestSiteTriangulation : public Triangulation {
- public:
-  /// The triangulation of no points. Throws Errc::bad_dimension unless dimension ≥ 1.
-  explicit FurthestSiteTriangulation(int dimension, const Options& options = {});
-  /// The triangulation of n×d coordinates, row-major. Throws as insert_range().
-  FurthestSiteTriangulation(std::span<const double> coordinates, int dimension, const Options& options = {});
-  FurthestSiteTriangulation(PointsView points, const Options& options = {});
-
-  /// Whether the point of an input row, row < num_rows(), is hidden: not extreme. O(1).
-  bool is_hidden(std::size_t row) const;
-  /// How many rows are hidden: num_points() = num_vertices() + num_duplicates() + num_hidden(). O(rows).
-  std::size_t num_hidden() const;
-  /// The rows that are hidden, increasing. O(rows).
-  std::vector<std::size_t> hidden_rows() const;
-};
-
-/// The furthest-site Delaunay triangulation of points in R^D. Compiled for D = 1…8; larger D uses the
-/// run-time-dimension engine.
-template <int D>
-class FurthestSite : public FurthestSiteTriangulation {
-  static_assert(D >= 1, "the dimension of the space is at least 1");
+template <int D = dynamic>
+class FurthestSite : public Triangulation {
+  static_assert(D >= 0, "the dimension of the space is at least 1, or delone::dynamic");
 
  public:
-  using Point = std::array<double, D>;
+  using Point = detail::OwnPoint<D>;
 
-  explicit FurthestSite(const Options& options = {}) : FurthestSiteTriangulation(D, options) {}
-  /// From any contiguous range of points of D doubles each, or of doubles (D per point).
-  template <std::ranges::contiguous_range Range>
-  requires std::ranges::sized_range<Range> &&
-      (!std::same_as<std::remove_cvref_t<Range>, FurthestSite>)explicit FurthestSite(
-          const Range& points, const Options& options = {})
-      : FurthestSiteTriangulation(detail::as_coordinates<D>(points), D, options) {}
+  /// Of no points.
+  explicit FurthestSite(const Options& options = {}) requires(D != dynamic)
+      : Triangulation(TriangulationKind::furthest_site, D, options) {}
+  /// Of points; errors, and containers that are moved in, as for Delaunay::insert_range().
+  explicit FurthestSite(AnyPoints<D> points, const Options& options = {}) requires(D != dynamic)
+      : FurthestSite(options) {
+    insert_points(points);
+  }
+  /// Of no points. Throws Errc::bad_dimension unless dimension ≥ 1.
+  explicit FurthestSite(int dimension, const Options& options = {}) requires(D == dynamic)
+      : Triangulation(TriangulationKind::furthest_site, dimension, options) {}
+  FurthestSite(AnyPoints<D> points, int dimension, const Options& options = {}) requires(D == dynamic)
+      : FurthestSite(dimension, options) {
+    insert_points(points);
+  }
+  explicit FurthestSite(PointsView points, const Options& options = {}) requires(D == dynamic)
+      : FurthestSite(points, points.dimension(), options) {}
 
-  template <std::ranges::contiguous_range Range>
-  requires std::ranges::sized_range<Range>
-  void insert_range(const Range& points) { Triangulation::insert_range(detail::as_coordinates<D>(points)); }
+  /// Inserts n points as the next n rows; errors, and containers that are moved in, as for
+  /// Delaunay::insert_range().
+  void insert_range(AnyPoints<D> points) { insert_points(points); }
+  /// Inserts one point as the next row; `hint` is a cell near it.
+  InsertResult insert(const AnyPoint<D>& point, std::optional<CellId> hint = std::nullopt) {
+    return insert_point(point, 0.0, hint);
+  }
+
+  /// The coordinates of a finite vertex.
+  detail::Coordinates<D> point(VertexId v) const { return detail::Coordinates<D>(Triangulation::point(v)); }
+  Location locate(const AnyPoint<D>& query, std::optional<CellId> hint = std::nullopt) const {
+    return Triangulation::locate(query.coordinates(), hint);
+  }
+  /// The cells in conflict with q, those whose spheres have q outside: an insertion of q would destroy them,
+  /// ties perturbed as an insertion would. Empty if q would be hidden, for a duplicate of a vertex, and for a
+  /// point outside the affine hull.
+  std::vector<CellId> conflict_zone(const AnyPoint<D>& query,
+                                    std::optional<CellId> hint = std::nullopt) const {
+    return conflict_zone_of(query, 0.0, hint);
+  }
+  /// The sign of (squared distance to the circumcenter − squared radius) of a finite cell at q, exactly:
+  /// negative inside.
+  Sign in_sphere(CellId cell, const AnyPoint<D>& query) const { return sphere_sign(cell, query, 0.0); }
 };
+
+/// From a range of points whose type tells their dimension.
+template <class Range>
+requires(detail::dimension_of_range<Range>() > 0) FurthestSite(Range&&, const Options& = {})
+->FurthestSite<detail::dimension_of_range<Range>()>;
 
 }  // namespace delone

@@ -2,8 +2,8 @@
 // Piecewise linear interpolation of values at scattered points.
 #pragma once
 
-#include <delone/delaunay.hpp>
 #include <delone/point_locator.hpp>
+#include <delone/triangulation.hpp>
 #include <delone/types.hpp>
 
 #include <cstddef>

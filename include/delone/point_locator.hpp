@@ -3,7 +3,7 @@
 // vertex.
 #pragma once
 
-#include <delone/delaunay.hpp>
+#include <delone/triangulation.hpp>
 #include <delone/types.hpp>
 
 #include <cstddef>

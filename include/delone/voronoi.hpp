@@ -4,10 +4,9 @@
 #pragma once
 
 #include <delone/delaunay.hpp>
-#include <delone/furthest_site.hpp>
+#include <delone/regular.hpp>
 #include <delone/types.hpp>
 
-#include <concepts>
 #include <cstddef>
 #include <cstdint>
 #include <functional>
@@ -59,13 +58,6 @@ struct VoronoiData {
   std::size_t num_rays() const { return ray_vertices.size(); }
 };
 
-/// A triangulation whose vertices have weights: the power of x with respect to a vertex at p is |x − p|² −
-/// weight.
-template <class T>
-concept WeightedTriangulation = std::derived_from<T, Triangulation> && requires(const T& t, VertexId v) {
-  { t.weight(v) } -> std::convertible_to<double>;
-};
-
 /// The Voronoi diagram of points in R^d: for each site (distinct point) the region of the points of the flat
 /// that are not nearer to any other site. Data of its own: the triangulation may change or go away
 /// afterwards.
@@ -86,12 +78,12 @@ concept WeightedTriangulation = std::derived_from<T, Triangulation> && requires(
 /// Cost: one solve of k equations per cell, and the size of the output. Errors: out_of_memory.
 class VoronoiDiagram {
  public:
-  explicit VoronoiDiagram(const Triangulation& triangulation, VoronoiParts parts = VoronoiParts::all);
-  /// Of a weighted triangulation take the PowerDiagram.
-  template <WeightedTriangulation T>
-  explicit VoronoiDiagram(const T&, VoronoiParts = VoronoiParts::all) = delete;
-  /// Its dual is another diagram.
-  explicit VoronoiDiagram(const FurthestSiteTriangulation&, VoronoiParts = VoronoiParts::all) = delete;
+  template <int D>
+  explicit VoronoiDiagram(const Delaunay<D>& triangulation, VoronoiParts parts = VoronoiParts::all)
+      : VoronoiDiagram(triangulation, nullptr, parts) {}
+  /// Of a regular triangulation take the PowerDiagram; the dual of a furthest-site triangulation is another
+  /// diagram.
+  explicit VoronoiDiagram(const Triangulation&, VoronoiParts = VoronoiParts::all) = delete;
 
   int dimension() const { return dimension_; }                ///< d
   int affine_dimension() const { return affine_dimension_; }  ///< k
@@ -212,8 +204,8 @@ class VoronoiDiagram {
 /// need not contain its site.
 class PowerDiagram : public VoronoiDiagram {
  public:
-  template <WeightedTriangulation T>
-  explicit PowerDiagram(const T& triangulation, VoronoiParts parts = VoronoiParts::all)
+  template <int D>
+  explicit PowerDiagram(const Regular<D>& triangulation, VoronoiParts parts = VoronoiParts::all)
       : VoronoiDiagram(
             triangulation,
             [&triangulation](VertexId v) { return static_cast<double>(triangulation.weight(v)); }, parts) {}

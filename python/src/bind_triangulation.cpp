@@ -265,7 +265,7 @@ py::tuple nearest(const Held& held, const py::object& object) {
             row[query] = v == invalid_vertex ? -1 : static_cast<SignedIndex>(engine.row_of(v));
             at[query] = v == invalid_vertex ? nan : distance(x.data() + query * d, engine.point(v).data(), d);
             if (held.form() != Form::regular || v == invalid_vertex) return;
-            at[query] = at[query] * at[query] - static_cast<const RegularTriangulation&>(engine).weight(v);
+            at[query] = at[query] * at[query] - static_cast<const Regular<>&>(engine).weight(v);
           });
         });
   });
@@ -446,7 +446,8 @@ void bind_triangulations(py::module_& module) {
       module, "Delaunay",
       "Delaunay(points, *, seed=0, order='automatic', threads=1, progress=None)\n\n"
       "The Delaunay triangulation of points, (n, d) numbers that are exact in float64, in any dimension.\n\n"
-      "Exact, a function of the set of points: seed and order ('automatic', 'as_given', 'shuffled') only change "
+      "Exact, a function of the set of points: seed and order ('automatic', 'as_given', 'shuffled') only "
+      "change "
       "the way there.\n"
       "Duplicates are merged, flat points are triangulated in their flat. At most `threads` threads are "
       "used. `progress` is\n"

@@ -6,6 +6,7 @@
 
 #include <delone/voronoi.hpp>
 
+#include <concepts>
 #include <memory>
 #include <optional>
 #include <string>
@@ -14,6 +15,14 @@ namespace delone::python {
 namespace {
 
 using namespace py::literals;
+
+/// Of nearest or of furthest sites: these have the same vertices, ridges and regions, and rays in the other
+/// direction.
+class UnweightedDiagram : public VoronoiDiagram {
+ public:
+  explicit UnweightedDiagram(const Triangulation& triangulation)
+      : VoronoiDiagram(triangulation, nullptr, VoronoiParts::all) {}
+};
 
 /// A diagram and the points that it belongs to.
 class HeldDiagram {
@@ -27,11 +36,11 @@ class HeldDiagram {
       version = source.version();
       source_state_ = triangulation.attr("__getstate__")();
       supervisor.run([&] {
-        source.with_engine(supervisor, [&](const Triangulation& engine) {
-          if (source.form() == Form::regular)
-            diagram_ = std::make_shared<PowerDiagram>(static_cast<const RegularTriangulation&>(engine));
-          else  // the furthest-site diagram differs only in the direction of its rays
-            diagram_ = std::make_shared<VoronoiDiagram>(engine);
+        source.with_product(supervisor, [&]<class Product>(const Product& product) {
+          if constexpr (std::same_as<Product, Regular<>>)
+            diagram_ = std::make_shared<PowerDiagram>(product);
+          else
+            diagram_ = std::make_shared<UnweightedDiagram>(product);
         });
         points_ = source.points(supervisor);
         weights_ = source.weights(supervisor);

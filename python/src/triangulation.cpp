@@ -21,33 +21,40 @@ class Changing {
   std::atomic<std::thread::id>& thread_;
 };
 
+void insert(Engine& engine, std::span<const double> coordinates, std::span<const double> weights) {
+  std::visit(
+      [&](auto& product) {
+        if constexpr (requires { product.insert_range(coordinates, weights); })
+          product.insert_range(coordinates, weights);
+        else
+          product.insert_range(coordinates);
+      },
+      engine);
+}
+
+std::size_t num_rows(const Engine& engine) {
+  return std::visit([](const Triangulation& product) { return product.num_rows(); }, engine);
+}
+
 }  // namespace
 
 HeldTriangulation::HeldTriangulation(Form form, int dimension, const BuildArguments& arguments)
     : form_(form), dimension_(dimension), arguments_(arguments), engine_(make_engine()) {}
 
-std::shared_ptr<Triangulation> HeldTriangulation::make_engine() const {
+std::unique_ptr<Engine> HeldTriangulation::make_engine() const {
   Options options = arguments_.to_options();
   options.progress = [watch = watch_](double fraction) {
     return watch->supervisor == nullptr || watch->supervisor->go_on(fraction);
   };
   switch (form_) {
     case Form::regular:
-      return std::make_shared<RegularTriangulation>(dimension_, options);
+      return std::make_unique<Engine>(std::in_place_type<Regular<>>, dimension_, options);
     case Form::furthest_site:
-      return std::make_shared<FurthestSiteTriangulation>(dimension_, options);
+      return std::make_unique<Engine>(std::in_place_type<FurthestSite<>>, dimension_, options);
     case Form::delaunay:
       break;
   }
-  return std::make_shared<Triangulation>(dimension_, options);
-}
-
-void HeldTriangulation::insert(Triangulation& engine, std::span<const double> coordinates,
-                               std::span<const double> weights) const {
-  if (form_ == Form::regular)
-    static_cast<RegularTriangulation&>(engine).insert_range(coordinates, weights);
-  else
-    engine.insert_range(coordinates);
+  return std::make_unique<Engine>(std::in_place_type<Delaunay<>>, dimension_, options);
 }
 
 void HeldTriangulation::refuse_reentry() const {
@@ -66,13 +73,13 @@ void HeldTriangulation::add(std::span<const double> coordinates, std::span<const
     insert(*engine_, coordinates, weights);
   } catch (...) {
     watch_->supervisor = nullptr;
-    is_stale_ = engine_->num_rows() != num_rows_;
+    is_stale_ = num_rows(*engine_) != num_rows_;
     throw;
   }
   watch_->supervisor = nullptr;
-  if (engine_->num_rows() == num_rows_) return;
-  batches_.push_back(engine_->num_rows() - num_rows_);
-  num_rows_ = engine_->num_rows();
+  if (num_rows(*engine_) == num_rows_) return;
+  batches_.push_back(num_rows(*engine_) - num_rows_);
+  num_rows_ = num_rows(*engine_);
   ++version_;
   const std::lock_guard derived(derived_mutex_);
   cells_.reset();
@@ -86,8 +93,9 @@ void HeldTriangulation::rebuild(Supervisor& supervisor) const {
   const std::unique_lock lock(mutex_);
   if (!is_stale_) return;
   const Changing changing(changing_);
-  const ComplexData old = engine_->to_data();
-  const auto engine = make_engine();
+  const ComplexData old =
+      std::visit([](const Triangulation& product) { return product.to_data(); }, std::as_const(*engine_));
+  auto engine = make_engine();
   watch_->supervisor = &supervisor;
   try {
     std::size_t first = 0;
@@ -105,7 +113,7 @@ void HeldTriangulation::rebuild(Supervisor& supervisor) const {
   watch_->supervisor = nullptr;
   const std::lock_guard derived(derived_mutex_);
   locator_.reset();
-  engine_ = engine;
+  engine_ = std::move(engine);
   is_stale_ = false;
 }
 

@@ -9,6 +9,7 @@
 
 #include "running.hpp"
 
+#include <delone/delaunay.hpp>
 #include <delone/furthest_site.hpp>
 #include <delone/point_locator.hpp>
 #include <delone/regular.hpp>
@@ -20,11 +21,14 @@
 #include <span>
 #include <stdexcept>
 #include <thread>
+#include <utility>
+#include <variant>
 #include <vector>
 
 namespace delone::python {
 
-enum class Form { delaunay, regular, furthest_site };
+using Form = TriangulationKind;
+using Engine = std::variant<Delaunay<>, Regular<>, FurthestSite<>>;
 
 /// A plain copy of the combinatorics, which arrays are views of. Later insertions do not change it.
 struct Cells {
@@ -45,17 +49,22 @@ class HeldTriangulation {
   /// Adds all points or none. REQUIRES one weight per point for a regular triangulation, otherwise none.
   void add(std::span<const double> coordinates, std::span<const double> weights, Supervisor& supervisor);
 
-  /// Calls work(engine) after recovering the engine if necessary.
+  /// Calls work(product) after recovering the engine if necessary, a Delaunay<>, Regular<> or FurthestSite<>.
   template <class Work>
-  auto with_engine(Supervisor& supervisor, Work work) const {
+  auto with_product(Supervisor& supervisor, Work work) const {
     refuse_reentry();
     for (;;) {
       {
         const std::shared_lock lock(mutex_);
-        if (!is_stale_) return work(static_cast<const Triangulation&>(*engine_));
+        if (!is_stale_) return std::visit(work, std::as_const(*engine_));
       }
       rebuild(supervisor);
     }
+  }
+  /// The same, as what they have in common.
+  template <class Work>
+  auto with_engine(Supervisor& supervisor, Work work) const {
+    return with_product(supervisor, [&](const Triangulation& engine) { return work(engine); });
   }
   /// Calls work(engine, locator, cells).
   template <class Work>
@@ -77,9 +86,7 @@ class HeldTriangulation {
   std::uint64_t version() const { return version_; }
 
  private:
-  std::shared_ptr<Triangulation> make_engine() const;
-  void insert(Triangulation& engine, std::span<const double> coordinates,
-              std::span<const double> weights) const;
+  std::unique_ptr<Engine> make_engine() const;
   void rebuild(Supervisor& supervisor) const;
   void refuse_reentry() const;
   std::shared_ptr<const Cells> cells_of(const Triangulation& engine) const;
@@ -97,7 +104,7 @@ class HeldTriangulation {
   std::shared_ptr<Watch> watch_ = std::make_shared<Watch>();
 
   mutable std::shared_mutex mutex_;  // of all members below
-  mutable std::shared_ptr<Triangulation> engine_;
+  mutable std::unique_ptr<Engine> engine_;
   std::size_t num_rows_ = 0;
   std::vector<std::size_t> batches_;
   /// The last insertion was interrupted: the engine has rows that are not ours. It is rebuilt without them

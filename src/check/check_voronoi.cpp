@@ -180,11 +180,11 @@ void DiagramChecker::make_diagram() {
                   "the triangulation of the points is wrong, a fault of delone: " + report.violation);
   };
   if (data_.weights.empty()) {
-    const Triangulation triangulation(data_.points, data_.dimension);
+    const Delaunay<> triangulation(data_.points, data_.dimension);
     examined(triangulation);
     diagram_.emplace(triangulation);
   } else {
-    const RegularTriangulation triangulation(data_.points, data_.weights, data_.dimension);
+    const Regular<> triangulation(data_.points, data_.weights, data_.dimension);
     examined(triangulation);
     diagram_.emplace(PowerDiagram(triangulation));
   }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What Triangulation, RegularTriangulation and FurthestSiteTriangulation share: points to vertices, affine
-// dimensions, duplicates, hidden points, rows; the engine does the rest.
+// What all kinds of triangulations share: points to vertices, affine dimensions, duplicates, hidden points,
+// rows; the engine does the rest.
 //
 // Every row that was inserted has a vertex id, its own or that of an earlier equal row. Points with weights,
 // and those for which vertices are furthest, may be hidden, at once or by later insertions: their ids keep
@@ -11,7 +11,7 @@
 #include "kernel/predicates.hpp"
 #include "triangulation/landmarks.hpp"
 
-#include <delone/delaunay.hpp>
+#include <delone/triangulation.hpp>
 
 #include <memory>
 #include <optional>

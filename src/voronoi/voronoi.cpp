@@ -88,9 +88,6 @@ class DiagramClipper {
 
 }  // namespace
 
-VoronoiDiagram::VoronoiDiagram(const Triangulation& triangulation, VoronoiParts parts)
-    : VoronoiDiagram(triangulation, nullptr, parts) {}
-
 VoronoiDiagram::VoronoiDiagram(const Triangulation& triangulation,
                                const std::function<double(VertexId)>& weight, VoronoiParts parts)
     : dimension_(triangulation.dimension()),

@@ -43,13 +43,13 @@ void expect_brute_force(const PointSet& set) {
   const auto d = static_cast<std::size_t>(set.dimension);
   {
     SCOPED_TRACE("batch");
-    expect_equal(oracle, expected, Triangulation(set.points, set.dimension), set);
+    expect_equal(oracle, expected, Delaunay<>(set.points, set.dimension), set);
   }
   for (const bool force_runtime_dimension : {false, true}) {
     SCOPED_TRACE(force_runtime_dimension ? "one by one, run-time dimension" : "one by one");
     Options options;
     options.force_runtime_dimension = force_runtime_dimension;
-    Triangulation triangulation(set.dimension, options);
+    Delaunay<> triangulation(set.dimension, options);
     for (std::size_t row = 0; row < set.size(); ++row) {
       const InsertResult result = triangulation.insert(std::span(set.points).subspan(row * d, d));
       EXPECT_EQ(result.inserted,

@@ -48,7 +48,7 @@ void expect_cgal(std::size_t n, std::uint64_t seed) {
     std::sort(expected.back().begin(), expected.back().end());
   }
   std::sort(expected.begin(), expected.end());
-  EXPECT_TRUE(same_cells(expected, sorted_cells(Triangulation(points, D).to_data()))) << to_text(points, D);
+  EXPECT_TRUE(same_cells(expected, sorted_cells(Delaunay<>(points, D).to_data()))) << to_text(points, D);
 #else
   static_cast<void>(n), static_cast<void>(seed);
   GTEST_SKIP() << "this build found no CGAL";

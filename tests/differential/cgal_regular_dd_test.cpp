@@ -168,7 +168,7 @@ void expect_checked(const WeightedSet& s, const Cells& cells) {
 
 template <int D>
 void expect_same_subdivision(const WeightedSet& s) {
-  const RegularTriangulation t(s.set.points, s.weights, D);
+  const Regular<> t(s.set.points, s.weights, D);
   ASSERT_EQ(t.affine_dimension(), D) << describe(s);
   const Cells theirs = cgal_cells<D>(s);
   expect_checked(s, theirs);
@@ -205,7 +205,7 @@ void expect_general_position() {
     WeightedSet s{{"uniform", D, {}}, {}};
     for (std::size_t i = 0; i < n * D; ++i) s.set.points.push_back(random.real());
     for (std::size_t i = 0; i < n; ++i) s.weights.push_back((random.real() - 0.5) * largest);
-    const RegularTriangulation t(s.set.points, s.weights, D);
+    const Regular<> t(s.set.points, s.weights, D);
     EXPECT_TRUE(test::same_cells(cgal_cells<D>(s), test::sorted_cells(t.to_data()))) << D << ' ' << largest;
   }
 #else

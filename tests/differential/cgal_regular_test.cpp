@@ -46,7 +46,7 @@ TEST(CgalRegular, UniformWeightedPointsAgreeIn3D) {
       std::sort(expected.back().begin(), expected.back().end());
     }
     std::sort(expected.begin(), expected.end());
-    const RegularTriangulation t(points, weights, 3);
+    const Regular<> t(points, weights, 3);
     EXPECT_TRUE(test::same_cells(expected, test::sorted_cells(t.to_data()))) << largest;
     EXPECT_EQ(t.num_vertices(), oracle.number_of_vertices()) << largest;
   }

@@ -61,7 +61,7 @@ TEST_P(QhullIn, UniformPointsAgree) {
     test::Random random(seed);
     for (int i = 0; i < sizes[d - 2] * d; ++i) points.push_back(random.real());
     EXPECT_TRUE(
-        test::same_cells(qhull_cells(points, d), test::sorted_cells(Triangulation(points, d).to_data())))
+        test::same_cells(qhull_cells(points, d), test::sorted_cells(Delaunay<>(points, d).to_data())))
         << "seed " << seed << '\n'
         << test::to_text(points, d);
   }
@@ -78,7 +78,7 @@ TEST_P(QhullIn, FurthestSitesAgree) {
     test::Random random(seed);
     for (int i = 0; i < sizes[d - 2] * d; ++i) points.push_back(random.real());
     EXPECT_TRUE(test::same_cells(qhull_cells(points, d, true),
-                                 test::sorted_cells(FurthestSiteTriangulation(points, d).to_data())))
+                                 test::sorted_cells(FurthestSite<>(points, d).to_data())))
         << "seed " << seed << '\n'
         << test::to_text(points, d);
   }

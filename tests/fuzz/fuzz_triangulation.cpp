@@ -52,13 +52,13 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   const std::size_t num_points = std::min<std::size_t>(coordinates.size() / d, 24);
   coordinates.resize(num_points * d);
 
-  const delone::Triangulation batch(coordinates, dimension);
+  const delone::Delaunay<> batch(coordinates, dimension);
   const delone::CheckReport report = delone::check(batch.to_data());
   require(report.ok, "check:", report.violation);
 
   delone::Options options;
   options.force_runtime_dimension = true;
-  delone::Triangulation one_by_one(dimension, options);
+  delone::Delaunay<> one_by_one(dimension, options);
   for (std::size_t row = num_points; row-- > 0;)
     one_by_one.insert(std::span<const double>(coordinates).subspan(row * d, d));
   require(one_by_one.hash() == batch.hash(), "the order of insertion changed the result");

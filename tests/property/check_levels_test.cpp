@@ -17,7 +17,7 @@ using test::PointSet;
 
 // Triangulates and checks; returns the report for more questions.
 CheckReport expect_correct(const PointSet& set, const Options& options = {}) {
-  const Triangulation triangulation(set.points, set.dimension, options);
+  const Delaunay<> triangulation(set.points, set.dimension, options);
   const ComplexData data = triangulation.to_data();
   CheckOptions all;
   all.canonical = true;

@@ -215,7 +215,7 @@ TEST_P(HullIn, QueriesAreAnsweredAsTheCellsSay) {
 TEST_P(HullIn, TheVolumeIsThatOfTheTriangulation) {
   const PointSet set = test::small_integers(d(), 40, -50, 50, 7);
   const ConvexHull hull(set.points, d());
-  const Triangulation triangulation(set.points, d());
+  const Delaunay<> triangulation(set.points, d());
   EXPECT_EQ(hull.affine_dimension(), d());
   double sum = 0;
   for (const CellId cell : triangulation.finite_cells()) {

@@ -28,7 +28,7 @@ void expect_every_prefix_correct(const PointSet& set, bool force_runtime_dimensi
   SCOPED_TRACE(set.name + "\n" + test::to_text(set.points, set.dimension));
   Options options;
   options.force_runtime_dimension = force_runtime_dimension;
-  Triangulation triangulation(set.dimension, options);
+  Delaunay<> triangulation(set.dimension, options);
   const auto d = static_cast<std::size_t>(set.dimension);
   for (std::size_t row = 0; row < set.size(); ++row) {
     triangulation.insert(std::span(set.points).subspan(row * d, d));
@@ -41,7 +41,7 @@ void expect_every_prefix_correct(const PointSet& set, bool force_runtime_dimensi
       return;
     }
   }
-  EXPECT_EQ(triangulation.hash(), Triangulation(set.points, set.dimension).hash());
+  EXPECT_EQ(triangulation.hash(), Delaunay<>(set.points, set.dimension).hash());
 }
 
 class DimensionJumpIn : public ::testing::TestWithParam<int> {};
@@ -85,7 +85,7 @@ TEST_P(DimensionJumpIn, BatchesJumpToo) {
     for (std::size_t i = 0; i < flat.points.size(); ++i)
       if (static_cast<int>(i) % d >= k) flat.points[i] = 1;
     const PointSet rest = test::small_integers(d, 20, -5, 5, 4);
-    Triangulation triangulation(flat.points, d);
+    Delaunay<> triangulation(flat.points, d);
     EXPECT_EQ(triangulation.affine_dimension(), k);
     expect_correct(triangulation, "flat range");
     triangulation.insert_range(rest.points);
@@ -93,24 +93,24 @@ TEST_P(DimensionJumpIn, BatchesJumpToo) {
     expect_correct(triangulation, "second range");
     std::vector<double> all = rest.points;
     all.insert(all.end(), flat.points.begin(), flat.points.end());
-    EXPECT_EQ(triangulation.hash(), Triangulation(all, d).hash());
+    EXPECT_EQ(triangulation.hash(), Delaunay<>(all, d).hash());
   }
 }
 
 TEST_P(DimensionJumpIn, NoPointOnePointTwoPoints) {
   const int d = GetParam();
   const auto size = static_cast<std::size_t>(d);
-  Triangulation none(d);
+  Delaunay<> none(d);
   EXPECT_EQ(none.affine_dimension(), -1);
   EXPECT_EQ(none.num_vertices(), 0u);
   EXPECT_EQ(none.num_finite_cells(), 0u);
   EXPECT_EQ(none.num_infinite_cells(), 0u);
   expect_correct(none, "no point");
   EXPECT_EQ(none.locate(std::vector<double>(size, 0.5)).kind, Location::Kind::outside_affine_hull);
-  EXPECT_EQ(Triangulation(std::vector<double>{}, d).hash(), none.hash());
+  EXPECT_EQ(Delaunay<>(std::vector<double>{}, d).hash(), none.hash());
 
   const std::vector<double> equal(7 * size, 0.25);
-  const Triangulation one(equal, d);
+  const Delaunay<> one(equal, d);
   EXPECT_EQ(one.affine_dimension(), 0);
   EXPECT_EQ(one.num_vertices(), 1u);
   EXPECT_EQ(one.num_duplicates(), 6u);
@@ -121,7 +121,7 @@ TEST_P(DimensionJumpIn, NoPointOnePointTwoPoints) {
 
   std::vector<double> pair(2 * size, 3.0);
   pair.back() = 4.0;
-  const Triangulation two(pair, d);
+  const Delaunay<> two(pair, d);
   EXPECT_EQ(two.affine_dimension(), 1);
   EXPECT_EQ(two.num_finite_cells(), 1u);
   EXPECT_EQ(two.num_infinite_cells(), 2u);
@@ -130,7 +130,7 @@ TEST_P(DimensionJumpIn, NoPointOnePointTwoPoints) {
 
 TEST_P(DimensionJumpIn, AnErrorLeavesTheTriangulationAsItWas) {
   const int d = GetParam();
-  Triangulation triangulation(make_point_set("uniform", d, 30, 1), d);
+  Delaunay<> triangulation(make_point_set("uniform", d, 30, 1), d);
   const CanonicalHash before = triangulation.hash();
   std::vector<double> bad(3 * static_cast<std::size_t>(d), 0.5);
   bad.back() = std::numeric_limits<double>::quiet_NaN();

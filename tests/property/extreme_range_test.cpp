@@ -19,7 +19,7 @@ void expect_correct(const PointSet& set) {
   SCOPED_TRACE(set.name + "\n" + test::to_text(set.points, set.dimension));
   CheckOptions all;
   all.canonical = true;
-  const CheckReport report = check(Triangulation(set.points, set.dimension).to_data(), all);
+  const CheckReport report = check(Delaunay<>(set.points, set.dimension).to_data(), all);
   EXPECT_TRUE(report.ok) << "level " << static_cast<int>(report.reached) << ": " << report.violation;
 }
 
@@ -37,7 +37,7 @@ TEST_P(ExtremeRangeIn, PowersOfTwoChangeNoCell) {
   const int d = GetParam();
   for (const PointSet& set : {PointSet{"uniform", d, make_point_set("uniform", d, num_points(), 1)},
                               test::sampled(test::lattice(d, 6), num_points(), 2)}) {
-    const test::Cells expected = test::sorted_cells(Triangulation(set.points, d).to_data());
+    const test::Cells expected = test::sorted_cells(Delaunay<>(set.points, d).to_data());
     // Numbers of [2^−21, 1) with at most 53 bits stay normal down to 2^−1000; |x|² leaves the range either
     // way.
     for (const int exponent : {-1000, -900, -540, -500, -100, 100, 500, 515, 900, 1020}) {
@@ -46,7 +46,7 @@ TEST_P(ExtremeRangeIn, PowersOfTwoChangeNoCell) {
       for (std::size_t i = 0; i < set.points.size(); ++i)
         exact &= std::ldexp(scaled.points[i], -exponent) == set.points[i];
       ASSERT_TRUE(exact);
-      EXPECT_TRUE(test::same_cells(expected, test::sorted_cells(Triangulation(scaled.points, d).to_data())))
+      EXPECT_TRUE(test::same_cells(expected, test::sorted_cells(Delaunay<>(scaled.points, d).to_data())))
           << set.name << " 2^" << exponent;
     }
   }

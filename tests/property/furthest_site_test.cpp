@@ -47,7 +47,7 @@ void expect_definition(const PointSet& set) {
   const int d = set.dimension;
   const BruteForce oracle(set.points, d, {}, {}, true);
   const ComplexData expected = oracle.to_data();
-  const FurthestSiteTriangulation t(set.points, d);
+  const FurthestSite<> t(set.points, d);
   const ComplexData data = t.to_data();
   ASSERT_EQ(t.affine_dimension(), oracle.affine_dimension()) << describe(set);
   ASSERT_TRUE(test::same_cells(sorted_cells(expected), sorted_cells(data))) << describe(set);
@@ -73,7 +73,7 @@ void expect_definition(const PointSet& set) {
 
 /// The hidden points are those that the convex hull calls neither extreme nor duplicates of such.
 void expect_extreme_vertices(const PointSet& set) {
-  const FurthestSiteTriangulation t(set.points, set.dimension);
+  const FurthestSite<> t(set.points, set.dimension);
   const ConvexHull hull(set.points, set.dimension);
   if (t.affine_dimension() < 1) return;
   std::set<std::vector<double>> extreme;
@@ -135,7 +135,7 @@ TEST(FurthestSite, IsTheUpperHullOfTheLiftedPoints) {
           lifted.push_back(std::inner_product(p.begin(), p.end(), p.begin(), 0.0));
         }
         const LowerHull upper(lifted, d + 1, HullSide::upper);
-        const FurthestSiteTriangulation t(set.points, d);
+        const FurthestSite<> t(set.points, d);
         const ComplexData data = t.to_data();
         ASSERT_EQ(t.affine_dimension(), upper.composition_dimension());
 
@@ -172,15 +172,15 @@ TEST(FurthestSite, IsTheUpperHullOfTheLiftedPoints) {
 TEST(FurthestSite, DoesNotDependOnTheOrder) {
   for (int d = 1; d <= 4; ++d)
     for (const PointSet& set : test::degenerate_sets(d, 40, 5)) {
-      const FurthestSiteTriangulation batch(set.points, d);
+      const FurthestSite<> batch(set.points, d);
       const auto hash = batch.hash();
       for (const InsertionOrder order : {InsertionOrder::as_given, InsertionOrder::shuffled})
-        EXPECT_EQ(FurthestSiteTriangulation(set.points, d,
+        EXPECT_EQ(FurthestSite<>(set.points, d,
                                             {.seed = 7, .order = order, .force_runtime_dimension = true})
                       .hash(),
                   hash)
             << describe(set);
-      FurthestSiteTriangulation t(d);
+      FurthestSite<> t(d);
       const auto width = static_cast<std::size_t>(d);
       for (const std::size_t row : test::random_order(set.size(), 11)) {
         const auto point = std::span(set.points).subspan(row * width, width);
@@ -216,7 +216,7 @@ TEST(FurthestSite, ManyPointsPassTheCheck) {
         }
         for (const double xj : x) points.push_back(spherical ? xj / std::sqrt(square) : xj);
       }
-      const FurthestSiteTriangulation t(points, d);
+      const FurthestSite<> t(points, d);
       const CheckReport report = check(t.to_data(), strictly);
       EXPECT_TRUE(report.ok) << report.violation;
       if (spherical) continue;
@@ -231,12 +231,12 @@ TEST(FurthestSite, ManyPointsPassTheCheck) {
 
 TEST(FurthestSite, CheckFindsWhatIsWrong) {
   const std::vector<double> points{0, 0, 4, 0, 5, 3, 0, 4, 2, 2};
-  const FurthestSiteTriangulation t(points, 2);
+  const FurthestSite<> t(points, 2);
   const ComplexData good = t.to_data();
   ASSERT_EQ(t.num_hidden(), 1u);
   ASSERT_TRUE(check(good, strictly).ok);
   EXPECT_FALSE(check(good).ok);
-  EXPECT_FALSE(check(Triangulation(points, 2).to_data(), strictly).ok);
+  EXPECT_FALSE(check(Delaunay<>(points, 2).to_data(), strictly).ok);
   ComplexData bad = good;
   bad.vertex_of_point[4] = 0;
   EXPECT_EQ(check(bad, strictly).reached, CheckLevel::completeness);
@@ -248,8 +248,8 @@ TEST(FurthestSite, CheckFindsWhatIsWrong) {
   EXPECT_EQ(check(bad, strictly).reached, CheckLevel::storage);
   // The other diagonal of the quadrangle.
   const std::vector<double> corners(points.begin(), points.begin() + 8);
-  const FurthestSiteTriangulation four(corners, 2);
-  const Triangulation nearest(corners, 2);
+  const FurthestSite<> four(corners, 2);
+  const Delaunay<> nearest(corners, 2);
   EXPECT_NE(four.hash(), nearest.hash());
   EXPECT_FALSE(check(nearest.to_data(), strictly).ok);
 }
@@ -262,9 +262,9 @@ TEST(FurthestSite, CompiledDimensionsAndBadInput) {
   EXPECT_TRUE(t.is_hidden(4));
   EXPECT_EQ(t.hidden_rows(), (std::vector<std::size_t>{4}));
   EXPECT_THROW(static_cast<void>(t.is_hidden(5)), Error);
-  EXPECT_THROW(FurthestSiteTriangulation(0), Error);
+  EXPECT_THROW(FurthestSite<>(0), Error);
   const std::vector<double> nan{0, std::nan("")};
-  EXPECT_THROW(FurthestSiteTriangulation(nan, 2), Error);
+  EXPECT_THROW(FurthestSite<>(nan, 2), Error);
   EXPECT_EQ(t.locate(std::vector<double>{0.1, 0.1, 0.1}).kind, Location::Kind::in_cell);
 }
 

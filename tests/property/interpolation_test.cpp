@@ -6,6 +6,7 @@
 #include "degenerate.hpp"
 #include "scale.hpp"
 
+#include <delone/delaunay.hpp>
 #include <delone/regular.hpp>
 
 #include <gtest/gtest.h>
@@ -70,7 +71,7 @@ TEST_P(InterpolationOfDimension, LinearFunctionsWithinTheBound) {
   sets.push_back(thin);
   for (const test::PointSet& set : sets) {
     SCOPED_TRACE(set.name);
-    const Triangulation t(set.points, d);
+    const Delaunay<> t(set.points, d);
     const Linear f(d, random), g(d, random);
     std::vector<double> values;
     double largest = 0;
@@ -114,7 +115,7 @@ TEST_P(InterpolationOfDimension, LinearFunctionsWithinTheBound) {
 // The gradient in a flat has the slopes of the function along the flat, and none across.
 TEST(Interpolation, GradientsInsideAFlat) {
   const std::vector<double> points{0, 0, 1, 2, 0, 1, 0, 3, 1, 2, 3, 1}, values{1, 5, 7, 11};
-  const Triangulation t(points, 3);
+  const Delaunay<> t(points, 3);
   ASSERT_EQ(t.affine_dimension(), 2);
   std::vector<double> slope(3), value(1);
   const std::vector<double> query{0.5, 0.75, 1}, beside{0.5, 0.75, 1.5};
@@ -134,7 +135,7 @@ TEST(Interpolation, GradientsInsideAFlat) {
 TEST(Interpolation, Outside) {
   const std::vector<double> points{0, 0, 4, 0, 0, 4}, values{1, 10, 2, 20, 3, 30},
       queries{1, 1, 9, 0, -1, 3, 4, 0};
-  const Triangulation t(points, 2);
+  const Delaunay<> t(points, 2);
   const LinearInterpolator interpolate(t, values, 2);
   std::vector<double> result(8), slopes(16);
   interpolate.evaluate(queries, result, Outside::fill, std::vector<double>{-1, -2});
@@ -165,7 +166,7 @@ TEST(Interpolation, Outside) {
 TEST(Interpolation, NotANumberStaysInItsCells) {
   const std::vector<double> points{0, 0, 2, 0, 0, 2, 3, 3}, values{nan, 1, 3, 7},
       queries{0.5, 0.5, 1, 1, 2, 2, 0, 0, 2, 0};
-  const Triangulation t(points, 2);
+  const Delaunay<> t(points, 2);
   std::vector<double> result(5);
   LinearInterpolator(t, values).evaluate(queries, result);
   EXPECT_TRUE(std::isnan(result[0]));
@@ -179,11 +180,11 @@ TEST(Interpolation, DuplicatesAndHiddenPoints) {
   const std::vector<double> line{0, 1, 1, 2}, values{0, 5, 6, 0};
   std::vector<double> result(1);
   const std::vector<double> query{1};
-  const Triangulation t(line, 1);
+  const Delaunay<> t(line, 1);
   LinearInterpolator(t, values).evaluate(query, result);
   EXPECT_EQ(result[0], 5);  // the first row
   const std::vector<double> weights{0, -9, -9, 0};
-  const RegularTriangulation regular(line, weights, 1);
+  const Regular<> regular(line, weights, 1);
   ASSERT_EQ(regular.num_hidden(), 2u);
   LinearInterpolator(regular, values).evaluate(query, result);
   EXPECT_EQ(result[0], 0);
@@ -192,10 +193,10 @@ TEST(Interpolation, DuplicatesAndHiddenPoints) {
 TEST(Interpolation, NoPointsAndOnePoint) {
   const std::vector<double> query{1, 2}, value{7};
   std::vector<double> result(1);
-  const Triangulation none(2);
+  const Delaunay<> none(2);
   LinearInterpolator(none, {}).evaluate(query, result, Outside::nearest);
   EXPECT_TRUE(std::isnan(result[0]));
-  const Triangulation one(query, 2);
+  const Delaunay<> one(query, 2);
   LinearInterpolator(one, value).evaluate(query, result);
   EXPECT_EQ(result[0], 7);
   std::vector<double> slope(2);
@@ -216,7 +217,7 @@ Errc code_of(Work work) {
 
 TEST(Interpolation, Errors) {
   const std::vector<double> points{0, 0, 4, 0, 0, 4}, values{1, 2, 3}, queries{1, 1, 2, 1}, bad{1, nan};
-  const Triangulation t(points, 2);
+  const Delaunay<> t(points, 2);
   std::vector<double> result(2), wrong(3);
   const LinearInterpolator interpolate(t, values);
   EXPECT_EQ(code_of([&] { LinearInterpolator(t, values, 2); }), Errc::bad_dimension);

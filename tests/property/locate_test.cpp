@@ -142,7 +142,7 @@ class Examination {
   const PointSet& set_;
   const std::vector<double>& queries_;
   BruteForce oracle_;
-  Triangulation triangulation_;
+  Delaunay<> triangulation_;
   Complex complex_;
   std::vector<std::pair<CellId, BruteForce::Rows>> finite_;
 };
@@ -231,7 +231,7 @@ TEST_P(LocateIn, ManyPointsAndEveryVertex) {
   const int d = GetParam();
   static constexpr std::size_t usual[] = {5000, 5000, 3000, 500, 100};
   const std::vector<double> points = make_point_set("uniform", d, test::scaled_count(usual[d - 1]), 9);
-  const Triangulation triangulation(points, d);
+  const Delaunay<> triangulation(points, d);
   const PointsView view(points, d);
   for (std::size_t row = 0; row < view.size(); ++row) {
     const Location found = triangulation.locate(view[row]);
@@ -244,7 +244,7 @@ TEST_P(LocateIn, ManyPointsAndEveryVertex) {
 
 // Integer points prove ties by their grid; a query off the grid must not be taken for one of them.
 TEST(OffGridQueries, OneUnitInTheLastPlaceBesideATie) {
-  const Triangulation square(std::vector<double>{0, 0, 1, 0, 0, 1, 100, 100}, 2);
+  const Delaunay<> square(std::vector<double>{0, 0, 1, 0, 0, 1, 100, 100}, 2);
   for (const CellId cell : square.finite_cells()) {
     std::set<std::size_t> rows;
     for (const VertexId v : square.vertices(cell)) rows.insert(square.row_of(v));
@@ -255,7 +255,7 @@ TEST(OffGridQueries, OneUnitInTheLastPlaceBesideATie) {
     EXPECT_EQ(square.in_sphere(cell, std::array{1.0, 1e-300}), Sign::negative);
     EXPECT_EQ(square.in_sphere(cell, std::array{1.0, -1e-300}), Sign::positive);
   }
-  const Triangulation triangle(std::vector<double>{0, 0, 4, 0, 0, 4}, 2);
+  const Delaunay<> triangle(std::vector<double>{0, 0, 4, 0, 0, 4}, 2);
   EXPECT_EQ(triangle.locate(std::array{1.0, 3.0}).kind, Location::Kind::on_face);
   EXPECT_EQ(triangle.locate(std::array{1.0, std::nextafter(3.0, 0)}).kind, Location::Kind::in_cell);
   EXPECT_EQ(triangle.locate(std::array{1.0, std::nextafter(3.0, 4)}).kind, Location::Kind::outside_hull);

@@ -42,7 +42,7 @@ TEST_P(LowerHullIn, OfLiftedPointsInGeneralPositionIsTheDelaunayTriangulation) {
   for (std::uint64_t seed = 1; seed <= test::scaled_count(10); ++seed) {
     const PointSet set = test::small_integers(d, d <= 3 ? 60 : 30, -1000000, 1000000, seed);
     const LowerHull hull(lifted(set), d + 1);
-    const Triangulation delaunay(set.points, d);
+    const Delaunay<> delaunay(set.points, d);
     if (delaunay.statistics().perturbed > 0) continue;
     const ComplexData data = hull.to_data(), expected = delaunay.to_data();
     EXPECT_EQ(data.affine_dimension, d);

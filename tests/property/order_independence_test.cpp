@@ -15,8 +15,8 @@ namespace {
 
 using test::PointSet;
 
-Triangulation one_by_one(const PointSet& set, const Options& options) {
-  Triangulation result(set.dimension, options);
+Delaunay<> one_by_one(const PointSet& set, const Options& options) {
+  Delaunay<> result(set.dimension, options);
   const auto d = static_cast<std::size_t>(set.dimension);
   for (std::size_t row = 0; row < set.size(); ++row) result.insert(std::span(set.points).subspan(row * d, d));
   return result;
@@ -32,11 +32,11 @@ Options with(InsertionOrder order, std::uint64_t seed, bool force_runtime_dimens
 
 void expect_same_by_all_routes(const PointSet& set) {
   SCOPED_TRACE(set.name + "\n" + test::to_text(set.points, set.dimension));
-  const Triangulation reference(set.points, set.dimension);
+  const Delaunay<> reference(set.points, set.dimension);
   const CanonicalHash hash = reference.hash();
   EXPECT_EQ(canonical_hash(reference.to_data()).hex(), hash.hex()) << "hash of the plain data";
 
-  const auto expect_same = [&](const Triangulation& other, const char* route) {
+  const auto expect_same = [&](const Delaunay<>& other, const char* route) {
     EXPECT_EQ(other.hash().hex(), hash.hex()) << route;
     EXPECT_EQ(other.num_finite_cells(), reference.num_finite_cells()) << route;
     EXPECT_EQ(other.num_infinite_cells(), reference.num_infinite_cells()) << route;
@@ -112,7 +112,7 @@ RC_GTEST_PROP(OrderIndependence, SmallIntegersInAnyOrder, ()) {
   set.points.resize(set.points.size() - set.points.size() % static_cast<std::size_t>(d));
   const PointSet permuted = test::permuted(set, *rc::gen::arbitrary<std::uint64_t>());
   RC_ASSERT(one_by_one(set, {}).hash() == one_by_one(permuted, {}).hash());
-  RC_ASSERT(one_by_one(set, {}).hash() == Triangulation(permuted.points, d).hash());
+  RC_ASSERT(one_by_one(set, {}).hash() == Delaunay<>(permuted.points, d).hash());
 }
 
 }  // namespace

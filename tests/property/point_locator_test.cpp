@@ -6,6 +6,7 @@
 #include "degenerate.hpp"
 #include "scale.hpp"
 
+#include <delone/delaunay.hpp>
 #include <delone/furthest_site.hpp>
 #include <delone/predicates.hpp>
 #include <delone/regular.hpp>
@@ -112,7 +113,7 @@ std::set<VertexId> face_of(const Triangulation& t, const Answer& answer) {
 /// `with_fractions`: compare coordinates, too, which takes its time.
 void expect_right_places(const test::PointSet& set, std::size_t num_queries, bool with_fractions) {
   SCOPED_TRACE(set.name + " in dimension " + std::to_string(set.dimension));
-  const Triangulation t(set.points, set.dimension);
+  const Delaunay<> t(set.points, set.dimension);
   const PointLocator locator(t);
   const std::vector<double> queries = queries_for(set, num_queries, 11);
   const auto d = static_cast<std::size_t>(set.dimension);
@@ -179,7 +180,7 @@ TEST_P(PointLocatorOfDimension, NeitherOrderNorBatchMatters) {
   const int d = GetParam();
   const auto size = static_cast<std::size_t>(d);
   const test::PointSet set = test::small_integers(d, d <= 4 ? 200 : 30, -3, 3, 8);
-  const Triangulation t(set.points, d);
+  const Delaunay<> t(set.points, d);
   const PointLocator locator(t);
   const std::vector<double> queries = queries_for(set, 120, 21);
   const std::vector<Answer> together = locate_all(locator, queries, d);
@@ -200,8 +201,8 @@ TEST(PointLocator, OtherTriangulations) {
   std::vector<double> weights;
   test::Random random(2);
   for (std::size_t i = 0; i < set.size(); ++i) weights.push_back(random.integer(0, 9));
-  const RegularTriangulation regular(set.points, weights, 3);
-  const FurthestSiteTriangulation furthest(set.points, 3);
+  const Regular<> regular(set.points, weights, 3);
+  const FurthestSite<> furthest(set.points, 3);
   const std::vector<double> queries = queries_for(set, 200, 5);
   for (const Triangulation* t :
        {static_cast<const Triangulation*>(&regular), static_cast<const Triangulation*>(&furthest)}) {
@@ -218,7 +219,7 @@ TEST(PointLocator, OtherTriangulations) {
 TEST(PointLocator, EdgesAreThoseOfTheCells) {
   for (const int d : {1, 2, 4}) {
     const test::PointSet set = test::small_integers(d, 40, -3, 3, 77);
-    const Triangulation t(set.points, d);
+    const Delaunay<> t(set.points, d);
     std::set<std::pair<VertexId, VertexId>> expected, found;
     for (const CellId c : t.finite_cells())
       for (const VertexId a : t.vertices(c))
@@ -236,7 +237,7 @@ TEST(PointLocator, EdgesAreThoseOfTheCells) {
 
 TEST(PointLocator, BadAndEmptyQueries) {
   const std::vector<double> square{0, 0, 1, 0, 0, 1, 1, 1};
-  const Triangulation t(square, 2);
+  const Delaunay<> t(square, 2);
   const PointLocator locator(t);
   const auto never = [](std::size_t, const LocatedPoint&) { FAIL(); };
   const std::vector<double> bad{0.5, 0.5, NAN, 0, 0, 0, 1, INFINITY};
@@ -258,7 +259,7 @@ TEST(PointLocator, BadAndEmptyQueries) {
       locator.locate(square, [](std::size_t, const LocatedPoint&) { throw std::domain_error("enough"); }),
       std::domain_error);
 
-  const Triangulation empty(2);
+  const Delaunay<> empty(2);
   int visits = 0;
   PointLocator(empty).locate(square, [&](std::size_t, const LocatedPoint& where) {
     ++visits;
@@ -273,7 +274,7 @@ TEST(PointLocator, BadAndEmptyQueries) {
 
 TEST(PointLocator, ManyThreadsOneLocator) {
   const test::PointSet set = test::small_integers(2, 300, -9, 9, 4);
-  const Triangulation t(set.points, 2);
+  const Delaunay<> t(set.points, 2);
   const PointLocator locator(t);
   const std::vector<double> queries = queries_for(set, 400, 6);
   std::vector<std::vector<VertexId>> nearest(4, std::vector<VertexId>(queries.size() / 2));
@@ -324,7 +325,7 @@ TEST_P(NearestOfDimension, AgainstAllVertices) {
   const int d = GetParam();
   for (const test::PointSet& set : test::degenerate_sets(d, d <= 3 ? 25 : 12, 6)) {
     SCOPED_TRACE(set.name);
-    const Triangulation t(set.points, d);
+    const Delaunay<> t(set.points, d);
     if (t.num_vertices() == 0) continue;
     std::vector<double> queries = queries_for(set, test::scaled_count(20), 31);
     // Beside the flat, where squared distances differ by a constant only.
@@ -344,7 +345,7 @@ TEST_P(NearestOfDimension, LeastPower) {
     std::vector<double> weights;
     for (std::size_t i = 0; i < set.size(); ++i)
       weights.push_back(run % 2 == 0 ? random.integer(-3, 9) : 0.1 * random.integer(0, 40));
-    const RegularTriangulation t(set.points, weights, d);
+    const Regular<> t(set.points, weights, d);
     expect_nearest(t, queries_for(set, test::scaled_count(30), random.bits()),
                    [&](VertexId v) { return t.weight(v); });
   }
@@ -355,13 +356,13 @@ TEST_P(NearestOfDimension, LeastPower) {
 TEST(Nearest, TiesGoToTheFirstRow) {
   for (const int d : {1, 2, 3, 4}) {
     const test::PointSet set = test::permuted(test::lattice(d, 3), 17);
-    const Triangulation t(set.points, d);
+    const Delaunay<> t(set.points, d);
     std::vector<double> middles = test::lattice(d, 2).points;
     for (double& x : middles) x += 0.5;
     expect_nearest(t, middles, [](VertexId) { return 0.0; });
   }
   const test::PointSet sphere = test::cospherical(3, 9);
-  expect_nearest(Triangulation(sphere.points, 3), {0, 0, 0}, [](VertexId) { return 0.0; });
+  expect_nearest(Delaunay<>(sphere.points, 3), {0, 0, 0}, [](VertexId) { return 0.0; });
 }
 
 TEST(CompareDistances, AgainstFractions) {

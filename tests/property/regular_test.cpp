@@ -69,7 +69,7 @@ void expect_definition(const WeightedSet& s) {
   const int d = s.set.dimension;
   const BruteForce oracle(s.set.points, d, {}, s.weights);
   const ComplexData expected = oracle.to_data();
-  const RegularTriangulation t(s.set.points, s.weights, d);
+  const Regular<> t(s.set.points, s.weights, d);
   const ComplexData data = t.to_data();
   ASSERT_EQ(t.affine_dimension(), oracle.affine_dimension()) << describe(s);
   ASSERT_TRUE(test::same_cells(sorted_cells(expected), sorted_cells(data))) << describe(s);
@@ -116,8 +116,8 @@ void expect_definition(const WeightedSet& s) {
 /// swallows it.
 void expect_same_one_by_one(const WeightedSet& s, const std::vector<std::size_t>& order) {
   const auto d = static_cast<std::size_t>(s.set.dimension);
-  const RegularTriangulation batch(s.set.points, s.weights, s.set.dimension);
-  RegularTriangulation t(s.set.dimension);
+  const Regular<> batch(s.set.points, s.weights, s.set.dimension);
+  Regular<> t(s.set.dimension);
   for (const std::size_t row : order) {
     const std::span<const double> point = std::span(s.set.points).subspan(row * d, d);
     const bool in_flat = t.affine_dimension() == s.set.dimension;
@@ -175,8 +175,8 @@ TEST(Regular, EqualWeightsGiveDelaunay) {
     for (const PointSet& set : {random, lattice})
       for (const double weight : {0.0, -0.0, 1.0, -1e300, 1e-310}) {
         const std::vector<double> weights(set.size(), weight);
-        const RegularTriangulation t(set.points, weights, d);
-        EXPECT_EQ(t.hash(), Triangulation(set.points, d).hash()) << set.name;
+        const Regular<> t(set.points, weights, d);
+        EXPECT_EQ(t.hash(), Delaunay<>(set.points, d).hash()) << set.name;
         EXPECT_EQ(t.num_hidden(), 0u);
       }
   }
@@ -190,10 +190,10 @@ TEST(Regular, DoesNotDependOnTheOrder) {
             seed % 2 == 0 ? test::lattice(d, d < 3 ? 5 : 3) : test::small_integers(d, 60, 0, 3, seed);
         const WeightedSet s{set, make_weights(kind, set.size(), 2, seed)};
         expect_same_one_by_one(s, test::random_order(set.size(), seed));
-        const auto hash = RegularTriangulation(set.points, s.weights, d).hash();
+        const auto hash = Regular<>(set.points, s.weights, d).hash();
         for (const InsertionOrder order : {InsertionOrder::as_given, InsertionOrder::shuffled}) {
-          const RegularTriangulation other(
-              set.points, s.weights, d, {.seed = seed + 5, .order = order, .force_runtime_dimension = true});
+          const Regular<> other(set.points, s.weights, d,
+                                {.seed = seed + 5, .order = order, .force_runtime_dimension = true});
           EXPECT_EQ(other.hash(), hash) << describe(s);
         }
       }
@@ -208,7 +208,7 @@ TEST(Regular, ManyWeightedPointsPassTheCheck) {
     for (const double largest : {1e-3, 0.05, 1.0}) {
       std::vector<double> weights;
       for (std::size_t i = 0; i < n; ++i) weights.push_back(random.real() * largest);
-      const RegularTriangulation t(set.points, weights, d);
+      const Regular<> t(set.points, weights, d);
       const CheckReport report = check(t.to_data(), {.canonical = true});
       EXPECT_TRUE(report.ok) << report.violation;
       // The cached functionals serve weights: nearly all tests are theirs.
@@ -221,7 +221,7 @@ TEST(Regular, ManyWeightedPointsPassTheCheck) {
 }
 
 TEST(Regular, TheHeaviestOfSeveralPointsInOnePlaceIsTheVertex) {
-  RegularTriangulation t(2);
+  Regular<> t(2);
   const std::vector<double> p{1, 2};
   EXPECT_TRUE(t.insert(p, 1).inserted);
   EXPECT_EQ(t.affine_dimension(), 0);
@@ -262,14 +262,14 @@ TEST(Regular, VerticesAfterManyHiddenPointsAreLikeOthers) {
     }
     for (std::size_t i = 0; i < num_hidden * k; ++i) light.push_back(0.4 + 0.2 * random.real());
     const std::vector<double> no_weights(40, 0.0), light_weights(num_hidden, -100.0);
-    const auto hash = RegularTriangulation(visible, no_weights, d).hash();
+    const auto hash = Regular<>(visible, no_weights, d).hash();
 
-    RegularTriangulation t(d);
+    Regular<> t(d);
     const std::size_t first = 20 * k;
-    t.insert_range({visible.data(), first}, {no_weights.data(), 20});
+    t.insert_range(std::span(visible.data(), first), {no_weights.data(), 20});
     t.insert_range(light, light_weights);
     ASSERT_EQ(t.num_hidden(), num_hidden);
-    t.insert_range({visible.data() + first, first}, {no_weights.data(), 20});
+    t.insert_range(std::span(visible.data() + first, first), {no_weights.data(), 20});
     EXPECT_EQ(t.num_hidden(), num_hidden);
     EXPECT_EQ(t.hash(), hash);
     EXPECT_GT(index(t.vertex_at(num_hidden + 30)), 65'600u);
@@ -277,12 +277,12 @@ TEST(Regular, VerticesAfterManyHiddenPointsAreLikeOthers) {
     EXPECT_EQ(t.hash(), hash);
 
     // One by one, and with ids that were long before a batch came.
-    RegularTriangulation online(d);
-    online.insert_range({visible.data(), first}, {no_weights.data(), 20});
+    Regular<> online(d);
+    online.insert_range(std::span(visible.data(), first), {no_weights.data(), 20});
     online.insert_range(light, light_weights);
     for (std::size_t i = 20; i < 30; ++i) online.insert(std::span(visible.data() + i * k, k), 0.0);
     online.compact();
-    online.insert_range({visible.data() + 30 * k, 10 * k}, {no_weights.data(), 10});
+    online.insert_range(std::span(visible.data() + 30 * k, 10 * k), {no_weights.data(), 10});
     EXPECT_EQ(online.hash(), hash);
     const CheckReport report = check(online.to_data(), {.canonical = true});
     EXPECT_TRUE(report.ok) << report.violation;
@@ -292,11 +292,11 @@ TEST(Regular, VerticesAfterManyHiddenPointsAreLikeOthers) {
 TEST(Regular, BadInputIsRefused) {
   const std::vector<double> points{0, 0, 1, 0}, one{1};
   const std::vector<double> nan{0, std::nan("")};
-  EXPECT_THROW(RegularTriangulation(points, one, 2), Error);
-  EXPECT_THROW(RegularTriangulation(points, {}, 2), Error);
-  EXPECT_THROW(RegularTriangulation(0), Error);
+  EXPECT_THROW(Regular<>(points, one, 2), Error);
+  EXPECT_THROW(Regular<>(points, {}, 2), Error);
+  EXPECT_THROW(Regular<>(0), Error);
   try {
-    RegularTriangulation(points, nan, 2);
+    Regular<>(points, nan, 2);
     ADD_FAILURE();
   } catch (const Error& e) {
     EXPECT_EQ(e.code(), Errc::not_finite);
@@ -316,7 +316,7 @@ TEST(Regular, CompiledDimensions) {
 // What check() must find.
 TEST(Regular, CheckFindsWhatIsWrong) {
   const std::vector<double> points{0, 0, 4, 0, 0, 4, 4, 4, 1, 1, 1, 1};
-  const RegularTriangulation t(points, std::vector<double>{0, 0, 0, 0, -9, -9}, 2);
+  const Regular<> t(points, std::vector<double>{0, 0, 0, 0, -9, -9}, 2);
   const ComplexData good = t.to_data();
   ASSERT_EQ(t.num_hidden(), 2u);
   ASSERT_TRUE(check(good).ok);
@@ -334,7 +334,7 @@ TEST(Regular, CheckFindsWhatIsWrong) {
   bad = good;
   bad.weights[0] = -1e3;  // the diagonal flips, or vertex 0 does
   bad.weights[3] = 1;
-  EXPECT_EQ(check(bad).ok, RegularTriangulation(points, bad.weights, 2).hash() == canonical_hash(bad));
+  EXPECT_EQ(check(bad).ok, Regular<>(points, bad.weights, 2).hash() == canonical_hash(bad));
   bad = good;
   bad.weights.pop_back();
   EXPECT_FALSE(check(bad).ok);

@@ -5,6 +5,6 @@
 #include <vector>
 
 std::size_t cells_of_the_other_unit(const std::vector<double>& coordinates, int dimension) {
-  const delone::Triangulation t(coordinates, dimension);
+  const delone::Delaunay<> t(coordinates, dimension);
   return t.to_data().num_cells();
 }

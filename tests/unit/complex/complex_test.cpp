@@ -34,7 +34,7 @@ class ComplexOf : public ::testing::TestWithParam<std::pair<int, int>> {  // aff
     return rest;
   }
 
-  Triangulation triangulation_;
+  Delaunay<> triangulation_;
   Complex complex_;
   int k_;
 };

@@ -28,7 +28,7 @@ TEST(TakenPoints, GiveTheSameTriangulation) {
     SCOPED_TRACE(c.kind);
     const std::vector<double> points = make_point_set(c.kind, c.dimension, c.n, 1);
     std::vector<double> taken = points;
-    const Triangulation expected(points, c.dimension), result(std::move(taken), c.dimension);
+    const Delaunay<> expected(points, c.dimension), result(std::move(taken), c.dimension);
     EXPECT_TRUE(taken.empty());
     EXPECT_EQ(result.hash().hex(), expected.hash().hex());
     EXPECT_EQ(result.num_points(), expected.num_points());
@@ -41,12 +41,12 @@ TEST(TakenPoints, MayComeInSeveralBatches) {
   std::vector<double> points = make_point_set("uniform", 3, 60'000, 1);
   const auto middle = points.begin() + 3 * 50'000;
   std::vector<double> first(points.begin(), middle), second(middle, points.end());
-  Triangulation result(3);
+  Delaunay<> result(3);
   result.insert_range(std::move(first));
   result.insert_range(std::move(second));
   EXPECT_TRUE(first.empty());
   EXPECT_TRUE(second.empty());
-  EXPECT_EQ(result.hash().hex(), Triangulation(points, 3).hash().hex());
+  EXPECT_EQ(result.hash().hex(), Delaunay<>(points, 3).hash().hex());
 }
 
 TEST(TakenPoints, MayBeInAnyContainer) {
@@ -66,7 +66,7 @@ TEST(TakenPoints, MayBeInAnyContainer) {
 
 TEST(TakenPoints, StayAfterAnError) {
   std::vector<double> points = {0, 0, 1, std::numeric_limits<double>::infinity()};
-  Triangulation triangulation(2);
+  Delaunay<> triangulation(2);
   EXPECT_THROW(triangulation.insert_range(std::move(points)), Error);
   EXPECT_EQ(points.size(), 4u);
   points.resize(3);

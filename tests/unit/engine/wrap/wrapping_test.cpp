@@ -256,7 +256,7 @@ TEST(Wrap, BuildsBatchesOfFewPointsInSevenDimensions) {
   points.insert(points.end(), points.begin(), points.begin() + 5 * d);  // duplicates
   Options inserting;
   inserting.force_runtime_dimension = true;
-  const Triangulation wrapped(points, d), inserted(points, d, inserting);
+  const Delaunay<> wrapped(points, d), inserted(points, d, inserting);
   EXPECT_EQ(wrapped.hash(), inserted.hash());
   EXPECT_EQ(wrapped.num_duplicates(), 5u);
   for (std::size_t row = 0; row < 5; ++row) EXPECT_EQ(wrapped.vertex_at(n + row), wrapped.vertex_at(row));
@@ -268,7 +268,7 @@ TEST(Wrap, BuildsBatchesOfFewPointsInSevenDimensions) {
   // Cancelled on the way, all is as if nothing had been inserted yet but a simplex.
   Options cancelling;
   cancelling.progress = [](double) { return false; };
-  Triangulation cancelled(d, cancelling);
+  Delaunay<> cancelled(d, cancelling);
   EXPECT_THROW(cancelled.insert_range(points), Error);
   EXPECT_LE(cancelled.num_vertices(), d + 1);
   EXPECT_EQ(cancelled.affine_dimension(), static_cast<int>(d));
@@ -281,16 +281,16 @@ TEST(Wrap, LeavesWhatQueriesNeedToTheFirst) {
                     queries = make_point_set("uniform", d, 40, 4);
   Options inserting;
   inserting.force_runtime_dimension = true;
-  Triangulation wrapped(points, d);
-  const Triangulation inserted(points, d, inserting);
-  const auto rows_of = [](const Triangulation& t, const CellId cell) {
+  Delaunay<> wrapped(points, d);
+  const Delaunay<> inserted(points, d, inserting);
+  const auto rows_of = [](const Delaunay<>& t, const CellId cell) {
     std::vector<std::size_t> rows;
     for (const VertexId v : t.vertices(cell))
       rows.push_back(v == infinite_vertex ? ~std::size_t{0} : t.row_of(v));
     std::sort(rows.begin(), rows.end());
     return rows;
   };
-  const auto answers_of = [&](const Triangulation& t) {
+  const auto answers_of = [&](const Delaunay<>& t) {
     std::vector<std::vector<std::size_t>> answers;
     for (std::size_t i = 0; i < queries.size(); i += d) {
       const std::span query(queries.data() + i, d);
@@ -314,13 +314,13 @@ TEST(Wrap, LeavesWhatQueriesNeedToTheFirst) {
   EXPECT_GT(wrapped.statistics().cell_bytes, bytes);
 
   // A point outside the box of all others changes what would have been computed.
-  Triangulation grown(points, d);
+  Delaunay<> grown(points, d);
   grown.insert(Coordinates(d, 3.0));
   Coordinates more = points;
   more.insert(more.end(), d, 3.0);
-  EXPECT_EQ(grown.hash(), Triangulation(more, d, inserting).hash());
+  EXPECT_EQ(grown.hash(), Delaunay<>(more, d, inserting).hash());
 
-  Triangulation compacted(points, d);
+  Delaunay<> compacted(points, d);
   compacted.compact();
   EXPECT_EQ(answers_of(compacted), right);
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Triangulation: the public members. Insertion is in triangulation_impl.cpp.
-#include <delone/delaunay.hpp>
+// Triangulation: its members. Insertion is in triangulation_impl.cpp.
+#include <delone/triangulation.hpp>
 
 #include "base/guarded.hpp"
 #include "complex/canonical_hash.hpp"
@@ -8,41 +8,53 @@
 
 #include <algorithm>
 #include <limits>
+#include <string>
 #include <utility>
 
 namespace delone {
 
-Triangulation::Triangulation(int dimension, const Options& options) {
+namespace {
+
+kernel::RowForm form_of(TriangulationKind kind) {
+  switch (kind) {
+    case TriangulationKind::delaunay:
+      return kernel::RowForm::point;
+    case TriangulationKind::regular:
+      return kernel::RowForm::weighted_point;
+    case TriangulationKind::furthest_site:
+      return kernel::RowForm::furthest_point;
+  }
+  throw Error(Errc::invalid_argument, "not a kind of triangulation");
+}
+
+}  // namespace
+
+Triangulation::Triangulation(TriangulationKind kind, int dimension, const Options& options) {
   if (dimension < 1) throw Error(Errc::bad_dimension, "the dimension must be at least 1");
-  impl_ = std::make_unique<Impl>(dimension, kernel::RowForm::point, options);
-}
-Triangulation::Triangulation(std::unique_ptr<Impl> impl) : impl_(std::move(impl)) {}
-Triangulation::Triangulation(std::span<const double> coordinates, int dimension, const Options& options)
-    : Triangulation(dimension, options) {
-  insert_range(coordinates);
-}
-Triangulation::Triangulation(PointsView points, const Options& options)
-    : Triangulation(points.coordinates(), points.dimension(), options) {}
-Triangulation::Triangulation(std::vector<double>&& coordinates, int dimension, const Options& options)
-    : Triangulation(dimension, options) {
-  insert_range(std::move(coordinates));
+  impl_ = internal::guarded("the triangulation",
+                            [&] { return std::make_unique<Impl>(dimension, form_of(kind), options); });
 }
 Triangulation::Triangulation(Triangulation&&) noexcept = default;
 Triangulation& Triangulation::operator=(Triangulation&&) noexcept = default;
 Triangulation::~Triangulation() = default;
 
-void Triangulation::insert_range(std::span<const double> coordinates) { insert_and_release(coordinates, {}); }
-void Triangulation::insert_range(std::vector<double>&& coordinates) {
-  insert_and_release(coordinates, [&] { const std::vector<double> taken = std::move(coordinates); });
+TriangulationKind Triangulation::kind() const {
+  return impl_->points.form == kernel::RowForm::point            ? TriangulationKind::delaunay
+         : impl_->points.form == kernel::RowForm::weighted_point ? TriangulationKind::regular
+                                                                 : TriangulationKind::furthest_site;
 }
 
-void Triangulation::insert_and_release(std::span<const double> coordinates,
-                                       const std::function<void()>& release) {
-  internal::guarded("the triangulation", [&] { impl_->insert_range(coordinates, {}, release); });
+void Triangulation::insert_points(std::span<const double> coordinates, std::span<const double> weights,
+                                  const std::function<void()>& release) {
+  if (impl_->weighted() && weights.empty() && coordinates.size() >= impl_->ambient())
+    throw Error(Errc::bad_dimension,
+                "0 weights for " + std::to_string(coordinates.size() / impl_->ambient()) + " points");
+  internal::guarded("the triangulation", [&] { impl_->insert_range(coordinates, weights, release); });
 }
 
-InsertResult Triangulation::insert(std::span<const double> point, std::optional<CellId> hint) {
-  return internal::guarded("the triangulation", [&] { return impl_->insert(point, 0.0, hint); });
+InsertResult Triangulation::insert_point(std::span<const double> point, double weight,
+                                         std::optional<CellId> hint) {
+  return internal::guarded("the triangulation", [&] { return impl_->insert(point, weight, hint); });
 }
 
 void Triangulation::compact() {
@@ -70,7 +82,11 @@ VertexId Triangulation::vertex_at(std::size_t row) const {
   return v != invalid_vertex && impl_->is_visible(index(v)) ? v : invalid_vertex;
 }
 
-Location Triangulation::locate(std::span<const double> query, std::optional<CellId> hint) const {
+bool Triangulation::is_hidden(std::size_t row) const { return impl_->is_hidden(row); }
+std::size_t Triangulation::num_hidden() const { return impl_->num_hidden(); }
+std::vector<std::size_t> Triangulation::hidden_rows() const { return impl_->hidden_rows(); }
+
+Location Triangulation::locate(const AnyPoint<>& query, std::optional<CellId> hint) const {
   // The least weight leads a walk by values of functionals to the cell that contains the point.
   const double lightest =
       impl_->queries() != nullptr && impl_->weighted() ? impl_->queries()->frame().low().back() : 0.0;
@@ -96,13 +112,23 @@ Location Triangulation::locate(std::span<const double> query, std::optional<Cell
   return location;
 }
 
-std::vector<CellId> Triangulation::conflict_zone(std::span<const double> query,
-                                                 std::optional<CellId> hint) const {
-  return impl_->conflict_zone(query, 0.0, hint);
+std::vector<CellId> Triangulation::conflict_zone_of(std::span<const double> query, double weight,
+                                                    std::optional<CellId> hint) const {
+  return impl_->conflict_zone(query, weight, hint);
 }
 
-Sign Triangulation::in_sphere(CellId cell, std::span<const double> query) const {
-  return impl_->in_sphere(cell, query, 0.0);
+Sign Triangulation::sphere_sign(CellId cell, std::span<const double> query, double weight) const {
+  return impl_->in_sphere(cell, query, weight);
+}
+
+double Triangulation::weight_of(VertexId v) const {
+  return impl_->points.point(impl_->checked_vertex(v))[impl_->ambient()];
+}
+
+CellId Triangulation::find_hiding_cell(std::size_t row, std::optional<CellId> hint) const {
+  if (!is_hidden(row)) throw Error(Errc::invalid_argument, "row " + std::to_string(row) + " is not hidden");
+  const double* const point = impl_->points.point(index(impl_->vertex_of_row[row]));
+  return locate(std::span(point, impl_->ambient()), hint).cell;
 }
 
 ComplexData Triangulation::to_data(bool with_points) const {

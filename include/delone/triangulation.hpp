@@ -1,0 +1,160 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What the triangulations of points have in common: Delaunay, regular and furthest-site, of any dimension.
+#pragma once
+
+#include <delone/complex.hpp>
+#include <delone/error.hpp>
+#include <delone/options.hpp>
+#include <delone/points.hpp>
+#include <delone/types.hpp>
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <span>
+#include <type_traits>
+#include <vector>
+
+namespace delone {
+
+enum class TriangulationKind : std::uint8_t { delaunay, regular, furthest_site };
+
+/// Where a query point lies, exactly.
+struct Location {
+  enum class Kind {
+    in_cell,              ///< in the interior of a finite cell
+    on_face,              ///< in the relative interior of a face of dimension 1 … k−1
+    on_vertex,            ///< equal to a vertex
+    outside_hull,         ///< in the affine hull of the points, outside their convex hull
+    outside_affine_hull,  ///< not in the affine hull (k < d)
+  };
+  Kind kind = Kind::outside_affine_hull;
+  CellId cell = invalid_cell;  ///< a cell that contains the face; outside the hull: an infinite cell in
+                               ///< conflict with the query
+  std::vector<VertexId> face;  ///< the vertices of the smallest face that contains the query; empty outside
+  int face_dimension() const { return static_cast<int>(face.size()) - 1; }
+};
+
+struct InsertResult {
+  VertexId vertex = invalid_vertex;  ///< the vertex at that point; invalid_vertex if the point is hidden
+  bool inserted = false;             ///< false: a duplicate of an earlier point, or hidden
+};
+
+/// A triangulation of points in R^d: what holds for Delaunay<D>, Regular<D> and FurthestSite<D> alike. They
+/// are made as one of these, and passed as a `const Triangulation&` to what takes any.
+///
+/// Method: incremental insertion with symbolic perturbation of ties; Hornus and Boissonnat, "An efficient
+/// implementation of Delaunay triangulations in medium dimensions", INRIA RR-6743 (2008); perturbation after
+/// Devillers and Teillaud, "Perturbations for Delaunay and weighted Delaunay 3D triangulations",
+/// doi:10.1016/j.comgeo.2010.09.010.
+///
+/// Exact for all finite doubles. The result is a function of the set of points: the cells do not depend on
+/// order or seed. Input that spans only a k-flat is triangulated inside its flat. Duplicates are merged.
+/// `const` members may be called from several threads at once. Expected cost for uniform points: O(n) cells
+/// and time per dimension; worst case O(n^⌈d/2⌉) cells. In 7 and 8 dimensions a first batch of at most 4000
+/// points leaves what only queries and insertions need, O(k³) time and 8(k+2) bytes per cell, to the first of
+/// them, which throws Errc::out_of_memory if that fails.
+///
+/// *Hidden points.* In a regular or furthest-site triangulation some points are no vertices. A hidden point
+/// stays hidden, whatever is inserted later; a vertex may become hidden: its id is not used again, and the
+/// ids of vertices then have gaps (Complex::finite_vertices()). A Delaunay triangulation hides no point.
+class Triangulation {
+ public:
+  Triangulation(const Triangulation&) = delete;
+  Triangulation& operator=(const Triangulation&) = delete;
+
+  TriangulationKind kind() const;
+
+  /// Releases what only insertions need: from then on a cell takes 8(k+1) bytes, and the ids of cells change,
+  /// without gaps. Everything keeps working: queries are as exact as ever and some ten times slower, and the
+  /// next insertion first restores what was released, O(k³) per cell. Cost O(cells·k), and for a moment the
+  /// memory of both. Throws Errc::out_of_memory, and then changes nothing.
+  void compact();
+
+  int dimension() const;           ///< d
+  int affine_dimension() const;    ///< k ≤ d; 0 for one distinct point, −1 for none
+  std::size_t num_points() const;  ///< rows inserted, duplicates and hidden points included
+  std::size_t num_rows() const;    ///< rows known: after a cancellation some of them are not inserted
+  Index num_vertices() const;      ///< distinct points that are not hidden
+  std::size_t num_duplicates() const;
+  Index num_finite_cells() const { return complex().num_finite_cells(); }
+  Index num_infinite_cells() const { return complex().num_infinite_cells(); }
+
+  /// The combinatorial structure; valid until the next insertion.
+  Complex complex() const;
+  Complex::CellRange finite_cells() const { return complex().finite_cells(); }
+  Complex::CellRange cells() const { return complex().cells(); }
+  std::vector<VertexId> vertices(CellId c) const { return complex().vertices(c); }
+  std::vector<CellId> neighbors(CellId c) const { return complex().neighbors(c); }
+
+  /// The d coordinates of a finite vertex.
+  std::span<const double> point(VertexId v) const;
+  /// The first input row at a finite vertex.
+  std::size_t row_of(VertexId v) const;
+  /// The vertex at an input row, row < num_rows(); invalid_vertex for a row that was not inserted, or is
+  /// hidden.
+  VertexId vertex_at(std::size_t row) const;
+  /// The k coordinate axes onto which the affine hull projects one-to-one, increasing; all d axes when k = d.
+  std::vector<int> axes() const;
+
+  /// Whether the point of an input row, row < num_rows(), is hidden. O(1).
+  bool is_hidden(std::size_t row) const;
+  /// How many rows are hidden: num_points() = num_vertices() + num_duplicates() + num_hidden(). O(rows).
+  std::size_t num_hidden() const;
+  /// The rows that are hidden, increasing. O(rows).
+  std::vector<std::size_t> hidden_rows() const;
+
+  /// Where q lies, exactly. Cost: a walk from the hint. REQUIRES d finite coordinates.
+  Location locate(const AnyPoint<>& query, std::optional<CellId> hint = std::nullopt) const;
+
+  /// A plain copy: cells of point rows in the order of finite_cells().
+  ComplexData to_data(bool with_points = true) const;
+  CanonicalHash hash() const;
+  Statistics statistics() const;
+
+ protected:
+  struct Impl;
+
+  Triangulation(TriangulationKind kind, int dimension, const Options& options);
+  Triangulation(Triangulation&&) noexcept;
+  Triangulation& operator=(Triangulation&&) noexcept;
+  ~Triangulation();
+
+  /// Inserts points as the next rows; `weights` are as many, or none: all are 0.
+  template <int D>
+  void insert_points(AnyPoints<D>& points, std::span<const double> weights = {}) {
+    points.require_dimension(dimension());
+    insert_points(points.coordinates(), weights, [&points] { points.release(); });
+  }
+  InsertResult insert_point(std::span<const double> point, double weight, std::optional<CellId> hint);
+  std::vector<CellId> conflict_zone_of(std::span<const double> query, double weight,
+                                       std::optional<CellId> hint) const;
+  Sign sphere_sign(CellId cell, std::span<const double> query, double weight) const;
+  double weight_of(VertexId v) const;
+  CellId find_hiding_cell(std::size_t row, std::optional<CellId> hint) const;
+
+  const Impl& impl() const { return *impl_; }
+
+ private:
+  /// `release` is called as soon as the coordinates have been copied.
+  void insert_points(std::span<const double> coordinates, std::span<const double> weights,
+                     const std::function<void()>& release);
+
+  std::unique_ptr<Impl> impl_;
+};
+
+namespace detail {
+
+/// The coordinates of one point: of D numbers, or of a number known at run time.
+template <int D>
+using Coordinates = std::span<const double, D == dynamic ? std::dynamic_extent : static_cast<std::size_t>(D)>;
+
+template <int D>
+using OwnPoint = std::conditional_t<D == dynamic, std::vector<double>, std::array<double, (D > 0 ? D : 1)>>;
+
+}  // namespace detail
+
+}  // namespace delone
