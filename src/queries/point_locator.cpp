@@ -132,7 +132,7 @@ class PlainWalk {
   void locate(const double* q, CellId start, LocatedPoint& found) {
     const auto hint = start == invalid_cell ? std::nullopt : std::optional<CellId>(start);
     const Location location =
-        where_.triangulation.locate({q, static_cast<std::size_t>(where_.dimension)}, hint);
+        where_.triangulation.locate(std::span(q, static_cast<std::size_t>(where_.dimension)), hint);
     found = {location.kind, location.cell, {}};
     if (location.face.empty()) return;
     const std::vector<VertexId> vertices = where_.complex.vertices(location.cell);

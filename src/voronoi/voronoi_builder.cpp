@@ -134,7 +134,7 @@ void VoronoiBuilder::unite(Index a, Index b) {
 }
 
 bool VoronoiBuilder::is_on_sphere(CellId cell, VertexId v) const {
-  if (!weight_) return triangulation_.in_sphere(cell, {point(v), d_}) == Sign::zero;
+  if (!weight_) return internal::StoredPoints::in_sphere(triangulation_, cell, {point(v), d_}) == Sign::zero;
   std::vector<const double*> points;
   std::vector<double> weights;
   for (int i = 0; i <= k_; ++i) {
