@@ -8,6 +8,7 @@
 
 #include <delone/check.hpp>
 #include <delone/convex_hull.hpp>
+#include <delone/delaunay.hpp>
 #include <delone/furthest_site.hpp>
 #include <delone/lower_hull.hpp>
 
@@ -175,8 +176,7 @@ TEST(FurthestSite, DoesNotDependOnTheOrder) {
       const FurthestSite<> batch(set.points, d);
       const auto hash = batch.hash();
       for (const InsertionOrder order : {InsertionOrder::as_given, InsertionOrder::shuffled})
-        EXPECT_EQ(FurthestSite<>(set.points, d,
-                                            {.seed = 7, .order = order, .force_runtime_dimension = true})
+        EXPECT_EQ(FurthestSite<>(set.points, d, {.seed = 7, .order = order, .force_runtime_dimension = true})
                       .hash(),
                   hash)
             << describe(set);
