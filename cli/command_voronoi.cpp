@@ -10,7 +10,6 @@
 #include <filesystem>
 #include <memory>
 #include <optional>
-#include <type_traits>
 #include <utility>
 
 namespace delone::cli {
@@ -62,7 +61,7 @@ void check_outputs(const VoronoiOptions& options, int dimension) {
     format.erase(0, 1);
   }
   try {
-    write_voronoi("/dev/null", VoronoiDiagram(Delaunay<>(dimension)), nullptr, format);
+    write_voronoi("/dev/null", Voronoi(Delaunay<>(dimension)), nullptr, format);
   } catch (const Error& e) {
     std::string message = e.what();
     if (message.rfind("/dev/null", 0) == 0) message.replace(0, 9, name);
@@ -70,8 +69,7 @@ void check_outputs(const VoronoiOptions& options, int dimension) {
   }
 }
 
-Json stats(const Triangulation& t, const VoronoiDiagram& diagram, const Cost& cost,
-           const VoronoiOptions& options) {
+Json stats(const Triangulation& t, const Diagram& diagram, const Cost& cost, const VoronoiOptions& options) {
   const Counts counts = counts_of(t, t.hash().hex());
   Json json = stats_of(options.power ? "power" : "voronoi", counts);
   json["voronoi_vertices"] = diagram.num_vertices();
@@ -83,7 +81,7 @@ Json stats(const Triangulation& t, const VoronoiDiagram& diagram, const Cost& co
   return json;
 }
 
-Summary summary(const Triangulation& t, const VoronoiDiagram& diagram, const Cost& cost,
+Summary summary(const Triangulation& t, const Diagram& diagram, const Cost& cost,
                 const VoronoiOptions& options) {
   const Counts counts = counts_of(t, {});
   const std::string kind = options.power ? "power" : "Voronoi";
@@ -99,13 +97,16 @@ Summary summary(const Triangulation& t, const VoronoiDiagram& diagram, const Cos
 }
 
 /// One line per region: the row of its point, and its volume.
-std::string volumes_text(const VoronoiDiagram& diagram, const std::optional<Box>& box) {
+std::string volumes_text(const Diagram& diagram, const std::optional<Box>& box) {
   const std::vector<double> volumes = box ? diagram.region_volumes(*box) : diagram.region_volumes();
   std::string text = "point,volume\n";
   for (std::size_t r = 0; r < volumes.size(); ++r)
     text += fmt::format("{},{}\n", diagram.region_points()[r], volumes[r]);
   return text;
 }
+
+Voronoi<> diagram_of(const Delaunay<>& triangulation) { return Voronoi(triangulation); }
+PowerDiagram<> diagram_of(const Regular<>& triangulation) { return PowerDiagram(triangulation); }
 
 /// The triangulation by `build`, its diagram, and what was asked for.
 template <class Build>
@@ -121,9 +122,7 @@ int run_with(Build build, const std::optional<Box>& box, Cost cost, Clock::time_
   cost.build = seconds_since(stage_start);
 
   stage_start = Clock::now();
-  using Diagram = std::conditional_t<std::is_same_v<std::decay_t<decltype(triangulation)>, Regular<>>,
-                                     PowerDiagram, VoronoiDiagram>;
-  const auto diagram = about(name, [&] { return Diagram(triangulation); });
+  const auto diagram = about(name, [&] { return diagram_of(triangulation); });
   const std::string volumes =
       options.volumes.empty() ? "" : about(options.volumes, [&] { return volumes_text(diagram, box); });
   cost.diagram = seconds_since(stage_start);

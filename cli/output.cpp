@@ -75,7 +75,7 @@ void write_complex_output(const std::string& path, const ComplexData& data, cons
   about(path == "-" ? "standard output" : path, [&] { write_complex(path, data, format); });
 }
 
-void write_voronoi_output(const std::string& path, const VoronoiDiagram& diagram, const Box* box,
+void write_voronoi_output(const std::string& path, const Diagram& diagram, const Box* box,
                           const std::string& format) {
   const StageGuard guard(stage_of_writing(path));
   about(path == "-" ? "standard output" : path, [&] { write_voronoi(path, diagram, box, format); });

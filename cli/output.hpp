@@ -18,7 +18,7 @@ void write_text(const std::string& path, std::string_view text);
 
 /// Writes a triangulation so that Ctrl-C leaves no partial file.
 void write_complex_output(const std::string& path, const ComplexData& data, const std::string& format);
-void write_voronoi_output(const std::string& path, const VoronoiDiagram& diagram, const Box* box,
+void write_voronoi_output(const std::string& path, const Diagram& diagram, const Box* box,
                           const std::string& format);
 void write_points_output(const std::string& path, const PointTable& points, const std::string& format);
 

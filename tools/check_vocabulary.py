@@ -22,6 +22,8 @@ ROOT = pathlib.Path(__file__).resolve().parent.parent
 TABLE = "docs/vocabulary.md"
 HEADER = ["name", "meaning", "C++", "command", "Python"]
 
+CPP = ["include/**/*", "src/**/*", "cli/*", "python/src/*", "tests/**/*", "examples/*", "docs/*.md", "README.md"]
+
 # (pattern, where it must not occur: globs, globs that are exempt, what to write instead)
 RETIRED = [
     (r"--order[ =]given\b|\border ?= ?[\"']given[\"']|[\"']--order[\"'], [\"']given[\"']",
@@ -29,6 +31,7 @@ RETIRED = [
     (r"\badd_points\b|\badd_halfspaces\b",
      ["include/**/*", "src/**/*", "python/**/*", "tests/**/*", "examples/*", "docs/*.md", "README.md"],
      ["python/delone/spatial/*", "tests/python/*spatial*", "tests/python/test_pickle.py", "docs/from-scipy.md"], "insert_range"),
+    (r"\bVoronoiDiagram\b|\bVoronoiParts\b", CPP, [], "Voronoi<D>, Diagram or DiagramParts"),
 ]
 
 

@@ -72,4 +72,8 @@ template <class Range>
 requires(detail::dimension_of_range<Range>() > 0) Delaunay(Range&&, const Options& = {})
 ->Delaunay<detail::dimension_of_range<Range>()>;
 
+/// From points and their dimension, chosen at run time.
+template <class Range>
+Delaunay(Range&&, int, const Options& = {}) -> Delaunay<dynamic>;
+
 }  // namespace delone

@@ -86,4 +86,8 @@ template <class Range>
 requires(detail::dimension_of_range<Range>() > 0) FurthestSite(Range&&, const Options& = {})
 ->FurthestSite<detail::dimension_of_range<Range>()>;
 
+/// From points and their dimension, chosen at run time.
+template <class Range>
+FurthestSite(Range&&, int, const Options& = {}) -> FurthestSite<dynamic>;
+
 }  // namespace delone

@@ -105,4 +105,8 @@ requires(detail::dimension_of_range<Range>() > 0)
     Regular(Range&&, std::span<const double>, const Options& = {})
 ->Regular<detail::dimension_of_range<Range>()>;
 
+/// From points and their dimension, chosen at run time.
+template <class Range>
+Regular(Range&&, std::span<const double>, int, const Options& = {}) -> Regular<dynamic>;
+
 }  // namespace delone

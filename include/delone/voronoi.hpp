@@ -4,9 +4,11 @@
 #pragma once
 
 #include <delone/delaunay.hpp>
+#include <delone/points.hpp>
 #include <delone/regular.hpp>
 #include <delone/types.hpp>
 
+#include <concepts>
 #include <cstddef>
 #include <cstdint>
 #include <functional>
@@ -15,6 +17,14 @@
 #include <vector>
 
 namespace delone {
+
+namespace detail {
+
+/// What a product refuses to be made from: all types but what it is the dual of and itself.
+template <class T, class Dual, class Product>
+concept OtherThan = !std::derived_from<T, Dual> && !std::same_as<T, Product>;
+
+}  // namespace detail
 
 /// The closed box low[j] ≤ x[j] ≤ high[j] in R^d.
 struct Box {
@@ -31,14 +41,14 @@ struct ClippedRegion {
 };
 
 /// How much of a diagram is made.
-enum class VoronoiParts {
+enum class DiagramParts {
   regions,  ///< vertices, regions, rays: the smaller part of the work. Without ridges there are no volumes,
             ///< and nothing is clipped
   all,
 };
 
-/// The arrays of a diagram, as files hold them (docs/formats.md): what the members of VoronoiDiagram of these
-/// names give.
+/// The arrays of a diagram, as files hold them (docs/formats.md): what the members of Diagram of these names
+/// give.
 struct VoronoiData {
   int dimension = 1, affine_dimension = -1;  ///< d and k
   std::vector<double> points;   ///< n×d, hidden points included; NaN for rows that were not inserted
@@ -58,33 +68,27 @@ struct VoronoiData {
   std::size_t num_rays() const { return ray_vertices.size(); }
 };
 
-/// The Voronoi diagram of points in R^d: for each site (distinct point) the region of the points of the flat
-/// that are not nearer to any other site. Data of its own: the triangulation may change or go away
-/// afterwards.
+/// A diagram of sites in R^d: for each site (distinct point) the region of the points of the flat that are
+/// not nearer to, or of no smaller power with respect to, any other site. What is true of it in every
+/// dimension; Voronoi<D> and PowerDiagram<D> make one, functions for all dimensions take a `const Diagram&`.
+/// Data of its own: the triangulation may change or go away afterwards.
 ///
-/// Points that span only a k-flat have their diagram inside the flat: Voronoi vertices, rays and volumes are
-/// those of R^k, in d coordinates. One point (k = 0) has one region, everything, without vertices; no point
-/// (k = −1) has none.
+/// Points that span only a k-flat have their diagram inside the flat: vertices, rays and volumes are those of
+/// R^k, in d coordinates. One point (k = 0) has one region, everything, without vertices; no point (k = −1)
+/// has none.
 ///
-/// *Voronoi vertices* are the distinct centres of the spheres of the finite cells. That two cells have one
-/// sphere is decided exactly, so a cospherical set of points makes one vertex. Each coordinate is the double
-/// nearest to the exact one (ties to even; ±infinity beyond the range of doubles), and thus does not depend
-/// on how ties of the triangulation were decided. *Regions* are in the order of the sites' first input rows:
-/// without duplicates and hidden points region i is that of point i. *Ridges* are the facets between two
-/// regions, of dimension k−1 exactly: two regions that only touch in less have none. −1 stands for infinity
-/// in lists of vertices. The arrays are those of `scipy.spatial.Voronoi`, lists of lists as offsets into one
-/// array: list i is entries offsets[i] … offsets[i+1]−1.
+/// *Vertices* are the distinct centres of the spheres of the finite cells. That two cells have one sphere is
+/// decided exactly, so a cospherical set of points makes one vertex. Each coordinate is the double nearest to
+/// the exact one (ties to even; ±infinity beyond the range of doubles), and thus does not depend on how ties
+/// of the triangulation were decided. *Regions* are in the order of the sites' first input rows: without
+/// duplicates and hidden points region i is that of point i. *Ridges* are the facets between two regions, of
+/// dimension k−1 exactly: two regions that only touch in less have none. −1 stands for infinity in lists of
+/// vertices. The arrays are those of `scipy.spatial.Voronoi`, lists of lists as offsets into one array: list
+/// i is entries offsets[i] … offsets[i+1]−1.
 ///
 /// Cost: one solve of k equations per cell, and the size of the output. Errors: out_of_memory.
-class VoronoiDiagram {
+class Diagram {
  public:
-  template <int D>
-  explicit VoronoiDiagram(const Delaunay<D>& triangulation, VoronoiParts parts = VoronoiParts::all)
-      : VoronoiDiagram(triangulation, nullptr, parts) {}
-  /// Of a regular triangulation take the PowerDiagram; the dual of a furthest-site triangulation is another
-  /// diagram.
-  explicit VoronoiDiagram(const Triangulation&, VoronoiParts = VoronoiParts::all) = delete;
-
   int dimension() const { return dimension_; }                ///< d
   int affine_dimension() const { return affine_dimension_; }  ///< k
   std::size_t num_points() const { return point_region_.size(); }
@@ -100,8 +104,8 @@ class VoronoiDiagram {
     return std::span(vertices_).subspan(i * ambient(), ambient());
   }
 
-  /// Whether ridges were asked for. Volumes, clipping and files need them: without, these throw
-  /// Errc::invalid_argument.
+  /// Whether the diagram has ridges: DiagramParts::all. Volumes, clipping and files need them: without, these
+  /// throw Errc::invalid_argument.
   bool has_ridges() const { return has_ridges_; }
   /// num_ridges()×2 input rows: the two sites of each ridge. Their bisector contains the ridge.
   std::span<const SignedIndex> ridge_points() const { return ridge_points_; }
@@ -130,8 +134,8 @@ class VoronoiDiagram {
   }
   double weight(std::size_t region) const { return weights_.empty() ? 0 : weights_[region]; }
 
-  /// A plain copy, with the points of all input rows: what write_voronoi() writes. Throws invalid_argument
-  /// without ridges.
+  /// A plain copy, with the points of all input rows: what files hold. Throws invalid_argument without
+  /// ridges.
   VoronoiData to_data() const;
 
   /// The unbounded edges, one for each facet of the convex hull (hull facets in one hyperplane whose cells
@@ -164,11 +168,18 @@ class VoronoiDiagram {
   Box bounding_box(double margin = 0.1) const;
 
  protected:
-  VoronoiDiagram(const Triangulation& triangulation, const std::function<double(VertexId)>& weight,
-                 VoronoiParts parts);
+  struct Clone {};
+  /// `weight`: of each vertex; empty if there are none.
+  Diagram(const Triangulation& triangulation, const std::function<double(VertexId)>& weight,
+          DiagramParts parts);
+  Diagram(Clone, const Diagram& other);
+  Diagram(Diagram&&) noexcept = default;
+  Diagram& operator=(Diagram&&) noexcept = default;
+  ~Diagram() = default;
 
  private:
   friend class VoronoiBuilder;
+  Diagram(const Diagram&) = default;
   std::size_t ambient() const { return static_cast<std::size_t>(dimension_); }
   static std::span<const SignedIndex> list(const std::vector<SignedIndex>& items,
                                            const std::vector<std::int64_t>& offsets, std::size_t i) {
@@ -199,17 +210,75 @@ class VoronoiDiagram {
   std::vector<SignedIndex> cell_regions_, cell_vertex_;
 };
 
-/// The power diagram of weighted points: as VoronoiDiagram, with the power |x − p|² − weight in place of the
-/// squared distance, and the centres of power spheres as vertices. Hidden points have no region; a region
-/// need not contain its site.
-class PowerDiagram : public VoronoiDiagram {
+/// The Voronoi diagram of points of R^D: for each site the region of the points of the flat that are not
+/// nearer to any other site. The dual of their Delaunay triangulation.
+template <int D = dynamic>
+class Voronoi : public Diagram {
  public:
-  template <int D>
-  explicit PowerDiagram(const Regular<D>& triangulation, VoronoiParts parts = VoronoiParts::all)
-      : VoronoiDiagram(
-            triangulation,
-            [&triangulation](VertexId v) { return static_cast<double>(triangulation.weight(v)); }, parts) {}
+  explicit Voronoi(const Delaunay<D>& triangulation, DiagramParts parts = DiagramParts::all)
+      : Diagram(triangulation, {}, parts) {}
+  /// Other triangulations have another dual; one that is only known as a Triangulation may be any of them.
+  template <detail::OtherThan<Delaunay<D>, Voronoi<D>> Other>
+  explicit Voronoi(const Other&, DiagramParts = DiagramParts::all) : Voronoi(refused<Other>()) {}
+  Voronoi(Voronoi&&) noexcept = default;
+  Voronoi& operator=(Voronoi&&) noexcept = default;
+
+  /// A deep copy. Throws Errc::out_of_memory.
+  Voronoi clone() const { return Voronoi(Clone{}, *this); }
+
+  detail::Coordinates<D> vertex(std::size_t i) const { return detail::Coordinates<D>(Diagram::vertex(i)); }
+  detail::Coordinates<D> site(std::size_t region) const {
+    return detail::Coordinates<D>(Diagram::site(region));
+  }
+
+ private:
+  Voronoi(Clone clone, const Voronoi& other) : Diagram(clone, other) {}
+  template <class Other>
+  static const Delaunay<D>& refused() {
+    static_assert(detail::always_false<Other>,
+                  "a Voronoi diagram is made from a delone::Delaunay triangulation; the dual of a "
+                  "delone::Regular one is a delone::PowerDiagram");
+  }
 };
+
+template <int D>
+Voronoi(const Delaunay<D>&, DiagramParts = DiagramParts::all) -> Voronoi<D>;
+
+/// The power diagram of weighted points of R^D: as the Voronoi diagram, with the power |x − p|² − weight in
+/// place of the squared distance, and the centres of power spheres as vertices. Hidden points have no region;
+/// a region need not contain its site. The dual of the regular triangulation.
+template <int D = dynamic>
+class PowerDiagram : public Diagram {
+ public:
+  explicit PowerDiagram(const Regular<D>& triangulation, DiagramParts parts = DiagramParts::all)
+      : Diagram(
+            triangulation, [&triangulation](VertexId v) { return triangulation.weight(v); }, parts) {}
+  /// Other triangulations have another dual.
+  template <detail::OtherThan<Regular<D>, PowerDiagram<D>> Other>
+  explicit PowerDiagram(const Other&, DiagramParts = DiagramParts::all) : PowerDiagram(refused<Other>()) {}
+  PowerDiagram(PowerDiagram&&) noexcept = default;
+  PowerDiagram& operator=(PowerDiagram&&) noexcept = default;
+
+  /// A deep copy. Throws Errc::out_of_memory.
+  PowerDiagram clone() const { return PowerDiagram(Clone{}, *this); }
+
+  detail::Coordinates<D> vertex(std::size_t i) const { return detail::Coordinates<D>(Diagram::vertex(i)); }
+  detail::Coordinates<D> site(std::size_t region) const {
+    return detail::Coordinates<D>(Diagram::site(region));
+  }
+
+ private:
+  PowerDiagram(Clone clone, const PowerDiagram& other) : Diagram(clone, other) {}
+  template <class Other>
+  static const Regular<D>& refused() {
+    static_assert(detail::always_false<Other>,
+                  "a power diagram is made from a delone::Regular triangulation; the dual of a "
+                  "delone::Delaunay one is a delone::Voronoi diagram");
+  }
+};
+
+template <int D>
+PowerDiagram(const Regular<D>&, DiagramParts = DiagramParts::all) -> PowerDiagram<D>;
 
 /// Writes a diagram; the format is `format` or the extension of the path:
 ///   npz   the arrays of VoronoiData, and affine_dimension
@@ -219,7 +288,7 @@ class PowerDiagram : public VoronoiDiagram {
 /// `box`: by default bounding_box(). The file appears whole or not at all; "-" is standard output (json,
 /// svg). Errors: cannot_write, unsupported, out_of_memory; invalid_argument for a bad box, and for a diagram
 /// without ridges.
-void write_voronoi(const std::string& path, const VoronoiDiagram& diagram, const Box* box = nullptr,
+void write_voronoi(const std::string& path, const Diagram& diagram, const Box* box = nullptr,
                    const std::string& format = {});
 
 /// Reads the arrays back that write_voronoi() wrote as npz or json, or another program under these names.

@@ -4,9 +4,9 @@
 #include "module.hpp"
 #include "triangulation.hpp"
 
+#include <delone/furthest_site.hpp>
 #include <delone/voronoi.hpp>
 
-#include <concepts>
 #include <memory>
 #include <optional>
 #include <string>
@@ -16,12 +16,12 @@ namespace {
 
 using namespace py::literals;
 
-/// Of nearest or of furthest sites: these have the same vertices, ridges and regions, and rays in the other
-/// direction.
-class UnweightedDiagram : public VoronoiDiagram {
+/// The diagram of furthest sites: vertices, ridges and regions are found as for nearest sites; rays point in
+/// the other direction, and nothing is clipped.
+class FurthestVoronoi : public Diagram {
  public:
-  explicit UnweightedDiagram(const Triangulation& triangulation)
-      : VoronoiDiagram(triangulation, nullptr, VoronoiParts::all) {}
+  explicit FurthestVoronoi(const FurthestSite<>& triangulation)
+      : Diagram(triangulation, {}, DiagramParts::all) {}
 };
 
 /// A diagram and the points that it belongs to.
@@ -36,11 +36,13 @@ class HeldDiagram {
       version = source.version();
       source_state_ = triangulation.attr("__getstate__")();
       supervisor.run([&] {
-        source.with_product(supervisor, [&]<class Product>(const Product& product) {
-          if constexpr (std::same_as<Product, Regular<>>)
-            diagram_ = std::make_shared<PowerDiagram>(product);
+        source.with_engine(supervisor, [&](const Triangulation& engine) {
+          if (source.form() == Form::regular)
+            diagram_ = std::make_shared<PowerDiagram<>>(static_cast<const Regular<>&>(engine));
+          else if (source.form() == Form::furthest_site)
+            diagram_ = std::make_shared<FurthestVoronoi>(static_cast<const FurthestSite<>&>(engine));
           else
-            diagram_ = std::make_shared<UnweightedDiagram>(product);
+            diagram_ = std::make_shared<Voronoi<>>(static_cast<const Delaunay<>&>(engine));
         });
         points_ = source.points(supervisor);
         weights_ = source.weights(supervisor);
@@ -54,7 +56,7 @@ class HeldDiagram {
                           py::make_tuple(py::type::of(self), source_type_, source_state_));
   }
 
-  const VoronoiDiagram& diagram() const { return *diagram_; }
+  const Diagram& diagram() const { return *diagram_; }
   std::size_t dimension() const { return static_cast<std::size_t>(diagram_->dimension()); }
   bool is_furthest() const { return is_furthest_; }
   py::array ray_directions() const {
@@ -81,7 +83,7 @@ class HeldDiagram {
  private:
   py::object source_type_, source_state_;
   bool is_furthest_ = false;
-  std::shared_ptr<const VoronoiDiagram> diagram_;
+  std::shared_ptr<const Diagram> diagram_;
   std::shared_ptr<const std::vector<double>> points_, weights_;
 };
 
@@ -118,66 +120,111 @@ std::size_t checked(std::size_t i, std::size_t count) {
 }
 
 std::string repr(const HeldDiagram& held, const char* name) {
-  const VoronoiDiagram& v = held.diagram();
+  const Diagram& v = held.diagram();
   return std::string("<delone.") + name + ": " + std::to_string(v.num_points()) + " points in dimension " +
          std::to_string(v.dimension()) + ", " + std::to_string(v.num_regions()) + " regions, " +
          std::to_string(v.num_vertices()) + " vertices>";
 }
 
+constexpr const char* diagram_doc = R"(
+What Voronoi and PowerDiagram share.
+
+k is the affine dimension of the points: those of a k-flat have their diagram inside the flat. Which regions, ridges
+and vertices there are is exact. In lists of vertices -1 stands for infinity. Index arrays are int32, and read-only as
+all arrays; lists of lists are (offsets, items): list i is items[offsets[i]:offsets[i+1]].)";
+
+constexpr const char* vertices_doc = R"(
+(v, d) float64: the distinct centres of the cells' spheres, each coordinate the double nearest to the exact one;
++-inf beyond the range of doubles.)";
+
+constexpr const char* ridge_vertices_doc = R"(
+The vertices of ridge i: ridge_vertices[ridge_offsets[i]:ridge_offsets[i+1]], -1 first if it is unbounded; in cyclic
+order for k = 3, counterclockwise about the direction between its sites when k = d; increasing for k > 3.)";
+
+constexpr const char* region_vertices_doc = R"(
+The vertices of region i: region_vertices[region_offsets[i]:region_offsets[i+1]], -1 first if it is unbounded; in cyclic
+order for k = 2, counterclockwise when k = d; otherwise increasing.)";
+
+constexpr const char* region_volumes_doc = R"(
+(regions,) float64: the k-volume of each region, infinite if unbounded; with box = (low, high), each (d,), the d-volume
+of what is inside the box. Rounded, with a relative error of about 1e-15 times the shape's condition. InputError for
+a box that is not of finite numbers low < high, and unsupported for d > 12 or furthest sites. Cost: O(output) for
+k <= 3; beyond, at most (k-1)! simplices for each cell and ridge; regions that the box cuts one by one.)";
+
+constexpr const char* voronoi_doc = R"(
+Voronoi(points)
+
+The Voronoi diagram of points, (n, d), or of a Delaunay triangulation: for each distinct point the region that is not
+nearer to any other; of a FurthestSite triangulation, the regions that are not further from any other.
+
+Regions are numbered by the first rows of their sites. That cells have a vertex in common is decided exactly. Data of
+its own, which does not change when points are added to the triangulation. Errors of points as in Delaunay; TypeError
+for a Regular triangulation. Cost: a solve of k equations for each cell, and the size of the output.)";
+
+constexpr const char* power_doc = R"(
+PowerDiagram(points, weights=None)
+
+The power diagram of points, (n, d), with weights, (n,), or of a Regular triangulation: as Voronoi, with the power
+|x - p|^2 - weight in place of the squared distance. Weights have the unit of squared lengths. Hidden points have no
+region, and a region need not contain its site. TypeError for another triangulation.)";
+
+/// The text of a docstring, without the line break that it begins with.
+constexpr const char* text(const char* doc) { return doc + 1; }
+
 }  // namespace
 
 void bind_voronoi(py::module_& module) {
-  py::class_<HeldDiagram> base(module, "Diagram",
-                               "What Voronoi and PowerDiagram share. k is the affine dimension.");
+  py::class_<HeldDiagram> base(module, "Diagram", text(diagram_doc));
   base.def_property_readonly(
-          "dimension", [](const HeldDiagram& h) { return h.diagram().dimension(); }, "d.")
+          "dimension", [](const HeldDiagram& h) { return h.diagram().dimension(); },
+          "d >= 1, the number of coordinates of a point.")
       .def_property_readonly(
-          "affine_dimension", [](const HeldDiagram& h) { return h.diagram().affine_dimension(); }, "k.")
+          "affine_dimension", [](const HeldDiagram& h) { return h.diagram().affine_dimension(); },
+          "k <= d, of the smallest flat that contains all points; -1 for none.")
       .def_property_readonly(
           "num_points", [](const HeldDiagram& h) { return h.diagram().num_points(); },
-          "n, rows of the input.")
+          "n, the rows of the input.")
       .def_property_readonly(
-          "num_vertices", [](const HeldDiagram& h) { return h.diagram().num_vertices(); }, "v.")
+          "num_vertices", [](const HeldDiagram& h) { return h.diagram().num_vertices(); },
+          "v, the distinct vertices, infinity not counted.")
       .def_property_readonly(
-          "num_regions", [](const HeldDiagram& h) { return h.diagram().num_regions(); }, "One for each site.")
+          "num_regions", [](const HeldDiagram& h) { return h.diagram().num_regions(); },
+          "How many regions: one for each site.")
       .def_property_readonly(
-          "num_ridges", [](const HeldDiagram& h) { return h.diagram().num_ridges(); }, "r.")
+          "num_ridges", [](const HeldDiagram& h) { return h.diagram().num_ridges(); },
+          "r, the ridges: facets between two regions.")
       .def_property_readonly(
-          "num_rays", [](const HeldDiagram& h) { return h.diagram().num_rays(); }, "Unbounded edges.")
-      .def_property_readonly("points", &HeldDiagram::points, "(n, d) float64, read-only.")
+          "num_rays", [](const HeldDiagram& h) { return h.diagram().num_rays(); },
+          "How many unbounded edges.")
+      .def_property_readonly("points", &HeldDiagram::points,
+                             "(n, d) float64: all rows of the input, in their order.")
       .def_property_readonly(
           "vertices",
           [](const HeldDiagram& h) {
             return h.rows(h.diagram().vertices(), h.diagram().num_vertices(), h.dimension());
           },
-          "(v, d): the distinct centres of the cells' spheres, each coordinate the double nearest to the "
-          "exact one.")
+          text(vertices_doc))
       .def_property_readonly(
           "ridge_points",
           [](const HeldDiagram& h) {
             return h.rows(h.diagram().ridge_points(), h.diagram().num_ridges(), 2);
           },
-          "(r, 2) the rows of the two sites of each ridge.")
+          "(r, 2) the rows of the two sites of each ridge: it lies in their bisector.")
       .def_property_readonly(
           "ridge_vertices", [](const HeldDiagram& h) { return h.list(h.diagram().ridge_vertices()); },
-          "The vertices of ridge i are ridge_vertices[ridge_offsets[i]:ridge_offsets[i+1]], -1 first if it "
-          "is unbounded; in "
-          "cyclic order for k = 3, otherwise increasing.")
+          text(ridge_vertices_doc))
       .def_property_readonly(
           "ridge_offsets", [](const HeldDiagram& h) { return h.list(h.diagram().ridge_offsets()); },
-          "(r+1,) int64")
+          "(r+1,) int64, see ridge_vertices.")
       .def_property_readonly(
           "region_vertices", [](const HeldDiagram& h) { return h.list(h.diagram().region_vertices()); },
-          "The vertices of region i are region_vertices[region_offsets[i]:region_offsets[i+1]], -1 first if "
-          "it is unbounded; "
-          "in "
-          "cyclic order for k = 2, otherwise increasing.")
+          text(region_vertices_doc))
       .def_property_readonly(
           "region_offsets", [](const HeldDiagram& h) { return h.list(h.diagram().region_offsets()); },
-          "(regions+1,) int64")
+          "(regions+1,) int64, see region_vertices.")
       .def_property_readonly(
           "region_points", [](const HeldDiagram& h) { return h.list(h.diagram().region_points()); },
-          "(regions,) the first row at the site of each region.")
+          "(regions,) the first row at the site of each region, increasing.")
       .def_property_readonly(
           "point_region", [](const HeldDiagram& h) { return h.list(h.diagram().point_region()); },
           "(n,) the region of each row; -1 for a hidden point.")
@@ -189,7 +236,7 @@ void bind_voronoi(py::module_& module) {
               bounded.mutable_data()[i] = h.diagram().is_bounded(i);
             return bounded;
           },
-          "(regions,) bool")
+          "(regions,) bool: whether each region is bounded.")
       .def_property_readonly(
           "ray_vertices", [](const HeldDiagram& h) { return h.list(h.diagram().ray_vertices()); },
           "The vertex that each unbounded edge starts from.")
@@ -209,23 +256,21 @@ void bind_voronoi(py::module_& module) {
           [](const HeldDiagram& h, std::size_t i) {
             return h.list(h.diagram().ridge(checked(i, h.diagram().num_ridges())));
           },
-          "i"_a, "The vertices of ridge i.")
+          "i"_a, "The vertices of ridge i, see ridge_vertices. IndexError unless 0 <= i < num_ridges.")
       .def(
           "region",
           [](const HeldDiagram& h, std::size_t i) {
             return h.list(h.diagram().region(checked(i, h.diagram().num_regions())));
           },
-          "i"_a, "The vertices of region i.")
-      .def("region_volumes", &region_volumes, "box"_a = py::none(),
-           "(regions,) the k-volume of each region, infinite if unbounded; with box = (low, high) the "
-           "d-volume within the box.")
+          "i"_a, "The vertices of region i, see region_vertices. IndexError unless 0 <= i < num_regions.")
+      .def("region_volumes", &region_volumes, "box"_a = py::none(), text(region_volumes_doc))
       .def(
           "ridge_volumes",
           [](const HeldDiagram& h) {
             Supervisor supervisor;
             return list_view(supervisor.run([&] { return h.diagram().ridge_volumes(); }));
           },
-          "(r,) the (k-1)-volume of each ridge, infinite if unbounded.")
+          "(r,) float64: the (k-1)-volume of each ridge, infinite if unbounded, 1 for k = 1. Rounded.")
       .def(
           "bounding_box",
           [](const HeldDiagram& h, double margin) {
@@ -233,17 +278,11 @@ void bind_voronoi(py::module_& module) {
             return py::make_tuple(list_view(std::move(box.low)), list_view(std::move(box.high)));
           },
           "margin"_a = 0.1,
-          "(low, high): the box of the sites, enlarged on each side by margin times its longest side.");
+          "(low, high), each (d,): the box of the sites, enlarged on each side by margin >= 0 times its "
+          "longest side "
+          "(by 1 if that is 0).");
 
-  py::class_<HeldVoronoi, HeldDiagram>(
-      module, "Voronoi",
-      "Voronoi(points)\n\n"
-      "The Voronoi diagram of points, (n, d), or of a Delaunay triangulation: for each distinct point the "
-      "region that is not\n"
-      "nearer to any other; of a FurthestSite triangulation the regions that are not further from any other. "
-      "Regions are "
-      "numbered by the first rows of their sites. That cells have a vertex in common is\n"
-      "decided exactly. Data of its own, which does not change when points are added to the triangulation.")
+  py::class_<HeldVoronoi, HeldDiagram>(module, "Voronoi", text(voronoi_doc))
       .def(py::init([](const py::object& points) {
              const py::object source = py::isinstance<HeldTriangulation>(points)
                                            ? points
@@ -257,12 +296,7 @@ void bind_voronoi(py::module_& module) {
       .def("__repr__", [](const HeldVoronoi& h) { return repr(h, "Voronoi"); })
       .def("__reduce__", [](const py::object& self) { return self.cast<const HeldVoronoi&>().recipe(self); });
 
-  py::class_<HeldPower, HeldDiagram>(
-      module, "PowerDiagram",
-      "PowerDiagram(points, weights=None)\n\n"
-      "The power diagram of points, (n, d), with weights, (n,), or of a Regular triangulation: as Voronoi, "
-      "with the power\n"
-      "|x − p|² − weight in place of the squared distance. Hidden points have no region.")
+  py::class_<HeldPower, HeldDiagram>(module, "PowerDiagram", text(power_doc))
       .def(py::init([](const py::object& points, const py::object& weights) {
              const py::object source = py::isinstance<HeldTriangulation>(points)
                                            ? points
@@ -273,7 +307,7 @@ void bind_voronoi(py::module_& module) {
              return std::make_unique<HeldPower>(source);
            }),
            "points"_a, "weights"_a = py::none())
-      .def_property_readonly("weights", &HeldDiagram::weights, "(n,) float64, read-only.")
+      .def_property_readonly("weights", &HeldDiagram::weights, "(n,) float64: the weight of each row.")
       .def("__repr__", [](const HeldPower& h) { return repr(h, "PowerDiagram"); })
       .def("__reduce__", [](const py::object& self) { return self.cast<const HeldPower&>().recipe(self); });
 }

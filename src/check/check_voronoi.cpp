@@ -112,7 +112,9 @@ class DiagramChecker {
 
   const VoronoiData& data_;
   const std::size_t d_;
-  std::optional<VoronoiDiagram> diagram_;
+  std::optional<Voronoi<>> voronoi_;  // or
+  std::optional<PowerDiagram<>> power_;
+  const Diagram* diagram_ = nullptr;    // one of these
   std::vector<SignedIndex> vertex_of_;  // of the diagram, by vertex of the file
   std::vector<Sites> sites_of_;         // by vertex of the diagram
 };
@@ -182,16 +184,16 @@ void DiagramChecker::make_diagram() {
   if (data_.weights.empty()) {
     const Delaunay<> triangulation(data_.points, data_.dimension);
     examined(triangulation);
-    diagram_.emplace(triangulation);
+    diagram_ = &voronoi_.emplace(triangulation);
   } else {
     const Regular<> triangulation(data_.points, data_.weights, data_.dimension);
     examined(triangulation);
-    diagram_.emplace(PowerDiagram(triangulation));
+    diagram_ = &power_.emplace(triangulation);
   }
 }
 
 Violation DiagramChecker::check_regions() {
-  const VoronoiDiagram& diagram = *diagram_;
+  const Diagram& diagram = *diagram_;
   if (diagram.affine_dimension() != data_.affine_dimension)
     return "the affine dimension is " + std::to_string(diagram.affine_dimension()) + ", not " +
            std::to_string(data_.affine_dimension);
@@ -260,7 +262,7 @@ Violation DiagramChecker::check_vertices() const {
 }
 
 Violation DiagramChecker::check_ridges() const {
-  const VoronoiDiagram& diagram = *diagram_;
+  const Diagram& diagram = *diagram_;
   std::map<std::pair<SignedIndex, SignedIndex>, std::size_t> ridges;  // by regions
   const auto regions_of = [&](std::span<const SignedIndex> rows, std::size_t i) {
     return std::pair{region_of_row(rows[2 * i]), region_of_row(rows[2 * i + 1])};
@@ -325,7 +327,7 @@ std::optional<DiagramChecker::RayKey> DiagramChecker::key_of_ray(SignedIndex ver
 }
 
 Violation DiagramChecker::check_rays() const {
-  const VoronoiDiagram& diagram = *diagram_;
+  const Diagram& diagram = *diagram_;
   std::map<RayKey, std::size_t> rays;
   const auto points_of = [&](std::span<const SignedIndex> rows, std::size_t i) {
     return rows.subspan(i * k(), k());

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// VoronoiDiagram: built by VoronoiBuilder; volumes and clipping.
+// Diagram: built by VoronoiBuilder; volumes and clipping.
 #include <delone/voronoi.hpp>
 
 #include "base/guarded.hpp"
@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <new>
 
 namespace delone {
 namespace {
@@ -47,7 +48,7 @@ double triangle_area(const double* o, const double* p, const double* q, std::siz
 struct Neighbors {
   std::vector<std::size_t> offsets, others;
 
-  explicit Neighbors(const VoronoiDiagram& diagram) : offsets(diagram.num_regions() + 1, 0) {
+  explicit Neighbors(const Diagram& diagram) : offsets(diagram.num_regions() + 1, 0) {
     const auto region = [&](std::size_t i) {
       return static_cast<std::size_t>(
           diagram.point_region()[static_cast<std::size_t>(diagram.ridge_points()[i])]);
@@ -64,7 +65,7 @@ struct Neighbors {
 /// Clips the regions of a diagram.
 class DiagramClipper {
  public:
-  DiagramClipper(const VoronoiDiagram& diagram, const Box& box)
+  DiagramClipper(const Diagram& diagram, const Box& box)
       : diagram_(diagram), neighbors_(diagram), clipper_(box) {}
 
   internal::RegionClipper& clip(std::size_t region) {
@@ -80,7 +81,7 @@ class DiagramClipper {
     return {diagram_.site(r).data(), diagram_.weight(r)};
   }
 
-  const VoronoiDiagram& diagram_;
+  const Diagram& diagram_;
   Neighbors neighbors_;
   internal::RegionClipper clipper_;
   std::vector<internal::RegionClipper::Site> others_;
@@ -88,27 +89,31 @@ class DiagramClipper {
 
 }  // namespace
 
-VoronoiDiagram::VoronoiDiagram(const Triangulation& triangulation,
-                               const std::function<double(VertexId)>& weight, VoronoiParts parts)
+Diagram::Diagram(const Triangulation& triangulation, const std::function<double(VertexId)>& weight,
+                 DiagramParts parts)
     : dimension_(triangulation.dimension()),
       affine_dimension_(triangulation.affine_dimension()),
-      has_ridges_(parts == VoronoiParts::all),
+      has_ridges_(parts == DiagramParts::all),
       is_weighted_(weight != nullptr) {
   internal::guarded("the diagram", [&] { VoronoiBuilder(triangulation, weight, *this).run(); });
 }
 
-std::size_t VoronoiDiagram::num_unbounded_regions() const {
+Diagram::Diagram(Clone, const Diagram& other) try : Diagram(other) {
+} catch (const std::bad_alloc&) {
+  throw Error(Errc::out_of_memory, "not enough memory for the diagram");
+}
+
+std::size_t Diagram::num_unbounded_regions() const {
   return static_cast<std::size_t>(std::count(bounded_.begin(), bounded_.end(), 0));
 }
 
 /// The distance of a site from its bisector with another; negative if the site is on the other's side.
-double VoronoiDiagram::bisector_distance(std::size_t from, std::size_t to) const {
+double Diagram::bisector_distance(std::size_t from, std::size_t to) const {
   const double length = distance(site(from).data(), site(to).data(), ambient());
   return length / 2 - (weight(to) - weight(from)) / length / 2;
 }
 
-double VoronoiDiagram::ridge_volume(std::size_t i,
-                                    const std::vector<std::vector<Index>>& cells_of_region) const {
+double Diagram::ridge_volume(std::size_t i, const std::vector<std::vector<Index>>& cells_of_region) const {
   const auto corners = ridge(i);
   if (affine_dimension_ == 1) return 1;
   if (corners.front() < 0) return infinity;
@@ -144,7 +149,7 @@ double VoronoiDiagram::ridge_volume(std::size_t i,
   return polytope.volume();
 }
 
-std::vector<std::vector<Index>> VoronoiDiagram::cells_of_regions() const {
+std::vector<std::vector<Index>> Diagram::cells_of_regions() const {
   std::vector<std::vector<Index>> cells(num_regions());
   const std::size_t corners = static_cast<std::size_t>(affine_dimension_ + 1);
   for (std::size_t i = 0; i < cell_regions_.size(); ++i)
@@ -152,7 +157,7 @@ std::vector<std::vector<Index>> VoronoiDiagram::cells_of_regions() const {
   return cells;
 }
 
-std::vector<double> VoronoiDiagram::ridge_volumes() const {
+std::vector<double> Diagram::ridge_volumes() const {
   require_ridges();
   return internal::guarded("the diagram", [&] {
     const auto cells = cells_of_regions();
@@ -163,7 +168,7 @@ std::vector<double> VoronoiDiagram::ridge_volumes() const {
 }
 
 /// Volumes of the regions for which `wanted` holds; 0 for the others.
-std::vector<double> VoronoiDiagram::volumes_of(const std::vector<unsigned char>& wanted) const {
+std::vector<double> Diagram::volumes_of(const std::vector<unsigned char>& wanted) const {
   const auto cells = cells_of_regions();
   std::vector<internal::CompensatedSum> sums(num_regions());
   for (std::size_t i = 0; i < num_ridges(); ++i) {
@@ -181,7 +186,7 @@ std::vector<double> VoronoiDiagram::volumes_of(const std::vector<unsigned char>&
   return volumes;
 }
 
-std::vector<double> VoronoiDiagram::region_volumes() const {
+std::vector<double> Diagram::region_volumes() const {
   require_ridges();
   return internal::guarded("the diagram", [&] {
     std::vector<double> volumes = volumes_of(bounded_);
@@ -191,7 +196,7 @@ std::vector<double> VoronoiDiagram::region_volumes() const {
   });
 }
 
-VoronoiData VoronoiDiagram::to_data() const {
+VoronoiData Diagram::to_data() const {
   require_ridges();
   return internal::guarded("the diagram", [&] {
     VoronoiData data{dimension_,
@@ -220,11 +225,11 @@ VoronoiData VoronoiDiagram::to_data() const {
   });
 }
 
-void VoronoiDiagram::require_ridges() const {
+void Diagram::require_ridges() const {
   if (!has_ridges_) throw Error(Errc::invalid_argument, "the Voronoi diagram was made without ridges");
 }
 
-void VoronoiDiagram::check_box(const Box& box) const {
+void Diagram::check_box(const Box& box) const {
   require_ridges();
   const auto wrong = [](const std::string& what) { throw Error(Errc::invalid_argument, "the box " + what); };
   if (box.low.size() != ambient() || box.high.size() != ambient())
@@ -238,7 +243,7 @@ void VoronoiDiagram::check_box(const Box& box) const {
                 "clipping to a box is available up to dimension " + std::to_string(largest_dimension));
 }
 
-bool VoronoiDiagram::is_inside(std::size_t r, const Box& box) const {
+bool Diagram::is_inside(std::size_t r, const Box& box) const {
   if (!bounded_[r] || affine_dimension_ != dimension_) return false;
   for (const SignedIndex v : region(r))
     for (std::size_t j = 0; j < ambient(); ++j) {
@@ -248,7 +253,7 @@ bool VoronoiDiagram::is_inside(std::size_t r, const Box& box) const {
   return true;
 }
 
-std::vector<double> VoronoiDiagram::region_volumes(const Box& box) const {
+std::vector<double> Diagram::region_volumes(const Box& box) const {
   check_box(box);
   return internal::guarded("the diagram", [&] {
     std::vector<unsigned char> inside(num_regions());
@@ -261,7 +266,7 @@ std::vector<double> VoronoiDiagram::region_volumes(const Box& box) const {
   });
 }
 
-void VoronoiDiagram::for_each_clipped_region(
+void Diagram::for_each_clipped_region(
     const Box& box, const std::function<void(std::size_t, const ClippedRegion&)>& visit) const {
   check_box(box);
   if (dimension_ > 3)
@@ -270,7 +275,7 @@ void VoronoiDiagram::for_each_clipped_region(
   for (std::size_t r = 0; r < num_regions(); ++r) visit(r, clipper.clip(r).geometry());
 }
 
-Box VoronoiDiagram::bounding_box(double margin) const {
+Box Diagram::bounding_box(double margin) const {
   if (!(margin >= 0) || !std::isfinite(margin))
     throw Error(Errc::invalid_argument, "the margin must be a number of at least 0");
   Box box{std::vector<double>(ambient(), 0.0), std::vector<double>(ambient(), 0.0)};

@@ -14,7 +14,7 @@
 namespace delone {
 
 VoronoiBuilder::VoronoiBuilder(const Triangulation& triangulation,
-                               const std::function<double(VertexId)>& weight, VoronoiDiagram& out)
+                               const std::function<double(VertexId)>& weight, Diagram& out)
     : triangulation_(triangulation),
       weight_(weight),
       out_(out),

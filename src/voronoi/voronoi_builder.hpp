@@ -14,7 +14,7 @@ namespace delone {
 class VoronoiBuilder {
  public:
   VoronoiBuilder(const Triangulation& triangulation, const std::function<double(VertexId)>& weight,
-                 VoronoiDiagram& out);
+                 Diagram& out);
 
   void run() {
     sort_cells();
@@ -77,7 +77,7 @@ class VoronoiBuilder {
 
   const Triangulation& triangulation_;
   const std::function<double(VertexId)>& weight_;
-  VoronoiDiagram& out_;
+  Diagram& out_;
   const Complex complex_;
   const int k_;
   const std::size_t d_;

@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Hulls, envelopes and intersections of halfspaces have two forms, of a fixed and of a dynamic dimension:
-// they give the same, whatever the type of the points, and clones are independent.
+// Hulls, envelopes, intersections of halfspaces and diagrams have two forms, of a fixed and of a dynamic
+// dimension: they give the same, whatever the type of the points, and clones are independent.
 #include "degenerate.hpp"
 
 #include <delone/convex_hull.hpp>
 #include <delone/halfspaces.hpp>
 #include <delone/lower_hull.hpp>
 #include <delone/point_sets.hpp>
+#include <delone/voronoi.hpp>
 
 #include <array>
 #include <list>
@@ -40,11 +41,14 @@ constexpr bool only_moves = std::is_nothrow_move_constructible_v<T>&& std::is_no
 static_assert(only_moves<ConvexHull<3>> && only_moves<ConvexHull<>>);
 static_assert(only_moves<LowerHull<3>> && only_moves<LowerHull<>>);
 static_assert(only_moves<HalfspaceIntersection<3>> && only_moves<HalfspaceIntersection<>>);
+static_assert(only_moves<Voronoi<3>> && only_moves<Voronoi<>>);
+static_assert(only_moves<PowerDiagram<3>> && only_moves<PowerDiagram<>>);
 
 template <class Base>
 constexpr bool is_abstract_base = !std::is_default_constructible_v<Base> && !std::is_destructible_v<Base> &&
                                   !std::is_copy_constructible_v<Base> && !std::is_copy_assignable_v<Base>;
 static_assert(is_abstract_base<Polytope> && is_abstract_base<Envelope> && is_abstract_base<Polyhedron>);
+static_assert(is_abstract_base<Diagram>);
 
 TEST(ProductForms, HullsAreEqual) {
   const std::vector<double> numbers = make_point_set("ball", 3, 200, 5);
@@ -125,6 +129,30 @@ TEST(ProductForms, IntersectionsAreEqual) {
   EXPECT_EQ(fixed.num_facets(), 5u);  // x ≤ 1 touches in a corner only
   EXPECT_EQ(copy.num_facets(), 4u);
   EXPECT_EQ(copy.volume(), 4);
+}
+
+TEST(ProductForms, DiagramsAreEqual) {
+  const std::vector<double> numbers = make_point_set("uniform", 2, 60, 3);
+  const Delaunay triangulation(numbers, 2);
+  const Delaunay fixed_triangulation(as_arrays<2>(numbers));
+  const Voronoi diagram(triangulation);
+  static_assert(std::is_same_v<decltype(diagram), const Voronoi<dynamic>>);
+  const Voronoi fixed(fixed_triangulation);
+  static_assert(std::is_same_v<decltype(fixed), const Voronoi<2>>);
+  static_assert(decltype(fixed.vertex(0))::extent == 2);
+  const Voronoi<2> copy = fixed.clone();
+  const Regular<2> regular(as_arrays<2>(numbers), std::vector<double>(60, 0.5));
+  const PowerDiagram power(regular);
+  static_assert(std::is_same_v<decltype(power), const PowerDiagram<2>>);
+  const PowerDiagram<2> power_copy = power.clone();
+  for (const Diagram* other : {static_cast<const Diagram*>(&fixed), static_cast<const Diagram*>(&copy),
+                               static_cast<const Diagram*>(&power_copy)}) {
+    EXPECT_EQ(other->num_vertices(), diagram.num_vertices());
+    EXPECT_EQ(other->num_regions(), 60u);
+    EXPECT_EQ(other->region_volumes().size(), 60u);
+    EXPECT_EQ(other->to_data().weights.empty(), other != &power_copy);
+  }
+  EXPECT_EQ(Voronoi(triangulation, DiagramParts::regions).num_ridges(), 0u);
 }
 
 }  // namespace

@@ -95,7 +95,7 @@ void write_voronoi_json(AtomicFile& file, const VoronoiData& data) {
 
 }  // namespace io
 
-void write_voronoi(const std::string& path, const VoronoiDiagram& diagram, const Box* box,
+void write_voronoi(const std::string& path, const Diagram& diagram, const Box* box,
                    const std::string& format) {
   const std::string chosen =
       io::choose_format(path, format, "json", {"npz", "json", "svg", "vtu"}, "writing a Voronoi diagram");

@@ -11,8 +11,8 @@ class AtomicFile;
 void write_voronoi_npz(AtomicFile& file, const VoronoiData& data);
 void write_voronoi_json(AtomicFile& file, const VoronoiData& data);
 /// Throws unsupported unless d = 2.
-void write_voronoi_svg(AtomicFile& file, const VoronoiDiagram& diagram, const Box& box);
+void write_voronoi_svg(AtomicFile& file, const Diagram& diagram, const Box& box);
 /// Throws unsupported unless d = 2 or 3.
-void write_voronoi_vtu(AtomicFile& file, const VoronoiDiagram& diagram, const Box& box);
+void write_voronoi_vtu(AtomicFile& file, const Diagram& diagram, const Box& box);
 
 }  // namespace delone::io

@@ -49,7 +49,7 @@ void append(std::string& bytes, T value) {
 
 }  // namespace
 
-void write_voronoi_svg(AtomicFile& file, const VoronoiDiagram& diagram, const Box& box) {
+void write_voronoi_svg(AtomicFile& file, const Diagram& diagram, const Box& box) {
   if (diagram.dimension() != 2)
     fail(Errc::unsupported, "{}: an .svg file is a picture of the plane, these points have dimension {}",
          file.name(), diagram.dimension());
@@ -93,7 +93,7 @@ void write_voronoi_svg(AtomicFile& file, const VoronoiDiagram& diagram, const Bo
   file.write("</svg>\n");
 }
 
-void write_voronoi_vtu(AtomicFile& file, const VoronoiDiagram& diagram, const Box& box) {
+void write_voronoi_vtu(AtomicFile& file, const Diagram& diagram, const Box& box) {
   const auto d = static_cast<std::size_t>(diagram.dimension());
   if (d != 2 && d != 3)
     fail(Errc::unsupported,

@@ -44,7 +44,7 @@ std::vector<SignedIndex> list(std::span<const SignedIndex> numbers) {
 template <int D>
 void expect_cube() {
   const Delaunay<D> t(lattice<D>(2));
-  const VoronoiDiagram diagram(t);
+  const Voronoi diagram(t);
   EXPECT_THAT(list(diagram.vertices()), ::testing::Each(0.5));
   EXPECT_EQ(diagram.num_vertices(), 1u);
   EXPECT_EQ(diagram.num_ridges(), std::size_t{D} << (D - 1));
@@ -74,7 +74,7 @@ TEST(VoronoiBuilder, MergesTheCellsOfACube) {
 
 TEST(VoronoiBuilder, OfALattice) {
   const Delaunay<2> t(lattice<2>(3));
-  const VoronoiDiagram plane(t);
+  const Voronoi plane(t);
   EXPECT_EQ(plane.num_vertices(), 4u);
   EXPECT_EQ(plane.num_ridges(), 12u);
   EXPECT_EQ(plane.num_rays(), 8u);
@@ -83,7 +83,7 @@ TEST(VoronoiBuilder, OfALattice) {
   EXPECT_THAT(list(plane.site(middle)), ElementsAre(1, 1));
   EXPECT_EQ(plane.region(middle).size(), 4u);
   const Delaunay<3> solid(lattice<3>(3));
-  const VoronoiDiagram space(solid);
+  const Voronoi space(solid);
   EXPECT_EQ(space.num_vertices(), 8u);
   EXPECT_EQ(space.num_ridges(), 54u);  // 3·(2·3·3) unit edges
   EXPECT_EQ(space.num_rays(), 24u);
@@ -96,7 +96,7 @@ TEST(VoronoiBuilder, OfALattice) {
 // One unit in the last place: two spheres, though their centers round to one point.
 TEST(VoronoiBuilder, DoesNotMergeAcrossOneUnit) {
   const Delaunay<2> t(std::vector<Point2>{{0, 0}, {1, 0}, {1, 1}, {0x1p-60, 1}});
-  const VoronoiDiagram diagram(t);
+  const Voronoi diagram(t);
   EXPECT_EQ(diagram.num_vertices(), 2u);
   EXPECT_EQ(list(diagram.vertex(0)), list(diagram.vertex(1)));
   EXPECT_EQ(diagram.num_ridges(), 5u);
@@ -106,7 +106,7 @@ TEST(VoronoiBuilder, DoesNotMergeAcrossOneUnit) {
 // Counterclockwise regions; bisectors of the square {−2, 2}² and the origin.
 TEST(VoronoiBuilder, OrdersRegionsInThePlane) {
   const Delaunay<2> t(std::vector<Point2>{{0, 0}, {2, 2}, {-2, 2}, {-2, -2}, {2, -2}});
-  const VoronoiDiagram diagram(t);
+  const Voronoi diagram(t);
   const auto region = diagram.region(0);
   ASSERT_EQ(region.size(), 4u);
   for (std::size_t i = 0; i < 4; ++i) {
@@ -123,7 +123,7 @@ TEST(VoronoiBuilder, OrdersRegionsInThePlane) {
 
 TEST(VoronoiBuilder, OfFlatInput) {
   const Delaunay<2> line(std::vector<Point2>{{0, 0}, {4, 2}, {2, 1}, {0, 0}});
-  const VoronoiDiagram diagram(line);
+  const Voronoi diagram(line);
   EXPECT_EQ(diagram.num_vertices(), 2u);
   EXPECT_EQ(diagram.vertices()[0] + diagram.vertices()[2], 4);  // (1, 1/2) and (3, 3/2)
   EXPECT_EQ(diagram.num_ridges(), 2u);
@@ -139,13 +139,13 @@ TEST(VoronoiBuilder, OfFlatInput) {
 
 TEST(VoronoiBuilder, OfOnePointAndOfNone) {
   const Delaunay<2> one(std::vector<Point2>{{1, 2}, {1, 2}});
-  const VoronoiDiagram point(one);
+  const Voronoi point(one);
   EXPECT_EQ(point.num_vertices(), 0u);
   EXPECT_EQ(point.num_regions(), 1u);
   EXPECT_FALSE(point.is_bounded(0));
   EXPECT_THAT(list(point.point_region()), ElementsAre(0, 0));
   const Delaunay<2> empty;
-  const VoronoiDiagram none(empty);
+  const Voronoi none(empty);
   EXPECT_EQ(none.num_regions(), 0u);
   EXPECT_THAT(list(none.region_vertices()), IsEmpty());
 }
