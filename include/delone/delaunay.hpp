@@ -69,9 +69,8 @@ class Triangulation {
   Triangulation& operator=(Triangulation&&) noexcept;
   ~Triangulation();
 
-  /// Inserts n points (n·d coordinates) as the next n rows. Errors leave the triangulation as it was for
-  /// not_finite and bad_dimension; after cancelled or too_many it holds a valid triangulation of some of the
-  /// points.
+  /// Inserts n points (n·d coordinates) as the next n rows, all of them or none: after any error (not_finite,
+  /// bad_dimension, cancelled, too_many, out_of_memory) the triangulation is as it was.
   void insert_range(std::span<const double> coordinates);
   /// The same, and the vector's memory is released before most cells are created: the peak is lower by the
   /// size of the points. After not_finite and bad_dimension the vector is as it was, too.
@@ -90,7 +89,7 @@ class Triangulation {
   int dimension() const;           ///< d
   int affine_dimension() const;    ///< k ≤ d; 0 for one distinct point, −1 for none
   std::size_t num_points() const;  ///< rows inserted, duplicates and hidden points included
-  std::size_t num_rows() const;    ///< rows known: after a cancellation some of them are not inserted
+  std::size_t num_rows() const;    ///< the same
   Index num_vertices() const;      ///< distinct points that are not hidden
   std::size_t num_duplicates() const;
   Index num_finite_cells() const { return complex().num_finite_cells(); }
