@@ -77,7 +77,7 @@ class Triangulation {
   int dimension() const;           ///< d
   int affine_dimension() const;    ///< k ≤ d; 0 for one distinct point, −1 for none
   std::size_t num_points() const;  ///< rows inserted, duplicates and hidden points included
-  std::size_t num_rows() const;    ///< rows known: after a cancellation some of them are not inserted
+  std::size_t num_rows() const;    ///< the same
   Index num_vertices() const;      ///< distinct points that are not hidden
   std::size_t num_duplicates() const;
   Index num_finite_cells() const { return complex().num_finite_cells(); }
