@@ -52,7 +52,7 @@ class TriangulationEngineOfDimension final : public TriangulationEngine {
     geometry().set_rows(points_.last_vertex());
     const CellId finite = *old.finite_cells().begin();
     std::vector<Index> simplex;
-    for (int i = 0; i <= old.dimension(); ++i) simplex.push_back(index(old.vertex(finite, i)));
+    for (int i = 0; i <= old.affine_dimension(); ++i) simplex.push_back(index(old.vertex(finite, i)));
     simplex.push_back(q);
     build_.jump(old, q, geometry().orientation(simplex.data()) == Sign::positive);
   }

@@ -15,12 +15,12 @@ namespace delone::engine {
 /// Fills an empty store. Cells keep their ids if the complex has no vacant slots.
 template <int K, Geometry G>
 void restore(const Complex& old, CellStore<K>& cells, G& geometry) {
-  cells.reserve(old.num_cells());
+  cells.reserve(old.num_all_cells());
   cells.admit_vertices(old.num_vertex_slots() - 1);
   std::vector<Index> id(old.num_cell_slots(), invalid_index);
-  for (const CellId c : old.cells()) id[index(c)] = cells.allocate();
-  for (const CellId c : old.cells())
-    for (int i = 0; i <= old.dimension(); ++i) {
+  for (const CellId c : old.all_cells()) id[index(c)] = cells.allocate();
+  for (const CellId c : old.all_cells())
+    for (int i = 0; i <= old.affine_dimension(); ++i) {
       cells.set_vertex(id[index(c)], i, index(old.vertex(c, i)));
       cells.neighbors(id[index(c)])[i] = id[index(old.neighbor(c, i))];
     }

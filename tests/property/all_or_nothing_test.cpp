@@ -119,9 +119,9 @@ Seen seen(const Product& product) {
   Seen result{t.hash(),         t.num_rows(), t.num_points(), t.num_duplicates(),   product.num_hidden(),
               t.num_vertices(), data.cells,   data.neighbors, data.vertex_of_point, {}};
   const Complex complex = t.complex();
-  for (const CellId cell : complex.cells()) {
+  for (const CellId cell : complex.all_cells()) {
     result.ids.push_back(static_cast<SignedIndex>(index(cell)));
-    for (int i = 0; i <= complex.dimension(); ++i) {
+    for (int i = 0; i <= complex.affine_dimension(); ++i) {
       result.ids.push_back(static_cast<SignedIndex>(index(complex.vertex(cell, i))));
       result.ids.push_back(static_cast<SignedIndex>(index(complex.neighbor(cell, i))));
     }

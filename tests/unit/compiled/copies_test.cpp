@@ -32,7 +32,7 @@ struct Some {
   std::unique_ptr<TriangulationEngine> engine;
 };
 
-Index num_cells(const TriangulationQueries& queries) { return queries.complex(1, {}).num_cells(); }
+Index num_cells(const TriangulationQueries& queries) { return queries.complex(1, {}).num_all_cells(); }
 
 TEST(EngineCopies, GoTheirOwnWays) {
   for (int d = 1; d <= 4; ++d) {
