@@ -59,9 +59,7 @@ void find_in_integers(const double* row, const InteriorPoint& p, std::span<const
   int exponent = p.exponent;
   std::vector<kernel::Integer> numerators = p.numerators;
   if (p.is_exact()) {
-    exponent = std::numeric_limits<int>::max();
-    for (const double x : p.rounded) exponent = std::min(exponent, kernel::trailing_exponent(x));
-    if (exponent == std::numeric_limits<int>::max()) exponent = 0;
+    exponent = common_exponent(p.rounded);
     for (const double x : p.rounded) numerators.push_back(kernel::scaled_integer(x, exponent));
   }
   // −(n·p + c) times denominator·2^−below
@@ -86,11 +84,17 @@ void find_in_integers(const double* row, const InteriorPoint& p, std::span<const
 
 }  // namespace
 
+int common_exponent(std::span<const double> numbers) {
+  constexpr int none = std::numeric_limits<int>::max();
+  int exponent = none;
+  for (const double x : numbers) exponent = std::min(exponent, kernel::trailing_exponent(x));
+  return exponent == none ? 0 : exponent;
+}
+
 std::vector<kernel::Integer> integer_row(const double* row, std::size_t size) {
-  int grid = std::numeric_limits<int>::max();
-  for (std::size_t j = 0; j < size; ++j) grid = std::min(grid, kernel::trailing_exponent(row[j]));
+  const int exponent = common_exponent({row, size});
   std::vector<kernel::Integer> integers;
-  for (std::size_t j = 0; j < size; ++j) integers.push_back(kernel::scaled_integer(row[j], grid));
+  for (std::size_t j = 0; j < size; ++j) integers.push_back(kernel::scaled_integer(row[j], exponent));
   return integers;
 }
 

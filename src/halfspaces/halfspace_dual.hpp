@@ -20,6 +20,9 @@ struct InteriorPoint {
   bool is_exact() const { return numerators.empty(); }
 };
 
+/// The largest e for which all numbers are integer multiples of 2^e; 0 if all are 0.
+int common_exponent(std::span<const double> numbers);
+
 /// The row divided by a power of two that makes all its entries integers.
 std::vector<kernel::Integer> integer_row(const double* row, std::size_t size);
 

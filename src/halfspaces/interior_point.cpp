@@ -60,12 +60,10 @@ class InteriorProgram {
   std::vector<kernel::Integer> constraint(std::size_t i) const {
     std::vector<kernel::Integer> result(d_ + 2, kernel::Integer(0));
     if (i < rows_.size()) {
-      std::vector<double> entries(row(i), row(i) + d_ + 1);
-      int grid = std::numeric_limits<int>::max();
-      for (const double x : entries) grid = std::min(grid, kernel::trailing_exponent(x));
-      for (std::size_t j = 0; j < d_; ++j) result[j] = kernel::scaled_integer(entries[j], grid);
-      result[d_] = kernel::Integer(1) << (weight_exponent_[i] - grid);
-      result[d_ + 1] = -kernel::scaled_integer(entries[d_], grid);
+      std::vector<kernel::Integer> entries = integer_row(row(i), d_ + 1);
+      result[d_] = kernel::Integer(1) << (weight_exponent_[i] - common_exponent({row(i), d_ + 1}));
+      result[d_ + 1] = -entries[d_];
+      std::move(entries.begin(), entries.end() - 1, result.begin());
     } else if (i == rows_.size()) {
       result[d_] = kernel::Integer(1) << std::max(-cap_exponent_, 0);
       result[d_ + 1] = kernel::Integer(1) << std::max(cap_exponent_, 0);

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "hull/hull_faces.hpp"
 
+#include "base/union_find.hpp"
+
 #include <algorithm>
 #include <iterator>
 #include <numeric>
@@ -9,23 +11,6 @@
 
 namespace delone::internal {
 namespace {
-
-/// Disjoint sets with path halving. The root of a set is its smallest member.
-class UnionFind {
- public:
-  explicit UnionFind(std::size_t n) : parent_(n) { std::iota(parent_.begin(), parent_.end(), Index{0}); }
-  Index root(Index x) {
-    while (parent_[x] != x) x = parent_[x] = parent_[parent_[x]];
-    return x;
-  }
-  void unite(Index a, Index b) {
-    a = root(a), b = root(b);
-    parent_[std::max(a, b)] = std::min(a, b);
-  }
-
- private:
-  std::vector<Index> parent_;
-};
 
 /// For each key 0 … num_keys−1, the distinct values paired with it, in increasing order.
 Lists grouped(std::vector<std::pair<Index, Index>> pairs, std::size_t num_keys) {

@@ -155,16 +155,14 @@ void fill_equations(const HullSites& sites, const SimplicialHull& hull, std::spa
 }  // namespace
 
 void MeasureSum::add(const Measure& term) {
-  const double next = sum_ + term.value;
-  lost_ += std::fabs(sum_) >= std::fabs(term.value) ? (sum_ - next) + term.value : (term.value - next) + sum_;
-  sum_ = next;
+  sum_.add(term.value);
   error_ += term.error;
   magnitude_ += std::fabs(term.value);
 }
 
 Measure MeasureSum::result() const {
-  const double value = sum_ + lost_;
-  if (!std::isfinite(value)) return {sum_, infinity};
+  const double value = sum_.value();
+  if (!std::isfinite(value)) return {value, infinity};
   // The rounding of the result, and the second-order terms of the sum for fewer than 2^40 terms.
   return {value, (1 + 0x1p-20) * error_ + 0x1p-52 * std::fabs(value) + 0x1p-64 * magnitude_ + 1e-320};
 }

@@ -2,6 +2,7 @@
 // Lengths, areas and volumes of simplices, and hyperplanes of facets: binary64 with error bounds.
 #pragma once
 
+#include "base/compensated_sum.hpp"
 #include "compiled/simplicial_hull.hpp"
 
 #include <delone/convex_hull.hpp>
@@ -13,14 +14,15 @@
 
 namespace delone::internal {
 
-/// The sum of measures and of their errors, compensated (Neumaier 1974, doi:10.1002/zamm.19740540106).
+/// The sum of measures and of their errors, compensated.
 class MeasureSum {
  public:
   void add(const Measure& term);
   Measure result() const;
 
  private:
-  double sum_ = 0, lost_ = 0, error_ = 0, magnitude_ = 0;
+  CompensatedSum sum_;
+  double error_ = 0, magnitude_ = 0;
 };
 
 /// The j-dimensional volume of the simplex of j+1 points of R^d: |r_11 ⋯ r_jj|/j!, where R is the triangular

@@ -55,10 +55,7 @@ struct IntegerPoints {
   IntegerPoints(const double* const* points, const double* weights, std::size_t count, std::size_t d) {
     for (std::size_t i = 0; i < count; ++i) {
       for (std::size_t j = 0; j < d; ++j) grid = std::min(grid, kernel::trailing_exponent(points[i][j]));
-      if (weights != nullptr && weights[i] != 0) {
-        const int exponent = kernel::trailing_exponent(weights[i]);
-        grid = std::min(grid, exponent >= 0 ? exponent / 2 : (exponent - 1) / 2);
-      }
+      if (weights != nullptr) grid = std::min(grid, kernel::square_exponent(weights[i]));
     }
     if (grid == std::numeric_limits<int>::max()) grid = 0;
     for (std::size_t i = 1; i < count; ++i) {

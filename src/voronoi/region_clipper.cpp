@@ -142,9 +142,7 @@ const std::vector<kernel::Integer>& RegionClipper::exact_plane(std::size_t plane
     const auto include = [&](double x) { grid_ = std::min(grid_, kernel::trailing_exponent(x)); };
     const auto include_site = [&](const Site& site) {
       for (std::size_t j = 0; j < d_; ++j) include(site.point[j]);
-      if (site.weight == 0) return;
-      const int exponent = kernel::trailing_exponent(site.weight);
-      grid_ = std::min(grid_, exponent >= 0 ? exponent / 2 : (exponent - 1) / 2);
+      grid_ = std::min(grid_, kernel::square_exponent(site.weight));
     };
     include_site(site_);
     for (const Site& other : others_) include_site(other);

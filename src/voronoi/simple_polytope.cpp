@@ -1,20 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "voronoi/simple_polytope.hpp"
 
+#include "base/compensated_sum.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <limits>
 
 namespace delone::internal {
-
-void CompensatedSum::add(double x) {
-  const double next = sum_ + x;
-  // Beyond the range of doubles there is nothing to compensate, and inf − inf would give NaN.
-  if (std::isfinite(next))
-    compensation_ += std::abs(sum_) >= std::abs(x) ? (sum_ - next) + x : (x - next) + sum_;
-  sum_ = next;
-}
 
 void SimplePolytope::start(std::size_t m, std::size_t d) {
   m_ = m;

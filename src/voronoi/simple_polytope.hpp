@@ -11,17 +11,6 @@
 
 namespace delone::internal {
 
-/// A sum that is corrected at the end by the rounding errors of all additions (Neumaier 1974,
-/// doi:10.1002/zamm.19740540106).
-class CompensatedSum {
- public:
-  void add(double x);
-  double value() const { return sum_ + compensation_; }
-
- private:
-  double sum_ = 0, compensation_ = 0;
-};
-
 /// Collects the corners of a polytope and computes its volume. Keeps its scratch memory from one polytope to
 /// the next.
 class SimplePolytope {

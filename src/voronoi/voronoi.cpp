@@ -2,6 +2,7 @@
 // Diagram: built by VoronoiBuilder; volumes and clipping.
 #include <delone/voronoi.hpp>
 
+#include "base/compensated_sum.hpp"
 #include "base/guarded.hpp"
 #include "voronoi/region_clipper.hpp"
 #include "voronoi/simple_polytope.hpp"

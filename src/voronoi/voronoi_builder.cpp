@@ -115,22 +115,14 @@ void VoronoiBuilder::find_centers() {
   }
 }
 
-Index VoronoiBuilder::root(Index cell) {
-  if (!has_merged_) return cell;
-  while (parent_[cell] != cell) cell = parent_[cell] = parent_[parent_[cell]];
-  return cell;
-}
+Index VoronoiBuilder::root(Index cell) { return has_merged_ ? classes_.root(cell) : cell; }
 
-/// The smaller slot becomes the root.
 void VoronoiBuilder::unite(Index a, Index b) {
   if (!has_merged_) {
-    parent_.resize(complex_.num_cell_slots());
-    std::iota(parent_.begin(), parent_.end(), Index{0});
+    classes_ = internal::UnionFind(complex_.num_cell_slots());
     has_merged_ = true;
   }
-  a = root(a);
-  b = root(b);
-  parent_[std::max(a, b)] = std::min(a, b);
+  classes_.unite(a, b);
 }
 
 bool VoronoiBuilder::is_on_sphere(CellId cell, VertexId v) const {

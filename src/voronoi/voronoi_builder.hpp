@@ -3,6 +3,8 @@
 // in run().
 #pragma once
 
+#include "base/union_find.hpp"
+
 #include <delone/voronoi.hpp>
 
 #include <span>
@@ -89,7 +91,7 @@ class VoronoiBuilder {
   std::vector<VertexId> corners_;            // k+1 for each of cells_; freed once all lists exist
   std::vector<CellId> neighbors_;            // likewise; those of the complex are scattered
   std::vector<double> centers_;              // by position in cells_, then by Voronoi vertex
-  std::vector<Index> parent_;                // by slot: union–find; empty if no cells merged
+  internal::UnionFind classes_;              // of cells, by slot; empty if none merged
   std::vector<SignedIndex> vertex_of_cell_;  // by slot: the position in centers_; −1: not a finite cell
   bool has_merged_ = false;
   /// The sites of each class of several cells, sorted; by root.

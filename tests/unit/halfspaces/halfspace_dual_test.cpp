@@ -52,6 +52,13 @@ void expect_close(const std::vector<double>& row, const InteriorPoint& p) {
   }
 }
 
+TEST(CommonExponent, IsTheFinest) {
+  EXPECT_EQ(common_exponent(std::vector<double>{12, 0, -40}), 2);
+  EXPECT_EQ(common_exponent(std::vector<double>{12, 0.75}), -2);
+  EXPECT_EQ(common_exponent(std::vector<double>{0x1p-1074, 0x1p1023}), -1074);
+  EXPECT_EQ(common_exponent(std::vector<double>{0, -0.0}), 0);
+}
+
 TEST(IntegerRow, DividesByAPowerOfTwo) {
   const double row[] = {0.5, 3, 0, -0.25};
   EXPECT_THAT(integer_row(row, 4), ElementsAre(2, 12, 0, -1));

@@ -107,17 +107,5 @@ TEST(SimplePolytope, AtTheEndsOfTheRange) {
   EXPECT_EQ(BoxCorners(1, -1.5e308, 1.5e308).volume(), infinity);
 }
 
-TEST(CompensatedSum, KeepsWhatWouldBeRoundedAway) {
-  CompensatedSum sum;
-  for (const double x : {1.0, 1e100, 1.0, -1e100}) sum.add(x);
-  EXPECT_EQ(sum.value(), 2);
-}
-
-TEST(CompensatedSum, OverflowsToInfinity) {
-  CompensatedSum sum;
-  for (int i = 0; i < 3; ++i) sum.add(1.5e308);
-  EXPECT_EQ(sum.value(), infinity);
-}
-
 }  // namespace
 }  // namespace delone::internal
