@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The options of every command that builds something: where the result goes, how it is built, what is
-// reported.
+// The options of all commands that build something: where the result goes, how to build it, what to report.
 #pragma once
 
 #include "command.hpp"
@@ -18,14 +17,14 @@ struct BuildOptions {
   std::string order = "automatic";
   bool stats = false, quiet = false;
 
-  /// --output and --output-format; `what` is the result, as in "the hull".
+  /// --output and --output-format. `what` names the result, as in "the hull".
   void add_output(CLI::App& command, const std::string& what, const std::vector<std::string>& formats);
   /// --seed, --order, --stats and --quiet.
   void add_construction(CLI::App& command);
 
-  /// Throws UsageError if --stats and --output both want standard output.
+  /// Throws UsageError if both --stats and --output go to standard output.
   void check() const;
-  /// The options of the library; refers to the bar.
+  /// The options for the library. They refer to the bar.
   Options to_options(ProgressBar& bar) const;
 };
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What a run has cost: time and memory.
+// The cost of a run: time and memory.
 #pragma once
 
 #include <chrono>
@@ -11,12 +11,12 @@ namespace delone::cli {
 using Clock = std::chrono::steady_clock;
 double seconds_since(Clock::time_point start);
 
-/// The threads that do the work, whatever was asked for: this version builds with one.
+/// The number of threads that work, whatever --threads says: this version builds with one.
 inline constexpr int threads_used = 1;
 
-/// In seconds, but for memory.
+/// Times are in seconds.
 struct Cost {
-  /// To be called when all is done but the report: hashes, which are made for it, do not count.
+  /// Stops the clock. Call it before the hashes of the report, which do not count.
   void close(Clock::time_point start);
 
   double read = 0;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What commands that build something say in the end: one JSON object with --stats, otherwise a summary. Both
+// The final report of commands that build something: one JSON object with --stats, otherwise a summary. Both
 // have one shape, whatever was built.
 #pragma once
 
@@ -18,7 +18,7 @@ namespace delone::cli {
 
 using Json = nlohmann::ordered_json;
 
-/// A number; null if it is not finite, for which JSON has no form.
+/// The number, or null if it is not finite, which JSON cannot express.
 Json number(double x);
 
 /// The members of --stats about points and cells, in this order.
@@ -30,14 +30,14 @@ struct Counts {
 };
 Counts counts_of(const Triangulation& triangulation, std::string hash);
 Counts counts_of(const Polytope& hull);
-/// The rows that are neither vertices nor duplicates of one.
+/// The number of rows that are neither vertices nor duplicates of one.
 inline std::size_t num_hidden(const Counts& counts) {
   return counts.points - counts.vertices - counts.duplicates;
 }
 
-/// The first members of --stats: `command`, and those of `counts`.
+/// The first members of --stats: `command` and those of `counts`.
 Json stats_of(const char* command, const Counts& counts);
-/// The last ones, from `seconds` to `version`. `num_cells`: infinite ones included.
+/// Adds the last members, from `seconds` to `version`. `num_cells` includes infinite cells.
 void add_cost(Json& json, const Statistics& statistics, std::size_t num_cells, const Cost& cost,
               std::uint64_t seed);
 
@@ -53,7 +53,7 @@ class Summary {
       : text_(input_name(input) + ": " + title + "\n") {}
 
   Summary& line(const std::string& name, const std::string& value);
-  /// k, and what k < d means: "flat: triangulated inside its flat".
+  /// k, and what k < d means, as in "flat: triangulated inside its flat".
   Summary& affine_dimension(int k, int d, const std::string& if_flat);
   /// The counts of a triangulation.
   Summary& triangulation(const Counts& counts);
@@ -66,7 +66,7 @@ class Summary {
   std::string text_;
 };
 
-/// Prints stats() with --stats, and otherwise summary() unless something was written.
+/// Prints stats() with --stats; otherwise summary(), unless a result was written.
 template <class MakeStats, class MakeSummary>
 void print_report(const BuildOptions& options, bool has_written, MakeStats stats, MakeSummary summary) {
   if (options.stats)

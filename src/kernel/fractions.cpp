@@ -13,6 +13,8 @@ namespace delone::kernel {
 
 namespace mp = boost::multiprecision;
 
+int square_exponent(double x) { return x == 0 ? trailing_exponent(x) : trailing_exponent(x) >> 1; }
+
 Integer scaled_integer(double x, int grid) {
   if (x == 0) return 0;
   const int exponent = trailing_exponent(x);

@@ -13,6 +13,9 @@ namespace delone::kernel {
 using Integer =
     boost::multiprecision::number<boost::multiprecision::cpp_int_backend<>, boost::multiprecision::et_off>;
 
+/// The largest e for which a finite x ≠ 0 is an integer multiple of 2^(2e). For 0: trailing_exponent(0).
+int square_exponent(double x);
+
 /// x·2^−grid. REQUIRES a finite x that is a multiple of 2^grid.
 Integer scaled_integer(double x, int grid);
 

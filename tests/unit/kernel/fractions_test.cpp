@@ -24,6 +24,16 @@ TEST(Fractions, IntegersOfAGrid) {
   EXPECT_EQ(scaled_integer(Limits::max(), -1074), ((Integer(1) << 53) - 1) << (971 + 1074));
 }
 
+TEST(Fractions, SquareExponentsRoundDown) {
+  EXPECT_EQ(square_exponent(12), 1);
+  EXPECT_EQ(square_exponent(8), 1);
+  EXPECT_EQ(square_exponent(-1), 0);
+  EXPECT_EQ(square_exponent(0.5), -1);
+  EXPECT_EQ(square_exponent(0.125), -2);
+  EXPECT_EQ(square_exponent(0x1p-1073), -537);
+  EXPECT_EQ(square_exponent(0), std::numeric_limits<int>::max());
+}
+
 /// The fraction halfway between x and the next double rounds to the even one, and what is a little less or
 /// more to the nearest. x is not negative.
 void expect_correct_rounding(double x) {
