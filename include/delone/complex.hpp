@@ -4,6 +4,7 @@
 
 #include <delone/types.hpp>
 
+#include <compare>
 #include <cstddef>
 #include <cstdint>
 #include <iterator>
@@ -31,6 +32,77 @@ struct ComplexData {
     return affine_dimension < 0 ? 0 : cells.size() / (static_cast<std::size_t>(affine_dimension) + 1);
   }
 };
+
+/// The vertices or the neighbors of a cell: a random-access range of ids, by value. Refers to the complex,
+/// and is valid as long as it is. Takes no memory of its own; converts to a vector, which does.
+template <class Id>
+class CellLinks {
+ public:
+  class Iterator {
+   public:
+    using value_type = Id;
+    using difference_type = std::ptrdiff_t;
+    using reference = Id;
+    using pointer = void;
+    using iterator_category = std::random_access_iterator_tag;
+    Iterator() = default;
+    Iterator(const CellLinks& links, int place)
+        : first_(links.first_), narrow_(links.narrow_), place_(place) {}
+    Id operator*() const { return CellLinks::id(first_, narrow_, place_); }
+    Id operator[](std::ptrdiff_t n) const { return *(*this + n); }
+    Iterator& operator+=(std::ptrdiff_t n) {
+      place_ += n;
+      return *this;
+    }
+    Iterator& operator-=(std::ptrdiff_t n) { return *this += -n; }
+    Iterator& operator++() { return *this += 1; }
+    Iterator& operator--() { return *this += -1; }
+    Iterator operator++(int) {
+      const Iterator old = *this;
+      ++*this;
+      return old;
+    }
+    Iterator operator--(int) {
+      const Iterator old = *this;
+      --*this;
+      return old;
+    }
+    friend Iterator operator+(Iterator i, std::ptrdiff_t n) { return i += n; }
+    friend Iterator operator+(std::ptrdiff_t n, Iterator i) { return i += n; }
+    friend Iterator operator-(Iterator i, std::ptrdiff_t n) { return i -= n; }
+    friend std::ptrdiff_t operator-(const Iterator& a, const Iterator& b) { return a.place_ - b.place_; }
+    friend bool operator==(const Iterator& a, const Iterator& b) { return a.place_ == b.place_; }
+    friend auto operator<=>(const Iterator& a, const Iterator& b) { return a.place_ <=> b.place_; }
+
+   private:
+    const Index* first_ = nullptr;
+    bool narrow_ = false;
+    std::ptrdiff_t place_ = 0;
+  };
+
+  CellLinks() = default;
+  CellLinks(const Index* first, int size, bool narrow) : first_(first), size_(size), narrow_(narrow) {}
+  std::size_t size() const { return static_cast<std::size_t>(size_); }
+  bool empty() const { return size_ == 0; }
+  Id operator[](std::size_t i) const { return id(first_, narrow_, static_cast<std::ptrdiff_t>(i)); }
+  Id front() const { return (*this)[0]; }
+  Id back() const { return (*this)[size() - 1]; }
+  Iterator begin() const { return {*this, 0}; }
+  Iterator end() const { return {*this, size_}; }
+  operator std::vector<Id>() const { return {begin(), end()}; }
+
+ private:
+  static Id id(const Index* first, bool narrow, std::ptrdiff_t i) {
+    return Id{narrow ? Index{reinterpret_cast<const std::uint16_t*>(first)[i]} : first[i]};
+  }
+
+  const Index* first_ = nullptr;
+  int size_ = 0;
+  bool narrow_ = false;  // 16 bits each
+};
+
+using VerticesOfCell = CellLinks<VertexId>;
+using NeighborsOfCell = CellLinks<CellId>;
 
 /// A read-only view of a simplicial complex that triangulates the sphere S^k: the finite cells of a
 /// triangulation of affine dimension k, and one infinite cell per hull facet, which joins the facet to the
@@ -100,14 +172,14 @@ class Complex {
         cell_of_vertex_(cell_of_vertex) {}
 
   /// k, the dimension of the cells; −1 for the complex of no points.
-  int dimension() const { return dimension_; }
+  int affine_dimension() const { return dimension_; }
   /// Finite vertices. Their ids are 1 … num_vertices(), unless points are hidden: these leave gaps among the
   /// ids.
   Index num_vertices() const { return num_finite_vertices_; }
   Index num_vertex_slots() const { return num_vertex_slots_; }  ///< size for payload arrays indexed by vertex
   Index num_finite_cells() const { return num_finite_cells_; }
   Index num_infinite_cells() const { return num_infinite_cells_; }  ///< = number of hull facets
-  Index num_cells() const { return num_finite_cells_ + num_infinite_cells_; }
+  Index num_all_cells() const { return num_finite_cells_ + num_infinite_cells_; }
   Index num_cell_slots() const { return num_slots_; }  ///< size for payload arrays indexed by cell
 
   bool is_cell(CellId c) const { return delone::index(c) < num_slots_ && !is_vacant(c); }
@@ -117,7 +189,7 @@ class Complex {
   bool is_infinite(CellId c) const { return infinite_index(c) >= 0; }
   bool is_infinite(VertexId v) const { return v == infinite_vertex; }
 
-  CellRange cells() const;
+  CellRange all_cells() const;
   CellRange finite_cells() const;
   CellRange infinite_cells() const;
   /// The finite vertices in increasing id. O(slots).
@@ -128,9 +200,9 @@ class Complex {
   VertexId vertex(CellId c, int i) const { return VertexId{vertex_id(c, i)}; }
   /// The cell across the facet opposite vertex i.
   CellId neighbor(CellId c, int i) const { return CellId{neighbor_ids(c)[i]}; }
-  /// All k+1 vertices / neighbors of a cell, by value. O(k).
-  std::vector<VertexId> vertices(CellId c) const;
-  std::vector<CellId> neighbors(CellId c) const;
+  /// The k+1 vertices of a cell, and its neighbors: neighbor i is opposite vertex i. Without allocation.
+  VerticesOfCell vertices(CellId c) const { return {row(c), dimension_ + 1, links_.narrow_vertices}; }
+  NeighborsOfCell neighbors(CellId c) const { return {neighbor_ids(c), dimension_ + 1, false}; }
   /// The index, in neighbor i of c, of the vertex opposite the shared facet. O(k).
   int mirror_index(CellId c, int i) const {
     // Two cells of a simplicial sphere share at most one facet, so the neighbor that is c is found once.
@@ -209,7 +281,7 @@ class Complex::CellRange {
   Which which_;
 };
 
-inline Complex::CellRange Complex::cells() const { return {*this, Which::all}; }
+inline Complex::CellRange Complex::all_cells() const { return {*this, Which::all}; }
 inline Complex::CellRange Complex::finite_cells() const { return {*this, Which::finite}; }
 inline Complex::CellRange Complex::infinite_cells() const { return {*this, Which::infinite}; }
 

@@ -62,9 +62,8 @@ class Delaunay : public Triangulation {
                                     std::optional<CellId> hint = std::nullopt) const {
     return conflict_zone_of(query, 0.0, hint);
   }
-  /// The sign of (squared distance to the circumcenter − squared radius) of a finite cell at q, exactly:
-  /// negative inside.
-  Sign in_sphere(CellId cell, const AnyPoint<D>& query) const { return sphere_sign(cell, query, 0.0); }
+  /// The side of the sphere through the vertices of a finite cell that q lies on, exactly.
+  Side in_sphere(CellId cell, const AnyPoint<D>& query) const { return side_of_sphere(cell, query, 0.0); }
 };
 
 /// From a range of points whose type tells their dimension.

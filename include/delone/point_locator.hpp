@@ -25,7 +25,7 @@ struct LocatedPoint {
   /// A number is 0 exactly if the facet opposite that vertex contains the query: the vertices with positive
   /// numbers span the smallest face that contains it. Empty outside. Valid during the call that it is passed
   /// to.
-  std::span<const double> weights;
+  std::span<const double> barycentric;
 };
 
 /// Answers queries about a triangulation, which it refers to: valid until the next insertion. `const` members

@@ -15,32 +15,33 @@ namespace delone {
 /// REQUIRES coordinates.size() = (d+1)·d, all finite; otherwise throws Error.
 Sign orientation(std::span<const double> points, int dimension);
 
-/// The position of q with respect to the sphere through d+1 points:
-///   −  strictly inside   0  on the sphere   +  strictly outside
-/// (1) it does not depend on the order or the orientation of the points; (2) it is 0 if q is one of them.
+/// The side of the sphere through d+1 points that q lies on: inside, on or outside.
+/// (1) It does not depend on the order or the orientation of the points; (2) q is on the sphere if it is one
+/// of them.
 /// REQUIRES affinely independent points (orientation ≠ 0); otherwise throws Error. Never perturbed.
-Sign in_sphere(std::span<const double> points, std::span<const double> q, int dimension);
+Side in_sphere(std::span<const double> points, std::span<const double> q, int dimension);
 
-/// As in_sphere, ties broken by the perturbation of Devillers and Teillaud: never 0 unless q equals one of
-/// the points.
-Sign in_sphere_perturbed(std::span<const double> points, std::span<const double> q, int dimension);
+/// As in_sphere, ties broken by the perturbation of Devillers and Teillaud: q is on the sphere only if it
+/// equals one of the points.
+Side in_sphere_perturbed(std::span<const double> points, std::span<const double> q, int dimension);
 
-/// The position of the weighted point (q, w_q) with respect to the sphere (center c, squared radius ρ, which
-/// may be negative) orthogonal to d+1 weighted points, |p_i − c|² − ρ = w_i: the sign of |q − c|² − ρ − w_q.
-///   −  q is in conflict: the sphere orthogonal to the points may not stand beside q in a regular triangulation
-///   0  the sphere is orthogonal to (q, w_q), too                            +  not in conflict
+/// The side of the sphere (center c, squared radius ρ, which may be negative) orthogonal to d+1 weighted
+/// points, |p_i − c|² − ρ = w_i, that the weighted point (q, w_q) lies on: with |q − c|² − ρ − w_q
+///   negative, inside: in conflict, the points are no cell of a regular triangulation that q belongs to
+///   zero, on: the sphere is orthogonal to (q, w_q), too
+///   positive, outside.
 /// Weights have the unit of squared lengths and may have any sign. With all weights equal it is in_sphere.
-/// (1) It does not depend on the order or the orientation of the points; (2) it is 0 if (q, w_q) is one of
-/// the points; (3) if q has the coordinates of a point but another weight, it is − for the larger weight and
-/// + for the smaller; (4) adding one number to all weights changes nothing, as long as the sums are exact.
-/// REQUIRES d+1 affinely independent points and as many weights, all finite; otherwise throws Error. Never
-/// perturbed.
-Sign in_power_sphere(std::span<const double> points, std::span<const double> weights,
+/// (1) It does not depend on the order or the orientation of the points; (2) (q, w_q) is on the sphere if it
+/// is one of the points; (3) if q has the coordinates of a point but another weight, it is inside for the
+/// larger weight and outside for the smaller; (4) adding one number to all weights changes nothing, as long
+/// as the sums are exact. REQUIRES d+1 affinely independent points and as many weights, all finite; otherwise
+/// throws Error. Never perturbed.
+Side in_power_sphere(std::span<const double> points, std::span<const double> weights,
                      std::span<const double> q, double weight_of_q, int dimension);
 
-/// As in_power_sphere, ties broken by the same perturbation: never 0 unless q equals one of the points in
+/// As in_power_sphere, ties broken by the same perturbation: on only if q equals one of the points in
 /// coordinates and weight.
-Sign in_power_sphere_perturbed(std::span<const double> points, std::span<const double> weights,
+Side in_power_sphere_perturbed(std::span<const double> points, std::span<const double> weights,
                                std::span<const double> q, double weight_of_q, int dimension);
 
 /// The sign of the determinant of d+1 homogeneous rows of d+1 entries (row-major): a hull orientation of
@@ -49,10 +50,10 @@ Sign in_power_sphere_perturbed(std::span<const double> points, std::span<const d
 /// of the points x. REQUIRES rows.size() = (d+1)², all finite; otherwise throws Error.
 Sign homogeneous_orientation(std::span<const double> rows, int dimension);
 
-/// The sign of n·p + c for a hyperplane (n, c) of d+1 numbers: for the halfspace n·x + c ≤ 0, − strictly
-/// inside, 0 on its boundary,
-/// + outside. REQUIRES hyperplane.size() = d+1, p.size() = d, all finite; otherwise throws Error.
-Sign side_of_hyperplane(std::span<const double> hyperplane, std::span<const double> p, int dimension);
+/// The side of a hyperplane (n, c) of d+1 numbers that p lies on: inside if n·p + c < 0, strictly inside the
+/// halfspace n·x + c ≤ 0; on if it is 0; outside if it is positive. REQUIRES hyperplane.size() = d+1,
+/// p.size() = d, all finite; otherwise throws Error.
+Side side_of_hyperplane(std::span<const double> hyperplane, std::span<const double> p, int dimension);
 
 /// The dimension of the affine hull of the points; −1 for none. Exact.
 int affine_dimension(std::span<const double> points, int dimension);

@@ -64,9 +64,7 @@ class Regular : public Triangulation {
 
   /// Inserts n weighted points as the next n rows. Errors as for Delaunay::insert_range(), bad_dimension also
   /// if there are not as many weights as points, not_finite also for a weight.
-  void insert_range(AnyPoints<D> points, std::span<const double> weights) {
-    insert_points(points, weights);
-  }
+  void insert_range(AnyPoints<D> points, std::span<const double> weights) { insert_points(points, weights); }
   /// Inserts one weighted point as the next row; `hint` is a cell near it.
   InsertResult insert(const AnyPoint<D>& point, double weight, std::optional<CellId> hint = std::nullopt) {
     return insert_point(point, weight, hint);
@@ -91,11 +89,10 @@ class Regular : public Triangulation {
                                     std::optional<CellId> hint = std::nullopt) const {
     return conflict_zone_of(query, weight, hint);
   }
-  /// The sign of |q − c|² − r² − weight, where |v − c|² − r² is the weight of v for all vertices v of a
-  /// finite cell, exactly: negative if the cell is in conflict with q, zero for its vertices. Errors as for
-  /// in_sphere().
-  Sign in_power_sphere(CellId cell, const AnyPoint<D>& query, double weight) const {
-    return sphere_sign(cell, query, weight);
+  /// The side of the power sphere of a finite cell that (q, weight) lies on, exactly: inside if the cell is
+  /// in conflict with it, on for the vertices of the cell. See delone::in_power_sphere().
+  Side in_power_sphere(CellId cell, const AnyPoint<D>& query, double weight) const {
+    return side_of_sphere(cell, query, weight);
   }
 };
 

@@ -82,13 +82,16 @@ class Triangulation {
   std::size_t num_duplicates() const;
   Index num_finite_cells() const { return complex().num_finite_cells(); }
   Index num_infinite_cells() const { return complex().num_infinite_cells(); }
+  Index num_all_cells() const { return complex().num_all_cells(); }
 
   /// The combinatorial structure; valid until the next insertion.
   Complex complex() const;
   Complex::CellRange finite_cells() const { return complex().finite_cells(); }
-  Complex::CellRange cells() const { return complex().cells(); }
-  std::vector<VertexId> vertices(CellId c) const { return complex().vertices(c); }
-  std::vector<CellId> neighbors(CellId c) const { return complex().neighbors(c); }
+  Complex::CellRange infinite_cells() const { return complex().infinite_cells(); }
+  Complex::CellRange all_cells() const { return complex().all_cells(); }
+  /// The k+1 vertices of a cell, and its neighbors: neighbor i is opposite vertex i. Without allocation.
+  VerticesOfCell vertices(CellId c) const { return complex().vertices(c); }
+  NeighborsOfCell neighbors(CellId c) const { return complex().neighbors(c); }
 
   /// The d coordinates of a finite vertex.
   std::span<const double> point(VertexId v) const;
@@ -132,7 +135,7 @@ class Triangulation {
   InsertResult insert_point(std::span<const double> point, double weight, std::optional<CellId> hint);
   std::vector<CellId> conflict_zone_of(std::span<const double> query, double weight,
                                        std::optional<CellId> hint) const;
-  Sign sphere_sign(CellId cell, std::span<const double> query, double weight) const;
+  Side side_of_sphere(CellId cell, std::span<const double> query, double weight) const;
   double weight_of(VertexId v) const;
   CellId find_hiding_cell(std::size_t row, std::optional<CellId> hint) const;
 

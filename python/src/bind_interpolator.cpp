@@ -83,7 +83,7 @@ class HeldInterpolator {
            " on " + std::string(py::repr(source_)) + ">";
   }
   py::tuple state() const {
-    const char* const names[] = {"fill", "nearest", "raise"};
+    const char* const names[] = {"fill", "nearest", "error"};
     return py::make_tuple(source_, values_, names[static_cast<int>(outside_)], fill_);
   }
   const py::object& source() const { return source_; }
@@ -93,8 +93,8 @@ class HeldInterpolator {
   static Outside outside_of(const std::string& name) {
     if (name == "fill") return Outside::fill;
     if (name == "nearest") return Outside::nearest;
-    if (name == "raise") return Outside::error;
-    throw py::value_error("outside: 'fill', 'nearest' or 'raise', not '" + name + "'");
+    if (name == "error") return Outside::error;
+    throw py::value_error("outside: 'fill', 'nearest' or 'error', not '" + name + "'");
   }
 
   const HeldTriangulation& triangulation() const { return source_.cast<const HeldTriangulation&>(); }
@@ -164,7 +164,7 @@ void bind_interpolator(py::module_& module) {
                                "outside: what queries outside the convex hull get: fill_value ('fill'), the "
                                "value at the nearest vertex ('nearest'), "
                                "or\n"
-                               "an InputError that names one of them ('raise'). Which cell a query is in, if "
+                               "an InputError that names one of them ('error'). Which cell a query is in, if "
                                "any, is decided exactly, so the value at "
                                "a\n"
                                "point is the one given, and no query inside is missed.")

@@ -176,7 +176,7 @@ void locate_each(const Held& held, const Queries& queries, Visit visit) {
           locator.locate(x, [&](std::size_t query, const LocatedPoint& where) {
             supervisor.count();
             visit(query, where,
-                  where.weights.empty() ? SignedIndex{-1} : cells.number_of_slot[index(where.cell)], engine);
+                  where.barycentric.empty() ? SignedIndex{-1} : cells.number_of_slot[index(where.cell)], engine);
           });
         });
   });
@@ -203,8 +203,8 @@ py::object locate(const Held& held, const py::object& object) {
         kinds[query] = static_cast<std::uint8_t>(where.kind);
         cells[query] = cell;
         const Complex complex = engine.complex();
-        for (std::size_t i = 0; i < where.weights.size(); ++i)
-          if (where.weights[i] > 0)
+        for (std::size_t i = 0; i < where.barycentric.size(); ++i)
+          if (where.barycentric[i] > 0)
             faces[query].push_back(
                 static_cast<SignedIndex>(engine.row_of(complex.vertex(where.cell, static_cast<int>(i)))));
         std::sort(faces[query].begin(), faces[query].end());
@@ -233,8 +233,8 @@ py::tuple barycentric(const Held& held, const py::object& object) {
                   std::size_t query, const LocatedPoint& where, SignedIndex cell, const Triangulation&) {
                 numbers[query] = cell;
                 double* const out = all + query * size;
-                if (where.weights.size() == size)
-                  std::copy(where.weights.begin(), where.weights.end(), out);
+                if (where.barycentric.size() == size)
+                  std::copy(where.barycentric.begin(), where.barycentric.end(), out);
                 else
                   std::fill_n(out, size, nan);
               });

@@ -14,14 +14,14 @@ namespace {
 class CompactCells {
  public:
   explicit CompactCells(const Complex& complex)
-      : dimension_(complex.dimension()),
-        num_cells_(complex.num_cells()),
+      : dimension_(complex.affine_dimension()),
+        num_cells_(complex.num_all_cells()),
         num_infinite_(complex.num_infinite_cells()) {
     links_.reserve(num_cells_ * stride());
     std::vector<Index> number(complex.num_cell_slots());
     Index next = 0;
-    for (const CellId c : complex.cells()) number[index(c)] = next++;
-    for (const CellId c : complex.cells()) {
+    for (const CellId c : complex.all_cells()) number[index(c)] = next++;
+    for (const CellId c : complex.all_cells()) {
       for (int i = 0; i <= dimension_; ++i) links_.push_back(index(complex.vertex(c, i)));
       for (int i = 0; i <= dimension_; ++i) links_.push_back(number[index(complex.neighbor(c, i))]);
     }

@@ -71,7 +71,7 @@ class HullOfDimension final : public Hull {
     geometry_.set_rows(points_.last_vertex());
     const CellId finite = *old.finite_cells().begin();
     std::vector<Index> simplex;
-    for (int i = 0; i <= old.dimension(); ++i) simplex.push_back(index(old.vertex(finite, i)));
+    for (int i = 0; i <= old.affine_dimension(); ++i) simplex.push_back(index(old.vertex(finite, i)));
     simplex.push_back(q);
     engine::jump(old, cells_, geometry_, q, geometry_.orientation(simplex.data()) == Sign::positive);
     recount();
@@ -80,12 +80,12 @@ class HullOfDimension final : public Hull {
 
   void restore(const Complex& old) override {
     geometry_.set_rows(points_.last_vertex());
-    cells_.reserve(old.num_cells());
+    cells_.reserve(old.num_all_cells());
     cells_.admit_vertices(points_.last_vertex());
     std::vector<Index> id(old.num_cell_slots(), invalid_index);
-    for (const CellId c : old.cells()) id[index(c)] = cells_.allocate();
-    for (const CellId c : old.cells())
-      for (int i = 0; i <= old.dimension(); ++i) {
+    for (const CellId c : old.all_cells()) id[index(c)] = cells_.allocate();
+    for (const CellId c : old.all_cells())
+      for (int i = 0; i <= old.affine_dimension(); ++i) {
         cells_.set_vertex(id[index(c)], i, index(old.vertex(c, i)));
         cells_.neighbors(id[index(c)])[i] = id[index(old.neighbor(c, i))];
       }
@@ -155,7 +155,7 @@ class HullOfDimension final : public Hull {
   }
 
  private:
-  /// Makes the functionals of wrapped cells when they are first needed. Throws Errc::out_of_memory, and
+  /// Cells that are wrapped get their functionals when these are asked for. Throws Errc::out_of_memory, and
   /// then changes nothing.
   void need_functionals() const {
     if (!lacks_functionals_.load(std::memory_order_acquire)) [[likely]]

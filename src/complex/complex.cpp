@@ -44,20 +44,6 @@ class CellSet {
 
 }  // namespace
 
-std::vector<VertexId> Complex::vertices(CellId c) const {
-  std::vector<VertexId> result;
-  result.reserve(static_cast<std::size_t>(dimension_ + 1));
-  for (int i = 0; i <= dimension_; ++i) result.push_back(vertex(c, i));
-  return result;
-}
-
-std::vector<CellId> Complex::neighbors(CellId c) const {
-  std::vector<CellId> result;
-  result.reserve(static_cast<std::size_t>(dimension_ + 1));
-  for (int i = 0; i <= dimension_; ++i) result.push_back(neighbor(c, i));
-  return result;
-}
-
 std::vector<VertexId> Complex::finite_vertices() const {
   std::vector<VertexId> result;
   result.reserve(num_finite_vertices_);
@@ -99,7 +85,7 @@ std::vector<VertexId> Complex::adjacent_vertices(VertexId v) const {
 
 std::vector<Facet> Complex::facets(bool with_infinite) const {
   std::vector<Facet> result;
-  for (const CellId c : cells()) {
+  for (const CellId c : all_cells()) {
     const int infinite = infinite_index(c);
     if (infinite >= 0 && !with_infinite) continue;
     for (int i = 0; i <= dimension_; ++i) {
@@ -134,7 +120,8 @@ std::vector<VertexId> Complex::faces(int j) const {
     std::vector<VertexId> sorted, face(width + 1);
     std::vector<std::size_t> choice(width + 1);
     for (const CellId c : finite_cells()) {
-      sorted = vertices(c);
+      const VerticesOfCell all = vertices(c);
+      sorted.assign(all.begin(), all.end());
       std::sort(sorted.begin(), sorted.end());
       for (std::size_t i = 0; i <= width; ++i) choice[i] = i;
       while (true) {

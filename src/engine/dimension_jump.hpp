@@ -20,12 +20,12 @@ namespace delone::engine {
 /// as one. The cells (σ, ∞) lie across the facet σ of (σ, q) and need one exchange more.
 template <int K, Geometry G>
 void jump(const Complex& old, CellStore<K>& cells, G& geometry, Index q, bool q_is_positive) {
-  const int k = old.dimension();                                     // the new cells have slots 0 … k+1
+  const int k = old.affine_dimension();                                     // the new cells have slots 0 … k+1
   std::vector<Index> joined(old.num_cell_slots(), invalid_index);    // (σ, q) for every old cell σ
   std::vector<Index> extended(old.num_cell_slots(), invalid_index);  // (σ, ∞) for every finite σ
-  cells.reserve(static_cast<std::size_t>(old.num_cells()) + old.num_finite_cells());
+  cells.reserve(static_cast<std::size_t>(old.num_all_cells()) + old.num_finite_cells());
   cells.admit_vertices(std::max(q, old.num_vertex_slots() - 1));
-  for (const CellId c : old.cells()) joined[index(c)] = cells.allocate();
+  for (const CellId c : old.all_cells()) joined[index(c)] = cells.allocate();
   for (const CellId c : old.finite_cells()) extended[index(c)] = cells.allocate();
 
   const auto link = [&](CellId c, Index cell, Index apex, Index across_base, bool exchange, auto&& across) {
@@ -35,7 +35,7 @@ void jump(const Complex& old, CellStore<K>& cells, G& geometry, Index q, bool q_
       cells.neighbors(cell)[slot] = i <= k ? across(i) : across_base;
     }
   };
-  for (const CellId c : old.cells()) {
+  for (const CellId c : old.all_cells()) {
     const int infinite_slot = old.infinite_index(c);
     // (σ, q) with σ infinite has as base the facet σ, whose other side is (τ, ∞) with τ the finite neighbor
     // of σ.

@@ -27,7 +27,7 @@ class HalfspaceCone {
   /// Inserts a site, whose ray is that of no other. If it throws, the boundary is as it was.
   void insert(Index site);
 
-  /// The boundary. Inside of a cell is where the determinant of its rows and of the queried row is
+  /// The boundary. Inside of a cell is where the determinant of its rows and of the row asked for is
   /// positive; for k = 1 cell 0 is so, cell 1 the other way round.
   SimplicialHull hull() const;
   std::vector<std::pair<Index, Index>> coplanar_neighbors(const SimplicialHull& hull) const;

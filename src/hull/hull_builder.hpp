@@ -25,8 +25,8 @@ class ConvexHullBuilder {
   void include_sites(Index first);
   /// Inserts a site, distinct from all earlier ones. If it throws, the boundary is as it was.
   Insertion insert(Index site);
-  /// Whether a site is in the interior for certain; false says nothing. Fast if the
-  /// previous site was near.
+  /// Whether a site is in the interior for certain; false says nothing. Fast if the last one asked for was
+  /// near.
   bool is_surely_interior(Index site) { return boundary_ && boundary_->is_surely_interior(site); }
 
   /// Made on the first call after an insertion; `const` calls may come from several threads.

@@ -122,6 +122,9 @@ int AffineHull::separating_axis(const double* p) const {
 namespace delone {
 namespace {
 
+/// The signs of the kernel are those of distances, negative inside. Sides are positive inside.
+Side side_of(Sign sign_of_distance) { return static_cast<Side>(-static_cast<int>(sign_of_distance)); }
+
 /// Pointers to the rows, after checking their number and that every coordinate is finite.
 std::vector<const double*> rows_of(std::span<const double> coordinates, int dimension, std::size_t expected) {
   if (dimension < 1) throw Error(Errc::bad_dimension, "the dimension must be at least 1");
@@ -155,26 +158,26 @@ std::vector<double> with_weights(const std::vector<const double*>& points, std::
 }
 
 template <class Predicate>
-Sign sphere_sign(const kernel::Flat& flat, std::span<const double* const> simplex, const double* q,
-                 Predicate predicate) {
+Side side_of_sphere(const kernel::Flat& flat, std::span<const double* const> simplex, const double* q,
+                    Predicate predicate) {
   const Sign orientation_of_points = kernel::orientation(flat, simplex);
   if (orientation_of_points == Sign::zero)
     throw Error(Errc::invalid_argument, "the points of the sphere are affinely dependent");
-  return predicate(flat, simplex, orientation_of_points, q);
+  return side_of(predicate(flat, simplex, orientation_of_points, q));
 }
 
 template <class Predicate>
-Sign sphere_sign(std::span<const double> points, std::span<const double> q, int dimension,
-                 Predicate predicate) {
+Side side_of_sphere(std::span<const double> points, std::span<const double> q, int dimension,
+                    Predicate predicate) {
   const auto simplex = rows_of(points, dimension, static_cast<std::size_t>(std::max(dimension, 0)) + 1);
   const auto query = rows_of(q, dimension, 1);
   const std::vector<int> axes = all_axes(dimension);
-  return sphere_sign(kernel::Flat{dimension, axes}, simplex, query[0], predicate);
+  return side_of_sphere(kernel::Flat{dimension, axes}, simplex, query[0], predicate);
 }
 
 template <class Predicate>
-Sign power_sphere_sign(std::span<const double> points, std::span<const double> weights,
-                       std::span<const double> q, double weight_of_q, int dimension, Predicate predicate) {
+Side side_of_power_sphere(std::span<const double> points, std::span<const double> weights,
+                          std::span<const double> q, double weight_of_q, int dimension, Predicate predicate) {
   const auto simplex = rows_of(points, dimension, static_cast<std::size_t>(std::max(dimension, 0)) + 1);
   const auto query = rows_of(q, dimension, 1);
   const auto rows = with_weights(simplex, weights, dimension);
@@ -183,8 +186,8 @@ Sign power_sphere_sign(std::span<const double> points, std::span<const double> w
   for (std::size_t i = 0; i < simplex.size(); ++i)
     weighted.push_back(&rows[i * (static_cast<std::size_t>(dimension) + 1)]);
   const std::vector<int> axes = all_axes(dimension);
-  return sphere_sign(kernel::Flat{dimension, axes, kernel::RowForm::weighted_point}, weighted,
-                     query_row.data(), predicate);
+  return side_of_sphere(kernel::Flat{dimension, axes, kernel::RowForm::weighted_point}, weighted,
+                        query_row.data(), predicate);
 }
 
 constexpr auto unperturbed = [](const auto&... arguments) { return kernel::in_sphere(arguments...); };
@@ -198,22 +201,22 @@ Sign orientation(std::span<const double> points, int dimension) {
   return kernel::orientation(kernel::Flat{dimension, axes}, simplex);
 }
 
-Sign in_sphere(std::span<const double> points, std::span<const double> q, int dimension) {
-  return sphere_sign(points, q, dimension, unperturbed);
+Side in_sphere(std::span<const double> points, std::span<const double> q, int dimension) {
+  return side_of_sphere(points, q, dimension, unperturbed);
 }
 
-Sign in_sphere_perturbed(std::span<const double> points, std::span<const double> q, int dimension) {
-  return sphere_sign(points, q, dimension, perturbed);
+Side in_sphere_perturbed(std::span<const double> points, std::span<const double> q, int dimension) {
+  return side_of_sphere(points, q, dimension, perturbed);
 }
 
-Sign in_power_sphere(std::span<const double> points, std::span<const double> weights,
+Side in_power_sphere(std::span<const double> points, std::span<const double> weights,
                      std::span<const double> q, double weight_of_q, int dimension) {
-  return power_sphere_sign(points, weights, q, weight_of_q, dimension, unperturbed);
+  return side_of_power_sphere(points, weights, q, weight_of_q, dimension, unperturbed);
 }
 
-Sign in_power_sphere_perturbed(std::span<const double> points, std::span<const double> weights,
+Side in_power_sphere_perturbed(std::span<const double> points, std::span<const double> weights,
                                std::span<const double> q, double weight_of_q, int dimension) {
-  return power_sphere_sign(points, weights, q, weight_of_q, dimension, perturbed);
+  return side_of_power_sphere(points, weights, q, weight_of_q, dimension, perturbed);
 }
 
 Sign homogeneous_orientation(std::span<const double> rows, int dimension) {
@@ -224,11 +227,11 @@ Sign homogeneous_orientation(std::span<const double> rows, int dimension) {
                                          pointers);
 }
 
-Sign side_of_hyperplane(std::span<const double> hyperplane, std::span<const double> p, int dimension) {
+Side side_of_hyperplane(std::span<const double> hyperplane, std::span<const double> p, int dimension) {
   const auto point = rows_of(p, dimension, 1);
   const auto row = rows_of(hyperplane, dimension + 1, 1);
   StageCounts counts;
-  return kernel::side_of_hyperplane(row[0], point[0], dimension, counts);
+  return side_of(kernel::side_of_hyperplane(row[0], point[0], dimension, counts));
 }
 
 int affine_dimension(std::span<const double> points, int dimension) {

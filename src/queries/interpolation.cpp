@@ -75,7 +75,7 @@ void LinearInterpolator::evaluate(std::span<const double> queries, std::span<dou
   locator_.locate(queries, [&](std::size_t query, const LocatedPoint& where) {
     meter();
     double* const at = result.data() + query * columns_;
-    if (where.weights.empty()) {
+    if (where.barycentric.empty()) {
       if (outside == Outside::error) refuse(query);
       if (outside == Outside::nearest) beyond.add(query, queries.data() + query * d, d);
       if (fill.empty())
@@ -85,8 +85,8 @@ void LinearInterpolator::evaluate(std::span<const double> queries, std::span<dou
       return;
     }
     std::fill_n(at, columns_, 0.0);
-    for (std::size_t i = 0; i < where.weights.size(); ++i) {
-      const double weight = where.weights[i];
+    for (std::size_t i = 0; i < where.barycentric.size(); ++i) {
+      const double weight = where.barycentric[i];
       if (weight == 0) continue;  // a NaN at a vertex outside the face of the query does not count
       const double* const value =
           values_.data() + index(complex.vertex(where.cell, static_cast<int>(i))) * columns_;
@@ -115,7 +115,7 @@ void LinearInterpolator::gradients(std::span<const double> queries, std::span<do
   locator_.locate(queries, [&](std::size_t query, const LocatedPoint& where) {
     meter();
     double* const at = result.data() + query * width;
-    if (where.weights.empty()) {
+    if (where.barycentric.empty()) {
       if (outside == Outside::error) refuse(query);
       std::fill_n(at, width, outside == Outside::nearest ? 0.0 : std::numeric_limits<double>::quiet_NaN());
       return;

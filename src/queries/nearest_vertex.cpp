@@ -150,12 +150,12 @@ const PointLocator::Edges& PointLocator::edges() const {
     const std::size_t slots = std::max<std::size_t>(complex.num_vertex_slots(), 1);
     std::vector<std::size_t> first(slots + 1, 0);
     for (const CellId c : complex.finite_cells())
-      for (int i = 0; i <= complex.dimension(); ++i) ++first[index(complex.vertex(c, i)) + 1];
+      for (int i = 0; i <= complex.affine_dimension(); ++i) ++first[index(complex.vertex(c, i)) + 1];
     for (std::size_t v = 0; v < slots; ++v) first[v + 1] += first[v];
     std::vector<CellId> cells(first.back());
     std::vector<std::size_t> end(first.begin(), first.end() - 1);
     for (const CellId c : complex.finite_cells())
-      for (int i = 0; i <= complex.dimension(); ++i) cells[end[index(complex.vertex(c, i))]++] = c;
+      for (int i = 0; i <= complex.affine_dimension(); ++i) cells[end[index(complex.vertex(c, i))]++] = c;
     Edges edges;
     edges.offsets.reserve(slots + 1);
     edges.offsets.push_back(0);
@@ -163,7 +163,7 @@ const PointLocator::Edges& PointLocator::edges() const {
     for (std::size_t v = 0; v < slots; ++v) {
       const std::size_t begin = edges.vertices.size();
       for (std::size_t i = first[v]; i < first[v + 1]; ++i)
-        for (int j = 0; j <= complex.dimension(); ++j) {
+        for (int j = 0; j <= complex.affine_dimension(); ++j) {
           const VertexId other = complex.vertex(cells[i], j);
           if (index(other) == v || seen_from[index(other)] == v) continue;
           seen_from[index(other)] = static_cast<Index>(v);

@@ -135,7 +135,7 @@ class PlainWalk {
         where_.triangulation.locate(std::span(q, static_cast<std::size_t>(where_.dimension)), hint);
     found = {location.kind, location.cell, {}};
     if (location.face.empty()) return;
-    const std::vector<VertexId> vertices = where_.complex.vertices(location.cell);
+    const VerticesOfCell vertices = where_.complex.vertices(location.cell);
     std::vector<const double*> points;
     std::vector<unsigned char> on_face;
     for (const VertexId v : vertices) {
@@ -144,7 +144,7 @@ class PlainWalk {
                                                                                                         : 0);
     }
     internal::barycentric(points, on_face, where_.axes, q, weights_);
-    found.weights = weights_;
+    found.barycentric = weights_;
   }
 
  private:

@@ -16,10 +16,10 @@ class StoredPoints : private Triangulation {
   }
 
  public:
-  /// The sign of sphere_sign(), which only the products give.
-  static Sign in_sphere(const Triangulation& t, CellId cell, std::span<const double> query) {
-    using Predicate = Sign (Triangulation::*)(CellId, std::span<const double>, double) const;
-    return (t.*static_cast<Predicate>(&StoredPoints::sphere_sign))(cell, query, 0.0);
+  /// The side of the sphere of a finite cell that q lies on, which only the products tell.
+  static Side in_sphere(const Triangulation& t, CellId cell, std::span<const double> query) {
+    using Predicate = Side (Triangulation::*)(CellId, std::span<const double>, double) const;
+    return (t.*static_cast<Predicate>(&StoredPoints::side_of_sphere))(cell, query, 0.0);
   }
   static const VertexPoints& of(const Triangulation& t) { return impl_of(t).points; }
   /// The coordinates of an input row, followed by its weight if points have one; hidden or not. Null if the

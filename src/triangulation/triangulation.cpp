@@ -117,8 +117,9 @@ std::vector<CellId> Triangulation::conflict_zone_of(std::span<const double> quer
   return impl_->conflict_zone(query, weight, hint);
 }
 
-Sign Triangulation::sphere_sign(CellId cell, std::span<const double> query, double weight) const {
-  return impl_->in_sphere(cell, query, weight);
+Side Triangulation::side_of_sphere(CellId cell, std::span<const double> query, double weight) const {
+  const Sign of_distance = impl_->in_sphere(cell, query, weight);  // negative inside
+  return static_cast<Side>(-static_cast<int>(of_distance));
 }
 
 double Triangulation::weight_of(VertexId v) const {
@@ -135,7 +136,7 @@ ComplexData Triangulation::to_data(bool with_points) const {
   const Complex now = complex();
   ComplexData data;
   data.dimension = dimension();
-  data.affine_dimension = now.dimension();
+  data.affine_dimension = now.affine_dimension();
   const std::size_t rows = impl_->vertex_of_row.size();
   const auto row_of_vertex = [&](Index v) { return static_cast<SignedIndex>(impl_->row_of_vertex[v]); };
   data.vertex_of_point.resize(rows);
@@ -152,11 +153,11 @@ ComplexData Triangulation::to_data(bool with_points) const {
   std::vector<SignedIndex> number(now.num_cell_slots(), -1);
   SignedIndex count = 0;
   for (const CellId c : now.finite_cells()) number[index(c)] = count++;
-  const std::size_t entries = static_cast<std::size_t>(count) * static_cast<std::size_t>(now.dimension() + 1);
+  const std::size_t entries = static_cast<std::size_t>(count) * static_cast<std::size_t>(now.affine_dimension() + 1);
   data.cells.reserve(entries);
   data.neighbors.reserve(entries);
   for (const CellId c : now.finite_cells())
-    for (int i = 0; i <= now.dimension(); ++i) {
+    for (int i = 0; i <= now.affine_dimension(); ++i) {
       data.cells.push_back(row_of_vertex(index(now.vertex(c, i))));
       data.neighbors.push_back(number[index(now.neighbor(c, i))]);
     }
@@ -178,7 +179,7 @@ CanonicalHash Triangulation::hash() const {
   const Complex now = complex();
   for (const CellId c : now.finite_cells()) {
     internal::PointTag sum;
-    for (int i = 0; i <= now.dimension(); ++i) sum += tags[index(now.vertex(c, i))];
+    for (int i = 0; i <= now.affine_dimension(); ++i) sum += tags[index(now.vertex(c, i))];
     hash.add_cell(sum);
   }
   return hash.finish(dimension(), affine_dimension());

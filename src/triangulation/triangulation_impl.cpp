@@ -169,7 +169,7 @@ Index Triangulation::Impl::insert_row(std::size_t row, const double* point, Inde
 void Triangulation::Impl::update_cells_of_vertices() {
   const Complex now = complex();
   for (const HorizonFacet& facet : hull->star())
-    for (int i = 0; i <= now.dimension(); ++i)
+    for (int i = 0; i <= now.affine_dimension(); ++i)
       cell_of_vertex[index(now.vertex(CellId{facet.created}, i))] = CellId{facet.created};
   for (const Index swallowed : hull->swallowed()) cell_of_vertex[swallowed] = invalid_cell;
   num_vertices += 1 - static_cast<Index>(hull->swallowed().size());
@@ -447,8 +447,8 @@ void Triangulation::Impl::find_cells_of_vertices() {
   if (affine_hull.dimension() < 0) return;
   cell_of_vertex.assign(points.last_vertex() + 1, invalid_cell);
   const Complex now = complex();
-  for (const CellId c : now.cells())
-    for (int i = 0; i <= now.dimension(); ++i) cell_of_vertex[index(now.vertex(c, i))] = c;
+  for (const CellId c : now.all_cells())
+    for (int i = 0; i <= now.affine_dimension(); ++i) cell_of_vertex[index(now.vertex(c, i))] = c;
   num_vertices = static_cast<Index>(
       cell_of_vertex.size() - 1 -
       static_cast<std::size_t>(std::count(cell_of_vertex.begin() + 1, cell_of_vertex.end(), invalid_cell)));

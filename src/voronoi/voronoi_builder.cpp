@@ -19,7 +19,7 @@ VoronoiBuilder::VoronoiBuilder(const Triangulation& triangulation,
       weight_(weight),
       out_(out),
       complex_(triangulation.complex()),
-      k_(complex_.dimension()),
+      k_(complex_.affine_dimension()),
       d_(static_cast<std::size_t>(triangulation.dimension())),
       axes_(triangulation.axes()) {}
 
@@ -134,7 +134,7 @@ void VoronoiBuilder::unite(Index a, Index b) {
 }
 
 bool VoronoiBuilder::is_on_sphere(CellId cell, VertexId v) const {
-  if (!weight_) return internal::StoredPoints::in_sphere(triangulation_, cell, {point(v), d_}) == Sign::zero;
+  if (!weight_) return internal::StoredPoints::in_sphere(triangulation_, cell, {point(v), d_}) == Side::on;
   std::vector<const double*> points;
   std::vector<double> weights;
   for (int i = 0; i <= k_; ++i) {

@@ -80,7 +80,7 @@ void walk_around(const std::vector<PlacedCell>& cells, Index first, Index a, Ind
 /// one run of the cycle, because classes are faces of the boundary of a convex polytope.
 void VoronoiBuilder::collect_ridges_in_space() {
   std::vector<CellId> order = cells_;  // finite cells, then infinite ones
-  order.reserve(complex_.num_cells());
+  order.reserve(complex_.num_all_cells());
   for (const CellId c : complex_.infinite_cells()) order.push_back(c);
   std::vector<Index> place_of_cell(complex_.num_cell_slots());
   for (Index place = 0; place < order.size(); ++place) place_of_cell[index(order[place])] = place;
@@ -102,8 +102,8 @@ void VoronoiBuilder::collect_ridges_in_space() {
   // as vertices and cells.
   out_.ridge_vertices_.reserve(6 * std::size_t{complex_.num_finite_cells()} +
                                3 * std::size_t{complex_.num_infinite_cells()});
-  out_.ridge_points_.reserve(2 * (site_of_region_.size() + complex_.num_cells()));
-  out_.ridge_offsets_.reserve(1 + site_of_region_.size() + complex_.num_cells());
+  out_.ridge_points_.reserve(2 * (site_of_region_.size() + complex_.num_all_cells()));
+  out_.ridge_offsets_.reserve(1 + site_of_region_.size() + complex_.num_all_cells());
   std::vector<Index> met(row_of_vertex_.size(), 0);  // by vertex: the last s whose edge to it was visited
   std::vector<Index> ring;
   std::vector<SignedIndex> vertices;
@@ -157,7 +157,7 @@ void VoronoiBuilder::collect_ridges_by_region() {
   const auto corners = static_cast<std::size_t>(k_) + 1;
   const std::size_t num_regions = site_of_region_.size();
   std::vector<CellId> order = cells_;  // finite cells, then infinite ones
-  order.reserve(complex_.num_cells());
+  order.reserve(complex_.num_all_cells());
   for (const CellId c : complex_.infinite_cells()) order.push_back(c);
   std::vector<SignedIndex>& regions = out_.cell_regions_;  // of the corners of these; −1: the infinite vertex
   regions.reserve(order.size() * corners);
@@ -265,9 +265,9 @@ std::span<const VertexId> VoronoiBuilder::class_vertices(Index root, std::vector
 
 bool VoronoiBuilder::is_ridge(VertexId s, VertexId t, std::span<const Index> star) {
   if (sites_of_class_.empty()) {
-    for (const CellId c : complex_.cells())
+    for (const CellId c : complex_.all_cells())
       if (root(index(c)) != index(c)) sites_of_class_[root(index(c))];
-    for (const CellId c : complex_.cells())
+    for (const CellId c : complex_.all_cells())
       if (const auto found = sites_of_class_.find(root(index(c))); found != sites_of_class_.end())
         for (const VertexId v : complex_.vertices(c))
           if (v != infinite_vertex) found->second.push_back(v);

@@ -134,10 +134,10 @@ std::map<std::vector<SignedIndex>, std::int64_t> power_cells(const WeightedSet& 
     }
     std::vector<SignedIndex> on_sphere;
     for (const auto& [p, row] : rows) {
-      const Sign sign =
+      const Side side =
           in_power_sphere(points, weights, std::span(p).first(p.size() - 1), p.back(), s.set.dimension);
-      EXPECT_NE(sign, Sign::negative) << row << " in " << test::to_text(cell) << describe(s);
-      if (sign == Sign::zero) on_sphere.push_back(row);
+      EXPECT_NE(side, Side::inside) << row << " in " << test::to_text(cell) << describe(s);
+      if (side == Side::on) on_sphere.push_back(row);
     }
     std::sort(on_sphere.begin(), on_sphere.end());
     result[on_sphere] += volume(s, cell);

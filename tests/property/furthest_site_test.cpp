@@ -65,9 +65,11 @@ void expect_definition(const PointSet& set) {
     for (const VertexId v : t.vertices(c)) simplex.push_back(static_cast<SignedIndex>(t.row_of(v)));
     for (std::size_t row = 0; row < set.size(); ++row) {
       // The oracle's lifts are negated.
-      const Sign side = t.in_sphere(c, std::span(set.points).subspan(row * width, width));
-      ASSERT_NE(side, Sign::positive) << describe(set);
-      ASSERT_EQ(side, -oracle.in_sphere(simplex, static_cast<SignedIndex>(row))) << describe(set);
+      const Side side = t.in_sphere(c, std::span(set.points).subspan(row * width, width));
+      ASSERT_NE(side, Side::outside) << describe(set);
+      ASSERT_EQ(static_cast<int>(side),
+                static_cast<int>(oracle.in_sphere(simplex, static_cast<SignedIndex>(row))))
+          << describe(set);
     }
   }
 }
@@ -155,7 +157,7 @@ TEST(FurthestSite, IsTheUpperHullOfTheLiftedPoints) {
           const auto other = static_cast<std::size_t>(data.neighbors[at]);
           const VertexId apex = t.complex().vertex(
               cells[other], t.complex().mirror_index(cells[c], static_cast<int>(at % (width + 1))));
-          if (t.in_sphere(cells[c], t.point(apex)) == Sign::zero)
+          if (t.in_sphere(cells[c], t.point(apex)) == Side::on)
             group[std::max(root(c), root(other))] = std::min(root(c), root(other));
         }
         // Of equal points the hull may name another row.

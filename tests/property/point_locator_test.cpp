@@ -96,8 +96,10 @@ struct Answer {
 std::vector<Answer> locate_all(const PointLocator& locator, std::span<const double> queries, int dimension) {
   std::vector<Answer> answers(queries.size() / static_cast<std::size_t>(dimension));
   locator.locate(queries, [&](std::size_t query, const LocatedPoint& where) {
-    answers[query] = {
-        where.kind, where.cell, {where.weights.begin(), where.weights.end()}, answers[query].visits + 1};
+    answers[query] = {where.kind,
+                      where.cell,
+                      {where.barycentric.begin(), where.barycentric.end()},
+                      answers[query].visits + 1};
   });
   return answers;
 }

@@ -102,7 +102,7 @@ void expect_definition(const WeightedSet& s) {
     const std::span<const double> point =
         std::span(s.set.points).subspan(row * static_cast<std::size_t>(d), static_cast<std::size_t>(d));
     EXPECT_EQ(t.in_power_sphere(cell, point, s.weights[row]),
-              oracle.in_sphere(simplex, static_cast<SignedIndex>(row)));
+              oracle.side_of_sphere(simplex, static_cast<SignedIndex>(row)));
     EXPECT_TRUE(t.conflict_zone(point, s.weights[row]).empty());
   }
   EXPECT_EQ(t.num_hidden(), hidden);
@@ -228,7 +228,7 @@ TEST(Regular, TheHeaviestOfSeveralPointsInOnePlaceIsTheVertex) {
   EXPECT_FALSE(t.insert(p, 1).inserted);
   EXPECT_EQ(t.insert(p, 0.5).vertex, invalid_vertex);
   EXPECT_EQ(t.conflict_zone(p, 2.0).size(), 1u);
-  EXPECT_EQ(t.in_power_sphere(CellId{0}, p, 2.0), Sign::negative);
+  EXPECT_EQ(t.in_power_sphere(CellId{0}, p, 2.0), Side::inside);
   const InsertResult heavier = t.insert(p, 2);
   EXPECT_TRUE(heavier.inserted);
   EXPECT_EQ(t.weight(heavier.vertex), 2);

@@ -55,13 +55,13 @@ def test_outside():
     assert nearest(queries).tolist() == [2.25, 2, 1, 2]  # of two nearest points the first
     assert nearest.gradient(queries).tolist() == [[0.25, 1], [0, 0], [0, 0], [0, 0]]
     assert np.isnan(delone.LinearInterpolator(points, values).gradient(queries)[1:]).all()
-    refusing = delone.LinearInterpolator(points, values, outside="raise")
+    refusing = delone.LinearInterpolator(points, values, outside="error")
     assert refusing(queries[0]) == 2.25
     with pytest.raises(delone.InputError) as raised:
         refusing(queries)
     assert raised.value.rows in ([1], [2], [3])
-    with pytest.raises(ValueError, match="outside: 'fill', 'nearest' or 'raise', not 'error'"):
-        delone.LinearInterpolator(points, values, outside="error")
+    with pytest.raises(ValueError, match="outside: 'fill', 'nearest' or 'error', not 'raise'"):
+        delone.LinearInterpolator(points, values, outside="raise")
 
 
 def test_shapes_and_types():

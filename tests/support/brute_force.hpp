@@ -184,6 +184,7 @@ class BruteForce {
     }
     return result;
   }
+  /// The sign of the distance: negative inside.
   Sign in_sphere(const Sphere& sphere, SignedIndex row) const {
     const SignedIndex origin = sphere.simplex[0];
     Integer value = sphere.scale * (lifts_[at(row)] - lifts_[at(origin)]);
@@ -192,6 +193,10 @@ class BruteForce {
     return sign_of(value) * sign_of(sphere.scale);
   }
   Sign in_sphere(const Rows& simplex, SignedIndex row) const { return in_sphere(sphere(simplex), row); }
+
+  Side side_of_sphere(const Rows& simplex, SignedIndex row) const {
+    return static_cast<Side>(-static_cast<int>(in_sphere(simplex, row)));
+  }
 
   /// Whether the point is inside the sphere when the lift of every point is raised by its own ε, larger ε for
   /// lexicographically larger coordinates. False for a vertex of the simplex.

@@ -144,7 +144,7 @@ class Handler : public nlohmann::json_sax<Json> {
     matrix_ = &matrix;
     indices_ = &matrix.items;
   }
-  /// True inside the value of a member that is not read.
+  /// True inside the value of a member that nobody asked for.
   bool skipping() const { return kind_ == Kind::ignored; }
   bool at_coordinate() const { return matrix_ == &points_ && depth_ == 2; }
   bool in_weights() const { return kind_ == Kind::list && indices_ == nullptr; }

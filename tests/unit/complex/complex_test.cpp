@@ -19,7 +19,7 @@ class ComplexOf : public ::testing::TestWithParam<std::pair<int, int>> {  // aff
   ComplexOf()
       : triangulation_(make_points(), GetParam().second),
         complex_(triangulation_.complex()),
-        k_(complex_.dimension()) {}
+        k_(complex_.affine_dimension()) {}
 
   static std::vector<double> make_points() {
     const auto [k, d] = GetParam();
@@ -54,17 +54,17 @@ TEST_P(ComplexOf, CountsAndRangesAgree) {
     EXPECT_TRUE(complex_.is_infinite(c));
     ++infinite;
   }
-  for (const CellId c : complex_.cells()) {
+  for (const CellId c : complex_.all_cells()) {
     EXPECT_TRUE(complex_.is_cell(c));
     ++all;
   }
   EXPECT_EQ(finite, complex_.num_finite_cells());
   EXPECT_EQ(infinite, complex_.num_infinite_cells());
-  EXPECT_EQ(all, complex_.num_cells());
+  EXPECT_EQ(all, complex_.num_all_cells());
 }
 
 TEST_P(ComplexOf, NeighborsShareTheFacet) {
-  for (const CellId c : complex_.cells())
+  for (const CellId c : complex_.all_cells())
     for (int i = 0; i <= k_; ++i) {
       const CellId other = complex_.neighbor(c, i);
       EXPECT_EQ(other, complex_.neighbors(c)[static_cast<std::size_t>(i)]);
@@ -81,7 +81,7 @@ TEST_P(ComplexOf, StarsLinksAndAdjacentVertices) {
     const VertexId vertex{v};
     std::set<CellId> expected;
     std::set<VertexId> adjacent;
-    for (const CellId c : complex_.cells()) {
+    for (const CellId c : complex_.all_cells()) {
       if (complex_.index_of(c, vertex) < 0) continue;
       expected.insert(c);
       for (const VertexId other : complex_.vertices(c))
@@ -101,7 +101,7 @@ TEST_P(ComplexOf, StarsLinksAndAdjacentVertices) {
 TEST_P(ComplexOf, FacetsOnceEach) {
   for (const bool with_infinite : {false, true}) {
     std::set<std::vector<VertexId>> expected, found;
-    for (const CellId c : complex_.cells())
+    for (const CellId c : complex_.all_cells())
       for (int i = 0; i <= k_; ++i) {
         const auto facet = vertices_without(c, i);
         if (with_infinite || facet.empty() || facet[0] != infinite_vertex) expected.insert(facet);

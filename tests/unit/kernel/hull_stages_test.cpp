@@ -350,7 +350,8 @@ TEST(SideOfHyperplane, EveryStage) {
     for (std::size_t j = 0; j < 3; ++j)
       sum += boost::multiprecision::cpp_rational(row[j]) * boost::multiprecision::cpp_rational(p[j]);
     EXPECT_EQ(side(row, p, counts), sum > 0 ? Sign::positive : sum < 0 ? Sign::negative : Sign::zero);
-    EXPECT_EQ(delone::side_of_hyperplane(row, p, 3), exact_affine_form(row.data(), p.data(), 3));
+    EXPECT_EQ(static_cast<int>(delone::side_of_hyperplane(row, p, 3)),
+              -static_cast<int>(exact_affine_form(row.data(), p.data(), 3)));
   }
 }
 

@@ -90,8 +90,8 @@ TEST(PublicPredicates, SayWhatIsWrong) {
   const std::vector<double> triangle{0, 0, 1, 0, 0, 1}, line{0, 0, 1, 1, 2, 2}, q{0.25, 0.25},
       bad{0, 0, 1, NAN, 0, 1};
   EXPECT_EQ(delone::orientation(triangle, 2), Sign::positive);
-  EXPECT_EQ(delone::in_sphere(triangle, q, 2), Sign::negative);
-  EXPECT_EQ(delone::in_sphere_perturbed(triangle, std::vector<double>{1, 0}, 2), Sign::zero);
+  EXPECT_EQ(delone::in_sphere(triangle, q, 2), Side::inside);
+  EXPECT_EQ(delone::in_sphere_perturbed(triangle, std::vector<double>{1, 0}, 2), Side::on);
   EXPECT_EQ(delone::affine_dimension(line, 2), 1);
   EXPECT_THROW(delone::in_sphere(line, q, 2), Error);
   EXPECT_THROW(delone::orientation(triangle, 3), Error);
@@ -108,7 +108,9 @@ TEST(PublicPredicates, SayWhatIsWrong) {
 TEST(PublicHullPredicates, SayWhatIsWrong) {
   const std::vector<double> rows{1, 0, 0, 1}, bad{1, 0, NAN, 1}, p{2};
   EXPECT_EQ(delone::homogeneous_orientation(rows, 1), Sign::positive);
-  EXPECT_EQ(delone::side_of_hyperplane(std::vector<double>{1, -2}, p, 1), Sign::zero);
+  EXPECT_EQ(delone::side_of_hyperplane(std::vector<double>{1, -2}, p, 1), Side::on);
+  EXPECT_EQ(delone::side_of_hyperplane(std::vector<double>{1, -3}, p, 1), Side::inside);
+  EXPECT_EQ(delone::side_of_hyperplane(std::vector<double>{1, -1}, p, 1), Side::outside);
   EXPECT_THROW(delone::homogeneous_orientation(rows, 2), Error);
   EXPECT_THROW(delone::homogeneous_orientation(rows, 0), Error);
   EXPECT_THROW(delone::side_of_hyperplane(p, p, 1), Error);
@@ -125,14 +127,12 @@ TEST(PublicHullPredicates, SayWhatIsWrong) {
 
 TEST(PublicPowerSphere, SaysWhatIsWrong) {
   const std::vector<double> triangle{0, 0, 1, 0, 0, 1}, q{0.25, 0.25}, weights{0, 0, 0};
-  EXPECT_EQ(delone::in_power_sphere(triangle, weights, q, 0, 2), Sign::negative);
-  EXPECT_EQ(delone::in_power_sphere(triangle, weights, q, -1, 2), Sign::positive);
-  EXPECT_EQ(delone::in_power_sphere_perturbed(triangle, weights, std::vector<double>{1, 0}, 0, 2),
-            Sign::zero);
+  EXPECT_EQ(delone::in_power_sphere(triangle, weights, q, 0, 2), Side::inside);
+  EXPECT_EQ(delone::in_power_sphere(triangle, weights, q, -1, 2), Side::outside);
+  EXPECT_EQ(delone::in_power_sphere_perturbed(triangle, weights, std::vector<double>{1, 0}, 0, 2), Side::on);
   EXPECT_EQ(delone::in_power_sphere_perturbed(triangle, weights, std::vector<double>{1, 0}, 1, 2),
-            Sign::negative);
-  EXPECT_NE(delone::in_power_sphere_perturbed(triangle, weights, std::vector<double>{1, 1}, 0, 2),
-            Sign::zero);
+            Side::inside);
+  EXPECT_NE(delone::in_power_sphere_perturbed(triangle, weights, std::vector<double>{1, 1}, 0, 2), Side::on);
   EXPECT_THROW(delone::in_power_sphere(triangle, q, q, 0, 2), Error);
   EXPECT_THROW(delone::in_power_sphere({}, weights, q, 0, 0), Error);
   const std::vector<double> line{0, 0, 1, 1, 2, 2}, bad{0, NAN, 0};

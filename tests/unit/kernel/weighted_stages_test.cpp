@@ -263,13 +263,13 @@ TEST(WeightedSphere, DoesNotDependOnTheOrderOfVerticesNorOnAConstantInTheWeights
     const std::span<const double> q = std::span(points).subspan(12), p = std::span(points).first(12);
     if (delone::orientation(p, 3) == Sign::zero) continue;
     const auto first_weights = std::span<const double>(weights).first(4);
-    const Sign sign = delone::in_power_sphere(p, first_weights, q, weights[4], 3);
-    EXPECT_EQ(delone::in_power_sphere(p, std::span<const double>(raised).first(4), q, raised[4], 3), sign);
+    const Side side = delone::in_power_sphere(p, first_weights, q, weights[4], 3);
+    EXPECT_EQ(delone::in_power_sphere(p, std::span<const double>(raised).first(4), q, raised[4], 3), side);
     std::vector<double> turned(p.begin() + 3, p.end()),
         turned_weights(first_weights.begin() + 1, first_weights.end());
     turned.insert(turned.end(), p.begin(), p.begin() + 3);
     turned_weights.push_back(weights[0]);
-    EXPECT_EQ(delone::in_power_sphere(turned, turned_weights, q, weights[4], 3), sign);
+    EXPECT_EQ(delone::in_power_sphere(turned, turned_weights, q, weights[4], 3), side);
     EXPECT_EQ(delone::in_power_sphere_perturbed(turned, turned_weights, q, weights[4], 3),
               delone::in_power_sphere_perturbed(p, first_weights, q, weights[4], 3));
   }

@@ -39,11 +39,11 @@ void expect_barycentric(const T& t, const std::vector<double>& queries, double t
   std::size_t visits = 0;
   PointLocator(t).locate(queries, [&](std::size_t query, const LocatedPoint& where) {
     ++visits;
-    ASSERT_EQ(where.weights.size(), static_cast<std::size_t>(complex.dimension()) + 1);
+    ASSERT_EQ(where.barycentric.size(), static_cast<std::size_t>(complex.affine_dimension()) + 1);
     std::vector<double> sum(d, 0.0);
     int positive = 0;
-    for (int i = 0; i <= complex.dimension(); ++i) {
-      const double weight = where.weights[static_cast<std::size_t>(i)];
+    for (int i = 0; i <= complex.affine_dimension(); ++i) {
+      const double weight = where.barycentric[static_cast<std::size_t>(i)];
       EXPECT_GE(weight, 0);
       positive += weight > 0 ? 1 : 0;
       const auto p = t.point(complex.vertex(where.cell, i));
@@ -51,8 +51,8 @@ void expect_barycentric(const T& t, const std::vector<double>& queries, double t
     }
     for (std::size_t j = 0; j < d; ++j) EXPECT_NEAR(sum[j], queries[query * d + j], tolerance);
     EXPECT_EQ(positive, where.kind == Kind::on_vertex ? 1
-                        : where.kind == Kind::on_face ? std::min(positive, complex.dimension())
-                                                      : complex.dimension() + 1);
+                        : where.kind == Kind::on_face ? std::min(positive, complex.affine_dimension())
+                                                      : complex.affine_dimension() + 1);
   });
   EXPECT_EQ(visits, queries.size() / d);
 }
@@ -115,7 +115,7 @@ TEST(PointLocator, OfAThinCell) {
         EXPECT_EQ(where.kind, Kind::in_cell);
         for (int i = 0; i < 3; ++i) {
           const auto row = t.row_of(t.complex().vertex(where.cell, i));
-          EXPECT_NEAR(where.weights[static_cast<std::size_t>(i)], row == 0 ? 0.5 : 0.25, 1e-10);
+          EXPECT_NEAR(where.barycentric[static_cast<std::size_t>(i)], row == 0 ? 0.5 : 0.25, 1e-10);
         }
       });
 }

@@ -82,9 +82,9 @@ class GrowingHull {
   test::Cells cells() const {
     const Complex complex = hull_->complex(points_.last_vertex(), {});
     test::Cells result;
-    for (const CellId cell : complex.cells()) {
+    for (const CellId cell : complex.all_cells()) {
       result.emplace_back();
-      for (int i = 0; i <= complex.dimension(); ++i) {
+      for (int i = 0; i <= complex.affine_dimension(); ++i) {
         result.back().push_back(static_cast<SignedIndex>(index(complex.vertex(cell, i))));
         const CellId neighbor = complex.neighbor(cell, i);
         EXPECT_TRUE(complex.is_cell(neighbor) &&
