@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 # Options of the build. A parent project that adds this one by add_subdirectory gets the library only.
 option(DELONE_64BIT_IDS "Use 64-bit ids for vertices and cells" OFF)
+option(DELONE_HARDENED "Check ids that are passed to the library: those out of range throw delone::Error" OFF)
 option(DELONE_BUILD_CLI "Build the command `delone`" ${PROJECT_IS_TOP_LEVEL})
 option(DELONE_BUILD_PYTHON "Build the Python module `delone` (needs pybind11, and a Python with NumPy)" OFF)
 option(DELONE_INSTALL "Install rules and the CMake package" ${PROJECT_IS_TOP_LEVEL})
@@ -16,8 +17,10 @@ set(DELONE_SANITIZE "" CACHE STRING "Sanitizers for -fsanitize=, for example add
 if(NOT DELONE_LARGEST_COMPILED_DIMENSION MATCHES "^[1-8]$")
   message(FATAL_ERROR "DELONE_LARGEST_COMPILED_DIMENSION is 1 to 8")
 endif()
-if(DELONE_64BIT_IDS)
-  set(DELONE_64BIT_IDS_VALUE 1)
-else()
-  set(DELONE_64BIT_IDS_VALUE 0)
-endif()
+foreach(option DELONE_64BIT_IDS DELONE_HARDENED)
+  if(${option})
+    set(${option}_VALUE 1)
+  else()
+    set(${option}_VALUE 0)
+  endif()
+endforeach()

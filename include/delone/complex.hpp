@@ -2,6 +2,7 @@
 // The read-only complex: cells, neighbors, vertices, stars and faces of a triangulated sphere.
 #pragma once
 
+#include <delone/error.hpp>
 #include <delone/types.hpp>
 
 #include <compare>
@@ -14,6 +15,15 @@
 namespace delone {
 
 struct ComplexData;
+
+namespace detail {
+
+/// What a hardened build (DELONE_HARDENED) makes of an id or index out of range. Elsewhere it is undefined.
+[[noreturn]] inline void throw_out_of_range(const char* what) {
+  throw Error(Errc::invalid_argument, std::string(what) + " is out of range");
+}
+
+}  // namespace detail
 
 /// The vertices or the neighbors of a cell: a random-access range of ids, by value. Refers to the complex,
 /// and is valid as long as it is. Takes no memory of its own; converts to a vector, which does.
@@ -66,7 +76,10 @@ class CellLinks {
   CellLinks(const Index* first, int size, bool narrow) : first_(first), size_(size), narrow_(narrow) {}
   std::size_t size() const { return static_cast<std::size_t>(size_); }
   bool empty() const { return size_ == 0; }
-  Id operator[](std::size_t i) const { return id(first_, narrow_, static_cast<std::ptrdiff_t>(i)); }
+  Id operator[](std::size_t i) const {
+    if (DELONE_HARDENED && i >= size()) detail::throw_out_of_range("the index of a vertex or neighbor");
+    return id(first_, narrow_, static_cast<std::ptrdiff_t>(i));
+  }
   Id front() const { return (*this)[0]; }
   Id back() const { return (*this)[size() - 1]; }
   Iterator begin() const { return {*this, 0}; }
@@ -90,7 +103,9 @@ using NeighborsOfCell = CellLinks<CellId>;
 /// triangulation of affine dimension k, and one infinite cell per hull facet, which joins the facet to the
 /// infinite vertex. Topology only: no coordinates. Cheap to copy; valid until its owner changes or dies.
 ///
-/// Cells live in slots; a slot may be vacant after an insertion. The ranges skip vacant slots.
+/// Cells live in slots; a slot may be vacant after an insertion. The ranges skip vacant slots. Functions that
+/// take a cell REQUIRE is_cell(c), those that take a vertex v < num_vertex_slots(), and indices in a cell are
+/// 0 … k. A hardened build (the CMake option DELONE_HARDENED) checks this and throws Errc::invalid_argument.
 class Complex {
  public:
   /// Which cells a range visits.
@@ -179,12 +194,24 @@ class Complex {
 
   /// Vertex i of cell c, 0 ≤ i ≤ k. Cells are coherently oriented: replacing one vertex of a cell by another
   /// point on the same side of the opposite facet keeps the orientation.
-  VertexId vertex(CellId c, int i) const { return VertexId{vertex_id(c, i)}; }
+  VertexId vertex(CellId c, int i) const {
+    require(c, i);
+    return VertexId{vertex_id(c, i)};
+  }
   /// The cell across the facet opposite vertex i.
-  CellId neighbor(CellId c, int i) const { return CellId{neighbor_ids(c)[i]}; }
+  CellId neighbor(CellId c, int i) const {
+    require(c, i);
+    return CellId{neighbor_ids(c)[i]};
+  }
   /// The k+1 vertices of a cell, and its neighbors: neighbor i is opposite vertex i. Without allocation.
-  VerticesOfCell vertices(CellId c) const { return {row(c), dimension_ + 1, links_.narrow_vertices}; }
-  NeighborsOfCell neighbors(CellId c) const { return {neighbor_ids(c), dimension_ + 1, false}; }
+  VerticesOfCell vertices(CellId c) const {
+    require(c);
+    return {row(c), dimension_ + 1, links_.narrow_vertices};
+  }
+  NeighborsOfCell neighbors(CellId c) const {
+    require(c);
+    return {neighbor_ids(c), dimension_ + 1, false};
+  }
   /// The index, in neighbor i of c, of the vertex opposite the shared facet. O(k).
   int mirror_index(CellId c, int i) const {
     // Two cells of a simplicial sphere share at most one facet, so the neighbor that is c is found once.
@@ -195,6 +222,7 @@ class Complex {
   }
   /// The index of vertex v in cell c, or −1. O(k).
   int index_of(CellId c, VertexId v) const {
+    require(c);
     for (int i = 0; i <= dimension_; ++i)
       if (vertex_id(c, i) == delone::index(v)) return i;
     return -1;
@@ -203,7 +231,11 @@ class Complex {
   int infinite_index(CellId c) const { return index_of(c, infinite_vertex); }
 
   /// A cell that contains v (any vertex, the infinite one included). O(1).
-  CellId incident_cell(VertexId v) const { return cell_of_vertex_[delone::index(v)]; }
+  CellId incident_cell(VertexId v) const {
+    if (DELONE_HARDENED && delone::index(v) >= num_vertex_slots_)
+      detail::throw_out_of_range("the id of a vertex");
+    return cell_of_vertex_[delone::index(v)];
+  }
   /// All cells that contain v, finite and infinite. O(size of the star · k).
   std::vector<CellId> star(VertexId v) const;
   /// The facets of the star of v that do not contain v, as (cell of the star, index of v). O(size of the star
@@ -226,6 +258,11 @@ class Complex {
 
  private:
   friend class CellIterator;
+  void require([[maybe_unused]] CellId c, [[maybe_unused]] int i = 0) const {
+    if (DELONE_HARDENED && !is_cell(c)) detail::throw_out_of_range("the id of a cell");
+    if (DELONE_HARDENED && (i < 0 || i > dimension_))
+      detail::throw_out_of_range("the index of a vertex or neighbor");
+  }
   const Index* row(CellId c) const {
     return links_.first + static_cast<std::size_t>(delone::index(c)) * links_.stride;
   }

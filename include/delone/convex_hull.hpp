@@ -107,9 +107,8 @@ class Polytope {
   Statistics statistics() const;
 
  protected:
-  struct Clone {};
   Polytope(int dimension, const Options& options);
-  Polytope(Clone, const Polytope& other);
+  Polytope(detail::Clone, const Polytope& other);
   Polytope(Polytope&&) noexcept;
   Polytope& operator=(Polytope&&) noexcept;
   ~Polytope();
@@ -162,7 +161,7 @@ class ConvexHull : public Polytope {
   ConvexHull& operator=(ConvexHull&&) noexcept = default;
 
   /// A deep copy. Cost: that of copying the cells and the points. Throws Errc::out_of_memory.
-  ConvexHull clone() const { return ConvexHull(Clone{}, *this); }
+  ConvexHull clone() const { return ConvexHull(detail::Clone{}, *this); }
 
   /// Inserts points as the next rows. If it throws (not_finite, bad_dimension, cancelled, too_many,
   /// out_of_memory), the hull is as it was. A point outside the affine hull of all earlier ones rebuilds it.
@@ -185,7 +184,7 @@ class ConvexHull : public Polytope {
   }
 
  private:
-  ConvexHull(Clone clone, const ConvexHull& other) : Polytope(clone, other) {}
+  ConvexHull(detail::Clone clone, const ConvexHull& other) : Polytope(clone, other) {}
 };
 
 ConvexHull(int, const Options& = {})->ConvexHull<dynamic>;

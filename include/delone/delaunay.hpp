@@ -40,9 +40,9 @@ class Delaunay : public Triangulation {
       : Delaunay(points, points.dimension(), options) {}
 
   /// Inserts n points as the next n rows, all of them or none: after any error (not_finite, bad_dimension,
-  /// cancelled, too_many, out_of_memory) the triangulation is as it was. The memory of a container that is moved
-  /// in is released before most cells are created: the peak is lower by the size of the points. After not_finite
-  /// and bad_dimension the container is as it was, too.
+  /// cancelled, too_many, out_of_memory) the triangulation is as it was. The memory of a container that is
+  /// moved in is released before most cells are created: the peak is lower by the size of the points. After
+  /// not_finite and bad_dimension the container is as it was, too.
   void insert_range(AnyPoints<D> points) { insert_points(points); }
   /// Inserts one point as the next row; `hint` is a cell near it. Expected cost with a good hint: the size of
   /// the conflict zone; without: also a walk past a few cells, from a vertex close by
@@ -50,6 +50,9 @@ class Delaunay : public Triangulation {
   InsertResult insert(const AnyPoint<D>& point, std::optional<CellId> hint = std::nullopt) {
     return insert_point(point, 0.0, hint);
   }
+
+  /// A deep copy, with cells and vertices of the same ids. Throws Errc::out_of_memory. O(cells·k + points·d).
+  Delaunay clone() const { return Delaunay(detail::Clone{}, *this); }
 
   /// The coordinates of a finite vertex.
   detail::Coordinates<D> point(VertexId v) const { return detail::Coordinates<D>(Triangulation::point(v)); }
@@ -64,6 +67,9 @@ class Delaunay : public Triangulation {
   }
   /// The side of the sphere through the vertices of a finite cell that q lies on, exactly.
   Side in_sphere(CellId cell, const AnyPoint<D>& query) const { return side_of_sphere(cell, query, 0.0); }
+
+ private:
+  Delaunay(detail::Clone tag, const Delaunay& other) : Triangulation(tag, other) {}
 };
 
 /// From a range of points whose type tells their dimension.

@@ -65,6 +65,9 @@ class FurthestSite : public Triangulation {
   }
 
   /// The coordinates of a finite vertex.
+  /// A deep copy, with cells and vertices of the same ids. Throws Errc::out_of_memory. O(cells·k + points·d).
+  FurthestSite clone() const { return FurthestSite(detail::Clone{}, *this); }
+
   detail::Coordinates<D> point(VertexId v) const { return detail::Coordinates<D>(Triangulation::point(v)); }
   Location locate(const AnyPoint<D>& query, std::optional<CellId> hint = std::nullopt) const {
     return Triangulation::locate(query.coordinates(), hint);
@@ -78,6 +81,9 @@ class FurthestSite : public Triangulation {
   }
   /// The side of the sphere through the vertices of a finite cell that q lies on, exactly.
   Side in_sphere(CellId cell, const AnyPoint<D>& query) const { return side_of_sphere(cell, query, 0.0); }
+
+ private:
+  FurthestSite(detail::Clone tag, const FurthestSite& other) : Triangulation(tag, other) {}
 };
 
 /// From a range of points whose type tells their dimension.

@@ -55,11 +55,10 @@ class Polyhedron {
   Statistics statistics() const;
 
  protected:
-  struct Clone {};
   Polyhedron(const AnyPoints<>& halfspaces, int dimension, const Options& options);
   Polyhedron(const AnyPoints<>& halfspaces, int dimension, std::span<const double> interior_point,
              const Options& options);
-  Polyhedron(Clone, const Polyhedron& other);
+  Polyhedron(detail::Clone, const Polyhedron& other);
   Polyhedron(Polyhedron&&) noexcept;
   Polyhedron& operator=(Polyhedron&&) noexcept;
   ~Polyhedron();
@@ -117,7 +116,7 @@ class HalfspaceIntersection : public Polyhedron {
   HalfspaceIntersection& operator=(HalfspaceIntersection&&) noexcept = default;
 
   /// A deep copy. Throws Errc::out_of_memory.
-  HalfspaceIntersection clone() const { return HalfspaceIntersection(Clone{}, *this); }
+  HalfspaceIntersection clone() const { return HalfspaceIntersection(detail::Clone{}, *this); }
 
   /// Adds halfspaces as the next rows. The interior point must be strictly inside them, or invalid_argument
   /// is thrown. A rank that rises rebuilds all, as does every call where there is no interior point. If it
@@ -127,7 +126,7 @@ class HalfspaceIntersection : public Polyhedron {
   void insert(const AnyPoint<row_size>& halfspace) { insert_rows(halfspace.coordinates()); }
 
  private:
-  HalfspaceIntersection(Clone clone, const HalfspaceIntersection& other) : Polyhedron(clone, other) {}
+  HalfspaceIntersection(detail::Clone clone, const HalfspaceIntersection& other) : Polyhedron(clone, other) {}
   static const AnyPoints<>& rows(const AnyPoints<>& halfspaces) requires(D == dynamic) { return halfspaces; }
   static AnyPoints<> rows(const AnyPoints<row_size>& halfspaces) requires(D != dynamic) {
     return halfspaces.coordinates();

@@ -74,9 +74,8 @@ class Envelope {
   const Polytope& polytope() const;
 
  protected:
-  struct Clone {};
   Envelope(const AnyPoints<>& points, int dimension, HullSide side, const Options& options);
-  Envelope(Clone, const Envelope& other);
+  Envelope(detail::Clone, const Envelope& other);
   Envelope(Envelope&&) noexcept;
   Envelope& operator=(Envelope&&) noexcept;
   ~Envelope();
@@ -115,7 +114,7 @@ class LowerHull : public Envelope {
   LowerHull& operator=(LowerHull&&) noexcept = default;
 
   /// A deep copy. Throws Errc::out_of_memory.
-  LowerHull clone() const { return LowerHull(Clone{}, *this); }
+  LowerHull clone() const { return LowerHull(detail::Clone{}, *this); }
 
   std::optional<std::size_t> find_cell(const AnyPoint<composition_size>& composition) const {
     return Envelope::find_cell(composition.coordinates());
@@ -134,7 +133,7 @@ class LowerHull : public Envelope {
   }
 
  private:
-  LowerHull(Clone clone, const LowerHull& other) : Envelope(clone, other) {}
+  LowerHull(detail::Clone clone, const LowerHull& other) : Envelope(clone, other) {}
 };
 
 LowerHull(PointsView, HullSide = HullSide::lower, const Options& = {})->LowerHull<dynamic>;

@@ -87,6 +87,11 @@ class AnyPoint {
   std::span<const double> coordinates_;
 };
 
+namespace detail {
+/// The tag of the constructors behind clone().
+struct Clone {};
+}  // namespace detail
+
 /// Points of R^D as an argument: what the functions with such a parameter take.
 ///   read in place: contiguous ranges of doubles (D per point), of std::array<double, D>, double[D],
 ///     fixed-size vectors of Eigen, types with PointTraits that are contiguous; row-major matrices of doubles

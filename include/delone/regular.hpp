@@ -71,6 +71,9 @@ class Regular : public Triangulation {
   }
 
   /// The coordinates of a finite vertex, and its weight. O(1).
+  /// A deep copy, with cells and vertices of the same ids. Throws Errc::out_of_memory. O(cells·k + points·d).
+  Regular clone() const { return Regular(detail::Clone{}, *this); }
+
   detail::Coordinates<D> point(VertexId v) const { return detail::Coordinates<D>(Triangulation::point(v)); }
   double weight(VertexId v) const { return weight_of(v); }
   /// Where q lies, whatever its weight.
@@ -94,6 +97,9 @@ class Regular : public Triangulation {
   Side in_power_sphere(CellId cell, const AnyPoint<D>& query, double weight) const {
     return side_of_sphere(cell, query, weight);
   }
+
+ private:
+  Regular(detail::Clone tag, const Regular& other) : Triangulation(tag, other) {}
 };
 
 /// From a range of points whose type tells their dimension, and weights.

@@ -123,6 +123,7 @@ class Triangulation {
   struct Impl;
 
   Triangulation(TriangulationKind kind, int dimension, const Options& options);
+  Triangulation(detail::Clone, const Triangulation& other);
   Triangulation(Triangulation&&) noexcept;
   Triangulation& operator=(Triangulation&&) noexcept;
   ~Triangulation();

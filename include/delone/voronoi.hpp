@@ -143,11 +143,10 @@ class Diagram {
   Box bounding_box(double margin = 0.1) const;
 
  protected:
-  struct Clone {};
   /// `weight`: of each vertex; empty if there are none.
   Diagram(const Triangulation& triangulation, const std::function<double(VertexId)>& weight,
           DiagramParts parts);
-  Diagram(Clone, const Diagram& other);
+  Diagram(detail::Clone, const Diagram& other);
   Diagram(Diagram&&) noexcept = default;
   Diagram& operator=(Diagram&&) noexcept = default;
   ~Diagram() = default;
@@ -199,7 +198,7 @@ class Voronoi : public Diagram {
   Voronoi& operator=(Voronoi&&) noexcept = default;
 
   /// A deep copy. Throws Errc::out_of_memory.
-  Voronoi clone() const { return Voronoi(Clone{}, *this); }
+  Voronoi clone() const { return Voronoi(detail::Clone{}, *this); }
 
   detail::Coordinates<D> vertex(std::size_t i) const { return detail::Coordinates<D>(Diagram::vertex(i)); }
   detail::Coordinates<D> site(std::size_t region) const {
@@ -207,7 +206,7 @@ class Voronoi : public Diagram {
   }
 
  private:
-  Voronoi(Clone clone, const Voronoi& other) : Diagram(clone, other) {}
+  Voronoi(detail::Clone clone, const Voronoi& other) : Diagram(clone, other) {}
   template <class Other>
   static const Delaunay<D>& refused() {
     static_assert(detail::always_false<Other>,
@@ -235,7 +234,7 @@ class PowerDiagram : public Diagram {
   PowerDiagram& operator=(PowerDiagram&&) noexcept = default;
 
   /// A deep copy. Throws Errc::out_of_memory.
-  PowerDiagram clone() const { return PowerDiagram(Clone{}, *this); }
+  PowerDiagram clone() const { return PowerDiagram(detail::Clone{}, *this); }
 
   detail::Coordinates<D> vertex(std::size_t i) const { return detail::Coordinates<D>(Diagram::vertex(i)); }
   detail::Coordinates<D> site(std::size_t region) const {
@@ -243,7 +242,7 @@ class PowerDiagram : public Diagram {
   }
 
  private:
-  PowerDiagram(Clone clone, const PowerDiagram& other) : Diagram(clone, other) {}
+  PowerDiagram(detail::Clone clone, const PowerDiagram& other) : Diagram(clone, other) {}
   template <class Other>
   static const Regular<D>& refused() {
     static_assert(detail::always_false<Other>,

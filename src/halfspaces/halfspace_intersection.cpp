@@ -271,7 +271,7 @@ Polyhedron::Polyhedron(const AnyPoints<>& halfspaces, int dimension, std::span<c
   });
 }
 
-Polyhedron::Polyhedron(Clone, const Polyhedron& other)
+Polyhedron::Polyhedron(detail::Clone, const Polyhedron& other)
     : impl_(internal::guarded("the intersection", [&] { return std::make_unique<Impl>(*other.impl_); })) {}
 Polyhedron::Polyhedron(Polyhedron&&) noexcept = default;
 Polyhedron& Polyhedron::operator=(Polyhedron&&) noexcept = default;

@@ -99,7 +99,7 @@ Polytope::Polytope(int dimension, const Options& options) {
   if (dimension < 1) throw Error(Errc::bad_dimension, "the dimension must be at least 1");
   impl_ = std::make_unique<Impl>(dimension, options);
 }
-Polytope::Polytope(Clone, const Polytope& other)
+Polytope::Polytope(detail::Clone, const Polytope& other)
     : impl_(internal::guarded("the hull", [&] { return std::make_unique<Impl>(*other.impl_); })) {}
 Polytope::Polytope(Polytope&&) noexcept = default;
 Polytope& Polytope::operator=(Polytope&&) noexcept = default;

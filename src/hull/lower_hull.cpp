@@ -227,7 +227,7 @@ Envelope::Envelope(const AnyPoints<>& points, int dimension, HullSide side, cons
     impl_->build(options);
   });
 }
-Envelope::Envelope(Clone, const Envelope& other)
+Envelope::Envelope(detail::Clone, const Envelope& other)
     : impl_(internal::guarded("the hull", [&] { return std::make_unique<Impl>(*other.impl_); })) {}
 Envelope::Envelope(Envelope&&) noexcept = default;
 Envelope& Envelope::operator=(Envelope&&) noexcept = default;

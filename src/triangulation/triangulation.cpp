@@ -34,6 +34,8 @@ Triangulation::Triangulation(TriangulationKind kind, int dimension, const Option
   impl_ = internal::guarded("the triangulation",
                             [&] { return std::make_unique<Impl>(dimension, form_of(kind), options); });
 }
+Triangulation::Triangulation(detail::Clone, const Triangulation& other)
+    : impl_(internal::guarded("the triangulation", [&] { return other.impl_->clone(); })) {}
 Triangulation::Triangulation(Triangulation&&) noexcept = default;
 Triangulation& Triangulation::operator=(Triangulation&&) noexcept = default;
 Triangulation::~Triangulation() = default;
@@ -153,7 +155,8 @@ ComplexData Triangulation::to_data(bool with_points) const {
   std::vector<SignedIndex> number(now.num_cell_slots(), -1);
   SignedIndex count = 0;
   for (const CellId c : now.finite_cells()) number[index(c)] = count++;
-  const std::size_t entries = static_cast<std::size_t>(count) * static_cast<std::size_t>(now.affine_dimension() + 1);
+  const std::size_t entries =
+      static_cast<std::size_t>(count) * static_cast<std::size_t>(now.affine_dimension() + 1);
   data.cells.reserve(entries);
   data.neighbors.reserve(entries);
   for (const CellId c : now.finite_cells())

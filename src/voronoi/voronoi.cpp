@@ -99,7 +99,7 @@ Diagram::Diagram(const Triangulation& triangulation, const std::function<double(
   internal::guarded("the diagram", [&] { VoronoiBuilder(triangulation, weight, *this).run(); });
 }
 
-Diagram::Diagram(Clone, const Diagram& other) try : Diagram(other) {
+Diagram::Diagram(detail::Clone, const Diagram& other) try : Diagram(other) {
 } catch (const std::bad_alloc&) {
   throw Error(Errc::out_of_memory, "not enough memory for the diagram");
 }
