@@ -25,7 +25,7 @@ RULES = {
     "src/cells": (BASICS, {"src/base"}),
     "src/geometry": (BASICS, {"src/cells", "src/kernel", "src/base"}),
     "src/geometry/facet_search": (BASICS, {"src/geometry", "src/cells", "src/base"}),
-    "src/engine": (BASICS | {"complex"}, {"src/cells", "src/base"}),
+    "src/engine": (BASICS | {"complex"}, {"src/engine/wrap", "src/cells", "src/base"}),
     "src/engine/wrap": (BASICS, {"src/engine", "src/cells", "src/base"}),
     "src/compiled": (BASICS | {"complex"}, {"src/engine", "src/engine/wrap", "src/geometry", "src/geometry/facet_search",
                                             "src/cells", "src/kernel", "src/base"}),

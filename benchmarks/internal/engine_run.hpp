@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Inserts a batch of points as the library does, but one step at a time, and tells an observer when an
-// insertion passes from one phase to the next. The engine is unchanged. The observer sits in the geometry:
-// the engine gets an evaluator from it when a walk or the search of a conflict zone begins, and memory and
-// functionals when a star is made.
+// Inserts a batch of points as the library does, and tells an observer when an insertion passes from one phase
+// to the next. The engine is unchanged. The observer sits in the batch, and in the geometry: the engine gets an
+// evaluator from it when a walk or the search of a conflict zone begins, and memory and functionals when a star
+// is made.
 #pragma once
 
 #include "compiled/triangulation_engine.hpp"
 #include "engine/build.hpp"
-#include "engine/seed.hpp"
 #include "geometry/delaunay_geometry.hpp"
 #include "kernel/predicates.hpp"
 #include "order/insertion_order.hpp"
@@ -28,7 +27,8 @@ using delone::Index;
 /// The events of an insertion, in this order; those of creation come once per block. This base class ignores
 /// them.
 struct Observer {
-  void begins() {}  ///< an insertion: the walk follows
+  /// An insertion: the walk follows, for which so many evaluators are made before that of the search.
+  void begins(int /*evaluators*/) {}
   void evaluates() {
   }  ///< an evaluator is made: for the walk, then for the search of the conflict zone, then for tests
   void reserves() {}  ///< the conflict zone is complete; slots, vertices, mirrors and keys of ridges follow
@@ -46,8 +46,8 @@ class ObservedGeometry : public delone::geometry::DelaunayGeometry<K> {
   using Query = typename Base::Query;
 
   template <class... Arguments>
-  explicit ObservedGeometry(Observer& observer, Arguments&&... arguments)
-      : Base(std::forward<Arguments>(arguments)...), observer_(observer) {}
+  ObservedGeometry(delone::CellMemory<K>& memory, Observer& observer, Arguments&&... arguments)
+      : Base(memory, std::forward<Arguments>(arguments)...), observer_(observer) {}
 
   auto evaluator(const Query& q) const {
     observer_.evaluates();
@@ -80,26 +80,43 @@ class EngineRun {
       : points_(points),
         observer_(observer),
         vertices_(K, delone::kernel::RowForm::point),
-        memory_(K, delone::ids_for(points.size())),
-        cells_(memory_),
-        geometry_(observer, memory_, all_axes(), K, vertices_.coordinates, vertices_.grid, frame_of(points)) {
-  }
+        build_(K, delone::ids_for(points.size()), observer, all_axes(), K, vertices_.coordinates,
+               vertices_.grid, frame_of(points)) {}
 
   /// Inserts all points, in the order that the library would choose.
   void insert_all() {
     const std::vector<Index> order = delone::order::automatic_order(points_, 0);
     vertices_.coordinates.reserve((order.size() + 1) * K);
-    const std::vector<bool> used = start(order);
-    for (const Index row : order)
-      if (!used[row]) insert(row);
+    used_ = start(order);
+    build_.insert_all(Batch{*this, order});
   }
 
-  const delone::engine::Effort& effort() const { return effort_; }
-  const delone::CellMemory<K>& memory() const { return memory_; }
-  const delone::engine::CellStore<K>& cells() const { return cells_; }
-  const ObservedGeometry<K, Observer>& geometry() const { return geometry_; }
+  const delone::engine::Effort& effort() const { return build_.effort(); }
+  const delone::engine::CellStore<K>& cells() const { return build_.cells(); }
+  const ObservedGeometry<K, Observer>& geometry() const { return build_.geometry(); }
 
  private:
+  /// What the engine's loop inserts.
+  struct Batch {
+    EngineRun& run;
+    const std::vector<Index>& order;
+    std::size_t place = 0;
+
+    Index next() {
+      while (place < order.size() && run.used_[order[place]]) ++place;
+      if (place == order.size()) return delone::invalid_index;
+      const Index v = run.append(order[place++]);
+      run.observer_.begins(run.build_.star().empty() ? 1 : 2);
+      return v;
+    }
+    void placed(Index v, Index at, bool) {
+      if (at == v)
+        run.observer_.ends(run.build_.workspace());
+      else  // a duplicate
+        run.vertices_.coordinates.resize(run.vertices_.coordinates.size() - K);
+    }
+  };
+
   static std::vector<int> all_axes() {
     std::vector<int> axes;
     for (int axis = 0; axis < K; ++axis) axes.push_back(axis);
@@ -134,39 +151,18 @@ class EngineRun {
       simplex.push_back(append(row));
       used[row] = true;
     }
-    geometry_.set_rows(vertices_.last_vertex());
-    if (geometry_.orientation(simplex.data()) == delone::Sign::negative) std::swap(simplex[0], simplex[1]);
-    delone::engine::seed(cells_, geometry_, simplex);
-    effort_.created_cells += cells_.num_cells();
+    auto& geometry = build_.geometry();
+    geometry.set_rows(vertices_.last_vertex());
+    if (geometry.orientation(simplex.data()) == delone::Sign::negative) std::swap(simplex[0], simplex[1]);
+    build_.seed(simplex);
     return used;
-  }
-
-  void insert(Index row) {
-    const Index v = append(row);
-    const auto q = geometry_.make_query(vertices_.point(v));
-    observer_.begins();
-    const delone::geometry::DelaunayGeometry<K>& unobserved = geometry_;
-    const Index start =
-        work_.star().empty() ? last_ : delone::engine::start_in_star(unobserved, q, work_.star());
-    const Index at = delone::engine::insert(cells_, geometry_, v, q, start, work_, effort_);
-    if (at != v) {  // a duplicate
-      vertices_.coordinates.resize(vertices_.coordinates.size() - K);
-      last_ = work_.last_cell;
-      return;
-    }
-    observer_.ends(work_);
-    last_ = work_.star().back().created;
   }
 
   delone::PointsView points_;
   Observer& observer_;
   delone::VertexPoints vertices_;
-  delone::CellMemory<K> memory_;
-  delone::engine::CellStore<K> cells_;
-  ObservedGeometry<K, Observer> geometry_;
-  delone::engine::Workspace work_;
-  delone::engine::Effort effort_;
-  Index last_ = 0;
+  delone::engine::Build<K, ObservedGeometry<K, Observer>> build_;
+  std::vector<bool> used_;  // the rows of the first simplex
 };
 
 }  // namespace benchmarks

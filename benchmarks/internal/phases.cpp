@@ -60,16 +60,16 @@ class Stopwatch : public benchmarks::Observer {
  public:
   Stopwatch(Clock clock, std::uint64_t stride) : clock_(clock), look_(clock.cost()), stride_(stride) {}
 
-  void begins() {
+  void begins(int evaluators) {
     timing_ = ++insertions_ % stride_ == 0;
     if (!timing_) return;
-    evaluators_ = 0;
+    evaluators_ = -evaluators;
     spent_.fill(0);
     before_ = ThreadUsage::now();
     last_ = clock_.now();
   }
   void evaluates() {
-    if (timing_ && ++evaluators_ == 2) ends_phase(walk);
+    if (timing_ && ++evaluators_ == 1) ends_phase(walk);
   }
   void reserves() { ends_phase(search); }
   // These two in turn, once for each block of cells and once more for each cell that needs elimination.

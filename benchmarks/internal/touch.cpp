@@ -89,7 +89,7 @@ void touch(benchmark::State& state) {
     benchmarks::EngineRun<K, Recorder> run({coordinates, K}, recorder);
     run.insert_all();
     created = static_cast<double>(run.effort().created_cells);
-    stride = run.memory().layout().bytes() / sizeof(std::uint64_t);
+    stride = run.cells().layout().bytes() / sizeof(std::uint64_t);
     num_words = run.cells().num_slots() * stride;
   }
   double fresh = std::numeric_limits<double>::infinity(), warm = fresh;

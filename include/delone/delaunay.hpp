@@ -39,10 +39,10 @@ class Delaunay : public Triangulation {
   explicit Delaunay(PointsView points, const Options& options = {}) requires(D == dynamic)
       : Delaunay(points, points.dimension(), options) {}
 
-  /// Inserts n points as the next n rows. Errors leave the triangulation as it was for not_finite and
-  /// bad_dimension; after cancelled or too_many it holds a valid triangulation of some of the points. The
-  /// memory of a container that is moved in is released before most cells are created: the peak is lower by
-  /// the size of the points. After not_finite and bad_dimension the container is as it was, too.
+  /// Inserts n points as the next n rows, all of them or none: after any error (not_finite, bad_dimension,
+  /// cancelled, too_many, out_of_memory) the triangulation is as it was. The memory of a container that is moved
+  /// in is released before most cells are created: the peak is lower by the size of the points. After not_finite
+  /// and bad_dimension the container is as it was, too.
   void insert_range(AnyPoints<D> points) { insert_points(points); }
   /// Inserts one point as the next row; `hint` is a cell near it. Expected cost with a good hint: the size of
   /// the conflict zone; without: also a walk past a few cells, from a vertex close by

@@ -214,15 +214,19 @@ class CellMemory {
       }
     }
   }
-  /// Copies the first `cells` cells of a memory of the same dimension.
+  /// Copies the first `cells` cells of a memory of the same dimension; their links alone if that is all it
+  /// has.
   void copy(const CellMemory& other, std::size_t cells) {
     layout_ = other.layout_;
+    if (layout_.links_are_apart()) {
+      reserve_links(cells);
+      std::copy_n(other.links_.data(), cells * layout_.link_stride(), links_.data());
+      if (other.capacity_ < cells) return;
+    }
     reserve(cells);
     std::copy_n(other.words_.data(), cells * layout_.functional_stride(), words_.data());
     if (layout_.certificates_are_apart())
       std::copy_n(other.certificates_.data(), cells, certificates_.data());
-    if (layout_.links_are_apart())
-      std::copy_n(other.links_.data(), cells * layout_.link_stride(), links_.data());
   }
 
  private:

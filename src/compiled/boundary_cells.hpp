@@ -4,7 +4,6 @@
 #pragma once
 
 #include "compiled/simplicial_hull.hpp"
-#include "engine/conflict.hpp"
 
 #include <vector>
 
@@ -13,27 +12,6 @@ namespace delone::internal {
 inline std::vector<Index> vertices_of(std::vector<Index> sites) {
   for (Index& site : sites) ++site;
   return sites;
-}
-
-/// Computes all functionals anew.
-template <class Cells, class G>
-void create_functionals(const Cells& cells, G& geometry) {
-  for (Index cell = 0; cell < cells.num_slots(); ++cell) {
-    if (cells.is_vacant(cell)) continue;
-    const auto vertices = cells.vertices(cell);
-    geometry.create(cell, vertices, -1, 0);
-  }
-}
-
-/// A cell in conflict with q, or invalid_index: all cells are asked, where nothing is known that a walk could
-/// go by.
-template <class Cells, engine::QueryGeometry G>
-Index find_conflict(const Cells& cells, const G& geometry, const typename G::Query& q, StageCounts& counts) {
-  const auto functional = geometry.evaluator(q);
-  for (Index cell = 0; cell < cells.num_slots(); ++cell)
-    if (!cells.is_vacant(cell) && engine::in_conflict_exactly(cells, geometry, cell, q, functional, counts))
-      return cell;
-  return invalid_index;
 }
 
 /// The cells numbered without gaps, their vertices as sites.

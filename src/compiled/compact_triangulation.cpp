@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <utility>
 
 namespace delone {
 namespace {
@@ -41,6 +42,8 @@ class CompactCells {
       if (vertices(cell)[i] == index(infinite_vertex)) return i;
     return -1;
   }
+  Index num_slots() const { return num_cells_; }
+  bool is_vacant(Index) const { return false; }
   void prefetch_neighbors(Index) const {}
   void prefetch_across_hull(Index) const {}
 
@@ -74,19 +77,23 @@ class ExactGeometry : public geometry::PointPredicates<0> {
   const CompactCells& cells_;
 };
 
-class CompactHull final : public HullQueries {
+class CompactTriangulationOfCells final : public CompactTriangulation {
  public:
-  CompactHull(const std::vector<int>& axes, const VertexPoints& points, const Hull& hull,
-              const Complex& complex)
+  CompactTriangulationOfCells(const std::vector<int>& axes, const VertexPoints& points, CompactCells cells,
+                              const geometry::Frame& frame, const engine::Effort& effort)
       : points_(points),
-        cells_(complex),
+        cells_(std::move(cells)),
         geometry_(cells_, axes, points),
-        frame_(hull.frame()),
-        effort_(hull.effort()) {}
+        frame_(frame),
+        effort_(effort) {}
+
+  std::unique_ptr<CompactTriangulation> copy(const VertexPoints& points) const override {
+    return std::make_unique<CompactTriangulationOfCells>(geometry_.axes(), points, cells_, frame_, effort_);
+  }
 
   const geometry::Frame& frame() const override { return frame_; }
 
-  HullLocation locate(const double* query, Index start) const override {
+  QueryLocation locate(const double* query, Index start) const override {
     const kernel::Grid grid = points_.grid_with(query);
     return internal::locate(cells_, geometry_, {query, &grid, points_.ambient},
                             start == invalid_index ? 0 : start);
@@ -124,9 +131,12 @@ class CompactHull final : public HullQueries {
 
 }  // namespace
 
-std::unique_ptr<HullQueries> make_compact_hull(const std::vector<int>& axes, const VertexPoints& points,
-                                               const Hull& hull, const Complex& complex) {
-  return std::make_unique<CompactHull>(axes, points, hull, complex);
+std::unique_ptr<CompactTriangulation> make_compact_triangulation(const std::vector<int>& axes,
+                                                                 const VertexPoints& points,
+                                                                 const TriangulationEngine& engine,
+                                                                 const Complex& complex) {
+  return std::make_unique<CompactTriangulationOfCells>(axes, points, CompactCells(complex), engine.frame(),
+                                                       engine.effort());
 }
 
 }  // namespace delone

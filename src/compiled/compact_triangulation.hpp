@@ -9,8 +9,16 @@
 
 namespace delone {
 
-/// The cells of `complex`, numbered anew without gaps; the rest is taken from `hull`, which may go.
-std::unique_ptr<HullQueries> make_compact_hull(const std::vector<int>& axes, const VertexPoints& points,
-                                               const Hull& hull, const Complex& complex);
+class CompactTriangulation : public TriangulationQueries {
+ public:
+  /// A copy that reads the points, which are the same, from another place.
+  virtual std::unique_ptr<CompactTriangulation> copy(const VertexPoints& points) const = 0;
+};
+
+/// The cells of `complex`, numbered anew without gaps; the rest is taken from `engine`, which may go.
+std::unique_ptr<CompactTriangulation> make_compact_triangulation(const std::vector<int>& axes,
+                                                                 const VertexPoints& points,
+                                                                 const TriangulationEngine& engine,
+                                                                 const Complex& complex);
 
 }  // namespace delone

@@ -3,11 +3,13 @@
 
 namespace delone {
 
-std::unique_ptr<Hull> make_hull(const std::vector<int>& axes, const VertexPoints& points,
-                                const geometry::Frame& frame, const engine::Effort& effort,
-                                bool force_runtime_dimension) {
+std::unique_ptr<TriangulationEngine> make_triangulation_engine(const std::vector<int>& axes,
+                                                               const VertexPoints& points,
+                                                               const geometry::Frame& frame,
+                                                               const engine::Effort& effort,
+                                                               bool force_runtime_dimension) {
   return internal::with_compiled_dimension(force_runtime_dimension ? 0 : axes.size(), [&](auto dimension) {
-    return make_hull<dimension()>(axes, points, frame, effort);
+    return make_triangulation_engine<dimension()>(axes, points, frame, effort);
   });
 }
 

@@ -4,7 +4,8 @@
 #pragma once
 
 #include "compiled/simplicial_hull.hpp"
-#include "engine/build.hpp"
+#include "engine/batch.hpp"
+#include "engine/workspace.hpp"
 #include "geometry/halfspace_geometry.hpp"
 
 #include <delone/types.hpp>
@@ -20,17 +21,24 @@ using geometry::DualSites;
 using geometry::DualView;
 
 /// The boundary of the cone of rows that span k+1 dimensions, k ≥ 2. Its cells have k vertices.
-class HalfspaceBoundary {
+class HalfspaceEngine {
  public:
-  virtual ~HalfspaceBoundary() = default;
+  virtual ~HalfspaceEngine() = default;
 
   /// Inserts a site, whose ray is that of no other. False if it is in conflict with no cell. Strong
   /// guarantee.
   virtual bool insert(Index site) = 0;
-  /// Takes over the view's box, which has changed.
+  /// Inserts all vertices of a batch, each as insert() does.
+  virtual void insert_all(engine::Batch& batch) = 0;
+  /// What follows can be undone, until it is, or kept. Throws, and then changes nothing.
+  virtual void begin_batch() = 0;
+  virtual void keep_batch() noexcept = 0;
+  /// Cells are what they were, in their slots. A frame or box that has become larger stays so.
+  virtual void undo_batch() noexcept = 0;
+  /// Takes over the view's box, which has changed. Throws std::bad_alloc, and then changes nothing.
   virtual void update_box() = 0;
   /// A copy that reads sites and view from other places.
-  virtual std::unique_ptr<HalfspaceBoundary> copy(const DualSites& sites, const DualView& view) const = 0;
+  virtual std::unique_ptr<HalfspaceEngine> copy(const DualSites& sites, const DualView& view) const = 0;
 
   virtual SimplicialHull to_simplicial_hull() const = 0;
   /// The pairs of neighboring cells that lie in one hyperplane.
@@ -47,7 +55,7 @@ class HalfspaceBoundary {
 
 /// The boundary of the cone of k+1 independent rows. K is k − 1, the dimension of the cells, or 0 for any.
 template <int K>
-std::unique_ptr<HalfspaceBoundary> make_halfspace_boundary(const DualSites& sites, const DualView& view,
-                                                           std::vector<Index> simplex);
+std::unique_ptr<HalfspaceEngine> make_halfspace_engine(const DualSites& sites, const DualView& view,
+                                                       std::vector<Index> simplex);
 
 }  // namespace delone::internal

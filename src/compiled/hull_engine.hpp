@@ -5,7 +5,8 @@
 #pragma once
 
 #include "compiled/simplicial_hull.hpp"
-#include "engine/build.hpp"
+#include "engine/batch.hpp"
+#include "engine/workspace.hpp"
 
 #include <delone/types.hpp>
 
@@ -29,19 +30,26 @@ enum class Insertion { vertex, hidden, interior };
 
 /// The boundary of the hull of sites that span a k-flat, k ≥ 2. Its cells have k vertices; site i is vertex i
 /// + 1.
-class HullBoundary {
+class HullEngine {
  public:
-  virtual ~HullBoundary() = default;
+  virtual ~HullEngine() = default;
 
   /// Inserts a site. Strong guarantee.
   virtual Insertion insert(Index site) = 0;
+  /// Inserts all vertices of a batch, each as insert() does.
+  virtual void insert_all(engine::Batch& batch) = 0;
+  /// What follows can be undone, until it is, or kept. Throws, and then changes nothing.
+  virtual void begin_batch() = 0;
+  virtual void keep_batch() noexcept = 0;
+  /// Cells are what they were, in their slots. A frame or box that has become larger stays so.
+  virtual void undo_batch() noexcept = 0;
   /// Whether a site is in the interior for certain; false says nothing. Walks from where the last insertion
   /// or question ended.
   virtual bool is_surely_interior(Index site) = 0;
-  /// Takes over the view's box, which has changed.
+  /// Takes over the view's box, which has changed. Throws std::bad_alloc, and then changes nothing.
   virtual void update_box() = 0;
   /// A copy that reads sites and view from other places.
-  virtual std::unique_ptr<HullBoundary> copy(const HullSites& sites, const HullView& view) const = 0;
+  virtual std::unique_ptr<HullEngine> copy(const HullSites& sites, const HullView& view) const = 0;
 
   virtual SimplicialHull to_simplicial_hull() const = 0;
   /// The pairs of neighboring cells that lie in one hyperplane, exactly. `hull`: what to_simplicial_hull()
@@ -62,7 +70,7 @@ class HullBoundary {
 
 /// The boundary of a simplex of k+1 sites. K is k − 1, the dimension of the cells, or 0 for any.
 template <int K>
-std::unique_ptr<HullBoundary> make_hull_boundary(const HullSites& sites, const HullView& view,
-                                                 std::vector<Index> simplex);
+std::unique_ptr<HullEngine> make_hull_engine(const HullSites& sites, const HullView& view,
+                                             std::vector<Index> simplex);
 
 }  // namespace delone::internal

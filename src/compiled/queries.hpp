@@ -12,11 +12,11 @@
 namespace delone::internal {
 
 template <class Cells, engine::QueryGeometry G>
-HullLocation locate(const Cells& cells, const G& geometry, const typename G::Query& q, Index start) {
+QueryLocation locate(const Cells& cells, const G& geometry, const typename G::Query& q, Index start) {
   StageCounts uncounted;
   const Index near = engine::descend(cells, geometry, q, start).second.cell;
   const engine::WalkResult found = engine::walk_exactly(cells, geometry, q, near, false, uncounted);
-  HullLocation location{found.cell, cells.infinite_slot(found.cell) >= 0, {}};
+  QueryLocation location{found.cell, cells.infinite_slot(found.cell) >= 0, {}};
   if (found.vertex != invalid_index) {
     location.face.push_back(VertexId{found.vertex});
   } else if (!location.outside) {

@@ -37,7 +37,7 @@ struct HullSites {
 struct SimplicialHull {
   int dimension = -1;                   ///< k; cells exist for k ≥ 1 only
   std::vector<Index> cells, neighbors;  ///< m×k: sites; cells across the ridge opposite each vertex
-  std::vector<Index> slots;             ///< where the cells of a HullBoundary are in its memory, increasing
+  std::vector<Index> slots;             ///< where the cells of a HullEngine are in its memory, increasing
 
   std::size_t corners() const { return static_cast<std::size_t>(dimension < 0 ? 0 : dimension); }
   std::size_t num_cells() const { return dimension < 1 ? 0 : cells.size() / corners(); }

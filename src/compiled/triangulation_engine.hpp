@@ -4,7 +4,8 @@
 // coarse as an insertion.
 #pragma once
 
-#include "engine/build.hpp"
+#include "engine/batch.hpp"
+#include "engine/workspace.hpp"
 #include "geometry/frame.hpp"
 #include "kernel/flat.hpp"
 #include "kernel/grid.hpp"
@@ -19,7 +20,7 @@
 
 namespace delone {
 
-/// The points of the vertices, which the hull reads: d coordinates each, and then the weight if points have
+/// The points of the vertices, which the engine reads: d coordinates each, and then the weight if points have
 /// one, by vertex id; vertex 0 is a dummy.
 struct VertexPoints {
   VertexPoints(int dimension, kernel::RowForm given)
@@ -27,12 +28,13 @@ struct VertexPoints {
   int ambient;
   kernel::RowForm form;
   std::vector<double> coordinates;
+  std::size_t num_waiting = 0;  ///< how many of the points, at the end, are no vertices yet
   kernel::Grid grid;
 
   bool weighted() const { return form == kernel::RowForm::weighted_point; }
   std::size_t row_size() const { return static_cast<std::size_t>(ambient) + (weighted() ? 1 : 0); }
   /// The largest vertex id; where points may be hidden some vertices have no cell.
-  Index last_vertex() const { return static_cast<Index>(coordinates.size() / row_size()) - 1; }
+  Index last_vertex() const { return static_cast<Index>(coordinates.size() / row_size() - num_waiting) - 1; }
   /// What that may become without more memory.
   Index last_expected() const { return static_cast<Index>(coordinates.capacity() / row_size()) - 1; }
   const double* point(Index v) const { return coordinates.data() + static_cast<std::size_t>(v) * row_size(); }
@@ -46,7 +48,7 @@ struct VertexPoints {
 
 /// Where a query lies: the cell the walk ended in, and for a finite one the slots of the smallest face that
 /// contains it.
-struct HullLocation {
+struct QueryLocation {
   Index cell = invalid_index;
   bool outside = false;
   std::vector<VertexId> face;
@@ -54,16 +56,16 @@ struct HullLocation {
 
 /// A Delaunay, regular or furthest-site triangulation of points that span a k-flat, 1 ≤ k ≤ d, that does not
 /// change.
-class HullQueries {
+class TriangulationQueries {
  public:
-  virtual ~HullQueries() = default;
+  virtual ~TriangulationQueries() = default;
 
   /// The box that insertions must stay in to profit from the filter.
   virtual const geometry::Frame& frame() const = 0;
 
   /// A query has a weight where points have one; where it lies depends on its coordinates only. A walk that
   /// is not given a cell to start from starts where the last insertion ended.
-  virtual HullLocation locate(const double* query, Index start) const = 0;
+  virtual QueryLocation locate(const double* query, Index start) const = 0;
   virtual std::vector<CellId> conflict_zone(const double* query, Index start) const = 0;
   /// Negative if the query is in conflict with a finite cell, ties not perturbed.
   virtual Sign unperturbed_side(Index cell, const double* query) const = 0;
@@ -74,19 +76,24 @@ class HullQueries {
 };
 
 /// The same, while points are inserted.
-class Hull : public HullQueries {
+class TriangulationEngine : public TriangulationQueries {
  public:
   /// Starts from k+1 affinely independent vertices.
   virtual void seed(std::span<const Index> vertices) = 0;
+  /// Whether wrapping so many points costs less than inserting them. Only points of full dimension, neither
+  /// weighted nor sought for what is furthest, can be wrapped.
+  virtual bool is_worth_wrapping(std::size_t num_points) const = 0;
   /// Starts from all vertices, if they can be wrapped: returns false, and has no cells, where rounded numbers
   /// do not say how, and if there are ties. What only queries and insertions need is computed by the first of
-  /// them, O(k³) per cell. REQUIRES that points are of full dimension, and neither weighted nor sought for
-  /// what is furthest. `tick` is called often; what it throws is passed on.
+  /// them, O(k³) per cell. `tick` is called often; what it throws is passed on.
   virtual bool wrap(const std::function<void()>& tick) = 0;
   /// Starts from a triangulation of dimension k−1 and a vertex outside its flat.
   virtual void jump(const Complex& old, Index q) = 0;
   /// Starts from a triangulation of the same points. Its cells keep their ids if it has no vacant slots.
   virtual void restore(const Complex& old) = 0;
+
+  /// A copy that reads the points, which are the same, from another place.
+  virtual std::unique_ptr<TriangulationEngine> copy(const VertexPoints& points) const = 0;
 
   /// Changing the frame recomputes all cached functionals.
   virtual void set_frame(geometry::Frame frame) = 0;
@@ -95,6 +102,14 @@ class Hull : public HullQueries {
   /// Returns v, or the vertex that is at the same point with the same weight, or invalid_index if v is
   /// hidden.
   virtual Index insert(Index v, Index start) = 0;
+  /// Inserts all vertices of a batch, each as insert() does.
+  virtual void insert_all(engine::Batch& batch) = 0;
+  /// What follows can be undone, until it is, or kept. Throws, and then changes nothing.
+  virtual void begin_batch() = 0;
+  virtual void keep_batch() noexcept = 0;
+  /// Cells are what they were, in their slots. A frame or box that has become larger stays so.
+  virtual void undo_batch() noexcept = 0;
+
   /// The facets that the cells of the last insertion were made from.
   virtual std::span<const HorizonFacet> star() const = 0;
   /// Whether insertions find out which vertices lose all their cells. At first they do not: it costs.
@@ -103,9 +118,11 @@ class Hull : public HullQueries {
   virtual std::span<const Index> swallowed() const = 0;
 };
 
-/// A hull of the flat that projects one-to-one on `axes`. K = axes.size(), or 0 for any number of axes.
+/// An engine for the flat that projects one-to-one on `axes`. K = axes.size(), or 0 for any number of axes.
 template <int K>
-std::unique_ptr<Hull> make_hull(const std::vector<int>& axes, const VertexPoints& points,
-                                const geometry::Frame& frame, const engine::Effort& effort);
+std::unique_ptr<TriangulationEngine> make_triangulation_engine(const std::vector<int>& axes,
+                                                               const VertexPoints& points,
+                                                               const geometry::Frame& frame,
+                                                               const engine::Effort& effort);
 
 }  // namespace delone

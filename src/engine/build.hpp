@@ -1,93 +1,116 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The incremental construction (§2.2 and §2.3 of RR-6743): read this file first.
+// The incremental construction of Delaunay triangulations and convex hulls: read this file first. Sections
+// are those of the report whose algorithm it is (Hornus, Boissonnat, RR-6743, 2008,
+// https://hal.inria.fr/inria-00343188).
 //
-//   for each vertex q, in the order of order/:
-//     q outside the affine hull so far?  dimension_jump.hpp   every cell is joined to q            (§2.4)
-//     locate.hpp                         walk to a cell in conflict with q                         (§2.5)
-//     conflict_zone.hpp                  all cells in conflict: those whose sphere contains q      (§2.6)
-//     retriangulate.hpp                  replace the zone by the star of q                         (§2.6)
-//
-// The cells triangulate a sphere, thanks to the infinite vertex, so none of the steps has special cases at
-// the hull.
+// The cells triangulate a sphere, thanks to the infinite vertex, so no step has special cases at the hull; of
+// a convex hull they are the boundary, which is a sphere too. Vertices are indices. Whether a cell is in
+// conflict with a point is asked of the geometry (geometry_concept.hpp).
 #pragma once
 
+#include "engine/dimension_jump.hpp"
 #include "engine/locate.hpp"
+#include "engine/restore.hpp"
 #include "engine/retriangulate.hpp"
+#include "engine/seed.hpp"
+#include "engine/sphere.hpp"
+#include "engine/wrap/wrap.hpp"
 
-#include <limits>
+#include <functional>
+#include <optional>
 
 namespace delone::engine {
 
-/// What insertions have cost.
-struct Effort {
-  std::uint64_t created_cells = 0;
-  std::uint64_t visited_cells = 0;
-  StageCounts stages;
-};
+template <int K, Geometry G>
+class Build : public Sphere<K, G> {
+ public:
+  using typename Sphere<K, G>::Query;
+  using Sphere<K, G>::Sphere;
 
-/// Memory that insertions reuse.
-struct Workspace {
-  ConflictZone zone;
-  RidgeTable ridges;
-  Index last_cell = 0;            ///< where the last walk ended
-  bool tracks_swallowed = false;  ///< whether insertions fill `swallowed`
-  std::vector<Index> swallowed;   ///< the vertices that lost all their cells by the last insertion
+  /// The first sphere (§2.3, case a): the boundary of the simplex of k+1 vertices and `last`.
+  void seed(std::span<const Index> vertices, Index last = index(infinite_vertex)) {
+    engine::seed(cells_, geometry_, vertices, last);
+    starts_with(count_infinite(), cells_.num_cells());
+  }
 
-  /// The facets that the cells of the last insertion were made from.
-  std::span<const HorizonFacet> star() const { return {zone.horizon.data(), zone.num_facets}; }
-};
+  /// The first sphere from one of dimension k−1 and a vertex q outside its affine hull (§2.3, case b; §2.4).
+  void jump(const Complex& old, Index q, bool q_is_positive) {
+    engine::jump(old, cells_, geometry_, q, q_is_positive);
+    starts_with(count_infinite(), cells_.num_cells());
+  }
 
-/// The cell of a star for a walk to q to start from: one in conflict with q, or else the one with the least
-/// value, of some. In a sorted order the star of the last vertex is near q, but where cells are flat a walk
-/// from any of them may be long. REQUIRES that the star is not empty.
-template <Geometry G>
-Index start_in_star(const G& geometry, const typename G::Query& q, std::span<const HorizonFacet> star) {
-  constexpr std::size_t most = 64;
-  const auto functional = geometry.evaluator(q);
-  Index best = star.back().created;
-  double least = std::numeric_limits<double>::infinity();
-  for (std::size_t f = 0, step = star.size() / most + 1; f < star.size(); f += step) {
-    const Index cell = star[f].created;
-    const double value = functional.value(cell);
-    if (value < -functional.threshold(cell)) return cell;
-    if (value < least && !geometry.is_infinite(cell)) {
-      least = value;
-      best = cell;
+  /// The first sphere from one of the same vertices. Cells keep their ids if `old` has no vacant slots.
+  void restore(const Complex& old) {
+    engine::restore(old, cells_, geometry_);
+    starts_with(count_infinite(), 0);
+  }
+
+  /// The loop (§2.2). `batch`: next() is a vertex, in the order of §3.1, or invalid_index after the last;
+  /// placed(v, at, strictly) says what became of it, as insert() does; for certain hidden, if strictly.
+  template <class Batch>
+  void insert_all(Batch&& batch) {
+    for (Index v = batch.next(); v != invalid_index; v = batch.next()) {
+      const Index at = insert(v);
+      batch.placed(v, at, work_.is_strictly_hidden);
     }
   }
-  return best;
-}
 
-/// Inserts vertex v, whose point is q, into a cell in conflict with q. Strong guarantee: if it throws
-/// (memory, ids), nothing has changed. REQUIRES q in the affine hull of the vertices and no vertex at q.
-template <int K, Geometry G>
-void insert_in_conflict(CellStore<K>& cells, G& geometry, Index v, const typename G::Query& q, Index cell,
-                        Workspace& work, Effort& effort) {
-  try {
-    find_conflict_zone(cells, geometry, q, cell, cells.marks(), work.zone, effort.stages);
-    retriangulate(cells, geometry, v, q, work.zone, work.ridges,
-                  work.tracks_swallowed ? &work.swallowed : nullptr);
-  } catch (...) {
-    unmark(cells.marks(), work.zone);
-    work.zone.num_cells = work.zone.num_facets = 0;  // there is no star
-    throw;
+  /// Inserts vertex v (§2.3, case c), walking from a cell `start` or from near the last insertion. Returns v;
+  /// or the vertex that is at its point already; or invalid_index if no cell is in conflict with v, which is
+  /// hidden. Strong guarantee. REQUIRES that v is in the affine hull of the vertices.
+  Index insert(Index v, Index start = invalid_index) {
+    const Query q = geometry_.query_at(v);
+    if (start == invalid_index) start = start_near(q);
+    work_.clear();
+    const WalkResult found = locate(cells_, geometry_, q, start, effort_.stages);  // §2.5
+    effort_.visited_cells += found.visited;
+    work_.last_cell = found.cell;
+    work_.is_strictly_hidden = found.strictly;
+    if (found.vertex != invalid_index || found.hidden) return found.vertex;
+    try {
+      find_conflict_zone(cells_, geometry_, q, found.cell, cells_.marks(), work_.zone, effort_.stages);
+      replace_zone([&] { return retriangulate(cells_, geometry_, v, q, work_); });
+    } catch (...) {
+      abandon_zone();
+      throw;
+    }
+    return v;
   }
-  effort.created_cells += work.zone.num_facets;
-}
 
-/// Inserts vertex v, whose point is q, starting the walk at `start`. Returns v; or the vertex that is at q
-/// already; or invalid_index: q is in conflict with no cell, and hidden. Guarantee and REQUIRES as above.
-template <int K, Geometry G>
-Index insert(CellStore<K>& cells, G& geometry, Index v, const typename G::Query& q, Index start,
-             Workspace& work, Effort& effort) {
-  work.zone.num_cells = work.zone.num_facets = 0;
-  work.swallowed.clear();
-  const WalkResult found = locate(cells, geometry, q, start, effort.stages);
-  effort.visited_cells += found.visited;
-  work.last_cell = found.cell;
-  if (found.vertex != invalid_index || found.hidden) return found.vertex;
-  insert_in_conflict(cells, geometry, v, q, found.cell, work, effort);
-  return v;
-}
+  /// Whether v is in conflict with no cell for certain, by cached functionals alone; false says nothing.
+  bool is_surely_hidden(Index v) {
+    const Query q = geometry_.query_at(v);
+    if (!geometry_.can_walk()) return false;
+    const auto [outcome, near] = approach(cells_, geometry_, q, work_.last_cell);
+    work_.last_cell = near.cell;
+    return outcome == Descent::hidden;
+  }
+
+  /// The cells of the zone in the workspace give way to others that fill their place (§2.6): fill() makes
+  /// them, and says which. Strong guarantee, if fill() gives it.
+  template <class Fill>
+  void replace_zone(Fill&& fill) {
+    if (log_.is_on()) log_.note(cells_, {work_.zone.cells.data(), work_.zone.num_cells});
+    const Filling made = fill();
+    effort_.created_cells += made.num_cells;
+    num_infinite_ += made.num_infinite - static_cast<Index>(work_.zone.num_infinite);
+    work_.last_cell = made.cell;
+  }
+
+  /// Instead of the loop, for few vertices in many dimensions: each cell is created once (wrap/wrap.hpp).
+  /// Returns false, and there are no cells, where that cannot be proved to be right.
+  template <class Points>
+  bool wrap(Points&& points, const std::function<void()>& tick) {
+    const std::optional<Index> num_infinite = wrap_all(cells_, points, effort_.stages, tick);
+    if (num_infinite) starts_with(*num_infinite, cells_.num_cells());
+    return num_infinite.has_value();
+  }
+
+ private:
+  using Sphere<K, G>::cells_, Sphere<K, G>::geometry_, Sphere<K, G>::work_, Sphere<K, G>::effort_,
+      Sphere<K, G>::num_infinite_, Sphere<K, G>::log_;
+  using Sphere<K, G>::start_near, Sphere<K, G>::starts_with, Sphere<K, G>::count_infinite,
+      Sphere<K, G>::abandon_zone;
+};
 
 }  // namespace delone::engine

@@ -25,6 +25,7 @@ class CellStore {
   explicit CellStore(CellMemory<K>& memory) : memory_(memory) {}
 
   int dimension() const { return memory_.dimension(); }
+  const CellLayout<K>& layout() const { return memory_.layout(); }
 
   /// Allows vertices up to `last` to be written from now on. Throws std::bad_alloc, and then changes nothing.
   void admit_vertices(Index last) {
@@ -117,6 +118,16 @@ class CellStore {
     num_slots_ = other.num_slots_;
     num_vacant_ = other.num_vacant_;
     vacant_ = other.vacant_;
+  }
+
+  /// Says which slots before `num_slots`, no more than there are, are cells; the others become vacant. No
+  /// fewer may have been vacant at any time.
+  template <class IsCell>
+  void restore_slots(Index num_slots, IsCell is_cell) noexcept {
+    num_slots_ = num_slots;
+    num_vacant_ = 0;
+    for (Index cell = 0; cell < num_slots; ++cell)
+      if (!is_cell(cell)) release(cell);
   }
 
   /// Removes all cells.

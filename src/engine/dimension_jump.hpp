@@ -4,6 +4,7 @@
 #pragma once
 
 #include "engine/cell_store.hpp"
+#include "engine/create_functionals.hpp"
 #include "engine/geometry_concept.hpp"
 
 #include <delone/complex.hpp>
@@ -49,11 +50,7 @@ void jump(const Complex& old, CellStore<K>& cells, G& geometry, Index q, bool q_
       const CellId neighbor = old.neighbor(c, i);
       return old.is_infinite(neighbor) ? joined[index(neighbor)] : extended[index(neighbor)];
     });
-  for (Index cell = 0; cell < cells.num_slots(); ++cell) {
-    const int infinite_slot = cells.infinite_slot(cell);
-    const auto vertices = cells.vertices(cell);
-    geometry.create(cell, vertices, infinite_slot, infinite_slot == 0 ? 1 : 0);
-  }
+  create_functionals(cells, geometry);
 }
 
 }  // namespace delone::engine

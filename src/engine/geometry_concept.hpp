@@ -38,16 +38,24 @@ concept QueryGeometry = requires(const G& known, Index cell, const Index* vertic
   { known.side_of_facet(vertices, slot, q) } -> std::same_as<Sign>;
   { known.is_at(cell, q) } -> std::same_as<bool>;
   { known.is_infinite(cell) } -> std::same_as<bool>;
+  /// Whether a walk can be led by values and side_of_facet(); without, all cells are asked.
+  { known.can_walk() } -> std::same_as<bool>;
+  /// Whether finite cells in one hyperplane have equal functionals, none of which is the least.
+  { G::has_plateaus } -> std::convertible_to<bool>;
 };
 
 /// The same, and functionals for new cells.
 template <class G>
 concept Geometry = QueryGeometry<G> &&
     requires(G geometry, Index cell, const Index* vertices, int slot, const typename G::Query& q,
-             std::size_t size, std::span<const HorizonFacet> facets) {
+             std::size_t size, bool known, std::span<const HorizonFacet> facets) {
+  /// The query at the point of a vertex.
+  { geometry.query_at(cell) } -> std::same_as<typename G::Query>;
   /// Computes what is cached for a new cell; the third argument is the slot of the infinite vertex or −1, the
   /// fourth that of a finite vertex.
   {geometry.create(cell, vertices, slot, slot)};
+  /// The same, saying nothing of the cell, which is infinite or not.
+  {geometry.give_up(cell, known)};
   /// Makes room for the star of a vertex, then computes what is cached for its cells from those on the two
   /// sides of each facet; returns the facets whose cells must be created singly.
   {geometry.reserve_star(cell, size)};

@@ -6,11 +6,19 @@
 
 #include "engine/conflict_zone.hpp"
 #include "engine/ridge_table.hpp"
+#include "engine/workspace.hpp"
 
 #include <algorithm>
 #include <iterator>
 
 namespace delone::engine {
+
+/// What has taken the place of a zone.
+struct Filling {
+  std::size_t num_cells;
+  Index num_infinite;  ///< of them; 0 if the zone has no infinite cell either
+  Index cell;          ///< one of them
+};
 
 /// How many cells of a star are created at a time, so that their records, and those of the cells they are
 /// made from, stay in the cache through all steps.
@@ -104,14 +112,16 @@ void find_swallowed(const CellStore<K>& cells, const ConflictZone& zone, std::ve
 }
 
 /// Kills the zone and creates the star of vertex v at q; takes the marks back. If memory or ids run out it
-/// throws before anything has changed, the marks included. `swallowed`, if any, receives the vertices that
-/// lose all their cells.
+/// throws before anything has changed, the marks included. If that is tracked, finds the vertices that lose
+/// all their cells.
 template <int K, Geometry G>
-void retriangulate(CellStore<K>& cells, G& geometry, Index v, const typename G::Query& q, ConflictZone& zone,
-                   RidgeTable& ridges, std::vector<Index>* swallowed) {
+Filling retriangulate(CellStore<K>& cells, G& geometry, Index v, const typename G::Query& q,
+                      Workspace& work) {
   const int k = cells.dimension();
+  ConflictZone& zone = work.zone;
+  RidgeTable& ridges = work.ridges;
   cells.admit_vertices(v);
-  if (swallowed != nullptr) find_swallowed(cells, zone, *swallowed);
+  if (work.tracks_swallowed) find_swallowed(cells, zone, work.swallowed);
   ridges.reserve(zone.num_facets, k);
   geometry.reserve_star(v, std::min(zone.num_facets, star_block));
   const std::span<HorizonFacet> facets{zone.horizon.data(), zone.num_facets};
@@ -166,6 +176,10 @@ void retriangulate(CellStore<K>& cells, G& geometry, Index v, const typename G::
   }
   // Created cells have no marks.
   for (std::size_t i = 0; i < zone.num_marked; ++i) cells.marks().set(zone.marked[i], Mark::unseen);
+  Index num_infinite = 0;
+  if (zone.num_infinite > 0)  // else the infinite vertex is on no facet of the zone
+    for (const HorizonFacet& facet : facets) num_infinite += geometry.is_infinite(facet.created) ? 1 : 0;
+  return {facets.size(), num_infinite, facets.back().created};
 }
 
 }  // namespace delone::engine

@@ -4,6 +4,7 @@
 #pragma once
 
 #include "engine/cell_store.hpp"
+#include "engine/create_functionals.hpp"
 #include "engine/geometry_concept.hpp"
 
 #include <algorithm>
@@ -32,11 +33,7 @@ void seed(CellStore<K>& cells, G& geometry, std::span<const Index> vertices,
     }
     cells.neighbors(first)[i] = cell;
   }
-  for (Index cell = first; cell <= first + static_cast<Index>(k) + 1; ++cell) {
-    const int infinite_slot = cells.infinite_slot(cell);
-    const auto vertices_of_cell = cells.vertices(cell);
-    geometry.create(cell, vertices_of_cell, infinite_slot, infinite_slot == 0 ? 1 : 0);
-  }
+  create_functionals(cells, geometry);
 }
 
 }  // namespace delone::engine

@@ -47,16 +47,19 @@ class DelaunayGeometry : public PointPredicates<K> {
         grid_(grid),
         frame_(std::move(frame)),
         functionals_(cells) {
-    adopt_frame();
+    adopt_frame(Lattice(frame_, axes_));
   }
 
   using PointPredicates<K>::dimension;
   using PointPredicates<K>::point;
   const Frame& frame() const { return frame_; }
-  /// All cells must be created anew after it. Sets the rows of the first `vertices` vertices.
+  /// All cells must be created anew after it. Sets the rows of the first `vertices` vertices. Throws
+  /// std::bad_alloc, and then changes nothing.
   void set_frame(Frame frame, Index vertices) {
+    Lattice lattice(frame, axes_);
+    if (!computes_rows_) rows_.reserve((static_cast<std::size_t>(vertices) + 1) * row_size());
     frame_ = std::move(frame);
-    adopt_frame();
+    adopt_frame(std::move(lattice));
     set_rows(vertices);
   }
   /// Sets the rows of vertices 1 … `vertices`, unless rows are computed where they are needed.
@@ -74,6 +77,8 @@ class DelaunayGeometry : public PointPredicates<K> {
   const double* kept_rows() const { return rows_.data(); }
 
   /// A query at the point of a vertex.
+  Query query_at(Index v) const { return make_query(point(v)); }
+  /// A query at a point that the grid of the vertices includes.
   Query make_query(const double* at) const { return make_query(at, grid_); }
 
   /// A query anywhere; `grid` is one for the vertices and the point, and must outlive the query.
@@ -116,6 +121,9 @@ class DelaunayGeometry : public PointPredicates<K> {
   /// slot 0.
   Sign create(Index cell, const Index* vertices, int infinite_slot, int apex);
 
+  /// Says nothing of a cell: exact stages decide.
+  void give_up(Index cell, bool infinite) { functionals_.give_up(cell, infinite); }
+
   /// The same for finite cells, many at once, apexes in slot 0. REQUIRES keep_rows().
   void create(std::span<const Index> cells, std::span<const Index* const> vertices, Sign* orientations);
 
@@ -141,9 +149,9 @@ class DelaunayGeometry : public PointPredicates<K> {
   }
 
  private:
-  void adopt_frame() {
+  void adopt_frame(Lattice lattice) {
     functionals_.set_frame(frame_, axes_);
-    lattice_ = Lattice(frame_, axes_);
+    lattice_ = std::move(lattice);
     bounds_revision_ = 0;
     bounds_ = {};
     computes_rows_ =

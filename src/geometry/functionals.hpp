@@ -128,6 +128,8 @@ class Functionals {
              Sign* signs) requires(Lifted);
   /// The same for rows that are not lifted, k + 1 of them.
   void solve(Index cell, const double* rows) requires(!Lifted);
+  /// Says nothing of a cell.
+  void give_up(Index cell, bool infinite);
 
   /// Computes the functionals of a star's cells from those of the cells on the two sides of each facet: the
   /// functionals that vanish on the facet are a pencil, and the new one is its member that vanishes at the
@@ -168,7 +170,6 @@ class Functionals {
   /// An upper bound on the determinant of the edge vectors of a finite cell, from the radius of its sphere.
   /// REQUIRES spheres_.
   double largest_determinant(Index cell) const;
-  void give_up(Index cell, bool infinite);
   /// If the new vertex is exactly on the sphere of the survivor, the new cell has the same sphere: copies the
   /// functional and returns true.
   bool adopt(const HorizonFacet& facet, const double* query_row, const LatticeBounds& bounds);

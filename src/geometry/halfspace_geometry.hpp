@@ -61,10 +61,16 @@ class HalfspaceGeometry {
     functionals_.set_frame();
   }
 
+  static constexpr bool has_plateaus = true;
+  bool can_walk() const { return view_.is_inside; }
+
   int dimension() const { return K > 0 ? K : static_cast<int>(scale_.size()) - 1; }
 
-  /// Adopts the view's box. All cells must be created anew after it.
+  /// Adopts the view's box. All cells must be created anew after it. Throws std::bad_alloc, and then changes
+  /// nothing.
   void update_box() {
+    const auto n = static_cast<Index>(sites_.size());
+    rows_.reserve((n + 1) * scale_.size());
     for (std::size_t j = 0; j < scale_.size(); ++j) {
       const double center = view_.is_inside ? view_.dual_of_center[j] : 0;
       const double half = std::max(view_.high[j] - center, center - view_.low[j]);
@@ -74,14 +80,12 @@ class HalfspaceGeometry {
                       ? std::ldexp(1.0, -std::ilogb(half) - 2)
                       : std::numeric_limits<double>::quiet_NaN();
     }
-    const auto n = static_cast<Index>(sites_.size());
-    rows_.reserve((n + 1) * scale_.size());
     std::fill_n(rows_.data(), scale_.size(), 0.0);
     for (Index v = 1; v <= n; ++v) write_image(v, rows_.data() + v * scale_.size());
   }
 
   /// REQUIRES a site whose dual point is in the box.
-  Query make_query(Index vertex) const {
+  Query query_at(Index vertex) const {
     Query q(row(vertex), scale_.size());
     write_image(vertex, q.row.data());
     return q;
@@ -140,6 +144,8 @@ class HalfspaceGeometry {
     std::copy_n(q.row.data(), scale_.size(), rows_.data() + v * scale_.size());
     return functionals_.combine(facets, rows_.data(), q.row.data(), {});
   }
+  /// Says nothing of a cell: exact stages decide.
+  void give_up(Index cell, bool) { functionals_.give_up(cell, false); }
   /// Computes what is cached for a cell by elimination.
   void create(Index cell, const Index* vertices, int, int) {
     const std::size_t n = scale_.size();

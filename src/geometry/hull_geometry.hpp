@@ -56,27 +56,36 @@ class HullGeometry {
     functionals_.set_frame();
   }
 
+  static constexpr bool has_plateaus = true;
+  bool can_walk() const { return center_is_inside_; }
+
   int dimension() const { return K > 0 ? K : static_cast<int>(axes_.size()) - 1; }
 
-  /// Adopts the box of all points, and computes their rows. All cells must be created anew after it.
+  /// Adopts the box of all points, and computes their rows. All cells must be created anew after it. Throws
+  /// std::bad_alloc, and then changes nothing.
   void set_box(const double* low, const double* high) {
+    std::vector<double> scale(axes_.size());
     for (std::size_t r = 0; r < axes_.size(); ++r) {
       const auto axis = static_cast<std::size_t>(axes_[r]);
       const double half = std::max(high[axis] - center_[axis], center_[axis] - low[axis]);
       // A power of two. Boxes that are too large or too small to be scaled have none, and the filter is never
       // certain.
-      scale_[r] = center_is_inside_ && half > 0x1p-900 && half < 0x1p900
-                      ? std::ldexp(1.0, -std::ilogb(half) - 1)
-                      : std::numeric_limits<double>::quiet_NaN();
+      scale[r] = center_is_inside_ && half > 0x1p-900 && half < 0x1p900
+                     ? std::ldexp(1.0, -std::ilogb(half) - 1)
+                     : std::numeric_limits<double>::quiet_NaN();
     }
-    lattice_ = Lattice(scale_);
+    Lattice lattice(scale);
     const std::size_t n = coordinates_.size() / static_cast<std::size_t>(ambient_);
     rows_.reserve((n + 1) * axes_.size());
+    scale_ = std::move(scale);
+    lattice_ = std::move(lattice);
     std::fill_n(rows_.data(), axes_.size(), 0.0);
     for (std::size_t v = 1; v <= n; ++v)
       write_row(point(static_cast<Index>(v)), rows_.data() + v * axes_.size());
   }
 
+  /// A query at the point of a vertex.
+  Query query_at(Index v) const { return make_query(point(v)); }
   /// REQUIRES a point in the flat and in the box.
   Query make_query(const double* point) const {
     Query q(point, axes_.size());
@@ -144,6 +153,8 @@ class HullGeometry {
     std::copy_n(q.row.data(), axes_.size(), rows_.data() + v * axes_.size());
     return functionals_.combine(facets, rows_.data(), q.row.data(), q.bounds);
   }
+  /// Says nothing of a cell: exact stages decide.
+  void give_up(Index cell, bool) { functionals_.give_up(cell, false); }
   /// Computes what is cached for a cell by elimination.
   void create(Index cell, const Index* vertices, int, int) {
     const std::size_t n = axes_.size();

@@ -35,6 +35,9 @@ class PointPredicates {
                   const std::vector<double>& coordinates)
       : axes_(std::move(axes)), ambient_(ambient), form_(form), coordinates_(coordinates) {}
 
+  static constexpr bool has_plateaus = false;
+  static constexpr bool can_walk() { return true; }
+
   int dimension() const { return K > 0 ? K : static_cast<int>(axes_.size()); }
   const std::vector<int>& axes() const { return axes_; }
   const double* point(Index vertex) const {

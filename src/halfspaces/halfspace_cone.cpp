@@ -21,13 +21,13 @@ Sign orientation_of(const DualSites& sites, const std::vector<const double*>& ro
 
 HalfspaceCone::HalfspaceCone(const DualSites& sites, std::vector<Index> simplex, const InteriorPoint& p)
     : sites_(sites) {
-  insertions_ = simplex.size();
+  now_.insertions = simplex.size();
   const auto k = static_cast<std::size_t>(sites.dimension());
   if (k == 1) {
     const bool ordered =
         orientation_of(sites, {sites.row(simplex[0]), sites.row(simplex[1])}) == Sign::positive;
-    ends_[0] = simplex[ordered ? 0 : 1];
-    ends_[1] = simplex[ordered ? 1 : 0];
+    now_.ends[0] = simplex[ordered ? 0 : 1];
+    now_.ends[1] = simplex[ordered ? 1 : 0];
     return;
   }
   view_.low.assign(k, 0.0);
@@ -35,16 +35,12 @@ HalfspaceCone::HalfspaceCone(const DualSites& sites, std::vector<Index> simplex,
   for (Index site = 0; site < sites.size(); ++site) grow_box(site);
   choose_center(simplex, p);
   boundary_ = with_compiled_dimension(k, [&](auto dimension) {
-    return make_halfspace_boundary<(dimension() > 1 ? dimension() - 1 : 0)>(sites_, view_,
-                                                                            std::move(simplex));
+    return make_halfspace_engine<(dimension() > 1 ? dimension() - 1 : 0)>(sites_, view_, std::move(simplex));
   });
 }
 
 HalfspaceCone::HalfspaceCone(const DualSites& sites, const HalfspaceCone& other)
-    : sites_(sites),
-      view_(other.view_),
-      ends_{other.ends_[0], other.ends_[1]},
-      insertions_(other.insertions_) {
+    : sites_(sites), view_(other.view_), now_(other.now_) {
   if (other.boundary_) boundary_ = other.boundary_->copy(sites, view_);
 }
 
@@ -97,20 +93,72 @@ bool HalfspaceCone::grow_box(Index site) {
   return grown;
 }
 
-void HalfspaceCone::insert(Index site) {
-  if (!boundary_) {
-    if (orientation_of(sites_, {sites_.row(ends_[0]), sites_.row(site)}) == Sign::negative)
-      ends_[0] = site, ++insertions_;
-    if (orientation_of(sites_, {sites_.row(ends_[1]), sites_.row(site)}) == Sign::positive)
-      ends_[1] = site, ++insertions_;
-    return;
+/// Makes sure that the box contains sites.
+void HalfspaceCone::include(std::span<const Index> sites) {
+  std::vector<double> low = view_.low, high = view_.high;
+  bool has_grown = false;
+  for (const Index site : sites) has_grown |= grow_box(site);
+  if (!has_grown) return;
+  try {
+    boundary_->update_box();
+  } catch (...) {
+    view_.low = std::move(low);
+    view_.high = std::move(high);
+    throw;
   }
-  if (grow_box(site)) boundary_->update_box();
-  if (boundary_->insert(site)) ++insertions_;
+}
+
+void HalfspaceCone::insert_end(Index site) {
+  if (orientation_of(sites_, {sites_.row(now_.ends[0]), sites_.row(site)}) == Sign::negative)
+    now_.ends[0] = site, ++now_.insertions;
+  if (orientation_of(sites_, {sites_.row(now_.ends[1]), sites_.row(site)}) == Sign::positive)
+    now_.ends[1] = site, ++now_.insertions;
+}
+
+struct HalfspaceCone::SiteBatch final : engine::Batch {
+  SiteBatch(HalfspaceCone& to, std::span<const Index> all, const std::function<void()>& listener)
+      : cone(to), sites(all), tell(listener) {}
+
+  Index next() override { return place < sites.size() ? sites[place++] + 1 : invalid_index; }
+  void placed(Index v, Index at, bool) override {
+    cone.now_.insertions += at == v;
+    tell();
+  }
+
+  HalfspaceCone& cone;
+  std::span<const Index> sites;
+  const std::function<void()>& tell;
+  std::size_t place = 0;
+};
+
+void HalfspaceCone::insert_all(std::span<const Index> sites, const std::function<void()>& done) {
+  if (boundary_) {
+    include(sites);
+    SiteBatch batch(*this, sites, done);
+    boundary_->insert_all(batch);
+  } else {
+    for (const Index site : sites) {
+      insert_end(site);
+      done();
+    }
+  }
+}
+
+void HalfspaceCone::begin_batch() {
+  before_ = now_;
+  if (boundary_) boundary_->begin_batch();
+}
+void HalfspaceCone::keep_batch() noexcept {
+  if (boundary_) boundary_->keep_batch();
+}
+void HalfspaceCone::undo_batch() noexcept {
+  if (boundary_) boundary_->undo_batch();
+  now_ = before_;
 }
 
 SimplicialHull HalfspaceCone::hull() const {
-  return boundary_ ? boundary_->to_simplicial_hull() : SimplicialHull{1, {ends_[0], ends_[1]}, {1, 0}, {}};
+  return boundary_ ? boundary_->to_simplicial_hull()
+                   : SimplicialHull{1, {now_.ends[0], now_.ends[1]}, {1, 0}, {}};
 }
 
 std::vector<std::pair<Index, Index>> HalfspaceCone::coplanar_neighbors(const SimplicialHull& hull) const {
@@ -119,7 +167,7 @@ std::vector<std::pair<Index, Index>> HalfspaceCone::coplanar_neighbors(const Sim
 
 Sign HalfspaceCone::side(const SimplicialHull& hull, std::size_t c, Index site) const {
   if (boundary_) return boundary_->side(hull.slots[c], site);
-  const Sign sign = orientation_of(sites_, {sites_.row(ends_[c]), sites_.row(site)});
+  const Sign sign = orientation_of(sites_, {sites_.row(now_.ends[c]), sites_.row(site)});
   return c == 1 ? -sign : sign;
 }
 

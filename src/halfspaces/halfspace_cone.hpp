@@ -9,8 +9,11 @@
 #include "compiled/halfspace_engine.hpp"
 #include "halfspaces/halfspace_dual.hpp"
 
+#include <cstdint>
+#include <functional>
 #include <memory>
 #include <optional>
+#include <span>
 #include <utility>
 #include <vector>
 
@@ -24,8 +27,14 @@ class HalfspaceCone {
   /// A copy that reads the sites from another place.
   HalfspaceCone(const DualSites& sites, const HalfspaceCone& other);
 
-  /// Inserts a site, whose ray is that of no other. If it throws, the boundary is as it was.
-  void insert(Index site);
+  /// Inserts sites, whose rays are those of no others, in turn, and calls done() after each, which may throw
+  /// to stop.
+  void insert_all(std::span<const Index> sites, const std::function<void()>& done);
+  /// What follows can be undone, until it is, or kept. Throws std::bad_alloc, and then changes nothing.
+  void begin_batch();
+  void keep_batch() noexcept;
+  /// The cone is what it was; its box may stay larger.
+  void undo_batch() noexcept;
 
   /// The boundary. Inside of a cell is where the determinant of its rows and of the queried row is
   /// positive; for k = 1 cell 0 is so, cell 1 the other way round.
@@ -38,18 +47,26 @@ class HalfspaceCone {
   std::optional<Index> cell_through(const SimplicialHull& hull, Index site) const;
 
   engine::Effort effort() const { return boundary_ ? boundary_->effort() : engine::Effort{}; }
-  std::uint64_t insertions() const { return insertions_; }
-  std::size_t bytes() const { return boundary_ ? boundary_->bytes() : sizeof(ends_); }
+  std::uint64_t insertions() const { return now_.insertions; }
+  std::size_t bytes() const { return boundary_ ? boundary_->bytes() : sizeof(now_.ends); }
 
  private:
   void choose_center(const std::vector<Index>& simplex, const InteriorPoint& p);
   bool grow_box(Index site);
+  void include(std::span<const Index> sites);
+  void insert_end(Index site);
+
+  struct SiteBatch;
+  /// What of all this a batch changes.
+  struct Progress {
+    Index ends[2] = {};  ///< for k = 1: all rays are on the positive side of the first, seen from it
+    std::uint64_t insertions = 0;
+  };
 
   const DualSites& sites_;
   DualView view_;
-  std::unique_ptr<HalfspaceBoundary> boundary_;  // none for k = 1
-  Index ends_[2] = {};  // for k = 1: all rays are on the positive side of the first, seen from it
-  std::uint64_t insertions_ = 0;
+  std::unique_ptr<HalfspaceEngine> boundary_;  // none for k = 1
+  Progress now_, before_;
 };
 
 }  // namespace delone::internal

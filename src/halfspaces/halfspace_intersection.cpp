@@ -43,14 +43,14 @@ struct Polyhedron::Impl {
       : d(other.d),
         options(other.options),
         rows(other.rows),
-        current(std::make_unique<const IntersectionParts>(*other.current)),
+        current(std::make_unique<IntersectionParts>(*other.current)),
         order_seconds(other.order_seconds),
         build_seconds(other.build_seconds) {}
 
   std::size_t d;
   Options options;
   std::vector<double> rows;  // m×(d+1)
-  std::unique_ptr<const IntersectionParts> current;
+  std::unique_ptr<IntersectionParts> current;
   double order_seconds = 0, build_seconds = 0;
   mutable std::mutex mutex;
   mutable std::unique_ptr<const IntersectionData> data;
@@ -169,10 +169,8 @@ struct Polyhedron::Impl {
       });
     }
     internal::ProgressMeter progress(options.progress, order.size());
-    for (std::size_t i = 0; i < order.size(); ++i) {
-      parts.cone->insert(order[i]);
-      progress(i + 1);
-    }
+    std::size_t done = 0;
+    parts.cone->insert_all(order, [&] { progress(++done); });
     build_seconds += stopwatch.seconds();
   }
 
@@ -187,28 +185,42 @@ struct Polyhedron::Impl {
     return order;
   }
 
+  /// Adds rows, all or none.
   void add(std::span<const double> added) {
     check_rows(added, num_rows());
     if (added.empty()) return;
-    std::vector<double> all = rows;
-    all.insert(all.end(), added.begin(), added.end());
-    std::unique_ptr<IntersectionParts> next;
-    if (current->state == IntersectionState::full) {
-      check_interior(all, num_rows(), current->interior);
-      if (!current->cone || raises_rank(added)) {
-        next = build(all, &current->interior);
-      } else {
-        next = std::make_unique<IntersectionParts>(*current);
-        const auto first = static_cast<Index>(next->sites.size());
-        add_sites(*next, all, num_rows());
-        construct(*next, first);
-      }
-    } else {
-      next = build(all, nullptr);
+    const std::size_t first = num_rows();
+    const double order_before = order_seconds, build_before = build_seconds;
+    rows.insert(rows.end(), added.begin(), added.end());
+    try {
+      const bool is_full = current->state == IntersectionState::full;
+      if (is_full) check_interior(rows, first, current->interior);
+      if (is_full && current->cone && !raises_rank(added))
+        extend(*current, first);
+      else
+        current = build(rows, is_full ? &current->interior : nullptr);
+    } catch (...) {
+      rows.resize(first * (d + 1));
+      order_seconds = order_before;
+      build_seconds = build_before;
+      throw;
     }
-    rows = std::move(all);
-    current = std::move(next);
     data.reset();
+  }
+
+  /// Inserts the rows from `first` on into a cone whose rank they do not raise, all or none.
+  void extend(IntersectionParts& parts, std::size_t first) {
+    const auto first_site = static_cast<Index>(parts.sites.size());
+    parts.cone->begin_batch();
+    try {
+      add_sites(parts, rows, first);
+      construct(parts, first_site);
+    } catch (...) {
+      parts.cone->undo_batch();
+      parts.drop_sites(first_site, first);
+      throw;
+    }
+    parts.cone->keep_batch();
   }
 
   bool raises_rank(std::span<const double> added) const {

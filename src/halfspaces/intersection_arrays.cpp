@@ -280,6 +280,14 @@ void IntersectionParts::add_dual(Index site) {
     dual_point(sites.row(site), interior, std::span(sites.axes).first(k), sites.duals.data() + site * 2 * k);
 }
 
+void IntersectionParts::drop_sites(Index first_site, std::size_t first_row) noexcept {
+  std::erase_if(site_at, [&](Index site) { return site >= first_site; });
+  sites.rows.resize(first_site * sites.row_size);
+  sites.duals.resize(std::min(sites.duals.size(), std::size_t{first_site} * 2 * (sites.axes.size() - 1)));
+  row_of_site.resize(std::min(row_of_site.size(), std::size_t{first_site}));
+  site_of_row.resize(std::min(site_of_row.size(), first_row));
+}
+
 bool is_strictly_inside(const double* row, const InteriorPoint& p) {
   const std::size_t d = p.rounded.size();
   if (p.is_exact()) {

@@ -31,6 +31,8 @@ struct IntersectionParts {
 
   int rank() const { return sites.axes.empty() ? 0 : sites.dimension(); }
   void add_dual(Index site);
+  /// Takes back the sites and rows from these on, some of which may have been added in part only.
+  void drop_sites(Index first_site, std::size_t first_row) noexcept;
 
   DualSites sites;
   std::set<Index, RayOrder> site_at{RayOrder{&sites}};

@@ -45,9 +45,7 @@ struct Polytope::Impl {
     const std::size_t n = coordinates.size() / ambient();
     if (n == 0) return;
     check_room(n);
-    auto next = std::make_unique<HullState>(*state);
-    next->insert_range(coordinates, options);
-    state = std::move(next);
+    state->insert_range(coordinates, options);
     analysis_of_state.reset();
   }
 

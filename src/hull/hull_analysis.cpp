@@ -12,7 +12,7 @@ HullAnalysis::HullAnalysis(const HullState& state) : state_(state) {
 
 const PolytopeFaces& HullAnalysis::faces() const {
   return faces_.get([&] {
-    const HullBoundary* boundary = state_.builder() == nullptr ? nullptr : state_.builder()->boundary();
+    const HullEngine* boundary = state_.builder() == nullptr ? nullptr : state_.builder()->boundary();
     const SimplicialHull& hull = state_.hull();
     std::vector<std::pair<Index, Index>> coplanar;
     if (boundary != nullptr) coplanar = boundary->coplanar_neighbors(hull);

@@ -14,10 +14,10 @@ namespace delone::internal {
 namespace {
 
 /// Cells have one dimension less than the flat.
-std::unique_ptr<HullBoundary> boundary_of_simplex(const HullSites& sites, const HullView& view,
-                                                  const std::vector<Index>& simplex) {
+std::unique_ptr<HullEngine> boundary_of_simplex(const HullSites& sites, const HullView& view,
+                                                const std::vector<Index>& simplex) {
   return with_compiled_dimension(sites.axes.size(), [&](auto dimension) {
-    return make_hull_boundary<(dimension() > 1 ? dimension() - 1 : 0)>(sites, view, simplex);
+    return make_hull_engine<(dimension() > 1 ? dimension() - 1 : 0)>(sites, view, simplex);
   });
 }
 
@@ -26,13 +26,13 @@ std::unique_ptr<HullBoundary> boundary_of_simplex(const HullSites& sites, const 
 ConvexHullBuilder::ConvexHullBuilder(const HullSites& sites, const std::vector<Index>& simplex)
     : sites_(sites),
       view_{std::vector<double>(static_cast<std::size_t>(sites.ambient), 0.0), false, sites.grid, {}, {}} {
-  insertions_ = simplex.size();
+  now_.insertions = simplex.size();
   if (simplex.size() == 2) {
     const int axis = sites.axes[0];
     const bool ascending = sites.point(simplex[0])[axis] < sites.point(simplex[1])[axis];
-    ends_[0] = simplex[ascending ? 0 : 1];
-    ends_[1] = simplex[ascending ? 1 : 0];
-    ends_effort_.created_cells = 2;
+    now_.ends[0] = simplex[ascending ? 0 : 1];
+    now_.ends[1] = simplex[ascending ? 1 : 0];
+    now_.effort_of_ends.created_cells = 2;
     return;
   }
   const double* first = sites.point(simplex[0]);
@@ -44,11 +44,8 @@ ConvexHullBuilder::ConvexHullBuilder(const HullSites& sites, const std::vector<I
 }
 
 ConvexHullBuilder::ConvexHullBuilder(const HullSites& sites, const ConvexHullBuilder& other)
-    : sites_(sites),
-      view_(other.view_),
-      ends_{other.ends_[0], other.ends_[1]},
-      ends_effort_(other.ends_effort_),
-      insertions_(other.insertions_) {
+    : sites_(sites), view_(other.view_), now_(other.now_) {
+  now_.hull_is_current = false;
   if (other.boundary_) boundary_ = other.boundary_->copy(sites, view_);
 }
 
@@ -86,10 +83,10 @@ void ConvexHullBuilder::grow_box(const double* point, double margin) {
 Insertion ConvexHullBuilder::insert_end(Index site) {
   const int axis = sites_.axes[0];
   const double x = sites_.point(site)[axis];
-  const bool below = x < sites_.point(ends_[0])[axis];
-  if (!below && !(x > sites_.point(ends_[1])[axis])) return Insertion::interior;
-  ends_[below ? 0 : 1] = site;
-  ++ends_effort_.created_cells;
+  const bool below = x < sites_.point(now_.ends[0])[axis];
+  if (!below && !(x > sites_.point(now_.ends[1])[axis])) return Insertion::interior;
+  now_.ends[below ? 0 : 1] = site;
+  ++now_.effort_of_ends.created_cells;
   return Insertion::vertex;
 }
 
@@ -103,23 +100,77 @@ void ConvexHullBuilder::include_sites(Index first) {
       in_box &= view_.low[j] <= point[j] && point[j] <= view_.high[j];
   }
   if (in_box) return;
+  std::vector<double> low = view_.low, high = view_.high;
   for (Index site = first; site < sites_.size(); ++site) grow_box(sites_.point(site), 2.0);
-  boundary_->update_box();
+  try {
+    boundary_->update_box();
+  } catch (...) {
+    view_.low = std::move(low);
+    view_.high = std::move(high);
+    throw;
+  }
+}
+
+void ConvexHullBuilder::count(Insertion outcome) {
+  if (outcome != Insertion::vertex) return;
+  ++now_.insertions;
+  now_.hull_is_current = false;
 }
 
 Insertion ConvexHullBuilder::insert(Index site) {
   const Insertion outcome = boundary_ ? boundary_->insert(site) : insert_end(site);
-  if (outcome != Insertion::vertex) return outcome;
-  ++insertions_;
-  hull_is_current_ = false;
+  count(outcome);
   return outcome;
+}
+
+struct ConvexHullBuilder::SiteBatch final : engine::Batch {
+  SiteBatch(ConvexHullBuilder& to, std::span<const Index> all,
+            const std::function<void(Index, Insertion)>& listener)
+      : builder(to), sites(all), tell(listener) {}
+
+  Index next() override { return place < sites.size() ? sites[place++] + 1 : invalid_index; }
+  void placed(Index v, Index at, bool strictly) override {
+    const Insertion outcome = at == v    ? Insertion::vertex
+                              : strictly ? Insertion::interior
+                                         : Insertion::hidden;
+    builder.count(outcome);
+    tell(v - 1, outcome);
+  }
+
+  ConvexHullBuilder& builder;
+  std::span<const Index> sites;
+  const std::function<void(Index, Insertion)>& tell;
+  std::size_t place = 0;
+};
+
+void ConvexHullBuilder::insert_all(std::span<const Index> sites,
+                                   const std::function<void(Index, Insertion)>& placed) {
+  if (boundary_) {
+    SiteBatch batch(*this, sites, placed);
+    boundary_->insert_all(batch);
+  } else {
+    for (const Index site : sites) placed(site, insert(site));
+  }
+}
+
+void ConvexHullBuilder::begin_batch() {
+  before_ = now_;
+  if (boundary_) boundary_->begin_batch();
+}
+void ConvexHullBuilder::keep_batch() noexcept {
+  if (boundary_) boundary_->keep_batch();
+}
+void ConvexHullBuilder::undo_batch() noexcept {
+  if (boundary_) boundary_->undo_batch();
+  now_ = before_;
 }
 
 const SimplicialHull& ConvexHullBuilder::hull() const {
   const std::lock_guard lock(mutex_);
-  if (!hull_is_current_) {
-    hull_ = boundary_ ? boundary_->to_simplicial_hull() : SimplicialHull{1, {ends_[0], ends_[1]}, {1, 0}, {}};
-    hull_is_current_ = true;
+  if (!now_.hull_is_current) {
+    hull_ = boundary_ ? boundary_->to_simplicial_hull()
+                      : SimplicialHull{1, {now_.ends[0], now_.ends[1]}, {1, 0}, {}};
+    now_.hull_is_current = true;
   }
   return hull_;
 }

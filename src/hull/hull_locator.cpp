@@ -11,13 +11,13 @@ namespace delone::internal {
 
 Sign HullLocator::side(std::size_t cell, const double* q, const kernel::Grid& grid,
                        std::vector<const double*>& scratch) const {
-  if (const HullBoundary* boundary = builder_.boundary())
+  if (const HullEngine* boundary = builder_.boundary())
     if (const Sign sign = boundary->certain_side(hull_.slots[cell], q); sign != Sign::zero) return sign;
   return side_of_cell(sites_, hull_, cell, q, grid, scratch);
 }
 
 HullLocator::Result HullLocator::locate(const double* q, const kernel::Grid& grid) const {
-  const HullBoundary* boundary = builder_.boundary();
+  const HullEngine* boundary = builder_.boundary();
   if (boundary == nullptr || !builder_.has_center()) return search_all(q, grid);
   // Start at the best of a sample of cells, which keeps the walk short in large hulls.
   const std::size_t m = hull_.num_cells();

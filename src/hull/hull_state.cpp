@@ -26,7 +26,7 @@ HullState::HullState(const HullState& other)
       is_surely_interior_(other.is_surely_interior_),
       site_at_(other.site_at_),
       earlier_(other.earlier_) {
-  if (other.builder_) builder_.emplace(sites_, *other.builder_);
+  if (other.builder_) builder_ = std::make_unique<ConvexHullBuilder>(sites_, *other.builder_);
 }
 
 Index HullState::find_site(std::uint64_t tag, const double* point) const {
@@ -64,17 +64,83 @@ bool HullState::raises_dimension(const double* point) const {
   return affine_hull_.dimension() < sites_.ambient && !affine_hull_.contains(point);
 }
 
+/// What a batch changes, as it was; puts it back in the end, unless it is kept.
+class HullState::Rollback {
+ public:
+  explicit Rollback(HullState& state)
+      : state_(state),
+        affine_hull_(state.affine_hull_),
+        basis_(state.basis_),
+        axes_(state.sites_.axes),
+        num_sites_(static_cast<Index>(state.sites_.size())),
+        num_rows_(state.num_rows()),
+        earlier_(state.earlier_) {}
+  ~Rollback() {
+    if (is_kept_) return;
+    if (has_begun_) {
+      state_.builder_->undo_batch();
+    } else if (has_restarted_) {
+      state_.builder_ = std::move(builder_);
+      state_.is_surely_interior_ = std::move(is_surely_interior_);
+    }
+    state_.affine_hull_ = std::move(affine_hull_);
+    state_.basis_ = std::move(basis_);
+    state_.sites_.axes = std::move(axes_);
+    for (auto site = static_cast<Index>(state_.sites_.size()); site-- > num_sites_;)
+      state_.site_at_.remove_last(point_tag(state_.sites_.point(site), state_.sites_.ambient).low, site);
+    state_.sites_.coordinates.resize(num_sites_ * state_.ambient());
+    state_.row_of_site_.resize(num_sites_);
+    state_.is_surely_interior_.resize(num_sites_);
+    state_.site_of_row_.resize(num_rows_);
+    state_.earlier_ = earlier_;
+  }
+  Rollback(const Rollback&) = delete;
+  Rollback& operator=(const Rollback&) = delete;
+
+  /// The present builder goes on.
+  void begin() {
+    state_.builder_->begin_batch();
+    has_begun_ = true;
+  }
+  /// There will be another builder.
+  void restart() {
+    std::vector<char> none_is_interior(state_.sites_.size(), 0);
+    is_surely_interior_ = std::exchange(state_.is_surely_interior_, std::move(none_is_interior));
+    builder_ = std::move(state_.builder_);
+    has_restarted_ = true;
+  }
+  void keep() {
+    if (has_begun_) state_.builder_->keep_batch();
+    is_kept_ = true;
+  }
+
+ private:
+  HullState& state_;
+  kernel::AffineHull affine_hull_;
+  std::vector<Index> basis_;
+  std::vector<int> axes_;
+  Index num_sites_;
+  std::size_t num_rows_;
+  Statistics earlier_;
+  std::unique_ptr<ConvexHullBuilder> builder_;
+  std::vector<char> is_surely_interior_;
+  bool has_begun_ = false, has_restarted_ = false, is_kept_ = false;
+};
+
 /// Starts anew with the simplex of the basis.
-void HullState::restart() {
+void HullState::restart(Rollback& rollback) {
   sites_.axes = affine_hull_.axes();
   note_effort(earlier_);
-  builder_.reset();
-  std::fill(is_surely_interior_.begin(), is_surely_interior_.end(), char{0});
-  if (affine_hull_.dimension() >= 1) builder_.emplace(sites_, basis_);
+  rollback.restart();
+  if (affine_hull_.dimension() >= 1) builder_ = std::make_unique<ConvexHullBuilder>(sites_, basis_);
 }
 
-void HullState::insert(Index site) {
-  if (builder_->insert(site) == Insertion::interior) is_surely_interior_[site] = 1;
+/// Inserts sites in turn, and calls done() after each.
+void HullState::insert_all(std::span<const Index> sites, const std::function<void()>& done) {
+  builder_->insert_all(sites, [&](Index site, Insertion outcome) {
+    if (outcome == Insertion::interior) is_surely_interior_[site] = 1;
+    done();
+  });
 }
 
 /// Rows to sites.
@@ -129,6 +195,7 @@ void HullState::put_in_order(std::vector<Index>& sites, const Options& options) 
 }
 
 void HullState::insert_range(std::span<const double> coordinates, const Options& options) {
+  Rollback rollback(*this);
   const auto first_site = static_cast<Index>(sites_.size());
   Stopwatch stopwatch;
   add_rows(coordinates);
@@ -141,40 +208,42 @@ void HullState::insert_range(std::span<const double> coordinates, const Options&
   for (const Index site : outermost) raised |= raise(site);
   for (Index site = first_site; site < sites_.size() && affine_hull_.dimension() < sites_.ambient; ++site)
     raised |= raise(site);
-  if (raised)
-    restart();
-  else if (builder_)
+  if (raised) {
+    restart(rollback);
+  } else if (builder_) {
+    rollback.begin();
     builder_->include_sites(first_site);
-  if (!builder_) {
+  }
+  if (builder_) {
+    // Sites of earlier calls are inserted again into a boundary that begins anew.
+    std::vector<char> is_done(sites_.size(), 0);
+    if (raised)
+      for (const Index site : basis_) is_done[site] = 1;
+    const bool has_shell = !outermost.empty();
+    std::erase_if(outermost, [&](Index site) { return std::exchange(is_done[site], 1) != 0; });
+    std::vector<Index> others;
+    for (Index site = raised ? 0 : first_site; site < sites_.size(); ++site)
+      if (!is_done[site]) others.push_back(site);
+    std::size_t done = 0;
+    ProgressMeter progress(options.progress, outermost.size() + others.size());
+    const auto note = [&] { progress(++done); };
+    insert_all(outermost, note);
+    if (has_shell) {
+      const std::size_t all = others.size();
+      drop_interior(others, progress);
+      done += all - others.size();
+    }
     earlier_.build_seconds += stopwatch.seconds();
-    return;
-  }
 
-  // Sites of earlier calls are inserted again into a boundary that begins anew.
-  std::vector<char> is_done(sites_.size(), 0);
-  if (raised)
-    for (const Index site : basis_) is_done[site] = 1;
-  std::vector<Index> pending;
-  for (Index site = raised ? 0 : first_site; site < sites_.size(); ++site)
-    if (!is_done[site]) pending.push_back(site);
-  ProgressMeter progress(options.progress, pending.size());
-  for (const Index site : outermost)
-    if (!std::exchange(is_done[site], 1)) insert(site);
-  std::erase_if(pending, [&](Index site) { return is_done[site] != 0; });
-  if (!outermost.empty()) drop_interior(pending, progress);
-  earlier_.build_seconds += stopwatch.seconds();
+    stopwatch.restart();
+    put_in_order(others, options);
+    earlier_.order_seconds += stopwatch.seconds();
 
-  stopwatch.restart();
-  put_in_order(pending, options);
-  earlier_.order_seconds += stopwatch.seconds();
-
-  stopwatch.restart();
-  const std::size_t done = sites_.size() - (raised ? 0 : first_site) - pending.size();
-  for (std::size_t i = 0; i < pending.size(); ++i) {
-    insert(pending[i]);
-    progress(done + i + 1);
+    stopwatch.restart();
+    insert_all(others, note);
   }
   earlier_.build_seconds += stopwatch.seconds();
+  rollback.keep();
 }
 
 HullInsertResult HullState::insert_in_flat(const double* point) {

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What insertions into a Polytope change: rows to distinct sites, the affine hull, the boundary. A batch
-// works on a copy, so that it is done whole or not at all.
+// What insertions into a Polytope change: rows to distinct sites, the affine hull, the boundary.
 #pragma once
 
 #include "base/progress_meter.hpp"
@@ -13,7 +12,8 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <optional>
+#include <functional>
+#include <memory>
 #include <span>
 #include <vector>
 
@@ -25,7 +25,7 @@ class HullState {
   HullState(const HullState& other);
   HullState& operator=(const HullState&) = delete;
 
-  /// Inserts rows. If it throws, the state is of no more use. REQUIRES finite coordinates, and room for as
+  /// Inserts rows, all or none: if it throws, all is as it was. REQUIRES finite coordinates, and room for as
   /// many ids.
   void insert_range(std::span<const double> coordinates, const Options& options);
   /// Inserts a row that is in the affine hull; the strong guarantee.
@@ -45,20 +45,22 @@ class HullState {
   bool is_surely_interior(Index site) const { return is_surely_interior_[site] != 0; }
 
   /// None while the affine dimension is below 1.
-  const ConvexHullBuilder* builder() const { return builder_ ? &*builder_ : nullptr; }
+  const ConvexHullBuilder* builder() const { return builder_.get(); }
   const SimplicialHull& hull() const;
   Statistics statistics() const;
 
  private:
+  class Rollback;
+
   std::size_t ambient() const { return static_cast<std::size_t>(sites_.ambient); }
   Index find_site(std::uint64_t tag, const double* point) const;
   Index add_site(const double* point, std::size_t row, std::uint64_t tag);
   void drop_last_site(Index site, std::uint64_t tag);
   bool raise(Index site);
-  void restart();
+  void restart(Rollback& rollback);
   void note_effort(Statistics& sum) const;
   void add_rows(std::span<const double> coordinates);
-  void insert(Index site);
+  void insert_all(std::span<const Index> sites, const std::function<void()>& done);
   void drop_interior(std::vector<Index>& sites, ProgressMeter& progress);
   void put_in_order(std::vector<Index>& sites, const Options& options) const;
 
@@ -67,7 +69,7 @@ class HullState {
   std::vector<Index> basis_, row_of_site_, site_of_row_;
   std::vector<char> is_surely_interior_;  // by site
   SiteTable site_at_;
-  std::optional<ConvexHullBuilder> builder_;
+  std::unique_ptr<ConvexHullBuilder> builder_;
   Statistics earlier_;  // of builders that were given up, and the times
 };
 

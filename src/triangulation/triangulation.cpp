@@ -101,7 +101,7 @@ Location Triangulation::locate(const AnyPoint<>& query, std::optional<CellId> hi
     location.face = {impl_->complex().vertex(CellId{0}, 0)};
     return location;
   }
-  HullLocation found = impl_->queries()->locate(q, start);
+  QueryLocation found = impl_->queries()->locate(q, start);
   location.cell = CellId{found.cell};
   location.face = std::move(found.face);
   const int face_dimension = location.face_dimension();
@@ -186,15 +186,15 @@ CanonicalHash Triangulation::hash() const {
 
 Statistics Triangulation::statistics() const {
   Statistics s = impl_->statistics;
-  if (const HullQueries* const hull = impl_->queries(); hull != nullptr) {
-    const engine::Effort& effort = hull->effort();
+  if (const TriangulationQueries* const queries = impl_->queries(); queries != nullptr) {
+    const engine::Effort& effort = queries->effort();
     s.created_cells = effort.created_cells;
     s.visited_cells = effort.visited_cells;
     s.filter = effort.stages.filter;
     s.direct = effort.stages.direct;
     s.exact = effort.stages.exact;
     s.perturbed = effort.stages.perturbed;
-    s.cell_bytes = hull->bytes();
+    s.cell_bytes = queries->bytes();
   }
   s.insertions = num_vertices();
   return s;

@@ -2,13 +2,10 @@
 // Insertion: points to vertices, affine dimensions, duplicates, hidden points, rows.
 #include "triangulation/triangulation_impl.hpp"
 
-#include "base/compiled_dimension.hpp"
-#include "base/growable_array.hpp"
-#include "base/progress_meter.hpp"
 #include "base/require_finite.hpp"
 #include "base/stopwatch.hpp"
-#include "compiled/compact_triangulation.hpp"
 #include "order/insertion_order.hpp"
+#include "triangulation/batch_insertion.hpp"
 
 #include <algorithm>
 #include <chrono>
@@ -38,65 +35,28 @@ std::vector<double> weighted_rows(PointsView points, std::span<const double> wei
   return rows;
 }
 
-/// For each place in the order the first place with an equal row.
-std::vector<std::size_t> first_equal_rows(std::span<const double> rows, std::size_t width,
-                                          std::span<const Index> order) {
-  const auto compare = [&](std::size_t a, std::size_t b) {
-    const double* x = rows.data() + order[a] * width;
-    const double* y = rows.data() + order[b] * width;
-    return std::lexicographical_compare_three_way(x, x + width, y, y + width);
-  };
-  std::vector<std::size_t> places(order.size()), first(order.size());
-  std::iota(places.begin(), places.end(), std::size_t{0});
-  std::sort(places.begin(), places.end(), [&](std::size_t a, std::size_t b) {
-    const auto by_coordinates = compare(a, b);
-    return by_coordinates != 0 ? by_coordinates < 0 : a < b;
-  });
-  for (std::size_t i = 0; i < places.size(); ++i) {
-    const bool is_new = i == 0 || compare(places[i - 1], places[i]) != 0;
-    first[places[i]] = is_new ? places[i] : first[places[i - 1]];
-  }
-  return first;
-}
-
-/// Copies of rows, in the order of their insertion. Those that have been read are given back to the system,
-/// so that in the end, when memory is short, nothing is left of them.
-class RowsInOrder {
- public:
-  RowsInOrder(std::span<const double> rows, std::size_t width, std::span<const Index> order) : width_(width) {
-    rows_.reserve(order.size() * width);
-    rows_.prepare(order.size() * width);
-    internal::with_compiled_dimension(width, [&](auto fixed_width) {
-      const std::size_t w = fixed_width > 0 ? std::size_t{fixed_width} : width;
-      const double* const from = rows.data();
-      double* to = rows_.data();
-      // Rows are met in no order of their own: they are asked for long before their turn.
-      constexpr std::size_t ahead = 96;
-      for (std::size_t i = 0; i < order.size(); ++i, to += w) {
-        __builtin_prefetch(from + order[std::min(i + ahead, order.size() - 1)] * w);
-        std::copy_n(from + order[i] * w, w, to);
-      }
-    });
-  }
-
-  /// Valid until the next call. REQUIRES that not all have been read.
-  const double* next() {
-    if (num_read_ % rows_at_once == 0 && num_read_ > 0)
-      rows_.discard((num_read_ - rows_at_once) * width_, num_read_ * width_);
-    return rows_.data() + width_ * num_read_++;
-  }
-
- private:
-  static constexpr std::size_t rows_at_once = std::size_t{1} << 13;  // whole pages, whatever the width
-  std::size_t width_, num_read_ = 0;
-  GrowableArray<double> rows_;
-};
-
 }  // namespace
 
 Triangulation::Impl::Impl(int d, kernel::RowForm form, const Options& given)
     : dimension(d), options(given), points(d, form), affine_hull(d) {}
 Triangulation::Impl::~Impl() = default;
+
+std::unique_ptr<Triangulation::Impl> Triangulation::Impl::clone() const {
+  auto copy = std::make_unique<Impl>(dimension, points.form, options);
+  copy->points = points;
+  copy->affine_hull = affine_hull;
+  if (engine) copy->engine = engine->copy(copy->points);
+  if (compacted) copy->compacted = compacted->copy(copy->points);
+  copy->cell_of_vertex = cell_of_vertex;
+  copy->row_of_vertex = row_of_vertex;
+  copy->vertex_of_row = vertex_of_row;
+  copy->num_rows_inserted = num_rows_inserted;
+  copy->num_vertices = num_vertices;
+  copy->statistics = statistics;
+  if (landmarks) copy->landmarks = std::make_unique<internal::Landmarks>(*landmarks);
+  std::copy(std::begin(single_links), std::end(single_links), copy->single_links);
+  return copy;
+}
 
 void Triangulation::Impl::check_finite(std::span<const double> coordinates,
                                        std::span<const double> weights) const {
@@ -141,16 +101,16 @@ Index Triangulation::Impl::insert_row(std::size_t row, const double* point, Inde
     kernel::AffineHull grown = affine_hull;
     if (grown.add(point)) return raise(row, point, std::move(grown));
   }
-  if (!hull) return insert_at_only_vertex(row, point);
+  if (!engine) return insert_at_only_vertex(row, point);
   const Index v = append(point);
   Index at = v;
   try {
-    if (!hull->frame().contains(point)) {
-      hull->set_frame(frame_with(point, point, 1.0));
+    if (!engine->frame().contains(point)) {
+      engine->set_frame(frame_with(point, point, 1.0));
       landmarks.reset();
     }
-    hull->track_swallowed(may_hide() && track);
-    at = hull->insert(v, start);
+    engine->track_swallowed(may_hide() && track);
+    at = engine->insert(v, start);
   } catch (...) {
     drop_last_vertex();
     throw;
@@ -168,28 +128,35 @@ Index Triangulation::Impl::insert_row(std::size_t row, const double* point, Inde
 /// Brings the cells of the vertices of the new star up to date.
 void Triangulation::Impl::update_cells_of_vertices() {
   const Complex now = complex();
-  for (const HorizonFacet& facet : hull->star())
+  for (const HorizonFacet& facet : engine->star())
     for (int i = 0; i <= now.dimension(); ++i)
       cell_of_vertex[index(now.vertex(CellId{facet.created}, i))] = CellId{facet.created};
-  for (const Index swallowed : hull->swallowed()) cell_of_vertex[swallowed] = invalid_cell;
-  num_vertices += 1 - static_cast<Index>(hull->swallowed().size());
+  for (const Index swallowed : engine->swallowed()) cell_of_vertex[swallowed] = invalid_cell;
+  num_vertices += 1 - static_cast<Index>(engine->swallowed().size());
 }
 
 /// All points are in one place: the heaviest is the vertex, equal ones are duplicates, lighter ones hidden.
 Index Triangulation::Impl::insert_at_only_vertex(std::size_t row, const double* point) {
   const Index only = only_vertex();
-  if (!weighted() || point[ambient()] == points.point(only)[ambient()]) {
+  const int heavier = compare_with_only_vertex(point);
+  if (heavier == 0) {
     assign(row, only);
     return only;
   }
-  const bool is_heavier = point[ambient()] > points.point(only)[ambient()];
   const Index v = append(point);
   assign(row, v);
   cell_of_vertex.resize(v + 1, invalid_cell);  // one more: cannot fail
-  if (!is_heavier) return invalid_index;
+  if (heavier < 0) return invalid_index;
   cell_of_vertex[v] = std::exchange(cell_of_vertex[only], invalid_cell);
   only_vertex() = v;
   return v;
+}
+
+/// + for a heavier point, − for a lighter one.
+int Triangulation::Impl::compare_with_only_vertex(const double* point) const {
+  if (!weighted()) return 0;
+  const double weight = point[ambient()], of_vertex = points.point(single_links[0])[ambient()];
+  return weight > of_vertex ? 1 : weight < of_vertex ? -1 : 0;
 }
 
 /// A point outside the affine hull, which has `grown` by it.
@@ -198,13 +165,14 @@ Index Triangulation::Impl::raise(std::size_t row, const double* point, kernel::A
   try {
     cell_of_vertex.reserve(static_cast<std::size_t>(v) + 1);
     if (grown.dimension() > 0) {
-      auto next = make_hull(grown.axes(), points, frame_with(point, point, 1.0),
-                            hull ? hull->effort() : engine::Effort{}, options.force_runtime_dimension);
-      if (hull)
+      auto next = make_triangulation_engine(grown.axes(), points, frame_with(point, point, 1.0),
+                                            engine ? engine->effort() : engine::Effort{},
+                                            options.force_runtime_dimension);
+      if (engine)
         next->jump(complex(), v);
       else
         next->seed(std::vector<Index>{only_vertex(), v});
-      hull = std::move(next);
+      engine = std::move(next);
       landmarks.reset();
     } else {
       only_vertex() = v;
@@ -230,102 +198,28 @@ geometry::Frame Triangulation::Impl::frame_with(const double* low, const double*
       highs[j] = std::max(highs[j], x[j]);
     }
   };
-  if (hull) {
-    cover(hull->frame().low().data());
-    cover(hull->frame().high().data());
+  if (engine) {
+    cover(engine->frame().low().data());
+    cover(engine->frame().high().data());
   }
-  if (!hull)
+  if (!engine)
     for (Index v = 1; v <= points.last_vertex(); ++v) cover(points.point(v));
   constexpr double largest = std::numeric_limits<double>::max() / 4;
   for (std::size_t j = 0; j < row_size(); ++j) {
     const double extent = std::min(highs[j] / 2 - lows[j] / 2, largest) * 2 * margin;
-    if (!hull || lows[j] < hull->frame().low()[j])
+    if (!engine || lows[j] < engine->frame().low()[j])
       lows[j] = std::max(lows[j] - extent, std::min(lows[j], -largest));
-    if (!hull || highs[j] > hull->frame().high()[j])
+    if (!engine || highs[j] > engine->frame().high()[j])
       highs[j] = std::min(highs[j] + extent, std::max(highs[j], largest));
   }
   return {std::move(lows), std::move(highs), points.form};
 }
 
-/// The first sphere of a batch: the frame of the whole box, and a simplex of the batch's affine hull found
-/// along the order.
-void Triangulation::Impl::start_batch(std::span<const double> rows, std::size_t first_row,
-                                      std::span<const Index> order, const std::function<void()>& tick) {
-  const std::size_t width = row_size();
-  std::vector<double> low(rows.begin(), rows.begin() + static_cast<std::ptrdiff_t>(width)), high = low;
-  for (std::size_t i = 0; i < rows.size(); ++i) {
-    low[i % width] = std::min(low[i % width], rows[i]);
-    high[i % width] = std::max(high[i % width], rows[i]);
-  }
-  if (hull) {
-    if (!hull->frame().contains(low.data()) || !hull->frame().contains(high.data())) {
-      hull->set_frame(frame_with(low.data(), high.data(), 0.0));
-      landmarks.reset();
-    }
-    return;
-  }
-  std::vector<Index> simplex;
-  if (affine_hull.dimension() == 0) simplex.push_back(only_vertex());
-  for (const Index row : order) {
-    if (affine_hull.dimension() == dimension) break;
-    const double* point = rows.data() + static_cast<std::size_t>(row) * width;
-    if (!affine_hull.add(point)) continue;
-    simplex.push_back(append(point));
-    assign(first_row + row, simplex.back());
-  }
-  if (affine_hull.dimension() < 1) {
-    only_vertex() = simplex.front();
-    find_cells_of_vertices();
-    return;
-  }
-  hull = make_hull(affine_hull.axes(), points, frame_with(low.data(), high.data(), 0.0), {},
-                   options.force_runtime_dimension);
-  if (!wrap_batch(rows, first_row, order, simplex, tick)) hull->seed(simplex);
-}
-
-/// Whether wrapping n points costs less than inserting them
-/// (docs/decisions/0007-small-sets-in-high-dimensions-are-wrapped.md).
-bool Triangulation::Impl::is_worth_wrapping(std::size_t n) const {
-  if (points.form != kernel::RowForm::point || affine_hull.dimension() != dimension) return false;
-  return (dimension == 7 && 200 <= n && n <= 4000) || (dimension == 8 && 100 <= n && n <= 4000);
-}
-
-/// Inserts a batch at once. Returns false, and nothing has changed, if that is not to be done or fails.
-/// REQUIRES a hull without cells, and that all vertices are those of the simplex.
-bool Triangulation::Impl::wrap_batch(std::span<const double> rows, std::size_t first_row,
-                                     std::span<const Index> order, std::span<const Index> simplex,
-                                     const std::function<void()>& tick) {
-  if (!is_worth_wrapping(order.size()) || points.last_vertex() != simplex.size()) return false;
-  std::vector<std::size_t> first_equal;
-  std::vector<Index> others;  // the rows of the vertices to come
-  try {
-    first_equal = first_equal_rows(rows, row_size(), order);
-    for (std::size_t place = 0; place < order.size(); ++place)
-      if (first_equal[place] == place && vertex_of_row[first_row + order[place]] == invalid_vertex)
-        others.push_back(order[place]);
-  } catch (const std::bad_alloc&) {  // insertion does with less
-    return false;
-  }
-  for (const Index row : others) append(rows.data() + static_cast<std::size_t>(row) * row_size());
-  const auto drop = [&] {
-    points.coordinates.resize(points.coordinates.size() - others.size() * row_size());
-  };
-  try {
-    if (!hull->wrap(tick)) {
-      drop();
-      return false;
-    }
-  } catch (...) {
-    drop();
-    hull->seed(simplex);
-    throw;
-  }
-  Index v = static_cast<Index>(simplex.size());
-  for (const Index row : others) assign(first_row + row, ++v);
-  for (std::size_t place = 0; place < order.size(); ++place)
-    if (const std::size_t first = first_equal[place]; first != place)
-      assign(first_row + order[place], index(vertex_of_row[first_row + order[first]]));
-  return true;
+/// An engine without cells for the present axes, in a frame of the box and of what there is.
+std::unique_ptr<TriangulationEngine> Triangulation::Impl::new_engine(const double* low, const double* high,
+                                                                     const engine::Effort& effort) const {
+  return make_triangulation_engine(affine_hull.axes(), points, frame_with(low, high, 0.0), effort,
+                                   options.force_runtime_dimension);
 }
 
 void Triangulation::Impl::insert_range(std::span<const double> coordinates, std::span<const double> weights,
@@ -339,45 +233,16 @@ void Triangulation::Impl::insert_range(std::span<const double> coordinates, std:
   check_finite(coordinates, weights);
   if (n == 0) return;
   expand();
-  const PointsView view(coordinates, dimension);
-  std::vector<double> with_weights = weighted() ? weighted_rows(view, weights) : std::vector<double>{};
-  const std::span<const double> rows = weighted() ? std::span<const double>(with_weights) : coordinates;
-  const std::size_t first_row = add_rows(n);
-
   internal::Stopwatch stopwatch;
+  const PointsView view(coordinates, dimension);
   std::vector<Index> order = order::insertion_order(view, options);
-  statistics.order_seconds += stopwatch.seconds();
-
-  stopwatch.restart();
-  const Index before = points.last_vertex();
-  internal::ProgressMeter progress(options.progress, n);
-  const auto finish = [&] {
-    order = {};
-    find_cells_of_vertices();
-    if (landmarks) add_landmarks(before + 1, points.last_vertex());
-    statistics.build_seconds += stopwatch.seconds();
-  };
-  try {
-    points.coordinates.reserve(points.coordinates.size() + rows.size() + row_size());
-    row_of_vertex.reserve(row_of_vertex.size() + n);
-    start_batch(rows, first_row, order, [&] { progress(0); });
-    RowsInOrder rows_in_order(rows, row_size(), order);
-    with_weights = std::vector<double>();
-    if (release) release();
-    // Where to write vertices has no order of its own: it is asked for long before its turn.
-    constexpr std::size_t ahead = 64;
-    for (std::size_t i = 0; i < n; ++i) {
-      __builtin_prefetch(vertex_of_row.data() + first_row + order[std::min(i + ahead, n - 1)], 1);
-      const double* const point = rows_in_order.next();
-      if (vertex_of_row[first_row + order[i]] == invalid_vertex)
-        insert_row(first_row + order[i], point, invalid_index, false);
-      progress(i + 1);
-    }
-  } catch (...) {
-    finish();
-    throw;
-  }
-  finish();
+  const double order_seconds = stopwatch.restart();
+  BatchInsertion batch(*this, std::move(order));
+  batch.take(weighted() ? std::span<const double>(weighted_rows(view, weights)) : coordinates);
+  if (release) release();
+  batch.insert_all();
+  statistics.order_seconds += order_seconds;
+  statistics.build_seconds += stopwatch.seconds();
 }
 
 InsertResult Triangulation::Impl::insert(std::span<const double> point, double weight,
@@ -389,7 +254,7 @@ InsertResult Triangulation::Impl::insert(std::span<const double> point, double w
   const Index before = points.last_vertex();
   // Functionals of furthest points lead nowhere.
   if (!hint && points.form != kernel::RowForm::furthest_point) {
-    if (!landmarks && hull) add_landmarks(1, before);
+    if (!landmarks && engine) add_landmarks(1, before);
     start = start_near(row_of_point);
   }
   const std::size_t row = add_rows(1);
@@ -406,9 +271,9 @@ InsertResult Triangulation::Impl::insert(std::span<const double> point, double w
 
 void Triangulation::Impl::compact() {
   landmarks.reset();
-  if (hull) {
-    compacted = make_compact_hull(affine_hull.axes(), points, *hull, complex());
-    hull.reset();
+  if (engine) {
+    compacted = make_compact_triangulation(affine_hull.axes(), points, *engine, complex());
+    engine.reset();
     find_cells_of_vertices();
   }
   points.coordinates.shrink_to_fit();
@@ -420,17 +285,17 @@ void Triangulation::Impl::compact() {
 /// Makes insertions possible again after compact(): cells keep their ids.
 void Triangulation::Impl::expand() {
   if (!compacted) return;
-  auto restored = make_hull(affine_hull.axes(), points, compacted->frame(), compacted->effort(),
-                            options.force_runtime_dimension);
+  auto restored = make_triangulation_engine(affine_hull.axes(), points, compacted->frame(),
+                                            compacted->effort(), options.force_runtime_dimension);
   restored->restore(complex());
-  hull = std::move(restored);
+  engine = std::move(restored);
   compacted.reset();
 }
 
-/// Adds the vertices first … last. Without memory for them there are no landmarks. REQUIRES a hull.
+/// Adds the vertices first … last. Without memory for them there are no landmarks. REQUIRES a engine.
 void Triangulation::Impl::add_landmarks(Index first, Index last) {
   try {
-    if (!landmarks) landmarks = std::make_unique<internal::Landmarks>(hull->frame(), ambient());
+    if (!landmarks) landmarks = std::make_unique<internal::Landmarks>(engine->frame(), ambient());
     for (Index v = first; v <= last; ++v) landmarks->add(v, points.point(v));
   } catch (const std::bad_alloc&) {
     landmarks.reset();

@@ -7,6 +7,7 @@
 // their points and have no cell. Hidden points stay hidden, as more points only lower the lifted surface.
 #pragma once
 
+#include "compiled/compact_triangulation.hpp"
 #include "compiled/dispatch.hpp"
 #include "kernel/predicates.hpp"
 #include "triangulation/landmarks.hpp"
@@ -23,16 +24,19 @@ namespace delone {
 struct Triangulation::Impl {
   Impl(int d, kernel::RowForm form, const Options& given);
   ~Impl();
+  /// A deep copy.
+  std::unique_ptr<Impl> clone() const;
 
   int dimension;
   Options options;
   VertexPoints points;
   kernel::AffineHull affine_hull;
-  std::unique_ptr<Hull> hull;              // none while the affine dimension is below 1, and after compact()
-  std::unique_ptr<HullQueries> compacted;  // after compact(), until the next insertion
-  std::vector<CellId> cell_of_vertex;      // by vertex id; invalid_cell for hidden points
-  std::vector<Index> row_of_vertex{0};     // the first row at each vertex
-  std::vector<VertexId> vertex_of_row;     // invalid_vertex for a row that was not inserted (cancelled)
+  std::unique_ptr<TriangulationEngine>
+      engine;  // none while the affine dimension is below 1, and after compact()
+  std::unique_ptr<CompactTriangulation> compacted;  // after compact(), until the next insertion
+  std::vector<CellId> cell_of_vertex;               // by vertex id; invalid_cell for hidden points
+  std::vector<Index> row_of_vertex{0};              // the first row at each vertex
+  std::vector<VertexId> vertex_of_row;  // invalid_vertex for a row that was not inserted (cancelled)
   std::size_t num_rows_inserted = 0;
   Index num_vertices = 0;  // those that have cells
   Statistics statistics;
@@ -57,7 +61,9 @@ struct Triangulation::Impl {
   InsertResult insert(std::span<const double> point, double weight, std::optional<CellId> hint);
   void compact();
   /// The triangulation, if the affine dimension is at least 1.
-  const HullQueries* queries() const { return hull ? hull.get() : compacted.get(); }
+  const TriangulationQueries* queries() const {
+    return engine ? static_cast<const TriangulationQueries*>(engine.get()) : compacted.get();
+  }
   Complex complex() const;
   /// Where to start a walk to a point without a hint: a cell, or invalid_index for where the last insertion
   /// was.
@@ -89,11 +95,11 @@ struct Triangulation::Impl {
   void update_cells_of_vertices();
   void find_cells_of_vertices();
   geometry::Frame frame_with(const double* low, const double* high, double margin) const;
-  void start_batch(std::span<const double> rows, std::size_t first_row, std::span<const Index> order,
-                   const std::function<void()>& tick);
-  bool is_worth_wrapping(std::size_t n) const;
-  bool wrap_batch(std::span<const double> rows, std::size_t first_row, std::span<const Index> order,
-                  std::span<const Index> simplex, const std::function<void()>& tick);
+  std::unique_ptr<TriangulationEngine> new_engine(const double* low, const double* high,
+                                                  const engine::Effort& effort) const;
+  int compare_with_only_vertex(const double* point) const;
+
+  class BatchInsertion;
 };
 
 }  // namespace delone

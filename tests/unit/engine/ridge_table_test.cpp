@@ -4,7 +4,6 @@
 
 #include "base/random.hpp"
 #include "engine/build.hpp"
-#include "engine/seed.hpp"
 #include "geometry/delaunay_geometry.hpp"
 #include "kernel/predicates.hpp"
 #include "scale.hpp"
@@ -42,22 +41,17 @@ std::vector<std::vector<Index>> links(Index n, double grid_size, int rounds, Ver
   }
   std::vector<int> axes(K);
   std::iota(axes.begin(), axes.end(), 0);
-  CellMemory<K> memory(K, ids);
-  CellStore<K> cells(memory);
-  geometry::DelaunayGeometry<K> geometry(
-      memory, axes, K, points, grid,
-      {std::vector<double>(K, 0.0), std::vector<double>(K, std::max(1.0, grid_size))});
+  const geometry::Frame frame(std::vector<double>(K, 0.0), std::vector<double>(K, std::max(1.0, grid_size)));
+  Build<K, geometry::DelaunayGeometry<K>> build(K, ids, axes, K, points, grid, frame);
+  auto& geometry = build.geometry();
   geometry.set_rows(unused + n);
   if (geometry.orientation(simplex.data()) == Sign::negative) std::swap(simplex[0], simplex[1]);
-  seed(cells, geometry, simplex);
-  Workspace work;
-  work.ridges = RidgeTable(rounds);
-  Effort effort;
-  Index start = 0;
-  for (const Index v : others)
-    if (insert(cells, geometry, v, geometry.make_query(geometry.point(v)), start, work, effort) == v)
-      start = work.star().back().created;
-  EXPECT_EQ(memory.layout().is_narrow(), ids == VertexIds::narrow && unused + n <= last_narrow_vertex);
+  build.seed(simplex);
+  build.workspace().ridges = RidgeTable(rounds);
+  for (const Index v : others) build.insert(v);
+  const CellStore<K>& cells = build.cells();
+  EXPECT_EQ(cells.links_of_complex().narrow_vertices,
+            ids == VertexIds::narrow && unused + n <= last_narrow_vertex);
   // Which slot a cell is in depends on when slots become vacant.
   std::vector<std::vector<Index>> all;
   for (Index cell = 0; cell < cells.num_slots(); ++cell) {

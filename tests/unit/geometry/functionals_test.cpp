@@ -3,7 +3,6 @@
 // against exact signs and exact values, far from their cells as well as near.
 #include "brute_force.hpp"
 #include "engine/build.hpp"
-#include "engine/seed.hpp"
 #include "geometry/delaunay_geometry.hpp"
 #include "kernel/predicates.hpp"
 #include "scale.hpp"
@@ -28,9 +27,8 @@ struct Built {
   Built(std::vector<double> coordinates)
       : points(K, 0.0),
         grid(K),
-        memory(K, ids_for(coordinates.size() / K)),
-        cells(memory),
-        geometry(memory, all_axes(), K, points, grid, frame(coordinates)) {
+        build(K, ids_for(coordinates.size() / K), all_axes(), K, points, grid, frame(coordinates)),
+        geometry(build.geometry()) {
     kernel::AffineHull hull(K);
     std::vector<Index> simplex, others;
     points.insert(points.end(), coordinates.begin(), coordinates.end());
@@ -41,12 +39,8 @@ struct Built {
     }
     if (geometry.orientation(simplex.data()) == Sign::negative) std::swap(simplex[0], simplex[1]);
     geometry.set_rows(n);
-    engine::seed(cells, geometry, simplex);
-    engine::Workspace work;
-    for (const Index v : others) {
-      const Index start = work.star().empty() ? 0 : work.star().back().created;
-      engine::insert(cells, geometry, v, geometry.make_query(geometry.point(v)), start, work, effort);
-    }
+    build.seed(simplex);
+    for (const Index v : others) build.insert(v);
     num_vertices = n;
   }
 
@@ -66,10 +60,9 @@ struct Built {
 
   std::vector<double> points;
   kernel::Grid grid;
-  CellMemory<K> memory;
-  engine::CellStore<K> cells;
-  DelaunayGeometry<K> geometry;
-  engine::Effort effort;
+  engine::Build<K, DelaunayGeometry<K>> build;
+  DelaunayGeometry<K>& geometry;
+  const engine::CellStore<K>& cells = build.cells();
   Index num_vertices = 0;
 };
 

@@ -84,7 +84,7 @@ TEST(HalfspaceGeometry, TheFilterSaysTheExactSide) {
       if (inner == Sign::negative) std::swap(cell[0], cell[1]);
       cone.geometry->create(0, cell, -1, 0);
       for (Index v = 1; v <= n; ++v) {
-        const auto q = cone.geometry->make_query(v);
+        const auto q = cone.geometry->query_at(v);
         if (cone.geometry->is_at(cell[0], q) || cone.geometry->is_at(cell[1], q)) continue;
         const Sign exact = cone.geometry->exact_side(cell, -1, q, counts);
         const double value = cone.geometry->evaluator(q).value(0);
@@ -100,7 +100,7 @@ TEST(HalfspaceGeometry, TheFilterSaysTheExactSide) {
       for (int slot = 0; slot < 2;
            ++slot)  // its own row is on the side of the cell, the other is on the wall
         for (int other = 0; other < 2; ++other) {
-          const auto q = cone.geometry->make_query(cell[other]);
+          const auto q = cone.geometry->query_at(cell[other]);
           EXPECT_EQ(cone.geometry->side_of_facet(cell, slot, q), other == slot ? Sign::positive : Sign::zero);
         }
     }
@@ -121,7 +121,7 @@ TEST(HalfspaceGeometry, ImagesAreOffByLessThanOneRounding) {
     const double half = std::max(cone.view.high[j] - center, center - cone.view.low[j]);
     const Rational scale(std::ldexp(1.0, -std::ilogb(half) - 2));
     for (Index v = 1; v <= n; ++v) {
-      const double image = cone.geometry->make_query(v).row.data()[j];
+      const double image = cone.geometry->query_at(v).row.data()[j];
       EXPECT_LE(std::fabs(image), 0.5 + 1e-15);
       const Rational exact =
           (true_dual(cone.sites.row(v - 1), j) - true_dual(cone.view.center.data(), j)) * scale;

@@ -6,7 +6,6 @@
 #include "base/random.hpp"
 #include "brute_force.hpp"
 #include "engine/build.hpp"
-#include "engine/seed.hpp"
 #include "geometry/delaunay_geometry.hpp"
 #include "geometry/hull_geometry.hpp"
 #include "kernel/predicates.hpp"
@@ -227,9 +226,10 @@ void expect_right_triangulation(const Sample& sample, std::uint64_t seed, Tally&
   std::vector<int> axes(K);
   std::iota(axes.begin(), axes.end(), 0);
   const Frame frame(low, high, sample.weighted ? kernel::RowForm::weighted_point : kernel::RowForm::point);
-  CellMemory<K> memory(K, ids_for(n));
-  engine::CellStore<K> cells(memory);
-  Recording<DelaunayGeometry<K>> geometry(memory, axes, sample.ambient, coordinates, grid, frame);
+  engine::Build<K, Recording<DelaunayGeometry<K>>> build(K, ids_for(n), axes, sample.ambient, coordinates,
+                                                         grid, frame);
+  engine::CellStore<K>& cells = build.cells();
+  Recording<DelaunayGeometry<K>>& geometry = build.geometry();
 
   kernel::AffineHull hull(sample.ambient);
   std::vector<Index> simplex, others;
@@ -237,15 +237,8 @@ void expect_right_triangulation(const Sample& sample, std::uint64_t seed, Tally&
   ASSERT_EQ(hull.dimension(), K);
   if (geometry.orientation(simplex.data()) == Sign::negative) std::swap(simplex[0], simplex[1]);
   geometry.set_rows(static_cast<Index>(n));
-  engine::seed(cells, geometry, simplex);
-  engine::Workspace work;
-  engine::Effort effort;
-  Index start = 0;
-  for (const Index v : others) {
-    const Index at =
-        engine::insert(cells, geometry, v, geometry.make_query(geometry.point(v)), start, work, effort);
-    start = at == v ? work.star().back().created : work.last_cell;
-  }
+  build.seed(simplex);
+  for (const Index v : others) build.insert(v);
 
   std::vector<IntegerRow> rows;  // (axes, lift, 1)
   for (Index v = 0; v <= n; ++v) {
@@ -287,7 +280,7 @@ void expect_right_triangulation(const Sample& sample, std::uint64_t seed, Tally&
       scale = frame.lift_scale() * frame.lift_scale();
     } else {
       if (std::isinf(geometry.threshold(cell))) continue;  // too flat, and never certain
-      const double* functional = memory.records().functional(cell);
+      const double* functional = build.memory().records().functional(cell);
       normal = static_cast<std::size_t>(
           std::find_if(functional, functional + K, [](double g) { return std::fabs(g) == 1; }) - functional);
       ASSERT_LT(normal, K);
@@ -295,9 +288,9 @@ void expect_right_triangulation(const Sample& sample, std::uint64_t seed, Tally&
       if (functional[normal] < 0) denominator = -denominator;
       scale = frame.extent_ratio(axes[normal]) * frame.lift_scale();
     }
-    ASSERT_LE(
-        Rational(certificate::determinant(std::bit_cast<std::uint64_t>(*memory.records().certificate(cell)))),
-        determinant_of_edges(corners, normal, frame, axes))
+    ASSERT_LE(Rational(certificate::determinant(
+                  std::bit_cast<std::uint64_t>(*build.memory().records().certificate(cell)))),
+              determinant_of_edges(corners, normal, frame, axes))
         << "cell " << cell;
     for (Index v = 1; v <= n; ++v) {
       const auto q = geometry.make_query(geometry.point(v));
@@ -341,23 +334,18 @@ void expect_right_hull(const Sample& sample, std::uint64_t seed, Tally& tally) {
     for (std::size_t j = 0; j < size; ++j) center[j] += points[(v - 1) * size + j] / (K + 2);
   grid.include(center.data());
 
-  CellMemory<K> memory(K, ids_for(n));
-  engine::CellStore<K> cells(memory);
-  Recording<HullGeometry<K>> geometry(memory, axes, sample.ambient, points, grid, center, true, simplex);
+  engine::Build<K, Recording<HullGeometry<K>>> build(K, ids_for(n), axes, sample.ambient, points, grid,
+                                                     center, true, simplex);
+  engine::CellStore<K>& cells = build.cells();
+  Recording<HullGeometry<K>>& geometry = build.geometry();
   geometry.set_box(low.data(), high.data());
   const Index last = simplex.back();
   simplex.pop_back();
   StageCounts uncounted;
   if (geometry.side(simplex.data(), geometry.point(last), uncounted) == Sign::negative)
     std::swap(simplex[0], simplex[1]);
-  engine::seed(cells, geometry, simplex, last);
-  engine::Workspace work;
-  engine::Effort effort;
-  for (const Index v : others) {
-    const Index at = engine::insert(cells, geometry, v, geometry.make_query(geometry.point(v)),
-                                    work.last_cell, work, effort);
-    if (at == v) work.last_cell = work.star().back().created;
-  }
+  build.seed(simplex, last);
+  for (const Index v : others) build.insert(v);
 
   std::vector<IntegerRow> rows(1);  // (axes, 1)
   const auto append = [&](const double* x) {

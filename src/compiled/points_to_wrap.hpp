@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Part of the proof of what was wrapped: cells that are right across every facet may still go around a vertex
-// twice. Then they cover all of space more than once, so one point tells (docs/predicates.md, "Wrapping").
+// What wrapping asks of points (engine/wrap/wrap.hpp): what is beyond facets; and a point in one cell, as
+// part of the proof. Cells that are right across every facet may still go around a vertex twice. Then they
+// cover all of space more than once, so one point tells (docs/predicates.md, "Wrapping").
 #pragma once
 
 #include "compiled/triangulation_engine.hpp"
 #include "engine/cell_store.hpp"
 #include "geometry/delaunay_geometry.hpp"
+#include "geometry/facet_search/facet_search.hpp"
 
 #include <algorithm>
 #include <cstddef>
@@ -77,5 +79,45 @@ std::optional<std::vector<double>> find_point_in_one_cell(const engine::CellStor
   }
   return std::nullopt;
 }
+
+/// The points of all vertices, of full dimension, neither weighted nor sought for what is furthest.
+template <int K>
+class PointsToWrap {
+  using Geometry = geometry::DelaunayGeometry<K>;
+
+ public:
+  PointsToWrap(const VertexPoints& points, const engine::CellStore<K>& cells, Geometry& geometry)
+      : points_(points), cells_(cells), geometry_(geometry) {}
+
+  Index last_vertex() const { return points_.last_vertex(); }
+  geometry::FacetSearch search() {
+    geometry_.keep_rows(last_vertex());
+    return {K, geometry_.kept_rows(), last_vertex(),
+            [this](const Index* cell, int slot, std::span<const Index> vertices) {
+              return geometry_.first_beyond(cell, slot, vertices, points_.grid);
+            }};
+  }
+  Geometry geometry_of(CellMemory<K>& memory) const {
+    Geometry geometry(memory, geometry_.axes(), points_.ambient, points_.coordinates, points_.grid,
+                      geometry_.frame());
+    geometry.keep_rows(last_vertex());
+    return geometry;
+  }
+  /// Valid as long as this object.
+  std::optional<typename Geometry::Query> query_in_one_cell(const Geometry& geometry) {
+    const auto point = find_point_in_one_cell(cells_, geometry_, points_);
+    if (!point) return std::nullopt;
+    point_ = *point;
+    grid_ = points_.grid_with(point_.data());
+    return geometry.make_query(point_.data(), grid_);
+  }
+
+ private:
+  const VertexPoints& points_;
+  const engine::CellStore<K>& cells_;
+  Geometry& geometry_;
+  std::vector<double> point_;
+  kernel::Grid grid_ = points_.grid;
+};
 
 }  // namespace delone

@@ -2,7 +2,6 @@
 // An insertion that runs out of memory changes nothing, and leaves no star that a later one could start from.
 // A star takes the places of the cells that it replaces.
 #include "engine/build.hpp"
-#include "engine/seed.hpp"
 #include "geometry/delaunay_geometry.hpp"
 
 #include <gtest/gtest.h>
@@ -35,39 +34,34 @@ TEST(Insert, ThatFailsLeavesNoStarAndNoMarks) {
   const std::vector<double> points{0, 0, 0, 0, 8, 0, 0, 8, 2, 2, 3, 3, 0, 6};  // that of vertex 0 is a dummy
   kernel::Grid grid(2);
   for (std::size_t i = 2; i < points.size(); i += 2) grid.include(points.data() + i);
-  CellMemory<2> memory(2);
-  CellStore<2> cells(memory);
-  FailingGeometry geometry(memory, std::vector<int>{0, 1}, 2, points, grid, geometry::Frame({0, 0}, {8, 8}));
+  Build<2, FailingGeometry> build(2, VertexIds::wide, std::vector<int>{0, 1}, 2, points, grid,
+                                  geometry::Frame({0, 0}, {8, 8}));
+  FailingGeometry& geometry = build.geometry();
   geometry.set_rows(6);
-  seed(cells, geometry, std::vector<Index>{1, 2, 3});
-  Workspace work;
-  Effort effort;
-  const auto insert_from = [&](Index start, Index v) {
-    return insert(cells, geometry, v, geometry.make_query(geometry.point(v)), start, work, effort);
-  };
-  ASSERT_EQ(insert_from(0, 4), 4u);
-  ASSERT_FALSE(work.star().empty());
-  const Index start = work.star().back().created;
-  const Index before = cells.num_cells();
+  build.seed(std::vector<Index>{1, 2, 3});
+  ASSERT_EQ(build.insert(4, 0), 4u);
+  ASSERT_FALSE(build.star().empty());
+  const Index start = build.star().back().created;
+  const Index before = build.cells().num_cells();
 
   const auto expect_nothing_has_changed = [&] {
-    EXPECT_TRUE(work.star().empty());
-    EXPECT_EQ(cells.num_cells(), before);
-    for (Index cell = 0; cell < cells.num_slots(); ++cell)
-      EXPECT_TRUE(cells.is_vacant(cell) || cells.mark(cell) == Mark::unseen);
+    EXPECT_TRUE(build.star().empty());
+    EXPECT_EQ(build.cells().num_cells(), before);
+    for (Index cell = 0; cell < build.cells().num_slots(); ++cell)
+      EXPECT_TRUE(build.cells().is_vacant(cell) || build.cells().mark(cell) == Mark::unseen);
   };
   geometry.fails = true;
-  EXPECT_THROW(insert_from(start, 5), std::bad_alloc);
+  EXPECT_THROW(build.insert(5, start), std::bad_alloc);
   expect_nothing_has_changed();
   geometry.fails = false;
   geometry.fails_at_ties = true;  // 6 is on the circle of 2, 3 and 4
-  EXPECT_THROW(insert_from(start, 6), std::bad_alloc);
+  EXPECT_THROW(build.insert(6, start), std::bad_alloc);
   expect_nothing_has_changed();
 
   geometry.fails_at_ties = false;
-  EXPECT_EQ(insert_from(start, 5), 5u);
-  EXPECT_EQ(cells.num_cells(), before + 2);
-  EXPECT_EQ(insert_from(start, 6), 6u);
+  EXPECT_EQ(build.insert(5, start), 5u);
+  EXPECT_EQ(build.cells().num_cells(), before + 2);
+  EXPECT_EQ(build.insert(6, start), 6u);
 }
 
 /// Inserts the points of a grid in an order that is none; on a grid, horizons are not found in the order of
@@ -84,25 +78,22 @@ TEST(Insert, PutsCellsWhereThoseWereThatTheyAreMadeFrom) {
   }
   kernel::Grid grid(3);
   for (std::size_t i = 3; i < points.size(); i += 3) grid.include(points.data() + i);
-  CellMemory<3> memory(3);
-  CellStore<3> cells(memory);
   const double last = side - 1;
-  geometry::DelaunayGeometry<3> geometry(memory, {0, 1, 2}, 3, points, grid,
-                                         geometry::Frame({0, 0, 0}, {last, last, last}));
+  Build<3, geometry::DelaunayGeometry<3>> build(3, VertexIds::wide, std::vector<int>{0, 1, 2}, 3, points,
+                                                grid, geometry::Frame({0, 0, 0}, {last, last, last}));
+  CellStore<3>& cells = build.cells();
+  auto& geometry = build.geometry();
+  const Workspace& work = build.workspace();
   geometry.set_rows(num_points);
   std::vector<Index> simplex{1, 2, 3, 4};
   if (geometry.orientation(simplex.data()) == Sign::negative) std::swap(simplex[0], simplex[1]);
-  seed(cells, geometry, simplex);
-  Workspace work;
-  Effort effort;
-  Index start = 0;
+  build.seed(simplex);
   for (Index v = 5; v <= num_points; ++v) {
     std::set<Index> before;
     for (Index cell = 0; cell < cells.num_slots(); ++cell)
       if (!cells.is_vacant(cell)) before.insert(cell);
     const Index slots = cells.num_slots(), vacant = slots - cells.num_cells();
-    ASSERT_EQ(insert(cells, geometry, v, geometry.make_query(geometry.point(v)), start, work, effort), v);
-    start = work.star().back().created;
+    ASSERT_EQ(build.insert(v), v);
 
     const std::set<Index> dead(work.zone.cells.data(), work.zone.cells.data() + work.zone.num_cells);
     std::set<Index> created;

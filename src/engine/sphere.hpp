@@ -1,0 +1,123 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What build.hpp works on: the cells of a triangulated sphere with the geometry that decides about them, and
+// what it takes to copy them or to compute their functionals anew.
+#pragma once
+
+#include "cells/cell_memory.hpp"
+#include "engine/cell_store.hpp"
+#include "engine/create_functionals.hpp"
+#include "engine/geometry_concept.hpp"
+#include "engine/locate.hpp"
+#include "engine/undo_log.hpp"
+#include "engine/workspace.hpp"
+
+#include <delone/types.hpp>
+
+#include <span>
+#include <utility>
+
+namespace delone::engine {
+
+/// K is the dimension of the cells, or 0 when it is chosen at run time.
+template <int K, Geometry G>
+class Sphere {
+ public:
+  using Query = typename G::Query;
+
+  /// No cells yet. `of_geometry`: what a geometry is made from, beside the memory of the cells.
+  template <class... OfGeometry>
+  Sphere(int dimension, VertexIds ids, OfGeometry&&... of_geometry)
+      : memory_(dimension, ids),
+        cells_(memory_),
+        geometry_(memory_, std::forward<OfGeometry>(of_geometry)...) {}
+  Sphere(const Sphere&) = delete;
+  Sphere& operator=(const Sphere&) = delete;
+
+  const CellStore<K>& cells() const { return cells_; }
+  CellStore<K>& cells() { return cells_; }
+  const G& geometry() const { return geometry_; }
+  G& geometry() { return geometry_; }
+  const CellMemory<K>& memory() const { return memory_; }
+  const Effort& effort() const { return effort_; }
+  Effort& effort() { return effort_; }
+  Index num_infinite() const { return num_infinite_; }
+  /// A cell near the last insertion, or where the last walk ended.
+  Index last_cell() const { return work_.last_cell; }
+  std::span<const HorizonFacet> star() const { return work_.star(); }
+  Workspace& workspace() { return work_; }
+  const Workspace& workspace() const { return work_; }
+
+  /// Takes over the cells of another sphere of the same vertices. REQUIRES that this one has none, and a
+  /// geometry made from the same as that of the other.
+  void copy_cells(const Sphere& other) {
+    memory_.copy(other.memory_, other.cells_.num_slots());
+    cells_.copy_slots(other.cells_);
+    num_infinite_ = other.num_infinite_;
+    work_.last_cell = other.work_.last_cell;
+    effort_ = other.effort_;
+  }
+
+  /// What follows can be undone, until it is. Throws std::bad_alloc, and then changes nothing.
+  void begin_batch() {
+    log_.begin(cells_);
+    before_ = {num_infinite_, work_.last_cell, effort_};
+  }
+  void keep_batch() noexcept { log_.end(); }
+  /// Makes the cells those that they were, in their slots. Memory stays, and vertices stay wide.
+  void undo_batch() noexcept {
+    if (!log_.is_on()) return;
+    log_.undo(cells_, geometry_);
+    num_infinite_ = before_.num_infinite;
+    work_.clear();
+    work_.last_cell = before_.last_cell;
+    effort_ = before_.effort;
+  }
+
+  /// Makes room for the functionals of cells of which only the links were written.
+  void prepare_functionals() {
+    memory_.reserve(cells_.num_slots());
+    memory_.prepare(cells_.num_slots());
+  }
+  /// Computes the functionals of all cells anew.
+  void create_functionals() { engine::create_functionals(cells_, geometry_); }
+
+ protected:
+  /// Where a walk to q starts: near the last insertion.
+  Index start_near(const Query& q) const {
+    return work_.star().empty() ? work_.last_cell : start_in_star(geometry_, q, work_.star());
+  }
+  /// After cells were made otherwise than by an insertion.
+  void starts_with(Index num_infinite, Index created) {
+    effort_.created_cells += created;
+    num_infinite_ = num_infinite;
+    work_.clear();
+    work_.last_cell = 0;
+  }
+  /// After a search or a replacement that has failed: there is no star, and there are no marks.
+  void abandon_zone() {
+    unmark(cells_.marks(), work_.zone);
+    work_.clear();
+  }
+  Index count_infinite() const {
+    Index count = 0;
+    for (Index cell = 0; cell < cells_.num_slots(); ++cell)
+      count += !cells_.is_vacant(cell) && geometry_.is_infinite(cell) ? 1 : 0;
+    return count;
+  }
+
+  CellMemory<K> memory_;
+  CellStore<K> cells_;
+  G geometry_;
+  Workspace work_;
+  Effort effort_;
+  Index num_infinite_ = 0;
+  UndoLog<K> log_;
+
+ private:
+  struct {
+    Index num_infinite, last_cell;
+    Effort effort;
+  } before_{};  // the batch
+};
+
+}  // namespace delone::engine

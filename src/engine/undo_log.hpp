@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What makes a batch of insertions all-or-nothing: cells that existed before it are noted when they die.
+//
+// A note is the vertices and neighbors of the cell as they were just before: 8(k + 1) bytes and the cell's
+// id. Undone in reverse order, every slot gets its cell back, and every cell its neighbors. For of two cells
+// A and B that were neighbors before the batch, if any of them dies, let A be the first: then its note names
+// B, and B is in its slot when A is put back, as it survives or has died, and so has been put back, after A
+// did; there it is linked with A. What a note says of neighbors that the batch has made is written over when
+// what was before in the slots of those, and died earlier, is put back.
+#pragma once
+
+#include "base/growable_array.hpp"
+#include "engine/cell_store.hpp"
+#include "engine/create_functionals.hpp"
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace delone::engine {
+
+template <int K>
+class UndoLog {
+ public:
+  bool is_on() const { return is_on_; }
+  std::size_t bytes() const {
+    return notes_.capacity() * sizeof(Index) + was_there_.capacity() * sizeof(std::uint64_t);
+  }
+
+  /// Begins to note. Throws std::bad_alloc, and then changes nothing.
+  void begin(const CellStore<K>& cells) {
+    was_there_.assign((std::size_t{cells.num_slots()} + 63) / 64, 0);
+    for (Index cell = 0; cell < cells.num_slots(); ++cell)
+      was_there_[cell / 64] |= std::uint64_t{!cells.is_vacant(cell)} << cell % 64;
+    num_slots_ = cells.num_slots();
+    num_notes_ = 0;
+    is_on_ = true;
+  }
+  void end() noexcept {
+    is_on_ = false;
+    notes_ = GrowableArray<Index>();
+    was_there_ = std::vector<std::uint64_t>();
+  }
+
+  /// Notes those of the cells that are about to die that were there in the beginning. Throws std::bad_alloc,
+  /// and then changes nothing. A cell that does not die after all is put back as it was.
+  void note(const CellStore<K>& cells, std::span<const Index> dying) {
+    const std::size_t size = size_of_note(cells), needed = (num_notes_ + dying.size()) * size;
+    if (needed > notes_.capacity()) notes_.reserve(needed + needed / 2);
+    for (const Index cell : dying) {
+      if (!was_there(cell)) continue;
+      was_there_[cell / 64] &= ~(std::uint64_t{1} << cell % 64);
+      Index* note = notes_.data() + size * num_notes_++;
+      *note++ = cell;
+      for (int i = 0; i <= cells.dimension(); ++i) *note++ = cells.vertex(cell, i);
+      std::copy_n(cells.neighbors(cell), cells.dimension() + 1, note);
+    }
+  }
+
+  /// Makes the cells those that were there in the beginning, in their slots.
+  template <Geometry G>
+  void undo(CellStore<K>& cells, G& geometry) noexcept {
+    const std::size_t size = size_of_note(cells);
+    for (std::size_t n = num_notes_; n-- > 0;) put_back(cells, notes_.data() + n * size);
+    cells.restore_slots(num_slots_, [&](Index cell) { return was_there(cell); });
+    for (std::size_t n = 0; n < num_notes_; ++n) create_functional(cells, geometry, notes_[n * size]);
+    end();
+  }
+
+ private:
+  static std::size_t size_of_note(const CellStore<K>& cells) {
+    return 1 + 2 * (static_cast<std::size_t>(cells.dimension()) + 1);
+  }
+  bool was_there(Index cell) const {
+    return cell < num_slots_ && (was_there_[cell / 64] >> cell % 64 & 1) != 0;
+  }
+
+  void put_back(CellStore<K>& cells, const Index* note) noexcept {
+    const int k = cells.dimension();
+    const Index cell = note[0];
+    const Index *const vertices = note + 1, *const end = vertices + k + 1, *const neighbors = end;
+    was_there_[cell / 64] |= std::uint64_t{1} << cell % 64;
+    for (int i = 0; i <= k; ++i) cells.set_vertex(cell, i, vertices[i]);
+    std::copy_n(neighbors, k + 1, cells.neighbors(cell));
+    for (int i = 0; i <= k; ++i) {
+      int slot = 0;  // of the neighbor's vertex that is not on the common facet
+      while (slot < k && std::find(vertices, end, cells.vertex(neighbors[i], slot)) != end) ++slot;
+      cells.neighbors(neighbors[i])[slot] = cell;
+    }
+  }
+
+  bool is_on_ = false;
+  Index num_slots_ = 0;
+  std::size_t num_notes_ = 0;
+  GrowableArray<Index> notes_;            // id, vertices, neighbors
+  std::vector<std::uint64_t> was_there_;  // a bit for each slot: a cell was there, and is there
+};
+
+}  // namespace delone::engine

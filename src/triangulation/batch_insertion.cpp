@@ -1,0 +1,268 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "triangulation/batch_insertion.hpp"
+
+#include "base/compiled_dimension.hpp"
+
+#include <algorithm>
+#include <compare>
+#include <new>
+#include <numeric>
+
+namespace delone {
+namespace {
+
+/// Appends rows in an order to `to`, which has room for them.
+void append_in_order(std::span<const double> rows, std::size_t width, std::span<const Index> order,
+                     std::vector<double>& to) {
+  internal::with_compiled_dimension(width, [&](auto fixed_width) {
+    const std::size_t w = fixed_width > 0 ? std::size_t{fixed_width} : width;
+    // Rows are met in no order of their own: they are prefetched long before their turn.
+    constexpr std::size_t ahead = 96, most_in_block = 64;
+    std::vector<double> block(most_in_block * w);  // in the cache: vectors cannot grow without being written
+    for (std::size_t first = 0; first < order.size(); first += most_in_block) {
+      const std::size_t count = std::min(most_in_block, order.size() - first);
+      for (std::size_t i = 0; i < count; ++i) {
+        __builtin_prefetch(rows.data() + order[std::min(first + i + ahead, order.size() - 1)] * w);
+        std::copy_n(rows.data() + order[first + i] * w, w, block.data() + i * w);
+      }
+      to.insert(to.end(), block.begin(), block.begin() + static_cast<std::ptrdiff_t>(count * w));
+    }
+  });
+}
+
+}  // namespace
+
+Triangulation::Impl::BatchInsertion::BatchInsertion(Impl& impl, std::vector<Index> order)
+    : impl_(impl),
+      before_{impl.affine_hull,          impl.points.coordinates.size(),
+              impl.vertex_of_row.size(), impl.row_of_vertex.size(),
+              impl.num_rows_inserted,    impl.only_vertex(),
+              impl.engine != nullptr,    nullptr},
+      order_(std::move(order)),
+      progress_(impl.options.progress, order_.size()) {}
+
+Triangulation::Impl::BatchInsertion::~BatchInsertion() {
+  if (is_done_) return;
+  if (before_.engine)
+    impl_.engine = std::move(before_.engine);
+  else if (before_.had_engine)
+    impl_.engine->undo_batch();
+  else
+    impl_.engine.reset();
+  impl_.affine_hull = std::move(before_.affine_hull);
+  impl_.points.num_waiting = 0;
+  impl_.points.coordinates.resize(before_.num_coordinates);
+  impl_.vertex_of_row.resize(before_.num_rows);
+  impl_.row_of_vertex.resize(before_.num_row_of_vertex);
+  impl_.num_rows_inserted = before_.num_rows_inserted;
+  impl_.only_vertex() = before_.only_vertex;
+}
+
+void Triangulation::Impl::BatchInsertion::take(std::span<const double> rows) {
+  const std::size_t n = order_.size();
+  if (n > max_index - before_.num_rows) throw Error(Errc::too_many, "more points than this build has ids");
+  impl_.vertex_of_row.reserve(before_.num_rows + n);
+  impl_.row_of_vertex.reserve(before_.num_row_of_vertex + n);
+  impl_.cell_of_vertex.reserve(before_.num_row_of_vertex + n);
+  impl_.points.coordinates.reserve(before_.num_coordinates + rows.size() + impl_.row_size());
+  impl_.vertex_of_row.resize(before_.num_rows + n, invalid_vertex);
+  spanning_rows_first(rows);
+  include(rows);
+  append_in_order(rows, impl_.row_size(), order_, impl_.points.coordinates);
+  impl_.points.num_waiting = n;
+}
+
+/// The grid and the box of all rows.
+void Triangulation::Impl::BatchInsertion::include(std::span<const double> rows) {
+  const std::size_t width = impl_.row_size();
+  low_.assign(rows.begin(), rows.begin() + static_cast<std::ptrdiff_t>(width));
+  high_ = low_;
+  for (const double* row = rows.data(); row != rows.data() + rows.size(); row += width) {
+    impl_.points.grid.include(row);
+    for (std::size_t j = 0; j < width; ++j) {
+      low_[j] = std::min(low_[j], row[j]);
+      high_[j] = std::max(high_[j], row[j]);
+    }
+  }
+}
+
+/// Puts the rows that raise the affine dimension before all others.
+void Triangulation::Impl::BatchInsertion::spanning_rows_first(std::span<const double> rows) {
+  kernel::AffineHull span = impl_.affine_hull;
+  for (std::size_t place = 0; place < order_.size() && span.dimension() < impl_.dimension; ++place) {
+    if (!span.add(rows.data() + std::size_t{order_[place]} * impl_.row_size())) continue;
+    const auto first = order_.begin() + static_cast<std::ptrdiff_t>(num_spanning_++),
+               found = order_.begin() + static_cast<std::ptrdiff_t>(place);
+    std::rotate(first, found, found + 1);
+  }
+}
+
+const double* Triangulation::Impl::BatchInsertion::point_at(std::size_t place) const {
+  return impl_.points.coordinates.data() + before_.num_coordinates + place * impl_.row_size();
+}
+
+/// The vertex of the next place. Where there have been duplicates, its point moves up to where it belongs.
+Index Triangulation::Impl::BatchInsertion::next() {
+  if (place_ == order_.size()) return invalid_index;
+  // Where to write vertices has no order of its own: it is prefetched long before its turn.
+  constexpr std::size_t ahead = 64;
+  __builtin_prefetch(impl_.vertex_of_row.data() + row(std::min(place_ + ahead, order_.size() - 1)), 1);
+  const double* const from = point_at(place_++);
+  VertexPoints& points = impl_.points;
+  --points.num_waiting;
+  const Index v = points.last_vertex();
+  double* const to = points.coordinates.data() + std::size_t{v} * points.row_size();
+  if (to != from) [[unlikely]]
+    std::copy_n(from, points.row_size(), to);
+  return v;
+}
+
+void Triangulation::Impl::BatchInsertion::placed(Index v, Index at, bool) {
+  const bool is_duplicate = at != v && at != invalid_index;
+  impl_.points.num_waiting += is_duplicate;
+  impl_.assign(row(place_ - 1), is_duplicate ? at : v);
+  progress_(place_);
+}
+
+void Triangulation::Impl::BatchInsertion::insert_all() {
+  start();
+  if (impl_.engine)
+    impl_.engine->insert_all(*this);
+  else
+    insert_at_only_vertex();
+  finish();
+}
+
+/// The engine that all others are inserted into, if there is one, in a frame of all rows.
+void Triangulation::Impl::BatchInsertion::start() {
+  if (impl_.engine && num_spanning_ == 0) {
+    const geometry::Frame& frame = impl_.engine->frame();
+    if (!frame.contains(low_.data()) || !frame.contains(high_.data())) {
+      impl_.engine->set_frame(impl_.frame_with(low_.data(), high_.data(), 0.0));
+      impl_.landmarks.reset();
+    }
+    impl_.engine->begin_batch();
+  } else if (impl_.engine) {
+    while (place_ < num_spanning_) jump();
+    impl_.landmarks.reset();
+  } else if (num_spanning_ > 0) {
+    seed();
+  }
+}
+
+/// Raises the affine dimension of the engine by the point of the next place. The first engine of all is kept.
+void Triangulation::Impl::BatchInsertion::jump() {
+  const Index v = next();
+  impl_.affine_hull.add(impl_.points.point(v));
+  auto raised = impl_.new_engine(low_.data(), high_.data(), impl_.engine->effort());
+  raised->jump(impl_.complex(), v);
+  std::swap(impl_.engine, raised);
+  if (!before_.engine) before_.engine = std::move(raised);
+  placed(v, v, false);
+}
+
+/// The first simplex, of the spanning rows and the only vertex if there is one.
+void Triangulation::Impl::BatchInsertion::seed() {
+  std::vector<Index> simplex;
+  if (impl_.affine_hull.dimension() == 0) simplex.push_back(impl_.only_vertex());
+  while (place_ < num_spanning_) {
+    const Index v = next();
+    impl_.affine_hull.add(impl_.points.point(v));
+    simplex.push_back(v);
+    placed(v, v, false);
+  }
+  if (impl_.affine_hull.dimension() < 1) {
+    impl_.only_vertex() = simplex.front();
+    return;
+  }
+  impl_.engine = impl_.new_engine(low_.data(), high_.data(), {});
+  if (!wrap(simplex)) impl_.engine->seed(simplex);
+}
+
+/// Creates all cells at once, if that costs less. Returns false, and no vertex has been added, if not, or if
+/// it fails.
+bool Triangulation::Impl::BatchInsertion::wrap(std::span<const Index> simplex) {
+  if (simplex.size() != num_spanning_ || before_.num_coordinates != impl_.row_size() ||
+      !impl_.engine->is_worth_wrapping(order_.size()))
+    return false;
+  std::vector<Index> distinct;
+  try {
+    distinct = merge_duplicates();
+  } catch (const std::bad_alloc&) {  // insertion does with less
+    return false;
+  }
+  order_ = std::move(distinct);
+  VertexPoints& points = impl_.points;
+  points.num_waiting = 0;
+  if (!impl_.engine->wrap([this] { progress_(0); })) {
+    points.num_waiting = order_.size() - place_;
+    return false;
+  }
+  for (; place_ < order_.size(); ++place_) impl_.assign(row(place_), static_cast<Index>(place_) + 1);
+  return true;
+}
+
+/// Moves equal rows together: the first of them stays, in the order of their places, the others are taken out
+/// and noted. Returns the rows that stay.
+std::vector<Index> Triangulation::Impl::BatchInsertion::merge_duplicates() {
+  const std::size_t width = impl_.row_size();
+  const auto compare = [&](std::size_t a, std::size_t b) {
+    return std::lexicographical_compare_three_way(point_at(a), point_at(a) + width, point_at(b),
+                                                  point_at(b) + width);
+  };
+  std::vector<std::size_t> places(order_.size()), first(order_.size());
+  std::iota(places.begin(), places.end(), std::size_t{0});
+  std::sort(places.begin(), places.end(), [&](std::size_t a, std::size_t b) {
+    const auto by_coordinates = compare(a, b);
+    return by_coordinates != 0 ? by_coordinates < 0 : a < b;
+  });
+  std::size_t num_distinct = 0;
+  for (std::size_t i = 0; i < places.size(); ++i) {
+    const bool is_new = i == 0 || compare(places[i - 1], places[i]) != 0;
+    first[places[i]] = is_new ? places[i] : first[places[i - 1]];
+    num_distinct += is_new;
+  }
+  std::vector<Index> distinct;
+  distinct.reserve(num_distinct);
+  duplicates_.reserve(order_.size() - num_distinct);
+  std::vector<double>& coordinates = impl_.points.coordinates;
+  for (std::size_t place = 0; place < order_.size(); ++place) {
+    if (first[place] != place) {
+      duplicates_.emplace_back(order_[place], order_[first[place]]);
+      continue;
+    }
+    std::copy_n(point_at(place), width,
+                coordinates.data() + before_.num_coordinates + distinct.size() * width);
+    distinct.push_back(order_[place]);
+  }
+  coordinates.resize(before_.num_coordinates + num_distinct * width);
+  return distinct;
+}
+
+/// All points are in one place: the heaviest is the vertex, equal ones are duplicates, lighter ones hidden.
+void Triangulation::Impl::BatchInsertion::insert_at_only_vertex() {
+  for (Index v = next(); v != invalid_index; v = next()) {
+    const int heavier = impl_.compare_with_only_vertex(impl_.points.point(v));
+    const Index at = heavier == 0 ? impl_.only_vertex() : heavier > 0 ? v : invalid_index;
+    if (heavier > 0) impl_.only_vertex() = v;
+    placed(v, at, false);
+  }
+}
+
+/// Nothing of it throws.
+void Triangulation::Impl::BatchInsertion::finish() {
+  for (const auto& [row, first] : duplicates_)
+    impl_.assign(before_.num_rows + row, index(impl_.vertex_of_row[before_.num_rows + first]));
+  const Index last = impl_.points.last_vertex();
+  impl_.points.num_waiting = 0;
+  impl_.points.coordinates.resize((std::size_t{last} + 1) * impl_.row_size());
+  if (impl_.engine) impl_.engine->keep_batch();
+  is_done_ = true;
+  before_.engine.reset();
+  order_ = {};
+  impl_.find_cells_of_vertices();
+  const auto before = static_cast<Index>(before_.num_coordinates / impl_.row_size()) - 1;
+  if (impl_.landmarks) impl_.add_landmarks(before + 1, last);
+}
+
+}  // namespace delone

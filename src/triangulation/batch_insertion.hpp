@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// A batch of rows into a triangulation, all of them or none.
+//
+// What insertions share is settled before the first one: the grid, the frame, the affine dimension, and where
+// every point is stored. Only duplicates are met on the way, at the ends of walks, as to sort the rows
+// beforehand costs more; so that ids have no gaps, a vertex gets its id when its turn comes, in next().
+#pragma once
+
+#include "base/progress_meter.hpp"
+#include "triangulation/triangulation_impl.hpp"
+
+#include <cstddef>
+#include <functional>
+#include <memory>
+#include <span>
+#include <utility>
+#include <vector>
+
+namespace delone {
+
+class Triangulation::Impl::BatchInsertion final : public engine::Batch {
+ public:
+  /// `order`: in which rows are to be inserted.
+  BatchInsertion(Impl& impl, std::vector<Index> order);
+  /// Unless all rows have been inserted, everything is as it was.
+  ~BatchInsertion();
+  BatchInsertion(const BatchInsertion&) = delete;
+  BatchInsertion& operator=(const BatchInsertion&) = delete;
+
+  /// Stores the rows: coordinates, and weights where points have weights. They are not needed any more after
+  /// it.
+  void take(std::span<const double> rows);
+  void insert_all();
+
+ private:
+  /// What the batch changes, as it was.
+  struct Before {
+    kernel::AffineHull affine_hull;
+    std::size_t num_coordinates, num_rows, num_row_of_vertex, num_rows_inserted;
+    Index only_vertex;
+    bool had_engine;
+    std::unique_ptr<TriangulationEngine> engine;  ///< if the batch has made another one
+  };
+
+  Index next() override;
+  void placed(Index v, Index at, bool strictly) override;
+
+  void include(std::span<const double> rows);
+  void spanning_rows_first(std::span<const double> rows);
+  void start();
+  void jump();
+  void seed();
+  bool wrap(std::span<const Index> simplex);
+  std::vector<Index> merge_duplicates();
+  void insert_at_only_vertex();
+  void finish();
+
+  std::size_t row(std::size_t place) const { return before_.num_rows + order_[place]; }
+  const double* point_at(std::size_t place) const;
+
+  Impl& impl_;
+  Before before_;
+  std::vector<Index> order_;        // of rows, the places in which they are stored
+  std::vector<double> low_, high_;  // the box of the rows
+  std::size_t num_spanning_ = 0;    // at the first places, each raises the affine dimension
+  std::size_t place_ = 0;           // of the next vertex
+  std::vector<std::pair<Index, Index>>
+      duplicates_;  // of rows, found beforehand, and the rows that they repeat
+  internal::ProgressMeter progress_;
+  bool is_done_ = false;
+};
+
+}  // namespace delone

@@ -1,0 +1,125 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Whatever a batch has done, undone it has not: the same cells in the same slots, with the same neighbors.
+#include "engine/undo_log.hpp"
+
+#include "base/random.hpp"
+#include "engine/build.hpp"
+#include "geometry/delaunay_geometry.hpp"
+#include "kernel/predicates.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numeric>
+#include <utility>
+#include <vector>
+
+namespace delone::engine {
+namespace {
+
+/// Points by their vertices; the engine inserts them in turn.
+template <int K>
+struct Growing {
+  using Geometry = geometry::DelaunayGeometry<K>;
+
+  Growing(Index n, double grid_size, VertexIds ids)
+      : points(K, 0.0), grid(K), build(K, ids, axes(), K, points, grid, frame(grid_size)) {
+    random::Generator random(5);
+    kernel::AffineHull hull(K);
+    std::vector<Index> simplex;
+    for (Index v = 1; v <= n; ++v) {
+      std::vector<double> x(K);
+      for (double& c : x) c = grid_size > 0 ? std::floor(random.uniform() * grid_size) : random.uniform();
+      points.insert(points.end(), x.begin(), x.end());
+      grid.include(x.data());
+      (hull.add(x.data()) ? simplex : others).push_back(v);
+    }
+    build.geometry().set_rows(n);
+    if (build.geometry().orientation(simplex.data()) == Sign::negative) std::swap(simplex[0], simplex[1]);
+    build.seed(simplex);
+  }
+  static std::vector<int> axes() {
+    std::vector<int> all(K);
+    std::iota(all.begin(), all.end(), 0);
+    return all;
+  }
+  static geometry::Frame frame(double size) {
+    return {std::vector<double>(K, 0.0), std::vector<double>(K, std::max(size, 1.0))};
+  }
+  void insert(std::size_t first, std::size_t last) {
+    for (std::size_t i = first; i < last; ++i) build.insert(others[i]);
+  }
+  /// Of each slot the vertices and neighbors of its cell, nothing if it is vacant.
+  std::vector<std::vector<Index>> cells() const {
+    std::vector<std::vector<Index>> all(build.cells().num_slots());
+    for (Index cell = 0; cell < all.size(); ++cell)
+      for (int i = 0; i <= K && !build.cells().is_vacant(cell); ++i) {
+        all[cell].push_back(build.cells().vertex(cell, i));
+        all[cell].push_back(build.cells().neighbors(cell)[i]);
+      }
+    return all;
+  }
+
+  std::vector<double> points;
+  kernel::Grid grid;
+  std::vector<Index> others;
+  Build<K, Geometry> build;
+};
+
+template <int K>
+void expect_undone(double grid_size, VertexIds ids) {
+  SCOPED_TRACE(testing::Message() << K << "D, grid " << grid_size);
+  constexpr Index n = K < 4 ? 200 : 60;
+  Growing<K> once(n, grid_size, ids), undone(n, grid_size, ids);
+  const std::size_t half = once.others.size() / 2, all = once.others.size();
+  once.insert(0, all);
+  undone.insert(0, half);
+  const auto before = undone.cells();
+  const Index num_infinite = undone.build.num_infinite();
+  for (std::size_t last = half; last <= all; last += (all - half) / 3) {
+    undone.build.begin_batch();
+    undone.insert(half, last);
+    if (last == half + (all - half) / 3) undone.build.cells().widen_vertices();
+    undone.build.undo_batch();
+    ASSERT_EQ(undone.cells(), before);
+    EXPECT_EQ(undone.build.num_infinite(), num_infinite);
+    EXPECT_TRUE(undone.build.star().empty());
+    for (Index cell = 0; cell < undone.build.cells().num_slots(); ++cell)
+      EXPECT_TRUE(undone.build.cells().is_vacant(cell) || undone.build.cells().mark(cell) == Mark::unseen);
+  }
+  undone.build.begin_batch();
+  undone.insert(half, all);
+  undone.build.keep_batch();
+  EXPECT_EQ(undone.build.cells().num_cells(), once.build.cells().num_cells());
+  EXPECT_EQ(undone.build.num_infinite(), once.build.num_infinite());
+}
+
+TEST(UndoLog, PutsCellsBackIntoTheirSlots) {
+  for (const double grid_size : {0.0, 4.0}) {
+    expect_undone<2>(grid_size, VertexIds::wide);
+    expect_undone<3>(grid_size, VertexIds::wide);
+    expect_undone<5>(grid_size, VertexIds::narrow);
+  }
+}
+
+TEST(UndoLog, NotesEachCellOnceAndNoneThatIsNew) {
+  Growing<3> growing(300, 0, VertexIds::wide);
+  growing.insert(0, 20);
+  const Index num_cells = growing.build.cells().num_cells();
+  UndoLog<3> log;
+  EXPECT_FALSE(log.is_on());
+  log.begin(growing.build.cells());
+  EXPECT_TRUE(log.is_on());
+  std::vector<Index> all(growing.build.cells().num_slots());
+  std::iota(all.begin(), all.end(), Index{0});
+  log.note(growing.build.cells(), all);
+  const std::size_t bytes = log.bytes();
+  EXPECT_GE(bytes, num_cells * (8 * 4 + 4));
+  for (int again = 0; again < 5; ++again) log.note(growing.build.cells(), all);
+  EXPECT_LE(log.bytes(), 3 * bytes);
+  log.end();
+  EXPECT_EQ(log.bytes(), 0u);
+}
+
+}  // namespace
+}  // namespace delone::engine
