@@ -45,7 +45,7 @@ double clock_seconds();
 /// they are not known.
 double thread_seconds();
 
-/// The size of the first-level data cache in bytes, or 0 if it is not known.
+/// The size of the L1 data cache in bytes, or 0 if it is not known.
 std::size_t first_level_cache();
 
 }  // namespace delone::platform

@@ -27,12 +27,12 @@ class CellStore {
   int dimension() const { return memory_.dimension(); }
   const CellLayout<K>& layout() const { return memory_.layout(); }
 
-  /// Vertices up to `last` may be written from now on. Throws std::bad_alloc, and then changes nothing.
+  /// Allows vertices up to `last` to be written from now on. Throws std::bad_alloc, and then changes nothing.
   void admit_vertices(Index last) {
     if (last > last_narrow_vertex && memory_.layout().is_narrow()) [[unlikely]]
       widen_vertices();
   }
-  /// Makes vertices wide, so that they can be used where they are. Throws as above.
+  /// Makes vertices wide, so that they can be used in place. Throws as above.
   void widen_vertices() { memory_.widen(num_slots_); }
 
   Index vertex(Index cell, int i) const { return memory_.layout().vertex(memory_.links(cell), i); }
@@ -48,7 +48,7 @@ class CellStore {
     else
       return memory_.links(cell);
   }
-  /// The same: where they are, or written to `room`, which has k+1 entries.
+  /// The same, in place or copied to `room`, which has k+1 entries.
   const Index* vertices(Index cell, [[maybe_unused]] Index* room) const {
     if constexpr (may_be_narrow(K)) {
       for (int i = 0; i <= K; ++i) room[i] = vertex(cell, i);
@@ -57,7 +57,7 @@ class CellStore {
       return memory_.links(cell);
     }
   }
-  /// The vertices of a cell where they are. REQUIRES that they are wide.
+  /// The vertices of a cell, in place. REQUIRES that they are wide.
   const Index* wide_vertices(Index cell) const { return memory_.links(cell); }
   Index* wide_vertices(Index cell) { return memory_.links(cell); }
   const Index* neighbors(Index cell) const {
@@ -72,14 +72,14 @@ class CellStore {
     return {memory_.links(0), layout.link_stride(), layout.is_narrow()};
   }
 
-  /// Which vertex, or neighbor, it is. REQUIRES that no two are.
+  /// The slot of a vertex, or neighbor, of a cell. REQUIRES that it is not in two slots.
   int slot_of_vertex(Index cell, Index vertex) const {
     return find([&](int i) { return this->vertex(cell, i) == vertex; });
   }
   int slot_of_neighbor(Index cell, Index neighbor) const {
     return find([all = neighbors(cell), neighbor](int i) { return all[i] == neighbor; });
   }
-  int infinite_slot(Index cell) const {  // without a branch that nothing foretells
+  int infinite_slot(Index cell) const {  // without an unpredictable branch
     const Index* const links = memory_.links(cell);
     const CellLayout<K> layout = memory_.layout();
     int slot = -1;
@@ -88,10 +88,9 @@ class CellStore {
     return slot;
   }
 
-  // Calls of functions that do nothing but prefetch are dropped by GCC as calls without effect, unless it
-  // inlines them early.
+  // GCC drops calls of functions that only prefetch, as having no effect, unless it inlines them early.
 
-  /// Asks for the memory of a cell ahead of its use.
+  /// Prefetches a cell.
   [[gnu::always_inline]] void prefetch(Index cell) const {
     const CellLayout<K> layout = memory_.layout();
     const CellRecords<K> records = memory_.records();
@@ -114,7 +113,7 @@ class CellStore {
     prefetch_bytes(memory_.links(cell), memory_.layout().num_link_ids() * sizeof(Index));
   }
 
-  /// Takes over which slots are vacant; their contents are the memory's.
+  /// Takes over the list of vacant slots; the contents of slots are the memory's.
   void copy_slots(const CellStore& other) {
     num_slots_ = other.num_slots_;
     num_vacant_ = other.num_vacant_;
@@ -162,7 +161,7 @@ class CellStore {
 
   /// A vacant slot. REQUIRES a reserve() that covers it.
   Index allocate() {
-    // Which of the two it is cannot be predicted: there is no branch.
+    // Without a branch, as the case is unpredictable.
     const bool vacant = num_vacant_ > 0;
     const Index mask = Index{0} - static_cast<Index>(vacant);
     const Index cell = (vacant_[num_vacant_ - vacant] & mask) | (num_slots_ & ~mask);
@@ -171,7 +170,7 @@ class CellStore {
     *memory_.records().certificate(cell) = 0;
     return cell;
   }
-  /// A slot behind all others, of which only the links are expected to be written before the next reserve().
+  /// A slot after all others. Only its links may be written before the next reserve().
   /// REQUIRES a reserve_links() that covers it, and no vacant slot.
   Index append() { return num_slots_++; }
   /// Makes a slot vacant. REQUIRES a reserve_vacancies() that covers it.
@@ -216,19 +215,19 @@ class CellStore {
       throw Error(Errc::too_many, "the triangulation has more cells than this build has ids");
     return num_slots_ + fresh;
   }
-  /// For how many to make room where there is room for `present`.
+  /// How many to make room for, if there is room for `present`.
   static std::size_t with_slack(std::size_t slots, std::size_t present) {
     return std::min<std::size_t>(std::max(slots, present + present / 2 + 64), max_index);
   }
 
-  /// Not where they start at a line: lines that are asked for twice cost little, branches more.
+  /// From any start, not that of a line: a line that is prefetched twice costs less than a branch.
   [[gnu::always_inline]] static void prefetch_bytes(const void* first, std::size_t bytes) {
     for (std::size_t byte = 0; byte < bytes; byte += 64)
       __builtin_prefetch(static_cast<const char*>(first) + byte);
     if (bytes % 64 != 0) __builtin_prefetch(static_cast<const char*>(first) + bytes - 1);
   }
 
-  /// Without a branch that depends on the data.
+  /// Without branches that depend on data.
   template <class IsAt>
   int find(IsAt is_at) const {
     int found = 0;

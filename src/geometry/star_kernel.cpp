@@ -32,7 +32,7 @@
 #define DELONE_STAR_BLOCK
 namespace delone::geometry {
 
-/// Facets are processed in blocks that fit in the first-level cache.
+/// Facets are processed in blocks that fit in the L1 cache.
 constexpr std::size_t block_size = 32;
 /// A threshold beyond this fraction of the functional's scale would leave too many tests open.
 constexpr double weakest = 0x1p-7;

@@ -36,7 +36,7 @@ class HalfspaceCone {
   /// The cone is what it was; its box may stay larger.
   void undo_batch() noexcept;
 
-  /// The boundary. Inside of a cell is where the determinant of its rows and of the row asked for is
+  /// The boundary. Inside of a cell is where the determinant of its rows and of the queried row is
   /// positive; for k = 1 cell 0 is so, cell 1 the other way round.
   SimplicialHull hull() const;
   std::vector<std::pair<Index, Index>> coplanar_neighbors(const SimplicialHull& hull) const;

@@ -140,7 +140,7 @@ void sort_by_halves(const Position& start, PointsView points, std::span<Index> r
 
 /// The curve as an automaton: a state for each frame (e, δ). In a cube, the place of a subcube some levels
 /// below gives its number on the curve and the state in it. Each step depends on the one before, so a step
-/// takes as many levels as a table in the first-level cache allows.
+/// takes as many levels as a table in the L1 cache allows.
 template <int D>
 class Automaton {
  public:

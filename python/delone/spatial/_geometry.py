@@ -11,8 +11,8 @@ from delone import _core
 
 
 def paraboloid(points: np.ndarray, scaled: bool, at_infinity: bool) -> tuple[float, float]:
-    """(scale, shift) of the last coordinate of lifted points. Scaled, it covers [0, the largest |coordinate|], including, if
-    asked for, a point at infinity that is a tenth higher than the highest lifted point."""
+    """(scale, shift) of the last coordinate of lifted points. Scaled, it covers [0, the largest |coordinate|], including, with
+    `at_infinity`, a point that is a tenth higher than the highest lifted point."""
     if not scaled:
         return 1.0, 0.0
     with np.errstate(all="ignore"):

@@ -23,7 +23,7 @@ namespace delone::geometry {
 
 namespace {
 
-/// As many blocks as fit the first-level cache, with the heights of a cell.
+/// As many blocks as fit the L1 cache, with the heights of a cell.
 std::size_t blocks_of_a_tile() {
   static const bool is_large = platform::first_level_cache() >= 48 << 10;
   return is_large ? most_tile_blocks : most_tile_blocks / 2;

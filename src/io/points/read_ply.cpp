@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The vertices of a PLY file (Stanford triangle format), ascii and binary of either byte order. Elements
-// before the vertices and properties that are not asked for are skipped, lists included.
+// before the vertices and properties that are not needed are skipped, lists included.
 #include "io/collect.hpp"
 #include "io/file.hpp"
 #include "io/points/read_points.hpp"

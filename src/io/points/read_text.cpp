@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Tables of text: csv and tsv with an optional header and quotes, white space separated rows, and Qhull's
-// form. One pass over the text, numbers are parsed in place; only fields that are asked for are looked at.
+// form. One pass over the text, numbers are parsed in place; only fields that are needed are read.
 #include "io/collect.hpp"
 #include "io/file.hpp"
 #include "io/points/read_points.hpp"
