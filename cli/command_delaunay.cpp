@@ -55,7 +55,7 @@ int run_with(PointTable table, const DelaunayOptions& options, Clock::time_point
     const auto write_start = Clock::now();
     ComplexData data = triangulation.to_data(false);
     data.points = std::move(table.coordinates);
-    write_complex_output(to.output, data, to.output_format);
+    write_output(to.output, data, to.output_format);
     cost.write = seconds_since(write_start);
     cost.close(start);
     if (to.stats) hash = canonical_hash(data).hex();

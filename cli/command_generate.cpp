@@ -47,7 +47,7 @@ int run_generate(const GenerateOptions& options) {
     if (e.code() == Errc::invalid_argument) throw UsageError(e.what());
     throw;
   }
-  write_points_output(options.output, table, options.output_format);
+  write_output(options.output, table, options.output_format);
   return exit_status::ok;
 }
 

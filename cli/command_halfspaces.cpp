@@ -6,7 +6,6 @@
 #include <fmt/format.h>
 
 #include <charconv>
-#include <filesystem>
 #include <limits>
 #include <memory>
 #include <optional>
@@ -52,22 +51,14 @@ std::vector<double> interior_point(const HalfspacesOptions& options, int dimensi
 }
 
 /// Throws what the writing would throw in the end, as far as that is known before the work.
-void check_output(const BuildOptions& options, int dimension) {
-  check_writable(options.output);
-  const std::string name = options.output == "-" ? "standard output" : options.output;
-  std::string format = options.output_format;
-  if (format.empty()) {
-    format = std::filesystem::path(options.output).extension().string();
-    if (options.output == "-" || format.size() < 2)
-      throw Error(Errc::unsupported, name + ": name the format with --output-format");
-    format.erase(0, 1);
-  }
-  if (format == "off" && dimension != 3)
-    throw Error(Errc::unsupported, name + ": format 'off' needs a bounded intersection in dimension 3");
-  if (format != "npz" && format != "json" && format != "off")
-    throw Error(Errc::unsupported,
-                fmt::format("{}: unknown format '{}' for writing an intersection (known: npz, json, off)",
-                            name, format));
+void check_intersection_output(const BuildOptions& options, int dimension) {
+  check_output(options.output, options.output_format,
+               [&](const std::string& nowhere, const std::string& format) {
+                 IntersectionData nothing;
+                 nothing.dimension = dimension;
+                 nothing.bounded = true;
+                 write(nowhere, nothing, format);
+               });
 }
 
 const char* name_of(IntersectionState state) {
@@ -146,7 +137,7 @@ int run_halfspaces(const HalfspacesOptions& options) {
   const int dimension = table.dimension - 1;
   std::vector<double> interior;
   if (!options.interior.empty()) interior = interior_point(options, dimension);
-  if (writes) check_output(build, dimension);
+  if (writes) check_intersection_output(build, dimension);
   ProgressBar bar(build.quiet);
   const auto build_start = Clock::now();
   const HalfspaceIntersection<> found = [&] {
@@ -162,9 +153,7 @@ int run_halfspaces(const HalfspacesOptions& options) {
   bar.clear();
   if (writes) {
     const auto write_start = Clock::now();
-    const StageGuard guard(build.output == "-" ? Stage::plain : Stage::writing);
-    about(build.output == "-" ? "standard output" : build.output,
-          [&] { write_halfspaces(build.output, found.to_data(), build.output_format); });
+    write_output(build.output, found.to_data(), build.output_format);
     cost.write = seconds_since(write_start);
   }
   cost.close(start);

@@ -83,11 +83,6 @@ Summary summary(const Envelope& hull, const Cost& cost, const HullOptions& optio
       .cost(statistics_of(hull), cost);
 }
 
-void write_hull_output(const std::string& path, const HullData& data, const std::string& format) {
-  const StageGuard guard(path == "-" ? Stage::plain : Stage::writing);
-  about(path == "-" ? "standard output" : path, [&] { write_hull(path, data, format); });
-}
-
 /// Writes the output file by `write`, if there is to be one, and reports.
 template <class Hull, class Write>
 int finish(const Hull& hull, const HullOptions& options, Cost cost, Clock::time_point start, Write write) {
@@ -127,7 +122,7 @@ int run_hull(const HullOptions& options) {
     cost.build = seconds_since(build_start);
     bar.clear();
     return finish(hull, options, cost, start,
-                  [&] { write_hull_output(build.output, hull.to_data(), build.output_format); });
+                  [&] { write_output(build.output, hull.to_data(), build.output_format); });
   }
   const HullSide side = options.lower ? HullSide::lower : HullSide::upper;
   const LowerHull<> hull =
@@ -135,10 +130,10 @@ int run_hull(const HullOptions& options) {
   cost.build = seconds_since(build_start);
   bar.clear();
   if (!options.distances.empty())
-    write_points_output(options.distances, {1, hull.height_above(table.coordinates), {"height_above_hull"}},
-                        "");
+    write_output(options.distances,
+                 PointTable{1, hull.height_above(table.coordinates), {"height_above_hull"}}, "");
   return finish(hull, options, cost, start,
-                [&] { write_complex_output(build.output, hull.to_data(), build.output_format); });
+                [&] { write_output(build.output, hull.to_data(), build.output_format); });
 }
 
 }  // namespace

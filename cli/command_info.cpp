@@ -9,6 +9,8 @@
 #include <filesystem>
 #include <memory>
 #include <optional>
+#include <string_view>
+#include <variant>
 
 namespace delone::cli {
 namespace {
@@ -17,16 +19,16 @@ struct InfoOptions {
   PointInput input;
 };
 
-/// The triangulation in the file, if its format can hold one. An OFF file without faces holds points.
-std::optional<ComplexData> try_read_complex(const std::string& path, std::string format) {
+/// What the file holds, if its format can hold anything but points. An OFF file without faces holds points.
+std::optional<AnyData> try_read(const std::string& path, std::string format) {
   if (format.empty()) format = std::filesystem::path(path).extension().string();
   if (!format.empty() && format[0] == '.') format.erase(0, 1);
   if (path == "-" || std::find(readable_complex_formats().begin(), readable_complex_formats().end(),
                                format) == readable_complex_formats().end())
     return std::nullopt;
-  if (format != "off") return about(path, [&] { return read_complex(path, format); });
+  if (format != "off") return about(path, [&] { return delone::read(path, format); });
   try {
-    ComplexData data = read_complex(path, format);
+    ComplexData data = read_as<ComplexData>(path, format);
     if (data.num_cells() == 0) return std::nullopt;
     return data;
   } catch (const Error&) {
@@ -34,41 +36,93 @@ std::optional<ComplexData> try_read_complex(const std::string& path, std::string
   }
 }
 
+/// A title, and a line for each number.
+class Description {
+ public:
+  explicit Description(const std::string& title) : text_(title + "\n") {}
+  template <class Value>
+  Description& line(std::string_view what, const Value& value) {
+    text_ += fmt::format("  {:<18}{}\n", what, value);
+    return *this;
+  }
+  Description& range(std::string_view what, double low, double high) {
+    return line(what, fmt::format("{} ... {}", low, high));
+  }
+  Description& range(std::string_view what, const std::vector<double>& values) {
+    if (values.empty()) return *this;
+    const auto [low, high] = std::minmax_element(values.begin(), values.end());
+    return range(what, *low, *high);
+  }
+  const std::string& text() const { return text_; }
+
+ private:
+  std::string text_;
+};
+
 std::string describe(const ComplexData& data) {
-  std::string text;
-  const auto line = [&](const char* what, const std::string& value) {
-    text += fmt::format("  {:<18}{}\n", what, value);
-  };
-  line("points", fmt::format("{}", data.num_points()));
-  line("dimension", fmt::format("{}", data.dimension));
-  line("affine dimension", fmt::format("{}", data.affine_dimension));
-  line("cells", fmt::format("{}", data.num_cells()));
-  line("neighbors", data.neighbors.empty() && data.num_cells() > 0 ? "not stored" : "stored");
+  Description description("a triangulation");
+  description.line("points", data.num_points())
+      .line("dimension", data.dimension)
+      .line("affine dimension", data.affine_dimension)
+      .line("cells", data.num_cells())
+      .line("neighbors", data.neighbors.empty() && data.num_cells() > 0 ? "not stored" : "stored");
   if (!data.vertex_of_point.empty()) {
     std::size_t vertices = 0;
     for (std::size_t i = 0; i < data.vertex_of_point.size(); ++i)
       vertices += data.vertex_of_point[i] == static_cast<SignedIndex>(i) ? 1 : 0;
-    line("vertices", fmt::format("{}", vertices));
+    description.line("vertices", vertices);
     const auto hidden = std::count(data.vertex_of_point.begin(), data.vertex_of_point.end(), -1);
-    if (hidden > 0) line("hidden points", fmt::format("{}", hidden));
+    if (hidden > 0) description.line("hidden points", hidden);
   }
-  if (!data.weights.empty()) {
-    const auto [low, high] = std::minmax_element(data.weights.begin(), data.weights.end());
-    line("weights", fmt::format("{} ... {}", *low, *high));
-  }
-  line("hash", canonical_hash(data).hex());
-  return text;
+  return description.range("weights", data.weights).line("hash", canonical_hash(data).hex()).text();
+}
+
+std::string describe(const HullData& data) {
+  return Description("a convex hull")
+      .line("points", data.num_points())
+      .line("dimension", data.dimension)
+      .line("affine dimension", data.affine_dimension)
+      .line("vertices", data.vertices.size())
+      .line("facets", data.num_facets())
+      .line("ridges", data.num_ridges())
+      .line("cells", data.num_cells())
+      .text();
+}
+
+std::string describe(const IntersectionData& data) {
+  Description description("an intersection of halfspaces");
+  description.line("halfspaces", data.num_halfspaces()).line("dimension", data.dimension);
+  if (data.state != IntersectionState::full)
+    return description.line("state", data.state == IntersectionState::flat ? "flat" : "empty").text();
+  return description.line("rank", data.rank)
+      .line("bounded", data.bounded ? "yes" : "no")
+      .line("vertices", data.num_vertices())
+      .line("directions", data.num_directions())
+      .line("edges", data.num_edges())
+      .line("rays", data.num_rays())
+      .line("facets", data.num_facets())
+      .text();
+}
+
+std::string describe(const VoronoiData& data) {
+  return Description(data.weights.empty() ? "a Voronoi diagram" : "a power diagram")
+      .line("points", data.num_points())
+      .line("dimension", data.dimension)
+      .line("affine dimension", data.affine_dimension)
+      .line("regions", data.num_regions())
+      .line("vertices", data.num_vertices())
+      .line("ridges", data.num_ridges())
+      .line("rays", data.num_rays())
+      .range("weights", data.weights)
+      .text();
 }
 
 std::string describe(const PointTable& table) {
-  std::string text;
-  const auto line = [&](const std::string& what, const std::string& value) {
-    text += fmt::format("  {:<18}{}\n", what, value);
-  };
-  line("points", fmt::format("{}", table.num_points()));
-  line("dimension", fmt::format("{}", table.dimension));
-  line("affine dimension",
-       fmt::format("{}", table.dimension < 1 ? -1 : affine_dimension(table.coordinates, table.dimension)));
+  Description description("points");
+  description.line("points", table.num_points())
+      .line("dimension", table.dimension)
+      .line("affine dimension",
+            table.dimension < 1 ? -1 : affine_dimension(table.coordinates, table.dimension));
   const auto d = static_cast<std::size_t>(std::max(table.dimension, 0));
   constexpr std::size_t most_axes = 12;
   for (std::size_t axis = 0; axis < std::min(d, most_axes) && !table.coordinates.empty(); ++axis) {
@@ -78,20 +132,20 @@ std::string describe(const PointTable& table) {
       high = std::max(high, table.coordinates[i]);
     }
     const bool named = axis < table.column_names.size();
-    line(named ? table.column_names[axis] : fmt::format("axis {}", axis),
-         fmt::format("{} ... {}", low, high));
+    description.range(named ? table.column_names[axis] : fmt::format("axis {}", axis), low, high);
   }
-  return text;
+  return description.text();
 }
 
 int run_info(const InfoOptions& options) {
   const std::string name = input_name(options.input.path);
-  if (const auto data = try_read_complex(options.input.path, options.input.options.format)) {
-    print_output(about(name, [&] { return fmt::format("{}: a triangulation\n{}", name, describe(*data)); }));
-  } else {
-    const PointTable table = options.input.read();
-    print_output(about(name, [&] { return fmt::format("{}: points\n{}", name, describe(table)); }));
-  }
+  const auto print = [&](const auto& held) {
+    print_output(about(name, [&] { return fmt::format("{}: {}", name, describe(held)); }));
+  };
+  if (const auto data = try_read(options.input.path, options.input.options.format))
+    std::visit(print, *data);
+  else
+    print(options.input.read());
   return exit_status::ok;
 }
 
@@ -99,7 +153,8 @@ int run_info(const InfoOptions& options) {
 
 Run add_info(CLI::App& app) {
   auto options = std::make_shared<InfoOptions>();
-  app.add_option("FILE", options->input.path, "Points or a triangulation; - for points from standard input")
+  app.add_option("FILE", options->input.path,
+                 "Points, or whatever delone writes; - for points from standard input")
       ->required()
       ->type_name("");
   std::vector<std::string> formats = point_formats();

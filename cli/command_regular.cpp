@@ -45,7 +45,7 @@ int run_regular(const RegularOptions& options) {
   cost.build = seconds_since(stage_start);
 
   stage_start = Clock::now();
-  if (writes) write_complex_output(build.output, triangulation.to_data(), build.output_format);
+  if (writes) write_output(build.output, triangulation.to_data(), build.output_format);
   cost.write = seconds_since(stage_start);
   cost.close(start);
   const auto counts = [&] { return counts_of(triangulation, triangulation.hash().hex()); };

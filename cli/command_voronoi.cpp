@@ -7,7 +7,6 @@
 #include <fmt/format.h>
 
 #include <cmath>
-#include <filesystem>
 #include <memory>
 #include <optional>
 #include <utility>
@@ -49,24 +48,12 @@ std::optional<Box> chosen_box(const VoronoiOptions& options, int dimension) {
 
 /// Throws what the writing would throw in the end, before the work.
 void check_outputs(const VoronoiOptions& options, int dimension) {
-  for (const std::string& path : {options.build.output, options.volumes})
-    if (!path.empty()) check_writable(path);
+  if (!options.volumes.empty()) check_writable(options.volumes);
   if (options.build.output.empty()) return;
-  const std::string name = options.build.output == "-" ? "standard output" : options.build.output;
-  std::string format = options.build.output_format;
-  if (format.empty()) {
-    format = std::filesystem::path(options.build.output).extension().string();
-    if (options.build.output == "-" || format.size() < 2)
-      throw Error(Errc::unsupported, name + ": name the format with --output-format");
-    format.erase(0, 1);
-  }
-  try {
-    write_voronoi("/dev/null", Voronoi(Delaunay<>(dimension)), nullptr, format);
-  } catch (const Error& e) {
-    std::string message = e.what();
-    if (message.rfind("/dev/null", 0) == 0) message.replace(0, 9, name);
-    throw Error(e.code(), message);
-  }
+  check_output(options.build.output, options.build.output_format,
+               [&](const std::string& nowhere, const std::string& format) {
+                 write(nowhere, Voronoi(Delaunay<>(dimension)), std::nullopt, format);
+               });
 }
 
 Json stats(const Triangulation& t, const Diagram& diagram, const Cost& cost, const VoronoiOptions& options) {
@@ -129,7 +116,7 @@ int run_with(Build build, const std::optional<Box>& box, Cost cost, Clock::time_
 
   stage_start = Clock::now();
   if (!options.build.output.empty())
-    write_voronoi_output(options.build.output, diagram, box ? &*box : nullptr, options.build.output_format);
+    write_output(options.build.output, diagram, box, options.build.output_format);
   if (!options.volumes.empty()) write_text(options.volumes, volumes);
   cost.write = seconds_since(stage_start);
   cost.close(start);

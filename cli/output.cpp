@@ -33,14 +33,24 @@ int put(std::FILE* file, std::string_view text) {
   return written ? (finished ? 0 : errno) : error;
 }
 
-/// Only regular files can be left behind half written.
+}  // namespace
+
+std::string output_name(const std::string& path) { return path == "-" ? "standard output" : path; }
+
+std::string chosen_format(const std::string& path, const std::string& format) {
+  if (!format.empty()) return format;
+  const std::string extension = fs::path(path).extension().string();
+  if (path == "-" || extension.size() < 2)
+    throw Error(Errc::unsupported, output_name(path) + ": name the format with --output-format");
+  return extension.substr(1);
+}
+
+// Only regular files can be left behind half written.
 Stage stage_of_writing(const std::string& path) {
   std::error_code ignored;
   const fs::file_status status = fs::status(path, ignored);
   return path != "-" && (!fs::exists(status) || fs::is_regular_file(status)) ? Stage::writing : Stage::plain;
 }
-
-}  // namespace
 
 void print_output(std::string_view text) {
   if (const int error = put(stdout, text); error != 0) fail_writing("standard output", error);
@@ -70,22 +80,6 @@ void write_text(const std::string& path, std::string_view text) {
   }
 }
 
-void write_complex_output(const std::string& path, const ComplexData& data, const std::string& format) {
-  const StageGuard guard(stage_of_writing(path));
-  about(path == "-" ? "standard output" : path, [&] { write_complex(path, data, format); });
-}
-
-void write_voronoi_output(const std::string& path, const Diagram& diagram, const Box* box,
-                          const std::string& format) {
-  const StageGuard guard(stage_of_writing(path));
-  about(path == "-" ? "standard output" : path, [&] { write_voronoi(path, diagram, box, format); });
-}
-
-void write_points_output(const std::string& path, const PointTable& points, const std::string& format) {
-  const StageGuard guard(stage_of_writing(path));
-  about(path == "-" ? "standard output" : path, [&] { write_points(path, points, format); });
-}
-
 void check_writable(const std::string& path) {
   if (path == "-") return;
   std::error_code ignored;
@@ -100,20 +94,11 @@ void check_writable(const std::string& path) {
 }
 
 void check_complex_output(const std::string& path, const std::string& format, int dimension) {
-  const std::string extension = fs::path(path).extension().string();
-  ComplexData nothing;
-  nothing.dimension = dimension;
-  if (format.empty() && (path == "-" || extension.size() < 2))
-    throw Error(Errc::unsupported,
-                (path == "-" ? "standard output" : path) + ": name the format with --output-format");
-  try {
-    write_complex("/dev/null", nothing, format.empty() ? extension.substr(1) : format);
-  } catch (const Error& e) {
-    std::string message = e.what();
-    if (message.rfind("/dev/null", 0) == 0) message.replace(0, 9, path == "-" ? "standard output" : path);
-    throw Error(e.code(), message);
-  }
-  check_writable(path);
+  check_output(path, format, [&](const std::string& nowhere, const std::string& chosen) {
+    ComplexData nothing;
+    nothing.dimension = dimension;
+    write(nowhere, nothing, chosen);
+  });
 }
 
 }  // namespace delone::cli

@@ -3,10 +3,14 @@
 // early checks of outputs, so that hours of work do not end in a misspelt path.
 #pragma once
 
+#include "command.hpp"
+#include "interrupt.hpp"
+
 #include <delone/delone.hpp>
 
 #include <string>
 #include <string_view>
+#include <type_traits>
 
 namespace delone::cli {
 
@@ -16,17 +20,46 @@ void print_output(std::string_view text);
 /// Text to a file, or to standard output for "-". Throws cannot_write; an existing file stays as it was then.
 void write_text(const std::string& path, std::string_view text);
 
-/// Writes a triangulation so that Ctrl-C leaves no partial file.
-void write_complex_output(const std::string& path, const ComplexData& data, const std::string& format);
-void write_voronoi_output(const std::string& path, const Diagram& diagram, const Box* box,
-                          const std::string& format);
-void write_points_output(const std::string& path, const PointTable& points, const std::string& format);
+/// A path as messages name it.
+std::string output_name(const std::string& path);
 
-/// Throws what write_complex() would throw in the end: an unknown format, one that does not suit the
-/// dimension, a folder that is missing or not writable.
-void check_complex_output(const std::string& path, const std::string& format, int dimension);
+/// The format that was chosen, or else the extension of the path. Throws unsupported if there is neither.
+std::string chosen_format(const std::string& path, const std::string& format);
+
+/// Whether Ctrl-C has a partial file to remove while this path is written to.
+Stage stage_of_writing(const std::string& path);
+
+/// Writes points, or data of another kind, so that Ctrl-C leaves no partial file: write(path, data...).
+template <class Data, class... Details>
+void write_output(const std::string& path, const Data& data, const Details&... details) {
+  const StageGuard guard(stage_of_writing(path));
+  about(output_name(path), [&] {
+    if constexpr (std::is_same_v<Data, PointTable>)
+      write_points(path, data, details...);
+    else
+      write(path, data, details...);
+  });
+}
 
 /// Throws cannot_write if no file can be made at that path.
 void check_writable(const std::string& path);
+
+/// Throws what the writing would throw in the end: an unknown format, one that does not suit the dimension, a
+/// folder that is missing or not writable. `write_nothing(path, format)` writes an empty result.
+template <class WriteNothing>
+void check_output(const std::string& path, const std::string& format, WriteNothing write_nothing) {
+  const std::string chosen = chosen_format(path, format);
+  try {
+    write_nothing("/dev/null", chosen);
+  } catch (const Error& e) {
+    std::string message = e.what();
+    if (message.rfind("/dev/null", 0) == 0) message.replace(0, 9, output_name(path));
+    throw Error(e.code(), message);
+  }
+  check_writable(path);
+}
+
+/// The same for a triangulation or a hull of points of this dimension.
+void check_complex_output(const std::string& path, const std::string& format, int dimension);
 
 }  // namespace delone::cli

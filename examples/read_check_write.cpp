@@ -16,11 +16,11 @@ int main(int argc, char** argv) {
   try {
     const delone::PointTable points = delone::read_points(input);
     const delone::Delaunay<> triangulation(points.coordinates, points.dimension);
-    delone::write_complex(output, triangulation.to_data());
+    delone::write(output, triangulation.to_data());
 
     // The file holds all that `check` needs; it finds faults in the triangulations of other programs just as
     // well.
-    const delone::ComplexData data = delone::read_complex(output);
+    const delone::ComplexData data = delone::read_as<delone::ComplexData>(output);
     const delone::CheckReport report = delone::check(data);
     std::cout << input << ": " << data.num_points() << " points, " << data.num_cells() << " cells\n";
     std::cout << output << ": " << (report.ok ? "is the Delaunay triangulation" : report.violation) << '\n';

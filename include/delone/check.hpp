@@ -1,53 +1,110 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The six levels of exact checks of a Delaunay, regular or furthest-site triangulation, our own or anybody's.
+// Exact checks of results, our own or anybody's: triangulations, convex hulls, intersections of halfspaces,
+// Voronoi and power diagrams.
 #pragma once
 
-#include <delone/complex.hpp>
+#include <delone/data.hpp>
 
 #include <cstddef>
+#include <limits>
+#include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace delone {
 
-enum class CheckLevel : int {
-  storage = 1,  ///< array sizes; rows and neighbors in range; no repeated vertex in a cell
-  incidence =
-      2,  ///< neighbors are mutual and share the facet; each facet in at most two cells; coherent orientation
-  sphere = 3,  ///< with the infinite cells: links of all vertices are connected, Euler characteristic of a
-               ///< k-sphere
-  volume = 4,  ///< every finite cell has positive volume, exactly (all of one sign when k < d)
-  local_convexity = 5,  ///< no facet has the opposite vertex of its neighbor inside the sphere, hull facets
-                        ///< are convex: exactly
-  completeness = 6,     ///< every input point is a vertex or a duplicate of one; affine dimension is right
+/// One of the levels of check(), each of which presupposes those before it.
+struct CheckLevel {
+  int number = 0;            ///< from 1 on
+  std::string_view name;     ///< "storage", …
+  std::string_view meaning;  ///< what it examines, in half a line
 };
 
+/// The levels of this kind of data, from 1 on.
+template <PlainData Data>
+std::span<const CheckLevel> check_levels();
+
 struct CheckOptions {
-  CheckLevel up_to = CheckLevel::completeness;
-  /// Ask for the one triangulation that the symbolic perturbation selects among those that ties allow.
+  static constexpr int all = std::numeric_limits<int>::max();
+  /// The number of the highest level to examine; `all`, and every number beyond the last level, is the last.
+  int up_to = all;
+
+  // The rest is for triangulations; of other data they must be as they are here.
+
+  /// Require the one triangulation that the symbolic perturbation selects among those that ties allow.
   bool canonical = false;
-  /// Ask that cells are oriented: coherently, and positively when k = d. Without, cells are sets of vertices
-  /// (Qhull and SciPy do not orient theirs), and level 4 asks that neighbors lie on different sides of their
-  /// common facet.
+  /// Require cells that are oriented: coherently, and positively when k = d. Without, cells are sets of
+  /// vertices (Qhull and SciPy do not orient theirs), and level 4 requires that neighbors lie on different
+  /// sides of their common facet.
   bool oriented = true;
-  /// Ask for a furthest-site Delaunay triangulation: no point outside the sphere of a cell; points that are
+  /// Require a furthest-site Delaunay triangulation: no point outside the sphere of a cell; points that are
   /// not extreme are no vertices.
   bool furthest_site = false;
 };
 
 struct CheckReport {
   bool ok = false;
-  CheckLevel reached =
-      CheckLevel::storage;  ///< the highest level examined: the failing one, or the last one asked for
-  std::string violation;    ///< the first violation, naming cells (rows of `cells`) and points; empty when ok
-  std::vector<std::size_t> cells;   ///< the cells concerned
-  std::vector<std::size_t> points;  ///< the points concerned
-  std::size_t ties = 0;             ///< facets whose two cells are exactly cospherical (level 5)
+  CheckLevel reached;     ///< the highest level examined: the failing one, or the last that was wanted
+  std::string violation;  ///< the first violation, naming rows of arrays; empty when ok
+  /// The rows of arrays that the violation is about, by kind.
+  std::vector<std::size_t> cells, points, vertices, halfspaces;
+  /// Triangulations: facets whose two cells are exactly cospherical (found at level 5). Hulls: ridges whose
+  /// two cells lie in one hyperplane (level 3).
+  std::size_t ties = 0;
 };
 
-/// Examines level after level, stopping at the first violation. Unknown neighbors are derived from the cells
-/// first. Levels 1–5 together prove the empty-sphere property of every cell against every vertex. Cost
-/// O(m·k³) and more where exact arithmetic is needed.
+/// Examines data level after level, stopping at the first violation. Errors: invalid_argument (up_to < 1, or
+/// options of triangulations for other data), out_of_memory.
+///
+/// Triangulations. Unknown neighbors are derived from the cells first. Levels 1–5 together prove the
+/// empty-sphere property of every cell against every vertex. Cost O(m·k³), and more where exact arithmetic is
+/// needed.
+///   1 storage          array sizes; rows and neighbors in range; no repeated vertex in a cell
+///   2 incidence        neighbors are mutual and share the facet; each facet in at most two cells; coherent
+///                      orientation
+///   3 sphere           with the infinite cells: links of all vertices are connected, Euler characteristic of
+///                      a k-sphere
+///   4 volume           every finite cell has positive volume, exactly (all of one sign when k < d)
+///   5 local convexity  no facet has the opposite vertex of its neighbor inside the sphere, hull facets are
+///                      convex: exactly
+///   6 completeness     every input point is a vertex or a duplicate of one; affine dimension is right
 CheckReport check(const ComplexData& data, const CheckOptions& options = {});
+
+/// Convex hulls. Levels 1–4 prove that the cells are the boundary of the convex hull of all points. Needs
+/// points and cells; unknown neighbors, facets and kinds are not examined. Cost O(n·m·k).
+///   1 storage          array sizes; rows, neighbors and facets in range; no repeated vertex in a cell
+///   2 incidence        every ridge in exactly two cells, neighbors mutual, coherent orientation, connected
+///   3 convexity        no cell is flat; the boundary is convex at every ridge between two cells, exactly
+///   4 support          every point is inside or on the hyperplane of every cell, exactly; the cells cover
+///                      the boundary once
+///   5 completeness     facets, extreme rows and kinds of points are those of the polytope; the affine
+///                      dimension is right
+CheckReport check(const HullData& data, const CheckOptions& options = {});
+
+/// Intersections of halfspaces, in integers and independently of how they were made; `lineality` and the dual
+/// arrays, which are rounded, are not examined. The graph of a polyhedron is connected, so level 3 proves
+/// that no vertex is missing. Flat and empty intersections are examined by their witness only. Cost: v·m
+/// determinants for level 2; for level 3 the number of (k−1)-subsets of the rows of each vertex, times their
+/// number: k where k facets meet, many in very degenerate vertices.
+///   1 storage          array sizes; rows, vertices and directions in range
+///   2 support          the rows of each vertex meet in one point that satisfies all rows, and its coordinates
+///                      are that point, rounded; the same for directions; all exactly
+///   3 completeness     every edge at every vertex is listed and leads to a listed vertex or direction; facets
+///                      and kinds are right: so nothing is missing
+CheckReport check(const IntersectionData& data, const CheckOptions& options = {});
+
+/// Voronoi diagrams, and power diagrams if there are weights. Numbers of vertices and regions, the order of
+/// ridges and rays and where cyclic lists start are free; so are directions around lists when k < d. From
+/// level 2 on the points are triangulated anew, that triangulation is examined, and the arrays are compared
+/// with its diagram: vertices by their sets of regions, rays by the sites of their hull facets, exactly.
+/// Cost: that of triangulating and of checking the triangulation. Further errors: bad_dimension, not_finite.
+///   1 storage          array sizes; rows and vertices in range; −1 only first; nothing twice in a list
+///   2 regions          each point is in the region of its site, or hidden; the vertices of all regions, in
+///                      their order for k = 2
+///   3 vertices         each coordinate is the double nearest to that of the exact centre
+///   4 ridges           the pairs of regions with a common facet, its vertices, in their order for k = 3
+///   5 rays             the unbounded edges and their sites; directions up to 2⁻³⁰
+CheckReport check(const VoronoiData& data, const CheckOptions& options = {});
 
 }  // namespace delone

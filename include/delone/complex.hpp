@@ -12,25 +12,7 @@
 
 namespace delone {
 
-/// A plain, owning triangulation: what files hold and what `check` examines. Rows are input rows (0-based).
-struct ComplexData {
-  int dimension = 0;               ///< d, coordinates per point
-  int affine_dimension = -1;       ///< k, dimension of the affine hull of the points; −1 when there is none
-  std::vector<double> points;      ///< n×d, as given
-  std::vector<SignedIndex> cells;  ///< m×(k+1), point rows; positively oriented when k = d
-  std::vector<SignedIndex>
-      neighbors;  ///< m×(k+1), neighbor i is opposite vertex i; −1 beyond the hull. May be empty: unknown
-  std::vector<SignedIndex> vertex_of_point;  ///< n, the row each point was merged into (itself for a vertex;
-                                             ///< −1: hidden). May be empty: unknown
-  std::vector<double> weights{};             ///< n, of a regular triangulation; empty: points have no weights
-
-  std::size_t num_points() const {
-    return dimension < 1 ? 0 : points.size() / static_cast<std::size_t>(dimension);
-  }
-  std::size_t num_cells() const {
-    return affine_dimension < 0 ? 0 : cells.size() / (static_cast<std::size_t>(affine_dimension) + 1);
-  }
-};
+struct ComplexData;
 
 /// A read-only view of a simplicial complex that triangulates the sphere S^k: the finite cells of a
 /// triangulation of affine dimension k, and one infinite cell per hull facet, which joins the facet to the

@@ -4,59 +4,19 @@
 #pragma once
 
 #include <delone/complex.hpp>
+#include <delone/data.hpp>
 #include <delone/error.hpp>
 #include <delone/options.hpp>
 #include <delone/points.hpp>
 #include <delone/types.hpp>
 
 #include <cstddef>
-#include <cstdint>
 #include <memory>
 #include <span>
-#include <string>
 #include <utility>
 #include <vector>
 
 namespace delone {
-
-/// What an input row is to the hull. Exactly one of them holds.
-enum class PointKind : std::uint8_t {
-  extreme,    ///< a vertex of the polytope: in no segment between two other points of the hull
-  boundary,   ///< on the boundary, in the relative interior of a face of dimension 1 … k−1
-  interior,   ///< in the interior (of the hull within its flat)
-  duplicate,  ///< equal to an earlier row, which has a kind of its own
-};
-
-/// A convex hull as plain arrays. Rows are input rows (0-based); k is the affine dimension.
-///
-/// A *cell* is a simplex of the boundary, k vertices; a *facet* is a facet of the polytope, which consists of
-/// one cell or, where more than k points lie in its hyperplane, of several. Faces are given by their extreme
-/// rows, increasing.
-struct HullData {
-  int dimension = 0;           ///< d
-  int affine_dimension = -1;   ///< k
-  std::vector<double> points;  ///< n×d, as given; may be left out
-  std::vector<SignedIndex>
-      cells;  ///< m×k: for x inside, (x, vertices of a cell) is positively oriented on the axes
-  std::vector<SignedIndex> neighbors;      ///< m×k cells: neighbor i is across the ridge opposite vertex i
-  std::vector<SignedIndex> facet_of_cell;  ///< m, the facet each cell is part of
-  std::vector<SignedIndex> facet_offsets,
-      facet_vertices;  ///< facet f: facet_vertices[facet_offsets[f] … facet_offsets[f+1]]
-  std::vector<SignedIndex> ridge_facets;  ///< r×2, the two facets that meet in each ridge, increasing
-  std::vector<SignedIndex> ridge_offsets, ridge_vertices;  ///< as for facets
-  std::vector<double> equations;             ///< f×(d+1): unit outward normal, offset; ≤ 0 inside
-  std::vector<double> equation_errors;       ///< f; see Polytope::data()
-  std::vector<SignedIndex> vertices;         ///< the extreme rows, increasing
-  std::vector<SignedIndex> vertex_of_point;  ///< n, the first row that is equal to each row
-  std::vector<PointKind> point_kinds;        ///< n
-
-  std::size_t num_points() const { return vertex_of_point.size(); }
-  std::size_t num_cells() const {
-    return affine_dimension < 1 ? 0 : cells.size() / static_cast<std::size_t>(affine_dimension);
-  }
-  std::size_t num_facets() const { return facet_offsets.empty() ? 0 : facet_offsets.size() - 1; }
-  std::size_t num_ridges() const { return ridge_facets.size() / 2; }
-};
 
 /// A length, area or volume: the exact one differs from `value` by at most `error`.
 struct Measure {
@@ -235,29 +195,5 @@ ConvexHull(Points&&, int, const Options& = {}) -> ConvexHull<dynamic>;
 template <class Points>
 requires(detail::dimension_of_range<Points>() > 0) ConvexHull(Points&&, const Options& = {})
 ->ConvexHull<detail::dimension_of_range<Points>()>;
-
-enum class HullCheckLevel : int {
-  storage = 1,    ///< array sizes; rows, neighbors and facets in range; no repeated vertex in a cell
-  incidence = 2,  ///< every ridge in exactly two cells, neighbors mutual, coherent orientation, connected
-  convexity = 3,  ///< no cell is flat; the boundary is convex at every ridge between two cells, exactly
-  support = 4,    ///< every point is inside or on the hyperplane of every cell, exactly; the cells cover the
-                  ///< boundary once
-  completeness = 5,  ///< facets, extreme rows and kinds of points are those of the polytope; the affine
-                     ///< dimension is right
-};
-
-struct HullCheckReport {
-  bool ok = false;
-  HullCheckLevel reached = HullCheckLevel::storage;  ///< the highest level examined
-  std::string violation;            ///< the first violation, naming cells and points; empty when ok
-  std::vector<std::size_t> cells;   ///< the cells concerned
-  std::vector<std::size_t> points;  ///< the points concerned
-  std::size_t coplanar_ridges = 0;  ///< ridges whose two cells lie in one hyperplane (level 3)
-};
-
-/// Examines a hull, level after level, stopping at the first violation. Levels 1–4 prove that the cells are
-/// the boundary of the convex hull of all points. Needs points and cells; unknown neighbors, facets and kinds
-/// are not examined. Cost O(n·m·k).
-HullCheckReport check_hull(const HullData& data, HullCheckLevel up_to = HullCheckLevel::completeness);
 
 }  // namespace delone

@@ -3,106 +3,18 @@
 // polyhedron that is given by inequalities.
 #pragma once
 
+#include <delone/data.hpp>
 #include <delone/error.hpp>
 #include <delone/options.hpp>
 #include <delone/points.hpp>
 #include <delone/types.hpp>
 
 #include <cstddef>
-#include <cstdint>
 #include <memory>
 #include <span>
-#include <string>
 #include <vector>
 
 namespace delone {
-
-/// What the points that satisfy all inequalities are.
-enum class IntersectionState : std::uint8_t {
-  full,   ///< a polyhedron with interior points
-  flat,   ///< some points, but none strictly inside all halfspaces: they lie in a hyperplane
-  empty,  ///< none
-};
-
-/// What a row is to the intersection. Exactly one of them holds.
-enum class HalfspaceKind : std::uint8_t {
-  facet,  ///< its hyperplane contains a facet: the intersection would be larger without it (and without its
-          ///< duplicates)
-  touching,   ///< redundant; its hyperplane touches the intersection in less than a facet
-  redundant,  ///< redundant; its hyperplane does not meet the intersection
-  duplicate,  ///< a positive multiple of an earlier row, which has a kind of its own
-  trivial,    ///< a normal of zeros and an offset ≤ 0: no condition at all
-};
-
-/// An intersection of halfspaces as plain arrays. Rows are input rows (0-based). Lists of lists are offsets
-/// into one array: list i is entries offsets[i] … offsets[i+1]−1. Where state is not `full`, only the members
-/// up to `witness` are filled.
-///
-/// k, the rank of the normals, is d unless the intersection contains lines. With k < d it is the sum of the
-/// linear space of `lineality` and of a polyhedron in k of the coordinates, `axes`; vertices, directions and
-/// edges are those of that polyhedron, their other coordinates 0.
-struct IntersectionData {
-  int dimension = 0;                                  ///< d
-  int rank = 0;                                       ///< k
-  IntersectionState state = IntersectionState::full;  ///< whether there are interior points
-  std::vector<double> halfspaces;  ///< m×(d+1), as given: normal n and offset c of n·x + c ≤ 0
-  std::vector<SignedIndex>
-      first_of_halfspace;            ///< m: the first row that is the same halfspace; itself if it is trivial
-  std::vector<SignedIndex> witness;  ///< flat, empty: at most d+1 rows that have no interior point in common
-  std::vector<double> interior_point;   ///< d: strictly inside all halfspaces, given or found
-  bool interior_point_is_exact = true;  ///< false: what is strictly inside is a point near it, see the class
-  bool bounded = false;                 ///< whether the intersection is a polytope
-  std::vector<int> axes;                ///< k coordinates on which the normals project one-to-one, increasing
-  std::vector<double> vertices;         ///< v×d, each coordinate the double nearest to the exact one
-  std::vector<SignedIndex> vertex_offsets,
-      vertex_halfspaces;           ///< the rows of the facets that meet in a vertex
-  std::vector<double> directions;  ///< r×d unit vectors: the extreme directions to infinity
-  std::vector<SignedIndex> direction_offsets,
-      direction_halfspaces;                   ///< the rows of the facets that contain a direction
-  std::vector<SignedIndex> edges;             ///< e×2 vertices, increasing: the bounded edges
-  std::vector<SignedIndex> rays;              ///< u×2, a vertex and a direction: the unbounded edges
-  std::vector<SignedIndex> facet_halfspaces;  ///< f: the row of each facet, increasing
-  /// The vertices of each facet; for k = 3 along its border, counterclockwise seen from outside when k = d,
-  /// otherwise increasing.
-  std::vector<SignedIndex> facet_offsets, facet_vertices;
-  /// The directions of each facet; for k = 3 of the two rays, the one that leaves the last vertex first.
-  std::vector<SignedIndex> facet_direction_offsets, facet_directions;
-  std::vector<double> lineality;     ///< (d−k)×d unit vectors: a basis of the lines in the intersection
-  std::vector<HalfspaceKind> kinds;  ///< m
-  std::vector<double> dual_points;  ///< m×d: n/−(n·p + c) with p the interior point, rounded; 0 if trivial
-  std::vector<double>
-      dual_equations;  ///< v×(d+1): the facet dual to a vertex, unit normal and offset, rounded
-
-  std::size_t num_halfspaces() const { return first_of_halfspace.size(); }
-  std::size_t num_vertices() const { return vertex_offsets.empty() ? 0 : vertex_offsets.size() - 1; }
-  std::size_t num_directions() const { return direction_offsets.empty() ? 0 : direction_offsets.size() - 1; }
-  std::size_t num_edges() const { return edges.size() / 2; }
-  std::size_t num_rays() const { return rays.size() / 2; }
-  std::size_t num_facets() const { return facet_halfspaces.size(); }
-  std::span<const double> vertex(std::size_t i) const { return row_of(vertices, i); }
-  std::span<const double> direction(std::size_t i) const { return row_of(directions, i); }
-  std::span<const SignedIndex> halfspaces_of_vertex(std::size_t i) const {
-    return list(vertex_halfspaces, vertex_offsets, i);
-  }
-  std::span<const SignedIndex> halfspaces_of_direction(std::size_t i) const {
-    return list(direction_halfspaces, direction_offsets, i);
-  }
-  std::span<const SignedIndex> facet(std::size_t i) const { return list(facet_vertices, facet_offsets, i); }
-  std::span<const SignedIndex> directions_of_facet(std::size_t i) const {
-    return list(facet_directions, facet_direction_offsets, i);
-  }
-
- private:
-  std::span<const double> row_of(const std::vector<double>& items, std::size_t i) const {
-    const auto d = static_cast<std::size_t>(dimension);
-    return std::span(items).subspan(i * d, d);
-  }
-  static std::span<const SignedIndex> list(const std::vector<SignedIndex>& items,
-                                           const std::vector<SignedIndex>& offsets, std::size_t i) {
-    return std::span(items).subspan(static_cast<std::size_t>(offsets[i]),
-                                    static_cast<std::size_t>(offsets[i + 1] - offsets[i]));
-  }
-};
 
 /// A polyhedron, the intersection of halfspaces n·x + c ≤ 0 of R^d: what is true of it in every dimension.
 /// HalfspaceIntersection<D> makes one; functions for all dimensions take a `const Polyhedron&`.
@@ -232,40 +144,5 @@ requires(detail::dimension_of_range<Rows>() > 1)
     HalfspaceIntersection(Rows&&, const AnyPoint<detail::dimension_of_range<Rows>() - 1>&,
                           const Options& = {})
 ->HalfspaceIntersection<detail::dimension_of_range<Rows>() - 1>;
-
-enum class IntersectionCheckLevel : int {
-  storage = 1,  ///< array sizes; rows, vertices and directions in range
-  support = 2,  ///< the rows of each vertex meet in one point that satisfies all rows, and its coordinates
-                ///< are that point, rounded; the same for directions; all exactly
-  completeness = 3,  ///< every edge at every vertex is listed and leads to a listed vertex or direction;
-                     ///< facets and kinds are right: so nothing is missing
-};
-
-struct IntersectionCheckReport {
-  bool ok = false;
-  IntersectionCheckLevel reached = IntersectionCheckLevel::storage;  ///< the highest level examined
-  std::string violation;                                             ///< the first violation; empty when ok
-  std::vector<std::size_t> vertices;                                 ///< the vertices concerned
-  std::vector<std::size_t> halfspaces;                               ///< the rows concerned
-};
-
-/// Examines an intersection (with its halfspaces), level after level, stopping at the first violation, in
-/// integers and independently of how it was made; `lineality` and the dual arrays, which are rounded, are not
-/// looked at. The graph of a polyhedron is connected, so level 3 proves that no vertex is missing. Flat and
-/// empty intersections are examined by their witness only. Cost: v·m determinants for level 2; for level 3
-/// the number of (k−1)-subsets of the rows of each vertex, times their number: k where k facets meet, many in
-/// very degenerate vertices.
-IntersectionCheckReport check_halfspaces(const IntersectionData& data,
-                                         IntersectionCheckLevel up_to = IntersectionCheckLevel::completeness);
-
-/// Writes an intersection; the format is `format` or the extension of the path: npz, json (the arrays of
-/// IntersectionData), off (k = d = 3 and bounded: vertices and facets as polygons). The file appears whole or
-/// not at all; "-" is standard output (json, off). Errors: cannot_write, unsupported, out_of_memory.
-void write_halfspaces(const std::string& path, const IntersectionData& data, const std::string& format = {});
-
-/// Reads an intersection back that write_halfspaces() wrote as npz or json. The shapes of all arrays are
-/// checked; check_halfspaces() examines what they hold. Errors: cannot_open; bad_format, bad_dimension,
-/// not_finite naming the member.
-IntersectionData read_halfspaces(const std::string& path, const std::string& format = {});
 
 }  // namespace delone

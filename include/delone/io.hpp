@@ -1,19 +1,22 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Readers of points and readers and writers of triangulations. Every error is a delone::Error that names file
-// and place.
+// Readers and writers of points, triangulations, convex hulls, intersections of halfspaces, Voronoi and power
+// diagrams. Every error is a delone::Error that names file and place; docs/formats.md has the arrays.
+//
+// A path "-" is standard input or output. The format is `format`, or else the extension of the path. A file
+// that is written appears whole or not at all (written beside, then renamed). Every function may throw
+// unsupported (the format) and out_of_memory; readers cannot_open and bad_format; writers cannot_write.
 #pragma once
 
-#include <delone/complex.hpp>
-#include <delone/convex_hull.hpp>
-#include <delone/halfspaces.hpp>
+#include <delone/data.hpp>
 
-#include <functional>
+#include <optional>
 #include <string>
-#include <string_view>
 #include <variant>
 #include <vector>
 
 namespace delone {
+
+class Diagram;
 
 /// Points as read from a file.
 struct PointTable {
@@ -26,13 +29,12 @@ struct PointTable {
 };
 
 struct ReadOptions {
-  std::string format;  ///< "npy", "csv", "tsv", "txt", "xyz", "pts", "off", "ply", "qhull"; empty: by
-                       ///< extension, "-" is qhull
-  std::vector<std::string>
-      columns;  ///< csv, tsv, txt: names, or 0-based numbers where there is no header; empty: all
+  std::string format;  ///< one of those of read_points(); empty: by extension, "-" is qhull
+  /// csv, tsv, txt, ply: names, or 0-based numbers where there are no names; empty: all.
+  std::vector<std::string> columns;
 };
 
-/// Reads points from a file, or from standard input when the path is "-". Values must be finite.
+/// Reads points. Values must be finite.
 ///   npy          2-D (n,d) or 1-D (n,) arrays of float32/64 and (u)int8…64, C or Fortran order, either byte
 ///                order; integers must be exact in binary64
 ///   csv tsv      optional header line (recognised when a field of the first line is not a number), '#'
@@ -42,44 +44,68 @@ struct ReadOptions {
 ///   off          OFF / nOFF / COFF vertices
 ///   ply          ascii and binary, the properties x, y, z
 ///   qhull        dimension, count, rows (rbox's output; the rest of the first line is a comment)
-/// Errors: cannot_open; bad_format with "FILE:LINE: …" or "FILE: row N: …"; not_finite with rows();
-/// bad_dimension for dimension 0; unsupported; out_of_memory.
+/// Errors: bad_format with "FILE:LINE: …" or "FILE: row N: …"; not_finite with rows(); bad_dimension for
+/// dimension 0.
 PointTable read_points(const std::string& path, const ReadOptions& options = {});
 
-/// Writes a triangulation; the format is `format` or the extension of the path:
+/// Writes points: npy, csv, tsv, txt, xyz, pts, off, or qhull, the format of standard output. Errors:
+/// not_finite, bad_dimension, invalid_argument.
+void write_points(const std::string& path, const PointTable& points, const std::string& format = {});
+
+/// What a file may hold.
+using AnyData = std::variant<ComplexData, HullData, IntersectionData, VoronoiData>;
+
+/// Reads whatever a file holds, which its arrays tell: an intersection of halfspaces has the array
+/// first_of_halfspace, a diagram ridge_points and point_region, a hull facet_of_cell; all else is a
+/// triangulation.
+///   npz   ours; also any .npz of these arrays, and of `points` and `cells` or `simplices`
+///   json  the same members; the format of standard input
+///   off   OFF, nOFF: a triangulation
+/// The shapes of all arrays are checked; check() examines what they hold. Errors: bad_format, bad_dimension
+/// and not_finite, naming the member; for not_finite rows() are those of points or halfspaces.
+AnyData read(const std::string& path, const std::string& format = {});
+
+/// As read(); bad_format, saying what the file holds, if that is something else.
+template <PlainData Data>
+Data read_as(const std::string& path, const std::string& format = {});
+
+/// Writes a triangulation:
 ///   npz   points (n,d) float64, cells (m,k+1), neighbors (m,k+1), vertex_of_point (n,), affine_dimension ();
 ///         stored, readable by numpy.load
 ///   vtu   k ≤ 3 and d ≤ 3 (padded with zeros): vertices, segments, triangles or tetrahedra, for ParaView
 ///   off   OFF for d = 3, nOFF otherwise; cells as index lists
 ///   json  the same members as npz
 ///   svg   d = 2: a picture
-///   txt   Qhull's `i` form: number of cells, then one line of point rows per cell
+///   txt   Qhull's `i` form: number of cells, then one line of point rows per cell; standard output
 ///   npy   the cells array only
-/// The file appears whole or not at all (written beside, then renamed). "-" is standard output, for the text
-/// formats; txt unless `format` says otherwise. Errors: cannot_write, unsupported; invalid_argument where the
+/// Standard output takes the text formats. Errors: bad_dimension, not_finite; invalid_argument where the
 /// arrays disagree.
-void write_complex(const std::string& path, const ComplexData& data, const std::string& format = {});
+void write(const std::string& path, const ComplexData& data, const std::string& format = {});
 
-/// Writes a convex hull (with its points), in the formats of write_complex(). npz and json hold the arrays of
-/// HullData, kinds of points as numbers 0 … 3 in the order of PointKind; the other formats hold the cells, as
-/// a triangulation of dimension k−1. Errors as write_complex().
-void write_hull(const std::string& path, const HullData& data, const std::string& format = {});
+/// Writes a convex hull (with its points): npz and json hold its arrays, kinds of points as numbers 0 … 3 in
+/// the order of PointKind; the other formats of triangulations hold the cells, as a triangulation of
+/// dimension k−1. Errors as there.
+void write(const std::string& path, const HullData& data, const std::string& format = {});
 
-/// Reads a triangulation back: npz (ours; also any .npz with `points` and `cells` or `simplices`), json,
-/// off/nOFF.
-ComplexData read_complex(const std::string& path, const std::string& format = {});
+/// Writes an intersection of halfspaces (with its halfspaces):
+///   npz   its arrays
+///   json  the same members; standard output
+///   off   k = d = 3 and bounded: vertices, and facets as polygons
+/// Errors: bad_dimension; invalid_argument where the arrays disagree.
+void write(const std::string& path, const IntersectionData& data, const std::string& format = {});
 
-/// Reads a hull back that write_hull() wrote as npz or json. The shapes of all arrays are checked;
-/// check_hull() examines what they hold.
-HullData read_hull(const std::string& path, const std::string& format = {});
+/// Writes a Voronoi or power diagram:
+///   npz   its arrays
+///   json  the same members, lists as lists; standard output
+/// Errors: bad_dimension; invalid_argument where the arrays disagree.
+void write(const std::string& path, const VoronoiData& data, const std::string& format = {});
 
-/// Reads whichever a file holds: a hull if it has the array facet_of_cell, an intersection of halfspaces if
-/// it has first_of_halfspace, else a triangulation.
-std::variant<ComplexData, HullData, IntersectionData> read_any(const std::string& path,
-                                                               const std::string& format = {});
-
-/// Writes points as .npy, .csv, .tsv, .txt/.xyz/.pts, .off, or qhull form ("-" is standard output), by
-/// extension or `format`.
-void write_points(const std::string& path, const PointTable& points, const std::string& format = {});
+/// Writes a diagram, with its ridges, as its arrays (npz, json) or as a picture of what a box leaves of it:
+///   svg   d = 2: a picture; the format of standard output is json
+///   vtu   d = 2, 3: the regions as polygons or polyhedra, each with its `region` and `point`, for ParaView
+/// `box`: by default bounding_box(). Errors: invalid_argument for a bad box, and for a diagram without
+/// ridges.
+void write(const std::string& path, const Diagram& diagram, const std::optional<Box>& box = {},
+           const std::string& format = {});
 
 }  // namespace delone

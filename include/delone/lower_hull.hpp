@@ -5,6 +5,7 @@
 
 #include <delone/complex.hpp>
 #include <delone/convex_hull.hpp>
+#include <delone/data.hpp>
 #include <delone/options.hpp>
 #include <delone/points.hpp>
 #include <delone/types.hpp>

@@ -64,9 +64,7 @@ class Regular : public Triangulation {
 
   /// Inserts n weighted points as the next n rows. Errors as for Delaunay::insert_range(), bad_dimension also
   /// if there are not as many weights as points, not_finite also for a weight.
-  void insert_range(AnyPoints<D> points, std::span<const double> weights) {
-    insert_points(points, weights);
-  }
+  void insert_range(AnyPoints<D> points, std::span<const double> weights) { insert_points(points, weights); }
   /// Inserts one weighted point as the next row; `hint` is a cell near it.
   InsertResult insert(const AnyPoint<D>& point, double weight, std::optional<CellId> hint = std::nullopt) {
     return insert_point(point, weight, hint);

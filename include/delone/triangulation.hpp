@@ -3,6 +3,7 @@
 #pragma once
 
 #include <delone/complex.hpp>
+#include <delone/data.hpp>
 #include <delone/error.hpp>
 #include <delone/options.hpp>
 #include <delone/points.hpp>

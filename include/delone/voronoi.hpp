@@ -3,6 +3,7 @@
 // clipping to a box.
 #pragma once
 
+#include <delone/data.hpp>
 #include <delone/delaunay.hpp>
 #include <delone/points.hpp>
 #include <delone/regular.hpp>
@@ -13,7 +14,6 @@
 #include <cstdint>
 #include <functional>
 #include <span>
-#include <string>
 #include <vector>
 
 namespace delone {
@@ -25,11 +25,6 @@ template <class T, class Dual, class Product>
 concept OtherThan = !std::derived_from<T, Dual> && !std::same_as<T, Product>;
 
 }  // namespace detail
-
-/// The closed box low[j] ≤ x[j] ≤ high[j] in R^d.
-struct Box {
-  std::vector<double> low, high;
-};
 
 /// A region cut off at a box, as geometry: d ≤ 3.
 struct ClippedRegion {
@@ -45,27 +40,6 @@ enum class DiagramParts {
   regions,  ///< vertices, regions, rays: the smaller part of the work. Without ridges there are no volumes,
             ///< and nothing is clipped
   all,
-};
-
-/// The arrays of a diagram, as files hold them (docs/formats.md): what the members of Diagram of these names
-/// give.
-struct VoronoiData {
-  int dimension = 1, affine_dimension = -1;  ///< d and k
-  std::vector<double> points;   ///< n×d, hidden points included; NaN for rows that were not inserted
-  std::vector<double> weights;  ///< n, of a power diagram only
-  std::vector<double> vertices;
-  std::vector<SignedIndex> ridge_points, ridge_vertices, region_vertices, point_region;
-  std::vector<std::int64_t> ridge_offsets{0}, region_offsets{0};
-  std::vector<SignedIndex> ray_vertices, ray_points;
-  std::vector<double> ray_directions;
-
-  std::size_t num_points() const { return point_region.size(); }
-  std::size_t num_vertices() const {
-    return dimension < 1 ? 0 : vertices.size() / static_cast<std::size_t>(dimension);
-  }
-  std::size_t num_ridges() const { return ridge_offsets.empty() ? 0 : ridge_offsets.size() - 1; }
-  std::size_t num_regions() const { return region_offsets.empty() ? 0 : region_offsets.size() - 1; }
-  std::size_t num_rays() const { return ray_vertices.size(); }
 };
 
 /// A diagram of sites in R^d: for each site (distinct point) the region of the points of the flat that are
@@ -279,49 +253,5 @@ class PowerDiagram : public Diagram {
 
 template <int D>
 PowerDiagram(const Regular<D>&, DiagramParts = DiagramParts::all) -> PowerDiagram<D>;
-
-/// Writes a diagram; the format is `format` or the extension of the path:
-///   npz   the arrays of VoronoiData, and affine_dimension
-///   json  the same members, lists as lists
-///   svg   d = 2: a picture, clipped to the box
-///   vtu   d = 2, 3: the regions clipped to the box as polygons or polyhedra, each with its `region` and `point`, for ParaView
-/// `box`: by default bounding_box(). The file appears whole or not at all; "-" is standard output (json,
-/// svg). Errors: cannot_write, unsupported, out_of_memory; invalid_argument for a bad box, and for a diagram
-/// without ridges.
-void write_voronoi(const std::string& path, const Diagram& diagram, const Box* box = nullptr,
-                   const std::string& format = {});
-
-/// Reads the arrays back that write_voronoi() wrote as npz or json, or another program under these names.
-/// Their shapes are checked; check_voronoi() examines what they hold. Errors: cannot_open, bad_format,
-/// not_finite (points, weights; rows() names them), unsupported, out_of_memory.
-VoronoiData read_voronoi(const std::string& path, const std::string& format = {});
-/// Whether a file is one that read_voronoi() is for: it has the arrays ridge_points and point_region. False
-/// for standard input.
-bool holds_voronoi(const std::string& path, const std::string& format = {});
-
-enum class VoronoiCheckLevel : int {
-  storage = 1,  ///< array sizes; rows and vertices in range; −1 only first; nothing twice in a list
-  regions = 2,  ///< each point is in the region of its site, or hidden; the vertices of all regions, in their
-                ///< order for k = 2
-  vertices = 3,  ///< each coordinate is the double nearest to that of the exact centre
-  ridges = 4,    ///< the pairs of regions with a common facet, its vertices, in their order for k = 3
-  rays = 5,      ///< the unbounded edges and their sites; directions up to 2⁻³⁰
-};
-
-struct VoronoiCheckReport {
-  bool ok = false;
-  VoronoiCheckLevel reached =
-      VoronoiCheckLevel::storage;  ///< the highest level examined: the failing one, or the last asked for
-  std::string violation;           ///< the first violation, naming rows of arrays; empty when ok
-};
-
-/// Examines whether the arrays are the Voronoi diagram of their points, the power diagram if there are
-/// weights, level after level, stopping at the first violation. Numbers of vertices and regions, the order of
-/// ridges and rays and where cyclic lists start are free; so are directions around lists when k < d. From
-/// level 2 on the points are triangulated anew, that triangulation is examined by check(), and the arrays are
-/// compared with its diagram: vertices by their sets of regions, rays by the sites of their hull facets,
-/// exactly. Cost: that of triangulating and of check(). Errors: bad_dimension, not_finite, out_of_memory,
-/// invalid_argument (arrays whose sizes do not fit each other are a violation of level 1, no error).
-VoronoiCheckReport check_voronoi(const VoronoiData& data, VoronoiCheckLevel up_to = VoronoiCheckLevel::rays);
 
 }  // namespace delone

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// check(): runs the six levels in turn. Here also the levels that look at arrays only, storage (1) and
+// check() of a triangulation. Here the levels that look at arrays only, storage (1) and
 // completeness (6); incidence and sphere (2, 3) are in check_topology.cpp, the exact geometry (4, 5) in
 // check_geometry.cpp.
 #include <delone/check.hpp>
@@ -14,7 +14,6 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
-#include <optional>
 
 namespace delone {
 namespace internal {
@@ -29,29 +28,25 @@ std::vector<SignedIndex> facet_vertices(std::span<const SignedIndex> cell, std::
 
 void check_storage(const ComplexData& data, bool furthest) {
   const int d = data.dimension, k = data.affine_dimension;
-  if (d < 1) throw Violation{fmt::format("the dimension is {}, less than 1", d), {}, {}};
-  if (k < -1 || k > d)
-    throw Violation{fmt::format("the affine dimension is {}, outside -1...{}", k, d), {}, {}};
+  if (d < 1) throw Violation{fmt::format("the dimension is {}, less than 1", d)};
+  if (k < -1 || k > d) throw Violation{fmt::format("the affine dimension is {}, outside -1...{}", k, d)};
   if (data.points.size() % static_cast<std::size_t>(d) != 0)
     throw Violation{
-        fmt::format("{} coordinates are not a multiple of the dimension {}", data.points.size(), d), {}, {}};
+        fmt::format("{} coordinates are not a multiple of the dimension {}", data.points.size(), d)};
   const std::size_t n = data.num_points(), corners = static_cast<std::size_t>(k + 1);
-  if (k == -1 && !data.cells.empty())
-    throw Violation{"there are cells, but the affine dimension is -1", {}, {}};
+  if (k == -1 && !data.cells.empty()) throw Violation{"there are cells, but the affine dimension is -1"};
   if (k >= 0 && data.cells.size() % corners != 0)
-    throw Violation{
-        fmt::format("{} cell vertices are not a multiple of {}", data.cells.size(), corners), {}, {}};
+    throw Violation{fmt::format("{} cell vertices are not a multiple of {}", data.cells.size(), corners)};
   if (!data.neighbors.empty() && data.neighbors.size() != data.cells.size())
     throw Violation{
-        fmt::format("{} neighbors for {} cell vertices", data.neighbors.size(), data.cells.size()), {}, {}};
+        fmt::format("{} neighbors for {} cell vertices", data.neighbors.size(), data.cells.size())};
   if (!data.vertex_of_point.empty() && data.vertex_of_point.size() != n)
     throw Violation{
-        fmt::format("{} entries in vertex_of_point for {} points", data.vertex_of_point.size(), n), {}, {}};
+        fmt::format("{} entries in vertex_of_point for {} points", data.vertex_of_point.size(), n)};
 
-  if (furthest && !data.weights.empty())
-    throw Violation{"a furthest-site triangulation has no weights", {}, {}};
+  if (furthest && !data.weights.empty()) throw Violation{"a furthest-site triangulation has no weights"};
   if (!data.weights.empty() && data.weights.size() != n)
-    throw Violation{fmt::format("{} weights for {} points", data.weights.size(), n), {}, {}};
+    throw Violation{fmt::format("{} weights for {} points", data.weights.size(), n)};
 
   for (std::size_t i = 0; i < data.points.size(); ++i)
     if (!std::isfinite(data.points[i])) {
@@ -69,8 +64,7 @@ void check_storage(const ComplexData& data, bool furthest) {
     std::sort(sorted.begin(), sorted.end());
     for (const SignedIndex row : {sorted.front(), sorted.back()})
       if (row < 0 || static_cast<std::size_t>(row) >= n)
-        throw Violation{
-            fmt::format("cell {} has the vertex {}, but there are {} points", c, row, n), {c}, {}};
+        throw Violation{fmt::format("cell {} has the vertex {}, but there are {} points", c, row, n), {c}};
     const auto twice = std::adjacent_find(sorted.begin(), sorted.end());
     if (twice != sorted.end())
       throw Violation{
@@ -81,8 +75,7 @@ void check_storage(const ComplexData& data, bool furthest) {
         (data.neighbors[i] >= 0 && static_cast<std::size_t>(data.neighbors[i]) >= m))
       throw Violation{fmt::format("neighbor {} of cell {} is {}, but there are {} cells", i % corners,
                                   i / corners, data.neighbors[i], m),
-                      {i / corners},
-                      {}};
+                      {i / corners}};
   for (std::size_t row = 0; row < data.vertex_of_point.size(); ++row)
     if (data.vertex_of_point[row] < (data.weights.empty() && !furthest ? 0 : -1) ||
         (data.vertex_of_point[row] >= 0 && static_cast<std::size_t>(data.vertex_of_point[row]) >= n))
@@ -190,9 +183,7 @@ void check_completeness(const Examined& examined, const Volumes& volumes, bool c
                       {row}};
   if (hull.dimension() != data.affine_dimension)
     throw Violation{fmt::format("the affine dimension is given as {}, but the points span {}",
-                                data.affine_dimension, hull.dimension()),
-                    {},
-                    {}};
+                                data.affine_dimension, hull.dimension())};
   check_hidden(examined, volumes, hidden, canonical);
 }
 
@@ -200,43 +191,30 @@ void check_completeness(const Examined& examined, const Volumes& volumes, bool c
 
 CheckReport check(const ComplexData& data, const CheckOptions& options) {
   using namespace internal;
-  CheckReport report;
   Examined examined{data, static_cast<std::size_t>(std::max(0, data.affine_dimension + 1)),
                     options.furthest_site};
-  std::optional<Volumes> volumes;
-  try {
-    for (int level = 1; level <= std::clamp(static_cast<int>(options.up_to), 1, 6); ++level) {
-      report.reached = static_cast<CheckLevel>(level);
-      // No points, no cells: the empty complex is a sphere of dimension −1, and nothing else is left to hold.
-      const bool is_empty = level > 1 && data.affine_dimension < 0;
-      if (is_empty && report.reached != CheckLevel::completeness) continue;
-      switch (report.reached) {
-        case CheckLevel::storage:
-          check_storage(data, options.furthest_site);
-          examined.weighted_rows = weighted_rows(data);
-          break;
-        case CheckLevel::incidence:
-          check_incidence(examined, options.oriented);
-          break;
-        case CheckLevel::sphere:
-          check_sphere(examined);
-          break;
-        case CheckLevel::volume:
-          volumes = check_volume(examined, options.oriented);
-          break;
-        case CheckLevel::local_convexity:
-          report.ties = check_local_convexity(examined, *volumes, options.canonical);
-          break;
-        case CheckLevel::completeness:
-          check_completeness(examined, volumes.value_or(Volumes{}), options.canonical);
-          break;
-      }
-    }
-    report.ok = true;
-  } catch (Violation& violation) {
-    violation.move_to(report);
-  }
-  return report;
+  Volumes volumes;
+  // No points, no cells: the empty complex is a sphere of dimension −1, and nothing else is left to hold.
+  const bool is_empty = data.affine_dimension < 0;
+  return run_levels<ComplexData>(
+      options,
+      [&](CheckReport&) {
+        check_storage(data, options.furthest_site);
+        examined.weighted_rows = weighted_rows(data);
+      },
+      [&](CheckReport&) {
+        if (!is_empty) check_incidence(examined, options.oriented);
+      },
+      [&](CheckReport&) {
+        if (!is_empty) check_sphere(examined);
+      },
+      [&](CheckReport&) {
+        if (!is_empty) volumes = check_volume(examined, options.oriented);
+      },
+      [&](CheckReport& report) {
+        if (!is_empty) report.ties = check_local_convexity(examined, volumes, options.canonical);
+      },
+      [&](CheckReport&) { check_completeness(examined, volumes, options.canonical); });
 }
 
 }  // namespace delone

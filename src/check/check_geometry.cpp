@@ -100,8 +100,7 @@ std::vector<int> axes_of_cells(const Examined& examined) {
   if (hull.dimension() < data.affine_dimension)
     throw Violation{
         fmt::format("cell 0 is flat: the vertices of all cells span the dimension {} only", hull.dimension()),
-        {0},
-        {}};
+        {0}};
   return {hull.axes().begin(), hull.axes().end()};
 }
 
@@ -115,15 +114,14 @@ Volumes check_volume(const Examined& examined, bool oriented) {
   for (std::size_t c = 0; c < m; ++c) {
     const Sign sign = volumes.orientation[c] = geometry.orientation(c);
     if (sign == Sign::zero)
-      throw Violation{fmt::format("cell {} {} is flat", c, braces(examined.cell(c))), {c}, {}};
+      throw Violation{fmt::format("cell {} {} is flat", c, braces(examined.cell(c))), {c}};
     if (!oriented) continue;
     if (data.affine_dimension == data.dimension && sign == Sign::negative)
-      throw Violation{fmt::format("cell {} {} is negatively oriented", c, braces(examined.cell(c))), {c}, {}};
+      throw Violation{fmt::format("cell {} {} is negatively oriented", c, braces(examined.cell(c))), {c}};
     if (sign != volumes.orientation[0])
       throw Violation{fmt::format("the cells 0 {} and {} {} have different orientations",
                                   braces(examined.cell(0)), c, braces(examined.cell(c))),
-                      {0, c},
-                      {}};
+                      {0, c}};
   }
 
   // Oriented cells lie on different sides of a common facet because level 2 found them coherent.
@@ -138,8 +136,7 @@ Volumes check_volume(const Examined& examined, bool oriented) {
     if (coherent(a, i, b, mirror(a, i, b), scratch) != (volumes.orientation[c] == volumes.orientation[other]))
       throw Violation{fmt::format("the cells {} {} and {} {} lie on the same side of their common facet", c,
                                   braces(a), other, braces(b)),
-                      {c, other},
-                      {}};
+                      {c, other}};
   }
   return volumes;
 }
@@ -211,8 +208,7 @@ void check_covered_once(const Examined& examined, const Volumes& volumes, Geomet
       throw Violation{
           fmt::format("the hull is not convex: cell 0 {} is not behind the hull facet {} of cell {}",
                       braces(examined.cell(0)), braces(facet_vertices(examined.cell(c), i)), c),
-          {0, c},
-          {}};
+          {0, c}};
 
   const double* reference = examined.point(examined.cell(0)[0]);
   for (std::size_t c = 1; c < examined.data.num_cells(); ++c) {
@@ -230,9 +226,7 @@ void check_covered_once(const Examined& examined, const Volumes& volumes, Geomet
     while (i < cell.size() && side_of_reference(examined, volumes, geometry, c, i) == Sign::positive) ++i;
     if (i == cell.size())
       throw Violation{
-          fmt::format("the cells 0 {} and {} {} overlap", braces(examined.cell(0)), c, braces(cell)),
-          {0, c},
-          {}};
+          fmt::format("the cells 0 {} and {} {} overlap", braces(examined.cell(0)), c, braces(cell)), {0, c}};
   }
 }
 

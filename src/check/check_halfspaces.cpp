@@ -1,15 +1,17 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// check_halfspaces: everything in integers, from the halfspaces and the lists of rows alone.
+// check() of an intersection of halfspaces: everything in integers, from the halfspaces and the lists of rows
+// alone.
 //
 // Level 3. An edge at a vertex v is where the rows of v that hold with equality have rank k − 1; its
 // direction u is feasible for all rows of v. A listed vertex w on the same rows lies on that line inside the
 // polyhedron, so it is the edge's other end; a listed direction on these rows is u. The graph of a polyhedron
 // with a vertex is connected, and every extreme direction is that of a ray: if all edges of all listed
 // vertices are listed, all vertices and directions are.
+#include "check/levels.hpp"
 #include "halfspaces/halfspace_dual.hpp"
 #include "halfspaces/halfspace_vertex.hpp"
 
-#include <delone/halfspaces.hpp>
+#include <delone/check.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -22,15 +24,10 @@
 namespace delone {
 namespace {
 
+using internal::Violation;
 using kernel::Fractions;
 using kernel::Integer;
 using IntegerRow = std::vector<kernel::Integer>;
-
-/// What is wrong.
-struct Violation {
-  std::string text;
-  std::vector<std::size_t> vertices, halfspaces;
-};
 
 /// Fraction-free elimination of a matrix to echelon form, in place; returns the rows that were found
 /// independent, in order.
@@ -60,46 +57,42 @@ class IntersectionChecker {
         d_(static_cast<std::size_t>(std::max(data.dimension, 0))),
         k_(static_cast<std::size_t>(std::max(data.rank, 0))) {}
 
-  std::optional<Violation> check(IntersectionCheckLevel level) {
-    switch (level) {
-      case IntersectionCheckLevel::storage:
-        return check_storage();
-      case IntersectionCheckLevel::support:
-        return data_.state == IntersectionState::full ? check_support() : check_witness();
-      case IntersectionCheckLevel::completeness:
-        return data_.state == IntersectionState::full ? check_completeness() : std::nullopt;
-    }
-    return std::nullopt;
+  CheckReport check(const CheckOptions& options) {
+    const bool is_full = data_.state == IntersectionState::full;
+    return internal::run_levels<IntersectionData>(
+        options, [&](CheckReport&) { check_storage(); },
+        [&](CheckReport&) { is_full ? check_support() : check_witness(); },
+        [&](CheckReport&) {
+          if (is_full) check_completeness();
+        });
   }
 
  private:
   using Rows = std::vector<SignedIndex>;
 
-  std::optional<Violation> check_storage() {
-    const auto wrong = [](const std::string& text) {
-      return std::optional<Violation>(Violation{text, {}, {}});
-    };
+  void check_storage() const {
+    const auto wrong = [](const char* text) { throw Violation{text}; };
     const std::size_t m = data_.num_halfspaces();
-    if (d_ < 1) return wrong("the dimension is less than 1");
+    if (d_ < 1) wrong("the dimension is less than 1");
     if (data_.halfspaces.size() != m * (d_ + 1))
-      return wrong("the halfspaces are not as many as first_of_halfspace says");
+      wrong("the halfspaces are not as many as first_of_halfspace says");
     for (const double x : data_.halfspaces)
-      if (!std::isfinite(x)) return wrong("an entry of a halfspace is not finite");
+      if (!std::isfinite(x)) wrong("an entry of a halfspace is not finite");
     const auto in_range = [](const std::vector<SignedIndex>& items, std::size_t size) {
       return std::all_of(items.begin(), items.end(),
                          [&](SignedIndex i) { return i >= 0 && static_cast<std::size_t>(i) < size; });
     };
-    if (!in_range(data_.first_of_halfspace, m) || !in_range(data_.witness, m))
-      return wrong("a row is out of range");
+    if (!in_range(data_.first_of_halfspace, m) || !in_range(data_.witness, m)) wrong("a row is out of range");
     if (data_.state != IntersectionState::full) {
       const bool is_bare = !data_.bounded && data_.kinds.empty() && data_.vertices.empty() &&
                            data_.vertex_halfspaces.empty() && data_.directions.empty() &&
                            data_.direction_halfspaces.empty() && data_.edges.empty() && data_.rays.empty() &&
                            data_.facet_halfspaces.empty() && data_.facet_vertices.empty() &&
                            data_.facet_directions.empty();
-      return is_bare ? std::nullopt : wrong("an intersection without interior points has faces or kinds");
+      if (!is_bare) wrong("an intersection without interior points has faces or kinds");
+      return;
     }
-    if (!data_.witness.empty()) return wrong("an intersection with interior points has a witness");
+    if (!data_.witness.empty()) wrong("an intersection with interior points has a witness");
     const auto are_lists = [](const std::vector<SignedIndex>& offsets,
                               const std::vector<SignedIndex>& items) {
       return !offsets.empty() && offsets.front() == 0 && std::is_sorted(offsets.begin(), offsets.end()) &&
@@ -109,28 +102,27 @@ class IntersectionChecker {
         !are_lists(data_.direction_offsets, data_.direction_halfspaces) ||
         !are_lists(data_.facet_offsets, data_.facet_vertices) ||
         !are_lists(data_.facet_direction_offsets, data_.facet_directions))
-      return wrong("offsets are not those of lists");
+      wrong("offsets are not those of lists");
     const std::size_t v = data_.num_vertices(), u = data_.num_directions(), f = data_.num_facets();
     if (k_ > d_ || data_.axes.size() != k_ || !std::is_sorted(data_.axes.begin(), data_.axes.end()) ||
         std::any_of(data_.axes.begin(), data_.axes.end(),
                     [&](int a) { return a < 0 || static_cast<std::size_t>(a) >= d_; }))
-      return wrong("the axes are not as many coordinates as the rank");
+      wrong("the axes are not as many coordinates as the rank");
     if (data_.vertices.size() != v * d_ || data_.directions.size() != u * d_ || data_.kinds.size() != m ||
         data_.lineality.size() != (d_ - k_) * d_ || data_.interior_point.size() != d_ ||
         data_.facet_offsets.size() != f + 1 || data_.facet_direction_offsets.size() != f + 1 ||
         data_.edges.size() % 2 != 0 || data_.rays.size() % 2 != 0)
-      return wrong("an array has another size than the others ask for");
+      wrong("an array has another size than the others ask for");
     if (!in_range(data_.vertex_halfspaces, m) || !in_range(data_.direction_halfspaces, m) ||
         !in_range(data_.facet_halfspaces, m) || !in_range(data_.facet_vertices, v) ||
         !in_range(data_.facet_directions, u) || !in_range(data_.edges, v))
-      return wrong("a row, vertex or direction is out of range");
+      wrong("a row, vertex or direction is out of range");
     if (std::adjacent_find(data_.facet_halfspaces.begin(), data_.facet_halfspaces.end(),
                            std::greater_equal<>()) != data_.facet_halfspaces.end())
-      return wrong("the rows of the facets are not increasing");
+      wrong("the rows of the facets are not increasing");
     for (std::size_t i = 0; i < data_.rays.size(); ++i)
       if (data_.rays[i] < 0 || static_cast<std::size_t>(data_.rays[i]) >= (i % 2 == 0 ? v : u))
-        return wrong("a vertex or direction of a ray is out of range");
-    return std::nullopt;
+        wrong("a vertex or direction of a ray is out of range");
   }
 
   /// The row as integers, on the axes and the offset; or on all coordinates.
@@ -149,9 +141,12 @@ class IntersectionChecker {
 
   /// Multipliers λ > 0 of the witness' rows, unique up to a factor, with Σλ·n = 0: Σλ·c is 0 for flat,
   /// positive for empty ones.
-  std::optional<Violation> check_witness() const {
+  void check_witness() const {
     std::vector<std::size_t> rows(data_.witness.begin(), data_.witness.end());
-    const Violation wrong{"the witness does not prove that there is no interior point", {}, rows};
+    const auto wrong = [&] {
+      throw Violation{.message = "the witness does not prove that there is no interior point",
+                      .halfspaces = rows};
+    };
     std::vector<IntegerRow> transposed(d_);
     IntegerRow offsets;
     for (const std::size_t r : rows) {
@@ -160,14 +155,13 @@ class IntersectionChecker {
       offsets.push_back(all[d_]);
     }
     const auto lambda = null_vector(transposed, rows.size());
-    if (!lambda) return wrong;
+    if (!lambda) wrong();
     const bool negative = (*lambda)[0] < 0;
     for (const kernel::Integer& x : *lambda)
-      if (negative ? x >= 0 : x <= 0) return wrong;
+      if (negative ? x >= 0 : x <= 0) wrong();
     const kernel::Integer sum =
         negative ? kernel::Integer(-value(offsets, *lambda)) : value(offsets, *lambda);
-    if (data_.state == IntersectionState::flat ? sum != 0 : sum <= 0) return wrong;
-    return std::nullopt;
+    if (data_.state == IntersectionState::flat ? sum != 0 : sum <= 0) wrong();
   }
 
   /// The vector, unique up to a factor, on which rows of n entries vanish; nothing if their rank is not n
@@ -193,53 +187,52 @@ class IntersectionChecker {
   }
 
   /// With k < d the rows are examined on the axes alone: there they must lose nothing.
-  std::optional<Violation> check_rank() const {
-    if (k_ == d_) return std::nullopt;
+  void check_rank() const {
+    if (k_ == d_) return;
     std::vector<IntegerRow> normals, on_axes;
     for (std::size_t r = 0; r < data_.num_halfspaces(); ++r) {
       normals.push_back(internal::integer_row(&data_.halfspaces[r * (d_ + 1)], d_));
       on_axes.push_back(row(r));
       on_axes.back().pop_back();
     }
-    if (independent_rows(normals).size() == k_ && independent_rows(on_axes).size() == k_) return std::nullopt;
-    return Violation{"the normals have another rank, or project on the axes not one-to-one", {}, {}};
+    if (independent_rows(normals).size() == k_ && independent_rows(on_axes).size() == k_) return;
+    throw Violation{"the normals have another rank, or project on the axes not one-to-one"};
   }
 
-  std::optional<Violation> check_interior_point() const {
+  void check_interior_point() const {
     if (!std::all_of(data_.interior_point.begin(), data_.interior_point.end(),
                      [](double x) { return std::isfinite(x); }))
-      return Violation{"a coordinate of the interior point is not finite", {}, {}};
-    if (!data_.interior_point_is_exact) return std::nullopt;
+      throw Violation{"a coordinate of the interior point is not finite"};
+    if (!data_.interior_point_is_exact) return;
     std::vector<double> homogeneous = data_.interior_point;
     homogeneous.push_back(1);
     const IntegerRow p = internal::integer_row(homogeneous.data(), d_ + 1);
     for (std::size_t r = 0; r < data_.num_halfspaces(); ++r)
       if (has_normal(r) && value(internal::integer_row(&data_.halfspaces[r * (d_ + 1)], d_ + 1), p) >= 0)
-        return Violation{"the interior point is not strictly inside halfspace " + std::to_string(r), {}, {r}};
-    return std::nullopt;
+        throw Violation{.message = "the interior point is not strictly inside halfspace " + std::to_string(r),
+                        .halfspaces = {r}};
   }
 
   /// Exact homogeneous coordinates of all vertices and directions, and what is tight where.
-  std::optional<Violation> check_support() {
-    if (auto wrong = check_rank()) return wrong;
-    if (auto wrong = check_interior_point()) return wrong;
+  void check_support() {
+    check_rank();
+    check_interior_point();
     for (std::size_t r = 0; r < data_.num_halfspaces(); ++r) rows_.push_back(row(r));
     is_facet_.assign(rows_.size(), 0);
     for (const SignedIndex r : data_.facet_halfspaces) is_facet_[static_cast<std::size_t>(r)] = 1;
     for (std::size_t v = 0; v < data_.num_vertices(); ++v)
-      if (auto wrong = check_point(v, data_.halfspaces_of_vertex(v), true)) return wrong;
+      check_point(v, data_.halfspaces_of_vertex(v), true);
     for (std::size_t u = 0; u < data_.num_directions(); ++u)
-      if (auto wrong = check_point(u, data_.halfspaces_of_direction(u), false)) return wrong;
+      check_point(u, data_.halfspaces_of_direction(u), false);
     std::vector<Rows> lists;
     for (std::size_t v = 0; v < data_.num_vertices(); ++v)
       lists.emplace_back(data_.halfspaces_of_vertex(v).begin(), data_.halfspaces_of_vertex(v).end());
     std::sort(lists.begin(), lists.end());
     if (std::adjacent_find(lists.begin(), lists.end()) != lists.end())
-      return Violation{"a vertex is listed twice", {}, {}};
-    return std::nullopt;
+      throw Violation{"a vertex is listed twice"};
   }
 
-  std::optional<Violation> check_point(std::size_t i, std::span<const SignedIndex> listed, bool is_vertex) {
+  void check_point(std::size_t i, std::span<const SignedIndex> listed, bool is_vertex) {
     const std::string name = (is_vertex ? "vertex " : "direction ") + std::to_string(i);
     std::vector<std::size_t> concerned;
     if (is_vertex) concerned.push_back(i);
@@ -250,8 +243,9 @@ class IntersectionChecker {
     }
     auto z = null_vector(tight, is_vertex ? k_ + 1 : k_);
     if (!z || (is_vertex && z->back() == 0))
-      return Violation{
-          "the rows of " + name + " do not meet in one", concerned, {listed.begin(), listed.end()}};
+      throw Violation{.message = "the rows of " + name + " do not meet in one",
+                      .vertices = concerned,
+                      .halfspaces = {listed.begin(), listed.end()}};
     bool negate = is_vertex && z->back() < 0;
     if (!is_vertex) {
       std::size_t j = 0;
@@ -266,29 +260,33 @@ class IntersectionChecker {
       const auto axis = static_cast<std::size_t>(data_.axes[j]);
       const bool right = is_vertex ? data_.vertex(i)[axis] == kernel::nearest_double((*z)[j], z->back(), 0)
                                    : std::abs(data_.direction(i)[axis] - unit[axis]) <= 1e-14;
-      if (!right) return Violation{"a coordinate of " + name + " is not the nearest double", concerned, {}};
+      if (!right)
+        throw Violation{.message = "a coordinate of " + name + " is not the nearest double",
+                        .vertices = concerned};
     }
     for (std::size_t j = 0; j < d_; ++j)
       if ((is_vertex ? data_.vertex(i) : data_.direction(i))[j] != 0 &&
           !std::binary_search(data_.axes.begin(), data_.axes.end(), static_cast<int>(j)))
-        return Violation{"a coordinate of " + name + " that is no axis is not 0", concerned, {}};
+        throw Violation{.message = "a coordinate of " + name + " that is no axis is not 0",
+                        .vertices = concerned};
     if (!is_vertex) z->push_back(0);
     Rows on;
     for (std::size_t r = 0; r < rows_.size(); ++r) {
       const kernel::Integer side = value(rows_[r], *z);
-      if (side > 0) return Violation{name + " is outside of halfspace " + std::to_string(r), concerned, {r}};
+      if (side > 0)
+        throw Violation{.message = name + " is outside of halfspace " + std::to_string(r),
+                        .vertices = concerned,
+                        .halfspaces = {r}};
       if (side == 0 && is_facet_[r]) on.push_back(static_cast<SignedIndex>(r));
     }
     if (!std::equal(on.begin(), on.end(), listed.begin(), listed.end()))
-      return Violation{name + " does not list the facets that it is on", concerned, {}};
+      throw Violation{.message = name + " does not list the facets that it is on", .vertices = concerned};
     points_.push_back(std::move(*z));
-    return std::nullopt;
   }
 
-  std::optional<Violation> check_completeness() {
-    if (k_ > 0 && data_.num_vertices() == 0) return Violation{"there is no vertex", {}, {}};
-    if (data_.bounded != (k_ == d_ && data_.num_directions() == 0))
-      return Violation{"`bounded` is wrong", {}, {}};
+  void check_completeness() {
+    if (k_ > 0 && data_.num_vertices() == 0) throw Violation{"there is no vertex"};
+    if (data_.bounded != (k_ == d_ && data_.num_directions() == 0)) throw Violation{"`bounded` is wrong"};
     std::vector<std::vector<Rows>> around(data_.num_vertices());  // common rows of each edge
     const auto add = [&](SignedIndex v, std::span<const SignedIndex> other) {
       const auto here = data_.halfspaces_of_vertex(static_cast<std::size_t>(v));
@@ -297,7 +295,7 @@ class IntersectionChecker {
       around[static_cast<std::size_t>(v)].push_back(std::move(common));
     };
     for (std::size_t e = 0; e < data_.edges.size(); e += 2) {
-      if (data_.edges[e] == data_.edges[e + 1]) return Violation{"an edge joins a vertex to itself", {}, {}};
+      if (data_.edges[e] == data_.edges[e + 1]) throw Violation{"an edge joins a vertex to itself"};
       add(data_.edges[e], data_.halfspaces_of_vertex(static_cast<std::size_t>(data_.edges[e + 1])));
       add(data_.edges[e + 1], data_.halfspaces_of_vertex(static_cast<std::size_t>(data_.edges[e])));
     }
@@ -306,8 +304,9 @@ class IntersectionChecker {
     for (std::size_t v = 0; v < data_.num_vertices(); ++v) {
       std::sort(around[v].begin(), around[v].end());
       if (around[v] != edges_at(v))
-        return Violation{
-            "the edges at vertex " + std::to_string(v) + " are not those that its rows make", {v}, {}};
+        throw Violation{
+            .message = "the edges at vertex " + std::to_string(v) + " are not those that its rows make",
+            .vertices = {v}};
     }
     return check_facets();
   }
@@ -344,16 +343,16 @@ class IntersectionChecker {
     return found;
   }
 
-  std::optional<Violation> check_facets() const {
+  void check_facets() const {
     const std::size_t v = data_.num_vertices();
     for (std::size_t r = 0; r < rows_.size(); ++r) {
-      const auto wrong = [&](const std::string& what) {
-        return Violation{"halfspace " + std::to_string(r) + what, {}, {r}};
+      const auto wrong = [&](const char* what) {
+        throw Violation{.message = "halfspace " + std::to_string(r) + what, .halfspaces = {r}};
       };
       const auto first = static_cast<std::size_t>(data_.first_of_halfspace[r]);
       if (!has_normal(r)) {
         if (data_.kinds[r] != HalfspaceKind::trivial || rows_[r].back() > 0)
-          return wrong(" has no normal and another kind");
+          wrong(" has no normal and another kind");
         continue;
       }
       if (first != r) {
@@ -363,7 +362,7 @@ class IntersectionChecker {
         for (std::size_t j = 0; j <= d_; ++j) dot += a[j] * b[j];
         if (data_.kinds[r] != HalfspaceKind::duplicate || first > r || dot <= 0 ||
             independent_rows({a, b}).size() != 1)
-          return wrong(" is no duplicate of the row that it names");
+          wrong(" is no duplicate of the row that it names");
         continue;
       }
       std::vector<IntegerRow> on;
@@ -376,9 +375,8 @@ class IntersectionChecker {
       const HalfspaceKind kind = vertices.empty()                    ? HalfspaceKind::redundant
                                  : independent_rows(on).size() == k_ ? HalfspaceKind::facet
                                                                      : HalfspaceKind::touching;
-      if (data_.kinds[r] != kind) return wrong(" has the wrong kind");
-      if ((kind == HalfspaceKind::facet) != (is_facet_[r] != 0))
-        return wrong(" is not rightly listed as a facet");
+      if (data_.kinds[r] != kind) wrong(" has the wrong kind");
+      if ((kind == HalfspaceKind::facet) != (is_facet_[r] != 0)) wrong(" is not rightly listed as a facet");
       if (kind != HalfspaceKind::facet) continue;
       const auto f =
           static_cast<std::size_t>(std::find(data_.facet_halfspaces.begin(), data_.facet_halfspaces.end(),
@@ -389,9 +387,8 @@ class IntersectionChecker {
       std::sort(listed.begin(), listed.end());
       std::sort(listed_directions.begin(), listed_directions.end());
       if (listed != vertices || listed_directions != directions)
-        return wrong(" does not list the vertices on its facet");
+        wrong(" does not list the vertices on its facet");
     }
-    return std::nullopt;
   }
 
   const IntersectionData& data_;
@@ -402,20 +399,8 @@ class IntersectionChecker {
 
 }  // namespace
 
-IntersectionCheckReport check_halfspaces(const IntersectionData& data, IntersectionCheckLevel up_to) {
-  IntersectionCheckReport report;
-  IntersectionChecker checker(data);
-  for (int level = 1; level <= static_cast<int>(up_to); ++level) {
-    report.reached = static_cast<IntersectionCheckLevel>(level);
-    if (auto wrong = checker.check(report.reached)) {
-      report.violation = std::move(wrong->text);
-      report.vertices = std::move(wrong->vertices);
-      report.halfspaces = std::move(wrong->halfspaces);
-      return report;
-    }
-  }
-  report.ok = true;
-  return report;
+CheckReport check(const IntersectionData& data, const CheckOptions& options) {
+  return IntersectionChecker(data).check(options);
 }
 
 }  // namespace delone

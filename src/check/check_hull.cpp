@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// check_hull(): the levels of exact checks of a convex hull, our own or anybody's.
+// check() of a convex hull.
 //
 // Why levels 1–4 suffice. The cells are simplices, not flat, each with its hyperplane supporting all points
 // (level 4): each lies in the boundary of the convex hull. Every ridge is in two cells that are oriented
@@ -9,7 +9,7 @@
 // al., doi:10.1016/S0925-7721(98)00036-4, check hulls.)
 #include "check/check_hull.hpp"
 
-#include <delone/convex_hull.hpp>
+#include <delone/check.hpp>
 
 #include <fmt/format.h>
 
@@ -23,41 +23,35 @@ namespace {
 void check_lists(const char* what, const std::vector<SignedIndex>& offsets,
                  const std::vector<SignedIndex>& rows, std::size_t n) {
   if (offsets.empty()) {
-    if (!rows.empty()) throw Violation{fmt::format("the {}s have vertices, but no offsets", what), {}, {}};
+    if (!rows.empty()) throw Violation{fmt::format("the {}s have vertices, but no offsets", what)};
     return;
   }
   if (offsets.front() != 0 || static_cast<std::size_t>(offsets.back()) != rows.size())
     throw Violation{fmt::format("the offsets of the {}s go from {} to {}, for {} vertices", what,
-                                offsets.front(), offsets.back(), rows.size()),
-                    {},
-                    {}};
+                                offsets.front(), offsets.back(), rows.size())};
   for (std::size_t i = 0; i + 1 < offsets.size(); ++i)
     if (offsets[i] > offsets[i + 1])
       throw Violation{
-          fmt::format("the offsets of the {}s fall from {} to {}", what, offsets[i], offsets[i + 1]), {}, {}};
+          fmt::format("the offsets of the {}s fall from {} to {}", what, offsets[i], offsets[i + 1])};
   for (const SignedIndex row : rows)
     if (row < 0 || static_cast<std::size_t>(row) >= n)
-      throw Violation{fmt::format("a {} has the vertex {}, but there are {} points", what, row, n), {}, {}};
+      throw Violation{fmt::format("a {} has the vertex {}, but there are {} points", what, row, n)};
 }
 
 void check_hull_storage(const HullData& data, const ComplexData& boundary) {
   if (data.affine_dimension < -1 || data.affine_dimension > data.dimension)
     throw Violation{
-        fmt::format("the affine dimension is {}, outside -1...{}", data.affine_dimension, data.dimension),
-        {},
-        {}};
+        fmt::format("the affine dimension is {}, outside -1...{}", data.affine_dimension, data.dimension)};
   check_storage(boundary);
   const std::size_t n = boundary.num_points(), m = data.num_cells(), f = data.num_facets();
   const auto expect_size = [](const char* what, std::size_t actual, const char* of, std::size_t expected) {
     if (actual != 0 && actual != expected)
-      throw Violation{fmt::format("{} entries in {} for {} {}", actual, what, expected, of), {}, {}};
+      throw Violation{fmt::format("{} entries in {} for {} {}", actual, what, expected, of)};
   };
-  if (data.affine_dimension >= 1 && m == 0) throw Violation{"there is no cell", {}, {}};
+  if (data.affine_dimension >= 1 && m == 0) throw Violation{"there is no cell"};
   if (data.affine_dimension < 1 && f + data.num_ridges() > 0)
     throw Violation{
-        fmt::format("there are facets or ridges, but the affine dimension is {}", data.affine_dimension),
-        {},
-        {}};
+        fmt::format("there are facets or ridges, but the affine dimension is {}", data.affine_dimension)};
   expect_size("facet_of_cell", data.facet_of_cell.size(), "cells", m);
   expect_size("equations", data.equations.size() / (static_cast<std::size_t>(data.dimension) + 1), "facets",
               f);
@@ -67,26 +61,21 @@ void check_hull_storage(const HullData& data, const ComplexData& boundary) {
   if (data.ridge_offsets.size() != data.num_ridges() + 1 &&
       !(data.ridge_offsets.empty() && data.num_ridges() == 0))
     throw Violation{fmt::format("{} entries in ridge_offsets for {} ridges", data.ridge_offsets.size(),
-                                data.num_ridges()),
-                    {},
-                    {}};
+                                data.num_ridges())};
   check_lists("facet", data.facet_offsets, data.facet_vertices, n);
   check_lists("ridge", data.ridge_offsets, data.ridge_vertices, n);
   for (std::size_t c = 0; c < data.facet_of_cell.size(); ++c)
     if (data.facet_of_cell[c] < 0 || static_cast<std::size_t>(data.facet_of_cell[c]) >= f)
       throw Violation{
           fmt::format("cell {} is part of facet {}, but there are {} facets", c, data.facet_of_cell[c], f),
-          {c},
-          {}};
+          {c}};
   for (std::size_t i = 0; i < data.ridge_facets.size(); ++i)
     if (data.ridge_facets[i] < 0 || static_cast<std::size_t>(data.ridge_facets[i]) >= f)
       throw Violation{
-          fmt::format("ridge {} is of facet {}, but there are {} facets", i / 2, data.ridge_facets[i], f),
-          {},
-          {}};
+          fmt::format("ridge {} is of facet {}, but there are {} facets", i / 2, data.ridge_facets[i], f)};
   for (const SignedIndex row : data.vertices)
     if (row < 0 || static_cast<std::size_t>(row) >= n)
-      throw Violation{fmt::format("the extreme points include {}, but there are {} points", row, n), {}, {}};
+      throw Violation{fmt::format("the extreme points include {}, but there are {} points", row, n)};
 }
 
 void check_closed(ExaminedHull& examined, const ComplexData& boundary) {
@@ -97,8 +86,7 @@ void check_closed(ExaminedHull& examined, const ComplexData& boundary) {
     if (incidence.neighbors[at] < 0)
       throw Violation{fmt::format("the boundary is open: only cell {} has the ridge {}", at / corners,
                                   braces(facet_vertices(incidence.cell(at / corners), at % corners))),
-                      {at / corners},
-                      {}};
+                      {at / corners}};
   examined.hull.neighbors.assign(incidence.neighbors.begin(), incidence.neighbors.end());
   std::vector<char> reached(examined.hull.num_cells(), 0);
   std::vector<std::size_t> queue{0};
@@ -113,8 +101,7 @@ void check_closed(ExaminedHull& examined, const ComplexData& boundary) {
     const auto other =
         static_cast<std::size_t>(std::find(reached.begin(), reached.end(), 0) - reached.begin());
     throw Violation{fmt::format("the boundary falls apart: cell {} cannot be reached from cell 0", other),
-                    {0, other},
-                    {}};
+                    {0, other}};
   }
 }
 
@@ -125,12 +112,11 @@ std::size_t check_convexity(ExaminedHull& examined) {
     Sign sign = Sign::zero;
     for (const Index row : examined.basis)
       if (sign = examined.side(c, row); sign != Sign::zero) break;
-    if (sign == Sign::zero) throw Violation{fmt::format("cell {} {} is flat", c, examined.text(c)), {c}, {}};
+    if (sign == Sign::zero) throw Violation{fmt::format("cell {} {} is flat", c, examined.text(c)), {c}};
     if (sign == Sign::negative)
       throw Violation{
           fmt::format("cell {} {} is not oriented outwards, or a point is beyond it", c, examined.text(c)),
-          {c},
-          {}};
+          {c}};
     for (std::size_t i = 0; hull.dimension > 1 && i < hull.corners(); ++i) {
       const Index across = hull.neighbors_of(c)[i];
       if (across < c) continue;
@@ -173,17 +159,16 @@ void check_support(ExaminedHull& examined) {
       if (sign != Sign::positive) break;
     }
     if (i == cell.size())
-      throw Violation{
-          fmt::format("the cells 0 {} and {} {} overlap", examined.text(0), c, examined.text(c)), {0, c}, {}};
+      throw Violation{fmt::format("the cells 0 {} and {} {} overlap", examined.text(0), c, examined.text(c)),
+                      {0, c}};
   }
 }
 
 }  // namespace
 }  // namespace internal
 
-HullCheckReport check_hull(const HullData& data, HullCheckLevel up_to) {
+CheckReport check(const HullData& data, const CheckOptions& options) {
   using namespace internal;
-  HullCheckReport report;
   ComplexData boundary;  // cells of k vertices: a complex of dimension k−1
   boundary.dimension = data.dimension;
   boundary.affine_dimension = std::max(data.affine_dimension - 1, -1);
@@ -193,34 +178,20 @@ HullCheckReport check_hull(const HullData& data, HullCheckLevel up_to) {
   boundary.vertex_of_point = data.vertex_of_point;
   std::optional<ExaminedHull> examined;
   const bool has_cells = data.affine_dimension >= 1;
-  try {
-    for (int level = 1; level <= std::clamp(static_cast<int>(up_to), 1, 5); ++level) {
-      report.reached = static_cast<HullCheckLevel>(level);
-      if (level == 2) examined.emplace(data, data.points);
-      if (level == 3) examined->find_flat();
-      switch (report.reached) {
-        case HullCheckLevel::storage:
-          check_hull_storage(data, boundary);
-          break;
-        case HullCheckLevel::incidence:
-          if (has_cells) check_closed(*examined, boundary);
-          break;
-        case HullCheckLevel::convexity:
-          if (has_cells) report.coplanar_ridges = check_convexity(*examined);
-          break;
-        case HullCheckLevel::support:
-          if (has_cells) check_support(*examined);
-          break;
-        case HullCheckLevel::completeness:
-          check_hull_faces(*examined, data);
-          break;
-      }
-    }
-    report.ok = true;
-  } catch (Violation& violation) {
-    violation.move_to(report);
-  }
-  return report;
+  return run_levels<HullData>(
+      options, [&](CheckReport&) { check_hull_storage(data, boundary); },
+      [&](CheckReport&) {
+        examined.emplace(data, data.points);
+        if (has_cells) check_closed(*examined, boundary);
+      },
+      [&](CheckReport& report) {
+        examined->find_flat();
+        if (has_cells) report.ties = check_convexity(*examined);
+      },
+      [&](CheckReport&) {
+        if (has_cells) check_support(*examined);
+      },
+      [&](CheckReport&) { check_hull_faces(*examined, data); });
 }
 
 }  // namespace delone

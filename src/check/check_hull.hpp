@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What the levels of check_hull() hand to each other.
+// What the levels of check() of a hull hand to each other.
 #pragma once
 
 #include "check/check_stages.hpp"
@@ -7,7 +7,7 @@
 #include "hull/hull_normal.hpp"
 #include "kernel/predicates.hpp"
 
-#include <delone/convex_hull.hpp>
+#include <delone/data.hpp>
 
 #include <fmt/format.h>
 
@@ -37,9 +37,7 @@ class ExaminedHull {
       if (affine_hull.add(sites.point(row))) basis.push_back(row);
     if (affine_hull.dimension() != hull.dimension)
       throw Violation{fmt::format("the affine dimension is given as {}, but the points span {}",
-                                  hull.dimension, affine_hull.dimension()),
-                      {},
-                      {}};
+                                  hull.dimension, affine_hull.dimension())};
     sites.axes = affine_hull.axes();
     normals.emplace(hull.dimension < 1 ? 1 : hull.dimension);
     records.resize(hull.num_cells() * normals->stride());

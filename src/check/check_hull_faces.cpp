@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Level 5 of check_hull(): what is derived from a boundary that levels 1–4 have proved is derived anew and
-// compared.
+// Level 5 of check() of a hull: what is derived from a boundary that levels 1–4 have proved is derived anew
+// and compared.
 #include "check/check_hull.hpp"
 #include "hull/hull_faces.hpp"
 
@@ -37,7 +37,7 @@ std::vector<SignedIndex> check_facets(const SimplicialHull& hull, const Polytope
                                       const Lists& facet_sites, const HullData& data) {
   if (faces.num_facets() != data.num_facets())
     throw Violation{
-        fmt::format("{} facets are given, the cells make {}", data.num_facets(), faces.num_facets()), {}, {}};
+        fmt::format("{} facets are given, the cells make {}", data.num_facets(), faces.num_facets())};
   std::vector<SignedIndex> given_of(faces.num_facets(), -1);
   std::vector<SignedIndex> first_cell(faces.num_facets(), -1);  // by the file's number
   for (std::size_t c = 0; c < hull.num_cells(); ++c) {
@@ -49,14 +49,12 @@ std::vector<SignedIndex> check_facets(const SimplicialHull& hull, const Polytope
         throw Violation{
             fmt::format("cell {} is part of facet {}, but lies in another hyperplane than its other cells", c,
                         given),
-            {c},
-            {}};
+            {c}};
     }
     if (given != data.facet_of_cell[c])
       throw Violation{fmt::format("cell {} is part of facet {}, but lies in the hyperplane of facet {}", c,
                                   data.facet_of_cell[c], given),
-                      {c},
-                      {}};
+                      {c}};
   }
   for (std::size_t f = 0; f < faces.num_facets(); ++f) {
     const auto given = static_cast<std::size_t>(given_of[f]);
@@ -64,9 +62,7 @@ std::vector<SignedIndex> check_facets(const SimplicialHull& hull, const Polytope
     const auto actual = list(data.facet_vertices, data.facet_offsets, given);
     if (!std::equal(expected.begin(), expected.end(), actual.begin(), actual.end()))
       throw Violation{fmt::format("facet {} has the extreme points {}, given are {}", given, braces(expected),
-                                  braces(actual)),
-                      {},
-                      {}};
+                                  braces(actual))};
   }
   return given_of;
 }
@@ -77,28 +73,23 @@ void check_ridges(const SimplicialHull& hull, const PolytopeFaces& faces, const 
   const PolytopeRidges ridges = find_ridges(hull, faces, facet_sites);
   if (ridges.sites.size() != data.num_ridges())
     throw Violation{
-        fmt::format("{} ridges are given, the facets make {}", data.num_ridges(), ridges.sites.size()),
-        {},
-        {}};
+        fmt::format("{} ridges are given, the facets make {}", data.num_ridges(), ridges.sites.size())};
   std::map<Facets, std::size_t> given_ridge;
   for (std::size_t r = 0; r < data.num_ridges(); ++r) {
     const SignedIndex a = data.ridge_facets[2 * r], b = data.ridge_facets[2 * r + 1];
     if (!given_ridge.emplace(std::minmax(a, b), r).second)
-      throw Violation{
-          fmt::format("ridge {} is between the facets {} and {}, as an earlier one is", r, a, b), {}, {}};
+      throw Violation{fmt::format("ridge {} is between the facets {} and {}, as an earlier one is", r, a, b)};
   }
   for (std::size_t r = 0; r < ridges.sites.size(); ++r) {
     const SignedIndex a = given_of[ridges.facets[2 * r]], b = given_of[ridges.facets[2 * r + 1]];
     const auto found = given_ridge.find(std::minmax(a, b));
     if (found == given_ridge.end())
-      throw Violation{fmt::format("the facets {} and {} meet in a ridge, which is not given", a, b), {}, {}};
+      throw Violation{fmt::format("the facets {} and {} meet in a ridge, which is not given", a, b)};
     const std::vector<SignedIndex> expected = signed_copy(ridges.sites[r]);
     const auto actual = list(data.ridge_vertices, data.ridge_offsets, found->second);
     if (!std::equal(expected.begin(), expected.end(), actual.begin(), actual.end()))
       throw Violation{fmt::format("ridge {} has the extreme points {}, given are {}", found->second,
-                                  braces(expected), braces(actual)),
-                      {},
-                      {}};
+                                  braces(expected), braces(actual))};
   }
 }
 
@@ -116,7 +107,7 @@ void check_equations(ExaminedHull& examined, const PolytopeFaces& faces,
   for (std::size_t f = 0; f < faces.num_facets(); ++f) {
     const auto given = static_cast<std::size_t>(given_of[f]);
     const double error = data.equation_errors[given], *equation = data.equations.data() + given * (d + 1);
-    if (!(error >= 0)) throw Violation{fmt::format("the error of equation {} is {}", given, error), {}, {}};
+    if (!(error >= 0)) throw Violation{fmt::format("the error of equation {} is {}", given, error)};
     const std::size_t c = faces.cells_of_facet[f][0];
     const double *normal = examined.records.data() + c * stride,
                  *base = sites.point(examined.hull.cell(c)[0]);

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The stages of `check` and what they hand to each other. A stage stops at the first violation by throwing
-// Violation; check() turns it into a report, so no stage has to thread a result through its loops.
+// The levels of check() of a triangulation and what they hand to each other.
 #pragma once
 
+#include "check/levels.hpp"
 #include "kernel/flat.hpp"
 
 #include <delone/check.hpp>
-#include <delone/complex.hpp>
+#include <delone/data.hpp>
 
 #include <cstddef>
 #include <span>
@@ -15,19 +15,6 @@
 #include <vector>
 
 namespace delone::internal {
-
-struct Violation {
-  std::string message;
-  std::vector<std::size_t> cells, points;
-
-  /// Hands all over to a report, of a triangulation or a hull.
-  template <class Report>
-  void move_to(Report& report) {
-    report.violation = std::move(message);
-    report.cells = std::move(cells);
-    report.points = std::move(points);
-  }
-};
 
 /// The cells, plus what the topological stages derive from them.
 struct Examined {

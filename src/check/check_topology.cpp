@@ -59,8 +59,7 @@ std::vector<SignedIndex> paired_facets(std::span<const SignedIndex> cells, std::
           throw Violation{fmt::format("{}the cells {}, {} and {} share the {} {}",
                                       hull.empty() ? "" : "hull facets of ", three[0], three[1], three[2],
                                       hull.empty() ? "facet" : "ridge", braces(facet_vertices(a, i))),
-                          three,
-                          {}};
+                          three};
         }
         across[facet] = static_cast<SignedIndex>(cell);
         across[first + i] = static_cast<SignedIndex>(other);
@@ -106,17 +105,14 @@ void check_incidence(Examined& examined, bool oriented) {
     if (given < 0)
       throw Violation{
           fmt::format("neighbor {} of cell {} is missing: cell {} shares the facet {}", i, c, derived, facet),
-          {c, derived_cell},
-          {}};
+          {c, derived_cell}};
     if (derived < 0)
       throw Violation{fmt::format("neighbor {} of cell {} is cell {}, which does not share the facet {}", i,
                                   c, given, facet),
-                      {c, given_cell},
-                      {}};
+                      {c, given_cell}};
     throw Violation{fmt::format("neighbor {} of cell {} is cell {}, but cell {} shares the facet {}", i, c,
                                 given, derived, facet),
-                    {c, given_cell, derived_cell},
-                    {}};
+                    {c, given_cell, derived_cell}};
   }
 
   if (!oriented) return;
@@ -130,8 +126,7 @@ void check_incidence(Examined& examined, bool oriented) {
       if (!coherent(a, i, b, mirror(a, i, b), scratch))
         throw Violation{fmt::format("the cells {} {} and {} {} are not oriented coherently", c, braces(a),
                                     other, braces(b)),
-                        {c, other},
-                        {}};
+                        {c, other}};
     }
 }
 
@@ -156,8 +151,8 @@ Closed closed_complex(Examined& examined) {
       examined.hull_vertices.insert(examined.hull_vertices.end(), facet.begin(), facet.end());
     }
   const std::size_t h = examined.hull.size();
-  if (h == 0) throw Violation{"there is no hull: every facet is shared by two cells", {}, {}};
-  if (k == 0 && h > 1) throw Violation{"an affine dimension of 0 allows one cell only", {0, 1}, {}};
+  if (h == 0) throw Violation{"there is no hull: every facet is shared by two cells"};
+  if (k == 0 && h > 1) throw Violation{"an affine dimension of 0 allows one cell only", {0, 1}};
   if (m + h > static_cast<std::size_t>(max_index))
     throw Error(Errc::too_many,
                 fmt::format("delone::check: {} cells and {} hull facets are too many for this build", m, h));
@@ -174,8 +169,7 @@ Closed closed_complex(Examined& examined) {
         const auto ridge = facet_vertices(examined.hull_facet(facet), i);
         throw Violation{fmt::format("the hull has an edge: only one hull facet, of cell {}, has the ridge {}",
                                     examined.hull[facet].first, braces(ridge)),
-                        {examined.hull[facet].first},
-                        {}};
+                        {examined.hull[facet].first}};
       }
       closed.cells.push_back(examined.hull_vertices[facet * k + i]);
       closed.neighbors.push_back(static_cast<SignedIndex>(m + static_cast<std::size_t>(across)));
@@ -204,8 +198,7 @@ void check_connected(const Closed& closed) {
       const auto other =
           static_cast<std::size_t>(std::find(reached.begin(), reached.end(), false) - reached.begin());
       throw Violation{fmt::format("the complex falls apart: cell {} cannot be reached from cell 0", other),
-                      {0, other},
-                      {}};
+                      {0, other}};
     }
   }
 }
@@ -306,9 +299,7 @@ class FaceCounter {
     const std::ptrdiff_t sphere = dimension % 2 == 0 ? 2 : 0;
     if (characteristic != sphere)
       throw Violation{fmt::format("{} has the Euler characteristic {}, a sphere of dimension {} has {}", what,
-                                  characteristic, dimension, sphere),
-                      {},
-                      {}};
+                                  characteristic, dimension, sphere)};
   }
 
   const Closed& closed_;
@@ -323,7 +314,7 @@ class FaceCounter {
 }  // namespace
 
 void check_sphere(Examined& examined) {
-  if (examined.data.num_cells() == 0) throw Violation{"there is no cell", {}, {}};
+  if (examined.data.num_cells() == 0) throw Violation{"there is no cell"};
   const Closed closed = closed_complex(examined);
   check_connected(closed);
 
@@ -354,9 +345,7 @@ void check_sphere(Examined& examined) {
       if (v + 1 == closed.num_vertices)
         throw Violation{
             fmt::format("the hull falls apart: {} of its {} facets are reached from one of cell {}",
-                        star.size(), star_size[v], examined.hull[incident[v] - closed.num_finite].first),
-            {},
-            {}};
+                        star.size(), star_size[v], examined.hull[incident[v] - closed.num_finite].first)};
       throw Violation{
           fmt::format("the cells around the vertex {} fall apart: {} of {} are reached from one of them", v,
                       star.size(), star_size[v]),

@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// check_voronoi: the arrays against the diagram of their points, made anew from a triangulation that check()
-// has examined.
+// check() of a Voronoi or power diagram: the arrays against the diagram of their points, made anew from a
+// triangulation that check() has examined.
 //
 // A Voronoi vertex is known by the regions it is in: the sites nearest to it are the corners of one Delaunay
 // polytope of full dimension, and no two polytopes have the same corners. A ray is known by its vertex and
 // the sites in the hyperplane of its hull facet. So the numbers of file and diagram translate into each other
 // exactly, and all else is compared as it stands.
+#include "check/levels.hpp"
+
 #include <delone/check.hpp>
 #include <delone/predicates.hpp>
 #include <delone/regular.hpp>
@@ -14,7 +16,6 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
-#include <new>
 #include <optional>
 #include <span>
 #include <string>
@@ -25,7 +26,7 @@
 namespace delone {
 namespace {
 
-using Violation = std::optional<std::string>;
+using internal::Violation;
 using Sites = std::vector<SignedIndex>;  // regions, increasing
 
 std::string text_of(const char* what, std::size_t i) { return std::string(what) + " " + std::to_string(i); }
@@ -64,31 +65,25 @@ class DiagramChecker {
   explicit DiagramChecker(const VoronoiData& data)
       : data_(data), d_(static_cast<std::size_t>(std::max(data.dimension, 0))) {}
 
-  Violation check(VoronoiCheckLevel level) {
-    switch (level) {
-      case VoronoiCheckLevel::storage:
-        return check_storage();
-      case VoronoiCheckLevel::regions:
-        make_diagram();
-        return check_regions();
-      case VoronoiCheckLevel::vertices:
-        return check_vertices();
-      case VoronoiCheckLevel::ridges:
-        return check_ridges();
-      case VoronoiCheckLevel::rays:
-        return check_rays();
-    }
-    return {};
+  CheckReport check(const CheckOptions& options) {
+    return internal::run_levels<VoronoiData>(
+        options, [&](CheckReport&) { check_storage(); },
+        [&](CheckReport&) {
+          make_diagram();
+          check_regions();
+        },
+        [&](CheckReport&) { check_vertices(); }, [&](CheckReport&) { check_ridges(); },
+        [&](CheckReport&) { check_rays(); });
   }
 
  private:
-  Violation check_storage() const;
-  Violation check_list(const char* what, std::size_t i, std::span<const SignedIndex> items) const;
+  void check_storage() const;
   void make_diagram();
-  Violation check_regions();
-  Violation check_vertices() const;
-  Violation check_ridges() const;
-  Violation check_rays() const;
+  void check_regions();
+  void check_vertices() const;
+  void check_ridges() const;
+  void check_rays() const;
+  void check_list(const char* what, std::size_t i, std::span<const SignedIndex> items) const;
 
   std::size_t k() const { return static_cast<std::size_t>(std::max(data_.affine_dimension, 0)); }
   std::span<const SignedIndex> region(std::size_t i) const {
@@ -119,59 +114,52 @@ class DiagramChecker {
   std::vector<Sites> sites_of_;         // by vertex of the diagram
 };
 
-Violation DiagramChecker::check_list(const char* what, std::size_t i,
-                                     std::span<const SignedIndex> items) const {
+void DiagramChecker::check_list(const char* what, std::size_t i, std::span<const SignedIndex> items) const {
   Sites sorted(items.begin(), items.end());
   std::sort(sorted.begin(), sorted.end());
   if (std::adjacent_find(sorted.begin(), sorted.end()) != sorted.end())
-    return text_of(what, i) + ": a vertex appears twice";
+    throw Violation{text_of(what, i) + ": a vertex appears twice"};
   for (const SignedIndex v : items)
     if (v < -1 || v >= static_cast<SignedIndex>(data_.num_vertices()))
-      return text_of(what, i) + ": there is no vertex " + std::to_string(v);
-  if (!sorted.empty() && sorted[0] == -1 && items[0] != -1) return text_of(what, i) + ": -1 is not first";
-  return {};
+      throw Violation{text_of(what, i) + ": there is no vertex " + std::to_string(v)};
+  if (!sorted.empty() && sorted[0] == -1 && items[0] != -1)
+    throw Violation{text_of(what, i) + ": -1 is not first"};
 }
 
-Violation DiagramChecker::check_storage() const {
+void DiagramChecker::check_storage() const {
   const VoronoiData& a = data_;
   if (a.dimension < 1 || a.affine_dimension < -1 || a.affine_dimension > a.dimension)
-    return "impossible dimensions";
+    throw Violation{"impossible dimensions"};
   const std::size_t n = a.num_points();
-  const auto size = [](const char* name, std::size_t found, std::size_t expected) -> Violation {
-    if (found == expected) return {};
-    return std::string(name) + ": " + std::to_string(expected) + " entries were expected, not " +
-           std::to_string(found);
+  const auto size = [](const char* name, std::size_t found, std::size_t expected) {
+    if (found != expected)
+      throw Violation{std::string(name) + ": " + std::to_string(expected) + " entries were expected, not " +
+                      std::to_string(found)};
   };
-  for (const Violation& violation :
-       {size("points", a.points.size(), n * d_), size("weights", a.weights.size(), a.weights.empty() ? 0 : n),
-        size("vertices", a.vertices.size(), a.num_vertices() * d_),
-        size("ridge_points", a.ridge_points.size(), 2 * a.num_ridges()),
-        size("ray_directions", a.ray_directions.size(), a.num_rays() * d_),
-        size("ray_points", a.ray_points.size(), a.num_rays() * k())})
-    if (violation) return violation;
+  size("points", a.points.size(), n * d_);
+  size("weights", a.weights.size(), a.weights.empty() ? 0 : n);
+  size("vertices", a.vertices.size(), a.num_vertices() * d_);
+  size("ridge_points", a.ridge_points.size(), 2 * a.num_ridges());
+  size("ray_directions", a.ray_directions.size(), a.num_rays() * d_);
+  size("ray_points", a.ray_points.size(), a.num_rays() * k());
   for (const auto& [name, offsets, items] : {std::tuple{"ridge_offsets", &a.ridge_offsets, &a.ridge_vertices},
                                              {"region_offsets", &a.region_offsets, &a.region_vertices}})
     if (offsets->empty() || offsets->front() != 0 || !std::is_sorted(offsets->begin(), offsets->end()) ||
         offsets->back() != static_cast<std::int64_t>(items->size()))
-      return std::string(name) + ": not increasing from 0 to the number of vertices listed";
-  for (std::size_t i = 0; i < a.num_regions(); ++i)
-    if (const Violation violation = check_list("region", i, region(i))) return violation;
-  for (std::size_t i = 0; i < a.num_ridges(); ++i)
-    if (const Violation violation = check_list("ridge", i, ridge(i))) return violation;
+      throw Violation{std::string(name) + ": not increasing from 0 to the number of vertices listed"};
+  for (std::size_t i = 0; i < a.num_regions(); ++i) check_list("region", i, region(i));
+  for (std::size_t i = 0; i < a.num_ridges(); ++i) check_list("ridge", i, ridge(i));
   const auto in_range = [](const char* name, const std::vector<SignedIndex>& items, std::size_t count,
-                           SignedIndex least) -> Violation {
+                           SignedIndex least) {
     for (std::size_t i = 0; i < items.size(); ++i)
       if (items[i] < least || items[i] >= static_cast<SignedIndex>(count))
-        return std::string(name) + ": entry " + std::to_string(i) + " is " + std::to_string(items[i]) +
-               ", of " + std::to_string(count);
-    return {};
+        throw Violation{std::string(name) + ": entry " + std::to_string(i) + " is " +
+                        std::to_string(items[i]) + ", of " + std::to_string(count)};
   };
-  for (const Violation& violation :
-       {in_range("point_region", a.point_region, a.num_regions(), -1),
-        in_range("ridge_points", a.ridge_points, n, 0), in_range("ray_points", a.ray_points, n, 0),
-        in_range("ray_vertices", a.ray_vertices, a.num_vertices(), 0)})
-    if (violation) return violation;
-  return {};
+  in_range("point_region", a.point_region, a.num_regions(), -1);
+  in_range("ridge_points", a.ridge_points, n, 0);
+  in_range("ray_points", a.ray_points, n, 0);
+  in_range("ray_vertices", a.ray_vertices, a.num_vertices(), 0);
 }
 
 void DiagramChecker::make_diagram() {
@@ -192,24 +180,24 @@ void DiagramChecker::make_diagram() {
   }
 }
 
-Violation DiagramChecker::check_regions() {
+void DiagramChecker::check_regions() {
   const Diagram& diagram = *diagram_;
   if (diagram.affine_dimension() != data_.affine_dimension)
-    return "the affine dimension is " + std::to_string(diagram.affine_dimension()) + ", not " +
-           std::to_string(data_.affine_dimension);
+    throw Violation{"the affine dimension is " + std::to_string(diagram.affine_dimension()) + ", not " +
+                    std::to_string(data_.affine_dimension)};
   if (diagram.num_regions() != data_.num_regions())
-    return "there are " + std::to_string(diagram.num_regions()) + " regions, not " +
-           std::to_string(data_.num_regions());
+    throw Violation{"there are " + std::to_string(diagram.num_regions()) + " regions, not " +
+                    std::to_string(data_.num_regions())};
   // Regions of file and diagram by each other's numbers.
   std::vector<SignedIndex> there(diagram.num_regions(), -1), here(there);
   for (std::size_t row = 0; row < data_.num_points(); ++row) {
     const SignedIndex r = data_.point_region[row], s = diagram.point_region()[row];
     if (r < 0 && s < 0) continue;
-    if (s < 0) return text_of("point", row) + " is hidden, but has a region";
-    if (r < 0) return text_of("point", row) + " has no region, but is not hidden";
+    if (s < 0) throw Violation{text_of("point", row) + " is hidden, but has a region"};
+    if (r < 0) throw Violation{text_of("point", row) + " has no region, but is not hidden"};
     SignedIndex &to = there[static_cast<std::size_t>(r)], &back = here[static_cast<std::size_t>(s)];
     if ((to >= 0 && to != s) || (back >= 0 && back != r))
-      return text_of("point", row) + " has the region of another site";
+      throw Violation{text_of("point", row) + " has the region of another site"};
     to = s;
     back = r;
   }
@@ -223,8 +211,8 @@ Violation DiagramChecker::check_regions() {
     for (const SignedIndex v : items)
       if (v >= 0) sites_here[static_cast<std::size_t>(v)].push_back(static_cast<SignedIndex>(s));
     if ((!items.empty() && items[0] < 0) == diagram.is_bounded(s) && diagram.affine_dimension() > 0)
-      return text_of("region", static_cast<std::size_t>(here[s])) + " is " +
-             (diagram.is_bounded(s) ? "bounded" : "unbounded");
+      throw Violation{text_of("region", static_cast<std::size_t>(here[s])) + " is " +
+                      (diagram.is_bounded(s) ? "bounded" : "unbounded")};
   }
   std::map<Sites, SignedIndex> vertex_with;
   for (std::size_t v = 0; v < sites_of_.size(); ++v)
@@ -232,36 +220,35 @@ Violation DiagramChecker::check_regions() {
   for (std::size_t v = 0; v < sites_here.size(); ++v) {
     const auto found = vertex_with.find(sites_here[v]);
     if (found == vertex_with.end() || found->second < 0)
-      return text_of("vertex", v) +
-             (found == vertex_with.end() ? ": the sites of its regions, "
-                                         : ": another vertex has the same regions, ") +
-             text_of(sites_here[v]) +
-             (found == vertex_with.end() ? ", are not all that are nearest to a point" : "");
+      throw Violation{text_of("vertex", v) +
+                      (found == vertex_with.end() ? ": the sites of its regions, "
+                                                  : ": another vertex has the same regions, ") +
+                      text_of(sites_here[v]) +
+                      (found == vertex_with.end() ? ", are not all that are nearest to a point" : "")};
     vertex_of_.push_back(std::exchange(found->second, -1));
   }
   if (data_.num_vertices() != diagram.num_vertices())
-    return "there are " + std::to_string(diagram.num_vertices()) + " vertices, not " +
-           std::to_string(data_.num_vertices());
-  if (data_.affine_dimension != 2) return {};
+    throw Violation{"there are " + std::to_string(diagram.num_vertices()) + " vertices, not " +
+                    std::to_string(data_.num_vertices())};
+  if (data_.affine_dimension != 2) return;
   for (std::size_t s = 0; s < diagram.num_regions(); ++s) {
     const auto items = diagram.region(s), found = region(static_cast<std::size_t>(here[s]));
     if (!same_cycle(translated(found), {items.begin(), items.end()},
                     data_.affine_dimension < data_.dimension))
-      return text_of("region", static_cast<std::size_t>(here[s])) + ": its vertices are not in cyclic order";
+      throw Violation{text_of("region", static_cast<std::size_t>(here[s])) +
+                      ": its vertices are not in cyclic order"};
   }
-  return {};
 }
 
-Violation DiagramChecker::check_vertices() const {
+void DiagramChecker::check_vertices() const {
   for (std::size_t v = 0; v < vertex_of_.size(); ++v)
     for (std::size_t j = 0; j < d_; ++j)
       if (data_.vertices[v * d_ + j] != diagram_->vertex(static_cast<std::size_t>(vertex_of_[v]))[j])
-        return text_of("vertex", v) + ": coordinate " + std::to_string(j) +
-               " is not the double nearest to that of the exact centre";
-  return {};
+        throw Violation{text_of("vertex", v) + ": coordinate " + std::to_string(j) +
+                        " is not the double nearest to that of the exact centre"};
 }
 
-Violation DiagramChecker::check_ridges() const {
+void DiagramChecker::check_ridges() const {
   const Diagram& diagram = *diagram_;
   std::map<std::pair<SignedIndex, SignedIndex>, std::size_t> ridges;  // by regions
   const auto regions_of = [&](std::span<const SignedIndex> rows, std::size_t i) {
@@ -277,24 +264,25 @@ Violation DiagramChecker::check_ridges() const {
     if (is_reversed) std::swap(r, s);
     const auto found = ridges.find({r, s});
     if (found == ridges.end())
-      return text_of("ridge", i) + ": its points have no common ridge, or another one is theirs, too";
+      throw Violation{text_of("ridge", i) +
+                      ": its points have no common ridge, or another one is theirs, too"};
     const auto items = diagram.ridge(found->second);
     std::vector<SignedIndex> expected(items.begin(), items.end());
     ridges.erase(found);
     if (is_reversed) std::reverse(expected.begin(), expected.end());
     if (data_.affine_dimension == 3) {
       if (!same_cycle(vertices, expected, data_.dimension > 3))
-        return text_of("ridge", i) + ": these are not its vertices in cyclic order";
+        throw Violation{text_of("ridge", i) + ": these are not its vertices in cyclic order"};
       continue;
     }
     std::sort(vertices.begin(), vertices.end());
     std::sort(expected.begin(), expected.end());
-    if (vertices != expected) return text_of("ridge", i) + ": these are not its vertices";
+    if (vertices != expected) throw Violation{text_of("ridge", i) + ": these are not its vertices"};
   }
-  if (ridges.empty()) return {};
+  if (ridges.empty()) return;
   const auto missing = ridges.begin()->second;
-  return "there is no ridge of points " + std::to_string(diagram.ridge_points()[2 * missing]) + " and " +
-         std::to_string(diagram.ridge_points()[2 * missing + 1]);
+  throw Violation{"there is no ridge of points " + std::to_string(diagram.ridge_points()[2 * missing]) +
+                  " and " + std::to_string(diagram.ridge_points()[2 * missing + 1])};
 }
 
 /// The vertex and all its sites in the flat of k of them; nothing if the rows are not k independent sites of
@@ -326,7 +314,7 @@ std::optional<DiagramChecker::RayKey> DiagramChecker::key_of_ray(SignedIndex ver
   return key;
 }
 
-Violation DiagramChecker::check_rays() const {
+void DiagramChecker::check_rays() const {
   const Diagram& diagram = *diagram_;
   std::map<RayKey, std::size_t> rays;
   const auto points_of = [&](std::span<const SignedIndex> rows, std::size_t i) {
@@ -340,38 +328,25 @@ Violation DiagramChecker::check_rays() const {
     const auto key = key_of_ray(vertex, points_of(data_.ray_points, i));
     const auto found = key ? rays.find(*key) : rays.end();
     if (found == rays.end())
-      return text_of("ray", i) +
-             ": no unbounded edge from its vertex is equally near to its points, or another ray is that edge";
+      throw Violation{
+          text_of("ray", i) +
+          ": no unbounded edge from its vertex is equally near to its points, or another ray is that edge"};
     for (std::size_t j = 0; j < d_; ++j)
       if (!(std::abs(data_.ray_directions[i * d_ + j] - diagram.ray_directions()[found->second * d_ + j]) <=
             0x1p-30))
-        return text_of("ray", i) + ": not the outward direction across its points";
+        throw Violation{text_of("ray", i) + ": not the outward direction across its points"};
     rays.erase(found);
   }
-  if (rays.empty()) return {};
-  return "there is no ray from the vertex of regions " +
-         text_of(sites_of_[static_cast<std::size_t>(rays.begin()->first.first)]) + " across its sites " +
-         text_of(rays.begin()->first.second);
+  if (rays.empty()) return;
+  throw Violation{"there is no ray from the vertex of regions " +
+                  text_of(sites_of_[static_cast<std::size_t>(rays.begin()->first.first)]) +
+                  " across its sites " + text_of(rays.begin()->first.second)};
 }
 
 }  // namespace
 
-VoronoiCheckReport check_voronoi(const VoronoiData& data, VoronoiCheckLevel up_to) {
-  VoronoiCheckReport report;
-  try {
-    DiagramChecker checker(data);
-    for (int level = 1; level <= static_cast<int>(up_to); ++level) {
-      report.reached = static_cast<VoronoiCheckLevel>(level);
-      if (Violation violation = checker.check(report.reached)) {
-        report.violation = std::move(*violation);
-        return report;
-      }
-    }
-  } catch (const std::bad_alloc&) {
-    throw Error(Errc::out_of_memory, "not enough memory for the check of a Voronoi diagram");
-  }
-  report.ok = true;
-  return report;
+CheckReport check(const VoronoiData& data, const CheckOptions& options) {
+  return DiagramChecker(data).check(options);
 }
 
 }  // namespace delone

@@ -2,6 +2,7 @@
 // The canonical hash of a triangulation as plain data, from any source.
 #include "complex/canonical_hash.hpp"
 
+#include <delone/data.hpp>
 #include <delone/error.hpp>
 
 #include <algorithm>

@@ -146,7 +146,7 @@ class Halfspaces(Case):
         self.output("halfspaces", self.path("box.npy"), "-o", self.path("o.json"))
         good = dict(np.load(self.path("o.npz")))
         for member, value, complaint in (("vertices", good["vertices"][1:], "vertices: expected shape"),
-                                         ("kinds", good["kinds"] + 5, "kinds: row 0: 5 is no kind"),
+                                         ("kinds", good["kinds"] + 5, "kinds: row 0: expected a number from 0 to 4, found 5"),
                                          ("rank", np.int64(3), "rank 3 is impossible"),
                                          ("dimension", np.int64(0), "the dimension is 0"),
                                          ("state", np.int64(7), "state: expected"),
@@ -159,7 +159,7 @@ class Halfspaces(Case):
         with open(self.path("o.json"), encoding="utf-8") as file:
             text = file.read()
         for old, new, complaint in (('"full"', '"round"', "state: expected"), ('"bounded": true', '"bounded": 3', "true or false"),
-                                    ('"edges": [', '"edges": [3, ', "edges: row 1 has another shape"),
+                                    ('"edges": [', '"edges": [3, ', "edges: row 0: expected an array"),
                                     ('"rank": 2', '"rank": "two"', "rank"), ("}", "", "not valid JSON")):
             self.assertIn(old, text)
             self.assertIn(complaint, self.complaint("check", self.file("bad.json", text.replace(old, new))))

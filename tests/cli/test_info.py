@@ -20,6 +20,17 @@ class Info(Case):
         self.assertIn("points\n", self.output("info", self.file("p.off", "OFF\n1 0 0\n0 0 0\n")))
         self.complaint("info", self.path("missing.npz"))
 
+    def test_other_results(self):
+        points = self.uniform(2, 30)
+        self.file("halfspaces.csv", "1,0,-1\n-1,0,0\n0,1,-1\n0,-1,0\n")
+        for command, source, name, expected in (("hull", points, "h.npz", "a convex hull"), ("voronoi", points, "v.json", "a Voronoi diagram"),
+                                                ("halfspaces", self.path("halfspaces.csv"), "i.json", "an intersection of halfspaces")):
+            self.output(command, source, "-o", self.path(name))
+            text = self.output("info", self.path(name))
+            self.assertIn(f": {expected}\n", text)
+            self.assertRegex(text, r"\n  dimension +2\n")
+            self.assertRegex(text, r"\n  vertices +[1-9]")
+
 
 if __name__ == "__main__":
     unittest.main()

@@ -135,7 +135,7 @@ void expect_right(const std::vector<double>& halfspaces, int dimension) {
           (i % static_cast<std::size_t>(dimension + 1) == static_cast<std::size_t>(dimension) ? "\n" : " ");
     FAIL() << "dimension " << dimension << ":\n" << text;
   }
-  const IntersectionCheckReport report = check_halfspaces(found.to_data());
+  const CheckReport report = check(found.to_data());
   ASSERT_TRUE(report.ok) << report.violation;
 }
 

@@ -38,7 +38,7 @@ void expect_equal(const test::HullBruteForce& oracle, const Polytope& actual, bo
   if (k >= 2) {
     EXPECT_EQ(data.num_ridges(), oracle.f_vector()[static_cast<std::size_t>(k - 2)]);
   }
-  const HullCheckReport report = check_hull(data);
+  const CheckReport report = check(data);
   EXPECT_TRUE(report.ok) << report.violation;
   if (with_cells) {
     EXPECT_TRUE(test::same_cells(oracle.cells(), test::sorted_cells(data.cells, k - 1)));

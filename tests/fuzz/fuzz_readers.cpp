@@ -11,6 +11,7 @@
 #include <cstdlib>
 #include <iterator>
 #include <string>
+#include <variant>
 
 namespace {
 
@@ -20,12 +21,12 @@ void require(bool condition, const char* what) {
   std::abort();
 }
 
-/// The formats of points, then those of complexes, each with an opening that leads the bytes past the first
+/// The formats of points, then those of results, each with an opening that leads the bytes past the first
 /// check.
 struct Format {
   const char* name;
   const char* opening;
-  bool is_complex;
+  bool is_result;
 };
 constexpr Format formats[] = {
     {"csv", "", false},
@@ -42,6 +43,11 @@ constexpr Format formats[] = {
     {"qhull", "2 rbox\n", false},
     {"json", "{\"points\": [[0, 0], [1, 0], [0, 1]], \"cells\": ", true},
     {"json", "", true},
+    {"json", "{\"ridge_points\": [], \"point_region\": [0], \"points\": [[0, 0]], \"regions\": ", true},
+    {"json",
+     "{\"facet_of_cell\": [0, 1], \"points\": [[0], [1]], \"affine_dimension\": 1, \"cells\": ", true},
+    {"json",
+     "{\"first_of_halfspace\": [0], \"dimension\": 1, \"rank\": 1, \"state\": \"full\", \"kinds\": ", true},
     {"npz", "PK\x03\x04", true},
     {"off", "nOFF\n2\n3 1 0\n0 0\n1 0\n0 1\n", true},
 };
@@ -59,9 +65,11 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   std::fclose(file);
 
   try {
-    if (format.is_complex) {
+    if (format.is_result) {
       // Whatever was read, examining it must end with a report.
-      const delone::CheckReport report = delone::check(delone::read_complex(path, format.name));
+      const delone::AnyData read = delone::read(path, format.name);
+      const delone::CheckReport report =
+          std::visit([](const auto& held) { return delone::check(held); }, read);
       require(report.ok == report.violation.empty(), "a report without a reason");
     } else {
       const delone::PointTable table = delone::read_points(path, {.format = format.name, .columns = {}});

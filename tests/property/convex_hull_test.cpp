@@ -33,7 +33,7 @@ void expect_euler_poincare(const Counts& f) {
 }
 
 void expect_valid(const Polytope& hull) {
-  const HullCheckReport report = check_hull(hull.to_data());
+  const CheckReport report = check(hull.to_data());
   EXPECT_TRUE(report.ok) << report.violation;
   const Counts f = hull.f_vector();
   expect_euler_poincare(f);
@@ -308,61 +308,61 @@ TEST(Hull, ErrorsChangeNothing) {
 TEST(CheckHull, FindsWhatIsWrong) {
   const ConvexHull hull(test::lattice(3, 3).points, 3);
   const HullData good = hull.to_data();
-  EXPECT_TRUE(check_hull(good).ok);
+  EXPECT_TRUE(check(good).ok);
   const auto reached = [](const HullData& data) {
-    const HullCheckReport report = check_hull(data);
+    const CheckReport report = check(data);
     EXPECT_FALSE(report.ok);
     EXPECT_FALSE(report.violation.empty());
     return report.reached;
   };
   HullData bad = good;
   bad.cells[4] = 99;
-  EXPECT_EQ(reached(bad), HullCheckLevel::storage);
+  EXPECT_EQ(reached(bad), "storage");
   bad = good;
   std::swap(bad.cells[0], bad.cells[1]);
   std::swap(bad.neighbors[0], bad.neighbors[1]);
-  EXPECT_EQ(reached(bad), HullCheckLevel::incidence);
+  EXPECT_EQ(reached(bad), "incidence");
   bad = good;
   bad.cells.resize(bad.cells.size() - 3);  // a hole
   bad.neighbors.clear();
   bad.facet_of_cell.clear();
-  EXPECT_EQ(reached(bad), HullCheckLevel::incidence);
+  EXPECT_EQ(reached(bad), "incidence");
   bad = good;
   for (std::size_t c = 0; c < bad.num_cells(); ++c)
     std::swap(bad.cells[3 * c], bad.cells[3 * c + 1]);  // inside out
   bad.neighbors.clear();
-  EXPECT_EQ(reached(bad), HullCheckLevel::convexity);
+  EXPECT_EQ(reached(bad), "convexity");
   bad = good;
   bad.points[3 * 13] = 1.0 + 0x1p-52;  // still inside
-  EXPECT_TRUE(check_hull(bad).ok);
+  EXPECT_TRUE(check(bad).ok);
   bad.points[3 * 13] = 2.0 + 0x1p-51;  // beyond a facet, by one unit in the last place
-  EXPECT_EQ(reached(bad), HullCheckLevel::support);
+  EXPECT_EQ(reached(bad), "support");
   bad = good;
   bad.point_kinds[13] = PointKind::boundary;
-  EXPECT_EQ(reached(bad), HullCheckLevel::completeness);
+  EXPECT_EQ(reached(bad), "completeness");
   bad = good;
   bad.vertices.pop_back();
-  EXPECT_EQ(reached(bad), HullCheckLevel::completeness);
+  EXPECT_EQ(reached(bad), "completeness");
   bad = good;
   bad.facet_of_cell[0] = bad.facet_of_cell[0] == 0 ? 1 : 0;
-  EXPECT_EQ(reached(bad), HullCheckLevel::completeness);
+  EXPECT_EQ(reached(bad), "completeness");
   bad = good;
   for (SignedIndex& facet : bad.facet_of_cell) facet = std::min<SignedIndex>(facet, 4);  // two facets as one
-  EXPECT_EQ(reached(bad), HullCheckLevel::completeness);
+  EXPECT_EQ(reached(bad), "completeness");
   bad = good;
   bad.ridge_facets.resize(22), bad.ridge_offsets.pop_back(), bad.ridge_vertices.resize(22);  // 11 ridges
-  EXPECT_EQ(reached(bad), HullCheckLevel::completeness);
+  EXPECT_EQ(reached(bad), "completeness");
   bad.ridge_facets.push_back(0);
   bad.ridge_facets.push_back(6);
-  EXPECT_EQ(reached(bad), HullCheckLevel::storage);
+  EXPECT_EQ(reached(bad), "storage");
   bad = good;
   std::swap(bad.facet_vertices[0], bad.facet_vertices[1]);
-  EXPECT_EQ(reached(bad), HullCheckLevel::completeness);
+  EXPECT_EQ(reached(bad), "completeness");
   bad = good;
   bad.equations[3] += 16 * (bad.equation_errors[0] + 0x1p-52);
-  EXPECT_EQ(reached(bad), HullCheckLevel::completeness);
+  EXPECT_EQ(reached(bad), "completeness");
   bad.equation_errors.clear();  // nothing is promised
-  EXPECT_TRUE(check_hull(bad).ok);
+  EXPECT_TRUE(check(bad).ok);
 }
 
 }  // namespace

@@ -239,13 +239,13 @@ TEST(FurthestSite, CheckFindsWhatIsWrong) {
   EXPECT_FALSE(check(Delaunay<>(points, 2).to_data(), strictly).ok);
   ComplexData bad = good;
   bad.vertex_of_point[4] = 0;
-  EXPECT_EQ(check(bad, strictly).reached, CheckLevel::completeness);
+  EXPECT_EQ(check(bad, strictly).reached.name, "completeness");
   bad = good;
   bad.points[8] = 9;  // outside the hull
   EXPECT_FALSE(check(bad, strictly).ok);
   bad = good;
   bad.weights.assign(5, 0.0);
-  EXPECT_EQ(check(bad, strictly).reached, CheckLevel::storage);
+  EXPECT_EQ(check(bad, strictly).reached.name, "storage");
   // The other diagonal of the quadrangle.
   const std::vector<double> corners(points.begin(), points.begin() + 8);
   const FurthestSite<> four(corners, 2);

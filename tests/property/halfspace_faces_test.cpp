@@ -77,7 +77,7 @@ std::int64_t binomial(std::int64_t n, std::int64_t k) {
 Counts counts_of(const std::vector<double>& rows, int d) {
   const HalfspaceIntersection found(rows, d);
   const IntersectionData data = found.to_data();
-  const IntersectionCheckReport report = check_halfspaces(data);
+  const CheckReport report = check(data);
   EXPECT_TRUE(report.ok) << report.violation;
   Counts counts = f_vector(data);
   const auto k = static_cast<std::size_t>(data.rank);

@@ -324,7 +324,7 @@ TEST(Regular, CheckFindsWhatIsWrong) {
   ComplexData bad = good;
   bad.weights[4] = 5;  // not hidden any more
   EXPECT_FALSE(check(bad).ok);
-  EXPECT_EQ(violated(bad), CheckLevel::completeness);
+  EXPECT_EQ(violated(bad), "completeness");
   bad = good;
   bad.vertex_of_point[4] = 0;
   EXPECT_FALSE(check(bad).ok);

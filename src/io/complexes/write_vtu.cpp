@@ -2,13 +2,19 @@
 // VTK's XML format for unstructured grids, as ParaView opens it. The arrays follow the XML as raw
 // little-endian bytes, each after its size in bytes (a 64-bit integer).
 #include "io/atomic_file.hpp"
-#include "io/complexes/write_complex.hpp"
+#include "io/complexes/pictures.hpp"
 #include "io/file.hpp"
 #include "io/npy.hpp"
 #include "io/write_npy.hpp"
 
+#include <delone/voronoi.hpp>
+
 #include <array>
 #include <cstdint>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
 
 namespace delone::io {
 
@@ -21,6 +27,12 @@ template <class T>
 void put_bytes(AtomicFile& file, T value) {
   std::string storage;
   file.write(little_endian_bytes(std::span<const T>(&value, 1), storage));
+}
+
+template <class T>
+void append(std::string& bytes, T value) {
+  std::string storage;
+  bytes += little_endian_bytes(std::span<const T>(&value, 1), storage);
 }
 
 }  // namespace
@@ -68,6 +80,81 @@ void write_vtu(AtomicFile& file, const ComplexData& data) {
   if (m > 0)
     file.write(
         std::string(m, static_cast<char>(vtk_cell_types[static_cast<std::size_t>(data.affine_dimension)])));
+  file.write("\n  </AppendedData>\n</VTKFile>\n");
+}
+
+void write_vtu(AtomicFile& file, const Diagram& diagram, const Box& box) {
+  const auto d = static_cast<std::size_t>(diagram.dimension());
+  if (d != 2 && d != 3)
+    fail(Errc::unsupported,
+         "{}: a .vtu file of regions needs 2 or 3 dimensions, these points have {}; use npz", file.name(), d);
+  constexpr std::uint8_t vtk_polygon = 7, vtk_polyhedron = 42;
+  std::string points, connectivity, offsets, types, faces, face_offsets, regions, rows;
+  std::int64_t num_points = 0, num_cells = 0, num_entries = 0, num_face_entries = 0;
+  diagram.for_each_clipped_region(box, [&](std::size_t r, const ClippedRegion& region) {
+    if (region.empty()) return;
+    const auto corners = static_cast<std::int64_t>(region.corners.size() / d);
+    for (std::size_t i = 0; i < region.corners.size(); i += d)
+      for (std::size_t j = 0; j < 3; ++j) append(points, j < d ? region.corners[i + j] : 0.0);
+    if (d == 2) {
+      for (const Index corner : region.faces.front())
+        append(connectivity, num_points + static_cast<std::int64_t>(corner));
+      num_entries += static_cast<std::int64_t>(region.faces.front().size());
+    } else {
+      for (std::int64_t corner = 0; corner < corners; ++corner) append(connectivity, num_points + corner);
+      num_entries += corners;
+      append(faces, static_cast<std::int64_t>(region.faces.size()));
+      ++num_face_entries;
+      for (const auto& face : region.faces) {
+        append(faces, static_cast<std::int64_t>(face.size()));
+        for (const Index corner : face) append(faces, num_points + static_cast<std::int64_t>(corner));
+        num_face_entries += 1 + static_cast<std::int64_t>(face.size());
+      }
+      append(face_offsets, num_face_entries);
+    }
+    append(offsets, num_entries);
+    append(types, d == 2 ? vtk_polygon : vtk_polyhedron);
+    append(regions, static_cast<std::int64_t>(r));
+    append(rows, static_cast<std::int64_t>(diagram.region_points()[r]));
+    num_points += corners;
+    ++num_cells;
+  });
+
+  std::vector<const std::string*> appended;
+  std::uint64_t offset = 0;
+  const auto array = [&](std::string_view type, std::string_view name, std::string_view attributes,
+                         const std::string& bytes) {
+    file.print("        <DataArray type=\"{}\" Name=\"{}\"{} format=\"appended\" offset=\"{}\"/>\n", type,
+               name, attributes, offset);
+    offset += sizeof(std::uint64_t) + bytes.size();
+    appended.push_back(&bytes);
+  };
+  file.write(
+      "<?xml version=\"1.0\"?>\n"
+      "<VTKFile type=\"UnstructuredGrid\" version=\"1.0\" byte_order=\"LittleEndian\" "
+      "header_type=\"UInt64\">\n"
+      "  <UnstructuredGrid>\n");
+  file.print("    <Piece NumberOfPoints=\"{}\" NumberOfCells=\"{}\">\n      <CellData>\n", num_points,
+             num_cells);
+  array("Int64", "region", "", regions);
+  array("Int64", "point", "", rows);
+  file.write("      </CellData>\n      <Points>\n");
+  array("Float64", "Points", " NumberOfComponents=\"3\"", points);
+  file.write("      </Points>\n      <Cells>\n");
+  array("Int64", "connectivity", "", connectivity);
+  array("Int64", "offsets", "", offsets);
+  array("UInt8", "types", "", types);
+  if (d == 3) {
+    array("Int64", "faces", "", faces);
+    array("Int64", "faceoffsets", "", face_offsets);
+  }
+  file.write("      </Cells>\n    </Piece>\n  </UnstructuredGrid>\n  <AppendedData encoding=\"raw\">\n_");
+  for (const std::string* bytes : appended) {
+    std::string size;
+    append(size, static_cast<std::uint64_t>(bytes->size()));
+    file.write(size);
+    file.write(*bytes);
+  }
   file.write("\n  </AppendedData>\n</VTKFile>\n");
 }
 

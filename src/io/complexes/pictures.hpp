@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The formats of one kind of data only: pictures and meshes. The data have been validated; the caller commits
+// the file.
+#pragma once
+
+#include <delone/data.hpp>
+
+namespace delone {
+class Diagram;
+}
+
+namespace delone::io {
+
+class AtomicFile;
+
+/// OFF for d = 3, nOFF otherwise.
+void write_off(AtomicFile& file, const ComplexData& data);
+/// A bounded intersection in space: facets as polygons. Throws unsupported for others.
+void write_off(AtomicFile& file, const IntersectionData& data);
+/// VTK's XML format for unstructured grids, arrays appended as raw bytes. Throws unsupported for d > 3.
+void write_vtu(AtomicFile& file, const ComplexData& data);
+/// The regions clipped to the box. Throws unsupported unless d = 2 or 3.
+void write_vtu(AtomicFile& file, const Diagram& diagram, const Box& box);
+/// Throws unsupported unless d = 2.
+void write_svg(AtomicFile& file, const ComplexData& data);
+void write_svg(AtomicFile& file, const Diagram& diagram, const Box& box);
+
+}  // namespace delone::io

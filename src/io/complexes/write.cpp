@@ -1,0 +1,149 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// write(): validates the data and chooses the writer.
+#include "io/atomic_file.hpp"
+#include "io/collect.hpp"
+#include "io/complexes/pictures.hpp"
+#include "io/complexes/write_arrays.hpp"
+#include "io/file.hpp"
+#include "io/npy.hpp"
+#include "io/write_npy.hpp"
+
+#include <delone/io.hpp>
+#include <delone/voronoi.hpp>
+
+#include <algorithm>
+#include <cstdint>
+#include <initializer_list>
+#include <span>
+#include <string_view>
+
+namespace delone {
+namespace io {
+namespace {
+
+std::size_t num_corners(const ComplexData& data) {
+  return static_cast<std::size_t>(data.affine_dimension + 1);
+}
+
+void refuse_binary_output(const std::string& path, const std::string& format) {
+  if (path == "-" && (format == "npz" || format == "npy" || format == "vtu"))
+    fail(Errc::unsupported, "format '{}' is binary and is not written to standard output", format);
+}
+
+/// For formats whose readers follow the rows without a check.
+void require_rows_in_range(const ComplexData& data, const std::string& name) {
+  const std::size_t n = data.num_points();
+  for (std::size_t i = 0; i < data.cells.size(); ++i)
+    if (data.cells[i] < 0 || static_cast<std::uint64_t>(data.cells[i]) >= n)
+      fail(Errc::invalid_argument, "{}: cannot write: cell {} refers to point {} of {}", name,
+           i / num_corners(data), data.cells[i], n);
+}
+
+void write_cells_npy(AtomicFile& file, const ComplexData& data) {
+  std::string storage;
+  file.write(npy_header(npy_index_type, {data.num_cells(), num_corners(data)}));
+  file.write(little_endian_bytes(std::span<const SignedIndex>(data.cells), storage));
+}
+
+void write_qhull_cells(AtomicFile& file, const ComplexData& data) {
+  file.print("{}\n", data.num_cells());
+  const std::size_t corners = num_corners(data);
+  for (std::size_t i = 0; i < data.cells.size(); ++i) {
+    file.put(data.cells[i]);
+    file.put((i + 1) % corners == 0 ? '\n' : ' ');
+  }
+}
+
+const std::initializer_list<std::string_view> complex_formats{"npz", "vtu", "off", "json",
+                                                              "svg", "txt", "npy"};
+
+}  // namespace
+}  // namespace io
+
+void write(const std::string& path, const ComplexData& data, const std::string& format) {
+  const std::string chosen =
+      io::choose_format(path, format, "txt", io::complex_formats, "writing a triangulation");
+  io::guarded(path, [&] {
+    io::validate(data, path);
+    io::require_finite(data.points, data.dimension, path);
+    io::require_finite(data.weights, 1, path + ": weights");
+    io::refuse_binary_output(path, chosen);
+    if (chosen == "vtu" || chosen == "svg" || chosen == "off") io::require_rows_in_range(data, path);
+    io::AtomicFile file(path);
+    if (chosen == "npz") io::write_npz(file, data);
+    if (chosen == "vtu") io::write_vtu(file, data);
+    if (chosen == "off") io::write_off(file, data);
+    if (chosen == "json") io::write_json(file, data);
+    if (chosen == "svg") io::write_svg(file, data);
+    if (chosen == "txt") io::write_qhull_cells(file, data);
+    if (chosen == "npy") io::write_cells_npy(file, data);
+    file.commit();
+  });
+}
+
+void write(const std::string& path, const HullData& data, const std::string& format) {
+  const std::string chosen = io::choose_format(path, format, "txt", io::complex_formats, "writing a hull");
+  io::guarded(path, [&] {
+    io::validate(data, path);
+    io::require_finite(data.points, data.dimension, path);
+    if (chosen != "npz" && chosen != "json") {
+      ComplexData boundary;
+      boundary.dimension = data.dimension;
+      boundary.affine_dimension = std::max(data.affine_dimension - 1, -1);
+      boundary.points = data.points;
+      boundary.cells = data.cells;
+      return write(path, boundary, chosen);
+    }
+    io::refuse_binary_output(path, chosen);
+    io::AtomicFile file(path);
+    if (chosen == "npz") io::write_npz(file, data);
+    if (chosen == "json") io::write_json(file, data);
+    file.commit();
+  });
+}
+
+void write(const std::string& path, const IntersectionData& data, const std::string& format) {
+  const std::string chosen =
+      io::choose_format(path, format, "json", {"npz", "json", "off"}, "writing an intersection");
+  io::guarded(path, [&] {
+    io::validate(data, path);
+    io::refuse_binary_output(path, chosen);
+    io::AtomicFile file(path);
+    if (chosen == "npz") io::write_npz(file, data);
+    if (chosen == "json") io::write_json(file, data);
+    if (chosen == "off") io::write_off(file, data);
+    file.commit();
+  });
+}
+
+void write(const std::string& path, const VoronoiData& data, const std::string& format) {
+  const std::string chosen =
+      io::choose_format(path, format, "json", {"npz", "json"}, "writing the arrays of a Voronoi diagram");
+  io::guarded(path, [&] {
+    io::validate(data, path);
+    io::refuse_binary_output(path, chosen);
+    io::AtomicFile file(path);
+    if (chosen == "npz") io::write_npz(file, data);
+    if (chosen == "json") io::write_json(file, data);
+    file.commit();
+  });
+}
+
+void write(const std::string& path, const Diagram& diagram, const std::optional<Box>& box,
+           const std::string& format) {
+  const std::string chosen =
+      io::choose_format(path, format, "json", {"npz", "json", "svg", "vtu"}, "writing a Voronoi diagram");
+  io::guarded(path, [&] {
+    if (!diagram.has_ridges())
+      io::fail(Errc::invalid_argument, "the Voronoi diagram was made without ridges");
+    if (chosen == "npz" || chosen == "json") return write(path, diagram.to_data(), chosen);
+    io::refuse_binary_output(path, chosen);
+    io::AtomicFile file(path);
+    const Box shown = box ? *box : diagram.bounding_box();
+    if (chosen == "svg") io::write_svg(file, diagram, shown);
+    if (chosen == "vtu") io::write_vtu(file, diagram, shown);
+    file.commit();
+  });
+}
+
+}  // namespace delone
