@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The hyperplane through k points of R^k in binary64 with certified bounds, from one elimination, O(k³): its
-// outward normal (the filter of check_hull and the equations of facets), the (k−1)-volume of the simplex of
+// outward normal (the filter of check() and the equations of facets), the (k−1)-volume of the simplex of
 // the points, and the k-volume of its join with a point. Proof: docs/predicates.md, "Normals of hull cells".
 //
 // With edges e_1 … e_(k−1), N·x = det(x, e_1, …, e_(k−1)) is positive outwards for a cell oriented as in
