@@ -32,6 +32,9 @@ RETIRED = [
      ["include/**/*", "src/**/*", "python/**/*", "tests/**/*", "examples/*", "docs/*.md", "README.md"],
      ["python/delone/spatial/*", "tests/python/*spatial*", "tests/python/test_pickle.py", "docs/from-scipy.md"], "insert_range"),
     (r"\bVoronoiDiagram\b|\bVoronoiParts\b", CPP, [], "Voronoi<D>, Diagram or DiagramParts"),
+    (r"\boutside ?= ?[\"']raise[\"']", ["python/**/*.py*", "python/src/*", "docs/*.md"], ["docs/vocabulary.md"],
+     'outside="error"'),
+    (r"\bwhere\.weights\b", CPP, [], "barycentric"),
 ]
 
 
