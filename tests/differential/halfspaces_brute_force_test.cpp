@@ -6,6 +6,7 @@
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <delone/check.hpp>
 #include <delone/halfspaces.hpp>
 
 #include <cmath>

@@ -6,6 +6,7 @@
 #include "degenerate.hpp"
 #include "scale.hpp"
 
+#include <delone/check.hpp>
 #include <delone/convex_hull.hpp>
 
 #include <gtest/gtest.h>

@@ -23,7 +23,7 @@ CheckReport expect_correct(const PointSet& set, const Options& options = {}) {
   all.canonical = true;
   const CheckReport report = check(data, all);
   EXPECT_TRUE(report.ok) << set.name << " in " << set.dimension << "D, " << set.size() << " points: level "
-                         << static_cast<int>(report.reached) << ": " << report.violation;
+                         << report.reached.number << ": " << report.violation;
   EXPECT_EQ(data.num_cells(), triangulation.num_finite_cells());
   EXPECT_EQ(triangulation.num_points(), set.size());
   return report;

@@ -4,6 +4,7 @@
 #include "degenerate.hpp"
 #include "scale.hpp"
 
+#include <delone/check.hpp>
 #include <delone/convex_hull.hpp>
 #include <delone/delaunay.hpp>
 #include <delone/predicates.hpp>

@@ -20,8 +20,7 @@ void expect_correct(const Triangulation& triangulation, const char* what) {
   CheckOptions all;
   all.canonical = true;
   const CheckReport report = check(triangulation.to_data(), all);
-  EXPECT_TRUE(report.ok) << what << ": level " << static_cast<int>(report.reached) << ": "
-                         << report.violation;
+  EXPECT_TRUE(report.ok) << what << ": level " << report.reached.number << ": " << report.violation;
 }
 
 void expect_every_prefix_correct(const PointSet& set, bool force_runtime_dimension) {

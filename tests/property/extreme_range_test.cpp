@@ -20,7 +20,7 @@ void expect_correct(const PointSet& set) {
   CheckOptions all;
   all.canonical = true;
   const CheckReport report = check(Delaunay<>(set.points, set.dimension).to_data(), all);
-  EXPECT_TRUE(report.ok) << "level " << static_cast<int>(report.reached) << ": " << report.violation;
+  EXPECT_TRUE(report.ok) << "level " << report.reached.number << ": " << report.violation;
 }
 
 class ExtremeRangeIn : public ::testing::TestWithParam<int> {

@@ -6,6 +6,7 @@
 #include "scale.hpp"
 
 #include <gtest/gtest.h>
+#include <delone/check.hpp>
 #include <delone/convex_hull.hpp>
 #include <delone/halfspaces.hpp>
 

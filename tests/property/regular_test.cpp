@@ -320,7 +320,7 @@ TEST(Regular, CheckFindsWhatIsWrong) {
   const ComplexData good = t.to_data();
   ASSERT_EQ(t.num_hidden(), 2u);
   ASSERT_TRUE(check(good).ok);
-  const auto violated = [](const ComplexData& data) { return check(data).reached; };
+  const auto violated = [](const ComplexData& data) { return check(data).reached.name; };
   ComplexData bad = good;
   bad.weights[4] = 5;  // not hidden any more
   EXPECT_FALSE(check(bad).ok);

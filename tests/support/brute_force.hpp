@@ -5,6 +5,7 @@
 #pragma once
 
 #include <delone/complex.hpp>
+#include <delone/data.hpp>
 #include <delone/types.hpp>
 
 #include <boost/multiprecision/cpp_int.hpp>

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <delone/complex.hpp>
+#include <delone/data.hpp>
 
 #include <gtest/gtest.h>
 
