@@ -126,10 +126,10 @@ void Triangulation::Impl::BatchInsertion::placed(Index v, Index at, bool) {
 
 void Triangulation::Impl::BatchInsertion::insert_all() {
   start();
-  if (impl_.engine)
-    impl_.engine->insert_all(*this);
-  else
+  if (!impl_.engine)
     insert_at_only_vertex();
+  else if (place_ < order_.size())  // wrapped cells would get their functionals, which nobody may need
+    impl_.engine->insert_all(*this);
   finish();
 }
 

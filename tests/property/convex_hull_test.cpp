@@ -314,7 +314,7 @@ TEST(CheckHull, FindsWhatIsWrong) {
     const CheckReport report = check(data);
     EXPECT_FALSE(report.ok);
     EXPECT_FALSE(report.violation.empty());
-    return report.reached;
+    return report.reached.name;
   };
   HullData bad = good;
   bad.cells[4] = 99;
