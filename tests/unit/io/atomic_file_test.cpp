@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// A file appears whole when it is committed, and not at all otherwise.
+#include "io/atomic_file.hpp"
+#include "io_support.hpp"
+
+#include <cstdint>
+#include <filesystem>
+#include <limits>
+#include <string>
+
+namespace {
+
+using namespace delone;
+using delone_test::expect_error;
+using io::AtomicFile;
+
+class AtomicFiles : public delone_test::TemporaryDirectory {};
+
+TEST_F(AtomicFiles, AppearWhenCommitted) {
+  AtomicFile out(path("a"));
+  EXPECT_EQ(out.name(), path("a"));
+  out.write("text ");
+  out.print("{}-{} ", 1, "b");
+  out.put(0.1);
+  out.put(' ');
+  out.put(std::int8_t{-3});
+  out.put(' ');
+  out.put(std::numeric_limits<std::uint64_t>::max());
+  EXPECT_FALSE(std::filesystem::exists(path("a")));
+  out.commit();
+  EXPECT_EQ(content("a"), "text 1-b 0.1 -3 18446744073709551615");
+  EXPECT_EQ(num_files(), 1u);
+}
+
+TEST_F(AtomicFiles, LeaveNothingUnlessCommitted) {
+  {
+    AtomicFile out(path("a"));
+    out.write(std::string(100'000, 'x'));  // more than is buffered
+    EXPECT_EQ(num_files(), 1u);            // under another name
+    EXPECT_FALSE(std::filesystem::exists(path("a")));
+  }
+  EXPECT_EQ(num_files(), 0u);
+}
+
+TEST_F(AtomicFiles, KeepTheOldContentUntilCommitted) {
+  file("a", "old");
+  { AtomicFile(path("a")).write("lost"); }
+  EXPECT_EQ(content("a"), "old");
+  AtomicFile out(path("a"));
+  out.write("new");
+  EXPECT_EQ(content("a"), "old");
+  out.commit();
+  EXPECT_EQ(content("a"), "new");
+  EXPECT_EQ(num_files(), 1u);
+}
+
+TEST_F(AtomicFiles, KeepTheOrderOfLargeAndSmallPieces) {
+  AtomicFile out(path("a"));
+  std::string expected;
+  for (int i = 0; i < 40; ++i) {
+    const std::string piece(i % 10 == 9 ? 70'000 : 3'000, static_cast<char>('a' + i % 26));
+    out.write(piece);
+    expected += piece;
+  }
+  out.commit();
+  EXPECT_EQ(content("a"), expected);
+}
+
+TEST_F(AtomicFiles, FollowSymbolicLinks) {
+  file("target", "old");
+  std::filesystem::create_symlink(path("target"), path("link"));
+  AtomicFile out(path("link"));
+  out.write("new");
+  out.commit();
+  EXPECT_TRUE(std::filesystem::is_symlink(path("link")));
+  EXPECT_EQ(content("target"), "new");
+}
+
+TEST_F(AtomicFiles, SayWhatCannotBeWritten) {
+  expect_error(Errc::cannot_write, {path("none/a"), "No such file"}, [&] { AtomicFile out(path("none/a")); });
+  std::filesystem::create_directory(path("directory"));
+  expect_error(Errc::cannot_write, {path("directory"), "directory"},
+               [&] { AtomicFile out(path("directory")); });
+  if (!std::filesystem::exists("/dev/full")) return;
+  expect_error(Errc::cannot_write, {"/dev/full", "space"}, [] {
+    AtomicFile out("/dev/full");  // a device is written to directly
+    out.write("x");
+    out.commit();
+  });
+}
+
+}  // namespace
