@@ -55,6 +55,7 @@ std::vector<VertexId> Complex::finite_vertices() const {
 std::vector<CellId> Complex::star(VertexId v) const {
   std::vector<CellId> cells;
   if (dimension_ < 0) return cells;
+  if (DELONE_HARDENED && !is_vertex(v)) detail::throw_out_of_range("the id of a vertex");
   CellSet visited;
   cells.push_back(incident_cell(v));
   visited.insert(cells.front());

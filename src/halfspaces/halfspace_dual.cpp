@@ -25,6 +25,7 @@ bool find_in_pairs(const double* row, const std::vector<double>& p, std::span<co
   const std::size_t d = p.size();
   double largest = 0;
   for (std::size_t j = 0; j < d; ++j) largest = std::max(largest, std::abs(row[j]));
+  if (largest == 0) return false;
   const int exponent = -std::ilogb(largest);
   const double offset = std::ldexp(row[d], exponent);
   if (!is_moderate(offset, 0x1p400)) return false;

@@ -108,12 +108,12 @@ Index Triangulation::Impl::BatchInsertion::next() {
   constexpr std::size_t ahead = 64;
   __builtin_prefetch(impl_.vertex_of_row.data() + row(std::min(place_ + ahead, order_.size() - 1)), 1);
   const double* const from = point_at(place_++);
-  VertexPoints& points = impl_.points;
-  --points.num_waiting;
-  const Index v = points.last_vertex();
-  double* const to = points.coordinates.data() + std::size_t{v} * points.row_size();
+  VertexPoints& vertices = impl_.points;
+  --vertices.num_waiting;
+  const Index v = vertices.last_vertex();
+  double* const to = vertices.coordinates.data() + std::size_t{v} * vertices.row_size();
   if (to != from) [[unlikely]]
-    std::copy_n(from, points.row_size(), to);
+    std::copy_n(from, vertices.row_size(), to);
   return v;
 }
 
@@ -192,10 +192,10 @@ bool Triangulation::Impl::BatchInsertion::wrap(std::span<const Index> simplex) {
     return false;
   }
   order_ = std::move(distinct);
-  VertexPoints& points = impl_.points;
-  points.num_waiting = 0;
+  VertexPoints& vertices = impl_.points;
+  vertices.num_waiting = 0;
   if (!impl_.engine->wrap([this] { progress_(0); })) {
-    points.num_waiting = order_.size() - place_;
+    vertices.num_waiting = order_.size() - place_;
     return false;
   }
   for (; place_ < order_.size(); ++place_) impl_.assign(row(place_), static_cast<Index>(place_) + 1);

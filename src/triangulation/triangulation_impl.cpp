@@ -357,7 +357,8 @@ std::vector<std::size_t> Triangulation::Impl::hidden_rows() const {
 const double* Triangulation::Impl::checked_query(std::span<const double> query, double weight,
                                                  std::vector<double>& row) const {
   if (query.size() != ambient())
-    throw Error(Errc::bad_dimension, "the query has not as many coordinates as the space");
+    throw Error(Errc::bad_dimension, "the point has " + std::to_string(query.size()) + " coordinates, not " +
+                                         std::to_string(dimension));
   check_finite(query, {&weight, 1});
   if (!weighted()) return query.data();
   row.assign(query.begin(), query.end());

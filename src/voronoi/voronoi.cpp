@@ -227,7 +227,7 @@ VoronoiData Diagram::to_data() const {
 }
 
 void Diagram::require_ridges() const {
-  if (!has_ridges_) throw Error(Errc::invalid_argument, "the Voronoi diagram was made without ridges");
+  if (!has_ridges_) throw Error(Errc::invalid_argument, "the diagram was made without ridges");
 }
 
 void Diagram::check_box(const Box& box) const {

@@ -134,8 +134,7 @@ void write(const std::string& path, const Diagram& diagram, const std::optional<
   const std::string chosen =
       io::choose_format(path, format, "json", {"npz", "json", "svg", "vtu"}, "writing a Voronoi diagram");
   io::guarded(path, [&] {
-    if (!diagram.has_ridges())
-      io::fail(Errc::invalid_argument, "the Voronoi diagram was made without ridges");
+    if (!diagram.has_ridges()) io::fail(Errc::invalid_argument, "the diagram was made without ridges");
     if (chosen == "npz" || chosen == "json") return write(path, diagram.to_data(), chosen);
     io::refuse_binary_output(path, chosen);
     io::AtomicFile file(path);
