@@ -29,8 +29,8 @@ namespace delone {
 /// points, and a walk for each hidden point.
 ///
 /// The members of Triangulation are those of the vertices that are left; in_sphere() is the side of the
-/// sphere as ever, and a cell is in conflict with points *outside* its sphere. Of to_data(), `check` is to be
-/// told CheckOptions::furthest_site.
+/// sphere as ever, and a cell is in conflict with points *outside* its sphere. To check its
+/// to_data(), set CheckOptions::furthest_site.
 template <int D = dynamic>
 class FurthestSite : public Triangulation {
   static_assert(D >= 0, "the dimension of the space is at least 1, or delone::dynamic");
@@ -64,10 +64,10 @@ class FurthestSite : public Triangulation {
     return insert_point(point, 0.0, hint);
   }
 
-  /// The coordinates of a finite vertex.
   /// A deep copy, with cells and vertices of the same ids. Throws Errc::out_of_memory. O(cells·k + points·d).
   FurthestSite clone() const { return FurthestSite(detail::Clone{}, *this); }
 
+  /// The coordinates of a finite vertex.
   detail::Coordinates<D> point(VertexId v) const { return detail::Coordinates<D>(Triangulation::point(v)); }
   Location locate(const AnyPoint<D>& query, std::optional<CellId> hint = std::nullopt) const {
     return Triangulation::locate(query.coordinates(), hint);

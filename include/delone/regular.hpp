@@ -70,10 +70,10 @@ class Regular : public Triangulation {
     return insert_point(point, weight, hint);
   }
 
-  /// The coordinates of a finite vertex, and its weight. O(1).
   /// A deep copy, with cells and vertices of the same ids. Throws Errc::out_of_memory. O(cells·k + points·d).
   Regular clone() const { return Regular(detail::Clone{}, *this); }
 
+  /// The coordinates of a finite vertex, and its weight. O(1).
   detail::Coordinates<D> point(VertexId v) const { return detail::Coordinates<D>(Triangulation::point(v)); }
   double weight(VertexId v) const { return weight_of(v); }
   /// Where q lies, whatever its weight.
