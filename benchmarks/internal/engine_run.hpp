@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Inserts a batch of points as the library does, and tells an observer when an insertion passes from one phase
-// to the next. The engine is unchanged. The observer sits in the batch, and in the geometry: the engine gets an
-// evaluator from it when a walk or the search of a conflict zone begins, and memory and functionals when a star
-// is made.
+// Inserts a batch of points as the library does, and tells an observer when an insertion passes from one
+// phase to the next. The engine is unchanged. The observer sits in the batch, and in the geometry: the engine
+// gets an evaluator from it when a walk or the search of a conflict zone begins, and memory and functionals
+// when a star is made.
 #pragma once
 
 #include "compiled/triangulation_engine.hpp"
