@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Up to 7 dimensions the vertices of a cell, and likewise its neighbors, fit a vector of eight ids. Beyond,
-// and if vectors are shorter, they are treated in several pieces. The last piece may reach beyond them: ids
-// read there are not used, and what is written there is what was there, or will be overwritten next. But
-// vectors of neighbors end with the last one: the next cell may be on another cache line, which nothing else
-// needs.
+// and where vectors are shorter, they take several vectors, and the last one may reach past their end. Ids
+// that it reads there are not used; what it writes there is either unchanged or overwritten next. Vectors of
+// neighbors are cut off at the last neighbor: the next cell may be on a cache line that nothing else needs.
 #include "engine/link_kernel.hpp"
 
 #include "base/compiled_dimension.hpp"
