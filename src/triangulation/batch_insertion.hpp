@@ -2,8 +2,8 @@
 // A batch of rows into a triangulation, all of them or none.
 //
 // What insertions share is settled before the first one: the grid, the frame, the affine dimension, and where
-// every point is stored. Only duplicates are met on the way, at the ends of walks, as to sort the rows
-// beforehand costs more; so that ids have no gaps, a vertex gets its id when its turn comes, in next().
+// every point is stored. Only duplicates are met on the way: the walk to a duplicate ends at its vertex, so
+// finding them costs nothing. So that ids have no gaps, a vertex gets its id when its turn comes, in next().
 #pragma once
 
 #include "base/progress_meter.hpp"
