@@ -104,45 +104,14 @@ using NeighborsOfCell = CellLinks<CellId>;
 /// infinite vertex. Topology only: no coordinates. Cheap to copy; valid until its owner changes or dies.
 ///
 /// Cells live in slots; a slot may be vacant after an insertion. The ranges skip vacant slots. Functions that
-/// take a cell REQUIRE is_cell(c), those that take a vertex v < num_vertex_slots(), and indices in a cell are
-/// 0 … k. A hardened build (the CMake option DELONE_HARDENED) checks this and throws Errc::invalid_argument.
+/// take a cell REQUIRE is_cell(c), those that take a vertex is_vertex(v), and indices in a cell are 0 … k. A
+/// hardened build (the CMake option DELONE_HARDENED) checks this and throws Errc::invalid_argument.
 class Complex {
  public:
   /// Which cells a range visits.
   enum class Which { all, finite, infinite };
 
-  class CellIterator {
-   public:
-    using value_type = CellId;
-    using difference_type = std::ptrdiff_t;
-    using iterator_category = std::forward_iterator_tag;
-    CellIterator() = default;
-    CellIterator(const Complex* complex, Index slot, Which which)
-        : complex_(complex), slot_(slot), which_(which) {
-      skip();
-    }
-    CellId operator*() const { return CellId{slot_}; }
-    CellIterator& operator++() {
-      ++slot_;
-      skip();
-      return *this;
-    }
-    CellIterator operator++(int) {
-      auto old = *this;
-      ++*this;
-      return old;
-    }
-    friend bool operator==(const CellIterator& a, const CellIterator& b) { return a.slot_ == b.slot_; }
-
-   private:
-    void skip() {
-      while (slot_ < complex_->num_slots_ && !complex_->is_in(CellId{slot_}, which_)) ++slot_;
-    }
-    const Complex* complex_ = nullptr;
-    Index slot_ = 0;
-    Which which_ = Which::all;
-  };
-
+  class CellIterator;
   class CellRange;
 
   /// For each slot, k+1 vertices and then k+1 neighbors. A vacant slot has invalid_index, or its lower 16
@@ -254,7 +223,7 @@ class Complex {
   /// C(k+1,j+1)) memory.
   std::vector<VertexId> faces(int j) const;
   /// All finite edges as pairs of increasing ids, sorted: faces(1).
-  std::vector<VertexId> edges() const { return faces(1); }
+  std::vector<VertexId> edges() const { return dimension_ < 1 ? std::vector<VertexId>{} : faces(1); }
 
  private:
   friend class CellIterator;
@@ -287,13 +256,46 @@ class Complex {
   const CellId* cell_of_vertex_ = nullptr;
 };
 
+/// A forward iterator. Holds its own copy of the view, so it may outlive its range.
+class Complex::CellIterator {
+ public:
+  using value_type = CellId;
+  using difference_type = std::ptrdiff_t;
+  using iterator_category = std::forward_iterator_tag;
+  CellIterator() = default;
+  CellIterator(const Complex& complex, Index slot, Which which)
+      : complex_(complex), slot_(slot), which_(which) {
+    skip();
+  }
+  CellId operator*() const { return CellId{slot_}; }
+  CellIterator& operator++() {
+    ++slot_;
+    skip();
+    return *this;
+  }
+  CellIterator operator++(int) {
+    auto old = *this;
+    ++*this;
+    return old;
+  }
+  friend bool operator==(const CellIterator& a, const CellIterator& b) { return a.slot_ == b.slot_; }
+
+ private:
+  void skip() {
+    while (slot_ < complex_.num_slots_ && !complex_.is_in(CellId{slot_}, which_)) ++slot_;
+  }
+  Complex complex_;
+  Index slot_ = 0;
+  Which which_ = Which::all;
+};
+
 /// The cells of one kind, as a range. Holds its own copy of the view, so it may be made from a temporary
 /// Complex.
 class Complex::CellRange {
  public:
   CellRange(const Complex& complex, Which which) : complex_(complex), which_(which) {}
-  CellIterator begin() const { return {&complex_, 0, which_}; }
-  CellIterator end() const { return {&complex_, complex_.num_slots_, which_}; }
+  CellIterator begin() const { return {complex_, 0, which_}; }
+  CellIterator end() const { return {complex_, complex_.num_slots_, which_}; }
 
  private:
   Complex complex_;

@@ -59,6 +59,9 @@ struct InsertResult {
 /// points leaves what only queries and insertions need, O(k³) time and 8(k+2) bytes per cell, to the first of
 /// them, which throws Errc::out_of_memory if that fails.
 ///
+/// An object that was moved from may be assigned to and destroyed, and nothing else. The same holds for all
+/// products.
+///
 /// *Hidden points.* In a regular or furthest-site triangulation some points are no vertices. A hidden point
 /// stays hidden, whatever is inserted later; a vertex may become hidden: its id is not used again, and the
 /// ids of vertices then have gaps (Complex::finite_vertices()). A Delaunay triangulation hides no point.

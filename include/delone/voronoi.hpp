@@ -208,9 +208,10 @@ class Voronoi : public Diagram {
   Voronoi(detail::Clone clone, const Voronoi& other) : Diagram(clone, other) {}
   template <class Other>
   static const Delaunay<D>& refused() {
-    static_assert(detail::always_false<Other>,
-                  "a Voronoi diagram is made from a delone::Delaunay triangulation; the dual of a "
-                  "delone::Regular one is a delone::PowerDiagram");
+    static_assert(
+        detail::always_false<Other>,
+        "a Voronoi diagram is made from a delone::Delaunay triangulation of the same D; the dual of a "
+        "delone::Regular one is a delone::PowerDiagram");
   }
 };
 
@@ -245,7 +246,7 @@ class PowerDiagram : public Diagram {
   template <class Other>
   static const Regular<D>& refused() {
     static_assert(detail::always_false<Other>,
-                  "a power diagram is made from a delone::Regular triangulation; the dual of a "
+                  "a power diagram is made from a delone::Regular triangulation of the same D; the dual of a "
                   "delone::Delaunay one is a delone::Voronoi diagram");
   }
 };

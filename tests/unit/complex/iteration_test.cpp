@@ -9,6 +9,7 @@
 #include <cstddef>
 #include <cstdlib>
 #include <new>
+#include <vector>
 
 namespace {
 std::size_t num_allocations = 0;
@@ -46,6 +47,23 @@ TEST(Iteration, AllocatesNothing) {
     EXPECT_EQ(num_allocations, before);
     EXPECT_GT(sum, 0u);
   }
+}
+
+TEST(Iteration, AnIteratorOutlivesItsRange) {
+  const Delaunay<> t(make_point_set("uniform", 2, 40, 1), 2);
+  std::vector<CellId> of_range, of_iterator;
+  for (const CellId c : t.finite_cells()) of_range.push_back(c);
+  auto cell = t.finite_cells().begin();
+  const auto end = t.finite_cells().end();
+  for (; cell != end; ++cell) of_iterator.push_back(*cell);
+  EXPECT_EQ(of_iterator, of_range);
+}
+
+TEST(Iteration, AComplexOfOnePointHasNoEdges) {
+  Delaunay<3> t;
+  EXPECT_TRUE(t.complex().edges().empty());
+  t.insert({1, 2, 3});
+  EXPECT_TRUE(t.complex().edges().empty());
 }
 
 TEST(Iteration, RefusesIdsOutOfRangeWhenHardened) {
