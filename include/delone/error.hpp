@@ -24,7 +24,8 @@ enum class Errc {
   unsupported,       ///< a format, or a combination of format and content, that is not available
 };
 
-/// What went wrong (what()), its kind (code()) and the input rows concerned, if any (rows()).
+/// What went wrong (what()), its kind (code()) and the input rows concerned, if any (rows()): those of the
+/// call that throws, counted from 0.
 class Error : public std::runtime_error {
  public:
   Error(Errc code, const std::string& message, std::vector<std::size_t> rows = {})

@@ -2,14 +2,14 @@
 // Ids, views of coordinates and the small vocabulary shared by every header.
 #pragma once
 
+#include <delone/config.hpp>
+#include <delone/error.hpp>
+
 #include <cstddef>
 #include <cstdint>
 #include <limits>
 #include <span>
-#include <stdexcept>
 #include <type_traits>
-
-#include <delone/config.hpp>
 
 namespace delone {
 
@@ -67,13 +67,11 @@ enum class Side : signed char { outside = -1, on = 0, inside = 1 };
 class PointsView {
  public:
   PointsView() = default;
-  /// REQUIRES dimension ≥ 1 and that coordinates.size() is a multiple of dimension; otherwise throws
-  /// std::invalid_argument.
+  /// Throws Errc::bad_dimension unless dimension ≥ 1 and coordinates.size() is a multiple of it.
   PointsView(std::span<const double> coordinates, int dimension)
       : coordinates_(coordinates), dimension_(dimension) {
     if (dimension < 1 || coordinates.size() % static_cast<std::size_t>(dimension) != 0)
-      throw std::invalid_argument(
-          "delone::PointsView: the number of coordinates is not a multiple of the dimension");
+      throw Error(Errc::bad_dimension, "the number of coordinates is not a multiple of the dimension");
   }
 
   int dimension() const { return dimension_; }

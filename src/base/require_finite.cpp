@@ -9,11 +9,10 @@
 namespace delone::internal {
 
 void require_finite(std::span<const double> numbers, std::size_t width, const std::string& what,
-                    const std::string& item, std::size_t first) {
+                    const std::string& item) {
   std::vector<std::size_t> rows;
   for (std::size_t i = 0; i < numbers.size(); ++i)
-    if (const std::size_t row = first + i / width;
-        !std::isfinite(numbers[i]) && (rows.empty() || rows.back() != row))
+    if (const std::size_t row = i / width; !std::isfinite(numbers[i]) && (rows.empty() || rows.back() != row))
       rows.push_back(row);
   if (rows.empty()) return;
   std::string more;

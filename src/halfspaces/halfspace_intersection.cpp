@@ -57,22 +57,22 @@ struct Polyhedron::Impl {
 
   std::size_t num_rows() const { return rows.size() / (d + 1); }
 
-  /// Throws unless all is well with new rows, the first of which gets the given number.
-  void check_rows(std::span<const double> added, std::size_t first) const {
+  /// Throws unless all is well with new rows.
+  void check_rows(std::span<const double> added) const {
     if (added.size() % (d + 1) != 0)
       throw Error(Errc::bad_dimension, "the number of entries is not a multiple of the dimension and one");
-    internal::require_finite(added, d + 1, "an entry", "halfspace", first);
-    if (added.size() / (d + 1) > max_index - 1 - first)
+    internal::require_finite(added, d + 1, "an entry", "halfspace");
+    if (added.size() / (d + 1) > max_index - 1 - num_rows())
       throw Error(Errc::too_many, "more halfspaces than this build has ids");
   }
 
-  /// Throws unless p is strictly inside the rows from `first` on.
+  /// Throws unless p is strictly inside the rows from `first` on, which the error counts from 0.
   void check_interior(const std::vector<double>& all, std::size_t first, const InteriorPoint& p) const {
     std::vector<std::size_t> bad;
     for (std::size_t r = first; r * (d + 1) < all.size(); ++r)
       if (const double* row = &all[r * (d + 1)];
           has_normal(row, d) ? !internal::is_strictly_inside(row, p) : row[d] > 0)
-        bad.push_back(r);
+        bad.push_back(r - first);
     if (!bad.empty())
       throw Error(Errc::invalid_argument,
                   "the interior point is not strictly inside halfspace " + std::to_string(bad.front()) +
@@ -82,7 +82,7 @@ struct Polyhedron::Impl {
 
   /// The first rows.
   void start(std::span<const double> given, const InteriorPoint* known) {
-    check_rows(given, 0);
+    check_rows(given);
     rows.assign(given.begin(), given.end());
     current = build(rows, known);
   }
@@ -187,7 +187,7 @@ struct Polyhedron::Impl {
 
   /// Adds rows, all or none.
   void add(std::span<const double> added) {
-    check_rows(added, num_rows());
+    check_rows(added);
     if (added.empty()) return;
     const std::size_t first = num_rows();
     const double order_before = order_seconds, build_before = build_seconds;

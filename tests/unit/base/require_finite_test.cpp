@@ -25,12 +25,12 @@ TEST(RequireFinite, AcceptsFiniteNumbers) {
 TEST(RequireFinite, NamesTheRow) {
   for (const double bad : {nan, infinity, -infinity}) {
     try {
-      require_finite(std::vector<double>{1, 2, 3, bad, 5, 6}, 2, "the weight", "site", 10);
+      require_finite(std::vector<double>{1, 2, 3, bad, 5, 6}, 2, "the weight", "site");
       FAIL();
     } catch (const Error& error) {
       EXPECT_EQ(error.code(), Errc::not_finite);
-      EXPECT_THAT(error.what(), testing::HasSubstr("the weight of site 11 is not finite"));
-      EXPECT_THAT(error.rows(), testing::ElementsAre(11));
+      EXPECT_THAT(error.what(), testing::HasSubstr("the weight of site 1 is not finite"));
+      EXPECT_THAT(error.rows(), testing::ElementsAre(1));
     }
   }
 }
