@@ -112,20 +112,9 @@ void break_ties_in(const TieTask& task) {
 }
 
 void break_ties_here(const TieTask& task) {
-  switch (task.k) {
-    case 3:
-      return break_ties_in<3>(task);
-    case 4:
-      return break_ties_in<4>(task);
-    case 5:
-      return break_ties_in<5>(task);
-    case 6:
-      return break_ties_in<6>(task);
-    case 7:
-      return break_ties_in<7>(task);
-    case 8:
-      return break_ties_in<8>(task);
-  }
+  internal::with_compiled_dimension<3>(static_cast<std::size_t>(task.k), [&](auto k) {
+    if constexpr (k() > 0) break_ties_in<k()>(task);
+  });
 }
 
 }  // namespace HWY_NAMESPACE

@@ -3,6 +3,8 @@
 // instruction sets; the best one of the machine is chosen at run time.
 #pragma once
 
+#include "base/compiled_dimension.hpp"
+
 #include <delone/types.hpp>
 
 #include <cstddef>
@@ -22,8 +24,9 @@ struct TieTask {
   Sign* sides;                ///< receives perturbed_in_sphere() for each cell
 };
 
-/// The dimensions in which tables of minors are small. In fewer than 3, one cell at a time is as fast.
-constexpr bool can_break_together(int k) { return k >= 3 && k <= 8; }
+/// The dimensions in which tables of minors are small, as far as code is compiled for them. In fewer than 3,
+/// one cell at a time is as fast.
+constexpr bool can_break_together(int k) { return k >= 3 && k <= internal::largest_compiled_dimension; }
 
 /// The dimensions in which binary32, on a tiny grid, is faster: tables are so large and cells so many that
 /// twice as many lanes pay.
