@@ -2,6 +2,8 @@
 """Where delone.spatial gives more than scipy does: flat, duplicate, cospherical and coplanar points. docs/from-scipy.md lists these
 differences; each has its test here.
 """
+import pickle
+
 import numpy as np
 import pytest
 from hypothesis import given
@@ -11,11 +13,43 @@ import delone
 from delone import spatial
 from spatial_support import QUICK, lattice_points, rows_as_set
 
+CLASSES = (spatial.Delaunay, spatial.ConvexHull, spatial.Voronoi)
 PLANE_IN_SPACE = np.array([[0, 0, 1], [1, 0, 1], [0, 1, 1], [1, 1, 1], [0.3, 0.4, 1]])
 
 
+@pytest.mark.parametrize("points", [PLANE_IN_SPACE, [[0, 0], [1, 1]], [[0, 0], [1, 1], [2, 2], [5, 5]], [[3, 4]] * 5, [[3, 4]]])
+@pytest.mark.parametrize("cls", CLASSES)
+def test_flat_points_are_an_error_as_in_scipy_unless_a_result_is_wanted(cls, points):
+    with pytest.raises(spatial.QhullError, match="QH6154 .* span a flat of dimension") as caught:
+        cls(points)
+    again = pickle.loads(pickle.dumps(caught.value))
+    assert type(again) is caught.type and str(again) == str(caught.value)
+    k = np.linalg.matrix_rank(np.subtract(points, points[0]))
+    assert cls(points, flat="result").affine_dimension == cls(points, qhull_options="QJ").affine_dimension == k
+    with pytest.raises(spatial.QhullError):
+        cls(points, qhull_options="QJ", flat="error")
+    with pytest.raises(ValueError, match="flat: 'error' or 'result', not 'yes'"):
+        cls(points, flat="yes")
+
+
+@pytest.mark.parametrize("cls", CLASSES)
+def test_one_dimension_is_an_error_as_in_scipy_unless_a_result_is_wanted(cls):
+    with pytest.raises(ValueError, match="at least 2-D"):
+        cls([[0.0], [2], [1]])
+    assert cls([[0.0], [2], [1]], flat="result").affine_dimension == 1
+
+
+@pytest.mark.parametrize("cls", CLASSES)
+def test_errors_are_also_of_the_class_of_scipy(cls):
+    scipy_spatial = pytest.importorskip("scipy.spatial")
+    with pytest.raises(scipy_spatial.QhullError):
+        cls(PLANE_IN_SPACE)
+    with pytest.raises(scipy_spatial.QhullError):
+        scipy_spatial.ConvexHull(PLANE_IN_SPACE)
+
+
 def test_flat_points_are_triangulated_in_their_flat():
-    tri = spatial.Delaunay(PLANE_IN_SPACE)
+    tri = spatial.Delaunay(PLANE_IN_SPACE, flat="result")
     assert (tri.ndim, tri.affine_dimension, tri.simplices.shape) == (3, 2, (4, 3))
     assert tri.convex_hull.shape == (4, 2)
     found = tri.find_simplex([[0.1, 0.3, 1], [0.1, 0.3, 1 + 1e-15], [2, 2, 1]])
@@ -28,34 +62,34 @@ def test_flat_points_are_triangulated_in_their_flat():
 
 
 def test_flat_points_have_a_hull_in_their_flat():
-    hull = spatial.ConvexHull(PLANE_IN_SPACE)
+    hull = spatial.ConvexHull(PLANE_IN_SPACE, flat="result")
     assert hull.vertices.tolist() == [0, 1, 2, 3]
     assert rows_as_set(hull.simplices) == {(0, 1), (1, 3), (2, 3), (0, 2)}
     assert (hull.volume, hull.area) == (0, pytest.approx(2))
     with pytest.raises(spatial.QhullError, match="flat of dimension 2"):
         hull.equations
-    line = spatial.ConvexHull(np.outer(np.arange(5), [1.0, 2, 2]))
+    line = spatial.ConvexHull(np.outer(np.arange(5), [1.0, 2, 2]), flat="result")
     assert (line.vertices.tolist(), line.volume, line.area) == ([0, 4], 0, 0)
-    segment = spatial.ConvexHull([[0, 0], [3, 4], [1.5, 2]])
+    segment = spatial.ConvexHull([[0, 0], [3, 4], [1.5, 2]], flat="result")
     assert (segment.vertices.tolist(), segment.volume, segment.area) == ([0, 1], 0, pytest.approx(10))
 
 
 def test_the_measures_of_a_flat_hull_are_limits():
     thick = PLANE_IN_SPACE.copy()
     thick[0, 2] += 1e-9
-    flat, thin = spatial.ConvexHull(PLANE_IN_SPACE), spatial.ConvexHull(thick)
+    flat, thin = spatial.ConvexHull(PLANE_IN_SPACE, flat="result"), spatial.ConvexHull(thick)
     np.testing.assert_allclose([flat.volume, flat.area], [thin.volume, thin.area], atol=1e-8)
 
 
 def test_flat_points_have_a_diagram_in_their_flat():
-    diagram = spatial.Voronoi([[0, 0, 1], [2, 0, 1], [0, 2, 1], [2, 2, 1]])
+    diagram = spatial.Voronoi([[0, 0, 1], [2, 0, 1], [0, 2, 1], [2, 2, 1]], flat="result")
     assert diagram.vertices.tolist() == [[1, 1, 1]]
     assert len(diagram.ridge_points) == 4 and diagram.regions == [[-1, 0]] * 4 + [[]]
 
 
 @pytest.mark.parametrize("points", [[[1.0, 2.0]], [[1.0, 2.0]] * 3, [[0.0, 0], [1, 1]], [[0.0], [2], [1]], [[0.0, 0], [1, 0], [0, 1]]])
 def test_few_points_have_results(points):
-    tri, hull, diagram = spatial.Delaunay(points), spatial.ConvexHull(points), spatial.Voronoi(points)
+    tri, hull, diagram = (cls(points, flat="result") for cls in CLASSES)
     k = tri.affine_dimension
     assert hull.affine_dimension == k and tri.simplices.shape[1] == k + 1
     assert len(tri.simplices) == len(np.unique(points, axis=0)) - k
@@ -83,7 +117,7 @@ def test_duplicates_are_the_only_coplanar_points():
 @given(points=lattice_points(), queries=st.integers(0, 2**32 - 1))
 @QUICK
 def test_lattices_are_triangulated_without_flat_simplices(points, queries):
-    tri = spatial.Delaunay(points)
+    tri = spatial.Delaunay(points, flat="result")
     assert rows_as_set(tri.simplices) == rows_as_set(delone.Delaunay(points).cells)
     distinct = np.unique(points, axis=0)
     assert len(np.unique(tri.simplices)) == len(distinct)
@@ -105,7 +139,7 @@ def test_lattices_are_triangulated_without_flat_simplices(points, queries):
 @given(points=lattice_points())
 @QUICK
 def test_simplices_of_hulls_of_lattices_use_extreme_points_only(points):
-    hull = spatial.ConvexHull(points, qhull_options="Qc")
+    hull = spatial.ConvexHull(points, qhull_options="Qc", flat="result", tolerance=0)
     core = delone.ConvexHull(points)
     assert sorted(hull.vertices) == core.vertices.tolist()
     if hull.affine_dimension > 0:

@@ -11,7 +11,7 @@ import delone
 from delone import _core
 
 from . import _geometry, _options
-from ._base import OfPoints, QhullError, as_points
+from ._base import OfPoints, as_points, qhull_error
 
 
 # A transform is left out (NaN) if fewer than about three of its digits would mean anything; the rule of scipy.
@@ -24,20 +24,23 @@ class Delaunay(OfPoints):
     Parameters
     ----------
     points : (npoints, ndim) finite floats
-        The points. Duplicates are merged; flat input is triangulated within its flat.
+        The points. Duplicates are merged.
     furthest_site : bool
         Triangulate for the furthest-site Voronoi diagram instead: the upper hull of the lifted points.
     incremental : bool
         Allow `add_points`.
     qhull_options : str, optional
         Qhull's options, see docs/from-qhull.md; ValueError for one that has no meaning here. Default "Qbb Qc Qz".
+    flat : "error" or "result", keyword only
+        Flat input, points that span less than the space: QhullError as in scipy, or triangulated within its flat; so are points in
+        one dimension, else a ValueError. Default "error", with option QJ "result". (Not in scipy.)
 
     Attributes
     ----------
     points, ndim, npoints, min_bound, max_bound
         The points, d, their number, and their bounding box.
     simplices : (nsimplex, ndim+1) int32
-        Rows of points. Positively oriented: counterclockwise in the plane. For flat input of affine dimension k, k+1 columns.
+        Rows of points: counterclockwise in the plane, increasing otherwise. For flat input of affine dimension k, k+1 columns.
     neighbors : (nsimplex, ndim+1) int32
         The simplex opposite each vertex; −1 on the boundary.
     affine_dimension : int
@@ -48,18 +51,19 @@ class Delaunay(OfPoints):
         Ones.
     furthest_site : bool
 
+    Results cannot be assigned; an array is the caller's to change, and changes nothing else.
     The cells are a function of the set of points, with exact signs and ties broken consistently; see docs/degeneracy.md.
     Cost: that of `delone.Delaunay`; attributes below are computed on first use.
     """
 
-    _derived = ("simplices", "neighbors", "coplanar", "good", "_paraboloid",
+    _derived = ("simplices", "neighbors", "nsimplex", "convex_hull", "coplanar", "good", "_paraboloid",
                 "transform", "equations", "vertex_to_simplex", "vertex_neighbor_vertices")
 
-    def __init__(self, points, furthest_site=False, incremental=False, qhull_options=None):
+    def __init__(self, points, furthest_site=False, incremental=False, qhull_options=None, *, flat=None):
         points = as_points(points)
         self._options = _options.parse(qhull_options, kind="delaunay", furthest_site=furthest_site, incremental=incremental)
-        self.furthest_site = self._options.furthest
-        self._start(points, incremental)
+        self._set(furthest_site=self._options.furthest)
+        self._start(points, incremental, flat)
 
     def _rebuild(self):
         self._core = (delone.FurthestSite if self._options.furthest else delone.Delaunay)(self._points)
@@ -69,14 +73,16 @@ class Delaunay(OfPoints):
 
     def _update(self):
         self._forget()
-        core = self._core
-        self.simplices, self.neighbors = np.array(core.cells), np.array(core.neighbors)
-        self.nsimplex = len(self.simplices)
-        self.affine_dimension = core.affine_dimension
+        simplices, neighbors = self._listed()
+        self._set(simplices=simplices, neighbors=neighbors, nsimplex=len(simplices), affine_dimension=self._core.affine_dimension)
+
+    def _listed(self) -> tuple[np.ndarray, np.ndarray]:
+        """simplices and neighbors, new arrays."""
+        return _geometry.listed(self._core.cells, self._core.neighbors, self.ndim)
 
     def _need_full_dimension(self, what: str) -> None:
         if self.affine_dimension < self.ndim:
-            raise QhullError(f"{what}: the points span a flat of dimension {self.affine_dimension} in {self.ndim} dimensions")
+            raise qhull_error(f"{what}: the points span a flat of dimension {self.affine_dimension} in {self.ndim} dimensions")
 
     @cached_property
     def good(self) -> np.ndarray:
@@ -110,7 +116,7 @@ class Delaunay(OfPoints):
         ``transform[i, :ndim] @ (x - transform[i, ndim])``. NaN for simplices so thin that less than three digits would be right.
         Raises QhullError for flat input."""
         self._need_full_dimension("transform")
-        transform, condition = _core._transforms(self._core.points, self._core.cells)
+        transform, condition = _core._transforms(self._core.points, self._listed()[0])
         with np.errstate(invalid="ignore"):
             transform[~(condition * SMALLEST_RECIPROCAL_CONDITION <= 1)] = np.nan
         return transform
@@ -139,7 +145,7 @@ class Delaunay(OfPoints):
     @property
     def convex_hull(self) -> np.ndarray:
         """(nfaces, ndim) int32: the facets of simplices without a neighbor. Each has a simplex: points within hull facets count."""
-        return _geometry.boundary_facets(self.simplices, self.neighbors)
+        return _geometry.boundary_facets(*self._listed())
 
     @property
     def vertices(self) -> np.ndarray:
