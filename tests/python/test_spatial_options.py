@@ -53,13 +53,15 @@ def test_options_are_refused_in_incremental_mode_as_in_scipy(cls, option):
 
 
 def test_the_tolerance_is_that_of_qhull():
-    """The width within which Qhull merges is in the statistics that it prints: _one-merge, for 100 points in the unit cube."""
+    """Qhull prints the distance within which it merges: `rbox c | qconvex FO` has _one-merge 4.9e-15, `rbox c D5 | …` 1.5e-14."""
+    for dimension, expected in [(3, 4.9e-15), (5, 1.5e-14)]:
+        assert _tolerance.of_qhull(np.stack([np.full(dimension, 0.5), np.full(dimension, -0.5)])) == pytest.approx(expected, rel=0.02, abs=0)
     cube = np.array(np.meshgrid([0, 1], [0, 1], [0, 1])).reshape(3, -1).T.astype(float)
-    assert _tolerance.of_qhull(cube) == pytest.approx(7 * 2**-52 * (1.01 * 3 * 3 + 1), rel=1e-12)
-    assert _tolerance.of_qhull(cube * 1000) == pytest.approx(1000 * _tolerance.of_qhull(cube), rel=1e-12)
+    assert _tolerance.of_qhull(cube) == pytest.approx(7 * 2**-52 * (1.01 * 3 * 3**0.5 + 1), rel=1e-12, abs=0)
+    assert _tolerance.of_qhull(cube * 1000) == pytest.approx(1000 * _tolerance.of_qhull(cube), rel=1e-12, abs=0)
     assert _tolerance.of_qhull(np.full((2, 2), 1e308)) < np.inf
     for text, expected in [("Q0", 0), ("QJ", 0), ("W1e-3", 1e-3), ("E1e-5", 7e-5), ("C-1e-3 E0", 3e-3), ("C1e-3 C-1e-4 E0", 3e-3)]:
-        assert _tolerance.of_qhull(cube, _options.parse(text, kind="hull")) == pytest.approx(expected, rel=1e-12), text
+        assert _tolerance.of_qhull(cube, _options.parse(text, kind="hull")) == pytest.approx(expected, rel=1e-12, abs=0), text
     assert spatial.ConvexHull(cube).tolerance == _tolerance.of_qhull(cube)
     assert spatial.ConvexHull(cube, tolerance=0).tolerance == 0 == spatial.Voronoi(cube, tolerance=0).tolerance
 
