@@ -65,6 +65,16 @@ class Delaunay(OfPoints):
         self._set(furthest_site=self._options.furthest)
         self._start(points, incremental, flat)
 
+    @classmethod
+    def _of(cls, core):
+        """The `delone.Delaunay` core with these attributes; the object refers to it."""
+        self = cls.__new__(cls)
+        self._options, self._flat, self._core = _options.parse(None, kind="delaunay"), "result", core
+        self._set(furthest_site=False)
+        self._set_points(core.points)
+        self._update()
+        return self
+
     def _rebuild(self):
         self._core = (delone.FurthestSite if self._options.furthest else delone.Delaunay)(self._points)
 
