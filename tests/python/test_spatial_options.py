@@ -80,5 +80,20 @@ def test_the_defaults_are_those_of_scipy():
 
 
 def test_the_guide_lists_every_option():
-    table = set(re.findall(r"`(Q\w+|Pp|Tv)`", GUIDE.read_text(encoding="utf-8")))
-    assert {*_options.NO_EFFECT, "Qbb", "Qc", "Qz", "Qu"} <= table
+    """Every row of the guide says what the parser does with its options."""
+    rows = re.findall(r"^\| (`.*?) \| (.*) \|$", GUIDE.read_text(encoding="utf-8").partition("## Options")[2].partition("## ")[0], re.M)
+    listed = {option for names, _ in rows for option in re.findall(r"`([^`]+)`", names)}
+    assert {*_options.NO_EFFECT, "Qbb", "Qc", "Qz", "Qu", "QJ", "Q0", "Cn", "C-n", "En", "Wn", *"fimnops"} <= listed
+    for names, meaning in rows:
+        if "incremental" in names:
+            continue
+        for option in re.findall(r"`([^`]+)`", names):
+            option = re.sub("n$", "3", option).replace("k:n", "0:3").replace("…", "a" if option[0] in "FG" else "4").replace("-n", "-3")
+            for kind in ("delaunay", "voronoi", "hull"):
+                expected = meaning.startswith("refused") or kind == "hull" and option == "Qu" or kind != "hull" and option[:2] == "QG"
+                try:
+                    _options.parse(option, kind=kind)
+                    refused = False
+                except ValueError:
+                    refused = True
+                assert refused == expected, (option, kind, meaning)
