@@ -88,7 +88,7 @@ def test_the_guide_lists_every_option():
         if "incremental" in names:
             continue
         for option in re.findall(r"`([^`]+)`", names):
-            option = re.sub("n$", "3", option).replace("k:n", "0:3").replace("…", "a" if option[0] in "FG" else "4").replace("-n", "-3")
+            option = re.sub(r"(?<=.)n$", "3", option).replace("k:n", "0:3").replace("…", "a" if option[0] in "FG" else "4").replace("-n", "-3")
             for kind in ("delaunay", "voronoi", "hull"):
                 expected = meaning.startswith("refused") or kind == "hull" and option == "Qu" or kind != "hull" and option[:2] == "QG"
                 try:
