@@ -12,15 +12,16 @@ namespace delone {
 
 /// In the order of their coordinates. A ray keeps the vertex that it starts from.
 std::vector<SignedIndex> DiagramSimplifier::vertices_that_lost_ridges() const {
-  std::vector<unsigned char> is_candidate(num_vertices_, 0);
+  std::vector<bool> is_candidate(num_vertices_, false);
   for (std::size_t i = 0; i < is_gone_.size(); ++i)
     if (is_gone_[i] != 0)
       for (const SignedIndex v : in_.ridge(i))
-        if (v >= 0) is_candidate[static_cast<std::size_t>(representative(v))] = 1;
-  for (const SignedIndex v : in_.ray_vertices_) is_candidate[static_cast<std::size_t>(representative(v))] = 0;
+        if (v >= 0) is_candidate[static_cast<std::size_t>(representative(v))] = true;
+  for (const SignedIndex v : in_.ray_vertices_)
+    is_candidate[static_cast<std::size_t>(representative(v))] = false;
   std::vector<SignedIndex> candidates;
   for (Index v = 0; v < num_vertices_; ++v)
-    if (is_candidate[v] != 0) candidates.push_back(static_cast<SignedIndex>(v));
+    if (is_candidate[v]) candidates.push_back(static_cast<SignedIndex>(v));
   std::sort(candidates.begin(), candidates.end(), [&](SignedIndex v, SignedIndex w) {
     return comes_before(static_cast<Index>(v), static_cast<Index>(w));
   });

@@ -26,7 +26,7 @@ TEST(RidgeWidth, OfSegmentsAndPolygons) {
   const std::vector<double> triangle{0, 0, 0, 1000, 1000, 0, 500, 500, 0.25};
   EXPECT_NEAR(RidgeWidth(3, 3).bound(rows(triangle, 3)), 0.25, 1e-12);
   const std::vector<double> line{0, 0, 0, 1, 1, 1, 2, 2, 2, 3, 3, 3};
-  EXPECT_LE(RidgeWidth(3, 3).bound(rows(line, 3)), 1e-15);
+  EXPECT_LE(RidgeWidth(3, 3).bound(rows(line, 3)), 1e-14);
   EXPECT_FALSE(RidgeWidth(3, 3).is_wide(rows(line, 3), 1e-100));
 }
 
