@@ -169,6 +169,7 @@ struct VoronoiData {
   std::vector<std::int64_t> ridge_offsets{0}, region_offsets{0};
   std::vector<SignedIndex> ray_vertices, ray_points;
   std::vector<double> ray_directions;
+  double tolerance = 0;  ///< what the diagram was made with
 
   std::size_t num_points() const { return point_region.size(); }
   std::size_t num_vertices() const {
