@@ -29,7 +29,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <limits>
+#include <unordered_map>
 #include <utility>
 
 namespace delone::kernel {
@@ -304,27 +306,24 @@ class ExactPoints {
     for (const double* p : points)
       for (std::size_t j = 0; j < d; ++j)
         coordinates_.push_back(scaled_integer(p[j], grid_) - scaled_integer(q[j], grid_));
-    products_.resize(points.size() * points.size());
-    known_.resize(products_.size());
   }
   int grid() const { return grid_; }
+  /// Few of all pairs come up, so products are kept in a table.
   const Integer& product(int a, int b) {
-    const std::size_t m = coordinates_.size() / d_;
-    const auto low = static_cast<std::size_t>(std::min(a, b)),
-               high = static_cast<std::size_t>(std::max(a, b));
-    Integer& result = products_[low * m + high];
-    if (known_[low * m + high] == 0) {
-      for (std::size_t j = 0; j < d_; ++j) result += coordinates_[low * d_ + j] * coordinates_[high * d_ + j];
-      known_[low * m + high] = 1;
-    }
-    return result;
+    const auto low = static_cast<std::uint64_t>(std::min(a, b)),
+               high = static_cast<std::uint64_t>(std::max(a, b));
+    const auto [at, is_new] = products_.try_emplace(low << 32 | high);
+    if (is_new)
+      for (std::size_t j = 0; j < d_; ++j)
+        at->second += coordinates_[low * d_ + j] * coordinates_[high * d_ + j];
+    return at->second;
   }
 
  private:
   std::size_t d_;
   int grid_;
-  std::vector<Integer> coordinates_, products_;
-  std::vector<unsigned char> known_;
+  std::vector<Integer> coordinates_;
+  std::unordered_map<std::uint64_t, Integer> products_;
 };
 
 /// The point of the flat of the face with the least norm: weights and squared norm, by Lagrange's conditions
