@@ -25,7 +25,8 @@ class ConvexHull(OfPoints):
         Qhull's options, see docs/from-qhull.md; ValueError for one that has no meaning here.
     tolerance : float, keyword only
         The hull is the exact one of a subset of the points; all others are at most this far outside, see `delone.ConvexHull`. By
-        default Qhull's round-off, about 1e-14 of the extent, see docs/from-scipy.md; 0 is exact. (Not in scipy.)
+        default Qhull's round-off, about 1e-14 of the extent, see docs/from-scipy.md; that of the first points, if others are added
+        without ``restart``. 0 is exact. ValueError if it is negative, not finite, or larger than the extent. (Not in scipy.)
     flat : "error" or "result", keyword only
         Flat input, points that span less than the space: QhullError as in scipy, or the hull within its flat; so are points in one
         dimension, else a ValueError. Default "error", with option QJ "result". (Not in scipy.)
@@ -47,8 +48,8 @@ class ConvexHull(OfPoints):
         The ndim-dimensional volume and the (ndim−1)-dimensional volume of the boundary; in the plane, area and perimeter. Of
         flat input the volume is 0, and the area twice that of the flat hull if k = ndim−1, else 0: the limits.
     coplanar : (ncoplanar, 3) int32
-        With option Qc: the points of the boundary that are not extreme and the duplicates of such on the boundary, each with a
-        simplex and the nearest of its vertices.
+        With option Qc: the points of the boundary, or outside of it within the tolerance, that are not extreme, and the duplicates
+        of vertices, each with a simplex and the nearest of its vertices.
     good : (nsimplex,) bool or None
         With option QGn: whether each simplex is strictly visible from point n, which is left out of the hull.
     tolerance : float
@@ -76,7 +77,7 @@ class ConvexHull(OfPoints):
         points = self._without_good_row(self._points)
         tolerance = self._wanted_tolerance
         self._set(tolerance=_tolerance.of_qhull(points, self._options) if tolerance is None else tolerance)
-        self._core = _tolerance.made(delone.ConvexHull, points, self.tolerance)
+        self._core = delone.ConvexHull(points, tolerance=self.tolerance)
 
     def _extend(self, rows):
         self._core.insert_range(rows)
@@ -88,7 +89,7 @@ class ConvexHull(OfPoints):
         extreme = core.vertices
         self._extreme = rows[extreme]
         self._shown = core
-        if len(np.unique(core.cells)) > len(extreme):
+        if np.count_nonzero(np.bincount(core.cells.ravel())) > len(extreme):
             # Other points of the boundary are vertices of its simplices, too: the hull of the extreme points has the same boundary.
             self._shown = delone.ConvexHull(core.points[extreme])
             rows = self._extreme
@@ -125,11 +126,11 @@ class ConvexHull(OfPoints):
     def coplanar(self) -> np.ndarray:
         if not self._options.keep_coplanar or self.affine_dimension < 1:
             return np.empty((0, 3), np.intc)
-        rest = self._without_good_row(np.arange(self.npoints))
+        kinds = self._core.point_kinds[self._core.vertex_of_point]
+        rest = self._without_good_row(np.arange(self.npoints))[kinds < 2]
         simplices = self._listed()[0]
         rest = rest[~np.isin(rest, simplices)]
-        where = self._shown.locate(self._points[rest])
-        rest, cell = rest[where.kind == 1], where.cell[where.kind == 1]
+        cell = self._shown.locate(self._points[rest]).cell
         corners = simplices[cell]
         distances = np.linalg.norm(self._points[corners] - self._points[rest][:, None, :], axis=2)
         nearest = np.take_along_axis(corners, distances.argmin(axis=1)[:, None], axis=1)[:, 0]

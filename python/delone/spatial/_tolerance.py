@@ -30,10 +30,3 @@ def of_qhull(points: np.ndarray, options: Options = Options()) -> float:
     tolerance = max((2 * d + 1) * roundoff + d * options.centrum, options.width)
     with np.errstate(over="ignore"):
         return min(tolerance, float(np.ptp(points, axis=0).max()), np.finfo(float).max)
-
-
-def made(kind: type, argument, tolerance: float):
-    """``kind(argument, tolerance=tolerance)``."""
-    if "tolerance" not in kind.__init__.__doc__:
-        return kind(argument)
-    return kind(argument, tolerance=tolerance)

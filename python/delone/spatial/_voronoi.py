@@ -27,7 +27,8 @@ class Voronoi(OfPoints):
         Qhull's options, see docs/from-qhull.md; ValueError for one that has no meaning here. Default "Qbb Qc Qz".
     tolerance : float, keyword only
         Vertices within this distance of one that stands for them are one, and ridges of less width are left out, see
-        `delone.Voronoi`. By default Qhull's round-off, about 1e-14 of the extent, see docs/from-scipy.md; 0 is exact. (Not in scipy.)
+        `delone.Voronoi`. By default Qhull's round-off, about 1e-14 of the extent, see docs/from-scipy.md; 0 is exact.
+        ValueError if it is negative, not finite, or larger than the extent. (Not in scipy.)
     flat : "error" or "result", keyword only
         Flat input, points that span less than the space: QhullError as in scipy, or a diagram within its flat; so are points in one
         dimension, else a ValueError. Default "error", with option QJ "result". (Not in scipy.)
@@ -80,7 +81,7 @@ class Voronoi(OfPoints):
         self._forget()
         tolerance = self._wanted_tolerance
         tolerance = _tolerance.of_qhull(self._points, self._options) if tolerance is None else tolerance
-        diagram = _tolerance.made(delone.Voronoi, self._core, tolerance)
+        diagram = delone.Voronoi(self._core, tolerance)
         point_region = diagram.point_region.astype(np.intp)
         hidden = np.flatnonzero(point_region == -1)
         point_region[hidden] = diagram.num_regions + np.arange(len(hidden))
