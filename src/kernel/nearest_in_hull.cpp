@@ -295,54 +295,61 @@ void NearestInHull::find(std::span<const double* const> points, const double* q,
   prove();
 }
 
+/// An approximate left inverse X = R⁻¹·Qᵀ of the edges of the face, with ‖I − X·E‖ ≤ alpha_ < 1/2 and upper
+/// bounds of the norms of E and X. REQUIRES minimize_on_face(). Returns false if alpha_ is not that small.
+bool NearestInHull::invert_edges() {
+  const std::size_t r = face_.size() - 1;
+  const double* base = difference(face_[0]);
+  double inverse_square = 0, alpha_square = 0, edge_square = 0;
+  inverse_.resize(r * d_);
+  for (std::size_t i = r; i-- > 0;)
+    for (std::size_t j = 0; j < d_; ++j) {
+      double x = basis_[i * d_ + j];
+      for (std::size_t s = i + 1; s < r; ++s) x -= triangle_[i * r + s] * inverse_[s * d_ + j];
+      x /= triangle_[i * r + i];
+      inverse_[i * d_ + j] = x;
+      inverse_square += x * x;
+    }
+  for (std::size_t c = 0; c < r; ++c) {
+    const double* p = difference(face_[c + 1]);
+    for (std::size_t j = 0; j < d_; ++j) edge_square += (p[j] - base[j]) * (p[j] - base[j]);
+    for (std::size_t i = 0; i < r; ++i) {
+      double entry = i == c ? 1 : 0;
+      for (std::size_t j = 0; j < d_; ++j) entry -= inverse_[i * d_ + j] * (p[j] - base[j]);
+      alpha_square += entry * entry;
+    }
+  }
+  const auto dimension = static_cast<double>(d_), rank = static_cast<double>(r);
+  edges_norm_ = 1.01 * std::sqrt(edge_square);
+  edges_error_ = 4 * unit_roundoff * std::sqrt(rank * dimension);
+  inverse_norm_ = 1.01 * std::sqrt(inverse_square);
+  alpha_ = 1.01 * std::sqrt(alpha_square) + inverse_norm_ * edges_error_ +
+           1.05 * (dimension + 3) * unit_roundoff * (inverse_norm_ * edges_norm_ + std::sqrt(rank));
+  return alpha_ < 0.5;
+}
+
 void NearestInHull::prove() {
   weight_error_ = std::numeric_limits<double>::infinity();
-  if (is_shifted_ || has_underflow_ || !minimize_on_face()) return;
+  if (is_shifted_ || has_underflow_ || !minimize_on_face() || !invert_edges()) return;
   const std::size_t r = face_.size() - 1;
   const double dimension = static_cast<double>(d_), count = static_cast<double>(m_);
   set_point();
   place_ = point_;
   // |z̃ − z| ≤ place_error, as all differences are at most 1, and so are sums of weights, up to rounding.
-  double place_error = 1.05 * (count + 6) * unit_roundoff * std::sqrt(dimension);
-  double inverse_square = 0, rho_square = 0, alpha_square = 0, edge_square = 0;
-  if (r > 0) {
-    // X = R⁻¹·Qᵀ, by rows from the last.
-    inverse_.resize(r * d_);
-    for (std::size_t i = r; i-- > 0;)
-      for (std::size_t j = 0; j < d_; ++j) {
-        double x = basis_[i * d_ + j];
-        for (std::size_t s = i + 1; s < r; ++s) x -= triangle_[i * r + s] * inverse_[s * d_ + j];
-        x /= triangle_[i * r + i];
-        inverse_[i * d_ + j] = x;
-        inverse_square += x * x;
-      }
-    const double* base = difference(face_[0]);
-    for (std::size_t c = 0; c < r; ++c) {
-      const double* p = difference(face_[c + 1]);
-      double rho = 0;
-      for (std::size_t j = 0; j < d_; ++j) {
-        const double edge = p[j] - base[j];
-        rho += edge * place_[j];
-        edge_square += edge * edge;
-      }
-      rho_square += rho * rho;
-      for (std::size_t i = 0; i < r; ++i) {
-        double entry = i == c ? 1 : 0;
-        for (std::size_t j = 0; j < d_; ++j) entry -= inverse_[i * d_ + j] * (p[j] - base[j]);
-        alpha_square += entry * entry;
-      }
-    }
+  const double place_error = 1.05 * (count + 6) * unit_roundoff * std::sqrt(dimension);
+  const double* base = difference(face_[0]);
+  double rho_square = 0;
+  for (std::size_t c = 0; c < r; ++c) {
+    const double* p = difference(face_[c + 1]);
+    double rho = 0;
+    for (std::size_t j = 0; j < d_; ++j) rho += (p[j] - base[j]) * place_[j];
+    rho_square += rho * rho;
   }
-  const double edges = 1.01 * std::sqrt(edge_square), inverse = 1.01 * std::sqrt(inverse_square);
-  const double edges_error = 4 * unit_roundoff * std::sqrt(static_cast<double>(r) * dimension);
   const double place = norm_up(place_) + place_error;
-  const double alpha =
-      1.01 * std::sqrt(alpha_square) + inverse * edges_error +
-      1.05 * (dimension + 3) * unit_roundoff * (inverse * edges + std::sqrt(static_cast<double>(r)));
-  if (!(alpha < 0.5)) return;
-  const double rho = 1.01 * std::sqrt(rho_square) + (edges + edges_error) * place_error +
-                     edges_error * place + 1.05 * (dimension + 3) * unit_roundoff * edges * place + least;
-  const double per_sigma = r == 0 ? 0 : inverse / (1 - alpha);
+  const double rho = 1.01 * std::sqrt(rho_square) + (edges_norm_ + edges_error_) * place_error +
+                     edges_error_ * place + 1.05 * (dimension + 3) * unit_roundoff * edges_norm_ * place +
+                     least;
+  const double per_sigma = r == 0 ? 0 : inverse_norm_ / (1 - alpha_);
   const double weight_error = 1.05 * (1 + std::sqrt(static_cast<double>(r))) * rho * per_sigma * per_sigma +
                               4 * (count + 4) * unit_roundoff;
   place_error_ = 1.05 * (rho * per_sigma + place_error);
@@ -357,6 +364,35 @@ void NearestInHull::prove() {
     if (sign_of_product(difference(static_cast<int>(i))) != Sign::positive) return;
   }
   weight_error_ = weight_error;
+}
+
+/// The height over facet i is 1/|P_i| with the row P_i of the pseudoinverse P of E; for the first vertex, P_0
+/// is minus the sum of rows. Of all left inverses L it has the least norm of every row, and of their sum.
+/// With L = (X·E)⁻¹·X, every row is off from X's by at most α/(1 − α) times the norm of X.
+double NearestInHull::least_height_down(std::span<const double* const> points, int dimension) {
+  d_ = static_cast<std::size_t>(dimension);
+  m_ = points.size();
+  set_differences(points, points[0]);
+  face_.resize(m_);
+  std::iota(face_.begin(), face_.end(), 0);
+  if (is_shifted_ || has_underflow_ || !minimize_on_face() || !invert_edges()) return 0;
+  double largest = 0;
+  point_.assign(d_, 0.0);
+  for (std::size_t i = 0; i + 1 < m_; ++i) {
+    double square = 0;
+    for (std::size_t j = 0; j < d_; ++j) {
+      const double x = inverse_[i * d_ + j];
+      point_[j] += x;
+      square += x * x;
+    }
+    largest = std::max(largest, square);
+  }
+  largest = std::max(largest, dot(point_.data(), point_.data(), d_));
+  const auto count = static_cast<double>(m_);
+  const double rounding =
+      1.05 * (static_cast<double>(d_) + count + 4) * unit_roundoff * count * inverse_norm_;
+  const double row = std::sqrt(largest) + rounding + 1.01 * count * alpha_ / (1 - alpha_) * inverse_norm_;
+  return scale_down((1 - 8 * unit_roundoff) / row, exponent_);
 }
 
 /// The sign of z·(v − z), of which z̃·(ṽ − z̃) is computed. With η ≥ |z̃ − z|, the errors of the two factors

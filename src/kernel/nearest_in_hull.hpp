@@ -43,6 +43,10 @@ class NearestInHull {
   /// dependent, as far as binary64 can tell. O(m²·dimension).
   double flat_distance_up(std::span<const double* const> points, const double* q, int dimension);
 
+  /// A lower bound on the least height of the simplex of m ≥ 2 points: the least distance of one of them from
+  /// the affine hull of the others. 0 if binary64 cannot tell.
+  double least_height_down(std::span<const double* const> points, int dimension);
+
  private:
   void set_differences(std::span<const double* const> points, const double* q);
   std::size_t nearest_vertex() const;
@@ -51,6 +55,7 @@ class NearestInHull {
   void set_point();
   void set_bounds();
   void prove();
+  bool invert_edges();
   Sign sign_of_product(const double* v) const;
   const double* difference(int point) const {
     return differences_.data() + static_cast<std::size_t>(point) * d_;
@@ -65,9 +70,10 @@ class NearestInHull {
   std::vector<double> minimum_;  // weights of the point of the face's flat nearest to q
   std::vector<double> normal_;   // from q to that point, orthogonal to the flat
   std::vector<double> basis_, triangle_, point_, normal_kept_, weights_;
-  std::vector<double> place_, inverse_;  // the point found, and a left inverse of the edges of the face
-  bool is_shifted_ = false;              // whether an axis was divided first
-  double place_error_ = 0;               // place_ is off from the nearest point by no more, if that is proved
+  std::vector<double> place_, inverse_;  // the point found; X of invert_edges()
+  double alpha_ = 0, edges_norm_ = 0, edges_error_ = 0, inverse_norm_ = 0;
+  bool is_shifted_ = false;  // whether an axis was divided first
+  double place_error_ = 0;   // place_ is off from the nearest point by no more, if that is proved
   double lower_ = 0, upper_ = 0, weight_error_ = 0;
 };
 
