@@ -20,6 +20,13 @@
 // twice: its angle with them is right up to a few roundings also if z is small beside the face, where the
 // rounded Σ w_i·v_i points anywhere.
 //
+// Proof. Let E be the edges of the face from its first point, y the weights found, z the point, y* and z*
+// those of the nearest point of the face's flat. Eᵀ·E·(y − y*) = Eᵀ·z = ρ, so |z − z*| ≤ |ρ|/σ and |y − y*| ≤
+// |ρ|/σ² with the least singular value σ of E. If X is an approximate left inverse of E and ‖I − X·E‖ ≤ α <
+// 1, then σ ≥ (1 − α)/‖X‖, in Frobenius' norm. If all weights exceed their error, z* is in the face; if
+// z*·(v_i − z*) > 0 for all other points, it is nearest and the only one. Errors of ρ: those of z times |E|,
+// and the rounding of the products; of X·E: as in linear_bound.hpp, and those of the edges, at most 4u each.
+//
 // Absolute terms of 2^−500 cover underflow of products; the factors below cover second-order terms, the
 // rounding of the bounds themselves and of the square roots.
 #include "kernel/nearest_in_hull.hpp"
@@ -30,7 +37,9 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <iterator>
 #include <limits>
+#include <numeric>
 #include <unordered_map>
 #include <utility>
 
@@ -101,6 +110,7 @@ void NearestInHull::set_differences(std::span<const double* const> points, const
     x = y;
   }
   exponent_ = exponent + shift;
+  is_shifted_ = shift != 0;
 }
 
 std::size_t NearestInHull::nearest_vertex() const {
@@ -239,6 +249,7 @@ void NearestInHull::set_bounds() {
     const double error = is_zero ? 0 : rounding * parts + least;
     point_[j] = (std::fabs(point_[j]) + error) * (1 + 4 * unit_roundoff);
   }
+  // point_ is |z| with its error now.
   upper_ = scale_up(norm_up(point_) / sum * (1 + (count + 6) * unit_roundoff), exponent_);
 
   lower_ = 0;
@@ -283,6 +294,161 @@ void NearestInHull::find(std::span<const double* const> points, const double* q,
     on_face_.push_back(weights_[i]);
   }
   set_bounds();
+  prove();
+}
+
+/// An approximate left inverse X = R⁻¹·Qᵀ of the edges of the face, with ‖I − X·E‖ ≤ alpha_ < 1/2 and upper
+/// bounds of the norms of E and X. REQUIRES minimize_on_face(). Returns false if alpha_ is not that small.
+bool NearestInHull::invert_edges() {
+  const std::size_t r = face_.size() - 1;
+  const double* base = difference(face_[0]);
+  double inverse_square = 0, alpha_square = 0, edge_square = 0;
+  inverse_.resize(r * d_);
+  for (std::size_t i = r; i-- > 0;)
+    for (std::size_t j = 0; j < d_; ++j) {
+      double x = basis_[i * d_ + j];
+      for (std::size_t s = i + 1; s < r; ++s) x -= triangle_[i * r + s] * inverse_[s * d_ + j];
+      x /= triangle_[i * r + i];
+      inverse_[i * d_ + j] = x;
+      inverse_square += x * x;
+    }
+  for (std::size_t c = 0; c < r; ++c) {
+    const double* p = difference(face_[c + 1]);
+    for (std::size_t j = 0; j < d_; ++j) edge_square += (p[j] - base[j]) * (p[j] - base[j]);
+    for (std::size_t i = 0; i < r; ++i) {
+      double entry = i == c ? 1 : 0;
+      for (std::size_t j = 0; j < d_; ++j) entry -= inverse_[i * d_ + j] * (p[j] - base[j]);
+      alpha_square += entry * entry;
+    }
+  }
+  const auto dimension = static_cast<double>(d_), rank = static_cast<double>(r);
+  edges_norm_ = 1.01 * std::sqrt(edge_square);
+  edges_error_ = 4 * unit_roundoff * std::sqrt(rank * dimension);
+  inverse_norm_ = 1.01 * std::sqrt(inverse_square);
+  alpha_ = 1.01 * std::sqrt(alpha_square) + inverse_norm_ * edges_error_ +
+           1.05 * (dimension + 3) * unit_roundoff * (inverse_norm_ * edges_norm_ + std::sqrt(rank));
+  return alpha_ < 0.5;
+}
+
+void NearestInHull::prove() {
+  weight_error_ = std::numeric_limits<double>::infinity();
+  if (is_shifted_ || has_underflow_ || !minimize_on_face() || !invert_edges()) return;
+  const std::size_t r = face_.size() - 1;
+  const double dimension = static_cast<double>(d_), count = static_cast<double>(m_);
+  set_point();
+  place_ = point_;
+  // |z̃ − z| ≤ place_error, as all differences are at most 1, and so are sums of weights, up to rounding.
+  const double place_error = 1.05 * (count + 6) * unit_roundoff * std::sqrt(dimension);
+  const double* base = difference(face_[0]);
+  double rho_square = 0;
+  for (std::size_t c = 0; c < r; ++c) {
+    const double* p = difference(face_[c + 1]);
+    double rho = 0;
+    for (std::size_t j = 0; j < d_; ++j) rho += (p[j] - base[j]) * place_[j];
+    rho_square += rho * rho;
+  }
+  const double place = norm_up(place_) + place_error;
+  const double rho = 1.01 * std::sqrt(rho_square) + (edges_norm_ + edges_error_) * place_error +
+                     edges_error_ * place + 1.05 * (dimension + 3) * unit_roundoff * edges_norm_ * place +
+                     least;
+  const double per_sigma = r == 0 ? 0 : inverse_norm_ / (1 - alpha_);
+  const double weight_error = 1.05 * (1 + std::sqrt(static_cast<double>(r))) * rho * per_sigma * per_sigma +
+                              4 * (count + 4) * unit_roundoff;
+  place_error_ = 1.05 * (rho * per_sigma + place_error);
+  if (r > 0)
+    for (const double w : on_face_)
+      if (!(w > weight_error)) return;
+  for (std::size_t i = 0, s = 0; i < m_; ++i) {
+    if (s <= r && face_[s] == static_cast<int>(i)) {
+      ++s;
+      continue;
+    }
+    if (sign_of_product(difference(static_cast<int>(i))) != Sign::positive) return;
+  }
+  weight_error_ = weight_error;
+}
+
+/// The height over facet i is 1/|P_i| with the row P_i of the pseudoinverse P of E; for the first vertex, P_0
+/// is minus the sum of rows. Of all left inverses L it has the least norm of every row, and of their sum.
+/// With L = (X·E)⁻¹·X, every row is off from X's by at most α/(1 − α) times the norm of X.
+double NearestInHull::least_height_down(std::span<const double* const> points, int dimension) {
+  d_ = static_cast<std::size_t>(dimension);
+  m_ = points.size();
+  set_differences(points, points[0]);
+  face_.resize(m_);
+  std::iota(face_.begin(), face_.end(), 0);
+  if (is_shifted_ || has_underflow_ || !minimize_on_face() || !invert_edges()) return 0;
+  double largest = 0;
+  point_.assign(d_, 0.0);
+  for (std::size_t i = 0; i + 1 < m_; ++i) {
+    double square = 0;
+    for (std::size_t j = 0; j < d_; ++j) {
+      const double x = inverse_[i * d_ + j];
+      point_[j] += x;
+      square += x * x;
+    }
+    largest = std::max(largest, square);
+  }
+  largest = std::max(largest, dot(point_.data(), point_.data(), d_));
+  const auto count = static_cast<double>(m_);
+  const double rounding =
+      1.05 * (static_cast<double>(d_) + count + 4) * unit_roundoff * count * inverse_norm_;
+  const double row = std::sqrt(largest) + rounding + 1.01 * count * alpha_ / (1 - alpha_) * inverse_norm_;
+  return scale_down((1 - 8 * unit_roundoff) / row, exponent_);
+}
+
+/// The sign of z·(v − z), of which z̃·(ṽ − z̃) is computed. With η ≥ |z̃ − z|, the errors of the two factors
+/// change it by at most η·(|v − z| + |z|) + u·|v|·|z|, up to second order.
+Sign NearestInHull::sign_of_product(const double* v) const {
+  double product = 0, size = 0, place = 0;
+  for (std::size_t j = 0; j < d_; ++j) {
+    product += place_[j] * (v[j] - place_[j]);
+    size += v[j] * v[j];
+    place += place_[j] * place_[j];
+  }
+  size = 1.01 * std::sqrt(size) + least;
+  place = 1.01 * std::sqrt(place) + place_error_ + least;
+  const double error = 1.05 * (place_error_ * (size + 2 * place) +
+                               (static_cast<double>(d_) + 5) * unit_roundoff * place * (size + place)) +
+                       least;
+  return product > error ? Sign::positive : product < -error ? Sign::negative : Sign::zero;
+}
+
+Sign NearestInHull::side(const double* p, const double* q) const {
+  double v[64];
+  if (d_ > std::size(v)) return Sign::zero;
+  for (std::size_t j = 0; j < d_; ++j) {
+    v[j] = std::ldexp(p[j] - q[j], -exponent_);
+    if (!(std::fabs(v[j]) < 0x1p100) || (std::fabs(v[j]) < least && p[j] != q[j])) return Sign::zero;
+  }
+  return sign_of_product(v);
+}
+
+double NearestInHull::flat_distance_up(std::span<const double* const> points, const double* q,
+                                       int dimension) {
+  d_ = static_cast<std::size_t>(dimension);
+  m_ = points.size();
+  set_differences(points, q);
+  face_.resize(m_);
+  std::iota(face_.begin(), face_.end(), 0);
+  if (!minimize_on_face()) return std::numeric_limits<double>::infinity();
+  // As the upper bound of find(), with weights of both signs, whose sum is 1 up to their own rounding.
+  double sum = 0, parts = 0;
+  for (const double w : minimum_) {
+    sum += w;
+    parts += std::fabs(w);
+  }
+  const double rounding = 1.01 * (static_cast<double>(m_) + 3) * unit_roundoff;
+  const double least_sum = sum - rounding * parts;
+  if (!(least_sum > 0.5)) return std::numeric_limits<double>::infinity();
+  on_face_ = minimum_;
+  set_point();
+  for (std::size_t j = 0; j < d_; ++j) {
+    double size = 0;
+    for (std::size_t i = 0; i < m_; ++i) size += std::fabs(minimum_[i] * difference(static_cast<int>(i))[j]);
+    point_[j] = (std::fabs(point_[j]) + rounding * size + least) * (1 + 4 * unit_roundoff);
+  }
+  return scale_up(norm_up(point_) / least_sum * (1 + 4 * unit_roundoff), exponent_);
 }
 
 namespace {

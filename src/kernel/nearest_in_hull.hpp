@@ -31,6 +31,21 @@ class NearestInHull {
   /// so the distance lies between them. Both may be infinite if the distance is beyond the largest double.
   double lower() const { return lower_; }
   double upper() const { return upper_; }
+  /// If finite, the nearest point is proved to have positive weights at all points of face() and none
+  /// elsewhere, if the m points are affinely independent, and no weight is off by more than this.
+  double weight_error() const { return weight_error_; }
+  /// Where another point p lies: positive if z·(p − z) > 0 for the nearest point z seen from q, so that the
+  /// hull with p has the same nearest point; negative if the hull with p comes nearer; zero if binary64
+  /// cannot tell. REQUIRES a finite weight_error(), and the q of find().
+  Sign side(const double* p, const double* q) const;
+
+  /// An upper bound on the distance of q from the affine hull of m ≥ 1 points. Infinite if the points are
+  /// dependent, as far as binary64 can tell. O(m²·dimension).
+  double flat_distance_up(std::span<const double* const> points, const double* q, int dimension);
+
+  /// A lower bound on the least height of the simplex of m ≥ 2 points: the least distance of one of them from
+  /// the affine hull of the others. 0 if binary64 cannot tell.
+  double least_height_down(std::span<const double* const> points, int dimension);
 
  private:
   void set_differences(std::span<const double* const> points, const double* q);
@@ -39,6 +54,9 @@ class NearestInHull {
   bool minimize_on_face();
   void set_point();
   void set_bounds();
+  void prove();
+  bool invert_edges();
+  Sign sign_of_product(const double* v) const;
   const double* difference(int point) const {
     return differences_.data() + static_cast<std::size_t>(point) * d_;
   }
@@ -52,7 +70,11 @@ class NearestInHull {
   std::vector<double> minimum_;  // weights of the point of the face's flat nearest to q
   std::vector<double> normal_;   // from q to that point, orthogonal to the flat
   std::vector<double> basis_, triangle_, point_, normal_kept_, weights_;
-  double lower_ = 0, upper_ = 0;
+  std::vector<double> place_, inverse_;  // the point found; X of invert_edges()
+  double alpha_ = 0, edges_norm_ = 0, edges_error_ = 0, inverse_norm_ = 0;
+  bool is_shifted_ = false;  // whether an axis was divided first
+  double place_error_ = 0;   // place_ is off from the nearest point by no more, if that is proved
+  double lower_ = 0, upper_ = 0, weight_error_ = 0;
 };
 
 /// The nearest point, exactly.

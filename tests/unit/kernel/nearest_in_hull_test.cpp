@@ -35,7 +35,8 @@ Rational squared(const ExactNearest& nearest) {
 }
 
 /// Checks the exact answer by its optimality conditions, and the bounds against it.
-void check(const Case& c) {
+int proved = 0, signs = 0;
+void check(const Case& c, bool is_independent = false) {
   const auto points = c.points();
   const auto d = static_cast<std::size_t>(c.d);
   const ExactNearest nearest = nearest_in_hull_exactly(points, c.q.data(), c.d);
@@ -78,6 +79,29 @@ void check(const Case& c) {
               !(Rational(rounded.upper()) * Rational(rounded.upper()) < found_square));
   EXPECT_GE(found_square, square);
 
+  if (std::isfinite(rounded.weight_error())) {
+    const std::vector<int> face(rounded.face().begin(), rounded.face().end());
+    if (face == nearest.face)
+      for (std::size_t i = 0; i < nearest.face.size(); ++i) {
+        const Rational off = Rational(nearest.numerators[i], nearest.denominator) -
+                             Rational(rounded.weights()[static_cast<std::size_t>(nearest.face[i])]);
+        EXPECT_LE(boost::multiprecision::abs(off), Rational(rounded.weight_error()));
+      }
+    ++proved;
+    EXPECT_TRUE(!is_independent || face == nearest.face);
+    std::mt19937_64 random(7);
+    for (int round = 0; round < 4; ++round) {
+      std::vector<double> p(d);
+      for (std::size_t j = 0; j < d; ++j)
+        p[j] = c.q[j] + (points[0][j] - c.q[j]) * (static_cast<double>(random() % 1000) / 250 - 2);
+      Rational product(0);
+      for (std::size_t j = 0; j < d; ++j) product += z[j] * (Rational(p[j]) - Rational(c.q[j]) - z[j]);
+      const Sign sign = rounded.side(p.data(), c.q.data());
+      EXPECT_TRUE(sign != Sign::positive || product > 0);
+      EXPECT_TRUE(sign != Sign::negative || product < 0);
+      if (sign != Sign::zero) ++signs;
+    }
+  }
   const ExactNearest guessed = nearest_in_hull_exactly(points, c.q.data(), c.d, rounded.face());
   EXPECT_EQ(guessed.compare(nearest), Sign::zero);
   for (const double t : {rounded.lower(), rounded.upper()}) {
@@ -96,11 +120,47 @@ TEST(NearestInHull, RandomSimplices) {
         Case c{d, {}, {}};
         for (int i = 0; i < m * d; ++i) c.coordinates.push_back(uniform(random));
         for (int j = 0; j < d; ++j) c.q.push_back(1.5 * uniform(random));
-        check(c);
+        check(c, true);
         NearestInHull rounded;
         rounded.find(c.points(), c.q.data(), d);
+        EXPECT_LT(rounded.weight_error(), 1e-9) << d << " " << m;
         EXPECT_LT(rounded.upper() - rounded.lower(), 1e-11) << d << " " << m;
       }
+}
+
+TEST(NearestInHull, MostIsProved) {
+  proved = signs = 0;
+  std::mt19937_64 random(1);
+  std::uniform_real_distribution<double> uniform(-1, 1);
+  for (int round = 0; round < 50; ++round) {
+    Case c{3, {}, {}};
+    for (int i = 0; i < 12; ++i) c.coordinates.push_back(uniform(random));
+    for (int j = 0; j < 3; ++j) c.q.push_back(uniform(random));
+    check(c, true);
+  }
+  EXPECT_EQ(proved, 50);
+  EXPECT_GT(signs, 100);
+}
+
+TEST(NearestInHull, DistanceFromAFlat) {
+  NearestInHull nearest;
+  const Case c{3, {0, 0, 0, 3, 1, 0, 1, 3, 0}, {-40, 17, 1e-9}};
+  EXPECT_GE(nearest.flat_distance_up(c.points(), c.q.data(), 3), 1e-9);
+  EXPECT_LE(nearest.flat_distance_up(c.points(), c.q.data(), 3), 1e-9 + 1e-12);
+  const Case line{3, {0, 0, 0, 3, 1, 0, 6, 2, 0}, {-40, 17, 1e-9}};
+  EXPECT_TRUE(std::isinf(nearest.flat_distance_up(line.points(), line.q.data(), 3)));
+}
+
+TEST(NearestInHull, LeastHeight) {
+  NearestInHull nearest;
+  const Case c{2, {0, 0, 4, 0, 1, 3e-7}, {}};
+  EXPECT_LE(nearest.least_height_down(c.points(), 2), 3e-7);
+  EXPECT_GE(nearest.least_height_down(c.points(), 2), 0.99 * 3e-7 * 4 / 4.0001);
+  const Case flat{3, {0, 0, 0, 2, 2, 1}, {}};
+  EXPECT_LE(nearest.least_height_down(flat.points(), 3), 3);
+  EXPECT_GE(nearest.least_height_down(flat.points(), 3), 3 - 1e-13);
+  const Case dependent{2, {0, 0, 1, 1, 3, 3}, {}};
+  EXPECT_EQ(nearest.least_height_down(dependent.points(), 2), 0);
 }
 
 TEST(NearestInHull, SmallIntegers) {
