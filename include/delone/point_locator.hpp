@@ -81,6 +81,12 @@ class PointLocator {
   /// cells are thick is kept, for the tolerance used last: a byte per cell.
   void locate(std::span<const double> queries, const LocateOptions& options, const Visit& visit) const;
 
+  /// For each of q queries, calls `visit` for the finite cells within `radius` of it, roughly the nearest
+  /// first, until it returns false. All cells within the radius are visited, and maybe some that are farther
+  /// by a rounding. REQUIRES a finite radius ≥ 0. Method and errors: as locate() with a tolerance.
+  void cells_within(std::span<const double> queries, double radius,
+                    const std::function<bool(std::size_t query, CellId cell)>& visit) const;
+
   /// For each of q queries the vertex of least distance; of a regular triangulation, of least power |x − p|²
   /// − weight: the site whose region of the diagram contains the query. Exact; of several the one with the
   /// first input row. invalid_vertex if there is no vertex. `visit` as for locate(). The first call makes a

@@ -206,6 +206,16 @@ void PointLocator::locate(std::span<const double> queries, const LocateOptions& 
   }
 }
 
+void PointLocator::cells_within(std::span<const double> queries, double radius,
+                                const std::function<bool(std::size_t, CellId)>& visit) const {
+  internal::require_tolerance(radius);
+  internal::TolerantLocation near(*impl_, {.tolerance = radius}, nullptr);
+  const auto width = static_cast<std::size_t>(impl_->dimension);
+  locate(queries, [&](std::size_t query, const LocatedPoint& found) {
+    near.visit_near(queries.data() + query * width, found, [&](CellId cell) { return visit(query, cell); });
+  });
+}
+
 std::shared_ptr<const internal::ThickCells> PointLocator::Impl::thick_cells(double tolerance) const {
   if (tolerance == 0) return nullptr;
   const std::lock_guard lock(thick_mutex);

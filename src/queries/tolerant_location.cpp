@@ -23,7 +23,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <queue>
 #include <utility>
 
 namespace delone::internal {
@@ -122,32 +121,16 @@ bool TolerantLocation::precedes(const Candidate& a, const Candidate& b) const {
 
 /// Collects the thick cells within τ that may be nearest.
 void TolerantLocation::search(const double* q, CellId start) {
-  using Entry = std::pair<double, Index>;
-  std::priority_queue<Entry, std::vector<Entry>, std::greater<>> queue;
   candidates_.clear();
-  visited_.clear();
   double radius = options_.tolerance;
-  queue.emplace(0.0, index(start));
-  while (!queue.empty() && queue.top().first <= radius) {
-    const CellId cell{queue.top().second};
-    queue.pop();
-    if (!visited_.insert(index(cell)).second) continue;
-    if (is_thick(cell)) {
-      Candidate candidate;
-      find(cell, q, candidate);
-      radius = std::min(radius, candidate.upper);
-      if (candidate.lower <= radius) candidates_.push_back(std::move(candidate));
-    }
-    for (int i = 0; i <= where_.affine_dimension; ++i) {
-      const CellId other = where_.complex.neighbor(cell, i);
-      if (where_.complex.is_infinite(other) || visited_.count(index(other)) != 0) continue;
-      load(cell);
-      facet_ = points_;
-      facet_.erase(facet_.begin() + i);
-      nearest_.find(facet_, q, where_.dimension);
-      if (nearest_.lower() <= radius) queue.emplace(nearest_.lower(), index(other));
-    }
-  }
+  visit_ball(q, start, radius, [&](CellId cell) {
+    if (!is_thick(cell)) return true;
+    Candidate candidate;
+    find(cell, q, candidate);
+    radius = std::min(radius, candidate.upper);
+    if (candidate.lower <= radius) candidates_.push_back(std::move(candidate));
+    return true;
+  });
   std::erase_if(candidates_, [&](const Candidate& c) { return c.lower > radius; });
 }
 
@@ -262,6 +245,15 @@ void TolerantLocation::answer(const Candidate& candidate, LocatedPoint& found) {
   last_ = candidate.cell;
 }
 
+/// The cell of a query, one at the facet that it is beyond, or one that is likely near.
+CellId TolerantLocation::finite_cell(const LocatedPoint& found) const {
+  if (!found.barycentric.empty()) return found.cell;
+  if (found.cell != invalid_cell)
+    return where_.complex.neighbor(found.cell, where_.complex.infinite_index(found.cell));
+  if (last_ != invalid_cell || where_.complex.num_finite_cells() == 0) return last_;
+  return *where_.complex.finite_cells().begin();
+}
+
 void TolerantLocation::refine(const double* q, LocatedPoint& found) {
   Candidate candidate;
   if (!found.barycentric.empty()) {
@@ -271,11 +263,7 @@ void TolerantLocation::refine(const double* q, LocatedPoint& found) {
     candidate.upper = std::min(candidate.upper, options_.tolerance);
     return answer(candidate, found);
   }
-  CellId start = last_;
-  if (found.cell != invalid_cell)
-    start = where_.complex.neighbor(found.cell, where_.complex.infinite_index(found.cell));
-  else if (start == invalid_cell && where_.complex.num_finite_cells() > 0)
-    start = *where_.complex.finite_cells().begin();
+  const CellId start = finite_cell(found);
   if (start == invalid_cell) return;
   bool has_searched = false;
   if (thick_ != nullptr) {

@@ -260,20 +260,20 @@ std::vector<double> queries_near(const std::vector<double>& points, int d, std::
 
 TEST(TolerantLocation, TurnedGrids) {
   Seen all;
-  for (const auto& [d, n] : {std::pair{2, 7}, {3, 4}, {4, 3}})
+  for (const auto& [d, n] : {std::pair{2, 6}, {3, 3}, {4, 2}})
     for (const double angle : {0.0, 0.55, 5.28})
       for (const double tolerance : {1e-12, 1e-9, 1e-3}) {
         SCOPED_TRACE(testing::Message() << d << "D " << angle << " " << tolerance);
         const std::vector<double> points = turned_grid(d, n, angle);
         const Delaunay<> t(points, d);
-        const Seen seen = check(t, queries_near(points, d, d == 4 ? 15 : 40, tolerance / 2, 3), tolerance);
+        const Seen seen = check(t, queries_near(points, d, d == 4 ? 4 : 12, tolerance / 2, 3), tolerance);
         all.thick += seen.thick;
         all.outside += seen.outside;
         all.moved += seen.moved;
       }
-  EXPECT_GT(all.thick, 100);
-  EXPECT_GT(all.outside, 10);
-  EXPECT_GT(all.moved, 30);
+  EXPECT_GT(all.thick, 40);
+  EXPECT_GT(all.outside, 2);
+  EXPECT_GT(all.moved, 10);
 }
 
 TEST(TolerantLocation, ToleranceOfTheSizeOfCells) {
@@ -288,16 +288,16 @@ TEST(TolerantLocation, ToleranceOfTheSizeOfCells) {
         for (int i = 0; i < (d == 4 ? 12 : 20) * d; ++i)
           points.push_back(is_rounded ? std::round(uniform(random) * 8) / 8 : uniform(random));
         const Delaunay<> t(points, d);
-        const Seen seen = check(t, queries_near(points, d, d == 4 ? 10 : 20, tolerance / 2, 5), tolerance);
+        const Seen seen = check(t, queries_near(points, d, d == 4 ? 4 : 10, tolerance / 2, 5), tolerance);
         all.thick += seen.thick;
         all.inside += seen.inside;
         all.hull += seen.hull;
         all.outside += seen.outside;
       }
-  EXPECT_GT(all.thick, 50);
-  EXPECT_GT(all.inside, 50);
-  EXPECT_GT(all.hull, 20);
-  EXPECT_GT(all.outside, 20);
+  EXPECT_GT(all.thick, 20);
+  EXPECT_GT(all.inside, 20);
+  EXPECT_GT(all.hull, 5);
+  EXPECT_GT(all.outside, 5);
 }
 
 TEST(TolerantLocation, FlatInput) {
@@ -324,12 +324,13 @@ TEST(TolerantLocation, FiveAndSixDimensions) {
   std::uniform_real_distribution<double> uniform(0, 1);
   for (int d = 5; d <= 6; ++d) {
     std::vector<double> points;
-    for (int i = 0; i < (d + 4) * d; ++i) points.push_back(uniform(random));
+    for (int i = 0; i < (d + 2) * d; ++i) points.push_back(uniform(random));
     const Delaunay<> t(points, d);
-    check(t, queries_near(points, d, 6, 0.05, 7), 0.1);
+    check(t, queries_near(points, d, 3, 0.05, 7), 0.1);
     const std::vector<double> cube = turned_grid(d, 2, 0.55);
-    const Delaunay<> u(std::span(cube).first(static_cast<std::size_t>(d) * (d == 5 ? 20 : 16)), d);
-    check(u, queries_near(cube, d, 4, 1e-10, 7), 1e-9);
+    const auto part = static_cast<std::ptrdiff_t>(d * (d + 3));
+    const Delaunay<> u(std::vector<double>(cube.begin(), cube.begin() + part), d);
+    check(u, queries_near(cube, d, 2, 1e-10, 7), 1e-9);
   }
 }
 
