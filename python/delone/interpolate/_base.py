@@ -6,6 +6,7 @@ import numpy as np
 
 import delone
 from delone import spatial
+from delone.spatial import _tolerance
 
 # scipy's tolerance in barycentric coordinates.
 TOLERANCE = 100 * np.finfo(float).eps
@@ -67,7 +68,10 @@ class OnTriangulation(Interpolator):
     """Values at the vertices of a triangulation, real or complex, and a constant outside.
 
     A subclass computes what it needs of ``_columns``, (n, c) float64 with real and imaginary parts side by side, in ``_prepare()``,
-    and values at queries in ``_evaluate(queries, tolerance)``, (q, c).
+    and values at queries in ``_evaluate(queries, factor)``, (q, c), with tolerances that are `factor` times the usual ones.
+
+    Queries take the value at a point that is within Qhull's round-off of them, in a simplex thicker than that, if there is one; see
+    `delone.Delaunay.find_simplex` with its tolerance. Of those that remain outside, those in scipy's tolerance count as inside.
     """
 
     def __init__(self, points, values, fill_value, rescale: bool):
@@ -77,6 +81,7 @@ class OnTriangulation(Interpolator):
         self._tri = self.tri if isinstance(self.tri, spatial.Delaunay) else spatial.Delaunay._of(self.tri)
         if self._tri.furthest_site:
             raise ValueError("points: a furthest-site triangulation does not interpolate")
+        self._distance = _tolerance.of_qhull(self.points)
         self._given_fill = fill_value
         self.values = values
 
@@ -110,7 +115,8 @@ class OnTriangulation(Interpolator):
         of one value.
 
         simplex_tolerance : float > 0
-            Queries with barycentric coordinates in [−t, 1+t] of a simplex count as inside it; t is 100 ε times this.
+            Queries with barycentric coordinates in [−t, 1+t] of a simplex, t = 100 ε times this, count as inside it, and those within
+            Qhull's round-off times this.
         """
         if not simplex_tolerance > 0:
             raise ValueError("simplex_tolerance must be positive")
@@ -119,16 +125,16 @@ class OnTriangulation(Interpolator):
         queries, shape = self._queries(args)
         finite = np.isfinite(queries).all(axis=1)
         if finite.all():
-            result = self._evaluate(queries, TOLERANCE * simplex_tolerance)
+            result = self._evaluate(queries, float(simplex_tolerance))
         else:
             result = np.tile(self._fill, (len(queries), 1))
-            result[finite] = self._evaluate(queries[finite], TOLERANCE * simplex_tolerance)
+            result[finite] = self._evaluate(queries[finite], float(simplex_tolerance))
         return np.ascontiguousarray(result).view(self._values.dtype).reshape(shape + self.values_shape)
 
-    def _beyond(self, queries: np.ndarray, tolerance: float) -> tuple[np.ndarray, np.ndarray]:
+    def _beyond(self, queries: np.ndarray, factor: float) -> tuple[np.ndarray, np.ndarray]:
         """For queries outside of the hull, the simplices (q,) that they are in as far as scipy's rule goes, else −1, and their
         barycentric coordinates (q, k+1)."""
-        found = self._tri.find_simplex(queries, tol=tolerance)
+        found = self._tri.find_simplex(queries, tol=TOLERANCE * factor)
         weights = np.full((len(queries), self._tri.affine_dimension + 1), np.nan)
         inside = np.flatnonzero(found >= 0)
         if len(inside):

@@ -57,11 +57,11 @@ class CloughTocher2DInterpolator(OnTriangulation):
         parts = gradients.reshape(len(gradients), -1, 2, 2) if self.is_complex else gradients
         self.grad = parts[:, :, 0] + 1j * parts[:, :, 1] if self.is_complex else gradients
 
-    def _evaluate(self, queries, tolerance):
+    def _evaluate(self, queries, factor):
         core = self._tri._core
-        found, weights = core.barycentric(queries)
+        found, weights = core.barycentric(queries, tolerance=self._distance * factor)
         outside = np.flatnonzero(found < 0)
         if len(outside):
             found, weights = np.array(found), np.array(weights)
-            found[outside], weights[outside] = self._beyond(queries[outside], tolerance)
+            found[outside], weights[outside] = self._beyond(queries[outside], factor)
         return _core._clough_tocher(self.points, core.cells, core.neighbors, self._columns, self._gradients, found, weights, self._fill)

@@ -35,16 +35,18 @@ class LinearNDInterpolator(OnTriangulation):
         super().__init__(points, values, fill_value, rescale)
 
     def _prepare(self):
-        self._function = delone.LinearInterpolator(self._tri._core, self._columns)
+        self._function = delone.LinearInterpolator(self._tri._core, self._columns, tolerance=self._distance)
 
-    def _evaluate(self, queries, tolerance):
-        result = self._function(queries)
-        outside = np.flatnonzero(np.isnan(result).all(axis=1))  # or where values are NaN, which is the same then
-        found, weights = self._beyond(queries[outside], tolerance)
-        exact = self._tri._core.find_simplex(queries[outside]) >= 0
-        result[outside[(found < 0) & ~exact]] = self._fill
-        near = (found >= 0) & ~exact
-        if near.any():
-            corners = self._tri._listed()[0][found[near]]
-            result[outside[near]] = np.einsum("qi,qic->qc", weights[near], self._columns[corners])
+    def _evaluate(self, queries, factor):
+        function = self._function
+        if factor != 1:
+            function = delone.LinearInterpolator(self._tri._core, self._columns, tolerance=self._distance * factor)
+        result = function(queries)
+        # Queries outside, and those where values are NaN, which stays so.
+        unsure = np.flatnonzero(np.isnan(result).all(axis=1))
+        if len(unsure):
+            outside = unsure[self._tri._core.find_simplex(queries[unsure], tolerance=self._distance * factor) < 0]
+            found, weights = self._beyond(queries[outside], factor)
+            result[outside] = np.einsum("qi,qic->qc", weights, self._columns[self._tri._listed()[0][found]])
+            result[outside[found < 0]] = self._fill
         return result

@@ -79,7 +79,7 @@ class Delaunay(OfPoints):
     """
 
     _derived = ("simplices", "neighbors", "nsimplex", "convex_hull", "coplanar", "good", "_paraboloid",
-                "transform", "equations", "vertex_to_simplex", "vertex_neighbor_vertices", "_search")
+                "transform", "equations", "vertex_to_simplex", "vertex_neighbor_vertices", "_search", "_own_neighbors")
 
     def __init__(self, points, furthest_site=False, incremental=False, qhull_options=None, *, flat=None):
         points = as_points(points)
@@ -227,6 +227,11 @@ class Delaunay(OfPoints):
         return found if xi.ndim == 2 else found.reshape(xi.shape[:-1])
 
     @cached_property
+    def _own_neighbors(self) -> np.ndarray:
+        """`neighbors`, whatever the caller does to that array."""
+        return self._listed()[1]
+
+    @cached_property
     def _search(self) -> _Search:
         return _Search(self.transform, self._core)
 
@@ -237,7 +242,7 @@ class Delaunay(OfPoints):
         radius = 2.1 * (self.ndim + 1) * max(broad, tol) * search.diameter + 1e-300
         near = ((queries >= search.lower - radius) & (queries <= search.upper + radius)).all(axis=1)
         if near.any():
-            accepting = self._core._find_accepting(queries[near], self.transform, self.neighbors, tol, broad, min(radius, 1e300))
+            accepting = self._core._find_accepting(queries[near], self.transform, self._own_neighbors, tol, broad, min(radius, 1e300))
             found = found.copy()
             found[near] = np.where(accepting >= 0, accepting, found[near])
         return found
