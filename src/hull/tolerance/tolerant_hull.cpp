@@ -5,8 +5,10 @@
 #include "hull/hull_analysis.hpp"
 #include "hull/tolerance/vertex_choice.hpp"
 
+#include <algorithm>
 #include <functional>
 #include <utility>
+#include <vector>
 
 namespace delone::internal {
 
@@ -27,7 +29,11 @@ TolerantHull::TolerantHull(const HullState& exact, const Options& options, bool 
     axes = std::move(in_flat->axes);
   } else {
     choice = choose_vertices(exact.sites(), extreme, options.tolerance, alive);
-    if (choice.sites.size() == extreme.size()) return;
+    // The exact hull is the answer, unless cells have vertices that are not extreme, within its facets.
+    const std::vector<char>& is_extreme = analysis.faces().is_extreme;
+    const bool has_others =
+        std::ranges::any_of(exact.hull().cells, [&](Index site) { return is_extreme[site] == 0; });
+    if (choice.sites.size() == extreme.size() && !has_others) return;
   }
   max_distance_ = choice.max_distance;
   Options quiet;
