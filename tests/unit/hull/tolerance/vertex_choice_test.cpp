@@ -85,8 +85,8 @@ TEST(VertexChoice, CoversAllAndNoneCanBeLeftOut) {
           test::Rational result(0);
           for (const Index v : example.extreme->sites())
             if (std::find(kept.begin(), kept.end(), v) == kept.end())
-              result = std::max(result, test::squared_distance_from_hull(
-                                            points, example.state.sites().point(v), size));
+              result = std::max(
+                  result, test::squared_distance_from_hull(points, example.state.sites().point(v), size));
           return result;
         };
         EXPECT_LE(largest(choice.sites), reported * reported);
