@@ -50,8 +50,8 @@ INSTANTIATE_TEST_SUITE_P(Shapes, TolerantHullQhull,
                                            test::subdivided_box("lattice2", {12, 12}, 12, true),
                                            test::subdivided_box("lattice3", {8, 8, 8}, 8, true),
                                            test::subdivided_box("lattice4", {4, 4, 4, 4}, 4, true)),
-                         [](const auto& info) {
-                           std::string name = info.param.name;
+                         [](const auto& shape) {
+                           std::string name = shape.param.name;
                            for (char& c : name)
                              if (c == ' ') c = '_';
                            return name;

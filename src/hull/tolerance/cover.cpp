@@ -4,7 +4,11 @@
 // point. Once covered, a point stays covered until a point of its witness is dropped.
 #include "hull/tolerance/cover.hpp"
 
+#include "kernel/determinant.hpp"
+
 #include <algorithm>
+#include <cmath>
+#include <limits>
 #include <queue>
 #include <utility>
 
@@ -13,6 +17,7 @@ namespace delone::internal {
 namespace {
 
 constexpr std::size_t most_neighbors = 256;  // more are not worth a look
+constexpr std::size_t few = 24;              // points, or rounds
 
 }  // namespace
 
@@ -71,10 +76,9 @@ bool Cover::look(Index p, std::span<const Index> pool) {
   return true;
 }
 
-/// The same for all kept points; those among the neighbors, and theirs, first. The set of neighbors is what
-/// counts, not their order.
-bool Cover::cover(Index p) {
-  alive_();
+/// The neighbors of p that are kept, and theirs, increasing; none if they are too many. The set of neighbors
+/// is what counts, not their order.
+void Cover::find_local(Index p) {
   near_.assign(1, p);
   marks_[p] = 1;
   std::size_t done = 0;
@@ -86,12 +90,61 @@ bool Cover::cover(Index p) {
     marks_[v] = 0;
     if (states_[v].is_kept) local_.push_back(v);
   }
-  const bool is_few = near_.size() <= most_neighbors && local_.size() < kept_.size();
+  if (near_.size() > most_neighbors) local_.clear();
   std::sort(local_.begin(), local_.end());
-  if (is_few && look(p, local_)) return true;
-  const bool is_covered = look(p, kept_);
+}
+
+/// The same for all kept points. The nearest point of a few of them, neighbors at first, is found, then the
+/// kept point that is farthest beyond its supporting plane joins them, until there is none: so the others are
+/// only multiplied by a normal.
+///
+/// For each n ≠ 0 the distance from the hull is at least the least n·(q − w) of the kept points w, divided by
+/// |n|. A computed n·(q − w) is off by at most γ(d+1) of the sum of the absolute products.
+bool Cover::cover(Index p) {
+  alive_();
   states_[p].seen = kept_.size();
-  return is_covered;
+  if (kept_.size() <= few) return look(p, kept_);
+  find_local(p);
+  if (local_.empty()) local_.push_back(kept_[0]);
+  const auto d = static_cast<std::size_t>(dimension_);
+  const double* const q = points_[p];
+  normal_.resize(d);
+  for (std::size_t round = 0; round < few; ++round) {
+    if (look(p, local_)) return true;
+    std::fill(normal_.begin(), normal_.end(), 0.0);
+    double square = 0, weight = 0;
+    for (std::size_t i = 0; i < local_.size(); ++i) {
+      const double share = nearest_.weights()[i];
+      if (share == 0) continue;
+      weight += share;
+      for (std::size_t j = 0; j < d; ++j) normal_[j] += share * (q[j] - points_[local_[i]][j]);
+    }
+    for (double& x : normal_) x /= weight, square += x * x;
+    const double length = std::sqrt(square) * (1 + static_cast<double>(d + 4) * kernel::unit_roundoff);
+    if (!(length > 0x1p-400 && length < 0x1p400)) break;
+    const double rounding = 1.01 * static_cast<double>(d + 2) * kernel::unit_roundoff;
+    double least = std::numeric_limits<double>::infinity(), certain = least;
+    Index farthest = kept_[0];
+    for (const Index v : kept_) {
+      const double* const w = points_[v];
+      double product = 0, parts = 0;
+      for (std::size_t j = 0; j < d; ++j) {
+        const double term = normal_[j] * (q[j] - w[j]);
+        product += term;
+        parts += std::fabs(term);
+      }
+      if (!(product >= least)) least = product, farthest = v;
+      if (!(product - rounding * parts >= certain)) certain = product - rounding * parts;
+    }
+    const bool is_new = std::find(local_.begin(), local_.end(), farthest) == local_.end();
+    if (is_new && least < square * (1 - 0x1p-40)) {
+      local_.push_back(farthest);
+      continue;
+    }
+    if (certain > tolerance_ * length * (1 + 4 * kernel::unit_roundoff) + 0x1p-1000) return false;
+    break;
+  }
+  return look(p, kept_);
 }
 
 /// Keeps what covers a point that may not be kept itself.

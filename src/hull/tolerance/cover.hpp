@@ -48,6 +48,7 @@ class Cover {
 
   void keep(Index p);
   bool look(Index p, std::span<const Index> pool);
+  void find_local(Index p);
   bool cover(Index p);
   bool add_witness_of(Index p, const std::vector<char>& allowed);
   bool can_drop(Index p);
@@ -65,6 +66,7 @@ class Cover {
   std::vector<const double*> pool_points_;
   std::vector<char> marks_;
   std::vector<Index> near_, local_;
+  std::vector<double> normal_;
 };
 
 }  // namespace delone::internal

@@ -64,8 +64,7 @@ TEST(FacetLabels, VerticesAreWithinTheToleranceOfTheSeed) {
       std::vector<const double*> seed;
       for (const Index site : state.hull().cell(faces.seeds[f])) seed.push_back(state.sites().point(site));
       for (const Index site : sites[f]) {
-        const auto square =
-            *test::squared_distance_from_flat(seed, state.sites().point(site), 3, false);
+        const auto square = *test::squared_distance_from_flat(seed, state.sites().point(site), 3, false);
         EXPECT_LE(square, test::Rational(tolerance) * test::Rational(tolerance));
       }
     }

@@ -1,15 +1,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "hull/tolerance/vertex_choice.hpp"
 
-#include "exact_distance.hpp"
 #include "hull/hull_analysis.hpp"
+#include "kernel/nearest_in_hull.hpp"
 #include "rounded_sets.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <set>
+#include <optional>
+#include <random>
 
 namespace delone::internal {
 namespace {
@@ -48,22 +49,25 @@ TEST(ExtremeSites, AreInLexicographicOrderAndKnowTheirFacets) {
   EXPECT_THAT(list, ElementsAre(1, 2));
 }
 
-// Of the definition: nobody but necessary vertices is in every answer.
-TEST(VertexChoice, NecessaryVerticesAreThoseFarFromAllOthers) {
-  for (int d = 2; d <= 3; ++d)
+bool exceeds(const HullState& state, const std::vector<Index>& kept, Index v, double tolerance) {
+  std::vector<const double*> points;
+  for (const Index w : kept) points.push_back(state.sites().point(w));
+  return kernel::nearest_in_hull_exactly(points, state.sites().point(v), state.sites().ambient)
+             .compare(tolerance) == Sign::positive;
+}
+
+// By the definition, with the distances from all others instead of neighbors.
+TEST(VertexChoice, NecessaryVerticesAreKept) {
+  for (int d = 2; d <= 4; ++d)
     for (std::uint64_t seed = 0; seed < 4; ++seed) {
-      const auto size = static_cast<std::size_t>(d);
-      const Example example(d, random_points(d, 14, seed));
+      const Example example(d, random_points(d, 40, seed));
       for (const double tolerance : {0.05, 0.3}) {
         const VertexChoice choice = example.choose(tolerance);
-        const std::set<Index> kept(choice.sites.begin(), choice.sites.end());
         for (const Index v : example.extreme->sites()) {
-          std::vector<const double*> others;
-          for (const Index w : example.extreme->sites())
-            if (w != v) others.push_back(example.state.sites().point(w));
-          if (test::squared_distance_from_hull(others, example.state.sites().point(v), size) >
-              test::Rational(tolerance) * test::Rational(tolerance)) {
-            EXPECT_TRUE(kept.contains(v));
+          std::vector<Index> others = example.extreme->sites();
+          std::erase(others, v);
+          if (exceeds(example.state, others, v, tolerance)) {
+            EXPECT_NE(std::find(choice.sites.begin(), choice.sites.end(), v), choice.sites.end());
           }
         }
       }
@@ -71,29 +75,22 @@ TEST(VertexChoice, NecessaryVerticesAreThoseFarFromAllOthers) {
 }
 
 TEST(VertexChoice, CoversAllAndNoneCanBeLeftOut) {
-  for (int d = 2; d <= 3; ++d)
+  for (int d = 2; d <= 4; ++d)
     for (std::uint64_t seed = 0; seed < 4; ++seed) {
-      const auto size = static_cast<std::size_t>(d);
-      const Example example(d, random_points(d, 30, seed));
+      const Example example(d, random_points(d, 60, seed));
       for (const double tolerance : {1e-9, 0.1, 0.4}) {
         const VertexChoice choice = example.choose(tolerance);
-        const test::Rational bound(tolerance), reported(choice.max_distance);
         EXPECT_LE(choice.max_distance, tolerance);
-        const auto largest = [&](const std::vector<Index>& kept) {
-          std::vector<const double*> points;
-          for (const Index v : kept) points.push_back(example.state.sites().point(v));
-          test::Rational result(0);
-          for (const Index v : example.extreme->sites())
-            if (std::find(kept.begin(), kept.end(), v) == kept.end())
-              result = std::max(result, test::squared_distance_from_hull(
-                                            points, example.state.sites().point(v), size));
-          return result;
+        const auto covers = [&](const std::vector<Index>& kept, double distance) {
+          const auto& all = example.extreme->sites();
+          return std::none_of(all.begin(), all.end(),
+                              [&](Index v) { return exceeds(example.state, kept, v, distance); });
         };
-        EXPECT_LE(largest(choice.sites), reported * reported);
-        for (std::size_t i = 0; i < choice.sites.size(); ++i) {
+        EXPECT_TRUE(covers(choice.sites, choice.max_distance));
+        for (const Index v : choice.sites) {
           std::vector<Index> fewer = choice.sites;
-          fewer.erase(fewer.begin() + static_cast<std::ptrdiff_t>(i));
-          EXPECT_GT(largest(fewer), bound * bound);
+          std::erase(fewer, v);
+          EXPECT_FALSE(covers(fewer, tolerance));
         }
       }
     }
