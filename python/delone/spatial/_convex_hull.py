@@ -48,8 +48,8 @@ class ConvexHull(OfPoints):
         The ndim-dimensional volume and the (ndim−1)-dimensional volume of the boundary; in the plane, area and perimeter. Of
         flat input the volume is 0, and the area twice that of the flat hull if k = ndim−1, else 0: the limits.
     coplanar : (ncoplanar, 3) int32
-        With option Qc: the points of the boundary, or outside of it within the tolerance, that are not extreme, and the duplicates
-        of vertices, each with a simplex and the nearest of its vertices.
+        With option Qc: the points of the boundary, or within the tolerance of it, that are not extreme, and the duplicates of vertices,
+        each with a simplex and the nearest of its vertices.
     good : (nsimplex,) bool or None
         With option QGn: whether each simplex is strictly visible from point n, which is left out of the hull.
     tolerance : float
@@ -127,10 +127,22 @@ class ConvexHull(OfPoints):
         if not self._options.keep_coplanar or self.affine_dimension < 1:
             return np.empty((0, 3), np.intc)
         kinds = self._core.point_kinds[self._core.vertex_of_point]
-        rest = self._without_good_row(np.arange(self.npoints))[kinds < 2]
+        rest = self._without_good_row(np.arange(self.npoints))
         simplices = self._listed()[0]
-        rest = rest[~np.isin(rest, simplices)]
-        cell = self._shown.locate(self._points[rest]).cell
+        chosen = ~np.isin(rest, simplices)
+        rest, kinds = rest[chosen], kinds[chosen]
+        cell = np.array(self._shown.locate(self._points[rest]).cell)
+        near = kinds < 2  # on the boundary, or outside within the tolerance
+        if self.affine_dimension == self.ndim and self.tolerance > 0:  # or inside within the tolerance: O(points · facets)
+            normals, offsets = self._shown.equations[:, :-1], self._shown.equations[:, -1]
+            first = np.unique(self._shown.facet_of_cell, return_index=True)[1]
+            step = max(1, 1_000_000 // len(offsets))
+            inside = np.flatnonzero(~near)
+            for part in (inside[begin:begin + step] for begin in range(0, len(inside), step)):
+                distances = self._points[rest[part]] @ normals.T + offsets
+                near[part] = distances.max(axis=1) >= -self.tolerance
+                cell[part] = first[distances.argmax(axis=1)]
+        rest, cell = rest[near], cell[near]
         corners = simplices[cell]
         distances = np.linalg.norm(self._points[corners] - self._points[rest][:, None, :], axis=2)
         nearest = np.take_along_axis(corners, distances.argmin(axis=1)[:, None], axis=1)[:, 0]
