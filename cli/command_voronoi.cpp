@@ -19,6 +19,7 @@ struct VoronoiOptions {
   bool power = false;
   BuildOptions build;
   std::string volumes;
+  double tolerance = 0;
   std::vector<double> box;  // low by axis, then high
 };
 
@@ -64,6 +65,10 @@ Json stats(const Triangulation& t, const Diagram& diagram, const Cost& cost, con
   json["unbounded_regions"] = diagram.num_unbounded_regions();
   json["ridges"] = diagram.num_ridges();
   json["rays"] = diagram.num_rays();
+  if (diagram.tolerance() > 0) {
+    json["tolerance"] = diagram.tolerance();
+    json["max_displacement"] = diagram.max_displacement();
+  }
   add_cost(json, t.statistics(), counts.cells + counts.infinite_cells, cost, options.build.seed);
   return json;
 }
@@ -72,13 +77,18 @@ Summary summary(const Triangulation& t, const Diagram& diagram, const Cost& cost
                 const VoronoiOptions& options) {
   const Counts counts = counts_of(t, {});
   const std::string kind = options.power ? "power" : "Voronoi";
+  const std::string tolerance = diagram.tolerance() > 0
+                                    ? fmt::format("; with tolerance {}, none moved further than {}",
+                                                  diagram.tolerance(), diagram.max_displacement())
+                                    : "";
   return Summary(options.weighted.input.path, fmt::format("{} diagram of {} points in dimension {}", kind,
                                                           counts.points, counts.dimension))
       .affine_dimension(counts.affine_dimension, counts.dimension, "the diagram inside the flat")
       .line("regions",
             fmt::format("{}, {} of them unbounded ({} hidden, {} duplicate points)", diagram.num_regions(),
                         diagram.num_unbounded_regions(), num_hidden(counts), counts.duplicates))
-      .line(kind + " vertices", fmt::format("{} of {} cells", diagram.num_vertices(), counts.cells))
+      .line(kind + " vertices",
+            fmt::format("{} of {} cells{}", diagram.num_vertices(), counts.cells, tolerance))
       .line("ridges", fmt::format("{}, and {} rays", diagram.num_ridges(), diagram.num_rays()))
       .cost(t.statistics(), cost);
 }
@@ -92,8 +102,12 @@ std::string volumes_text(const Diagram& diagram, const std::optional<Box>& box) 
   return text;
 }
 
-Voronoi<> diagram_of(const Delaunay<>& triangulation) { return Voronoi(triangulation); }
-PowerDiagram<> diagram_of(const Regular<>& triangulation) { return PowerDiagram(triangulation); }
+Voronoi<> diagram_of(const Delaunay<>& triangulation, const DiagramOptions& options) {
+  return Voronoi(triangulation, options);
+}
+PowerDiagram<> diagram_of(const Regular<>& triangulation, const DiagramOptions& options) {
+  return PowerDiagram(triangulation, options);
+}
 
 /// The triangulation by `build`, its diagram, and what was asked for.
 template <class Build>
@@ -109,7 +123,8 @@ int run_with(Build build, const std::optional<Box>& box, Cost cost, Clock::time_
   cost.build = seconds_since(stage_start);
 
   stage_start = Clock::now();
-  const auto diagram = about(name, [&] { return diagram_of(triangulation); });
+  const auto diagram =
+      about(name, [&] { return diagram_of(triangulation, {.tolerance = options.tolerance}); });
   const std::string volumes =
       options.volumes.empty() ? "" : about(options.volumes, [&] { return volumes_text(diagram, box); });
   cost.diagram = seconds_since(stage_start);
@@ -129,6 +144,8 @@ int run_with(Build build, const std::optional<Box>& box, Cost cost, Clock::time_
 
 int run_voronoi(const VoronoiOptions& options) {
   options.build.check();
+  if (!(options.tolerance >= 0) || !std::isfinite(options.tolerance))
+    throw UsageError("--tolerance: a finite distance of at least 0 was expected");
   if (options.build.stats && options.volumes == "-")
     throw UsageError("--stats and --volumes - both want standard output");
   if (options.build.output == "-" && options.volumes == "-")
@@ -172,6 +189,10 @@ Run add_diagram(CLI::App& app, bool power) {
       ->type_name("LOW,...,HIGH,...");
   app.add_option("--volumes", options->volumes, "Write the volume of each region there, as CSV")
       ->type_name("FILE");
+  app.add_option(
+         "--tolerance", options->tolerance,
+         "Merge vertices that are within this distance of one of them, and drop ridges of no larger width")
+      ->type_name("DISTANCE");
   options->build.add_construction(app);
   return [options] { return run_voronoi(*options); };
 }

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: BSD-3-Clause
-# Installs the packages that are missing on Debian and Ubuntu:  tools/install_dependencies.sh [build] [python] [test] [bench] [paper] [lint] [clang]
+# Installs the packages that are missing on Debian and Ubuntu:  tools/install_dependencies.sh [build] [python] [test] [nightly] [bench] [paper] [lint] [clang]
 # Does nothing if all are there. On other systems it prints what is needed and leaves the rest to you.
 set -euo pipefail
 
@@ -8,6 +8,7 @@ build=(g++ cmake ninja-build libcli11-dev libfmt-dev nlohmann-json3-dev libfast-
 python=(python3 python3-dev python3-numpy pybind11-dev python3-pybind11 python3-pip python3-setuptools python3-wheel python3-venv)
 test=(libgtest-dev libgmock-dev librapidcheck-dev libqhull-dev libcdd-dev lrslib libcgal-dev libeigen3-dev libgmp-dev
       libmpfr-dev python3-scipy python3-pytest python3-hypothesis python3-matplotlib)
+nightly=(python3-skimage python3-libpysal python3-ase python3-pymatgen python3-xarray)
 bench=(python3 python3-scipy libbenchmark-dev)
 paper=(python3 python3-numpy python3-scipy python3-matplotlib libqhull-dev libtet1.5-dev libcdd-dev lrslib libcgal-dev libeigen3-dev
        libgmp-dev libmpfr-dev libtbb-dev)
@@ -20,11 +21,12 @@ for group in "${@:-build}"; do
     build) wanted+=("${build[@]}") ;;
     python) wanted+=("${build[@]}" "${python[@]}") ;;
     test) wanted+=("${build[@]}" "${python[@]}" "${test[@]}") ;;
+    nightly) wanted+=("${build[@]}" "${python[@]}" "${test[@]}" "${nightly[@]}") ;;
     bench) wanted+=("${build[@]}" "${python[@]}" "${bench[@]}") ;;
     paper) wanted+=("${build[@]}" "${bench[@]}" "${paper[@]}") ;;
     lint) wanted+=("${build[@]}" "${lint[@]}") ;;
     clang) wanted+=("${build[@]}" "${clang[@]}") ;;
-    *) echo "usage: $0 [build] [python] [test] [bench] [paper] [lint] [clang]" >&2; exit 64 ;;
+    *) echo "usage: $0 [build] [python] [test] [nightly] [bench] [paper] [lint] [clang]" >&2; exit 64 ;;
   esac
 done
 

@@ -14,7 +14,33 @@
 
 namespace delone {
 
-/// Where a query lies (exactly), and its barycentric coordinates (rounded).
+/// How queries are located.
+///
+/// With a tolerance τ > 0, the answer for a query x is that of a point x' with |x − x'| ≤ τ:
+///   1. If x is a vertex, x' = x.
+///   2. If a cell whose least height exceeds τ (a thick one) lies within τ of x, x' is the nearest point of
+///      all these cells; of several at the same distance that whose face comes first, by its rows in increasing
+///      order.
+///   3. Otherwise, if x is in the convex hull, x' = x.
+///   4. Otherwise, if x is within τ of the hull, x' is the nearest point of the hull.
+///   5. Otherwise x is outside.
+/// The least height of a cell is the least distance of a vertex from the affine hull of the others. Distances
+/// are those of R^d: flat input has queries within τ of its flat, too. So a sliver that rounding of the
+/// points has made, of a height below τ, answers only where nothing else is near. Which cells are thick, and
+/// whether one is within τ, is decided exactly. x' is exact up to rounding; see LocatedPoint.
+///
+/// Method: best-first search over the cells that meet the ball of radius τ, with certified bounds, and exact
+/// fractions where these do not decide; Wolfe's algorithm (1976, doi:10.1007/BF01580381) in each cell. Cost:
+/// nothing but one look at a mark for a query in a thick cell; otherwise it depends on the cells in the ball.
+struct LocateOptions {
+  double tolerance = 0;  ///< τ ≥ 0, finite, a distance in the units of the coordinates; 0: exact location
+  /// Give queries outside, at any distance, the nearest point of the convex hull. The descent to it visits
+  /// O(1) cells for a query near the hull, and may visit O(n^(1/k)) otherwise.
+  bool project = false;
+};
+
+/// Where a query x lies (exactly), and its barycentric coordinates (rounded). With a tolerance, or if x is
+/// projected, this is said of the point x' of LocateOptions instead.
 struct LocatedPoint {
   Location::Kind kind = Location::Kind::outside_affine_hull;
   /// A finite cell that contains the query; outside the hull the infinite cell of a hull facet that has the
@@ -26,6 +52,9 @@ struct LocatedPoint {
   /// numbers span the smallest face that contains it. Empty outside. Valid during the call that it is passed
   /// to.
   std::span<const double> barycentric;
+  /// An upper bound on the distance |x − x'|, where x' is the point with these coordinates; at most the
+  /// tolerance, unless x is projected. 0 if x' = x.
+  double distance = 0;
 };
 
 /// Answers queries about a triangulation, which it refers to: valid until the next insertion. `const` members
@@ -48,6 +77,15 @@ class PointLocator {
   /// `visit` throws ends the batch and is passed on. Throws bad_dimension, not_finite (rows() names the
   /// queries), out_of_memory.
   void locate(std::span<const double> queries, const Visit& visit) const;
+  /// The same with a tolerance. Throws invalid_argument for one that is negative, NaN or infinite. Which
+  /// cells are thick is kept, for the tolerance used last: a byte per cell.
+  void locate(std::span<const double> queries, const LocateOptions& options, const Visit& visit) const;
+
+  /// For each of q queries, calls `visit` for the finite cells within `radius` of it, roughly the nearest
+  /// first, until it returns false. All cells within the radius are visited, and maybe some that are farther
+  /// by a rounding. REQUIRES a finite radius ≥ 0. Method and errors: as locate() with a tolerance.
+  void cells_within(std::span<const double> queries, double radius,
+                    const std::function<bool(std::size_t query, CellId cell)>& visit) const;
 
   /// For each of q queries the vertex of least distance; of a regular triangulation, of least power |x − p|²
   /// − weight: the site whose region of the diagram contains the query. Exact; of several the one with the

@@ -13,6 +13,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <functional>
+#include <memory>
 #include <span>
 #include <vector>
 
@@ -42,6 +43,13 @@ enum class DiagramParts {
   all,
 };
 
+/// How a diagram is made.
+struct DiagramOptions {
+  DiagramParts parts = DiagramParts::all;
+  /// ε ≥ 0, a distance: what is not larger is left out of the diagram, see Diagram. 0: the exact diagram.
+  double tolerance = 0;
+};
+
 /// A diagram of sites in R^d: for each site (distinct point) the region of the points of the flat that are
 /// not nearer to, or of no smaller power with respect to, any other site. What is true of it in every
 /// dimension; Voronoi<D> and PowerDiagram<D> make one, functions for all dimensions take a `const Diagram&`.
@@ -60,7 +68,29 @@ enum class DiagramParts {
 /// vertices. The arrays are those of `scipy.spatial.Voronoi`, lists of lists as offsets into one array: list
 /// i is entries offsets[i] … offsets[i+1]−1.
 ///
-/// Cost: one solve of k equations per cell, and the size of the output. Errors: out_of_memory.
+/// *Tolerance.* Rounded coordinates make slivers, and these make vertices and ridges that the unrounded
+/// points do not have. With a tolerance ε > 0 the exact diagram is made first and then simplified, in a
+/// canonical order:
+/// - Vertices become one, a *representative* among them, if each is within ε of it and edges no longer than
+///   2ε connect them (k > 3: common ridges). Representatives are those of most ridges, ties by coordinates.
+///   So there are no chains: no vertex moves further than ε.
+/// - Bounded ridges of *width* at most ε, before or after that, are gone, and those left with fewer than k
+///   vertices. The width of a ridge is its length for k = 2, otherwise the least distance within which all
+///   its vertices are from one of its facets (of its edges' lines for k = 3). It has none for k = 1.
+/// - k = 3: a vertex that lost a ridge, and is now within ε of a straight edge in every ridge that has it, is
+///   taken out of them, with all others between the same ends.
+/// - Vertices in no ridge any more are gone. Regions list the vertices of their ridges; a region whose
+///   ridges are all gone keeps its site and lists none. Unbounded ridges stay, unless their rays become one:
+///   rays of one vertex across hull facets that lie in one hyperplane exactly.
+/// All distances are certified: upper bounds, rounding included, are compared with ε. What cannot be shown to
+/// be within ε stays, as do vertices with infinite coordinates. Two vertices next to each other in a region
+/// (k = 2) or ridge (k = 3) may have lost the ridge between them where merging them would have moved a vertex
+/// too far. Volumes and clipped regions are those of the exact regions, so volumes add up as before.
+///
+/// Cost: one solve of k equations per cell, and the size of the output; a tolerance adds a pass over the
+/// ridges, and keeps the exact diagram in memory if it changed anything. Errors: invalid_argument (a
+/// tolerance that is negative or not finite, or larger than the longest side of the bounding box of two sites
+/// or more), out_of_memory.
 class Diagram {
  public:
   int dimension() const { return dimension_; }                ///< d
@@ -108,6 +138,12 @@ class Diagram {
   }
   double weight(std::size_t region) const { return weights_.empty() ? 0 : weights_[region]; }
 
+  /// ε, the tolerance it was made with.
+  double tolerance() const { return tolerance_; }
+  /// At least the largest distance of an exact vertex from the one that it became, and of a vertex taken out
+  /// of straight edges from these, rounded up; at most ε. 0 if nothing was merged.
+  double max_displacement() const { return max_displacement_; }
+
   /// A plain copy, with the points of all input rows: what files hold. Throws invalid_argument without
   /// ridges.
   VoronoiData to_data() const;
@@ -144,7 +180,7 @@ class Diagram {
  protected:
   /// `weight`: of each vertex; empty if there are none.
   Diagram(const Triangulation& triangulation, const std::function<double(VertexId)>& weight,
-          DiagramParts parts);
+          const DiagramOptions& options);
   Diagram(detail::Clone, const Diagram& other);
   Diagram(Diagram&&) noexcept = default;
   Diagram& operator=(Diagram&&) noexcept = default;
@@ -152,6 +188,7 @@ class Diagram {
 
  private:
   friend class VoronoiBuilder;
+  friend class DiagramSimplifier;
   Diagram(const Diagram&) = default;
   std::size_t ambient() const { return static_cast<std::size_t>(dimension_); }
   static std::span<const SignedIndex> list(const std::vector<SignedIndex>& items,
@@ -164,6 +201,7 @@ class Diagram {
   std::vector<double> volumes_of(const std::vector<unsigned char>& wanted) const;
   double bisector_distance(std::size_t from, std::size_t to) const;
   void require_ridges() const;
+  void simplify();
   void check_box(const Box& box) const;
   bool is_inside(std::size_t region, const Box& box) const;
 
@@ -181,6 +219,10 @@ class Diagram {
   // For k > 3, with ridges: the k+1 regions and the vertex of every finite cell; its faces are what volumes
   // are made of.
   std::vector<SignedIndex> cell_regions_, cell_vertex_;
+  double tolerance_ = 0, max_displacement_ = 0;
+  // The diagram before it was simplified, and the number there of each ridge; null if nothing changed.
+  std::shared_ptr<const Diagram> exact_;
+  std::vector<Index> ridge_of_exact_;
 };
 
 /// The Voronoi diagram of points of R^D: for each site the region of the points of the flat that are not
@@ -188,11 +230,11 @@ class Diagram {
 template <int D = dynamic>
 class Voronoi : public Diagram {
  public:
-  explicit Voronoi(const Delaunay<D>& triangulation, DiagramParts parts = DiagramParts::all)
-      : Diagram(triangulation, {}, parts) {}
+  explicit Voronoi(const Delaunay<D>& triangulation, const DiagramOptions& options = {})
+      : Diagram(triangulation, {}, options) {}
   /// Other triangulations have another dual; one that is only known as a Triangulation may be any of them.
   template <detail::OtherThan<Delaunay<D>, Voronoi<D>> Other>
-  explicit Voronoi(const Other&, DiagramParts = DiagramParts::all) : Voronoi(refused<Other>()) {}
+  explicit Voronoi(const Other&, const DiagramOptions& = {}) : Voronoi(refused<Other>()) {}
   Voronoi(Voronoi&&) noexcept = default;
   Voronoi& operator=(Voronoi&&) noexcept = default;
 
@@ -216,7 +258,7 @@ class Voronoi : public Diagram {
 };
 
 template <int D>
-Voronoi(const Delaunay<D>&, DiagramParts = DiagramParts::all) -> Voronoi<D>;
+Voronoi(const Delaunay<D>&, const DiagramOptions& = {}) -> Voronoi<D>;
 
 /// The power diagram of weighted points of R^D: as the Voronoi diagram, with the power |x − p|² − weight in
 /// place of the squared distance, and the centres of power spheres as vertices. Hidden points have no region;
@@ -224,12 +266,12 @@ Voronoi(const Delaunay<D>&, DiagramParts = DiagramParts::all) -> Voronoi<D>;
 template <int D = dynamic>
 class PowerDiagram : public Diagram {
  public:
-  explicit PowerDiagram(const Regular<D>& triangulation, DiagramParts parts = DiagramParts::all)
+  explicit PowerDiagram(const Regular<D>& triangulation, const DiagramOptions& options = {})
       : Diagram(
-            triangulation, [&triangulation](VertexId v) { return triangulation.weight(v); }, parts) {}
+            triangulation, [&triangulation](VertexId v) { return triangulation.weight(v); }, options) {}
   /// Other triangulations have another dual.
   template <detail::OtherThan<Regular<D>, PowerDiagram<D>> Other>
-  explicit PowerDiagram(const Other&, DiagramParts = DiagramParts::all) : PowerDiagram(refused<Other>()) {}
+  explicit PowerDiagram(const Other&, const DiagramOptions& = {}) : PowerDiagram(refused<Other>()) {}
   PowerDiagram(PowerDiagram&&) noexcept = default;
   PowerDiagram& operator=(PowerDiagram&&) noexcept = default;
 
@@ -252,6 +294,6 @@ class PowerDiagram : public Diagram {
 };
 
 template <int D>
-PowerDiagram(const Regular<D>&, DiagramParts = DiagramParts::all) -> PowerDiagram<D>;
+PowerDiagram(const Regular<D>&, const DiagramOptions& = {}) -> PowerDiagram<D>;
 
 }  // namespace delone

@@ -2,17 +2,20 @@
 """Exact Delaunay and regular triangulations, convex hulls, intersections of halfspaces, Voronoi and power diagrams.
 
 Arrays go in and come out as NumPy arrays. Results are exact functions of the input: flat, duplicate and cospherical points are
-ordinary input, and no tolerance decides anything. `delone.spatial` has the names and arguments of `scipy.spatial`.
+ordinary input, and no tolerance decides anything. `delone.spatial` and `delone.interpolate` have the names and arguments of those in
+scipy; `patch_scipy` makes existing programs use them.
 """
 import importlib
 
 from ._core import (CancelledError, ConvexHull, Delaunay, Error, FurthestSite, HalfspaceIntersection, InputError, LinearInterpolator,
                     OutOfMemoryError, PowerDiagram, Regular, Voronoi, __version__)
 from ._locations import Locations
+from ._patch import patch_scipy, scipy_is_patched, unpatch_scipy
 from ._transform import transform as _transform
 
 __all__ = ["CancelledError", "ConvexHull", "Delaunay", "Error", "FurthestSite", "HalfspaceIntersection", "InputError",
-           "LinearInterpolator", "Locations", "OutOfMemoryError", "PowerDiagram", "Regular", "Voronoi", "__version__"]
+           "LinearInterpolator", "Locations", "OutOfMemoryError", "PowerDiagram", "Regular", "Voronoi", "__version__",
+           "patch_scipy", "scipy_is_patched", "unpatch_scipy"]
 
 for _type in (ConvexHull, Delaunay, FurthestSite, HalfspaceIntersection, LinearInterpolator, PowerDiagram, Regular, Voronoi):
     _type.__module__ = "delone"
@@ -21,6 +24,6 @@ Delaunay.__base__.transform = property(_transform)
 
 
 def __getattr__(name):
-    if name == "spatial":
-        return importlib.import_module(".spatial", __name__)
+    if name in ("interpolate", "spatial"):
+        return importlib.import_module("." + name, __name__)
     raise AttributeError(f"module {__name__!r} has no attribute {name!r}")

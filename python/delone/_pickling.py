@@ -2,8 +2,8 @@
 """What pickles refer to."""
 
 
-def diagram(kind, source_kind, source_state):
+def diagram(kind, source_kind, source_state, tolerance=0.0):
     """A diagram, made anew of the triangulation that it was made of, so that its parts have the same numbers."""
     source = source_kind.__new__(source_kind)
     source.__setstate__(source_state)
-    return kind(source)
+    return kind(source, tolerance=tolerance)

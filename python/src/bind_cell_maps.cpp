@@ -165,6 +165,33 @@ py::array hyperplanes(const Reals& points, const Rows& cells, const Reals& heigh
   return planes;
 }
 
+/// The cells with their vertices in increasing order, and the neighbors in the order of the vertices opposite
+/// them.
+py::tuple increasing(const Rows& cells, const Rows& neighbors) {
+  if (cells.ndim() != 2 || neighbors.ndim() != 2 || cells.shape(0) != neighbors.shape(0) ||
+      cells.shape(1) != neighbors.shape(1))
+    throw py::value_error("cells and neighbors, both (m, k), do not fit");
+  const auto count = static_cast<std::size_t>(cells.shape(0)), k = static_cast<std::size_t>(cells.shape(1));
+  py::array_t<SignedIndex> sorted({count, k}), opposite({count, k});
+  Supervisor supervisor;
+  supervisor.run([&, from = cells.data(), beside = neighbors.data(), to = sorted.mutable_data(),
+                  along = opposite.mutable_data()] {
+    for (std::size_t i = 0; i < count * k; i += k) {
+      supervisor.count();
+      for (std::size_t j = 0; j < k; ++j) {  // insertion sort: k is small
+        std::size_t place = i + j;
+        for (; place > i && to[place - 1] > from[i + j]; --place) {
+          to[place] = to[place - 1];
+          along[place] = along[place - 1];
+        }
+        to[place] = from[i + j];
+        along[place] = beside[i + j];
+      }
+    }
+  });
+  return py::make_tuple(sorted, opposite);
+}
+
 }  // namespace
 
 void bind_cell_maps(py::module_& module) {
@@ -174,6 +201,8 @@ void bind_cell_maps(py::module_& module) {
   module.def("_hyperplanes", &hyperplanes, "points"_a, "cells"_a, "heights"_a,
              "(m, k+2): downward unit normal and offset of each cell lifted to heights, (n,); NaN if it is "
              "vertical.");
+  module.def("_increasing", &increasing, "cells"_a, "neighbors"_a,
+             "(cells, neighbors), both (m, k): vertices in increasing order, neighbors still opposite them.");
 }
 
 }  // namespace delone::python

@@ -6,6 +6,7 @@
 
 #include <delone/interpolation.hpp>
 
+#include <cmath>
 #include <complex>
 #include <cstring>
 #include <limits>
@@ -20,8 +21,11 @@ using Complex128 = std::complex<double>;
 class HeldInterpolator {
  public:
   HeldInterpolator(const py::object& points, const py::object& values, const std::string& outside,
-                   const py::object& fill)
-      : outside_(outside_of(outside)), fill_(fill) {
+                   const py::object& fill, double tolerance)
+      : outside_(outside_of(outside)), fill_(fill), tolerance_(tolerance) {
+    if (!(tolerance >= 0) || std::isinf(tolerance))
+      throw py::value_error("tolerance: a finite distance >= 0, not " +
+                            std::string(py::str(py::float_(tolerance))));
     source_ = py::isinstance<HeldTriangulation>(points)
                   ? points
                   : py::module_::import("delone").attr("Delaunay")(points);
@@ -83,18 +87,20 @@ class HeldInterpolator {
            " on " + std::string(py::repr(source_)) + ">";
   }
   py::tuple state() const {
-    const char* const names[] = {"fill", "nearest", "error"};
-    return py::make_tuple(source_, values_, names[static_cast<int>(outside_)], fill_);
+    const char* const names[] = {"fill", "nearest", "error", "project"};
+    return py::make_tuple(source_, values_, names[static_cast<int>(outside_)], fill_, tolerance_);
   }
   const py::object& source() const { return source_; }
   const py::array& values() const { return values_; }
+  double tolerance() const { return tolerance_; }
 
  private:
   static Outside outside_of(const std::string& name) {
     if (name == "fill") return Outside::fill;
     if (name == "nearest") return Outside::nearest;
     if (name == "error") return Outside::error;
-    throw py::value_error("outside: 'fill', 'nearest' or 'error', not '" + name + "'");
+    if (name == "project") return Outside::project;
+    throw py::value_error("outside: 'fill', 'nearest', 'error' or 'project', not '" + name + "'");
   }
 
   const HeldTriangulation& triangulation() const { return source_.cast<const HeldTriangulation&>(); }
@@ -128,7 +134,8 @@ class HeldInterpolator {
     for (std::size_t i = 0; i < parts_; i += sizeof(T) / sizeof(double))
       std::memcpy(constants.data() + i, &fill, sizeof(T));
     run([&, x = queries.coordinates()](const LinearInterpolator::Progress& progress) {
-      function_->evaluate(x, out, outside_, constants, progress);
+      function_->evaluate(
+          x, out, {.outside = outside_, .fill = constants, .tolerance = tolerance_, .progress = progress});
     });
     return Queries::scalar_if_single(result);
   }
@@ -136,12 +143,14 @@ class HeldInterpolator {
   void gradients_into(const Queries& queries, double* out) const {
     const std::span<double> result{out, queries.coordinates().size() * parts_};
     run([&, x = queries.coordinates()](const LinearInterpolator::Progress& progress) {
-      function_->gradients(x, result, outside_, progress);
+      function_->gradients(x, result,
+                           {.outside = outside_, .fill = {}, .tolerance = tolerance_, .progress = progress});
     });
   }
 
   Outside outside_;
   py::object fill_, source_;
+  double tolerance_;
   py::array values_;
   bool is_complex_ = false;
   std::size_t parts_ = 1;  // real numbers per point
@@ -152,43 +161,57 @@ class HeldInterpolator {
 }  // namespace
 
 void bind_interpolator(py::module_& module) {
-  py::class_<HeldInterpolator>(module, "LinearInterpolator",
-                               "LinearInterpolator(points, values, *, outside='fill', fill_value=nan)\n\n"
-                               "The function that is linear in every cell of a triangulation and has the "
-                               "given values at its vertices.\n\n"
-                               "points: (n, d), or a Delaunay, Regular or FurthestSite triangulation of n "
-                               "points, to which no points may be added "
-                               "then.\n"
-                               "values: (n, ...) real or complex; of equal points that of the first counts. "
-                               "NaN spreads to the cells it is at.\n"
-                               "outside: what queries outside the convex hull get: fill_value ('fill'), the "
-                               "value at the nearest vertex ('nearest'), "
-                               "or\n"
-                               "an InputError that names one of them ('error'). Which cell a query is in, if "
-                               "any, is decided exactly, so the value at "
-                               "a\n"
-                               "point is the one given, and no query inside is missed.")
+  py::class_<HeldInterpolator>(
+      module, "LinearInterpolator",
+      "LinearInterpolator(points, values, *, outside='fill', fill_value=nan, "
+      "tolerance=0)\n\n"
+      "The function that is linear in every cell of a triangulation and has the "
+      "given values at its vertices.\n\n"
+      "points: (n, d), or a Delaunay, Regular or FurthestSite triangulation of n "
+      "points, to which no points may be added "
+      "then.\n"
+      "values: (n, ...) real or complex; of equal points that of the first counts. "
+      "NaN spreads to the cells it is at.\n"
+      "outside: what queries outside get, those that are not in the convex hull of "
+      "the points (for flat points: nor in\n"
+      "their flat), nor within the tolerance of it: fill_value ('fill'); the value at "
+      "the nearest vertex ('nearest');\n"
+      "an InputError that names one of them ('error'); or the value at the nearest "
+      "point of the hull ('project'), which\n"
+      "continues the function without a jump.\n"
+      "tolerance: a distance t >= 0. Which cell a query is in, if any, is decided "
+      "exactly, so with 0 the value at a point\n"
+      "is the one given, and no query inside is missed. A positive tolerance gives "
+      "the value at a point within t of the\n"
+      "query, such that slivers made by rounding of the points do not count; see "
+      "Delaunay.find_simplex. The value at a\n"
+      "point is still the one given. ValueError if it is negative, NaN or infinite.")
       .def(py::init([](const py::object& points, const py::object& values, const std::string& outside,
-                       const py::object& fill) {
-             return std::make_unique<HeldInterpolator>(points, values, outside, fill);
+                       const py::object& fill, double tolerance) {
+             return std::make_unique<HeldInterpolator>(points, values, outside, fill, tolerance);
            }),
            "points"_a, "values"_a, py::kw_only(), "outside"_a = "fill",
-           "fill_value"_a = std::numeric_limits<double>::quiet_NaN())
+           "fill_value"_a = std::numeric_limits<double>::quiet_NaN(), "tolerance"_a = 0.0)
       .def("__call__", &HeldInterpolator::evaluate, "queries"_a,
            "The values at queries of shape (..., d), in the shape (...) followed by that of one value; "
            "float64 or complex128.")
       .def("gradient", &HeldInterpolator::gradient, "queries"_a,
            "The gradients at queries of shape (..., d): (...) + the shape of one value + (d,). Where cells "
            "meet that of one of\n"
-           "them; outside NaN, or 0 for outside='nearest'. For flat points it is tangent to their flat.")
+           "them. Outside NaN, 0 for outside='nearest', and that of the cell of the nearest point for "
+           "'project'. "
+           "For flat points\n"
+           "it is tangent to their flat.")
       .def_property_readonly("triangulation", &HeldInterpolator::source, "The triangulation.")
       .def_property_readonly("values", &HeldInterpolator::values,
                              "(n, ...) the values, float64 or complex128, read-only.")
+      .def_property_readonly("tolerance", &HeldInterpolator::tolerance, "The tolerance.")
       .def("__repr__", &HeldInterpolator::repr)
       .def(py::pickle([](const HeldInterpolator& held) { return held.state(); },
                       [](const py::tuple& state) {
                         return std::make_unique<HeldInterpolator>(state[0], state[1],
-                                                                  state[2].cast<std::string>(), state[3]);
+                                                                  state[2].cast<std::string>(), state[3],
+                                                                  state[4].cast<double>());
                       }));
 }
 

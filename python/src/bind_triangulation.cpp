@@ -15,6 +15,8 @@ namespace delone::python {
 namespace {
 
 using namespace py::literals;
+using Rows = py::array_t<SignedIndex, py::array::c_style | py::array::forcecast>;
+using Reals = py::array_t<double, py::array::c_style | py::array::forcecast>;
 using Held = HeldTriangulation;
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
@@ -168,37 +170,37 @@ py::tuple vertex_neighbors(const Held& held) {
 
 /// Locates queries. Calls visit(query, where, row of the cell or −1).
 template <class Visit>
-void locate_each(const Held& held, const Queries& queries, Visit visit) {
+void locate_each(const Held& held, const Queries& queries, double tolerance, Visit visit) {
   Supervisor supervisor;
   supervisor.run([&, x = queries.coordinates()] {
-    held.with_locator(
-        supervisor, [&](const Triangulation& engine, const PointLocator& locator, const Cells& cells) {
-          locator.locate(x, [&](std::size_t query, const LocatedPoint& where) {
-            supervisor.count();
-            visit(query, where,
-                  where.barycentric.empty() ? SignedIndex{-1} : cells.number_of_slot[index(where.cell)], engine);
-          });
-        });
+    held.with_locator(supervisor, [&](const Triangulation& engine, const PointLocator& locator,
+                                      const Cells& cells) {
+      locator.locate(x, {.tolerance = tolerance}, [&](std::size_t query, const LocatedPoint& where) {
+        supervisor.count();
+        visit(query, where,
+              where.barycentric.empty() ? SignedIndex{-1} : cells.number_of_slot[index(where.cell)], engine);
+      });
+    });
   });
 }
 
-py::object find_simplex(const Held& held, const py::object& object) {
+py::object find_simplex(const Held& held, const py::object& object, double tolerance) {
   const Queries queries(object, held.dimension());
   auto cells = queries.answers<SignedIndex>();
-  locate_each(held, queries,
+  locate_each(held, queries, tolerance,
               [out = cells.mutable_data()](std::size_t query, const LocatedPoint&, SignedIndex cell,
                                            const Triangulation&) { out[query] = cell; });
   return Queries::scalar_if_single(cells);
 }
 
-py::object locate(const Held& held, const py::object& object) {
+py::object locate(const Held& held, const py::object& object, double tolerance) {
   const Queries queries(object, held.dimension());
   const std::size_t count = queries.size();
   std::vector<std::uint8_t> kinds(count);
   std::vector<SignedIndex> cells(count);
   std::vector<std::vector<SignedIndex>> faces(count);
   locate_each(
-      held, queries,
+      held, queries, tolerance,
       [&](std::size_t query, const LocatedPoint& where, SignedIndex cell, const Triangulation& engine) {
         kinds[query] = static_cast<std::uint8_t>(where.kind);
         cells[query] = cell;
@@ -222,13 +224,13 @@ py::object locate(const Held& held, const py::object& object) {
           py::make_tuple("in_cell", "on_face", "on_vertex", "outside_hull", "outside_affine_hull"));
 }
 
-py::tuple barycentric(const Held& held, const py::object& object) {
+py::tuple barycentric(const Held& held, const py::object& object, double tolerance) {
   const Queries queries(object, held.dimension());
   const auto size =
       static_cast<std::size_t>(ask(held, [](const Triangulation& t) { return t.affine_dimension(); }) + 1);
   auto cells = queries.answers<SignedIndex>();
   auto weights_array = queries.answers<double>({size});
-  locate_each(held, queries,
+  locate_each(held, queries, tolerance,
               [size, numbers = cells.mutable_data(), all = weights_array.mutable_data()](
                   std::size_t query, const LocatedPoint& where, SignedIndex cell, const Triangulation&) {
                 numbers[query] = cell;
@@ -239,6 +241,57 @@ py::tuple barycentric(const Held& held, const py::object& object) {
                   std::fill_n(out, size, nan);
               });
   return py::make_tuple(Queries::scalar_if_single(cells), weights_array);
+}
+
+/// For each query (q×d) the number of a cell that accepts it by its rounded barycentric coordinates: those of
+/// the affine maps `transform` (m, d+1, d) are in [−tolerance, 1+tolerance], but at facets whose neighbor has
+/// NaN as its map in [−broad, 1+tolerance]. Those within `radius` are tried, roughly the nearest first; −1 if
+/// none accepts.
+py::array find_accepting(const Held& held, const py::object& object, const Reals& transform,
+                         const Rows& neighbors, double tolerance, double broad, double radius) {
+  const Queries queries(object, held.dimension());
+  const auto d = static_cast<std::size_t>(held.dimension());
+  const auto count = static_cast<std::size_t>(neighbors.shape(0));
+  if (transform.size() != static_cast<py::ssize_t>(count * d * (d + 1)) ||
+      neighbors.size() != static_cast<py::ssize_t>(count * (d + 1)))
+    throw py::value_error("transform (m, d+1, d) and neighbors (m, d+1) of all cells are needed");
+  auto found = queries.answers<SignedIndex>();
+  std::fill_n(found.mutable_data(), queries.size(), SignedIndex{-1});
+  Supervisor supervisor;
+  supervisor.run([&, x = queries.coordinates(), out = found.mutable_data(), maps = transform.data(),
+                  across = neighbors.data()] {
+    held.with_locator(supervisor, [&](const Triangulation&, const PointLocator& locator, const Cells& cells) {
+      const auto map_of = [&](SignedIndex cell) {
+        return maps + static_cast<std::size_t>(cell) * d * (d + 1);
+      };
+      const auto accepts = [&](SignedIndex cell, const double* q) {
+        const double* const map = map_of(cell);
+        if (std::isnan(map[0])) return false;
+        double last = 1;
+        for (std::size_t i = 0; i <= d; ++i) {
+          double c = last;
+          if (i < d) {
+            c = 0;
+            for (std::size_t j = 0; j < d; ++j) c += map[i * d + j] * (q[j] - map[d * d + j]);
+            last -= c;
+          }
+          if (!(c <= 1 + tolerance)) return false;
+          if (c >= -tolerance) continue;
+          const SignedIndex other = across[static_cast<std::size_t>(cell) * (d + 1) + i];
+          if (!(c >= -broad) || other < 0 || !std::isnan(map_of(other)[0])) return false;
+        }
+        return true;
+      };
+      locator.cells_within(x, radius, [&](std::size_t query, CellId cell) {
+        supervisor.count();
+        const SignedIndex number = cells.number_of_slot[index(cell)];
+        if (static_cast<std::size_t>(number) >= count || !accepts(number, x.data() + query * d)) return true;
+        out[query] = number;
+        return false;
+      });
+    });
+  });
+  return found;
 }
 
 /// |a − b| without intermediate overflow or underflow.
@@ -338,6 +391,28 @@ void bind_points_only(py::class_<T, Held, std::shared_ptr<T>>& type) {
   bind_pickle(type);
 }
 
+constexpr const char* find_simplex_doc =
+    "The cell that contains each query: (...) for queries of shape (..., d); -1 outside.\n\n"
+    "Exact. A query on a face of several cells gets one of them. InputError for NaN or infinity. Cost: "
+    "queries "
+    "are\n"
+    "visited along a Hilbert curve, with a walk over a few cells for each.\n\n"
+    "tolerance: a distance t >= 0, in the units of the coordinates. If positive, the answer for a query x is "
+    "that of a\n"
+    "point x' at most t away. A cell is thick if every vertex is more than t from the affine hull of the "
+    "others. x' is\n"
+    "x at a vertex; the nearest point of all thick cells, if one is within t of x; otherwise x, if it is in "
+    "the "
+    "hull;\n"
+    "otherwise the nearest point of the hull, if it is within t of x. So slivers that rounding of the points "
+    "has made\n"
+    "answer only where nothing else is near, and points that rounding has moved across the boundary are "
+    "found. "
+    "For flat\n"
+    "points, queries within t of their flat count, too. ValueError if it is negative, NaN or infinite. Cost: "
+    "nothing for\n"
+    "queries in thick cells; otherwise it depends on the number of cells within t.";
+
 constexpr const char* nearest_doc =
     "(rows, distances), each (...): the input row of the point nearest to each query (..., d), and its "
     "distance.\n\n"
@@ -424,21 +499,21 @@ void bind_triangulations(py::module_& module) {
           "the same. O(n d + m k).")
       .def_property_readonly("statistics", &statistics,
                              "What the construction has cost: a dict of counts, seconds and bytes.")
-      .def("find_simplex", &find_simplex, "queries"_a,
-           "The cell that contains each query: (...) for queries of shape (..., d); -1 outside.\n\n"
-           "Exact. A query on a face of several cells gets one of them. InputError for NaN or infinity. "
-           "Cost: queries are\n"
-           "visited along a Hilbert curve, with a walk over a few cells for each.")
-      .def("locate", &locate, "queries"_a,
+      .def("find_simplex", &find_simplex, "queries"_a, py::kw_only(), "tolerance"_a = 0.0, find_simplex_doc)
+      .def("locate", &locate, "queries"_a, py::kw_only(), "tolerance"_a = 0.0,
            "Where each query (..., d) lies, exactly: delone.Locations, with the kind, the cell, and the rows "
            "of the points "
            "that\n"
-           "span the smallest face that contains it.")
-      .def("barycentric", &barycentric, "queries"_a,
+           "span the smallest face that contains it. tolerance: see find_simplex.")
+      .def("barycentric", &barycentric, "queries"_a, py::kw_only(), "tolerance"_a = 0.0,
            "(cells (...), weights (..., k+1)): the cell of each query, and its barycentric coordinates "
            "there, >= 0 with sum "
            "1.\n\n"
-           "A weight is 0 exactly if the query is on the facet opposite that vertex. -1 and NaN outside.")
+           "A weight is 0 exactly if the query is on the facet opposite that vertex. -1 and NaN outside. "
+           "With a tolerance, see\n"
+           "find_simplex, they are those of the point x'.")
+      .def("_find_accepting", &find_accepting, "queries"_a, "transform"_a, "neighbors"_a, "tolerance"_a,
+           "broad"_a, "radius"_a)
       .def("nearest", &nearest, "queries"_a, nearest_doc)
       .def("__repr__", &repr);
 

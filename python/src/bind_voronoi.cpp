@@ -20,16 +20,17 @@ using namespace py::literals;
 /// the other direction, and nothing is clipped.
 class FurthestVoronoi : public Diagram {
  public:
-  explicit FurthestVoronoi(const FurthestSite<>& triangulation)
-      : Diagram(triangulation, {}, DiagramParts::all) {}
+  FurthestVoronoi(const FurthestSite<>& triangulation, const DiagramOptions& options)
+      : Diagram(triangulation, {}, options) {}
 };
 
 /// A diagram and the points that it belongs to.
 class HeldDiagram {
  public:
-  explicit HeldDiagram(const py::object& triangulation) : source_type_(py::type::of(triangulation)) {
+  HeldDiagram(const py::object& triangulation, double tolerance) : source_type_(py::type::of(triangulation)) {
     const auto& source = triangulation.cast<const HeldTriangulation&>();
     is_furthest_ = source.form() == Form::furthest_site;
+    const DiagramOptions options{.tolerance = tolerance};
     Supervisor supervisor;
     for (std::uint64_t version = source.version() + 1;
          version != source.version();) {  // until no other thread adds points
@@ -38,11 +39,11 @@ class HeldDiagram {
       supervisor.run([&] {
         source.with_engine(supervisor, [&](const Triangulation& engine) {
           if (source.form() == Form::regular)
-            diagram_ = std::make_shared<PowerDiagram<>>(static_cast<const Regular<>&>(engine));
+            diagram_ = std::make_shared<PowerDiagram<>>(static_cast<const Regular<>&>(engine), options);
           else if (source.form() == Form::furthest_site)
-            diagram_ = std::make_shared<FurthestVoronoi>(static_cast<const FurthestSite<>&>(engine));
+            diagram_ = std::make_shared<FurthestVoronoi>(static_cast<const FurthestSite<>&>(engine), options);
           else
-            diagram_ = std::make_shared<Voronoi<>>(static_cast<const Delaunay<>&>(engine));
+            diagram_ = std::make_shared<Voronoi<>>(static_cast<const Delaunay<>&>(engine), options);
         });
         points_ = source.points(supervisor);
         weights_ = source.weights(supervisor);
@@ -52,8 +53,9 @@ class HeldDiagram {
 
   /// For pickle: the triangulation, from which unpickling rebuilds the diagram.
   py::tuple recipe(const py::object& self) const {
-    return py::make_tuple(py::module_::import("delone._pickling").attr("diagram"),
-                          py::make_tuple(py::type::of(self), source_type_, source_state_));
+    return py::make_tuple(
+        py::module_::import("delone._pickling").attr("diagram"),
+        py::make_tuple(py::type::of(self), source_type_, source_state_, diagram_->tolerance()));
   }
 
   const Diagram& diagram() const { return *diagram_; }
@@ -130,8 +132,25 @@ constexpr const char* diagram_doc = R"(
 What Voronoi and PowerDiagram share.
 
 k is the affine dimension of the points: those of a k-flat have their diagram inside the flat. Which regions, ridges
-and vertices there are is exact. In lists of vertices -1 stands for infinity. Index arrays are int32, and read-only as
-all arrays; lists of lists are (offsets, items): list i is items[offsets[i]:offsets[i+1]].)";
+and vertices there are is exact, and then simplified by the tolerance, if it is not 0. In lists of vertices -1 stands for infinity. Index arrays are int32, and read-only as
+all arrays; lists of lists are (offsets, items): list i is items[offsets[i]:offsets[i+1]].
+
+tolerance, a distance >= 0, is for rounded points, whose slivers make vertices and ridges that the unrounded points do
+not have. Vertices become one of them, a representative, if each is within the tolerance of it and edges no longer than
+twice that connect them (common ridges for k > 3): there are no chains, and max_displacement tells how far one moved.
+Representatives are those of most ridges, ties by coordinates. Bounded ridges are gone if their width is at most the
+tolerance, before or after that: their length for k = 2, otherwise the least distance within which all vertices are
+from one of their facets (of the lines of their edges for k = 3). For k = 3, vertices in the middle of edges that this
+leaves straight within the tolerance are taken out, and vertices in no ridge are gone. Regions list the vertices of
+their ridges; a region whose ridges are all gone keeps its site and lists none. Unbounded ridges stay, unless
+their rays become one. All distances are upper bounds, rounding included; what is not certainly within the tolerance
+stays. Volumes are those of the exact regions, so they add up as before. The order of the rows does not matter.
+InputError for a tolerance that is negative, not finite, or larger than the longest side of the bounding box of the
+sites. Cost: a pass over the ridges, and the memory of the exact diagram if anything changed.)";
+
+constexpr const char* displacement_doc = R"(
+At least the largest distance of an exact vertex from the one that it became, and of a vertex taken out of straight
+edges from these, rounded up; at most the tolerance. 0 if nothing was merged.)";
 
 constexpr const char* vertices_doc = R"(
 (v, d) float64: the distinct centres of the cells' spheres, each coordinate the double nearest to the exact one;
@@ -152,7 +171,7 @@ a box that is not of finite numbers low < high, and unsupported for d > 12 or fu
 k <= 3; beyond, at most (k-1)! simplices for each cell and ridge; regions that the box cuts one by one.)";
 
 constexpr const char* voronoi_doc = R"(
-Voronoi(points)
+Voronoi(points, tolerance=0.0)
 
 The Voronoi diagram of points, (n, d), or of a Delaunay triangulation: for each distinct point the region that is not
 nearer to any other; of a FurthestSite triangulation, the regions that are not further from any other.
@@ -162,7 +181,7 @@ its own, which does not change when points are added to the triangulation. Error
 for a Regular triangulation. Cost: a solve of k equations for each cell, and the size of the output.)";
 
 constexpr const char* power_doc = R"(
-PowerDiagram(points, weights=None)
+PowerDiagram(points, weights=None, tolerance=0.0)
 
 The power diagram of points, (n, d), with weights, (n,), or of a Regular triangulation: as Voronoi, with the power
 |x - p|^2 - weight in place of the squared distance. Weights have the unit of squared lengths. Hidden points have no
@@ -181,6 +200,12 @@ void bind_voronoi(py::module_& module) {
       .def_property_readonly(
           "affine_dimension", [](const HeldDiagram& h) { return h.diagram().affine_dimension(); },
           "k <= d, of the smallest flat that contains all points; -1 for none.")
+      .def_property_readonly(
+          "tolerance", [](const HeldDiagram& h) { return h.diagram().tolerance(); },
+          "What the diagram was made with, see Diagram.")
+      .def_property_readonly(
+          "max_displacement", [](const HeldDiagram& h) { return h.diagram().max_displacement(); },
+          text(displacement_doc))
       .def_property_readonly(
           "num_points", [](const HeldDiagram& h) { return h.diagram().num_points(); },
           "n, the rows of the input.")
@@ -283,30 +308,30 @@ void bind_voronoi(py::module_& module) {
           "(by 1 if that is 0).");
 
   py::class_<HeldVoronoi, HeldDiagram>(module, "Voronoi", text(voronoi_doc))
-      .def(py::init([](const py::object& points) {
+      .def(py::init([](const py::object& points, double tolerance) {
              const py::object source = py::isinstance<HeldTriangulation>(points)
                                            ? points
                                            : py::module_::import("delone").attr("Delaunay")(points);
              const auto& held = source.cast<const HeldTriangulation&>();
              if (held.form() == Form::regular)
                throw py::type_error("the diagram of a Regular triangulation is a PowerDiagram");
-             return std::make_unique<HeldVoronoi>(source);
+             return std::make_unique<HeldVoronoi>(source, tolerance);
            }),
-           "points"_a)
+           "points"_a, "tolerance"_a = 0.0)
       .def("__repr__", [](const HeldVoronoi& h) { return repr(h, "Voronoi"); })
       .def("__reduce__", [](const py::object& self) { return self.cast<const HeldVoronoi&>().recipe(self); });
 
   py::class_<HeldPower, HeldDiagram>(module, "PowerDiagram", text(power_doc))
-      .def(py::init([](const py::object& points, const py::object& weights) {
+      .def(py::init([](const py::object& points, const py::object& weights, double tolerance) {
              const py::object source = py::isinstance<HeldTriangulation>(points)
                                            ? points
                                            : py::module_::import("delone").attr("Regular")(points, weights);
              const auto& held = source.cast<const HeldTriangulation&>();
              if (held.form() != Form::regular)
                throw py::type_error("a power diagram is made from a Regular triangulation");
-             return std::make_unique<HeldPower>(source);
+             return std::make_unique<HeldPower>(source, tolerance);
            }),
-           "points"_a, "weights"_a = py::none())
+           "points"_a, "weights"_a = py::none(), "tolerance"_a = 0.0)
       .def_property_readonly("weights", &HeldDiagram::weights, "(n,) float64: the weight of each row.")
       .def("__repr__", [](const HeldPower& h) { return repr(h, "PowerDiagram"); })
       .def("__reduce__", [](const py::object& self) { return self.cast<const HeldPower&>().recipe(self); });

@@ -15,4 +15,5 @@ PYBIND11_MODULE(_core, module) {
   python::bind_voronoi(module);
   python::bind_halfspaces(module);
   python::bind_cell_maps(module);
+  python::bind_clough_tocher(module);
 }

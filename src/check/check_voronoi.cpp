@@ -130,6 +130,8 @@ void DiagramChecker::check_storage() const {
   const VoronoiData& a = data_;
   if (a.dimension < 1 || a.affine_dimension < -1 || a.affine_dimension > a.dimension)
     throw Violation{"impossible dimensions"};
+  if (!(a.tolerance >= 0) || !std::isfinite(a.tolerance))
+    throw Violation{"the tolerance is not a finite number of at least 0"};
   const std::size_t n = a.num_points();
   const auto size = [](const char* name, std::size_t found, std::size_t expected) {
     if (found != expected)
@@ -172,11 +174,11 @@ void DiagramChecker::make_diagram() {
   if (data_.weights.empty()) {
     const Delaunay<> triangulation(data_.points, data_.dimension);
     examined(triangulation);
-    diagram_ = &voronoi_.emplace(triangulation);
+    diagram_ = &voronoi_.emplace(triangulation, DiagramOptions{.tolerance = data_.tolerance});
   } else {
     const Regular<> triangulation(data_.points, data_.weights, data_.dimension);
     examined(triangulation);
-    diagram_ = &power_.emplace(triangulation);
+    diagram_ = &power_.emplace(triangulation, DiagramOptions{.tolerance = data_.tolerance});
   }
 }
 
@@ -214,11 +216,19 @@ void DiagramChecker::check_regions() {
       throw Violation{text_of("region", static_cast<std::size_t>(here[s])) + " is " +
                       (diagram.is_bounded(s) ? "bounded" : "unbounded")};
   }
-  std::map<Sites, SignedIndex> vertex_with;
+  // Regions that a tolerance has left without volume may have two vertices with the same sites. Then
+  // coordinates tell them apart.
+  using Key = std::pair<Sites, std::vector<double>>;
+  const auto key = [&](const Sites& sites, std::span<const double> coordinates, std::size_t v) {
+    if (data_.tolerance == 0) return Key{sites, {}};
+    const auto own = coordinates.subspan(v * d_, d_);
+    return Key{sites, {own.begin(), own.end()}};
+  };
+  std::map<Key, SignedIndex> vertex_with;
   for (std::size_t v = 0; v < sites_of_.size(); ++v)
-    vertex_with.emplace(sites_of_[v], static_cast<SignedIndex>(v));
+    vertex_with.emplace(key(sites_of_[v], diagram.vertices(), v), static_cast<SignedIndex>(v));
   for (std::size_t v = 0; v < sites_here.size(); ++v) {
-    const auto found = vertex_with.find(sites_here[v]);
+    const auto found = vertex_with.find(key(sites_here[v], data_.vertices, v));
     if (found == vertex_with.end() || found->second < 0)
       throw Violation{text_of("vertex", v) +
                       (found == vertex_with.end() ? ": the sites of its regions, "

@@ -46,6 +46,10 @@ struct Leftover {
   }
 };
 
+LocateOptions how(const EvaluateOptions& options) {
+  return {.tolerance = options.tolerance, .project = options.outside == Outside::project};
+}
+
 [[noreturn]] void refuse(std::size_t query) {
   throw Error(Errc::invalid_argument,
               "query " + std::to_string(query) + " is outside the convex hull of the points", {query});
@@ -64,15 +68,17 @@ LinearInterpolator::LinearInterpolator(const Triangulation& triangulation, std::
                 values_.begin() + static_cast<std::ptrdiff_t>(index(v) * columns));
 }
 
-void LinearInterpolator::evaluate(std::span<const double> queries, std::span<double> result, Outside outside,
-                                  std::span<const double> fill, const Progress& progress) const {
+void LinearInterpolator::evaluate(std::span<const double> queries, std::span<double> result,
+                                  const EvaluateOptions& options) const {
+  const Outside outside = options.outside;
+  const std::span<const double> fill = options.fill;
   const auto d = static_cast<std::size_t>(triangulation_.dimension());
   require_size(result.size(), queries.size() / d * columns_, "the result");
   if (!fill.empty()) require_size(fill.size(), columns_, "the constants outside");
   const Complex complex = triangulation_.complex();
-  Meter meter(progress);
+  Meter meter(options.progress);
   Leftover beyond;
-  locator_.locate(queries, [&](std::size_t query, const LocatedPoint& where) {
+  locator_.locate(queries, how(options), [&](std::size_t query, const LocatedPoint& where) {
     meter();
     double* const at = result.data() + query * columns_;
     if (where.barycentric.empty()) {
@@ -102,22 +108,23 @@ void LinearInterpolator::evaluate(std::span<const double> queries, std::span<dou
   });
 }
 
-void LinearInterpolator::gradients(std::span<const double> queries, std::span<double> result, Outside outside,
-                                   const Progress& progress) const {
+void LinearInterpolator::gradients(std::span<const double> queries, std::span<double> result,
+                                   const EvaluateOptions& options) const {
   const auto d = static_cast<std::size_t>(triangulation_.dimension());
   const std::size_t width = columns_ * d;
   require_size(result.size(), queries.size() / d * width, "the result");
   const Complex complex = triangulation_.complex();
-  Meter meter(progress);
+  Meter meter(options.progress);
   CellId last = invalid_cell;
   std::vector<const double*> points;
   std::vector<double> values, gradient;
-  locator_.locate(queries, [&](std::size_t query, const LocatedPoint& where) {
+  locator_.locate(queries, how(options), [&](std::size_t query, const LocatedPoint& where) {
     meter();
     double* const at = result.data() + query * width;
     if (where.barycentric.empty()) {
-      if (outside == Outside::error) refuse(query);
-      std::fill_n(at, width, outside == Outside::nearest ? 0.0 : std::numeric_limits<double>::quiet_NaN());
+      if (options.outside == Outside::error) refuse(query);
+      std::fill_n(at, width,
+                  options.outside == Outside::nearest ? 0.0 : std::numeric_limits<double>::quiet_NaN());
       return;
     }
     if (where.cell != last) {

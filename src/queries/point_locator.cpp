@@ -3,9 +3,11 @@
 #include "queries/point_locator_impl.hpp"
 
 #include "base/require_finite.hpp"
+#include "base/require_tolerance.hpp"
 #include "kernel/predicates.hpp"
 #include "queries/barycentric.hpp"
 #include "queries/cell_minors.hpp"
+#include "queries/tolerant_location.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -53,7 +55,7 @@ class TableWalk {
       for (int i = 0; i <= K; ++i) {
         const VertexId v = where_.complex.vertex(cell, i);
         if (v == infinite_vertex) {
-          found = {Location::Kind::outside_hull, cell, {}};
+          found = {Location::Kind::outside_hull, cell, {}, 0};
           return true;
         }
         points[i] = where_.point(v);
@@ -63,7 +65,7 @@ class TableWalk {
       if (slot < 0) break;
       cell = where_.complex.neighbor(cell, slot);
     }
-    found = {Location::Kind::in_cell, cell, finish(points, q)};
+    found = {Location::Kind::in_cell, cell, finish(points, q), 0};
     const auto positive = std::count(signs_, signs_ + K + 1, Sign::positive);
     if (positive <= K) found.kind = positive == 1 ? Location::Kind::on_vertex : Location::Kind::on_face;
     return true;
@@ -133,7 +135,7 @@ class PlainWalk {
     const auto hint = start == invalid_cell ? std::nullopt : std::optional<CellId>(start);
     const Location location =
         where_.triangulation.locate(std::span(q, static_cast<std::size_t>(where_.dimension)), hint);
-    found = {location.kind, location.cell, {}};
+    found = {location.kind, location.cell, {}, 0};
     if (location.face.empty()) return;
     const VerticesOfCell vertices = where_.complex.vertices(location.cell);
     std::vector<const double*> points;
@@ -158,7 +160,7 @@ struct NoTable {
 
 template <class Table>
 void walk_through(const PointLocator::Impl& where, Table table, std::span<const double> queries,
-                  const PointLocator::Visit& visit) {
+                  internal::TolerantLocation* tolerant, const PointLocator::Visit& visit) {
   PlainWalk plain(where);
   CellId start = invalid_cell;
   LocatedPoint found;
@@ -170,28 +172,56 @@ void walk_through(const PointLocator::Impl& where, Table table, std::span<const 
       const int infinite = where.complex.infinite_index(found.cell);
       start = infinite < 0 ? found.cell : where.complex.neighbor(found.cell, infinite);
     }
+    if (tolerant != nullptr && !tolerant->is_final(found)) tolerant->refine(q, found);
     visit(query, found);
   });
 }
 
 template <int K>
 void dispatch(const PointLocator::Impl& where, std::span<const double> queries,
-              const PointLocator::Visit& visit) {
+              internal::TolerantLocation* tolerant, const PointLocator::Visit& visit) {
   if (where.affine_dimension != where.dimension || where.dimension > largest_table)
-    return walk_through(where, NoTable{}, queries, visit);
+    return walk_through(where, NoTable{}, queries, tolerant, visit);
   if constexpr (K < largest_table)
-    if (where.dimension > K) return dispatch<K + 1>(where, queries, visit);
-  walk_through(where, TableWalk<K>(where), queries, visit);
+    if (where.dimension > K) return dispatch<K + 1>(where, queries, tolerant, visit);
+  walk_through(where, TableWalk<K>(where), queries, tolerant, visit);
 }
 
 }  // namespace
 
 void PointLocator::locate(std::span<const double> queries, const Visit& visit) const {
+  locate(queries, {}, visit);
+}
+
+void PointLocator::locate(std::span<const double> queries, const LocateOptions& options,
+                          const Visit& visit) const {
+  internal::require_tolerance(options.tolerance);
   try {
-    dispatch<1>(*impl_, queries, visit);
+    if (options.tolerance == 0 && !options.project) return dispatch<1>(*impl_, queries, nullptr, visit);
+    const auto thick = impl_->thick_cells(options.tolerance);
+    internal::TolerantLocation tolerant(*impl_, options, thick.get());
+    dispatch<1>(*impl_, queries, &tolerant, visit);
   } catch (const std::bad_alloc&) {
     throw Error(Errc::out_of_memory, "not enough memory for the queries");
   }
+}
+
+void PointLocator::cells_within(std::span<const double> queries, double radius,
+                                const std::function<bool(std::size_t, CellId)>& visit) const {
+  internal::require_tolerance(radius);
+  internal::TolerantLocation near(*impl_, {.tolerance = radius}, nullptr);
+  const auto width = static_cast<std::size_t>(impl_->dimension);
+  locate(queries, [&](std::size_t query, const LocatedPoint& found) {
+    near.visit_near(queries.data() + query * width, found, [&](CellId cell) { return visit(query, cell); });
+  });
+}
+
+std::shared_ptr<const internal::ThickCells> PointLocator::Impl::thick_cells(double tolerance) const {
+  if (tolerance == 0) return nullptr;
+  const std::lock_guard lock(thick_mutex);
+  if (!thick || thick->tolerance() != tolerance)
+    thick = std::make_shared<const internal::ThickCells>(complex.num_cell_slots(), tolerance);
+  return thick;
 }
 
 }  // namespace delone

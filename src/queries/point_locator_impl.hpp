@@ -3,12 +3,14 @@
 #pragma once
 
 #include "order/insertion_order.hpp"
+#include "queries/thick_cells.hpp"
 #include "triangulation/stored_points.hpp"
 
 #include <delone/point_locator.hpp>
 
 #include <algorithm>
 #include <cstddef>
+#include <memory>
 #include <mutex>
 #include <span>
 #include <vector>
@@ -32,6 +34,8 @@ struct PointLocator::Impl {
 
   mutable std::once_flag edges_once;
   mutable Edges edges;
+  mutable std::mutex thick_mutex;
+  mutable std::shared_ptr<const internal::ThickCells> thick;  // for the tolerance used last
 
   const double* point(VertexId v) const { return points.point(index(v)); }
   /// Calls each(query) for all queries, chunk by chunk, each chunk in the order of a Hilbert curve. Chunks
@@ -46,6 +50,8 @@ struct PointLocator::Impl {
       for (const Index query : part) each(query);
     }
   }
+  /// The kinds of cells for this tolerance; null for 0.
+  std::shared_ptr<const internal::ThickCells> thick_cells(double tolerance) const;
   static constexpr std::size_t piece = std::size_t{1} << 18;
 
  private:

@@ -4,6 +4,7 @@
 
 #include "base/compensated_sum.hpp"
 #include "base/guarded.hpp"
+#include "voronoi/diagram_simplifier.hpp"
 #include "voronoi/region_clipper.hpp"
 #include "voronoi/simple_polytope.hpp"
 #include "voronoi/voronoi_builder.hpp"
@@ -91,12 +92,57 @@ class DiagramClipper {
 }  // namespace
 
 Diagram::Diagram(const Triangulation& triangulation, const std::function<double(VertexId)>& weight,
-                 DiagramParts parts)
+                 const DiagramOptions& options)
     : dimension_(triangulation.dimension()),
       affine_dimension_(triangulation.affine_dimension()),
-      has_ridges_(parts == DiagramParts::all),
-      is_weighted_(weight != nullptr) {
-  internal::guarded("the diagram", [&] { VoronoiBuilder(triangulation, weight, *this).run(); });
+      has_ridges_(options.parts == DiagramParts::all || options.tolerance > 0),
+      is_weighted_(weight != nullptr),
+      tolerance_(options.tolerance) {
+  if (!(tolerance_ >= 0) || !std::isfinite(tolerance_))
+    throw Error(Errc::invalid_argument, "the tolerance of a diagram must be a finite distance of at least 0");
+  internal::guarded("the diagram", [&] {
+    VoronoiBuilder(triangulation, weight, *this).run();
+    if (tolerance_ > 0) simplify();
+  });
+  if (options.parts == DiagramParts::all || !has_ridges_) return;
+  has_ridges_ = false;
+  ridge_points_ = ridge_vertices_ = {};
+  ridge_offsets_ = {0};
+  cell_regions_ = cell_vertex_ = {};
+  ridge_of_exact_ = {};
+  exact_ = nullptr;
+}
+
+/// Replaces the exact diagram by the simplified one, and keeps it for volumes and clipping.
+void Diagram::simplify() {
+  if (num_regions() < 2) return;
+  double longest = 0;
+  for (std::size_t j = 0; j < ambient(); ++j) {
+    double low = site(0)[j], high = low;
+    for (std::size_t r = 1; r < num_regions(); ++r) {
+      low = std::min(low, site(r)[j]);
+      high = std::max(high, site(r)[j]);
+    }
+    longest = std::max(longest, high - low);
+  }
+  if (!(tolerance_ <= longest))
+    throw Error(
+        Errc::invalid_argument,
+        "the tolerance of a diagram must not be larger than the longest side of the bounding box of its "
+        "sites");
+  const std::shared_ptr<Diagram> exact(new Diagram(std::move(*this)),
+                                       [](Diagram* diagram) { delete diagram; });
+  sites_ = exact->sites_;
+  weights_ = exact->weights_;
+  hidden_ = exact->hidden_;
+  region_points_ = exact->region_points_;
+  point_region_ = exact->point_region_;
+  bounded_ = exact->bounded_;
+  // Moved from: all other arrays are empty.
+  if (DiagramSimplifier(*exact, tolerance_).run(*this))
+    exact_ = exact;
+  else
+    *this = std::move(*exact);
 }
 
 Diagram::Diagram(detail::Clone, const Diagram& other) try : Diagram(other) {
@@ -160,6 +206,14 @@ std::vector<std::vector<Index>> Diagram::cells_of_regions() const {
 
 std::vector<double> Diagram::ridge_volumes() const {
   require_ridges();
+  if (exact_ != nullptr) {
+    const std::vector<double> exact = exact_->ridge_volumes();
+    return internal::guarded("the diagram", [&] {
+      std::vector<double> volumes;
+      for (const Index ridge : ridge_of_exact_) volumes.push_back(exact[ridge]);
+      return volumes;
+    });
+  }
   return internal::guarded("the diagram", [&] {
     const auto cells = cells_of_regions();
     std::vector<double> volumes(num_ridges());
@@ -189,6 +243,7 @@ std::vector<double> Diagram::volumes_of(const std::vector<unsigned char>& wanted
 
 std::vector<double> Diagram::region_volumes() const {
   require_ridges();
+  if (exact_ != nullptr) return exact_->region_volumes();
   return internal::guarded("the diagram", [&] {
     std::vector<double> volumes = volumes_of(bounded_);
     for (std::size_t r = 0; r < volumes.size(); ++r)
@@ -213,7 +268,8 @@ VoronoiData Diagram::to_data() const {
                      region_offsets_,
                      ray_vertices_,
                      ray_points_,
-                     ray_directions_};
+                     ray_directions_,
+                     tolerance_};
     const double* hidden = hidden_.data();
     for (const SignedIndex region : point_region_) {
       const double* point = region < 0 ? hidden : site(static_cast<std::size_t>(region)).data();
@@ -256,6 +312,7 @@ bool Diagram::is_inside(std::size_t r, const Box& box) const {
 
 std::vector<double> Diagram::region_volumes(const Box& box) const {
   check_box(box);
+  if (exact_ != nullptr) return exact_->region_volumes(box);
   return internal::guarded("the diagram", [&] {
     std::vector<unsigned char> inside(num_regions());
     for (std::size_t r = 0; r < num_regions(); ++r) inside[r] = is_inside(r, box) ? 1 : 0;
@@ -272,7 +329,7 @@ void Diagram::for_each_clipped_region(
   check_box(box);
   if (dimension_ > 3)
     throw Error(Errc::unsupported, "the geometry of clipped regions is available up to dimension 3");
-  DiagramClipper clipper(*this, box);
+  DiagramClipper clipper(exact_ != nullptr ? *exact_ : *this, box);
   for (std::size_t r = 0; r < num_regions(); ++r) visit(r, clipper.clip(r).geometry());
 }
 

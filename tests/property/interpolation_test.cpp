@@ -128,7 +128,7 @@ TEST(Interpolation, GradientsInsideAFlat) {
   EXPECT_NEAR(value[0], 3.5, 1e-14);
   interpolate.evaluate(beside, value);
   EXPECT_TRUE(std::isnan(value[0]));
-  interpolate.evaluate(beside, value, Outside::nearest);
+  interpolate.evaluate(beside, value, {.outside = Outside::nearest});
   EXPECT_EQ(value[0], 1);
 }
 
@@ -138,21 +138,22 @@ TEST(Interpolation, Outside) {
   const Delaunay<> t(points, 2);
   const LinearInterpolator interpolate(t, values, 2);
   std::vector<double> result(8), slopes(16);
-  interpolate.evaluate(queries, result, Outside::fill, std::vector<double>{-1, -2});
+  const std::vector<double> constants{-1, -2};
+  interpolate.evaluate(queries, result, {.fill = constants});
   EXPECT_EQ(std::vector<double>(result.begin() + 2, result.end()),
             (std::vector<double>{-1, -2, -1, -2, 2, 20}));
   EXPECT_NEAR(result[0], 1.75, 1e-15);
-  interpolate.evaluate(queries, result, Outside::nearest);
+  interpolate.evaluate(queries, result, {.outside = Outside::nearest});
   EXPECT_EQ(std::vector<double>(result.begin() + 2, result.end()),
             (std::vector<double>{2, 20, 3, 30, 2, 20}));
-  interpolate.gradients(queries, slopes, Outside::nearest);
+  interpolate.gradients(queries, slopes, {.outside = Outside::nearest});
   EXPECT_EQ(slopes[4], 0);
   EXPECT_NEAR(slopes[0], 0.25, 1e-15);
   for (const bool of_gradients : {false, true}) try {
       if (of_gradients)
-        interpolate.gradients(queries, slopes, Outside::error);
+        interpolate.gradients(queries, slopes, {.outside = Outside::error});
       else
-        interpolate.evaluate(queries, result, Outside::error);
+        interpolate.evaluate(queries, result, {.outside = Outside::error});
       FAIL();
     } catch (const Error& e) {
       EXPECT_EQ(e.code(), Errc::invalid_argument);
@@ -194,7 +195,7 @@ TEST(Interpolation, NoPointsAndOnePoint) {
   const std::vector<double> query{1, 2}, value{7};
   std::vector<double> result(1);
   const Delaunay<> none(2);
-  LinearInterpolator(none, {}).evaluate(query, result, Outside::nearest);
+  LinearInterpolator(none, {}).evaluate(query, result, {.outside = Outside::nearest});
   EXPECT_TRUE(std::isnan(result[0]));
   const Delaunay<> one(query, 2);
   LinearInterpolator(one, value).evaluate(query, result);
@@ -223,16 +224,14 @@ TEST(Interpolation, Errors) {
   EXPECT_EQ(code_of([&] { LinearInterpolator(t, values, 2); }), Errc::bad_dimension);
   EXPECT_EQ(code_of([&] { interpolate.evaluate(queries, wrong); }), Errc::bad_dimension);
   EXPECT_EQ(code_of([&] { interpolate.gradients(queries, wrong); }), Errc::bad_dimension);
-  EXPECT_EQ(code_of([&] { interpolate.evaluate(queries, result, Outside::fill, wrong); }),
-            Errc::bad_dimension);
+  EXPECT_EQ(code_of([&] { interpolate.evaluate(queries, result, {.fill = wrong}); }), Errc::bad_dimension);
   EXPECT_EQ(code_of([&] { interpolate.evaluate(bad, std::span(result).first(1)); }), Errc::not_finite);
   std::vector<double> many(2 * 5000, 1.0), answers(5000);
-  EXPECT_EQ(code_of([&] {
-              interpolate.evaluate(many, answers, Outside::fill, {}, [](std::size_t) { return false; });
-            }),
-            Errc::cancelled);
+  EXPECT_EQ(
+      code_of([&] { interpolate.evaluate(many, answers, {.progress = [](std::size_t) { return false; }}); }),
+      Errc::cancelled);
   std::size_t calls = 0;
-  interpolate.evaluate(many, answers, Outside::fill, {}, [&](std::size_t) { return ++calls > 0; });
+  interpolate.evaluate(many, answers, {.progress = [&](std::size_t) { return ++calls > 0; }});
   EXPECT_GE(calls, 2u);
 }
 

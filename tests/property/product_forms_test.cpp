@@ -152,7 +152,7 @@ TEST(ProductForms, DiagramsAreEqual) {
     EXPECT_EQ(other->region_volumes().size(), 60u);
     EXPECT_EQ(other->to_data().weights.empty(), other != &power_copy);
   }
-  EXPECT_EQ(Voronoi(triangulation, DiagramParts::regions).num_ridges(), 0u);
+  EXPECT_EQ(Voronoi(triangulation, {.parts = DiagramParts::regions}).num_ridges(), 0u);
 }
 
 }  // namespace

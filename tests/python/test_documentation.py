@@ -10,7 +10,7 @@ import sys
 import pytest
 
 import delone
-from delone import _core, spatial
+from delone import _core, interpolate, spatial
 
 STUB = ast.parse((pathlib.Path(delone.__file__).parent / "_core.pyi").read_text(encoding="utf-8"))
 STUBBED = {node.name: node for node in STUB.body if isinstance(node, ast.ClassDef)}
@@ -56,16 +56,16 @@ def test_stub_has_the_arguments_of_methods(name):
 @pytest.mark.parametrize("name", [name for name in delone.__all__ if not name.startswith("__")])
 def test_everything_public_has_a_docstring(name):
     described = getattr(delone, name)
-    assert described.__doc__ and described.__module__ in ("delone", "delone._locations")
+    assert described.__doc__ and described.__module__ in ("delone", "delone._locations", "delone._patch")
     for member, value in inspect.getmembers(described):
         if not member.startswith("_") and (isinstance(value, property) or callable(value)):
             text = value.__doc__ or ""
             assert len(re.sub(r"^\w+\(self.*\n", "", text).strip()) >= 2, f"{name}.{member}"
 
 
-@pytest.mark.parametrize("name", spatial.__all__)
-def test_everything_public_of_spatial_has_a_docstring(name):
-    described = getattr(spatial, name)
+@pytest.mark.parametrize("module, name", [(module, name) for module in (spatial, interpolate) for name in module.__all__])
+def test_everything_public_of_the_layers_has_a_docstring(module, name):
+    described = getattr(module, name)
     assert described.__doc__
     for member, value in vars(described).items():
         if not member.startswith("_") and callable(value):

@@ -94,3 +94,21 @@ def test_copies_are_complete():
     np.testing.assert_array_equal(again.equations, hull.equations)
     again.add_points([[2, 2, 2]])
     assert 30 in again.vertices and 30 not in hull.vertices
+
+
+def test_simplices_are_counterclockwise_in_the_plane_and_increasing_otherwise():
+    random = np.random.default_rng(1)
+    points = random.random((40, 2))
+    edges = points[spatial.ConvexHull(points).simplices] - points.mean(axis=0)
+    assert (np.linalg.det(edges) > 0).all()
+    hull = spatial.ConvexHull(random.random((40, 4)))
+    assert (np.diff(hull.simplices) > 0).all()
+    for i, j in np.ndindex(*hull.neighbors.shape):
+        assert set(hull.simplices[i]) - {hull.simplices[i, j]} < set(hull.simplices[hull.neighbors[i, j]])
+
+
+@pytest.mark.parametrize("name", ["simplices", "neighbors", "vertices", "_vertices", "volume", "area", "equations", "tolerance"])
+def test_results_cannot_be_assigned(name):
+    hull = spatial.ConvexHull(np.random.default_rng(1).random((30, 3)))
+    with pytest.raises(AttributeError, match=f"{name} of ConvexHull cannot be assigned"):
+        setattr(hull, name, None)

@@ -154,6 +154,15 @@ def test_failed_addition_changes_nothing():
     assert tri.npoints == 11 and 10 in tri.simplices
 
 
+@pytest.mark.parametrize("cls", ["Delaunay", "ConvexHull", "Voronoi"])
+def test_infinities_are_a_qhull_error_as_in_scipy(cls):
+    points = np.random.default_rng(1).random((10, 2))
+    points[3, 1] = np.inf
+    for module in (spatial, scipy_spatial):
+        with pytest.raises(module.QhullError):
+            getattr(module, cls)(points)
+
+
 @pytest.mark.parametrize("points", [np.full((5, 2), np.nan), np.empty((0, 2)), np.ma.masked_array(np.ones((5, 2)))])
 def test_bad_points_are_value_errors_as_in_scipy(points):
     for cls in ("Delaunay", "ConvexHull", "Voronoi"):
@@ -200,10 +209,38 @@ def test_copies_are_complete(duplicate, incremental):
 
 def test_arrays_are_the_callers_own():
     points = np.random.default_rng(1).random((30, 2))
-    tri = spatial.Delaunay(points)
+    tri, untouched = spatial.Delaunay(points), spatial.Delaunay(points)
     queries = tri.points[tri.simplices].mean(axis=1)
     tri.simplices.sort(axis=1)
     tri.neighbors[:] = -1
     np.testing.assert_array_equal(tri.find_simplex(queries), np.arange(tri.nsimplex))
-    tri.simplices = tri.simplices[:3]
-    assert len(tri.simplices) == 3
+    for name in ["transform", "equations", "convex_hull", "vertex_to_simplex"]:
+        np.testing.assert_array_equal(getattr(tri, name), getattr(untouched, name))
+
+
+@pytest.mark.parametrize("name", ["simplices", "neighbors", "points", "_points", "transform", "_transform", "convex_hull", "nsimplex",
+                                  "equations", "min_bound", "furthest_site", "vertex_neighbor_vertices"])
+def test_results_cannot_be_assigned(name):
+    tri = spatial.Delaunay(np.random.default_rng(1).random((30, 2)))
+    before = tri.simplices.copy()
+    with pytest.raises(AttributeError, match=f"{name} of Delaunay cannot be assigned"):
+        setattr(tri, name, None)
+    tri.label = "mine"
+    copied = pickle.loads(pickle.dumps(tri))
+    assert copied.label == "mine" and (copied.simplices == before).all()
+
+
+@pytest.mark.parametrize("dimension", [2, 3, 5])
+def test_simplices_are_counterclockwise_in_the_plane_and_increasing_otherwise(dimension):
+    points = np.random.default_rng(1).random((40, dimension))
+    tri = spatial.Delaunay(points)
+    corners = points[tri.simplices]
+    if dimension == 2:
+        assert (np.linalg.det(corners[:, 1:] - corners[:, :1]) > 0).all()
+    else:
+        assert (np.diff(tri.simplices) > 0).all()
+    for i, j in zip(*np.nonzero(tri.neighbors >= 0)):
+        mine = set(tri.simplices[i]) - {tri.simplices[i, j]}
+        assert mine < set(tri.simplices[tri.neighbors[i, j]])
+    tri.find_simplex(corners.mean(axis=1))
+    np.testing.assert_array_equal(tri.find_simplex(corners.mean(axis=1)), np.arange(tri.nsimplex))

@@ -77,7 +77,7 @@ def test_a_cube_has_eight_vertices_and_exact_ones():
 
 
 def test_unbounded_intersections_have_their_finite_vertices():
-    corner = spatial.HalfspaceIntersection([[-1, 0, 0], [0, -1, 0]], [1, 1])
+    corner = spatial.HalfspaceIntersection([[-1, 0, 0], [0, -1, 0]], [1, 1], flat="result")
     assert corner.intersections.tolist() == [[0, 0]] and not corner.is_bounded
 
 
@@ -94,3 +94,32 @@ def test_a_point_that_is_not_inside_is_a_qhull_error_as_in_scipy():
     with pytest.raises(spatial.QhullError):
         grown.add_halfspaces([[1, 0, -0.25]])
     assert grown.nineq == 3 and len(grown.halfspaces) == 3
+
+
+# Too few; a strip; hyperplanes through one point, one of them redundant; two of them equal.
+@pytest.mark.parametrize("halfspaces", [[[-1, 0, 0], [0, -1, 0]], [[-1, 0, 0], [1, 0, -2]], [[-1, 0, 0], [0, -1, 0], [-1, -1, 0]],
+                                        [[-1, 0, 0], [-2, 0, 0], [0, -1, 0]]])
+def test_flat_dual_points_are_an_error_as_in_scipy_unless_a_result_is_wanted(halfspaces):
+    for module in (spatial, scipy_spatial):
+        with pytest.raises(module.QhullError, match="flat|not enough points"):
+            module.HalfspaceIntersection(np.array(halfspaces, float), np.ones(2))
+    result = spatial.HalfspaceIntersection(halfspaces, [1, 1], flat="result")
+    assert not result.is_bounded and len(result.intersections) <= 2
+
+
+@pytest.mark.parametrize("halfspaces", [[[-1, 0, 0], [0, -1, 0], [-1, -1, -1]], [[-1, 0, 0], [0, -1, 0], [1, 1, -3]]])
+def test_other_halfspaces_are_no_error(halfspaces):
+    assert len(spatial.HalfspaceIntersection(halfspaces, [1, 1]).dual_vertices) == 3 - (halfspaces[2][2] == -1)
+    scipy_spatial.HalfspaceIntersection(np.array(halfspaces, float), np.ones(2))
+
+
+def test_one_halfspace_may_be_added_as_a_vector():
+    square = spatial.HalfspaceIntersection([[-1, 0, 0], [0, -1, 0], [1, 0, -2], [0, 1, -2]], [1, 1], incremental=True)
+    square.add_halfspaces([1, 1, -3])
+    assert (square.nineq, square.ndim, len(square.intersections)) == (5, 2, 5)
+    with pytest.raises(ValueError, match="2D array"):
+        square.add_halfspaces(np.ones((1, 1, 3)))
+    with pytest.raises(ValueError, match="invalid size"):
+        square.add_halfspaces([1, 1, 1, 1])
+    with pytest.raises(AttributeError, match="interior_point of HalfspaceIntersection cannot be assigned"):
+        square.interior_point = [0.5, 0.5]

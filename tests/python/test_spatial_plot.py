@@ -31,14 +31,14 @@ def test_triangulations_are_drawn(plt):
     figure = spatial.delaunay_plot_2d(spatial.Delaunay(POINTS))
     assert len(figure.gca().lines) == 3  # points, edges, and Matplotlib's empty line of markers
     axes = plt.figure().gca()
-    assert spatial.delaunay_plot_2d(spatial.Delaunay([[0, 0], [1, 1], [2, 2]]), ax=axes) is axes.figure
+    assert spatial.delaunay_plot_2d(spatial.Delaunay([[0, 0], [1, 1], [2, 2]], flat="result"), ax=axes) is axes.figure
 
 
 def test_hulls_are_drawn(plt):
     hull = spatial.ConvexHull(POINTS)
     figure = spatial.convex_hull_plot_2d(hull)
     assert len(figure.gca().collections[0].get_segments()) == len(hull.simplices)
-    spatial.convex_hull_plot_2d(spatial.ConvexHull([[0, 0], [1, 1], [2, 2]]))
+    spatial.convex_hull_plot_2d(spatial.ConvexHull([[0, 0], [1, 1], [2, 2]], flat="result"))
 
 
 def test_diagrams_are_drawn(plt):

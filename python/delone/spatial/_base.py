@@ -3,20 +3,35 @@
 from __future__ import annotations
 
 import copy
+import functools
+import sys
 
 import numpy as np
 
 
 class QhullError(RuntimeError):
-    """An attribute that does not exist for these points: they span a flat of less than the space's dimension.
+    """The input has no result as in scipy: it spans a flat of less than the space's dimension, is infinite, or an interior point is not
+    inside.
 
-    Named as in scipy, where input of this kind is refused as a whole.
+    Where scipy.spatial is loaded, what is raised is also an instance of its QhullError: either name catches it.
     """
+
+
+@functools.lru_cache(maxsize=None)
+def _also(theirs: type) -> type:
+    return type("QhullError", (QhullError, theirs),
+                {"__module__": __name__, "__doc__": QhullError.__doc__, "__reduce__": lambda self: (qhull_error, self.args)})
+
+
+def qhull_error(text: str) -> QhullError:
+    """The error to raise: a QhullError, of scipy's class too if there is one."""
+    theirs = getattr(sys.modules.get("scipy.spatial"), "QhullError", QhullError)
+    return QhullError(text) if issubclass(QhullError, theirs) else _also(theirs)(text)
 
 
 def as_points(points, what: str = "points") -> np.ndarray:
     """A contiguous (n, d) array of float64; the argument itself if it is one. ValueError for anything else, for masked arrays,
-    for no rows, and for rows that are not finite."""
+    for no rows, and for NaN; QhullError for infinities."""
     if np.ma.isMaskedArray(points):
         raise ValueError(f"Input {what} cannot be a masked array")
     points = np.ascontiguousarray(points, dtype=np.float64)
@@ -26,8 +41,9 @@ def as_points(points, what: str = "points") -> np.ndarray:
         raise ValueError(f"No {what} given")
     bad = np.flatnonzero(~np.isfinite(points).all(axis=1))
     if len(bad):
-        kind = "NaN" if np.isnan(points[bad[0]]).any() else "infinities"
-        raise ValueError(f"{what.capitalize()} cannot contain {kind} (row {bad[0]})")
+        if np.isnan(points).any():
+            raise ValueError(f"{what.capitalize()} cannot contain NaN (row {np.flatnonzero(np.isnan(points).any(axis=1))[0]})")
+        raise qhull_error(f"{what.capitalize()} cannot contain infinities (row {bad[0]})")
     return points
 
 
@@ -35,23 +51,53 @@ class Incremental:
     """Rows of numbers, their bounds, and adding rows.
 
     A subclass keeps the object of the library that does the work in ``_core``, builds it from ``points`` in ``_rebuild()``, adds
-    rows to it in ``_extend(rows)`` and takes its arrays over in ``_update()``.
+    rows to it in ``_extend(rows)`` and takes its arrays over in ``_update()``. It sets results with ``_set``: they cannot be
+    assigned from outside, since all others would still be those of the object.
     """
 
     _incremental = False
     # Attributes that _update() sets, or that are computed from those on first use.
     _derived: tuple[str, ...] = ()
+    _read_only = frozenset({"points", "ndim", "npoints", "min_bound", "max_bound", "affine_dimension", "furthest_site",
+                            # Names in scipy that programs reach for: assigning them would do nothing here.
+                            "_points", "_qhull", "_transform", "_vertex_to_simplex", "_vertex_neighbor_vertices", "_vertices", "_ridge_dict"})
 
-    def _start(self, points: np.ndarray, incremental: bool):
+    def __init_subclass__(cls, **arguments):
+        super().__init_subclass__(**arguments)
+        cls._read_only = cls._read_only | {name for name in cls._derived if not name.startswith("_")}
+
+    def __setattr__(self, name, value):
+        if name in self._read_only:
+            raise AttributeError(f"{name} of {type(self).__name__} cannot be assigned: all else would still belong to the old "
+                                 "one. Make another object, or change a copy of the array")
+        super().__setattr__(name, value)
+
+    def _set(self, **results) -> None:
+        self.__dict__.update(results)
+
+    def _start(self, points: np.ndarray, incremental: bool, flat):
+        if flat is None:
+            flat = "result" if self._options.joggled else "error"
+        if flat not in ("error", "result"):
+            raise ValueError(f"flat: 'error' or 'result', not {flat!r}")
+        self._flat = flat
         self._incremental = bool(incremental)
         self._set_points(points.copy() if incremental else points)
         self._rebuild()
+        if flat == "error":
+            self._refuse_flat()
         self._update()
 
+    def _refuse_flat(self) -> None:
+        """Raises QhullError if the points span less than the space."""
+        k = self._core.affine_dimension
+        if k < self.ndim:
+            raise qhull_error(f"QH6154 initial simplex is flat: {self.npoints} points span a flat of dimension {k} in {self.ndim} "
+                              "dimensions. flat='result' gives the result within it")
+
     def _set_points(self, points: np.ndarray):
-        self._points = points
-        self.npoints, self.ndim = points.shape
-        self.min_bound, self.max_bound = points.min(axis=0), points.max(axis=0)
+        npoints, ndim = points.shape
+        self._set(_points=points, npoints=npoints, ndim=ndim, min_bound=points.min(axis=0), max_bound=points.max(axis=0))
 
     def _add_rows(self, points, restart: bool) -> None:
         if not self._incremental:
@@ -97,6 +143,11 @@ class Incremental:
 class OfPoints(Incremental):
     """The rows are points."""
 
+    def _start(self, points: np.ndarray, incremental: bool, flat):
+        if points.shape[1] < 2 and flat != "result":
+            raise ValueError("Need at least 2-D data. flat='result' gives results in one dimension")
+        super()._start(points, incremental, flat)
+
     @property
     def points(self) -> np.ndarray:
         """The points, (npoints, ndim)."""
@@ -107,6 +158,6 @@ class OfPoints(Incremental):
 
         All arrays are new afterwards, and simplices are numbered anew. ``restart`` builds from scratch instead; the result is the
         same up to numbering. Raises RuntimeError if adding was not enabled, or after close(); ValueError for rows of another
-        size or not finite, which leave everything as it was.
+        size or NaN, QhullError for infinities; both leave everything as it was.
         """
         self._add_rows(points, restart)

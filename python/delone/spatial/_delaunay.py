@@ -2,6 +2,7 @@
 """scipy.spatial.Delaunay, exact."""
 from __future__ import annotations
 
+import math
 import warnings
 from functools import cached_property
 
@@ -11,11 +12,32 @@ import delone
 from delone import _core
 
 from . import _geometry, _options
-from ._base import OfPoints, QhullError, as_points
+from ._base import OfPoints, as_points, qhull_error
 
 
 # A transform is left out (NaN) if fewer than about three of its digits would mean anything; the rule of scipy.
 SMALLEST_RECIPROCAL_CONDITION = 1000 * np.finfo(float).eps
+
+
+# How far beyond a facet, in barycentric coordinates, a point still counts as inside; that of scipy.
+DEFAULT_TOLERANCE = 100 * np.finfo(float).eps
+
+
+class _Search:
+    """What the search for accepting simplices needs: which simplices are thin, the bounding box of the points, and the largest
+    diameter of the simplices that are not thin."""
+
+    def __init__(self, transform: np.ndarray, core):
+        self.is_thin = np.isnan(transform[:, 0, 0])
+        self.has_thin = bool(self.is_thin.any())
+        points = core.points
+        self.lower, self.upper = points.min(axis=0), points.max(axis=0)
+        self.diameter = 0.0
+        with np.errstate(over="ignore"):
+            for begin in range(0, len(transform), 100_000):
+                corners = points[core.cells[begin:begin + 100_000][~self.is_thin[begin:begin + 100_000]]]
+                if len(corners):  # the diagonal of the bounding box
+                    self.diameter = max(self.diameter, float(np.sqrt(np.square(np.ptp(corners, axis=1)).sum(axis=1)).max()))
 
 
 class Delaunay(OfPoints):
@@ -24,20 +46,23 @@ class Delaunay(OfPoints):
     Parameters
     ----------
     points : (npoints, ndim) finite floats
-        The points. Duplicates are merged; flat input is triangulated within its flat.
+        The points. Duplicates are merged.
     furthest_site : bool
         Triangulate for the furthest-site Voronoi diagram instead: the upper hull of the lifted points.
     incremental : bool
         Allow `add_points`.
     qhull_options : str, optional
         Qhull's options, see docs/from-qhull.md; ValueError for one that has no meaning here. Default "Qbb Qc Qz".
+    flat : "error" or "result", keyword only
+        Flat input, points that span less than the space: QhullError as in scipy, or triangulated within its flat; so are points in
+        one dimension, else a ValueError. Default "error", with option QJ "result". (Not in scipy.)
 
     Attributes
     ----------
     points, ndim, npoints, min_bound, max_bound
         The points, d, their number, and their bounding box.
     simplices : (nsimplex, ndim+1) int32
-        Rows of points. Positively oriented: counterclockwise in the plane. For flat input of affine dimension k, k+1 columns.
+        Rows of points: counterclockwise in the plane, increasing otherwise. For flat input of affine dimension k, k+1 columns.
     neighbors : (nsimplex, ndim+1) int32
         The simplex opposite each vertex; −1 on the boundary.
     affine_dimension : int
@@ -48,18 +73,29 @@ class Delaunay(OfPoints):
         Ones.
     furthest_site : bool
 
+    Results cannot be assigned; an array is the caller's to change, and changes nothing else.
     The cells are a function of the set of points, with exact signs and ties broken consistently; see docs/degeneracy.md.
     Cost: that of `delone.Delaunay`; attributes below are computed on first use.
     """
 
-    _derived = ("simplices", "neighbors", "coplanar", "good", "_paraboloid",
-                "transform", "equations", "vertex_to_simplex", "vertex_neighbor_vertices")
+    _derived = ("simplices", "neighbors", "nsimplex", "convex_hull", "coplanar", "good", "_paraboloid",
+                "transform", "equations", "vertex_to_simplex", "vertex_neighbor_vertices", "_search", "_own_neighbors")
 
-    def __init__(self, points, furthest_site=False, incremental=False, qhull_options=None):
+    def __init__(self, points, furthest_site=False, incremental=False, qhull_options=None, *, flat=None):
         points = as_points(points)
         self._options = _options.parse(qhull_options, kind="delaunay", furthest_site=furthest_site, incremental=incremental)
-        self.furthest_site = self._options.furthest
-        self._start(points, incremental)
+        self._set(furthest_site=self._options.furthest)
+        self._start(points, incremental, flat)
+
+    @classmethod
+    def _of(cls, core):
+        """The `delone.Delaunay` core with these attributes; the object refers to it."""
+        self = cls.__new__(cls)
+        self._options, self._flat, self._core = _options.parse(None, kind="delaunay"), "result", core
+        self._set(furthest_site=False)
+        self._set_points(core.points)
+        self._update()
+        return self
 
     def _rebuild(self):
         self._core = (delone.FurthestSite if self._options.furthest else delone.Delaunay)(self._points)
@@ -69,14 +105,16 @@ class Delaunay(OfPoints):
 
     def _update(self):
         self._forget()
-        core = self._core
-        self.simplices, self.neighbors = np.array(core.cells), np.array(core.neighbors)
-        self.nsimplex = len(self.simplices)
-        self.affine_dimension = core.affine_dimension
+        simplices, neighbors = self._listed()
+        self._set(simplices=simplices, neighbors=neighbors, nsimplex=len(simplices), affine_dimension=self._core.affine_dimension)
+
+    def _listed(self) -> tuple[np.ndarray, np.ndarray]:
+        """simplices and neighbors, new arrays."""
+        return _geometry.listed(self._core.cells, self._core.neighbors, self.ndim)
 
     def _need_full_dimension(self, what: str) -> None:
         if self.affine_dimension < self.ndim:
-            raise QhullError(f"{what}: the points span a flat of dimension {self.affine_dimension} in {self.ndim} dimensions")
+            raise qhull_error(f"{what}: the points span a flat of dimension {self.affine_dimension} in {self.ndim} dimensions")
 
     @cached_property
     def good(self) -> np.ndarray:
@@ -110,7 +148,7 @@ class Delaunay(OfPoints):
         ``transform[i, :ndim] @ (x - transform[i, ndim])``. NaN for simplices so thin that less than three digits would be right.
         Raises QhullError for flat input."""
         self._need_full_dimension("transform")
-        transform, condition = _core._transforms(self._core.points, self._core.cells)
+        transform, condition = _core._transforms(self._core.points, self._listed()[0])
         with np.errstate(invalid="ignore"):
             transform[~(condition * SMALLEST_RECIPROCAL_CONDITION <= 1)] = np.nan
         return transform
@@ -139,7 +177,7 @@ class Delaunay(OfPoints):
     @property
     def convex_hull(self) -> np.ndarray:
         """(nfaces, ndim) int32: the facets of simplices without a neighbor. Each has a simplex: points within hull facets count."""
-        return _geometry.boundary_facets(self.simplices, self.neighbors)
+        return _geometry.boundary_facets(*self._listed())
 
     @property
     def vertices(self) -> np.ndarray:
@@ -150,37 +188,63 @@ class Delaunay(OfPoints):
     def find_simplex(self, xi, bruteforce=False, tol=None):
         """The simplex that contains each point: (…) int32 for xi of shape (…, ndim); −1 outside, and for NaN.
 
-        Exact: a point is outside if it is, and no point inside is missed. Of a point on a face of several simplices one of them
-        is told. ``tol``: if positive, points outside with barycentric coordinates in [−tol, 1+tol] of a simplex of the boundary
-        count as inside; O(points outside · boundary). ``bruteforce`` makes no difference. Cost: a walk per point.
+        Exact for points in a simplex with a finite `transform`: no point inside is missed; of a point on a face of several
+        simplices one of them is told. Otherwise, outside or in a simplex so thin that its transform is NaN, a point gets a simplex
+        with a finite transform that accepts it, if there is one: with barycentric coordinates in [−tol, 1+tol], but from −√tol on
+        across facets to simplices whose transform is NaN. This is scipy's rule, so that all points that scipy finds are found. If
+        none accepts it, a point in a thin simplex gets that one. ``tol``: ≥ 0, 100 ε ≈ 2.2e-14 unless given. ``bruteforce`` makes
+        no difference. Cost: a walk per point; for points outside and in thin simplices a search around it.
         """
-        xi = np.asanyarray(xi)
+        if type(xi) is not np.ndarray or xi.dtype != np.float64:
+            xi = np.asanyarray(xi)
         if xi.ndim == 0 or xi.shape[-1] != self.ndim:
             raise ValueError("wrong dimensionality in xi")
-        queries = np.ascontiguousarray(xi.reshape(-1, self.ndim), dtype=np.float64)
-        finite = np.isfinite(queries).all(axis=1)
-        if finite.all():
-            found = np.array(self._core.find_simplex(queries))
-        else:
+        tol = DEFAULT_TOLERANCE if tol is None else float(tol)
+        if not 0 <= tol < math.inf:
+            raise ValueError(f"tol: a finite number >= 0, not {tol}")
+        queries = xi if xi.ndim <= 2 else xi.reshape(-1, self.ndim)
+        try:
+            found = self._core.find_simplex(queries)
+            finite = None
+        except delone.InputError:
+            queries = np.asarray(xi, dtype=np.float64).reshape(-1, self.ndim)
+            finite = np.isfinite(queries).all(axis=1)
             found = np.full(len(queries), -1, np.intc)
             found[finite] = self._core.find_simplex(queries[finite])
-        if tol is not None and tol > 0 and self.affine_dimension == self.ndim:
-            outside = np.flatnonzero((found == -1) & finite)
-            found[outside] = self._find_near_boundary(queries[outside], tol)
-        return found.reshape(xi.shape[:-1])
+        if self.affine_dimension == self.ndim > 0:
+            if xi.ndim == 1 and finite is None:
+                if found < 0 or self._search.is_thin[found]:
+                    found = self._find_accepting(queries[None], np.array([found], np.intc), tol)[0]
+            else:
+                unsure = (found < 0) | self._search.is_thin[found]
+                if finite is not None:
+                    unsure &= finite
+                if unsure.any():
+                    queries = np.asarray(queries, dtype=np.float64)
+                    found[unsure] = self._find_accepting(queries[unsure], found[unsure], tol)
+        if xi.ndim == 1:
+            return np.asarray(found, np.intc).reshape(())
+        return found if xi.ndim == 2 else found.reshape(xi.shape[:-1])
 
-    def _find_near_boundary(self, queries: np.ndarray, tol: float) -> np.ndarray:
-        boundary = np.flatnonzero((self._core.neighbors == -1).any(axis=1)).astype(np.intc)
-        transform = self.transform[boundary]
-        found = np.full(len(queries), -1, np.intc)
-        step = max(1, 1_000_000 // max(1, len(boundary)))
-        with np.errstate(invalid="ignore"):
-            for begin in range(0, len(queries), step):
-                from_last = queries[begin:begin + step, None, :] - transform[None, :, -1]
-                c = np.einsum("fij,qfj->qfi", transform[:, :-1], from_last)
-                c = np.concatenate([c, 1 - c.sum(axis=-1, keepdims=True)], axis=-1)
-                inside = ((c >= -tol) & (c <= 1 + tol)).all(axis=-1)
-                found[begin:begin + step] = np.where(inside.any(axis=1), boundary[inside.argmax(axis=1)], -1)
+    @cached_property
+    def _own_neighbors(self) -> np.ndarray:
+        """`neighbors`, whatever the caller does to that array."""
+        return self._listed()[1]
+
+    @cached_property
+    def _search(self) -> _Search:
+        return _Search(self.transform, self._core)
+
+    def _find_accepting(self, queries: np.ndarray, found: np.ndarray, tol: float) -> np.ndarray:
+        search, broad = self._search, math.sqrt(tol) if self._search.has_thin else tol
+        # A point that a simplex accepts is a combination of its vertices. Setting negative coordinates to 0 moves it by at most
+        # twice their sum times the diameter.
+        radius = 2.1 * (self.ndim + 1) * max(broad, tol) * search.diameter + 1e-300
+        near = ((queries >= search.lower - radius) & (queries <= search.upper + radius)).all(axis=1)
+        if near.any():
+            accepting = self._core._find_accepting(queries[near], self.transform, self._own_neighbors, tol, broad, min(radius, 1e300))
+            found = found.copy()
+            found[near] = np.where(accepting >= 0, accepting, found[near])
         return found
 
     def plane_distance(self, xi):

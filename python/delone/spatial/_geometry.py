@@ -41,6 +41,12 @@ def hyperplanes(points: np.ndarray, simplices: np.ndarray, scale: float, shift: 
     return -equations if upper else equations
 
 
+def listed(cells: np.ndarray, neighbors: np.ndarray, ndim: int) -> tuple[np.ndarray, np.ndarray]:
+    """New arrays of cells and their neighbors, (m, k): as they are in the plane, with increasing vertices otherwise, so that two
+    cells or facets with the same vertices are equal."""
+    return (np.array(cells), np.array(neighbors)) if ndim == 2 else _core._increasing(cells, neighbors)
+
+
 def boundary_facets(simplices: np.ndarray, neighbors: np.ndarray) -> np.ndarray:
     """(f, k): the facets without a neighbor, in the order of simplices and of their opposite vertices."""
     cell, opposite = np.nonzero(neighbors == -1)

@@ -9,7 +9,7 @@ import numpy as np
 import delone
 
 from . import _geometry, _options
-from ._base import Incremental, QhullError, as_points
+from ._base import Incremental, as_points, qhull_error
 
 
 class HalfspaceIntersection(Incremental):
@@ -25,6 +25,9 @@ class HalfspaceIntersection(Incremental):
         Allow `add_halfspaces`.
     qhull_options : str, optional
         Qhull's options, see docs/from-qhull.md; ValueError for one that has no meaning here.
+    flat : "error" or "result", keyword only
+        Halfspaces whose dual points are flat, since there are too few, all contain one line, or all touch at one point: QhullError
+        as in scipy, or a result. Default "error", with option QJ "result". (Not in scipy.)
 
     Attributes
     ----------
@@ -45,19 +48,22 @@ class HalfspaceIntersection(Incremental):
         For each intersection the unit normal and offset of the dual facet.
     dual_area, dual_volume : float
         Surface area and volume of the hull of the dual points.
+
+    Results cannot be assigned; an array is the caller's to change, and changes nothing else.
     """
 
+    _read_only = Incremental._read_only | {"halfspaces", "interior_point", "nineq", "is_bounded"}
     _derived = ("intersections", "dual_points", "dual_facets", "dual_vertices", "dual_equations", "dual_area", "dual_volume")
 
-    def __init__(self, halfspaces, interior_point, incremental=False, qhull_options=None):
+    def __init__(self, halfspaces, interior_point, incremental=False, qhull_options=None, *, flat=None):
         halfspaces = as_points(halfspaces, "halfspaces")
         if np.ma.isMaskedArray(interior_point):
             raise ValueError("Input interior point cannot be a masked array")
-        self.interior_point = np.ascontiguousarray(interior_point, dtype=np.float64)
+        self._set(interior_point=np.ascontiguousarray(interior_point, dtype=np.float64))
         if self.interior_point.shape != (halfspaces.shape[1] - 1,):
             raise ValueError("Feasible point must be a (ndim-1,) array")
         self._options = _options.parse(qhull_options, kind="halfspaces", incremental=incremental)
-        self._start(halfspaces, incremental)
+        self._start(halfspaces, incremental, flat)
 
     @property
     def halfspaces(self) -> np.ndarray:
@@ -65,9 +71,19 @@ class HalfspaceIntersection(Incremental):
         return self._points
 
     def add_halfspaces(self, halfspaces, restart: bool = False) -> None:
-        """Adds halfspaces, (n, ndim+1), as the next rows; see `Delaunay.add_points`. QhullError if the interior point is not strictly
-        inside them."""
-        self._add_rows(halfspaces, restart)
+        """Adds halfspaces, (n, ndim+1) or one of (ndim+1,), as the next rows; see `Delaunay.add_points`. QhullError if the interior
+        point is not strictly inside them."""
+        halfspaces = np.asarray(halfspaces)
+        if halfspaces.ndim > 2:
+            raise ValueError("`halfspaces` should be provided as a 2D array")
+        self._add_rows(np.atleast_2d(halfspaces), restart)
+
+    def _refuse_flat(self):
+        core, d = self._core, self._points.shape[1] - 1
+        touching = len(core.vertices) == 1 and not np.isin(core.kinds, (2, 4)).any()  # every hyperplane contains the one vertex
+        if core.rank < d or touching:
+            raise qhull_error(f"QH6154 initial simplex is flat: the dual points of {self.nineq} halfspaces in {d} dimensions span a "
+                              "flat. flat='result' gives the intersection")
 
     def _rebuild(self):
         with _not_inside():
@@ -80,8 +96,11 @@ class HalfspaceIntersection(Incremental):
     def _update(self):
         self._forget()
         core = self._core
-        self.nineq, self.ndim = len(self._points), self._points.shape[1] - 1
-        self.intersections, self.is_bounded = np.array(core.vertices), bool(core.is_bounded)
+        self._set(intersections=np.array(core.vertices), is_bounded=bool(core.is_bounded))
+
+    def _set_points(self, points):
+        super()._set_points(points)
+        self._set(nineq=len(points), ndim=points.shape[1] - 1)
 
     @cached_property
     def dual_points(self) -> np.ndarray:
@@ -116,4 +135,4 @@ class _not_inside:
 
     def __exit__(self, kind, error, traceback):
         if kind is not None and issubclass(kind, delone.InputError):
-            raise QhullError(str(error)) from error
+            raise qhull_error(str(error)) from error

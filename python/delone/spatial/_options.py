@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Qhull's options: what they ask for, if it has a meaning here.
 
-Three kinds. Some ask for something that delone also does (Qc, Qu, QG, the scaling of the paraboloid by Qbb and Qz). Many
-are about rounding errors, memory or the order of work; no result depends on them, so they change nothing. The rest would change the
-result in a way that an exact computation has no equivalent for; they are refused by name.
+Three kinds. Some ask for something that delone also does (Qc, Qu, QG, the scaling of the paraboloid by Qbb and Qz, tolerances of hulls
+and diagrams). Many are about rounding errors, memory, the order of work, or what the program prints; no result depends on them, so they
+change nothing. The rest would change the result in a way that has no equivalent here; they are refused by name.
 """
 from __future__ import annotations
 
@@ -11,12 +11,11 @@ import re
 from dataclasses import dataclass
 from typing import Optional
 
-# Options without an effect, and why: the tests and docs/from-qhull.md go through this table.
+# Options without an effect, and why: the tests and docs/from-qhull.md go through these tables.
 NO_EFFECT = {
     "Qt": "all cells are simplices",
-    "QJ": "nothing needs to be joggled: every point is a vertex, every cell a simplex (QJn as well)",
     "QbB": "exact signs need no scaling; coordinates and volumes are those of the points as given",
-    "Qx": "nothing is merged, so nothing is merged late",
+    "Qx": "merging steers no result",
     "Qs": "the first simplex does not matter",
     "Qf": "the order of work does not matter",
     "Qm": "the order of work does not matter",
@@ -27,21 +26,34 @@ NO_EFFECT = {
     "Pp": "there is nothing to be warned of",
     "Tv": "a result can be verified with delone.check",
 }
-NO_EFFECT_PATTERNS = [(re.compile(r"Q\d+"), "Q0 … Q15 steer merging and memory"), (re.compile(r"QJ[\d.eE+-]*"), NO_EFFECT["QJ"])]
+_NUMBER = r"[+-]?(?:\d+\.?\d*|\.\d+)(?:[eE][+-]?\d+)?"
+NO_EFFECT_PATTERNS = [
+    (re.compile(r"Q\d+"), "Q1 … Q15 steer merging and memory"),
+    (re.compile(r"[fimnops]|F[A-Za-z]|G[a-zA-Z]?|GD\d|Po|Pg|PG"), "the arrays are the output"),
+    (re.compile(rf"T(?:-1|\d+|[acsz]|[FMPRW]{_NUMBER})"), "nothing is traced"),
+    (re.compile(rf"[AUVR]-?{_NUMBER}"), "signs are exact"),
+]
 
 # What an option would ask for that has no equivalent here.
 REFUSED = [
     (re.compile(r"Q[bB][k\d].*"), "it scales or drops a coordinate: do so to the points"),
     (re.compile(r"QR-?\d*"), "it rotates the points: do so to the points"),
     (re.compile(r"QV-?\d*"), "facets are not selected by a vertex; see vertex_to_simplex"),
+    (re.compile(r"Qg"), "facets that are not good are built as well; see the attribute good"),
     (re.compile(r"Qi"), "of points inside a hull no list is kept"),
     (re.compile(r"Qu"), "only triangulations and diagrams have furthest sites"),
     (re.compile(r"QG.*"), "only hulls have facets that a point sees"),
-    (re.compile(r"[ACVWEUR]-?[\d.].*"), "it is a tolerance, and an exact computation has none"),
-    (re.compile(r"[FGT].*|P.*"), "it asks the program for a kind of output"),
+    (re.compile(r"T[ACV]-?\d+"), "it stops before all points are in"),
+    (re.compile(r"T[IO].*"), "it names a file; arguments and attributes are arrays"),
+    (re.compile(r"P[dD]\d.*|P[AFM]\d+.*"), "it selects facets: do so with the arrays"),
+    (re.compile(r"[dv]|H.*"), "it asks for another program: use the class of that name"),
 ]
 
 _GOOD = re.compile(r"QG(-?)(\d+)")
+_JOGGLE = re.compile(rf"QJ(?:{_NUMBER})?")
+_TOLERANCE = re.compile(rf"(C-|[CEW])({_NUMBER})")
+# scipy's: they would scale with points that are not there yet.
+_NOT_INCREMENTAL = ("Qbb", "QbB", "Qz")
 
 
 @dataclass(frozen=True)
@@ -54,9 +66,14 @@ class Options:
     furthest: bool = False  # Qu
     good_row: Optional[int] = None  # QGn, QG-n: the facets that row n sees, or does not see
     good_visible: bool = True
+    joggled: bool = False  # QJ: flat input has results
+    unmerged: bool = False  # Q0, QJ: the default tolerance is 0
+    centrum: float = 0.0  # Cn, C-n: added to the round-off of a distance
+    roundoff: Optional[float] = None  # En: takes the place of the round-off of a distance
+    width: float = 0.0  # Wn: the least tolerance
 
 
-def parse(text, *, kind: str, ndim: int = 0, furthest_site: bool = False, incremental: bool = False) -> Options:
+def parse(text, *, kind: str, furthest_site: bool = False, incremental: bool = False) -> Options:
     """The meaning of a string of Qhull options; None stands for scipy's default of the kind.
 
     `kind` is "delaunay", "voronoi", "hull" or "halfspaces". Raises ValueError for an option without a meaning here, naming it.
@@ -68,7 +85,9 @@ def parse(text, *, kind: str, ndim: int = 0, furthest_site: bool = False, increm
         text = text.decode("latin1")
     found = {"furthest": bool(furthest_site)}
     for option in text.split():
-        good = _GOOD.fullmatch(option)
+        good, tolerance = _GOOD.fullmatch(option), _TOLERANCE.fullmatch(option)
+        if incremental and option in _NOT_INCREMENTAL:
+            raise ValueError(f"Qhull option {option!r} is incompatible with incremental mode")
         if option == "Qbb":
             found["scaled"] = delaunay
         elif option == "Qz":
@@ -77,6 +96,12 @@ def parse(text, *, kind: str, ndim: int = 0, furthest_site: bool = False, increm
             found["keep_coplanar"] = True
         elif option == "Qu" and delaunay:
             found["furthest"] = True
+        elif option == "Q0":
+            found["unmerged"] = True
+        elif _JOGGLE.fullmatch(option):
+            found["joggled"] = found["unmerged"] = True
+        elif tolerance:
+            _set_tolerance(found, tolerance[1], float(tolerance[2]))
         elif good and kind == "hull":
             found["good_row"], found["good_visible"] = int(good[2]), not good[1]
         elif option not in NO_EFFECT and not any(pattern.fullmatch(option) for pattern, _ in NO_EFFECT_PATTERNS):
@@ -84,6 +109,17 @@ def parse(text, *, kind: str, ndim: int = 0, furthest_site: bool = False, increm
     if found["furthest"]:
         found["at_infinity"] = False
     return Options(**found)
+
+
+def _set_tolerance(found: dict, option: str, value: float) -> None:
+    if value < 0:
+        raise ValueError(f"Qhull option '{option}{value:g}': a tolerance is not negative")
+    if option == "E":
+        found["roundoff"] = value
+    elif option == "W":
+        found["width"] = value
+    else:
+        found["centrum"] = max(found.get("centrum", 0.0), value)
 
 
 def _refusal(option: str) -> str:

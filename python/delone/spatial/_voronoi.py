@@ -8,7 +8,7 @@ import numpy as np
 
 import delone
 
-from . import _geometry, _options
+from . import _geometry, _options, _tolerance
 from ._base import OfPoints, as_points
 
 
@@ -18,13 +18,20 @@ class Voronoi(OfPoints):
     Parameters
     ----------
     points : (npoints, ndim) finite floats
-        The points. Duplicates share a region; flat input has its diagram within its flat.
+        The points. Duplicates share a region.
     furthest_site : bool
         The diagram of the furthest instead of the nearest points.
     incremental : bool
         Allow `add_points`.
     qhull_options : str, optional
         Qhull's options, see docs/from-qhull.md; ValueError for one that has no meaning here. Default "Qbb Qc Qz".
+    tolerance : float, keyword only
+        Vertices within this distance of one that stands for them are one, and ridges of less width are left out, see
+        `delone.Voronoi`. By default Qhull's round-off, about 1e-14 of the extent, see docs/from-scipy.md; 0 is exact.
+        ValueError if it is negative, not finite, or larger than the extent. (Not in scipy.)
+    flat : "error" or "result", keyword only
+        Flat input, points that span less than the space: QhullError as in scipy, or a diagram within its flat; so are points in one
+        dimension, else a ValueError. Default "error", with option QJ "result". (Not in scipy.)
 
     Attributes
     ----------
@@ -47,16 +54,22 @@ class Voronoi(OfPoints):
     ridge_dict : dict
         The vertices of the ridge between two points.
     furthest_site : bool
+    tolerance : float
+        The one that was given or computed (not in scipy).
+
+    Results cannot be assigned; an array is the caller's to change, and changes nothing else.
     """
 
     _derived = ("vertices", "ridge_points", "ridge_vertices", "regions", "point_region", "ridge_dict",
                 "_num_hidden", "_listed_ridges", "_ridges", "_regions", "_ray_points", "_ray_directions")
+    _read_only = OfPoints._read_only | {"tolerance"}
 
-    def __init__(self, points, furthest_site=False, incremental=False, qhull_options=None):
+    def __init__(self, points, furthest_site=False, incremental=False, qhull_options=None, *, tolerance=None, flat=None):
         points = as_points(points)
         self._options = _options.parse(qhull_options, kind="voronoi", furthest_site=furthest_site, incremental=incremental)
-        self.furthest_site = self._options.furthest
-        self._start(points, incremental)
+        self._set(furthest_site=self._options.furthest)
+        self._wanted_tolerance = tolerance
+        self._start(points, incremental, flat)
 
     def _rebuild(self):
         self._core = (delone.FurthestSite if self._options.furthest else delone.Delaunay)(self._points)
@@ -66,20 +79,21 @@ class Voronoi(OfPoints):
 
     def _update(self):
         self._forget()
-        diagram = delone.Voronoi(self._core)
-        self.affine_dimension = self._core.affine_dimension
-        self.vertices = np.array(diagram.vertices)
-        self.point_region = diagram.point_region.astype(np.intp)
-        hidden = np.flatnonzero(self.point_region == -1)
-        self.point_region[hidden] = diagram.num_regions + np.arange(len(hidden))
+        tolerance = self._wanted_tolerance
+        tolerance = _tolerance.of_qhull(self._points, self._options) if tolerance is None else tolerance
+        diagram = delone.Voronoi(self._core, tolerance)
+        point_region = diagram.point_region.astype(np.intp)
+        hidden = np.flatnonzero(point_region == -1)
+        point_region[hidden] = diagram.num_regions + np.arange(len(hidden))
         self._num_hidden = len(hidden)
         if not self._options.keep_coplanar:
-            self.point_region[self._core.duplicates[:, 0]] = -1
+            point_region[self._core.duplicates[:, 0]] = -1
         # As in scipy, where infinity counts as one vertex, ridges with fewer than k vertices are left out: the cones at one vertex,
         # and the like, that are dual to edges of the convex hull with few cells about them.
         counts = np.diff(diagram.ridge_offsets)
-        self._listed_ridges = np.flatnonzero(counts >= self.affine_dimension)
-        self.ridge_points = diagram.ridge_points[self._listed_ridges]
+        self._listed_ridges = np.flatnonzero(counts >= self._core.affine_dimension)
+        self._set(affine_dimension=self._core.affine_dimension, vertices=np.array(diagram.vertices), point_region=point_region,
+                  ridge_points=diagram.ridge_points[self._listed_ridges], tolerance=tolerance)
         self._ridges = diagram.ridge_vertices, diagram.ridge_offsets
         self._regions = diagram.region_vertices, diagram.region_offsets
         self._ray_points, self._ray_directions = diagram.ray_points, diagram.ray_directions

@@ -1,0 +1,110 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""Putting delone in the place of scipy, in the manner of scikit-learn-intelex's patch_sklearn."""
+from __future__ import annotations
+
+import importlib
+import threading
+from typing import Iterable, Optional
+
+# The modules of scipy, the names replaced in each, and the old modules that forward these names.
+_REPLACED = {
+    "scipy.spatial": (("ConvexHull", "Delaunay", "HalfspaceIntersection", "Voronoi", "convex_hull_plot_2d", "delaunay_plot_2d", "tsearch",
+                       "voronoi_plot_2d"), ("scipy.spatial.qhull",)),
+    "scipy.interpolate": (("CloughTocher2DInterpolator", "LinearNDInterpolator", "NearestNDInterpolator", "griddata"),
+                          ("scipy.interpolate.ndgriddata",)),
+}
+_ABSENT = object()
+_originals: dict = {}  # (module, name): what was there
+_lock = threading.RLock()
+
+
+class _Patched:
+    """What patch_scipy returns: a context manager that takes back, at the end of the block, what that call replaced."""
+
+    def __init__(self, places):
+        self._places = places
+
+    def __enter__(self):
+        return self
+
+    def __exit__(self, *_):
+        _restore(self._places)
+
+    def __repr__(self):
+        return f"<delone.patch_scipy: {', '.join(sorted({name for _, name in self._places})) or 'nothing replaced'}>"
+
+
+def patch_scipy(names: Optional[Iterable[str]] = None):
+    """Makes programs that use scipy use delone: replaces classes and functions of scipy.spatial and scipy.interpolate by those of
+    `delone.spatial` and `delone.interpolate`.
+
+    names : their names, or one of them; None for all: ConvexHull, Delaunay, HalfspaceIntersection, Voronoi, tsearch, the plots in the
+        plane; LinearNDInterpolator, NearestNDInterpolator, CloughTocher2DInterpolator, griddata.
+
+    Call it before the program's imports: what a module has imported by ``from scipy.spatial import Delaunay`` before, it keeps.
+    `unpatch_scipy` restores scipy's names; modules that have imported ours keep those. As a context manager, the call restores
+    at the end of the block what it has replaced::
+
+        with delone.patch_scipy():
+            import program
+
+    ``python -m delone program.py`` runs a program patched. Meanwhile `delone.spatial.QhullError` is scipy's own. A second call replaces
+    nothing. ImportError without scipy, ValueError for a name that is not replaced.
+    """
+    chosen = {names} if isinstance(names, str) else None if names is None else set(names)
+    known = {name for replaced, _ in _REPLACED.values() for name in replaced}
+    if chosen is not None and not chosen <= known:
+        raise ValueError(f"patch_scipy: {', '.join(sorted(map(repr, chosen - known)))} is not replaced; known are {', '.join(sorted(known))}")
+    places = []
+    with _lock:
+        for module_name, (replaced, forwarding) in _REPLACED.items():
+            wanted = [name for name in replaced if chosen is None or name in chosen]
+            if wanted:
+                theirs, ours = importlib.import_module(module_name), importlib.import_module("delone" + module_name[len("scipy"):])
+                places += [_replace(theirs, name, getattr(ours, name)) for name in wanted]
+                places += [_replace(alias, name, getattr(ours, name)) for alias in _forwarding(forwarding) for name in wanted]
+        spatial, theirs = importlib.import_module("delone.spatial"), importlib.import_module("scipy.spatial")
+        if hasattr(theirs, "QhullError"):
+            places.append(_replace(spatial, "QhullError", theirs.QhullError))
+    return _Patched([place for place in places if place])
+
+
+def unpatch_scipy() -> None:
+    """Restores all names that `patch_scipy` has replaced."""
+    with _lock:
+        _restore(list(_originals))
+
+
+def scipy_is_patched() -> bool:
+    """Whether names of scipy are replaced."""
+    return bool(_originals)
+
+
+def _forwarding(names):
+    """Those of the old modules that exist and have no names of their own: one compiled into scipy is left alone, since scipy uses it."""
+    for name in names:
+        try:
+            module = importlib.import_module(name)
+        except ImportError:
+            continue
+        if not hasattr(module, "__file__") or module.__file__.endswith(".py"):
+            yield module
+
+
+def _replace(module, name, value):
+    place = module.__name__, name
+    if place in _originals:
+        return None
+    _originals[place] = vars(module).get(name, _ABSENT)
+    setattr(module, name, value)
+    return place
+
+
+def _restore(places) -> None:
+    with _lock:
+        for place in places:
+            original = _originals.pop(place, None)
+            if original is _ABSENT:
+                delattr(importlib.import_module(place[0]), place[1])
+            elif original is not None:
+                setattr(importlib.import_module(place[0]), place[1], original)

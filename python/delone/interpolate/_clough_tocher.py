@@ -1,0 +1,67 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""scipy.interpolate.CloughTocher2DInterpolator, on an exact triangulation."""
+from __future__ import annotations
+
+import warnings
+
+import numpy as np
+
+from delone import _core
+
+from ._base import GradientEstimationWarning, OnTriangulation
+
+
+class CloughTocher2DInterpolator(OnTriangulation):
+    """Smooth interpolation in the plane, with the arguments of `scipy.interpolate`: cubic on the thirds of every triangle, with
+    continuous gradients, and least curvature along the edges.
+
+    Parameters
+    ----------
+    points : (npoints, 2) floats, a tuple of 2 arrays (npoints,), or a triangulation
+        Where the values are; of equal points the first value counts. A `delone.spatial.Delaunay` or a `delone.Delaunay` is used as it
+        is. Flat points are a QhullError.
+    values : (npoints, ...) real or complex
+    fill_value : number
+        The value outside the convex hull.
+    tol, maxiter : float, int
+        The gradients at the points are relaxed until none changes by more than tol, relative to those above 1, at most maxiter times;
+        then a GradientEstimationWarning. The order of the points matters within this tolerance.
+    rescale : bool
+        Interpolate with points scaled to a unit square. Not with a triangulation.
+
+    Attributes
+    ----------
+    tri : the triangulation
+    points, values, fill_value : the (scaled) points, and (npoints, c) values, which may be assigned
+    grad : (npoints, c, 2) the gradients at the points; 0 at points that repeat earlier ones
+
+    Method: P. Alfeld, doi:10.1016/0167-8396(84)90029-3; G. Farin, doi:10.1016/0167-8396(86)90016-6; gradients by G. M. Nielson,
+    doi:10.1090/S0025-5718-1983-0679444-7, and R. J. Renka and A. K. Cline, doi:10.1216/RMJ-1984-14-1-223; in the variant of scipy.
+    Cost: that of `delone.Delaunay`, O(npoints) per round of relaxation and value, and a walk per query.
+    """
+
+    def __init__(self, points, values, fill_value=np.nan, tol=1e-6, maxiter=400, rescale=False):
+        self._tol, self._maxiter = float(tol), int(maxiter)
+        super().__init__(points, values, fill_value, rescale)
+
+    def _prepare(self):
+        if self.points.shape[1] != 2:
+            raise ValueError("this mode of interpolation available only for 2-D data")
+        if self._tri.affine_dimension != 2:
+            raise ValueError("points: a triangulation of a line has no gradients in the plane")
+        gradients, converged = _core._least_curvature_gradients(self.points, *self._tri._core.vertex_neighbors, self._columns, self._tol,
+                                                                self._maxiter)
+        if not converged:
+            warnings.warn("Gradient estimation did not converge, the results may be inaccurate", GradientEstimationWarning, stacklevel=4)
+        self._gradients = gradients
+        parts = gradients.reshape(len(gradients), -1, 2, 2) if self.is_complex else gradients
+        self.grad = parts[:, :, 0] + 1j * parts[:, :, 1] if self.is_complex else gradients
+
+    def _evaluate(self, queries, factor):
+        core = self._tri._core
+        found, weights = core.barycentric(queries, tolerance=self._distance * factor)
+        outside = np.flatnonzero(found < 0)
+        if len(outside):
+            found, weights = np.array(found), np.array(weights)
+            found[outside], weights[outside] = self._beyond(queries[outside], factor)
+        return _core._clough_tocher(self.points, core.cells, core.neighbors, self._columns, self._gradients, found, weights, self._fill)

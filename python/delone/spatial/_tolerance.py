@@ -1,0 +1,32 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""The tolerance of hulls and diagrams that are made like those of Qhull: the width of its facets."""
+from __future__ import annotations
+
+import math
+
+import numpy as np
+
+from ._options import Options
+
+
+def of_qhull(points: np.ndarray, options: Options = Options()) -> float:
+    """The distance within which Qhull merges facets, for points (n, d) and its options.
+
+    Its ``_one-merge``: (2d + 1) R + d C, with the round-off of a distance R = ε (1.01 d min(√d m, s) + m), where ε = 2⁻⁵²,
+    m = max |x_ij| and s = Σ_j max_i |x_ij|; C is 0, or given by option Cn or C-n. Option En gives R, and Wn a lower bound of the
+    result. For the unit cube in 3 dimensions 1e-14. At most the longest side of the bounding box. 0 with option Q0 or QJ, which
+    merge nothing.
+
+    See qh_distround and qh_detroundoff in Qhull, C. B. Barber, D. P. Dobkin, H. Huhdanpaa, The quickhull algorithm for convex
+    hulls, doi:10.1145/235815.235821.
+    """
+    if options.unmerged:
+        return 0.0
+    d = points.shape[1]
+    with np.errstate(over="ignore"):
+        largest = np.abs(points).max(axis=0)
+        m, s = float(largest.max()), float(largest.sum())
+    roundoff = np.finfo(float).eps * (1.01 * d * min(math.sqrt(d) * m, s) + m) if options.roundoff is None else options.roundoff
+    tolerance = max((2 * d + 1) * roundoff + d * options.centrum, options.width)
+    with np.errstate(over="ignore"):
+        return min(tolerance, float(np.ptp(points, axis=0).max()), np.finfo(float).max)

@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "hull/tolerance/tolerant_hull.hpp"
+
+#include "base/progress_meter.hpp"
+#include "hull/hull_analysis.hpp"
+#include "hull/tolerance/vertex_choice.hpp"
+
+#include <algorithm>
+#include <functional>
+#include <utility>
+#include <vector>
+
+namespace delone::internal {
+
+TolerantHull::TolerantHull(const HullState& exact, const Options& options, bool shows_progress)
+    : exact_(exact) {
+  const int k = exact.affine_hull().dimension();
+  if (k < 1) return;
+  ProgressMeter meter(options.progress, 0);
+  const std::function<void()> alive = [&] {
+    if (shows_progress) meter(0);
+  };
+  const HullAnalysis analysis(exact);
+  const ExtremeSites extreme(exact.sites(), analysis.facet_sites());
+  VertexChoice choice;
+  std::vector<int> axes = exact.sites().axes;
+  if (auto in_flat = choose_in_flat(exact.sites(), extreme, k, options.tolerance, alive)) {
+    choice = std::move(in_flat->vertices);
+    axes = std::move(in_flat->axes);
+  } else {
+    choice = choose_vertices(exact.sites(), extreme, options.tolerance, alive);
+    // The exact hull is the answer, unless cells have vertices that are not extreme, within its facets.
+    const std::vector<char>& is_extreme = analysis.faces().is_extreme;
+    const bool has_others =
+        std::ranges::any_of(exact.hull().cells, [&](Index site) { return is_extreme[site] == 0; });
+    if (choice.sites.size() == extreme.size() && !has_others) return;
+  }
+  max_distance_ = choice.max_distance;
+  Options quiet;
+  quiet.seed = options.seed;
+  own_ = std::make_unique<const HullState>(exact, choice.sites, std::move(axes), quiet);
+}
+
+}  // namespace delone::internal

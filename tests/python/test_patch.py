@@ -1,0 +1,116 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""delone.patch_scipy, and the names of scipy.spatial that delone.spatial passes on."""
+import subprocess
+import sys
+
+import numpy as np
+import pytest
+
+import delone
+from delone import interpolate, spatial
+
+PLANE = np.array([[0, 0, 1], [1, 0, 1], [0, 1, 1], [1, 1, 1], [0.3, 0.4, 1]])
+
+
+@pytest.fixture
+def scipy_spatial():
+    module = pytest.importorskip("scipy.spatial")
+    yield module
+    delone.unpatch_scipy()
+
+
+def test_patching_replaces_and_restores(scipy_spatial):
+    import scipy.interpolate
+    names, others = ["ConvexHull", "Delaunay", "HalfspaceIntersection", "Voronoi", "tsearch"], dict(vars(scipy_spatial))
+    cubic, own_error = scipy.interpolate.CloughTocher2DInterpolator, spatial.QhullError
+    assert not delone.scipy_is_patched()
+    delone.patch_scipy()
+    delone.patch_scipy()
+    assert delone.scipy_is_patched()
+    for name in names:
+        assert getattr(scipy_spatial, name) is getattr(spatial, name)
+    assert scipy.interpolate.griddata is interpolate.griddata and scipy_spatial.KDTree is others["KDTree"]
+    assert spatial.QhullError is scipy_spatial.QhullError is others["QhullError"]
+    with pytest.raises(scipy_spatial.QhullError):
+        scipy_spatial.Delaunay(PLANE)
+    delone.unpatch_scipy()
+    delone.unpatch_scipy()
+    assert {name: getattr(scipy_spatial, name) for name in names} == {name: others[name] for name in names}
+    assert scipy.interpolate.CloughTocher2DInterpolator is cubic and spatial.QhullError is own_error
+    assert not delone.scipy_is_patched()
+
+
+def test_a_block_takes_back_what_it_has_replaced(scipy_spatial):
+    original = scipy_spatial.Delaunay
+    with delone.patch_scipy("ConvexHull"):
+        assert scipy_spatial.ConvexHull is spatial.ConvexHull and scipy_spatial.Delaunay is original
+        with delone.patch_scipy(["Delaunay", "ConvexHull"]) as patched:
+            assert scipy_spatial.Delaunay is spatial.Delaunay and "Delaunay" in repr(patched)
+        assert scipy_spatial.Delaunay is original and scipy_spatial.ConvexHull is spatial.ConvexHull
+    assert scipy_spatial.ConvexHull is not spatial.ConvexHull and not delone.scipy_is_patched()
+    with pytest.raises(ZeroDivisionError), delone.patch_scipy():
+        1 / 0
+    assert scipy_spatial.Delaunay is original
+    with pytest.raises(ValueError, match="'KDTree' is not replaced"):
+        delone.patch_scipy(["KDTree"])
+
+
+def test_scipy_works_while_it_is_patched(scipy_spatial):
+    import scipy.interpolate
+    random = np.random.default_rng(1)
+    sphere = random.standard_normal((40, 3))
+    sphere /= np.linalg.norm(sphere, axis=1, keepdims=True)
+    points, queries = random.random((30, 2)), random.random((9, 2))
+    before = scipy.interpolate.LinearNDInterpolator
+    expected = before(points, points[:, 0])(queries)
+    areas = scipy_spatial.SphericalVoronoi(sphere).calculate_areas()
+    with delone.patch_scipy():
+        np.testing.assert_allclose(scipy_spatial.SphericalVoronoi(sphere).calculate_areas(), areas, rtol=1e-9)
+        np.testing.assert_allclose(before(points, points[:, 0])(queries), expected, rtol=1e-9)
+        np.testing.assert_allclose(scipy.interpolate.LinearNDInterpolator(points, points[:, 0])(queries), expected, rtol=1e-9)
+
+
+def test_the_command_runs_programs_patched(scipy_spatial, tmp_path):
+    program = tmp_path / "program.py"
+    program.write_text("import sys\nfrom scipy.spatial import Delaunay\nimport beside\nprint(Delaunay.__module__, sys.argv[1:], __name__)\n")
+    (tmp_path / "beside.py").write_text("")
+    done = subprocess.run([sys.executable, "-m", "delone", str(program), "-x"], capture_output=True, text=True, check=True)
+    assert done.stdout == "delone.spatial._delaunay ['-x'] __main__\n"
+    done = subprocess.run([sys.executable, "-m", "delone", "-m", "program", "y"], capture_output=True, text=True, check=True, cwd=tmp_path)
+    assert done.stdout == "delone.spatial._delaunay ['y'] __main__\n"
+    done = subprocess.run([sys.executable, "-m", "delone"], capture_output=True, text=True)
+    assert done.returncode == 1 and "python -m delone program.py" in done.stderr
+
+
+def test_other_names_are_those_of_scipy(scipy_spatial):
+    from delone.spatial import Delaunay, KDTree, Rectangle, SphericalVoronoi, cKDTree, distance  # noqa: F401
+    assert Delaunay is spatial.Delaunay and cKDTree is scipy_spatial.cKDTree and distance is scipy_spatial.distance
+    for name in set(scipy_spatial.__all__) - {"qhull", *spatial.__all__}:
+        assert getattr(spatial, name) is getattr(scipy_spatial, name), name
+    assert {"KDTree", "distance", "ConvexHull", "transform"} <= set(dir(spatial))
+    code = ("from delone.spatial.distance import pdist; import delone.spatial.transform, scipy.spatial; "
+            "print(delone.spatial.transform is scipy.spatial.transform, pdist is scipy.spatial.distance.pdist)")
+    assert subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True).stdout == "True True\n"
+
+
+def test_names_that_nobody_has_are_attribute_errors():
+    for name in ("Delaunayy", "_qhull", "qhull", "__wrapped__"):
+        with pytest.raises(AttributeError, match=f"module 'delone.spatial' has no attribute '{name}'"):
+            getattr(spatial, name)
+
+
+def test_without_scipy_its_names_are_import_errors():
+    code = """
+import sys
+sys.modules["scipy"] = None
+import delone, delone.spatial as s
+for get in (lambda: s.cKDTree, delone.patch_scipy):
+    try:
+        get()
+    except ImportError as error:
+        print(str(error)[:49])
+print(hasattr(s, "unknown"), hasattr(s, "Delaunay"), delone.scipy_is_patched())
+"""
+    lines = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True).stdout.splitlines()
+    assert lines[0] == "delone.spatial.cKDTree is that of scipy.spatial, " and "scipy" in lines[1]
+    assert lines[2] == "False True False"
