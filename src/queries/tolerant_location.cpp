@@ -70,6 +70,7 @@ void TolerantLocation::visit_star(CellId cell, std::span<const VertexId> face, V
 void TolerantLocation::find(CellId cell, const double* q, Candidate& result) {
   load(cell);
   nearest_.find(points_, q, where_.dimension);
+  nearest_.prove();
   result.cell = cell;
   result.lower = nearest_.lower();
   result.upper = nearest_.upper();

@@ -1,5 +1,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """delone.LinearInterpolator: values, gradients, what is outside, shapes and types."""
+import pickle
+
 import numpy as np
 import pytest
 from hypothesis import given
@@ -148,3 +150,53 @@ def test_points_may_not_be_added_afterwards():
 def test_the_triangulation_stays_alive():
     function = delone.LinearInterpolator(delone.Delaunay(np.random.default_rng(0).random((100, 3))), np.ones(100))
     assert abs(function([0.5, 0.5, 0.5]) - 1) < 1e-15
+
+
+def turned_square(n, angle):
+    grid = np.stack(np.meshgrid(np.arange(n), np.arange(n), indexing="ij"), -1).reshape(-1, 2).astype(float)
+    turn = np.array([[np.cos(angle), -np.sin(angle)], [np.sin(angle), np.cos(angle)]])
+    border = np.random.default_rng(1).random((300, 2)) * (n - 1)
+    border[:, 0] = 0
+    return grid @ turn.T, border @ turn.T
+
+
+def test_with_a_tolerance_slivers_do_not_count():
+    points, border = turned_square(15, 0.55)
+    f = lambda x: np.sin(x[:, 0]) + np.cos(x[:, 1])
+    exact, tolerant = delone.LinearInterpolator(points, f(points)), delone.LinearInterpolator(points, f(points), tolerance=1e-9)
+    assert tolerant.tolerance == 1e-9 and exact.tolerance == 0
+    assert np.isnan(exact(border)).any()
+    assert np.abs(tolerant(border) - f(border)).max() < 0.3
+    assert (tolerant(points) == f(points)).all()
+    assert np.isfinite(tolerant.gradient(border)).all()
+    t = delone.Delaunay(points)
+    assert (t.find_simplex(border) == -1).any() and (t.find_simplex(border, tolerance=1e-9) >= 0).all()
+    cells, weights = t.barycentric(border, tolerance=1e-9)
+    assert (cells >= 0).all() and (weights >= 0).all() and np.allclose(weights.sum(axis=1), 1, rtol=0, atol=1e-14)
+    assert np.abs(np.einsum("qi,qij->qj", weights, points[t.cells[cells]]) - border).max() < 1e-9
+    assert {kind for kind, _, _ in t.locate(border, tolerance=1e-9)} <= {"in_cell", "on_face", "on_vertex"}
+    copy = pickle.loads(pickle.dumps(tolerant))
+    assert copy.tolerance == 1e-9 and (copy(border) == tolerant(border)).all()
+
+
+def test_projected_values_are_those_of_the_nearest_point_of_the_hull():
+    points = np.array([[0, 0], [4, 0], [0, 4], [4, 4.]])
+    f = delone.LinearInterpolator(points, points @ [1, 2], outside="project")
+    outside = np.array([[-3, -1], [1, -50], [7, 9], [5, 1.5], [2, 2]])
+    assert f(outside).tolist() == (np.clip(outside, 0, 4) @ [1, 2]).tolist()
+    assert np.allclose(f.gradient(outside), [1, 2])
+    space = np.c_[points, np.zeros(4)]
+    flat = delone.LinearInterpolator(space, points @ [1, 2], outside="project")
+    assert np.allclose(flat(np.c_[outside, np.full(5, 3.)]), f(outside))
+    near = delone.LinearInterpolator(space, points @ [1, 2], tolerance=0.5)
+    assert near([1, 1, 0.5]) == 3 and np.isnan(near([1, 1, 0.6]))
+
+
+@pytest.mark.parametrize("bad", [-1, np.nan, np.inf])
+def test_bad_tolerances_are_refused(bad):
+    points = [[0, 0], [1, 0], [0, 1]]
+    t = delone.Delaunay(points)
+    for work in (lambda: delone.LinearInterpolator(points, [0, 1, 2], tolerance=bad), lambda: t.find_simplex([0, 0], tolerance=bad),
+                 lambda: t.locate([[0, 0]], tolerance=bad), lambda: t.barycentric([[0, 0]], tolerance=bad)):
+        with pytest.raises(ValueError, match="tolerance"):
+            work()

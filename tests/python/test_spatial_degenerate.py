@@ -135,10 +135,13 @@ def test_cospherical_points_share_a_voronoi_vertex():
     assert len(diagram.ridge_points) == 12
 
 
-def test_location_has_no_tolerance_unless_asked():
+def test_location_has_the_tolerance_of_scipy():
     tri = spatial.Delaunay([[0, 0], [1, 0], [0, 1]])
     near = [[0.5, 0.5], [0.5, np.nextafter(0.5, 1)], [0.5, 0.5 + 1e-9], [-1e-9, 0.5], [3, 3], [np.nan, 0], [np.inf, 0]]
-    assert tri.find_simplex(near).tolist() == [0, -1, -1, -1, -1, -1, -1]
+    assert tri.find_simplex(near).tolist() == [0, 0, -1, -1, -1, -1, -1]
+    assert tri.find_simplex(near, tol=0).tolist() == [0, -1, -1, -1, -1, -1, -1]
+    for one, expected in zip(near, [0, 0, -1, -1, -1, -1, -1]):
+        assert tri.find_simplex(one).shape == () and tri.find_simplex(one) == expected
     assert tri.find_simplex(near, tol=1e-8).tolist() == [0, 0, 0, 0, -1, -1, -1]
 
 
@@ -152,6 +155,68 @@ def test_near_sides_of_the_hull_are_found_with_a_tolerance():
     assert (tri.find_simplex(on_hull + 0.1 * (on_hull - points.mean(axis=0)), tol=1e-12) == -1).all()
 
 
+def turned_grid(d, n, angle):
+    grid = np.stack(np.meshgrid(*[np.arange(n)] * d, indexing="ij"), -1).reshape(-1, d).astype(float)
+    turn = np.eye(d)
+    for j in range(d - 1):
+        step = np.eye(d)
+        step[j:j + 2, j:j + 2] = [[np.cos(angle), -np.sin(angle)], [np.sin(angle), np.cos(angle)]]
+        turn = turn @ step
+    random = np.random.default_rng(1)
+    border = random.random((500, d)) * (n - 1)
+    border[np.arange(500), random.integers(0, d, 500)] = np.where(random.random(500) < .5, 0, n - 1)
+    return grid @ turn.T, border @ turn.T
+
+
+def accepted(tri, queries, tol):
+    """Which queries a simplex accepts, by scipy's rule: all simplices are tried."""
+    transform = tri.transform
+    is_thin = np.isnan(transform[:, 0, 0])
+    beside = np.where(tri.neighbors >= 0, is_thin[tri.neighbors], False)
+    low = np.where(beside, -np.sqrt(tol), -tol)
+    with np.errstate(invalid="ignore"):
+        c = np.einsum("fij,qfj->qfi", transform[:, :-1], queries[:, None, :] - transform[None, :, -1])
+        c = np.concatenate([c, 1 - c.sum(axis=-1, keepdims=True)], axis=-1)
+        return ((c >= low) & (c <= 1 + tol)).all(axis=-1)
+
+
+@pytest.mark.parametrize("d, n", [(2, 12), (3, 5), (4, 3)])
+@pytest.mark.parametrize("tol", [None, 1e-12, 1e-9, 1e-3])
+def test_what_a_simplex_accepts_is_found(d, n, tol):
+    points, border = turned_grid(d, n, 0.55)
+    border += np.random.default_rng(2).normal(size=border.shape) * np.geomspace(1e-16, 1e-2, len(border))[:, None]
+    tri = spatial.Delaunay(points)
+    found = tri.find_simplex(border, tol=tol)
+    tol = 100 * np.finfo(float).eps if tol is None else tol
+    may = accepted(tri, border, tol * 0.999 - 1e-15 if tol > 1e-14 else tol)
+    is_proper = np.isfinite(tri.transform[:, 0, 0])
+    assert is_proper[found[may.any(axis=1)]].all() and (found[may.any(axis=1)] >= 0).all()
+    must = accepted(tri, border, tol * 1.001 + 1e-15)
+    proper = (found >= 0) & is_proper[found]
+    assert must[proper, found[proper]].all()
+    exact = delone.Delaunay(points).find_simplex(border)
+    inside = (exact >= 0) & is_proper[exact]
+    assert (found[inside] == exact[inside]).all()
+    assert (found[exact >= 0] >= 0).all()
+
+
+def test_no_query_that_scipy_finds_is_lost():
+    scipy_spatial = pytest.importorskip("scipy.spatial")
+    for d, n, angle in [(2, 20, 0.55), (2, 12, 5.28), (3, 6, 0.55), (4, 3, 0.2)]:
+        points, border = turned_grid(d, n, angle)
+        ours, theirs = spatial.Delaunay(points), scipy_spatial.Delaunay(points)
+        for tol in (None, 1e-9, 1e-3):
+            lost = (theirs.find_simplex(border, tol=tol) >= 0) & (ours.find_simplex(border, tol=tol) < 0)
+            assert not lost.any(), (d, n, angle, tol)
+
+
+@pytest.mark.parametrize("bad", [-1, np.nan, np.inf])
+def test_bad_tolerances_are_refused(bad):
+    tri = spatial.Delaunay([[0, 0], [1, 0], [0, 1]])
+    with pytest.raises(ValueError, match="tol: a finite number >= 0"):
+        tri.find_simplex([[0, 0]], tol=bad)
+
+
 def test_needles_have_no_transform_but_are_located():
     points = np.array([[0, 0], [1, 0], [0.5, 1e-15], [0.5, 1]])
     tri = spatial.Delaunay(points)
@@ -159,7 +224,8 @@ def test_needles_have_no_transform_but_are_located():
     assert needles.sum() == 1 and np.isnan(tri.transform[needles]).all()
     assert np.isfinite(tri.equations).all()
     inside = [[0.5, 5e-16]]
-    assert needles[tri.find_simplex(inside)].all()
+    assert needles[tri._core.find_simplex(inside)].all()
+    assert not needles[tri.find_simplex(inside)].any()  # its neighbor accepts the point
 
 
 @pytest.mark.parametrize("scale", [1e-300, 1e-160, 1e160, 1e300])

@@ -9,6 +9,7 @@
 #include <gtest/gtest.h>
 #include <boost/multiprecision/cpp_int.hpp>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <optional>
@@ -130,7 +131,7 @@ struct Cell {
 
 /// What was seen, so that no test passes for want of cases.
 struct Seen {
-  int thick = 0, inside = 0, hull = 0, outside = 0, moved = 0;
+  int thick = 0, inside = 0, hull = 0, outside = 0, moved = 0, answered = 0;
 };
 
 Seen check(const Triangulation& t, const std::vector<double>& queries, double tolerance) {
@@ -178,13 +179,14 @@ Seen check(const Triangulation& t, const std::vector<double>& queries, double to
         ++seen.inside;
       } else {
         expected = nearest_of(x, false, {});
-        is_outside = square(difference(expected[0], x)) > radius;
+        is_outside = expected.empty() || square(difference(expected[0], x)) > radius;
         ++(is_outside ? seen.outside : seen.hull);
       }
     }
     ASSERT_EQ(found.barycentric.empty(), is_outside);
     if (is_outside) return;
     ASSERT_FALSE(complex.is_infinite(found.cell));
+    ++seen.answered;
     const auto cell =
         std::find_if(cells.begin(), cells.end(), [&](const Cell& c) { return c.id == found.cell; });
     EXPECT_TRUE(!must_be_thick || cell->thick);
@@ -336,9 +338,9 @@ TEST(TolerantLocation, FiveAndSixDimensions) {
 
 TEST(TolerantLocation, FewPoints) {
   const Delaunay<> none(2);
-  EXPECT_EQ(check(none, {0, 0}, 1).outside, 0);
+  EXPECT_EQ(check(none, {0, 0}, 1).outside, 1);
   const Delaunay<> one(std::vector<double>{1, 1}, 2);
-  EXPECT_EQ(check(one, {1, 1, 1.5, 1, 3, 3, 1, 2}, 1).thick, 2);
+  EXPECT_EQ(check(one, {1, 1, 1.5, 1, 3, 3, 1, 2}, 1).thick, 2);  // the first is the vertex
   const Delaunay<> two(std::vector<double>{0, 0, 4, 2}, 2);
   check(two, {1, 1, 2, 1, 0, 0, -0.5, 0, 5, 3, 4, 2.5}, 1);
 }
@@ -421,6 +423,75 @@ TEST(TolerantLocation, Projection) {
         EXPECT_LT(square(difference(place, *best)), Rational(1e-20));
       });
     }
+}
+
+/// All cells within a distance, and hardly any other.
+TEST(TolerantLocation, CellsWithin) {
+  std::mt19937_64 random(12);
+  for (int d = 1; d <= 3; ++d) {
+    std::vector<double> points;
+    for (int i = 0; i < 40 * d; ++i) points.push_back(static_cast<double>(random() % 8));
+    const Delaunay<> t(points, d);
+    const std::vector<double> queries = queries_near(points, d, 10, 1, 8);
+    for (const double radius : {0.0, 0.7, 2.0}) {
+      std::vector<std::vector<CellId>> visited(10);
+      PointLocator(t).cells_within(queries, radius, [&](std::size_t query, CellId c) {
+        visited[query].push_back(c);
+        return true;
+      });
+      for (std::size_t query = 0; query < visited.size(); ++query) {
+        const auto width = static_cast<std::size_t>(d);
+        const Vector x = exact(std::span(queries).subspan(query * width, width));
+        for (const CellId c : t.complex().finite_cells()) {
+          std::vector<Vector> cell;
+          for (const VertexId v : t.complex().vertices(c)) cell.push_back(exact(t.point(v)));
+          const Rational distance = square(difference(nearest(cell, x), x));
+          const auto count = std::count(visited[query].begin(), visited[query].end(), c);
+          EXPECT_LE(count, 1);
+          EXPECT_TRUE(count == 1 || distance > Rational(radius) * Rational(radius));
+          EXPECT_TRUE(count == 0 || distance < Rational(radius * radius + 1e-9));
+        }
+      }
+      std::size_t first = 0;
+      PointLocator(t).cells_within(queries, radius, [&](std::size_t, CellId) { return ++first == 0; });
+      EXPECT_EQ(first, static_cast<std::size_t>(std::count_if(visited.begin(), visited.end(),
+                                                              [](const auto& v) { return !v.empty(); })));
+    }
+  }
+}
+
+/// A linear function has its value at x', and its gradient.
+TEST(TolerantLocation, InterpolationNearTheBoundary) {
+  const std::vector<double> points = turned_grid(2, 12, 0.55);
+  std::vector<double> values, border;
+  for (std::size_t i = 0; i < points.size(); i += 2) values.push_back(3 * points[i] - points[i + 1]);
+  for (int i = 0; i < 200; ++i) {
+    const double a = 11 * i / 199.0;
+    border.insert(border.end(), {std::cos(0.55) * a, std::sin(0.55) * a});
+  }
+  const Delaunay<> t(points, 2);
+  const LinearInterpolator f(t, values);
+  std::vector<double> result(200), slopes(400);
+  f.evaluate(border, result, {.outside = Outside::error, .tolerance = 1e-9});
+  f.gradients(border, slopes, {.tolerance = 1e-9});
+  for (std::size_t i = 0; i < 200; ++i) {
+    EXPECT_NEAR(result[i], 3 * border[2 * i] - border[2 * i + 1], 1e-8);
+    EXPECT_NEAR(slopes[2 * i], 3, 1e-11);
+    EXPECT_NEAR(slopes[2 * i + 1], -1, 1e-11);
+  }
+  f.evaluate(points, std::span(result).first(144), {.tolerance = 1e-9});
+  for (std::size_t i = 0; i < 144; ++i) EXPECT_EQ(result[i], values[i]);
+  // Far outside a corner its value, beside an edge that of the foot.
+  const Delaunay<> square(std::vector<double>{0, 0, 4, 0, 0, 4, 4, 4}, 2);
+  const LinearInterpolator g(square, std::vector<double>{0, 4, 8, 12});
+  const std::vector<double> outside{-3, -1, 1, -50, 7, 9, 5, 1.5};
+  std::vector<double> four(4), eight(8);
+  g.evaluate(outside, four, {.outside = Outside::project});
+  EXPECT_EQ(four, (std::vector<double>{0, 1, 12, 7}));
+  g.gradients(outside, eight, {.outside = Outside::project});
+  for (std::size_t i = 0; i < 4; ++i) EXPECT_NEAR(eight[2 * i] + 10 * eight[2 * i + 1], 21, 1e-12);
+  EXPECT_THROW(g.evaluate(outside, four, {.outside = Outside::error, .tolerance = 0.5}), Error);
+  EXPECT_THROW(g.evaluate(outside, four, {.tolerance = -1}), Error);
 }
 
 TEST(TolerantLocation, BadTolerances) {
