@@ -262,9 +262,9 @@ std::vector<double> queries_near(const std::vector<double>& points, int d, std::
 
 TEST(TolerantLocation, TurnedGrids) {
   Seen all;
-  for (const auto& [d, n] : {std::pair{2, 6}, {3, 3}, {4, 2}})
-    for (const double angle : {0.0, 0.55, 5.28})
-      for (const double tolerance : {1e-12, 1e-9, 1e-3}) {
+  for (const auto& [d, n] : {std::pair{2, 5}, {3, 3}, {4, 2}})
+    for (const double angle : {0.0, 0.55})
+      for (const double tolerance : {1e-12, 1e-3}) {
         SCOPED_TRACE(testing::Message() << d << "D " << angle << " " << tolerance);
         const std::vector<double> points = turned_grid(d, n, angle);
         const Delaunay<> t(points, d);
@@ -273,9 +273,9 @@ TEST(TolerantLocation, TurnedGrids) {
         all.outside += seen.outside;
         all.moved += seen.moved;
       }
-  EXPECT_GT(all.thick, 40);
-  EXPECT_GT(all.outside, 2);
-  EXPECT_GT(all.moved, 10);
+  EXPECT_GT(all.thick, 20);
+  EXPECT_GT(all.outside, 0);
+  EXPECT_GT(all.moved, 4);
 }
 
 TEST(TolerantLocation, ToleranceOfTheSizeOfCells) {
@@ -287,10 +287,10 @@ TEST(TolerantLocation, ToleranceOfTheSizeOfCells) {
       for (const bool is_rounded : {false, true}) {
         SCOPED_TRACE(testing::Message() << d << "D " << tolerance);
         std::vector<double> points;
-        for (int i = 0; i < (d == 4 ? 12 : 20) * d; ++i)
+        for (int i = 0; i < (d == 4 ? 8 : 14) * d; ++i)
           points.push_back(is_rounded ? std::round(uniform(random) * 8) / 8 : uniform(random));
         const Delaunay<> t(points, d);
-        const Seen seen = check(t, queries_near(points, d, d == 4 ? 4 : 10, tolerance / 2, 5), tolerance);
+        const Seen seen = check(t, queries_near(points, d, d == 4 ? 2 : 10, tolerance / 2, 5), tolerance);
         all.thick += seen.thick;
         all.inside += seen.inside;
         all.hull += seen.hull;
@@ -328,11 +328,11 @@ TEST(TolerantLocation, FiveAndSixDimensions) {
     std::vector<double> points;
     for (int i = 0; i < (d + 2) * d; ++i) points.push_back(uniform(random));
     const Delaunay<> t(points, d);
-    check(t, queries_near(points, d, 3, 0.05, 7), 0.1);
+    check(t, queries_near(points, d, 2, 0.05, 7), 0.1);
     const std::vector<double> cube = turned_grid(d, 2, 0.55);
-    const auto part = static_cast<std::ptrdiff_t>(d * (d + 3));
+    const auto part = static_cast<std::ptrdiff_t>(d * (d + 2));
     const Delaunay<> u(std::vector<double>(cube.begin(), cube.begin() + part), d);
-    check(u, queries_near(cube, d, 2, 1e-10, 7), 1e-9);
+    check(u, queries_near(cube, d, 1, 1e-10, 7), 1e-9);
   }
 }
 
@@ -393,13 +393,13 @@ TEST(TolerantLocation, Projection) {
   for (int d = 1; d <= 4; ++d)
     for (const int kind : {0, 1, 2}) {
       std::vector<double> points;
-      for (int i = 0; i < 20 * d; ++i)
+      for (int i = 0; i < (d == 4 ? 8 : 14) * d; ++i)
         points.push_back(kind == 1 ? static_cast<double>(random() % 3) : normal(random));
-      if (kind == 2 && d == 2) points = turned_grid(2, 6, 0.55);
+      if (kind == 2 && d == 2) points = turned_grid(2, 5, 0.55);
       if (kind == 2 && d == 3) points = turned_grid(3, 3, 0.55);
       const Delaunay<> t(points, d);
       std::vector<double> queries;
-      for (int i = 0; i < 12 * d; ++i)
+      for (int i = 0; i < (d == 4 ? 4 : 8) * d; ++i)
         queries.push_back(kind == 1 ? static_cast<double>(random() % 7) - 2 : 3 * normal(random));
       PointLocator(t).locate(queries, {.project = true}, [&](std::size_t query, const LocatedPoint& found) {
         SCOPED_TRACE(testing::Message() << d << "D " << kind << " query " << query);
@@ -430,11 +430,11 @@ TEST(TolerantLocation, CellsWithin) {
   std::mt19937_64 random(12);
   for (int d = 1; d <= 3; ++d) {
     std::vector<double> points;
-    for (int i = 0; i < 40 * d; ++i) points.push_back(static_cast<double>(random() % 8));
+    for (int i = 0; i < 16 * d; ++i) points.push_back(static_cast<double>(random() % 8));
     const Delaunay<> t(points, d);
-    const std::vector<double> queries = queries_near(points, d, 10, 1, 8);
+    const std::vector<double> queries = queries_near(points, d, 5, 1, 8);
     for (const double radius : {0.0, 0.7, 2.0}) {
-      std::vector<std::vector<CellId>> visited(10);
+      std::vector<std::vector<CellId>> visited(5);
       PointLocator(t).cells_within(queries, radius, [&](std::size_t query, CellId c) {
         visited[query].push_back(c);
         return true;
