@@ -4,7 +4,7 @@
 // doi:10.1007/BF01580381).
 #pragma once
 
-#include "kernel/fractions.hpp"
+#include "kernel/exact_nearest.hpp"
 
 #include <delone/types.hpp>
 
@@ -31,8 +31,10 @@ class NearestInHull {
   /// so the distance lies between them. Both may be infinite if the distance is beyond the largest double.
   double lower() const { return lower_; }
   double upper() const { return upper_; }
-  /// If finite, the nearest point is proved to have positive weights at all points of face() and none
-  /// elsewhere, if the m points are affinely independent, and no weight is off by more than this.
+  /// Tries to prove that face() is right. REQUIRES find().
+  void prove();
+  /// After prove(). If finite, the nearest point is proved to have positive weights at all points of face()
+  /// and none elsewhere, if the m points are affinely independent, and no weight is off by more than this.
   double weight_error() const { return weight_error_; }
   /// Where another point p lies: positive if z·(p − z) > 0 for the nearest point z seen from q, so that the
   /// hull with p has the same nearest point; negative if the hull with p comes nearer; zero if binary64
@@ -54,7 +56,6 @@ class NearestInHull {
   bool minimize_on_face();
   void set_point();
   void set_bounds();
-  void prove();
   bool invert_edges();
   Sign sign_of_product(const double* v) const;
   const double* difference(int point) const {
@@ -76,28 +77,5 @@ class NearestInHull {
   double place_error_ = 0;   // place_ is off from the nearest point by no more, if that is proved
   double lower_ = 0, upper_ = 0, weight_error_ = 0;
 };
-
-/// The nearest point, exactly.
-struct ExactNearest {
-  /// The points that it is a combination of with positive weights, increasing. Affinely independent; so they
-  /// are the vertices of the smallest face if the m points are affinely independent, too.
-  std::vector<int> face;
-  std::vector<Integer> numerators;  ///< of the weights of `face`: numerators[i]/denominator, sum 1
-  Integer denominator;              ///< positive
-  Integer squared;                  ///< the squared distance is squared/denominator·2^(2·grid)
-  int grid = 0;
-
-  /// The weight of face[i], rounded to the nearest double.
-  double weight(std::size_t i) const { return nearest_double(numerators[i], denominator, 0); }
-  /// The sign of (distance − τ). REQUIRES a finite τ ≥ 0.
-  Sign compare(double tolerance) const;
-  /// The sign of (distance − distance of the other).
-  Sign compare(const ExactNearest& other) const;
-};
-
-/// As NearestInHull::find(), with integers. `face` is a guess, such as NearestInHull::face(), that saves time
-/// if it is right; the nearest point does not depend on it.
-ExactNearest nearest_in_hull_exactly(std::span<const double* const> points, const double* q, int dimension,
-                                     std::span<const int> face = {});
 
 }  // namespace delone::kernel

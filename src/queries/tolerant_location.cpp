@@ -70,6 +70,7 @@ void TolerantLocation::visit_star(CellId cell, std::span<const VertexId> face, V
 void TolerantLocation::find(CellId cell, const double* q, Candidate& result) {
   load(cell);
   nearest_.find(points_, q, where_.dimension);
+  nearest_.prove();
   result.cell = cell;
   result.lower = nearest_.lower();
   result.upper = nearest_.upper();
@@ -160,7 +161,7 @@ bool TolerantLocation::find_thick(const double* q, CellId start, Candidate& resu
     for (const Candidate& c : candidates_)
       if (c.upper <= first.upper && has_face_of_first(c) && precedes(c, *best)) best = &c;
     result = *best;
-    return true;
+    return true;  // its upper bound is within τ
   }
   const Candidate* best = nullptr;
   for (Candidate& c : candidates_) {
@@ -170,6 +171,7 @@ bool TolerantLocation::find_thick(const double* q, CellId start, Candidate& resu
   }
   if (best->exact.compare(options_.tolerance) == Sign::positive) return false;
   result = *best;
+  result.upper = std::min(result.upper, options_.tolerance);
   return true;
 }
 
@@ -259,9 +261,8 @@ void TolerantLocation::refine(const double* q, LocatedPoint& found) {
   if (!found.barycentric.empty()) {
     if (thick_ == nullptr || is_thick(found.cell)) return;
     if (found.kind == Location::Kind::on_vertex) return prefer_thick(found);
-    if (!find_thick(q, found.cell, candidate)) return;
-    candidate.upper = std::min(candidate.upper, options_.tolerance);
-    return answer(candidate, found);
+    if (find_thick(q, found.cell, candidate)) answer(candidate, found);
+    return;
   }
   const CellId start = finite_cell(found);
   if (start == invalid_cell) return;

@@ -62,7 +62,7 @@ def test_outside():
     with pytest.raises(delone.InputError) as raised:
         refusing(queries)
     assert raised.value.rows in ([1], [2], [3])
-    with pytest.raises(ValueError, match="outside: 'fill', 'nearest' or 'error', not 'raise'"):
+    with pytest.raises(ValueError, match="outside: 'fill', 'nearest', 'error' or 'project', not 'raise'"):
         delone.LinearInterpolator(points, values, outside="raise")
 
 

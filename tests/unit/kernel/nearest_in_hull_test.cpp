@@ -61,6 +61,7 @@ void check(const Case& c, bool is_independent = false) {
 
   NearestInHull rounded;
   rounded.find(points, c.q.data(), c.d);
+  rounded.prove();
   const auto is_square_at_most = [](double root, const Rational& x) {
     return std::isfinite(root) && Rational(root) * Rational(root) <= x;
   };
@@ -123,6 +124,7 @@ TEST(NearestInHull, RandomSimplices) {
         check(c, true);
         NearestInHull rounded;
         rounded.find(c.points(), c.q.data(), d);
+        rounded.prove();
         EXPECT_LT(rounded.weight_error(), 1e-9) << d << " " << m;
         EXPECT_LT(rounded.upper() - rounded.lower(), 1e-11) << d << " " << m;
       }

@@ -9,6 +9,7 @@
 #include <gtest/gtest.h>
 #include <boost/multiprecision/cpp_int.hpp>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <optional>
@@ -130,7 +131,7 @@ struct Cell {
 
 /// What was seen, so that no test passes for want of cases.
 struct Seen {
-  int thick = 0, inside = 0, hull = 0, outside = 0, moved = 0;
+  int thick = 0, inside = 0, hull = 0, outside = 0, moved = 0, answered = 0;
 };
 
 Seen check(const Triangulation& t, const std::vector<double>& queries, double tolerance) {
@@ -178,13 +179,14 @@ Seen check(const Triangulation& t, const std::vector<double>& queries, double to
         ++seen.inside;
       } else {
         expected = nearest_of(x, false, {});
-        is_outside = square(difference(expected[0], x)) > radius;
+        is_outside = expected.empty() || square(difference(expected[0], x)) > radius;
         ++(is_outside ? seen.outside : seen.hull);
       }
     }
     ASSERT_EQ(found.barycentric.empty(), is_outside);
     if (is_outside) return;
     ASSERT_FALSE(complex.is_infinite(found.cell));
+    ++seen.answered;
     const auto cell =
         std::find_if(cells.begin(), cells.end(), [&](const Cell& c) { return c.id == found.cell; });
     EXPECT_TRUE(!must_be_thick || cell->thick);
@@ -260,9 +262,9 @@ std::vector<double> queries_near(const std::vector<double>& points, int d, std::
 
 TEST(TolerantLocation, TurnedGrids) {
   Seen all;
-  for (const auto& [d, n] : {std::pair{2, 6}, {3, 3}, {4, 2}})
-    for (const double angle : {0.0, 0.55, 5.28})
-      for (const double tolerance : {1e-12, 1e-9, 1e-3}) {
+  for (const auto& [d, n] : {std::pair{2, 5}, {3, 3}, {4, 2}})
+    for (const double angle : {0.0, 0.55})
+      for (const double tolerance : {1e-12, 1e-3}) {
         SCOPED_TRACE(testing::Message() << d << "D " << angle << " " << tolerance);
         const std::vector<double> points = turned_grid(d, n, angle);
         const Delaunay<> t(points, d);
@@ -271,9 +273,9 @@ TEST(TolerantLocation, TurnedGrids) {
         all.outside += seen.outside;
         all.moved += seen.moved;
       }
-  EXPECT_GT(all.thick, 40);
-  EXPECT_GT(all.outside, 2);
-  EXPECT_GT(all.moved, 10);
+  EXPECT_GT(all.thick, 20);
+  EXPECT_GT(all.outside, 0);
+  EXPECT_GT(all.moved, 4);
 }
 
 TEST(TolerantLocation, ToleranceOfTheSizeOfCells) {
@@ -285,10 +287,10 @@ TEST(TolerantLocation, ToleranceOfTheSizeOfCells) {
       for (const bool is_rounded : {false, true}) {
         SCOPED_TRACE(testing::Message() << d << "D " << tolerance);
         std::vector<double> points;
-        for (int i = 0; i < (d == 4 ? 12 : 20) * d; ++i)
+        for (int i = 0; i < (d == 4 ? 8 : 14) * d; ++i)
           points.push_back(is_rounded ? std::round(uniform(random) * 8) / 8 : uniform(random));
         const Delaunay<> t(points, d);
-        const Seen seen = check(t, queries_near(points, d, d == 4 ? 4 : 10, tolerance / 2, 5), tolerance);
+        const Seen seen = check(t, queries_near(points, d, d == 4 ? 2 : 10, tolerance / 2, 5), tolerance);
         all.thick += seen.thick;
         all.inside += seen.inside;
         all.hull += seen.hull;
@@ -326,19 +328,19 @@ TEST(TolerantLocation, FiveAndSixDimensions) {
     std::vector<double> points;
     for (int i = 0; i < (d + 2) * d; ++i) points.push_back(uniform(random));
     const Delaunay<> t(points, d);
-    check(t, queries_near(points, d, 3, 0.05, 7), 0.1);
+    check(t, queries_near(points, d, 2, 0.05, 7), 0.1);
     const std::vector<double> cube = turned_grid(d, 2, 0.55);
-    const auto part = static_cast<std::ptrdiff_t>(d * (d + 3));
+    const auto part = static_cast<std::ptrdiff_t>(d * (d + 2));
     const Delaunay<> u(std::vector<double>(cube.begin(), cube.begin() + part), d);
-    check(u, queries_near(cube, d, 2, 1e-10, 7), 1e-9);
+    check(u, queries_near(cube, d, 1, 1e-10, 7), 1e-9);
   }
 }
 
 TEST(TolerantLocation, FewPoints) {
   const Delaunay<> none(2);
-  EXPECT_EQ(check(none, {0, 0}, 1).outside, 0);
+  EXPECT_EQ(check(none, {0, 0}, 1).outside, 1);
   const Delaunay<> one(std::vector<double>{1, 1}, 2);
-  EXPECT_EQ(check(one, {1, 1, 1.5, 1, 3, 3, 1, 2}, 1).thick, 2);
+  EXPECT_EQ(check(one, {1, 1, 1.5, 1, 3, 3, 1, 2}, 1).thick, 2);  // the first is the vertex
   const Delaunay<> two(std::vector<double>{0, 0, 4, 2}, 2);
   check(two, {1, 1, 2, 1, 0, 0, -0.5, 0, 5, 3, 4, 2.5}, 1);
 }
@@ -391,13 +393,13 @@ TEST(TolerantLocation, Projection) {
   for (int d = 1; d <= 4; ++d)
     for (const int kind : {0, 1, 2}) {
       std::vector<double> points;
-      for (int i = 0; i < 20 * d; ++i)
+      for (int i = 0; i < (d == 4 ? 8 : 14) * d; ++i)
         points.push_back(kind == 1 ? static_cast<double>(random() % 3) : normal(random));
-      if (kind == 2 && d == 2) points = turned_grid(2, 6, 0.55);
+      if (kind == 2 && d == 2) points = turned_grid(2, 5, 0.55);
       if (kind == 2 && d == 3) points = turned_grid(3, 3, 0.55);
       const Delaunay<> t(points, d);
       std::vector<double> queries;
-      for (int i = 0; i < 12 * d; ++i)
+      for (int i = 0; i < (d == 4 ? 4 : 8) * d; ++i)
         queries.push_back(kind == 1 ? static_cast<double>(random() % 7) - 2 : 3 * normal(random));
       PointLocator(t).locate(queries, {.project = true}, [&](std::size_t query, const LocatedPoint& found) {
         SCOPED_TRACE(testing::Message() << d << "D " << kind << " query " << query);
@@ -421,6 +423,75 @@ TEST(TolerantLocation, Projection) {
         EXPECT_LT(square(difference(place, *best)), Rational(1e-20));
       });
     }
+}
+
+/// All cells within a distance, and hardly any other.
+TEST(TolerantLocation, CellsWithin) {
+  std::mt19937_64 random(12);
+  for (int d = 1; d <= 3; ++d) {
+    std::vector<double> points;
+    for (int i = 0; i < 16 * d; ++i) points.push_back(static_cast<double>(random() % 8));
+    const Delaunay<> t(points, d);
+    const std::vector<double> queries = queries_near(points, d, 5, 1, 8);
+    for (const double radius : {0.0, 0.7, 2.0}) {
+      std::vector<std::vector<CellId>> visited(5);
+      PointLocator(t).cells_within(queries, radius, [&](std::size_t query, CellId c) {
+        visited[query].push_back(c);
+        return true;
+      });
+      for (std::size_t query = 0; query < visited.size(); ++query) {
+        const auto width = static_cast<std::size_t>(d);
+        const Vector x = exact(std::span(queries).subspan(query * width, width));
+        for (const CellId c : t.complex().finite_cells()) {
+          std::vector<Vector> cell;
+          for (const VertexId v : t.complex().vertices(c)) cell.push_back(exact(t.point(v)));
+          const Rational distance = square(difference(nearest(cell, x), x));
+          const auto count = std::count(visited[query].begin(), visited[query].end(), c);
+          EXPECT_LE(count, 1);
+          EXPECT_TRUE(count == 1 || distance > Rational(radius) * Rational(radius));
+          EXPECT_TRUE(count == 0 || distance < Rational(radius * radius + 1e-9));
+        }
+      }
+      std::size_t first = 0;
+      PointLocator(t).cells_within(queries, radius, [&](std::size_t, CellId) { return ++first == 0; });
+      EXPECT_EQ(first, static_cast<std::size_t>(std::count_if(visited.begin(), visited.end(),
+                                                              [](const auto& v) { return !v.empty(); })));
+    }
+  }
+}
+
+/// A linear function has its value at x', and its gradient.
+TEST(TolerantLocation, InterpolationNearTheBoundary) {
+  const std::vector<double> points = turned_grid(2, 12, 0.55);
+  std::vector<double> values, border;
+  for (std::size_t i = 0; i < points.size(); i += 2) values.push_back(3 * points[i] - points[i + 1]);
+  for (int i = 0; i < 200; ++i) {
+    const double a = 11 * i / 199.0;
+    border.insert(border.end(), {std::cos(0.55) * a, std::sin(0.55) * a});
+  }
+  const Delaunay<> t(points, 2);
+  const LinearInterpolator f(t, values);
+  std::vector<double> result(200), slopes(400);
+  f.evaluate(border, result, {.outside = Outside::error, .tolerance = 1e-9});
+  f.gradients(border, slopes, {.tolerance = 1e-9});
+  for (std::size_t i = 0; i < 200; ++i) {
+    EXPECT_NEAR(result[i], 3 * border[2 * i] - border[2 * i + 1], 1e-8);
+    EXPECT_NEAR(slopes[2 * i], 3, 1e-11);
+    EXPECT_NEAR(slopes[2 * i + 1], -1, 1e-11);
+  }
+  f.evaluate(points, std::span(result).first(144), {.tolerance = 1e-9});
+  for (std::size_t i = 0; i < 144; ++i) EXPECT_EQ(result[i], values[i]);
+  // Far outside a corner its value, beside an edge that of the foot.
+  const Delaunay<> square(std::vector<double>{0, 0, 4, 0, 0, 4, 4, 4}, 2);
+  const LinearInterpolator g(square, std::vector<double>{0, 4, 8, 12});
+  const std::vector<double> outside{-3, -1, 1, -50, 7, 9, 5, 1.5};
+  std::vector<double> four(4), eight(8);
+  g.evaluate(outside, four, {.outside = Outside::project});
+  EXPECT_EQ(four, (std::vector<double>{0, 1, 12, 7}));
+  g.gradients(outside, eight, {.outside = Outside::project});
+  for (std::size_t i = 0; i < 4; ++i) EXPECT_NEAR(eight[2 * i] + 10 * eight[2 * i + 1], 21, 1e-12);
+  EXPECT_THROW(g.evaluate(outside, four, {.outside = Outside::error, .tolerance = 0.5}), Error);
+  EXPECT_THROW(g.evaluate(outside, four, {.tolerance = -1}), Error);
 }
 
 TEST(TolerantLocation, BadTolerances) {
