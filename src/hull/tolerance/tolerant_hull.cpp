@@ -5,8 +5,10 @@
 #include "hull/hull_analysis.hpp"
 #include "hull/tolerance/vertex_choice.hpp"
 
+#include <algorithm>
 #include <functional>
 #include <utility>
+#include <vector>
 
 namespace delone::internal {
 
@@ -27,7 +29,12 @@ TolerantHull::TolerantHull(const HullState& exact, const Options& options, bool 
     axes = std::move(in_flat->axes);
   } else {
     choice = choose_vertices(exact.sites(), extreme, options.tolerance, alive);
-    if (choice.sites.size() == extreme.size()) return;
+    // The cells of the exact hull may have corners in the middle of its faces.
+    std::vector<Index> corners = exact.hull().cells;
+    std::sort(corners.begin(), corners.end());
+    const auto end = std::unique(corners.begin(), corners.end());
+    const auto num_corners = static_cast<std::size_t>(end - corners.begin());
+    if (choice.sites.size() == num_corners) return;
   }
   max_distance_ = choice.max_distance;
   Options quiet;
