@@ -15,14 +15,17 @@ namespace {
 
 PolytopeFaces faces_of(ExaminedHull& examined, const HullData& data) {
   const SimplicialHull& hull = examined.hull;
-  if (examined.is_tolerant()) return label_facets(examined.sites, hull, data.tolerance);
   std::vector<std::pair<Index, Index>> pairs;
   for (std::size_t c = 0; hull.dimension > 1 && c < hull.num_cells(); ++c)
     for (std::size_t i = 0; i < hull.corners(); ++i)
       if (const Index across = hull.neighbors_of(c)[i];
           across > c && examined.side(c, apex_across(hull, c, i)) == Sign::zero)
         pairs.emplace_back(static_cast<Index>(c), across);
-  return find_faces(hull, examined.sites.size(), pairs);
+  PolytopeFaces exact = find_faces(hull, examined.sites.size(), pairs);
+  if (!examined.is_tolerant()) return exact;
+  PolytopeFaces labels = label_facets(examined.sites, hull, data.tolerance);
+  labels.is_extreme = std::move(exact.is_extreme);  // of all corners, if the cells are sound
+  return labels;
 }
 
 std::vector<SignedIndex> signed_copy(std::span<const Index> items) { return {items.begin(), items.end()}; }

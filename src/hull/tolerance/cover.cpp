@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numeric>
 #include <queue>
 #include <utility>
 
@@ -18,6 +19,7 @@ namespace {
 
 constexpr std::size_t most_neighbors = 256;  // more are not worth a look
 constexpr std::size_t few = 24;              // points, or rounds
+constexpr std::size_t most_of_group = 32;
 
 }  // namespace
 
@@ -30,7 +32,74 @@ Cover::Cover(std::vector<const double*> points, int dimension, double tolerance,
       alive_(std::move(alive)),
       states_(points_.size()),
       users_(points_.size()),
-      marks_(points_.size(), 0) {}
+      marks_(points_.size(), 0) {
+  if (points_.size() <= most_of_group * few) return;
+  std::vector<Index> all(points_.size());
+  std::iota(all.begin(), all.end(), Index{0});
+  divide(all);
+}
+
+/// Halves points along the longest edge of their box until they are a group.
+void Cover::divide(std::span<Index> all) {
+  const auto d = static_cast<std::size_t>(dimension_);
+  Group group{{}, std::vector<double>(points_[all[0]], points_[all[0]] + d), {}};
+  group.high = group.low;
+  for (const Index p : all)
+    for (std::size_t j = 0; j < d; ++j) {
+      group.low[j] = std::min(group.low[j], points_[p][j]);
+      group.high[j] = std::max(group.high[j], points_[p][j]);
+    }
+  if (all.size() <= most_of_group) {
+    group.points.assign(all.begin(), all.end());
+    groups_.push_back(std::move(group));
+    return;
+  }
+  std::size_t axis = 0;
+  for (std::size_t j = 1; j < d; ++j)
+    if (group.high[j] / 2 - group.low[j] / 2 > group.high[axis] / 2 - group.low[axis] / 2) axis = j;
+  const std::size_t half = all.size() / 2;
+  std::nth_element(all.begin(), all.begin() + static_cast<std::ptrdiff_t>(half), all.end(),
+                   [&](Index a, Index b) { return points_[a][axis] < points_[b][axis]; });
+  divide(all.first(half));
+  divide(all.subspan(half));
+}
+
+/// A computed n·(q − w) is off by at most γ(d+1) of the sum of the absolute products. Rounding is monotonic,
+/// so the computed least product of a box is at most those of its points: a box whose least one says so is
+/// skipped.
+Cover::Support Cover::support(const double* q) const {
+  const auto d = static_cast<std::size_t>(dimension_);
+  const double rounding = 1.01 * static_cast<double>(d + 2) * kernel::unit_roundoff;
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  Support result{infinity, infinity, kept_[0]};
+  const auto include = [&](Index v) {
+    double product = 0, parts = 0;
+    for (std::size_t j = 0; j < d; ++j) {
+      const double term = normal_[j] * (q[j] - points_[v][j]);
+      product += term;
+      parts += std::fabs(term);
+    }
+    if (!(product >= result.least)) result.least = product, result.point = v;
+    if (!(product - rounding * parts >= result.certain)) result.certain = product - rounding * parts;
+  };
+  if (groups_.empty() || kept_.size() < 4 * groups_.size()) {
+    for (const Index v : kept_) include(v);
+    return result;
+  }
+  for (const Index v : local_) include(v);
+  for (const Group& group : groups_) {
+    double product = 0, parts = 0;
+    for (std::size_t j = 0; j < d; ++j) {
+      const double a = normal_[j] * (q[j] - group.low[j]), b = normal_[j] * (q[j] - group.high[j]);
+      product += std::min(a, b);
+      parts += std::max(std::fabs(a), std::fabs(b));
+    }
+    if (product >= result.least && product - rounding * parts >= result.certain) continue;
+    for (const Index v : group.points)
+      if (states_[v].is_kept) include(v);
+  }
+  return result;
+}
 
 bool Cover::exceeds(std::span<const double* const> points, const double* q) {
   nearest_.find(points, q, dimension_);
@@ -99,7 +168,7 @@ void Cover::find_local(Index p) {
 /// only multiplied by a normal.
 ///
 /// For each n ≠ 0 the distance from the hull is at least the least n·(q − w) of the kept points w, divided by
-/// |n|. A computed n·(q − w) is off by at most γ(d+1) of the sum of the absolute products.
+/// |n|.
 bool Cover::cover(Index p) {
   alive_();
   states_[p].seen = kept_.size();
@@ -122,20 +191,7 @@ bool Cover::cover(Index p) {
     for (double& x : normal_) x /= weight, square += x * x;
     const double length = std::sqrt(square) * (1 + static_cast<double>(d + 4) * kernel::unit_roundoff);
     if (!(length > 0x1p-400 && length < 0x1p400)) break;
-    const double rounding = 1.01 * static_cast<double>(d + 2) * kernel::unit_roundoff;
-    double least = std::numeric_limits<double>::infinity(), certain = least;
-    Index farthest = kept_[0];
-    for (const Index v : kept_) {
-      const double* const w = points_[v];
-      double product = 0, parts = 0;
-      for (std::size_t j = 0; j < d; ++j) {
-        const double term = normal_[j] * (q[j] - w[j]);
-        product += term;
-        parts += std::fabs(term);
-      }
-      if (!(product >= least)) least = product, farthest = v;
-      if (!(product - rounding * parts >= certain)) certain = product - rounding * parts;
-    }
+    const auto [least, certain, farthest] = support(q);
     const bool is_new = std::find(local_.begin(), local_.end(), farthest) == local_.end();
     if (is_new && least < square * (1 - 0x1p-40)) {
       local_.push_back(farthest);

@@ -46,6 +46,19 @@ class Cover {
     std::vector<Index> witness;
   };
 
+  /// Points in a box.
+  struct Group {
+    std::vector<Index> points;
+    std::vector<double> low, high;
+  };
+  /// Of the products n·(q − w) of kept points w the least, the point, and what the least is for certain.
+  struct Support {
+    double least, certain;
+    Index point;
+  };
+
+  void divide(std::span<Index> all);
+  Support support(const double* q) const;
   void keep(Index p);
   bool look(Index p, std::span<const Index> pool);
   void find_local(Index p);
@@ -61,6 +74,7 @@ class Cover {
   std::vector<State> states_;
   std::vector<std::vector<Index>> users_;  // by kept point: those that had it in a witness, and others
   std::vector<Index> kept_;
+  std::vector<Group> groups_;  // of all points; none if they are few
   kernel::NearestInHull nearest_;
   // Scratch.
   std::vector<const double*> pool_points_;

@@ -29,11 +29,12 @@ TolerantHull::TolerantHull(const HullState& exact, const Options& options, bool 
     axes = std::move(in_flat->axes);
   } else {
     choice = choose_vertices(exact.sites(), extreme, options.tolerance, alive);
-    // The exact hull is the answer, unless cells have vertices that are not extreme, within its facets.
-    const std::vector<char>& is_extreme = analysis.faces().is_extreme;
-    const bool has_others =
-        std::ranges::any_of(exact.hull().cells, [&](Index site) { return is_extreme[site] == 0; });
-    if (choice.sites.size() == extreme.size() && !has_others) return;
+    // The cells of the exact hull may have corners in the middle of its faces.
+    std::vector<Index> corners = exact.hull().cells;
+    std::sort(corners.begin(), corners.end());
+    const auto end = std::unique(corners.begin(), corners.end());
+    const auto num_corners = static_cast<std::size_t>(end - corners.begin());
+    if (choice.sites.size() == num_corners) return;
   }
   max_distance_ = choice.max_distance;
   Options quiet;

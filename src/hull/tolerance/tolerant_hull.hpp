@@ -15,7 +15,7 @@ class TolerantHull {
   /// `shows_progress` the callback of the options is called with 1, and may cancel.
   TolerantHull(const HullState& exact, const Options& options, bool shows_progress);
 
-  /// The exact one itself if all its vertices are kept.
+  /// The exact one itself if all its vertices are kept, and its cells have no other corners.
   const HullState& state() const { return own_ ? *own_ : exact_; }
   double max_distance() const { return max_distance_; }
 

@@ -61,5 +61,22 @@ TEST(Cover, KeepsWhatCoversAPointThatMayNotBeKept) {
   EXPECT_THAT(cover.kept(), ::testing::UnorderedElementsAre(0, 2, 3, 4, 5));
 }
 
+// So many that kept points are searched in boxes.
+TEST(Cover, OfManyPointsCoversAll) {
+  std::vector<double> circle;
+  for (int i = 0; i < 3000; ++i)
+    circle.insert(circle.end(), {std::cos(i * 0.0020943951), std::sin(i * 0.0020943951)});
+  for (const double tolerance : {1e-7, 3e-7, 1e-5}) {
+    Cover cover = cover_of(circle, tolerance);
+    for (Index p = 0; p < 3000; p += 3) cover.require(p);
+    EXPECT_TRUE(cover.complete(std::vector<char>(3000, 1)));
+    cover.reduce();
+    EXPECT_EQ(cover.kept().size() == 1000, tolerance > 1e-6);
+    std::vector<const double*> kept;
+    for (const Index p : cover.kept()) kept.push_back(circle.data() + 2 * static_cast<std::size_t>(p));
+    for (std::size_t p = 0; p < 3000; p += 7) EXPECT_FALSE(cover.exceeds(kept, circle.data() + 2 * p));
+  }
+}
+
 }  // namespace
 }  // namespace delone::internal

@@ -21,6 +21,12 @@ TEST(TolerantHull, IsTheExactOneIfAllVerticesAreKept) {
   EXPECT_EQ(hull.max_distance(), 0);
 }
 
+TEST(TolerantHull, HasNoCornersThatAreNotExtreme) {
+  const HullState exact = state_of(2, {0, 0, 1, 0, 2, 0, 2, 2, 1, 2, 0, 2});
+  EXPECT_GT(exact.hull().num_cells(), 4u);
+  EXPECT_EQ(TolerantHull(exact, {.tolerance = 0.01}, false).state().hull().num_cells(), 4u);
+}
+
 TEST(TolerantHull, HasAllRowsButFewerVertices) {
   const HullState exact = state_of(2, {0, 0, 1, -0.0625, 2, 0, 2, 2, 0, 2, 1, 1, 0, 0});
   const TolerantHull hull(exact, {.tolerance = 0.0625}, false);
