@@ -22,6 +22,7 @@
 
 #include "base/guarded.hpp"
 #include "base/require_tolerance.hpp"
+#include "kernel/double_double.hpp"
 #include "kernel/fractions.hpp"
 #include "kernel/grid.hpp"
 #include "kernel/width_test.hpp"
@@ -38,7 +39,11 @@ namespace {
 using kernel::Integer;
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-double sum_above(double a, double b) { return a == 0 || b == 0 ? a + b : std::nextafter(a + b, infinity); }
+/// a + b, rounded up.
+double sum_above(double a, double b) {
+  const kernel::DoubleDouble sum = kernel::two_sum(a, b);
+  return sum.low > 0 ? std::nextafter(sum.high, infinity) : sum.high;
+}
 
 /// A cell in integers.
 class ExactCell {
