@@ -248,6 +248,11 @@ std::span<const Index> DiagramSimplifier::regions_of(SignedIndex vertex) {
 /// Of a bounded ridge with the given vertices: those of the exact diagram, or representatives in its place.
 bool DiagramSimplifier::is_thin(std::size_t i, std::span<const SignedIndex> vertices, bool is_exact) {
   // Most ridges are wide, and a few vertices show it.
+  const std::size_t count = vertices.size();
+  if (k_ == 3 && d_ == 3 && count > 2 &&
+      kernel::is_wide_triangle(at(vertices[0]), at(vertices[count / 3]), at(vertices[2 * count / 3]),
+                               tolerance_))
+    return false;
   corners_.clear();
   for (std::size_t c = 0; c <= k_ && k_ + 1 < vertices.size(); ++c)
     corners_.push_back(at(vertices[c * vertices.size() / (k_ + 1)]));

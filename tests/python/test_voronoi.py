@@ -172,4 +172,4 @@ def test_bad_tolerances(tolerance):
     with pytest.raises(ValueError, match="tolerance of a diagram must"):
         delone.Voronoi(points, tolerance=tolerance)
     with pytest.raises(ValueError, match="tolerance of a diagram must"):
-        delone.PowerDiagram(points, tolerance=tolerance)
+        delone.PowerDiagram(points, np.zeros(20), tolerance=tolerance)

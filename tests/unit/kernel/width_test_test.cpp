@@ -43,6 +43,25 @@ TEST(WidthTest, FlatAndFewPoints) {
   EXPECT_FALSE(test.is_wide(rows(far, 2), 2, 2, 1e-9));
 }
 
+TEST(WidthTest, OfTrianglesInSpace) {
+  std::mt19937_64 random(2);
+  std::uniform_real_distribution<double> uniform(-1, 1);
+  const double nan = std::nan("");
+  int wide = 0;
+  for (int trial = 0; trial < 3000; ++trial) {
+    const double height = std::pow(10.0, -17 * std::abs(uniform(random))), offset = trial % 2 == 0 ? 0 : 1e3;
+    const double p[] = {offset, 0, 0}, q[] = {offset + 1, 1, 0}, r[] = {offset + 0.5, 0.5, height};
+    EXPECT_FALSE(is_wide_triangle(p, q, r, height));
+    if (is_wide_triangle(p, q, r, height / 4)) ++wide;
+    if (offset == 0 && height > 1e-10) {
+      EXPECT_TRUE(is_wide_triangle(p, q, r, height / 4));
+    }
+  }
+  EXPECT_GT(wide, 1000);
+  const double p[] = {0, 0, 0}, q[] = {1, 0, 0}, far[] = {0, nan, 1};
+  EXPECT_FALSE(is_wide_triangle(p, q, far, 1e-9));
+}
+
 TEST(WidthTest, IsNeverWrongAboutThinTriangles) {
   std::mt19937_64 random(1);
   std::uniform_real_distribution<double> uniform(-1, 1);
