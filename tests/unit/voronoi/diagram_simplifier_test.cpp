@@ -11,9 +11,8 @@
 
 #include <array>
 #include <cmath>
-#include <functional>
 #include <map>
-#include <numeric>
+#include <optional>
 #include <random>
 #include <set>
 
@@ -132,9 +131,9 @@ TEST(DiagramSimplifier, InteriorRegionsOfACubicLatticeAreCubes) {
 
 /// A description that does not depend on numbers: ridges by the coordinates of their sites and vertices.
 using Coordinates = std::vector<double>;
-std::multiset<std::pair<std::set<Coordinates>, std::multiset<Coordinates>>> described(
-    const Diagram& diagram) {
-  std::multiset<std::pair<std::set<Coordinates>, std::multiset<Coordinates>>> result;
+using Description = std::multiset<std::pair<std::set<Coordinates>, std::multiset<Coordinates>>>;
+Description described(const Diagram& diagram) {
+  Description result;
   for (std::size_t i = 0; i < diagram.num_ridges(); ++i) {
     std::set<Coordinates> of_sites;
     std::multiset<Coordinates> of_vertices;
@@ -163,7 +162,7 @@ TEST(DiagramSimplifier, TheOrderOfRowsDoesNotMatter) {
         for (double& x : row)
           x = trial % 2 == 0 ? uniform(random) : std::floor(4 * uniform(random)) + 1e-9 * uniform(random);
       const double tolerance = trial % 2 == 0 ? 0.03 : 1e-8;
-      std::optional<std::multiset<std::pair<std::set<Coordinates>, std::multiset<Coordinates>>>> first;
+      std::optional<Description> first;
       std::optional<double> displacement;
       for (int shuffle = 0; shuffle < 4; ++shuffle) {
         std::vector<double> points;
@@ -431,8 +430,7 @@ TEST(DiagramSimplifier, BorderOfALatticeInCoordinatesThatAgree) {
   EXPECT_EQ(diagram.num_vertices(), 27u);
   EXPECT_EQ(diagram.num_rays(), 54u);
   EXPECT_EQ(diagram.num_ridges(), 3u * 3 * 4 * 4);
-  const CheckReport report = check(diagram.to_data());
-  EXPECT_TRUE(report.ok) << report.violation;
+  EXPECT_TRUE(check(diagram.to_data()).ok);
 }
 
 TEST(DiagramSimplifier, WithoutRidges) {
@@ -499,8 +497,7 @@ TEST(DiagramSimplifier, PowerDiagrams) {
     if (interior[i]) {
       EXPECT_EQ(count[i], 6u);
     }
-  const CheckReport report = check(diagram.to_data());
-  EXPECT_TRUE(report.ok) << report.violation;
+  EXPECT_TRUE(check(diagram.to_data()).ok);
 }
 
 }  // namespace
