@@ -5,8 +5,10 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
 #include <cstdio>
 #include <memory>
+#include <optional>
 #include <utility>
 
 namespace delone::cli {
@@ -17,15 +19,20 @@ struct DelaunayOptions {
   BuildOptions build;
   int threads = 1;
   bool runtime_dimension = false, furthest_site = false;
+  std::optional<double> trim;  // the tolerance
 };
 
 Summary summary(const Triangulation& t, const Counts& counts, const Cost& cost,
-                const DelaunayOptions& options) {
+                const std::optional<TrimResult>& trimmed, const DelaunayOptions& options) {
   const char* kind = options.furthest_site ? "furthest-site Delaunay" : "Delaunay";
-  return Summary(options.input.path, fmt::format("{} triangulation of {} points in dimension {}", kind,
-                                                 counts.points, counts.dimension))
-      .triangulation(counts)
-      .cost(t.statistics(), cost);
+  Summary text(options.input.path, fmt::format("{} triangulation of {} points in dimension {}", kind,
+                                               counts.points, counts.dimension));
+  text.triangulation(counts);
+  if (trimmed)
+    text.line("trimmed",
+              fmt::format("{} cells of volume {}, to a depth of {}, and {} vertices", trimmed->num_removed,
+                          trimmed->lost_volume, trimmed->depth, trimmed->orphans.size()));
+  return text.cost(t.statistics(), cost);
 }
 
 /// Takes the coordinates over, unless they are to be written.
@@ -51,14 +58,17 @@ int run_with(PointTable table, const DelaunayOptions& options, Clock::time_point
   cost.build = seconds_since(build_start);
 
   std::string hash;
+  std::optional<TrimResult> trimmed;
+  if (options.trim)
+    trimmed = about(input_name(options.input.path), [&] { return trim(triangulation, *options.trim); });
   if (writes) {
     const auto write_start = Clock::now();
-    ComplexData data = triangulation.to_data(false);
+    ComplexData data = trimmed ? std::move(trimmed->data) : triangulation.to_data(false);
     data.points = std::move(table.coordinates);
     write_output(to.output, data, to.output_format);
     cost.write = seconds_since(write_start);
     cost.close(start);
-    if (to.stats) hash = canonical_hash(data).hex();
+    if (to.stats) hash = trimmed ? triangulation.hash().hex() : canonical_hash(data).hex();
   } else {
     table = {};
     cost.close(start);
@@ -66,14 +76,26 @@ int run_with(PointTable table, const DelaunayOptions& options, Clock::time_point
   }
   const Counts counts = counts_of(triangulation, hash);
   print_report(
-      to, writes, [&] { return stats_of("delaunay", counts, triangulation.statistics(), cost, to.seed); },
-      [&] { return summary(triangulation, counts, cost, options); });
+      to, writes,
+      [&] {
+        Json json = stats_of("delaunay", counts, triangulation.statistics(), cost, to.seed);
+        if (trimmed) {
+          json["removed_cells"] = trimmed->num_removed;
+          json["orphans"] = trimmed->orphans.size();
+          json["depth"] = trimmed->depth;
+          json["lost_volume"] = trimmed->lost_volume;
+        }
+        return json;
+      },
+      [&] { return summary(triangulation, counts, cost, trimmed, options); });
   return exit_status::ok;
 }
 
 int run_delaunay(const DelaunayOptions& options) {
   const BuildOptions& to = options.build;
   to.check();
+  if (options.trim && (!(*options.trim >= 0) || !std::isfinite(*options.trim)))
+    throw UsageError("--trim: a finite distance of at least 0 was expected");
   const auto start = Clock::now();
   Cost cost;
   PointTable table = options.input.read();
@@ -91,6 +113,9 @@ Run add_delaunay(CLI::App& app) {
   auto options = std::make_shared<DelaunayOptions>();
   options->input.add_to(app, "IN", "Points: a file, or - for standard input");
   options->build.add_output(app, "the triangulation", complex_formats());
+  app.add_option("--trim", options->trim,
+                 "Leave cells at the border out that are within this distance of what remains")
+      ->type_name("DISTANCE");
   app.add_option("--threads", options->threads, "At most this many threads")->check(CLI::Range(1, 65536));
   app.add_flag("--furthest-site", options->furthest_site,
                "The furthest-site triangulation: spheres that have all points inside, instead of none");

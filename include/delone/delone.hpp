@@ -21,5 +21,6 @@
 #include <delone/predicates.hpp>
 #include <delone/regular.hpp>
 #include <delone/triangulation.hpp>
+#include <delone/trim.hpp>
 #include <delone/types.hpp>
 #include <delone/voronoi.hpp>

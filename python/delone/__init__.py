@@ -2,22 +2,23 @@
 """Exact Delaunay and regular triangulations, convex hulls, intersections of halfspaces, Voronoi and power diagrams.
 
 Arrays go in and come out as NumPy arrays. Results are exact functions of the input: flat, duplicate and cospherical points are
-ordinary input, and no tolerance decides anything. `delone.spatial` and `delone.interpolate` have the names and arguments of those in
-scipy; `patch_scipy` makes existing programs use them.
+ordinary input, and no tolerance decides anything unless one is given. `delone.spatial` and `delone.interpolate` have the names and
+arguments of those in scipy; `patch_scipy` makes existing programs use them.
 """
 import importlib
 
 from ._core import (CancelledError, ConvexHull, Delaunay, Error, FurthestSite, HalfspaceIntersection, InputError, LinearInterpolator,
-                    OutOfMemoryError, PowerDiagram, Regular, Voronoi, __version__)
+                    OutOfMemoryError, PowerDiagram, Regular, TrimResult, Voronoi, __version__)
 from ._locations import Locations
 from ._patch import patch_scipy, scipy_is_patched, unpatch_scipy
 from ._transform import transform as _transform
 
 __all__ = ["CancelledError", "ConvexHull", "Delaunay", "Error", "FurthestSite", "HalfspaceIntersection", "InputError",
-           "LinearInterpolator", "Locations", "OutOfMemoryError", "PowerDiagram", "Regular", "Voronoi", "__version__",
-           "patch_scipy", "scipy_is_patched", "unpatch_scipy"]
+           "LinearInterpolator", "Locations", "OutOfMemoryError", "PowerDiagram", "Regular", "TrimResult", "Voronoi",
+           "__version__", "patch_scipy", "scipy_is_patched", "unpatch_scipy"]
 
-for _type in (ConvexHull, Delaunay, FurthestSite, HalfspaceIntersection, LinearInterpolator, PowerDiagram, Regular, Voronoi):
+for _type in (ConvexHull, Delaunay, FurthestSite, HalfspaceIntersection, LinearInterpolator, PowerDiagram, Regular, TrimResult,
+              Voronoi):
     _type.__module__ = "delone"
 del _type
 Delaunay.__base__.transform = property(_transform)

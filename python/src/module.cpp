@@ -10,6 +10,7 @@ PYBIND11_MODULE(_core, module) {
   module.attr("__version__") = DELONE_VERSION;
   python::bind_errors(module);
   python::bind_triangulations(module);
+  python::bind_trim(module);
   python::bind_interpolator(module);
   python::bind_convex_hull(module);
   python::bind_voronoi(module);

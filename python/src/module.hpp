@@ -7,6 +7,7 @@
 namespace delone::python {
 
 void bind_triangulations(pybind11::module_& module);
+void bind_trim(pybind11::module_& module);
 void bind_interpolator(pybind11::module_& module);
 void bind_convex_hull(pybind11::module_& module);
 void bind_voronoi(pybind11::module_& module);

@@ -1,33 +1,26 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Refuses tolerances that mean nothing.
+// Refuses tolerances that mean nothing. All functions that throw throw Errc::invalid_argument.
 #pragma once
 
-#include <delone/error.hpp>
-
-#include <charconv>
-#include <cmath>
+#include <cstddef>
+#include <span>
 #include <string>
 
 namespace delone::internal {
 
-/// The shortest decimal number that is read as x.
-inline std::string shortest_text(double x) {
-  char text[32];
-  return {text, std::to_chars(text, text + sizeof text, x).ptr};
-}
+/// Throws unless a tolerance is finite and at least 0.
+void require_tolerance(double tolerance);
 
-/// Throws Errc::invalid_argument unless a tolerance is finite and at least 0.
-inline void require_tolerance(double tolerance) {
-  if (!(tolerance >= 0) || std::isinf(tolerance))
-    throw Error(Errc::invalid_argument,
-                "the tolerance is " + shortest_text(tolerance) + ", which is not a finite number from 0 on");
-}
+/// Throws if a tolerance is larger than the extent of what it is for, unless that is 0. `what`: "the set of
+/// points, whose longest side is".
+void require_tolerance_within(double tolerance, double extent, const std::string& what);
 
-/// Throws Errc::invalid_argument unless the tolerance is 0; `what`: those that have none.
-inline void refuse_tolerance(double tolerance, const char* what) {
-  if (tolerance != 0)
-    throw Error(Errc::invalid_argument,
-                std::string(what) + " have no tolerance: Options::tolerance must be 0");
-}
+/// The same for the longest side of the bounding box of points, d coordinates each, in two parts. Coordinates
+/// that are NaN do not count.
+void require_tolerance_within(double tolerance, std::span<const double> points, std::size_t d,
+                              std::span<const double> more_points = {});
+
+/// Throws unless the tolerance is 0. `what`: those that have none.
+void refuse_tolerance(double tolerance, const std::string& what);
 
 }  // namespace delone::internal

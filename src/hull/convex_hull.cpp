@@ -68,32 +68,12 @@ struct Polytope::Impl {
     const std::size_t n = coordinates.size() / ambient();
     if (n == 0) return;
     check_room(n);
-    check_extent(coordinates);
+    internal::require_tolerance_within(options.tolerance, coordinates, ambient(), state->sites().coordinates);
     std::unique_ptr<const TolerantHull> made;
     const auto make = [&] { made = std::make_unique<const TolerantHull>(*state, options, true); };
     state->insert_range(coordinates, options, options.tolerance > 0 ? make : std::function<void()>{});
     analysis_of_state.reset();
     tolerant = std::move(made);
-  }
-  /// Of all points, with those to come.
-  void check_extent(std::span<const double> coordinates) const {
-    if (options.tolerance == 0) return;
-    double extent = 0;
-    for (std::size_t j = 0; j < ambient(); ++j) {
-      double low = coordinates[j], high = low;
-      const auto include = [&](std::span<const double> some) {
-        for (std::size_t at = j; at < some.size(); at += ambient())
-          low = std::min(low, some[at]), high = std::max(high, some[at]);
-      };
-      include(coordinates);
-      include(state->sites().coordinates);
-      extent = std::max(extent, high - low);
-    }
-    if (extent > 0 && options.tolerance > extent)
-      throw Error(Errc::invalid_argument,
-                  "the tolerance, " + internal::shortest_text(options.tolerance) +
-                      ", is larger than the set of points, whose largest extent along an axis is " +
-                      internal::shortest_text(extent));
   }
 
   HullInsertResult insert(std::span<const double> point) {

@@ -75,10 +75,7 @@ struct Envelope::Impl {
       if (row == 0 || height < low) low = height, lowest = row;
       if (row == 0 || height > high) high = height;
     }
-    if (high > low && tolerance > high - low)
-      throw Error(Errc::invalid_argument, "the tolerance, " + internal::shortest_text(tolerance) +
-                                              ", is larger than the range of heights, " +
-                                              internal::shortest_text(high - low));
+    internal::require_tolerance_within(tolerance, high - low, "the range of heights,");
     grid = kernel::Grid(static_cast<int>(corners()));
     for (std::size_t row = 0; row < n; ++row) grid.include(place(static_cast<SignedIndex>(row)));
     build_polytope(lowest, low, high, options);

@@ -49,6 +49,26 @@ double nearest_double(Integer numerator, Integer denominator, int exponent) {
   return magnitude == 0 ? 0 : negative ? -magnitude : magnitude;
 }
 
+double root_above(Integer numerator, Integer denominator, int exponent) {
+  if (numerator == 0) return 0;
+  numerator = mp::abs(numerator);
+  denominator = mp::abs(denominator);
+  int shift = static_cast<int>(mp::msb(numerator)) - static_cast<int>(mp::msb(denominator));
+  if (shift % 2 != 0) --shift;
+  // Of the quotient times 2^−shift, which is between 1/2 and 4; off by one unit in the last place at most.
+  double root = std::nextafter(std::sqrt(nearest_double(numerator, denominator, -shift)), 0.0);
+  constexpr int grid = -60;  // root² ≥ numerator/denominator·2^−shift, in integers
+  (shift < 0 ? numerator : denominator) <<= std::abs(shift);
+  numerator <<= -2 * grid;
+  for (;; root = std::nextafter(root, 3.0)) {
+    const Integer scaled = scaled_integer(root, grid);
+    if (scaled * scaled * denominator >= numerator) break;
+  }
+  const double result = std::ldexp(root, shift / 2 + exponent);
+  constexpr double least_normal = std::numeric_limits<double>::min();  // below it ldexp() rounds
+  return result < least_normal ? std::nextafter(result, 1.0) : result;
+}
+
 Integer exact_determinant(std::vector<Integer> a, std::size_t n) {
   Integer previous(1);
   bool negate = false;

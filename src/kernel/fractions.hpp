@@ -23,6 +23,11 @@ Integer scaled_integer(double x, int grid);
 /// never −0. REQUIRES denominator ≠ 0.
 double nearest_double(Integer numerator, Integer denominator, int exponent);
 
+/// √(numerator/denominator)·2^exponent, rounded up: the least double that is not below, or, below the normal
+/// range, one that is larger by less than two smallest doubles; +infinity beyond the largest. REQUIRES a
+/// fraction of at least 0.
+double root_above(Integer numerator, Integer denominator, int exponent);
+
 /// The determinant of an n×n matrix, row by row, by fraction-free elimination (Bareiss 1968,
 /// doi:10.1090/S0025-5718-1968-0226829-0).
 Integer exact_determinant(std::vector<Integer> a, std::size_t n);

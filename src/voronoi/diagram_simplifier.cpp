@@ -50,24 +50,25 @@ std::vector<std::pair<Index, Index>> DiagramSimplifier::short_edges() const {
     for (std::size_t j = 0; j < d_; ++j)
       if (!(std::abs(p[j] - q[j]) <= most)) return;
     edges.emplace_back(static_cast<Index>(v), static_cast<Index>(w));
-    edges.emplace_back(static_cast<Index>(w), static_cast<Index>(v));
   };
   if (k_ == 1)
     for (std::size_t r = 0; r < in_.num_regions(); ++r)
       if (const auto ends = in_.region(r); ends.size() == 2) visit(ends[0], ends[1]);
-  if (k_ > 1)
+  if (k_ == 2 || k_ == 3)
     for (std::size_t i = 0; i < in_.num_ridges(); ++i) {
       const auto list = in_.ridge(i);
-      if (k_ > 3) {
-        for (std::size_t a = 0; a < list.size(); ++a)
-          for (std::size_t b = 0; b < a; ++b) visit(list[b], list[a]);
-        continue;
-      }
       for (std::size_t a = 0; a + 1 < list.size(); ++a) visit(list[a], list[a + 1]);
       if (list.size() > 2) visit(list.back(), list.front());
     }
-  std::sort(edges.begin(), edges.end());
-  edges.erase(std::unique(edges.begin(), edges.end()), edges.end());
+  std::vector<double> first;  // coordinates of the vertices of a ridge: most pairs differ in these
+  for (std::size_t i = 0; k_ > 3 && i < in_.num_ridges(); ++i) {
+    const auto list = in_.ridge(i);
+    first.clear();
+    for (const SignedIndex v : list) first.push_back(v < 0 ? std::nan("") : at(v)[0]);
+    for (std::size_t a = 0; a < list.size(); ++a)
+      for (std::size_t b = 0; b < a; ++b)
+        if (std::abs(first[a] - first[b]) <= most) visit(list[b], list[a]);
+  }
   return edges;
 }
 
@@ -76,11 +77,22 @@ std::vector<std::pair<Index, Index>> DiagramSimplifier::short_edges() const {
 void DiagramSimplifier::cluster_vertices() {
   const auto edges = short_edges();
   if (edges.empty()) return;
+  std::vector<std::size_t> starts(num_vertices_ + 2, 0);  // of the vertices next to each
+  for (const auto& [v, w] : edges) {
+    ++starts[v + 2];
+    ++starts[w + 2];
+  }
+  std::partial_sum(starts.begin(), starts.end(), starts.begin());
+  std::vector<Index> next(2 * edges.size());
+  for (const auto& [v, w] : edges) {
+    next[starts[v + 1]++] = w;
+    next[starts[w + 1]++] = v;
+  }
   std::vector<Index> num_ridges(num_vertices_, 0), order;
   for (const SignedIndex v : in_.ridge_vertices_)
     if (v >= 0) ++num_ridges[static_cast<std::size_t>(v)];
-  for (const auto& [from, to] : edges)
-    if (order.empty() || order.back() != from) order.push_back(from);
+  for (Index v = 0; v < num_vertices_; ++v)
+    if (starts[v] < starts[v + 1]) order.push_back(v);
   std::sort(order.begin(), order.end(), [&](Index v, Index w) {
     return num_ridges[v] != num_ridges[w] ? num_ridges[v] > num_ridges[w] : comes_before(v, w);
   });
@@ -91,16 +103,15 @@ void DiagramSimplifier::cluster_vertices() {
     has_one[center] = 1;
     cluster.assign(1, center);
     for (std::size_t c = 0; c < cluster.size(); ++c) {
-      const Index v = cluster[c];
-      for (auto edge = std::lower_bound(edges.begin(), edges.end(), std::pair{v, Index{0}});
-           edge != edges.end() && edge->first == v; ++edge) {
-        if (has_one[edge->second] != 0) continue;
-        const double moved = kernel::distance_bound(at(center), at(edge->second), d_, u);
+      for (std::size_t edge = starts[cluster[c]]; edge < starts[cluster[c] + 1]; ++edge) {
+        const Index v = next[edge];
+        if (has_one[v] != 0) continue;
+        const double moved = kernel::distance_bound(at(center), at(v), d_, u);
         if (!(moved <= tolerance_)) continue;
         max_displacement_ = std::max(max_displacement_, moved);
-        has_one[edge->second] = 1;
-        representative_[edge->second] = center;
-        cluster.push_back(edge->second);
+        has_one[v] = 1;
+        representative_[v] = center;
+        cluster.push_back(v);
         is_changed_ = true;
       }
     }
@@ -236,6 +247,16 @@ std::span<const Index> DiagramSimplifier::regions_of(SignedIndex vertex) {
 
 /// Of a bounded ridge with the given vertices: those of the exact diagram, or representatives in its place.
 bool DiagramSimplifier::is_thin(std::size_t i, std::span<const SignedIndex> vertices, bool is_exact) {
+  // Most ridges are wide, and a few vertices show it.
+  const std::size_t count = vertices.size();
+  if (k_ == 3 && d_ == 3 && count > 2 &&
+      kernel::is_wide_triangle(at(vertices[0]), at(vertices[count / 3]), at(vertices[2 * count / 3]),
+                               tolerance_))
+    return false;
+  corners_.clear();
+  for (std::size_t c = 0; c <= k_ && k_ + 1 < vertices.size(); ++c)
+    corners_.push_back(at(vertices[c * vertices.size() / (k_ + 1)]));
+  if (width_.is_wide(corners_, tolerance_)) return false;
   corners_.clear();
   for (const SignedIndex v : vertices) corners_.push_back(at(v));
   if (width_.is_wide(corners_, tolerance_)) return false;
@@ -277,6 +298,13 @@ bool DiagramSimplifier::is_single_ray(std::size_t i) const {
 }
 
 void DiagramSimplifier::choose_ridges() {
+  if (!is_changed_) {
+    // Without short edges no segment is thin. If all ridges are wide, nothing changes.
+    bool any = false;
+    for (std::size_t i = 0; k_ > 2 && i < in_.num_ridges() && !any; ++i)
+      any = in_.ridge(i)[0] >= 0 && is_thin(i, in_.ridge(i), true);
+    if (!any) return;
+  }
   offsets_.assign(1, 0);
   offsets_.reserve(in_.num_ridges() + 1);
   items_.reserve(in_.ridge_vertices_.size());

@@ -41,7 +41,8 @@ class DiagramSimplifier {
   }
 
  private:
-  /// Pairs of vertices that an edge connects, for k > 3 a ridge, and that may be in one ball of radius ε.
+  /// Pairs of vertices that an edge connects, for k > 3 a ridge, and that may be in one ball of radius ε;
+  /// some several times.
   std::vector<std::pair<Index, Index>> short_edges() const;
   /// Finds the representative of each vertex, greedily: the first vertex that has none, of most ridges, takes
   /// all without one that are within ε of it and that edges among these connect with it.

@@ -9,52 +9,6 @@
 
 namespace delone::internal {
 
-/// Let r_1 ≥ … ≥ r_m, m = k − 1, be the lengths that orthogonalisation leaves of the farthest remaining
-/// vertex each time, seen from the first. These are the diagonal of a QR decomposition with column pivoting
-/// of the m edges E to these vertices, so the smallest singular value of E is at least 3·r_m/√(4^m + 6m − 1)
-/// (Lawson and Hanson 1974, theorem 6.31), which is at least r_m/2^m. For a unit vector n in the flat of the
-/// ridge max|n·e| ≥ |Eᵀn|/√m, so the width is at least r_m/(√m·2^m). The last line leaves a factor of 2, and
-/// 1000 roundings of the largest coordinates, for rounding errors, which each elimination at most doubles.
-bool RidgeWidth::is_wide(std::span<const double* const> vertices, double tolerance) {
-  const std::size_t m = k_ - 1, count = vertices.size();
-  if (count < k_) return false;
-  rests_.resize(count * d_);
-  double largest = 0, last = 0;
-  for (std::size_t v = 0; v < count; ++v)
-    for (std::size_t j = 0; j < d_; ++j) {
-      largest = std::max(largest, std::abs(vertices[v][j]));
-      rests_[v * d_ + j] = vertices[v][j] - vertices[0][j];
-    }
-  constexpr double moderate = 0x1p500;  // squares neither overflow nor underflow to what decides
-  if (!(largest < moderate) || !(tolerance > 1 / moderate)) return false;
-  for (std::size_t step = 0; step < m; ++step) {
-    double most = 0;
-    std::size_t farthest = 0;
-    for (std::size_t v = 1; v < count; ++v) {
-      double square = 0;
-      for (std::size_t j = 0; j < d_; ++j) square += rests_[v * d_ + j] * rests_[v * d_ + j];
-      if (square > most) {
-        most = square;
-        farthest = v;
-      }
-    }
-    if (!(most > 0)) return false;
-    last = std::sqrt(most);
-    if (step + 1 == m) break;
-    spread_.assign(rests_.begin() + static_cast<std::ptrdiff_t>(farthest * d_),
-                   rests_.begin() + static_cast<std::ptrdiff_t>((farthest + 1) * d_));
-    for (double& x : spread_) x /= last;
-    for (std::size_t v = 1; v < count; ++v) {
-      double dot = 0;
-      for (std::size_t j = 0; j < d_; ++j) dot += rests_[v * d_ + j] * spread_[j];
-      for (std::size_t j = 0; j < d_; ++j) rests_[v * d_ + j] -= dot * spread_[j];
-    }
-  }
-  const double power = std::ldexp(1.0, static_cast<int>(m));
-  return last > power * (2 * std::sqrt(static_cast<double>(m)) * tolerance +
-                         1000 * static_cast<double>(d_) * kernel::unit_roundoff * largest);
-}
-
 double RidgeWidth::bound(std::span<const double* const> vertices) {
   constexpr double u = kernel::unit_roundoff;
   double width = std::numeric_limits<double>::infinity();

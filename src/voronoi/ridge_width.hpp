@@ -6,6 +6,7 @@
 #pragma once
 
 #include "kernel/distance_bound.hpp"
+#include "kernel/width_test.hpp"
 
 #include <cstddef>
 #include <span>
@@ -19,7 +20,9 @@ class RidgeWidth {
   RidgeWidth(std::size_t k, std::size_t d) : k_(k), d_(d) {}
 
   /// Whether the width is certainly larger than `tolerance`. False for what is not so clear.
-  bool is_wide(std::span<const double* const> vertices, double tolerance);
+  bool is_wide(std::span<const double* const> vertices, double tolerance) {
+    return test_.is_wide(vertices, k_ - 1, d_, tolerance);
+  }
   /// At least the width of a polygon (k = 3), its vertices in cyclic order, or segment (k = 2).
   double bound(std::span<const double* const> vertices);
   /// At least the distance within which all vertices are from the flat of some of them, a facet. REQUIRES at
@@ -28,8 +31,8 @@ class RidgeWidth {
 
  private:
   std::size_t k_, d_;
+  kernel::WidthTest test_;
   kernel::FlatDistance flat_;
-  std::vector<double> rests_, spread_;
   std::vector<const double*> independent_;
 };
 

@@ -4,6 +4,7 @@
 
 #include "base/compensated_sum.hpp"
 #include "base/guarded.hpp"
+#include "base/require_tolerance.hpp"
 #include "voronoi/diagram_simplifier.hpp"
 #include "voronoi/region_clipper.hpp"
 #include "voronoi/simple_polytope.hpp"
@@ -98,8 +99,7 @@ Diagram::Diagram(const Triangulation& triangulation, const std::function<double(
       has_ridges_(options.parts == DiagramParts::all || options.tolerance > 0),
       is_weighted_(weight != nullptr),
       tolerance_(options.tolerance) {
-  if (!(tolerance_ >= 0) || !std::isfinite(tolerance_))
-    throw Error(Errc::invalid_argument, "the tolerance of a diagram must be a finite distance of at least 0");
+  internal::require_tolerance(tolerance_);
   internal::guarded("the diagram", [&] {
     VoronoiBuilder(triangulation, weight, *this).run();
     if (tolerance_ > 0) simplify();
@@ -116,20 +116,7 @@ Diagram::Diagram(const Triangulation& triangulation, const std::function<double(
 /// Replaces the exact diagram by the simplified one, and keeps it for volumes and clipping.
 void Diagram::simplify() {
   if (num_regions() < 2) return;
-  double longest = 0;
-  for (std::size_t j = 0; j < ambient(); ++j) {
-    double low = site(0)[j], high = low;
-    for (std::size_t r = 1; r < num_regions(); ++r) {
-      low = std::min(low, site(r)[j]);
-      high = std::max(high, site(r)[j]);
-    }
-    longest = std::max(longest, high - low);
-  }
-  if (!(tolerance_ <= longest))
-    throw Error(
-        Errc::invalid_argument,
-        "the tolerance of a diagram must not be larger than the longest side of the bounding box of its "
-        "sites");
+  internal::require_tolerance_within(tolerance_, sites_, ambient());
   const std::shared_ptr<Diagram> exact(new Diagram(std::move(*this)),
                                        [](Diagram* diagram) { delete diagram; });
   sites_ = exact->sites_;

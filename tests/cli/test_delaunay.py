@@ -29,6 +29,19 @@ class Delaunay(Case):
         self.assertGreater(stats["peak_rss_bytes"], 500 * 4 * 8)
         self.assertGreaterEqual(stats["bytes_per_cell"], 2 * 5 * 4)
 
+    def test_trim(self):
+        points, out = self.path("points.npy"), self.path("out.npz")
+        np.save(points, np.vstack([CUBE[::2, :2] * 4, [[2, 0.01]]]))
+        stats = json.loads(self.output("delaunay", points, "--trim", 0.1, "--stats", "-o", out))
+        self.assertEqual((stats["removed_cells"], stats["orphans"]), (1, 0))
+        self.assertAlmostEqual(stats["depth"], 0.01, 12)
+        self.assertAlmostEqual(stats["lost_volume"], 0.02, 12)
+        with np.load(out) as data:
+            self.assertEqual(len(data["cells"]), stats["cells"] - 1)
+        self.assertIn("1 cells", self.output("delaunay", points, "--trim", 0.1))
+        self.complaint("delaunay", points, "--trim=-1", status=64)
+        self.assertIn("bounding box", self.complaint("delaunay", points, "--trim", 100))
+
     def test_stats_with_output(self):
         points, out = self.uniform(3, 200), self.path("out.npz")
         stats = self.stats(points, "-o", out)

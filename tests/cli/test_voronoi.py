@@ -52,6 +52,30 @@ class Voronoi(Case):
         self.output("voronoi", points, "-o", self.path("out.svg"))
         self.assertTrue(xml.etree.ElementTree.parse(self.path("out.svg")).getroot().tag.endswith("svg"))
 
+    def test_tolerance(self):
+        points = self.path("points.npy")
+        grid = np.stack(np.meshgrid(np.arange(8.0), np.arange(8.0), indexing="ij"), -1).reshape(-1, 2)
+        np.save(points, grid @ np.array([[np.cos(0.55), np.sin(0.55)], [-np.sin(0.55), np.cos(0.55)]]))
+        exact = json.loads(self.output("voronoi", points, "--stats"))
+        self.assertNotIn("tolerance", exact)
+        for name in ("out.npz", "out.json"):
+            stats = json.loads(self.output("voronoi", points, "--tolerance", "1e-12", "--stats", "-o", self.path(name)))
+            self.assertEqual(stats["tolerance"], 1e-12)
+            self.assertTrue(0 < stats["max_displacement"] <= 1e-12)
+            self.assertLess(stats["ridges"], exact["ridges"])
+            self.output("check", self.path(name))
+        with np.load(self.path("out.npz")) as arrays:
+            self.assertEqual(arrays["tolerance"].tolist(), [1e-12])
+            without = {key: arrays[key] for key in arrays.files if key != "tolerance"}
+        np.savez(self.path("without.npz"), **without)
+        self.run_delone("check", self.path("without.npz"), status=1)
+        np.savez(self.path("negative.npz"), **without, tolerance=np.array([-1.0]))
+        self.assertIn("tolerance", self.run_delone("check", self.path("negative.npz"), status=1).stdout.decode())
+        self.assertIn("none moved further than", self.output("voronoi", points, "--tolerance", "1e-12"))
+        for wrong in ("-1", "nan", "inf"):
+            self.complaint("voronoi", points, f"--tolerance={wrong}", status=64)
+        self.assertIn("bounding box", self.complaint("voronoi", points, "--tolerance", "100"))
+
     def test_refusals(self):
         points = self.uniform(3, 20)
         self.complaint("voronoi", points, "--box", "0,0,1,1", status=64)

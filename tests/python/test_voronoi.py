@@ -1,5 +1,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """delone.Voronoi and PowerDiagram: against scipy, volumes of boxes, and diagrams that are known."""
+import pickle
+
 import numpy as np
 import pytest
 from hypothesis import given
@@ -138,3 +140,36 @@ def test_furthest_sites(points):
     if f.num_vertices > 0:
         with pytest.raises(delone.Error, match="furthest"):
             v.region_volumes(v.bounding_box())
+
+
+def turned(points, degrees):
+    a = np.deg2rad(degrees)
+    return points @ np.array([[np.cos(a), np.sin(a)], [-np.sin(a), np.cos(a)]])
+
+
+def test_tolerance():
+    grid = np.stack(np.meshgrid(np.arange(9.0), np.arange(9.0), indexing="ij"), -1).reshape(-1, 2)
+    interior = ((grid > 0) & (grid < 8)).all(1)
+    points = turned(grid, 31.5)
+    exact, v = delone.Voronoi(points), delone.Voronoi(points, tolerance=1e-12)
+    assert (exact.tolerance, exact.max_displacement, v.tolerance) == (0, 0, 1e-12) and 0 < v.max_displacement <= 1e-12
+    counts = np.bincount(v.ridge_points.ravel(), minlength=len(points))
+    assert (counts[interior] == 4).all() and v.num_ridges < exact.num_ridges and v.num_vertices < exact.num_vertices
+    assert all(len(v.region(r)) == 4 for r in v.point_region[interior])
+    box = v.bounding_box()
+    np.testing.assert_array_equal(v.region_volumes(box), exact.region_volumes(box))
+    assert len(v.ridge_volumes()) == v.num_ridges
+    again = pickle.loads(pickle.dumps(v))
+    assert again.tolerance == v.tolerance and (again.ridge_vertices == v.ridge_vertices).all()
+    power = delone.PowerDiagram(points, np.full(len(points), 0.25), tolerance=1e-12)
+    assert sorted(map(tuple, power.ridge_points.tolist())) == sorted(map(tuple, v.ridge_points.tolist()))
+    assert delone.Voronoi(delone.Delaunay(points), tolerance=1e-12).num_ridges == v.num_ridges
+
+
+@pytest.mark.parametrize("tolerance", [-1.0, np.nan, np.inf, 1e3])
+def test_bad_tolerances(tolerance):
+    points = np.random.default_rng(0).random((20, 2))
+    with pytest.raises(ValueError, match="the tolerance"):
+        delone.Voronoi(points, tolerance=tolerance)
+    with pytest.raises(ValueError, match="the tolerance"):
+        delone.PowerDiagram(points, np.zeros(20), tolerance=tolerance)

@@ -147,5 +147,26 @@ TEST(NearestDouble, EndsOfTheRange) {
   EXPECT_EQ(nearest_double(1 - (Integer(1) << 54), 1, 970), -INFINITY);
 }
 
+TEST(RootAbove, IsTheLeastDoubleNotBelow) {
+  EXPECT_EQ(root_above(0, 5, 3), 0);
+  EXPECT_EQ(root_above(9, 4, 0), 1.5);
+  EXPECT_EQ(root_above(9, 4, -1), 0.75);
+  EXPECT_EQ(root_above(1, 1, 1023), 0x1p1023);
+  EXPECT_EQ(root_above(4, 1, 1023), INFINITY);
+  EXPECT_EQ(root_above((Integer(1) << 106) + 1, Integer(1) << 106, 0), std::nextafter(1.0, 2.0));
+  EXPECT_GE(root_above(2, 1, -1074), 2 * Limits::denorm_min());
+  random::Generator generator(5);
+  for (int i = 0; i < 5000; ++i) {
+    const Integer a = Integer(generator.below(1'000'000'000) + 1) << generator.below(200),
+                  b = Integer(generator.below(1'000'000'000) + 1) << generator.below(200);
+    const double root = root_above(a, b, 0), before = std::nextafter(root, 0.0);
+    constexpr int grid = -400;
+    const Integer up = scaled_integer(root, grid), down = scaled_integer(before, grid);
+    EXPECT_GE(up * up * b, a << -2 * grid);
+    EXPECT_LT(down * down * b, a << -2 * grid);
+    EXPECT_EQ(root_above(a * 6, b * 6, 0), root);
+  }
+}
+
 }  // namespace
 }  // namespace delone::kernel

@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "base/require_tolerance.hpp"
+
+#include <delone/error.hpp>
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <limits>
+
+namespace delone::internal {
+namespace {
+
+/// The shortest decimal number that is read as x.
+std::string shortest_text(double x) {
+  char text[32];
+  return {text, std::to_chars(text, text + sizeof text, x).ptr};
+}
+
+}  // namespace
+
+void require_tolerance(double tolerance) {
+  if (!(tolerance >= 0) || std::isinf(tolerance))
+    throw Error(Errc::invalid_argument,
+                "the tolerance is " + shortest_text(tolerance) + ", which is not a finite number from 0 on");
+}
+
+void require_tolerance_within(double tolerance, double extent, const std::string& what) {
+  if (extent > 0 && tolerance > extent)
+    throw Error(Errc::invalid_argument, "the tolerance, " + shortest_text(tolerance) + ", is larger than " +
+                                            what + " " + shortest_text(extent));
+}
+
+void require_tolerance_within(double tolerance, std::span<const double> points, std::size_t d,
+                              std::span<const double> more_points) {
+  if (tolerance == 0) return;
+  double longest = 0;
+  for (std::size_t j = 0; j < d; ++j) {
+    double low = std::numeric_limits<double>::infinity(), high = -low;
+    for (const std::span<const double> part : {points, more_points})
+      for (std::size_t i = j; i < part.size(); i += d) {
+        low = std::fmin(low, part[i]);
+        high = std::fmax(high, part[i]);
+      }
+    longest = std::max(longest, high - low);
+  }
+  require_tolerance_within(tolerance, longest, "the set of points, whose longest side is");
+}
+
+void refuse_tolerance(double tolerance, const std::string& what) {
+  if (tolerance != 0)
+    throw Error(Errc::invalid_argument, what + " have no tolerance: Options::tolerance must be 0");
+}
+
+}  // namespace delone::internal
