@@ -26,10 +26,17 @@ class StampedTable {
   }
   std::size_t size() const { return size_; }
 
+  bool contains(std::uint64_t key) const { return find_value(key) != nullptr; }
+  /// The number of `key`, or null.
+  const std::uint32_t* find_value(std::uint64_t key) const {
+    const Entry& entry = entries_[place(entries_, key)];
+    return entry.stamp == stamp_ ? &entry.value : nullptr;
+  }
+
   /// The number of `key`, and whether it was inserted just now, with `value`.
   std::pair<std::uint32_t, bool> insert(std::uint64_t key, std::uint32_t value) {
     if (2 * (size_ + 1) > entries_.size()) grow();
-    Entry& entry = find(entries_, key);
+    Entry& entry = entries_[place(entries_, key)];
     if (entry.stamp == stamp_) return {entry.value, false};
     entry = {key, value, stamp_};
     ++size_;
@@ -43,17 +50,17 @@ class StampedTable {
   };
   static constexpr std::size_t smallest = 64;
 
-  /// The entry of the key, or the free one where it belongs.
-  Entry& find(std::vector<Entry>& entries, std::uint64_t key) const {
+  /// Where the key is, or else the free entry where it belongs.
+  std::size_t place(const std::vector<Entry>& entries, std::uint64_t key) const {
     const std::size_t mask = entries.size() - 1;
     std::size_t at = static_cast<std::size_t>((key * 0x9e3779b97f4a7c15u) >> 32) & mask;
     while (entries[at].stamp == stamp_ && entries[at].key != key) at = (at + 1) & mask;
-    return entries[at];
+    return at;
   }
   void grow() {
     std::vector<Entry> larger(2 * entries_.size());
     for (const Entry& entry : entries_)
-      if (entry.stamp == stamp_) find(larger, entry.key) = entry;
+      if (entry.stamp == stamp_) larger[place(larger, entry.key)] = entry;
     entries_.swap(larger);
   }
 
