@@ -7,14 +7,16 @@ ordinary input, and no tolerance decides anything. `delone.spatial` has the name
 import importlib
 
 from ._core import (CancelledError, ConvexHull, Delaunay, Error, FurthestSite, HalfspaceIntersection, InputError, LinearInterpolator,
-                    OutOfMemoryError, PowerDiagram, Regular, Voronoi, __version__)
+                    NaturalNeighborInterpolator, OutOfMemoryError, PowerDiagram, Regular, Voronoi, __version__, natural_neighbors)
 from ._locations import Locations
 from ._transform import transform as _transform
 
 __all__ = ["CancelledError", "ConvexHull", "Delaunay", "Error", "FurthestSite", "HalfspaceIntersection", "InputError",
-           "LinearInterpolator", "Locations", "OutOfMemoryError", "PowerDiagram", "Regular", "Voronoi", "__version__"]
+           "LinearInterpolator", "Locations", "NaturalNeighborInterpolator", "OutOfMemoryError", "PowerDiagram", "Regular", "Voronoi",
+           "__version__", "natural_neighbors"]
 
-for _type in (ConvexHull, Delaunay, FurthestSite, HalfspaceIntersection, LinearInterpolator, PowerDiagram, Regular, Voronoi):
+for _type in (ConvexHull, Delaunay, FurthestSite, HalfspaceIntersection, LinearInterpolator, NaturalNeighborInterpolator, PowerDiagram,
+              Regular, Voronoi):
     _type.__module__ = "delone"
 del _type
 Delaunay.__base__.transform = property(_transform)

@@ -27,7 +27,11 @@ TEST(StampedTable, IsEmptyAfterClear) {
   EXPECT_TRUE(table.insert(0, 1).second);
   EXPECT_FALSE(table.insert(0, 2).second);
   table.clear();
+  EXPECT_FALSE(table.contains(0));
+  EXPECT_EQ(table.find_value(0), nullptr);
   EXPECT_EQ(table.insert(0, 3), std::pair(std::uint32_t{3}, true));
+  ASSERT_TRUE(table.contains(0));
+  EXPECT_EQ(*table.find_value(0), 3u);
 }
 
 }  // namespace

@@ -58,6 +58,31 @@ TEST(DualVolumes, OfASquare) {
   }
 }
 
+// With so many vertices that a face is no longer packed into one key, the same as with few.
+TEST(DualVolumes, OfManyVertices) {
+  ZoneSphere sphere{4, 6, {1, 2, 3, 4, 5}, {1}};
+  for (std::uint32_t without = 1; without <= 5; ++without) {
+    sphere.cells.push_back(0);
+    for (std::uint32_t v = 1; v <= 5; ++v)
+      if (v != without) sphere.cells.push_back(v);
+    sphere.signs.push_back(without % 2 == 1 ? -1 : 1);
+  }
+  const int axes[] = {0, 1, 2, 3};
+  std::vector<Integer> x;
+  for (int i = 0; i < 24; ++i) x.push_back(i * i % 17 - 8);
+  DualVolumes<Integer> few, many;
+  few.compute(sphere, axes, 4, x.data(), Integer(1), true);
+  sphere.num_vertices = std::size_t{1} << 17;
+  many.compute(sphere, axes, 4, x.data(), Integer(1), true);
+  many.volumes.resize(6);
+  many.errors.resize(6);
+  many.moments.resize(24);
+  EXPECT_EQ(few.volumes, many.volumes);
+  EXPECT_EQ(few.errors, many.errors);
+  EXPECT_EQ(few.moments, many.moments);
+  EXPECT_NE(few.volumes[0], 0);
+}
+
 // What moved corners change is within the bound.
 TEST(DualVolumes, ErrorsBoundTheEffectOfDelta) {
   const int axes[] = {0, 1};
