@@ -16,7 +16,7 @@ __all__ = ["CancelledError", "ConvexHull", "Delaunay", "Error", "FurthestSite", 
            "__version__", "natural_neighbors"]
 
 for _type in (ConvexHull, Delaunay, FurthestSite, HalfspaceIntersection, LinearInterpolator, NaturalNeighborInterpolator, PowerDiagram,
-              Regular, Voronoi):
+              Regular, Voronoi, natural_neighbors):
     _type.__module__ = "delone"
 del _type
 Delaunay.__base__.transform = property(_transform)
