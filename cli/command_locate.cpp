@@ -50,9 +50,8 @@ std::vector<Answer> locate_all(const PointTable& points, const PointTable& queri
   const StageGuard guard(Stage::building);
   Options build_options;
   build_options.progress = bar.callback();
-  const Delaunay<> t = about(input_name(options.input.path), [&] {
-    return Delaunay<>(points.coordinates, points.dimension, build_options);
-  });
+  const Delaunay<> t = about(input_name(options.input.path),
+                             [&] { return Delaunay<>(points.coordinates, points.dimension, build_options); });
   const Complex complex = t.complex();
   std::vector<std::int64_t> row_of_cell(complex.num_cell_slots(), -1);
   std::int64_t count = 0;

@@ -16,8 +16,7 @@ struct RegularOptions {
   BuildOptions build;
 };
 
-Summary summary(const Regular<>& t, const Counts& counts, const Cost& cost,
-                const RegularOptions& options) {
+Summary summary(const Regular<>& t, const Counts& counts, const Cost& cost, const RegularOptions& options) {
   return Summary(options.weighted.input.path,
                  fmt::format("regular triangulation of {} weighted points in dimension {}", counts.points,
                              counts.dimension))

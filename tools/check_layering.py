@@ -31,7 +31,7 @@ RULES = {
                                             "src/cells", "src/kernel", "src/base"}),
     "src/complex": (PUBLIC, {"src/base"}),
     "src/triangulation": (PUBLIC, {"src/complex", "src/compiled", "src/geometry", "src/order", "src/kernel", "src/base"}),
-    "src/queries": (PUBLIC, {"src/triangulation", "src/order", "src/kernel", "src/base"}),
+    "src/queries": (PUBLIC, {"src/triangulation", "src/voronoi", "src/order", "src/kernel", "src/base"}),
     "src/hull": (PUBLIC, {"src/hull/tolerance", "src/complex", "src/compiled", "src/order", "src/kernel", "src/base"}),
     "src/hull/tolerance": (PUBLIC, {"src/hull", "src/compiled", "src/kernel", "src/base"}),
     "src/halfspaces": (PUBLIC, {"src/hull", "src/compiled", "src/order", "src/kernel", "src/base"}),

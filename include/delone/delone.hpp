@@ -14,6 +14,7 @@
 #include <delone/interpolation.hpp>
 #include <delone/io.hpp>
 #include <delone/lower_hull.hpp>
+#include <delone/natural_neighbors.hpp>
 #include <delone/options.hpp>
 #include <delone/point_locator.hpp>
 #include <delone/point_sets.hpp>

@@ -94,6 +94,13 @@ class PointLocator {
   void nearest(std::span<const double> queries,
                const std::function<void(std::size_t query, VertexId nearest)>& visit) const;
 
+  /// The k nearest vertices of each query, or all if there are fewer, nearest first; of equally near ones
+  /// those with smaller first rows first. Exact. By power for a regular triangulation, and else as above.
+  /// Valid during the call that they are passed to. Method: best-first search over edges, O(k·e·log(k·e))
+  /// per query for e edges at a vertex. Throws as above, and invalid_argument for k = 0.
+  void nearest(std::span<const double> queries, std::size_t k,
+               const std::function<void(std::size_t query, std::span<const VertexId> nearest)>& visit) const;
+
   /// The vertices joined to each vertex by an edge, the infinite vertex excluded, increasing: those of v are
   /// entries offsets[v] … offsets[v+1]−1 of `vertices`; for v up to num_vertex_slots(). Made on first use,
   /// O(cells·k).
@@ -106,6 +113,9 @@ class PointLocator {
   struct Impl;
 
  private:
+  template <class Each>
+  void each_nearest(std::span<const double> queries, Each each) const;
+
   std::unique_ptr<Impl> impl_;
 };
 

@@ -8,17 +8,18 @@ arguments of those in scipy; `patch_scipy` makes existing programs use them.
 import importlib
 
 from ._core import (CancelledError, ConvexHull, Delaunay, Error, FurthestSite, HalfspaceIntersection, InputError, LinearInterpolator,
-                    OutOfMemoryError, PowerDiagram, Regular, TrimResult, Voronoi, __version__)
+                    NaturalNeighborInterpolator, OutOfMemoryError, PowerDiagram, Regular, TrimResult, Voronoi, __version__,
+                    natural_neighbors)
 from ._locations import Locations
 from ._patch import patch_scipy, scipy_is_patched, unpatch_scipy
 from ._transform import transform as _transform
 
 __all__ = ["CancelledError", "ConvexHull", "Delaunay", "Error", "FurthestSite", "HalfspaceIntersection", "InputError",
-           "LinearInterpolator", "Locations", "OutOfMemoryError", "PowerDiagram", "Regular", "TrimResult", "Voronoi",
-           "__version__", "patch_scipy", "scipy_is_patched", "unpatch_scipy"]
+           "LinearInterpolator", "Locations", "NaturalNeighborInterpolator", "OutOfMemoryError", "PowerDiagram", "Regular",
+           "TrimResult", "Voronoi", "__version__", "natural_neighbors", "patch_scipy", "scipy_is_patched", "unpatch_scipy"]
 
-for _type in (ConvexHull, Delaunay, FurthestSite, HalfspaceIntersection, LinearInterpolator, PowerDiagram, Regular, TrimResult,
-              Voronoi):
+for _type in (ConvexHull, Delaunay, FurthestSite, HalfspaceIntersection, LinearInterpolator, NaturalNeighborInterpolator, PowerDiagram,
+              Regular, TrimResult, Voronoi, natural_neighbors):
     _type.__module__ = "delone"
 del _type
 Delaunay.__base__.transform = property(_transform)

@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
 #include <string>
 
 namespace delone::python {
@@ -304,22 +305,46 @@ double distance(const double* a, const double* b, std::size_t d) {
   return length / scale;
 }
 
-py::tuple nearest(const Held& held, const py::object& object) {
+/// The distance of a query from a vertex; for a regular triangulation the power.
+double distance_or_power(const Held& held, const Triangulation& engine, const double* q, VertexId v) {
+  const double length = distance(q, engine.point(v).data(), static_cast<std::size_t>(held.dimension()));
+  if (held.form() != Form::regular) return length;
+  return length * length - static_cast<const Regular<>&>(engine).weight(v);
+}
+
+/// Calls visit(query, rank, vertex) for the vertices nearest to each query.
+template <class Visit>
+void visit_nearest(const PointLocator& locator, std::span<const double> queries, std::optional<std::size_t> k,
+                   Visit visit) {
+  if (!k)
+    locator.nearest(queries, [&](std::size_t query, VertexId v) {
+      if (v != invalid_vertex) visit(query, 0, v);
+    });
+  else
+    locator.nearest(queries, *k, [&](std::size_t query, std::span<const VertexId> found) {
+      for (std::size_t rank = 0; rank < found.size(); ++rank) visit(query, rank, found[rank]);
+    });
+}
+
+py::tuple nearest(const Held& held, const py::object& object, std::optional<py::ssize_t> k) {
+  if (k && *k < 1) throw py::value_error("k: at least 1, not " + std::to_string(*k));
   const Queries queries(object, held.dimension());
-  auto rows = queries.answers<SignedIndex>();
-  auto distances = queries.answers<double>();
+  const auto width = static_cast<std::size_t>(k.value_or(1));
+  auto rows = k ? queries.answers<SignedIndex>({width}) : queries.answers<SignedIndex>();
+  auto distances = k ? queries.answers<double>({width}) : queries.answers<double>();
+  std::fill_n(rows.mutable_data(), rows.size(), SignedIndex{-1});
+  std::fill_n(distances.mutable_data(), distances.size(), nan);
   Supervisor supervisor;
   supervisor.run([&, x = queries.coordinates(), row = rows.mutable_data(), at = distances.mutable_data()] {
     held.with_locator(
         supervisor, [&](const Triangulation& engine, const PointLocator& locator, const Cells&) {
           const auto d = static_cast<std::size_t>(held.dimension());
-          locator.nearest(x, [&](std::size_t query, VertexId v) {
-            supervisor.count();
-            row[query] = v == invalid_vertex ? -1 : static_cast<SignedIndex>(engine.row_of(v));
-            at[query] = v == invalid_vertex ? nan : distance(x.data() + query * d, engine.point(v).data(), d);
-            if (held.form() != Form::regular || v == invalid_vertex) return;
-            at[query] = at[query] * at[query] - static_cast<const Regular<>&>(engine).weight(v);
-          });
+          visit_nearest(locator, x, k ? std::optional(width) : std::nullopt,
+                        [&](std::size_t query, std::size_t rank, VertexId v) {
+                          supervisor.count();
+                          row[query * width + rank] = static_cast<SignedIndex>(engine.row_of(v));
+                          at[query * width + rank] = distance_or_power(held, engine, x.data() + query * d, v);
+                        });
         });
   });
   return py::make_tuple(Queries::scalar_if_single(rows), Queries::scalar_if_single(distances));
@@ -416,11 +441,13 @@ constexpr const char* find_simplex_doc =
 constexpr const char* nearest_doc =
     "(rows, distances), each (...): the input row of the point nearest to each query (..., d), and its "
     "distance.\n\n"
-    "Exact: of several nearest points the one with the smallest row. −1 and NaN if there are no points. For "
-    "Regular: the row "
-    "of\n"
-    "least power |x − p|² − weight, and the power. Not for FurthestSite. The first call makes a table of all "
-    "edges.";
+    "With k, each (..., k): the k nearest points, nearest first. Exact: of equally near points that with the "
+    "smallest row\n"
+    "comes first; of equal points only the first row counts. −1 and NaN where there are no more points. For "
+    "Regular: the\n"
+    "rows of least power |x − p|² − weight, and the powers. Not for FurthestSite. ValueError for k < 1. The "
+    "first call\n"
+    "makes a table of all edges; then a query takes O(k log k) comparisons for evenly spread points.";
 
 }  // namespace
 
@@ -514,7 +541,7 @@ void bind_triangulations(py::module_& module) {
            "find_simplex, they are those of the point x'.")
       .def("_find_accepting", &find_accepting, "queries"_a, "transform"_a, "neighbors"_a, "tolerance"_a,
            "broad"_a, "radius"_a)
-      .def("nearest", &nearest, "queries"_a, nearest_doc)
+      .def("nearest", &nearest, "queries"_a, "k"_a = py::none(), nearest_doc)
       .def("__repr__", &repr);
 
   py::class_<HeldDelaunay, Held, std::shared_ptr<HeldDelaunay>> delaunay(

@@ -21,7 +21,7 @@ namespace delone::engine {
 /// as one. The cells (σ, ∞) lie across the facet σ of (σ, q) and need one exchange more.
 template <int K, Geometry G>
 void jump(const Complex& old, CellStore<K>& cells, G& geometry, Index q, bool q_is_positive) {
-  const int k = old.affine_dimension();                                     // the new cells have slots 0 … k+1
+  const int k = old.affine_dimension();                              // the new cells have slots 0 … k+1
   std::vector<Index> joined(old.num_cell_slots(), invalid_index);    // (σ, q) for every old cell σ
   std::vector<Index> extended(old.num_cell_slots(), invalid_index);  // (σ, ∞) for every finite σ
   cells.reserve(static_cast<std::size_t>(old.num_all_cells()) + old.num_finite_cells());

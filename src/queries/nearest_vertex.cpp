@@ -7,6 +7,16 @@
 // nearest vertex. This also holds for a query outside the flat of the points: its squared distances differ
 // from those of its projection by a constant. The vertices nearest to a query are those of one Delaunay face,
 // whose edges connect them, so a search over edges between equally near vertices finds all of them.
+//
+// The k nearest, in the order of power and then row: a best-first search over edges that starts from all
+// vertices that are nearest. Let S be the first vertices of the order, all that are nearest among them, and v
+// the next one. Then v has a neighbor in S, so the least candidate among the neighbors of S is v. For suppose
+// that it has none. Then all neighbors of v come after it, and none is strictly nearer to the query. The
+// lifted surface is convex and linear on cells: a linear function that touches it at v, and is nowhere above
+// it at the neighbors of v, is nowhere above it at all. So no vertex is strictly nearer than v, and v is
+// itself among those that are nearest, which are in S. This uses convexity only, and holds for power and for
+// ties of any kind.
+#include "base/stamped_table.hpp"
 #include "kernel/determinant.hpp"
 #include "kernel/exact.hpp"
 #include "queries/point_locator_impl.hpp"
@@ -78,8 +88,7 @@ class Nearest {
     for (bool moved = true; moved;) {
       moved = false;
       ties_.clear();
-      for (std::size_t e = edges_.offsets[index(best)]; e < edges_.offsets[index(best) + 1]; ++e) {
-        const VertexId v = edges_.vertices[e];
+      for (const VertexId v : neighbors(best)) {
         const Power at = power_of(q, v);
         if (certainly_less(least, at, d_)) continue;
         const Sign sign = certainly_less(at, least, d_) ? Sign::negative : compare(q, v, best);
@@ -94,34 +103,83 @@ class Nearest {
     return ties_.empty() ? best : first_of_ties(q, best);
   }
 
+  /// The `count` nearest vertices, or all if there are fewer. `nearest`: the first of them.
+  std::span<const VertexId> several(const double* q, VertexId nearest, std::size_t count) {
+    found_.clear();
+    candidates_.clear();
+    seen_.clear();
+    // As the order of the heap it puts the first one on top.
+    const auto later = [&](const Candidate& a, const Candidate& b) { return is_later(q, a, b); };
+    const auto add = [&](VertexId v) {
+      if (!seen_.insert(index(v), 0).second) return;
+      candidates_.push_back({power_of(q, v), v});
+      std::push_heap(candidates_.begin(), candidates_.end(), later);
+    };
+    for (const VertexId v : all_as_near_as(q, nearest)) add(v);
+    while (found_.size() < count && !candidates_.empty()) {
+      std::pop_heap(candidates_.begin(), candidates_.end(), later);
+      found_.push_back(candidates_.back().vertex);
+      candidates_.pop_back();
+      if (found_.size() == count) break;
+      for (const VertexId v : neighbors(found_.back())) add(v);
+    }
+    return found_;
+  }
+
  private:
+  struct Candidate {
+    Power at;
+    VertexId vertex;
+  };
+  /// Whether a comes after b in the order of power and row.
+  bool is_later(const double* q, const Candidate& a, const Candidate& b) const {
+    if (certainly_less(a.at, b.at, d_)) return false;
+    if (certainly_less(b.at, a.at, d_)) return true;
+    const Sign sign = compare(q, a.vertex, b.vertex);
+    if (sign != Sign::zero) return sign == Sign::positive;
+    return where_.triangulation.row_of(a.vertex) > where_.triangulation.row_of(b.vertex);
+  }
+
   double weight(VertexId v) const { return where_.points.weighted() ? where_.point(v)[d_] : 0.0; }
   Power power_of(const double* q, VertexId v) const { return power(q, where_.point(v), d_, weight(v)); }
   Sign compare(const double* q, VertexId a, VertexId b) const {
     return compare_exactly(q, where_.point(a), where_.point(b), d_, weight(a), weight(b));
   }
 
-  /// Among all vertices as near as `best`, found over edges between them, the one with the smallest row.
+  /// Among all vertices as near as `best` the one with the smallest row.
   VertexId first_of_ties(const double* q, VertexId best) {
+    const std::vector<VertexId> found = all_as_near_as(q, best);
+    return *std::min_element(found.begin(), found.end(), [&](VertexId a, VertexId b) {
+      return where_.triangulation.row_of(a) < where_.triangulation.row_of(b);
+    });
+  }
+
+  /// All vertices as near as `best`, a nearest one, found over edges between them.
+  std::vector<VertexId> all_as_near_as(const double* q, VertexId best) const {
     std::vector<VertexId> found{best};
     std::unordered_set<Index> seen{index(best)};
     for (std::size_t next = 0; next < found.size(); ++next)
-      for (std::size_t e = edges_.offsets[index(found[next])]; e < edges_.offsets[index(found[next]) + 1];
-           ++e) {
-        const VertexId v = edges_.vertices[e];
+      for (const VertexId v : neighbors(found[next])) {
         if (!seen.insert(index(v)).second) continue;
         if (!certainly_less(power_of(q, best), power_of(q, v), d_) && compare(q, v, best) == Sign::zero)
           found.push_back(v);
       }
-    return *std::min_element(found.begin(), found.end(), [&](VertexId a, VertexId b) {
-      return where_.triangulation.row_of(a) < where_.triangulation.row_of(b);
-    });
+    return found;
+  }
+
+  std::span<const VertexId> neighbors(VertexId v) const {
+    const std::size_t first = edges_.offsets[index(v)];
+    return std::span(edges_.vertices).subspan(first, edges_.offsets[index(v) + 1] - first);
   }
 
   const PointLocator::Impl& where_;
   const PointLocator::Edges& edges_;
   std::size_t d_;
   std::vector<VertexId> ties_;
+  // Of several():
+  std::vector<Candidate> candidates_;
+  std::vector<VertexId> found_;
+  internal::StampedTable seen_;
 };
 
 }  // namespace
@@ -183,14 +241,17 @@ const PointLocator::Edges& PointLocator::edges() const {
   return impl_->edges;
 }
 
-void PointLocator::nearest(std::span<const double> queries,
-                           const std::function<void(std::size_t query, VertexId nearest)>& visit) const {
+/// Calls each(search, query, nearest vertex) for all queries; without a vertex, each(nullptr, query,
+/// invalid_vertex).
+template <class Each>
+void PointLocator::each_nearest(std::span<const double> queries, Each each) const {
   if (impl_->points.form == kernel::RowForm::furthest_point)
     throw Error(Errc::unsupported,
                 "the vertex of least distance is not found by a furthest-site triangulation");
   const auto d = static_cast<std::size_t>(impl_->dimension);
   if (impl_->triangulation.num_vertices() == 0) {
-    impl_->in_order(queries, [&](Index query) { visit(query, invalid_vertex); });
+    impl_->in_order(queries,
+                    [&](Index query) { each(static_cast<Nearest*>(nullptr), query, invalid_vertex); });
     return;
   }
   Nearest nearest_to(*impl_, edges());
@@ -215,7 +276,25 @@ void PointLocator::nearest(std::span<const double> queries,
       start = impl_->complex.finite_vertices().front();
     }
     start = nearest_to(q, start);
-    visit(query, start);
+    each(&nearest_to, query, start);
+  });
+}
+
+void PointLocator::nearest(std::span<const double> queries,
+                           const std::function<void(std::size_t query, VertexId nearest)>& visit) const {
+  each_nearest(queries, [&](Nearest*, std::size_t query, VertexId v) { visit(query, v); });
+}
+
+void PointLocator::nearest(
+    std::span<const double> queries, std::size_t k,
+    const std::function<void(std::size_t query, std::span<const VertexId> nearest)>& visit) const {
+  if (k == 0) throw Error(Errc::invalid_argument, "k, the number of nearest vertices, is at least 1, not 0");
+  const auto d = static_cast<std::size_t>(impl_->dimension);
+  each_nearest(queries, [&](Nearest* search, std::size_t query, VertexId v) {
+    if (search == nullptr)
+      visit(query, {});
+    else
+      visit(query, search->several(queries.data() + query * d, v, k));
   });
 }
 

@@ -21,6 +21,13 @@ class StoredPoints : private Triangulation {
     using Predicate = Side (Triangulation::*)(CellId, std::span<const double>, double) const;
     return (t.*static_cast<Predicate>(&StoredPoints::side_of_sphere))(cell, query, 0.0);
   }
+  /// The cells in conflict with a query without weight.
+  static std::vector<CellId> conflict_zone(const Triangulation& t, std::span<const double> query,
+                                           CellId hint) {
+    using Find =
+        std::vector<CellId> (Triangulation::*)(std::span<const double>, double, std::optional<CellId>) const;
+    return (t.*static_cast<Find>(&StoredPoints::conflict_zone_of))(query, 0.0, hint);
+  }
   static const VertexPoints& of(const Triangulation& t) { return impl_of(t).points; }
   /// The coordinates of an input row, followed by its weight if points have one; hidden or not. Null if the
   /// row was not inserted.

@@ -103,6 +103,8 @@ CenterFinder::CenterFinder(int dimension, std::vector<int> axes, bool aligned)
   if (!aligned) return;
   certified_ =
       with_compiled_dimension<1, 5>(axes_.size(), [](auto k) { return &CenterFinder::find_certified<k()>; });
+  offset_certified_ = with_compiled_dimension<1, 5>(
+      axes_.size(), [](auto k) { return &CenterFinder::find_offset_certified<k()>; });
 }
 
 void CenterFinder::find(const double* const* points, const double* weights, double* center) {
@@ -143,8 +145,8 @@ void CenterFinder::find_block(std::size_t count, const double* const* points, co
   }
 }
 
-template <int N>
-bool CenterFinder::find_certified(const double* const* points, const double* weights, double* center) const {
+template <int N, class Finish>
+bool CenterFinder::solve_certified(const double* const* points, const double* weights, Finish finish) const {
   const std::size_t n = N > 0 ? static_cast<std::size_t>(N) : axes_.size();
   kernel::Buffer<double, N * N> high(n * n), low(n * n), inverse(n * n), work(n * n);
   kernel::Buffer<double, N> right(n), z(n), residual(n), error(n), correction(n), tail(n);
@@ -219,20 +221,56 @@ bool CenterFinder::find_certified(const double* const* points, const double* wei
   }
   zeta *= 1.01 / (1 - alpha);
 
-  for (std::size_t j = 0; j < static_cast<std::size_t>(dimension_); ++j) center[j] = origin[j] + 0.0;
   for (std::size_t j = 0; j < n; ++j) {
-    const auto axis = static_cast<std::size_t>(axes_[j]);
-    const DoubleDouble start = two_sum(origin[axis], z[j] * unscale);
-    const double middle = start.low + correction[j] * unscale;
-    const DoubleDouble rounded = two_sum(start.high, middle);
-    // `middle` is a rounded sum, and so are the ends of the interval.
-    const double radius =
-        1.01 * (alpha * zeta + tail[j]) * unscale + 2 * u * std::abs(middle) + 4 * u * std::abs(rounded.low);
-    const double below = rounded.high + (rounded.low - radius), above = rounded.high + (rounded.low + radius);
-    if (!(below == above)) return false;
-    center[axis] = above + 0.0;
+    double extent = 0;
+    for (std::size_t i = 0; i < n; ++i) extent = std::max(extent, std::abs(high[i * n + j]));
+    if (!finish(static_cast<std::size_t>(axes_[j]), z[j] * unscale, correction[j] * unscale,
+                1.01 * (alpha * zeta + tail[j]) * unscale, extent * unscale))
+      return false;
   }
   return true;
+}
+
+template <int N>
+bool CenterFinder::find_certified(const double* const* points, const double* weights, double* center) const {
+  const double* origin = points[0];
+  for (std::size_t j = 0; j < static_cast<std::size_t>(dimension_); ++j) center[j] = origin[j] + 0.0;
+  return solve_certified<N>(
+      points, weights, [&](std::size_t axis, double offset, double correction, double error, double) {
+        const DoubleDouble start = two_sum(origin[axis], offset);
+        const double middle = start.low + correction;
+        const DoubleDouble rounded = two_sum(start.high, middle);
+        // `middle` is a rounded sum, and so are the ends of the interval.
+        const double radius = error + 2 * u * std::abs(middle) + 4 * u * std::abs(rounded.low);
+        const double below = rounded.high + (rounded.low - radius),
+                     above = rounded.high + (rounded.low + radius);
+        if (!(below == above)) return false;
+        center[axis] = above + 0.0;
+        return true;
+      });
+}
+
+template <int N>
+bool CenterFinder::find_offset_certified(const double* const* points, double* offset) const {
+  std::fill_n(offset, dimension_, 0.0);
+  return solve_certified<N>(
+      points, nullptr, [&](std::size_t axis, double start, double correction, double error, double extent) {
+        offset[axis] = start + correction;
+        return error <= u / 4 * (std::abs(offset[axis]) + extent);
+      });
+}
+
+void CenterFinder::find_offset(const double* const* points, double* offset) const {
+  if (offset_certified_ != nullptr && (this->*offset_certified_)(points, offset)) return;
+  const ExactOffset exact = find_offset_exactly(points);
+  for (std::size_t j = 0; j < static_cast<std::size_t>(dimension_); ++j)
+    offset[j] = kernel::nearest_double(exact.twice.numerators[j], exact.twice.denominator, exact.grid - 1);
+}
+
+CenterFinder::ExactOffset CenterFinder::find_offset_exactly(const double* const* points) const {
+  const auto d = static_cast<std::size_t>(dimension_), k = axes_.size();
+  const IntegerPoints integers(points, nullptr, k + 1, d);
+  return {twice_center(integers, k, d), integers.grid};
 }
 
 void CenterFinder::find_exactly(const double* const* points, const double* weights, double* center) const {

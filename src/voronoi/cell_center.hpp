@@ -5,6 +5,7 @@
 // centers need an exact comparison.
 #pragma once
 
+#include "kernel/fractions.hpp"
 #include "voronoi/cell_center_kernel.hpp"
 
 #include <cstddef>
@@ -29,6 +30,18 @@ class CenterFinder {
   static constexpr std::size_t block = center_block;
   void find_block(std::size_t count, const double* const* points, const double* weights, double* centers);
 
+  /// The center of the points less the first of them. Coordinate j is off by at most 5/4 of a unit roundoff
+  /// of its own magnitude, and 1/4 of one of the extent of the cell along axis j from its first point.
+  /// Infinite beyond the range of doubles. REQUIRES as find().
+  void find_offset(const double* const* points, double* offset) const;
+
+  /// Twice the same, without error, in units of 2^grid.
+  struct ExactOffset {
+    kernel::Fractions twice;
+    int grid;
+  };
+  ExactOffset find_offset_exactly(const double* const* points) const;
+
   /// Whether q, a point of the flat, has the same power as the points with respect to their power sphere.
   /// Exact.
   bool on_sphere(const double* const* points, const double* weights, const double* q,
@@ -40,13 +53,23 @@ class CenterFinder {
  private:
   using Certified = bool (CenterFinder::*)(const double* const*, const double*, double*) const;
 
+  using CertifiedOffset = bool (CenterFinder::*)(const double* const*, double*) const;
+
+  /// Calls finish(axis, start, correction, error, extent) for each axis: that coordinate of the center is
+  /// that of the first point plus start + correction, up to the error. Returns false if that is not certain,
+  /// or `finish` returns false.
+  template <int N, class Finish>
+  bool solve_certified(const double* const* points, const double* weights, Finish finish) const;
+  template <int N>
+  bool find_offset_certified(const double* const* points, double* offset) const;
   template <int N>
   bool find_certified(const double* const* points, const double* weights, double* center) const;
   void find_exactly(const double* const* points, const double* weights, double* center) const;
 
   int dimension_;
   std::vector<int> axes_;
-  Certified certified_ = nullptr;  // null for tilted flats
+  Certified certified_ = nullptr;  // null for tilted flats, and so is the next
+  CertifiedOffset offset_certified_ = nullptr;
   std::uint64_t num_exact_ = 0;
 };
 

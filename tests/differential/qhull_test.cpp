@@ -60,8 +60,7 @@ TEST_P(QhullIn, UniformPointsAgree) {
     std::vector<double> points;
     test::Random random(seed);
     for (int i = 0; i < sizes[d - 2] * d; ++i) points.push_back(random.real());
-    EXPECT_TRUE(
-        test::same_cells(qhull_cells(points, d), test::sorted_cells(Delaunay<>(points, d).to_data())))
+    EXPECT_TRUE(test::same_cells(qhull_cells(points, d), test::sorted_cells(Delaunay<>(points, d).to_data())))
         << "seed " << seed << '\n'
         << test::to_text(points, d);
   }

@@ -9,9 +9,11 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
+#include <numeric>
 #include <set>
 
 namespace delone {
@@ -116,6 +118,98 @@ TEST(NearestVertex, OfFlatInput) {
 TEST(NearestVertex, OfWeightedPointsHasLeastPower) {
   const Regular<1> t(std::vector<std::array<double, 1>>{{0}, {4}}, std::vector<double>{0, 24});
   EXPECT_THAT(nearest(t, {-1, std::nextafter(-1, -2), 0}), ElementsAre(0, 0, 1));
+}
+
+/// The rows of the k nearest vertices of each query.
+template <class T>
+std::vector<std::vector<std::size_t>> nearest(const T& t, const std::vector<double>& queries, std::size_t k) {
+  std::vector<std::vector<std::size_t>> rows(queries.size() / static_cast<std::size_t>(t.dimension()));
+  PointLocator(t).nearest(queries, k, [&](std::size_t query, std::span<const VertexId> found) {
+    for (const VertexId v : found) rows[query].push_back(t.row_of(v));
+  });
+  return rows;
+}
+
+/// The same by sorting all vertices, for every k up to `most`.
+template <class T, class Weight>
+void expect_sorted(const T& t, const std::vector<double>& queries, std::size_t most, Weight weight) {
+  const auto d = static_cast<std::size_t>(t.dimension());
+  const auto vertices = t.complex().finite_vertices();
+  const auto found = nearest(t, queries, most);
+  for (std::size_t i = 0; i < found.size(); ++i) {
+    const std::span<const double> q = std::span(queries).subspan(i * d, d);
+    std::vector<VertexId> sorted = vertices;
+    std::sort(sorted.begin(), sorted.end(), [&](VertexId a, VertexId b) {
+      const Sign sign =
+          compare_distances(q, static_cast<const Triangulation&>(t).point(a),
+                            static_cast<const Triangulation&>(t).point(b), weight(a), weight(b));
+      return sign == Sign::zero ? t.row_of(a) < t.row_of(b) : sign == Sign::negative;
+    });
+    sorted.resize(std::min(most, sorted.size()));
+    std::vector<std::size_t> rows;
+    for (const VertexId v : sorted) rows.push_back(t.row_of(v));
+    EXPECT_EQ(found[i], rows) << "query " << i;
+    const std::size_t fewer = sorted.size() / 2;
+    if (fewer == 0) continue;
+    rows.resize(fewer);
+    EXPECT_EQ(nearest(t, {q.begin(), q.end()}, fewer).front(), rows);
+  }
+}
+
+std::vector<double> queries_around(const test::PointSet& set, std::uint64_t seed) {
+  test::Random random(seed);
+  std::vector<double> queries(set.points.begin(),
+                              set.points.begin() + 3 * static_cast<std::ptrdiff_t>(set.dimension));
+  for (int i = 0; i < 12 * set.dimension; ++i) queries.push_back(random.integer(-2, 10) / 2.0);
+  return queries;
+}
+
+TEST(NearestVertices, AreThoseOfASort) {
+  for (int d = 1; d <= 5; ++d)
+    for (const test::PointSet& set :
+         {test::lattice(d, d > 3 ? 2 : 4), test::small_integers(d, 60, 0, 3, 7u),
+          test::nudged(test::lattice(d, 3), 5), test::cospherical(d, d == 1 ? 4 : 5),
+          test::embedded(test::lattice(std::max(d - 1, 1), 3), d, true, 3)}) {
+      SCOPED_TRACE(set.name + " in dimension " + std::to_string(d));
+      for (const std::uint64_t seed : {1u, 2u}) {
+        const test::PointSet shuffled = test::permuted(set, seed);
+        if (shuffled.size() < 3) continue;
+        expect_sorted(Delaunay<>(shuffled.points, d), queries_around(shuffled, seed), 9,
+                      [](VertexId) { return 0.0; });
+      }
+    }
+}
+
+TEST(NearestVertices, AreThoseOfLeastPower) {
+  for (int d = 1; d <= 4; ++d)
+    for (const std::uint64_t seed : {1u, 2u, 3u}) {
+      const test::PointSet set = test::permuted(test::lattice(d, d > 2 ? 3 : 5), seed);
+      test::Random random(seed);
+      std::vector<double> weights(set.size());
+      for (double& w : weights) w = random.integer(-1, 2);
+      const Regular<> t(set.points, weights, d);
+      expect_sorted(t, queries_around(set, seed), 20, [&](VertexId v) { return t.weight(v); });
+    }
+}
+
+TEST(NearestVertices, AreAllIfThereAreFewer) {
+  EXPECT_THAT(nearest(Delaunay<2>(std::vector<Point2>{{0, 0}, {1, 0}, {0, 0}, {0, 2}}), {2, 0}, 7).front(),
+              ElementsAre(1, 0, 3));
+  EXPECT_THAT(nearest(Delaunay<2>(std::vector<Point2>{{3, 3}, {3, 3}}), {8, 8}, 2).front(), ElementsAre(0));
+  EXPECT_THAT(nearest(Delaunay<2>(), {8, 8}, 2).front(), ElementsAre());
+  EXPECT_THROW(nearest(Delaunay<2>(), {8, 8}, 0), Error);
+}
+
+// All 12 are nearest; the first rows are not joined by edges.
+TEST(NearestVertices, OfTiesAreTheFirstRows) {
+  std::vector<Point2> points;
+  for (const Point2 p : {Point2{3, 4}, {4, 3}, {5, 0}, {0, 5}})
+    for (const double sx : {-1, 1})
+      for (const double sy : {-1, 1}) points.push_back({sx * p[0], sy * p[1]});
+  points.push_back({9, 9});
+  EXPECT_THAT(nearest(Delaunay<2>(points), {0, 0}, 4).front(), ElementsAre(0, 1, 2, 3));
+  EXPECT_THAT(nearest(Delaunay<2>(points), {0, 0}, 13).front(),
+              ElementsAre(0, 1, 2, 3, 4, 5, 6, 7, 8, 10, 12, 13, 16));
 }
 
 TEST(PointLocatorEdges, AreTheNeighborsOfEachVertex) {

@@ -8,6 +8,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <numeric>
@@ -55,6 +56,38 @@ TEST_P(CenterOfDimension, CertifiedEqualsExact) {
   EXPECT_GT(slow.num_exact(), 0u);
   // The middle of two doubles is often halfway between two doubles, which no bound on an error can decide.
   EXPECT_LE(num_easy, d == 1 ? 50u : 2u) << "the certified path gives up on random simplices";
+}
+
+// Within the stated bound of integers, on easy and on nearly flat simplices far from the origin.
+TEST_P(CenterOfDimension, OffsetsAreWithinTheirBound) {
+  const int d = GetParam();
+  const auto size = static_cast<std::size_t>(d);
+  std::vector<int> axes(size);
+  std::iota(axes.begin(), axes.end(), 0);
+  const CenterFinder finder(d, axes, true);
+  test::Random random(static_cast<std::uint64_t>(d));
+  for (int run = 0; run < 200; ++run) {
+    std::vector<double> x, offset(size);
+    for (std::size_t i = 0; i < (size + 1) * size; ++i)
+      x.push_back(run % 3 == 0    ? random.real()
+                  : run % 3 == 1  ? 1e6 + random.real()
+                  : i % size == 0 ? std::ldexp(random.real(), run % 60 - 70)
+                                  : random.real());
+    if (orientation(x, d) == Sign::zero) continue;
+    std::vector<const double*> points;
+    for (std::size_t i = 0; i <= size; ++i) points.push_back(x.data() + i * size);
+    finder.find_offset(points.data(), offset.data());
+    const CenterFinder::ExactOffset exact = finder.find_offset_exactly(points.data());
+    for (std::size_t j = 0; j < size; ++j) {
+      double extent = 0;
+      for (const double* p : points) extent = std::max(extent, std::fabs(p[j] - points[0][j]));
+      // The difference, times 2^1074 or the denominator.
+      const kernel::Integer rounded = kernel::scaled_integer(offset[j], -1074) * exact.twice.denominator * 2;
+      const kernel::Integer difference = (exact.twice.numerators[j] << (exact.grid + 1074)) - rounded;
+      const double error = kernel::nearest_double(difference, exact.twice.denominator * 2, -1074);
+      EXPECT_LE(std::fabs(error), 0x1p-53 * (1.25 * std::fabs(offset[j]) + 0.25 * extent) * 1.0001);
+    }
+  }
 }
 
 // Blocks of all sizes, by SIMD for d = 2, 3: from lattices, nearly flat cells and the ends of the range, all

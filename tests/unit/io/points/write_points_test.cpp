@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Tables of points written and read back bit by bit, and files that appear whole or not at all.
-#include "io/atomic_file.hpp"
 #include "../io_support.hpp"
+#include "io/atomic_file.hpp"
 
 #include <cmath>
 #include <limits>

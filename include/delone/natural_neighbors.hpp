@@ -1,0 +1,122 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Natural neighbors of queries, their coordinates, and interpolation with them.
+#pragma once
+
+#include <delone/interpolation.hpp>
+#include <delone/point_locator.hpp>
+#include <delone/triangulation.hpp>
+#include <delone/types.hpp>
+
+#include <cstddef>
+#include <functional>
+#include <memory>
+#include <span>
+#include <vector>
+
+namespace delone {
+
+/// The natural neighbors of a query and its Sibson coordinates. Valid during the call that they are passed
+/// to.
+struct NaturalNeighbors {
+  Location::Kind kind = Location::Kind::outside_affine_hull;
+  /// The vertices with positive coordinates; one at a vertex, none outside the hull.
+  std::span<const VertexId> vertices;
+  /// Their coordinates, > 0 with sum 1 up to rounding. Sum of the vertices times these: the query.
+  std::span<const double> weights;
+  /// The gradients of the coordinates, d numbers for each vertex, if they were asked for. On the boundary of
+  /// the hull and in flat input: tangent to the smallest face of the hull that contains the query. Empty at a
+  /// vertex, where there are none.
+  std::span<const double> gradients;
+};
+
+/// Sibson coordinates with respect to a Delaunay triangulation, in any dimension. The coordinate of a query
+/// with respect to a vertex is the part of the Voronoi region that the query would have which that vertex has
+/// now: Sibson, "A vector identity for the Dirichlet tessellation", doi:10.1017/S0305004100056589. The
+/// coordinates are continuous in the hull, and smooth but at the vertices and on the spheres of cells. On a
+/// face of the hull they are those of the vertices within the face, to which those of points nearby tend.
+///
+/// None is off by more than 2⁻³⁶ in up to 3 dimensions and 2⁻³⁰ in more (of the flat of the points), whatever
+/// the shape of cells; mostly by a few units of 2⁻⁵³. So the sum of vertices times weights is off, on each
+/// axis, by at most that times Σ |p − q| over the natural neighbors. Nothing depends on how ties between
+/// cospherical points are broken, up to this error.
+///
+/// Method: the centers of the cells that an insertion of the query would replace and create, without
+/// inserting; volumes by exterior products with a certified bound, and integers where it does not suffice.
+/// Cost per query: O(f) with the number f of faces of these cells, some 100 in the plane, 1000 in space. In
+/// flat input (k < d) and on the boundary of the hull queries are some hundred times slower.
+///
+/// Refers to the triangulation: valid until the next insertion. `const` members may be called from several
+/// threads at once.
+class NaturalNeighborCoordinates {
+ public:
+  /// Computes the centers of all finite cells, d doubles each. Throws unsupported unless the triangulation is
+  /// a Delaunay<D>, and out_of_memory.
+  explicit NaturalNeighborCoordinates(const Triangulation& triangulation);
+  NaturalNeighborCoordinates(NaturalNeighborCoordinates&&) noexcept;
+  NaturalNeighborCoordinates& operator=(NaturalNeighborCoordinates&&) noexcept;
+  ~NaturalNeighborCoordinates();
+
+  using Visit = std::function<void(std::size_t query, const NaturalNeighbors& found)>;
+  /// Finds the neighbors of q queries (q×d coordinates) and calls `visit` once for each, in no particular
+  /// order. What `visit` throws ends the batch and is passed on. Throws as PointLocator::locate().
+  void find(std::span<const double> queries, const Visit& visit, bool with_gradients = false) const;
+
+  struct Impl;
+
+ private:
+  friend class NaturalNeighborInterpolator;
+  std::unique_ptr<Impl> impl_;
+};
+
+/// Natural neighbor interpolation of values at scattered points, in any dimension. At a vertex it has the
+/// given value.
+///
+/// Without `smooth`: the sum of values times Sibson coordinates. Continuous, exact for linear functions up to
+/// rounding, and continuously differentiable but at the vertices; nowhere above the largest or below the
+/// least value of the natural neighbors.
+///
+/// With `smooth`: the interpolant of Sibson, "A brief description of natural neighbour interpolation" (in V.
+/// Barnett, Interpreting Multivariate Data, 1981), which also has given or estimated gradients at the
+/// vertices, and is continuously differentiable there, too. Exact for quadratic functions a + b·x + c·|x|²
+/// where the gradients are. The gradient at a vertex inside the hull is estimated by least squares over its
+/// neighbors with the weights λ/r², where r is the distance and λ the coordinate of the vertex with respect
+/// to the other vertices, as Sibson does, so it is exact for these functions; for a vertex on the boundary of
+/// the hull, which has no such coordinates, the weights are 1/r⁴, and it is exact for linear ones. Cost: a
+/// small triangulation of the neighbors of each vertex.
+class NaturalNeighborInterpolator {
+ public:
+  /// `values`: as for LinearInterpolator. `site_gradients`: n×columns×d numbers, one row for each input row,
+  /// or none: they are estimated where they are needed, now if `smooth`. Throws bad_dimension unless the
+  /// numbers fit, and as NaturalNeighborCoordinates; `progress` as for evaluate(), with vertices.
+  using Progress = LinearInterpolator::Progress;
+  NaturalNeighborInterpolator(const Triangulation& triangulation, std::span<const double> values,
+                              std::size_t columns = 1, bool smooth = false,
+                              std::span<const double> site_gradients = {}, const Progress& progress = {});
+
+  std::size_t columns() const { return columns_; }
+  bool is_smooth() const { return smooth_; }
+  const NaturalNeighborCoordinates& coordinates() const { return coordinates_; }
+
+  /// The values at q queries (q×d coordinates) as q×columns numbers. Throws as
+  /// LinearInterpolator::evaluate(); see Outside. Inside, but on its boundary, the hull of flat points is
+  /// that within the flat.
+  void evaluate(std::span<const double> queries, std::span<double> result, Outside outside = Outside::fill,
+                std::span<const double> fill = {}, const Progress& progress = {}) const;
+  /// The gradients at q queries, q×columns×d numbers. At a vertex: the given or estimated gradient there,
+  /// which is that of the interpolant if it is smooth. On the boundary of the hull only the part along the
+  /// smallest face that contains the query is one of the interpolant. Outside as LinearInterpolator.
+  void gradients(std::span<const double> queries, std::span<double> result, Outside outside = Outside::fill,
+                 const Progress& progress = {}) const;
+  /// The given or estimated gradient at a finite vertex, columns×d numbers.
+  void site_gradient(VertexId v, std::span<double> result) const;
+
+ private:
+  const Triangulation& triangulation_;
+  NaturalNeighborCoordinates coordinates_;
+  std::size_t columns_;
+  bool smooth_;
+  std::vector<double> values_;          // by vertex id
+  std::vector<double> site_gradients_;  // by vertex id; empty if estimated one by one
+};
+
+}  // namespace delone

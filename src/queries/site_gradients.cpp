@@ -1,0 +1,113 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Least squares by the singular values of the weighted rows A = U·Σ·Vᵀ, from one-sided Jacobi rotations
+// (Hestenes 1958, doi:10.1137/0106005). They are accurate for few columns, need no pivots, and give the
+// solution of least length: for points of a flat it is tangent to the flat.
+#include "queries/site_gradients.hpp"
+
+#include <delone/delaunay.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace delone::internal {
+
+void fit_gradients(std::span<const double> weights, std::span<const double> differences, std::size_t columns,
+                   std::span<const double> rows, std::size_t d, double* result) {
+  const std::size_t n = weights.size();
+  std::vector<double> a(d * n), v(d * d, 0.0);  // by column
+  for (std::size_t i = 0; i < n; ++i)
+    for (std::size_t j = 0; j < d; ++j) a[j * n + i] = std::sqrt(weights[i]) * rows[i * d + j];
+  for (std::size_t j = 0; j < d; ++j) v[j * d + j] = 1;
+  const auto dot = [](const double* x, const double* y, std::size_t count) {
+    double sum = 0;
+    for (std::size_t i = 0; i < count; ++i) sum += x[i] * y[i];
+    return sum;
+  };
+  const auto rotate = [](double* x, double* y, std::size_t count, double c, double s) {
+    for (std::size_t i = 0; i < count; ++i) {
+      const double old = x[i];
+      x[i] = c * old - s * y[i];
+      y[i] = s * old + c * y[i];
+    }
+  };
+  bool rotated = d > 1;
+  for (int sweep = 0; sweep < 40 && rotated; ++sweep) {
+    rotated = false;
+    for (std::size_t p = 0; p < d; ++p)
+      for (std::size_t q = p + 1; q < d; ++q) {
+        double *x = a.data() + p * n, *y = a.data() + q * n;
+        const double xx = dot(x, x, n), yy = dot(y, y, n), xy = dot(x, y, n);
+        if (!(std::fabs(xy) > 0x1p-50 * std::sqrt(xx) * std::sqrt(yy))) continue;
+        rotated = true;
+        const double zeta = (yy - xx) / (2 * xy);
+        const double t = (zeta < 0 ? -1 : 1) / (std::fabs(zeta) + std::sqrt(1 + zeta * zeta));
+        const double c = 1 / std::sqrt(1 + t * t);
+        rotate(x, y, n, c, c * t);
+        rotate(v.data() + p * d, v.data() + q * d, d, c, c * t);
+      }
+  }
+  std::vector<double> squares(d);
+  for (std::size_t j = 0; j < d; ++j) squares[j] = dot(a.data() + j * n, a.data() + j * n, n);
+  const double largest = *std::max_element(squares.begin(), squares.end());
+  std::fill_n(result, columns * d, 0.0);
+  for (std::size_t j = 0; j < d; ++j) {
+    if (!(squares[j] > 0x1p-80 * largest)) continue;
+    for (std::size_t c = 0; c < columns; ++c) {
+      double sum = 0;
+      for (std::size_t i = 0; i < n; ++i)
+        sum += a[j * n + i] * std::sqrt(weights[i]) * differences[i * columns + c];
+      for (std::size_t m = 0; m < d; ++m) result[c * d + m] += sum / squares[j] * v[j * d + m];
+    }
+  }
+}
+
+void estimate_gradients(const NaturalCenters& centers, VertexId v, std::span<const double> values,
+                        std::size_t columns, double* result) {
+  const Complex& complex = centers.complex();
+  const std::size_t d = centers.dimension();
+  const double* const p = centers.point(v);
+  if (complex.affine_dimension() < 1) {
+    std::fill_n(result, columns * d, 0.0);
+    return;
+  }
+  std::vector<VertexId> neighbors = complex.adjacent_vertices(v);
+  const std::vector<CellId> star = complex.star(v);
+  const bool on_hull =
+      std::any_of(star.begin(), star.end(), [&](CellId c) { return complex.is_infinite(c); });
+  std::vector<double> lambda(neighbors.size(), 1.0);
+  if (!on_hull) {
+    std::vector<double> coordinates;
+    for (const VertexId other : neighbors)
+      coordinates.insert(coordinates.end(), centers.point(other), centers.point(other) + d);
+    const Delaunay<> others(coordinates, static_cast<int>(d));
+    const NaturalCenters centers_of_others(others, false);
+    NaturalSearch search(centers_of_others);
+    search.find(p, *others.finite_cells().begin(), false);
+    std::vector<VertexId> found;
+    for (const VertexId other : search.vertices) found.push_back(neighbors[others.row_of(other)]);
+    neighbors = std::move(found);
+    lambda = std::move(search.weights);
+  }
+  // Distances in units of the largest one, a power of two.
+  double largest = 0;
+  for (const VertexId other : neighbors)
+    for (std::size_t j = 0; j < d; ++j)
+      largest = std::max(largest, std::fabs(centers.point(other)[j] - p[j]));
+  const double unit = std::ldexp(1.0, std::ilogb(largest));
+  std::vector<double> rows, differences;
+  for (std::size_t i = 0; i < neighbors.size(); ++i) {
+    double square = 0;
+    for (std::size_t j = 0; j < d; ++j) {
+      rows.push_back((centers.point(neighbors[i])[j] - p[j]) / unit);
+      square += rows.back() * rows.back();
+    }
+    lambda[i] /= on_hull ? square * square : square;
+    for (std::size_t c = 0; c < columns; ++c)
+      differences.push_back(values[index(neighbors[i]) * columns + c] - values[index(v) * columns + c]);
+  }
+  fit_gradients(lambda, differences, columns, rows, d, result);
+  for (std::size_t i = 0; i < columns * d; ++i) result[i] /= unit;
+}
+
+}  // namespace delone::internal

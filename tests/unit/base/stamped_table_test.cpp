@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "base/stamped_table.hpp"
+
+#include <gtest/gtest.h>
+
+#include <map>
+
+namespace delone::internal {
+namespace {
+
+TEST(StampedTable, KeepsTheFirstNumberOfAKey) {
+  StampedTable table;
+  for (std::uint64_t turn = 0; turn < 5; ++turn) {
+    table.clear();
+    std::map<std::uint64_t, std::uint32_t> expected;
+    for (std::uint32_t i = 0; i < 300 * turn; ++i) {
+      const std::uint64_t key = (i * i % 211) << (i % 3 * 20);
+      const auto [at, is_new] = expected.try_emplace(key, i);
+      EXPECT_EQ(table.insert(key, i), std::pair(at->second, is_new));
+    }
+    EXPECT_EQ(table.size(), expected.size());
+  }
+}
+
+TEST(StampedTable, IsEmptyAfterClear) {
+  StampedTable table;
+  EXPECT_TRUE(table.insert(0, 1).second);
+  EXPECT_FALSE(table.insert(0, 2).second);
+  table.clear();
+  EXPECT_FALSE(table.contains(0));
+  EXPECT_EQ(table.find_value(0), nullptr);
+  EXPECT_EQ(table.insert(0, 3), std::pair(std::uint32_t{3}, true));
+  ASSERT_TRUE(table.contains(0));
+  EXPECT_EQ(*table.find_value(0), 3u);
+}
+
+}  // namespace
+}  // namespace delone::internal
