@@ -87,6 +87,9 @@ struct DiagramOptions {
 /// (k = 2) or ridge (k = 3) may have lost the ridge between them where merging them would have moved a vertex
 /// too far. Volumes and clipped regions are those of the exact regions, so volumes add up as before.
 ///
+/// Functions that take the number of a vertex, ridge or region REQUIRE that there is one; a hardened build
+/// (DELONE_HARDENED) checks this and throws Errc::invalid_argument.
+///
 /// Cost: one solve of k equations per cell, and the size of the output; a tolerance adds a pass over the
 /// ridges, and keeps the exact diagram in memory if it changed anything. Errors: invalid_argument (a
 /// tolerance that is negative or not finite, or larger than the longest side of the bounding box of two sites
@@ -105,6 +108,7 @@ class Diagram {
   /// num_vertices()×d coordinates.
   std::span<const double> vertices() const { return vertices_; }
   std::span<const double> vertex(std::size_t i) const {
+    require(i < num_vertices(), "the number of a vertex");
     return std::span(vertices_).subspan(i * ambient(), ambient());
   }
 
@@ -116,27 +120,38 @@ class Diagram {
   /// The vertices of a ridge; −1 first if it is unbounded. In cyclic order for k = 3, counterclockwise about
   /// the direction from ridge_points[2i] to ridge_points[2i+1] when k = d; increasing for k > 3. One vertex
   /// for k = 1, two entries for k = 2.
-  std::span<const SignedIndex> ridge(std::size_t i) const { return list(ridge_vertices_, ridge_offsets_, i); }
+  std::span<const SignedIndex> ridge(std::size_t i) const {
+    require(i < num_ridges(), "the number of a ridge");
+    return list(ridge_vertices_, ridge_offsets_, i);
+  }
   std::span<const SignedIndex> ridge_vertices() const { return ridge_vertices_; }
   std::span<const std::int64_t> ridge_offsets() const { return ridge_offsets_; }
 
   /// The vertices of a region; −1 first if it is unbounded. In cyclic order for k = 2 (counterclockwise when
   /// k = d), otherwise increasing.
   std::span<const SignedIndex> region(std::size_t i) const {
+    require(i < num_regions(), "the number of a region");
     return list(region_vertices_, region_offsets_, i);
   }
   std::span<const SignedIndex> region_vertices() const { return region_vertices_; }
   std::span<const std::int64_t> region_offsets() const { return region_offsets_; }
-  bool is_bounded(std::size_t region) const { return bounded_[region] != 0; }
+  bool is_bounded(std::size_t region) const {
+    require(region < num_regions(), "the number of a region");
+    return bounded_[region] != 0;
+  }
   /// The first input row at the site of each region, increasing.
   std::span<const SignedIndex> region_points() const { return region_points_; }
   /// The region of each input row; −1 for a hidden point.
   std::span<const SignedIndex> point_region() const { return point_region_; }
   /// The d coordinates of the site of a region, and its weight (0 in a Voronoi diagram).
   std::span<const double> site(std::size_t region) const {
+    require(region < num_regions(), "the number of a region");
     return std::span(sites_).subspan(region * ambient(), ambient());
   }
-  double weight(std::size_t region) const { return weights_.empty() ? 0 : weights_[region]; }
+  double weight(std::size_t region) const {
+    require(region < num_regions(), "the number of a region");
+    return weights_.empty() ? 0 : weights_[region];
+  }
 
   /// ε, the tolerance it was made with.
   double tolerance() const { return tolerance_; }
@@ -191,6 +206,9 @@ class Diagram {
   friend class DiagramSimplifier;
   Diagram(const Diagram&) = default;
   std::size_t ambient() const { return static_cast<std::size_t>(dimension_); }
+  static void require([[maybe_unused]] bool is_in_range, [[maybe_unused]] const char* what) {
+    if (DELONE_HARDENED && !is_in_range) detail::throw_out_of_range(what);
+  }
   static std::span<const SignedIndex> list(const std::vector<SignedIndex>& items,
                                            const std::vector<std::int64_t>& offsets, std::size_t i) {
     return std::span(items).subspan(static_cast<std::size_t>(offsets[i]),

@@ -10,17 +10,23 @@
 
 namespace delone::test {
 
+enum class Scale { small, usual, large };
+inline Scale scale() {
+  const char* const given = std::getenv("DELONE_TEST_SCALE");
+  const std::string_view name = given == nullptr ? "" : given;
+  return name == "small" ? Scale::small : name == "large" ? Scale::large : Scale::usual;
+}
+
 /// A number of rounds or points for a usual run, turned into that for the present scale; at least 1.
 inline std::size_t scaled_count(std::size_t usual) {
-  const char* scale = std::getenv("DELONE_TEST_SCALE");
-  const std::string_view name = scale == nullptr ? "" : scale;
-  return name == "small" ? std::max<std::size_t>(1, usual / 10) : name == "large" ? 10 * usual : usual;
+  return scale() == Scale::small   ? std::max<std::size_t>(1, usual / 10)
+         : scale() == Scale::large ? 10 * usual
+                                   : usual;
 }
 
 /// A size of which the work is a power, as the side of a lattice: the second one in a small run.
 inline std::size_t scaled_size(std::size_t usual, std::size_t small) {
-  const char* scale = std::getenv("DELONE_TEST_SCALE");
-  return scale != nullptr && std::string_view(scale) == "small" ? small : usual;
+  return scale() == Scale::small ? small : usual;
 }
 
 }  // namespace delone::test

@@ -3,6 +3,8 @@
 // it, and no point lies beyond its supporting hyperplane.
 #include "kernel/nearest_in_hull.hpp"
 
+#include "scale.hpp"
+
 #include <gtest/gtest.h>
 #include <boost/multiprecision/cpp_int.hpp>
 
@@ -195,7 +197,7 @@ TEST(NearestInHull, AnySize) {
   std::mt19937_64 random(4);
   std::uniform_real_distribution<double> uniform(-1, 1);
   for (const double size : {1e-320, 1e-300, 1e-160, 1e160, 1e300, std::numeric_limits<double>::max()})
-    for (int round = 0; round < 6; ++round) {
+    for (std::size_t round = 0; round < test::scaled_count(3); ++round) {
       Case c{3, {}, {}};
       for (int i = 0; i < 12; ++i) c.coordinates.push_back(size * uniform(random));
       for (int j = 0; j < 3; ++j) c.q.push_back(size * uniform(random));

@@ -160,5 +160,18 @@ TEST(VoronoiBuilder, OfWeightedPoints) {
   EXPECT_EQ(diagram.weight(0), 9);
 }
 
+TEST(VoronoiBuilder, NumbersOutOfRangeAreRefusedWhenHardened) {
+  if (!DELONE_HARDENED) GTEST_SKIP() << "not a hardened build";
+  const std::vector<std::array<double, 2>> corners{{0, 0}, {2, 0}, {0, 3}};
+  const Voronoi diagram{Delaunay<2>(corners)};
+  EXPECT_NO_THROW(diagram.region(2));
+  EXPECT_THROW(diagram.vertex(1), Error);
+  EXPECT_THROW(diagram.ridge(3), Error);
+  EXPECT_THROW(diagram.region(3), Error);
+  EXPECT_THROW(diagram.is_bounded(3), Error);
+  EXPECT_THROW(diagram.site(3), Error);
+  EXPECT_THROW(diagram.weight(3), Error);
+}
+
 }  // namespace
 }  // namespace delone
