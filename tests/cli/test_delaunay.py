@@ -40,7 +40,7 @@ class Delaunay(Case):
             self.assertEqual(len(data["cells"]), stats["cells"] - 1)
         self.assertIn("1 cells", self.output("delaunay", points, "--trim", 0.1))
         self.complaint("delaunay", points, "--trim=-1", status=64)
-        self.assertIn("bounding box", self.complaint("delaunay", points, "--trim", 100))
+        self.assertIn("larger than the set", self.complaint("delaunay", points, "--trim", 100))
 
     def test_stats_with_output(self):
         points, out = self.uniform(3, 200), self.path("out.npz")

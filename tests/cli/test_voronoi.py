@@ -74,7 +74,7 @@ class Voronoi(Case):
         self.assertIn("none moved further than", self.output("voronoi", points, "--tolerance", "1e-12"))
         for wrong in ("-1", "nan", "inf"):
             self.complaint("voronoi", points, f"--tolerance={wrong}", status=64)
-        self.assertIn("bounding box", self.complaint("voronoi", points, "--tolerance", "100"))
+        self.assertIn("larger than the set", self.complaint("voronoi", points, "--tolerance", "100"))
 
     def test_refusals(self):
         points = self.uniform(3, 20)
