@@ -3,6 +3,7 @@
 #include "base/guarded.hpp"
 #include "base/require_finite.hpp"
 #include "complex/canonical_hash.hpp"
+#include "hull/extreme_hull.hpp"
 #include "hull/hull_analysis.hpp"
 #include "hull/hull_state.hpp"
 
@@ -38,15 +39,28 @@ struct Polytope::Impl {
   int affine_dimension() const { return state->affine_hull().dimension(); }
   const SimplicialHull& hull() const { return state->hull(); }
 
-  void insert_range(std::span<const double> coordinates) {
+  /// Throws unless all is well with new points; false if there are none.
+  bool check_points(std::span<const double> coordinates) const {
     if (coordinates.size() % ambient() != 0)
       throw Error(Errc::bad_dimension, "the number of coordinates is not a multiple of the dimension");
     internal::require_finite(coordinates, ambient(), "a coordinate");
-    const std::size_t n = coordinates.size() / ambient();
-    if (n == 0) return;
-    check_room(n);
+    check_room(coordinates.size() / ambient());
+    return !coordinates.empty();
+  }
+  void insert_range(std::span<const double> coordinates) {
+    if (!check_points(coordinates)) return;
     state->insert_range(coordinates, options);
     analysis_of_state.reset();
+  }
+  std::vector<SignedIndex> insert_extreme(std::span<const double> coordinates) {
+    if (state->num_rows() > 0)
+      throw Error(Errc::invalid_argument, "extreme points alone are inserted into an empty hull only");
+    if (!check_points(coordinates)) return {};
+    internal::ExtremeHull hull = internal::find_extreme_hull(coordinates, dimension, options);
+    std::vector<SignedIndex> rows(hull.rows.begin(), hull.rows.end());
+    state = std::move(hull.state);
+    analysis_of_state.reset();
+    return rows;
   }
 
   HullInsertResult insert(std::span<const double> point) {
@@ -108,6 +122,9 @@ Polytope::~Polytope() = default;
 void Polytope::insert_coordinates(std::span<const double> coordinates) {
   internal::guarded("the hull", [&] { impl_->insert_range(coordinates); });
 }
+std::vector<SignedIndex> Polytope::insert_extreme_coordinates(std::span<const double> coordinates) {
+  return internal::guarded("the hull", [&] { return impl_->insert_extreme(coordinates); });
+}
 HullInsertResult Polytope::insert_point(std::span<const double> point) {
   return internal::guarded("the hull", [&] { return impl_->insert(point); });
 }
@@ -115,7 +132,7 @@ HullInsertResult Polytope::insert_point(std::span<const double> point) {
 int Polytope::dimension() const { return impl_->dimension; }
 int Polytope::affine_dimension() const { return impl_->affine_dimension(); }
 std::size_t Polytope::num_points() const { return impl_->state->num_rows(); }
-std::size_t Polytope::num_duplicates() const { return num_points() - impl_->state->sites().size(); }
+std::size_t Polytope::num_duplicates() const { return impl_->state->num_duplicates(); }
 std::size_t Polytope::num_cells() const { return impl_->hull().num_cells(); }
 std::vector<int> Polytope::axes() const { return impl_->state->affine_hull().axes(); }
 
@@ -135,7 +152,7 @@ std::size_t Polytope::count(PointKind kind) const {
 }
 std::span<const double> Polytope::point(std::size_t row) const {
   if (row >= num_points()) throw Error(Errc::invalid_argument, "not a row of the input");
-  return {impl_->state->sites().point(impl_->state->site_of_row(row)), impl_->ambient()};
+  return {impl_->state->point_of_row(row), impl_->ambient()};
 }
 
 const HullData& Polytope::data() const {

@@ -61,7 +61,12 @@ class ConvexHull(OfPoints):
         return rows if good is None else np.delete(rows, good, axis=0)
 
     def _rebuild(self):
-        self._core = delone.ConvexHull(self._without_good_row(self._points))
+        points = self._without_good_row(self._points)
+        # A hull to which points can be added has all of them; otherwise extreme ones suffice.
+        if self._incremental:
+            self._core, self._core_rows = delone.ConvexHull(points), None
+        else:
+            self._core, self._core_rows = delone.ConvexHull.of_extreme_points(points)
 
     def _extend(self, rows):
         self._core.insert_range(rows)
@@ -70,14 +75,16 @@ class ConvexHull(OfPoints):
         self._forget()
         rows = self._without_good_row(np.arange(self.npoints, dtype=np.intc))
         core = self._core
+        if self._core_rows is not None:
+            rows = rows[self._core_rows]
         extreme = core.vertices
-        self._extreme = rows[extreme]
+        self._extreme = np.sort(rows[extreme])
         self.affine_dimension = core.affine_dimension
         self._shown = core
-        if len(np.unique(core.cells)) > len(extreme):
+        if self._core_rows is None and len(np.unique(core.cells)) > len(extreme):
             # Other points of the boundary are vertices of its simplices, too: the hull of the extreme points has the same boundary.
-            self._shown = delone.ConvexHull(core.points[extreme])
-            rows = self._extreme
+            self._shown, of_extreme = delone.ConvexHull.of_extreme_points(core.points[extreme])
+            rows = rows[extreme][of_extreme]
         self.simplices, self.neighbors = rows[self._shown.cells], np.array(self._shown.neighbors)
         self.nsimplex = len(self.simplices)
 
