@@ -8,15 +8,17 @@ import importlib
 
 from ._core import (CancelledError, ConvexHull, Delaunay, Error, FurthestSite, HalfspaceIntersection, InputError, LinearInterpolator,
                     OutOfMemoryError, PowerDiagram, Regular, Voronoi, __version__)
+from ._convex_hulls import ConvexHulls, convex_hulls
 from ._locations import Locations
 from ._transform import transform as _transform
 
-__all__ = ["CancelledError", "ConvexHull", "Delaunay", "Error", "FurthestSite", "HalfspaceIntersection", "InputError",
-           "LinearInterpolator", "Locations", "OutOfMemoryError", "PowerDiagram", "Regular", "Voronoi", "__version__"]
+__all__ = ["CancelledError", "ConvexHull", "ConvexHulls", "Delaunay", "Error", "FurthestSite", "HalfspaceIntersection", "InputError",
+           "LinearInterpolator", "Locations", "OutOfMemoryError", "PowerDiagram", "Regular", "Voronoi", "__version__", "convex_hulls"]
 
-for _type in (ConvexHull, Delaunay, FurthestSite, HalfspaceIntersection, LinearInterpolator, PowerDiagram, Regular, Voronoi):
+for _type in (ConvexHull, ConvexHulls, Delaunay, FurthestSite, HalfspaceIntersection, LinearInterpolator, PowerDiagram, Regular, Voronoi):
     _type.__module__ = "delone"
 del _type
+convex_hulls.__module__ = "delone"
 Delaunay.__base__.transform = property(_transform)
 
 

@@ -12,6 +12,7 @@ PYBIND11_MODULE(_core, module) {
   python::bind_triangulations(module);
   python::bind_interpolator(module);
   python::bind_convex_hull(module);
+  python::bind_convex_hulls(module);
   python::bind_voronoi(module);
   python::bind_halfspaces(module);
   python::bind_cell_maps(module);

@@ -9,6 +9,7 @@ namespace delone::python {
 void bind_triangulations(pybind11::module_& module);
 void bind_interpolator(pybind11::module_& module);
 void bind_convex_hull(pybind11::module_& module);
+void bind_convex_hulls(pybind11::module_& module);
 void bind_voronoi(pybind11::module_& module);
 void bind_halfspaces(pybind11::module_& module);
 void bind_cell_maps(pybind11::module_& module);

@@ -49,11 +49,12 @@ class HullAnalysis {
   std::size_t count(PointKind kind) const;
   const HullMeasures& measures() const;
   const HullData& data() const;
+  /// Of the facets. Computed at each call.
+  FacetEquations equations() const;
 
  private:
   std::vector<PointKind> find_kinds() const;
   HullData make_data() const;
-  FacetEquations equations() const;
 
   const HullState& state_;
   std::optional<HullLocator> locator_;

@@ -24,8 +24,8 @@ def as_points(points, what: str = "points") -> np.ndarray:
         raise ValueError(f"{what} must be an array of shape (n, d), not {points.shape}")
     if len(points) == 0:
         raise ValueError(f"No {what} given")
-    bad = np.flatnonzero(~np.isfinite(points).all(axis=1))
-    if len(bad):
+    if not np.isfinite(points).all():
+        bad = np.flatnonzero(~np.isfinite(points).all(axis=1))
         kind = "NaN" if np.isnan(points[bad[0]]).any() else "infinities"
         raise ValueError(f"{what.capitalize()} cannot contain {kind} (row {bad[0]})")
     return points
