@@ -57,7 +57,10 @@ std::string contents(const VoronoiData& data) {
 std::string result(const ComplexData& data, const CheckOptions& options) {
   return fmt::format("a {} triangulation of all its points", kind_of(data, options.furthest_site));
 }
-std::string result(const HullData&, const CheckOptions&) { return "the convex hull of all its points"; }
+std::string result(const HullData& data, const CheckOptions&) {
+  return data.tolerance == 0 ? "the convex hull of all its points"
+                             : "the convex hull of its vertices, all points within the tolerance";
+}
 std::string result(const IntersectionData&, const CheckOptions&) {
   return "the intersection of all its halfspaces";
 }

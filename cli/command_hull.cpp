@@ -15,6 +15,7 @@ struct HullOptions {
   BuildOptions build;
   std::string distances;
   bool lower = false, upper = false;
+  double tolerance = 0;
 };
 
 Json stats(const Polytope& hull, const Cost& cost, const HullOptions& options) {
@@ -23,6 +24,8 @@ Json stats(const Polytope& hull, const Cost& cost, const HullOptions& options) {
   json["interior_points"] = hull.count(PointKind::interior);
   json["facets"] = hull.num_facets();
   json["ridges"] = hull.num_ridges();
+  json["tolerance"] = hull.tolerance();
+  json["max_distance"] = hull.max_distance();
   const Measure volume = hull.volume(), area = hull.area();
   json["volume"] = number(volume.value);
   json["volume_error"] = number(volume.error);
@@ -47,6 +50,8 @@ Json stats(const Envelope& hull, const Cost& cost, const HullOptions& options) {
   json["cells"] = hull.num_cells();
   json["hash"] = canonical_hash(hull.to_data()).hex();
   json["facets"] = hull.num_facets();
+  json["tolerance"] = hull.tolerance();
+  json["max_distance"] = hull.max_distance();
   add_cost(json, statistics_of(hull), hull.num_points() == 0 ? 0 : hull.polytope().num_cells(), cost,
            options.build.seed);
   return json;
@@ -56,9 +61,16 @@ std::string measure_text(const Measure& measure) {
   return fmt::format("{} (error at most {:.1e})", measure.value, measure.error);
 }
 
+std::string title(const Polytope& hull) {
+  const std::string title =
+      fmt::format("convex hull of {} points in dimension {}", hull.num_points(), hull.dimension());
+  if (hull.tolerance() == 0) return title;
+  return fmt::format("{}; none is farther outside than {} (tolerance {})", title, hull.max_distance(),
+                     hull.tolerance());
+}
+
 Summary summary(const Polytope& hull, const Cost& cost, const HullOptions& options) {
-  return Summary(options.input.path,
-                 fmt::format("convex hull of {} points in dimension {}", hull.num_points(), hull.dimension()))
+  return Summary(options.input.path, title(hull))
       .affine_dimension(hull.affine_dimension(), hull.dimension(), "the hull in its flat")
       .line("vertices", fmt::format("{} extreme points", hull.num_vertices()))
       .line("other points", fmt::format("{} on the boundary, {} in the interior, {} duplicates",
@@ -114,7 +126,11 @@ int run_hull(const HullOptions& options) {
   const auto build_start = Clock::now();
   const auto built = [&](auto make) {
     const StageGuard guard(Stage::building);
-    return about(input_name(options.input.path), [&] { return make(build.to_options(bar)); });
+    return about(input_name(options.input.path), [&] {
+      Options how = build.to_options(bar);
+      how.tolerance = options.tolerance;
+      return make(how);
+    });
   };
   if (!one_side) {
     const ConvexHull<> hull =
@@ -130,8 +146,9 @@ int run_hull(const HullOptions& options) {
   cost.build = seconds_since(build_start);
   bar.clear();
   if (!options.distances.empty())
-    write_output(options.distances,
-                 PointTable{1, hull.height_above(table.coordinates), {"height_above_hull"}}, "");
+    write_output(
+        options.distances,
+        PointTable{1, hull.height_above(table.coordinates, options.tolerance), {"height_above_hull"}}, "");
   return finish(hull, options, cost, start,
                 [&] { write_output(build.output, hull.to_data(), build.output_format); });
 }
@@ -146,10 +163,15 @@ Run add_hull(CLI::App& app) {
       app.add_flag("--lower", options->lower, "Only the facets that look down along the last coordinate");
   app.add_flag("--upper", options->upper, "Only the facets that look up along the last coordinate")
       ->excludes(lower);
-  app.add_option(
-         "--distances", options->distances,
-         "With --lower or --upper: write how far each point is above the hull, along the last coordinate")
+  app.add_option("--distances", options->distances,
+                 "With --lower or --upper: write how far each point is above the hull, along the last "
+                 "coordinate; up to "
+                 "--tolerance it is 0")
       ->type_name("FILE");
+  app.add_option(
+      "--tolerance", options->tolerance,
+      "Keep so few points that no other is farther outside of their hull than this (with --lower or "
+      "--upper: along the last coordinate)");
   options->build.add_construction(app);
   return [options] { return run_hull(*options); };
 }

@@ -68,6 +68,11 @@ class Polytope {
   std::span<const double> point(std::size_t row) const;  ///< the d coordinates of a row
   std::vector<int> axes() const;                         ///< as Triangulation::axes()
 
+  /// Options::tolerance; 0 for an exact hull.
+  double tolerance() const;
+  /// No point is farther than this from the hull: a bound, rounded up, that is at most the tolerance.
+  double max_distance() const;
+
   /// The hull as arrays, without `points`; valid until the next insertion. Computed on first use after a
   /// change, O(cells·k³) and more where cells share hyperplanes. The numbers, kinds and measures above and
   /// below do not need it. Cells are numbered in no particular order; for k = 1 cell 0 is the lower end on
@@ -130,6 +135,28 @@ class Polytope {
 /// Delaunay and weighted Delaunay 3D triangulations", doi:10.1016/j.comgeo.2010.09.010). Cells in one
 /// hyperplane are then merged into the facets of the polytope, exactly; facets, ridges, faces and extreme
 /// points do not depend on the perturbation.
+///
+/// With Options::tolerance ε > 0 it is the exact convex hull of some of the points, chosen such that no point
+/// is farther than ε from it; the distance is Euclidean, and the decision exact. So it is convex and
+/// watertight, and its vertices are rows of the input. max_distance() bounds the distances.
+///  - Vertices. From the extreme points of all: those that are farther than ε from the hull of the others;
+///  then
+///    the farthest from what is there, while it is farther than ε; then points are dropped that the others
+///    cover, the last one first. So no vertex can be left out. A function of the set of points. A point that
+///    is no vertex is of the kind `interior` if it is strictly inside, otherwise `boundary`.
+///  - Facets are sets of cells: one begins with the largest cell that is in none, and grows across ridges
+///  while
+///    all its vertices are within ε of the hyperplane of that cell, which is that of `equations`. Facets,
+///    faces and ridges are those of these sets: where two facets meet there is one ridge, and a face is a
+///    set of vertices that some facets have in common. Euler's relation may fail for them if ε is not small
+///    beside the facets. num_cells(), hash(), volume(), area(), locate(), visible_cells() are about the cells.
+///  - Flat input. Points within ε of a flat of fewer dimensions, spanned by few points that are far apart,
+///    have their hull there: cells are those of the projections on axes(), with the distances of all points
+///    in space within ε of the vertices' hull as always. Queries within ε of the flat count as in it. Not
+///    every set within ε of some hyperplane is flat in this sense.
+///  - insert() chooses anew at the first question that follows, at a cost of all extreme points;
+///    insert_range() at once. A tolerance larger than the extent of the points of a range, with those before
+///    it, along every axis is Errc::invalid_argument, unless all points are equal.
 ///
 /// Exact for all finite doubles. Flat input has the hull in its flat, k < d: for k = 1 two end points, each a
 /// facet; for k = 0 a single point, without facets. Duplicates are merged. Worst case O(n^⌊d/2⌋) cells.

@@ -66,6 +66,9 @@ struct HullData {
   std::vector<SignedIndex> vertices;         ///< the extreme rows, increasing
   std::vector<SignedIndex> vertex_of_point;  ///< n, the first row that is equal to each row
   std::vector<PointKind> point_kinds;        ///< n
+  std::vector<int> axes;    ///< k coordinates on which the flat projects one-to-one, increasing
+  double tolerance = 0;     ///< 0: the hull is exact, otherwise see Polytope::tolerance()
+  double max_distance = 0;  ///< no point is farther outside of the hull than this
 
   std::size_t num_points() const { return vertex_of_point.size(); }
   std::size_t num_cells() const {

@@ -61,15 +61,23 @@ class Envelope {
 
   /// The height of each of q points (q×d) above the envelope ("energy above hull"). The sign is exact: 0 only
   /// for points exactly on the envelope, negative below it. The magnitude is rounded, as in heights(). −∞
-  /// (+∞ for the upper hull) outside the domain.
-  std::vector<double> height_above(const AnyPoints<>& points) const;
+  /// (+∞ for the upper hull) outside the domain. Heights of a magnitude up to `tolerance` are 0. Throws
+  /// invalid_argument for one that is negative, NaN or infinite.
+  std::vector<double> height_above(const AnyPoints<>& points, double tolerance = 0) const;
+
+  /// Options::tolerance; 0 for an exact envelope.
+  double tolerance() const;
+  /// No point is farther than this below a lower hull (above an upper one), along the last axis: a bound,
+  /// rounded up, that is at most the tolerance.
+  double max_distance() const;
 
   /// The cells as plain data: dimension d, affine_dimension c (of the cells). For files and pictures; not a
   /// Delaunay triangulation.
   ComplexData to_data() const;
 
   /// The convex hull that this is a part of: of the points, projected to the composition axes and the height
-  /// (negated for the upper hull), and of one point above them all. Throws Errc::invalid_argument if there
+  /// (negated for the upper hull), and of one point above them all. With a tolerance, of the vertices that
+  /// are kept, its rows in the order of vertices(), if others are not. Throws Errc::invalid_argument if there
   /// are no points.
   const Polytope& polytope() const;
 
@@ -88,6 +96,13 @@ class Envelope {
 /// The lower hull of points of R^D, D ≥ 2; of R^d, d chosen at run time, if D is dynamic: the graph of the
 /// largest convex function that is nowhere above the points, over the convex hull of their compositions. The
 /// upper hull is that of the least concave function that is nowhere below them.
+///
+/// With Options::tolerance ε > 0 it is the exact lower hull of some of the points, over the same domain, such
+/// that no point is more than ε below it along the last axis (decided exactly). From the vertices of the
+/// exact lower hull: those with extreme compositions; then, while one is more than ε below what is there, the
+/// farthest below each cell; then vertices are dropped that the others cover. So no vertex can be left out.
+/// Compositions have no tolerance, and facets are exact. A tolerance larger than the range of the heights
+/// is Errc::invalid_argument, unless they are all equal.
 ///
 /// Exact for all finite doubles; a function of the set of points. Duplicates, flat compositions and points
 /// above the hull are ordinary input. Cost: a convex hull of n+1 points.
@@ -125,11 +140,11 @@ class LowerHull : public Envelope {
     else
       return Envelope::heights(compositions.coordinates());
   }
-  std::vector<double> height_above(const AnyPoints<D>& points) const {
+  std::vector<double> height_above(const AnyPoints<D>& points, double tolerance = 0) const {
     if constexpr (D == dynamic)
-      return Envelope::height_above(points);
+      return Envelope::height_above(points, tolerance);
     else
-      return Envelope::height_above(points.coordinates());
+      return Envelope::height_above(points.coordinates(), tolerance);
   }
 
  private:

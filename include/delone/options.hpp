@@ -15,8 +15,8 @@ enum class InsertionOrder {
   shuffled,   ///< a random permutation
 };
 
-/// Options of a construction. The result depends on the set of points alone; options change the path, not the
-/// end.
+/// Options of a construction. The result depends on the set of points alone and, for hulls, on the tolerance;
+/// the other options change the path, not the end.
 struct Options {
   std::uint64_t seed = 0;  ///< of the random choices of the insertion order
   InsertionOrder order = InsertionOrder::automatic;
@@ -25,6 +25,9 @@ struct Options {
   /// (Errc::cancelled). A batch that is wrapped (some hundred points in 7 or 8 dimensions) stays at 0 until
   /// it is done.
   std::function<bool(double)> progress = {};
+  /// Of hulls (ConvexHull, LowerHull), with the unit of the coordinates; see there. 0, the default, is exact.
+  /// Must be finite and ≥ 0, and 0 for triangulations and halfspaces; otherwise Errc::invalid_argument.
+  double tolerance = 0;
 };
 
 /// What a triangulation has cost so far.

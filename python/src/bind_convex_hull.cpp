@@ -23,8 +23,9 @@ using namespace py::literals;
 /// A hull and its arrays.
 class HeldHull {
  public:
-  HeldHull(int dimension, const BuildArguments& arguments)
-      : arguments_(arguments), hull_(dimension, arguments.to_options(guard_.progress())) {}
+  HeldHull(int dimension, const BuildArguments& arguments, double tolerance)
+      : arguments_(arguments),
+        hull_(dimension, with_tolerance(arguments.to_options(guard_.progress()), tolerance)) {}
 
   int dimension() const { return hull_.dimension(); }
   const BuildArguments& arguments() const { return arguments_; }
@@ -76,6 +77,11 @@ class HeldHull {
   }
 
  private:
+  static Options with_tolerance(Options options, double tolerance) {
+    options.tolerance = tolerance;
+    return options;
+  }
+
   BuildArguments arguments_;
   Guard guard_;  // of all members below
   ConvexHull<> hull_;
@@ -84,20 +90,20 @@ class HeldHull {
   mutable std::shared_ptr<const HullData> data_;
 };
 
-std::unique_ptr<HeldHull> construct(const py::object& points, std::uint64_t seed, std::string order,
-                                    int threads, const py::object& progress) {
+std::unique_ptr<HeldHull> construct(const py::object& points, double tolerance, std::uint64_t seed,
+                                    std::string order, int threads, const py::object& progress) {
   const auto rows = as_points(points, "points");
   auto held = std::make_unique<HeldHull>(static_cast<int>(rows.shape(1)),
-                                         BuildArguments{seed, std::move(order), threads});
+                                         BuildArguments{seed, std::move(order), threads}, tolerance);
   held->add(rows, progress);
   return held;
 }
 
-py::tuple of_extreme_points(const py::object& points, std::uint64_t seed, std::string order, int threads,
-                            const py::object& progress) {
+py::tuple of_extreme_points(const py::object& points, double tolerance, std::uint64_t seed, std::string order,
+                            int threads, const py::object& progress) {
   const auto rows = as_points(points, "points");
   auto held = std::make_unique<HeldHull>(static_cast<int>(rows.shape(1)),
-                                         BuildArguments{seed, std::move(order), threads});
+                                         BuildArguments{seed, std::move(order), threads}, tolerance);
   py::array which = list_view(held->add_extreme(rows, progress));
   return py::make_tuple(py::cast(std::move(held)), which);
 }
@@ -198,14 +204,16 @@ py::tuple state(const HeldHull& held) {
   const BuildArguments& a = held.arguments();
   py::list batches;
   for (const std::size_t rows : held.batches()) batches.append(rows);
-  return py::make_tuple(held.dimension(), points(held), batches, a.seed, a.order, a.threads);
+  const double tolerance = held.ask([](const Polytope& hull) { return hull.tolerance(); });
+  return py::make_tuple(held.dimension(), points(held), batches, a.seed, a.order, a.threads, tolerance);
 }
 
 std::unique_ptr<HeldHull> restored(const py::tuple& state) {
-  if (state.size() != 6) throw py::value_error("not the state of a hull");
+  if (state.size() != 7) throw py::value_error("not the state of a hull");
   auto held = std::make_unique<HeldHull>(
       state[0].cast<int>(),
-      BuildArguments{state[3].cast<std::uint64_t>(), state[4].cast<std::string>(), state[5].cast<int>()});
+      BuildArguments{state[3].cast<std::uint64_t>(), state[4].cast<std::string>(), state[5].cast<int>()},
+      state[6].cast<double>());
   py::ssize_t first = 0;
   for (const auto item : state[2]) {
     held->add(state[1][py::slice(first, first + item.cast<py::ssize_t>(), 1)], py::none());
@@ -220,14 +228,23 @@ auto asking(Question question) {
 }
 
 constexpr const char* class_doc = R"(
-ConvexHull(points, *, seed=0, order='automatic', threads=1, progress=None)
+ConvexHull(points, *, tolerance=0.0, seed=0, order='automatic', threads=1, progress=None)
 
 The convex hull of points, (n, d) numbers that are exact in float64, in any dimension d >= 1.
 
 Exact: a function of the set of points. Duplicates are merged, and flat points have the hull in their flat, of
 affine dimension k <= d. A *cell* is a simplex of the boundary with k vertices; a *facet* is one of the polytope
 and consists of one cell, or of several in one hyperplane. Index arrays are int32, and read-only as all arrays.
-Arguments and errors as in Delaunay; methods release the GIL. Cost: O(n) cells for evenly spread points,
+Arguments and errors as in Delaunay; methods release the GIL.
+
+tolerance, a distance >= 0 with the unit of the coordinates: if positive, the exact hull of some of the points, so few
+that none can be left out, such that no point is farther than this outside of it; `max_distance` bounds how far. It is
+convex and closed, its vertices are rows of the input, and distances are decided exactly. The farthest points are taken
+first. A facet consists of cells whose vertices are within the tolerance of the plane of its largest cell, which is that
+of `equations`. Points near a flat of fewer dimensions have the hull of their projections on `axes` in it.
+ValueError if it is negative, NaN, infinite, or larger than the set along every axis.
+
+Cost: O(n) cells for evenly spread points,
 at worst O(n^(d/2)). Source: incremental insertion with perturbed ties, doi:10.1016/j.comgeo.2010.09.010.)";
 
 constexpr const char* of_extreme_points_doc = R"(
@@ -283,10 +300,10 @@ constexpr const char* text(const char* doc) { return doc + 1; }
 
 void bind_convex_hull(py::module_& module) {
   py::class_<HeldHull> type(module, "ConvexHull", text(class_doc));
-  type.def(py::init(&construct), "points"_a, py::kw_only(), "seed"_a = 0, "order"_a = "automatic",
-           "threads"_a = 1, "progress"_a = py::none());
-  type.def_static("of_extreme_points", &of_extreme_points, "points"_a, py::kw_only(), "seed"_a = 0,
-                  "order"_a = "automatic", "threads"_a = 1, "progress"_a = py::none(),
+  type.def(py::init(&construct), "points"_a, py::kw_only(), "tolerance"_a = 0.0, "seed"_a = 0,
+           "order"_a = "automatic", "threads"_a = 1, "progress"_a = py::none());
+  type.def_static("of_extreme_points", &of_extreme_points, "points"_a, py::kw_only(), "tolerance"_a = 0.0,
+                  "seed"_a = 0, "order"_a = "automatic", "threads"_a = 1, "progress"_a = py::none(),
                   text(of_extreme_points_doc));
   type.def("insert_range", &HeldHull::add, "points"_a, py::kw_only(), "progress"_a = py::none(),
            text(insert_range_doc));
@@ -296,6 +313,11 @@ void bind_convex_hull(py::module_& module) {
           "affine_dimension", asking([](const Polytope& h) { return h.affine_dimension(); }),
           "k <= d, of the smallest flat that contains all points; 0 for one distinct point, "
           "-1 for none.")
+      .def_property_readonly("tolerance", asking([](const Polytope& h) { return h.tolerance(); }),
+                             "The argument of the constructor; 0.0: the hull is exact.")
+      .def_property_readonly(
+          "max_distance", asking([](const Polytope& h) { return h.max_distance(); }),
+          "No point is farther outside of the hull than this: a bound, rounded up, at most `tolerance`.")
       .def_property_readonly(
           "axes",
           [](const HeldHull& h) {
@@ -377,7 +399,9 @@ void bind_convex_hull(py::module_& module) {
                 {reinterpret_cast<const std::uint8_t*>(data->point_kinds.data()), data->point_kinds.size()},
                 {static_cast<py::ssize_t>(data->point_kinds.size())}, data);
           },
-          "(n,) uint8: 0 extreme, 1 on the boundary otherwise, 2 interior, 3 equal to an earlier row.")
+          "(n,) uint8: 0 extreme, 1 on the boundary otherwise (or outside, within the tolerance), 2 "
+          "interior, 3 "
+          "equal to an earlier row.")
       .def_property_readonly(
           "volume", asking([](const Polytope& h) { return h.volume().value; }),
           "The k-dimensional volume, >= 0, off by at most volume_error; 0 for k < 1. Cost: O(m d^3), once.")
@@ -395,7 +419,9 @@ void bind_convex_hull(py::module_& module) {
           [](const HeldHull& h) {
             return py::tuple(py::cast(h.ask([](const Polytope& p) { return p.f_vector(); })));
           },
-          "The number of faces of the polytope of each dimension 0 ... k-1: a tuple. Cost: up to O(faces f "
+          "The number of faces of the polytope of each dimension 0 ... k-1: a tuple. With a tolerance, faces "
+          "are "
+          "the sets of vertices that facets have in common. Cost: up to O(faces f "
           "k), "
           "and memory for all faces of one dimension.")
       .def_property_readonly("hash", asking([](const Polytope& h) { return h.hash().hex(); }),

@@ -14,6 +14,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
+#include <numeric>
 
 namespace delone {
 namespace internal {
@@ -73,6 +75,10 @@ void check_hull_storage(const HullData& data, const ComplexData& boundary) {
     if (data.ridge_facets[i] < 0 || static_cast<std::size_t>(data.ridge_facets[i]) >= f)
       throw Violation{
           fmt::format("ridge {} is of facet {}, but there are {} facets", i / 2, data.ridge_facets[i], f)};
+  if (!(data.tolerance >= 0 && data.max_distance >= 0 && data.max_distance <= data.tolerance &&
+        std::isfinite(data.tolerance)))
+    throw Violation{fmt::format("the tolerance is {}, and the largest distance of a point at most {}",
+                                data.tolerance, data.max_distance)};
   for (const SignedIndex row : data.vertices)
     if (row < 0 || static_cast<std::size_t>(row) >= n)
       throw Violation{fmt::format("the extreme points include {}, but there are {} points", row, n)};
@@ -136,9 +142,13 @@ std::size_t check_convexity(ExaminedHull& examined) {
 
 void check_support(ExaminedHull& examined) {
   const SimplicialHull& hull = examined.hull;
-  std::vector<std::size_t> coplanar;  // with cell 0
+  std::vector<Index> rows = examined.vertices();
+  if (!examined.is_tolerant()) {
+    rows.resize(examined.sites.size());
+    std::iota(rows.begin(), rows.end(), Index{0});
+  }
   for (std::size_t c = 0; c < hull.num_cells(); ++c)
-    for (Index row = 0; row < examined.sites.size(); ++row)
+    for (const Index row : rows)
       if (examined.side(c, row) == Sign::negative)
         throw Violation{
             fmt::format("the point {} is beyond cell {} {}", row, c, examined.text(c)), {c}, {row}};
@@ -190,6 +200,7 @@ CheckReport check(const HullData& data, const CheckOptions& options) {
       },
       [&](CheckReport&) {
         if (has_cells) check_support(*examined);
+        if (examined->is_tolerant()) examined->check_distances();
       },
       [&](CheckReport&) { check_hull_faces(*examined, data); });
 }

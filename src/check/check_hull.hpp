@@ -5,6 +5,7 @@
 #include "check/check_stages.hpp"
 #include "compiled/simplicial_hull.hpp"
 #include "hull/hull_normal.hpp"
+#include "hull/tolerance/cover.hpp"
 #include "kernel/predicates.hpp"
 
 #include <delone/data.hpp>
@@ -30,8 +31,74 @@ class ExaminedHull {
     hull.cells.assign(data.cells.begin(), data.cells.end());
   }
 
-  /// The affine hull of the points, which must have the dimension that was given.
+  bool is_tolerant() const { return data_.tolerance > 0; }
+
+  /// The affine hull of the points, which must have the dimension that was given; with a tolerance, of the
+  /// vertices, on the axes that were given.
   void find_flat() {
+    if (is_tolerant())
+      find_projection();
+    else
+      find_affine_hull();
+    normals.emplace(hull.dimension < 1 ? 1 : hull.dimension);
+    records.resize(hull.num_cells() * normals->stride());
+    for (std::size_t c = 0; c < hull.num_cells(); ++c)
+      normals->compute(sites, hull.cell(c), hull.dimension == 1 && c == 0,
+                       records.data() + c * normals->stride());
+  }
+  /// The rows of the vertices, increasing.
+  std::vector<Index> vertices() const {
+    std::vector<Index> rows = hull.cells;
+    if (hull.dimension == 0 && !data_.vertices.empty()) rows = {static_cast<Index>(data_.vertices[0])};
+    std::sort(rows.begin(), rows.end());
+    rows.erase(std::unique(rows.begin(), rows.end()), rows.end());
+    return rows;
+  }
+  /// The rows whose distance from the hull of the vertices exceeds the bound that is given with a tolerance.
+  /// In full dimension a point that is beyond no cell is not looked at.
+  void check_distances() {
+    const std::vector<Index> corners = vertices();
+    if (corners.empty()) {
+      if (sites.size() > 0) throw Violation{"there is no vertex"};
+      return;
+    }
+    std::vector<const double*> points;
+    for (const Index row : corners) points.push_back(sites.point(row));
+    Cover distances({}, sites.ambient, data_.max_distance, {}, {});
+    for (Index row = 0; row < sites.size(); ++row) {
+      if (hull.dimension == sites.ambient) {
+        std::size_t c = 0;
+        while (c < hull.num_cells() && side(c, row) != Sign::negative) ++c;
+        if (c == hull.num_cells()) continue;
+      }
+      if (distances.exceeds(points, sites.point(row)))
+        throw Violation{
+            fmt::format("the point {} is farther from the hull than {}", row, data_.max_distance), {}, {row}};
+    }
+  }
+
+ private:
+  void find_projection() {
+    sites.axes = data_.axes;
+    if (sites.axes.empty() && hull.dimension == sites.ambient)
+      for (int axis = 0; axis < sites.ambient; ++axis) sites.axes.push_back(axis);
+    const std::size_t k = sites.axes.size();
+    bool are_axes = static_cast<int>(k) == hull.dimension || hull.dimension < 1;
+    for (std::size_t j = 0; j < k; ++j)
+      are_axes = are_axes && sites.axes[j] >= 0 && sites.axes[j] < sites.ambient &&
+                 (j == 0 || sites.axes[j] > sites.axes[j - 1]);
+    if (!are_axes) throw Violation{"the axes are not as many axes, increasing, as the affine dimension"};
+    kernel::AffineHull projected(static_cast<int>(std::max<std::size_t>(k, 1)));
+    std::vector<double> projection(k + 1, 0.0);
+    for (const Index row : vertices()) {
+      for (std::size_t j = 0; j < k; ++j) projection[j] = sites.point(row)[sites.axes[j]];
+      if (projected.add(projection.data())) basis.push_back(row);
+    }
+    if (static_cast<int>(basis.size()) != hull.dimension + 1)
+      throw Violation{fmt::format("the affine dimension is given as {}, but the vertices span {} on the axes",
+                                  hull.dimension, static_cast<int>(basis.size()) - 1)};
+  }
+  void find_affine_hull() {
     kernel::AffineHull affine_hull(sites.ambient);
     for (Index row = 0; row < sites.size() && affine_hull.dimension() < sites.ambient; ++row)
       if (affine_hull.add(sites.point(row))) basis.push_back(row);
@@ -39,13 +106,9 @@ class ExaminedHull {
       throw Violation{fmt::format("the affine dimension is given as {}, but the points span {}",
                                   hull.dimension, affine_hull.dimension())};
     sites.axes = affine_hull.axes();
-    normals.emplace(hull.dimension < 1 ? 1 : hull.dimension);
-    records.resize(hull.num_cells() * normals->stride());
-    for (std::size_t c = 0; c < hull.num_cells(); ++c)
-      normals->compute(sites, hull.cell(c), hull.dimension == 1 && c == 0,
-                       records.data() + c * normals->stride());
   }
 
+ public:
   Sign side(std::size_t c, Index row) {
     const auto cell = hull.cell(c);
     if (std::find(cell.begin(), cell.end(), row) != cell.end()) return Sign::zero;

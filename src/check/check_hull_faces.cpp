@@ -3,6 +3,7 @@
 // and compared.
 #include "check/check_hull.hpp"
 #include "hull/hull_faces.hpp"
+#include "hull/tolerance/facet_labels.hpp"
 
 #include <cmath>
 #include <map>
@@ -12,7 +13,7 @@
 namespace delone::internal {
 namespace {
 
-PolytopeFaces faces_of(ExaminedHull& examined) {
+PolytopeFaces faces_of(ExaminedHull& examined, const HullData& data) {
   const SimplicialHull& hull = examined.hull;
   std::vector<std::pair<Index, Index>> pairs;
   for (std::size_t c = 0; hull.dimension > 1 && c < hull.num_cells(); ++c)
@@ -20,7 +21,11 @@ PolytopeFaces faces_of(ExaminedHull& examined) {
       if (const Index across = hull.neighbors_of(c)[i];
           across > c && examined.side(c, apex_across(hull, c, i)) == Sign::zero)
         pairs.emplace_back(static_cast<Index>(c), across);
-  return find_faces(hull, examined.sites.size(), pairs);
+  PolytopeFaces exact = find_faces(hull, examined.sites.size(), pairs);
+  if (!examined.is_tolerant()) return exact;
+  PolytopeFaces labels = label_facets(examined.sites, hull, data.tolerance);
+  labels.is_extreme = std::move(exact.is_extreme);  // of all corners, if the cells are sound
+  return labels;
 }
 
 std::vector<SignedIndex> signed_copy(std::span<const Index> items) { return {items.begin(), items.end()}; }
@@ -108,7 +113,7 @@ void check_equations(ExaminedHull& examined, const PolytopeFaces& faces,
     const auto given = static_cast<std::size_t>(given_of[f]);
     const double error = data.equation_errors[given], *equation = data.equations.data() + given * (d + 1);
     if (!(error >= 0)) throw Violation{fmt::format("the error of equation {} is {}", given, error)};
-    const std::size_t c = faces.cells_of_facet[f][0];
+    const std::size_t c = faces.seeds.empty() ? faces.cells_of_facet[f][0] : faces.seeds[f];
     const double *normal = examined.records.data() + c * stride,
                  *base = sites.point(examined.hull.cell(c)[0]);
     double length = 0;
@@ -158,6 +163,8 @@ std::vector<SignedIndex> first_rows(const HullSites& sites) {
 void check_points(ExaminedHull& examined, const PolytopeFaces& faces, const HullData& data) {
   const SimplicialHull& hull = examined.hull;
   const std::vector<SignedIndex> first = first_rows(examined.sites);
+  const std::vector<Index> vertices = examined.vertices();
+  const Index only_vertex = hull.dimension == 0 ? (vertices.empty() ? 0 : vertices[0]) : invalid_index;
   std::vector<char> listed(first.size(), 0);
   for (const SignedIndex row : data.vertices)
     if (std::exchange(listed[static_cast<std::size_t>(row)], 1) != 0)
@@ -170,9 +177,10 @@ void check_points(ExaminedHull& examined, const PolytopeFaces& faces, const Hull
                                   data.vertex_of_point[row]),
                       {},
                       {row}};
-    PointKind kind = first[row] != static_cast<SignedIndex>(row)    ? PointKind::duplicate
-                     : faces.is_extreme[row] || hull.dimension == 0 ? PointKind::extreme
-                                                                    : PointKind::interior;
+    PointKind kind = first[row] != static_cast<SignedIndex>(row)   ? PointKind::duplicate
+                     : faces.is_extreme[row] || row == only_vertex ? PointKind::extreme
+                     : hull.dimension == 0                         ? PointKind::boundary
+                                                                   : PointKind::interior;
     if (!data.vertices.empty() && (listed[row] != 0) != (kind == PointKind::extreme))
       throw Violation{
           fmt::format("point {} is {}in the list of extreme points", row, listed[row] ? "" : "not "),
@@ -180,7 +188,7 @@ void check_points(ExaminedHull& examined, const PolytopeFaces& faces, const Hull
           {row}};
     if (data.point_kinds.empty()) continue;
     for (std::size_t c = 0; kind == PointKind::interior && c < hull.num_cells(); ++c)
-      if (examined.side(c, row) == Sign::zero) kind = PointKind::boundary;
+      if (examined.side(c, row) != Sign::positive) kind = PointKind::boundary;
     if (kind != data.point_kinds[row]) {
       constexpr const char* names[] = {"extreme", "on the boundary", "in the interior", "a duplicate"};
       throw Violation{fmt::format("point {} is {}, but is said to be {}", row, names[static_cast<int>(kind)],
@@ -194,7 +202,7 @@ void check_points(ExaminedHull& examined, const PolytopeFaces& faces, const Hull
 }  // namespace
 
 void check_hull_faces(ExaminedHull& examined, const HullData& data) {
-  const PolytopeFaces faces = faces_of(examined);
+  const PolytopeFaces faces = faces_of(examined, data);
   if (!data.facet_of_cell.empty()) {
     const Lists facet_sites = find_facet_sites(examined.hull, faces);
     const std::vector<SignedIndex> given_of = check_facets(examined.hull, faces, facet_sites, data);

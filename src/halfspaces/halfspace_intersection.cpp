@@ -4,6 +4,7 @@
 #include "base/guarded.hpp"
 #include "base/progress_meter.hpp"
 #include "base/require_finite.hpp"
+#include "base/require_tolerance.hpp"
 #include "base/stopwatch.hpp"
 #include "halfspaces/interior_point.hpp"
 #include "halfspaces/intersection_arrays.hpp"
@@ -238,6 +239,7 @@ struct Polyhedron::Impl {
 
 Polyhedron::Polyhedron(const AnyPoints<>& halfspaces, int dimension, const Options& options) {
   if (dimension < 1) throw Error(Errc::bad_dimension, "the dimension must be at least 1");
+  internal::refuse_tolerance(options.tolerance, "intersections of halfspaces");
   halfspaces.require_dimension(dimension + 1);
   internal::guarded("the intersection", [&] {
     impl_ = std::make_unique<Impl>(dimension, options);
@@ -248,6 +250,7 @@ Polyhedron::Polyhedron(const AnyPoints<>& halfspaces, int dimension, const Optio
 Polyhedron::Polyhedron(const AnyPoints<>& halfspaces, int dimension, std::span<const double> interior_point,
                        const Options& options) {
   if (dimension < 1) throw Error(Errc::bad_dimension, "the dimension must be at least 1");
+  internal::refuse_tolerance(options.tolerance, "intersections of halfspaces");
   halfspaces.require_dimension(dimension + 1);
   if (interior_point.size() != static_cast<std::size_t>(dimension))
     throw Error(Errc::bad_dimension, "the interior point has not as many coordinates as the space");

@@ -2,10 +2,13 @@
 // Polytope: the public members of what hull_state.hpp builds and hull_analysis.hpp derives from it.
 #include "base/guarded.hpp"
 #include "base/require_finite.hpp"
+#include "base/require_tolerance.hpp"
 #include "complex/canonical_hash.hpp"
 #include "hull/extreme_hull.hpp"
 #include "hull/hull_analysis.hpp"
 #include "hull/hull_state.hpp"
+#include "hull/tolerance/flat_distance.hpp"
+#include "hull/tolerance/tolerant_hull.hpp"
 
 #include <delone/convex_hull.hpp>
 
@@ -20,6 +23,7 @@ using internal::HullLocator;
 using internal::HullSites;
 using internal::HullState;
 using internal::SimplicialHull;
+using internal::TolerantHull;
 
 struct Polytope::Impl {
   Impl(int d, Options given)
@@ -31,13 +35,32 @@ struct Polytope::Impl {
 
   int dimension;
   Options options;
-  std::unique_ptr<HullState> state;
+  std::unique_ptr<HullState> state;  // the exact hull of all points
   mutable std::mutex mutex;
+  mutable std::unique_ptr<const TolerantHull> tolerant;  // made on first use, if there is a tolerance
   mutable std::unique_ptr<const HullAnalysis> analysis_of_state;
 
   std::size_t ambient() const { return static_cast<std::size_t>(dimension); }
-  int affine_dimension() const { return state->affine_hull().dimension(); }
-  const SimplicialHull& hull() const { return state->hull(); }
+  int affine_dimension() const { return shown().affine_hull().dimension(); }
+  const SimplicialHull& hull() const { return shown().hull(); }
+
+  /// What this object shows: the exact hull, or that with a tolerance.
+  const HullState& shown() const {
+    if (options.tolerance == 0) return *state;
+    return internal::guarded("the hull", [&]() -> const HullState& {
+      const std::lock_guard lock(mutex);
+      return shown_when_locked();
+    });
+  }
+  const HullState& shown_when_locked() const {
+    if (options.tolerance == 0) return *state;
+    if (!tolerant) tolerant = std::make_unique<const TolerantHull>(*state, options, false);
+    return tolerant->state();
+  }
+  double max_distance() const {
+    shown();
+    return tolerant ? tolerant->max_distance() : 0;
+  }
 
   /// Throws unless all is well with new points; false if there are none.
   bool check_points(std::span<const double> coordinates) const {
@@ -45,12 +68,37 @@ struct Polytope::Impl {
       throw Error(Errc::bad_dimension, "the number of coordinates is not a multiple of the dimension");
     internal::require_finite(coordinates, ambient(), "a coordinate");
     check_room(coordinates.size() / ambient());
-    return !coordinates.empty();
+    if (coordinates.empty()) return false;
+    check_extent(coordinates);
+    return true;
   }
   void insert_range(std::span<const double> coordinates) {
     if (!check_points(coordinates)) return;
-    state->insert_range(coordinates, options);
+    std::unique_ptr<const TolerantHull> made;
+    const auto make = [&] { made = std::make_unique<const TolerantHull>(*state, options, true); };
+    state->insert_range(coordinates, options, options.tolerance > 0 ? make : std::function<void()>{});
     analysis_of_state.reset();
+    tolerant = std::move(made);
+  }
+  /// Of all points, with those to come.
+  void check_extent(std::span<const double> coordinates) const {
+    if (options.tolerance == 0) return;
+    double extent = 0;
+    for (std::size_t j = 0; j < ambient(); ++j) {
+      double low = coordinates[j], high = low;
+      const auto include = [&](std::span<const double> some) {
+        for (std::size_t at = j; at < some.size(); at += ambient())
+          low = std::min(low, some[at]), high = std::max(high, some[at]);
+      };
+      include(coordinates);
+      include(state->sites().coordinates);
+      extent = std::max(extent, high - low);
+    }
+    if (extent > 0 && options.tolerance > extent)
+      throw Error(Errc::invalid_argument,
+                  "the tolerance, " + internal::shortest_text(options.tolerance) +
+                      ", is larger than the set of points, whose largest extent along an axis is " +
+                      internal::shortest_text(extent));
   }
   std::vector<SignedIndex> insert_extreme(std::span<const double> coordinates) {
     if (state->num_rows() > 0)
@@ -58,8 +106,12 @@ struct Polytope::Impl {
     if (!check_points(coordinates)) return {};
     internal::ExtremeHull hull = internal::find_extreme_hull(coordinates, dimension, options);
     std::vector<SignedIndex> rows(hull.rows.begin(), hull.rows.end());
-    state = std::move(hull.state);
+    // What is shown with a tolerance depends on the extreme points alone.
+    std::unique_ptr<const TolerantHull> made;
+    if (options.tolerance > 0) made = std::make_unique<const TolerantHull>(*hull.state, options, true);
     analysis_of_state.reset();
+    tolerant = std::move(made);
+    state = std::move(hull.state);
     return rows;
   }
 
@@ -70,10 +122,13 @@ struct Polytope::Impl {
     check_room(1);
     if (state->raises_dimension(point.data())) {
       const std::size_t row = state->num_rows();
-      insert_range(point);
+      analysis_of_state.reset();
+      tolerant.reset();
+      state->insert_range(point, options);
       return {row, true, false};
     }
     const HullInsertResult result = state->insert_in_flat(point.data());
+    tolerant.reset();
     // Of a duplicate only the new row's entries change, but they are part of the arrays.
     analysis_of_state.reset();
     return result;
@@ -89,7 +144,12 @@ struct Polytope::Impl {
   }
   const HullAnalysis& analysis() const {
     const std::lock_guard lock(mutex);
-    if (!analysis_of_state) analysis_of_state = std::make_unique<HullAnalysis>(*state);
+    if (!analysis_of_state) {
+      const HullState& of = shown_when_locked();
+      const double distance = tolerant ? tolerant->max_distance() : 0;
+      analysis_of_state =
+          std::make_unique<HullAnalysis>(of, internal::HullTolerance{options.tolerance, distance});
+    }
     return *analysis_of_state;
   }
 
@@ -100,10 +160,12 @@ struct Polytope::Impl {
     return query.data();
   }
   bool in_flat(const double* q) const {
-    return affine_dimension() == dimension || state->affine_hull().contains(q);
+    const kernel::AffineHull& flat = shown().affine_hull();
+    return flat.dimension() == dimension || flat.contains(q) ||
+           (options.tolerance > 0 && internal::is_near_flat(flat.basis(), q, dimension, options.tolerance));
   }
   kernel::Grid grid_with(const double* q) const {
-    kernel::Grid grid = state->sites().grid;
+    kernel::Grid grid = shown().sites().grid;
     grid.include(q);
     return grid;
   }
@@ -111,6 +173,7 @@ struct Polytope::Impl {
 
 Polytope::Polytope(int dimension, const Options& options) {
   if (dimension < 1) throw Error(Errc::bad_dimension, "the dimension must be at least 1");
+  internal::require_tolerance(options.tolerance);
   impl_ = std::make_unique<Impl>(dimension, options);
 }
 Polytope::Polytope(detail::Clone, const Polytope& other)
@@ -134,7 +197,9 @@ int Polytope::affine_dimension() const { return impl_->affine_dimension(); }
 std::size_t Polytope::num_points() const { return impl_->state->num_rows(); }
 std::size_t Polytope::num_duplicates() const { return impl_->state->num_duplicates(); }
 std::size_t Polytope::num_cells() const { return impl_->hull().num_cells(); }
-std::vector<int> Polytope::axes() const { return impl_->state->affine_hull().axes(); }
+std::vector<int> Polytope::axes() const { return impl_->shown().sites().axes; }
+double Polytope::tolerance() const { return impl_->options.tolerance; }
+double Polytope::max_distance() const { return impl_->max_distance(); }
 
 std::size_t Polytope::num_vertices() const { return count(PointKind::extreme); }
 std::size_t Polytope::num_facets() const {
@@ -183,7 +248,7 @@ Containment Polytope::locate(const AnyPoint<>& query) const {
   if (affine_dimension() < 0 || !impl_->in_flat(q)) return result;
   if (affine_dimension() == 0) {
     result.kind = Containment::Kind::on_boundary;
-    result.face = {impl_->state->row(0)};
+    result.face = {impl_->state->row(impl_->shown().basis()[0])};
     return result;
   }
   const HullAnalysis& analysis = impl_->analysis();
@@ -233,7 +298,7 @@ CanonicalHash Polytope::hash() const {
   const HullSites& sites = impl_->state->sites();
   internal::HashAccumulator hash;
   std::vector<Index> corners = hull.cells;
-  if (affine_dimension() == 0) corners = {0};
+  if (affine_dimension() == 0) corners = {impl_->shown().basis()[0]};
   std::sort(corners.begin(), corners.end());
   corners.erase(std::unique(corners.begin(), corners.end()), corners.end());
   for (const Index site : corners) hash.add_vertex(internal::point_tag(sites.point(site), dimension()));
@@ -245,6 +310,12 @@ CanonicalHash Polytope::hash() const {
   return hash.finish(dimension(), affine_dimension());
 }
 
-Statistics Polytope::statistics() const { return impl_->state->statistics(); }
+Statistics Polytope::statistics() const {
+  Statistics statistics = impl_->shown().statistics();
+  const Statistics of_exact = impl_->state->statistics();
+  statistics.order_seconds = of_exact.order_seconds;
+  statistics.build_seconds = of_exact.build_seconds;
+  return statistics;
+}
 
 }  // namespace delone

@@ -1,12 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "hull/hull_analysis.hpp"
 
+#include "hull/tolerance/facet_labels.hpp"
+
 #include <algorithm>
 #include <utility>
 
 namespace delone::internal {
 
-HullAnalysis::HullAnalysis(const HullState& state) : state_(state) {
+HullAnalysis::HullAnalysis(const HullState& state, const HullTolerance& tolerance)
+    : state_(state), tolerance_(tolerance) {
   if (state.builder() != nullptr) locator_.emplace(state.sites(), *state.builder());
 }
 
@@ -14,6 +17,7 @@ const PolytopeFaces& HullAnalysis::faces() const {
   return faces_.get([&] {
     const HullEngine* boundary = state_.builder() == nullptr ? nullptr : state_.builder()->boundary();
     const SimplicialHull& hull = state_.hull();
+    if (tolerance_.tolerance > 0) return label_facets(state_.sites(), hull, tolerance_.tolerance);
     std::vector<std::pair<Index, Index>> coplanar;
     if (boundary != nullptr) coplanar = boundary->coplanar_neighbors(hull);
     return find_faces(hull, state_.sites().size(), coplanar);
@@ -54,11 +58,13 @@ std::vector<PointKind> HullAnalysis::find_kinds() const {
   std::vector<char> is_corner(sites.size(), 0);
   for (const Index site : state_.hull().cells) is_corner[site] = 1;
   const auto kind_of = [&](Index site) {
-    if (!locator_ || faces.is_extreme[site]) return PointKind::extreme;
+    if (faces.is_extreme[site]) return PointKind::extreme;
+    // Without a boundary there is one vertex; with a tolerance there may be other points within it.
+    if (!locator_) return site == state_.basis()[0] ? PointKind::extreme : PointKind::boundary;
     if (is_corner[site]) return PointKind::boundary;
     if (state_.is_surely_interior(site)) return PointKind::interior;
-    return locator_->locate(sites.point(site), sites.grid).side == Sign::zero ? PointKind::boundary
-                                                                              : PointKind::interior;
+    return locator_->locate(sites.point(site), sites.grid).side == Sign::positive ? PointKind::interior
+                                                                                  : PointKind::boundary;
   };
   std::vector<PointKind> kinds(state_.num_rows(), PointKind::duplicate);
   for (Index site = 0; site < sites.size(); ++site)
@@ -73,13 +79,15 @@ FacetEquations HullAnalysis::equations() const {
   const HullSites& sites = state_.sites();
   std::vector<const double*> scratch;
   return facet_equations(
-      sites, state_.hull(), faces().facet_of_cell, faces().num_facets(), [&](std::size_t c) {
+      sites, state_.hull(), faces().facet_of_cell, faces().num_facets(),
+      [&](std::size_t c) {
         const auto is_inside = [&](Index site) {
           return side_of_cell(sites, state_.hull(), c, sites.point(site), sites.grid, scratch) ==
                  Sign::positive;
         };
         return sites.point(*std::find_if(state_.basis().begin(), state_.basis().end(), is_inside));
-      });
+      },
+      faces().seeds);
 }
 
 HullData HullAnalysis::make_data() const {
@@ -88,6 +96,9 @@ HullData HullAnalysis::make_data() const {
   HullData data;
   data.dimension = sites.ambient;
   data.affine_dimension = state_.affine_hull().dimension();
+  data.axes = sites.axes;
+  data.tolerance = tolerance_.tolerance;
+  data.max_distance = tolerance_.max_distance;
   const auto rows = [&](const std::vector<Index>& from) {
     std::vector<SignedIndex> to(from.size());
     std::transform(from.begin(), from.end(), to.begin(), [&](Index site) { return state_.row(site); });

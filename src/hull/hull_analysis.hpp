@@ -34,10 +34,16 @@ class Lazy {
   mutable std::optional<T> value_;
 };
 
+/// What a hull with a tolerance promises; 0 for exact ones.
+struct HullTolerance {
+  double tolerance = 0;     ///< of facets, too
+  double max_distance = 0;  ///< of the points
+};
+
 class HullAnalysis {
  public:
   /// The state must outlive this object and must not change.
-  explicit HullAnalysis(const HullState& state);
+  explicit HullAnalysis(const HullState& state, const HullTolerance& tolerance = {});
 
   /// Empty for k < 1.
   const std::optional<HullLocator>& locator() const { return locator_; }
@@ -57,6 +63,7 @@ class HullAnalysis {
   HullData make_data() const;
 
   const HullState& state_;
+  HullTolerance tolerance_;
   std::optional<HullLocator> locator_;
   Lazy<PolytopeFaces> faces_;
   Lazy<Lists> facet_sites_;

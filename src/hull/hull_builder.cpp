@@ -163,6 +163,7 @@ void ConvexHullBuilder::keep_batch() noexcept {
 void ConvexHullBuilder::undo_batch() noexcept {
   if (boundary_) boundary_->undo_batch();
   now_ = before_;
+  now_.hull_is_current = false;  // it may have been made for the batch
 }
 
 const SimplicialHull& ConvexHullBuilder::hull() const {

@@ -66,19 +66,12 @@ void number_facets(const SimplicialHull& hull, std::span<const std::pair<Index, 
     const Index root = sets.root(static_cast<Index>(c));
     faces.facet_of_cell[c] = root == c ? num_facets++ : faces.facet_of_cell[root];
   }
-  std::vector<std::size_t>& offsets = faces.cells_of_facet.offsets;
-  offsets.assign(num_facets + std::size_t{1}, 0);
-  for (const Index f : faces.facet_of_cell) ++offsets[f + std::size_t{1}];
-  std::partial_sum(offsets.begin(), offsets.end(), offsets.begin());
-  std::vector<std::size_t> next(offsets.begin(), offsets.end() - 1);
-  faces.cells_of_facet.items.resize(m);
-  for (std::size_t c = 0; c < m; ++c)
-    faces.cells_of_facet.items[next[faces.facet_of_cell[c]]++] = static_cast<Index>(c);
+  list_cells_of_facets(faces, num_facets);
 }
 
 /// Calls visit(facet, neighbor, cell, vertex) once for each ridge, in increasing order of the pairs (facet,
-/// neighbor) with facet < neighbor. The ridge is opposite `vertex` in `cell`, a cell of `facet`. Two facets
-/// share at most one ridge.
+/// neighbor) with facet < neighbor. The ridge, or a part of it, is opposite `vertex` in `cell`, a cell of
+/// `facet`. Two facets of a polytope share at most one ridge.
 template <class Visit>
 void for_each_ridge(const SimplicialHull& hull, const PolytopeFaces& faces, Visit visit) {
   struct Side {
@@ -101,6 +94,18 @@ void for_each_ridge(const SimplicialHull& hull, const PolytopeFaces& faces, Visi
 }
 
 }  // namespace
+
+void list_cells_of_facets(PolytopeFaces& faces, std::size_t num_facets) {
+  const std::size_t m = faces.facet_of_cell.size();
+  std::vector<std::size_t>& offsets = faces.cells_of_facet.offsets;
+  offsets.assign(num_facets + 1, 0);
+  for (const Index f : faces.facet_of_cell) ++offsets[f + std::size_t{1}];
+  std::partial_sum(offsets.begin(), offsets.end(), offsets.begin());
+  std::vector<std::size_t> next(offsets.begin(), offsets.end() - 1);
+  faces.cells_of_facet.items.resize(m);
+  for (std::size_t c = 0; c < m; ++c)
+    faces.cells_of_facet.items[next[faces.facet_of_cell[c]]++] = static_cast<Index>(c);
+}
 
 PolytopeFaces find_faces(const SimplicialHull& hull, std::size_t num_sites,
                          std::span<const std::pair<Index, Index>> coplanar) {
@@ -161,7 +166,7 @@ PolytopeRidges find_ridges(const SimplicialHull& hull, const PolytopeFaces& face
   std::vector<Index> sites;
   for_each_ridge(hull, faces, [&](Index a, Index b, Index c, std::size_t vertex) {
     ridges.facets.insert(ridges.facets.end(), {a, b});
-    if (faces.cells_of_facet[a].size() > 1 && faces.cells_of_facet[b].size() > 1) {
+    if (!faces.seeds.empty() || (faces.cells_of_facet[a].size() > 1 && faces.cells_of_facet[b].size() > 1)) {
       ridges.sites.add(intersection(facet_sites[a], facet_sites[b]));
       return;
     }

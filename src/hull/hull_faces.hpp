@@ -32,6 +32,8 @@ struct PolytopeFaces {
   std::vector<Index> facet_of_cell;
   Lists cells_of_facet;          ///< increasing
   std::vector<char> is_extreme;  ///< by site
+  /// The cell whose plane is that of each facet, if facets are labels that a tolerance has made; else empty.
+  std::vector<Index> seeds;
 
   std::size_t num_facets() const { return cells_of_facet.size(); }
 };
@@ -46,9 +48,14 @@ struct PolytopeFaces {
 PolytopeFaces find_faces(const SimplicialHull& hull, std::size_t num_sites,
                          std::span<const std::pair<Index, Index>> coplanar);
 
+/// Sets cells_of_facet from facet_of_cell.
+void list_cells_of_facets(PolytopeFaces& faces, std::size_t num_facets);
+
 /// The extreme sites of each facet, in increasing order.
 Lists find_facet_sites(const SimplicialHull& hull, const PolytopeFaces& faces);
 
+/// Where two facets meet. Facets that a tolerance has made may do so in several places; all of them are one
+/// ridge, whose sites are those that both facets have.
 struct PolytopeRidges {
   std::vector<Index> facets;  ///< two per ridge, increasing; ridges are in the order of these pairs
   Lists sites;                ///< extreme ones, increasing

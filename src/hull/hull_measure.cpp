@@ -121,12 +121,14 @@ void orthogonalize(const std::vector<const double*>& points, const double* inner
 
 template <int D>
 void fill_equations(const HullSites& sites, const SimplicialHull& hull, std::span<const Index> facet_of_cell,
-                    const std::function<const double*(std::size_t)>& inner, FacetEquations& result) {
+                    const std::function<const double*(std::size_t)>& inner, std::span<const Index> seeds,
+                    FacetEquations& result) {
   const std::size_t d = static_cast<std::size_t>(sites.ambient), k = hull.corners();
   const double extent = extent_of(sites);
   HullNormal<D> normal(hull.dimension);
   std::vector<const double*> points;
   for (std::size_t c = 0; c < hull.num_cells(); ++c) {
+    if (!seeds.empty() && seeds[facet_of_cell[c]] != c) continue;
     gather(sites, hull.cell(c), points);
     const bool is_known = k == d && normal.compute(points.data(), sites.axes, k == 1 && c == 0);
     // Vectors N and N′ with |N − N′| ≤ e differ by at most 2e/|N| after normalization. Rounding the length
@@ -210,12 +212,14 @@ HullMeasures measure_hull(const HullSites& sites, const SimplicialHull& hull) {
 
 FacetEquations facet_equations(const HullSites& sites, const SimplicialHull& hull,
                                std::span<const Index> facet_of_cell, std::size_t num_facets,
-                               const std::function<const double*(std::size_t)>& inner) {
+                               const std::function<const double*(std::size_t)>& inner,
+                               std::span<const Index> seeds) {
   FacetEquations result{std::vector<double>(num_facets * (static_cast<std::size_t>(sites.ambient) + 1)),
                         std::vector<double>(num_facets, -1)};
   if (num_facets > 0)
-    with_compiled_dimension(hull.corners(),
-                            [&](auto k) { fill_equations<k()>(sites, hull, facet_of_cell, inner, result); });
+    with_compiled_dimension(hull.corners(), [&](auto k) {
+      fill_equations<k()>(sites, hull, facet_of_cell, inner, seeds, result);
+    });
   return result;
 }
 

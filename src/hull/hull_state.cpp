@@ -31,6 +31,36 @@ HullState::HullState(const HullState& other)
   if (other.builder_) builder_ = std::make_unique<ConvexHullBuilder>(sites_, *other.builder_);
 }
 
+HullState::HullState(const HullState& all, std::span<const Index> vertices, std::vector<int> axes,
+                     const Options& options)
+    : sites_(all.sites_),
+      affine_hull_(all.sites_.ambient),
+      row_of_site_(all.row_of_site_),
+      site_of_row_(all.site_of_row_),
+      is_surely_interior_(all.sites_.size(), 0),
+      earlier_(all.statistics()) {
+  // The basis is independent after projection, hence before.
+  kernel::AffineHull projected(std::max(1, static_cast<int>(axes.size())));
+  std::vector<double> projection(axes.size() + 1, 0.0);
+  for (const Index site : vertices) {
+    for (std::size_t j = 0; j < axes.size(); ++j) projection[j] = sites_.point(site)[axes[j]];
+    if (!projected.add(projection.data())) continue;
+    affine_hull_.add(sites_.point(site));
+    basis_.push_back(site);
+  }
+  sites_.axes.clear();
+  for (const int axis : projected.axes()) sites_.axes.push_back(axes[static_cast<std::size_t>(axis)]);
+  if (affine_hull_.dimension() < 1) return;
+  builder_ = std::make_unique<ConvexHullBuilder>(sites_, basis_);
+  std::vector<Index> others(vertices.begin(), vertices.end());
+  std::erase_if(others,
+                [&](Index site) { return std::find(basis_.begin(), basis_.end(), site) != basis_.end(); });
+  put_in_order(others, options);
+  insert_all(others, [] {});
+  for (Index site = 0; site < sites_.size(); ++site)
+    is_surely_interior_[site] = builder_->is_surely_interior(site) ? 1 : 0;
+}
+
 Index HullState::find_site(std::uint64_t tag, const double* point) const {
   return site_at_.find(
       tag, [&](Index site) { return kernel::equal_points(sites_.point(site), point, sites_.ambient); });
@@ -251,15 +281,17 @@ void HullState::put_in_order(std::vector<Index>& sites, const Options& options) 
   sites = std::move(order);
 }
 
-void HullState::insert_range(std::span<const double> coordinates, const Options& options) {
+void HullState::insert_range(std::span<const double> coordinates, const Options& options,
+                             const std::function<void()>& approve) {
   constexpr std::size_t least_to_sieve = 1024;
   give_sieved_rows_sites();
   Rollback rollback(*this);
   const auto first_site = static_cast<Index>(sites_.size());
   Stopwatch stopwatch;
   std::vector<Index> outermost;
-  if (first_site == 0 && ambient() > 1 && options.order != InsertionOrder::as_given &&
-      coordinates.size() >= least_to_sieve * ambient())
+  // With a tolerance an interior row may be outside of what is shown, and needs a site.
+  if (first_site == 0 && ambient() > 1 && options.tolerance == 0 &&
+      options.order != InsertionOrder::as_given && coordinates.size() >= least_to_sieve * ambient())
     outermost = sieve(coordinates);
   else
     add_rows(coordinates, {});
@@ -306,6 +338,7 @@ void HullState::insert_range(std::span<const double> coordinates, const Options&
     stopwatch.restart();
     insert_all(others, note);
   }
+  if (approve) approve();
   earlier_.build_seconds += stopwatch.seconds();
   rollback.keep();
 }

@@ -24,11 +24,16 @@ class HullState {
  public:
   explicit HullState(int dimension) : sites_(dimension), affine_hull_(dimension) {}
   HullState(const HullState& other);
+  /// The rows of another state, but the boundary of the hull of some of its sites only, after projection on
+  /// axes, in which these sites are extreme. REQUIRES at least one site.
+  HullState(const HullState& all, std::span<const Index> vertices, std::vector<int> axes,
+            const Options& options);
   HullState& operator=(const HullState&) = delete;
 
-  /// Inserts rows, all or none: if it throws, all is as it was. REQUIRES finite coordinates, and room for as
-  /// many ids.
-  void insert_range(std::span<const double> coordinates, const Options& options);
+  /// Inserts rows, all or none: if it throws, or `approve`, called in the end, does, all is as it was.
+  /// REQUIRES finite coordinates, and room for as many ids.
+  void insert_range(std::span<const double> coordinates, const Options& options,
+                    const std::function<void()>& approve = {});
   /// Inserts a row that is in the affine hull; the strong guarantee.
   HullInsertResult insert_in_flat(const double* point);
   /// A point that is a duplicate, or in the affine hull, does not raise the dimension.

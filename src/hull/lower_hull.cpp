@@ -6,7 +6,10 @@
 // strictly above all of them: no lower facet is lost or gained. But the hull is full-dimensional even when
 // all heights are an affine function of the compositions, and the upper side, of no interest, becomes simple.
 #include "base/guarded.hpp"
+#include "base/progress_meter.hpp"
 #include "base/require_finite.hpp"
+#include "base/require_tolerance.hpp"
+#include "hull/tolerance/envelope_choice.hpp"
 #include "kernel/predicates.hpp"
 #include "kernel/stages.hpp"
 
@@ -25,8 +28,10 @@ struct Envelope::Impl {
   std::vector<double> points;                    // n×d, as given
   kernel::AffineHull compositions;               // in R^(d−1)
   std::shared_ptr<const ConvexHull<>> polytope;  // of no copy of the envelope alone: it never changes
-  std::vector<double> projected;                 // n×(c+1): the composition axes, the height
-  std::vector<int> axes;                         // 0 … c
+  std::vector<SignedIndex> rows_of_polytope;     // but for the last point; all rows if it is empty
+  double tolerance = 0, max_distance = 0;
+  std::vector<double> projected;  // n×(c+1): the composition axes, the height
+  std::vector<int> axes;          // 0 … c
   kernel::Grid grid;
   bool reversed = false;  // whether cells were turned to be positive over the compositions
   std::vector<SignedIndex> cells, neighbors, facet_of_cell, vertices;
@@ -55,6 +60,7 @@ struct Envelope::Impl {
 
   void build(const Options& options) {
     const std::size_t n = num_points();
+    tolerance = options.tolerance;
     if (n == 0) return;
     for (std::size_t row = 0; row < n && compositions.dimension() < dimension - 1; ++row)
       compositions.add(points.data() + row * ambient());
@@ -69,19 +75,53 @@ struct Envelope::Impl {
       if (row == 0 || height < low) low = height, lowest = row;
       if (row == 0 || height > high) high = height;
     }
+    if (high > low && tolerance > high - low)
+      throw Error(Errc::invalid_argument, "the tolerance, " + internal::shortest_text(tolerance) +
+                                              ", is larger than the range of heights, " +
+                                              internal::shortest_text(high - low));
+    grid = kernel::Grid(static_cast<int>(corners()));
+    for (std::size_t row = 0; row < n; ++row) grid.include(place(static_cast<SignedIndex>(row)));
+    build_polytope(lowest, low, high, options);
+    if (tolerance == 0) return;
+    internal::ProgressMeter meter(options.progress, 0);
+    internal::EnvelopeChoice choice = internal::choose_envelope(projected, static_cast<int>(corners()),
+                                                                vertices, tolerance, [&] { meter(0); });
+    max_distance = choice.max_distance;
+    if (choice.rows.size() == vertices.size()) return;
+    rows_of_polytope = std::move(choice.rows);
+    std::sort(rows_of_polytope.begin(), rows_of_polytope.end());
+    cells.clear();
+    neighbors.clear();
+    facet_of_cell.clear();
+    num_facets = 0;
+    build_polytope(lowest, low, high, options);
+  }
+
+  /// The hull of the points, or of those of rows_of_polytope, and of one above them all.
+  void build_polytope(std::size_t lowest, double low, double high, Options options) {
     double raised = high + (high - low);
     if (!(raised < std::numeric_limits<double>::max())) raised = high;
     if (raised == low) raised = std::nextafter(low, std::numeric_limits<double>::infinity());
     std::vector<double> all = projected;
+    if (!rows_of_polytope.empty()) {
+      all.clear();
+      for (const SignedIndex row : rows_of_polytope)
+        all.insert(all.end(), place(row), place(row) + corners());
+    }
     if (std::isinf(raised)) {  // all heights are the largest double: any other constant has the same hull
       for (std::size_t at = corners() - 1; at < all.size(); at += corners()) all[at] = 0;
       raised = 1;
     }
     project(points.data() + lowest * ambient(), raised, all);
-    grid = kernel::Grid(static_cast<int>(corners()));
-    for (std::size_t row = 0; row < n; ++row) grid.include(place(static_cast<SignedIndex>(row)));
+    options.tolerance = 0;
     polytope = std::make_shared<const ConvexHull<>>(all, static_cast<int>(corners()), options);
     collect(polytope->data());
+  }
+  /// The row of a point of the polytope; none of the points' for that above them.
+  SignedIndex row_of(SignedIndex of_polytope) const {
+    const auto at = static_cast<std::size_t>(of_polytope);
+    if (rows_of_polytope.empty()) return of_polytope;
+    return at < rows_of_polytope.size() ? rows_of_polytope[at] : static_cast<SignedIndex>(num_points());
   }
 
   /// The sign of the last component of the outward normal of a cell is that of (−1)^(k+1)·(orientation over
@@ -89,7 +129,8 @@ struct Envelope::Impl {
   bool looks_down(std::span<const SignedIndex> cell, std::size_t number) const {
     if (corners() == 1) return number == 0;
     std::vector<const double*> simplex;
-    for (const SignedIndex row : cell) {
+    for (const SignedIndex of_polytope : cell) {
+      const SignedIndex row = row_of(of_polytope);
       if (static_cast<std::size_t>(row) >= num_points()) return false;  // the point above
       simplex.push_back(place(row));
     }
@@ -109,10 +150,10 @@ struct Envelope::Impl {
       if (number[c] < 0) continue;
       const std::size_t first = cells.size();
       for (std::size_t i = 0; i < k; ++i) {
-        const SignedIndex row = data.cells[c * k + i];
+        const SignedIndex at = data.cells[c * k + i], row = row_of(at);
         cells.push_back(row);
         neighbors.push_back(k == 1 ? -1 : number[static_cast<std::size_t>(data.neighbors[c * k + i])]);
-        if (data.point_kinds[static_cast<std::size_t>(row)] == PointKind::extreme) extreme.push_back(row);
+        if (data.point_kinds[static_cast<std::size_t>(at)] == PointKind::extreme) extreme.push_back(row);
       }
       if (reversed) {
         std::swap(cells[first], cells[first + 1]);
@@ -221,6 +262,7 @@ Envelope::Envelope(const AnyPoints<>& points, int dimension, HullSide side, cons
   if (coordinates.size() % static_cast<std::size_t>(dimension) != 0)
     throw Error(Errc::bad_dimension, "the number of coordinates is not a multiple of the dimension");
   internal::require_finite(coordinates, static_cast<std::size_t>(dimension), "a coordinate");
+  internal::require_tolerance(options.tolerance);
   internal::guarded("the hull", [&] {
     impl_ = std::make_unique<Impl>(dimension, side);
     impl_->points.assign(coordinates.begin(), coordinates.end());
@@ -243,6 +285,8 @@ std::span<const SignedIndex> Envelope::cells() const { return impl_->cells; }
 std::span<const SignedIndex> Envelope::neighbors() const { return impl_->neighbors; }
 std::span<const SignedIndex> Envelope::facet_of_cell() const { return impl_->facet_of_cell; }
 std::span<const SignedIndex> Envelope::vertices() const { return impl_->vertices; }
+double Envelope::tolerance() const { return impl_->tolerance; }
+double Envelope::max_distance() const { return impl_->max_distance; }
 std::vector<int> Envelope::composition_axes() const { return impl_->compositions.axes(); }
 
 std::optional<std::size_t> Envelope::find_cell(const AnyPoint<>& composition) const {
@@ -266,7 +310,8 @@ std::vector<double> Envelope::heights(const AnyPoints<>& compositions) const {
   return result;
 }
 
-std::vector<double> Envelope::height_above(const AnyPoints<>& points) const {
+std::vector<double> Envelope::height_above(const AnyPoints<>& points, double tolerance) const {
+  internal::require_tolerance(tolerance);
   points.require_dimension(dimension());
   std::vector<double> result;
   const Impl& hull = *impl_;
@@ -282,10 +327,12 @@ std::vector<double> Envelope::height_above(const AnyPoints<>& points) const {
            : sign == Sign::positive ? std::max(difference, least)
                                     : std::min(difference, -least);
   };
-  hull.for_each_query(points.coordinates(), hull.ambient(),
-                      [&](auto, const double* q, const auto& cell, const kernel::Grid& grid) {
-                        result.push_back(hull.height_sign() * above(q, cell, grid) + 0.0);
-                      });
+  hull.for_each_query(
+      points.coordinates(), hull.ambient(),
+      [&](auto, const double* q, const auto& cell, const kernel::Grid& grid) {
+        const double height = above(q, cell, grid);
+        result.push_back(std::fabs(height) <= tolerance ? 0.0 : hull.height_sign() * height + 0.0);
+      });
   return result;
 }
 

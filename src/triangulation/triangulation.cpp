@@ -3,6 +3,7 @@
 #include <delone/triangulation.hpp>
 
 #include "base/guarded.hpp"
+#include "base/require_tolerance.hpp"
 #include "complex/canonical_hash.hpp"
 #include "triangulation/triangulation_impl.hpp"
 
@@ -31,6 +32,7 @@ kernel::RowForm form_of(TriangulationKind kind) {
 
 Triangulation::Triangulation(TriangulationKind kind, int dimension, const Options& options) {
   if (dimension < 1) throw Error(Errc::bad_dimension, "the dimension must be at least 1");
+  internal::refuse_tolerance(options.tolerance, "triangulations");
   impl_ = internal::guarded("the triangulation",
                             [&] { return std::make_unique<Impl>(dimension, form_of(kind), options); });
 }

@@ -35,6 +35,17 @@ class Hull(Case):
                 with open(out, encoding="utf-8") as file:
                     self.assertEqual(json.load(file)["affine_dimension"], k)
 
+    def test_tolerance(self):
+        grid = np.array(list(itertools.product([0.0, 1.0, 2.0], repeat=3)))
+        turned = grid @ np.linalg.qr(np.random.default_rng(4).normal(size=(3, 3)))[0]
+        points, out = self.file("turned.npy", turned), self.path("turned.npz")
+        stats = self.hull_stats(points, "--tolerance", "1e-14")
+        self.assertEqual([stats[name] for name in ("vertices", "facets", "ridges", "tolerance")], [8, 6, 12, 1e-14])
+        self.assertTrue(0 < stats["max_distance"] <= 1e-14)
+        self.output("hull", points, "--tolerance", "1e-14", "-o", out)
+        self.assertEqual(list(np.load(out)["tolerance"]), [1e-14, stats["max_distance"]])
+        self.assertIn("within the tolerance", self.output("check", out))
+
     def test_npz(self):
         points, out = self.file("cube.npy", np.vstack([CUBE, [[0.5, 0.5, 0.5], [0.5, 0.5, 0]]])), self.path("cube.npz")
         self.output("hull", points, "-o", out)

@@ -12,6 +12,7 @@
 #include <initializer_list>
 #include <limits>
 #include <type_traits>
+#include <vector>
 
 namespace delone::io {
 
@@ -78,6 +79,13 @@ void for_each_array(Data& data, Visitor&& visit) {
   visit(Array{"vertices"}, data.vertices, {data.vertices.size()});
   visit(Array{"vertex_of_point"}, data.vertex_of_point, {data.num_points()});
   visit(Array{"point_kinds"}, data.point_kinds, {data.num_points()});
+  if (std::is_const_v<Data> && data.tolerance == 0) return;
+  visit(Array{.name = "axes", .required = false}, data.axes, {k});
+  std::vector<double> tolerance;
+  if (data.tolerance > 0) tolerance = {data.tolerance, data.max_distance};
+  visit(Array{.name = "tolerance", .required = false, .finite = true}, tolerance, {2});
+  if constexpr (!std::is_const_v<Data>)
+    if (tolerance.size() == 2) data.tolerance = tolerance[0], data.max_distance = tolerance[1];
 }
 
 template <SameData<IntersectionData> Data, class Visitor>

@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Points that are kept, such that all others are within a tolerance of the hull of those.
+#pragma once
+
+#include "kernel/nearest_in_hull.hpp"
+
+#include <delone/types.hpp>
+
+#include <cstddef>
+#include <functional>
+#include <span>
+#include <vector>
+
+namespace delone::internal {
+
+/// Points are named by their numbers. For each point that is not kept there is a *witness* once it is
+/// covered: at most dimension + 1 kept points whose hull it is within the tolerance of.
+class Cover {
+ public:
+  /// `add_neighbors(p, marks, list)` adds points that are near p and not marked to a list, and marks them;
+  /// what it adds affects speed only. `alive` is called once in a while, and may throw.
+  using AddNeighbors = std::function<void(std::size_t, std::vector<char>&, std::vector<Index>&)>;
+  Cover(std::vector<const double*> points, int dimension, double tolerance, AddNeighbors add_neighbors,
+        std::function<void()> alive);
+
+  /// Whether the distance of q from the hull of m ≥ 1 points exceeds the tolerance, exactly.
+  bool exceeds(std::span<const double* const> points, const double* q);
+
+  /// Keeps a point for good.
+  void require(Index p);
+  /// Keeps further points of those that are `allowed`, farthest first, until all are covered. Returns false
+  /// if that is impossible.
+  bool complete(const std::vector<char>& allowed);
+  /// Drops points that are not required, those kept last first, whenever all stay covered.
+  void reduce();
+
+  const std::vector<Index>& kept() const { return kept_; }
+  /// An upper bound on the distances of all points from the hull of those kept, at most the tolerance.
+  double max_distance() const;
+
+ private:
+  struct State {
+    bool is_kept = false, is_required = false, is_covered = false;
+    double upper = 0;      // on the distance
+    std::size_t seen = 0;  // how many points were kept when it was found
+    std::vector<Index> witness;
+  };
+
+  /// Points in a box.
+  struct Group {
+    std::vector<Index> points;
+    std::vector<double> low, high;
+  };
+  /// Of the products n·(q − w) of kept points w the least, the point, and what the least is for certain.
+  struct Support {
+    double least, certain;
+    Index point;
+  };
+
+  void divide(std::span<Index> all);
+  Support support(const double* q) const;
+  void keep(Index p);
+  bool look(Index p, std::span<const Index> pool);
+  void find_local(Index p);
+  bool cover(Index p);
+  bool add_witness_of(Index p, const std::vector<char>& allowed);
+  bool can_drop(Index p);
+
+  std::vector<const double*> points_;
+  int dimension_;
+  double tolerance_;
+  AddNeighbors add_neighbors_;
+  std::function<void()> alive_;
+  std::vector<State> states_;
+  std::vector<std::vector<Index>> users_;  // by kept point: those that had it in a witness, and others
+  std::vector<Index> kept_;
+  std::vector<Group> groups_;  // of all points; none if they are few
+  kernel::NearestInHull nearest_;
+  // Scratch.
+  std::vector<const double*> pool_points_;
+  std::vector<char> marks_;
+  std::vector<Index> near_, local_;
+  std::vector<double> normal_;
+};
+
+}  // namespace delone::internal

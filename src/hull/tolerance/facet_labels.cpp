@@ -1,0 +1,129 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "hull/tolerance/facet_labels.hpp"
+
+#include "hull/hull_measure.hpp"
+#include "hull/tolerance/flat_distance.hpp"
+
+#include <algorithm>
+#include <numeric>
+#include <utility>
+#include <vector>
+
+namespace delone::internal {
+namespace {
+
+class Labels {
+ public:
+  Labels(const HullSites& sites, const SimplicialHull& hull, double tolerance)
+      : sites_(sites),
+        hull_(hull),
+        near_(sites.ambient, hull.dimension, tolerance),
+        label_(hull.num_cells(), invalid_index) {}
+
+  /// The seed of each cell's facet. Cells that cannot grow are no work: they are facets of their own, unless
+  /// a larger one has reached them.
+  std::vector<Index> seed_of_cells() {
+    const std::size_t m = hull_.num_cells();
+    std::vector<Index> growing;
+    for (std::size_t c = 0; c < m && hull_.dimension > 1; ++c)
+      if (can_grow(static_cast<Index>(c))) growing.push_back(static_cast<Index>(c));
+    put_in_order(growing);
+    for (const Index c : growing)
+      if (label_[c] == invalid_index) grow(c);
+    for (std::size_t c = 0; c < m; ++c)
+      if (label_[c] == invalid_index) label_[c] = static_cast<Index>(c);
+    return std::move(label_);
+  }
+
+ private:
+  void set_plane(Index c) {
+    points_.clear();
+    for (const Index site : hull_.cell(c)) points_.push_back(sites_.point(site));
+    near_.set(points_);
+  }
+  /// Whether all vertices of a cell are near the plane of the seed.
+  bool is_near(Index cell, Index seed) {
+    const auto corners = hull_.cell(seed);
+    const auto vertices = hull_.cell(cell);
+    return std::all_of(vertices.begin(), vertices.end(), [&](Index v) {
+      return std::find(corners.begin(), corners.end(), v) != corners.end() || near_.contains(sites_.point(v));
+    });
+  }
+  bool can_grow(Index c) {
+    set_plane(c);
+    const auto neighbors = hull_.neighbors_of(c);
+    return std::any_of(neighbors.begin(), neighbors.end(), [&](Index n) { return is_near(n, c); });
+  }
+
+  bool is_before(const double* a, const double* b) const {
+    return std::lexicographical_compare(a, a + sites_.ambient, b, b + sites_.ambient);
+  }
+  auto before() const {
+    return [this](const double* a, const double* b) { return is_before(a, b); };
+  }
+  /// What decides which of two cells begins a facet first.
+  struct Size {
+    double content = 0;
+    std::vector<const double*> points;
+    Index cell = 0;
+  };
+  Size size_of(Index c) const {
+    Size size{0, {}, c};
+    for (const Index site : hull_.cell(c)) size.points.push_back(sites_.point(site));
+    std::sort(size.points.begin(), size.points.end(), before());
+    size.content = simplex_volume(size.points, sites_.ambient).value;
+    return size;
+  }
+  bool precedes(const Size& a, const Size& b) const {
+    if (a.content != b.content) return a.content > b.content;
+    return std::lexicographical_compare(a.points.begin(), a.points.end(), b.points.begin(), b.points.end(),
+                                        before());
+  }
+  void put_in_order(std::vector<Index>& cells) const {
+    std::vector<Size> sizes;
+    for (const Index c : cells) sizes.push_back(size_of(c));
+    std::sort(sizes.begin(), sizes.end(), [this](const Size& a, const Size& b) { return precedes(a, b); });
+    std::transform(sizes.begin(), sizes.end(), cells.begin(), [](const Size& size) { return size.cell; });
+  }
+
+  void grow(Index seed) {
+    set_plane(seed);
+    label_[seed] = seed;
+    std::vector<Index> facet{seed};
+    const Size size = size_of(seed);
+    for (std::size_t next = 0; next < facet.size(); ++next)
+      for (const Index across : hull_.neighbors_of(facet[next]))
+        if (label_[across] == invalid_index && is_near(across, seed) && !precedes(size_of(across), size)) {
+          label_[across] = seed;
+          facet.push_back(across);
+        }
+  }
+
+  const HullSites& sites_;
+  const SimplicialHull& hull_;
+  NearFlat near_;
+  std::vector<Index> label_;
+  std::vector<const double*> points_;
+};
+
+}  // namespace
+
+PolytopeFaces label_facets(const HullSites& sites, const SimplicialHull& hull, double tolerance) {
+  PolytopeFaces faces;
+  faces.is_extreme.assign(sites.size(), 0);
+  for (const Index site : hull.cells) faces.is_extreme[site] = 1;
+  std::vector<Index> seeds;
+  if (hull.num_cells() > 0) seeds = Labels(sites, hull, tolerance).seed_of_cells();
+  std::vector<Index> number(seeds.size(), invalid_index);  // by seed
+  for (const Index seed : seeds) {
+    if (number[seed] == invalid_index) {
+      number[seed] = static_cast<Index>(faces.seeds.size());
+      faces.seeds.push_back(seed);
+    }
+    faces.facet_of_cell.push_back(number[seed]);
+  }
+  list_cells_of_facets(faces, faces.seeds.size());
+  return faces;
+}
+
+}  // namespace delone::internal

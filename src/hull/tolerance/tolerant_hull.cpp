@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "hull/tolerance/tolerant_hull.hpp"
+
+#include "base/progress_meter.hpp"
+#include "hull/hull_analysis.hpp"
+#include "hull/tolerance/vertex_choice.hpp"
+
+#include <algorithm>
+#include <functional>
+#include <utility>
+#include <vector>
+
+namespace delone::internal {
+
+TolerantHull::TolerantHull(const HullState& exact, const Options& options, bool shows_progress)
+    : exact_(exact) {
+  const int k = exact.affine_hull().dimension();
+  if (k < 1) return;
+  ProgressMeter meter(options.progress, 0);
+  const std::function<void()> alive = [&] {
+    if (shows_progress) meter(0);
+  };
+  const HullAnalysis analysis(exact);
+  const ExtremeSites extreme(exact.sites(), analysis.facet_sites());
+  VertexChoice choice;
+  std::vector<int> axes = exact.sites().axes;
+  if (auto in_flat = choose_in_flat(exact.sites(), extreme, k, options.tolerance, alive)) {
+    choice = std::move(in_flat->vertices);
+    axes = std::move(in_flat->axes);
+  } else {
+    choice = choose_vertices(exact.sites(), extreme, options.tolerance, alive);
+    // The cells of the exact hull may have corners in the middle of its faces.
+    std::vector<Index> corners = exact.hull().cells;
+    std::sort(corners.begin(), corners.end());
+    const auto end = std::unique(corners.begin(), corners.end());
+    const auto num_corners = static_cast<std::size_t>(end - corners.begin());
+    if (choice.sites.size() == num_corners) return;
+  }
+  max_distance_ = choice.max_distance;
+  Options quiet;
+  quiet.seed = options.seed;
+  own_ = std::make_unique<const HullState>(exact, choice.sites, std::move(axes), quiet);
+}
+
+}  // namespace delone::internal

@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// A hull with a tolerance, made from an exact one.
+#pragma once
+
+#include "hull/hull_state.hpp"
+
+#include <memory>
+
+namespace delone::internal {
+
+/// The exact hull of some vertices of a hull, or the hull of their projections if all points are near a flat.
+class TolerantHull {
+ public:
+  /// `exact` must outlive this object and must not change. REQUIRES options.tolerance > 0. With
+  /// `shows_progress` the callback of the options is called with 1, and may cancel.
+  TolerantHull(const HullState& exact, const Options& options, bool shows_progress);
+
+  /// The exact one itself if all its vertices are kept, and its cells have no other corners.
+  const HullState& state() const { return own_ ? *own_ : exact_; }
+  double max_distance() const { return max_distance_; }
+
+ private:
+  const HullState& exact_;
+  std::unique_ptr<const HullState> own_;
+  double max_distance_ = 0;
+};
+
+}  // namespace delone::internal

@@ -1,0 +1,283 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "hull/tolerance/vertex_choice.hpp"
+
+#include "hull/hull_analysis.hpp"
+#include "hull/hull_state.hpp"
+#include "hull/tolerance/cover.hpp"
+#include "hull/tolerance/flat_distance.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+namespace delone::internal {
+namespace {
+
+bool is_less(const double* a, const double* b, int dimension) {
+  return std::lexicographical_compare(a, a + dimension, b, b + dimension);
+}
+
+std::vector<const double*> points_of(const HullSites& sites, const ExtremeSites& extreme) {
+  std::vector<const double*> points;
+  for (const Index site : extreme.sites()) points.push_back(sites.point(site));
+  return points;
+}
+
+/// Whether the direction from the mean of the neighbors to v proves that the distance of v from their hull
+/// exceeds the tolerance: it is at least the least n·(v − w), divided by |n|. A computed n·(v − w) is off by
+/// at most γ(d+1) of the sum of the absolute products; underflow of those is far below the absolute term,
+/// and n is longer than 2^−400.
+bool is_far_along_mean(std::span<const double* const> neighbors, const double* v, std::size_t d,
+                       double tolerance, std::vector<double>& n) {
+  n.assign(d, 0.0);
+  const double share = 1 / static_cast<double>(neighbors.size());
+  for (const double* w : neighbors)
+    for (std::size_t j = 0; j < d; ++j) n[j] += (v[j] - w[j]) * share;
+  double square = 0;
+  for (const double x : n) square += x * x;
+  const double length = std::sqrt(square) * (1 + static_cast<double>(d + 4) * kernel::unit_roundoff);
+  if (!(length > 0x1p-400 && length < 0x1p400)) return false;
+  const double least = tolerance * length * (1 + 4 * kernel::unit_roundoff) + 0x1p-1000;
+  const double rounding = 1.01 * static_cast<double>(d + 2) * kernel::unit_roundoff;
+  return std::all_of(neighbors.begin(), neighbors.end(), [&](const double* w) {
+    double product = 0, parts = 0;
+    for (std::size_t j = 0; j < d; ++j) {
+      const double term = n[j] * (v[j] - w[j]);
+      product += term;
+      parts += std::fabs(term);
+    }
+    return product - rounding * parts > least;
+  });
+}
+
+/// Which of the extreme sites are necessary, by their places.
+std::vector<char> find_necessary(const HullSites& sites, const ExtremeSites& extreme, double tolerance,
+                                 const std::function<void()>& alive) {
+  const std::size_t h = extreme.size();
+  std::vector<char> necessary(h, 0), marks(h, 0);
+  std::vector<Index> neighbors;
+  std::vector<const double*> points;
+  std::vector<double> scratch;
+  Cover distances({}, sites.ambient, tolerance, {}, {});
+  for (std::size_t v = 0; v < h; ++v) {
+    alive();
+    neighbors.clear();
+    marks[v] = 1;
+    extreme.add_neighbors(v, marks, neighbors);
+    marks[v] = 0;
+    for (const Index w : neighbors) marks[w] = 0;
+    if (neighbors.empty()) {
+      necessary[v] = 1;  // the only site
+      continue;
+    }
+    points.clear();
+    for (const Index w : neighbors) points.push_back(sites.point(extreme.site(w)));
+    const double* const point = sites.point(extreme.site(v));
+    necessary[v] =
+        is_far_along_mean(points, point, static_cast<std::size_t>(sites.ambient), tolerance, scratch) ||
+        distances.exceeds(points, point);
+  }
+  return necessary;
+}
+
+VertexChoice choice_of(const Cover& cover, const ExtremeSites& extreme) {
+  VertexChoice choice;
+  std::vector<Index> places = cover.kept();
+  std::sort(places.begin(), places.end());
+  for (const Index place : places) choice.sites.push_back(extreme.site(place));
+  choice.max_distance = cover.max_distance();
+  return choice;
+}
+
+/// Grows a flat from the first point: each time by the farthest one.
+class GrowingFlat {
+ public:
+  GrowingFlat(std::vector<const double*> points, int dimension)
+      : points_(std::move(points)), d_(static_cast<std::size_t>(dimension)), basis_{points_[0]} {
+    // Divided by 4, and scaled to at most 1, so that nothing overflows.
+    double largest = 0;
+    for (const double* p : points_)
+      for (std::size_t j = 0; j < d_; ++j) {
+        rests_.push_back(p[j] / 4 - points_[0][j] / 4);
+        largest = std::max(largest, std::fabs(rests_.back()));
+      }
+    if (largest > 0)
+      for (double& x : rests_) x = std::ldexp(x, -std::ilogb(largest));
+    find_farthest();
+  }
+
+  const std::vector<const double*>& basis() const { return basis_; }
+  const double* farthest() const { return points_[farthest_]; }
+
+  /// The farthest point joins the basis; what is orthogonal to the flat is left of the others.
+  void grow() {
+    basis_.push_back(farthest());
+    std::vector<double> unit(rests_.begin() + static_cast<std::ptrdiff_t>(farthest_ * d_),
+                             rests_.begin() + static_cast<std::ptrdiff_t>((farthest_ + 1) * d_));
+    const double length = std::sqrt(std::inner_product(unit.begin(), unit.end(), unit.begin(), 0.0));
+    if (!(length > 0)) return;
+    for (double& x : unit) x /= length;
+    for (std::size_t i = 0; i < points_.size(); ++i) {
+      double part = 0;
+      for (std::size_t j = 0; j < d_; ++j) part += unit[j] * rests_[i * d_ + j];
+      for (std::size_t j = 0; j < d_; ++j) rests_[i * d_ + j] -= part * unit[j];
+    }
+    find_farthest();
+  }
+
+  /// Axes on which the flat projects well: the pivots of its edges.
+  std::vector<int> axes() const {
+    std::vector<int> axes;
+    std::vector<double> edges;
+    for (std::size_t i = 1; i < basis_.size(); ++i)
+      for (std::size_t j = 0; j < d_; ++j) edges.push_back(basis_[i][j] / 4 - basis_[0][j] / 4);
+    const std::size_t k = basis_.size() - 1;
+    std::vector<char> is_done(k, 0);
+    for (std::size_t step = 0; step < k; ++step) {
+      std::size_t row = 0, column = 0;
+      double largest = -1;
+      for (std::size_t i = 0; i < k; ++i)
+        for (std::size_t j = 0; j < d_ && is_done[i] == 0; ++j)
+          if (std::find(axes.begin(), axes.end(), static_cast<int>(j)) == axes.end() &&
+              std::fabs(edges[i * d_ + j]) > largest) {
+            largest = std::fabs(edges[i * d_ + j]);
+            row = i, column = j;
+          }
+      is_done[row] = 1;
+      axes.push_back(static_cast<int>(column));
+      for (std::size_t i = 0; i < k && largest > 0; ++i) {
+        if (is_done[i] != 0) continue;
+        const double factor = edges[i * d_ + column] / edges[row * d_ + column];
+        for (std::size_t j = 0; j < d_; ++j) edges[i * d_ + j] -= factor * edges[row * d_ + j];
+      }
+    }
+    std::sort(axes.begin(), axes.end());
+    return axes;
+  }
+
+ private:
+  void find_farthest() {
+    double largest = -1;
+    for (std::size_t i = 0; i < points_.size(); ++i) {
+      double square = 0;
+      for (std::size_t j = 0; j < d_; ++j) square += rests_[i * d_ + j] * rests_[i * d_ + j];
+      if (square > largest) largest = square, farthest_ = i;
+    }
+  }
+
+  std::vector<const double*> points_;
+  std::size_t d_;
+  std::vector<const double*> basis_;
+  std::vector<double> rests_;
+  std::size_t farthest_ = 0;
+};
+
+/// The choice among the sites that are extreme in the projection on the axes; none if they do not cover all.
+std::optional<NearFlatChoice> choose_projected(const HullSites& sites, const ExtremeSites& extreme,
+                                               std::vector<int> axes, double tolerance,
+                                               const std::function<void()>& alive) {
+  std::vector<char> allowed(extreme.size(), 0), required(extreme.size(), 0);
+  std::optional<ExtremeSites> projected;
+  std::vector<Index> place_of;  // by place among the projected ones: among all
+  std::vector<Index> projected_place(extreme.size(), invalid_index);
+  if (axes.empty()) {
+    allowed[0] = 1;
+  } else {
+    std::vector<double> coordinates;
+    for (const Index site : extreme.sites())
+      for (const int axis : axes) coordinates.push_back(sites.point(site)[axis]);
+    HullState state(static_cast<int>(axes.size()));
+    state.insert_range(coordinates, {});
+    if (state.affine_hull().dimension() < static_cast<int>(axes.size())) return std::nullopt;
+    const HullAnalysis analysis(state);
+    projected.emplace(state.sites(), analysis.facet_sites());
+    const std::vector<char> necessary = find_necessary(state.sites(), *projected, tolerance, alive);
+    for (std::size_t i = 0; i < projected->size(); ++i) {
+      const auto place = static_cast<Index>(state.row(projected->site(i)));
+      place_of.push_back(place);
+      projected_place[place] = static_cast<Index>(i);
+      allowed[place] = 1;
+      required[place] = necessary[i];
+    }
+  }
+  std::vector<char> marks(place_of.size(), 0);
+  std::vector<Index> list;
+  const auto add_neighbors = [&](std::size_t p, std::vector<char>& is_marked, std::vector<Index>& result) {
+    if (projected_place[p] == invalid_index) return;
+    list.clear();
+    projected->add_neighbors(projected_place[p], marks, list);
+    for (const Index i : list) {
+      marks[i] = 0;
+      if (std::exchange(is_marked[place_of[i]], 1) == 0) result.push_back(place_of[i]);
+    }
+  };
+  Cover cover(points_of(sites, extreme), sites.ambient, tolerance, add_neighbors, alive);
+  for (std::size_t p = 0; p < required.size(); ++p)
+    if (required[p] != 0) cover.require(static_cast<Index>(p));
+  if (!cover.complete(allowed)) return std::nullopt;
+  cover.reduce();
+  return NearFlatChoice{std::move(axes), choice_of(cover, extreme)};
+}
+
+}  // namespace
+
+ExtremeSites::ExtremeSites(const HullSites& sites, const Lists& facet_sites) {
+  sites_ = facet_sites.items;
+  std::sort(sites_.begin(), sites_.end());
+  sites_.erase(std::unique(sites_.begin(), sites_.end()), sites_.end());
+  std::sort(sites_.begin(), sites_.end(),
+            [&](Index a, Index b) { return is_less(sites.point(a), sites.point(b), sites.ambient); });
+  std::vector<Index> place_of(sites.size(), invalid_index);
+  for (std::size_t i = 0; i < sites_.size(); ++i) place_of[sites_[i]] = static_cast<Index>(i);
+  facets_ = facet_sites;
+  for (Index& site : facets_.items) site = place_of[site];
+  if (facets_.size() == 2 && sites_.size() == 2) {  // a segment
+    facets_ = {};
+    facets_.add(std::vector<Index>{0, 1});
+  }
+  facets_of_.offsets.assign(sites_.size() + 1, 0);
+  for (const Index place : facets_.items) ++facets_of_.offsets[place + std::size_t{1}];
+  std::partial_sum(facets_of_.offsets.begin(), facets_of_.offsets.end(), facets_of_.offsets.begin());
+  std::vector<std::size_t> next(facets_of_.offsets.begin(), facets_of_.offsets.end() - 1);
+  facets_of_.items.resize(facets_.items.size());
+  for (std::size_t f = 0; f < facets_.size(); ++f)
+    for (const Index place : facets_[f]) facets_of_.items[next[place]++] = static_cast<Index>(f);
+}
+
+void ExtremeSites::add_neighbors(std::size_t place, std::vector<char>& marks,
+                                 std::vector<Index>& list) const {
+  for (const Index f : facets_of_[place])
+    for (const Index v : facets_[f])
+      if (std::exchange(marks[v], 1) == 0) list.push_back(v);
+}
+
+VertexChoice choose_vertices(const HullSites& sites, const ExtremeSites& extreme, double tolerance,
+                             const std::function<void()>& alive) {
+  const std::vector<char> necessary = find_necessary(sites, extreme, tolerance, alive);
+  if (std::find(necessary.begin(), necessary.end(), 0) == necessary.end()) return {extreme.sites(), 0};
+  Cover cover(
+      points_of(sites, extreme), sites.ambient, tolerance,
+      [&](std::size_t p, std::vector<char>& marks, std::vector<Index>& list) {
+        extreme.add_neighbors(p, marks, list);
+      },
+      alive);
+  for (std::size_t p = 0; p < necessary.size(); ++p)
+    if (necessary[p] != 0) cover.require(static_cast<Index>(p));
+  cover.complete(std::vector<char>(extreme.size(), 1));
+  cover.reduce();
+  return choice_of(cover, extreme);
+}
+
+std::optional<NearFlatChoice> choose_in_flat(const HullSites& sites, const ExtremeSites& extreme,
+                                             int dimension, double tolerance,
+                                             const std::function<void()>& alive) {
+  GrowingFlat flat(points_of(sites, extreme), sites.ambient);
+  for (int k = 0; k < dimension; ++k) {
+    if (is_near_flat(flat.basis(), flat.farthest(), sites.ambient, tolerance))
+      if (auto choice = choose_projected(sites, extreme, flat.axes(), tolerance, alive)) return choice;
+    flat.grow();
+  }
+  return std::nullopt;
+}
+
+}  // namespace delone::internal
