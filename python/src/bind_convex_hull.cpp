@@ -251,7 +251,7 @@ constexpr const char* of_extreme_points_doc = R"(
 The hull of the extreme ones of points, (n, d), alone: (hull, rows), where row i of the hull is points[rows[i]]. The
 hull may have other rows, too, in no particular order, but all vertices of its cells are extreme. Where many points lie
 in the hyperplanes of facets there are far fewer cells than in the hull of all points. Arguments, errors and exactness
-as in the constructor.)";
+as in the constructor. A copy by pickling may number cells otherwise.)";
 
 constexpr const char* insert_range_doc = R"(
 Adds points, (n, d), as the next rows: all of them, or none if it raises. Arrays taken before stay as they are.

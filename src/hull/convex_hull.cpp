@@ -201,7 +201,9 @@ std::vector<int> Polytope::axes() const { return impl_->shown().sites().axes; }
 double Polytope::tolerance() const { return impl_->options.tolerance; }
 double Polytope::max_distance() const { return impl_->max_distance(); }
 
-std::size_t Polytope::num_vertices() const { return count(PointKind::extreme); }
+std::size_t Polytope::num_vertices() const {
+  return impl_->analyse([](const HullAnalysis& analysis) { return analysis.num_extreme(); });
+}
 std::size_t Polytope::num_facets() const {
   return impl_->analyse([](const HullAnalysis& analysis) { return analysis.faces().num_facets(); });
 }

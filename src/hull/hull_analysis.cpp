@@ -44,6 +44,12 @@ std::size_t HullAnalysis::count(PointKind kind) const {
   })[static_cast<std::size_t>(kind)];
 }
 
+std::size_t HullAnalysis::num_extreme() const {
+  if (!locator_) return state_.sites().size() > 0 ? 1 : 0;
+  const std::vector<char>& is_extreme = faces().is_extreme;
+  return static_cast<std::size_t>(std::count(is_extreme.begin(), is_extreme.end(), 1));
+}
+
 const HullMeasures& HullAnalysis::measures() const {
   return measures_.get([&] { return measure_hull(state_.sites(), state_.hull()); });
 }

@@ -71,6 +71,18 @@ class ConvexHull(OfPoints):
     def _extend(self, rows):
         self._core.insert_range(rows)
 
+    def __getstate__(self):
+        state = super().__getstate__()
+        if self._core_rows is not None:  # made again from the points, with the same numbers of simplices
+            del state["_core"], state["_core_rows"]
+        return state
+
+    def __setstate__(self, state):
+        self.__dict__.update(state)
+        if "_core" not in state:
+            self._rebuild()
+        self._update()
+
     def _update(self):
         self._forget()
         rows = self._without_good_row(np.arange(self.npoints, dtype=np.intc))
