@@ -152,7 +152,7 @@ bool PointSieve::remove_interior() {
 
 void PointSieve::run() {
   // Below, an insertion costs no more than a pass; above, a pass costs more than it saves.
-  constexpr std::size_t least_rows = 256, most_work = 8192;
+  constexpr std::size_t least_rows = 256, most_work = 1500;
   std::vector<std::size_t> outermost;
   if (points_.empty() || !find_box(outermost)) return;
   if (!add_to_shell(outermost)) {
