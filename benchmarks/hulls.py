@@ -25,6 +25,7 @@ import record
 
 RIVALS = pathlib.Path(__file__).resolve().parent / "rivals"
 MANY = ("hull_delone", "hull_qhull", "hull_cgal_d{d}")
+FLAT = ("hull_delone", "hull_delone --points extreme", "hull_qhull")
 SMALL = MANY + ("hull_cddlib", "hull_cddlib_gmp", "hull_lrs.py")
 
 # name -> (kind, dimension, number of points, programs)
@@ -44,6 +45,8 @@ STANDARD = {
     "cube 6D 5e3": ("uniform", 6, 5_000, MANY[:2]),
     "cube 7D 1e3": ("uniform", 7, 1_000, MANY[:2]),
     "cube 8D 500": ("uniform", 8, 500, MANY[:2]),
+    "square 2D 1e6": ("uniform", 2, 1_000_000, FLAT),
+    "cube 3D 1e6": ("uniform", 3, 1_000_000, FLAT),
     "inside 3D 1e6": ("corners", 3, 1_000_000, MANY[:2]),
     "inside 4D 1e6": ("corners", 4, 1_000_000, MANY[:2]),
     "inside 5D 1e6": ("corners", 5, 1_000_000, MANY[:2]),
@@ -66,8 +69,9 @@ def command_line(build, program, dimension, path):
     """The command line of a program, or None if it was not built."""
     if program.endswith(".py"):
         return [sys.executable, str(RIVALS / program), path]
-    executable = build / "rivals" / program.format(d=dimension)
-    return [str(executable), path] if executable.exists() else None
+    name, *options = program.format(d=dimension).split()
+    executable = build / "rivals" / name
+    return [str(executable), path, *options] if executable.exists() else None
 
 
 def measure(command, patience):
@@ -95,7 +99,7 @@ def main():
     parser.add_argument("--record", action="store_true", help="write the figures to benchmarks/history/")
     options = parser.parse_args()
     delone = options.build / "delone"
-    print(f"{'input':<15}{'program':<13}{'facets':>9}{'seconds':>10}{'cpu s':>10}{'peak MB':>9}{'ratio':>8}{'cpu ratio':>10}")
+    print(f"{'input':<15}{'program':<16}{'facets':>9}{'seconds':>10}{'cpu s':>10}{'peak MB':>9}{'ratio':>8}{'cpu ratio':>10}")
     results = {}
     with tempfile.TemporaryDirectory() as folder:
         for name, (kind, dimension, n, programs) in STANDARD.items():
@@ -116,9 +120,10 @@ def main():
             own = figures.get("hull_delone")
             if own is None:
                 sys.exit(f"{name}: delone has failed")
-            for figure in figures.values():
+            for program, figure in figures.items():
+                label = " ".join([figure["program"], *program.split()[2:]])
                 differs = "" if figure["facets"] == own["facets"] else " (other facets)"
-                print(f"{name:<15}{figure['program']:<13}{figure['facets']:>9}{figure['seconds']:>10.4f}{figure['cpu_seconds']:>10.4f}"
+                print(f"{name:<15}{label:<16}{figure['facets']:>9}{figure['seconds']:>10.4f}{figure['cpu_seconds']:>10.4f}"
                       f"{figure['peak_bytes'] / 1e6:>9.1f}{figure['seconds'] / own['seconds']:>8.2f}"
                       f"{figure['cpu_seconds'] / own['cpu_seconds']:>10.2f}{differs}", flush=True)
 

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: BSD-3-Clause
-"""Times the Python module against scipy: constructions, location of points, linear interpolation; one thread.
+"""Times the Python module against scipy: constructions, hulls, halfspaces, location of points, linear interpolation; one thread.
 
   PYTHONPATH=build/release/python benchmarks/python.py               a table
   PYTHONPATH=build/release/python benchmarks/python.py --record      also benchmarks/history/DATE-COMMIT-python.json
@@ -11,6 +11,7 @@ does as well.
 """
 import argparse
 import datetime
+import itertools
 import json
 import pathlib
 import platform
@@ -42,6 +43,61 @@ def construct(module, points, attribute):
     return tri.simplices, tri.neighbors, getattr(tri, attribute)
 
 
+def ball(dimension, n, seed):
+    random = np.random.default_rng(seed)
+    points = random.standard_normal((n, dimension))
+    return points / np.linalg.norm(points, axis=1)[:, None] * random.random((n, 1)) ** (1 / dimension)
+
+
+def phases(components, n, seed):
+    """Points of a phase diagram: compositions with small denominators, many of them with few components, and energies. Most of
+    them are coplanar with many others, up to rounding."""
+    random = np.random.default_rng(seed)
+    parts = np.array(list(itertools.product(range(7), repeat=components)))[1:]
+    random.shuffle(parts)
+    parts = parts[((parts > 0).sum(axis=1) <= 3) | (random.random(len(parts)) < 0.3)]
+    fractions = parts / parts.sum(axis=1, keepdims=True)
+    first = np.sort(np.unique(fractions, axis=0, return_index=True)[1])[:n]
+    fractions = fractions[first]
+    energies = -2 * np.round(random.random(len(fractions)), 4) * (1 - (fractions**2).sum(axis=1))
+    elements = np.eye(components)
+    return np.vstack([np.column_stack([fractions[:, :-1], energies]), np.column_stack([elements[:, :-1], np.zeros(components)]),
+                      np.append(np.full(components - 1, 1 / components), 1.0)])
+
+
+def halfspaces(dimension, n, seed, depth):
+    """Halfspaces that contain the origin, at distances from 1 to 1 + depth: with depth 0 none is redundant."""
+    random = np.random.default_rng(seed)
+    normals = random.standard_normal((n, dimension))
+    normals /= np.linalg.norm(normals, axis=1)[:, None]
+    return np.column_stack([normals, -1 - depth * random.random(n)])
+
+
+HULLS = {"2D, 1000000 points in a square": lambda: uniform(2, 1_000_000, 1), "3D, 100000 points in a cube": lambda: uniform(3, 100_000, 1),
+         "3D, 1000000 points in a cube": lambda: uniform(3, 1_000_000, 1), "3D, 100000 points in a ball": lambda: ball(3, 100_000, 1),
+         "4D, 100000 points in a cube": lambda: uniform(4, 100_000, 1), "5D, 20000 points in a cube": lambda: uniform(5, 20_000, 1),
+         "4D, 244 compositions": lambda: phases(4, 244, 1), "4D, 1000 compositions": lambda: phases(4, 1000, 3),
+         "5D, 1000 compositions": lambda: phases(5, 1000, 2)}
+HALFSPACES = {"2D, 1000 halfspaces": (2, 1000, 0), "3D, 1000 halfspaces": (3, 1000, 0), "3D, 10000 halfspaces": (3, 10_000, 0),
+              "3D, 10000 halfspaces, most redundant": (3, 10_000, 1), "4D, 1000 halfspaces": (4, 1000, 0)}
+
+
+def hull(module, points):
+    found = module.ConvexHull(points)
+    return found.simplices, found.neighbors, found.vertices
+
+
+def hull_of_all(points):
+    """With the points that are not extreme."""
+    found = delone.ConvexHull(points)
+    return found.cells, found.neighbors, found.vertices
+
+
+def intersection(module, rows):
+    found = module.HalfspaceIntersection(rows, np.zeros(rows.shape[1] - 1))
+    return found.intersections, found.dual_facets
+
+
 def values_at(points):
     return np.sin(3 * points).sum(axis=1)
 
@@ -54,6 +110,24 @@ def experiments():
         for name, attribute in (("construction", "neighbors"), ("construction with equations", "equations")):
             yield (f"{dimension}D, {n} points: {name}", lambda: construct(delone.spatial, points, attribute),
                    lambda: construct(scipy.spatial, points, attribute), same)
+    for name, make in HULLS.items():
+        points = make()
+        # Qhull merges facets, and points within its rounding are no vertices.
+        about = lambda a, b: abs(len(a[2]) - len(b[2])) <= 0.3 * len(a[2])
+        yield f"hull, {name}", lambda: hull(delone.spatial, points), lambda: hull(scipy.spatial, points), about
+        yield f"hull of all, {name}", lambda: hull_of_all(points), lambda: hull(scipy.spatial, points), about
+    for name, (dimension, n, depth) in HALFSPACES.items():
+        rows = halfspaces(dimension, n, 1, depth)
+        yield (name, lambda: intersection(delone.spatial, rows), lambda: intersection(scipy.spatial, rows),
+               lambda a, b: len(a[0]) == len(b[0]))
+    for dimension in (2, 3, 4):
+        sets = uniform(dimension, 20_000, 1).reshape(1000, 20, dimension)
+        same = lambda a, b: a == b
+        one_by_one = lambda module: sum(len(module.ConvexHull(points).vertices) for points in sets)
+        yield (f"{dimension}D, 1000 hulls of 20 points", lambda: len(delone.convex_hulls(sets).vertices),
+               lambda: one_by_one(scipy.spatial), same)
+        yield (f"{dimension}D, 1000 hulls of 20 points, one by one", lambda: one_by_one(delone.spatial),
+               lambda: one_by_one(scipy.spatial), same)
     for name, (dimension, n, queries) in LOCATIONS.items():
         points, queries = uniform(dimension, n, 1), uniform(dimension, queries, 2)
         ours, theirs = delone.spatial.Delaunay(points), scipy.spatial.Delaunay(points)
@@ -91,7 +165,7 @@ def main():
     parser.add_argument("--record", action="store_true", help="write the figures to benchmarks/history/")
     options = parser.parse_args()
 
-    print(f"{'experiment':<52}{'delone, s':>10}{'scipy, s':>10}{'scipy / delone':>16}")
+    print(f"{'experiment':<60}{'delone, s':>10}{'scipy, s':>10}{'scipy / delone':>16}")
     results = {}
     for name, ours, theirs, same in experiments():
         if options.only and not any(text in name for text in options.only):
@@ -105,7 +179,7 @@ def main():
         figures = {"delone": statistics.median(run[0] for run in runs), "scipy": statistics.median(run[1] for run in runs),
                    "ratio": statistics.median(run[1] / run[0] for run in runs)}
         results[name] = figures
-        print(f"{name:<52}{figures['delone']:>10.3f}{figures['scipy']:>10.3f}{figures['ratio']:>16.1f}", flush=True)
+        print(f"{name:<60}{figures['delone']:>10.3f}{figures['scipy']:>10.3f}{figures['ratio']:>16.1f}", flush=True)
 
     if options.record:
         commit = subprocess.run(["git", "describe", "--always", "--dirty"], cwd=ROOT, capture_output=True, text=True).stdout.strip()

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // delone's convex hull, through the interface of its rivals. The time covers the boundary and what the other
 // programs compute with it: merged facets and extreme points. `data_seconds` is the time of everything else
-// in Polytope::data(). Options: --order automatic|as_given|shuffled, --seed S.
+// in Polytope::data(). Options: --order automatic|as_given|shuffled, --seed S, --points all|extreme. Like the
+// other programs, a hull of the extreme points does not keep the coordinates of the others.
 #include "rival.hpp"
 
 #include <delone/convex_hull.hpp>
@@ -17,7 +18,9 @@ namespace {
 class Delone {
  public:
   Delone(const rival::Arguments& arguments, delone::PointTable&& table)
-      : table_(std::move(table)), order_(arguments.option("order", "automatic")) {
+      : table_(std::move(table)),
+        order_(arguments.option("order", "automatic")),
+        only_extreme_(arguments.option("points", "all") == "extreme") {
     options_.seed = std::stoull(arguments.option("seed", "0"));
     if (order_ == "shuffled")
       options_.order = delone::InsertionOrder::shuffled;
@@ -30,7 +33,11 @@ class Delone {
   rival::Program program() const { return {"delone", DELONE_VERSION, DELONE_BENCHMARK_FLAGS}; }
 
   void construct() {
-    result_.emplace(table_.coordinates, table_.dimension, options_);
+    result_.emplace(table_.dimension, options_);
+    if (only_extreme_)
+      result_->insert_extreme_points(table_.coordinates);
+    else
+      result_->insert_range(table_.coordinates);
     num_facets_ = result_->num_facets();
     num_vertices_ = result_->num_vertices();
   }
@@ -63,6 +70,7 @@ class Delone {
  private:
   delone::PointTable table_;
   std::string order_;
+  bool only_extreme_;
   delone::Options options_;
   std::optional<delone::ConvexHull<>> result_;
   std::size_t num_facets_ = 0, num_vertices_ = 0;

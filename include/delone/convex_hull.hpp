@@ -119,6 +119,7 @@ class Polytope {
   ~Polytope();
 
   void insert_coordinates(std::span<const double> coordinates);
+  std::vector<SignedIndex> insert_extreme_coordinates(std::span<const double> coordinates);
   HullInsertResult insert_point(std::span<const double> point);
 
  private:
@@ -195,6 +196,16 @@ class ConvexHull : public Polytope {
   void insert_range(AnyPoints<D> points) {
     points.require_dimension(dimension());
     insert_coordinates(points.coordinates());
+  }
+  /// Inserts the extreme ones of points, into a hull that is empty. Others may become rows, too, but all
+  /// vertices of cells are extreme: where many points lie in the hyperplanes of facets, there are far fewer
+  /// cells than with all points, and other ones. Returns which of the points each row is, in no particular
+  /// order; of equal points it is the first. Kinds and counts are those of the rows. Cost: one or two passes
+  /// over the points more than the hull of the extreme ones. Throws as above, and Errc::invalid_argument if
+  /// there are rows already.
+  std::vector<SignedIndex> insert_extreme_points(AnyPoints<D> points) {
+    points.require_dimension(dimension());
+    return insert_extreme_coordinates(points.coordinates());
   }
   /// Inserts one point as the next row; errors as above.
   HullInsertResult insert(const AnyPoint<D>& point) { return insert_point(point); }

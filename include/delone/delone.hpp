@@ -6,6 +6,7 @@
 #include <delone/complex.hpp>
 #include <delone/config.hpp>
 #include <delone/convex_hull.hpp>
+#include <delone/convex_hulls.hpp>
 #include <delone/data.hpp>
 #include <delone/delaunay.hpp>
 #include <delone/error.hpp>

@@ -54,6 +54,16 @@ class HeldHull {
     });
   }
 
+  /// The extreme ones of points, into a hull without rows; which of the points its rows are.
+  std::vector<SignedIndex> add_extreme(const py::array_t<double>& points, const py::object& progress) {
+    std::vector<SignedIndex> rows;
+    guard_.change(progress, [&, x = numbers(points)] {
+      rows = hull_.insert_extreme_points(x);
+      if (!rows.empty()) batches_.push_back(rows.size());
+    });
+    return rows;
+  }
+
   /// The arrays. Later insertions do not change them.
   std::shared_ptr<const HullData> data() const {
     return ask([this](const Polytope& hull) {
@@ -87,6 +97,15 @@ std::unique_ptr<HeldHull> construct(const py::object& points, double tolerance, 
                                          BuildArguments{seed, std::move(order), threads}, tolerance);
   held->add(rows, progress);
   return held;
+}
+
+py::tuple of_extreme_points(const py::object& points, double tolerance, std::uint64_t seed, std::string order,
+                            int threads, const py::object& progress) {
+  const auto rows = as_points(points, "points");
+  auto held = std::make_unique<HeldHull>(static_cast<int>(rows.shape(1)),
+                                         BuildArguments{seed, std::move(order), threads}, tolerance);
+  py::array which = list_view(held->add_extreme(rows, progress));
+  return py::make_tuple(py::cast(std::move(held)), which);
 }
 
 std::size_t width(const HullData& data) {
@@ -228,6 +247,12 @@ ValueError if it is negative, NaN, infinite, or larger than the set along every 
 Cost: O(n) cells for evenly spread points,
 at worst O(n^(d/2)). Source: incremental insertion with perturbed ties, doi:10.1016/j.comgeo.2010.09.010.)";
 
+constexpr const char* of_extreme_points_doc = R"(
+The hull of the extreme ones of points, (n, d), alone: (hull, rows), where row i of the hull is points[rows[i]]. The
+hull may have other rows, too, in no particular order, but all vertices of its cells are extreme. Where many points lie
+in the hyperplanes of facets there are far fewer cells than in the hull of all points. Arguments, errors and exactness
+as in the constructor. A copy by pickling may number cells otherwise.)";
+
 constexpr const char* insert_range_doc = R"(
 Adds points, (n, d), as the next rows: all of them, or none if it raises. Arrays taken before stay as they are.
 Errors as in the constructor; ValueError for another number of columns. Cost: that of the new points, unless one
@@ -277,6 +302,9 @@ void bind_convex_hull(py::module_& module) {
   py::class_<HeldHull> type(module, "ConvexHull", text(class_doc));
   type.def(py::init(&construct), "points"_a, py::kw_only(), "tolerance"_a = 0.0, "seed"_a = 0,
            "order"_a = "automatic", "threads"_a = 1, "progress"_a = py::none());
+  type.def_static("of_extreme_points", &of_extreme_points, "points"_a, py::kw_only(), "tolerance"_a = 0.0,
+                  "seed"_a = 0, "order"_a = "automatic", "threads"_a = 1, "progress"_a = py::none(),
+                  text(of_extreme_points_doc));
   type.def("insert_range", &HeldHull::add, "points"_a, py::kw_only(), "progress"_a = py::none(),
            text(insert_range_doc));
   type.def_property_readonly("dimension", &HeldHull::dimension,

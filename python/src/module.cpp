@@ -14,6 +14,7 @@ PYBIND11_MODULE(_core, module) {
   python::bind_interpolator(module);
   python::bind_natural_neighbors(module);
   python::bind_convex_hull(module);
+  python::bind_convex_hulls(module);
   python::bind_voronoi(module);
   python::bind_halfspaces(module);
   python::bind_cell_maps(module);

@@ -11,6 +11,7 @@ void bind_trim(pybind11::module_& module);
 void bind_interpolator(pybind11::module_& module);
 void bind_natural_neighbors(pybind11::module_& module);
 void bind_convex_hull(pybind11::module_& module);
+void bind_convex_hulls(pybind11::module_& module);
 void bind_voronoi(pybind11::module_& module);
 void bind_halfspaces(pybind11::module_& module);
 void bind_cell_maps(pybind11::module_& module);

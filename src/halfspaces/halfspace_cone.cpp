@@ -41,6 +41,7 @@ HalfspaceCone::HalfspaceCone(const DualSites& sites, std::vector<Index> simplex,
 
 HalfspaceCone::HalfspaceCone(const DualSites& sites, const HalfspaceCone& other)
     : sites_(sites), view_(other.view_), now_(other.now_) {
+  is_surely_inside_ = other.is_surely_inside_;
   if (other.boundary_) boundary_ = other.boundary_->copy(sites, view_);
 }
 
@@ -120,7 +121,8 @@ struct HalfspaceCone::SiteBatch final : engine::Batch {
       : cone(to), sites(all), tell(listener) {}
 
   Index next() override { return place < sites.size() ? sites[place++] + 1 : invalid_index; }
-  void placed(Index v, Index at, bool) override {
+  void placed(Index v, Index at, bool strictly) override {
+    cone.is_surely_inside_[v - 1] = at != v && strictly ? 1 : 0;
     cone.now_.insertions += at == v;
     tell();
   }
@@ -134,6 +136,7 @@ struct HalfspaceCone::SiteBatch final : engine::Batch {
 void HalfspaceCone::insert_all(std::span<const Index> sites, const std::function<void()>& done) {
   if (boundary_) {
     include(sites);
+    is_surely_inside_.resize(sites_.size(), 0);
     SiteBatch batch(*this, sites, done);
     boundary_->insert_all(batch);
   } else {
@@ -172,7 +175,7 @@ Sign HalfspaceCone::side(const SimplicialHull& hull, std::size_t c, Index site) 
 }
 
 std::optional<Index> HalfspaceCone::cell_through(const SimplicialHull& hull, Index site) const {
-  if (!boundary_) return std::nullopt;  // a ray between two others
+  if (!boundary_ || is_surely_inside_[site] != 0) return std::nullopt;  // for k = 1 a ray between two others
   const auto slot = boundary_->cell_through(site);
   if (!slot) return std::nullopt;
   return static_cast<Index>(std::lower_bound(hull.slots.begin(), hull.slots.end(), *slot) -

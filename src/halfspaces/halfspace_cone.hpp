@@ -67,6 +67,7 @@ class HalfspaceCone {
   DualView view_;
   std::unique_ptr<HalfspaceEngine> boundary_;  // none for k = 1
   Progress now_, before_;
+  std::vector<char> is_surely_inside_;  // by site: whether it was found strictly inside when it was inserted
 };
 
 }  // namespace delone::internal

@@ -123,23 +123,13 @@ struct Polyhedron::Impl {
 
   /// Adds the sites of new rows, and their dual points if the axes are known.
   void add_sites(IntersectionParts& parts, const std::vector<double>& all, std::size_t first) const {
-    DualSites& sites = parts.sites;
     for (std::size_t r = first; r * (d + 1) < all.size(); ++r) {
       const double* row = &all[r * (d + 1)];
       if (!has_normal(row, d)) {
         parts.site_of_row.push_back(invalid_index);
         continue;
       }
-      const auto site = static_cast<Index>(sites.size());
-      sites.rows.insert(sites.rows.end(), row, row + d + 1);
-      const auto [at, is_new] = parts.site_at.insert(site);
-      parts.site_of_row.push_back(*at);
-      if (is_new) {
-        parts.row_of_site.push_back(static_cast<SignedIndex>(r));
-        if (!sites.axes.empty()) parts.add_dual(site);
-      } else {
-        sites.rows.resize(sites.rows.size() - (d + 1));
-      }
+      parts.site_of_row.push_back(parts.site_of_ray(row, static_cast<SignedIndex>(r)));
     }
   }
 

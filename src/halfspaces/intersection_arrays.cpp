@@ -8,12 +8,15 @@
 // dual to a vertex.
 #include "halfspaces/intersection_arrays.hpp"
 
+#include "base/random.hpp"
 #include "halfspaces/halfspace_vertex.hpp"
 #include "hull/hull_faces.hpp"
 #include "hull/hull_measure.hpp"
 #include "kernel/hull_stages.hpp"
+#include "kernel/rays.hpp"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <limits>
 #include <utility>
@@ -218,7 +221,10 @@ class ArrayMaker {
     std::vector<double> dual(2 * d_), normal(d_);
     for (const Index site : parts_.site_of_row) {
       std::fill(dual.begin(), dual.end(), 0.0);
-      if (site != invalid_index) dual_point(sites_.row(site), parts_.interior, all, dual.data());
+      if (site != invalid_index && k_ == d_)
+        std::copy_n(sites_.dual(site), d_, dual.begin());
+      else if (site != invalid_index)
+        dual_point(sites_.row(site), parts_.interior, all, dual.data());
       data_.dual_points.insert(data_.dual_points.end(), dual.begin(),
                                dual.begin() + static_cast<std::ptrdiff_t>(d_));
     }
@@ -253,17 +259,32 @@ class ArrayMaker {
 
 }  // namespace
 
+namespace {
+
+/// Equal for rows on one ray: quotients of equal value are rounded to equal doubles.
+std::uint64_t ray_tag(const double* row, std::size_t size) {
+  std::size_t last = size - 1;
+  while (last > 0 && row[last] == 0) --last;
+  const double unit = std::fabs(row[last]);
+  std::uint64_t tag = last;
+  for (std::size_t j = 0; j <= last; ++j)
+    tag = random::mix(tag + 0x9e3779b97f4a7c15u + std::bit_cast<std::uint64_t>(row[j] / unit + 0.0));
+  return tag;
+}
+
+}  // namespace
+
 IntersectionParts::IntersectionParts(std::size_t d) {
   sites.row_size = d + 1;
   sites.rows.assign(d + 1, 0.0);
   sites.rows[d] = -1;
-  site_at.insert(0);
+  site_at.add(ray_tag(sites.row(0), d + 1), 0);
   interior.rounded.assign(d, 0.0);
 }
 
 IntersectionParts::IntersectionParts(const IntersectionParts& other)
     : sites(other.sites),
-      site_at(other.site_at.begin(), other.site_at.end(), RayOrder{&sites}),
+      site_at(other.site_at),
       row_of_site(other.row_of_site),
       site_of_row(other.site_of_row),
       basis(other.basis),
@@ -280,8 +301,23 @@ void IntersectionParts::add_dual(Index site) {
     dual_point(sites.row(site), interior, std::span(sites.axes).first(k), sites.duals.data() + site * 2 * k);
 }
 
+Index IntersectionParts::site_of_ray(const double* row, SignedIndex r) {
+  const std::uint64_t tag = ray_tag(row, sites.row_size);
+  const Index found = site_at.find(tag, [&](Index site) {
+    return kernel::compare_rays(sites.row(site), row, static_cast<int>(sites.row_size)) == 0;
+  });
+  if (found != invalid_index) return found;
+  const auto site = static_cast<Index>(sites.size());
+  sites.rows.insert(sites.rows.end(), row, row + sites.row_size);
+  row_of_site.push_back(r);
+  site_at.add(tag, site);
+  if (!sites.axes.empty()) add_dual(site);
+  return site;
+}
+
 void IntersectionParts::drop_sites(Index first_site, std::size_t first_row) noexcept {
-  std::erase_if(site_at, [&](Index site) { return site >= first_site; });
+  for (auto site = static_cast<Index>(sites.size()); site-- > first_site;)
+    site_at.remove_last(ray_tag(sites.row(site), sites.row_size), site);
   sites.rows.resize(first_site * sites.row_size);
   sites.duals.resize(std::min(sites.duals.size(), std::size_t{first_site} * 2 * (sites.axes.size() - 1)));
   row_of_site.resize(std::min(row_of_site.size(), std::size_t{first_site}));

@@ -3,24 +3,16 @@
 #pragma once
 
 #include "halfspaces/halfspace_cone.hpp"
-#include "kernel/rays.hpp"
+#include "hull/site_table.hpp"
 
 #include <delone/halfspaces.hpp>
 
 #include <cstddef>
+#include <cstdint>
 #include <optional>
-#include <set>
 #include <vector>
 
 namespace delone::internal {
-
-/// Orders sites by their rays.
-struct RayOrder {
-  const DualSites* sites;
-  bool operator()(Index a, Index b) const {
-    return kernel::compare_rays(sites->row(a), sites->row(b), static_cast<int>(sites->row_size)) < 0;
-  }
-};
 
 /// The rows as sites, an interior point, and the cone of the sites. Rows on one ray share a site; site 0 is
 /// the row at infinity.
@@ -31,11 +23,13 @@ struct IntersectionParts {
 
   int rank() const { return sites.axes.empty() ? 0 : sites.dimension(); }
   void add_dual(Index site);
+  /// The site of a row's ray, which is new if it is the last one: of row r. REQUIRES a normal.
+  Index site_of_ray(const double* row, SignedIndex r);
   /// Takes back the sites and rows from these on, some of which may have been added in part only.
   void drop_sites(Index first_site, std::size_t first_row) noexcept;
 
   DualSites sites;
-  std::set<Index, RayOrder> site_at{RayOrder{&sites}};
+  SiteTable site_at;
   std::vector<SignedIndex> row_of_site{-1};  // the first row of each site; −1 for the row at infinity
   std::vector<Index> site_of_row;            // invalid_index for rows without a normal
   std::vector<Index> basis;                  // k+1 independent sites, increasing; the first is site 0

@@ -4,6 +4,7 @@
 #include "base/require_finite.hpp"
 #include "base/require_tolerance.hpp"
 #include "complex/canonical_hash.hpp"
+#include "hull/extreme_hull.hpp"
 #include "hull/hull_analysis.hpp"
 #include "hull/hull_state.hpp"
 #include "hull/tolerance/flat_distance.hpp"
@@ -61,19 +62,37 @@ struct Polytope::Impl {
     return tolerant ? tolerant->max_distance() : 0;
   }
 
-  void insert_range(std::span<const double> coordinates) {
+  /// Throws unless all is well with new points; false if there are none.
+  bool check_points(std::span<const double> coordinates) const {
     if (coordinates.size() % ambient() != 0)
       throw Error(Errc::bad_dimension, "the number of coordinates is not a multiple of the dimension");
     internal::require_finite(coordinates, ambient(), "a coordinate");
-    const std::size_t n = coordinates.size() / ambient();
-    if (n == 0) return;
-    check_room(n);
+    check_room(coordinates.size() / ambient());
+    if (coordinates.empty()) return false;
     internal::require_tolerance_within(options.tolerance, coordinates, ambient(), state->sites().coordinates);
+    return true;
+  }
+  void insert_range(std::span<const double> coordinates) {
+    if (!check_points(coordinates)) return;
     std::unique_ptr<const TolerantHull> made;
     const auto make = [&] { made = std::make_unique<const TolerantHull>(*state, options, true); };
     state->insert_range(coordinates, options, options.tolerance > 0 ? make : std::function<void()>{});
     analysis_of_state.reset();
     tolerant = std::move(made);
+  }
+  std::vector<SignedIndex> insert_extreme(std::span<const double> coordinates) {
+    if (state->num_rows() > 0)
+      throw Error(Errc::invalid_argument, "extreme points alone are inserted into an empty hull only");
+    if (!check_points(coordinates)) return {};
+    internal::ExtremeHull hull = internal::find_extreme_hull(coordinates, dimension, options);
+    std::vector<SignedIndex> rows(hull.rows.begin(), hull.rows.end());
+    // What is shown with a tolerance depends on the extreme points alone.
+    std::unique_ptr<const TolerantHull> made;
+    if (options.tolerance > 0) made = std::make_unique<const TolerantHull>(*hull.state, options, true);
+    analysis_of_state.reset();
+    tolerant = std::move(made);
+    state = std::move(hull.state);
+    return rows;
   }
 
   HullInsertResult insert(std::span<const double> point) {
@@ -146,6 +165,9 @@ Polytope::~Polytope() = default;
 void Polytope::insert_coordinates(std::span<const double> coordinates) {
   internal::guarded("the hull", [&] { impl_->insert_range(coordinates); });
 }
+std::vector<SignedIndex> Polytope::insert_extreme_coordinates(std::span<const double> coordinates) {
+  return internal::guarded("the hull", [&] { return impl_->insert_extreme(coordinates); });
+}
 HullInsertResult Polytope::insert_point(std::span<const double> point) {
   return internal::guarded("the hull", [&] { return impl_->insert(point); });
 }
@@ -153,13 +175,15 @@ HullInsertResult Polytope::insert_point(std::span<const double> point) {
 int Polytope::dimension() const { return impl_->dimension; }
 int Polytope::affine_dimension() const { return impl_->affine_dimension(); }
 std::size_t Polytope::num_points() const { return impl_->state->num_rows(); }
-std::size_t Polytope::num_duplicates() const { return num_points() - impl_->state->sites().size(); }
+std::size_t Polytope::num_duplicates() const { return impl_->state->num_duplicates(); }
 std::size_t Polytope::num_cells() const { return impl_->hull().num_cells(); }
 std::vector<int> Polytope::axes() const { return impl_->shown().sites().axes; }
 double Polytope::tolerance() const { return impl_->options.tolerance; }
 double Polytope::max_distance() const { return impl_->max_distance(); }
 
-std::size_t Polytope::num_vertices() const { return count(PointKind::extreme); }
+std::size_t Polytope::num_vertices() const {
+  return impl_->analyse([](const HullAnalysis& analysis) { return analysis.num_extreme(); });
+}
 std::size_t Polytope::num_facets() const {
   return impl_->analyse([](const HullAnalysis& analysis) { return analysis.faces().num_facets(); });
 }
@@ -175,7 +199,7 @@ std::size_t Polytope::count(PointKind kind) const {
 }
 std::span<const double> Polytope::point(std::size_t row) const {
   if (row >= num_points()) throw Error(Errc::invalid_argument, "not a row of the input");
-  return {impl_->state->sites().point(impl_->state->site_of_row(row)), impl_->ambient()};
+  return {impl_->state->point_of_row(row), impl_->ambient()};
 }
 
 const HullData& Polytope::data() const {

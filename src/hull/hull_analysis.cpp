@@ -44,6 +44,12 @@ std::size_t HullAnalysis::count(PointKind kind) const {
   })[static_cast<std::size_t>(kind)];
 }
 
+std::size_t HullAnalysis::num_extreme() const {
+  if (!locator_) return state_.sites().size() > 0 ? 1 : 0;
+  const std::vector<char>& is_extreme = faces().is_extreme;
+  return static_cast<std::size_t>(std::count(is_extreme.begin(), is_extreme.end(), 1));
+}
+
 const HullMeasures& HullAnalysis::measures() const {
   return measures_.get([&] { return measure_hull(state_.sites(), state_.hull()); });
 }
@@ -69,6 +75,9 @@ std::vector<PointKind> HullAnalysis::find_kinds() const {
   std::vector<PointKind> kinds(state_.num_rows(), PointKind::duplicate);
   for (Index site = 0; site < sites.size(); ++site)
     kinds[static_cast<std::size_t>(state_.row(site))] = kind_of(site);
+  const SievedRows& sieved = state_.sieved_rows();
+  for (std::size_t i = 0; i < sieved.rows().size(); ++i)
+    if (sieved.first_rows()[i] == sieved.rows()[i]) kinds[sieved.rows()[i]] = PointKind::interior;
   return kinds;
 }
 
@@ -115,10 +124,15 @@ HullData HullAnalysis::make_data() const {
   data.equations = std::move(equations.equations);
   data.equation_errors = std::move(equations.errors);
   data.point_kinds = kinds();
+  data.vertex_of_point.resize(state_.num_rows());
   for (std::size_t row = 0; row < state_.num_rows(); ++row) {
     if (data.point_kinds[row] == PointKind::extreme) data.vertices.push_back(static_cast<SignedIndex>(row));
-    data.vertex_of_point.push_back(state_.row(state_.site_of_row(row)));
+    if (const Index site = state_.site_of_row(row); site != invalid_index)
+      data.vertex_of_point[row] = state_.row(site);
   }
+  const SievedRows& sieved = state_.sieved_rows();
+  for (std::size_t i = 0; i < sieved.rows().size(); ++i)
+    data.vertex_of_point[sieved.rows()[i]] = static_cast<SignedIndex>(sieved.first_rows()[i]);
   return data;
 }
 

@@ -53,13 +53,16 @@ class HullAnalysis {
   /// By row.
   const std::vector<PointKind>& kinds() const;
   std::size_t count(PointKind kind) const;
+  /// The same for extreme points, without the kinds of the others.
+  std::size_t num_extreme() const;
   const HullMeasures& measures() const;
   const HullData& data() const;
+  /// Of the facets. Computed at each call.
+  FacetEquations equations() const;
 
  private:
   std::vector<PointKind> find_kinds() const;
   HullData make_data() const;
-  FacetEquations equations() const;
 
   const HullState& state_;
   HullTolerance tolerance_;

@@ -4,6 +4,7 @@
 #include "base/stopwatch.hpp"
 #include "complex/canonical_hash.hpp"
 #include "hull/outermost_sites.hpp"
+#include "hull/point_sieve.hpp"
 #include "order/insertion_order.hpp"
 
 #include <algorithm>
@@ -25,6 +26,7 @@ HullState::HullState(const HullState& other)
       site_of_row_(other.site_of_row_),
       is_surely_interior_(other.is_surely_interior_),
       site_at_(other.site_at_),
+      sieved_(other.sieved_),
       earlier_(other.earlier_) {
   if (other.builder_) builder_ = std::make_unique<ConvexHullBuilder>(sites_, *other.builder_);
 }
@@ -104,6 +106,7 @@ class HullState::Rollback {
         axes_(state.sites_.axes),
         num_sites_(static_cast<Index>(state.sites_.size())),
         num_rows_(state.num_rows()),
+        had_sieved_rows_(!state.sieved_.empty()),
         earlier_(state.earlier_) {}
   ~Rollback() {
     if (is_kept_) return;
@@ -122,6 +125,7 @@ class HullState::Rollback {
     state_.row_of_site_.resize(num_sites_);
     state_.is_surely_interior_.resize(num_sites_);
     state_.site_of_row_.resize(num_rows_);
+    if (!had_sieved_rows_) state_.sieved_ = SievedRows();
     state_.earlier_ = earlier_;
   }
   Rollback(const Rollback&) = delete;
@@ -151,6 +155,7 @@ class HullState::Rollback {
   std::vector<int> axes_;
   Index num_sites_;
   std::size_t num_rows_;
+  bool had_sieved_rows_;
   Statistics earlier_;
   std::unique_ptr<ConvexHullBuilder> builder_;
   std::vector<char> is_surely_interior_;
@@ -173,28 +178,80 @@ void HullState::insert_all(std::span<const Index> sites, const std::function<voi
   });
 }
 
-/// Rows to sites.
-void HullState::add_rows(std::span<const double> coordinates) {
-  const std::size_t n = coordinates.size() / ambient(), first_row = num_rows();
-  site_of_row_.reserve(first_row + n);
+/// Rows to sites: all that are given, or those of `rows`, if there are any; the others have none.
+void HullState::add_rows(std::span<const double> coordinates, std::span<const Index> rows) {
+  const std::size_t first_row = num_rows(), n = rows.empty() ? coordinates.size() / ambient() : rows.size();
+  const auto row_at = [&](std::size_t i) { return rows.empty() ? i : rows[i]; };
+  site_of_row_.resize(first_row + coordinates.size() / ambient(), invalid_index);
   site_at_.reserve(sites_.size() + n);
-  sites_.coordinates.reserve(sites_.coordinates.size() + coordinates.size());
+  sites_.coordinates.reserve(sites_.coordinates.size() + n * ambient());
   // Tags are known some rows ahead: the table is large, and what is asked of it is not in the cache.
   constexpr std::size_t ahead = 16;
   std::uint64_t tags[ahead];
   const auto foresee = [&](std::size_t i) {
     if (i >= n) return;
-    tags[i % ahead] = point_tag(coordinates.data() + i * ambient(), sites_.ambient).low;
+    tags[i % ahead] = point_tag(coordinates.data() + row_at(i) * ambient(), sites_.ambient).low;
     site_at_.prefetch(tags[i % ahead]);
   };
   for (std::size_t i = 0; i < ahead; ++i) foresee(i);
   for (std::size_t i = 0; i < n; ++i) {
-    const double* point = coordinates.data() + i * ambient();
+    const double* point = coordinates.data() + row_at(i) * ambient();
     const std::uint64_t tag = tags[i % ahead];
     foresee(i + ahead);
     const Index site = find_site(tag, point);
-    site_of_row_.push_back(site != invalid_index ? site : add_site(point, first_row + i, tag));
+    site_of_row_[first_row + row_at(i)] =
+        site != invalid_index ? site : add_site(point, first_row + row_at(i), tag);
   }
+}
+
+/// Adds the rows of the first batch. Interior ones that a few passes find have no sites. Returns the sites to
+/// begin with, if they are known.
+std::vector<Index> HullState::sieve(std::span<const double> coordinates) {
+  PointSieve sieve(coordinates, sites_.ambient);
+  sieve.run();
+  const std::vector<Index> remaining = sieve.remaining_rows();
+  const std::size_t n = coordinates.size() / ambient();
+  if (remaining.size() < n) {
+    std::vector<Index> interior;
+    interior.reserve(n - remaining.size());
+    std::size_t next = 0;
+    for (std::size_t row = 0; row < n; ++row)
+      if (next < remaining.size() && remaining[next] == row)
+        ++next;
+      else
+        interior.push_back(static_cast<Index>(row));
+    sieved_ = SievedRows(coordinates, sites_.ambient, std::move(interior));
+  }
+  add_rows(coordinates, remaining);
+  std::vector<Index> outermost;
+  for (const Index row : sieve.shell_rows()) outermost.push_back(site_of_row_[row]);
+  std::sort(outermost.begin(), outermost.end());
+  outermost.erase(std::unique(outermost.begin(), outermost.end()), outermost.end());
+  return outermost;
+}
+
+/// As if there had been no sieve, so that later rows can be compared with all earlier ones. Strong guarantee.
+void HullState::give_sieved_rows_sites() {
+  if (sieved_.empty()) return;
+  const std::vector<Index>&rows = sieved_.rows(), &first = sieved_.first_rows();
+  const std::size_t n = sites_.size() + rows.size();
+  sites_.coordinates.reserve(n * ambient());
+  row_of_site_.reserve(n);
+  is_surely_interior_.reserve(n);
+  site_at_.reserve(n);
+  const auto first_site = static_cast<Index>(sites_.size());
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    if (first[i] != rows[i]) {
+      site_of_row_[rows[i]] = site_of_row_[first[i]];
+      continue;
+    }
+    const double* point = sieved_.point(rows[i]);
+    const Index site = add_site(point, rows[i], point_tag(point, sites_.ambient).low);
+    is_surely_interior_[site] = 1;
+    site_of_row_[rows[i]] = site;
+  }
+  builder_->include_sites(first_site);
+  sieved_ = SievedRows();
 }
 
 /// Takes out the sites that are in the interior already, if a sample says that they are many.
@@ -226,15 +283,23 @@ void HullState::put_in_order(std::vector<Index>& sites, const Options& options) 
 
 void HullState::insert_range(std::span<const double> coordinates, const Options& options,
                              const std::function<void()>& approve) {
+  constexpr std::size_t least_to_sieve = 1024;
+  give_sieved_rows_sites();
   Rollback rollback(*this);
   const auto first_site = static_cast<Index>(sites_.size());
   Stopwatch stopwatch;
-  add_rows(coordinates);
+  std::vector<Index> outermost;
+  // With a tolerance an interior row may be outside of what is shown, and needs a site.
+  if (first_site == 0 && ambient() > 1 && options.tolerance == 0 &&
+      options.order != InsertionOrder::as_given && coordinates.size() >= least_to_sieve * ambient())
+    outermost = sieve(coordinates);
+  else
+    add_rows(coordinates, {});
   earlier_.order_seconds += stopwatch.seconds();
 
   stopwatch.restart();
-  std::vector<Index> outermost;
-  if (options.order != InsertionOrder::as_given) outermost = outermost_sites(sites_, first_site);
+  if (outermost.empty() && options.order != InsertionOrder::as_given)
+    outermost = outermost_sites(sites_, first_site);
   bool raised = false;
   for (const Index site : outermost) raised |= raise(site);
   for (Index site = first_site; site < sites_.size() && affine_hull_.dimension() < sites_.ambient; ++site)
@@ -279,6 +344,7 @@ void HullState::insert_range(std::span<const double> coordinates, const Options&
 }
 
 HullInsertResult HullState::insert_in_flat(const double* point) {
+  give_sieved_rows_sites();
   HullInsertResult result;
   result.row = num_rows();
   site_of_row_.reserve(result.row + 1);
@@ -301,6 +367,12 @@ HullInsertResult HullState::insert_in_flat(const double* point) {
   }
   site_of_row_.push_back(site);
   return result;
+}
+
+std::size_t HullState::num_duplicates() const {
+  // Rows without a site are no duplicates unless they are equal to each other.
+  const std::size_t of_sieved = sieved_.empty() ? 0 : sieved_.num_duplicates();
+  return num_rows() - sieved_.rows().size() - sites_.size() + of_sieved;
 }
 
 const SimplicialHull& HullState::hull() const { return builder_ ? builder_->hull() : no_cells; }

@@ -5,6 +5,7 @@
 #include "base/progress_meter.hpp"
 #include "compiled/simplicial_hull.hpp"
 #include "hull/hull_builder.hpp"
+#include "hull/sieved_rows.hpp"
 #include "hull/site_table.hpp"
 #include "kernel/predicates.hpp"
 
@@ -43,9 +44,16 @@ class HullState {
   /// Sites that span the flat.
   const std::vector<Index>& basis() const { return basis_; }
   std::size_t num_rows() const { return site_of_row_.size(); }
+  /// Rows that are equal to earlier ones.
+  std::size_t num_duplicates() const;
+  /// invalid_index for a row that is interior for certain and has no site; see sieved_rows().
   Index site_of_row(std::size_t row) const { return site_of_row_[row]; }
-  /// The first row at a site; increasing.
+  const double* point_of_row(std::size_t row) const {
+    return site_of_row_[row] != invalid_index ? sites_.point(site_of_row_[row]) : sieved_.point(row);
+  }
+  /// The first row at a site; increasing, but for sites that are surely interior.
   SignedIndex row(Index site) const { return static_cast<SignedIndex>(row_of_site_[site]); }
+  const SievedRows& sieved_rows() const { return sieved_; }
   /// Whether a site was found in the interior when it was inserted. Others may be in the interior, too.
   bool is_surely_interior(Index site) const { return is_surely_interior_[site] != 0; }
 
@@ -64,7 +72,9 @@ class HullState {
   bool raise(Index site);
   void restart(Rollback& rollback);
   void note_effort(Statistics& sum) const;
-  void add_rows(std::span<const double> coordinates);
+  void add_rows(std::span<const double> coordinates, std::span<const Index> rows);
+  std::vector<Index> sieve(std::span<const double> coordinates);
+  void give_sieved_rows_sites();
   void insert_all(std::span<const Index> sites, const std::function<void()>& done);
   void drop_interior(std::vector<Index>& sites, ProgressMeter& progress);
   void put_in_order(std::vector<Index>& sites, const Options& options) const;
@@ -74,6 +84,7 @@ class HullState {
   std::vector<Index> basis_, row_of_site_, site_of_row_;
   std::vector<char> is_surely_interior_;  // by site
   SiteTable site_at_;
+  SievedRows sieved_;
   std::unique_ptr<ConvexHullBuilder> builder_;
   Statistics earlier_;  // of builders that were given up, and the times
 };

@@ -39,8 +39,8 @@ def as_points(points, what: str = "points") -> np.ndarray:
         raise ValueError(f"{what} must be an array of shape (n, d), not {points.shape}")
     if len(points) == 0:
         raise ValueError(f"No {what} given")
-    bad = np.flatnonzero(~np.isfinite(points).all(axis=1))
-    if len(bad):
+    if not np.isfinite(points).all():
+        bad = np.flatnonzero(~np.isfinite(points).all(axis=1))
         if np.isnan(points).any():
             raise ValueError(f"{what.capitalize()} cannot contain NaN (row {np.flatnonzero(np.isnan(points).any(axis=1))[0]})")
         raise qhull_error(f"{what.capitalize()} cannot contain infinities (row {bad[0]})")

@@ -77,22 +77,40 @@ class ConvexHull(OfPoints):
         points = self._without_good_row(self._points)
         tolerance = self._wanted_tolerance
         self._set(tolerance=_tolerance.of_qhull(points, self._options) if tolerance is None else tolerance)
-        self._core = delone.ConvexHull(points, tolerance=self.tolerance)
+        # A hull to which points can be added has all of them, as has one that tells of others; else extreme ones suffice.
+        if self._incremental or self._options.keep_coplanar:
+            self._core, self._core_rows = delone.ConvexHull(points, tolerance=self.tolerance), None
+        else:
+            self._core, self._core_rows = delone.ConvexHull.of_extreme_points(points, tolerance=self.tolerance)
 
     def _extend(self, rows):
         self._core.insert_range(rows)
+
+    def __getstate__(self):
+        state = super().__getstate__()
+        if self._core_rows is not None:  # made again from the points, with the same numbers of simplices
+            del state["_core"], state["_core_rows"]
+        return state
+
+    def __setstate__(self, state):
+        self.__dict__.update(state)
+        if "_core" not in state:
+            self._rebuild()
+        self._update()
 
     def _update(self):
         self._forget()
         rows = self._without_good_row(np.arange(self.npoints, dtype=np.intc))
         core = self._core
+        if self._core_rows is not None:
+            rows = rows[self._core_rows]
         extreme = core.vertices
-        self._extreme = rows[extreme]
+        self._extreme = np.sort(rows[extreme])
         self._shown = core
-        if np.count_nonzero(np.bincount(core.cells.ravel())) > len(extreme):
+        if self._core_rows is None and np.count_nonzero(np.bincount(core.cells.ravel())) > len(extreme):
             # Other points of the boundary are vertices of its simplices, too: the hull of the extreme points has the same boundary.
-            self._shown = delone.ConvexHull(core.points[extreme])
-            rows = self._extreme
+            self._shown, of_extreme = delone.ConvexHull.of_extreme_points(core.points[extreme])
+            rows = rows[extreme][of_extreme]
         self._rows = rows
         simplices, neighbors = self._listed()
         k, volume = core.affine_dimension, float(core.volume)

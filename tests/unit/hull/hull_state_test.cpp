@@ -120,5 +120,29 @@ TEST(HullState, ABatchThatIsStoppedChangesNothing) {
     EXPECT_EQ(state.site_of_row(row), other.site_of_row(row));
 }
 
+TEST(HullState, RowsWithoutASiteAreComparedWithLaterOnes) {
+  constexpr std::size_t n = 3000;
+  Coordinates rows = make_point_set("uniform", 3, n, 8);
+  std::copy_n(rows.begin() + 3 * 500, 3 * 100, rows.begin() + 3 * 900);
+  HullState state(3);
+  state.insert_range(rows, {});
+  ASSERT_GT(state.sieved_rows().rows().size(), n / 4);
+  EXPECT_EQ(state.num_duplicates(), 100u);
+  const auto cells = cells_of(state);
+  const std::size_t sieved = state.sieved_rows().rows()[0];
+  const double* at = state.point_of_row(sieved);
+  EXPECT_TRUE(std::equal(at, at + 3, rows.begin() + static_cast<std::ptrdiff_t>(3 * sieved)));
+  const HullState copy = state;
+  const Coordinates again(at, at + 3);
+  EXPECT_TRUE(state.insert_in_flat(again.data()).duplicate);
+  EXPECT_TRUE(state.sieved_rows().empty());
+  EXPECT_EQ(state.num_duplicates(), 101u);
+  state.insert_range(rows, {});
+  EXPECT_EQ(state.num_duplicates(), 101u + n);
+  EXPECT_EQ(cells_of(state), cells);
+  EXPECT_EQ(copy.num_duplicates(), 100u);
+  for (std::size_t row = 0; row < n; ++row) EXPECT_EQ(state.site_of_row(row), state.site_of_row(row + n + 1));
+}
+
 }  // namespace
 }  // namespace delone::internal

@@ -1,0 +1,217 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "hull/extreme_hull.hpp"
+
+#include "base/compiled_dimension.hpp"
+#include "hull/hull_analysis.hpp"
+#include "hull/point_sieve.hpp"
+#include "kernel/hull_stages.hpp"
+
+#include <algorithm>
+#include <limits>
+#include <numeric>
+#include <utility>
+
+namespace delone::internal {
+namespace {
+
+/// A shell and the points that may be beyond it.
+class Refinement {
+ public:
+  explicit Refinement(PointSieve& sieve) : sieve_(sieve) {}
+
+  /// Extends the shell until all remaining points are in it, exactly. Returns false, and leaves points, if
+  /// most of them seem to be extreme: then it is better to insert all.
+  bool run() {
+    drop_interior();
+    if (few_are_undecided()) return false;
+    for (;; drop_interior()) {
+      if (!pays()) return false;
+      const std::vector<std::size_t> beyond = farthest_beyond();
+      if (beyond.empty()) break;
+      sieve_.add_to_shell(beyond);
+    }
+    // The others are in this shell, and in larger ones.
+    sieve_.add_to_shell(exactly_beyond());
+    return true;
+  }
+
+ private:
+  std::size_t ambient() const { return static_cast<std::size_t>(sieve_.shell().sites().ambient); }
+  std::span<const double> point(std::size_t i) const {
+    return sieve_.remaining_points().subspan(i * ambient(), ambient());
+  }
+
+  /// One plane for each cell.
+  void find_planes() {
+    const HullState& shell = sieve_.shell();
+    std::vector<Index> cells(shell.hull().num_cells());
+    std::iota(cells.begin(), cells.end(), Index{0});
+    planes_ = hull_planes(shell.sites(), shell.hull(), cells, sieve_.box());
+  }
+
+  void drop_interior() {
+    find_planes();
+    std::vector<char> is_inside(sieve_.num_remaining(), 0);
+    find_below(sieve_.remaining_points(), planes_.functions, planes_.low, is_inside);
+    sieve_.remove(is_inside);
+  }
+
+  /// Whether most points are certainly beyond the shell, in a sample.
+  bool few_are_undecided() const {
+    constexpr std::size_t sample = 256;
+    const std::size_t n = sieve_.num_remaining(), step = n / sample + 1;
+    std::size_t undecided = 0, seen = 0;
+    for (std::size_t i = 0; i < n; i += step) {
+      if (sieve_.is_in_shell(i)) continue;
+      ++seen;
+      std::size_t f = 0;
+      while (f < planes_.low.size() && !(value(f, i) > planes_.high[f])) ++f;
+      undecided += f == planes_.low.size() ? 1 : 0;
+    }
+    return undecided * 8 < seen;
+  }
+
+  /// The cost of a pass grows with points and facets, that of insertions with the points alone.
+  bool pays() const {
+    constexpr std::size_t most_work = std::size_t{1} << 22;
+    return planes_.low.size() * sieve_.num_remaining() < most_work;
+  }
+
+  double value(std::size_t f, std::size_t i) const {
+    const double *normal = planes_.functions.normals.data() + f * ambient(), *x = point(i).data();
+    double sum = 0;
+    for (std::size_t j = 0; j < ambient(); ++j) sum += normal[j] * (x[j] - planes_.functions.origin[j]);
+    return sum;
+  }
+
+  /// For each facet the farthest point, if it is certainly beyond.
+  std::vector<std::size_t> farthest_beyond() const {
+    const std::vector<std::size_t> farthest = sieve_.extremes(planes_.functions);
+    std::vector<std::size_t> beyond;
+    for (std::size_t f = 0; f < farthest.size(); ++f)
+      if (farthest[f] != Extreme::nowhere && value(f, farthest[f]) > planes_.high[f])
+        beyond.push_back(farthest[f]);
+    return beyond;
+  }
+
+  /// A facet, as one of its cells.
+  struct Facet {
+    Index cell;
+    std::size_t axis;  ///< the hyperplane is that of a coordinate with a constant value; d if it is not
+    double value;
+    bool inside_is_above;
+  };
+
+  std::vector<Facet> facets() const {
+    const HullState& shell = sieve_.shell();
+    const HullAnalysis analysis(shell);
+    const Lists& cells_of_facet = analysis.faces().cells_of_facet;
+    std::vector<Facet> facets;
+    for (std::size_t f = 0; f < cells_of_facet.size(); ++f) {
+      Facet facet{cells_of_facet[f][0], 0, 0, false};
+      const auto cell = shell.hull().cell(facet.cell);
+      for (; facet.axis < ambient(); ++facet.axis) {
+        facet.value = shell.sites().point(cell[0])[facet.axis];
+        if (std::all_of(cell.begin(), cell.end(),
+                        [&](Index site) { return shell.sites().point(site)[facet.axis] == facet.value; }))
+          break;
+      }
+      if (facet.axis < ambient())
+        facet.inside_is_above = std::any_of(shell.basis().begin(), shell.basis().end(), [&](Index site) {
+          return shell.sites().point(site)[facet.axis] > facet.value;
+        });
+      facets.push_back(facet);
+    }
+    return facets;
+  }
+
+  /// All points that are beyond a facet, where that needs exact arithmetic.
+  std::vector<std::size_t> exactly_beyond() const {
+    return with_compiled_dimension(ambient(), [&](auto d) { return exactly_beyond<d()>(); });
+  }
+  template <int D>
+  std::vector<std::size_t> exactly_beyond() const {
+    const HullSites& sites = sieve_.shell().sites();
+    const std::vector<Facet> all = facets();
+    std::vector<const double*> corners(ambient());
+    std::vector<std::size_t> beyond;
+    kernel::Grid grid = sites.grid;
+    for (std::size_t i = 0; i < sieve_.num_remaining(); ++i) grid.include(point(i).data());
+    StageCounts uncounted;
+    const auto is_beyond = [&](const Facet& facet, std::size_t i) {
+      if (value(facet.cell, i) < planes_.low[facet.cell]) return false;
+      const double* x = point(i).data();
+      if (facet.axis < ambient())
+        return facet.inside_is_above ? x[facet.axis] < facet.value : x[facet.axis] > facet.value;
+      const auto cell = sieve_.shell().hull().cell(facet.cell);
+      for (std::size_t j = 0; j < ambient(); ++j) corners[j] = sites.point(cell[j]);
+      return kernel::hull_side<D>(sites.flat(), corners.data(), x, grid, uncounted) == Sign::negative;
+    };
+    for (std::size_t i = 0; i < sieve_.num_remaining(); ++i)
+      if (!sieve_.is_in_shell(i) &&
+          std::any_of(all.begin(), all.end(), [&](const Facet& facet) { return is_beyond(facet, i); }))
+        beyond.push_back(i);
+    return beyond;
+  }
+
+  PointSieve& sieve_;
+  HullPlanes planes_;
+};
+
+void insert(ExtremeHull& hull, std::span<const double> coordinates, std::span<const Index> rows,
+            const Options& options) {
+  const auto d = static_cast<std::size_t>(hull.state->sites().ambient);
+  std::vector<double> points;
+  points.reserve(rows.size() * d);
+  for (const Index row : rows)
+    points.insert(points.end(), coordinates.data() + row * d, coordinates.data() + (row + 1) * d);
+  hull.rows.insert(hull.rows.end(), rows.begin(), rows.end());
+  hull.state->insert_range(points, options);
+}
+
+/// Begins anew with the extreme points if another point is a vertex of a cell. Which points are extreme does
+/// not depend on the others, so this happens at most once.
+void drop_others(ExtremeHull& hull, std::span<const double> coordinates, const Options& options) {
+  const HullAnalysis analysis(*hull.state);
+  const SimplicialHull& boundary = hull.state->hull();
+  const std::vector<char>& is_extreme = analysis.faces().is_extreme;
+  if (std::all_of(boundary.cells.begin(), boundary.cells.end(),
+                  [&](Index site) { return is_extreme[site] != 0; }))
+    return;
+  std::vector<Index> rows;
+  for (Index site = 0; site < is_extreme.size(); ++site)
+    if (is_extreme[site] != 0) rows.push_back(hull.rows[static_cast<std::size_t>(hull.state->row(site))]);
+  std::sort(rows.begin(), rows.end());
+  ExtremeHull other{std::make_unique<HullState>(hull.state->sites().ambient), {}};
+  insert(other, coordinates, rows, options);
+  hull = std::move(other);
+}
+
+}  // namespace
+
+ExtremeHull find_extreme_hull(std::span<const double> coordinates, int dimension, const Options& options) {
+  constexpr std::size_t least_rows = 64;
+  const std::size_t n = coordinates.size() / static_cast<std::size_t>(dimension);
+  ExtremeHull result{std::make_unique<HullState>(dimension), {}};
+  PointSieve sieve(coordinates, dimension);
+  if (dimension > 1 && n >= least_rows) sieve.run();
+  if (!sieve.has_shell()) {
+    std::vector<Index> rows(n);
+    std::iota(rows.begin(), rows.end(), Index{0});
+    insert(result, coordinates, rows, options);
+  } else {
+    const bool is_complete = Refinement(sieve).run();
+    result.rows = sieve.shell_rows();
+    result.state = sieve.take_shell();
+    if (!is_complete) {
+      std::vector<Index> rows = sieve.remaining_rows(), known = result.rows;
+      std::sort(known.begin(), known.end());
+      std::erase_if(rows, [&](Index row) { return std::binary_search(known.begin(), known.end(), row); });
+      insert(result, coordinates, rows, options);
+    }
+  }
+  drop_others(result, coordinates, options);
+  return result;
+}
+
+}  // namespace delone::internal

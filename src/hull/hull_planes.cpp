@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "hull/hull_planes.hpp"
+
+#include "hull/hull_normal.hpp"
+
+#include <cmath>
+#include <limits>
+
+namespace delone::internal {
+
+/// Let o be the centre and w the reach of the box, b a vertex of the cell, n the computed normal and N an
+/// exact one with |N − n| ≤ e. For x in the box
+///   N·(x − b) = n·(x − o) − n·(b − o) + (N − n)·(x − b).
+/// The computed s = n·(x − o) is off by at most γ_(k+1)·M, M = Σ|n_j|·w_j: one rounding of a difference, one
+/// of a product, at most k − 1 of sums. So is n·(b − o). The last term is at most 2e·Σw_j. The slack covers
+/// the rounding of M, of the thresholds (their terms are at most M), and products that underflow.
+HullPlanes hull_planes(const HullSites& sites, const SimplicialHull& hull, std::span<const Index> cells,
+                       const CenteredBox& box) {
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  const std::size_t d = box.center.size();
+  HullPlanes planes;
+  planes.functions.origin = box.center;
+  planes.functions.normals.resize(cells.size() * d);
+  HullNormals normals(hull.dimension);
+  std::vector<double> record(normals.stride());
+  for (std::size_t i = 0; i < cells.size(); ++i) {
+    const auto cell = hull.cell(cells[i]);
+    normals.compute(sites, cell, false, record.data());
+    double* const normal = planes.functions.normals.data() + i * d;
+    if (!(record[d] < infinity)) {
+      planes.low.push_back(-infinity);
+      planes.high.push_back(infinity);
+      continue;
+    }
+    const double* const base = sites.point(cell[0]);
+    double at_base = 0, magnitude = 0, length = 0;
+    for (std::size_t j = 0; j < d; ++j) {
+      normal[j] = record[j];
+      at_base += normal[j] * (base[j] - box.center[j]);
+      magnitude += std::fabs(normal[j]) * box.reach[j];
+      length += box.reach[j];
+    }
+    const double slack =
+        1.01 * (2 * static_cast<double>(d + 4) * kernel::unit_roundoff * magnitude + 2 * record[d] * length) +
+        2 * kernel::underflow_allowance;
+    planes.low.push_back(at_base - slack);
+    planes.high.push_back(at_base + slack);
+  }
+  return planes;
+}
+
+}  // namespace delone::internal

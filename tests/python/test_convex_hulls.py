@@ -1,0 +1,81 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""delone.convex_hulls: many hulls at once are those of single sets; delone.ConvexHull.of_extreme_points."""
+import numpy as np
+import pytest
+
+import delone
+
+RANDOM = np.random.default_rng(20)
+
+
+def lines(cells):
+    return sorted(map(tuple, np.sort(cells, axis=1).tolist()))
+
+
+def sets_of(d):
+    return [RANDOM.random((20, d)), np.empty((0, d)), RANDOM.random((1, d)), RANDOM.integers(0, 3, (60, d)).astype(float),
+            RANDOM.random((d, d)), RANDOM.random((300, d)), np.zeros((4, d))]
+
+
+@pytest.mark.parametrize("d", [1, 2, 3, 4])
+def test_each_is_the_hull_of_its_set(d):
+    sets = sets_of(d)
+    hulls = delone.convex_hulls(sets)
+    assert len(hulls) == len(sets) and f"{len(sets)} hulls" in repr(hulls)
+    for points, hull in zip(sets, hulls):
+        single = delone.ConvexHull(points)
+        assert hull.affine_dimension == single.affine_dimension
+        assert hull.vertices.tolist() == single.vertices.tolist()
+        if hull.affine_dimension < d:
+            assert len(hull.cells) == 0 and hull.volume == 0
+            continue
+        extreme, rows = delone.ConvexHull.of_extreme_points(points)
+        assert lines(hull.cells) == lines(rows[extreme.cells])
+        assert np.isclose(hull.volume, single.volume) and np.isclose(hull.area, single.area)
+        heights = points @ hull.equations[:, :-1].T + hull.equations[:, -1]
+        assert heights.max() < 1e-12
+        if d > 1:
+            for cell, across in zip(hull.cells, hull.neighbors):
+                for j in range(d):
+                    assert set(np.delete(cell, j)) <= set(hull.cells[across[j]])
+
+
+def test_offsets_and_arrays_of_sets_are_the_same():
+    points = RANDOM.random((50, 20, 3))
+    one, other = delone.convex_hulls(points), delone.convex_hulls(points.reshape(-1, 3), np.arange(0, 1001, 20))
+    for name in delone.ConvexHulls.__slots__:
+        assert np.array_equal(getattr(one, name), getattr(other, name))
+        assert not getattr(one, name).flags.writeable
+    assert one[-1].vertices.max() < 20
+    with pytest.raises(IndexError):
+        one[50]
+
+
+def test_bad_input_is_refused():
+    points = RANDOM.random((10, 2))
+    for offsets in ([], [0, 5], [1, 10], [0, 7, 3, 10], [-1, 10], [0, 11]):
+        with pytest.raises(ValueError):
+            delone.convex_hulls(points, offsets)
+    with pytest.raises(ValueError, match="whole numbers"):
+        delone.convex_hulls(points, [0.0, 10.0])
+    with pytest.raises(ValueError, match="set 1"):
+        delone.convex_hulls([points, RANDOM.random((5, 3))])
+    with pytest.raises(ValueError, match="no sets"):
+        delone.convex_hulls([])
+    points[7, 1] = np.nan
+    with pytest.raises(delone.InputError, match="7"):
+        delone.convex_hulls(points, [0, 10])
+    assert len(delone.convex_hulls(np.empty((0, 2)), [0])) == 0
+
+
+@pytest.mark.parametrize("d", [2, 3, 4])
+def test_extreme_points_alone(d):
+    for points in (RANDOM.random((3000, d)), RANDOM.integers(0, 6, (500, d)) / 7):
+        hull, rows = delone.ConvexHull.of_extreme_points(points)
+        single = delone.ConvexHull(points)
+        assert np.sort(rows[hull.vertices]).tolist() == single.vertices.tolist()
+        assert set(np.unique(hull.cells)) == set(hull.vertices)
+        assert np.array_equal(hull.points, points[rows]) and hull.num_facets == single.num_facets
+        assert hull.hash == delone.ConvexHull(points[single.vertices]).hash
+        tolerant, rows = delone.ConvexHull.of_extreme_points(points, tolerance=0.05)
+        assert tolerant.hash == delone.ConvexHull(points, tolerance=0.05).hash
