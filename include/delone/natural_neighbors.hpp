@@ -19,6 +19,8 @@ namespace delone {
 /// to.
 struct NaturalNeighbors {
   Location::Kind kind = Location::Kind::outside_affine_hull;
+  /// The point whose neighbors they are, d numbers: the query, but for the options of find().
+  std::span<const double> point;
   /// The vertices with positive coordinates; one at a vertex, none outside the hull.
   std::span<const VertexId> vertices;
   /// Their coordinates, > 0 with sum 1 up to rounding. Sum of the vertices times these: the query.
@@ -60,6 +62,14 @@ class NaturalNeighborCoordinates {
   /// Finds the neighbors of q queries (q×d coordinates) and calls `visit` once for each, in no particular
   /// order. What `visit` throws ends the batch and is passed on. Throws as PointLocator::locate().
   void find(std::span<const double> queries, const Visit& visit, bool with_gradients = false) const;
+  /// The same at the points x' of LocateOptions. Where x' = x the coordinates are those of x, also next to
+  /// slivers, whose spheres are large: there the natural neighbors of x may be far away. Elsewhere x' is on
+  /// the boundary of a cell, and is rounded to a point in the hull: as near as can be, and with a tolerance
+  /// 2⁻³⁰ of the way from x' to the centroid of the cell if that is within the tolerance, so that slivers
+  /// beyond x' do not count. Where there is no such point (in flats that are parallel to no plane of axes,
+  /// rounding leaves the flat) the coordinates are the barycentric ones of x' in its cell.
+  void find(std::span<const double> queries, const LocateOptions& how, const Visit& visit,
+            bool with_gradients = false) const;
 
   struct Impl;
 
@@ -99,14 +109,15 @@ class NaturalNeighborInterpolator {
 
   /// The values at q queries (q×d coordinates) as q×columns numbers. Throws as
   /// LinearInterpolator::evaluate(); see Outside. Inside, but on its boundary, the hull of flat points is
-  /// that within the flat.
-  void evaluate(std::span<const double> queries, std::span<double> result, Outside outside = Outside::fill,
-                std::span<const double> fill = {}, const Progress& progress = {}) const;
+  /// that within the flat. With a tolerance, or projected: those at the point that
+  /// NaturalNeighborCoordinates::find() takes for the query.
+  void evaluate(std::span<const double> queries, std::span<double> result,
+                const EvaluateOptions& options = {}) const;
   /// The gradients at q queries, q×columns×d numbers. At a vertex: the given or estimated gradient there,
   /// which is that of the interpolant if it is smooth. On the boundary of the hull only the part along the
   /// smallest face that contains the query is one of the interpolant. Outside as LinearInterpolator.
-  void gradients(std::span<const double> queries, std::span<double> result, Outside outside = Outside::fill,
-                 const Progress& progress = {}) const;
+  void gradients(std::span<const double> queries, std::span<double> result,
+                 const EvaluateOptions& options = {}) const;
   /// The given or estimated gradient at a finite vertex, columns×d numbers.
   void site_gradient(VertexId v, std::span<double> result) const;
 

@@ -119,18 +119,19 @@ TEST(NaturalNeighborInterpolator, HasAPolicyOutside) {
   const Delaunay<> t(points, 2);
   const NaturalNeighborInterpolator function(t, values);
   std::vector<double> found(4), gradients(8);
-  function.evaluate(queries, found, Outside::nearest);
+  function.evaluate(queries, found, {.outside = Outside::nearest});
   EXPECT_THAT(found, ElementsAre(2.5, 4, 1, 1.25));
-  function.evaluate(queries, found, Outside::fill, std::vector<double>{-7});
+  const std::vector<double> fill = {-7};
+  function.evaluate(queries, found, {.fill = fill});
   EXPECT_EQ(found[1], -7);
   function.evaluate(queries, found);
   EXPECT_TRUE(std::isnan(found[1]));
-  function.gradients(queries, gradients, Outside::nearest);
+  function.gradients(queries, gradients, {.outside = Outside::nearest});
   EXPECT_EQ(gradients[2], 0);
   function.gradients(queries, gradients);
   EXPECT_TRUE(std::isnan(gradients[2]));
   try {
-    function.evaluate(queries, found, Outside::error);
+    function.evaluate(queries, found, {.outside = Outside::error});
     FAIL();
   } catch (const Error& error) {
     EXPECT_EQ(error.code(), Errc::invalid_argument);
@@ -148,7 +149,7 @@ TEST(NaturalNeighborInterpolator, RefusesWhatDoesNotFit) {
   const NaturalNeighborInterpolator function(t, values);
   EXPECT_THROW(function.evaluate(points, small), Error);
   EXPECT_THROW(function.gradients(points, small), Error);
-  EXPECT_THROW(function.evaluate(points, small, Outside::fill, {}, {}), Error);
+  EXPECT_THROW(function.evaluate(points, small, {.fill = points}), Error);
 }
 
 TEST(NaturalNeighborInterpolator, CanBeStopped) {
@@ -158,7 +159,7 @@ TEST(NaturalNeighborInterpolator, CanBeStopped) {
   std::vector<double> many;
   for (int i = 0; i < 600; ++i) many.push_back(0.5);
   std::vector<double> found(300);
-  EXPECT_THROW(function.evaluate(many, found, Outside::fill, {}, [](std::size_t) { return false; }), Error);
+  EXPECT_THROW(function.evaluate(many, found, {.progress = [](std::size_t) { return false; }}), Error);
 }
 
 TEST(NaturalNeighborCoordinates, OfFewPoints) {
