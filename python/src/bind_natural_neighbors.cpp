@@ -179,10 +179,10 @@ constexpr const char* interpolator_doc =
     "\n"
     "No coordinate is off by more than 2^-36 in up to 3 dimensions, 2^-30 in more; mostly 1e-15. The\n"
     "centers of all cells are computed at once, d float64 each. A query in a batch takes some thirty\n"
-    "times as long as linear interpolation in the plane, a hundred and fifty times in space, and more\n"
-    "than ten times longer with each further dimension: milliseconds in 5. On the boundary of the hull\n"
-    "it takes two to four times as long as inside, in flat input up to six times, in tilted flats of 3\n"
-    "or more dimensions longer.\n"
+    "times as long as linear interpolation in the plane, a hundred times in space, and each further\n"
+    "dimension more than ten times as long: milliseconds in 5. On the boundary of the hull it takes two\n"
+    "to four times as long as inside, and in flat input four to ten times as long as in the space of\n"
+    "its dimension.\n"
     "Raises delone.Error for a Regular or FurthestSite triangulation, and ValueError for values of\n"
     "wrong shape.";
 

@@ -57,12 +57,12 @@ class InnerPoint {
   InnerPoint(const NaturalCenters& centers, const LocateOptions& how) : centers_(centers), how_(how) {}
 
   /// Finds a point x' + t·(c − x') in the hull, rounded, where c is the centroid of the cell. Returns false
-  /// if there is none with t ≤ 1/2, as rounding leaves the flat of the points, or the cell has no interior
-  /// but for rounding.
+  /// if there is none near enough: rounding leaves the flat of the points, or the cell is as thin as a
+  /// rounding.
   ///
-  /// Without a tolerance t is as small as can be, 0 if that will do. With one t = 2⁻³⁰, but so that the point
-  /// stays within τ if x' is: a natural neighbor of a point at depth δ under an edge of length a is at most
-  /// a²/δ away across it, so that slivers on the other side whose spheres are larger than this take no part.
+  /// Without a tolerance t is as small as can be, 0 if that will do. With one it is 2⁻³⁰, or less so that the
+  /// point stays within τ if x' is: a natural neighbor of a point at depth δ under an edge of length a is at
+  /// most a²/δ away across it, so that slivers on the other side with larger spheres take no part.
   bool find(const LocatedPoint& where) {
     const std::size_t d = centers_.dimension(), size = where.barycentric.size();
     centers_.corners(where.cell, corners_);
@@ -74,24 +74,27 @@ class InnerPoint {
         start_[j] += where.barycentric[i] * edge;
         to_centroid[j] += edge / static_cast<double>(size);
       }
-    double square = 0;
+    double length = 0, largest = 0;
     for (std::size_t j = 0; j < d; ++j) {
       to_centroid[j] -= start_[j] - corners_[0][j];
-      square = std::hypot(square, to_centroid[j]);
+      length = std::hypot(length, to_centroid[j]);
+      largest = std::max(largest, std::fabs(start_[j]));
     }
-    double t = 0;
+    double t = 0, farthest = 0x1p-20 * length;
     if (how_.tolerance > 0) {
       t = 0x1p-30;
       const double room = how_.tolerance - where.distance;
-      if (room >= 0 && t * square > room) t = room / square;
+      if (room >= 0) {
+        if (t * length > room) t = room / length;
+        farthest = std::max(room, 0x1p-48 * largest);
+      }
     }
     point.resize(d);
-    for (; t <= 0.5; t = std::max(2 * t, 0x1p-53)) {
+    for (; t == 0 || t * length <= farthest; t = std::max(2 * t, 0x1p-53)) {
       for (std::size_t j = 0; j < d; ++j) point[j] = start_[j] + t * to_centroid[j];
       location = centers_.triangulation().locate(point, where.cell);
-      if (location.kind != Location::Kind::outside_hull &&
-          location.kind != Location::Kind::outside_affine_hull)
-        return true;
+      if (location.kind == Location::Kind::outside_affine_hull) break;
+      if (location.kind != Location::Kind::outside_hull) return true;
     }
     point = start_;
     return false;
@@ -177,6 +180,7 @@ void NaturalNeighborCoordinates::find(std::span<const double> queries, const Loc
       } else if (inner.location.kind == Location::Kind::on_vertex) {
         at_vertex(inner.location.face.front());
       } else {
+        found.kind = inner.location.kind;
         search.find(inner.point.data(), inner.location.cell, with_gradients);
         take(search);
       }

@@ -211,7 +211,7 @@ TEST(NaturalNeighborCoordinates, WithAToleranceSliversDoNotCount) {
   coordinates.find(queries, {.tolerance = tolerance}, [&](std::size_t query, const NaturalNeighbors& found) {
     const double* const q = queries.data() + 2 * query;
     ASSERT_FALSE(found.vertices.empty());
-    EXPECT_LE(std::hypot(found.point[0] - q[0], found.point[1] - q[1]), tolerance);
+    EXPECT_LE(std::hypot(found.point[0] - q[0], found.point[1] - q[1]), tolerance * (1 + 1e-6));
     double sum[2] = {0, 0};
     for (std::size_t i = 0; i < found.vertices.size(); ++i)
       for (std::size_t j = 0; j < 2; ++j) sum[j] += found.weights[i] * t.point(found.vertices[i])[j];
@@ -296,6 +296,25 @@ TEST(NaturalNeighborCoordinates, OfFeetInAFlat) {
         for (std::size_t i = 0; i < a.vertices.size(); ++i)
           EXPECT_NEAR(a.weights[i], expected.at(flat.row_of(a.vertices[i])), 1e-13);
       });
+}
+
+// Where all cells are thinner than the tolerance, the nearest point of the hull answers, not one far inside.
+TEST(NaturalNeighborCoordinates, OfThinCells) {
+  const std::vector<double> points = {0, 0, 1, 0x1p-55, 3, 0, 1, 0}, queries = {2, 1e-12, 0.5, -1e-12, 2, 1};
+  const Delaunay<> t(points, 2);
+  NaturalNeighborCoordinates(t).find(
+      queries, {.tolerance = 1e-9},
+      [&](std::size_t query, const NaturalNeighbors& found) {
+        ASSERT_EQ(found.vertices.empty(), query == 2);
+        if (query == 2) return;
+        double x = 0;
+        for (std::size_t i = 0; i < found.vertices.size(); ++i)
+          x += found.weights[i] * t.point(found.vertices[i])[0];
+        EXPECT_NEAR(x, queries[2 * query], 2e-9);
+        EXPECT_NEAR(found.point[0], queries[2 * query], 1e-9);
+        EXPECT_EQ(found.gradients.size(), 2 * found.vertices.size());
+      },
+      true);
 }
 
 TEST(NaturalNeighborInterpolator, RefusesBadTolerances) {
