@@ -42,6 +42,10 @@ class StampedTable {
     ++size_;
     return {value, true};
   }
+  /// Gives `key` this number, whether it has one or not.
+  void set(std::uint64_t key, std::uint32_t value) {
+    if (!insert(key, value).second) entries_[place(entries_, key)].value = value;
+  }
 
  private:
   struct Entry {

@@ -2,11 +2,11 @@
 // The queries of a triangulation that stays as it is, for any store of cells and any geometry.
 #pragma once
 
+#include "base/stamped_table.hpp"
 #include "compiled/triangulation_engine.hpp"
 #include "engine/conflict_zone.hpp"
 #include "engine/locate.hpp"
 
-#include <unordered_map>
 #include <vector>
 
 namespace delone::internal {
@@ -34,7 +34,7 @@ std::vector<CellId> conflict_zone(const Cells& cells, const G& geometry, const t
   StageCounts uncounted;
   const engine::WalkResult found = engine::locate(cells, geometry, q, start, uncounted);
   if (found.vertex != invalid_index || found.hidden) return {};
-  std::unordered_map<Index, Mark> marks;
+  StampedTable marks;
   engine::ConflictZone zone;
   engine::find_conflict_zone(cells, geometry, q, found.cell, engine::SeparateMarks(marks), zone, uncounted);
   std::vector<CellId> result;

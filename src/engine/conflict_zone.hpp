@@ -4,6 +4,7 @@
 #pragma once
 
 #include "base/growable_array.hpp"
+#include "base/stamped_table.hpp"
 #include "cells/horizon_facet.hpp"
 #include "engine/conflict.hpp"
 
@@ -12,7 +13,6 @@
 #include <cmath>
 #include <cstdint>
 #include <span>
-#include <unordered_map>
 #include <vector>
 
 namespace delone::engine {
@@ -285,20 +285,20 @@ void unmark(Marks marks, const ConflictZone& zone) {
 /// Marks kept outside the cells, for queries that must not change them.
 class SeparateMarks {
  public:
-  explicit SeparateMarks(std::unordered_map<Index, Mark>& marks) : marks_(marks) {}
+  explicit SeparateMarks(internal::StampedTable& marks) : marks_(marks) {}
   Mark operator()(Index cell) const {
-    const auto found = marks_.find(cell);
-    return found == marks_.end() ? Mark::unseen : found->second;
+    const std::uint32_t* const found = marks_.find_value(cell);
+    return found == nullptr ? Mark::unseen : static_cast<Mark>(*found);
   }
   bool is_unseen(Index cell) const { return (*this)(cell) == Mark::unseen; }
   bool is_in_conflict(Index cell) const { return (*this)(cell) == Mark::in_conflict; }
-  void set(Index cell, Mark mark) { marks_[cell] = mark; }
+  void set(Index cell, Mark mark) { marks_.set(cell, static_cast<std::uint32_t>(mark)); }
   void set_if(Index cell, bool conflict) {
     if (conflict) set(cell, Mark::in_conflict);
   }
 
  private:
-  std::unordered_map<Index, Mark>& marks_;
+  internal::StampedTable& marks_;
 };
 
 }  // namespace delone::engine

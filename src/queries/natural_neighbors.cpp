@@ -11,6 +11,8 @@
 // quotients. All lengths are in units of the largest distance, rounded to a power of two.
 #include <delone/natural_neighbors.hpp>
 
+#include "queries/barycentric.hpp"
+#include "queries/evaluation.hpp"
 #include "queries/natural_search.hpp"
 #include "queries/site_gradients.hpp"
 
@@ -18,15 +20,15 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <new>
-#include <string>
 #include <utility>
 
 namespace delone {
 
+using internal::Meter;
 using internal::NaturalCenters;
 using internal::NaturalSearch;
+using internal::require_size;
 
 struct NaturalNeighborCoordinates::Impl {
   explicit Impl(const Triangulation& t) : centers(t, true), locator(t) {}
@@ -46,58 +48,151 @@ NaturalNeighborCoordinates& NaturalNeighborCoordinates::operator=(NaturalNeighbo
     default;
 NaturalNeighborCoordinates::~NaturalNeighborCoordinates() = default;
 
+namespace {
+
+/// The point that answers for a query that the location has moved to x', a point of the boundary of a cell or
+/// of a flat. x' is no vector of doubles in general; what is wanted is one in the hull.
+class InnerPoint {
+ public:
+  InnerPoint(const NaturalCenters& centers, const LocateOptions& how) : centers_(centers), how_(how) {}
+
+  /// Finds a point x' + t·(c − x') in the hull, rounded, where c is the centroid of the cell. Returns false
+  /// if there is none near enough: rounding leaves the flat of the points, or the cell is as thin as a
+  /// rounding.
+  ///
+  /// Without a tolerance t is as small as can be, 0 if that will do. With one it is 2⁻³⁰, or less so that the
+  /// point stays within τ if x' is: a natural neighbor of a point at depth δ under an edge of length a is at
+  /// most a²/δ away across it, so that slivers on the other side with larger spheres take no part.
+  bool find(const LocatedPoint& where) {
+    const std::size_t d = centers_.dimension(), size = where.barycentric.size();
+    centers_.corners(where.cell, corners_);
+    std::vector<double> to_centroid(d, 0.0);
+    start_.assign(corners_[0], corners_[0] + d);
+    for (std::size_t i = 1; i < size; ++i)
+      for (std::size_t j = 0; j < d; ++j) {
+        const double edge = corners_[i][j] - corners_[0][j];  // 0 on an axis along which all points agree
+        start_[j] += where.barycentric[i] * edge;
+        to_centroid[j] += edge / static_cast<double>(size);
+      }
+    double length = 0, largest = 0;
+    for (std::size_t j = 0; j < d; ++j) {
+      to_centroid[j] -= start_[j] - corners_[0][j];
+      length = std::hypot(length, to_centroid[j]);
+      largest = std::max(largest, std::fabs(start_[j]));
+    }
+    double t = 0, farthest = 0x1p-20 * length;
+    if (how_.tolerance > 0) {
+      t = 0x1p-30;
+      const double room = how_.tolerance - where.distance;
+      if (room >= 0) {
+        if (t * length > room) t = room / length;
+        farthest = std::max(room, 0x1p-48 * largest);
+      }
+    }
+    point.resize(d);
+    for (; t == 0 || t * length <= farthest; t = std::max(2 * t, 0x1p-53)) {
+      for (std::size_t j = 0; j < d; ++j) point[j] = start_[j] + t * to_centroid[j];
+      location = centers_.triangulation().locate(point, where.cell);
+      if (location.kind == Location::Kind::outside_affine_hull) break;
+      if (location.kind != Location::Kind::outside_hull) return true;
+    }
+    point = start_;
+    return false;
+  }
+
+  /// The coordinates and gradients in the cell itself.
+  void find_in_cell(const LocatedPoint& where, bool with_gradients) {
+    const std::size_t size = where.barycentric.size();
+    vertices.clear();
+    weights.clear();
+    gradients.clear();
+    std::vector<double> all;
+    if (with_gradients) {
+      std::vector<double> unit(size * size, 0.0);
+      for (std::size_t i = 0; i < size; ++i) unit[i * size + i] = 1;
+      internal::gradients(corners_, unit, static_cast<int>(size), static_cast<int>(centers_.dimension()),
+                          all);
+    }
+    for (std::size_t i = 0; i < size; ++i) {
+      if (where.barycentric[i] == 0) continue;
+      vertices.push_back(centers_.complex().vertex(where.cell, static_cast<int>(i)));
+      weights.push_back(where.barycentric[i]);
+      if (!with_gradients) continue;
+      const std::size_t d = centers_.dimension();
+      gradients.insert(gradients.end(), all.begin() + static_cast<std::ptrdiff_t>(i * d),
+                       all.begin() + static_cast<std::ptrdiff_t>((i + 1) * d));
+    }
+  }
+
+  std::vector<double> point;
+  Location location;
+  std::vector<VertexId> vertices;
+  std::vector<double> weights, gradients;
+
+ private:
+  const NaturalCenters& centers_;
+  LocateOptions how_;
+  std::vector<const double*> corners_;
+  std::vector<double> start_;
+};
+
+}  // namespace
+
 void NaturalNeighborCoordinates::find(std::span<const double> queries, const Visit& visit,
                                       bool with_gradients) const {
+  find(queries, {}, visit, with_gradients);
+}
+
+void NaturalNeighborCoordinates::find(std::span<const double> queries, const LocateOptions& how,
+                                      const Visit& visit, bool with_gradients) const {
   const NaturalCenters& centers = impl_->centers;
   const std::size_t d = centers.dimension();
   NaturalSearch search(centers);
-  impl_->locator.locate(queries, [&](std::size_t query, const LocatedPoint& where) {
+  InnerPoint inner(centers, how);
+  impl_->locator.locate(queries, how, [&](std::size_t query, const LocatedPoint& where) {
     NaturalNeighbors found;
     found.kind = where.kind;
+    found.point = queries.subspan(query * d, d);
     VertexId vertex;
     const double one = 1;
+    const auto take = [&](const auto& from) {
+      found.vertices = from.vertices;
+      found.weights = from.weights;
+      found.gradients = from.gradients;
+    };
+    const auto at_vertex = [&](VertexId v) {
+      vertex = v;
+      found.kind = Location::Kind::on_vertex;
+      found.point = {centers.point(v), d};
+      found.vertices = {&vertex, 1};
+      found.weights = {&one, 1};
+    };
     if (where.kind == Location::Kind::on_vertex) {
       const auto at =
           std::find_if(where.barycentric.begin(), where.barycentric.end(), [](double b) { return b > 0; });
-      vertex = centers.complex().vertex(where.cell, static_cast<int>(at - where.barycentric.begin()));
-      found.vertices = {&vertex, 1};
-      found.weights = {&one, 1};
+      at_vertex(centers.complex().vertex(where.cell, static_cast<int>(at - where.barycentric.begin())));
+    } else if (where.distance > 0) {
+      const bool is_in_hull = inner.find(where);
+      found.point = inner.point;
+      if (!is_in_hull) {
+        inner.find_in_cell(where, with_gradients);
+        take(inner);
+      } else if (inner.location.kind == Location::Kind::on_vertex) {
+        at_vertex(inner.location.face.front());
+      } else {
+        found.kind = inner.location.kind;
+        search.find(inner.point.data(), inner.location.cell, with_gradients);
+        take(search);
+      }
     } else if (!where.barycentric.empty()) {
-      search.find(queries.data() + query * d, where.cell, with_gradients);
-      found.vertices = search.vertices;
-      found.weights = search.weights;
-      found.gradients = search.gradients;
+      search.find(found.point.data(), where.cell, with_gradients);
+      take(search);
     }
     visit(query, found);
   });
 }
 
 namespace {
-
-void require_size(std::size_t size, std::size_t wanted, const char* what) {
-  if (size != wanted)
-    throw Error(Errc::bad_dimension,
-                std::string(what) + ": " + std::to_string(size) + " numbers, not " + std::to_string(wanted));
-}
-
-/// Calls `progress` every 256 steps.
-class Steps {
- public:
-  explicit Steps(const NaturalNeighborInterpolator::Progress& progress) : progress_(progress) {}
-  void operator()() {
-    if (++done_ % 256 == 0 && progress_ && !progress_(done_))
-      throw Error(Errc::cancelled, "cancelled by the progress callback");
-  }
-
- private:
-  const NaturalNeighborInterpolator::Progress& progress_;
-  std::size_t done_ = 0;
-};
-
-[[noreturn]] void refuse(std::size_t query) {
-  throw Error(Errc::invalid_argument,
-              "query " + std::to_string(query) + " is outside the convex hull of the points", {query});
-}
 
 /// Sums over the natural neighbors of a query, and their derivatives.
 class Interpolant {
@@ -210,23 +305,14 @@ NaturalNeighborInterpolator::NaturalNeighborInterpolator(const Triangulation& tr
   if (!site_gradients.empty())
     require_size(site_gradients.size(), triangulation.num_rows() * columns * d,
                  "the gradients at the points");
-  const Complex complex = triangulation.complex();
-  const std::size_t slots = std::max<std::size_t>(complex.num_vertex_slots(), 1);
-  const auto by_vertex = [&](std::span<const double> rows, std::size_t width) {
-    std::vector<double> result(slots * width);
-    for (const VertexId v : complex.finite_vertices())
-      std::copy_n(rows.begin() + static_cast<std::ptrdiff_t>(triangulation.row_of(v) * width), width,
-                  result.begin() + static_cast<std::ptrdiff_t>(index(v) * width));
-    return result;
-  };
-  values_ = by_vertex(values, columns);
+  values_ = internal::by_vertex(triangulation, values, columns);
   if (!site_gradients.empty()) {
-    site_gradients_ = by_vertex(site_gradients, columns * d);
+    site_gradients_ = internal::by_vertex(triangulation, site_gradients, columns * d);
   } else if (smooth) {
-    Steps step(progress);
-    std::vector<double> estimated(slots * columns * d);
-    for (const VertexId v : complex.finite_vertices()) {
-      step();
+    Meter meter(progress);
+    std::vector<double> estimated(values_.size() * d);
+    for (const VertexId v : triangulation.complex().finite_vertices()) {
+      meter();
       internal::estimate_gradients(coordinates_.impl_->centers, v, values_, columns,
                                    estimated.data() + index(v) * columns * d);
     }
@@ -245,68 +331,49 @@ void NaturalNeighborInterpolator::site_gradient(VertexId v, std::span<double> re
 }
 
 void NaturalNeighborInterpolator::evaluate(std::span<const double> queries, std::span<double> result,
-                                           Outside outside, std::span<const double> fill,
-                                           const Progress& progress) const {
+                                           const EvaluateOptions& options) const {
   const auto d = static_cast<std::size_t>(triangulation_.dimension());
   require_size(result.size(), queries.size() / d * columns_, "the result");
-  if (!fill.empty()) require_size(fill.size(), columns_, "the constants outside");
-  Steps step(progress);
+  if (!options.fill.empty()) require_size(options.fill.size(), columns_, "the constants outside");
+  Meter meter(options.progress);
   Interpolant interpolant(triangulation_, values_, columns_, site_gradients_);
-  std::vector<std::size_t> beyond;
-  std::vector<double> beyond_at;
-  coordinates_.find(queries, [&](std::size_t query, const NaturalNeighbors& found) {
-    step();
+  internal::OutsideAnswers beyond(options, queries, d, columns_);
+  const auto visit = [&](std::size_t query, const NaturalNeighbors& found) {
+    meter();
     double* const at = result.data() + query * columns_;
-    const double* const q = queries.data() + query * d;
-    if (!found.vertices.empty()) {
-      if (smooth_)
-        interpolant.smooth(q, found, at, nullptr);
-      else
-        interpolant.plain(found, at, nullptr);
-      return;
-    }
-    if (outside == Outside::error) refuse(query);
-    if (outside == Outside::nearest) {
-      beyond.push_back(query);
-      beyond_at.insert(beyond_at.end(), q, q + d);
-    }
-    for (std::size_t c = 0; c < columns_; ++c)
-      at[c] = fill.empty() ? std::numeric_limits<double>::quiet_NaN() : fill[c];
-  });
-  if (beyond.empty()) return;
-  coordinates_.impl_->locator.nearest(beyond_at, [&](std::size_t i, VertexId v) {
-    step();
-    if (v != invalid_vertex)
-      std::copy_n(values_.data() + index(v) * columns_, columns_, result.data() + beyond[i] * columns_);
-  });
+    if (found.vertices.empty())
+      beyond.value(query, at);
+    else if (smooth_)
+      interpolant.smooth(found.point.data(), found, at, nullptr);
+    else
+      interpolant.plain(found, at, nullptr);
+  };
+  coordinates_.find(queries, internal::locate_options(options), visit);
+  beyond.finish(coordinates_.impl_->locator, values_, result, meter);
 }
 
 void NaturalNeighborInterpolator::gradients(std::span<const double> queries, std::span<double> result,
-                                            Outside outside, const Progress& progress) const {
+                                            const EvaluateOptions& options) const {
   const auto d = static_cast<std::size_t>(triangulation_.dimension());
   const std::size_t width = columns_ * d;
   require_size(result.size(), queries.size() / d * width, "the result");
-  Steps step(progress);
+  Meter meter(options.progress);
   Interpolant interpolant(triangulation_, values_, columns_, site_gradients_);
+  const internal::OutsideAnswers beyond(options, queries, d, width);
   std::vector<double> value(columns_);
-  coordinates_.find(
-      queries,
-      [&](std::size_t query, const NaturalNeighbors& found) {
-        step();
-        double* const at = result.data() + query * width;
-        if (found.vertices.empty()) {
-          if (outside == Outside::error) refuse(query);
-          std::fill_n(at, width,
-                      outside == Outside::nearest ? 0.0 : std::numeric_limits<double>::quiet_NaN());
-        } else if (found.kind == Location::Kind::on_vertex) {
-          site_gradient(found.vertices[0], {at, width});
-        } else if (smooth_) {
-          interpolant.smooth(queries.data() + query * d, found, value.data(), at);
-        } else {
-          interpolant.plain(found, value.data(), at);
-        }
-      },
-      true);
+  const auto visit = [&](std::size_t query, const NaturalNeighbors& found) {
+    meter();
+    double* const at = result.data() + query * width;
+    if (found.vertices.empty())
+      beyond.gradient(query, at);
+    else if (found.kind == Location::Kind::on_vertex)
+      site_gradient(found.vertices[0], {at, width});
+    else if (smooth_)
+      interpolant.smooth(found.point.data(), found, value.data(), at);
+    else
+      interpolant.plain(found, value.data(), at);
+  };
+  coordinates_.find(queries, internal::locate_options(options), visit, true);
 }
 
 }  // namespace delone

@@ -90,6 +90,45 @@ def test_outside():
     assert list(caught.value.rows) == [1]
 
 
+@pytest.mark.parametrize("smooth", [False, True])
+def test_with_a_tolerance_slivers_do_not_count(smooth):
+    grid = np.stack(np.meshgrid(np.arange(20.0), np.arange(20.0)), -1).reshape(-1, 2) / 19
+    c, s = np.cos(0.55), np.sin(0.55)
+    turn = np.array([[c, s], [-s, c]])
+    points, at = grid @ turn, RANDOM.random(500)
+    border = np.concatenate([np.c_[at, 0 * at], np.c_[0 * at, at], np.c_[at, 0 * at + 1], np.c_[0 * at + 1, at]]) @ turn
+    f = lambda x: np.sin(3 * x[..., 0]) + x[..., 1] ** 2
+    t = delone.Delaunay(points)
+    exact = delone.NaturalNeighborInterpolator(t, f(points), smooth=smooth)
+    tolerant = delone.NaturalNeighborInterpolator(t, f(points), smooth=smooth, tolerance=1e-9)
+    assert exact.tolerance == 0 and tolerant.tolerance == 1e-9
+    assert np.isnan(exact(border)).any() and (t.find_simplex(border) < 0).any()
+    assert np.abs(tolerant(border) - f(border)).max() < 5e-3
+    assert (tolerant(points) == f(points)).all()
+    again = pickle.loads(pickle.dumps(tolerant))
+    assert again.tolerance == 1e-9 and (again(border) == tolerant(border)).all()
+
+
+def test_projects():
+    points = RANDOM.random((40, 2))
+    space = np.insert(points, 1, 0.5, axis=1)
+    f = delone.NaturalNeighborInterpolator(space, points @ [1, 2], outside="project")
+    inside = 0.4 + 0.2 * RANDOM.random((20, 2))
+    assert np.allclose(f(np.insert(inside, 1, -8, axis=1)), inside @ [1, 2], atol=1e-13, rtol=0)
+    assert np.isfinite(f(10 * RANDOM.standard_normal((50, 3)))).all()
+    assert pickle.loads(pickle.dumps(f))([0.5, 9, 0.5]) == f([0.5, 9, 0.5])
+    box = np.indices((3, 3, 3)).reshape(3, -1).T / 2
+    g = delone.NaturalNeighborInterpolator(box, box @ [1, 2, 3j], outside="project")
+    queries = 3 * RANDOM.random((60, 3)) - 1
+    assert np.allclose(g(queries), np.clip(queries, 0, 1) @ [1, 2, 3j], atol=1e-13, rtol=0)
+
+
+@pytest.mark.parametrize("bad", [-1, np.nan, np.inf])
+def test_bad_tolerances_are_refused(bad):
+    with pytest.raises(ValueError, match="tolerance"):
+        delone.NaturalNeighborInterpolator([[0, 0], [1, 0], [0, 1]], [0, 1, 2], tolerance=bad)
+
+
 def test_refusals():
     points = [[0, 0], [4, 0], [0, 4]]
     with pytest.raises(ValueError, match="values"):

@@ -44,6 +44,8 @@ MAKERS = {
     "HalfspaceIntersection": lambda: delone.HalfspaceIntersection(halfspaces()),
     "HalfspaceIntersection of a point": lambda: delone.HalfspaceIntersection(halfspaces(), [0.01, 0.02, 0.03]),
     "LinearInterpolator": lambda: delone.LinearInterpolator(delone.Delaunay(POINTS), POINTS @ [1, 2, 3j], outside="nearest"),
+    "NaturalNeighborInterpolator": lambda: delone.NaturalNeighborInterpolator(
+        delone.Delaunay(POINTS), POINTS @ [1, 2, 3j], outside="project", smooth=True, tolerance=0.01),
     "Locations": lambda: delone.Delaunay(POINTS).locate(POINTS[:5] + 0.1),
     "spatial.Delaunay": lambda: in_parts(lambda p: spatial.Delaunay(p, incremental=True)),
     "spatial.ConvexHull": lambda: spatial.ConvexHull(POINTS),

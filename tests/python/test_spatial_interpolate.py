@@ -98,7 +98,8 @@ def test_griddata_refuses_what_scipy_refuses():
             interpolate.griddata(points, points[:, 0], points, **arguments)
 
 
-@pytest.mark.parametrize("kind", [interpolate.LinearNDInterpolator, interpolate.CloughTocher2DInterpolator])
+@pytest.mark.parametrize("kind", [interpolate.LinearNDInterpolator, interpolate.CloughTocher2DInterpolator,
+                                  interpolate.NaturalNeighborInterpolator])
 def test_a_triangulation_is_used_as_it_is(kind):
     points = np.random.default_rng(3).random((60, 2))
     values, queries = points @ [1, 2], 0.2 + 0.6 * np.random.default_rng(4).random((30, 2))
@@ -124,7 +125,8 @@ def test_a_triangulation_of_scipy_is_refused_by_name():
         interpolate.LinearNDInterpolator(scipy_spatial.Delaunay(points), points[:, 0])
 
 
-@pytest.mark.parametrize("kind", [interpolate.LinearNDInterpolator, interpolate.CloughTocher2DInterpolator])
+@pytest.mark.parametrize("kind", [interpolate.LinearNDInterpolator, interpolate.CloughTocher2DInterpolator,
+                                  interpolate.NaturalNeighborInterpolator])
 def test_values_may_be_assigned(kind):
     points = np.random.default_rng(3).random((60, 2))
     function = kind(points, points[:, 0])
@@ -135,7 +137,7 @@ def test_values_may_be_assigned(kind):
 
 
 @pytest.mark.parametrize("kind", [interpolate.LinearNDInterpolator, interpolate.CloughTocher2DInterpolator,
-                                  interpolate.NearestNDInterpolator])
+                                  interpolate.NearestNDInterpolator, interpolate.NaturalNeighborInterpolator])
 def test_wrong_input_is_an_error_as_in_scipy(kind):
     points = np.random.default_rng(3).random((20, 2))
     for where, values in [(points, points[:5]), (points[:, 0], points[:, 0]), (points[None], points[:1]), (points, 1.0)]:
@@ -150,6 +152,26 @@ def test_wrong_input_is_an_error_as_in_scipy(kind):
         with pytest.raises(ValueError, match="simplex_tolerance"):
             kind(points, points)(points, simplex_tolerance=-1)
         assert np.isnan(kind(points, points)([[np.nan, 0.5], [np.inf, 0.5]])).all()
+
+
+@pytest.mark.parametrize("smooth", [False, True])
+@pytest.mark.parametrize("rescale", [False, True])
+def test_natural_neighbors_take_scipys_arguments(smooth, rescale):
+    random = np.random.default_rng(8)
+    points, values = random.random((80, 3)) * [1, 20, 1], random.random((80, 2)) + 1j * random.random((80, 2))
+    queries = (0.3 + 0.4 * random.random((5, 6, 3))) * [1, 20, 1]
+    function = interpolate.NaturalNeighborInterpolator(points, values, fill_value=-7, rescale=rescale, smooth=smooth)
+    found = function(*np.moveaxis(queries, -1, 0))
+    np.testing.assert_array_equal(function(queries), found)
+    assert found.shape == (5, 6, 2) and found.dtype == complex
+    assert (function([9, 9, 9]) == -7).all() and np.isnan(function.gradient([9, 9, 9])).all()
+    scale = np.ptp(points, axis=0) if rescale else 1
+    core = delone.NaturalNeighborInterpolator((points - points.mean(axis=0) if rescale else points) / scale, values, smooth=smooth)
+    moved = (queries - points.mean(axis=0) if rescale else queries) / scale
+    np.testing.assert_allclose(found, core(moved), rtol=1e-9)
+    np.testing.assert_allclose(function.gradient(*np.moveaxis(queries, -1, 0)), core.gradient(moved) / scale, rtol=1e-6)
+    np.testing.assert_array_equal(function(queries, simplex_tolerance=3), found)
+    np.testing.assert_array_equal(pickle.loads(pickle.dumps(function))(queries), found)
 
 
 def test_nearest_takes_the_first_of_equals_and_keeps_types():
@@ -169,7 +191,8 @@ def test_nearest_takes_the_first_of_equals_and_keeps_types():
         numbers([[np.nan, 0]])
 
 
-@pytest.mark.parametrize("kind", [interpolate.LinearNDInterpolator, interpolate.CloughTocher2DInterpolator])
+@pytest.mark.parametrize("kind", [interpolate.LinearNDInterpolator, interpolate.CloughTocher2DInterpolator,
+                                  interpolate.NaturalNeighborInterpolator])
 def test_queries_that_rounding_puts_outside_are_found(kind):
     random = np.random.default_rng(6)
     angle = np.radians(31.5)

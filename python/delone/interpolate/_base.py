@@ -120,8 +120,7 @@ class OnTriangulation(Interpolator):
         """
         if not simplex_tolerance > 0:
             raise ValueError("simplex_tolerance must be positive")
-        if self._tri.npoints != len(self._values):
-            raise RuntimeError("points were added to the triangulation since the interpolator was made")
+        self._require_unchanged()
         queries, shape = self._queries(args)
         finite = np.isfinite(queries).all(axis=1)
         if finite.all():
@@ -130,6 +129,18 @@ class OnTriangulation(Interpolator):
             result = np.tile(self._fill, (len(queries), 1))
             result[finite] = self._evaluate(queries[finite], float(simplex_tolerance))
         return np.ascontiguousarray(result).view(self._values.dtype).reshape(shape + self.values_shape)
+
+    def _require_unchanged(self) -> None:
+        if self._tri.npoints != len(self._values):
+            raise RuntimeError("points were added to the triangulation since the interpolator was made")
+
+    def _outside(self, result: np.ndarray, queries: np.ndarray, factor: float) -> np.ndarray:
+        """The numbers of the queries that are not within the tolerance of the hull. Their rows of the result are NaN, and so are those
+        of others where values are NaN."""
+        unsure = np.flatnonzero(np.isnan(result).all(axis=1))
+        if not len(unsure):
+            return unsure
+        return unsure[self._tri._core.find_simplex(queries[unsure], tolerance=self._distance * factor) < 0]
 
     def _beyond(self, queries: np.ndarray, factor: float) -> tuple[np.ndarray, np.ndarray]:
         """For queries outside of the hull, the simplices (q,) that they are in as far as scipy's rule goes, else −1, and their

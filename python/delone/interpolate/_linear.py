@@ -42,10 +42,8 @@ class LinearNDInterpolator(OnTriangulation):
         if factor != 1:
             function = delone.LinearInterpolator(self._tri._core, self._columns, tolerance=self._distance * factor)
         result = function(queries)
-        # Queries outside, and those where values are NaN, which stays so.
-        unsure = np.flatnonzero(np.isnan(result).all(axis=1))
-        if len(unsure):
-            outside = unsure[self._tri._core.find_simplex(queries[unsure], tolerance=self._distance * factor) < 0]
+        outside = self._outside(result, queries, factor)
+        if len(outside):
             found, weights = self._beyond(queries[outside], factor)
             result[outside] = np.einsum("qi,qic->qc", weights, self._columns[self._tri._listed()[0][found]])
             result[outside[found < 0]] = self._fill

@@ -34,5 +34,12 @@ TEST(StampedTable, IsEmptyAfterClear) {
   EXPECT_EQ(*table.find_value(0), 3u);
 }
 
+TEST(StampedTable, SetReplacesNumbers) {
+  StampedTable table;
+  for (std::uint32_t i = 0; i < 500; ++i) table.set(i % 200, i);
+  EXPECT_EQ(table.size(), 200u);
+  for (std::uint32_t i = 0; i < 200; ++i) EXPECT_EQ(*table.find_value(i), i < 100 ? 400 + i : 200 + i);
+}
+
 }  // namespace
 }  // namespace delone::internal

@@ -4,7 +4,6 @@
 #include "engine/conflict_zone.hpp"
 #include "engine_support.hpp"
 
-#include <unordered_map>
 #include <utility>
 
 namespace delone::engine {
@@ -56,7 +55,7 @@ void expect_right_zones() {
         if (!expected.contains(cells.neighbors(cell)[i])) border.emplace(cell, i);
 
     ConflictZone zone;
-    std::unordered_map<Index, Mark> separate;
+    internal::StampedTable separate;
     const auto expect_right = [&] {
       EXPECT_EQ(std::set<Index>(zone.cells.data(), zone.cells.data() + zone.num_cells), expected);
       EXPECT_EQ(zone.num_cells, expected.size());

@@ -9,8 +9,9 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <array>
+#include <algorithm>
 #include <cmath>
+#include <map>
 
 namespace delone {
 namespace {
@@ -119,18 +120,19 @@ TEST(NaturalNeighborInterpolator, HasAPolicyOutside) {
   const Delaunay<> t(points, 2);
   const NaturalNeighborInterpolator function(t, values);
   std::vector<double> found(4), gradients(8);
-  function.evaluate(queries, found, Outside::nearest);
+  function.evaluate(queries, found, {.outside = Outside::nearest});
   EXPECT_THAT(found, ElementsAre(2.5, 4, 1, 1.25));
-  function.evaluate(queries, found, Outside::fill, std::vector<double>{-7});
+  const std::vector<double> fill = {-7};
+  function.evaluate(queries, found, {.fill = fill});
   EXPECT_EQ(found[1], -7);
   function.evaluate(queries, found);
   EXPECT_TRUE(std::isnan(found[1]));
-  function.gradients(queries, gradients, Outside::nearest);
+  function.gradients(queries, gradients, {.outside = Outside::nearest});
   EXPECT_EQ(gradients[2], 0);
   function.gradients(queries, gradients);
   EXPECT_TRUE(std::isnan(gradients[2]));
   try {
-    function.evaluate(queries, found, Outside::error);
+    function.evaluate(queries, found, {.outside = Outside::error});
     FAIL();
   } catch (const Error& error) {
     EXPECT_EQ(error.code(), Errc::invalid_argument);
@@ -148,7 +150,7 @@ TEST(NaturalNeighborInterpolator, RefusesWhatDoesNotFit) {
   const NaturalNeighborInterpolator function(t, values);
   EXPECT_THROW(function.evaluate(points, small), Error);
   EXPECT_THROW(function.gradients(points, small), Error);
-  EXPECT_THROW(function.evaluate(points, small, Outside::fill, {}, {}), Error);
+  EXPECT_THROW(function.evaluate(points, small, {.fill = points}), Error);
 }
 
 TEST(NaturalNeighborInterpolator, CanBeStopped) {
@@ -158,7 +160,7 @@ TEST(NaturalNeighborInterpolator, CanBeStopped) {
   std::vector<double> many;
   for (int i = 0; i < 600; ++i) many.push_back(0.5);
   std::vector<double> found(300);
-  EXPECT_THROW(function.evaluate(many, found, Outside::fill, {}, [](std::size_t) { return false; }), Error);
+  EXPECT_THROW(function.evaluate(many, found, {.progress = [](std::size_t) { return false; }}), Error);
 }
 
 TEST(NaturalNeighborCoordinates, OfFewPoints) {
@@ -177,6 +179,151 @@ TEST(NaturalNeighborCoordinates, OfFewPoints) {
   NaturalNeighborCoordinates(Delaunay<>(2))
       .find(std::vector<double>{1, 1},
             [](std::size_t, const NaturalNeighbors& none) { EXPECT_TRUE(none.vertices.empty()); });
+}
+
+// A grid turned about its corner has slivers along its border. Queries computed on it are outside, in slivers
+// or beside them. With a tolerance none is lost, moved ones have near neighbors only, and what is found is
+// that of the point that is reported.
+TEST(NaturalNeighborCoordinates, WithAToleranceSliversDoNotCount) {
+  constexpr int side = 12;
+  constexpr double tolerance = 1e-9, c = 0.8526401643540922, s = 0.5224985647159488;
+  std::vector<double> points, queries;
+  const auto add = [&](std::vector<double>& to, double x, double y) {
+    to.push_back(c * x - s * y);
+    to.push_back(s * x + c * y);
+  };
+  for (int i = 0; i < side; ++i)
+    for (int j = 0; j < side; ++j) add(points, i, j);
+  test::Random random(3);
+  for (int i = 0; i < 60; ++i) {
+    const double at = random.real() * (side - 1);
+    add(queries, at, 0);
+    add(queries, 0, at);
+    add(queries, at, side - 1);
+    add(queries, at, at);
+  }
+  const Delaunay<> t(points, 2);
+  const NaturalNeighborCoordinates coordinates(t);
+  int moved = 0, lost = 0;
+  coordinates.find(queries,
+                   [&](std::size_t, const NaturalNeighbors& found) { lost += found.vertices.empty(); });
+  EXPECT_GT(lost, 10);
+  coordinates.find(queries, {.tolerance = tolerance}, [&](std::size_t query, const NaturalNeighbors& found) {
+    const double* const q = queries.data() + 2 * query;
+    ASSERT_FALSE(found.vertices.empty());
+    EXPECT_LE(std::hypot(found.point[0] - q[0], found.point[1] - q[1]), tolerance * (1 + 1e-6));
+    double sum[2] = {0, 0};
+    for (std::size_t i = 0; i < found.vertices.size(); ++i)
+      for (std::size_t j = 0; j < 2; ++j) sum[j] += found.weights[i] * t.point(found.vertices[i])[j];
+    EXPECT_NEAR(sum[0], found.point[0], 1e-9);
+    EXPECT_NEAR(sum[1], found.point[1], 1e-9);
+    coordinates.find(found.point, [&](std::size_t, const NaturalNeighbors& again) {
+      EXPECT_TRUE(std::equal(found.vertices.begin(), found.vertices.end(), again.vertices.begin(),
+                             again.vertices.end()));
+      EXPECT_TRUE(
+          std::equal(found.weights.begin(), found.weights.end(), again.weights.begin(), again.weights.end()));
+    });
+    if (found.point[0] == q[0] && found.point[1] == q[1]) return;
+    ++moved;
+    for (const VertexId v : found.vertices)
+      EXPECT_LT(std::hypot(t.point(v)[0] - q[0], t.point(v)[1] - q[1]), 3);
+  });
+  EXPECT_GT(moved, 10);
+}
+
+// Projected, linear functions continue constant at right angles to a cube, and to flats of any direction.
+TEST(NaturalNeighborInterpolator, Projects) {
+  for (const bool smooth : {false, true}) {
+    std::vector<double> cube;
+    for (int i = 0; i < 27; ++i)
+      for (const int x : {i % 3, i / 3 % 3, i / 9}) cube.push_back(x / 2.0);
+    const std::vector<double> square = {0, 0, 1, 1, 0, 1, 0, 1, 1, 1, 1, 1, 0.25, 0.5, 1};
+    const std::vector<double> tilted = {0, 0, 0, 4, 1, 3, 1, 4, 3, 5, 5, 6, 2, 2, 3};  // normal (9, 9, −15)
+    for (const auto& points : {cube, square, tilted}) {
+      const Delaunay<> t(points, 3);
+      std::vector<double> values;
+      const auto f = [](const double* x) { return 1 + x[0] - 2 * x[1] + 4 * x[2]; };
+      for (std::size_t i = 0; i < points.size(); i += 3) values.push_back(f(points.data() + i));
+      const NaturalNeighborInterpolator function(t, values, 1, smooth);
+      test::Random random(5);
+      std::vector<double> queries, expected;
+      for (int i = 0; i < 40; ++i) {
+        double at[3];
+        for (double& x : at) x = 3 * random.real() - 1;
+        queries.insert(queries.end(), at, at + 3);
+        for (double& x : at) x = std::clamp(x, 0.0, 1.0);
+        if (points == square) at[2] = 1;
+        expected.push_back(f(at));
+      }
+      std::vector<double> found(40), gradients(120);
+      const LinearInterpolator linear(t, values);
+      if (points == tilted) linear.evaluate(queries, expected, {.outside = Outside::project});
+      function.evaluate(queries, found, {.outside = Outside::project});
+      for (std::size_t i = 0; i < 40; ++i) EXPECT_NEAR(found[i], expected[i], 1e-12);
+      function.gradients(queries, gradients, {.outside = Outside::project});
+      for (const double g : gradients) EXPECT_TRUE(std::isfinite(g));
+      function.evaluate(queries, found, {.outside = Outside::error, .tolerance = 9});
+      std::vector<double> sites(values.size());
+      function.evaluate(points, sites, {.outside = Outside::project, .tolerance = 0.1});
+      EXPECT_EQ(sites, values);
+    }
+  }
+}
+
+// In a flat parallel to axes a projected query has the coordinates of its foot.
+TEST(NaturalNeighborCoordinates, OfFeetInAFlat) {
+  std::vector<double> points, plane;
+  test::Random random(8);
+  for (int i = 0; i < 30; ++i) {
+    const double x = random.real(), y = random.real();
+    plane.insert(plane.end(), {x, y});
+    points.insert(points.end(), {x, 0.1, y});
+  }
+  const Delaunay<> flat(points, 3), t(plane, 2);
+  const std::vector<double> query = {0.5, 7, 0.5};
+  NaturalNeighborCoordinates(flat).find(
+      query, {.project = true}, [&](std::size_t, const NaturalNeighbors& a) {
+        ASSERT_GT(a.vertices.size(), 3u);
+        const std::vector<double> foot = {a.point[0], a.point[2]};
+        EXPECT_EQ(a.point[1], 0.1);
+        EXPECT_NEAR(foot[0], 0.5, 1e-15);
+        std::map<std::size_t, double> expected;
+        NaturalNeighborCoordinates(t).find(foot, [&](std::size_t, const NaturalNeighbors& b) {
+          for (std::size_t i = 0; i < b.vertices.size(); ++i)
+            expected[t.row_of(b.vertices[i])] = b.weights[i];
+        });
+        ASSERT_EQ(a.vertices.size(), expected.size());
+        for (std::size_t i = 0; i < a.vertices.size(); ++i)
+          EXPECT_NEAR(a.weights[i], expected.at(flat.row_of(a.vertices[i])), 1e-13);
+      });
+}
+
+// Where all cells are thinner than the tolerance, the nearest point of the hull answers, not one far inside.
+TEST(NaturalNeighborCoordinates, OfThinCells) {
+  const std::vector<double> points = {0, 0, 1, 0x1p-55, 3, 0, 1, 0}, queries = {2, 1e-12, 0.5, -1e-12, 2, 1};
+  const Delaunay<> t(points, 2);
+  NaturalNeighborCoordinates(t).find(
+      queries, {.tolerance = 1e-9},
+      [&](std::size_t query, const NaturalNeighbors& found) {
+        ASSERT_EQ(found.vertices.empty(), query == 2);
+        if (query == 2) return;
+        double x = 0;
+        for (std::size_t i = 0; i < found.vertices.size(); ++i)
+          x += found.weights[i] * t.point(found.vertices[i])[0];
+        EXPECT_NEAR(x, queries[2 * query], 2e-9);
+        EXPECT_NEAR(found.point[0], queries[2 * query], 1e-9);
+        EXPECT_EQ(found.gradients.size(), 2 * found.vertices.size());
+      },
+      true);
+}
+
+TEST(NaturalNeighborInterpolator, RefusesBadTolerances) {
+  const std::vector<double> points = {0, 0, 4, 0, 0, 4}, values = {1, 2, 3};
+  const Delaunay<> t(points, 2);
+  const NaturalNeighborInterpolator function(t, values);
+  std::vector<double> found(3);
+  for (const double bad : {-1.0, std::nan(""), HUGE_VAL})
+    EXPECT_THROW(function.evaluate(points, found, {.tolerance = bad}), Error);
 }
 
 }  // namespace

@@ -1,0 +1,201 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What interpolators share in Python: values of any shape, real or complex, on a triangulation, what queries
+// outside get, and the calls of the library.
+#pragma once
+
+#include "arrays.hpp"
+#include "triangulation.hpp"
+
+#include <delone/interpolation.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <complex>
+#include <cstdint>
+#include <cstring>
+#include <memory>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+namespace delone::python {
+
+inline constexpr const char* outside_names[] = {"fill", "nearest", "error", "project"};
+
+inline Outside outside_of(const std::string& name) {
+  for (std::size_t i = 0; i < std::size(outside_names); ++i)
+    if (name == outside_names[i]) return static_cast<Outside>(i);
+  throw py::value_error("outside: 'fill', 'nearest', 'error' or 'project', not '" + name + "'");
+}
+
+inline double checked_tolerance(double tolerance) {
+  if (!(tolerance >= 0) || std::isinf(tolerance))
+    throw py::value_error("tolerance: a finite distance >= 0, not " +
+                          std::string(py::str(py::float_(tolerance))));
+  return tolerance;
+}
+
+/// The triangulation itself, or the Delaunay triangulation of points.
+inline py::object triangulation_of(const py::object& points) {
+  return py::isinstance<HeldTriangulation>(points) ? points
+                                                   : py::module_::import("delone").attr("Delaunay")(points);
+}
+
+/// `Function`: an interpolator of the library, with evaluate() and gradients(). Complex values are two
+/// columns of it.
+template <class Function>
+class HeldFunction {
+ public:
+  py::object evaluate(const py::object& object) const {
+    const Queries queries(object, triangulation().dimension());
+    return is_complex_ ? evaluate_as<std::complex<double>>(queries) : evaluate_as<double>(queries);
+  }
+
+  py::array gradient(const py::object& object) const {
+    const Queries queries(object, triangulation().dimension());
+    auto shape = shape_of(queries);
+    shape.push_back(triangulation().dimension());
+    std::vector<double> parts(queries.coordinates().size() * parts_);
+    run([&, x = queries.coordinates()](const Triangulation&, Supervisor& supervisor) {
+      function_->gradients(x, parts, options(supervisor));
+    });
+    return gradients_of_parts(parts, shape);
+  }
+
+  const py::object& source() const { return source_; }
+  const py::array& values() const { return values_; }
+  const char* outside() const { return outside_names[static_cast<int>(outside_)]; }
+  const py::object& fill() const { return fill_; }
+  double tolerance() const { return tolerance_; }
+
+ protected:
+  HeldFunction(const py::object& points, const py::object& values, const std::string& outside,
+               const py::object& fill, double tolerance)
+      : outside_(outside_of(outside)), fill_(fill), tolerance_(checked_tolerance(tolerance)) {
+    source_ = triangulation_of(points);
+    values_ = py::module_::import("numpy").attr("asarray")(values);
+    is_complex_ = values_.dtype().kind() == 'c';
+    values_ = own_copy(values_, "values");
+    if (values_.ndim() < 1) throw py::value_error("values: an array of shape (n, ...)");
+    parts_ = is_complex_ ? 2 : 1;
+    for (py::ssize_t axis = 1; axis < values_.ndim(); ++axis)
+      parts_ *= static_cast<std::size_t>(values_.shape(axis));
+  }
+
+  /// Calls make(engine, numbers, columns, supervisor) without the GIL, which returns the interpolator.
+  template <class Make>
+  void make_function(Make make) {
+    const std::span<const double> numbers{static_cast<const double*>(values_.data()),
+                                          static_cast<std::size_t>(values_.size()) * (is_complex_ ? 2 : 1)};
+    Supervisor supervisor;
+    supervisor.run([&] {
+      triangulation().with_engine(supervisor, [&](const Triangulation& engine) {
+        if (numbers.size() != engine.num_rows() * parts_)
+          throw Error(Errc::bad_dimension,
+                      "values: not one row for each of " + std::to_string(engine.num_rows()) + " points");
+        function_ = make(engine, numbers, parts_, supervisor);
+        version_ = triangulation().version();
+      });
+    });
+  }
+
+  const HeldTriangulation& triangulation() const { return source_.cast<const HeldTriangulation&>(); }
+  const Function& function() const { return *function_; }
+  bool is_complex() const { return is_complex_; }
+  /// Real numbers per point.
+  std::size_t num_parts() const { return parts_; }
+
+  /// Calls work(engine, supervisor) without the GIL.
+  template <class Work>
+  void run(Work work) const {
+    const HeldTriangulation& held = triangulation();
+    Supervisor supervisor;
+    supervisor.run([&] {
+      held.with_engine(supervisor, [&](const Triangulation& engine) {
+        if (held.version() != version_)
+          throw std::runtime_error("points were added to the triangulation since the interpolator was made");
+        work(engine, supervisor);
+      });
+    });
+  }
+
+  /// A read-only copy as float64 or complex128, as values are.
+  py::array own_copy(const py::object& array, const char* name) const {
+    using namespace py::literals;
+    const py::object copied = is_complex_ ? py::object(array.attr("astype")("complex128", "order"_a = "C"))
+                                          : as_doubles(array, name).attr("copy")("order"_a = "C");
+    copied.attr("flags").attr("writeable") = false;
+    return copied;
+  }
+
+  /// An array of gradients, float64 or complex128, from those of the library: of complex numbers it has those
+  /// of real and imaginary parts one after the other.
+  py::array gradients_of_parts(const std::vector<double>& parts,
+                               const std::vector<py::ssize_t>& shape) const {
+    const auto d = static_cast<std::size_t>(triangulation().dimension());
+    if (!is_complex_) {
+      py::array_t<double> result(shape);
+      std::copy(parts.begin(), parts.end(), result.mutable_data());
+      return result;
+    }
+    py::array_t<std::complex<double>> result(shape);
+    std::complex<double>* const out = result.mutable_data();
+    for (std::size_t i = 0; i < parts.size() / 2; ++i)
+      out[i] = {parts[i / d * 2 * d + i % d], parts[(i / d * 2 + 1) * d + i % d]};
+    return result;
+  }
+
+ private:
+  EvaluateOptions options(Supervisor& supervisor, std::span<const double> fill = {}) const {
+    return {
+        .outside = outside_, .fill = fill, .tolerance = tolerance_, .progress = [&supervisor](std::size_t) {
+          return supervisor.go_on(0);
+        }};
+  }
+
+  std::vector<py::ssize_t> shape_of(const Queries& queries) const {
+    const auto like = queries.answers<char>();
+    std::vector<py::ssize_t> shape(like.shape(), like.shape() + like.ndim());
+    shape.insert(shape.end(), values_.shape() + 1, values_.shape() + values_.ndim());
+    return shape;
+  }
+
+  template <class T>
+  py::object evaluate_as(const Queries& queries) const {
+    py::array_t<T> result(shape_of(queries));
+    const std::span<double> out{reinterpret_cast<double*>(result.mutable_data()), queries.size() * parts_};
+    const auto fill = fill_.cast<T>();
+    std::vector<double> constants(parts_);
+    for (std::size_t i = 0; i < parts_; i += sizeof(T) / sizeof(double))
+      std::memcpy(constants.data() + i, &fill, sizeof(T));
+    run([&, x = queries.coordinates()](const Triangulation&, Supervisor& supervisor) {
+      function_->evaluate(x, out, options(supervisor, constants));
+    });
+    return Queries::scalar_if_single(result);
+  }
+
+  Outside outside_;
+  py::object fill_, source_;
+  double tolerance_;
+  py::array values_;
+  bool is_complex_ = false;
+  std::size_t parts_ = 1;
+  std::uint64_t version_ = 0;
+  std::unique_ptr<Function> function_;
+};
+
+/// The members that all interpolators have.
+template <class Held>
+void bind_function(py::class_<Held>& bound) {
+  bound
+      .def("__call__", &Held::evaluate, py::arg("queries"),
+           "The values at queries of shape (..., d), in the shape (...) followed by that of one value; "
+           "float64 or complex128.")
+      .def_property_readonly("triangulation", &Held::source, "The triangulation.")
+      .def_property_readonly("values", &Held::values,
+                             "(n, ...) the values, float64 or complex128, read-only.")
+      .def_property_readonly("tolerance", &Held::tolerance, "The tolerance.")
+      .def("__repr__", &Held::repr);
+}
+
+}  // namespace delone::python

@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What interpolators share: values by vertex, sizes of arrays, progress, and answers outside.
+#pragma once
+
+#include <delone/error.hpp>
+#include <delone/interpolation.hpp>
+#include <delone/point_locator.hpp>
+#include <delone/triangulation.hpp>
+
+#include <algorithm>
+#include <cstddef>
+#include <functional>
+#include <limits>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace delone::internal {
+
+inline void require_size(std::size_t size, std::size_t wanted, const char* what) {
+  if (size != wanted)
+    throw Error(Errc::bad_dimension,
+                std::string(what) + ": " + std::to_string(size) + " numbers, not " + std::to_string(wanted));
+}
+
+/// Rows of `width` numbers, one for each input row, as one row for each vertex id. Never empty.
+inline std::vector<double> by_vertex(const Triangulation& triangulation, std::span<const double> rows,
+                                     std::size_t width) {
+  const Complex complex = triangulation.complex();
+  std::vector<double> result(std::max<std::size_t>(complex.num_vertex_slots(), 1) * width);
+  for (const VertexId v : complex.finite_vertices())
+    std::copy_n(rows.begin() + static_cast<std::ptrdiff_t>(triangulation.row_of(v) * width), width,
+                result.begin() + static_cast<std::ptrdiff_t>(index(v) * width));
+  return result;
+}
+
+/// Counts steps and calls `progress` every 256 of them.
+class Meter {
+ public:
+  explicit Meter(const std::function<bool(std::size_t)>& progress) : progress_(progress) {}
+  void operator()() {
+    if (++done_ % 256 == 0 && progress_ && !progress_(done_))
+      throw Error(Errc::cancelled, "cancelled by the progress callback");
+  }
+
+ private:
+  const std::function<bool(std::size_t)>& progress_;
+  std::size_t done_ = 0;
+};
+
+inline LocateOptions locate_options(const EvaluateOptions& options) {
+  return {.tolerance = options.tolerance, .project = options.outside == Outside::project};
+}
+
+/// The answers of queries that location leaves outside, `width` numbers each.
+class OutsideAnswers {
+ public:
+  /// `queries`: of d coordinates each.
+  OutsideAnswers(const EvaluateOptions& options, std::span<const double> queries, std::size_t d,
+                 std::size_t width)
+      : options_(options), queries_(queries), d_(d), width_(width) {}
+
+  void value(std::size_t query, double* at) {
+    refuse(query);
+    if (options_.outside == Outside::nearest) {
+      beyond_.push_back(query);
+      const double* const q = queries_.data() + query * d_;
+      coordinates_.insert(coordinates_.end(), q, q + d_);
+    }
+    if (options_.fill.empty())
+      std::fill_n(at, width_, std::numeric_limits<double>::quiet_NaN());
+    else
+      std::copy_n(options_.fill.begin(), width_, at);
+  }
+  void gradient(std::size_t query, double* at) const {
+    refuse(query);
+    std::fill_n(at, width_,
+                options_.outside == Outside::nearest ? 0.0 : std::numeric_limits<double>::quiet_NaN());
+  }
+  /// Replaces the values of those that get the one at the nearest vertex. `values`: by vertex id.
+  void finish(const PointLocator& locator, std::span<const double> values, std::span<double> result,
+              Meter& meter) const {
+    if (beyond_.empty()) return;
+    locator.nearest(coordinates_, [&](std::size_t i, VertexId v) {
+      meter();
+      if (v != invalid_vertex)
+        std::copy_n(values.data() + index(v) * width_, width_, result.data() + beyond_[i] * width_);
+    });
+  }
+
+ private:
+  void refuse(std::size_t query) const {
+    if (options_.outside != Outside::error) return;
+    throw Error(Errc::invalid_argument,
+                "query " + std::to_string(query) + " is outside the convex hull of the points", {query});
+  }
+
+  const EvaluateOptions& options_;
+  std::span<const double> queries_;
+  std::size_t d_, width_;
+  std::vector<std::size_t> beyond_;
+  std::vector<double> coordinates_;
+};
+
+}  // namespace delone::internal
