@@ -123,10 +123,11 @@ class OnTriangulation(Interpolator):
         if self._tri.npoints != len(self._values):
             raise RuntimeError("points were added to the triangulation since the interpolator was made")
         queries, shape = self._queries(args)
-        finite = np.isfinite(queries).all(axis=1)
+        finite = np.isfinite(queries)
         if finite.all():
             result = self._evaluate(queries, float(simplex_tolerance))
         else:
+            finite = finite.all(axis=1)
             result = np.tile(self._fill, (len(queries), 1))
             result[finite] = self._evaluate(queries[finite], float(simplex_tolerance))
         return np.ascontiguousarray(result).view(self._values.dtype).reshape(shape + self.values_shape)

@@ -43,7 +43,9 @@ class LinearNDInterpolator(OnTriangulation):
             function = delone.LinearInterpolator(self._tri._core, self._columns, tolerance=self._distance * factor)
         result = function(queries)
         # Queries outside, and those where values are NaN, which stays so.
-        unsure = np.flatnonzero(np.isnan(result).all(axis=1))
+        unsure = np.flatnonzero(np.isnan(result[:, :1]))
+        if len(unsure):
+            unsure = unsure[np.isnan(result[unsure]).all(axis=1)]
         if len(unsure):
             outside = unsure[self._tri._core.find_simplex(queries[unsure], tolerance=self._distance * factor) < 0]
             found, weights = self._beyond(queries[outside], factor)
