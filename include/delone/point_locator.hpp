@@ -37,6 +37,9 @@ struct LocateOptions {
   /// Give queries outside, at any distance, the nearest point of the convex hull. The descent to it visits
   /// O(1) cells for a query near the hull, and may visit O(n^(1/k)) otherwise.
   bool project = false;
+  /// Whether LocatedPoint::barycentric is wanted. If not, it only tells which coordinates are positive: for
+  /// queries in slivers this saves exact arithmetic.
+  bool coordinates = true;
 };
 
 /// Where a query x lies (exactly), and its barycentric coordinates (rounded). With a tolerance, or if x is

@@ -7,6 +7,7 @@
 #include <pybind11/stl.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <optional>
@@ -171,12 +172,12 @@ py::tuple vertex_neighbors(const Held& held) {
 
 /// Locates queries. Calls visit(query, where, row of the cell or −1).
 template <class Visit>
-void locate_each(const Held& held, const Queries& queries, double tolerance, Visit visit) {
+void locate_each(const Held& held, const Queries& queries, const LocateOptions& options, Visit visit) {
   Supervisor supervisor;
   supervisor.run([&, x = queries.coordinates()] {
     held.with_locator(supervisor, [&](const Triangulation& engine, const PointLocator& locator,
                                       const Cells& cells) {
-      locator.locate(x, {.tolerance = tolerance}, [&](std::size_t query, const LocatedPoint& where) {
+      locator.locate(x, options, [&](std::size_t query, const LocatedPoint& where) {
         supervisor.count();
         visit(query, where,
               where.barycentric.empty() ? SignedIndex{-1} : cells.number_of_slot[index(where.cell)], engine);
@@ -188,7 +189,7 @@ void locate_each(const Held& held, const Queries& queries, double tolerance, Vis
 py::object find_simplex(const Held& held, const py::object& object, double tolerance) {
   const Queries queries(object, held.dimension());
   auto cells = queries.answers<SignedIndex>();
-  locate_each(held, queries, tolerance,
+  locate_each(held, queries, {.tolerance = tolerance, .coordinates = false},
               [out = cells.mutable_data()](std::size_t query, const LocatedPoint&, SignedIndex cell,
                                            const Triangulation&) { out[query] = cell; });
   return Queries::scalar_if_single(cells);
@@ -201,7 +202,7 @@ py::object locate(const Held& held, const py::object& object, double tolerance) 
   std::vector<SignedIndex> cells(count);
   std::vector<std::vector<SignedIndex>> faces(count);
   locate_each(
-      held, queries, tolerance,
+      held, queries, {.tolerance = tolerance, .coordinates = false},
       [&](std::size_t query, const LocatedPoint& where, SignedIndex cell, const Triangulation& engine) {
         kinds[query] = static_cast<std::uint8_t>(where.kind);
         cells[query] = cell;
@@ -231,7 +232,7 @@ py::tuple barycentric(const Held& held, const py::object& object, double toleran
       static_cast<std::size_t>(ask(held, [](const Triangulation& t) { return t.affine_dimension(); }) + 1);
   auto cells = queries.answers<SignedIndex>();
   auto weights_array = queries.answers<double>({size});
-  locate_each(held, queries, tolerance,
+  locate_each(held, queries, {.tolerance = tolerance},
               [size, numbers = cells.mutable_data(), all = weights_array.mutable_data()](
                   std::size_t query, const LocatedPoint& where, SignedIndex cell, const Triangulation&) {
                 numbers[query] = cell;
@@ -246,8 +247,9 @@ py::tuple barycentric(const Held& held, const py::object& object, double toleran
 
 /// For each query (q×d) the number of a cell that accepts it by its rounded barycentric coordinates: those of
 /// the affine maps `transform` (m, d+1, d) are in [−tolerance, 1+tolerance], but at facets whose neighbor has
-/// NaN as its map in [−broad, 1+tolerance]. Those within `radius` are tried, roughly the nearest first; −1 if
-/// none accepts.
+/// NaN as its map in [−broad, 1+tolerance]. The cell of the query, or that at the facet it is beyond, is
+/// tried first, with the cells next to it and to those around it that have no map; then all within `radius`,
+/// roughly the nearest first. −1 if none accepts.
 py::array find_accepting(const Held& held, const py::object& object, const Reals& transform,
                          const Rows& neighbors, double tolerance, double broad, double radius) {
   const Queries queries(object, held.dimension());
@@ -261,36 +263,74 @@ py::array find_accepting(const Held& held, const py::object& object, const Reals
   Supervisor supervisor;
   supervisor.run([&, x = queries.coordinates(), out = found.mutable_data(), maps = transform.data(),
                   across = neighbors.data()] {
-    held.with_locator(supervisor, [&](const Triangulation&, const PointLocator& locator, const Cells& cells) {
-      const auto map_of = [&](SignedIndex cell) {
-        return maps + static_cast<std::size_t>(cell) * d * (d + 1);
-      };
-      const auto accepts = [&](SignedIndex cell, const double* q) {
-        const double* const map = map_of(cell);
-        if (std::isnan(map[0])) return false;
-        double last = 1;
-        for (std::size_t i = 0; i <= d; ++i) {
-          double c = last;
-          if (i < d) {
-            c = 0;
-            for (std::size_t j = 0; j < d; ++j) c += map[i * d + j] * (q[j] - map[d * d + j]);
-            last -= c;
-          }
-          if (!(c <= 1 + tolerance)) return false;
-          if (c >= -tolerance) continue;
-          const SignedIndex other = across[static_cast<std::size_t>(cell) * (d + 1) + i];
-          if (!(c >= -broad) || other < 0 || !std::isnan(map_of(other)[0])) return false;
-        }
-        return true;
-      };
-      locator.cells_within(x, radius, [&](std::size_t query, CellId cell) {
-        supervisor.count();
-        const SignedIndex number = cells.number_of_slot[index(cell)];
-        if (static_cast<std::size_t>(number) >= count || !accepts(number, x.data() + query * d)) return true;
-        out[query] = number;
-        return false;
-      });
-    });
+    held.with_locator(
+        supervisor, [&](const Triangulation& engine, const PointLocator& locator, const Cells& cells) {
+          const auto map_of = [&](SignedIndex cell) {
+            return maps + static_cast<std::size_t>(cell) * d * (d + 1);
+          };
+          const auto accepts = [&](SignedIndex cell, const double* q) {
+            const double* const map = map_of(cell);
+            if (std::isnan(map[0])) return false;
+            double last = 1;
+            for (std::size_t i = 0; i <= d; ++i) {
+              double c = last;
+              if (i < d) {
+                c = 0;
+                for (std::size_t j = 0; j < d; ++j) c += map[i * d + j] * (q[j] - map[d * d + j]);
+                last -= c;
+              }
+              if (!(c <= 1 + tolerance)) return false;
+              if (c >= -tolerance) continue;
+              const SignedIndex other = across[static_cast<std::size_t>(cell) * (d + 1) + i];
+              if (!(c >= -broad) || other < 0 || !std::isnan(map_of(other)[0])) return false;
+            }
+            return true;
+          };
+          const auto number_of = [&](CellId cell) {
+            const SignedIndex number = cells.number_of_slot[index(cell)];
+            return static_cast<std::size_t>(number) < count ? number : SignedIndex{-1};
+          };
+          std::array<SignedIndex, 32> tried;
+          const auto accepting_near = [&](SignedIndex start, const double* q) {
+            std::size_t size = 0;
+            tried[size++] = start;
+            for (std::size_t i = 0; i < size; ++i) {
+              const SignedIndex cell = tried[i];
+              if (accepts(cell, q)) return cell;
+              if (i > 0 && !std::isnan(map_of(cell)[0])) continue;
+              for (std::size_t j = 0; j <= d && size < tried.size(); ++j) {
+                const SignedIndex other = across[static_cast<std::size_t>(cell) * (d + 1) + j];
+                const auto end = tried.begin() + static_cast<std::ptrdiff_t>(size);
+                if (static_cast<std::size_t>(other) < count && std::find(tried.begin(), end, other) == end)
+                  tried[size++] = other;
+              }
+            }
+            return SignedIndex{-1};
+          };
+          const Complex complex = engine.complex();
+          std::vector<std::size_t> others;
+          std::vector<double> coordinates_of_others;
+          locator.locate(x, [&](std::size_t query, const LocatedPoint& where) {
+            supervisor.count();
+            const double* const q = x.data() + query * d;
+            const bool is_inside = !where.barycentric.empty();
+            if (is_inside || where.cell != invalid_cell) {
+              const SignedIndex start = number_of(
+                  is_inside ? where.cell : complex.neighbor(where.cell, complex.infinite_index(where.cell)));
+              if (start >= 0) out[query] = accepting_near(start, q);
+            }
+            if (out[query] >= 0) return;
+            others.push_back(query);
+            coordinates_of_others.insert(coordinates_of_others.end(), q, q + d);
+          });
+          locator.cells_within(coordinates_of_others, radius, [&](std::size_t other, CellId cell) {
+            supervisor.count();
+            const SignedIndex number = number_of(cell);
+            if (number < 0 || !accepts(number, coordinates_of_others.data() + other * d)) return true;
+            out[others[other]] = number;
+            return false;
+          });
+        });
   });
   return found;
 }

@@ -35,6 +35,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
 #include <iterator>
 #include <limits>
 #include <numeric>
@@ -101,8 +102,10 @@ void NearestInHull::set_differences(std::span<const double* const> points, const
   int exponent = 0;
   std::frexp(largest, &exponent);
   has_underflow_ = false;
+  const bool has_scale = std::abs(exponent) < 1000;  // the same as ldexp(), faster
+  const double scale = has_scale ? std::ldexp(1.0, -exponent) : 0;
   for (double& x : differences_) {
-    const double y = std::ldexp(x, -exponent);
+    const double y = has_scale ? x * scale : std::ldexp(x, -exponent);
     has_underflow_ = has_underflow_ || (x != 0 && std::fabs(y) < least);
     x = y;
   }

@@ -23,58 +23,72 @@
 
 #include "kernel/determinant.hpp"
 
-#include <algorithm>
 #include <bit>
-#include <cmath>
 #include <cstddef>
+#include <limits>
 #include <utility>
 
 namespace delone::internal {
 
-template <int K>
+/// Two doubles that are computed with together, for two queries at once.
+using TwoNumbers = double __attribute__((vector_size(16)));
+
+/// T: double, or TwoNumbers for two queries, maybe in different cells.
+template <int K, class T = double>
 class CellMinors {
   static_assert(K >= 1 && K <= 6);
 
  public:
-  /// Evaluates all coordinates. Returns false if the numbers are outside the range of the bound.
-  bool evaluate(const double* const* vertices, const double* q) {
-    double bound = slack;
+  /// Evaluates all coordinates. difference(j, c) is coordinate c of p_j − q. Where the numbers are outside
+  /// the range of the bound, the bound is infinite, and the coordinates mean nothing.
+  template <class Difference>
+  void evaluate(Difference difference) {
+    const T infinite = T{} + std::numeric_limits<double>::infinity();
+    T bound = T{} + slack, least = infinite, most = T{};
     for (int c = 0; c < K; ++c) {
-      double largest = 0;
+      T largest = T{};
       for (int j = 0; j <= K; ++j) {
-        const double difference = vertices[j][c] - q[c];
-        a_[j * K + c] = difference;
-        largest = std::max(largest, std::fabs(difference));
+        const T x = difference(j, c);
+        a_[j * K + c] = x;
+        largest = larger(largest, larger(x, -x));
       }
-      if (!(largest >= 0x1p-100 && largest <= 0x1p100)) return false;
+      least = least < largest ? least : largest;
+      most = larger(most, largest);
       bound *= largest;
     }
-    bound_ = bound;
-    minors_[0] = 1;
+    const T in_range = most <= T{} + 0x1p100 ? bound : infinite;
+    bound_ = least >= T{} + 0x1p-100 ? in_range : infinite;
+    minors_[0] = T{} + 1;
     [&]<unsigned... S>(std::integer_sequence<unsigned, S...>) { ((minors_[S + 1] = minor<S + 1>()), ...); }
     (std::make_integer_sequence<unsigned, (2u << K) - 2>{});
     for (int i = 0; i <= K; ++i) {
-      const double det = minors_[((2u << K) - 1) ^ (1u << i)];
+      const T det = minors_[((2u << K) - 1) ^ (1u << i)];
       weights_[i] = i % 2 == 0 ? det : -det;
     }
-    return true;
   }
-  double weight(int i) const { return weights_[i]; }
-  double bound() const { return bound_; }  ///< every weight is off by less
+  /// The same for one query. Returns false if the numbers are outside the range of the bound.
+  bool evaluate(const double* const* vertices, const double* q) {
+    evaluate([&](int j, int c) { return vertices[j][c] - q[c]; });
+    return bound_ <= std::numeric_limits<double>::max();
+  }
+  T weight(int i) const { return weights_[i]; }
+  T bound() const { return bound_; }  ///< every weight is off by less
 
  private:
   static constexpr double factorial = K == 1 ? 1 : K == 2 ? 2 : K == 3 ? 6 : K == 4 ? 24 : K == 5 ? 120 : 720;
   static constexpr double slack = 1.01 * (K * (K + 3) / 2 - 1 + 3 * K) * kernel::unit_roundoff * factorial;
 
+  static T larger(T x, T y) { return x > y ? x : y; }
+
   /// The minor of the rows in a bit set and of as many first columns.
   template <unsigned Rows>
-  double minor() const {
+  T minor() const {
     constexpr int column = std::popcount(Rows) - 1;
-    double sum = 0;
+    T sum = T{};
     [&]<int... R>(std::integer_sequence<int, R...>) {
       const auto add = [&]<int Row>(std::integral_constant<int, Row>) {
         if constexpr ((Rows >> Row & 1) != 0) {
-          const double term = a_[Row * K + column] * minors_[Rows & ~(1u << Row)];
+          const T term = a_[Row * K + column] * minors_[Rows & ~(1u << Row)];
           sum = std::popcount(Rows >> Row) % 2 == 0 ? sum - term : sum + term;
         }
       };
@@ -84,10 +98,10 @@ class CellMinors {
     return sum;
   }
 
-  double a_[(K + 1) * K];
-  double minors_[2u << K];
-  double weights_[K + 1];
-  double bound_ = 0;
+  T a_[(K + 1) * K];
+  T minors_[2u << K];
+  T weights_[K + 1];
+  T bound_ = T{};
 };
 
 }  // namespace delone::internal

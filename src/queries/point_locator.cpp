@@ -4,9 +4,8 @@
 
 #include "base/require_finite.hpp"
 #include "base/require_tolerance.hpp"
-#include "kernel/predicates.hpp"
 #include "queries/barycentric.hpp"
-#include "queries/cell_minors.hpp"
+#include "queries/table_walk.hpp"
 #include "queries/tolerant_location.hpp"
 
 #include <algorithm>
@@ -40,92 +39,6 @@ namespace {
 
 constexpr int largest_table = 6;
 
-/// The walk for k = d = K.
-template <int K>
-class TableWalk {
- public:
-  explicit TableWalk(const PointLocator::Impl& where) : where_(where) {}
-
-  /// Locates q, starting from a finite cell, any of them if `start` is invalid. Returns false if the numbers
-  /// are beyond the range of CellMinors.
-  bool locate(const double* q, CellId start, LocatedPoint& found) {
-    CellId cell = start != invalid_cell ? start : *where_.complex.finite_cells().begin();
-    const double* points[K + 1];
-    for (;;) {
-      for (int i = 0; i <= K; ++i) {
-        const VertexId v = where_.complex.vertex(cell, i);
-        if (v == infinite_vertex) {
-          found = {Location::Kind::outside_hull, cell, {}, 0};
-          return true;
-        }
-        points[i] = where_.point(v);
-      }
-      if (!minors_.evaluate(points, q)) return false;
-      const int slot = facet_with_query_beyond(points, q);
-      if (slot < 0) break;
-      cell = where_.complex.neighbor(cell, slot);
-    }
-    found = {Location::Kind::in_cell, cell, finish(points, q), 0};
-    const auto positive = std::count(signs_, signs_ + K + 1, Sign::positive);
-    if (positive <= K) found.kind = positive == 1 ? Location::Kind::on_vertex : Location::Kind::on_face;
-    return true;
-  }
-
- private:
-  /// A facet with q strictly beyond it, certain ones first; −1 if there is none, and then signs_ is exact.
-  int facet_with_query_beyond(const double* const* points, const double* q) {
-    int slot = -1;
-    double least = -minors_.bound();
-    bool uncertain = false;
-    for (int i = 0; i <= K; ++i) {
-      const double w = minors_.weight(i);
-      uncertain = uncertain || w <= minors_.bound();
-      if (w >= least) continue;
-      least = w;
-      slot = i;
-    }
-    if (slot >= 0) return slot;
-    for (int i = 0; i <= K; ++i) signs_[i] = Sign::positive;
-    if (!uncertain) return -1;
-    for (int i = 0; i <= K; ++i) {
-      if (minors_.weight(i) > minors_.bound()) continue;
-      const double* moved[K + 1];
-      std::copy_n(points, K + 1, moved);
-      moved[i] = q;
-      signs_[i] = kernel::orientation({K, where_.axes}, moved);
-      if (signs_[i] == Sign::negative) return i;
-    }
-    return -1;
-  }
-
-  /// Each coordinate is off by at most the bound, and so is each one that is left out as zero or negative;
-  /// their sum is off by at most K+1 times the bound. If that is too much, barycentric() solves the system of
-  /// the cell.
-  std::span<const double> finish(const double* const* points, const double* q) {
-    double sum = 0;
-    unsigned char on_face[K + 1];
-    for (int i = 0; i <= K; ++i) {
-      on_face[i] = signs_[i] == Sign::zero ? 0 : 1;
-      weights_[i] = signs_[i] == Sign::zero ? 0 : std::max(minors_.weight(i), 0.0);
-      sum += weights_[i];
-    }
-    if (!((K + 3) * minors_.bound() < internal::largest_weight_error * sum)) {
-      internal::barycentric({points, K + 1}, on_face, where_.axes, q, solved_);
-      return solved_;
-    }
-    for (int i = 0; i <= K; ++i)
-      if (signs_[i] == Sign::positive)
-        weights_[i] = std::max(weights_[i] / sum, std::numeric_limits<double>::min());
-    return weights_;
-  }
-
-  const PointLocator::Impl& where_;
-  internal::CellMinors<K> minors_;
-  Sign signs_[K + 1];
-  double weights_[K + 1];
-  std::vector<double> solved_;
-};
-
 /// The walk of the triangulation itself: for flat input, more dimensions and extreme numbers.
 class PlainWalk {
  public:
@@ -155,36 +68,65 @@ class PlainWalk {
 };
 
 struct NoTable {
-  bool locate(const double*, CellId, LocatedPoint&) { return false; }
+  static constexpr std::size_t least_many = std::numeric_limits<std::size_t>::max();
+  template <class Answer>
+  bool locate(const double*, CellId, Answer) {
+    return false;
+  }
+  template <class Answer, class BeyondRange>
+  CellId locate_all(const double*, std::span<const Index>, CellId start, Answer, BeyondRange) {
+    return start;
+  }
 };
 
 template <class Table>
 void walk_through(const PointLocator::Impl& where, Table table, std::span<const double> queries,
-                  internal::TolerantLocation* tolerant, const PointLocator::Visit& visit) {
+                  const LocateOptions& options, internal::TolerantLocation* tolerant,
+                  const PointLocator::Visit& visit) {
   PlainWalk plain(where);
   CellId start = invalid_cell;
-  LocatedPoint found;
-  where.in_order(queries, [&](Index query) {
-    const double* q =
-        queries.data() + static_cast<std::size_t>(query) * static_cast<std::size_t>(where.dimension);
-    if (!table.locate(q, start, found)) plain.locate(q, start, found);
-    if (found.cell != invalid_cell) {
-      const int infinite = where.complex.infinite_index(found.cell);
-      start = infinite < 0 ? found.cell : where.complex.neighbor(found.cell, infinite);
-    }
-    if (tolerant != nullptr && !tolerant->is_final(found)) tolerant->refine(q, found);
+  const double* const coordinates = queries.data();
+  const auto width = static_cast<std::size_t>(where.dimension);
+  const auto answer = [&](Index query, LocatedPoint& found, auto complete) {
+    const double* const exact = found.barycentric.data();
+    if (tolerant != nullptr && !tolerant->is_final(found))
+      tolerant->refine(coordinates + static_cast<std::size_t>(query) * width, found);
+    if (options.coordinates && found.barycentric.data() == exact) complete();
     visit(query, found);
+  };
+  const auto walk_plainly = [&](const double* q, CellId from, LocatedPoint& found) {
+    plain.locate(q, from, found);
+  };
+  where.in_pieces(queries, [&](std::span<const Index> piece) {
+    if (piece.size() >= Table::least_many) {
+      start = table.locate_all(coordinates, piece, start, answer, walk_plainly);
+      return;
+    }
+    for (const Index query : piece) {
+      const double* const q = coordinates + static_cast<std::size_t>(query) * width;
+      const auto take = [&](LocatedPoint& found, auto complete) {
+        if (found.cell != invalid_cell) {
+          const int infinite = where.complex.infinite_index(found.cell);
+          start = infinite < 0 ? found.cell : where.complex.neighbor(found.cell, infinite);
+        }
+        answer(query, found, complete);
+      };
+      if (table.locate(q, start, take)) continue;
+      LocatedPoint found;
+      plain.locate(q, start, found);
+      take(found, [] {});
+    }
   });
 }
 
 template <int K>
-void dispatch(const PointLocator::Impl& where, std::span<const double> queries,
+void dispatch(const PointLocator::Impl& where, std::span<const double> queries, const LocateOptions& options,
               internal::TolerantLocation* tolerant, const PointLocator::Visit& visit) {
   if (where.affine_dimension != where.dimension || where.dimension > largest_table)
-    return walk_through(where, NoTable{}, queries, tolerant, visit);
+    return walk_through(where, NoTable{}, queries, options, tolerant, visit);
   if constexpr (K < largest_table)
-    if (where.dimension > K) return dispatch<K + 1>(where, queries, tolerant, visit);
-  walk_through(where, TableWalk<K>(where), queries, tolerant, visit);
+    if (where.dimension > K) return dispatch<K + 1>(where, queries, options, tolerant, visit);
+  walk_through(where, internal::TableWalk<K>(where), queries, options, tolerant, visit);
 }
 
 }  // namespace
@@ -196,11 +138,15 @@ void PointLocator::locate(std::span<const double> queries, const Visit& visit) c
 void PointLocator::locate(std::span<const double> queries, const LocateOptions& options,
                           const Visit& visit) const {
   internal::require_tolerance(options.tolerance);
+  if (options.tolerance > 0)
+    internal::require_tolerance_within(options.tolerance, impl_->longest_side(),
+                                       "the set of points, whose longest side is");
   try {
-    if (options.tolerance == 0 && !options.project) return dispatch<1>(*impl_, queries, nullptr, visit);
+    if (options.tolerance == 0 && !options.project)
+      return dispatch<1>(*impl_, queries, options, nullptr, visit);
     const auto thick = impl_->thick_cells(options.tolerance);
     internal::TolerantLocation tolerant(*impl_, options, thick.get());
-    dispatch<1>(*impl_, queries, &tolerant, visit);
+    dispatch<1>(*impl_, queries, options, &tolerant, visit);
   } catch (const std::bad_alloc&) {
     throw Error(Errc::out_of_memory, "not enough memory for the queries");
   }
@@ -211,9 +157,25 @@ void PointLocator::cells_within(std::span<const double> queries, double radius,
   internal::require_tolerance(radius);
   internal::TolerantLocation near(*impl_, {.tolerance = radius}, nullptr);
   const auto width = static_cast<std::size_t>(impl_->dimension);
-  locate(queries, [&](std::size_t query, const LocatedPoint& found) {
+  const auto look_around = [&](std::size_t query, const LocatedPoint& found) {
     near.visit_near(queries.data() + query * width, found, [&](CellId cell) { return visit(query, cell); });
+  };
+  locate(queries, {.coordinates = false}, look_around);
+}
+
+double PointLocator::Impl::longest_side() const {
+  std::call_once(side_once, [&] {
+    const std::vector<VertexId> vertices = complex.finite_vertices();
+    for (std::size_t j = 0; j < static_cast<std::size_t>(dimension) && !vertices.empty(); ++j) {
+      double low = point(vertices[0])[j], high = low;
+      for (const VertexId v : vertices) {
+        low = std::min(low, point(v)[j]);
+        high = std::max(high, point(v)[j]);
+      }
+      side = std::max(side, high - low);
+    }
   });
+  return side;
 }
 
 std::shared_ptr<const internal::ThickCells> PointLocator::Impl::thick_cells(double tolerance) const {

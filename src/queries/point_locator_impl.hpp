@@ -34,22 +34,32 @@ struct PointLocator::Impl {
 
   mutable std::once_flag edges_once;
   mutable Edges edges;
+  mutable std::once_flag side_once;
+  mutable double side = 0;
   mutable std::mutex thick_mutex;
   mutable std::shared_ptr<const internal::ThickCells> thick;  // for the tolerance used last
 
   const double* point(VertexId v) const { return points.point(index(v)); }
-  /// Calls each(query) for all queries, chunk by chunk, each chunk in the order of a Hilbert curve. Chunks
-  /// bound the time until the first call, so that a callback can stop a large batch early. Throws as
-  /// locate().
+  /// Calls each(rows) for all queries, in pieces, each in the order of a Hilbert curve. Pieces bound the time
+  /// until the first call, so that a callback can stop a large batch early. Throws as locate().
   template <class Each>
-  void in_order(std::span<const double> queries, Each each) const {
+  void in_pieces(std::span<const double> queries, Each each) const {
     std::vector<Index> rows = rows_of(queries);
     for (std::size_t first = 0; first < rows.size(); first += piece) {
       const auto part = std::span(rows).subspan(first, std::min(piece, rows.size() - first));
       if (part.size() > 8) order::hilbert_sort(PointsView(queries, dimension), part);
-      for (const Index query : part) each(query);
+      each(std::span<const Index>(part));
     }
   }
+  /// Calls each(query) for all queries in this order.
+  template <class Each>
+  void in_order(std::span<const double> queries, Each each) const {
+    in_pieces(queries, [&](std::span<const Index> rows) {
+      for (const Index query : rows) each(query);
+    });
+  }
+  /// The longest side of the bounding box of the vertices; 0 if there are none. Kept.
+  double longest_side() const;
   /// The kinds of cells for this tolerance; null for 0.
   std::shared_ptr<const internal::ThickCells> thick_cells(double tolerance) const;
   static constexpr std::size_t piece = std::size_t{1} << 18;

@@ -53,17 +53,32 @@ template <class Visit>
 void TolerantLocation::visit_star(CellId cell, std::span<const VertexId> face, Visit visit) {
   std::vector<CellId> queue{cell};
   visited_.clear();
-  visited_.insert(index(cell));
+  visited_.insert(index(cell), 0);
   for (std::size_t next = 0; next < queue.size(); ++next) {
     const CellId c = queue[next];
     visit(c);
     for (int i = 0; i <= where_.affine_dimension; ++i) {
       if (std::find(face.begin(), face.end(), where_.complex.vertex(c, i)) != face.end()) continue;
       const CellId other = where_.complex.neighbor(c, i);
-      if (where_.complex.is_infinite(other) || !visited_.insert(index(other)).second) continue;
+      if (where_.complex.is_infinite(other) || !visited_.insert(index(other), 0).second) continue;
       queue.push_back(other);
     }
   }
+}
+
+/// Whether the bounding box of the points is certainly farther than `radius`: a rounded difference is off by
+/// a factor 1 ± u.
+bool TolerantLocation::has_far_box(const std::vector<const double*>& points, const double* q,
+                                   double radius) const {
+  for (std::size_t j = 0; j < static_cast<std::size_t>(where_.dimension); ++j) {
+    double low = points[0][j], high = low;
+    for (const double* p : points) {
+      low = std::min(low, p[j]);
+      high = std::max(high, p[j]);
+    }
+    if (std::max(low - q[j], q[j] - high) * (1 - 0x1p-50) > radius) return true;
+  }
+  return false;
 }
 
 /// The nearest point of a cell, with certified bounds.

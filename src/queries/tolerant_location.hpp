@@ -3,14 +3,13 @@
 // LocateOptions.
 #pragma once
 
+#include "base/stamped_table.hpp"
 #include "kernel/nearest_in_hull.hpp"
 #include "queries/point_locator_impl.hpp"
 #include "queries/thick_cells.hpp"
 
 #include <algorithm>
 #include <functional>
-#include <queue>
-#include <unordered_set>
 #include <utility>
 #include <vector>
 
@@ -53,6 +52,7 @@ class TolerantLocation {
   void find_exactly(CellId cell, const double* q, Candidate& result);
   template <class Visit>
   void visit_ball(const double* q, CellId start, double& radius, Visit visit);
+  bool has_far_box(const std::vector<const double*>& points, const double* q, double radius) const;
   CellId finite_cell(const LocatedPoint& found) const;
   void search(const double* q, CellId start);
   bool find_thick(const double* q, CellId start, Candidate& result);
@@ -72,7 +72,8 @@ class TolerantLocation {
   kernel::NearestInHull nearest_, heights_;
   std::vector<const double*> points_, facet_;
   std::vector<Candidate> candidates_;
-  std::unordered_set<Index> visited_;
+  StampedTable visited_;
+  std::vector<std::pair<double, Index>> queue_;  // a heap
   std::vector<double> weights_;
 };
 
@@ -80,23 +81,25 @@ class TolerantLocation {
 /// first, until it returns false.
 template <class Visit>
 void TolerantLocation::visit_ball(const double* q, CellId start, double& radius, Visit visit) {
-  using Entry = std::pair<double, Index>;
-  std::priority_queue<Entry, std::vector<Entry>, std::greater<>> queue;
+  queue_.assign(1, {0.0, index(start)});
   visited_.clear();
-  queue.emplace(0.0, index(start));
-  while (!queue.empty() && queue.top().first <= radius) {
-    const CellId cell{queue.top().second};
-    queue.pop();
-    if (!visited_.insert(index(cell)).second) continue;
+  while (!queue_.empty() && queue_.front().first <= radius) {
+    std::pop_heap(queue_.begin(), queue_.end(), std::greater<>());
+    const CellId cell{queue_.back().second};
+    queue_.pop_back();
+    if (!visited_.insert(index(cell), 0).second) continue;
     if (!visit(cell)) return;
+    load(cell);
     for (int i = 0; i <= where_.affine_dimension; ++i) {
       const CellId other = where_.complex.neighbor(cell, i);
-      if (where_.complex.is_infinite(other) || visited_.count(index(other)) != 0) continue;
-      load(cell);
+      if (where_.complex.is_infinite(other) || visited_.contains(index(other))) continue;
       facet_ = points_;
       facet_.erase(facet_.begin() + i);
+      if (has_far_box(facet_, q, radius)) continue;
       nearest_.find(facet_, q, where_.dimension);
-      if (nearest_.lower() <= radius) queue.emplace(nearest_.lower(), index(other));
+      if (nearest_.lower() > radius) continue;
+      queue_.emplace_back(nearest_.lower(), index(other));
+      std::push_heap(queue_.begin(), queue_.end(), std::greater<>());
     }
   }
 }

@@ -122,10 +122,11 @@ class OnTriangulation(Interpolator):
             raise ValueError("simplex_tolerance must be positive")
         self._require_unchanged()
         queries, shape = self._queries(args)
-        finite = np.isfinite(queries).all(axis=1)
+        finite = np.isfinite(queries)
         if finite.all():
             result = self._evaluate(queries, float(simplex_tolerance))
         else:
+            finite = finite.all(axis=1)
             result = np.tile(self._fill, (len(queries), 1))
             result[finite] = self._evaluate(queries[finite], float(simplex_tolerance))
         return np.ascontiguousarray(result).view(self._values.dtype).reshape(shape + self.values_shape)
@@ -137,7 +138,10 @@ class OnTriangulation(Interpolator):
     def _outside(self, result: np.ndarray, queries: np.ndarray, factor: float) -> np.ndarray:
         """The numbers of the queries that are not within the tolerance of the hull. Their rows of the result are NaN, and so are those
         of others where values are NaN."""
-        unsure = np.flatnonzero(np.isnan(result).all(axis=1))
+        unsure = np.flatnonzero(np.isnan(result[:, :1]))
+        if not len(unsure):
+            return unsure
+        unsure = unsure[np.isnan(result[unsure]).all(axis=1)]
         if not len(unsure):
             return unsure
         return unsure[self._tri._core.find_simplex(queries[unsure], tolerance=self._distance * factor) < 0]
