@@ -19,6 +19,8 @@ namespace {
 
 constexpr std::size_t most_neighbors = 256;  // more are not worth a look
 constexpr std::size_t most_rounds = 64;
+constexpr std::size_t never = std::numeric_limits<std::size_t>::max();
+constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr std::size_t most_first = 12;  // kept points to begin with when one is dropped
 
 }  // namespace
@@ -32,6 +34,7 @@ Cover::Cover(std::vector<const double*> points, int dimension, double tolerance,
       alive_(std::move(alive)),
       states_(points_.size()),
       users_(points_.size()),
+      normals_(points_.size() * static_cast<std::size_t>(dimension), 0.0),
       marks_(points_.size(), 0) {
   if (!points_.empty()) tree_.emplace(points_, dimension);
 }
@@ -73,9 +76,25 @@ bool Cover::look(Index p, std::span<const Index> pool) {
     state.face.clear();
     for (const int i : exact.face) state.face.push_back(pool[static_cast<std::size_t>(i)]);
   }
+  set_normal(p, pool);
   if (state.is_covered)
     for (const Index v : state.face) users_[v].push_back(p);
   return state.is_covered;
+}
+
+/// The normal of p: from the point that was found to p.
+void Cover::set_normal(Index p, std::span<const Index> pool) {
+  const auto d = static_cast<std::size_t>(dimension_);
+  double* const normal = normals_.data() + p * d;
+  std::fill_n(normal, d, 0.0);
+  double weight = 0;
+  for (const int i : nearest_.face()) {
+    const auto at = static_cast<std::size_t>(i);
+    const double share = nearest_.weights()[at];
+    weight += share;
+    for (std::size_t j = 0; j < d; ++j) normal[j] += share * (points_[p][j] - points_[pool[at]][j]);
+  }
+  for (std::size_t j = 0; j < d; ++j) normal[j] /= weight;
 }
 
 /// Kept points to begin with, increasing: those of the last face, or of those that had the dropped one in
@@ -104,45 +123,59 @@ void Cover::find_local(Index p) {
     local_.push_back(*std::find_if(kept_.begin(), kept_.end(), [&](Index v) { return states_[v].is_kept; }));
 }
 
-/// The same for all kept points. The nearest point of a few of them is found, then the kept point that is
-/// farthest beyond its supporting plane joins them, until there is none: so the others are only multiplied by
-/// a normal, and most of them not even that (support_tree.hpp).
+/// One step: p is covered, or it is farther than the tolerance from all and its distance is final, or it is
+/// nearer than it was. The nearest point of a few kept points is known; the kept point that is farthest
+/// beyond its supporting plane joins them. So the others are only multiplied by a normal, and most of them
+/// not even that (support_tree.hpp).
 ///
 /// For each n ≠ 0 the distance from the hull is at least the least n·(q − w) of the kept points w, divided by
 /// |n|.
-bool Cover::cover(Index p) {
-  alive_();
-  states_[p].seen = kept_.size();
-  find_local(p);
+Cover::Step Cover::step(Index p) {
   const auto d = static_cast<std::size_t>(dimension_);
-  const double* const q = points_[p];
-  normal_.resize(d);
-  for (std::size_t round = 0; round < most_rounds; ++round) {
-    if (look(p, local_)) return true;
-    std::fill(normal_.begin(), normal_.end(), 0.0);
-    double square = 0, weight = 0;
-    for (std::size_t i = 0; i < local_.size(); ++i) {
-      const double share = nearest_.weights()[i];
-      if (share == 0) continue;
-      weight += share;
-      for (std::size_t j = 0; j < d; ++j) normal_[j] += share * (q[j] - points_[local_[i]][j]);
-    }
-    for (double& x : normal_) x /= weight, square += x * x;
-    const double length = std::sqrt(square) * (1 + static_cast<double>(d + 4) * kernel::unit_roundoff);
-    if (!(length > 0x1p-400 && length < 0x1p400)) break;
-    const auto [least, certain, farthest] = tree_->support(q, normal_, local_);
+  const std::span<const double> normal(normals_.data() + p * d, d);
+  double square = 0;
+  for (const double x : normal) square += x * x;
+  const double length = std::sqrt(square) * (1 + static_cast<double>(d + 4) * kernel::unit_roundoff);
+  if (length > 0x1p-400 && length < 0x1p400) {
+    const auto [least, certain, farthest] = tree_->support(points_[p], normal, local_);
     const bool is_new = std::find(local_.begin(), local_.end(), farthest) == local_.end();
     if (is_new && least < square * (1 - 0x1p-40)) {
       local_.push_back(farthest);
-      continue;
+      return look(p, local_) ? Step::covered : Step::nearer;
     }
-    if (certain > tolerance_ * length * (1 + 4 * kernel::unit_roundoff) + 0x1p-1000) return false;
-    break;
+    if (certain > tolerance_ * length * (1 + 4 * kernel::unit_roundoff) + 0x1p-1000) return Step::far;
   }
+  return look_at_all(p) ? Step::covered : Step::far;
+}
+
+bool Cover::look_at_all(Index p) {
   local_.clear();
   for (const Index v : kept_)
     if (states_[v].is_kept) local_.push_back(v);
   return look(p, local_);
+}
+
+/// Whether p is covered. The search also ends when p is found to be nearer than `enough`. Otherwise, the
+/// distance is final.
+bool Cover::cover(Index p, double enough) {
+  alive_();
+  State& state = states_[p];
+  const bool is_known = !state.face.empty() && std::all_of(state.face.begin(), state.face.end(),
+                                                           [&](Index v) { return states_[v].is_kept; });
+  if (is_known) {
+    local_ = state.face;
+  } else {
+    find_local(p);
+    if (look(p, local_)) return true;
+  }
+  for (std::size_t round = 0; round < most_rounds; ++round) {
+    const Step made = step(p);
+    if (made == Step::covered) return true;
+    state.seen = made == Step::far ? kept_.size() : never;
+    if (made == Step::far || state.upper < enough) return false;
+  }
+  state.seen = kept_.size();
+  return look_at_all(p);
 }
 
 /// Keeps what covers a point that may not be kept itself.
@@ -161,14 +194,15 @@ bool Cover::complete(const std::vector<char>& allowed) {
   using Entry = std::pair<double, std::int64_t>;  // of equal bounds the first point comes first
   std::priority_queue<Entry> queue;
   for (std::size_t p = 0; p < points_.size(); ++p)
-    if (!states_[p].is_kept && !cover(static_cast<Index>(p)))
+    if (!states_[p].is_kept && !cover(static_cast<Index>(p), infinity))
       queue.emplace(states_[p].upper, -static_cast<std::int64_t>(p));
   while (!queue.empty()) {
     const auto p = static_cast<Index>(-queue.top().second);
     queue.pop();
     if (states_[p].is_kept) continue;
     if (states_[p].seen != kept_.size()) {
-      if (!cover(p)) queue.emplace(states_[p].upper, -static_cast<std::int64_t>(p));
+      const double next = queue.empty() ? 0 : queue.top().first;
+      if (!cover(p, next)) queue.emplace(states_[p].upper, -static_cast<std::int64_t>(p));
     } else if (allowed[p] != 0) {
       keep(p);
     } else if (!add_witness_of(p, allowed)) {
@@ -196,7 +230,7 @@ bool Cover::can_drop(Index p) {
   std::vector<State> before;
   for (const Index u : concerned) {
     before.push_back(states_[u]);
-    if (tree_->size() > 0 && cover(u)) continue;
+    if (tree_->size() > 0 && cover(u, 0)) continue;
     for (std::size_t i = 0; i < before.size(); ++i) states_[concerned[i]] = std::move(before[i]);
     states_[p].is_kept = true;
     tree_->insert(p);

@@ -51,7 +51,11 @@ class Cover {
   void keep(Index p);
   bool look(Index p, std::span<const Index> pool);
   void find_local(Index p);
-  bool cover(Index p);
+  enum class Step { covered, nearer, far };
+  Step step(Index p);
+  bool look_at_all(Index p);
+  void set_normal(Index p, std::span<const Index> pool);
+  bool cover(Index p, double enough);
   bool add_witness_of(Index p, const std::vector<char>& allowed);
   bool can_drop(Index p);
 
@@ -66,11 +70,11 @@ class Cover {
   std::vector<Index> first_of_drop_;  // kept points near the one that is being dropped
   std::optional<SupportTree> tree_;   // of all points; those kept are in
   kernel::NearestInHull nearest_;
+  std::vector<double> normals_;  // by point: from the nearest point that was found to it
   // Scratch.
   std::vector<const double*> pool_points_;
   std::vector<char> marks_;
   std::vector<Index> near_, local_;
-  std::vector<double> normal_;
 };
 
 }  // namespace delone::internal

@@ -23,7 +23,6 @@ namespace delone::internal {
 
 namespace {
 
-constexpr Index most_of_leaf = 8;
 constexpr int num_squarings = 6;
 constexpr double least = 0x1p-500;
 
@@ -137,7 +136,7 @@ double SupportTree::bound(Index node, const double* q, std::span<const double> n
 void SupportTree::divide(Index node) {
   const std::size_t axis = measure(node);
   const auto [begin, end] = std::pair(nodes_[node].begin, nodes_[node].end);
-  if (end - begin <= most_of_leaf) {
+  if (end - begin <= most_listed) {
     for (Index i = begin; i < end; ++i) leaf_of_[order_[i]] = node;
     return;
   }
@@ -153,12 +152,36 @@ void SupportTree::divide(Index node) {
   slabs_.resize(slab_size() * nodes_.size());
 }
 
-void SupportTree::add(Index p, int by) {
-  is_in_[p] = by > 0 ? 1 : 0;
-  for (Index node = leaf_of_[p];; node = nodes_[node].parent) {
-    nodes_[node].num_in = static_cast<Index>(static_cast<std::int64_t>(nodes_[node].num_in) + by);
-    if (node == 0) return;
+void SupportTree::insert(Index p) {
+  is_in_[p] = 1;
+  for (Index at = leaf_of_[p];; at = nodes_[at].parent) {
+    Node& node = nodes_[at];
+    if (node.num_in < most_listed) node.listed[node.num_in] = p;
+    ++node.num_in;
+    if (at == 0) return;
   }
+}
+
+void SupportTree::erase(Index p) {
+  is_in_[p] = 0;
+  for (Index at = leaf_of_[p];; at = nodes_[at].parent) {
+    Node& node = nodes_[at];
+    --node.num_in;
+    if (node.num_in <= most_listed) list(node);
+    if (at == 0) return;
+  }
+}
+
+/// Lists the points that are in, from those of the children.
+void SupportTree::list(Node& node) const {
+  Index count = 0;
+  if (node.left == 0) {
+    for (Index i = node.begin; i < node.end; ++i)
+      if (is_in_[order_[i]] != 0) node.listed[count++] = order_[i];
+    return;
+  }
+  for (const Index child : {node.left, node.right})
+    for (Index i = 0; i < nodes_[child].num_in; ++i) node.listed[count++] = nodes_[child].listed[i];
 }
 
 SupportTree::Support SupportTree::support(const double* q, std::span<const double> n,
@@ -191,12 +214,12 @@ SupportTree::Support SupportTree::support(const double* q, std::span<const doubl
     const Node& node = nodes_[at];
     if (node.num_in == 0) continue;
     if (bounds[size] > result.least && bounds[size] >= result.certain) continue;
-    if (node.left == 0) {
-      for (Index i = node.begin; i < node.end; ++i)
-        if (is_in_[order_[i]] != 0) include(order_[i]);
+    if (node.num_in <= most_listed) {
+      for (Index i = 0; i < node.num_in; ++i) include(node.listed[i]);
       continue;
     }
-    const double left = bound(node.left, q, n), right = bound(node.right, q, n);
+    const double left = nodes_[node.left].num_in == 0 ? infinity : bound(node.left, q, n);
+    const double right = nodes_[node.right].num_in == 0 ? infinity : bound(node.right, q, n);
     const bool left_first = left <= right;
     bounds[size] = left_first ? right : left;
     stack[size++] = left_first ? node.right : node.left;

@@ -19,8 +19,8 @@ class SupportTree {
   SupportTree(std::span<const double* const> points, int dimension);
 
   /// O(log n).
-  void insert(Index p) { add(p, 1); }
-  void erase(Index p) { add(p, -1); }
+  void insert(Index p);
+  void erase(Index p);
 
   /// How many are in.
   std::size_t size() const { return nodes_[0].num_in; }
@@ -36,13 +36,15 @@ class SupportTree {
   Support support(const double* q, std::span<const double> n, std::span<const Index> guess) const;
 
  private:
+  static constexpr Index most_listed = 8;  // of a leaf at most as many
   struct Node {
     Index begin = 0, end = 0;               // in order_
     Index left = 0, right = 0, parent = 0;  // 0: none
     Index num_in = 0;
+    Index listed[most_listed] = {};  // those that are in, if they are no more
   };
   void divide(Index node);
-  void add(Index p, int by);
+  void list(Node& node) const;
   std::size_t measure(Index node);
   double bound(Index node, const double* q, std::span<const double> n) const;
   std::size_t slab_size() const { return 2 * d_ + 2; }
