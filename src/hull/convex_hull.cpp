@@ -251,8 +251,10 @@ Containment Polytope::locate(const AnyPoint<>& query) const {
   return result;
 }
 bool Polytope::contains(const AnyPoint<>& query) const {
-  const Containment::Kind kind = locate(query).kind;
-  return kind == Containment::Kind::inside || kind == Containment::Kind::on_boundary;
+  const double* q = impl_->checked_query(query);
+  const int k = affine_dimension();
+  if (k < 0 || !impl_->in_flat(q)) return false;
+  return k == 0 || impl_->analysis().locator()->side_of_hull(q, impl_->grid_with(q)) != Sign::negative;
 }
 
 std::vector<SignedIndex> Polytope::visible_cells(const AnyPoint<>& query) const {

@@ -17,20 +17,33 @@ Sign HullLocator::side(std::size_t cell, const double* q, const kernel::Grid& gr
 }
 
 HullLocator::Result HullLocator::locate(const double* q, const kernel::Grid& grid) const {
-  const HullEngine* boundary = builder_.boundary();
-  if (boundary == nullptr || !builder_.has_center()) return search_all(q, grid);
+  if (!has_fan()) return search_all(q, grid);
+  const auto [near, sign] = approach(q);
+  if (sign == Sign::negative) return {near, sign};
+  // Where cells share a hyperplane, the approach may have ended at another cell than that of the cone.
+  const std::size_t c = walk_cones(sites_, hull_, builder_.center(), q, near, grid);
+  std::vector<const double*> scratch;
+  return {c, sign == Sign::positive ? sign : side(c, q, grid, scratch)};
+}
+
+Sign HullLocator::side_of_hull(const double* q, const kernel::Grid& grid) const {
+  if (has_fan())
+    if (const Sign sign = approach(q).side; sign != Sign::zero) return sign;
+  return locate(q, grid).side;
+}
+
+bool HullLocator::has_fan() const { return builder_.boundary() != nullptr && builder_.has_center(); }
+
+/// A cell near the ray from the center through q, and what is certain of q: as HullEngine::descend().
+HullLocator::Result HullLocator::approach(const double* q) const {
   // Start at the best of a sample of cells, which keeps the walk short in large hulls.
   const std::size_t m = hull_.num_cells();
   const auto sample = static_cast<std::size_t>(std::sqrt(static_cast<double>(m)) / 4) + 1;
   std::vector<Index> candidates;
   for (std::size_t i = 0; i < sample; ++i) candidates.push_back(hull_.slots[i * (m / sample)]);
-  const auto [slot, sign] = boundary->descend(q, candidates);
-  const auto near = static_cast<std::size_t>(std::lower_bound(hull_.slots.begin(), hull_.slots.end(), slot) -
-                                             hull_.slots.begin());
-  if (sign != Sign::zero) return {near, sign};
-  const std::size_t c = walk_cones(sites_, hull_, builder_.center(), q, near, grid);
-  std::vector<const double*> scratch;
-  return {c, side(c, q, grid, scratch)};
+  const auto [slot, sign] = builder_.boundary()->descend(q, candidates);
+  const auto at = std::lower_bound(hull_.slots.begin(), hull_.slots.end(), slot);
+  return {static_cast<std::size_t>(at - hull_.slots.begin()), sign};
 }
 
 /// Without a center: a cell with q beyond its hyperplane; else one with q on it; else any cell.

@@ -26,6 +26,8 @@ class HullLocator {
   };
   /// REQUIRES q in the flat of the hull and k ≥ 1. `grid` covers the sites and q.
   Result locate(const double* q, const kernel::Grid& grid) const;
+  /// The side alone, which is faster.
+  Sign side_of_hull(const double* q, const kernel::Grid& grid) const;
 
   /// All cells whose hyperplane has q on the side `side` (zero or negative), in increasing order. `first`
   /// must be one of them. Searches across ridges: for q on the boundary the cells with side zero are
@@ -37,6 +39,8 @@ class HullLocator {
   /// The exact side, filtered first.
   Sign side(std::size_t cell, const double* q, const kernel::Grid& grid,
             std::vector<const double*>& scratch) const;
+  bool has_fan() const;
+  Result approach(const double* q) const;
   Result search_all(const double* q, const kernel::Grid& grid) const;
 
   const HullSites& sites_;

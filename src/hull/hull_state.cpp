@@ -57,8 +57,14 @@ HullState::HullState(const HullState& all, std::span<const Index> vertices, std:
                 [&](Index site) { return std::find(basis_.begin(), basis_.end(), site) != basis_.end(); });
   put_in_order(others, options);
   insert_all(others, [] {});
+  // In an order in which each is near the one before, since the walk starts there.
+  std::vector<char> is_vertex(sites_.size(), 0);
+  for (const Index site : vertices) is_vertex[site] = 1;
+  others.clear();
   for (Index site = 0; site < sites_.size(); ++site)
-    is_surely_interior_[site] = builder_->is_surely_interior(site) ? 1 : 0;
+    if (is_vertex[site] == 0) others.push_back(site);
+  put_in_order(others, options);
+  for (const Index site : others) is_surely_interior_[site] = builder_->is_surely_interior(site) ? 1 : 0;
 }
 
 Index HullState::find_site(std::uint64_t tag, const double* point) const {

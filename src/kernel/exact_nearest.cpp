@@ -1,22 +1,29 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The algorithm is described in nearest_in_hull.cpp. With fractions it needs no care, and ends: |z| decreases
-// with each round, so no face comes twice.
+// with each round, so no face comes twice. Points that binary64 proves to
+// be no nearer are not made integers of.
 #include "kernel/exact_nearest.hpp"
 
+#include "kernel/determinant.hpp"
 #include "kernel/grid.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <cstdint>
+#include <limits>
 #include <unordered_map>
 #include <utility>
 
 namespace delone::kernel {
 namespace {
 
+constexpr double allowance = 0x1p-1000;
+
 /// Points as integers, and their products.
 class ExactPoints {
  public:
-  ExactPoints(std::span<const double* const> points, const double* q, std::size_t d) : d_(d) {
+  ExactPoints(std::span<const double* const> points, const double* q, std::size_t d)
+      : given_(points), q_(q), d_(d) {
     grid_ = trailing_exponent(0.0);
     bool any = false;
     const auto note = [&](double x) {
@@ -29,28 +36,85 @@ class ExactPoints {
       for (const double* p : points) note(p[j]);
     }
     if (!any) grid_ = 0;
-    for (const double* p : points)
-      for (std::size_t j = 0; j < d; ++j)
-        coordinates_.push_back(scaled_integer(p[j], grid_) - scaled_integer(q[j], grid_));
   }
   int grid() const { return grid_; }
+  /// The integers p − q of a point; of few points they are asked for.
+  const std::vector<Integer>& coordinates(std::size_t a) {
+    std::vector<Integer>& result = coordinates_[a];
+    for (std::size_t j = result.size(); j < d_; ++j)
+      result.push_back(scaled_integer(given_[a][j], grid_) - scaled_integer(q_[j], grid_));
+    return result;
+  }
   /// Few of all pairs come up, so products are kept in a table.
   const Integer& product(int a, int b) {
     const auto low = static_cast<std::uint64_t>(std::min(a, b)),
                high = static_cast<std::uint64_t>(std::max(a, b));
     const auto [at, is_new] = products_.try_emplace(low << 32 | high);
-    if (is_new)
-      for (std::size_t j = 0; j < d_; ++j)
-        at->second += coordinates_[low * d_ + j] * coordinates_[high * d_ + j];
+    if (is_new) {
+      const std::vector<Integer>&x = coordinates(low), &y = coordinates(high);
+      for (std::size_t j = 0; j < d_; ++j) at->second += x[j] * y[j];
+    }
     return at->second;
   }
+  /// The point that seems nearest in binary64.
+  int near() const {
+    int nearest = 0;
+    double least = std::numeric_limits<double>::infinity();
+    for (std::size_t i = 0; i < given_.size(); ++i) {
+      double square = 0;
+      for (std::size_t j = 0; j < d_; ++j) square += (given_[i][j] - q_[j]) * (given_[i][j] - q_[j]);
+      if (square < least) least = square, nearest = static_cast<int>(i);
+    }
+    return nearest;
+  }
+  void set_normal(std::span<const int> face, const Fractions& z);
+  bool is_surely_behind(int point) const;
 
  private:
+  std::span<const double* const> given_;
+  const double* q_;
   std::size_t d_;
   int grid_;
-  std::vector<Integer> coordinates_;
+  std::vector<double> normal_;  // z divided by a power of two
+  double height_ = 0;           // at least z·z divided by it
+  std::unordered_map<std::size_t, std::vector<Integer>> coordinates_;
   std::unordered_map<std::uint64_t, Integer> products_;
 };
+
+/// z, scaled to less than 1 and rounded, for is_surely_behind().
+void ExactPoints::set_normal(std::span<const int> face, const Fractions& z) {
+  normal_.assign(d_, 0.0);
+  double largest = 0;
+  for (std::size_t j = 0; j < d_; ++j) {
+    Integer sum(0);
+    for (std::size_t s = 0; s < face.size(); ++s)
+      sum += z.numerators[s] * coordinates(static_cast<std::size_t>(face[s]))[j];
+    normal_[j] = nearest_double(sum, z.denominator, grid_);
+    largest = std::max(largest, std::fabs(normal_[j]));
+  }
+  int exponent = 0;
+  height_ = std::numeric_limits<double>::infinity();
+  if (!std::isfinite(largest) || largest == 0) return;
+  std::frexp(largest, &exponent);
+  for (double& x : normal_) x = std::ldexp(x, -exponent);
+  height_ =
+      nearest_double(z.numerators.back(), z.denominator, 2 * grid_ - exponent) * (1 + 4 * unit_roundoff) +
+      allowance;
+}
+
+/// Whether v·z ≥ z·z for certain. Of n, that is z scaled, a coordinate is off by u of it, or by u·2^−900 if
+/// it has underflowed; a difference by u; products and sums by γ(d+1) of the magnitude, or by underflow,
+/// which is far below the allowance.
+bool ExactPoints::is_surely_behind(int point) const {
+  const double* const p = given_[static_cast<std::size_t>(point)];
+  double product = 0, parts = 0;
+  for (std::size_t j = 0; j < d_; ++j) {
+    const double v = p[j] - q_[j];
+    product += normal_[j] * v;
+    parts += std::max(std::fabs(normal_[j]), 0x1p-900) * std::fabs(v);
+  }
+  return product - 1.01 * static_cast<double>(d_ + 4) * unit_roundoff * parts > height_ + allowance;
+}
 
 /// The point of the flat of the face with the least norm: weights and squared norm, by Lagrange's conditions
 /// Σ_j G_ij·w_j = |z|², Σ w_j = 1. Returns false if the points are affinely dependent.
@@ -88,17 +152,16 @@ ExactNearest nearest_in_hull_exactly(std::span<const double* const> points, cons
                        [](const Integer& x) { return x > 0; });
   };
   if (face.empty() || !minimize_exactly(exact, face, here) || !all_positive(here)) {
-    int nearest = 0;
-    for (int i = 1; i < m; ++i)
-      if (exact.product(i, i) < exact.product(nearest, nearest)) nearest = i;
-    face.assign(1, nearest);
+    face.assign(1, exact.near());
     minimize_exactly(exact, face, here);
   }
   for (;;) {
     // The least v_i·z, times the denominator.
     Integer smallest = here.numerators.back();
     int entering = -1;
+    exact.set_normal(face, here);
     for (int i = 0; i < m; ++i) {
+      if (exact.is_surely_behind(i)) continue;
       Integer product(0);
       for (std::size_t s = 0; s < face.size(); ++s) product += here.numerators[s] * exact.product(i, face[s]);
       if (product >= smallest) continue;

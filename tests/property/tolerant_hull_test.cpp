@@ -110,6 +110,50 @@ TEST(TolerantHull, KeepsItsPromisesOnRandomPoints) {
     }
 }
 
+// The ray from a point well inside through one that is close beneath the middle of a facet leaves by it.
+TEST(TolerantHull, AQueryInsideHasTheCellThatItsRayLeavesBy) {
+  for (const int n : {2, 4})
+    for (std::uint64_t seed = 0; seed < 6; ++seed) {
+      const std::vector<double> points =
+          test::turned(test::subdivided_box("box", {1, 2, 0.7}, n, false), seed);
+      const ConvexHull<3> hull(points, {.tolerance = 1e-14});
+      const HullData& data = hull.data();
+      const auto mean_of = [&](std::span<const SignedIndex> rows) {
+        std::vector<double> mean(3, 0.0);
+        for (const SignedIndex row : rows)
+          for (std::size_t j = 0; j < 3; ++j)
+            mean[j] += hull.point(static_cast<std::size_t>(row))[j] / static_cast<double>(rows.size());
+        return mean;
+      };
+      const std::vector<double> middle = mean_of(data.vertices);
+      for (std::size_t f = 0; f < data.num_facets(); ++f) {
+        const auto begin = static_cast<std::size_t>(data.facet_offsets[f]);
+        const auto end = static_cast<std::size_t>(data.facet_offsets[f + 1]);
+        std::vector<double> q = mean_of(std::span(data.facet_vertices).subspan(begin, end - begin));
+        for (std::size_t j = 0; j < 3; ++j) q[j] += 0x1p-10 * (middle[j] - q[j]);
+        const Containment found = hull.locate(q);
+        EXPECT_EQ(found.kind, Containment::Kind::inside);
+        EXPECT_EQ(data.facet_of_cell[static_cast<std::size_t>(found.cell)], static_cast<SignedIndex>(f));
+      }
+    }
+}
+
+// Some are kept and many are dropped: the choice does not depend on the order of rows.
+TEST(TolerantHull, OfASphereIsAFunctionOfTheSet) {
+  std::mt19937_64 random(4);
+  std::normal_distribution<double> normal;
+  std::vector<double> points;
+  for (int i = 0; i < 1500; ++i) {
+    const double x = normal(random), y = normal(random), z = normal(random);
+    const double length = std::sqrt(x * x + y * y + z * z);
+    points.insert(points.end(), {x / length, y / length, z / length});
+  }
+  for (const double tolerance : {1e-4, 1e-3, 1e-2}) {
+    expect_promises(points, 3, tolerance);
+    expect_independent_of_order(points, 3, tolerance);
+  }
+}
+
 TEST(TolerantHull, ATinyToleranceIsTheExactHull) {
   std::mt19937_64 random(1);
   std::normal_distribution<double> normal;

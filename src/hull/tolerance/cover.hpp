@@ -2,12 +2,14 @@
 // Points that are kept, such that all others are within a tolerance of the hull of those.
 #pragma once
 
+#include "hull/tolerance/support_tree.hpp"
 #include "kernel/nearest_in_hull.hpp"
 
 #include <delone/types.hpp>
 
 #include <cstddef>
 #include <functional>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -41,28 +43,19 @@ class Cover {
  private:
   struct State {
     bool is_kept = false, is_required = false, is_covered = false;
-    double upper = 0;      // on the distance
-    std::size_t seen = 0;  // how many points were kept when it was found
-    std::vector<Index> witness;
+    double upper = 0;         // on the distance
+    std::size_t seen = 0;     // how many points were kept when it was found
+    std::vector<Index> face;  // the points whose hull that was the distance of; a witness if it is covered
   };
 
-  /// Points in a box.
-  struct Group {
-    std::vector<Index> points;
-    std::vector<double> low, high;
-  };
-  /// Of the products n·(q − w) of kept points w the least, the point, and what the least is for certain.
-  struct Support {
-    double least, certain;
-    Index point;
-  };
-
-  void divide(std::span<Index> all);
-  Support support(const double* q) const;
   void keep(Index p);
   bool look(Index p, std::span<const Index> pool);
   void find_local(Index p);
-  bool cover(Index p);
+  enum class Step { covered, nearer, far };
+  Step step(Index p);
+  bool look_at_all(Index p);
+  void set_normal(Index p, std::span<const Index> pool);
+  bool cover(Index p, double enough);
   bool add_witness_of(Index p, const std::vector<char>& allowed);
   bool can_drop(Index p);
 
@@ -74,13 +67,14 @@ class Cover {
   std::vector<State> states_;
   std::vector<std::vector<Index>> users_;  // by kept point: those that had it in a witness, and others
   std::vector<Index> kept_;
-  std::vector<Group> groups_;  // of all points; none if they are few
+  std::vector<Index> first_of_drop_;  // kept points near the one that is being dropped
+  std::optional<SupportTree> tree_;   // of all points; those kept are in
   kernel::NearestInHull nearest_;
+  std::vector<double> normals_;  // by point: from the nearest point that was found to it
   // Scratch.
   std::vector<const double*> pool_points_;
   std::vector<char> marks_;
   std::vector<Index> near_, local_;
-  std::vector<double> normal_;
 };
 
 }  // namespace delone::internal

@@ -3,6 +3,7 @@
 
 #include "base/progress_meter.hpp"
 #include "hull/hull_analysis.hpp"
+#include "hull/tolerance/growing_flat.hpp"
 #include "hull/tolerance/vertex_choice.hpp"
 
 #include <algorithm>
@@ -11,6 +12,30 @@
 #include <vector>
 
 namespace delone::internal {
+
+namespace {
+
+/// Sites that span the hull well come first: the boundary begins with their simplex, and rays from a point
+/// inside it are what queries are located by. A simplex of vertices of one rounded face would have no double
+/// inside.
+std::vector<Index> well_spread_first(const HullSites& sites, std::vector<Index> vertices,
+                                     std::size_t dimension) {
+  std::vector<const double*> points;
+  for (const Index site : vertices) points.push_back(sites.point(site));
+  GrowingFlat flat(points, sites.ambient);
+  for (std::size_t k = 0; k < dimension; ++k) flat.grow();
+  std::size_t done = 0;
+  for (const double* point : flat.basis()) {
+    const auto rest = vertices.begin() + static_cast<std::ptrdiff_t>(done);
+    const auto at = std::find_if(rest, vertices.end(), [&](Index v) { return sites.point(v) == point; });
+    if (at == vertices.end()) continue;
+    std::iter_swap(rest, at);
+    ++done;
+  }
+  return vertices;
+}
+
+}  // namespace
 
 TolerantHull::TolerantHull(const HullState& exact, const Options& options, bool shows_progress)
     : exact_(exact) {
@@ -39,7 +64,8 @@ TolerantHull::TolerantHull(const HullState& exact, const Options& options, bool 
   max_distance_ = choice.max_distance;
   Options quiet;
   quiet.seed = options.seed;
-  own_ = std::make_unique<const HullState>(exact, choice.sites, std::move(axes), quiet);
+  const auto vertices = well_spread_first(exact.sites(), std::move(choice.sites), axes.size());
+  own_ = std::make_unique<const HullState>(exact, vertices, std::move(axes), quiet);
 }
 
 }  // namespace delone::internal

@@ -48,5 +48,24 @@ TEST(ExactNearest, DependentPoints) {
   EXPECT_EQ(found.compare(1), Sign::zero);
 }
 
+// Those far behind are left out by binary64; the answer is that of all, whatever the scale.
+TEST(ExactNearest, OfManyPointsIsThatOfAFew) {
+  for (const double scale : {1.0, 0x1p1015, 0x1p-1060}) {
+    std::vector<double> points{3 * scale, 0, 0, 4 * scale};
+    const std::vector<double> q{-0x1p-52 * scale, 0};
+    const ExactNearest few = nearest(points, q);
+    for (int i = 0; i < 3000; ++i) points.insert(points.end(), {(4 + i % 60) * scale, (i / 60 - 1) * scale});
+    points.insert(points.end(), {0x1p-10 * scale, 4 * scale, 2 * scale, 2 * scale});
+    for (const std::vector<int>& guess : {std::vector<int>{}, {2500}, {0, 1}, {3002, 7}}) {
+      const ExactNearest found = nearest(points, q, guess);
+      EXPECT_EQ(found.compare(few), Sign::zero);
+      EXPECT_EQ(found.face, few.face);
+    }
+    // One that is nearer by less than rounding.
+    points.insert(points.end(), {std::nextafter(1.5, 1.0) * scale, 2 * scale});
+    EXPECT_EQ(nearest(points, q, {0, 1}).compare(few), scale < 1e-300 ? Sign::zero : Sign::negative);
+  }
+}
+
 }  // namespace
 }  // namespace delone::kernel

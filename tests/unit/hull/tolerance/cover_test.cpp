@@ -4,7 +4,9 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <random>
 #include <vector>
 
 namespace delone::internal {
@@ -75,6 +77,70 @@ TEST(Cover, OfManyPointsCoversAll) {
     std::vector<const double*> kept;
     for (const Index p : cover.kept()) kept.push_back(circle.data() + 2 * static_cast<std::size_t>(p));
     for (std::size_t p = 0; p < 3000; p += 7) EXPECT_FALSE(cover.exceeds(kept, circle.data() + 2 * p));
+  }
+}
+
+std::vector<double> sphere(std::size_t n, double radius) {
+  std::mt19937_64 random(5);
+  std::normal_distribution<double> normal;
+  std::vector<double> x;
+  for (std::size_t i = 0; i < n; ++i) {
+    const double a = normal(random), b = normal(random), c = normal(random);
+    const double scale = radius / std::sqrt(a * a + b * b + c * c);
+    x.insert(x.end(), {scale * a, scale * b, scale * c});
+  }
+  return x;
+}
+
+// By the definition: all distances from all that are kept, each time.
+TEST(Cover, KeepsWhatIsFarthestFromAllThatAreKept) {
+  const std::vector<double> x = sphere(250, 1);
+  std::vector<const double*> points;
+  for (std::size_t at = 0; at < x.size(); at += 3) points.push_back(x.data() + at);
+  const double tolerance = 0.05;
+  std::vector<Index> expected{0};
+  kernel::NearestInHull nearest;
+  for (;;) {
+    std::vector<const double*> kept;
+    for (const Index p : expected) kept.push_back(points[p]);
+    double largest = tolerance;
+    Index farthest = invalid_index;
+    for (Index p = 0; p < points.size(); ++p) {
+      nearest.find(kept, points[p], 3);
+      if (nearest.upper() > largest) largest = nearest.upper(), farthest = p;
+    }
+    if (farthest == invalid_index) break;
+    expected.push_back(farthest);
+  }
+  Cover cover(
+      points, 3, tolerance, [](std::size_t, std::vector<char>&, std::vector<Index>&) {}, [] {});
+  EXPECT_TRUE(cover.complete(std::vector<char>(points.size(), 1)));
+  EXPECT_EQ(cover.kept(), expected);
+}
+
+// Many kept and many dropped, also where binary64 overflows or underflows: none can be left out.
+TEST(Cover, NoneOfThoseKeptCanBeLeftOut) {
+  for (const double radius : {1.0, 0x1p1020, 0x1p-1000}) {
+    const std::vector<double> x = sphere(400, radius);
+    std::vector<const double*> points;
+    for (std::size_t at = 0; at < x.size(); at += 3) points.push_back(x.data() + at);
+    Cover cover(
+        points, 3, 0.05 * radius, [](std::size_t, std::vector<char>&, std::vector<Index>&) {}, [] {});
+    EXPECT_TRUE(cover.complete(std::vector<char>(points.size(), 1)));
+    cover.reduce();
+    EXPECT_LE(cover.max_distance(), 0.05 * radius);
+    std::vector<const double*> kept;
+    for (const Index p : cover.kept()) kept.push_back(points[p]);
+    const auto is_cover = [&](const std::vector<const double*>& by) {
+      return std::none_of(points.begin(), points.end(),
+                          [&](const double* q) { return cover.exceeds(by, q); });
+    };
+    EXPECT_TRUE(is_cover(kept));
+    for (std::size_t i = 0; i < kept.size(); ++i) {
+      std::vector<const double*> fewer = kept;
+      fewer.erase(fewer.begin() + static_cast<std::ptrdiff_t>(i));
+      EXPECT_FALSE(is_cover(fewer));
+    }
   }
 }
 
