@@ -181,11 +181,9 @@ class Complex {
     require(c);
     return {neighbor_ids(c), dimension_ + 1, false};
   }
-  /// Lets the processor fetch the vertices and neighbors of a cell into its caches, for use soon. No effect on
-  /// results.
-  void prefetch(CellId c) const {
-    __builtin_prefetch(row(c));
-  }
+  /// Lets the processor fetch the vertices and neighbors of a cell into its caches, for use soon. No effect
+  /// on results.
+  void prefetch(CellId c) const { __builtin_prefetch(row(c)); }
   /// The index, in neighbor i of c, of the vertex opposite the shared facet. O(k).
   int mirror_index(CellId c, int i) const {
     // Two cells of a simplicial sphere share at most one facet, so the neighbor that is c is found once.

@@ -62,25 +62,25 @@ void LinearInterpolator::gradients(std::span<const double> queries, std::span<do
   std::vector<double> values, gradient;
   const internal::OutsideAnswers beyond(options, queries, d, width);
   locator_.locate(queries, how, [&](std::size_t query, const LocatedPoint& where) {
-        meter();
-        double* const at = result.data() + query * width;
-        if (where.barycentric.empty()) {
-          beyond.gradient(query, at);
-          return;
-        }
-        if (where.cell != last) {
-          last = where.cell;
-          points.clear();
-          values.clear();
-          for (const VertexId v : complex.vertices(last)) {
-            points.push_back(triangulation_.point(v).data());
-            const double* const value = values_.data() + index(v) * columns_;
-            values.insert(values.end(), value, value + columns_);
-          }
-          internal::gradients(points, values, static_cast<int>(columns_), static_cast<int>(d), gradient);
-        }
-        std::copy(gradient.begin(), gradient.end(), at);
-      });
+    meter();
+    double* const at = result.data() + query * width;
+    if (where.barycentric.empty()) {
+      beyond.gradient(query, at);
+      return;
+    }
+    if (where.cell != last) {
+      last = where.cell;
+      points.clear();
+      values.clear();
+      for (const VertexId v : complex.vertices(last)) {
+        points.push_back(triangulation_.point(v).data());
+        const double* const value = values_.data() + index(v) * columns_;
+        values.insert(values.end(), value, value + columns_);
+      }
+      internal::gradients(points, values, static_cast<int>(columns_), static_cast<int>(d), gradient);
+    }
+    std::copy(gradient.begin(), gradient.end(), at);
+  });
 }
 
 }  // namespace delone
