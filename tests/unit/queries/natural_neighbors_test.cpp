@@ -182,11 +182,11 @@ TEST(NaturalNeighborCoordinates, OfFewPoints) {
 }
 
 // A grid turned about its corner has slivers along its border. Queries computed on it are outside, in slivers
-// or beside them. With a tolerance none is lost, moved ones have near neighbors only, and what is found is
-// that of the point that is reported.
+// or beside them. With a tolerance, or projected, none is lost, and what is found is that of the point that
+// is reported. With a tolerance moved ones have near neighbors only.
 TEST(NaturalNeighborCoordinates, WithAToleranceSliversDoNotCount) {
   constexpr int side = 12;
-  constexpr double tolerance = 1e-9, c = 0.8526401643540922, s = 0.5224985647159488;
+  constexpr double c = 0.8526401643540922, s = 0.5224985647159488;
   std::vector<double> points, queries;
   const auto add = [&](std::vector<double>& to, double x, double y) {
     to.push_back(c * x - s * y);
@@ -204,31 +204,37 @@ TEST(NaturalNeighborCoordinates, WithAToleranceSliversDoNotCount) {
   }
   const Delaunay<> t(points, 2);
   const NaturalNeighborCoordinates coordinates(t);
-  int moved = 0, lost = 0;
+  int lost = 0;
   coordinates.find(queries,
                    [&](std::size_t, const NaturalNeighbors& found) { lost += found.vertices.empty(); });
   EXPECT_GT(lost, 10);
-  coordinates.find(queries, {.tolerance = tolerance}, [&](std::size_t query, const NaturalNeighbors& found) {
-    const double* const q = queries.data() + 2 * query;
-    ASSERT_FALSE(found.vertices.empty());
-    EXPECT_LE(std::hypot(found.point[0] - q[0], found.point[1] - q[1]), tolerance * (1 + 1e-6));
-    double sum[2] = {0, 0};
-    for (std::size_t i = 0; i < found.vertices.size(); ++i)
-      for (std::size_t j = 0; j < 2; ++j) sum[j] += found.weights[i] * t.point(found.vertices[i])[j];
-    EXPECT_NEAR(sum[0], found.point[0], 1e-9);
-    EXPECT_NEAR(sum[1], found.point[1], 1e-9);
-    coordinates.find(found.point, [&](std::size_t, const NaturalNeighbors& again) {
-      EXPECT_TRUE(std::equal(found.vertices.begin(), found.vertices.end(), again.vertices.begin(),
-                             again.vertices.end()));
-      EXPECT_TRUE(
-          std::equal(found.weights.begin(), found.weights.end(), again.weights.begin(), again.weights.end()));
-    });
-    if (found.point[0] == q[0] && found.point[1] == q[1]) return;
-    ++moved;
-    for (const VertexId v : found.vertices)
-      EXPECT_LT(std::hypot(t.point(v)[0] - q[0], t.point(v)[1] - q[1]), 3);
-  });
-  EXPECT_GT(moved, 10);
+  for (const double tolerance : {1e-9, 1e-12, 0.0}) {
+    int moved = 0;
+    const auto visit = [&](std::size_t query, const NaturalNeighbors& found) {
+      const double* const q = queries.data() + 2 * query;
+      ASSERT_FALSE(found.vertices.empty());
+      EXPECT_LE(std::hypot(found.point[0] - q[0], found.point[1] - q[1]),
+                tolerance == 0 ? 1e-11 : tolerance + 1e-14);
+      double sum[2] = {0, 0};
+      for (std::size_t i = 0; i < found.vertices.size(); ++i)
+        for (std::size_t j = 0; j < 2; ++j) sum[j] += found.weights[i] * t.point(found.vertices[i])[j];
+      EXPECT_NEAR(sum[0], found.point[0], 1e-9);
+      EXPECT_NEAR(sum[1], found.point[1], 1e-9);
+      EXPECT_NE(t.locate(found.point).kind, Location::Kind::outside_hull);
+      coordinates.find(found.point, [&](std::size_t, const NaturalNeighbors& again) {
+        EXPECT_TRUE(std::equal(found.vertices.begin(), found.vertices.end(), again.vertices.begin(),
+                               again.vertices.end()));
+        EXPECT_TRUE(std::equal(found.weights.begin(), found.weights.end(), again.weights.begin(),
+                               again.weights.end()));
+      });
+      if (found.point[0] == q[0] && found.point[1] == q[1]) return;
+      ++moved;
+      for (const VertexId v : found.vertices)
+        EXPECT_TRUE(tolerance == 0 || std::hypot(t.point(v)[0] - q[0], t.point(v)[1] - q[1]) < 3);
+    };
+    coordinates.find(queries, {.tolerance = tolerance, .project = tolerance == 0}, visit);
+    EXPECT_GT(moved, 10);
+  }
 }
 
 // Projected, linear functions continue constant at right angles to a cube, and to flats of any direction.
@@ -300,19 +306,28 @@ TEST(NaturalNeighborCoordinates, OfFeetInAFlat) {
 
 // Where all cells are thinner than the tolerance, the nearest point of the hull answers, not one far inside.
 TEST(NaturalNeighborCoordinates, OfThinCells) {
-  const std::vector<double> points = {0, 0, 1, 0x1p-55, 3, 0, 1, 0}, queries = {2, 1e-12, 0.5, -1e-12, 2, 1};
+  std::vector<double> points, queries;
+  for (int i = 1; i < 9; ++i) points.insert(points.end(), {i * 0.7, i * 0.3});
+  test::Random random(9);
+  for (int i = 0; i < 100; ++i) {
+    const double at = 1 + 7 * random.real();
+    queries.insert(queries.end(), {at * 0.7 + (random.real() - 0.5) * 1e-12, at * 0.3});
+  }
   const Delaunay<> t(points, 2);
+  ASSERT_EQ(t.affine_dimension(), 2);
   NaturalNeighborCoordinates(t).find(
       queries, {.tolerance = 1e-9},
       [&](std::size_t query, const NaturalNeighbors& found) {
-        ASSERT_EQ(found.vertices.empty(), query == 2);
-        if (query == 2) return;
-        double x = 0;
-        for (std::size_t i = 0; i < found.vertices.size(); ++i)
-          x += found.weights[i] * t.point(found.vertices[i])[0];
-        EXPECT_NEAR(x, queries[2 * query], 2e-9);
-        EXPECT_NEAR(found.point[0], queries[2 * query], 1e-9);
-        EXPECT_EQ(found.gradients.size(), 2 * found.vertices.size());
+        ASSERT_FALSE(found.vertices.empty());
+        double sum[2] = {0, 0};
+        for (std::size_t j = 0; j < 2; ++j) {
+          for (std::size_t i = 0; i < found.vertices.size(); ++i)
+            sum[j] += found.weights[i] * t.point(found.vertices[i])[j];
+          EXPECT_NEAR(found.point[j], queries[2 * query + j], 1e-9);
+          EXPECT_NEAR(sum[j], found.point[j], 1e-9);
+        }
+        EXPECT_EQ(found.gradients.size(),
+                  found.kind == Location::Kind::on_vertex ? 0 : 2 * found.vertices.size());
       },
       true);
 }
