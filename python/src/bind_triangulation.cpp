@@ -310,7 +310,7 @@ py::array find_accepting(const Held& held, const py::object& object, const Reals
           const Complex complex = engine.complex();
           std::vector<std::size_t> others;
           std::vector<double> coordinates_of_others;
-          locator.locate(x, [&](std::size_t query, const LocatedPoint& where) {
+          locator.locate(x, {.coordinates = false}, [&](std::size_t query, const LocatedPoint& where) {
             supervisor.count();
             const double* const q = x.data() + query * d;
             const bool is_inside = !where.barycentric.empty();

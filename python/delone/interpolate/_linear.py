@@ -49,6 +49,6 @@ class LinearNDInterpolator(OnTriangulation):
         if len(unsure):
             outside = unsure[self._tri._core.find_simplex(queries[unsure], tolerance=self._distance * factor) < 0]
             found, weights = self._beyond(queries[outside], factor)
-            result[outside] = np.einsum("qi,qic->qc", weights, self._columns[self._tri._listed()[0][found]])
+            result[outside] = np.einsum("qi,qic->qc", weights, self._columns[self._tri._own[0][found]])
             result[outside[found < 0]] = self._fill
         return result
