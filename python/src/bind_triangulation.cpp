@@ -474,8 +474,9 @@ constexpr const char* find_simplex_doc =
     "answer only where nothing else is near, and points that rounding has moved across the boundary are "
     "found. "
     "For flat\n"
-    "points, queries within t of their flat count, too. ValueError if it is negative, NaN or infinite. Cost: "
-    "nothing for\n"
+    "points, queries within t of their flat count, too. ValueError if it is negative, NaN, infinite or "
+    "larger "
+    "than the set. Cost: nothing for\n"
     "queries in thick cells; otherwise it depends on the number of cells within t.";
 
 constexpr const char* nearest_doc =

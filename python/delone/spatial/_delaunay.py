@@ -211,17 +211,19 @@ class Delaunay(OfPoints):
             finite = np.isfinite(queries).all(axis=1)
             found = np.full(len(queries), -1, np.intc)
             found[finite] = self._core.find_simplex(queries[finite])
-        if self.affine_dimension == self.ndim > 0:
-            if xi.ndim == 1 and finite is None:
-                if found < 0 or self._search.is_thin[found]:
-                    found = self._find_accepting(queries[None], np.array([found], np.intc), tol)[0]
-            else:
-                unsure = (found < 0) | self._search.is_thin[found]
-                if finite is not None:
-                    unsure &= finite
-                if unsure.any():
-                    queries = np.asarray(queries, dtype=np.float64)
-                    found[unsure] = self._find_accepting(queries[unsure], found[unsure], tol)
+        is_full = self.affine_dimension == self.ndim > 0
+        if xi.ndim == 1 and finite is None:
+            found = int(found)
+            if is_full and (found < 0 or self._search.is_thin[found]):
+                found = self._find_accepting(queries[None], np.array([found], np.intc), tol)[0]
+            return np.array(found, np.intc)
+        if is_full:
+            unsure = (found < 0) | self._search.is_thin[found]
+            if finite is not None:
+                unsure &= finite
+            if unsure.any():
+                queries = np.asarray(queries, dtype=np.float64)
+                found[unsure] = self._find_accepting(queries[unsure], found[unsure], tol)
         if xi.ndim == 1:
             return np.asarray(found, np.intc).reshape(())
         return found if xi.ndim == 2 else found.reshape(xi.shape[:-1])
