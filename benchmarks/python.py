@@ -26,6 +26,7 @@ import scipy.interpolate
 import scipy.spatial
 
 import delone
+import delone.interpolate
 import delone.spatial
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent
@@ -143,6 +144,49 @@ def experiments():
                lambda a, b: np.allclose(a, b, rtol=1e-6, atol=1e-6, equal_nan=True))
 
 
+def queries_of_programs():
+    """Location as programs use it: queries in the order of a grid, one by one, and on a border that rounding has made uneven."""
+    points, grid = uniform(3, 20_000, 1), np.stack(np.meshgrid(*[np.linspace(.01, .99, 59)] * 3, indexing="ij"), -1).reshape(-1, 3)[:200_000]
+    close = lambda a, b: np.allclose(a, b, rtol=1e-6, atol=1e-6, equal_nan=True)
+    same = lambda a, b: (a < 0).sum() == (b < 0).sum()
+    ours = delone.interpolate.LinearNDInterpolator(points, values_at(points))
+    theirs = scipy.interpolate.LinearNDInterpolator(points, values_at(points))
+    theirs(grid[:2])
+    for order, queries in (("sorted", grid), ("random", uniform(3, 200_000, 2))):
+        yield (f"3D, {len(points)} points: interpolation at {len(queries)} {order}", lambda: ours(queries), lambda: theirs(queries), close)
+    for dimension in (2, 3):
+        points, queries = uniform(dimension, 10_000, 1), uniform(dimension, 2_000, 2)
+        ours, theirs = delone.spatial.Delaunay(points), scipy.spatial.Delaunay(points)
+        theirs.transform
+        yield (f"{dimension}D, {len(points)} points: find_simplex, {len(queries)} times one",
+               lambda: np.array([ours.find_simplex(q) for q in queries]), lambda: np.array([theirs.find_simplex(q) for q in queries]), same)
+    for dimension, size in ((2, 40), (3, 12)):
+        points, queries = turned_grid_and_border(dimension, size, 2_000)
+        ours, theirs = delone.spatial.Delaunay(points), scipy.spatial.Delaunay(points)
+        ours.find_simplex(queries), theirs.find_simplex(queries)
+        yield (f"{dimension}D, turned grid: find_simplex of {len(queries)} on its border", lambda: ours.find_simplex(queries),
+               lambda: theirs.find_simplex(queries), lambda a, b: (a < 0).sum() <= (b < 0).sum())
+        mine = delone.interpolate.LinearNDInterpolator(ours, values_at(points))
+        other = scipy.interpolate.LinearNDInterpolator(theirs, values_at(points))
+        yield (f"{dimension}D, turned grid: interpolation at {len(queries)} on its border", lambda: mine(queries), lambda: other(queries),
+               lambda a, b: np.isnan(a).sum() <= np.isnan(b).sum())
+
+
+def turned_grid_and_border(dimension, size, count):
+    """The points of a cubic grid turned by 31.5 degrees, and uniform points on the faces of the cube that it fills, turned likewise."""
+    turn = np.eye(dimension)
+    angle = np.deg2rad(31.5)
+    for axis in range(dimension - 1):
+        plane = np.eye(dimension)
+        plane[axis:axis + 2, axis:axis + 2] = [[np.cos(angle), -np.sin(angle)], [np.sin(angle), np.cos(angle)]]
+        turn = turn @ plane
+    points = np.stack(np.meshgrid(*[np.arange(size + 1.0)] * dimension, indexing="ij"), -1).reshape(-1, dimension)
+    random = np.random.default_rng(3)
+    border = size * random.random((count, dimension))
+    border[np.arange(count), random.integers(0, dimension, count)] = size * random.integers(0, 2, count)
+    return points @ turn.T, border @ turn.T
+
+
 def seconds(action):
     """Processor time, which other programs on the machine disturb less than wall-clock time."""
     begin = time.process_time()
@@ -167,7 +211,7 @@ def main():
 
     print(f"{'experiment':<60}{'delone, s':>10}{'scipy, s':>10}{'scipy / delone':>16}")
     results = {}
-    for name, ours, theirs, same in experiments():
+    for name, ours, theirs, same in itertools.chain(experiments(), queries_of_programs()):
         if options.only and not any(text in name for text in options.only):
             continue
         runs = []

@@ -33,7 +33,9 @@ namespace delone {
 /// fractions where these do not decide; Wolfe's algorithm (1976, doi:10.1007/BF01580381) in each cell. Cost:
 /// nothing but one look at a mark for a query in a thick cell; otherwise it depends on the cells in the ball.
 struct LocateOptions {
-  double tolerance = 0;  ///< τ ≥ 0, finite, a distance in the units of the coordinates; 0: exact location
+  /// τ ≥ 0, a distance in the units of the coordinates, at most the longest side of the bounding box of the
+  /// vertices unless that is 0. 0: exact location.
+  double tolerance = 0;
   /// Give queries outside, at any distance, the nearest point of the convex hull. The descent to it visits
   /// O(1) cells for a query near the hull, and may visit O(n^(1/k)) otherwise.
   bool project = false;
@@ -61,8 +63,8 @@ struct LocatedPoint {
 };
 
 /// Answers queries about a triangulation, which it refers to: valid until the next insertion. `const` members
-/// may be called from several threads at once. A batch is visited along a Hilbert curve, each walk starting
-/// where the one before ended; answers are given with the number of their query.
+/// may be called from several threads at once. A batch is visited along a Hilbert curve, in stretches each of
+/// whose walks starts where the one before ended; answers are given with the number of their query.
 ///
 /// Method: the visibility walk with signs of orientations. For k = d ≤ 6 all of a cell come from one table of
 /// minors with a certified bound, those that it cannot tell from exact arithmetic. Cost: for a batch as dense
@@ -80,8 +82,8 @@ class PointLocator {
   /// `visit` throws ends the batch and is passed on. Throws bad_dimension, not_finite (rows() names the
   /// queries), out_of_memory.
   void locate(std::span<const double> queries, const Visit& visit) const;
-  /// The same with a tolerance. Throws invalid_argument for one that is negative, NaN or infinite. Which
-  /// cells are thick is kept, for the tolerance used last: a byte per cell.
+  /// The same with a tolerance. Throws invalid_argument for one that is negative, NaN, infinite or larger
+  /// than the set of points. Which cells are thick is kept, for the tolerance used last: a byte per cell.
   void locate(std::span<const double> queries, const LocateOptions& options, const Visit& visit) const;
 
   /// For each of q queries, calls `visit` for the finite cells within `radius` of it, roughly the nearest

@@ -31,9 +31,19 @@ py::ssize_t find_inexact(const py::array& array) {
   return -1;
 }
 
+/// Whether the object is an array, of no subclass, that is C-contiguous and aligned float64 with an axis.
+bool is_plain(const py::object& object) {
+  const auto& api = py::detail::npy_api::get();
+  if (static_cast<void*>(Py_TYPE(object.ptr())) != static_cast<void*>(api.PyArray_Type_)) return false;
+  if (!py::array_t<double, py::array::c_style>::check_(object)) return false;
+  const auto array = py::reinterpret_borrow<py::array>(object);
+  return array.ndim() > 0 && (array.flags() & py::detail::npy_api::NPY_ARRAY_ALIGNED_) != 0;
+}
+
 }  // namespace
 
 py::array_t<double> as_doubles(const py::object& object, const std::string& name) {
+  if (is_plain(object)) return py::reinterpret_borrow<py::array_t<double>>(object);
   const py::module_ numpy = py::module_::import("numpy");
   if (py::isinstance(object, numpy.attr("ma").attr("MaskedArray")) &&
       py::bool_(numpy.attr("ma").attr("is_masked")(object)))

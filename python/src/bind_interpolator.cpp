@@ -54,7 +54,10 @@ void bind_interpolator(py::module_& module) {
       "the value at a point within t of the\n"
       "query, such that slivers made by rounding of the points do not count; see "
       "Delaunay.find_simplex. The value at a\n"
-      "point is still the one given. ValueError if it is negative, NaN or infinite.");
+      "point is still the one given. ValueError if it is negative, NaN or infinite, and at "
+      "the first query if it
+      "
+      "is larger than the set of points.");
   bind_function(bound);
   bound
       .def(py::init([](const py::object& points, const py::object& values, const std::string& outside,

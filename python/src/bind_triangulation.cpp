@@ -310,7 +310,7 @@ py::array find_accepting(const Held& held, const py::object& object, const Reals
           const Complex complex = engine.complex();
           std::vector<std::size_t> others;
           std::vector<double> coordinates_of_others;
-          locator.locate(x, [&](std::size_t query, const LocatedPoint& where) {
+          locator.locate(x, {.coordinates = false}, [&](std::size_t query, const LocatedPoint& where) {
             supervisor.count();
             const double* const q = x.data() + query * d;
             const bool is_inside = !where.barycentric.empty();
@@ -474,8 +474,9 @@ constexpr const char* find_simplex_doc =
     "answer only where nothing else is near, and points that rounding has moved across the boundary are "
     "found. "
     "For flat\n"
-    "points, queries within t of their flat count, too. ValueError if it is negative, NaN or infinite. Cost: "
-    "nothing for\n"
+    "points, queries within t of their flat count, too. ValueError if it is negative, NaN, infinite or "
+    "larger "
+    "than the set. Cost: nothing for\n"
     "queries in thick cells; otherwise it depends on the number of cells within t.";
 
 constexpr const char* nearest_doc =

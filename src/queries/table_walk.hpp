@@ -3,7 +3,8 @@
 // once.
 #pragma once
 
-#include "kernel/predicates.hpp"
+#include "kernel/grid.hpp"
+#include "kernel/stages.hpp"
 #include "queries/barycentric.hpp"
 #include "queries/cell_minors.hpp"
 #include "queries/point_locator_impl.hpp"
@@ -164,12 +165,14 @@ class TableWalk {
     num_positive_ = K + 1;
     for (int i = 0; i <= K; ++i) signs_[i] = Sign::positive;
     if (smallest > bound_) return -1;
+    for (int i = 0; i <= K; ++i) grid_.include(points[i]);
+    grid_.include(q);
     for (int i = 0; i <= K; ++i) {
       if (weights_[i] > bound_) continue;
       const double* moved[K + 1];
       std::copy_n(points, K + 1, moved);
       moved[i] = q;
-      signs_[i] = kernel::orientation({K, where_.axes}, moved);
+      signs_[i] = kernel::orientation<K>(kernel::Flat{K, where_.axes}, moved, grid_);
       if (signs_[i] == Sign::negative) return i;
       if (signs_[i] == Sign::zero) --num_positive_;
     }
@@ -206,6 +209,7 @@ class TableWalk {
   }
 
   const PointLocator::Impl& where_;
+  kernel::Grid grid_{K};  // of all points compared exactly so far
   Sign signs_[K + 1];
   int num_positive_ = 0;
   bool is_accurate_ = false;

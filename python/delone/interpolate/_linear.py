@@ -45,6 +45,6 @@ class LinearNDInterpolator(OnTriangulation):
         outside = self._outside(result, queries, factor)
         if len(outside):
             found, weights = self._beyond(queries[outside], factor)
-            result[outside] = np.einsum("qi,qic->qc", weights, self._columns[self._tri._listed()[0][found]])
+            result[outside] = np.einsum("qi,qic->qc", weights, self._columns[self._tri._own[0][found]])
             result[outside[found < 0]] = self._fill
         return result

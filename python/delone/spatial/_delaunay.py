@@ -79,7 +79,7 @@ class Delaunay(OfPoints):
     """
 
     _derived = ("simplices", "neighbors", "nsimplex", "convex_hull", "coplanar", "good", "_paraboloid",
-                "transform", "equations", "vertex_to_simplex", "vertex_neighbor_vertices", "_search", "_own_neighbors")
+                "transform", "equations", "vertex_to_simplex", "vertex_neighbor_vertices", "_search", "_own")
 
     def __init__(self, points, furthest_site=False, incremental=False, qhull_options=None, *, flat=None):
         points = as_points(points)
@@ -148,7 +148,7 @@ class Delaunay(OfPoints):
         ``transform[i, :ndim] @ (x - transform[i, ndim])``. NaN for simplices so thin that less than three digits would be right.
         Raises QhullError for flat input."""
         self._need_full_dimension("transform")
-        transform, condition = _core._transforms(self._core.points, self._listed()[0])
+        transform, condition = _core._transforms(self._core.points, self._own[0])
         with np.errstate(invalid="ignore"):
             transform[~(condition * SMALLEST_RECIPROCAL_CONDITION <= 1)] = np.nan
         return transform
@@ -211,25 +211,27 @@ class Delaunay(OfPoints):
             finite = np.isfinite(queries).all(axis=1)
             found = np.full(len(queries), -1, np.intc)
             found[finite] = self._core.find_simplex(queries[finite])
-        if self.affine_dimension == self.ndim > 0:
-            if xi.ndim == 1 and finite is None:
-                if found < 0 or self._search.is_thin[found]:
-                    found = self._find_accepting(queries[None], np.array([found], np.intc), tol)[0]
-            else:
-                unsure = (found < 0) | self._search.is_thin[found]
-                if finite is not None:
-                    unsure &= finite
-                if unsure.any():
-                    queries = np.asarray(queries, dtype=np.float64)
-                    found[unsure] = self._find_accepting(queries[unsure], found[unsure], tol)
+        is_full = self.affine_dimension == self.ndim > 0
+        if xi.ndim == 1 and finite is None:
+            found = int(found)
+            if is_full and (found < 0 or self._search.is_thin[found]):
+                found = self._find_accepting(queries[None], np.array([found], np.intc), tol)[0]
+            return np.array(found, np.intc)
+        if is_full:
+            unsure = (found < 0) | self._search.is_thin[found]
+            if finite is not None:
+                unsure &= finite
+            if unsure.any():
+                queries = np.asarray(queries, dtype=np.float64)
+                found[unsure] = self._find_accepting(queries[unsure], found[unsure], tol)
         if xi.ndim == 1:
             return np.asarray(found, np.intc).reshape(())
         return found if xi.ndim == 2 else found.reshape(xi.shape[:-1])
 
     @cached_property
-    def _own_neighbors(self) -> np.ndarray:
-        """`neighbors`, whatever the caller does to that array."""
-        return self._listed()[1]
+    def _own(self) -> tuple[np.ndarray, np.ndarray]:
+        """`simplices` and `neighbors`, whatever the caller does to those arrays."""
+        return self._listed()
 
     @cached_property
     def _search(self) -> _Search:
@@ -242,7 +244,7 @@ class Delaunay(OfPoints):
         radius = 2.1 * (self.ndim + 1) * max(broad, tol) * search.diameter + 1e-300
         near = ((queries >= search.lower - radius) & (queries <= search.upper + radius)).all(axis=1)
         if near.any():
-            accepting = self._core._find_accepting(queries[near], self.transform, self._own_neighbors, tol, broad, min(radius, 1e300))
+            accepting = self._core._find_accepting(queries[near], self.transform, self._own[1], tol, broad, min(radius, 1e300))
             found = found.copy()
             found[near] = np.where(accepting >= 0, accepting, found[near])
         return found

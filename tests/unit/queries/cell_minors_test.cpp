@@ -8,6 +8,7 @@
 
 #include <boost/multiprecision/cpp_int.hpp>
 
+#include <limits>
 #include <utility>
 #include <vector>
 
@@ -84,6 +85,32 @@ void expect_within_bounds(const test::PointSet& set) {
   }
 }
 
+/// Two queries in one computation get the numbers that each gets alone.
+template <int K>
+void expect_same_alone(const std::vector<double>& points) {
+  constexpr std::size_t size = K;
+  const double* vertices[2][K + 1];
+  const double* q[2];
+  for (std::size_t lane = 0; lane < 2; ++lane) {
+    const double* const first = points.data() + lane * (size + 2) * size;
+    for (std::size_t i = 0; i <= size; ++i) vertices[lane][i] = first + i * size;
+    q[lane] = first + (size + 1) * size;
+  }
+  CellMinors<K, TwoNumbers> together;
+  together.evaluate([&](int j, int c) {
+    return TwoNumbers{vertices[0][j][c] - q[0][c], vertices[1][j][c] - q[1][c]};
+  });
+  for (std::size_t lane = 0; lane < 2; ++lane) {
+    CellMinors<K> alone;
+    if (!alone.evaluate(vertices[lane], q[lane])) {
+      EXPECT_GT(together.bound()[lane], std::numeric_limits<double>::max());
+      continue;
+    }
+    EXPECT_EQ(together.bound()[lane], alone.bound());
+    for (int i = 0; i <= K; ++i) EXPECT_EQ(together.weight(i)[lane], alone.weight(i));
+  }
+}
+
 template <int K>
 void test_dimension() {
   for (const test::PointSet& set : test::degenerate_sets(K, K + 2, K))
@@ -94,6 +121,9 @@ void test_dimension() {
     for (int i = 0; i < (K + 2) * K; ++i)
       set.points.push_back(run % 2 == 0 ? random.real() : 1e6 + 0x1p-20 * random.real());
     expect_within_bounds<K>(set);
+    std::vector<double> two = set.points;
+    for (const double x : set.points) two.push_back(run % 3 == 0 ? x * 1e-40 : -x);
+    expect_same_alone<K>(two);
   }
 }
 

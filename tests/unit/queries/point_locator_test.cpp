@@ -10,10 +10,15 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdint>
 #include <numeric>
+#include <span>
 #include <stdexcept>
+#include <utility>
+#include <vector>
 
 namespace delone {
 namespace {
@@ -126,6 +131,66 @@ TEST(PointLocator, VisitsEveryQueryOnceInAnyOrder) {
   std::vector<int> visits(1000, 0);
   PointLocator(t).locate(queries.points, [&](std::size_t query, const LocatedPoint&) { ++visits[query]; });
   EXPECT_EQ(visits, std::vector<int>(1000, 1));
+}
+
+/// Where a query lies: the kind, and for queries inside the rows of the face and their weights.
+struct Seen {
+  Kind kind = Kind::outside_affine_hull;
+  std::vector<std::pair<std::size_t, double>> weights;  // by row
+};
+
+template <class T>
+std::vector<Seen> seen(const T& t, std::span<const double> queries, const LocateOptions& options = {}) {
+  std::vector<Seen> result(queries.size() / static_cast<std::size_t>(t.dimension()));
+  PointLocator(t).locate(queries, options, [&](std::size_t query, const LocatedPoint& where) {
+    result[query].kind = where.kind;
+    for (std::size_t i = 0; i < where.barycentric.size(); ++i)
+      if (where.barycentric[i] > 0)
+        result[query].weights.emplace_back(t.row_of(t.complex().vertex(where.cell, static_cast<int>(i))),
+                                           where.barycentric[i]);
+    std::sort(result[query].weights.begin(), result[query].weights.end());
+  });
+  return result;
+}
+
+/// Many queries at once get the answers that each gets alone; without coordinates, their faces.
+void expect_same_alone(const std::vector<double>& points, int d, const std::vector<double>& queries) {
+  const Delaunay<> t(points, d);
+  const std::vector<Seen> together = seen(t, queries), faces = seen(t, queries, {.coordinates = false});
+  const auto width = static_cast<std::size_t>(d);
+  for (std::size_t i = 0; i < together.size(); ++i) {
+    const Seen alone = seen(t, std::span(queries).subspan(i * width, width))[0];
+    ASSERT_EQ(together[i].kind, alone.kind) << d << "D, query " << i;
+    ASSERT_EQ(faces[i].kind, alone.kind);
+    ASSERT_EQ(together[i].weights.size(), alone.weights.size());
+    ASSERT_EQ(faces[i].weights.size(), alone.weights.size());
+    for (std::size_t j = 0; j < alone.weights.size(); ++j) {
+      EXPECT_EQ(together[i].weights[j].first, alone.weights[j].first);
+      EXPECT_EQ(faces[i].weights[j].first, alone.weights[j].first);
+      EXPECT_NEAR(together[i].weights[j].second, alone.weights[j].second, 0x1p-35);
+    }
+  }
+}
+
+TEST(PointLocator, ManyQueriesAtOnceGetTheSameAnswers) {
+  for (int d = 1; d <= 7; ++d) {
+    const std::size_t n = d <= 3 ? 60 : d <= 5 ? 30 : 12;
+    // The face that contains a query is the same in all its cells.
+    expect_same_alone(test::small_integers(d, n, 0, 4, 1).points, d,
+                      test::small_integers(d, 300, -1, 5, 2).points);
+    test::Random random(static_cast<std::uint64_t>(d));
+    std::vector<double> points, queries;
+    for (std::size_t i = 0; i < n * static_cast<std::size_t>(d); ++i) points.push_back(random.real());
+    for (int i = 0; i < 200 * d; ++i) queries.push_back(random.real());
+    queries.insert(queries.end(), points.begin(), points.end());
+    expect_same_alone(points, d, queries);
+    // Beyond the range of the table: some queries, then all of them.
+    for (std::size_t i = 0; i < queries.size(); i += 7) queries[i] *= i % 2 == 0 ? 1e200 : 1e-200;
+    expect_same_alone(points, d, queries);
+    for (double& x : points) x *= 1e-250;
+    for (double& x : queries) x *= 1e-250;
+    expect_same_alone(points, d, queries);
+  }
 }
 
 TEST(PointLocator, PassesExceptionsOn) {

@@ -283,7 +283,7 @@ TEST(TolerantLocation, ToleranceOfTheSizeOfCells) {
   std::uniform_real_distribution<double> uniform(0, 1);
   Seen all;
   for (int d = 1; d <= 4; ++d)
-    for (const double tolerance : {0.01, 0.05, 0.2, 3.0})
+    for (const double tolerance : {0.01, 0.05, 0.2, 0.7})
       for (const bool is_rounded : {false, true}) {
         SCOPED_TRACE(testing::Message() << d << "D " << tolerance);
         std::vector<double> points;
@@ -496,7 +496,8 @@ TEST(TolerantLocation, InterpolationNearTheBoundary) {
 
 TEST(TolerantLocation, BadTolerances) {
   const Delaunay<> t(std::vector<double>{0, 0, 1, 0, 0, 1}, 2);
-  for (const double bad : {-1.0, std::nan(""), std::numeric_limits<double>::infinity()}) {
+  for (const double bad :
+       {-1.0, std::nan(""), std::numeric_limits<double>::infinity(), std::nextafter(1.0, 2.0)}) {
     try {
       PointLocator(t).locate(std::vector<double>{0, 0}, {.tolerance = bad},
                              [](std::size_t, const LocatedPoint&) {});
@@ -505,6 +506,19 @@ TEST(TolerantLocation, BadTolerances) {
       EXPECT_EQ(error.code(), Errc::invalid_argument);
     }
   }
+  const auto find = [](const Delaunay<>& points, double tolerance) {
+    Location::Kind kind = Location::Kind::outside_hull;
+    PointLocator(points).locate(std::vector<double>{0, 0}, {.tolerance = tolerance},
+                                [&](std::size_t, const LocatedPoint& found) { kind = found.kind; });
+    return kind;
+  };
+  EXPECT_EQ(find(t, 1), Location::Kind::on_vertex);
+  std::vector<double> result(1);
+  // Points without an extent have no bound.
+  EXPECT_EQ(find(Delaunay<>(std::vector<double>{1, 1, 1, 1}, 2), 5), Location::Kind::on_vertex);
+  EXPECT_THROW(LinearInterpolator(t, std::vector<double>{1, 2, 3})
+                   .evaluate(std::vector<double>{0, 0}, result, {.tolerance = 2}),
+               Error);
 }
 
 }  // namespace
