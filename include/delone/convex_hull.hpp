@@ -34,7 +34,8 @@ struct Containment {
   };
   Kind kind = Kind::outside_affine_hull;
   /// A cell: outside, one that is visible from the query; on the boundary, one whose hyperplane contains it;
-  /// inside, one that the ray from an interior point through the query leaves by. −1 if there is none.
+  /// inside, one that the ray from an interior point through the query leaves by (any cell if the points span
+  /// so little that no double is found in the interior). −1 if there is none.
   SignedIndex cell = -1;
   /// On the boundary: the extreme rows of the smallest face that contains the query, increasing. One row: the
   /// query is a vertex.
@@ -139,24 +140,28 @@ class Polytope {
 /// With Options::tolerance ε > 0 it is the exact convex hull of some of the points, chosen such that no point
 /// is farther than ε from it; the distance is Euclidean, and the decision exact. So it is convex and
 /// watertight, and its vertices are rows of the input. max_distance() bounds the distances.
-///  - Vertices. From the extreme points of all: those that are farther than ε from the hull of the others;
-///  then
-///    the farthest from what is there, while it is farther than ε; then points are dropped that the others
-///    cover, the last one first. So no vertex can be left out. A function of the set of points. A point that
-///    is no vertex is of the kind `interior` if it is strictly inside, otherwise `boundary`.
-///  - Facets are sets of cells: one begins with the largest cell that is in none, and grows across ridges
-///  while
-///    all its vertices are within ε of the hyperplane of that cell, which is that of `equations`. Facets,
-///    faces and ridges are those of these sets: where two facets meet there is one ridge, and a face is a
-///    set of vertices that some facets have in common. Euler's relation may fail for them if ε is not small
-///    beside the facets. num_cells(), hash(), volume(), area(), locate(), visible_cells() are about the cells.
-///  - Flat input. Points within ε of a flat of fewer dimensions, spanned by few points that are far apart,
-///    have their hull there: cells are those of the projections on axes(), with the distances of all points
-///    in space within ε of the vertices' hull as always. Queries within ε of the flat count as in it. Not
-///    every set within ε of some hyperplane is flat in this sense.
-///  - insert() chooses anew at the first question that follows, at a cost of all extreme points;
-///    insert_range() at once. A tolerance larger than the extent of the points of a range, with those before
-///    it, along every axis is Errc::invalid_argument, unless all points are equal.
+///
+/// Which vertices it has: First, those extreme points of all that are farther than ε from the hull of the
+/// others. Then the farthest point from what is there is added, while it is farther than ε. In the end
+/// points are dropped that the others cover, the last one first. So no vertex can be left out. The choice is
+/// a function of the set of points. A point that is no vertex is of the kind `interior` if it is strictly
+/// inside, otherwise `boundary`.
+///
+/// Facets are then sets of cells. One begins with the largest cell that is in none. It grows across ridges
+/// while all its vertices are within ε of the hyperplane of that cell, which is that of `equations`. Facets,
+/// faces and ridges are those of these sets: where two facets meet there is one ridge, and a face is a set of
+/// vertices that some facets have in common. Euler's relation may fail for them if ε is not small beside the
+/// facets. num_cells(), hash(), volume(), area(), locate() and visible_cells() are about the cells. (A
+/// LowerHull with a tolerance has the exact facets of what it keeps.)
+///
+/// Points within ε of a flat of fewer dimensions, spanned by few points that are far apart, have their hull
+/// there. Cells are those of the projections on axes(); all points are still within ε of the vertices' hull
+/// in space. Queries within ε of the flat count as in it. Not every set within ε of some hyperplane is flat
+/// in this sense.
+///
+/// insert() chooses anew at the first question that follows, at a cost of all extreme points; insert_range()
+/// at once. A tolerance larger than the extent of the points of a range, with those before it, along every
+/// axis is Errc::invalid_argument, unless all points are equal.
 ///
 /// Exact for all finite doubles. Flat input has the hull in its flat, k < d: for k = 1 two end points, each a
 /// facet; for k = 0 a single point, without facets. Duplicates are merged. Worst case O(n^⌊d/2⌋) cells.

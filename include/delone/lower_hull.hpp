@@ -101,8 +101,9 @@ class Envelope {
 /// that no point is more than ε below it along the last axis (decided exactly). From the vertices of the
 /// exact lower hull: those with extreme compositions; then, while one is more than ε below what is there, the
 /// farthest below each cell; then vertices are dropped that the others cover. So no vertex can be left out.
-/// Compositions have no tolerance, and facets are exact. A tolerance larger than the range of the heights
-/// is Errc::invalid_argument, unless they are all equal.
+/// Compositions have no tolerance. The facets are those of the exact lower hull of what is kept: cells in one
+/// hyperplane, exactly. They do not grow across nearly flat ridges, as those of a ConvexHull with a tolerance
+/// do. A tolerance larger than the range of the heights is Errc::invalid_argument, unless they are all equal.
 ///
 /// Exact for all finite doubles; a function of the set of points. Duplicates, flat compositions and points
 /// above the hull are ordinary input. Cost: a convex hull of n+1 points.

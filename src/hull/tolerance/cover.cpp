@@ -246,11 +246,37 @@ void Cover::reduce() {
   std::erase_if(kept_, [&](Index p) { return !states_[p].is_kept; });
 }
 
-double Cover::max_distance() const {
-  double largest = 0;
-  for (const State& state : states_)
-    if (!state.is_kept) largest = std::max(largest, std::min(state.upper, tolerance_));
-  return largest;
+/// Makes the bound of a covered point smaller, until no kept point is beyond its plane.
+void Cover::refine(Index p) {
+  const auto d = static_cast<std::size_t>(dimension_);
+  local_ = states_[p].face;
+  for (std::size_t round = 0; round < most_rounds && states_[p].upper > 0; ++round) {
+    const std::span<const double> normal(normals_.data() + p * d, d);
+    const double square = std::inner_product(normal.begin(), normal.end(), normal.begin(), 0.0);
+    const SupportTree::Support support = tree_->support(points_[p], normal, local_);
+    const bool is_new = std::find(local_.begin(), local_.end(), support.point) == local_.end();
+    if (!is_new || !(support.least < square * (1 - 0x1p-40))) return;
+    local_.push_back(support.point);
+    const double before = states_[p].upper;
+    look(p, local_);
+    states_[p].upper = std::min(states_[p].upper, before);
+  }
+}
+
+/// As in complete(): the greatest bound is made smaller until it is the distance of its point.
+double Cover::max_distance() {
+  std::priority_queue<std::pair<double, Index>> queue;
+  for (std::size_t p = 0; p < states_.size(); ++p)
+    if (!states_[p].is_kept) queue.emplace(states_[p].upper, static_cast<Index>(p));
+  while (!queue.empty()) {
+    const auto [upper, p] = queue.top();
+    alive_();
+    refine(p);
+    if (states_[p].upper == upper) return std::min(upper, tolerance_);
+    queue.pop();
+    queue.emplace(states_[p].upper, p);
+  }
+  return 0;
 }
 
 }  // namespace delone::internal

@@ -37,8 +37,9 @@ class Cover {
   void reduce();
 
   const std::vector<Index>& kept() const { return kept_; }
-  /// An upper bound on the distances of all points from the hull of those kept, at most the tolerance.
-  double max_distance() const;
+  /// An upper bound on the distances of all points from the hull of those kept, at most the tolerance: the
+  /// greatest of them up to rounding, unless binary64 is at its limits. REQUIRES that all are covered.
+  double max_distance();
 
  private:
   struct State {
@@ -58,6 +59,7 @@ class Cover {
   bool cover(Index p, double enough);
   bool add_witness_of(Index p, const std::vector<char>& allowed);
   bool can_drop(Index p);
+  void refine(Index p);
 
   std::vector<const double*> points_;
   int dimension_;

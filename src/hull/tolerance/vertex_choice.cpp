@@ -81,7 +81,7 @@ std::vector<char> find_necessary(const HullSites& sites, const ExtremeSites& ext
   return necessary;
 }
 
-VertexChoice choice_of(const Cover& cover, const ExtremeSites& extreme) {
+VertexChoice choice_of(Cover& cover, const ExtremeSites& extreme) {
   VertexChoice choice;
   std::vector<Index> places = cover.kept();
   std::sort(places.begin(), places.end());

@@ -59,8 +59,9 @@ struct VertexChoice {
 /// segment count as neighbors.)
 ///
 /// Cost: O(h·d) for h sites if a direction from the neighbors' mean proves them all to be necessary. A site
-/// that is not costs a search of the nearest point among neighbors, and, if these do not cover it, among all
-/// that are kept.
+/// that is not costs a search of the nearest point among neighbors, and, if these do not cover it, a few
+/// searches for the farthest kept point in a direction, each O(log h) on data that are not very degenerate,
+/// whenever its distance has fallen.
 VertexChoice choose_vertices(const HullSites& sites, const ExtremeSites& extreme, double tolerance,
                              const std::function<void()>& alive);
 

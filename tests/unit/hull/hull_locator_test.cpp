@@ -62,6 +62,7 @@ TEST(HullLocator, TellsTheSideOfALatticeCube) {
       const HullLocator::Result found = cube.locate(q);
       EXPECT_EQ(found.side, expected);
       EXPECT_EQ(cube.side_of(found.cell, q), expected);  // the cell proves it
+      EXPECT_EQ(cube.locator->side_of_hull(q.data(), cube.grid_with(q)), expected);
     }
   }
 }

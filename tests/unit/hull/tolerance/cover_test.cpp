@@ -136,6 +136,16 @@ TEST(Cover, NoneOfThoseKeptCanBeLeftOut) {
                           [&](const double* q) { return cover.exceeds(by, q); });
     };
     EXPECT_TRUE(is_cover(kept));
+    kernel::NearestInHull nearest;
+    double largest = 0;
+    for (const double* q : points) {
+      nearest.find(kept, q, 3);
+      largest = std::max(largest, nearest.lower());
+    }
+    EXPECT_GE(cover.max_distance(), largest);
+    if (radius == 1) {
+      EXPECT_LE(cover.max_distance(), largest * (1 + 1e-9));
+    }
     for (std::size_t i = 0; i < kept.size(); ++i) {
       std::vector<const double*> fewer = kept;
       fewer.erase(fewer.begin() + static_cast<std::ptrdiff_t>(i));
