@@ -55,8 +55,7 @@ void bind_interpolator(py::module_& module) {
       "query, such that slivers made by rounding of the points do not count; see "
       "Delaunay.find_simplex. The value at a\n"
       "point is still the one given. ValueError if it is negative, NaN or infinite, and at "
-      "the first query if it
-      "
+      "the first query if it\n"
       "is larger than the set of points.");
   bind_function(bound);
   bound
