@@ -8,6 +8,8 @@ import sys
 
 import numpy as np
 
+from ._geometry import bounds
+
 
 class QhullError(RuntimeError):
     """The input has no result as in scipy: it spans a flat of less than the space's dimension, is infinite, or an interior point is not
@@ -97,7 +99,8 @@ class Incremental:
 
     def _set_points(self, points: np.ndarray):
         npoints, ndim = points.shape
-        self._set(_points=points, npoints=npoints, ndim=ndim, min_bound=points.min(axis=0), max_bound=points.max(axis=0))
+        low, high = bounds(points)
+        self._set(_points=points, npoints=npoints, ndim=ndim, min_bound=low, max_bound=high)
 
     def _add_rows(self, points, restart: bool) -> None:
         if not self._incremental:

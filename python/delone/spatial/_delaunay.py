@@ -31,7 +31,7 @@ class _Search:
         self.is_thin = np.isnan(transform[:, 0, 0])
         self.has_thin = bool(self.is_thin.any())
         points = core.points
-        self.lower, self.upper = points.min(axis=0), points.max(axis=0)
+        self.lower, self.upper = _geometry.bounds(points)
         self.diameter = 0.0
         with np.errstate(over="ignore"):
             for begin in range(0, len(transform), 100_000):

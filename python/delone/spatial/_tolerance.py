@@ -6,6 +6,7 @@ import math
 
 import numpy as np
 
+from ._geometry import bounds
 from ._options import Options
 
 
@@ -24,9 +25,10 @@ def of_qhull(points: np.ndarray, options: Options = Options()) -> float:
         return 0.0
     d = points.shape[1]
     with np.errstate(over="ignore"):
-        largest = np.abs(points).max(axis=0)
+        low, high = bounds(points)
+        largest = np.maximum(-low, high)
         m, s = float(largest.max()), float(largest.sum())
     roundoff = np.finfo(float).eps * (1.01 * d * min(math.sqrt(d) * m, s) + m) if options.roundoff is None else options.roundoff
     tolerance = max((2 * d + 1) * roundoff + d * options.centrum, options.width)
     with np.errstate(over="ignore"):
-        return min(tolerance, float(np.ptp(points, axis=0).max()), np.finfo(float).max)
+        return min(tolerance, float((high - low).max()), np.finfo(float).max)
