@@ -31,7 +31,7 @@ wheel: python         ## a wheel, in build/wheels
 demo: build           ## three real data sets: triangulated, checked, drawn
 	tools/demo.sh build/release build/demo
 
-test: test-release test-asan  ## everything, then unit, property and fuzz tests under sanitizers
+test: test-release test-asan  ## everything, then unit and fuzz tests under sanitizers
 
 test-release:         ## all tests of a release build
 	tools/install_dependencies.sh test
@@ -39,7 +39,7 @@ test-release:         ## all tests of a release build
 	cmake --build --preset test -j $(jobs)
 	ctest --preset test
 
-test-asan:            ## unit, property and fuzz tests, smaller, with clang's AddressSanitizer and UndefinedBehaviorSanitizer
+test-asan:            ## unit and fuzz tests, smaller, with clang's AddressSanitizer and UndefinedBehaviorSanitizer
 	tools/install_dependencies.sh test clang
 	cmake --preset asan $(launcher)
 	cmake --build --preset asan -j $(jobs)

@@ -93,9 +93,10 @@ class NaturalNeighborCoordinates {
 /// vertices, and is continuously differentiable there, too. Exact for quadratic functions a + b·x + c·|x|²
 /// where the gradients are. The gradient at a vertex inside the hull is estimated by least squares over its
 /// neighbors with the weights λ/r², where r is the distance and λ the coordinate of the vertex with respect
-/// to the other vertices, as Sibson does, so it is exact for these functions; for a vertex on the boundary of
-/// the hull, which has no such coordinates, the weights are 1/r⁴, and it is exact for linear ones. Cost: a
-/// small triangulation of the neighbors of each vertex.
+/// to the other vertices, as Sibson does, so it is exact for these functions. For a vertex on the boundary of
+/// the hull, which has no such coordinates, the weights are 1/r⁴, and it is exact for linear ones; likewise
+/// for one just inside, whose neighbors in some direction have weights of less than 2⁻²⁰ of the largest.
+/// Cost: a small triangulation of the neighbors of each vertex.
 class NaturalNeighborInterpolator {
  public:
   /// `values`: as for LinearInterpolator. `site_gradients`: n×columns×d numbers, one row for each input row,

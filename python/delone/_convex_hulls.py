@@ -2,7 +2,7 @@
 """The convex hulls of many sets of points at once."""
 from __future__ import annotations
 
-from typing import Iterator, NamedTuple
+from typing import Iterator, NamedTuple, Union
 
 import numpy as np
 
@@ -57,8 +57,12 @@ class ConvexHulls:
     def __len__(self) -> int:
         return len(self.affine_dimensions)
 
-    def __getitem__(self, i: int) -> HullOfSet:
-        i = range(len(self))[i]
+    def __getitem__(self, i: Union[int, slice]) -> Union[HullOfSet, list[HullOfSet]]:
+        if isinstance(i, slice):
+            return [self[j] for j in range(*i.indices(len(self)))]
+        if not -len(self) <= i < len(self):
+            raise IndexError(f"hull {i} of {len(self)}")
+        i %= len(self)
         row = self.offsets[i].astype(self.vertices.dtype)
         first, last = self.cell_offsets[i:i + 2]
         return HullOfSet(int(self.affine_dimensions[i]), self.vertices[self.vertex_offsets[i]:self.vertex_offsets[i + 1]] - row,
@@ -77,7 +81,7 @@ def convex_hulls(points, offsets=None, *, seed=0, order="automatic", threads=1, 
 
     `points` is a sequence of arrays (n_i, d), or an array (h, n, d); or, with `offsets`, one array (n, d) of which set i has the
     rows ``offsets[i]:offsets[i+1]``. Exact as ConvexHull, of which small ones in a loop take several times as long. The
-    other arguments and errors are those of ConvexHull; ValueError if arrays differ in d, or offsets do not increase from 0 to n.
+    other arguments and errors are those of ConvexHull, without a tolerance; ValueError if arrays differ in d, or offsets do not increase from 0 to n.
     """
     if offsets is None:
         sets = [np.asarray(each) for each in points]

@@ -22,9 +22,9 @@ class NeighborLists {
  public:
   explicit NeighborLists(std::size_t count) : of_query_(count) {}
   void find(const NaturalNeighborCoordinates& coordinates, const Triangulation& engine,
-            std::span<const double> queries, Supervisor& supervisor) {
+            std::span<const double> queries, const LocateOptions& how, Supervisor& supervisor) {
     unsigned count = 0;
-    coordinates.find(queries, [&](std::size_t query, const NaturalNeighbors& found) {
+    coordinates.find(queries, how, [&](std::size_t query, const NaturalNeighbors& found) {
       if (++count % 256 == 0 && !supervisor.go_on(0)) throw Error(Errc::cancelled, "cancelled");
       for (std::size_t i = 0; i < found.vertices.size(); ++i)
         of_query_[query].emplace_back(static_cast<SignedIndex>(engine.row_of(found.vertices[i])),
@@ -59,7 +59,7 @@ py::tuple natural_neighbors(const py::object& points, const py::object& object) 
   Supervisor supervisor;
   supervisor.run([&, x = queries.coordinates()] {
     held.with_engine(supervisor, [&](const Triangulation& engine) {
-      lists.find(NaturalNeighborCoordinates(engine), engine, x, supervisor);
+      lists.find(NaturalNeighborCoordinates(engine), engine, x, {}, supervisor);
     });
   });
   return lists.arrays();
@@ -102,7 +102,7 @@ class HeldNaturalInterpolator : public HeldFunction<NaturalNeighborInterpolator>
     const Queries queries(object, triangulation().dimension());
     NeighborLists lists(queries.size());
     run([&, x = queries.coordinates()](const Triangulation& engine, Supervisor& supervisor) {
-      lists.find(function().coordinates(), engine, x, supervisor);
+      lists.find(function().coordinates(), engine, x, how_to_locate(), supervisor);
     });
     return lists.arrays();
   }
@@ -208,7 +208,10 @@ void bind_natural_neighbors(py::module_& module) {
            "Outside NaN, or 0\n"
            "for outside='nearest'.")
       .def("natural_neighbors", &Held::neighbors, "queries"_a,
-           "(indptr (q+1,) int64, rows, weights): as delone.natural_neighbors(), with the centers at hand.")
+           "(indptr (q+1,) int64, rows, weights): as delone.natural_neighbors(), with the centers at hand. "
+           "With "
+           "a tolerance, or\n"
+           "outside='project', those of the point whose value a call gives.")
       .def_property_readonly("smooth", &Held::is_smooth, "Whether it is differentiable at the points.")
       .def_property_readonly(
           "site_gradients", &Held::site_gradients,

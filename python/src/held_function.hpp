@@ -67,6 +67,9 @@ class HeldFunction {
   const char* outside() const { return outside_names[static_cast<int>(outside_)]; }
   const py::object& fill() const { return fill_; }
   double tolerance() const { return tolerance_; }
+  LocateOptions how_to_locate() const {
+    return {.tolerance = tolerance_, .project = outside_ == Outside::project};
+  }
 
  protected:
   HeldFunction(const py::object& points, const py::object& values, const std::string& outside,

@@ -12,8 +12,8 @@
 
 namespace delone::internal {
 
-void fit_gradients(std::span<const double> weights, std::span<const double> differences, std::size_t columns,
-                   std::span<const double> rows, std::size_t d, double* result) {
+std::size_t fit_gradients(std::span<const double> weights, std::span<const double> differences,
+                          std::size_t columns, std::span<const double> rows, std::size_t d, double* result) {
   const std::size_t n = weights.size();
   std::vector<double> a(d * n), v(d * d, 0.0);  // by column
   for (std::size_t i = 0; i < n; ++i)
@@ -60,41 +60,44 @@ void fit_gradients(std::span<const double> weights, std::span<const double> diff
       for (std::size_t m = 0; m < d; ++m) result[c * d + m] += sum / squares[j] * v[j * d + m];
     }
   }
+  return static_cast<std::size_t>(std::count_if(squares.begin(), squares.end(),
+                                                [&](double square) { return square >= 0x1p-20 * largest; }));
 }
 
-void estimate_gradients(const NaturalCenters& centers, VertexId v, std::span<const double> values,
-                        std::size_t columns, double* result) {
-  const Complex& complex = centers.complex();
+namespace {
+
+/// The neighbors of a vertex inside the hull without it, with their coordinates for it.
+void find_coordinates(const NaturalCenters& centers, VertexId v, std::vector<VertexId>& neighbors,
+                      std::vector<double>& weights) {
+  const std::size_t d = centers.dimension();
+  std::vector<double> coordinates;
+  for (const VertexId other : neighbors)
+    coordinates.insert(coordinates.end(), centers.point(other), centers.point(other) + d);
+  const Delaunay<> others(coordinates, static_cast<int>(d));
+  const NaturalCenters centers_of_others(others, false);
+  NaturalSearch search(centers_of_others);
+  search.find(centers.point(v), *others.finite_cells().begin(), false);
+  std::vector<VertexId> found;
+  for (const VertexId other : search.vertices) found.push_back(neighbors[others.row_of(other)]);
+  neighbors = std::move(found);
+  weights = std::move(search.weights);
+}
+
+/// Fits gradients to the differences from v, with the weights w/r², or 1/r⁴ if there are none. Returns as
+/// fit_gradients().
+std::size_t fit_to_neighbors(const NaturalCenters& centers, VertexId v, std::span<const double> values,
+                             std::size_t columns, const std::vector<VertexId>& neighbors,
+                             std::vector<double> weights, double* result) {
   const std::size_t d = centers.dimension();
   const double* const p = centers.point(v);
-  if (complex.affine_dimension() < 1) {
-    std::fill_n(result, columns * d, 0.0);
-    return;
-  }
-  std::vector<VertexId> neighbors = complex.adjacent_vertices(v);
-  const std::vector<CellId> star = complex.star(v);
-  const bool on_hull =
-      std::any_of(star.begin(), star.end(), [&](CellId c) { return complex.is_infinite(c); });
-  std::vector<double> lambda(neighbors.size(), 1.0);
-  if (!on_hull) {
-    std::vector<double> coordinates;
-    for (const VertexId other : neighbors)
-      coordinates.insert(coordinates.end(), centers.point(other), centers.point(other) + d);
-    const Delaunay<> others(coordinates, static_cast<int>(d));
-    const NaturalCenters centers_of_others(others, false);
-    NaturalSearch search(centers_of_others);
-    search.find(p, *others.finite_cells().begin(), false);
-    std::vector<VertexId> found;
-    for (const VertexId other : search.vertices) found.push_back(neighbors[others.row_of(other)]);
-    neighbors = std::move(found);
-    lambda = std::move(search.weights);
-  }
   // Distances in units of the largest one, a power of two.
   double largest = 0;
   for (const VertexId other : neighbors)
     for (std::size_t j = 0; j < d; ++j)
       largest = std::max(largest, std::fabs(centers.point(other)[j] - p[j]));
   const double unit = std::ldexp(1.0, std::ilogb(largest));
+  const bool by_distance = weights.empty();
+  weights.resize(neighbors.size(), 1.0);
   std::vector<double> rows, differences;
   for (std::size_t i = 0; i < neighbors.size(); ++i) {
     double square = 0;
@@ -102,12 +105,38 @@ void estimate_gradients(const NaturalCenters& centers, VertexId v, std::span<con
       rows.push_back((centers.point(neighbors[i])[j] - p[j]) / unit);
       square += rows.back() * rows.back();
     }
-    lambda[i] /= on_hull ? square * square : square;
+    weights[i] /= by_distance ? square * square : square;
     for (std::size_t c = 0; c < columns; ++c)
       differences.push_back(values[index(neighbors[i]) * columns + c] - values[index(v) * columns + c]);
   }
-  fit_gradients(lambda, differences, columns, rows, d, result);
+  const std::size_t directions = fit_gradients(weights, differences, columns, rows, d, result);
   for (std::size_t i = 0; i < columns * d; ++i) result[i] /= unit;
+  return directions;
+}
+
+}  // namespace
+
+void estimate_gradients(const NaturalCenters& centers, VertexId v, std::span<const double> values,
+                        std::size_t columns, double* result) {
+  const Complex& complex = centers.complex();
+  const int k = complex.affine_dimension();
+  if (k < 1) {
+    std::fill_n(result, columns * centers.dimension(), 0.0);
+    return;
+  }
+  const std::vector<VertexId> adjacent = complex.adjacent_vertices(v);
+  const std::vector<CellId> star = complex.star(v);
+  if (std::none_of(star.begin(), star.end(), [&](CellId c) { return complex.is_infinite(c); })) {
+    std::vector<VertexId> neighbors = adjacent;
+    std::vector<double> weights;
+    find_coordinates(centers, v, neighbors, weights);
+    // Under a sliver of the border all weight is on neighbors along it, which say nothing of other
+    // directions.
+    if (fit_to_neighbors(centers, v, values, columns, neighbors, weights, result) >=
+        static_cast<std::size_t>(k))
+      return;
+  }
+  fit_to_neighbors(centers, v, values, columns, adjacent, {}, result);
 }
 
 }  // namespace delone::internal

@@ -79,3 +79,11 @@ def test_extreme_points_alone(d):
         assert hull.hash == delone.ConvexHull(points[single.vertices]).hash
         tolerant, rows = delone.ConvexHull.of_extreme_points(points, tolerance=0.05)
         assert tolerant.hash == delone.ConvexHull(points, tolerance=0.05).hash
+
+
+def test_a_sequence_has_slices_and_ends():
+    hulls = delone.convex_hulls(np.random.default_rng(0).random((3, 9, 2)))
+    assert [hull.volume for hull in hulls[::-1]] == [hull.volume for hull in reversed(list(hulls))]
+    assert hulls[-1].volume == hulls[2].volume
+    with pytest.raises(IndexError, match="hull 3 of 3"):
+        hulls[3]

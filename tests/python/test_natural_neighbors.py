@@ -168,3 +168,25 @@ def test_k_nearest_of_few_points():
         t.nearest([2, 0], k=0)
     rows, powers = delone.Regular([[0, 0], [4, 0]], [0, 24]).nearest([-0.5, 0], k=2)
     assert rows.tolist() == [1, 0] and np.allclose(powers, [-3.75, 0.25])
+
+
+def test_gradients_at_a_turned_border():
+    """Points just inside the hull, under slivers, have gradients like those of the grid that was not turned."""
+    angle = np.deg2rad(10)
+    turn = np.array([[np.cos(angle), np.sin(angle)], [-np.sin(angle), np.cos(angle)]])
+    grid = np.stack(np.meshgrid(np.arange(10.0), np.arange(10.0)), axis=-1).reshape(-1, 2)
+    queries = 9 * np.random.default_rng(0).random((300, 2))
+
+    def f(x):
+        return np.sin(x[:, 0]) * np.cos(x[:, 1] / 2)
+
+    turned = delone.NaturalNeighborInterpolator(grid @ turn, f(grid), smooth=True, tolerance=1e-10)
+    assert np.abs(turned(queries @ turn) - f(queries)).max() < 0.07
+
+
+def test_natural_neighbors_with_a_tolerance():
+    square = [[0, 0], [1, 0], [0, 1], [1, 1], [0.4, 0.3]]
+    function = delone.NaturalNeighborInterpolator(square, [0, 1, 2, 3, 1], tolerance=0.01)
+    indptr, rows, weights = function.natural_neighbors([[-0.005, 0.5]])
+    assert indptr.tolist() == [0, len(rows)] and set(rows.tolist()) >= {0, 2}
+    assert function([[-0.005, 0.5]])[0] == pytest.approx(np.dot(function.values[rows], weights))

@@ -88,3 +88,11 @@ def test_sites_of_rounded_crystals_have_the_ridges_of_crystallography():
         middle = int(np.flatnonzero((points == 0).all(axis=1))[0])
         counts = [sum(middle in pair for pair in spatial.Voronoi(points, **arguments).ridge_dict) for arguments in ({}, {"tolerance": 0})]
         assert counts[0] == faces <= counts[1]
+
+
+def test_the_largest_coordinates():
+    square = np.array([[0, 0], [1, 0], [0, 1], [1, 1.0]])
+    assert len(spatial.ConvexHull(square * 6e307).vertices) == 4
+    assert len(spatial.Voronoi(np.r_[square, [[0.4, 0.3]]] * 1e308).vertices) == 4
+    with pytest.raises(spatial.QhullError, match="within the tolerance of"):
+        spatial.ConvexHull(square, qhull_options="W0.9")

@@ -59,3 +59,11 @@ def test_it_is_pickled_and_grows():
 def test_bad_tolerances(tolerance, text):
     with pytest.raises(ValueError, match=text):
         delone.ConvexHull(np.eye(3), tolerance=tolerance)
+
+
+@pytest.mark.parametrize("exponent", [0, 332, 900, -332, -900])
+def test_facets_do_not_depend_on_the_scale(exponent):
+    cube = np.stack(np.meshgrid(*[range(2)] * 5), axis=-1).reshape(-1, 5)
+    turned = cube @ np.linalg.qr(np.random.default_rng(1).normal(size=(5, 5)))[0]
+    hull = delone.ConvexHull(turned * 2.0**exponent, tolerance=2.0**exponent * 1e-10)
+    assert hull.num_facets == 10 and len(hull.vertices) == 32

@@ -94,8 +94,11 @@ class Incremental:
         """Raises QhullError if the points span less than the space."""
         k = self._core.affine_dimension
         if k < self.ndim:
+            tolerance = getattr(self, "tolerance", 0)
+            is_large = tolerance > 1e-6 * float((self.max_bound - self.min_bound).max())
+            within = f", within the tolerance of {tolerance:g}" if is_large else ""
             raise qhull_error(f"QH6154 initial simplex is flat: {self.npoints} points span a flat of dimension {k} in {self.ndim} "
-                              "dimensions. flat='result' gives the result within it")
+                              f"dimensions{within}. flat='result' gives the result within it")
 
     def _set_points(self, points: np.ndarray):
         npoints, ndim = points.shape

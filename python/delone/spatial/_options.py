@@ -42,6 +42,7 @@ REFUSED = [
     (re.compile(r"Qg"), "facets that are not good are built as well; see the attribute good"),
     (re.compile(r"Qi"), "of points inside a hull no list is kept"),
     (re.compile(r"Qu"), "only triangulations and diagrams have furthest sites"),
+    (re.compile(r"QG-?"), "the number of a row is missing"),
     (re.compile(r"QG.*"), "only hulls have facets that a point sees"),
     (re.compile(r"T[ACV]-?\d+"), "it stops before all points are in"),
     (re.compile(r"T[IO].*"), "it names a file; arguments and attributes are arrays"),

@@ -27,8 +27,9 @@ def of_qhull(points: np.ndarray, options: Options = Options()) -> float:
     with np.errstate(over="ignore"):
         low, high = bounds(points)
         largest = np.maximum(-low, high)
-        m, s = float(largest.max()), float(largest.sum())
-    roundoff = np.finfo(float).eps * (1.01 * d * min(math.sqrt(d) * m, s) + m) if options.roundoff is None else options.roundoff
+        units = np.finfo(float).eps * largest
+        m, s = float(units.max()), float(units.sum())
+    roundoff = 1.01 * d * min(math.sqrt(d) * m, s) + m if options.roundoff is None else options.roundoff
     tolerance = max((2 * d + 1) * roundoff + d * options.centrum, options.width)
     with np.errstate(over="ignore"):
         return min(tolerance, float((high - low).max()), np.finfo(float).max)

@@ -5,6 +5,7 @@
 #include "hull/tolerance/flat_distance.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <numeric>
 #include <utility>
 #include <vector>
@@ -18,7 +19,11 @@ class Labels {
       : sites_(sites),
         hull_(hull),
         near_(sites.ambient, hull.dimension, tolerance),
-        label_(hull.num_cells(), invalid_index) {}
+        label_(hull.num_cells(), invalid_index) {
+    double largest = 0;
+    for (const double x : sites.coordinates) largest = std::max(largest, std::fabs(x));
+    if (largest > 0) exponent_ = -std::ilogb(largest);
+  }
 
   /// The seed of each cell's facet. Cells that cannot grow are no work: they are facets of their own, unless
   /// a larger one has reached them.
@@ -71,7 +76,14 @@ class Labels {
     Size size{0, {}, c};
     for (const Index site : hull_.cell(c)) size.points.push_back(sites_.point(site));
     std::sort(size.points.begin(), size.points.end(), before());
-    size.content = simplex_volume(size.points, sites_.ambient).value;
+    // Scaled, so that products of lengths are in the range of doubles.
+    const auto d = static_cast<std::size_t>(sites_.ambient);
+    std::vector<double> coordinates;
+    std::vector<const double*> scaled;
+    for (const double* const p : size.points)
+      for (std::size_t j = 0; j < d; ++j) coordinates.push_back(std::ldexp(p[j], exponent_));
+    for (std::size_t i = 0; i < size.points.size(); ++i) scaled.push_back(&coordinates[i * d]);
+    size.content = simplex_volume(scaled, sites_.ambient).value;
     return size;
   }
   bool precedes(const Size& a, const Size& b) const {
@@ -104,6 +116,7 @@ class Labels {
   NearFlat near_;
   std::vector<Index> label_;
   std::vector<const double*> points_;
+  int exponent_ = 0;  // of the power of two that makes the coordinates less than 2
 };
 
 }  // namespace
