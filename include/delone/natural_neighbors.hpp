@@ -25,7 +25,7 @@ struct NaturalNeighbors {
   std::span<const VertexId> vertices;
   /// Their coordinates, > 0 with sum 1 up to rounding. Sum of the vertices times these: the point.
   std::span<const double> weights;
-  /// The gradients of the coordinates, d numbers for each vertex, if they were asked for. On the boundary of
+  /// The gradients of the coordinates, d numbers for each vertex, if find() computes them. On the boundary of
   /// the hull and in flat input: tangent to the smallest face of the hull that contains the query. Empty at a
   /// vertex, where there are none.
   std::span<const double> gradients;

@@ -38,7 +38,7 @@ class ExactPoints {
     if (!any) grid_ = 0;
   }
   int grid() const { return grid_; }
-  /// The integers p − q of a point; of few points they are asked for.
+  /// The integers p − q of a point, made on first use: few points need them.
   const std::vector<Integer>& coordinates(std::size_t a) {
     std::vector<Integer>& result = coordinates_[a];
     for (std::size_t j = result.size(); j < d_; ++j)

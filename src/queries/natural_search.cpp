@@ -299,7 +299,7 @@ void NaturalSearch::find_exactly(const double* q, bool with_gradients) {
   }
 }
 
-/// From shares and moments to what is asked for.
+/// Divides shares and moments by the total: the weights and their gradients.
 void NaturalSearch::finish(const double* q, bool with_gradients) {
   const std::size_t d = centers_.dimension();
   double sum = 0;
