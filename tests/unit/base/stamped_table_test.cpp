@@ -14,7 +14,7 @@ TEST(StampedTable, KeepsTheFirstNumberOfAKey) {
     table.clear();
     std::map<std::uint64_t, std::uint32_t> expected;
     for (std::uint32_t i = 0; i < 300 * turn; ++i) {
-      const std::uint64_t key = (i * i % 211) << (i % 3 * 20);
+      const std::uint64_t key = std::uint64_t{i * i % 211} << (i % 3 * 20);
       const auto [at, is_new] = expected.try_emplace(key, i);
       EXPECT_EQ(table.insert(key, i), std::pair(at->second, is_new));
     }

@@ -5,6 +5,7 @@
 
 #include "degenerate.hpp"
 #include "hull/hull_analysis.hpp"
+#include "scale.hpp"
 
 #include <delone/point_sets.hpp>
 
@@ -58,8 +59,9 @@ void check(const std::vector<double>& coordinates, int dimension) {
 }
 
 TEST(ExtremeHull, IsTheHullOfTheExtremePoints) {
-  for (int d = 1; d <= 5; ++d) {
-    const std::size_t n = d < 4 ? 1200 : 400;
+  const int most = static_cast<int>(test::scaled_size(5, 3));
+  for (int d = 1; d <= most; ++d) {
+    const std::size_t n = d < 4 ? test::scaled_size(1200, 300) : 400;
     for (const char* kind : {"uniform", "ball", "sphere"})
       for (const std::size_t some : {n, std::size_t{90}}) check(make_point_set(kind, d, some, 2), d);
     for (const test::PointSet& set : test::degenerate_sets(d, d < 5 ? 200 : 90, 4))

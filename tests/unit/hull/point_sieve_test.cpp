@@ -5,6 +5,7 @@
 
 #include "degenerate.hpp"
 #include "hull/hull_analysis.hpp"
+#include "scale.hpp"
 
 #include <delone/point_sets.hpp>
 
@@ -47,8 +48,9 @@ std::size_t check(const std::vector<double>& rows, int dimension) {
 }
 
 TEST(PointSieve, RemovesInteriorRowsOnly) {
-  for (int d = 2; d <= 6; ++d) {
-    const std::size_t n = d < 6 ? 1500 : 500;
+  const int most = static_cast<int>(test::scaled_size(6, 3));
+  for (int d = 2; d <= most; ++d) {
+    const std::size_t n = d < 6 ? test::scaled_size(1500, 500) : 500;
     for (const char* kind : {"uniform", "ball", "sphere"}) check(make_point_set(kind, d, n, 3), d);
     check(test::small_integers(d, n, -2, 2, 5).points, d);
     check(test::small_integers(d, n, -20, 20, 6).points, d);

@@ -2,6 +2,8 @@
 // Location with a tolerance against the definition, in fractions: all cells and all their faces are tried.
 #include "queries/tolerant_location.hpp"
 
+#include "scale.hpp"
+
 #include <delone/delaunay.hpp>
 #include <delone/interpolation.hpp>
 #include <delone/regular.hpp>
@@ -260,11 +262,15 @@ std::vector<double> queries_near(const std::vector<double>& points, int d, std::
   return result;
 }
 
+/// Beyond, checking all cells with fractions takes too long.
+int most_dimensions() { return static_cast<int>(test::scaled_size(4, 2)); }
+
 TEST(TolerantLocation, TurnedGrids) {
   Seen all;
   for (const auto& [d, n] : {std::pair{2, 5}, {3, 3}, {4, 2}})
     for (const double angle : {0.0, 0.55})
       for (const double tolerance : {1e-12, 1e-3}) {
+        if (d > most_dimensions()) continue;
         SCOPED_TRACE(testing::Message() << d << "D " << angle << " " << tolerance);
         const std::vector<double> points = turned_grid(d, n, angle);
         const Delaunay<> t(points, d);
@@ -282,7 +288,7 @@ TEST(TolerantLocation, ToleranceOfTheSizeOfCells) {
   std::mt19937_64 random(8);
   std::uniform_real_distribution<double> uniform(0, 1);
   Seen all;
-  for (int d = 1; d <= 4; ++d)
+  for (int d = 1; d <= most_dimensions(); ++d)
     for (const double tolerance : {0.01, 0.05, 0.2, 0.7})
       for (const bool is_rounded : {false, true}) {
         SCOPED_TRACE(testing::Message() << d << "D " << tolerance);
@@ -324,6 +330,7 @@ TEST(TolerantLocation, FlatInput) {
 TEST(TolerantLocation, FiveAndSixDimensions) {
   std::mt19937_64 random(10);
   std::uniform_real_distribution<double> uniform(0, 1);
+  if (test::scale() == test::Scale::small) GTEST_SKIP() << "fractions take too long";
   for (int d = 5; d <= 6; ++d) {
     std::vector<double> points;
     for (int i = 0; i < (d + 2) * d; ++i) points.push_back(uniform(random));
@@ -390,7 +397,7 @@ TEST(TolerantLocation, TiesGoByRows) {
 TEST(TolerantLocation, Projection) {
   std::mt19937_64 random(11);
   std::normal_distribution<double> normal;
-  for (int d = 1; d <= 4; ++d)
+  for (int d = 1; d <= most_dimensions(); ++d)
     for (const int kind : {0, 1, 2}) {
       std::vector<double> points;
       for (int i = 0; i < (d == 4 ? 8 : 14) * d; ++i)
