@@ -67,24 +67,25 @@ std::map<std::vector<double>, SignedIndex> first_rows(const WeightedSet& s) {
   return rows;
 }
 
-template <int D>
+/// By the kernel whose dimension is a variable, which is compiled once.
 Cells cgal_cells(const WeightedSet& s) {
-  using Kernel = CGAL::Epick_d<CGAL::Dimension_tag<D>>;
-  using Bare = typename Kernel::Point_d;
-  using Weighted = typename Kernel::Weighted_point_d;
+  using Kernel = CGAL::Epick_d<CGAL::Dynamic_dimension_tag>;
+  using Bare = Kernel::Point_d;
+  using Weighted = Kernel::Weighted_point_d;
+  const int dimension = s.set.dimension;
   const auto row_of = first_rows(s);
   std::vector<Weighted> points;
   for (std::size_t row = 0; row < s.set.size(); ++row) {
     const std::vector<double> p = key(s, row);
     points.emplace_back(Bare(p.begin(), p.end() - 1), p.back());
   }
-  CGAL::Regular_triangulation<Kernel> oracle(D);
+  CGAL::Regular_triangulation<Kernel> oracle(dimension);
   oracle.insert(points.begin(), points.end());
   Cells cells;
-  if (oracle.current_dimension() < D) return cells;
+  if (oracle.current_dimension() < dimension) return cells;
   for (auto cell = oracle.finite_full_cells_begin(); cell != oracle.finite_full_cells_end(); ++cell) {
     cells.emplace_back();
-    for (int i = 0; i <= D; ++i) {
+    for (int i = 0; i <= dimension; ++i) {
       const Weighted& p = cell->vertex(i)->point();
       const Bare bare = p.point();  // a copy: its iterators would not outlive it
       std::vector<double> corner(bare.cartesian_begin(), bare.cartesian_end());
@@ -166,11 +167,10 @@ void expect_checked(const WeightedSet& s, const Cells& cells) {
   EXPECT_TRUE(report.ok) << report.violation << describe(s);
 }
 
-template <int D>
 void expect_same_subdivision(const WeightedSet& s) {
-  const Regular<> t(s.set.points, s.weights, D);
-  ASSERT_EQ(t.affine_dimension(), D) << describe(s);
-  const Cells theirs = cgal_cells<D>(s);
+  const Regular<> t(s.set.points, s.weights, s.set.dimension);
+  ASSERT_EQ(t.affine_dimension(), s.set.dimension) << describe(s);
+  const Cells theirs = cgal_cells(s);
   expect_checked(s, theirs);
   EXPECT_EQ(power_cells(s, test::sorted_cells(t.to_data())), power_cells(s, theirs)) << describe(s);
 }
@@ -182,13 +182,13 @@ void expect_degenerate() {
   const std::size_t n = D == 4 ? 30 : 60;
   for (std::uint64_t seed = 0; seed < 4; ++seed)
     for (const int largest : {0, 1, 3, 9}) {
-      expect_same_subdivision<D>(with_weights(test::permuted(test::lattice(D, D == 2   ? 6
-                                                                              : D == 3 ? 3
-                                                                                       : 2),
-                                                             seed),
-                                              largest, seed));
-      expect_same_subdivision<D>(with_weights(test::small_integers(D, n, 0, 3, seed), largest, seed + 10));
-      expect_same_subdivision<D>(
+      expect_same_subdivision(with_weights(test::permuted(test::lattice(D, D == 2   ? 6
+                                                                           : D == 3 ? 3
+                                                                                    : 2),
+                                                          seed),
+                                           largest, seed));
+      expect_same_subdivision(with_weights(test::small_integers(D, n, 0, 3, seed), largest, seed + 10));
+      expect_same_subdivision(
           with_weights(test::sampled(test::cospherical(D, D == 2 ? 25 : 9), n, seed), largest, seed + 20));
     }
 #else
@@ -206,7 +206,7 @@ void expect_general_position() {
     for (std::size_t i = 0; i < n * D; ++i) s.set.points.push_back(random.real());
     for (std::size_t i = 0; i < n; ++i) s.weights.push_back((random.real() - 0.5) * largest);
     const Regular<> t(s.set.points, s.weights, D);
-    EXPECT_TRUE(test::same_cells(cgal_cells<D>(s), test::sorted_cells(t.to_data()))) << D << ' ' << largest;
+    EXPECT_TRUE(test::same_cells(cgal_cells(s), test::sorted_cells(t.to_data()))) << D << ' ' << largest;
   }
 #else
   GTEST_SKIP() << "this build found no CGAL";

@@ -89,14 +89,17 @@ void expect_hashing_finds_what_rotation_finds(Index n, double grid_size) {
 }
 
 TEST(RidgeTable, FindsWhatRotationFinds) {
+  const auto size = [](Index usual, Index small) {
+    return static_cast<Index>(test::scaled_size(usual, small));
+  };
   expect_hashing_finds_what_rotation_finds<1>(30, 0);
   expect_hashing_finds_what_rotation_finds<2>(200, 0);
-  expect_hashing_finds_what_rotation_finds<3>(300, 0);
-  expect_hashing_finds_what_rotation_finds<3>(300, 6);
-  expect_hashing_finds_what_rotation_finds<4>(150, 0);
-  expect_hashing_finds_what_rotation_finds<5>(80, 3);
-  expect_hashing_finds_what_rotation_finds<5>(60, 0);
-  expect_hashing_finds_what_rotation_finds<6>(40, 0);
+  expect_hashing_finds_what_rotation_finds<3>(size(300, 100), 0);
+  expect_hashing_finds_what_rotation_finds<3>(size(300, 100), 6);
+  expect_hashing_finds_what_rotation_finds<4>(size(150, 50), 0);
+  expect_hashing_finds_what_rotation_finds<5>(size(80, 30), 3);
+  expect_hashing_finds_what_rotation_finds<5>(size(60, 24), 0);
+  expect_hashing_finds_what_rotation_finds<6>(size(40, 18), 0);
   expect_hashing_finds_what_rotation_finds<8>(20, 0);  // a cell's ids in more than one vector
   expect_hashing_finds_what_rotation_finds<9>(18, 2);
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Selection on arrays of every shape, at every place.
 #include "order/select.hpp"
+#include "scale.hpp"
 
 #include "base/random.hpp"
 
@@ -31,7 +32,9 @@ std::vector<int> numbers(int shape, std::size_t n, random::Generator& generator)
 TEST(Select, SplitsAtEveryPlace) {
   random::Generator generator(1);
   for (int shape = 0; shape < 5; ++shape)
-    for (const std::size_t n : {2u, 3u, 8u, 9u, 10u, 128u, 129u, 1000u, 5000u, 70'000u}) {
+    for (const std::size_t n :
+         {std::size_t{2}, std::size_t{3}, std::size_t{8}, std::size_t{9}, std::size_t{10}, std::size_t{128},
+          std::size_t{129}, std::size_t{1000}, std::size_t{5000}, test::scaled_size(70'000, 10'000)}) {
       const std::vector<int> original = numbers(shape, n, generator);
       std::vector<int> sorted = original;
       std::sort(sorted.begin(), sorted.end());
