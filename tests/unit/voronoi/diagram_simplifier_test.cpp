@@ -2,6 +2,7 @@
 // Diagrams with a tolerance: lattices in rounded coordinates have the ridges of crystallography, and what is
 // promised holds in rationals.
 #include "voronoi/diagram_simplifier.hpp"
+#include "scale.hpp"
 
 #include <delone/check.hpp>
 #include <delone/error.hpp>
@@ -90,7 +91,7 @@ std::vector<std::size_t> ridges_of_rows(const Diagram& diagram) {
 TEST(DiagramSimplifier, LatticesHaveTheRidgesOfCrystallography) {
   std::mt19937_64 random(7);
   for (const Lattice& lattice : lattices())
-    for (int rotation = 0; rotation <= 30; ++rotation) {
+    for (std::size_t rotation = 0; rotation <= test::scaled_size(30, 3); ++rotation) {
       std::vector<bool> interior;
       const auto d = static_cast<int>(lattice.cell.size());
       std::vector<double> points = sites(lattice, d == 2 ? 9 : 5, interior);
@@ -155,7 +156,7 @@ Description described(const Diagram& diagram) {
 TEST(DiagramSimplifier, TheOrderOfRowsDoesNotMatter) {
   std::mt19937_64 random(11);
   for (std::size_t d = 1; d <= 4; ++d)
-    for (int trial = 0; trial < 6; ++trial) {
+    for (std::size_t trial = 0; trial < test::scaled_size(6, 2); ++trial) {
       std::vector<std::vector<double>> rows(d < 4 ? 60 : 25, std::vector<double>(d));
       std::uniform_real_distribution<double> uniform(0, 1);
       for (auto& row : rows)

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "hull/tolerance/envelope_choice.hpp"
+#include "scale.hpp"
 
 #include <delone/lower_hull.hpp>
 
@@ -38,7 +39,7 @@ TEST(EnvelopeChoice, NoPointIsFartherBelow) {
   using Rational = boost::multiprecision::cpp_rational;
   std::mt19937_64 random(2);
   std::uniform_real_distribution<double> uniform(-1, 1);
-  for (int round = 0; round < 6; ++round) {
+  for (std::size_t round = 0; round < test::scaled_size(6, 1); ++round) {
     std::vector<double> points;
     for (int i = 0; i < 400; ++i) {
       const double x = uniform(random), y = uniform(random);
