@@ -103,8 +103,7 @@ TEST(DiagramSimplifier, LatticesHaveTheRidgesOfCrystallography) {
         const auto count = ridges_of_rows(diagram);
         for (std::size_t i = 0; i < interior.size(); ++i)
           if (interior[i]) {
-            EXPECT_EQ(count[i], lattice.ridges)
-                << lattice.name << ", rotation " << rotation << ", " << tolerance;
+            EXPECT_EQ(count[i], lattice.ridges) << lattice.name << ", " << rotation << ", " << tolerance;
           }
       }
     }
