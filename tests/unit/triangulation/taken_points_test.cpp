@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Points that are taken over: the result is that of points which are only read, and their memory is given
 // back.
+#include "scale.hpp"
+
 #include <delone/delaunay.hpp>
 #include <delone/point_sets.hpp>
 
@@ -38,8 +40,9 @@ TEST(TakenPoints, GiveTheSameTriangulation) {
 }
 
 TEST(TakenPoints, MayComeInSeveralBatches) {
-  std::vector<double> points = make_point_set("uniform", 3, 60'000, 1);
-  const auto middle = points.begin() + 3 * 50'000;
+  const std::size_t n = test::scaled_size(60'000, 12'000);
+  std::vector<double> points = make_point_set("uniform", 3, n, 1);
+  const auto middle = points.begin() + static_cast<std::ptrdiff_t>(3 * (n - n / 6));
   std::vector<double> first(points.begin(), middle), second(middle, points.end());
   Delaunay<> result(3);
   result.insert_range(std::move(first));
