@@ -79,7 +79,7 @@ void install_interrupt_handlers() {
 
 int caught_signal() { return signal_caught.load(); }
 
-StageGuard::StageGuard(Stage stage) {
+StageGuard::StageGuard(Stage stage) : scope_([](double) { return caught_signal() == 0; }) {
   stage_now = stage;
   end_if_caught();
 }

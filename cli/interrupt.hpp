@@ -2,6 +2,8 @@
 // Ctrl-C (SIGINT) and SIGTERM: work stops within a second and leaves no partial file.
 #pragma once
 
+#include <delone/progress.hpp>
+
 namespace delone::cli {
 
 /// What a signal does depends on what it interrupts.
@@ -18,14 +20,17 @@ void install_interrupt_handlers();
 /// The signal caught so far, or 0.
 int caught_signal();
 
-/// Enters a stage for the life of the object, then returns to `plain`. If a signal came before, or too late
-/// for the progress callback, the process ends here.
+/// Enters a stage for the life of the object, then returns to `plain`. Meanwhile a signal stops whatever the
+/// library does. If it came before, or too late for that, the process ends here.
 class StageGuard {
  public:
   explicit StageGuard(Stage stage);
   StageGuard(const StageGuard&) = delete;
   StageGuard& operator=(const StageGuard&) = delete;
   ~StageGuard();
+
+ private:
+  ProgressScope scope_;
 };
 
 }  // namespace delone::cli

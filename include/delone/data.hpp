@@ -53,7 +53,7 @@ struct HullData {
   int dimension = 0;           ///< d
   int affine_dimension = -1;   ///< k
   std::vector<double> points;  ///< n×d, as given; may be left out
-  /// m×k: for x inside, (x, vertices of a cell) is positively oriented on the axes.
+  /// m×k: for x inside, (x, vertices of a cell) is positively oriented on the axes, for k > 1.
   std::vector<SignedIndex> cells;
   std::vector<SignedIndex> neighbors;                      ///< m×k cells: neighbor i is across the ridge
                                                            ///< opposite vertex i

@@ -21,9 +21,8 @@ struct Options {
   std::uint64_t seed = 0;  ///< of the random choices of the insertion order
   InsertionOrder order = InsertionOrder::automatic;
   bool force_runtime_dimension = false;  ///< use the run-time-dimension engine even for k ≤ 8
-  /// Called from the building thread about every 20 ms with the fraction done, 0…1; return false to cancel
-  /// (Errc::cancelled). A batch that is wrapped (some hundred points in 7 or 8 dimensions) stays at 0 until
-  /// it is done.
+  /// Called from the building thread about every 20 ms with the fraction done, 0…1, which does not decrease;
+  /// return false to cancel (Errc::cancelled). ProgressScope does the same for calls without options.
   std::function<bool(double)> progress = {};
   /// Of hulls (ConvexHull, LowerHull), with the unit of the coordinates; see there. 0, the default, is exact.
   /// Must be finite and ≥ 0, and 0 for triangulations and halfspaces; otherwise Errc::invalid_argument.

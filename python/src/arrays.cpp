@@ -2,17 +2,50 @@
 // Conversions of inputs; see arrays.hpp.
 #include "arrays.hpp"
 
+#include <delone/error.hpp>
+
 #include <cstdint>
+#include <limits>
 
 namespace delone::python {
 namespace {
 
-[[noreturn]] void refuse_inexact(const std::string& name, py::ssize_t index, const py::array& array,
-                                 const py::object& value) {
+/// The value as Python shows it, cut where it is long; its type if Python has no text for it, as for integers
+/// of thousands of digits.
+std::string shown(const py::handle& value) {
+  constexpr std::size_t longest = 40;
+  std::string text;
+  try {
+    text = py::str(value);
+  } catch (py::error_already_set&) {
+    text = "a huge " + std::string(py::str(py::type::handle_of(value).attr("__name__")));
+  }
+  return text.size() <= longest ? text : text.substr(0, longest) + "...";
+}
+
+/// Raises InputError for entry `index` of the array, naming its row.
+[[noreturn]] void refuse_entry(const std::string& name, py::ssize_t index, const py::array& array,
+                               const std::string& why) {
   py::ssize_t per_row = 1;
   for (py::ssize_t axis = 1; axis < array.ndim(); ++axis) per_row *= array.shape(axis);
-  throw py::value_error(name + ": row " + std::to_string(per_row > 0 ? index / per_row : index) + ": " +
-                        std::string(py::str(value)) + " is not exact in double precision");
+  const auto row = static_cast<std::size_t>(per_row > 0 ? index / per_row : index);
+  throw Error(Errc::invalid_argument, name + ": row " + std::to_string(row) + ": " + why, {row});
+}
+
+/// Raises InputError for the first object that is no number, or one beyond the range of float64.
+void refuse_objects(const std::string& name, const py::array& array) {
+  const py::object flat = array.attr("ravel")();
+  for (py::ssize_t i = 0; i < array.size(); ++i) {
+    const py::object value = flat[py::int_(i)];
+    const bool is_text = PyUnicode_Check(value.ptr()) != 0 || PyBytes_Check(value.ptr()) != 0;
+    const auto number = py::reinterpret_steal<py::object>(is_text ? nullptr : PyNumber_Float(value.ptr()));
+    if (number) continue;
+    const bool is_large = !is_text && PyErr_ExceptionMatches(PyExc_OverflowError) != 0;
+    PyErr_Clear();
+    if (value.is_none()) refuse_entry(name, i, array, "None is not a number");
+    if (is_large) refuse_entry(name, i, array, shown(value) + " is beyond the range of double precision");
+    refuse_entry(name, i, array, "a " + shown(py::type::of(value).attr("__name__")) + " is not a number");
+  }
 }
 
 /// The first integer that float64 would round, or −1. A number beyond 2^53 is exact if its low bits are zero.
@@ -53,6 +86,7 @@ py::array_t<double> as_doubles(const py::object& object, const std::string& name
   if (kind == 'c') throw py::value_error(name + ": complex numbers are not real");
   if (kind != 'f' && kind != 'i' && kind != 'u' && kind != 'b' && kind != 'O')
     throw py::value_error(name + ": not numbers, but " + std::string(py::str(array.dtype())));
+  if (kind == 'O') refuse_objects(name, array);
   py::array_t<double> doubles(numpy.attr("ascontiguousarray")(array, py::dtype::of<double>()));
   if (array.ndim() == 0) doubles = py::array_t<double>(doubles.attr("reshape")(py::tuple()));
   py::ssize_t inexact = -1;
@@ -63,7 +97,9 @@ py::array_t<double> as_doubles(const py::object& object, const std::string& name
         py::array(numpy.attr("flatnonzero")(doubles.attr("__ne__")(array) & array.attr("__eq__")(array)));
     if (differs.size() > 0) inexact = differs[py::int_(0)].cast<py::ssize_t>();
   }
-  if (inexact >= 0) refuse_inexact(name, inexact, array, array.attr("ravel")()[py::int_(inexact)]);
+  if (inexact >= 0)
+    refuse_entry(name, inexact, array,
+                 shown(array.attr("ravel")()[py::int_(inexact)]) + " is not exact in double precision");
   return doubles;
 }
 
@@ -72,6 +108,8 @@ py::array_t<double> as_points(const py::object& object, const std::string& name)
   if (points.ndim() != 2 || points.shape(1) < 1)
     throw py::value_error(name + ": an array of shape (n, d), d at least 1, not " +
                           std::string(py::str(points.attr("shape"))));
+  if (points.shape(1) > std::numeric_limits<int>::max() - 1)
+    throw Error(Errc::bad_dimension, name + ": " + std::to_string(points.shape(1)) + " columns are too many");
   return points;
 }
 

@@ -19,9 +19,10 @@ namespace delone::python {
 
 namespace py = pybind11;
 
-/// Any array-like of real numbers as C-contiguous float64. Raises ValueError for an integer, long double or
-/// other number that float64 cannot represent exactly (naming its row), and for masked, complex or ragged
-/// input. `name` is the name of the argument. Values may be NaN or infinite.
+/// Any array-like of real numbers as C-contiguous float64. Raises InputError for an integer, long double or
+/// other number that float64 cannot represent exactly, and for objects that are no numbers, naming the row;
+/// ValueError for masked, complex or ragged input. `name` is the name of the argument. Values may be NaN or
+/// infinite.
 py::array_t<double> as_doubles(const py::object& object, const std::string& name);
 
 inline std::span<const double> numbers(const py::array_t<double>& array) {

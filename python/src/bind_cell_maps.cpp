@@ -106,7 +106,7 @@ py::tuple transforms(const Reals& points, const Rows& cells) {
     Edges edges(k);
     std::vector<double> unit(k);
     for (std::size_t i = 0; i < count; ++i) {
-      supervisor.count();
+      cancellation_point();
       double* const map = out + i * (k + 1) * k;
       std::copy_n(p + static_cast<std::size_t>(c[i * (k + 1) + k]) * k, k, map + k * k);
       condition[i] = nan;
@@ -139,7 +139,7 @@ py::array hyperplanes(const Reals& points, const Rows& cells, const Reals& heigh
     Edges edges(k);
     std::vector<double> rise(k);
     for (std::size_t i = 0; i < count; ++i) {
-      supervisor.count();
+      cancellation_point();
       const SignedIndex* const cell = c + i * (k + 1);
       double* const plane = out + i * (k + 2);
       const double last = h[cell[k]];
@@ -177,7 +177,7 @@ py::tuple increasing(const Rows& cells, const Rows& neighbors) {
   supervisor.run([&, from = cells.data(), beside = neighbors.data(), to = sorted.mutable_data(),
                   along = opposite.mutable_data()] {
     for (std::size_t i = 0; i < count * k; i += k) {
-      supervisor.count();
+      cancellation_point();
       for (std::size_t j = 0; j < k; ++j) {  // insertion sort: k is small
         std::size_t place = i + j;
         for (; place > i && to[place - 1] > from[i + j]; --place) {

@@ -127,7 +127,7 @@ py::tuple gradients(const Reals& points, const Offsets& offsets, const Rows& end
     const Network network(points.data(), offsets.data(), ends.data(), static_cast<std::size_t>(count));
     for (std::size_t c = 0; c < columns; ++c)
       converged &= network.relax(values.data() + c, out + 2 * c, columns, tolerance, limit,
-                                 [&] { supervisor.count(); });
+                                 [&] { cancellation_point(); });
   });
   return py::make_tuple(result, converged);
 }
@@ -223,7 +223,7 @@ py::array evaluate(const Reals& points, const Rows& cells, const Rows& neighbors
       return std::array<const double*, 3>{at(0), at(1), at(2)};
     };
     for (std::size_t q = 0; q < count; ++q) {
-      supervisor.count();
+      cancellation_point();
       double* const row = out + q * columns;
       const SignedIndex cell = found.data()[q];
       if (cell < 0) {

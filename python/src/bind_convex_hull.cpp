@@ -2,6 +2,7 @@
 // delone.ConvexHull.
 #include "arrays.hpp"
 #include "module.hpp"
+#include "pickling.hpp"
 #include "running.hpp"
 
 #include <pybind11/stl.h>
@@ -12,7 +13,6 @@
 #include <memory>
 #include <mutex>
 #include <string>
-#include <type_traits>
 #include <vector>
 
 namespace delone::python {
@@ -24,21 +24,15 @@ using namespace py::literals;
 class HeldHull {
  public:
   HeldHull(int dimension, const BuildArguments& arguments, double tolerance)
-      : arguments_(arguments),
-        hull_(dimension, with_tolerance(arguments.to_options(guard_.progress()), tolerance)) {}
+      : arguments_(arguments), hull_(dimension, with_tolerance(arguments.to_options(), tolerance)) {}
 
   int dimension() const { return hull_.dimension(); }
   const BuildArguments& arguments() const { return arguments_; }
 
-  /// Returns question(hull), or question(hull, supervisor).
+  /// Returns question(hull).
   template <class Question>
   auto ask(Question question) const {
-    return guard_.ask([&](Supervisor& supervisor) {
-      if constexpr (std::is_invocable_v<Question, const Polytope&>)
-        return question(static_cast<const Polytope&>(hull_));
-      else
-        return question(static_cast<const Polytope&>(hull_), supervisor);
-    });
+    return guard_.ask([&] { return question(static_cast<const Polytope&>(hull_)); });
   }
 
   void add(const py::object& points, const py::object& progress) {
@@ -125,9 +119,9 @@ py::object locate(const HeldHull& held, const py::object& object) {
   std::vector<SignedIndex> cells(count), rows;
   std::vector<std::int64_t> offsets{0};
   const auto x = queries.coordinates();
-  held.ask([&](const Polytope& hull, Supervisor& supervisor) {
+  held.ask([&](const Polytope& hull) {
     for (std::size_t i = 0; i < count; ++i) {
-      supervisor.count();
+      cancellation_point();
       const Containment where = hull.locate(x.subspan(i * d, d));
       kinds[i] = static_cast<std::uint8_t>(where.kind);
       cells[i] = where.cell;
@@ -145,10 +139,9 @@ py::object contains(const HeldHull& held, const py::object& object) {
   const Queries queries(object, held.dimension());
   auto result = queries.answers<bool>();
   const std::size_t d = static_cast<std::size_t>(held.dimension());
-  held.ask([&, x = queries.coordinates(), out = result.mutable_data()](const Polytope& hull,
-                                                                       Supervisor& supervisor) {
+  held.ask([&, x = queries.coordinates(), out = result.mutable_data()](const Polytope& hull) {
     for (std::size_t i = 0; i < x.size() / d; ++i) {
-      supervisor.count();
+      cancellation_point();
       out[i] = hull.contains(x.subspan(i * d, d));
     }
   });
@@ -162,14 +155,18 @@ py::array plane_distance(const HeldHull& held, const py::object& object) {
   auto result = queries.answers<double>({facets});
   const auto x = queries.coordinates();
   double* out = result.mutable_data();
-  const py::gil_scoped_release no_gil;
-  for (std::size_t i = 0; i < x.size() / d; ++i)
-    for (std::size_t f = 0; f < facets; ++f) {
-      const double* const equation = data->equations.data() + f * (d + 1);
-      double sum = equation[d];
-      for (std::size_t j = 0; j < d; ++j) sum += equation[j] * x[i * d + j];
-      *out++ = sum;
+  Supervisor supervisor;
+  supervisor.run([&] {
+    for (std::size_t i = 0; i < x.size() / d; ++i) {
+      cancellation_point();
+      for (std::size_t f = 0; f < facets; ++f) {
+        const double* const equation = data->equations.data() + f * (d + 1);
+        double sum = equation[d];
+        for (std::size_t j = 0; j < d; ++j) sum += equation[j] * x[i * d + j];
+        *out++ = sum;
+      }
     }
+  });
   return result;
 }
 
@@ -202,24 +199,22 @@ py::array points(const HeldHull& held) {
 
 py::tuple state(const HeldHull& held) {
   const BuildArguments& a = held.arguments();
-  py::list batches;
-  for (const std::size_t rows : held.batches()) batches.append(rows);
+  const py::list batches = batches_to_state(held.batches());
   const double tolerance = held.ask([](const Polytope& hull) { return hull.tolerance(); });
   return py::make_tuple(held.dimension(), points(held), batches, a.seed, a.order, a.threads, tolerance);
 }
 
-std::unique_ptr<HeldHull> restored(const py::tuple& state) {
-  if (state.size() != 7) throw py::value_error("not the state of a hull");
-  auto held = std::make_unique<HeldHull>(
-      state[0].cast<int>(),
-      BuildArguments{state[3].cast<std::uint64_t>(), state[4].cast<std::string>(), state[5].cast<int>()},
-      state[6].cast<double>());
-  py::ssize_t first = 0;
-  for (const auto item : state[2]) {
-    held->add(state[1][py::slice(first, first + item.cast<py::ssize_t>(), 1)], py::none());
-    first += item.cast<py::ssize_t>();
-  }
-  return held;
+std::unique_ptr<HeldHull> restored(const py::tuple& given) {
+  return from_state(given, 7, "a hull", [](const py::tuple& state) {
+    const auto points = as_points(state[1], "points");
+    auto held = std::make_unique<HeldHull>(
+        state[0].cast<int>(),
+        BuildArguments{state[3].cast<std::uint64_t>(), state[4].cast<std::string>(), state[5].cast<int>()},
+        state[6].cast<double>());
+    add_batches(state[2], points.shape(0),
+                [&](const py::slice& rows) { held->add(points[rows], py::none()); });
+    return held;
+  });
 }
 
 template <class Question>
@@ -345,7 +340,7 @@ void bind_convex_hull(py::module_& module) {
             return rows_view(data->cells, data->num_cells(), width(*data), data);
           },
           "(m, k) input rows, in no particular order. With a point inside put first each is positively "
-          "oriented when k = d.")
+          "oriented when k = d > 1.")
       .def_property_readonly(
           "neighbors",
           [](const HeldHull& h) {

@@ -35,10 +35,8 @@ py::tuple convex_hulls_of(const py::object& points, const Offsets& offsets, std:
   }
   const int dimension = static_cast<int>(rows.shape(1));
   Supervisor supervisor(progress);
-  auto hulls = std::make_shared<ConvexHulls>(supervisor.run([&, x = numbers(rows)] {
-    const Options options = arguments.to_options([&](double fraction) { return supervisor.go_on(fraction); });
-    return convex_hulls(x, dimension, bounds, options);
-  }));
+  auto hulls = std::make_shared<ConvexHulls>(supervisor.run(
+      [&, x = numbers(rows)] { return convex_hulls(x, dimension, bounds, arguments.to_options()); }));
   const auto d = static_cast<std::size_t>(dimension);
   const std::size_t cells = hulls->cells.size() / d;
   return py::make_tuple(list_view(hulls->affine_dimensions, hulls), offsets_view(hulls->vertex_offsets),

@@ -2,6 +2,7 @@
 // delone.HalfspaceIntersection.
 #include "arrays.hpp"
 #include "module.hpp"
+#include "pickling.hpp"
 #include "running.hpp"
 
 #include <pybind11/stl.h>
@@ -38,7 +39,7 @@ class HeldIntersection {
       throw py::value_error("interior_point: an array of shape (" + std::to_string(dimension_) + ",), not " +
                             std::string(py::str(interior.attr("shape"))));
     guard_.change(progress, [&, h = numbers(rows), p = numbers(interior)] {
-      const Options options = arguments_.to_options(guard_.progress());
+      const Options options = arguments_.to_options();
       if (has_interior_)
         intersection_.emplace(h, dimension_, p, options);
       else
@@ -52,7 +53,7 @@ class HeldIntersection {
 
   template <class Question>
   auto ask(Question question) const {
-    return guard_.ask([&](Supervisor&) { return question(static_cast<const Polyhedron&>(*intersection_)); });
+    return guard_.ask([&] { return question(static_cast<const Polyhedron&>(*intersection_)); });
   }
 
   void add(const py::object& halfspaces, const py::object& progress) {
@@ -144,12 +145,13 @@ py::tuple state(const HeldIntersection& held) {
                         a.order, a.threads);
 }
 
-std::unique_ptr<HeldIntersection> restored(const py::tuple& state) {
-  if (state.size() != 5) throw py::value_error("not the state of an intersection");
-  return std::make_unique<HeldIntersection>(
-      state[0], state[1],
-      BuildArguments{state[2].cast<std::uint64_t>(), state[3].cast<std::string>(), state[4].cast<int>()},
-      py::none());
+std::unique_ptr<HeldIntersection> restored(const py::tuple& given) {
+  return from_state(given, 5, "an intersection", [](const py::tuple& state) {
+    return std::make_unique<HeldIntersection>(
+        state[0], state[1],
+        BuildArguments{state[2].cast<std::uint64_t>(), state[3].cast<std::string>(), state[4].cast<int>()},
+        py::none());
+  });
 }
 
 template <class Question>

@@ -2,6 +2,7 @@
 // delone.LinearInterpolator, for real and complex values of any shape.
 #include "held_function.hpp"
 #include "module.hpp"
+#include "pickling.hpp"
 
 #include <limits>
 #include <string>
@@ -16,8 +17,9 @@ class HeldInterpolator : public HeldFunction<LinearInterpolator> {
   HeldInterpolator(const py::object& points, const py::object& values, const std::string& outside,
                    const py::object& fill, double tolerance)
       : HeldFunction(points, values, outside, fill, tolerance) {
-    make_function([](const Triangulation& engine, std::span<const double> numbers, std::size_t columns,
-                     Supervisor&) { return std::make_unique<LinearInterpolator>(engine, numbers, columns); });
+    make_function([](const Triangulation& engine, std::span<const double> numbers, std::size_t columns) {
+      return std::make_unique<LinearInterpolator>(engine, numbers, columns);
+    });
   }
 
   std::string repr() const {
@@ -73,10 +75,12 @@ void bind_interpolator(py::module_& module) {
            "For flat points\n"
            "it is tangent to their flat.")
       .def(py::pickle([](const HeldInterpolator& held) { return held.state(); },
-                      [](const py::tuple& state) {
-                        return std::make_unique<HeldInterpolator>(state[0], state[1],
-                                                                  state[2].cast<std::string>(), state[3],
-                                                                  state[4].cast<double>());
+                      [](const py::tuple& given) {
+                        return from_state(given, 5, "an interpolator", [](const py::tuple& state) {
+                          return std::make_unique<HeldInterpolator>(state[0], state[1],
+                                                                    state[2].cast<std::string>(), state[3],
+                                                                    state[4].cast<double>());
+                        });
                       }));
 }
 

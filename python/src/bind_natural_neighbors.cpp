@@ -2,6 +2,7 @@
 // delone.NaturalNeighborInterpolator, for real and complex values of any shape, and delone.natural_neighbors.
 #include "held_function.hpp"
 #include "module.hpp"
+#include "pickling.hpp"
 
 #include <delone/natural_neighbors.hpp>
 
@@ -22,10 +23,9 @@ class NeighborLists {
  public:
   explicit NeighborLists(std::size_t count) : of_query_(count) {}
   void find(const NaturalNeighborCoordinates& coordinates, const Triangulation& engine,
-            std::span<const double> queries, const LocateOptions& how, Supervisor& supervisor) {
-    unsigned count = 0;
+            std::span<const double> queries, const LocateOptions& how) {
     coordinates.find(queries, how, [&](std::size_t query, const NaturalNeighbors& found) {
-      if (++count % 256 == 0 && !supervisor.go_on(0)) throw Error(Errc::cancelled, "cancelled");
+      cancellation_point();
       for (std::size_t i = 0; i < found.vertices.size(); ++i)
         of_query_[query].emplace_back(static_cast<SignedIndex>(engine.row_of(found.vertices[i])),
                                       found.weights[i]);
@@ -58,9 +58,8 @@ py::tuple natural_neighbors(const py::object& points, const py::object& object) 
   NeighborLists lists(queries.size());
   Supervisor supervisor;
   supervisor.run([&, x = queries.coordinates()] {
-    held.with_engine(supervisor, [&](const Triangulation& engine) {
-      lists.find(NaturalNeighborCoordinates(engine), engine, x, {}, supervisor);
-    });
+    held.with_engine(
+        [&](const Triangulation& engine) { lists.find(NaturalNeighborCoordinates(engine), engine, x, {}); });
   });
   return lists.arrays();
 }
@@ -71,21 +70,19 @@ class HeldNaturalInterpolator : public HeldFunction<NaturalNeighborInterpolator>
                           const py::object& fill, bool smooth, const py::object& gradients, double tolerance)
       : HeldFunction(points, values, outside, fill, tolerance), smooth_(smooth), given_gradients_(gradients) {
     const std::vector<double> site_gradients = parts_of_gradients();
-    make_function([&](const Triangulation& engine, std::span<const double> numbers, std::size_t columns,
-                      Supervisor& supervisor) {
-      return std::make_unique<NaturalNeighborInterpolator>(engine, numbers, columns, smooth_, site_gradients,
-                                                           [&](std::size_t) { return supervisor.go_on(0); });
+    make_function([&](const Triangulation& engine, std::span<const double> numbers, std::size_t columns) {
+      return std::make_unique<NaturalNeighborInterpolator>(engine, numbers, columns, smooth_, site_gradients);
     });
   }
 
   py::array site_gradients() const {
     const auto d = static_cast<std::size_t>(triangulation().dimension());
     std::vector<double> numbers;
-    run([&](const Triangulation& engine, Supervisor& supervisor) {
+    run([&](const Triangulation& engine) {
       const std::size_t width = num_parts() * d;
       numbers.resize(engine.num_rows() * width);
       for (std::size_t row = 0; row < engine.num_rows(); ++row) {
-        if (row % 256 == 0 && !supervisor.go_on(0)) throw Error(Errc::cancelled, "cancelled");
+        cancellation_point();
         const VertexId v = engine.vertex_at(row);
         const std::size_t first = engine.row_of(v);
         double* const out = numbers.data() + row * width;
@@ -101,8 +98,8 @@ class HeldNaturalInterpolator : public HeldFunction<NaturalNeighborInterpolator>
   py::tuple neighbors(const py::object& object) const {
     const Queries queries(object, triangulation().dimension());
     NeighborLists lists(queries.size());
-    run([&, x = queries.coordinates()](const Triangulation& engine, Supervisor& supervisor) {
-      lists.find(function().coordinates(), engine, x, how_to_locate(), supervisor);
+    run([&, x = queries.coordinates()](const Triangulation& engine) {
+      lists.find(function().coordinates(), engine, x, how_to_locate());
     });
     return lists.arrays();
   }
@@ -218,10 +215,12 @@ void bind_natural_neighbors(py::module_& module) {
           "(n, ..., d) the gradients at the points, given or estimated. Without smooth=True "
           "they are estimated with each use.")
       .def(py::pickle([](const Held& held) { return held.state(); },
-                      [](const py::tuple& state) {
-                        return std::make_unique<Held>(state[0], state[1], state[2].cast<std::string>(),
-                                                      state[3], state[4].cast<bool>(), state[5],
-                                                      state[6].cast<double>());
+                      [](const py::tuple& given) {
+                        return from_state(given, 7, "an interpolator", [](const py::tuple& state) {
+                          return std::make_unique<Held>(state[0], state[1], state[2].cast<std::string>(),
+                                                        state[3], state[4].cast<bool>(), state[5],
+                                                        state[6].cast<double>());
+                        });
                       }));
   module.def(
       "natural_neighbors", &natural_neighbors, "points"_a, "queries"_a,

@@ -2,6 +2,7 @@
 // delone.Delaunay, Regular and FurthestSite.
 #include "arrays.hpp"
 #include "module.hpp"
+#include "pickling.hpp"
 #include "triangulation.hpp"
 
 #include <pybind11/stl.h>
@@ -54,7 +55,7 @@ void add(Held& held, const py::object& points, const py::object& weights, const 
   const auto their_weights =
       held.form() == Form::regular ? as_weights(weights, rows.shape(0)) : py::array_t<double>(0);
   Supervisor supervisor(progress);
-  supervisor.run([&, x = numbers(rows), w = numbers(their_weights)] { held.add(x, w, supervisor); });
+  supervisor.run([&, x = numbers(rows), w = numbers(their_weights)] { held.add(x, w); });
 }
 
 template <class T>
@@ -71,12 +72,12 @@ std::unique_ptr<T> construct(const py::object& points, const py::object& weights
 template <class Question>
 auto ask(const Held& held, Question question) {
   Supervisor supervisor;
-  return supervisor.run([&] { return held.with_engine(supervisor, question); });
+  return supervisor.run([&] { return held.with_engine(question); });
 }
 
 std::shared_ptr<const Cells> cells_of(const Held& held) {
   Supervisor supervisor;
-  return supervisor.run([&] { return held.cells(supervisor); });
+  return supervisor.run([&] { return held.cells(); });
 }
 std::shared_ptr<const ComplexData> data_of(const Held& held) {
   auto cells = cells_of(held);
@@ -86,13 +87,13 @@ std::size_t width(const ComplexData& data) { return static_cast<std::size_t>(dat
 
 py::array points(const Held& held) {
   Supervisor supervisor;
-  const auto points = supervisor.run([&] { return held.points(supervisor); });
+  const auto points = supervisor.run([&] { return held.points(); });
   const auto d = static_cast<std::size_t>(held.dimension());
   return rows_view(*points, points->size() / d, d, points);
 }
 py::array weights(const Held& held) {
   Supervisor supervisor;
-  const auto weights = supervisor.run([&] { return held.weights(supervisor); });
+  const auto weights = supervisor.run([&] { return held.weights(); });
   return list_view(*weights, weights);
 }
 
@@ -151,21 +152,21 @@ py::tuple vertex_neighbors(const Held& held) {
   std::vector<std::int64_t> offsets{0};
   std::vector<SignedIndex> rows;
   supervisor.run([&] {
-    held.with_locator(supervisor,
-                      [&](const Triangulation& engine, const PointLocator& locator, const Cells& cells) {
-                        const PointLocator::Edges& edges = locator.edges();
-                        rows.reserve(edges.vertices.size());
-                        for (std::size_t row = 0; row < engine.num_rows(); ++row) {
-                          const auto first = static_cast<std::ptrdiff_t>(rows.size());
-                          if (cells.data.vertex_of_point[row] == static_cast<SignedIndex>(row)) {
-                            const Index v = index(engine.vertex_at(row));
-                            for (std::size_t e = edges.offsets[v]; e < edges.offsets[v + 1]; ++e)
-                              rows.push_back(static_cast<SignedIndex>(engine.row_of(edges.vertices[e])));
-                            std::sort(rows.begin() + first, rows.end());
-                          }
-                          offsets.push_back(static_cast<std::int64_t>(rows.size()));
-                        }
-                      });
+    held.with_locator([&](const Triangulation& engine, const PointLocator& locator, const Cells& cells) {
+      const PointLocator::Edges& edges = locator.edges();
+      rows.reserve(edges.vertices.size());
+      for (std::size_t row = 0; row < engine.num_rows(); ++row) {
+        cancellation_point();
+        const auto first = static_cast<std::ptrdiff_t>(rows.size());
+        if (cells.data.vertex_of_point[row] == static_cast<SignedIndex>(row)) {
+          const Index v = index(engine.vertex_at(row));
+          for (std::size_t e = edges.offsets[v]; e < edges.offsets[v + 1]; ++e)
+            rows.push_back(static_cast<SignedIndex>(engine.row_of(edges.vertices[e])));
+          std::sort(rows.begin() + first, rows.end());
+        }
+        offsets.push_back(static_cast<std::int64_t>(rows.size()));
+      }
+    });
   });
   return py::make_tuple(list_view(std::move(offsets)), list_view(std::move(rows)));
 }
@@ -175,10 +176,8 @@ template <class Visit>
 void locate_each(const Held& held, const Queries& queries, const LocateOptions& options, Visit visit) {
   Supervisor supervisor;
   supervisor.run([&, x = queries.coordinates()] {
-    held.with_locator(supervisor, [&](const Triangulation& engine, const PointLocator& locator,
-                                      const Cells& cells) {
+    held.with_locator([&](const Triangulation& engine, const PointLocator& locator, const Cells& cells) {
       locator.locate(x, options, [&](std::size_t query, const LocatedPoint& where) {
-        supervisor.count();
         visit(query, where,
               where.barycentric.empty() ? SignedIndex{-1} : cells.number_of_slot[index(where.cell)], engine);
       });
@@ -263,74 +262,72 @@ py::array find_accepting(const Held& held, const py::object& object, const Reals
   Supervisor supervisor;
   supervisor.run([&, x = queries.coordinates(), out = found.mutable_data(), maps = transform.data(),
                   across = neighbors.data()] {
-    held.with_locator(
-        supervisor, [&](const Triangulation& engine, const PointLocator& locator, const Cells& cells) {
-          const auto map_of = [&](SignedIndex cell) {
-            return maps + static_cast<std::size_t>(cell) * d * (d + 1);
-          };
-          const auto accepts = [&](SignedIndex cell, const double* q) {
-            const double* const map = map_of(cell);
-            if (std::isnan(map[0])) return false;
-            double last = 1;
-            for (std::size_t i = 0; i <= d; ++i) {
-              double c = last;
-              if (i < d) {
-                c = 0;
-                for (std::size_t j = 0; j < d; ++j) c += map[i * d + j] * (q[j] - map[d * d + j]);
-                last -= c;
-              }
-              if (!(c <= 1 + tolerance)) return false;
-              if (c >= -tolerance) continue;
-              const SignedIndex other = across[static_cast<std::size_t>(cell) * (d + 1) + i];
-              if (!(c >= -broad) || other < 0 || !std::isnan(map_of(other)[0])) return false;
-            }
-            return true;
-          };
-          const auto number_of = [&](CellId cell) {
-            const SignedIndex number = cells.number_of_slot[index(cell)];
-            return static_cast<std::size_t>(number) < count ? number : SignedIndex{-1};
-          };
-          std::array<SignedIndex, 32> tried;
-          const auto accepting_near = [&](SignedIndex start, const double* q) {
-            std::size_t size = 0;
-            tried[size++] = start;
-            for (std::size_t i = 0; i < size; ++i) {
-              const SignedIndex cell = tried[i];
-              if (accepts(cell, q)) return cell;
-              if (i > 0 && !std::isnan(map_of(cell)[0])) continue;
-              for (std::size_t j = 0; j <= d && size < tried.size(); ++j) {
-                const SignedIndex other = across[static_cast<std::size_t>(cell) * (d + 1) + j];
-                const auto end = tried.begin() + static_cast<std::ptrdiff_t>(size);
-                if (static_cast<std::size_t>(other) < count && std::find(tried.begin(), end, other) == end)
-                  tried[size++] = other;
-              }
-            }
-            return SignedIndex{-1};
-          };
-          const Complex complex = engine.complex();
-          std::vector<std::size_t> others;
-          std::vector<double> coordinates_of_others;
-          locator.locate(x, {.coordinates = false}, [&](std::size_t query, const LocatedPoint& where) {
-            supervisor.count();
-            const double* const q = x.data() + query * d;
-            const bool is_inside = !where.barycentric.empty();
-            if (is_inside || where.cell != invalid_cell) {
-              const SignedIndex start = number_of(
-                  is_inside ? where.cell : complex.neighbor(where.cell, complex.infinite_index(where.cell)));
-              if (start >= 0) out[query] = accepting_near(start, q);
-            }
-            if (out[query] >= 0) return;
-            others.push_back(query);
-            coordinates_of_others.insert(coordinates_of_others.end(), q, q + d);
-          });
-          locator.cells_within(coordinates_of_others, radius, [&](std::size_t other, CellId cell) {
-            supervisor.count();
-            const SignedIndex number = number_of(cell);
-            if (number < 0 || !accepts(number, coordinates_of_others.data() + other * d)) return true;
-            out[others[other]] = number;
-            return false;
-          });
-        });
+    held.with_locator([&](const Triangulation& engine, const PointLocator& locator, const Cells& cells) {
+      const auto map_of = [&](SignedIndex cell) {
+        return maps + static_cast<std::size_t>(cell) * d * (d + 1);
+      };
+      const auto accepts = [&](SignedIndex cell, const double* q) {
+        const double* const map = map_of(cell);
+        if (std::isnan(map[0])) return false;
+        double last = 1;
+        for (std::size_t i = 0; i <= d; ++i) {
+          double c = last;
+          if (i < d) {
+            c = 0;
+            for (std::size_t j = 0; j < d; ++j) c += map[i * d + j] * (q[j] - map[d * d + j]);
+            last -= c;
+          }
+          if (!(c <= 1 + tolerance)) return false;
+          if (c >= -tolerance) continue;
+          const SignedIndex other = across[static_cast<std::size_t>(cell) * (d + 1) + i];
+          if (!(c >= -broad) || other < 0 || !std::isnan(map_of(other)[0])) return false;
+        }
+        return true;
+      };
+      const auto number_of = [&](CellId cell) {
+        const SignedIndex number = cells.number_of_slot[index(cell)];
+        return static_cast<std::size_t>(number) < count ? number : SignedIndex{-1};
+      };
+      std::array<SignedIndex, 32> tried;
+      const auto accepting_near = [&](SignedIndex start, const double* q) {
+        std::size_t size = 0;
+        tried[size++] = start;
+        for (std::size_t i = 0; i < size; ++i) {
+          const SignedIndex cell = tried[i];
+          if (accepts(cell, q)) return cell;
+          if (i > 0 && !std::isnan(map_of(cell)[0])) continue;
+          for (std::size_t j = 0; j <= d && size < tried.size(); ++j) {
+            const SignedIndex other = across[static_cast<std::size_t>(cell) * (d + 1) + j];
+            const auto end = tried.begin() + static_cast<std::ptrdiff_t>(size);
+            if (static_cast<std::size_t>(other) < count && std::find(tried.begin(), end, other) == end)
+              tried[size++] = other;
+          }
+        }
+        return SignedIndex{-1};
+      };
+      const Complex complex = engine.complex();
+      std::vector<std::size_t> others;
+      std::vector<double> coordinates_of_others;
+      locator.locate(x, {.coordinates = false}, [&](std::size_t query, const LocatedPoint& where) {
+        const double* const q = x.data() + query * d;
+        const bool is_inside = !where.barycentric.empty();
+        if (is_inside || where.cell != invalid_cell) {
+          const SignedIndex start = number_of(
+              is_inside ? where.cell : complex.neighbor(where.cell, complex.infinite_index(where.cell)));
+          if (start >= 0) out[query] = accepting_near(start, q);
+        }
+        if (out[query] >= 0) return;
+        others.push_back(query);
+        coordinates_of_others.insert(coordinates_of_others.end(), q, q + d);
+      });
+      locator.cells_within(coordinates_of_others, radius, [&](std::size_t other, CellId cell) {
+        cancellation_point();
+        const SignedIndex number = number_of(cell);
+        if (number < 0 || !accepts(number, coordinates_of_others.data() + other * d)) return true;
+        out[others[other]] = number;
+        return false;
+      });
+    });
   });
   return found;
 }
@@ -376,16 +373,14 @@ py::tuple nearest(const Held& held, const py::object& object, std::optional<py::
   std::fill_n(distances.mutable_data(), distances.size(), nan);
   Supervisor supervisor;
   supervisor.run([&, x = queries.coordinates(), row = rows.mutable_data(), at = distances.mutable_data()] {
-    held.with_locator(
-        supervisor, [&](const Triangulation& engine, const PointLocator& locator, const Cells&) {
-          const auto d = static_cast<std::size_t>(held.dimension());
-          visit_nearest(locator, x, k ? std::optional(width) : std::nullopt,
-                        [&](std::size_t query, std::size_t rank, VertexId v) {
-                          supervisor.count();
-                          row[query * width + rank] = static_cast<SignedIndex>(engine.row_of(v));
-                          at[query * width + rank] = distance_or_power(held, engine, x.data() + query * d, v);
-                        });
-        });
+    held.with_locator([&](const Triangulation& engine, const PointLocator& locator, const Cells&) {
+      const auto d = static_cast<std::size_t>(held.dimension());
+      visit_nearest(locator, x, k ? std::optional(width) : std::nullopt,
+                    [&](std::size_t query, std::size_t rank, VertexId v) {
+                      row[query * width + rank] = static_cast<SignedIndex>(engine.row_of(v));
+                      at[query * width + rank] = distance_or_power(held, engine, x.data() + query * d, v);
+                    });
+    });
   });
   return py::make_tuple(Queries::scalar_if_single(rows), Queries::scalar_if_single(distances));
 }
@@ -406,27 +401,27 @@ std::string repr(const Held& held) {
 
 py::tuple state(const Held& held) {
   const BuildArguments& a = held.arguments();
-  py::list batches;
-  for (const std::size_t rows : held.batches()) batches.append(rows);
+  const py::list batches = batches_to_state(held.batches());
   return py::make_tuple(held.dimension(), points(held),
                         held.form() == Form::regular ? py::object(weights(held)) : py::none(), batches,
                         a.seed, a.order, a.threads);
 }
 
 template <class T>
-std::unique_ptr<T> restored(const py::tuple& state) {
-  if (state.size() != 7) throw py::value_error("not the state of a triangulation");
-  auto held = std::make_unique<T>(
-      state[0].cast<int>(),
-      BuildArguments{state[4].cast<std::uint64_t>(), state[5].cast<std::string>(), state[6].cast<int>()});
-  py::ssize_t first = 0;
-  for (const auto item : state[3]) {
-    const py::slice rows(first, first + item.cast<py::ssize_t>(), 1);
-    add(*held, state[1][rows], state[2].is_none() ? py::object(py::none()) : py::object(state[2][rows]),
-        py::none());
-    first += item.cast<py::ssize_t>();
-  }
-  return held;
+std::unique_ptr<T> restored(const py::tuple& given) {
+  return from_state(given, 7, "a triangulation", [](const py::tuple& state) {
+    const auto points = as_points(state[1], "points");
+    auto held = std::make_unique<T>(
+        state[0].cast<int>(),
+        BuildArguments{state[4].cast<std::uint64_t>(), state[5].cast<std::string>(), state[6].cast<int>()});
+    const py::object weights = held->form() == Form::regular
+                                   ? py::object(as_weights(state[2], points.shape(0)))
+                                   : py::object(py::none());
+    add_batches(state[3], points.shape(0), [&](const py::slice& rows) {
+      add(*held, points[rows], weights.is_none() ? weights : py::object(weights[rows]), py::none());
+    });
+    return held;
+  });
 }
 
 template <class T>

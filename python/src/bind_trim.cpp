@@ -2,22 +2,93 @@
 // Triangulation.trim and its result.
 #include "arrays.hpp"
 #include "module.hpp"
+#include "pickling.hpp"
 #include "triangulation.hpp"
 
 #include <delone/trim.hpp>
 
 #include <algorithm>
+#include <limits>
 #include <memory>
 #include <string>
+#include <utility>
+#include <vector>
 
 namespace delone::python {
 namespace {
 
 using namespace py::literals;
-using Held = std::shared_ptr<TrimResult>;
+/// What trim() leaves, shared by the arrays that show it.
+class HeldTrim {
+ public:
+  explicit HeldTrim(TrimResult result) : result_(std::make_shared<const TrimResult>(std::move(result))) {}
 
-std::size_t width(const TrimResult& result) {
-  return static_cast<std::size_t>(result.data.affine_dimension + 1);
+  const TrimResult& result() const { return *result_; }
+  py::array rows(const std::vector<SignedIndex>& items) const {
+    return rows_view(items, result_->data.num_cells(), width(), result_);
+  }
+  py::array cells() const { return rows(result_->data.cells); }
+  py::array neighbors() const { return rows(result_->data.neighbors); }
+  py::array orphans() const { return list_view(result_->orphans, result_); }
+  py::array kept() const {
+    py::array_t<bool> kept(static_cast<py::ssize_t>(result_->kept.size()));
+    std::transform(result_->kept.begin(), result_->kept.end(), kept.mutable_data(),
+                   [](unsigned char k) { return k != 0; });
+    kept.attr("setflags")("write"_a = false);
+    return kept;
+  }
+  std::string repr() const {
+    return "<delone.TrimResult: " + std::to_string(result_->data.num_cells()) + " cells, " +
+           std::to_string(result_->num_removed) + " removed>";
+  }
+  py::tuple state() const {
+    return py::make_tuple(result_->data.affine_dimension, cells(), neighbors(), kept(), orphans(),
+                          result_->depth, result_->lost_volume);
+  }
+
+ private:
+  std::size_t width() const { return static_cast<std::size_t>(result_->data.affine_dimension + 1); }
+
+  std::shared_ptr<const TrimResult> result_;
+};
+
+using Numbers = py::array_t<SignedIndex, py::array::c_style>;
+using Flags = py::array_t<bool, py::array::c_style>;
+
+/// The numbers of an array of this type and shape, each at least `least` and below `end`.
+std::vector<SignedIndex> checked(const py::object& object, const std::vector<py::ssize_t>& shape,
+                                 SignedIndex least, std::size_t end) {
+  const auto array = object.cast<Numbers>();
+  const SignedIndex *const first = array.data(), *const last = first + array.size();
+  if (std::vector<py::ssize_t>(array.shape(), array.shape() + array.ndim()) != shape ||
+      !std::all_of(first, last,
+                   [&](SignedIndex x) { return x >= least && (x < 0 || static_cast<std::size_t>(x) < end); }))
+    throw py::value_error("not the state of a trimmed triangulation");
+  return {first, last};
+}
+
+HeldTrim restored(const py::tuple& given) {
+  return from_state(given, 7, "a trimmed triangulation", [](const py::tuple& state) {
+    TrimResult result;
+    result.data.affine_dimension = state[0].cast<int>();
+    const auto kept = state[3].cast<Flags>();
+    if (result.data.affine_dimension < -1 ||
+        result.data.affine_dimension == std::numeric_limits<int>::max() || kept.ndim() != 1)
+      throw py::value_error("not the state of a trimmed triangulation");
+    for (const bool* flag = kept.data(); flag != kept.data() + kept.size(); ++flag)
+      result.kept.push_back(*flag ? 1 : 0);
+    const auto cells = std::count(result.kept.begin(), result.kept.end(), 1);
+    const std::vector<py::ssize_t> shape{cells, py::ssize_t{result.data.affine_dimension} + 1};
+    constexpr std::size_t any = max_index;
+    result.data.cells = checked(state[1], shape, 0, any);
+    result.data.neighbors = checked(state[2], shape, -1, static_cast<std::size_t>(cells));
+    result.num_removed = result.kept.size() - static_cast<std::size_t>(cells);
+    const auto num_orphans = state[4].cast<py::array>().size();
+    result.orphans = checked(state[4], {num_orphans}, 0, any);
+    result.depth = state[5].cast<double>();
+    result.lost_volume = state[6].cast<double>();
+    return HeldTrim(std::move(result));
+  });
 }
 
 constexpr const char* trim_doc = R"(
@@ -35,50 +106,38 @@ O(m k d^2) for m cells, and integers for thin cells at the border.)";
 }  // namespace
 
 void bind_trim(py::module_& module) {
-  py::class_<TrimResult, Held>(module, "TrimResult", "What trim() leaves of a triangulation. Read-only.")
+  py::class_<HeldTrim>(module, "TrimResult", "What trim() leaves of a triangulation. Read-only.")
+      .def_property_readonly("cells", &HeldTrim::cells,
+                             "(m', k+1) input rows: the remaining cells, in their order.")
       .def_property_readonly(
-          "cells", [](const Held& r) { return rows_view(r->data.cells, r->data.num_cells(), width(*r), r); },
-          "(m', k+1) input rows: the remaining cells, in their order.")
-      .def_property_readonly(
-          "neighbors",
-          [](const Held& r) { return rows_view(r->data.neighbors, r->data.num_cells(), width(*r), r); },
+          "neighbors", &HeldTrim::neighbors,
           "(m', k+1) remaining cells: neighbor j is across the facet opposite vertex j; -1 beyond the "
           "border.")
+      .def_property_readonly("kept", &HeldTrim::kept,
+                             "(m,) bool: whether each cell of the triangulation remains.")
       .def_property_readonly(
-          "kept",
-          [](const TrimResult& r) {
-            py::array_t<bool> kept(static_cast<py::ssize_t>(r.kept.size()));
-            std::transform(r.kept.begin(), r.kept.end(), kept.mutable_data(),
-                           [](unsigned char k) { return k != 0; });
-            kept.attr("setflags")("write"_a = false);
-            return kept;
-          },
-          "(m,) bool: whether each cell of the triangulation remains.")
+          "num_removed", [](const HeldTrim& r) { return r.result().num_removed; },
+          "How many cells were removed.")
       .def_property_readonly(
-          "num_removed", [](const TrimResult& r) { return r.num_removed; }, "How many cells were removed.")
-      .def_property_readonly(
-          "orphans", [](const Held& r) { return list_view(r->orphans, r); },
+          "orphans", &HeldTrim::orphans,
           "The rows of vertices that no remaining cell has, increasing; rows merged into them are not "
           "listed.")
       .def_property_readonly(
-          "depth", [](const TrimResult& r) { return r.depth; },
+          "depth", [](const HeldTrim& r) { return r.result().depth; },
           "The largest depth of a removed cell, rounded up: all removed points are within it of what "
           "remains.")
       .def_property_readonly(
-          "lost_volume", [](const TrimResult& r) { return r.lost_volume; },
+          "lost_volume", [](const HeldTrim& r) { return r.result().lost_volume; },
           "The k-volume of the removed cells, rounded up.")
-      .def("__repr__", [](const TrimResult& r) {
-        return "<delone.TrimResult: " + std::to_string(r.data.num_cells()) + " cells, " +
-               std::to_string(r.num_removed) + " removed>";
-      });
+      .def("__repr__", &HeldTrim::repr)
+      .def(py::pickle([](const HeldTrim& held) { return held.state(); }, &restored));
   py::type triangulation = py::type::of<HeldTriangulation>();
   triangulation.attr("trim") = py::cpp_function(
       [](const HeldTriangulation& held, double tolerance) {
         Supervisor supervisor;
         return supervisor.run([&] {
-          return held.with_engine(supervisor, [tolerance](const Triangulation& engine) {
-            return std::make_shared<TrimResult>(trim(engine, tolerance));
-          });
+          return held.with_engine(
+              [tolerance](const Triangulation& engine) { return HeldTrim(trim(engine, tolerance)); });
         });
       },
       py::name("trim"), py::is_method(triangulation), trim_doc + 1, "tolerance"_a);

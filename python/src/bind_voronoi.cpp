@@ -37,7 +37,7 @@ class HeldDiagram {
       version = source.version();
       source_state_ = triangulation.attr("__getstate__")();
       supervisor.run([&] {
-        source.with_engine(supervisor, [&](const Triangulation& engine) {
+        source.with_engine([&](const Triangulation& engine) {
           if (source.form() == Form::regular)
             diagram_ = std::make_shared<PowerDiagram<>>(static_cast<const Regular<>&>(engine), options);
           else if (source.form() == Form::furthest_site)
@@ -45,8 +45,8 @@ class HeldDiagram {
           else
             diagram_ = std::make_shared<Voronoi<>>(static_cast<const Delaunay<>&>(engine), options);
         });
-        points_ = source.points(supervisor);
-        weights_ = source.weights(supervisor);
+        points_ = source.points();
+        weights_ = source.weights();
       });
     }
   }
@@ -116,9 +116,11 @@ py::array region_volumes(const HeldDiagram& held, const py::object& object) {
       [&] { return box ? held.diagram().region_volumes(*box) : held.diagram().region_volumes(); }));
 }
 
-std::size_t checked(std::size_t i, std::size_t count) {
-  if (i >= count) throw py::index_error();
-  return i;
+std::size_t checked(const char* what, py::ssize_t i, std::size_t count) {
+  if (i < 0 || static_cast<std::size_t>(i) >= count)
+    throw py::index_error(std::string(what) + " " + std::to_string(i) + ": there are " +
+                          std::to_string(count));
+  return static_cast<std::size_t>(i);
 }
 
 std::string repr(const HeldDiagram& held, const char* name) {
@@ -278,14 +280,14 @@ void bind_voronoi(py::module_& module) {
           "(rays, k) the rows of the hull facet that each unbounded edge is dual to.")
       .def(
           "ridge",
-          [](const HeldDiagram& h, std::size_t i) {
-            return h.list(h.diagram().ridge(checked(i, h.diagram().num_ridges())));
+          [](const HeldDiagram& h, py::ssize_t i) {
+            return h.list(h.diagram().ridge(checked("ridge", i, h.diagram().num_ridges())));
           },
           "i"_a, "The vertices of ridge i, see ridge_vertices. IndexError unless 0 <= i < num_ridges.")
       .def(
           "region",
-          [](const HeldDiagram& h, std::size_t i) {
-            return h.list(h.diagram().region(checked(i, h.diagram().num_regions())));
+          [](const HeldDiagram& h, py::ssize_t i) {
+            return h.list(h.diagram().region(checked("region", i, h.diagram().num_regions())));
           },
           "i"_a, "The vertices of region i, see region_vertices. IndexError unless 0 <= i < num_regions.")
       .def("region_volumes", &region_volumes, "box"_a = py::none(), text(region_volumes_doc))

@@ -56,9 +56,7 @@ class HeldFunction {
     auto shape = shape_of(queries);
     shape.push_back(triangulation().dimension());
     std::vector<double> parts(queries.coordinates().size() * parts_);
-    run([&, x = queries.coordinates()](const Triangulation&, Supervisor& supervisor) {
-      function_->gradients(x, parts, options(supervisor));
-    });
+    run([&, x = queries.coordinates()](const Triangulation&) { function_->gradients(x, parts, options()); });
     return gradients_of_parts(parts, shape);
   }
 
@@ -85,18 +83,18 @@ class HeldFunction {
       parts_ *= static_cast<std::size_t>(values_.shape(axis));
   }
 
-  /// Calls make(engine, numbers, columns, supervisor) without the GIL, which returns the interpolator.
+  /// Calls make(engine, numbers, columns) without the GIL, which returns the interpolator.
   template <class Make>
   void make_function(Make make) {
     const std::span<const double> numbers{static_cast<const double*>(values_.data()),
                                           static_cast<std::size_t>(values_.size()) * (is_complex_ ? 2 : 1)};
     Supervisor supervisor;
     supervisor.run([&] {
-      triangulation().with_engine(supervisor, [&](const Triangulation& engine) {
+      triangulation().with_engine([&](const Triangulation& engine) {
         if (numbers.size() != engine.num_rows() * parts_)
           throw Error(Errc::bad_dimension,
                       "values: not one row for each of " + std::to_string(engine.num_rows()) + " points");
-        function_ = make(engine, numbers, parts_, supervisor);
+        function_ = make(engine, numbers, parts_);
         version_ = triangulation().version();
       });
     });
@@ -108,16 +106,16 @@ class HeldFunction {
   /// Real numbers per point.
   std::size_t num_parts() const { return parts_; }
 
-  /// Calls work(engine, supervisor) without the GIL.
+  /// Calls work(engine) without the GIL.
   template <class Work>
   void run(Work work) const {
     const HeldTriangulation& held = triangulation();
     Supervisor supervisor;
     supervisor.run([&] {
-      held.with_engine(supervisor, [&](const Triangulation& engine) {
+      held.with_engine([&](const Triangulation& engine) {
         if (held.version() != version_)
           throw std::runtime_error("points were added to the triangulation since the interpolator was made");
-        work(engine, supervisor);
+        work(engine);
       });
     });
   }
@@ -149,11 +147,8 @@ class HeldFunction {
   }
 
  private:
-  EvaluateOptions options(Supervisor& supervisor, std::span<const double> fill = {}) const {
-    return {
-        .outside = outside_, .fill = fill, .tolerance = tolerance_, .progress = [&supervisor](std::size_t) {
-          return supervisor.go_on(0);
-        }};
+  EvaluateOptions options(std::span<const double> fill = {}) const {
+    return {.outside = outside_, .fill = fill, .tolerance = tolerance_};
   }
 
   std::vector<py::ssize_t> shape_of(const Queries& queries) const {
@@ -171,8 +166,8 @@ class HeldFunction {
     std::vector<double> constants(parts_);
     for (std::size_t i = 0; i < parts_; i += sizeof(T) / sizeof(double))
       std::memcpy(constants.data() + i, &fill, sizeof(T));
-    run([&, x = queries.coordinates()](const Triangulation&, Supervisor& supervisor) {
-      function_->evaluate(x, out, options(supervisor, constants));
+    run([&, x = queries.coordinates()](const Triangulation&) {
+      function_->evaluate(x, out, options(constants));
     });
     return Queries::scalar_if_single(result);
   }

@@ -4,6 +4,28 @@
 
 #include "running.hpp"
 
+#include <cstddef>
+
+namespace {
+
+namespace py = pybind11;
+
+/// pybind11 allocates an object of C++ when a method of a Python object is called that has none, because its
+/// __init__ or __setstate__ has not run or has failed. This stands in the place of that allocation, so that
+/// no method of any class ever sees memory that nothing has been made in.
+void* refuse_uninitialized(std::size_t) {
+  throw py::type_error("the object is not initialized: its __init__ or __setstate__ did not run, or failed");
+}
+
+void require_initialized_objects(const py::module_& module) {
+  for (const auto& item : py::dict(module.attr("__dict__")))
+    if (PyType_Check(item.second.ptr()))
+      if (auto* const type = py::detail::get_type_info(reinterpret_cast<PyTypeObject*>(item.second.ptr())))
+        type->operator_new = refuse_uninitialized;
+}
+
+}  // namespace
+
 PYBIND11_MODULE(_core, module) {
   namespace python = delone::python;
   module.doc() = "The compiled part of delone.";
@@ -19,4 +41,5 @@ PYBIND11_MODULE(_core, module) {
   python::bind_halfspaces(module);
   python::bind_cell_maps(module);
   python::bind_clough_tocher(module);
+  require_initialized_objects(module);
 }

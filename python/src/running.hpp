@@ -7,47 +7,39 @@
 
 #include <delone/delaunay.hpp>
 #include <delone/error.hpp>
+#include <delone/progress.hpp>
 
-#include <atomic>
 #include <chrono>
-#include <functional>
 #include <mutex>
 #include <optional>
 #include <shared_mutex>
 #include <stdexcept>
 #include <string>
-#include <thread>
 #include <utility>
 
 namespace delone::python {
 
 namespace py = pybind11;
 
-/// Ten times a second, lets Python decide whether work goes on: signal handlers run (in the main thread),
-/// then the progress function. Both may raise. Their exception is kept and replaces that of the library.
+/// Runs work of the library. Ten times a second Python decides whether it goes on: signal handlers run (in
+/// the main thread), then the progress function. Both may raise. Their exception is kept and replaces that of
+/// the library.
 class Supervisor {
  public:
-  /// `progress`: None, or a function of the fraction done. It may return False to stop.
-  explicit Supervisor(py::object progress = py::none()) : progress_(std::move(progress)) {}
-
-  /// Returns false to stop. Call it without the GIL.
-  bool go_on(double fraction) {
-    const auto now = Clock::now();
-    if (now - last_ < std::chrono::milliseconds(100)) return true;
-    last_ = now;
-    const py::gil_scoped_acquire gil;
-    return ask(fraction);
-  }
-  /// For loops over queries: looks at the clock only now and then.
-  void count() {
-    if (++count_ % 4096 == 0 && !go_on(0)) throw Error(Errc::cancelled, "cancelled");
+  /// `progress`: None, or a function of the fraction done, which may return False to stop. Otherwise raises
+  /// TypeError.
+  explicit Supervisor(py::object progress = py::none()) : progress_(std::move(progress)) {
+    if (!progress_.is_none() && PyCallable_Check(progress_.ptr()) == 0)
+      throw py::type_error("progress: a function of the fraction done, or None, not " +
+                           std::string(py::str(py::type::of(progress_).attr("__name__"))));
   }
 
-  /// Runs `work` without the GIL.
+  /// Runs `work` without the GIL. Its own loops call cancellation_point().
   template <class Work>
   auto run(Work work) {
     try {
       const py::gil_scoped_release no_gil;
+      const ProgressScope scope([this](double fraction) { return go_on(fraction); });
       return work();
     } catch (const Error& error) {
       if (error.code() == Errc::cancelled && raised_) throw *std::exchange(raised_, std::nullopt);
@@ -57,6 +49,14 @@ class Supervisor {
 
  private:
   using Clock = std::chrono::steady_clock;
+  /// Without the GIL.
+  bool go_on(double fraction) {
+    const auto now = Clock::now();
+    if (now - last_ < std::chrono::milliseconds(100)) return true;
+    last_ = now;
+    const py::gil_scoped_acquire gil;
+    return ask(fraction);
+  }
   bool ask(double fraction) {
     try {
       if (PyErr_CheckSignals() != 0) throw py::error_already_set();
@@ -70,7 +70,26 @@ class Supervisor {
   py::object progress_;
   std::optional<py::error_already_set> raised_;
   Clock::time_point last_ = Clock::now();
-  unsigned count_ = 0;
+};
+
+/// While it lives, the thread works on an object. A progress function or a signal handler that uses the
+/// object would wait for a lock that its own thread holds; instead it gets RuntimeError.
+class Use {
+ public:
+  Use(const void* object, const char* doing) : object_(object), doing_(doing), outer_(innermost) {
+    for (const Use* use = innermost; use != nullptr; use = use->outer_)
+      if (use->object_ == object) throw std::runtime_error(std::string("the object is being ") + use->doing_);
+    innermost = this;
+  }
+  Use(const Use&) = delete;
+  Use& operator=(const Use&) = delete;
+  ~Use() { innermost = outer_; }
+
+ private:
+  static inline constinit thread_local const Use* innermost = nullptr;
+  const void* object_;
+  const char* doing_;
+  const Use* outer_;
 };
 
 /// Lets threads share an object of the library: queries hold a lock together, a change holds it alone.
@@ -78,19 +97,14 @@ class Supervisor {
 /// is safe because threads that wait for the lock have released the GIL. Call all members with the GIL.
 class Guard {
  public:
-  /// For the options of the object: calls the Supervisor of the current change. Refers to the guard.
-  std::function<bool(double)> progress() {
-    return [this](double fraction) { return supervisor_ == nullptr || supervisor_->go_on(fraction); };
-  }
-
-  /// Returns question(supervisor).
+  /// Returns question().
   template <class Question>
   auto ask(Question question) const {
     Supervisor supervisor;
     return supervisor.run([&] {
-      refuse_reentry();
+      const Use use(this, "used");
       const std::shared_lock lock(mutex_);
-      return question(supervisor);
+      return question();
     });
   }
 
@@ -98,40 +112,13 @@ class Guard {
   void change(const py::object& progress, Work work) {
     Supervisor supervisor(progress);
     supervisor.run([&] {
-      refuse_reentry();
+      const Use use(this, "changed");
       const std::unique_lock lock(mutex_);
-      const Change change(*this, supervisor);
       work();
     });
   }
 
  private:
-  /// Marks the thread that is changing the object.
-  class Change {
-   public:
-    Change(Guard& guard, Supervisor& supervisor) : guard_(guard) {
-      guard_.supervisor_ = &supervisor;
-      guard_.changing_ = std::this_thread::get_id();
-    }
-    Change(const Change&) = delete;
-    Change& operator=(const Change&) = delete;
-    ~Change() {
-      guard_.supervisor_ = nullptr;
-      guard_.changing_ = std::thread::id();
-    }
-
-   private:
-    Guard& guard_;
-  };
-
-  /// A progress function that uses the object it reports on would deadlock.
-  void refuse_reentry() const {
-    if (changing_.load() == std::this_thread::get_id())
-      throw std::runtime_error("the object is being changed");
-  }
-
-  Supervisor* supervisor_ = nullptr;
-  std::atomic<std::thread::id> changing_;
   mutable std::shared_mutex mutex_;
 };
 
@@ -143,11 +130,6 @@ struct BuildArguments {
 
   /// Raises ValueError for a bad argument.
   Options to_options() const;
-  Options to_options(std::function<bool(double)> progress) const {
-    Options options = to_options();
-    options.progress = std::move(progress);
-    return options;
-  }
 };
 
 /// Statistics with their names in Python.

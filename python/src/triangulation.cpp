@@ -7,20 +7,6 @@
 namespace delone::python {
 namespace {
 
-/// Marks the thread that is changing an object.
-class Changing {
- public:
-  explicit Changing(std::atomic<std::thread::id>& thread) : thread_(thread) {
-    thread_ = std::this_thread::get_id();
-  }
-  Changing(const Changing&) = delete;
-  Changing& operator=(const Changing&) = delete;
-  ~Changing() { thread_ = std::thread::id(); }
-
- private:
-  std::atomic<std::thread::id>& thread_;
-};
-
 void insert(Engine& engine, std::span<const double> coordinates, std::span<const double> weights) {
   std::visit(
       [&](auto& product) {
@@ -42,10 +28,7 @@ HeldTriangulation::HeldTriangulation(Form form, int dimension, const BuildArgume
     : form_(form), dimension_(dimension), arguments_(arguments), engine_(make_engine()) {}
 
 std::unique_ptr<Engine> HeldTriangulation::make_engine() const {
-  Options options = arguments_.to_options();
-  options.progress = [watch = watch_](double fraction) {
-    return watch->supervisor == nullptr || watch->supervisor->go_on(fraction);
-  };
+  const Options options = arguments_.to_options();
   switch (form_) {
     case Form::regular:
       return std::make_unique<Engine>(std::in_place_type<Regular<>>, dimension_, options);
@@ -57,26 +40,18 @@ std::unique_ptr<Engine> HeldTriangulation::make_engine() const {
   return std::make_unique<Engine>(std::in_place_type<Delaunay<>>, dimension_, options);
 }
 
-void HeldTriangulation::refuse_reentry() const {
-  if (changing_.load() == std::this_thread::get_id()) throw std::runtime_error("the object is being changed");
-}
-
-void HeldTriangulation::add(std::span<const double> coordinates, std::span<const double> weights,
-                            Supervisor& supervisor) {
-  with_engine(supervisor, [](const Triangulation&) {});  // recovers, if need be
+void HeldTriangulation::add(std::span<const double> coordinates, std::span<const double> weights) {
+  with_engine([](const Triangulation&) {});  // recovers, if need be
+  const Use use(this, "changed");
   const std::unique_lock lock(mutex_);
   if (is_stale_) throw std::runtime_error("another thread's insertion was broken off");
-  const Changing changing(changing_);
   batches_.reserve(batches_.size() + 1);
-  watch_->supervisor = &supervisor;
   try {
     insert(*engine_, coordinates, weights);
   } catch (...) {
-    watch_->supervisor = nullptr;
     is_stale_ = num_rows(*engine_) != num_rows_;
     throw;
   }
-  watch_->supervisor = nullptr;
   if (num_rows(*engine_) == num_rows_) return;
   batches_.push_back(num_rows(*engine_) - num_rows_);
   num_rows_ = num_rows(*engine_);
@@ -89,28 +64,19 @@ void HeldTriangulation::add(std::span<const double> coordinates, std::span<const
 }
 
 /// Inserts our rows into a new engine, batch by batch, so that cells keep their numbers.
-void HeldTriangulation::rebuild(Supervisor& supervisor) const {
+void HeldTriangulation::rebuild() const {
   const std::unique_lock lock(mutex_);
   if (!is_stale_) return;
-  const Changing changing(changing_);
   const ComplexData old =
       std::visit([](const Triangulation& product) { return product.to_data(); }, std::as_const(*engine_));
   auto engine = make_engine();
-  watch_->supervisor = &supervisor;
-  try {
-    std::size_t first = 0;
-    const auto d = static_cast<std::size_t>(dimension_);
-    for (const std::size_t rows : batches_) {
-      insert(
-          *engine, std::span(old.points).subspan(first * d, rows * d),
-          form_ == Form::regular ? std::span(old.weights).subspan(first, rows) : std::span<const double>());
-      first += rows;
-    }
-  } catch (...) {
-    watch_->supervisor = nullptr;
-    throw;
+  std::size_t first = 0;
+  const auto d = static_cast<std::size_t>(dimension_);
+  for (const std::size_t rows : batches_) {
+    insert(*engine, std::span(old.points).subspan(first * d, rows * d),
+           form_ == Form::regular ? std::span(old.weights).subspan(first, rows) : std::span<const double>());
+    first += rows;
   }
-  watch_->supervisor = nullptr;
   const std::lock_guard derived(derived_mutex_);
   locator_.reset();
   engine_ = std::move(engine);
@@ -136,9 +102,8 @@ const PointLocator& HeldTriangulation::locator_of(const Triangulation& engine) c
   return *locator_;
 }
 
-std::shared_ptr<const std::vector<double>> HeldTriangulation::row_data(Supervisor& supervisor,
-                                                                       bool want_weights) const {
-  return with_engine(supervisor, [&](const Triangulation& engine) {
+std::shared_ptr<const std::vector<double>> HeldTriangulation::row_data(bool want_weights) const {
+  return with_engine([&](const Triangulation& engine) {
     const std::lock_guard lock(derived_mutex_);
     if (!points_) {
       ComplexData data = engine.to_data();
@@ -148,12 +113,8 @@ std::shared_ptr<const std::vector<double>> HeldTriangulation::row_data(Superviso
     return want_weights ? weights_ : points_;
   });
 }
-std::shared_ptr<const std::vector<double>> HeldTriangulation::points(Supervisor& supervisor) const {
-  return row_data(supervisor, false);
-}
-std::shared_ptr<const std::vector<double>> HeldTriangulation::weights(Supervisor& supervisor) const {
-  return row_data(supervisor, true);
-}
+std::shared_ptr<const std::vector<double>> HeldTriangulation::points() const { return row_data(false); }
+std::shared_ptr<const std::vector<double>> HeldTriangulation::weights() const { return row_data(true); }
 
 std::vector<std::size_t> HeldTriangulation::batches() const {
   const std::shared_lock lock(mutex_);

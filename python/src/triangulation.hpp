@@ -20,7 +20,6 @@
 #include <shared_mutex>
 #include <span>
 #include <stdexcept>
-#include <thread>
 #include <utility>
 #include <variant>
 #include <vector>
@@ -44,42 +43,42 @@ class HeldTriangulation {
   int dimension() const { return dimension_; }
   const BuildArguments& arguments() const { return arguments_; }
 
-  // Without the GIL:
+  // Without the GIL, in Supervisor::run():
 
   /// Adds all points or none. REQUIRES one weight per point for a regular triangulation, otherwise none.
-  void add(std::span<const double> coordinates, std::span<const double> weights, Supervisor& supervisor);
+  void add(std::span<const double> coordinates, std::span<const double> weights);
 
   /// Calls work(product) after recovering the engine if necessary, a Delaunay<>, Regular<> or FurthestSite<>.
   template <class Work>
-  auto with_product(Supervisor& supervisor, Work work) const {
-    refuse_reentry();
+  auto with_product(Work work) const {
+    const Use use(this, "used");
     for (;;) {
       {
         const std::shared_lock lock(mutex_);
         if (!is_stale_) return std::visit(work, std::as_const(*engine_));
       }
-      rebuild(supervisor);
+      rebuild();
     }
   }
   /// The same, as what they have in common.
   template <class Work>
-  auto with_engine(Supervisor& supervisor, Work work) const {
-    return with_product(supervisor, [&](const Triangulation& engine) { return work(engine); });
+  auto with_engine(Work work) const {
+    return with_product([&](const Triangulation& engine) { return work(engine); });
   }
   /// Calls work(engine, locator, cells).
   template <class Work>
-  auto with_locator(Supervisor& supervisor, Work work) const {
-    return with_engine(supervisor, [&](const Triangulation& engine) {
+  auto with_locator(Work work) const {
+    return with_engine([&](const Triangulation& engine) {
       const std::shared_ptr<const Cells> numbers = cells_of(engine);
       return work(engine, locator_of(engine), *numbers);
     });
   }
 
-  std::shared_ptr<const Cells> cells(Supervisor& supervisor) const {
-    return with_engine(supervisor, [&](const Triangulation& engine) { return cells_of(engine); });
+  std::shared_ptr<const Cells> cells() const {
+    return with_engine([&](const Triangulation& engine) { return cells_of(engine); });
   }
-  std::shared_ptr<const std::vector<double>> points(Supervisor& supervisor) const;
-  std::shared_ptr<const std::vector<double>> weights(Supervisor& supervisor) const;
+  std::shared_ptr<const std::vector<double>> points() const;
+  std::shared_ptr<const std::vector<double>> weights() const;
   std::vector<std::size_t> batches() const;
 
   /// Changes with every insertion, but never during with_engine().
@@ -87,21 +86,14 @@ class HeldTriangulation {
 
  private:
   std::unique_ptr<Engine> make_engine() const;
-  void rebuild(Supervisor& supervisor) const;
-  void refuse_reentry() const;
+  void rebuild() const;
   std::shared_ptr<const Cells> cells_of(const Triangulation& engine) const;
   const PointLocator& locator_of(const Triangulation& engine) const;
-  std::shared_ptr<const std::vector<double>> row_data(Supervisor& supervisor, bool want_weights) const;
-
-  /// The engine's progress function: calls the Supervisor of the current change.
-  struct Watch {
-    Supervisor* supervisor = nullptr;
-  };
+  std::shared_ptr<const std::vector<double>> row_data(bool want_weights) const;
 
   Form form_;
   int dimension_;
   BuildArguments arguments_;
-  std::shared_ptr<Watch> watch_ = std::make_shared<Watch>();
 
   mutable std::shared_mutex mutex_;  // of all members below
   mutable std::unique_ptr<Engine> engine_;
@@ -111,7 +103,6 @@ class HeldTriangulation {
   /// before its next use.
   mutable bool is_stale_ = false;
   std::atomic<std::uint64_t> version_{0};
-  mutable std::atomic<std::thread::id> changing_;
 
   mutable std::mutex derived_mutex_;  // of all members below, under mutex_
   mutable std::shared_ptr<const Cells> cells_;

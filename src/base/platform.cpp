@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "base/platform.hpp"
 
+#include "base/coarse_clock.hpp"
+
 #include <chrono>
 
 #ifdef __linux__
@@ -63,6 +65,16 @@ double thread_seconds() {
     return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
 #endif
   return clock_seconds();
+}
+
+std::chrono::steady_clock::time_point coarse_now() {
+#if defined(__linux__) && defined(CLOCK_MONOTONIC_COARSE)
+  timespec now{};  // of the same clock as steady_clock
+  if (clock_gettime(CLOCK_MONOTONIC_COARSE, &now) == 0)
+    return std::chrono::steady_clock::time_point(std::chrono::seconds(now.tv_sec) +
+                                                 std::chrono::nanoseconds(now.tv_nsec));
+#endif
+  return std::chrono::steady_clock::now();
 }
 
 std::size_t first_level_cache() {

@@ -4,6 +4,7 @@
 // check_geometry.cpp.
 #include <delone/check.hpp>
 
+#include "base/progress_meter.hpp"
 #include "check/check_stages.hpp"
 #include "complex/canonical_hash.hpp"
 #include "kernel/predicates.hpp"
@@ -34,6 +35,9 @@ void check_storage(const ComplexData& data, bool furthest) {
     throw Violation{
         fmt::format("{} coordinates are not a multiple of the dimension {}", data.points.size(), d)};
   const std::size_t n = data.num_points(), corners = static_cast<std::size_t>(k + 1);
+  if (n == 0 && (!data.cells.empty() || !data.vertex_of_point.empty()))
+    throw Violation{
+        "there are cells, but no points: data() and to_data(false) leave them out, to_data() does not"};
   if (k == -1 && !data.cells.empty()) throw Violation{"there are cells, but the affine dimension is -1"};
   if (k >= 0 && data.cells.size() % corners != 0)
     throw Violation{fmt::format("{} cell vertices are not a multiple of {}", data.cells.size(), corners)};
@@ -59,6 +63,7 @@ void check_storage(const ComplexData& data, bool furthest) {
   const std::size_t m = data.num_cells();
   std::vector<SignedIndex> sorted(corners);
   for (std::size_t c = 0; c < m; ++c) {
+    cancellation_point();
     sorted.assign(data.cells.begin() + static_cast<std::ptrdiff_t>(c * corners),
                   data.cells.begin() + static_cast<std::ptrdiff_t>((c + 1) * corners));
     std::sort(sorted.begin(), sorted.end());
@@ -118,6 +123,7 @@ std::vector<SignedIndex> derived_vertices(const Examined& examined, const std::v
     return place;
   };
   for (std::size_t row = 0; row < n; ++row) {
+    cancellation_point();
     if (!is_vertex[row]) continue;
     const std::size_t place = place_of(row);
     if (table[place] != n)
@@ -149,6 +155,7 @@ void check_completeness(const Examined& examined, const Volumes& volumes, bool c
   const std::vector<SignedIndex>& vertex_of_point = derive ? derived : data.vertex_of_point;
   std::vector<std::size_t> hidden;
   for (std::size_t row = 0; row < n; ++row) {
+    cancellation_point();
     const SignedIndex vertex = vertex_of_point[row];
     if (vertex < 0 && examined.may_hide()) {
       if (is_vertex[row])

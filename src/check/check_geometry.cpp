@@ -20,6 +20,7 @@
 //
 // All of that holds for other lifts, too: |x|² less weights, and −|x|², for which the empty-sphere property
 // is that no point is outside the sphere.
+#include "base/progress_meter.hpp"
 #include "base/random.hpp"
 #include "check/check_stages.hpp"
 #include "kernel/predicates.hpp"
@@ -88,6 +89,7 @@ std::vector<int> axes_of_cells(const Examined& examined) {
   kernel::AffineHull hull(data.dimension);
   std::vector<bool> added(data.num_points(), false);
   for (std::size_t at = 0; at < data.cells.size(); ++at) {
+    cancellation_point();
     const auto row = static_cast<std::size_t>(data.cells[at]);
     if (added[row]) continue;
     added[row] = true;
@@ -112,6 +114,7 @@ Volumes check_volume(const Examined& examined, bool oriented) {
   Volumes volumes{axes_of_cells(examined), std::vector<Sign>(m)};
   Geometry geometry(examined, volumes.axes);
   for (std::size_t c = 0; c < m; ++c) {
+    cancellation_point();
     const Sign sign = volumes.orientation[c] = geometry.orientation(c);
     if (sign == Sign::zero)
       throw Violation{fmt::format("cell {} {} is flat", c, braces(examined.cell(c))), {c}};
@@ -212,6 +215,7 @@ void check_covered_once(const Examined& examined, const Volumes& volumes, Geomet
 
   const double* reference = examined.point(examined.cell(0)[0]);
   for (std::size_t c = 1; c < examined.data.num_cells(); ++c) {
+    cancellation_point();
     const auto cell = examined.cell(c);
     const bool near = std::all_of(volumes.axes.begin(), volumes.axes.end(), [&](int axis) {
       bool below = false, above = false;
@@ -236,6 +240,7 @@ void check_covered_once(const Examined& examined, const Volumes& volumes, Geomet
 std::pair<std::size_t, bool> find_cell(const Examined& examined, const Volumes& volumes, Geometry& geometry,
                                        SignedIndex row, std::size_t start, std::uint64_t& random) {
   for (std::size_t c = start;;) {
+    cancellation_point();
     const std::size_t corners = examined.corners, first = (random = random::mix(random + 1)) % corners;
     std::size_t step = 0;
     while (step < corners &&

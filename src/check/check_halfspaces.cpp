@@ -74,6 +74,8 @@ class IntersectionChecker {
     const auto wrong = [](const char* text) { throw Violation{text}; };
     const std::size_t m = data_.num_halfspaces();
     if (d_ < 1) wrong("the dimension is less than 1");
+    if (data_.halfspaces.empty() && m > 0)
+      wrong("there are no halfspaces: data() leaves them out, to_data() does not");
     if (data_.halfspaces.size() != m * (d_ + 1))
       wrong("the halfspaces are not as many as first_of_halfspace says");
     for (const double x : data_.halfspaces)

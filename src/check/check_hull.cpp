@@ -8,6 +8,7 @@
 // other begins on the other side. It is one at a point of cell 0 (level 4), hence everywhere. (As Mehlhorn et
 // al., doi:10.1016/S0925-7721(98)00036-4, check hulls.)
 #include "check/check_hull.hpp"
+#include "base/progress_meter.hpp"
 
 #include <delone/check.hpp>
 
@@ -115,6 +116,7 @@ std::size_t check_convexity(ExaminedHull& examined) {
   const SimplicialHull& hull = examined.hull;
   std::size_t coplanar = 0;
   for (std::size_t c = 0; c < hull.num_cells(); ++c) {
+    cancellation_point();
     Sign sign = Sign::zero;
     for (const Index row : examined.basis)
       if (sign = examined.side(c, row); sign != Sign::zero) break;
@@ -156,6 +158,7 @@ void check_support(ExaminedHull& examined) {
   const Index inner = *std::find_if(examined.basis.begin(), examined.basis.end(),
                                     [&](Index row) { return examined.side(0, row) == Sign::positive; });
   for (std::size_t c = 1; c < hull.num_cells(); ++c) {
+    cancellation_point();
     const auto cell = hull.cell(c);
     if (!std::all_of(cell.begin(), cell.end(), [&](Index v) { return examined.side(0, v) == Sign::zero; }))
       continue;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Level 5 of check() of a hull: what is derived from a boundary that levels 1–4 have proved is derived anew
 // and compared.
+#include "base/progress_meter.hpp"
 #include "check/check_hull.hpp"
 #include "hull/hull_faces.hpp"
 #include "hull/tolerance/facet_labels.hpp"
@@ -46,6 +47,7 @@ std::vector<SignedIndex> check_facets(const SimplicialHull& hull, const Polytope
   std::vector<SignedIndex> given_of(faces.num_facets(), -1);
   std::vector<SignedIndex> first_cell(faces.num_facets(), -1);  // by the file's number
   for (std::size_t c = 0; c < hull.num_cells(); ++c) {
+    cancellation_point();
     SignedIndex& given = given_of[faces.facet_of_cell[c]];
     if (given < 0) {
       given = data.facet_of_cell[c];
@@ -154,6 +156,7 @@ std::vector<SignedIndex> first_rows(const HullSites& sites) {
   const std::size_t size = static_cast<std::size_t>(sites.ambient) * sizeof(double);
   std::vector<SignedIndex> first;
   for (std::size_t row = 0; row < sites.size(); ++row) {
+    cancellation_point();
     const std::string_view key(reinterpret_cast<const char*>(keys.data()) + row * size, size);
     first.push_back(first_at.emplace(key, static_cast<SignedIndex>(row)).first->second);
   }

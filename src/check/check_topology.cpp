@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Levels 2 and 3 of check(): the cells with the infinite cells added form a closed pseudomanifold, oriented,
 // connected, with connected stars, and with the Euler characteristic of a sphere. No coordinate is looked at.
+#include "base/progress_meter.hpp"
 #include "base/random.hpp"
 #include "check/check_stages.hpp"
 
@@ -41,6 +42,7 @@ std::vector<SignedIndex> paired_facets(std::span<const SignedIndex> cells, std::
   const std::size_t mask = table.size() - 1;
   std::vector<SignedIndex> across(cells.size(), -1);
   for (std::size_t first = 0; first < cells.size(); first += corners) {
+    cancellation_point();
     const auto a = cells.subspan(first, corners);
     std::uint64_t total = 0;
     for (const SignedIndex row : a) total += random::mix(static_cast<std::uint64_t>(row) + 1);
@@ -185,6 +187,7 @@ void check_connected(const Closed& closed) {
   std::vector<std::size_t> waiting{0};
   reached[0] = true;
   for (std::size_t count = 1; !waiting.empty();) {
+    cancellation_point();
     const std::size_t c = waiting.back();
     waiting.pop_back();
     for (std::size_t i = 0; i < closed.corners; ++i) {
@@ -321,6 +324,7 @@ void check_sphere(Examined& examined) {
   const std::size_t corners = closed.corners;
   std::vector<std::size_t> star_size(closed.num_vertices, 0), incident(closed.num_vertices, 0);
   for (std::size_t at = 0; at < closed.cells.size(); ++at) {
+    cancellation_point();
     ++star_size[static_cast<std::size_t>(closed.cells[at])];
     incident[static_cast<std::size_t>(closed.cells[at])] = at / corners;
   }

@@ -6,6 +6,7 @@
 // polytope of full dimension, and no two polytopes have the same corners. A ray is known by its vertex and
 // the sites in the hyperplane of its hull facet. So the numbers of file and diagram translate into each other
 // exactly, and all else is compared as it stands.
+#include "base/progress_meter.hpp"
 #include "check/levels.hpp"
 
 #include <delone/check.hpp>
@@ -193,6 +194,7 @@ void DiagramChecker::check_regions() {
   // Regions of file and diagram by each other's numbers.
   std::vector<SignedIndex> there(diagram.num_regions(), -1), here(there);
   for (std::size_t row = 0; row < data_.num_points(); ++row) {
+    internal::cancellation_point();
     const SignedIndex r = data_.point_region[row], s = diagram.point_region()[row];
     if (r < 0 && s < 0) continue;
     if (s < 0) throw Violation{text_of("point", row) + " is hidden, but has a region"};

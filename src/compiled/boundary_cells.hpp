@@ -3,6 +3,7 @@
 // Vertex v is site v − 1.
 #pragma once
 
+#include "base/progress_meter.hpp"
 #include "compiled/simplicial_hull.hpp"
 
 #include <vector>
@@ -30,11 +31,13 @@ SimplicialHull simplicial_hull_of(const Cells& cells) {
   hull.cells.resize(hull.slots.size() * k);
   hull.neighbors.resize(hull.slots.size() * k);
   Index *vertex = hull.cells.data(), *neighbor = hull.neighbors.data();
-  for (const Index cell : hull.slots)
+  for (const Index cell : hull.slots) {
+    cancellation_point();
     for (std::size_t i = 0; i < k; ++i) {
       *vertex++ = cells.vertex(cell, static_cast<int>(i)) - 1;
       *neighbor++ = compact[cells.neighbors(cell)[i]];
     }
+  }
   return hull;
 }
 

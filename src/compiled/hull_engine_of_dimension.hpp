@@ -2,6 +2,7 @@
 // The implementation of HullEngine for one dimension: joins engine/ and geometry/.
 #pragma once
 
+#include "base/progress_meter.hpp"
 #include "compiled/boundary_cells.hpp"
 #include "compiled/hull_engine.hpp"
 #include "engine/build.hpp"
@@ -63,6 +64,7 @@ class HullEngineOfDimension final : public HullEngine {
     };
     constexpr std::size_t ahead = 4;  // cells whose neighbors are on the way from memory
     for (Index c = 0; c < hull.num_cells(); ++c) {
+      cancellation_point();
       const Index cell = hull.slots[c];
       if (c + ahead < hull.num_cells()) cells().prefetch_neighbors(hull.slots[c + ahead]);
       for (int i = 0; i <= cells().dimension(); ++i) {

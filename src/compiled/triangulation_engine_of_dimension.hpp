@@ -43,7 +43,7 @@ class TriangulationEngineOfDimension final : public TriangulationEngine {
     return points_.form == kernel::RowForm::point && K == points_.ambient &&
            engine::is_worth_wrapping(K, num_points);
   }
-  bool wrap([[maybe_unused]] const std::function<void()>& tick) override {
+  bool wrap([[maybe_unused]] const std::function<void(double)>& tick) override {
     if constexpr (K >= 2)
       if (build_.wrap(PointsToWrap<K>(points_, cells(), geometry()), tick)) lacks_functionals_ = true;
     return lacks_functionals_;

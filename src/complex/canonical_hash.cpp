@@ -2,6 +2,8 @@
 // The canonical hash of a triangulation as plain data, from any source.
 #include "complex/canonical_hash.hpp"
 
+#include "base/progress_meter.hpp"
+
 #include <delone/data.hpp>
 #include <delone/error.hpp>
 
@@ -87,6 +89,7 @@ CanonicalHash canonical_hash(const ComplexData& data) {
   }
   const std::size_t corners = static_cast<std::size_t>(data.affine_dimension + 1);
   for (std::size_t cell = 0; cell < data.num_cells(); ++cell) {
+    internal::cancellation_point();
     internal::PointTag sum;
     for (std::size_t i = 0; i < corners; ++i) {
       const SignedIndex row = data.cells[cell * corners + i];

@@ -4,6 +4,7 @@
 #pragma once
 
 #include "base/growable_array.hpp"
+#include "base/progress_meter.hpp"
 #include "base/stamped_table.hpp"
 #include "cells/horizon_facet.hpp"
 #include "engine/conflict.hpp"
@@ -192,7 +193,8 @@ void find_conflict_zone(const Cells& cells, const G& geometry, const typename G:
   if (geometry.proves_tie(first, zone.values[0], q)) zone.values[0] = -0.0;
   zone.num_cells = 1;
   marks.set(first, Mark::in_conflict);
-  std::size_t prefetched = 0;
+  constexpr std::size_t cells_per_look = 2048;
+  std::size_t prefetched = 0, next_look = cells_per_look;
   std::uint64_t evaluated = 0, uncertain = 0;
   zone.num_undecided = zone.num_open = 0;
   const auto leave_open = [&](Index cell, double value, std::size_t from, std::size_t slot) {
@@ -212,6 +214,10 @@ void find_conflict_zone(const Cells& cells, const G& geometry, const typename G:
     zone.undecided[zone.num_undecided++] = {cell, value, {}};
   };
   for (std::size_t next = 0; next < zone.num_cells;) {
+    if (next >= next_look) [[unlikely]] {
+      internal::cancellation_point();
+      next_look = next + cells_per_look;
+    }
     zone.reserve(block_size * facets + enough_open, facets);
     Index* const zone_cells = zone.cells.data();
     double* const zone_values = zone.values.data();

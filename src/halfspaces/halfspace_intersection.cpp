@@ -3,6 +3,7 @@
 // intersection_arrays.hpp the arrays.
 #include "base/guarded.hpp"
 #include "base/progress_meter.hpp"
+#include "base/require_dimension.hpp"
 #include "base/require_finite.hpp"
 #include "base/require_tolerance.hpp"
 #include "base/stopwatch.hpp"
@@ -238,18 +239,19 @@ struct Polyhedron::Impl {
 };
 
 Polyhedron::Polyhedron(const AnyPoints<>& halfspaces, int dimension, const Options& options) {
-  if (dimension < 1) throw Error(Errc::bad_dimension, "the dimension must be at least 1");
+  internal::require_dimension(dimension);
   internal::refuse_tolerance(options.tolerance, "intersections of halfspaces");
   halfspaces.require_dimension(dimension + 1);
   internal::guarded("the intersection", [&] {
     impl_ = std::make_unique<Impl>(dimension, options);
+    const internal::ProgressMeter meter(impl_->options.progress);
     impl_->start(halfspaces.coordinates(), nullptr);
   });
 }
 
 Polyhedron::Polyhedron(const AnyPoints<>& halfspaces, int dimension, std::span<const double> interior_point,
                        const Options& options) {
-  if (dimension < 1) throw Error(Errc::bad_dimension, "the dimension must be at least 1");
+  internal::require_dimension(dimension);
   internal::refuse_tolerance(options.tolerance, "intersections of halfspaces");
   halfspaces.require_dimension(dimension + 1);
   if (interior_point.size() != static_cast<std::size_t>(dimension))
@@ -258,6 +260,7 @@ Polyhedron::Polyhedron(const AnyPoints<>& halfspaces, int dimension, std::span<c
     if (!std::isfinite(x)) throw Error(Errc::not_finite, "a coordinate of the interior point is not finite");
   internal::guarded("the intersection", [&] {
     impl_ = std::make_unique<Impl>(dimension, options);
+    const internal::ProgressMeter meter(impl_->options.progress);
     InteriorPoint point;
     point.rounded.assign(interior_point.begin(), interior_point.end());
     impl_->start(halfspaces.coordinates(), &point);
@@ -272,6 +275,7 @@ Polyhedron::~Polyhedron() = default;
 
 void Polyhedron::insert_rows(const AnyPoints<>& halfspaces) {
   halfspaces.require_dimension(dimension() + 1);
+  const internal::ProgressMeter meter(impl_->options.progress);
   internal::guarded("the intersection", [&] { impl_->add(halfspaces.coordinates()); });
 }
 

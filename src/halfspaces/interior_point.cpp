@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "halfspaces/interior_point.hpp"
 
+#include "base/progress_meter.hpp"
 #include "kernel/hull_stages.hpp"
 
 #include <algorithm>
@@ -115,6 +116,7 @@ class InteriorProgram {
       // The violation is n·x + c + w·t, measured in units of w. Each coordinate of the point is off by one
       // rounding or, below the normal numbers, by half of the smallest double, times its factor. Products and
       // sums are rounded. If the bound overflows, nothing is certain.
+      cancellation_point();
       const double* r = row(i);
       const double weight = std::ldexp(1.0, weight_exponent_[i]);
       double sum = r[d_] + weight * rounded_[d_],

@@ -8,6 +8,7 @@
 // dual to a vertex.
 #include "halfspaces/intersection_arrays.hpp"
 
+#include "base/progress_meter.hpp"
 #include "base/random.hpp"
 #include "halfspaces/halfspace_vertex.hpp"
 #include "hull/hull_faces.hpp"
@@ -100,6 +101,7 @@ class ArrayMaker {
   bool touches(Index site, Index start) const {
     std::vector<Index> seen{start};
     for (std::size_t next = 0; next < seen.size(); ++next) {
+      cancellation_point();
       if (!is_at_infinity_[faces_.facet_of_cell[seen[next]]]) return true;
       for (const Index across : hull_.neighbors_of(seen[next]))
         if (std::find(seen.begin(), seen.end(), across) == seen.end() &&
@@ -116,6 +118,7 @@ class ArrayMaker {
     std::vector<const double*> rows;
     std::vector<double> x(k_);
     for (std::size_t f = 0; f < num_facets; ++f) {
+      cancellation_point();
       rows.clear();
       for (const Index site : hull_.cell(cell_of_facet_[f])) rows.push_back(sites_.row(site));
       auto& offsets = is_at_infinity_[f] ? data_.direction_offsets : data_.vertex_offsets;
@@ -174,6 +177,7 @@ class ArrayMaker {
     for (std::size_t c = 0; c < hull_.num_cells(); ++c)
       for (const Index site : hull_.cell(c)) cell_with[site] = static_cast<Index>(c);
     for (const auto& [row, site] : order) {
+      cancellation_point();
       data_.facet_halfspaces.push_back(row);
       const std::vector<Index> facets = k_ == 3 ? in_cycle(site, cell_with[site]) : around[site];
       for (const Index f : facets)
@@ -220,6 +224,7 @@ class ArrayMaker {
     for (std::size_t j = 0; j < d_; ++j) all[j] = static_cast<int>(j);
     std::vector<double> dual(2 * d_), normal(d_);
     for (const Index site : parts_.site_of_row) {
+      cancellation_point();
       std::fill(dual.begin(), dual.end(), 0.0);
       if (site != invalid_index && k_ == d_)
         std::copy_n(sites_.dual(site), d_, dual.begin());
@@ -348,6 +353,7 @@ double dual_measure(const IntersectionParts& parts, bool volume) {
   MeasureSum sum;
   std::vector<const double*> simplex;
   for (std::size_t c = 0; c < hull.num_cells(); ++c) {
+    cancellation_point();
     const auto cell = hull.cell(c);
     simplex.clear();
     if (volume) {

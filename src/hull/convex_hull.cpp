@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Polytope: the public members of what hull_state.hpp builds and hull_analysis.hpp derives from it.
 #include "base/guarded.hpp"
+#include "base/progress_meter.hpp"
+#include "base/require_dimension.hpp"
 #include "base/require_finite.hpp"
 #include "base/require_tolerance.hpp"
 #include "complex/canonical_hash.hpp"
@@ -152,7 +154,7 @@ struct Polytope::Impl {
 };
 
 Polytope::Polytope(int dimension, const Options& options) {
-  if (dimension < 1) throw Error(Errc::bad_dimension, "the dimension must be at least 1");
+  internal::require_dimension(dimension);
   internal::require_tolerance(options.tolerance);
   impl_ = std::make_unique<Impl>(dimension, options);
 }
@@ -163,9 +165,11 @@ Polytope& Polytope::operator=(Polytope&&) noexcept = default;
 Polytope::~Polytope() = default;
 
 void Polytope::insert_coordinates(std::span<const double> coordinates) {
+  const internal::ProgressMeter meter(impl_->options.progress);
   internal::guarded("the hull", [&] { impl_->insert_range(coordinates); });
 }
 std::vector<SignedIndex> Polytope::insert_extreme_coordinates(std::span<const double> coordinates) {
+  const internal::ProgressMeter meter(impl_->options.progress);
   return internal::guarded("the hull", [&] { return impl_->insert_extreme(coordinates); });
 }
 HullInsertResult Polytope::insert_point(std::span<const double> point) {
@@ -287,6 +291,7 @@ CanonicalHash Polytope::hash() const {
   corners.erase(std::unique(corners.begin(), corners.end()), corners.end());
   for (const Index site : corners) hash.add_vertex(internal::point_tag(sites.point(site), dimension()));
   for (std::size_t c = 0; c < hull.num_cells(); ++c) {
+    internal::cancellation_point();
     internal::PointTag sum;
     for (const Index site : hull.cell(c)) sum += internal::point_tag(sites.point(site), dimension());
     hash.add_cell(sum);

@@ -3,6 +3,7 @@
 
 #include "base/guarded.hpp"
 #include "base/progress_meter.hpp"
+#include "base/require_dimension.hpp"
 #include "base/require_finite.hpp"
 #include "base/require_tolerance.hpp"
 #include "hull/extreme_hull.hpp"
@@ -76,7 +77,7 @@ ConvexHulls convex_hulls(const AnyPoints<>& points, int dimension, std::span<con
                          const Options& options) {
   // Sets so small are not worth an order.
   constexpr std::size_t small = 48;
-  if (dimension < 1) throw Error(Errc::bad_dimension, "the dimension must be at least 1");
+  internal::require_dimension(dimension);
   internal::refuse_tolerance(options.tolerance, "many hulls at once");
   points.require_dimension(dimension);
   const std::span<const double> coordinates = points.coordinates();

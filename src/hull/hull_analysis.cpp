@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "hull/hull_analysis.hpp"
 
+#include "base/progress_meter.hpp"
 #include "hull/tolerance/facet_labels.hpp"
 
 #include <algorithm>
@@ -64,6 +65,7 @@ std::vector<PointKind> HullAnalysis::find_kinds() const {
   std::vector<char> is_corner(sites.size(), 0);
   for (const Index site : state_.hull().cells) is_corner[site] = 1;
   const auto kind_of = [&](Index site) {
+    cancellation_point();
     if (faces.is_extreme[site]) return PointKind::extreme;
     // Without a boundary there is one vertex; with a tolerance there may be other points within it.
     if (!locator_) return site == state_.basis()[0] ? PointKind::extreme : PointKind::boundary;

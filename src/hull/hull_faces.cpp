@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "hull/hull_faces.hpp"
 
+#include "base/progress_meter.hpp"
 #include "base/union_find.hpp"
 
 #include <algorithm>
@@ -80,6 +81,7 @@ void for_each_ridge(const SimplicialHull& hull, const PolytopeFaces& faces, Visi
   };
   std::vector<Side> sides;
   for (Index f = 0; hull.dimension > 1 && f < faces.num_facets(); ++f) {
+    cancellation_point();
     sides.clear();
     for (const Index c : faces.cells_of_facet[f]) {
       const auto neighbors = hull.neighbors_of(c);
@@ -131,9 +133,11 @@ PolytopeFaces find_faces(const SimplicialHull& hull, std::size_t num_sites,
     }
   const Lists sites_of_facet = grouped(std::move(facet_and_site), faces.num_facets());
   const Lists facets_of_site = grouped(std::move(site_and_facet), num_sites);
-  for (std::size_t v = 0; v < num_sites; ++v)
+  for (std::size_t v = 0; v < num_sites; ++v) {
+    cancellation_point();
     if (const auto facets = facets_of_site[v]; !facets.empty())
       faces.is_extreme[v] = !has_company(static_cast<Index>(v), sites_of_facet, facets);
+  }
   return faces;
 }
 
@@ -143,6 +147,7 @@ Lists find_facet_sites(const SimplicialHull& hull, const PolytopeFaces& faces) {
   lists.items.reserve(faces.num_facets() * hull.corners());
   std::vector<Index> sites;
   for (std::size_t f = 0; f < faces.num_facets(); ++f) {
+    cancellation_point();
     sites.clear();
     for (const Index c : faces.cells_of_facet[f])
       for (const Index site : hull.cell(c))
@@ -205,6 +210,7 @@ std::vector<std::size_t> count_faces(const Lists& facets, int dimension) {
     if (j == 0) break;
     std::set<std::vector<Index>> next;
     for (const std::vector<Index>& face : level) {
+      cancellation_point();
       std::vector<Index> touching;  // the facets that meet the face
       for (const Index v : face) touching.insert(touching.end(), facets_of[v].begin(), facets_of[v].end());
       std::sort(touching.begin(), touching.end());

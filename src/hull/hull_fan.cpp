@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "hull/hull_fan.hpp"
 
+#include "base/progress_meter.hpp"
+
 namespace delone::internal {
 
 std::size_t walk_cones(const HullSites& sites, const SimplicialHull& hull, const std::vector<double>& center,
@@ -10,6 +12,7 @@ std::size_t walk_cones(const HullSites& sites, const SimplicialHull& hull, const
   const std::size_t k = hull.corners();
   std::vector<const double*> simplex(k + 1, center.data());
   for (std::size_t c = start;;) {
+    cancellation_point();
     for (std::size_t i = 0; i < k; ++i) simplex[i + 1] = sites.point(hull.cell(c)[i]);
     std::size_t out = k;
     for (std::size_t i = 0; i < k && out == k; ++i) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "hull/hull_locator.hpp"
 
+#include "base/progress_meter.hpp"
 #include "hull/hull_fan.hpp"
 
 #include <algorithm>
@@ -11,12 +12,14 @@ namespace delone::internal {
 
 Sign HullLocator::side(std::size_t cell, const double* q, const kernel::Grid& grid,
                        std::vector<const double*>& scratch) const {
+  cancellation_point();
   if (const HullEngine* boundary = builder_.boundary())
     if (const Sign sign = boundary->certain_side(hull_.slots[cell], q); sign != Sign::zero) return sign;
   return side_of_cell(sites_, hull_, cell, q, grid, scratch);
 }
 
 HullLocator::Result HullLocator::locate(const double* q, const kernel::Grid& grid) const {
+  cancellation_point();
   if (!has_fan()) return search_all(q, grid);
   const auto [near, sign] = approach(q);
   if (sign == Sign::negative) return {near, sign};

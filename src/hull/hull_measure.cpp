@@ -2,6 +2,7 @@
 #include "hull/hull_measure.hpp"
 
 #include "base/compiled_dimension.hpp"
+#include "base/progress_meter.hpp"
 #include "compiled/dispatch.hpp"
 #include "hull/hull_normal.hpp"
 
@@ -59,6 +60,7 @@ HullMeasures measure(const HullSites& sites, const SimplicialHull& hull) {
   std::vector<const double*> points;
   const Index apex = hull.cells[0];
   for (std::size_t c = 0; c < hull.num_cells(); ++c) {
+    cancellation_point();
     const auto cell = hull.cell(c);
     gather(sites, cell, points);
     // HullNormal works on k axes; if k < d, these give the areas of projections.
@@ -128,6 +130,7 @@ void fill_equations(const HullSites& sites, const SimplicialHull& hull, std::spa
   HullNormal<D> normal(hull.dimension);
   std::vector<const double*> points;
   for (std::size_t c = 0; c < hull.num_cells(); ++c) {
+    cancellation_point();
     if (!seeds.empty() && seeds[facet_of_cell[c]] != c) continue;
     gather(sites, hull.cell(c), points);
     const bool is_known = k == d && normal.compute(points.data(), sites.axes, k == 1 && c == 0);

@@ -202,6 +202,7 @@ void HullState::add_rows(std::span<const double> coordinates, std::span<const In
   for (std::size_t i = 0; i < ahead; ++i) foresee(i);
   for (std::size_t i = 0; i < n; ++i) {
     const double* point = coordinates.data() + row_at(i) * ambient();
+    cancellation_point();
     const std::uint64_t tag = tags[i % ahead];
     foresee(i + ahead);
     const Index site = find_site(tag, point);

@@ -7,6 +7,7 @@
 // all heights are an affine function of the compositions, and the upper side, of no interest, becomes simple.
 #include "base/guarded.hpp"
 #include "base/progress_meter.hpp"
+#include "base/require_dimension.hpp"
 #include "base/require_finite.hpp"
 #include "base/require_tolerance.hpp"
 #include "hull/tolerance/envelope_choice.hpp"
@@ -254,6 +255,7 @@ struct Envelope::Impl {
 Envelope::Envelope(const AnyPoints<>& points, int dimension, HullSide side, const Options& options) {
   if (dimension < 2)
     throw Error(Errc::bad_dimension, "a lower hull needs a composition and a height: at least 2 coordinates");
+  internal::require_dimension(dimension);
   points.require_dimension(dimension);
   const std::span<const double> coordinates = points.coordinates();
   if (coordinates.size() % static_cast<std::size_t>(dimension) != 0)

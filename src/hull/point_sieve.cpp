@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "hull/point_sieve.hpp"
 
+#include "base/progress_meter.hpp"
 #include "base/random.hpp"
 
 #include <algorithm>
@@ -162,6 +163,7 @@ void PointSieve::run() {
     return;
   }
   while (remove_interior() && num_remaining() >= least_rows) {
+    cancellation_point();
     const SimplicialHull& hull = shell_->hull();
     if (hull.num_cells() * ambient() > most_work) return;
     std::vector<Index> cells(hull.num_cells());

@@ -6,6 +6,7 @@
 // doubles, unbounded integers for the rest.
 #include "kernel/exact.hpp"
 
+#include "base/progress_meter.hpp"
 #include "kernel/binary.hpp"
 #include "kernel/grid.hpp"
 
@@ -84,8 +85,10 @@ Sign sign_by_elimination(std::vector<Integer> a, int n) {
       for (int c = 0; c < n; ++c) std::swap(at(pivot, c), at(s, c));
       negate = !negate;
     }
-    for (int r = s + 1; r < n; ++r)
+    for (int r = s + 1; r < n; ++r) {
+      internal::cancellation_point();
       for (int c = s + 1; c < n; ++c) at(r, c) = (at(r, c) * at(s, s) - at(r, s) * at(s, c)) / previous;
+    }
     previous = at(s, s);
   }
   const Sign sign = sign_of(at(n - 1, n - 1));
@@ -104,6 +107,7 @@ class Problem {
         n_(static_cast<int>(flat.axes.size()) + (with_lift ? 1 : 0)) {}
 
   Sign sign() {
+    internal::cancellation_point();
     measure();
     if (has_zero_column_) return Sign::zero;
     // A minor of size s is at most s! times the product of its columns' largest entries.
@@ -264,6 +268,7 @@ Sign exact_determinant(std::span<const int> axes, const double* const* rows) {
 }
 
 Sign exact_affine_form(const double* row, const double* p, int dimension) {
+  internal::cancellation_point();
   int grid = std::numeric_limits<int>::max();
   const auto include = [&](int exponent, bool is_zero) {
     if (!is_zero) grid = std::min(grid, exponent);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "kernel/fractions.hpp"
 
+#include "base/progress_meter.hpp"
 #include "kernel/grid.hpp"
 
 #include <algorithm>
@@ -80,9 +81,11 @@ Integer exact_determinant(std::vector<Integer> a, std::size_t n) {
       for (std::size_t c = s; c < n; ++c) std::swap(a[pivot * n + c], a[s * n + c]);
       negate = !negate;
     }
-    for (std::size_t r = s + 1; r < n; ++r)
+    for (std::size_t r = s + 1; r < n; ++r) {
+      internal::cancellation_point();
       for (std::size_t c = s + 1; c < n; ++c)
         a[r * n + c] = (a[r * n + c] * a[s * n + s] - a[r * n + s] * a[s * n + c]) / previous;
+    }
     previous = a[s * n + s];
   }
   return negate ? Integer(-previous) : previous;
@@ -105,6 +108,7 @@ Fractions solve_exactly(std::vector<Integer> augmented, std::size_t n) {
     const Integer p = a[s * width + s];
     for (std::size_t r = 0; r < n; ++r) {
       if (r == s) continue;
+      internal::cancellation_point();
       const Integer factor = a[r * width + s];
       for (std::size_t c = s; c < width; ++c)
         a[r * width + c] = (a[r * width + c] * p - factor * a[s * width + c]) / previous;

@@ -31,6 +31,7 @@
 // rounding of the bounds themselves and of the square roots.
 #include "kernel/nearest_in_hull.hpp"
 
+#include "base/progress_meter.hpp"
 #include "kernel/determinant.hpp"
 
 #include <algorithm>
@@ -276,6 +277,7 @@ void NearestInHull::set_bounds() {
 }
 
 void NearestInHull::find(std::span<const double* const> points, const double* q, int dimension) {
+  internal::cancellation_point();
   d_ = static_cast<std::size_t>(dimension);
   m_ = points.size();
   set_differences(points, q);

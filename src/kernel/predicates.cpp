@@ -235,8 +235,10 @@ Side side_of_hyperplane(std::span<const double> hyperplane, std::span<const doub
 }
 
 int affine_dimension(std::span<const double> points, int dimension) {
-  kernel::AffineHull hull(dimension < 1 ? 1 : dimension);
-  for (const double* row : rows_of(points, dimension, 0)) hull.add(row);
+  const std::vector<const double*> rows = rows_of(points, dimension, 0);
+  if (rows.empty()) return -1;
+  kernel::AffineHull hull(dimension);
+  for (const double* row : rows) hull.add(row);
   return hull.dimension();
 }
 

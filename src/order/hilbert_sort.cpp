@@ -13,6 +13,7 @@
 //   (3) δ' = δ + 1 + (0 for i = 0; ctz(i) for even i; the number of trailing ones of i for odd i)  (mod d).
 // So of i only the length of its last run of equal bits is kept, and e is overwritten by the corner.
 #include "base/compiled_dimension.hpp"
+#include "base/progress_meter.hpp"
 #include "order/insertion_order.hpp"
 #include "order/select.hpp"
 
@@ -227,6 +228,7 @@ void sort_by_number(std::uint64_t* words, std::uint64_t* other, std::size_t size
                     std::uint32_t few, const Crowded& crowded) {
   constexpr int last_bits = 12, max_bits = 10;
   if (size == 0) return;
+  internal::cancellation_point();
   if (bits <= last_bits) {
     std::array<std::uint32_t, std::size_t{1} << last_bits> begin;
     const std::size_t numbers = std::size_t{1} << bits;
@@ -321,6 +323,7 @@ void sort_keyed(const Curve& curve, const Position& position, PointsView points,
                 KeyedRow* last) {
   const std::ptrdiff_t size = last - first;
   if (size < 2) return;
+  internal::cancellation_point();
   const auto dimension = static_cast<std::size_t>(points.dimension()),
              axis = static_cast<std::size_t>(position.axis);
   for (KeyedRow* i = first; i != last; ++i)

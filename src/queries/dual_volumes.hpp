@@ -27,6 +27,7 @@
 // of magnitudes replace norms.
 #pragma once
 
+#include "base/progress_meter.hpp"
 #include "base/stamped_table.hpp"
 #include "kernel/fractions.hpp"
 #include "kernel/grid.hpp"
@@ -186,6 +187,7 @@ void DualVolumes<Number>::sum_boundary(const Level& upper, Level& lower) {
   faces_.clear();
   prefixes_.clear();
   for (std::size_t s = 0; s < upper.count(); ++s) {
+    cancellation_point();
     const std::uint32_t* const vertices = upper.vertices.data() + s * upper.size;
     const Number* const value = upper.value.data() + s * upper.stride;
     const Number length = norm(value, upper.entries);
@@ -220,6 +222,7 @@ void DualVolumes<Number>::multiply(Level& level) {
   const std::size_t entries = products.size() / grade;
   const Number g(static_cast<int>(grade));
   for (std::size_t s = 0; s < level.count(); ++s) {
+    cancellation_point();
     const Number* const x = x_ + level.cell[s] * d_;
     Number* const value = level.value.data() + s * level.stride;
     const Number m = norm(x, k_, [&](std::size_t j) { return static_cast<std::size_t>(axes_[j]); });

@@ -2,6 +2,8 @@
 // What interpolators share: values by vertex, sizes of arrays, progress, and answers outside.
 #pragma once
 
+#include "base/progress_meter.hpp"
+
 #include <delone/error.hpp>
 #include <delone/interpolation.hpp>
 #include <delone/point_locator.hpp>
@@ -34,18 +36,21 @@ inline std::vector<double> by_vertex(const Triangulation& triangulation, std::sp
   return result;
 }
 
-/// Counts steps and calls `progress` every 256 of them.
+/// Counts steps and tells `progress` their number now and then, as ProgressMeter does.
 class Meter {
  public:
-  explicit Meter(const std::function<bool(std::size_t)>& progress) : progress_(progress) {}
+  explicit Meter(const std::function<bool(std::size_t)>& progress)
+      : ask_(progress ? std::function<bool(double)>([&](double) { return progress(done_); }) : nullptr),
+        meter_(ask_) {}
   void operator()() {
-    if (++done_ % 256 == 0 && progress_ && !progress_(done_))
-      throw Error(Errc::cancelled, "cancelled by the progress callback");
+    ++done_;
+    cancellation_point();
   }
 
  private:
-  const std::function<bool(std::size_t)>& progress_;
   std::size_t done_ = 0;
+  std::function<bool(double)> ask_;
+  ProgressMeter meter_;
 };
 
 inline LocateOptions locate_options(const EvaluateOptions& options) {

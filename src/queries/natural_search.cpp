@@ -29,6 +29,7 @@
 // 2k·W·(g − q)/|p − q|² = 2M/|p − q|².
 #include "queries/natural_search.hpp"
 
+#include "base/progress_meter.hpp"
 #include "kernel/predicates.hpp"
 
 #include <delone/delaunay.hpp>
@@ -72,6 +73,7 @@ NaturalCenters::NaturalCenters(const Triangulation& triangulation, bool stored)
   std::vector<double> offsets(static_cast<std::size_t>(complex_.num_cell_slots()) * d_);
   std::vector<const double*> points;
   for (const CellId c : complex_.finite_cells()) {
+    cancellation_point();
     corners(c, points);
     finder_.find_offset(points.data(), offsets.data() + index(c) * d_);
   }

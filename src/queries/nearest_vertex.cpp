@@ -16,6 +16,7 @@
 // it at the neighbors of v, is nowhere above it at all. So no vertex is strictly nearer than v, and v is
 // itself among those that are nearest, which are in S. This uses convexity only, and holds for power and for
 // ties of any kind.
+#include "base/progress_meter.hpp"
 #include "base/stamped_table.hpp"
 #include "kernel/determinant.hpp"
 #include "kernel/exact.hpp"
@@ -86,6 +87,7 @@ class Nearest {
     VertexId best = start;
     Power least = power_of(q, best);
     for (bool moved = true; moved;) {
+      internal::cancellation_point();
       moved = false;
       ties_.clear();
       for (const VertexId v : neighbors(best)) {
@@ -117,6 +119,7 @@ class Nearest {
     };
     for (const VertexId v : all_as_near_as(q, nearest)) add(v);
     while (found_.size() < count && !candidates_.empty()) {
+      internal::cancellation_point();
       std::pop_heap(candidates_.begin(), candidates_.end(), later);
       found_.push_back(candidates_.back().vertex);
       candidates_.pop_back();
@@ -158,12 +161,14 @@ class Nearest {
   std::vector<VertexId> all_as_near_as(const double* q, VertexId best) const {
     std::vector<VertexId> found{best};
     std::unordered_set<Index> seen{index(best)};
-    for (std::size_t next = 0; next < found.size(); ++next)
+    for (std::size_t next = 0; next < found.size(); ++next) {
+      internal::cancellation_point();
       for (const VertexId v : neighbors(found[next])) {
         if (!seen.insert(index(v)).second) continue;
         if (!certainly_less(power_of(q, best), power_of(q, v), d_) && compare(q, v, best) == Sign::zero)
           found.push_back(v);
       }
+    }
     return found;
   }
 
@@ -219,6 +224,7 @@ const PointLocator::Edges& PointLocator::edges() const {
     edges.offsets.push_back(0);
     std::vector<Index> seen_from(slots, 0);
     for (std::size_t v = 0; v < slots; ++v) {
+      internal::cancellation_point();
       const std::size_t begin = edges.vertices.size();
       for (std::size_t i = first[v]; i < first[v + 1]; ++i)
         for (int j = 0; j <= complex.affine_dimension(); ++j) {

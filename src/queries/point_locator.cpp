@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Batches of queries by a certified visibility walk. The nearest vertex is in nearest_vertex.cpp.
+#include "base/quick_rounds.hpp"
 #include "queries/point_locator_impl.hpp"
 
 #include "base/require_finite.hpp"
@@ -87,7 +88,9 @@ void walk_through(const PointLocator::Impl& where, Table table, std::span<const 
   CellId start = invalid_cell;
   const double* const coordinates = queries.data();
   const auto width = static_cast<std::size_t>(where.dimension);
+  internal::QuickRounds round;
   const auto answer = [&](Index query, LocatedPoint& found, auto complete) {
+    round();
     const double* const exact = found.barycentric.data();
     if (tolerant != nullptr && !tolerant->is_final(found))
       tolerant->refine(coordinates + static_cast<std::size_t>(query) * width, found);

@@ -194,7 +194,10 @@ bool Triangulation::Impl::BatchInsertion::wrap(std::span<const Index> simplex) {
   order_ = std::move(distinct);
   VertexPoints& vertices = impl_.points;
   vertices.num_waiting = 0;
-  if (!impl_.engine->wrap([this] { progress_(0); })) {
+  const auto tick = [this](double done) {
+    progress_(static_cast<std::size_t>(done * static_cast<double>(order_.size())));
+  };
+  if (!impl_.engine->wrap(tick)) {
     vertices.num_waiting = order_.size() - place_;
     return false;
   }

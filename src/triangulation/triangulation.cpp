@@ -3,6 +3,8 @@
 #include <delone/triangulation.hpp>
 
 #include "base/guarded.hpp"
+#include "base/quick_rounds.hpp"
+#include "base/require_dimension.hpp"
 #include "base/require_tolerance.hpp"
 #include "complex/canonical_hash.hpp"
 #include "triangulation/triangulation_impl.hpp"
@@ -31,7 +33,7 @@ kernel::RowForm form_of(TriangulationKind kind) {
 }  // namespace
 
 Triangulation::Triangulation(TriangulationKind kind, int dimension, const Options& options) {
-  if (dimension < 1) throw Error(Errc::bad_dimension, "the dimension must be at least 1");
+  internal::require_dimension(dimension);
   internal::refuse_tolerance(options.tolerance, "triangulations");
   impl_ = internal::guarded("the triangulation",
                             [&] { return std::make_unique<Impl>(dimension, form_of(kind), options); });
@@ -145,7 +147,9 @@ ComplexData Triangulation::to_data(bool with_points) const {
   const auto row_of_vertex = [&](Index v) { return static_cast<SignedIndex>(impl_->row_of_vertex[v]); };
   data.vertex_of_point.resize(rows);
   constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
+  internal::QuickRounds round;
   for (std::size_t row = 0; row < rows; ++row) {
+    round();
     const VertexId v = impl_->vertex_of_row[row];
     data.vertex_of_point[row] = vertex_at(row) == invalid_vertex ? -1 : row_of_vertex(index(v));
     if (!with_points) continue;
@@ -161,11 +165,13 @@ ComplexData Triangulation::to_data(bool with_points) const {
       static_cast<std::size_t>(count) * static_cast<std::size_t>(now.affine_dimension() + 1);
   data.cells.reserve(entries);
   data.neighbors.reserve(entries);
-  for (const CellId c : now.finite_cells())
+  for (const CellId c : now.finite_cells()) {
+    round();
     for (int i = 0; i <= now.affine_dimension(); ++i) {
       data.cells.push_back(row_of_vertex(index(now.vertex(c, i))));
       data.neighbors.push_back(number[index(now.neighbor(c, i))]);
     }
+  }
   return data;
 }
 
@@ -177,12 +183,15 @@ CanonicalHash Triangulation::hash() const {
                                        [&](VertexId v) { return weight(v) != weight(vertices.front()); });
   std::vector<internal::PointTag> tags(complex().num_vertex_slots());  // by vertex id
   internal::HashAccumulator hash;
+  internal::QuickRounds round;
   for (const VertexId v : vertices) {
+    round();
     tags[index(v)] = internal::point_tag(impl_->points.point(index(v)), dimension() + (with_weights ? 1 : 0));
     hash.add_vertex(tags[index(v)]);
   }
   const Complex now = complex();
   for (const CellId c : now.finite_cells()) {
+    round();
     internal::PointTag sum;
     for (int i = 0; i <= now.affine_dimension(); ++i) sum += tags[index(now.vertex(c, i))];
     hash.add_cell(sum);

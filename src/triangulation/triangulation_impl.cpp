@@ -2,6 +2,7 @@
 // Insertion: points to vertices, affine dimensions, duplicates, hidden points, rows.
 #include "triangulation/triangulation_impl.hpp"
 
+#include "base/progress_meter.hpp"
 #include "base/require_finite.hpp"
 #include "base/stopwatch.hpp"
 #include "order/insertion_order.hpp"
@@ -232,6 +233,7 @@ void Triangulation::Impl::insert_range(std::span<const double> coordinates, std:
                 std::to_string(weights.size()) + " weights for " + std::to_string(n) + " points");
   check_finite(coordinates, weights);
   if (n == 0) return;
+  const internal::ProgressMeter meter(options.progress);
   expand();
   internal::Stopwatch stopwatch;
   const PointsView view(coordinates, dimension);

@@ -21,6 +21,7 @@
 #include <delone/trim.hpp>
 
 #include "base/guarded.hpp"
+#include "base/progress_meter.hpp"
 #include "base/require_tolerance.hpp"
 #include "kernel/double_double.hpp"
 #include "kernel/fractions.hpp"
@@ -190,6 +191,7 @@ class Trimming {
   double* facets_of(Index cell) { return facet_depth_.data() + cell * corners_; }
 
   double depth_of(Index cell) {
+    internal::cancellation_point();
     const double* const facets = facets_of(cell);
     std::vector<unsigned char> marks;
     double depth = 0;

@@ -2,6 +2,7 @@
 // Which vertices become one, which ridges go. What is left is numbered and written in simplified_arrays.cpp.
 #include "voronoi/diagram_simplifier.hpp"
 
+#include "base/progress_meter.hpp"
 #include "kernel/linear_bound.hpp"
 
 #include <delone/predicates.hpp>
@@ -56,12 +57,14 @@ std::vector<std::pair<Index, Index>> DiagramSimplifier::short_edges() const {
       if (const auto ends = in_.region(r); ends.size() == 2) visit(ends[0], ends[1]);
   if (k_ == 2 || k_ == 3)
     for (std::size_t i = 0; i < in_.num_ridges(); ++i) {
+      internal::cancellation_point();
       const auto list = in_.ridge(i);
       for (std::size_t a = 0; a + 1 < list.size(); ++a) visit(list[a], list[a + 1]);
       if (list.size() > 2) visit(list.back(), list.front());
     }
   std::vector<double> first;  // coordinates of the vertices of a ridge: most pairs differ in these
   for (std::size_t i = 0; k_ > 3 && i < in_.num_ridges(); ++i) {
+    internal::cancellation_point();
     const auto list = in_.ridge(i);
     first.clear();
     for (const SignedIndex v : list) first.push_back(v < 0 ? std::nan("") : at(v)[0]);
@@ -100,6 +103,7 @@ void DiagramSimplifier::cluster_vertices() {
   std::vector<Index> cluster;
   for (const Index center : order) {
     if (has_one[center] != 0) continue;
+    internal::cancellation_point();
     has_one[center] = 1;
     cluster.assign(1, center);
     for (std::size_t c = 0; c < cluster.size(); ++c) {
@@ -311,6 +315,7 @@ void DiagramSimplifier::choose_ridges() {
   std::vector<SignedIndex> after;
   const bool is_merged = is_changed_;
   for (std::size_t i = 0; i < in_.num_ridges(); ++i) {
+    internal::cancellation_point();
     const auto list = in_.ridge(i);
     const bool moved = is_merged && is_moved(list);
     after.assign(list.begin(), list.end());

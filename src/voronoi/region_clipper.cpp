@@ -12,6 +12,7 @@
 // numbers of the corner's planes.
 #include "voronoi/region_clipper.hpp"
 
+#include "base/progress_meter.hpp"
 #include "kernel/grid.hpp"
 #include "kernel/linear_bound.hpp"
 
@@ -222,6 +223,7 @@ RegionClipper::Corner RegionClipper::new_corner() {
 }
 
 void RegionClipper::cut(std::size_t plane) {
+  cancellation_point();
   bool any = false;
   for (Corner c = 0; c < alive_.size(); ++c) {
     beyond_[c] = alive_[c] != 0 && is_beyond(c, plane) ? 1 : 0;

@@ -2,6 +2,7 @@
 #include "voronoi/simple_polytope.hpp"
 
 #include "base/compensated_sum.hpp"
+#include "base/progress_meter.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -95,6 +96,7 @@ SimplePolytope::Face SimplePolytope::measure_face(std::size_t dimension, std::si
                                                   std::size_t last) {
   const std::size_t origin = face_[first];
   if (dimension == 0) return {1, origin, bases_.size()};
+  cancellation_point();
   auto& entries = entries_[dimension];  // the recursion uses those of lower dimensions
   entries.clear();
   const std::size_t* of_origin = labels_.data() + origin * m_;

@@ -2,6 +2,7 @@
 // Sites, vertices, regions and rays. Ridges are in voronoi_ridges.cpp.
 #include "voronoi/voronoi_builder.hpp"
 
+#include "base/quick_rounds.hpp"
 #include "kernel/predicates.hpp"
 #include "triangulation/stored_points.hpp"
 #include "voronoi/cell_center.hpp"
@@ -29,6 +30,7 @@ void VoronoiBuilder::sort_cells() {
   std::vector<Index> next(2, 0);
   vertex_of_cell_.assign(complex_.num_cell_slots(), -1);
   for (const CellId c : complex_.finite_cells()) {
+    round_();
     Index largest = 0;
     for (int i = 0; i <= k_; ++i) largest = std::max(largest, index(complex_.vertex(c, i)));
     if (largest >= row_of_vertex_.size()) {
@@ -63,6 +65,7 @@ void VoronoiBuilder::collect_sites() {
   std::vector<VertexId> site_of_row(triangulation_.num_points(), infinite_vertex);
   for (Index v = 1; v < row_of_vertex_.size(); ++v) {
     if (row_of_vertex_[v] < 0) continue;
+    round_();
     const std::size_t row = triangulation_.row_of(VertexId{v});
     row_of_vertex_[v] = static_cast<SignedIndex>(row);
     if (row >= site_of_row.size()) site_of_row.resize(row + 1, infinite_vertex);
@@ -104,6 +107,7 @@ void VoronoiBuilder::find_centers() {
   std::vector<double> weights(weight_ ? corners * block : 0);
   centers_.resize(cells_.size() * d_);
   for (std::size_t first = 0; first < cells_.size(); first += block) {
+    internal::cancellation_point();
     const std::size_t count = std::min(block, cells_.size() - first);
     for (std::size_t cell = 0; cell < count; ++cell)
       for (std::size_t i = 0; i < corners; ++i) {
@@ -140,6 +144,7 @@ bool VoronoiBuilder::is_on_sphere(CellId cell, VertexId v) const {
 void VoronoiBuilder::merge_finite_cells() {
   if (k_ < 2) return;
   for (std::size_t place = 0; place < cells_.size(); ++place) {
+    round_();
     const CellId c = cells_[place];
     const double* here = centers_.data() + place * d_;
     for (int i = 0; i <= k_; ++i) {
@@ -158,6 +163,7 @@ void VoronoiBuilder::merge_infinite_cells() {
   const kernel::Flat flat{triangulation_.dimension(), axes_};
   std::vector<const double*> points;
   for (const CellId c : complex_.infinite_cells()) {
+    internal::cancellation_point();
     const int apex = complex_.infinite_index(c);
     for (int i = 0; i <= k_; ++i) {
       const CellId other = complex_.neighbor(c, i);
@@ -232,6 +238,7 @@ void VoronoiBuilder::collect_regions() {
   for (std::size_t r = 0; r < num_regions; ++r) {
     const auto begin = items.begin() + static_cast<std::ptrdiff_t>(first);
     first = offsets[r + 1];
+    internal::cancellation_point();
     const auto last = items.begin() + static_cast<std::ptrdiff_t>(first);
     for (auto item = begin; item != last; ++item)
       if (*item >= 0) *item = vertex_of_cell_[index(cells_[static_cast<std::size_t>(*item)])];
@@ -254,6 +261,7 @@ void VoronoiBuilder::collect_regions_in_plane() {
     if (row_of_vertex_[v] < 0) continue;
     const auto r = static_cast<std::size_t>(region_of_vertex_[v]);
     begin[r] = lists.size();
+    round_();
     walk_region(r, VertexId{v}, lists);
     size[r] = lists.size() - begin[r];
   }
@@ -291,6 +299,7 @@ void VoronoiBuilder::collect_rays() {
   if (k_ < 1) return;
   std::vector<const double*> facet;
   for (const CellId c : complex_.infinite_cells()) {
+    round_();
     if (root(index(c)) != index(c)) continue;
     const int apex = complex_.infinite_index(c);
     const CellId behind = complex_.neighbor(c, apex);

@@ -3,6 +3,7 @@
 // in run().
 #pragma once
 
+#include "base/quick_rounds.hpp"
 #include "base/union_find.hpp"
 
 #include <delone/voronoi.hpp>
@@ -94,6 +95,7 @@ class VoronoiBuilder {
   internal::UnionFind classes_;              // of cells, by slot; empty if none merged
   std::vector<SignedIndex> vertex_of_cell_;  // by slot: the position in centers_; −1: not a finite cell
   bool has_merged_ = false;
+  internal::QuickRounds round_;  // of all loops
   /// The sites of each class of several cells, sorted; by root.
   std::unordered_map<Index, std::vector<VertexId>> sites_of_class_;
 };

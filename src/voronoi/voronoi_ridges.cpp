@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Ridges, the duals of edges. If no two cells share a sphere, every edge has a ridge; otherwise is_ridge()
 // decides.
+#include "base/quick_rounds.hpp"
 #include "voronoi/voronoi_builder.hpp"
 
 #include <delone/predicates.hpp>
@@ -12,6 +13,7 @@
 namespace delone {
 
 void VoronoiBuilder::add_ridge(VertexId s, VertexId t, std::span<const SignedIndex> vertices) {
+  round_();
   out_.ridge_points_.push_back(std::min(row_of(s), row_of(t)));
   out_.ridge_points_.push_back(std::max(row_of(s), row_of(t)));
   out_.ridge_vertices_.insert(out_.ridge_vertices_.end(), vertices.begin(), vertices.end());
@@ -195,6 +197,7 @@ void VoronoiBuilder::collect_ridges_by_region() {
       if (place >= 0) cells.push_back(static_cast<Index>(place));
     cells.insert(cells.end(), infinite_cells.begin() + static_cast<std::ptrdiff_t>(offsets[r]),
                  infinite_cells.begin() + static_cast<std::ptrdiff_t>(offsets[r + 1]));
+    internal::cancellation_point();
     const auto for_each_later = [&](auto&& visit) {
       for (std::size_t e = 0; e < cells.size(); ++e) {
         constexpr std::size_t ahead = 12;
@@ -279,6 +282,7 @@ bool VoronoiBuilder::is_ridge(VertexId s, VertexId t, std::span<const Index> sta
   std::vector<VertexId> common, kept, storage;
   bool is_first = true;
   for (const Index cell : star) {
+    internal::cancellation_point();
     const auto sites = class_vertices(root(cell), storage);
     if (is_first) {
       common.assign(sites.begin(), sites.end());

@@ -76,6 +76,64 @@ def test_what_is_no_array_of_points(points, message):
         delone.Delaunay(points)
 
 
+@pytest.mark.parametrize("value, message", [
+    (10**400, r"1000000\d*\.\.\. is beyond the range of double precision"), (-10**400, "is beyond the range of double precision"),
+    pytest.param(10**10_000, "a huge int is beyond the range of double precision", id="huge"), (None, "None is not a number"), (Fraction(1, 3), "1/3 is not exact in double precision"),
+    ([1], "a list is not a number"), (1j, "a complex is not a number"), (object(), "a object is not a number"), (2**70 + 1, "is not exact in double precision"),
+])
+def test_objects_that_are_no_numbers_are_named(value, message):
+    points = np.zeros((3, 2), object)
+    points[1, 1] = value
+    with pytest.raises(delone.InputError, match=f"^points: row 1: .*{message}$") as raised:
+        delone.Delaunay(points)
+    assert raised.value.rows == [1] and len(str(raised.value)) < 120
+
+
+def test_lists_with_objects():
+    for points in ([[0, 0], [10**400, 1]], [[0, 0], [None, 1]], [[0, 0], ["3", None]]):
+        with pytest.raises(delone.InputError, match="points: row 1: "):
+            delone.ConvexHull(points)
+    assert delone.Delaunay(np.array([[0, 0], [np.float32(1), True], [Fraction(1, 2), 3]], object)).num_vertices == 3
+
+
+@pytest.mark.parametrize("make", [
+    lambda progress: delone.Delaunay(SQUARE, progress=progress), lambda progress: delone.ConvexHull(SQUARE, progress=progress),
+    lambda progress: delone.ConvexHull.of_extreme_points(SQUARE, progress=progress), lambda progress: delone.convex_hulls([SQUARE], progress=progress),
+    lambda progress: delone.HalfspaceIntersection([[1, -1], [-1, -1]], progress=progress),
+    lambda progress: delone.Delaunay(SQUARE).insert_range(SQUARE, progress=progress),
+])
+@pytest.mark.parametrize("progress, name", [(5, "int"), ("bar", "str"), (True, "bool")])
+def test_progress_is_a_function(make, progress, name):
+    with pytest.raises(TypeError, match=f"progress: a function of the fraction done, or None, not {name}"):
+        make(progress)
+
+
+def test_numbers_of_regions_and_ridges():
+    v = delone.Voronoi(SQUARE)
+    for i in (5, 99, -1, 2**40):
+        with pytest.raises(IndexError, match=f"region {i}: there are 5"):
+            v.region(i)
+    with pytest.raises(IndexError, match=f"ridge {v.num_ridges}: there are {v.num_ridges}"):
+        v.ridge(v.num_ridges)
+
+
+def test_dimensions_beyond_the_largest_are_refused_at_once():
+    for columns in (2**20 + 1, 2**31 - 1, 2**31, 2**32 + 2):
+        with pytest.raises(delone.InputError):
+            delone.Delaunay(np.zeros((0, columns)))
+        with pytest.raises(delone.InputError):
+            delone.ConvexHull(np.zeros((0, columns)))
+
+
+def test_orientation_in_one_dimension():
+    """Cells of a triangulation are positively oriented; the ends of a hull are points, which have no orientation."""
+    t = delone.Delaunay([[3], [1], [2]])
+    assert (t.points[t.cells[:, 0], 0] < t.points[t.cells[:, 1], 0]).all()
+    hull = delone.ConvexHull([[3], [1], [2]])
+    assert sorted(hull.cells[:, 0]) == [0, 1]
+    assert "k = d > 1" in type(hull).cells.__doc__ and "k = d > 1" in type(t).hull_facets.__doc__
+
+
 @pytest.mark.parametrize("make", [delone.Delaunay, delone.FurthestSite, delone.ConvexHull, delone.Voronoi, lambda p: delone.Regular(p, [0] * len(p))])
 @pytest.mark.parametrize("bad", [np.nan, np.inf, -np.inf])
 def test_rows_that_are_not_finite_are_named(make, bad):

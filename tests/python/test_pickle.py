@@ -47,6 +47,9 @@ MAKERS = {
     "NaturalNeighborInterpolator": lambda: delone.NaturalNeighborInterpolator(
         delone.Delaunay(POINTS), POINTS @ [1, 2, 3j], outside="project", smooth=True, tolerance=0.01),
     "Locations": lambda: delone.Delaunay(POINTS).locate(POINTS[:5] + 0.1),
+    "ConvexHulls": lambda: delone.convex_hulls([POINTS, POINTS[:7]]),
+    "TrimResult": lambda: delone.Delaunay(POINTS).trim(0.3),
+    "TrimResult of nothing": lambda: delone.Delaunay(np.zeros((0, 2))).trim(0),
     "spatial.Delaunay": lambda: in_parts(lambda p: spatial.Delaunay(p, incremental=True)),
     "spatial.ConvexHull": lambda: spatial.ConvexHull(POINTS),
     "spatial.Voronoi": lambda: spatial.Voronoi(POINTS),
@@ -104,7 +107,22 @@ def test_a_copied_interpolator_works():
     np.testing.assert_array_equal(function.gradient(queries), other.gradient(queries))
 
 
-@pytest.mark.parametrize("kind", [delone.Delaunay, delone.ConvexHull, delone.HalfspaceIntersection])
-def test_a_broken_state_is_refused(kind):
-    with pytest.raises((ValueError, TypeError, RuntimeError)):
-        kind.__new__(kind).__setstate__((1, 2, 3))
+@pytest.mark.parametrize("kind", [delone.Delaunay, delone.Regular, delone.FurthestSite, delone.ConvexHull, delone.HalfspaceIntersection,
+                                  delone.LinearInterpolator, delone.NaturalNeighborInterpolator, delone.TrimResult])
+@pytest.mark.parametrize("size", [3, 5, 7])
+def test_a_broken_state_is_refused(kind, size):
+    for entry in (1, None, "as_given", [], np.zeros((3, 2))):
+        made = kind.__new__(kind)
+        with pytest.raises((ValueError, TypeError)):
+            made.__setstate__((entry,) * size)
+        with pytest.raises(TypeError, match="not initialized"):
+            repr(made)
+
+
+@pytest.mark.parametrize("batches", [[], [30, 30], [80, 1], [-1, 81], [0, 80], [10**18, 80 - 10**18], [2**63, 80], ["80"], None, 80])
+def test_batches_are_those_of_the_rows(batches):
+    for made in (delone.Delaunay(POINTS), delone.ConvexHull(POINTS)):
+        state = list(made.__getstate__())
+        state[3 if isinstance(made, delone.Delaunay) else 2] = batches
+        with pytest.raises((ValueError, TypeError)):
+            type(made).__new__(type(made)).__setstate__(tuple(state))

@@ -46,9 +46,10 @@ class Proof {
   }
 
   /// Returns whether the cells are proved, without ties, every vertex has a cell, and the point is on the
-  /// inner side of all infinite cells. If so, orients the cells. `tick` is called often, and may throw.
+  /// inner side of all infinite cells. If so, orients the cells. `tick` is called often with the
+  /// fraction done, and may throw.
   /// REQUIRES cells with wide vertices in ascending order, and no vacant slot.
-  bool run(const Query& point, const std::function<void()>& tick) {
+  bool run(const Query& point, const std::function<void(double)>& tick) {
     if (!check_finite_cells(tick) || !check_infinite_cells(point)) return false;
     if (2 * num_checked_ != std::size_t{cells_.num_slots()} * (K + 1))
       return false;  // some links are one-way
@@ -62,14 +63,14 @@ class Proof {
   /// How many cells ahead memory is prefetched.
   static constexpr Index ahead = 6;
 
-  bool check_finite_cells(const std::function<void()>& tick) {
+  bool check_finite_cells(const std::function<void(double)>& tick) {
     std::vector<unsigned char> has_cell(queries_.size());  // bytes, as bits would be slower to write
     std::array<Index, batch_size> batch, numbers;
     std::iota(numbers.begin(), numbers.end(), Index{0});
     std::array<const Index*, batch_size> vertices;
     std::array<Sign, batch_size> orientations;
     for (Index next = 0; next < cells_.num_slots();) {
-      tick();
+      tick(static_cast<double>(next) / static_cast<double>(cells_.num_slots()));
       std::size_t count = 0;
       for (; count < batch_size && next < cells_.num_slots(); ++next) {
         const Index* const v = cells_.wide_vertices(next);

@@ -22,19 +22,22 @@ constexpr bool is_worth_wrapping(int k, std::size_t n) {
 /// Fills an empty store with all cells of the vertices 1 … points.last_vertex(); functionals are not
 /// computed. Returns how many are infinite, or nothing, and then there are no cells: where rounded numbers do
 /// not say how to go on, with ties, and without memory, of which insertion needs less. `tick` is called
-/// often; what it throws is passed on.
+/// often, with the fraction done; what it throws is passed on.
 ///
 /// Points knows coordinates: search() says what is beyond facets; geometry_of(memory) is a geometry for cells
 /// in another memory; query_in_one_cell(geometry) is at a point inside exactly one finite cell, exactly
 /// proved, or nothing.
 template <int K, class Points>
 std::optional<Index> wrap_all(CellStore<K>& cells, Points& points, StageCounts& counts,
-                              const std::function<void()>& tick) {
+                              const std::function<void(double)>& tick) {
+  const auto first_half = [&](double done) { tick(done / 2); };
+  const auto second_half = [&](double done) { tick(0.5 + done / 2); };
   const auto try_to = [&]() -> std::optional<Index> {
     cells.widen_vertices();
     {
       auto search = points.search();
-      if (!Wrapping<K, decltype(search)>(cells, search, points.last_vertex()).run(tick)) return std::nullopt;
+      if (!Wrapping<K, decltype(search)>(cells, search, points.last_vertex()).run(first_half))
+        return std::nullopt;
     }
     CellMemory<K> some_cells(K);
     auto geometry = points.geometry_of(some_cells);
@@ -46,7 +49,7 @@ std::optional<Index> wrap_all(CellStore<K>& cells, Points& points, StageCounts& 
     queries.reserve(points.last_vertex() + 1);
     for (Index v = 0; v <= points.last_vertex(); ++v) queries.push_back(geometry.query_at(v));
     Proof proof(cells, geometry, queries, counts);
-    if (!proof.run(*inner, tick)) return std::nullopt;
+    if (!proof.run(*inner, second_half)) return std::nullopt;
     return proof.num_infinite();
   };
   std::optional<Index> num_infinite;

@@ -48,8 +48,9 @@ class Wrapping {
   }
 
   /// Returns whether every facet has two cells in the end. If not, or if it throws (memory, ids), the cells
-  /// are meaningless. `tick` is called often, and may throw.
-  bool run(const std::function<void()>& tick) {
+  /// are meaningless. `tick` is called often with the fraction of facets
+  /// that have two cells, and may throw.
+  bool run(const std::function<void(double)>& tick) {
     NewCell first;
     if (!search_.first_cell(first.vertices.data())) return false;
     std::sort(first.vertices.begin(), first.vertices.end());
@@ -58,7 +59,8 @@ class Wrapping {
     create(first);
     link(first);
     while (true) {
-      tick();
+      tick(1 - static_cast<double>(facets_.size()) /
+                   static_cast<double>(std::size_t{cells_.num_slots()} * (K + 1)));
       const std::size_t taken = take_cells();
       if (taken == 0) return facets_.size() == 0;
       if (!search_.find_apexes({batch_.data(), taken}, apexes_.data()) || !add_neighbors(taken)) return false;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "hull/tolerance/facet_labels.hpp"
 
+#include "base/progress_meter.hpp"
 #include "hull/hull_measure.hpp"
 #include "hull/tolerance/flat_distance.hpp"
 
@@ -103,12 +104,14 @@ class Labels {
     label_[seed] = seed;
     std::vector<Index> facet{seed};
     const Size size = size_of(seed);
-    for (std::size_t next = 0; next < facet.size(); ++next)
+    for (std::size_t next = 0; next < facet.size(); ++next) {
+      cancellation_point();
       for (const Index across : hull_.neighbors_of(facet[next]))
         if (label_[across] == invalid_index && is_near(across, seed) && !precedes(size_of(across), size)) {
           label_[across] = seed;
           facet.push_back(across);
         }
+    }
   }
 
   const HullSites& sites_;

@@ -59,7 +59,7 @@ class GrowingHull {
   }
 
   bool wrap() {
-    return engine_->wrap([] {});
+    return engine_->wrap([](double) {});
   }
   /// Inserts the points so far one by one.
   void seed() {
@@ -348,7 +348,7 @@ struct Proposed {
                                  [this](const Index* cell, int slot, std::span<const Index> among) {
                                    return geometry.first_beyond(cell, slot, among, points.grid);
                                  });
-    ASSERT_TRUE((Wrapping<K, geometry::FacetSearch>(cells, search, vertices).run([] {})));
+    ASSERT_TRUE((Wrapping<K, geometry::FacetSearch>(cells, search, vertices).run([](double) {})));
   }
 
   test::Cells all() const {
@@ -387,7 +387,7 @@ struct Proposed {
     const kernel::Grid grid = points.grid_with(point.data());
     StageCounts counts;
     return Proof<K, geometry::DelaunayGeometry<K>>(cells, geometry, queries, counts)
-        .run(geometry.make_query(point.data(), grid), [] {});
+        .run(geometry.make_query(point.data(), grid), [](double) {});
   }
   /// The same with a point that is.
   bool is_proved() {

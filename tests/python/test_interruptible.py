@@ -1,0 +1,225 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""Ctrl-C ends every call that can take long within a second. The table has an entry for each public function, class and member of the
+module: one that is new fails test_the_table_is_complete until it has one."""
+import importlib
+import inspect
+import signal
+import subprocess
+import sys
+
+import pytest
+
+from hostile_support import MODULES, classes, is_large
+
+# Entries that return what is there, or make one pass over what they return: a second for some 10^8 numbers.
+QUICK = {
+    "delone.ConvexHull": "__repr__ affine_dimension axes dimension max_distance num_cells num_duplicates num_points statistics tolerance",
+    "delone.ConvexHulls": "__getitem__ __init__ __iter__ __len__ __repr__",
+    "delone.Delaunay": "__getstate__",
+    "delone.FurthestSite": "__getstate__ hidden num_hidden",
+    "delone.Regular": "__getstate__ hidden num_hidden weights",
+    "delone.HalfspaceIntersection": "__getstate__ dimension halfspaces num_halfspaces rank state statistics",
+    "delone.LinearInterpolator": "__getstate__ __repr__ tolerance triangulation values",
+    "delone.NaturalNeighborInterpolator": "__getstate__ __repr__ smooth tolerance triangulation values",
+    "delone.PowerDiagram": "__reduce__ __repr__ weights",
+    "delone.Voronoi": "__reduce__ __repr__",
+    "delone.TrimResult": "__getstate__ __repr__ cells depth kept lost_volume neighbors num_removed orphans",
+    "delone._core.Diagram": "affine_dimension bounding_box dimension is_bounded max_displacement num_points num_rays num_regions num_ridges "
+                            "num_vertices point_region points ray_directions ray_points ray_vertices region region_offsets region_points "
+                            "region_vertices ridge ridge_offsets ridge_points ridge_vertices tolerance vertices",
+    "delone._core.Triangulation": "__len__ __repr__ affine_dimension axes cell_of_point cells dimension duplicates hash hull_facets neighbors "
+                                  "num_cells num_duplicates num_points num_vertices points statistics vertex_of_point",
+    "delone._locations.Locations": "__getitem__ __init__ __iter__ __len__ __repr__",
+    "delone.spatial._base.Incremental": "__copy__ __getstate__ close",
+    "delone.spatial._base.OfPoints": "points",
+    "delone.spatial._convex_hull.ConvexHull": "__getstate__ coplanar equations good vertices",
+    "delone.spatial._delaunay.Delaunay": "convex_hull coplanar good lift_points paraboloid_scale paraboloid_shift vertex_neighbor_vertices "
+                                         "vertex_to_simplex vertices",
+    "delone.spatial._halfspaces.HalfspaceIntersection": "dual_area dual_equations dual_facets dual_points dual_vertices dual_volume halfspaces",
+    "delone.spatial._voronoi.Voronoi": "regions ridge_dict ridge_vertices",
+    "delone.interpolate._base.Interpolator": "__init__",
+    "delone.interpolate._base.OnTriangulation": "__init__ values",
+    "delone.interpolate._nearest.NearestNDInterpolator": "__init__",
+    "delone": "patch_scipy scipy_is_patched unpatch_scipy",
+    "delone.spatial": "convex_hull_plot_2d delaunay_plot_2d distance_matrix geometric_slerp minkowski_distance minkowski_distance_p "
+                      "procrustes voronoi_plot_2d",
+}
+
+# What the programs have: points that are hard for some reason.
+HELPERS = '''
+def sphere(n, d):
+    """Points of the unit sphere, all of them extreme."""
+    points = random.standard_normal((n, d))
+    return points / np.linalg.norm(points, axis=1, keepdims=True)
+
+def wild(n, d):
+    """Points of all exponents, for which only integers of thousands of bits decide."""
+    return random.standard_normal((n, d)) * 10.0 ** random.integers(-300, 301, (n, d))
+
+def halfspaces(n, d):
+    return np.c_[sphere(n, d), -np.ones(n)]
+'''
+
+# The work that is interrupted, after some preparation. `of`: other entries that do the same.
+HULL = "hull = delone.ConvexHull(wild(14, 9))"
+DIAGRAM = "diagram = delone.Voronoi(random.random((100, 7)))"
+SIMPLEX = "points = np.r_[np.zeros((1, 8)), np.eye(8)]"
+LONG = {
+    "delone.Delaunay.__init__": ("", "delone.Delaunay(random.random((300_000, 6)))"),
+    "delone.Delaunay.insert_range": (f"{SIMPLEX}; made = delone.Delaunay(points)", "made.insert_range(random.random((300_000, 8)))"),
+    "delone.Regular.__init__": ("", "delone.Regular(random.random((300_000, 6)), np.zeros(300_000))"),
+    "delone.Regular.insert_range": (f"{SIMPLEX}; made = delone.Regular(points, np.zeros(9))",
+                                    "made.insert_range(random.random((300_000, 8)), np.zeros(300_000))"),
+    "delone.FurthestSite.__init__": ("", "delone.FurthestSite(sphere(300_000, 7))"),
+    "delone.FurthestSite.insert_range": (f"{SIMPLEX}; made = delone.FurthestSite(points)", "made.insert_range(sphere(300_000, 8))"),
+    "delone._core.Triangulation.find_simplex": ("t = delone.Delaunay(random.random((500, 5)))", "t.find_simplex(random.random((6_000_000, 5)))"),
+    "delone._core.Triangulation.locate": ("t = delone.Delaunay(random.random((300, 7)))", "t.locate(random.random((1_000_000, 7)))"),
+    "delone._core.Triangulation.barycentric": ("t = delone.Delaunay(random.random((2000, 2)))", "t.barycentric(wild(1_000_000, 2))"),
+    "delone._core.Triangulation.nearest": ("t = delone.Delaunay(random.random((5000, 4)))", "t.nearest(random.random((20_000, 4)), k=500)"),
+    "delone._core.Triangulation.trim": ("t = delone.Delaunay(random.random((20_000, 4)))", "t.trim(0.5)"),
+    "delone._core.Triangulation.transform": ("t = delone.Delaunay(random.random((100_000, 4)))", "t.transform"),
+    "delone._core.Triangulation.vertex_neighbors": ("t = delone.Delaunay(random.random((3000, 7)))", "t.vertex_neighbors"),
+    "delone.ConvexHull.__init__": ("", "delone.ConvexHull(sphere(100_000, 8))"),
+    "delone.ConvexHull.of_extreme_points": ("", "delone.ConvexHull.of_extreme_points(sphere(100_000, 8))"),
+    "delone.ConvexHull.insert_range": (f"{SIMPLEX}; hull = delone.ConvexHull(points)", "hull.insert_range(sphere(100_000, 8))"),
+    "delone.ConvexHull.locate": ("hull = delone.ConvexHull(wild(11, 8))", "hull.locate(wild(10_000, 8))"),
+    "delone.ConvexHull.contains": ("hull = delone.ConvexHull(wild(11, 8))", "hull.contains(wild(10_000, 8))"),
+    "delone.ConvexHull.visible_facets": (HULL, "[hull.visible_facets(each) for each in wild(1000, 9)]"),
+    "delone.ConvexHull.plane_distance": ("hull = delone.ConvexHull(sphere(300, 5)); hull.equations", "hull.plane_distance(random.random((30_000, 5)))"),
+    "delone.ConvexHull.num_facets": (HULL, "hull.num_facets",
+                                     "__len__ num_vertices num_ridges cells neighbors facet_of_cell vertices vertex_of_point facets ridges "
+                                     "equations equation_errors point_kinds points __getstate__"),
+    "delone.ConvexHull.f_vector": ("hull = delone.ConvexHull(sphere(40, 7))", "hull.f_vector"),
+    "delone.ConvexHull.volume": ("hull = delone.ConvexHull(sphere(1500, 7))", "hull.volume", "volume_error area area_error"),
+    "delone.ConvexHull.hash": ("hull = delone.ConvexHull(sphere(2500, 7))", "[hull.hash for _ in range(100)]"),
+    "delone.convex_hulls": ("", "delone.convex_hulls(random.random((300_000, 40, 3)))"),
+    "delone.HalfspaceIntersection.__init__": ("", "delone.HalfspaceIntersection(halfspaces(100_000, 8), [0] * 8)"),
+    "delone.HalfspaceIntersection.insert_range": ("made = delone.HalfspaceIntersection(np.r_[np.c_[np.eye(8), -np.ones(8)], np.c_[-np.eye(8), -np.ones(8)]])",
+                                                  "made.insert_range(halfspaces(100_000, 8))"),
+    "delone.HalfspaceIntersection.vertices": ("made = delone.HalfspaceIntersection(halfspaces(500, 7), [0] * 7)", "made.vertices",
+                                              "__len__ __repr__ axes direction_halfspaces direction_offsets directions dual_equations dual_points edges "
+                                              "facet_halfspaces facet_offsets facet_vertices first_of_halfspace interior_point is_bounded "
+                                              "kinds lineality num_facets num_vertices rays vertex_halfspaces vertex_offsets witness"),
+    "delone.HalfspaceIntersection.volume": ("made = delone.HalfspaceIntersection(halfspaces(40, 7), [0] * 7)", "made.volume"),
+    "delone.HalfspaceIntersection.dual_volume": ("made = delone.HalfspaceIntersection(halfspaces(2000, 7), [0] * 7)", "made.dual_volume",
+                                                 "dual_area"),
+    "delone.Voronoi.__init__": ("t = delone.Delaunay(random.random((3000, 6)))", "delone.Voronoi(t)"),
+    "delone.PowerDiagram.__init__": ("t = delone.Regular(random.random((3000, 6)), np.zeros(3000))", "delone.PowerDiagram(t, tolerance=0.01)"),
+    "delone._core.Diagram.region_volumes": (DIAGRAM, "diagram.region_volumes()"),
+    "delone._core.Diagram.region_volumes, box": ("diagram = delone.Voronoi(random.random((150, 6)))",
+                                                 "diagram.region_volumes((np.zeros(6), np.ones(6)))"),
+    "delone._core.Diagram.ridge_volumes": (DIAGRAM, "diagram.ridge_volumes()"),
+    "delone.LinearInterpolator.__init__": ("", "delone.LinearInterpolator(random.random((300_000, 6)), np.zeros(300_000))"),
+    "delone.LinearInterpolator.__call__": ("f = delone.LinearInterpolator(random.random((500, 5)), np.zeros(500))", "f(random.random((6_000_000, 5)))"),
+    "delone.LinearInterpolator.gradient": ("f = delone.LinearInterpolator(random.random((500, 5)), np.zeros(500))",
+                                           "f.gradient(random.random((6_000_000, 5)))"),
+    "delone.NaturalNeighborInterpolator.__init__": ("t = delone.Delaunay(random.random((3000, 4)))",
+                                                    "delone.NaturalNeighborInterpolator(t, np.zeros(3000), smooth=True)"),
+    "delone.NaturalNeighborInterpolator.__call__": ("f = delone.NaturalNeighborInterpolator(random.random((300, 4)), np.zeros(300))",
+                                                    "f(random.random((100_000, 4)))"),
+    "delone.NaturalNeighborInterpolator.gradient": ("f = delone.NaturalNeighborInterpolator(random.random((300, 4)), np.zeros(300))",
+                                                    "f.gradient(random.random((100_000, 4)))"),
+    "delone.NaturalNeighborInterpolator.natural_neighbors": ("f = delone.NaturalNeighborInterpolator(random.random((300, 4)), np.zeros(300))",
+                                                             "f.natural_neighbors(random.random((100_000, 4)))"),
+    "delone.NaturalNeighborInterpolator.site_gradients": ("f = delone.NaturalNeighborInterpolator(random.random((3000, 4)), np.zeros(3000))",
+                                                          "f.site_gradients"),
+    "delone.natural_neighbors": ("t = delone.Delaunay(random.random((100, 6)))", "delone.natural_neighbors(t, random.random((1000, 6)))"),
+    "delone.spatial._delaunay.Delaunay.__init__": ("", "spatial.Delaunay(random.random((300_000, 6)))"),
+    "delone.spatial._base.OfPoints.add_points": ("made = spatial.Delaunay(random.random((50, 6)), incremental=True)",
+                                                 "made.add_points(random.random((300_000, 6)))"),
+    "delone.spatial._delaunay.Delaunay.find_simplex": ("made = spatial.Delaunay(random.random((500, 5)))", "made.find_simplex(random.random((6_000_000, 5)))"),
+    "delone.spatial._delaunay.Delaunay.transform": ("made = spatial.Delaunay(random.random((100_000, 4)))", "made.transform", "equations"),
+    "delone.spatial._delaunay.Delaunay.plane_distance": ("made = spatial.Delaunay(random.random((500, 3))); xi = random.random((100_000, 3))",
+                                                         "[made.plane_distance(x) for x in xi]"),
+    "delone.spatial._convex_hull.ConvexHull.__init__": ("", "spatial.ConvexHull(sphere(100_000, 8))"),
+    "delone.spatial._voronoi.Voronoi.__init__": ("", "spatial.Voronoi(random.random((300_000, 6)))"),
+    "delone.spatial._halfspaces.HalfspaceIntersection.__init__": ("", "spatial.HalfspaceIntersection(halfspaces(100_000, 8), np.zeros(8))"),
+    "delone.spatial._halfspaces.HalfspaceIntersection.add_halfspaces": (
+        "made = spatial.HalfspaceIntersection(halfspaces(20, 8), np.zeros(8), incremental=True)", "made.add_halfspaces(halfspaces(100_000, 8))"),
+    "delone.spatial.tsearch": ("made = spatial.Delaunay(random.random((500, 5)))", "spatial.tsearch(made, random.random((6_000_000, 5)))"),
+    "delone.interpolate._linear.LinearNDInterpolator.__init__": ("", "interpolate.LinearNDInterpolator(random.random((300_000, 6)), np.zeros(300_000))"),
+    "delone.interpolate._base.OnTriangulation.__call__": ("f = interpolate.LinearNDInterpolator(random.random((500, 5)), np.zeros(500))",
+                                                          "f(random.random((6_000_000, 5)))"),
+    "delone.interpolate._clough_tocher.CloughTocher2DInterpolator.__init__": (
+        "points = random.random((200_000, 2))", "interpolate.CloughTocher2DInterpolator(points, random.random(200_000), tol=0, maxiter=10_000)"),
+    "delone.interpolate._natural_neighbors.NaturalNeighborInterpolator.__init__": (
+        "points = random.random((3000, 4))", "interpolate.NaturalNeighborInterpolator(points, np.zeros(3000), smooth=True)"),
+    "delone.interpolate._natural_neighbors.NaturalNeighborInterpolator.gradient": (
+        "f = interpolate.NaturalNeighborInterpolator(random.random((300, 4)), np.zeros(300))", "f.gradient(random.random((100_000, 4)))"),
+    "delone.interpolate._nearest.NearestNDInterpolator.__call__": ("f = interpolate.NearestNDInterpolator(random.random((2000, 4)), np.zeros(2000))",
+                                                                   "f(random.random((3_000_000, 4)))"),
+    "delone.interpolate.griddata": ("", "interpolate.griddata(random.random((300_000, 6)), np.zeros(300_000), random.random((10, 6)))"),
+}
+# In every run; the others at full size only.
+USUAL = ["delone.ConvexHull.locate", "delone.ConvexHull.num_facets", "delone.HalfspaceIntersection.volume", "delone._core.Diagram.region_volumes",
+         "delone._core.Triangulation.nearest"]
+
+PROGRAM = """
+import signal, time
+import numpy as np
+import delone
+from delone import interpolate, spatial
+
+random = np.random.default_rng(0)
+{helpers}
+{prepare}
+signal.signal(signal.SIGPROF, signal.default_int_handler)
+begin = time.process_time()
+signal.setitimer(signal.ITIMER_PROF, {after})
+try:
+    {work}
+    signal.setitimer(signal.ITIMER_PROF, 0)
+    print("finished", time.process_time() - begin)
+except KeyboardInterrupt:
+    print("interrupted", time.process_time() - begin - {after})
+"""
+
+
+def public():
+    """All functions, constructors and members, by the class that has them."""
+    called = {"__call__", "__copy__", "__getitem__", "__getstate__", "__init__", "__iter__", "__len__", "__reduce__", "__repr__"}
+    for cls in classes():
+        if cls.__name__ != "HullOfSet" and cls.__name__ != "_Patched":
+            plain = cls.__module__ == "delone" or cls.__module__.startswith("delone._c") and cls.__name__ == "ConvexHulls"
+            place = f"delone.{cls.__name__}" if plain else f"{cls.__module__}.{cls.__name__}"
+            for name, member in vars(cls).items():
+                if (not name.startswith("_") or name in called) and not inspect.ismemberdescriptor(member):
+                    if callable(member) or isinstance(member, (property, classmethod, staticmethod)) or hasattr(member, "__get__"):
+                        yield place, name
+    for module_name in MODULES:
+        module = importlib.import_module(module_name)
+        for name, function in inspect.getmembers(module, inspect.isroutine):
+            if not name.startswith("_") and module_name != "delone._core":
+                yield module_name, name
+
+
+def test_the_table_is_complete():
+    quick = {(place, name) for place, names in QUICK.items() for name in names.split()}
+    long = set()
+    for entry, (_, _, *others) in LONG.items():
+        place, name = entry.split(",")[0].rsplit(".", 1)
+        long |= {(place, each) for each in [name, *(others[0].split() if others else [])]}
+    there = set(public())
+    assert not quick & long
+    missing = {f"{place}.{name}" for place, name in there - quick - long if not (name == "__init__" and is_not_made(place))}
+    assert not missing, "they need an entry: in LONG with an input that takes long, or in QUICK"
+    assert not (quick | long) - there, "no longer there"
+
+
+def is_not_made(place):
+    """Classes without a constructor of their own."""
+    return place in ("delone._core.Triangulation", "delone._core.Diagram", "delone.TrimResult", "delone.spatial._base.OfPoints")
+
+
+@pytest.mark.skipif(not hasattr(signal, "ITIMER_PROF"), reason="timers as POSIX has them")
+@pytest.mark.parametrize("entry", LONG if is_large() else USUAL)
+def test_ctrl_c_ends_it_within_a_second(entry):
+    """Of processor time, so that a busy machine makes no difference."""
+    prepare, work, *_ = LONG[entry]
+    program = PROGRAM.format(helpers=HELPERS, prepare=prepare, work=work, after=0.3)
+    result = subprocess.run([sys.executable, "-c", program], capture_output=True, text=True, timeout=600)
+    assert result.returncode == 0, result.stderr
+    word, seconds = result.stdout.split()
+    if word == "finished":
+        pytest.skip(f"takes {seconds} s: the input is too small by now")
+    assert float(seconds) < 1
