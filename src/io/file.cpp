@@ -48,7 +48,7 @@ std::size_t size_hint(const std::string& path) {
 /// Reads to the end of the file, or until there are `most` bytes; true at the end.
 bool read_up_to(std::size_t most, std::FILE* file, const std::string& name, Bytes& bytes) {
   while (bytes.size() < most) {
-    if (bytes.size() == bytes.capacity()) bytes.reserve(bytes.capacity() + bytes.capacity() / 2);
+    if (bytes.size() == bytes.capacity()) bytes.reserve(bytes.capacity() + bytes.capacity() / 2 + 4096);
     const std::size_t room = std::min(bytes.capacity(), most) - bytes.size();
     errno = 0;
     bytes.set_size(bytes.size() + std::fread(bytes.data() + bytes.size(), 1, room, file));

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Bytes → a few points and changes of the arrays of their triangulation, hull, intersection or diagram: check() must
-// end with a report, the unchanged result must pass it, and what can be written must read back as the same.
+// Bytes → a few points and changes of the arrays of their triangulation, hull, intersection or diagram:
+// check() must end with a report, the unchanged result must pass it, and what can be written must read back
+// as the same.
 // `--target=complex`, `hull`, `intersection` or `diagram`; without it the first byte chooses.
 #include <delone/delone.hpp>
 
@@ -59,7 +60,8 @@ void for_each_array(delone::HullData& data, Use use) {
 }
 template <class Use>
 void for_each_array(delone::IntersectionData& data, Use use) {
-  use(data.halfspaces), use(data.first_of_halfspace), use(data.witness), use(data.interior_point), use(data.axes);
+  use(data.halfspaces), use(data.first_of_halfspace), use(data.witness), use(data.interior_point),
+      use(data.axes);
   use(data.vertices), use(data.vertex_offsets), use(data.vertex_halfspaces), use(data.directions);
   use(data.direction_offsets), use(data.direction_halfspaces), use(data.edges), use(data.rays);
   use(data.facet_halfspaces), use(data.facet_offsets), use(data.facet_vertices);
@@ -77,14 +79,23 @@ template <class T>
 T some_value(Bytes& bytes, T present) {
   const std::size_t choice = bytes.take();
   if constexpr (std::is_same_v<T, double>) {
-    constexpr std::array<double, 8> values{0, 1, -1, 1e308, -1e308, 5e-324, std::numeric_limits<double>::infinity(),
+    constexpr std::array<double, 8> values{0,
+                                           1,
+                                           -1,
+                                           1e308,
+                                           -1e308,
+                                           5e-324,
+                                           std::numeric_limits<double>::infinity(),
                                            std::numeric_limits<double>::quiet_NaN()};
-    return choice < 8 ? values[choice] : choice < 64 ? -present : choice < 128 ? std::nextafter(present, 9e9)
-                                                                               : static_cast<double>(choice % 5);
+    return choice < 8     ? values[choice]
+           : choice < 64  ? -present
+           : choice < 128 ? std::nextafter(present, 9e9)
+                          : static_cast<double>(choice % 5);
   } else if constexpr (std::is_enum_v<T>) {
     return static_cast<T>(choice % 6);
   } else {
-    constexpr std::array<T, 5> values{-1, -2, std::numeric_limits<T>::min(), std::numeric_limits<T>::max(), 1 << 20};
+    constexpr std::array<T, 5> values{-1, -2, std::numeric_limits<T>::min(), std::numeric_limits<T>::max(),
+                                      1 << 20};
     return choice < values.size() ? values[choice] : static_cast<T>(choice % 12);
   }
 }
@@ -140,7 +151,8 @@ void examine(Data data, Bytes& bytes) {
     try {
       read = delone::read_as<Data>(path);
     } catch (const delone::Error& error) {
-      require(changed, std::string("a right result: ") + error.what());  // a writer may know less than the reader
+      require(changed,
+              std::string("a right result: ") + error.what());  // a writer may know less than the reader
       continue;
     }
     delone::write(again, read);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Bytes → a file: reading must succeed or throw delone::Error with a message that is safe to print; what was read
-// must be consistent, and the same after it was written and read again. `--target=csv` and so on chooses the
-// reader; without it the first byte does.
+// Bytes → a file: reading must succeed or throw delone::Error with a message that is safe to print; what was
+// read must be consistent, and the same after it was written and read again. `--target=csv` and so on chooses
+// the reader; without it the first byte does.
 #include <delone/delone.hpp>
 
 #include <sys/mman.h>
@@ -28,10 +28,10 @@ struct Target {
   std::string_view name, format;
   bool is_result;
 };
-constexpr Target targets[] = {
-    {"csv", "csv", false}, {"tsv", "tsv", false}, {"txt", "txt", false},  {"qhull", "qhull", false},
-    {"off", "off", false}, {"ply", "ply", false}, {"npy", "npy", false},  {"json", "json", true},
-    {"npz", "npz", true},  {"off_cells", "off", true}};
+constexpr Target targets[] = {{"csv", "csv", false},     {"tsv", "tsv", false},  {"txt", "txt", false},
+                              {"qhull", "qhull", false}, {"off", "off", false},  {"ply", "ply", false},
+                              {"npy", "npy", false},     {"json", "json", true}, {"npz", "npz", true},
+                              {"off_cells", "off", true}};
 const Target* chosen = nullptr;
 
 void require(bool condition, const std::string& what) {
@@ -43,11 +43,14 @@ void require(bool condition, const std::string& what) {
 /// A file without a name, in memory.
 class MemoryFile {
  public:
-  MemoryFile() : descriptor_(memfd_create("delone_fuzz", 0)) { require(descriptor_ >= 0, "no file in memory"); }
+  MemoryFile() : descriptor_(memfd_create("delone_fuzz", 0)) {
+    require(descriptor_ >= 0, "no file in memory");
+  }
   std::string path() const { return "/proc/self/fd/" + std::to_string(descriptor_); }
   void hold(const std::uint8_t* data, std::size_t size) const {
-    require(ftruncate(descriptor_, 0) == 0 && pwrite(descriptor_, data, size, 0) == static_cast<ssize_t>(size),
-            "cannot write");
+    require(
+        ftruncate(descriptor_, 0) == 0 && pwrite(descriptor_, data, size, 0) == static_cast<ssize_t>(size),
+        "cannot write");
   }
 
  private:
@@ -73,15 +76,17 @@ std::string content(const std::string& path) {
 }
 
 bool same_bits(const std::vector<double>& a, const std::vector<double>& b) {
-  return a.size() == b.size() && (a.empty() || std::memcmp(a.data(), b.data(), a.size() * sizeof(double)) == 0);
+  return a.size() == b.size() &&
+         (a.empty() || std::memcmp(a.data(), b.data(), a.size() * sizeof(double)) == 0);
 }
 
 void check_points(const delone::PointTable& table, const Folder& folder) {
   require(table.coordinates.empty() || table.dimension >= 1, "coordinates without a dimension");
-  require(table.coordinates.size() ==
-              table.num_points() * static_cast<std::size_t>(std::max(table.dimension, 0)),
-          "an incomplete row");
-  for (const double value : table.coordinates) require(std::isfinite(value), "a coordinate that is not finite");
+  require(
+      table.coordinates.size() == table.num_points() * static_cast<std::size_t>(std::max(table.dimension, 0)),
+      "an incomplete row");
+  for (const double value : table.coordinates)
+    require(std::isfinite(value), "a coordinate that is not finite");
   if (table.num_points() == 0) return;
   for (const std::string format : {"csv", "tsv", "npy", "qhull", "off", "txt"}) {
     const std::string path = folder.file("points." + format);
@@ -99,7 +104,8 @@ void check_result(const delone::AnyData& read, const Folder& folder) {
   };
   const delone::CheckReport report = std::visit([](const auto& data) { return delone::check(data); }, read);
   require(report.ok == report.violation.empty(), "a report without a reason");
-  const std::string json = folder.file("data.json"), npz = folder.file("data.npz"), again = folder.file("again.json");
+  const std::string json = folder.file("data.json"), npz = folder.file("data.npz"),
+                    again = folder.file("again.json");
   try {
     write(json, read);
     write(npz, read);

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Stands in for libFuzzer in ordinary builds: feeds the target the files that are named on the command line, those of
-// folders included, and with `--inputs N` that many pseudo-random inputs, scaled by DELONE_TEST_SCALE: changed copies
-// of these files, or random bytes if there are none. Other arguments that begin with -- are left to the target. The
-// fuzz target ends the program when it finds a fault.
+// Stands in for libFuzzer in ordinary builds: feeds the target the files that are named on the command line,
+// those of folders included, and with `--inputs N` that many pseudo-random inputs, scaled by
+// DELONE_TEST_SCALE: changed copies of these files, or random bytes if there are none. Other arguments that
+// begin with -- are left to the target. The fuzz target ends the program when it finds a fault.
 #include "scale.hpp"
 
 #include <algorithm>

@@ -128,7 +128,7 @@ class Handler : public nlohmann::json_sax<nlohmann::json> {
     constexpr std::string_view before = "last read: '", after = "'; expected ";
     const auto begin = what.find(before);
     if (begin == std::string_view::npos)
-      fail(Errc::bad_format, "{}: not valid JSON (byte {}): {}", name_, position, printable(what));
+      fail(Errc::bad_format, "{}: not valid JSON (byte {}): {}", name_, position, printable(what, 300));
     const std::string_view rest = what.substr(begin + before.size());
     const std::size_t end = std::min(rest.rfind(after), rest.rfind('\''));
     fail(Errc::bad_format, "{}: not valid JSON (byte {}): {}{}{}", name_, position,

@@ -36,16 +36,17 @@ PointTable with_columns(PointTable table, const std::vector<std::string>& wanted
 /// so.
 void check_opening(const std::string& format, std::string_view opening, bool is_whole,
                    const std::string& name) {
+  if (is_whole) return;  // read at once
   if (format == "npy") return io::require_npy(opening, name);
   if (format == "ply") {
-    if (!is_whole && !opening.starts_with("ply")) io::read_ply(opening, name, {});
+    if (!opening.starts_with("ply")) io::read_ply(opening, name, {});
     return;
   }
-  const std::string_view text = is_whole && opening.empty() ? opening : io::text_of(opening, name);
+  const std::string_view text = io::text_of(opening, name);
   io::require_text(text, name);
   io::TextCursor at(text, name);
   const std::string_view word = at.next_token();
-  if (is_whole || word.empty() || at.at_end()) return;
+  if (word.empty() || at.at_end()) return;  // there may be more of it
   if (format == "off" && !word.ends_with("OFF")) io::read_off(text, name);
   if (format == "qhull" && !io::to_count(word)) io::read_qhull(text, name);
   if ((format == "txt" || format == "xyz" || format == "pts") && !io::to_number(word))

@@ -285,10 +285,9 @@ TEST_F(Read, FaultsQuoteForeignTextSafely) {
     EXPECT_LT(said.size(), 1000u) << said.substr(0, 300);
     EXPECT_EQ(printable(said, said.size()), said);
   }
-  EXPECT_NE(message("a.json", "{\"points\": [x]}").find("last read: '[x'"), std::string::npos)
+  EXPECT_NE(message("a.json", "{\"points\": [x]}").find("[x'"), std::string::npos)
       << message("a.json", "{\"points\": [x]}");
-  EXPECT_NE(message("a.json", "{\"points\" 1}").find("last read: '\"points\" 1'; expected"),
-            std::string::npos)
+  EXPECT_NE(message("a.json", "{\"points\" 1}").find("expected ':'"), std::string::npos)
       << message("a.json", "{\"points\" 1}");
 }
 
