@@ -29,7 +29,7 @@ class Endless(Case):
         for arguments in (["delaunay", "-"], ["hull", "-"], ["info", "-"], ["locate", "-", "--queries", self.uniform(2, 5)],
                           ["regular", "-", "--weights", "0"], ["voronoi", "-"], ["halfspaces", "-"]):
             self.refused(["yes", "1"], [*arguments, "--max-stream", "1MB"], 3, "more than 1048576 bytes.*--max-stream")
-        self.refused(["yes", '{"'], ["check", "/dev/stdin", "--format", "json", "--max-stream", "1MB"], 2, "not valid JSON")
+        self.refused(["yes", '{"'], ["check", "/dev/stdin", "--format", "json", "--max-stream", "1MB"], 3, "--max-stream")
 
     def test_the_limit_is_for_streams_only(self):
         points = self.uniform(2, 1000)

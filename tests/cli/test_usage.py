@@ -21,6 +21,10 @@ class Usage(Case):
                           ["generate", "flat", "-d", "1", "-n", "5"], ["locate", "-", "--queries", "-"]):
             self.complaint(*arguments, status=64)
 
+    def test_results_are_in_the_formats_of_results(self):
+        text = self.complaint("check", self.uniform(2, 5))
+        self.assertIn("'npy' cannot be used for reading anything but points; available: npz, json, off", text)
+
     def test_help_and_version(self):
         self.assertRegex(self.output("--version"), r"\Adelone \d+\.\d+\.\d+\n\Z")
         for command in ("delaunay", "locate", "check", "generate", "info"):
