@@ -5,7 +5,7 @@
 // `--target=complex`, `hull`, `intersection` or `diagram`; without it the first byte chooses.
 #include <delone/delone.hpp>
 
-#include <unistd.h>
+#include "memory_folder.hpp"
 
 #include <algorithm>
 #include <array>
@@ -13,8 +13,6 @@
 #include <cstdint>
 #include <cstdio>
 #include <cstdlib>
-#include <filesystem>
-#include <fstream>
 #include <iterator>
 #include <limits>
 #include <string>
@@ -23,6 +21,9 @@
 #include <vector>
 
 namespace {
+
+using delone::test::content;
+using delone::test::MemoryFolder;
 
 constexpr std::array<std::string_view, 4> targets{"complex", "hull", "intersection", "diagram"};
 std::size_t chosen = targets.size();
@@ -118,17 +119,9 @@ void change(Data& data, Bytes& bytes) {
   });
 }
 
-std::string content(const std::string& path) {
-  std::ifstream in(path, std::ios::binary);
-  return {std::istreambuf_iterator<char>(in), {}};
-}
-
 template <class Data>
 void examine(Data data, Bytes& bytes) {
-  static const std::string folder =
-      std::filesystem::temp_directory_path() / ("delone_fuzz_data_" + std::to_string(getpid()));
-  static const bool made = std::filesystem::create_directory(folder);
-  static_cast<void>(made);
+  static const MemoryFolder folder;
   bool changed = false;
   for (int changes = 0; !bytes.at_end() && changes < 8; ++changes, changed = true) change(data, bytes);
   if (changed && bytes.below(16) == 1) data.dimension = static_cast<int>(bytes.below(6)) - 1;
@@ -136,8 +129,10 @@ void examine(Data data, Bytes& bytes) {
   const delone::CheckReport report = delone::check(data);
   require(report.ok == report.violation.empty(), "a report without a reason");
   require(changed || report.ok, "a right result: " + report.violation);
-  const std::string json = folder + "/a.json", npz = folder + "/a.npz", again = folder + "/again.json";
-  for (const std::string& path : {json, npz, folder + "/a.off", folder + "/a.svg", folder + "/a.vtu"}) {
+  const std::string json = folder.file("a.json"), npz = folder.file("a.npz"),
+                    again = folder.file("again.json");
+  for (const std::string& path :
+       {json, npz, folder.file("a.off"), folder.file("a.svg"), folder.file("a.vtu")}) {
     try {
       delone::write(path, data);
     } catch (const delone::Error& error) {

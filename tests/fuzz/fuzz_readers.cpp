@@ -4,18 +4,17 @@
 // the reader; without it the first byte does.
 #include <delone/delone.hpp>
 
+#include "memory_folder.hpp"
+
 #include <sys/mman.h>
 #include <unistd.h>
 
 #include <algorithm>
-#include <bit>
 #include <cmath>
 #include <cstdint>
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
-#include <filesystem>
-#include <fstream>
 #include <iterator>
 #include <string>
 #include <string_view>
@@ -23,6 +22,9 @@
 #include <vector>
 
 namespace {
+
+using delone::test::content;
+using delone::test::MemoryFolder;
 
 struct Target {
   std::string_view name, format;
@@ -57,30 +59,12 @@ class MemoryFile {
   int descriptor_;
 };
 
-/// A folder for what is written, removed at the end.
-class Folder {
- public:
-  Folder() : path_(std::filesystem::temp_directory_path() / ("delone_fuzz_" + std::to_string(getpid()))) {
-    std::filesystem::create_directory(path_);
-  }
-  ~Folder() { std::filesystem::remove_all(path_); }
-  std::string file(const std::string& name) const { return path_ / name; }
-
- private:
-  std::filesystem::path path_;
-};
-
-std::string content(const std::string& path) {
-  std::ifstream in(path, std::ios::binary);
-  return {std::istreambuf_iterator<char>(in), {}};
-}
-
 bool same_bits(const std::vector<double>& a, const std::vector<double>& b) {
   return a.size() == b.size() &&
          (a.empty() || std::memcmp(a.data(), b.data(), a.size() * sizeof(double)) == 0);
 }
 
-void check_points(const delone::PointTable& table, const Folder& folder) {
+void check_points(const delone::PointTable& table, const MemoryFolder& folder) {
   require(table.coordinates.empty() || table.dimension >= 1, "coordinates without a dimension");
   require(
       table.coordinates.size() == table.num_points() * static_cast<std::size_t>(std::max(table.dimension, 0)),
@@ -98,7 +82,7 @@ void check_points(const delone::PointTable& table, const Folder& folder) {
 }
 
 /// Writing throws where the arrays disagree. What is written must read back as the same.
-void check_result(const delone::AnyData& read, const Folder& folder) {
+void check_result(const delone::AnyData& read, const MemoryFolder& folder) {
   const auto write = [](const std::string& path, const delone::AnyData& any) {
     std::visit([&](const auto& data) { delone::write(path, data); }, any);
   };
@@ -137,7 +121,7 @@ extern "C" int LLVMFuzzerInitialize(int* argc, char*** argv) {
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   static const MemoryFile file;
-  static const Folder folder;
+  static const MemoryFolder folder;
   const Target* target = chosen;
   if (target == nullptr) {
     if (size == 0) return 0;

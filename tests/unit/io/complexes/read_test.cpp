@@ -6,6 +6,7 @@
 #include <delone/printable.hpp>
 
 #include <cmath>
+#include <filesystem>
 #include <string>
 #include <utility>
 #include <variant>
@@ -295,7 +296,8 @@ TEST_F(Read, AnyChangedBitOfAnNpzIsAnErrorOrHarmless) {
   const ComplexData expected = test::small_triangulation();
   write(path("a.npz"), expected);
   const std::string whole = content("a.npz");
-  for (std::size_t bit = 0; bit<8 * whole.size(); bit += whole.size()> 3000 ? 5 : 1) {
+  for (std::size_t bit = 0; bit / 8 < whole.size(); bit += 11) {
+    std::filesystem::remove(path("b.npz"));  // some file systems write at once what replaces a file
     std::string bytes = whole;
     bytes[bit / 8] = static_cast<char>(bytes[bit / 8] ^ 1 << bit % 8);
     try {
