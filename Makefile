@@ -10,7 +10,7 @@ python_of_build = $(shell sed -n 's/^_\?Python_EXECUTABLE:[A-Z]*=//p' build/rele
 python_with_plots = $(shell for p in python3 /usr/bin/python3; do $$p -c "import matplotlib, scipy" 2>/dev/null && echo $$p && break; done)
 sources = $(shell git ls-files --cached --others --exclude-standard '*.hpp' '*.cpp')
 
-.PHONY: build python wheel demo test test-release test-asan bench paper docs lint format clean help
+.PHONY: build python wheel demo test test-release test-asan bench paper docs lint format fuzz clean help
 
 help:                 ## this list
 	@sed -n 's/^\([a-z-]*\):.*## /\1\t/p' Makefile | expand -t 16
@@ -44,6 +44,12 @@ test-asan:            ## unit and fuzz tests, smaller, with clang's AddressSanit
 	cmake --preset asan $(launcher)
 	cmake --build --preset asan -j $(jobs)
 	ctest --preset asan
+
+fuzz:                 ## every fuzz target for five minutes, with the sanitizers; FUZZ_SECONDS=60: for one
+	tools/install_dependencies.sh test clang
+	cmake --preset fuzz $(launcher) -DDELONE_FUZZ_SECONDS=$(or $(FUZZ_SECONDS),300)
+	cmake --build --preset fuzz -j $(jobs)
+	ctest --preset fuzz
 
 bench: python         ## the standard constructions, timed; takes minutes
 	tools/install_dependencies.sh bench

@@ -21,6 +21,7 @@ void BuildOptions::add_output(CLI::App& command, const std::string& what,
       ->type_name("OUT");
   command.add_option("--output-format", output_format, "Format of OUT, if not told by its extension")
       ->check(CLI::IsMember(formats));
+  add_force(command, force);
 }
 
 void BuildOptions::add_construction(CLI::App& command) {

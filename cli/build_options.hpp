@@ -15,9 +15,9 @@ struct BuildOptions {
   std::string output, output_format;
   std::uint64_t seed = 0;
   std::string order = "automatic";
-  bool stats = false, quiet = false;
+  bool stats = false, quiet = false, force = false;
 
-  /// --output and --output-format. `what` names the result, as in "the hull".
+  /// --output, --output-format and --force. `what` names the result, as in "the hull".
   void add_output(CLI::App& command, const std::string& what, const std::vector<std::string>& formats);
   /// --seed, --order, --stats and --quiet.
   void add_construction(CLI::App& command);

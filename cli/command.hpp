@@ -40,8 +40,10 @@ Run add_check(CLI::App& app);
 Run add_generate(CLI::App& app);
 Run add_info(CLI::App& app);
 
-/// The name of a path in messages.
-inline std::string input_name(const std::string& path) { return path == "-" ? "standard input" : path; }
+/// The name of a path in messages and reports.
+inline std::string input_name(const std::string& path) {
+  return path == "-" ? "standard input" : printable(path, std::string::npos);
+}
 
 /// Runs `work`. Puts the name of the file in front of error messages that do not begin with it.
 template <class Work>
@@ -65,8 +67,11 @@ struct PointInput {
   PointTable read() const;
 };
 
-/// Options shared by several commands: a list of columns, a seed.
+/// Options shared by several commands: the limit of streams, a list of columns, leave to
+/// overwrite inputs, a seed.
+void add_max_stream(CLI::App& command, std::uint64_t& bytes);
 void add_columns(CLI::App& command, const std::string& name, std::vector<std::string>& columns);
+void add_force(CLI::App& command, bool& force);
 void add_seed(CLI::App& command, std::uint64_t& seed, const std::string& description);
 
 /// The format names that --format accepts: for points, and for triangulations to write and to read.

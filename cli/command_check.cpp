@@ -89,10 +89,11 @@ void require_fitting(const CheckCommandOptions& options) {
   if (!is_complex && (options.canonical || options.any_orientation || options.furthest_site))
     throw UsageError(fmt::format(
         "{} is no triangulation; --canonical, --any-orientation and --furthest-site are for triangulations",
-        options.path));
+        input_name(options.path)));
   if (!is_complex && !is_hull && !options.points.path.empty())
-    throw UsageError(fmt::format(
-        "{} is neither a triangulation nor a hull; --points is for triangulations and hulls", options.path));
+    throw UsageError(
+        fmt::format("{} is neither a triangulation nor a hull; --points is for triangulations and hulls",
+                    input_name(options.path)));
 }
 
 /// Takes the points from the other file.
@@ -100,9 +101,9 @@ template <class Data>
 void replace_points(Data& data, const CheckCommandOptions& options) {
   PointTable table = options.points.read();
   if (data.num_points() != 0 && data.dimension != table.dimension)
-    throw Error(Errc::bad_dimension,
-                fmt::format("{}: points of dimension {}; those of {} have {}", options.points.path,
-                            table.dimension, options.path, data.dimension));
+    throw Error(Errc::bad_dimension, fmt::format("{}: points of dimension {}; those of {} have {}",
+                                                 input_name(options.points.path), table.dimension,
+                                                 input_name(options.path), data.dimension));
   data.dimension = table.dimension;
   data.points = std::move(table.coordinates);
 }
@@ -117,9 +118,9 @@ int run_check(Data data, const CheckCommandOptions& options) {
   check_options.canonical = options.canonical;
   check_options.oriented = !options.any_orientation;
   check_options.furthest_site = options.furthest_site;
-  const CheckReport report = about(options.path, [&] { return check(data, check_options); });
+  const CheckReport report = about(input_name(options.path), [&] { return check(data, check_options); });
 
-  std::string text = fmt::format("{}: {}\n", options.path, contents(data));
+  std::string text = fmt::format("{}: {}\n", input_name(options.path), contents(data));
   for (const CheckLevel& level : check_levels<Data>()) {
     if (level.number > report.reached.number) break;
     const bool failed = !report.ok && level.number == report.reached.number;
@@ -171,12 +172,15 @@ Run add_check(CLI::App& app) {
                "vertices");
   app.add_option("--points", options->points.path, "Take the points from this file instead")
       ->type_name("FILE");
+  add_max_stream(app, options->points.options.max_stream_bytes);
   app.footer(levels_text<ComplexData>("Levels of triangulations") + levels_text<HullData>("Levels of hulls") +
              levels_text<VoronoiData>("Levels of Voronoi and power diagrams") +
              levels_text<IntersectionData>("Levels of intersections of halfspaces") +
              "Exit status: 0 no violation, 1 a violation, which is printed.");
   return [options] {
-    AnyData data = about(options->path, [&] { return read(options->path, options->format); });
+    AnyData data = about(input_name(options->path), [&] {
+      return read(options->path, options->format, options->points.options.max_stream_bytes);
+    });
     return std::visit([&](auto& held) { return run_check(std::move(held), *options); }, data);
   };
 }

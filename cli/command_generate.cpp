@@ -32,7 +32,7 @@ std::size_t parse_count(const std::string& text) {
   } catch (const std::exception&) {
   }
   if (used != text.size() || !(value >= 0) || value > 0x1p53 || value != std::trunc(value))
-    throw UsageError(fmt::format("-n wants a whole number of points, not '{}'", text));
+    throw UsageError(fmt::format("-n wants a whole number of points, not {}", in_quotes(text)));
   return static_cast<std::size_t>(value);
 }
 

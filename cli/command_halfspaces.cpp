@@ -38,10 +38,11 @@ std::optional<std::vector<double>> numbers_in(std::string_view text) {
 std::vector<double> interior_point(const HalfspacesOptions& options, int dimension) {
   auto numbers = numbers_in(options.interior);
   if (!numbers) {
-    const PointTable table = read_points(options.interior);
+    const PointTable table =
+        about(input_name(options.interior), [&] { return read_points(options.interior); });
     if (table.num_points() != 1)
-      throw Error(Errc::bad_format, fmt::format("{}: expected one interior point, found {}", options.interior,
-                                                table.num_points()));
+      throw Error(Errc::bad_format, fmt::format("{}: expected one interior point, found {}",
+                                                input_name(options.interior), table.num_points()));
     numbers = table.coordinates;
   }
   if (numbers->size() != static_cast<std::size_t>(dimension))
@@ -125,6 +126,7 @@ Summary summary(const Polyhedron& found, const Cost& cost, const HalfspacesOptio
 int run_halfspaces(const HalfspacesOptions& options) {
   const BuildOptions& build = options.build;
   build.check();
+  protect_files({options.input.path, options.interior}, {build.output}, build.force);
   const bool writes = !build.output.empty();
   const auto start = Clock::now();
   Cost cost;

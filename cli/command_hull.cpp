@@ -114,6 +114,7 @@ int finish(const Hull& hull, const HullOptions& options, Cost cost, Clock::time_
 int run_hull(const HullOptions& options) {
   const BuildOptions& build = options.build;
   build.check();
+  protect_files({options.input.path}, {build.output, options.distances}, build.force);
   const bool one_side = options.lower || options.upper;
   if (!options.distances.empty() && !one_side) throw UsageError("--distances needs --lower or --upper");
   const auto start = Clock::now();

@@ -20,15 +20,16 @@ struct InfoOptions {
 };
 
 /// What the file holds, if its format can hold anything but points. An OFF file without faces holds points.
-std::optional<AnyData> try_read(const std::string& path, std::string format) {
+std::optional<AnyData> try_read(const std::string& path, std::string format, std::uint64_t max_stream_bytes) {
   if (format.empty()) format = std::filesystem::path(path).extension().string();
   if (!format.empty() && format[0] == '.') format.erase(0, 1);
   if (path == "-" || std::find(readable_complex_formats().begin(), readable_complex_formats().end(),
                                format) == readable_complex_formats().end())
     return std::nullopt;
-  if (format != "off") return about(path, [&] { return delone::read(path, format); });
+  if (format != "off")
+    return about(input_name(path), [&] { return delone::read(path, format, max_stream_bytes); });
   try {
-    ComplexData data = read_as<ComplexData>(path, format);
+    ComplexData data = read_as<ComplexData>(path, format, max_stream_bytes);
     if (data.num_cells() == 0) return std::nullopt;
     return data;
   } catch (const Error&) {
@@ -132,7 +133,7 @@ std::string describe(const PointTable& table) {
       high = std::max(high, table.coordinates[i]);
     }
     const bool named = axis < table.column_names.size();
-    description.range(named ? table.column_names[axis] : fmt::format("axis {}", axis), low, high);
+    description.range(named ? printable(table.column_names[axis]) : fmt::format("axis {}", axis), low, high);
   }
   return description.text();
 }
@@ -142,7 +143,8 @@ int run_info(const InfoOptions& options) {
   const auto print = [&](const auto& held) {
     print_output(about(name, [&] { return fmt::format("{}: {}", name, describe(held)); }));
   };
-  if (const auto data = try_read(options.input.path, options.input.options.format))
+  if (const auto data =
+          try_read(options.input.path, options.input.options.format, options.input.options.max_stream_bytes))
     std::visit(print, *data);
   else
     print(options.input.read());
@@ -162,6 +164,7 @@ Run add_info(CLI::App& app) {
   app.add_option("--format", options->input.options.format, "Format of FILE, if not told by its extension")
       ->check(CLI::IsMember(formats));
   add_columns(app, "--columns", options->input.options.columns);
+  add_max_stream(app, options->input.options.max_stream_bytes);
   return [options] { return run_info(*options); };
 }
 

@@ -19,7 +19,7 @@ namespace {
 struct LocateOptions {
   PointInput input, queries;
   std::string output = "-", output_format;
-  bool quiet = false;
+  bool quiet = false, force = false;
 };
 
 struct Answer {
@@ -98,16 +98,19 @@ std::string as_json(const std::vector<Answer>& answers) {
 int run_locate(const LocateOptions& options) {
   std::string format = options.output_format;
   if (format.empty()) format = std::filesystem::path(options.output).extension() == ".json" ? "json" : "csv";
+  protect_files({options.input.path, options.queries.path}, {options.output}, options.force);
   check_writable(options.output);
   if (options.input.path == "-" && options.queries.path == "-")
     throw UsageError("points and queries both from standard input");
-  const PointTable points = options.input.read(), queries = options.queries.read();
+  PointInput from = options.queries;
+  from.options.max_stream_bytes = options.input.options.max_stream_bytes;
+  const PointTable points = options.input.read(), queries = from.read();
   if (queries.dimension != points.dimension)
     throw Error(Errc::bad_dimension,
                 fmt::format("{}: queries of dimension {} for points of dimension {}",
                             input_name(options.queries.path), queries.dimension, points.dimension));
   const std::vector<Answer> answers = locate_all(points, queries, options);
-  write_text(options.output, format == "json" ? as_json(answers) : as_csv(answers));
+  save_text(options.output, format == "json" ? as_json(answers) : as_csv(answers));
   return exit_status::ok;
 }
 
@@ -128,6 +131,7 @@ Run add_locate(CLI::App& app) {
   app.add_option("--output-format", options->output_format,
                  "csv or json, if not told by the extension of OUT")
       ->check(CLI::IsMember({"csv", "json"}));
+  add_force(app, options->force);
   app.add_flag("-q,--quiet", options->quiet, "No progress bar");
   app.footer(
       "One row for each query: its number, its kind (in_cell, on_face, on_vertex, outside_hull, "

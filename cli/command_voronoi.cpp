@@ -125,14 +125,15 @@ int run_with(Build build, const std::optional<Box>& box, Cost cost, Clock::time_
   stage_start = Clock::now();
   const auto diagram =
       about(name, [&] { return diagram_of(triangulation, {.tolerance = options.tolerance}); });
-  const std::string volumes =
-      options.volumes.empty() ? "" : about(options.volumes, [&] { return volumes_text(diagram, box); });
+  const std::string volumes = options.volumes.empty() ? "" : about(output_name(options.volumes), [&] {
+    return volumes_text(diagram, box);
+  });
   cost.diagram = seconds_since(stage_start);
 
   stage_start = Clock::now();
   if (!options.build.output.empty())
     write_output(options.build.output, diagram, box, options.build.output_format);
-  if (!options.volumes.empty()) write_text(options.volumes, volumes);
+  if (!options.volumes.empty()) save_text(options.volumes, volumes);
   cost.write = seconds_since(stage_start);
   cost.close(start);
   print_report(
@@ -144,6 +145,8 @@ int run_with(Build build, const std::optional<Box>& box, Cost cost, Clock::time_
 
 int run_voronoi(const VoronoiOptions& options) {
   options.build.check();
+  protect_files({options.weighted.input.path, options.weighted.weights},
+                {options.build.output, options.volumes}, options.build.force);
   if (!(options.tolerance >= 0) || !std::isfinite(options.tolerance))
     throw UsageError("--tolerance: a finite distance of at least 0 was expected");
   if (options.build.stats && options.volumes == "-")

@@ -14,18 +14,35 @@
 #include <cstdio>
 #include <exception>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
 namespace delone::cli {
 namespace {
 
-/// Joins the lines of a message, which may quote anything.
+/// Joins the lines of a message. It may quote anything, and arguments of any length.
 int complain(int status, std::string message) {
+  constexpr std::size_t longest = 2000;
   for (char& c : message)
     if (c == '\n' || c == '\r') c = ' ';
-  fmt::print(stderr, "delone: {}\n", message);
+  fmt::print(stderr, "delone: {}\n", printable(message, longest));
   return status;
+}
+
+/// What the parser says, with the arguments that it repeats made short and printable.
+std::string message_of(const CLI::ParseError& error, int argc, char** argv) {
+  std::string message = error.what();
+  for (int i = 1; i < argc; ++i) {
+    const std::string_view argument = argv[i];
+    const std::string_view value = argument.substr(argument.starts_with("--") ? argument.find('=') + 1 : 0);
+    const std::string shown = printable(value);
+    if (shown == value) continue;
+    for (std::size_t at = message.find(value); at != std::string::npos;
+         at = message.find(value, at + shown.size()))
+      message.replace(at, value.size(), shown);
+  }
+  return message;
 }
 
 int status_of(Errc code) {
@@ -77,7 +94,8 @@ int run(int argc, char** argv) {
     std::string command = "delone";
     for (const auto& [sub, unused] : commands)
       if (sub->parsed()) command += " " + sub->get_name();
-    return complain(exit_status::usage, fmt::format("{} (see '{} --help')", e.what(), command));
+    return complain(exit_status::usage,
+                    fmt::format("{} (see '{} --help')", message_of(e, argc, argv), command));
   }
   return run_parsed(commands);
 }

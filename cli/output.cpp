@@ -35,7 +35,9 @@ int put(std::FILE* file, std::string_view text) {
 
 }  // namespace
 
-std::string output_name(const std::string& path) { return path == "-" ? "standard output" : path; }
+std::string output_name(const std::string& path) {
+  return path == "-" ? "standard output" : input_name(path);
+}
 
 std::string chosen_format(const std::string& path, const std::string& format) {
   if (!format.empty()) return format;
@@ -56,41 +58,54 @@ void print_output(std::string_view text) {
   if (const int error = put(stdout, text); error != 0) fail_writing("standard output", error);
 }
 
-void write_text(const std::string& path, std::string_view text) {
-  if (path == "-") return print_output(text);
+void save_text(const std::string& path, std::string_view text) {
   const StageGuard guard(stage_of_writing(path));
-  std::error_code ignored;
-  const fs::file_status status = fs::status(path, ignored);
-  const bool direct = fs::exists(status) && !fs::is_regular_file(status);
-  const fs::path target = fs::is_symlink(path, ignored) ? fs::weakly_canonical(path) : fs::path(path);
-  const std::string written =
-      direct ? path : (target.parent_path() / fmt::format(".delone-partial-{}", getpid())).string();
-  errno = 0;
-  std::FILE* file = std::fopen(written.c_str(), direct ? "wb" : "wbx");
-  if (file == nullptr) fail_writing(path, errno);
-  int error = put(file, text);
-  if (direct) {
-    if (error != 0) fail_writing(path, error);
-    return;
-  }
-  if (error == 0 && std::rename(written.c_str(), target.c_str()) != 0) error = errno;
-  if (error != 0) {
-    std::remove(written.c_str());
-    fail_writing(path, error);
-  }
+  about(output_name(path), [&] { write_text(path, text); });
 }
 
 void check_writable(const std::string& path) {
   if (path == "-") return;
   std::error_code ignored;
   const fs::file_status status = fs::status(path, ignored);
-  if (fs::is_directory(status)) fail_writing(path, EISDIR);
+  const std::string name = output_name(path);
+  if (fs::is_directory(status)) fail_writing(name, EISDIR);
   if (fs::exists(status)) {
-    if (access(path.c_str(), W_OK) != 0) fail_writing(path, errno);
+    if (access(path.c_str(), W_OK) != 0) fail_writing(name, errno);
     if (!fs::is_regular_file(status)) return;
   }
-  const fs::path folder = fs::path(path).parent_path();
-  if (access(folder.empty() ? "." : folder.c_str(), W_OK | X_OK) != 0) fail_writing(path, errno);
+  const fs::path folder = fs::path(write_target(path)).parent_path();
+  if (access(folder.empty() ? "." : folder.c_str(), W_OK | X_OK) != 0) fail_writing(name, errno);
+}
+
+namespace {
+
+/// Whether an output is the file that is read. "-" is what standard input comes from.
+bool is_input(const std::string& input, const std::string& output) {
+  std::error_code error;
+  return fs::is_regular_file(output, error) &&
+         fs::equivalent(input == "-" ? "/dev/stdin" : input, output, error);
+}
+
+/// Whether two outputs are one file, be it there or not.
+bool same_output(const std::string& one, const std::string& other) {
+  std::error_code error;
+  const auto file = [&](const std::string& path) { return fs::weakly_canonical(write_target(path), error); };
+  return file(one) == file(other) && !error && (!fs::exists(one, error) || fs::is_regular_file(one, error));
+}
+
+}  // namespace
+
+void protect_files(const std::vector<std::string>& inputs, const std::vector<std::string>& outputs,
+                   bool force) {
+  for (auto output = outputs.begin(); output != outputs.end(); ++output) {
+    if (output->empty() || *output == "-") continue;
+    for (const std::string& input : inputs)
+      if (!force && !input.empty() && is_input(input, *output))
+        throw UsageError(fmt::format("{} is also an input; --force overwrites it", output_name(*output)));
+    for (auto other = outputs.begin(); other != output; ++other)
+      if (!other->empty() && *other != "-" && same_output(*other, *output))
+        throw UsageError(fmt::format("{} and {} are one file", output_name(*other), output_name(*output)));
+  }
 }
 
 void check_complex_output(const std::string& path, const std::string& format, int dimension) {

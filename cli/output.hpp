@@ -11,14 +11,15 @@
 #include <string>
 #include <string_view>
 #include <type_traits>
+#include <vector>
 
 namespace delone::cli {
 
 /// Text to standard output. Throws cannot_write.
 void print_output(std::string_view text);
 
-/// Text to a file, or to standard output for "-". Throws cannot_write; an existing file stays as it was then.
-void write_text(const std::string& path, std::string_view text);
+/// Text to a file, or to standard output for "-", so that Ctrl-C leaves no partial file. Throws cannot_write.
+void save_text(const std::string& path, std::string_view text);
 
 /// A path as messages name it.
 std::string output_name(const std::string& path);
@@ -40,6 +41,11 @@ void write_output(const std::string& path, const Data& data, const Details&... d
       write(path, data, details...);
   });
 }
+
+/// Throws UsageError if an output is a file that is also an input, by whatever path, unless `force`; and if
+/// it is that of another output. Paths may be empty.
+void protect_files(const std::vector<std::string>& inputs, const std::vector<std::string>& outputs,
+                   bool force);
 
 /// Throws cannot_write if no file can be made at that path.
 void check_writable(const std::string& path);

@@ -3,6 +3,8 @@
 #include "command.hpp"
 
 #include <algorithm>
+#include <charconv>
+#include <system_error>
 
 namespace delone::cli {
 
@@ -11,6 +13,15 @@ void PointInput::add_to(CLI::App& command, const std::string& name, const std::s
   command.add_option("--format", options.format, "Format of " + name + ", if not told by its extension")
       ->check(CLI::IsMember(point_formats()));
   add_columns(command, "--columns", options.columns);
+  add_max_stream(command, options.max_stream_bytes);
+}
+
+void add_max_stream(CLI::App& command, std::uint64_t& bytes) {
+  command
+      .add_option("--max-stream", bytes,
+                  "The most bytes to read from a pipe or device, as 500MB or 8GB; 4GB if not given")
+      ->transform(CLI::AsSizeValue(false))
+      ->type_name("SIZE");
 }
 
 void add_columns(CLI::App& command, const std::string& name, std::vector<std::string>& columns) {
@@ -29,12 +40,20 @@ void add_columns(CLI::App& command, const std::string& name, std::vector<std::st
       ->type_name("A,B,...");
 }
 
+void add_force(CLI::App& command, bool& force) {
+  command.add_flag("--force", force, "Write to a file even if it is also an input");
+}
+
 void add_seed(CLI::App& command, std::uint64_t& seed, const std::string& description) {
-  // The parser reads −1 as 2^64 − 1.
-  const auto not_negative = [](const std::string& text) {
-    return text.find('-') == std::string::npos ? "" : "must be 0 or more";
+  // The parser reads −1 as 2^64 − 1, and so it does all that is larger.
+  const auto a_seed = [](const std::string& text) {
+    std::uint64_t value = 0;
+    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+    return error == std::errc() && end == text.data() + text.size()
+               ? ""
+               : "must be a whole number from 0 to 2^64 - 1";
   };
-  command.add_option("-s,--seed", seed, description)->check(CLI::Validator(not_negative, ""))->type_name("S");
+  command.add_option("-s,--seed", seed, description)->check(CLI::Validator(a_seed, ""))->type_name("S");
 }
 
 PointTable PointInput::read() const {

@@ -33,8 +33,11 @@ std::vector<double> take_column(PointTable& table, std::size_t column) {
 }
 
 /// Reads weights from a file with one column.
-std::vector<double> read_weights(const std::string& path, std::size_t expected) {
-  PointTable table = about(input_name(path), [&] { return read_points(path); });
+std::vector<double> read_weights(const std::string& path, std::size_t expected,
+                                 std::uint64_t max_stream_bytes) {
+  PointTable table = about(input_name(path), [&] {
+    return read_points(path, {.format = {}, .columns = {}, .max_stream_bytes = max_stream_bytes});
+  });
   if (table.num_points() > 0 && table.dimension != 1)
     throw Error(Errc::bad_format, fmt::format("{}: expected one weight per row, found {} columns",
                                               input_name(path), table.dimension));
@@ -68,7 +71,7 @@ PointTable WeightedInput::read(std::vector<double>& weights_read) const {
   if (appended) all.options.columns.push_back(weights);
   PointTable table = all.read();
   if (is_file) {
-    weights_read = read_weights(weights, table.num_points());
+    weights_read = read_weights(weights, table.num_points(), input.options.max_stream_bytes);
     return table;
   }
   std::size_t column = static_cast<std::size_t>(table.dimension) - 1;
@@ -78,7 +81,7 @@ PointTable WeightedInput::read(std::vector<double>& weights_read) const {
     const auto found = std::find(table.column_names.begin(), table.column_names.end(), weights);
     if (found == table.column_names.end())
       throw Error(Errc::cannot_open,
-                  fmt::format("{}: --weights '{}' is neither a column nor a file", name, weights));
+                  fmt::format("{}: --weights {} is neither a column nor a file", name, in_quotes(weights)));
     column = static_cast<std::size_t>(found - table.column_names.begin());
   }
   if (column >= static_cast<std::size_t>(table.dimension))

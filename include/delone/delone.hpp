@@ -21,6 +21,7 @@
 #include <delone/point_sets.hpp>
 #include <delone/points.hpp>
 #include <delone/predicates.hpp>
+#include <delone/printable.hpp>
 #include <delone/progress.hpp>
 #include <delone/regular.hpp>
 #include <delone/triangulation.hpp>

@@ -3,14 +3,21 @@
 // diagrams. Every error is a delone::Error that names file and place; docs/formats.md has the arrays.
 //
 // A path "-" is standard input or output. The format is `format`, or else the extension of the path. A file
-// that is written appears whole or not at all (written beside, then renamed). Every function may throw
-// unsupported (the format) and out_of_memory; readers cannot_open and bad_format; writers cannot_write.
+// that is written appears whole or not at all (written beside, then renamed); symbolic links are written
+// through. Every function may throw unsupported (the format) and out_of_memory; readers cannot_open and
+// bad_format; writers cannot_write.
+//
+// Input ends: a file whose first bytes do not suit its format is refused by them, and a stream that has more
+// bytes than a limit throws out_of_memory. A stream is what is not a regular file (a pipe, a device), and
+// what a regular file has beyond the size that it had when it was opened.
 #pragma once
 
 #include <delone/data.hpp>
 
+#include <cstdint>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <variant>
 #include <vector>
 
@@ -28,10 +35,14 @@ struct PointTable {
   }
 };
 
+/// The most bytes that are read from a stream, unless a function is told otherwise: 4 GiB.
+inline constexpr std::uint64_t default_max_stream_bytes = std::uint64_t{1} << 32;
+
 struct ReadOptions {
   std::string format;  ///< one of those of read_points(); empty: by extension, "-" is qhull
   /// csv, tsv, txt, ply: names, or 0-based numbers where there are no names; empty: all.
   std::vector<std::string> columns;
+  std::uint64_t max_stream_bytes = default_max_stream_bytes;
 };
 
 /// Reads points. Values must be finite.
@@ -63,11 +74,13 @@ using AnyData = std::variant<ComplexData, HullData, IntersectionData, VoronoiDat
 ///   off   OFF, nOFF: a triangulation
 /// The shapes of all arrays are checked; check() examines what they hold. Errors: bad_format, bad_dimension
 /// and not_finite, naming the member; for not_finite rows() are those of points or halfspaces.
-AnyData read(const std::string& path, const std::string& format = {});
+AnyData read(const std::string& path, const std::string& format = {},
+             std::uint64_t max_stream_bytes = default_max_stream_bytes);
 
 /// As read(); bad_format, saying what the file holds, if that is something else.
 template <PlainData Data>
-Data read_as(const std::string& path, const std::string& format = {});
+Data read_as(const std::string& path, const std::string& format = {},
+             std::uint64_t max_stream_bytes = default_max_stream_bytes);
 
 /// Writes a triangulation:
 ///   npz   points (n,d) float64, cells (m,k+1), neighbors (m,k+1), vertex_of_point (n,), affine_dimension ();
@@ -107,5 +120,12 @@ void write(const std::string& path, const VoronoiData& data, const std::string& 
 /// ridges.
 void write(const std::string& path, const Diagram& diagram, const std::optional<Box>& box = {},
            const std::string& format = {});
+
+/// Writes text, as the other writers do.
+void write_text(const std::string& path, std::string_view text);
+
+/// The file that writing to `path` makes or replaces: the end of a chain of symbolic links, be there such a
+/// file or not. A chain without an end is returned as it is.
+std::string write_target(const std::string& path);
 
 }  // namespace delone

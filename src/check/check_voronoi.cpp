@@ -141,6 +141,12 @@ void DiagramChecker::check_storage() const {
   };
   size("points", a.points.size(), n * d_);
   size("weights", a.weights.size(), a.weights.empty() ? 0 : n);
+  for (std::size_t i = 0; i < a.points.size(); ++i)
+    if (!std::isfinite(a.points[i]))
+      throw Violation{text_of("point", i / d_) + " has a coordinate that is not finite"};
+  for (std::size_t row = 0; row < a.weights.size(); ++row)
+    if (!std::isfinite(a.weights[row]))
+      throw Violation{"the weight of " + text_of("point", row) + " is not finite"};
   size("vertices", a.vertices.size(), a.num_vertices() * d_);
   size("ridge_points", a.ridge_points.size(), 2 * a.num_ridges());
   size("ray_directions", a.ray_directions.size(), a.num_rays() * d_);

@@ -5,6 +5,7 @@
 #include "io/file.hpp"
 
 #include <fmt/compile.h>
+#include <delone/io.hpp>
 
 #include <atomic>
 #include <cerrno>
@@ -38,22 +39,20 @@ std::FILE* create_beside(const fs::path& target, std::string& name) {
 
 }  // namespace
 
-AtomicFile::AtomicFile(const std::string& path) : name_(path), target_(path) {
+AtomicFile::AtomicFile(const std::string& path) : name_(output_name(path)), target_(path) {
   if (path == "-") {
-    name_ = "standard output";
     file_ = stdout;
     return;
   }
   std::error_code error;
-  if (fs::is_symlink(path, error)) {
-    if (const fs::path resolved = fs::weakly_canonical(path, error); !error) target_ = resolved.string();
-  }
-  const fs::file_status status = fs::status(target_, error);
+  const fs::file_status status = fs::status(path, error);
   if (fs::is_directory(status)) fail_with(EISDIR);
   if (fs::exists(status) && !fs::is_regular_file(status)) {
     errno = 0;
-    file_ = std::fopen(target_.c_str(), "wb");
+    file_ = std::fopen(path.c_str(), "wb");
   } else {
+    target_ = write_target(path);
+    if (fs::is_symlink(target_, error)) fail_with(ELOOP);
     file_ = create_beside(target_, temporary_);
     if (file_ == nullptr) temporary_.clear();
   }
@@ -137,3 +136,28 @@ void AtomicFile::commit() {
 }
 
 }  // namespace delone::io
+
+namespace delone {
+
+std::string write_target(const std::string& path) {
+  namespace fs = std::filesystem;
+  constexpr int longest_chain = 40;  // as Linux has it
+  fs::path target = path;
+  std::error_code error;
+  for (int link = 0; path != "-" && fs::is_symlink(target, error); ++link) {
+    const fs::path next = fs::read_symlink(target, error);
+    if (error || link == longest_chain) return path;
+    target = target.parent_path() / next;  // an absolute one replaces it
+  }
+  return target.string();
+}
+
+void write_text(const std::string& path, std::string_view text) {
+  io::guarded(io::output_name(path), [&] {
+    io::AtomicFile file(path);
+    file.write(text);
+    file.commit();
+  });
+}
+
+}  // namespace delone

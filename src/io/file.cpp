@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Whole files in memory, the choice of a format, safe quoting. See file.hpp.
+// Whole files in memory, the choice of a format. See file.hpp.
 #include "io/file.hpp"
 
 #include <algorithm>
@@ -11,22 +11,14 @@
 
 namespace delone::io {
 
-std::string in_quotes(std::string_view text) {
-  constexpr std::size_t longest = 40;
-  std::string out = "'";
-  for (char c : text.substr(0, longest)) {
-    const auto byte = static_cast<unsigned char>(c);
-    if (byte >= 0x20 && byte < 0x7f)
-      out += c;
-    else
-      out += fmt::format("\\x{:02x}", byte);
-  }
-  if (text.size() > longest) out += "…";
-  return out + "'";
-}
-
 std::string joined(const std::vector<std::string>& items) {
-  return fmt::format("{}", fmt::join(items, ", "));
+  constexpr std::size_t long_enough = 400;
+  std::string out;
+  for (const std::string& item : items) {
+    if (out.size() > long_enough) return out + fmt::format(", … ({} in all)", items.size());
+    out += (&item == items.data() ? "" : ", ") + printable(item);
+  }
+  return out;
 }
 
 std::string error_text(int error) {
@@ -34,9 +26,17 @@ std::string error_text(int error) {
   return std::generic_category().message(error);
 }
 
-std::string input_name(const std::string& path) { return path == "-" ? "standard input" : path; }
+std::string input_name(const std::string& path) {
+  return path == "-" ? "standard input" : printable(path, std::string::npos);
+}
+
+std::string output_name(const std::string& path) {
+  return path == "-" ? "standard output" : printable(path, std::string::npos);
+}
 
 namespace {
+
+constexpr std::size_t opening_size = std::size_t{1} << 16;
 
 /// The size of a regular file, as a hint only: pipes, /proc and files that grow have another.
 std::size_t size_hint(const std::string& path) {
@@ -45,39 +45,61 @@ std::size_t size_hint(const std::string& path) {
   return ignored || size > SIZE_MAX / 2 ? 0 : static_cast<std::size_t>(size);
 }
 
-void read_to_end(std::FILE* file, const std::string& name, Bytes& bytes) {
-  for (;;) {
+/// Reads to the end of the file, or until there are `most` bytes; true at the end.
+bool read_up_to(std::size_t most, std::FILE* file, const std::string& name, Bytes& bytes) {
+  while (bytes.size() < most) {
     if (bytes.size() == bytes.capacity()) bytes.reserve(bytes.capacity() + bytes.capacity() / 2 + 4096);
+    const std::size_t room = std::min(bytes.capacity(), most) - bytes.size();
     errno = 0;
-    bytes.set_size(bytes.size() +
-                   std::fread(bytes.data() + bytes.size(), 1, bytes.capacity() - bytes.size(), file));
+    bytes.set_size(bytes.size() + std::fread(bytes.data() + bytes.size(), 1, room, file));
     if (std::ferror(file) != 0) {
       if (errno != EINTR) fail(Errc::cannot_open, "{}: {}", name, error_text(errno));
       std::clearerr(file);
     } else if (std::feof(file) != 0) {
-      return;
+      return true;
     }
   }
+  return false;
+}
+
+/// `size`: that of a regular file when it was opened, otherwise 0.
+Bytes read_file(std::FILE* file, const std::string& name, std::size_t size, std::uint64_t max_stream_bytes,
+                const CheckOpening& check_opening) {
+  Bytes bytes(std::min(size, opening_size - 1) + 1);
+  const std::uint64_t most =
+      std::max<std::uint64_t>(size, std::min<std::uint64_t>(max_stream_bytes, SIZE_MAX / 2));
+  bool at_end = read_up_to(std::min(opening_size, static_cast<std::size_t>(most) + 1), file, name, bytes);
+  check_opening(bytes.view(), at_end);
+  if (!at_end) {
+    bytes.reserve(size + 1);  // one more, so that the end is seen without growing
+    at_end = read_up_to(static_cast<std::size_t>(most) + 1, file, name, bytes);
+  }
+  if (!at_end && bytes.size() > most)
+    fail(Errc::out_of_memory,
+         "{}: a stream of more than {} bytes; raise this limit (--max-stream, max_stream_bytes) or read a "
+         "file",
+         name, max_stream_bytes);
+  return bytes;
 }
 
 }  // namespace
 
-Bytes read_all(const std::string& path) {
-  if (path == "-") {
-    Bytes bytes(std::size_t{1} << 16);
-    read_to_end(stdin, input_name(path), bytes);
-    return bytes;
-  }
+Bytes read_all(const std::string& path, std::uint64_t max_stream_bytes, const CheckOpening& check_opening) {
+  const std::string name = input_name(path);
+  if (path == "-") return read_file(stdin, name, 0, max_stream_bytes, check_opening);
   struct Close {
     void operator()(std::FILE* f) const { std::fclose(f); }
   };
   errno = 0;
   std::unique_ptr<std::FILE, Close> file(std::fopen(path.c_str(), "rb"));
-  if (!file) fail(Errc::cannot_open, "{}: {}", path, error_text(errno));
+  if (!file) fail(Errc::cannot_open, "{}: {}", name, error_text(errno));
   std::setvbuf(file.get(), nullptr, _IONBF, 0);
-  Bytes bytes(size_hint(path) + 1);  // one more, so that the end is seen without growing
-  read_to_end(file.get(), path, bytes);
-  return bytes;
+  return read_file(file.get(), name, size_hint(path), max_stream_bytes, check_opening);
+}
+
+void require_text(std::string_view opening, const std::string& name) {
+  if (const auto zero = opening.find('\0'); zero != std::string_view::npos)
+    fail(Errc::bad_format, "{}: not text: byte {} is zero", name, zero);
 }
 
 std::string choose_format(const std::string& path, const std::string& format,
@@ -93,10 +115,10 @@ std::string choose_format(const std::string& path, const std::string& format,
                  [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; });
   if (std::find(known.begin(), known.end(), chosen) != known.end()) return chosen;
   if (!format.empty() || chosen.size() > 1)
-    fail(Errc::unsupported, "{}: format {} cannot be used for {}; available: {}", path, in_quotes(chosen),
-         purpose, fmt::join(known, ", "));
-  fail(Errc::unsupported, "{}: no extension tells the format for {}; name it: {}", path, purpose,
-       fmt::join(known, ", "));
+    fail(Errc::unsupported, "{}: format {} cannot be used for {}; available: {}",
+         printable(path, std::string::npos), in_quotes(chosen), purpose, fmt::join(known, ", "));
+  fail(Errc::unsupported, "{}: no extension tells the format for {}; name it: {}",
+       printable(path, std::string::npos), purpose, fmt::join(known, ", "));
 }
 
 }  // namespace delone::io

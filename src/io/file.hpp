@@ -1,13 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What every reader and writer shares: whole files in memory, the choice of a format, and error messages that
-// quote foreign text safely.
+// What every reader and writer shares: whole files in memory, the choice of a format, and error messages.
 #pragma once
 
 #include <fmt/format.h>
 #include <delone/error.hpp>
+#include <delone/printable.hpp>
 
 #include <cstddef>
+#include <cstdint>
 #include <cstdlib>
+#include <functional>
 #include <initializer_list>
 #include <memory>
 #include <new>
@@ -24,17 +26,16 @@ template <class... Args>
   throw Error(code, fmt::format(format, std::forward<Args>(args)...));
 }
 
-/// Foreign text for a message: in quotes, at most 40 bytes of it, control and non-ASCII bytes escaped.
-std::string in_quotes(std::string_view text);
-
-/// "a, b, c"
+/// "a, b, c", each made printable; "a, b, … (17 in all)" if that is long.
 std::string joined(const std::vector<std::string>& items);
 
 /// The text of an errno value.
 std::string error_text(int error);
 
-/// A path as messages name it: "-" is standard input (or output).
+/// A path as messages name it: printable, and "-" is standard input.
 std::string input_name(const std::string& path);
+/// The same, and "-" is standard output.
+std::string output_name(const std::string& path);
 
 /// The bytes of a file. Not initialised before they are read, and grown by realloc: files may be as large as
 /// memory.
@@ -63,8 +64,15 @@ class Bytes {
   std::size_t size_ = 0, capacity_ = 0;
 };
 
-/// All of a file, or of standard input when the path is "-". Throws cannot_open with the system's reason.
-Bytes read_all(const std::string& path);
+/// The first bytes of a file: 64 KiB, unless it is shorter. May throw, so that the rest is not read.
+using CheckOpening = std::function<void(std::string_view opening, bool is_whole)>;
+
+/// All of a file, or of standard input when the path is "-". Throws cannot_open with the system's reason, and
+/// out_of_memory for a stream of more than `max_stream_bytes`.
+Bytes read_all(const std::string& path, std::uint64_t max_stream_bytes, const CheckOpening& check_opening);
+
+/// Throws bad_format if a byte is zero, which no text has.
+void require_text(std::string_view opening, const std::string& name);
 
 /// The lower-case format to use: `format` if given, `standard_stream` for the path "-", else the extension of
 /// the path. Throws unsupported, listing `known`, unless the result is among them.

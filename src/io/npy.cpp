@@ -214,10 +214,14 @@ std::string shape_text(const std::vector<std::size_t>& shape) {
   return fmt::format("({}{})", fmt::join(shape, ", "), shape.size() == 1 ? "," : "");
 }
 
-NpyArray parse_npy(std::string_view bytes, const std::string& name) {
-  if (bytes.empty()) fail(Errc::bad_format, "{}: the file is empty", name);
-  if (!bytes.starts_with("\x93NUMPY"))
+void require_npy(std::string_view opening, const std::string& name) {
+  if (opening.empty()) fail(Errc::bad_format, "{}: the file is empty", name);
+  if (!opening.starts_with("\x93NUMPY"))
     fail(Errc::bad_format, "{}: not an .npy file (its signature is missing)", name);
+}
+
+NpyArray parse_npy(std::string_view bytes, const std::string& name) {
+  require_npy(bytes, name);
   if (bytes.size() < 12) fail(Errc::bad_format, "{}: truncated .npy header", name);
   const int version = bytes[6];
   if (version < 1 || version > 3)

@@ -26,6 +26,9 @@ struct NpyArray {
   std::size_t num_items() const { return data.size() / item_size; }
 };
 
+/// Throws bad_format unless a file with this opening can be an .npy file.
+void require_npy(std::string_view opening, const std::string& name);
+
 /// Parses a whole .npy file. Throws bad_format, or unsupported for other kinds of data.
 NpyArray parse_npy(std::string_view bytes, const std::string& name);
 

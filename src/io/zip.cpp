@@ -164,16 +164,19 @@ void ZipWriter::finish() {
   put(r.bytes);
 }
 
+void require_zip(std::string_view opening, const std::string& name) {
+  if (opening.empty()) fail(Errc::bad_format, "{}: the file is empty", name);
+  if (!opening.starts_with("PK")) fail(Errc::bad_format, "{}: not an .npz file (not a zip archive)", name);
+}
+
 ZipReader::ZipReader(std::string_view bytes, std::string name) : bytes_(bytes), name_(std::move(name)) {
-  if (bytes.empty()) fail(Errc::bad_format, "{}: the file is empty", name_);
+  require_zip(bytes, name_);
   // The end record is the last thing in the file but for a comment of at most 65535 bytes.
   const std::string end_mark("PK\x05\x06");
   const std::size_t at =
       bytes.size() < end_size ? std::string_view::npos : bytes.rfind(end_mark, bytes.size() - end_size);
-  if (at == std::string_view::npos || bytes.size() - at > end_size + 0xffff) {
-    if (bytes.starts_with("PK")) fail(Errc::bad_format, "{}: truncated archive: it has no directory", name_);
-    fail(Errc::bad_format, "{}: not an .npz file (not a zip archive)", name_);
-  }
+  if (at == std::string_view::npos || bytes.size() - at > end_size + 0xffff)
+    fail(Errc::bad_format, "{}: truncated archive: it has no directory", name_);
   std::uint64_t count = u16(bytes, at + 10), size = u32(bytes, at + 12), start = u32(bytes, at + 16);
   if (count == 0xffff || size == in_zip64 || start == in_zip64) {
     if (at >= locator64_size && u32(bytes, at - locator64_size) == locator64_signature) {
@@ -202,8 +205,31 @@ ZipReader::ZipReader(std::string_view bytes, std::string name) : bytes_(bytes), 
     read_zip64_extra(part(directory, central_size + name_size, extra_size, name_), m, name_);
     directory.remove_prefix(
         part(directory, 0, central_size + name_size + extra_size + comment_size, name_).size());
+    if (local_part(m, local_size, u16(local_header(m), 26)) != m.name)
+      fail(Errc::bad_format,
+           "{}: damaged archive: the directory and a member disagree about its name, {} or {}", name_,
+           in_quotes(m.name), in_quotes(local_part(m, local_size, u16(local_header(m), 26))));
     members_.push_back(std::move(m));
   }
+  if (!directory.empty())
+    fail(Errc::bad_format, "{}: damaged archive: the directory has more than {} entries", name_, count);
+  std::vector<std::string_view> names;
+  for (const ZipMember& m : members_) names.push_back(m.name);
+  std::sort(names.begin(), names.end());
+  if (const auto twice = std::adjacent_find(names.begin(), names.end()); twice != names.end())
+    fail(Errc::bad_format, "{}: the member {} appears twice", name_, in_quotes(*twice));
+}
+
+std::string_view ZipReader::local_part(const ZipMember& m, std::uint64_t at, std::uint64_t size) const {
+  return part(bytes_, m.offset + at, size, name_);
+}
+
+std::string_view ZipReader::local_header(const ZipMember& m) const {
+  if (m.offset > bytes_.size()) part(bytes_, m.offset, local_size, name_);  // no sum of offsets overflows
+  const std::string_view local = local_part(m, 0, local_size);
+  if (u32(local, 0) != local_signature)
+    fail(Errc::bad_format, "{}: {}: damaged archive: no member there", name_, printable(m.name));
+  return local;
 }
 
 std::optional<std::string_view> ZipReader::find(std::string_view member) const {
@@ -219,11 +245,8 @@ std::optional<std::string_view> ZipReader::find(std::string_view member) const {
         name_, member);
   if (m.compressed_size != m.size)
     fail(Errc::bad_format, "{}: {}: damaged archive: sizes disagree", name_, member);
-  const std::string_view local = part(bytes_, m.offset, local_size, name_);
-  if (u32(local, 0) != local_signature)
-    fail(Errc::bad_format, "{}: {}: damaged archive: no member there", name_, member);
-  const std::uint64_t start = m.offset + local_size + u16(local, 26) + u16(local, 28);
-  const std::string_view content = part(bytes_, start, m.size, name_);
+  const std::string_view local = local_header(m);
+  const std::string_view content = local_part(m, local_size + u16(local, 26) + u16(local, 28), m.size);
   if (crc32(content) != m.crc)
     fail(Errc::bad_format, "{}: {}: damaged archive: the checksum is wrong", name_, member);
   return content;

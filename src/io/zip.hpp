@@ -46,9 +46,14 @@ class ZipWriter {
   std::vector<ZipMember> members_;
 };
 
+/// Throws bad_format unless a file with this opening can be an archive.
+void require_zip(std::string_view opening, const std::string& name);
+
 class ZipReader {
  public:
-  /// Reads the directory of an archive in memory; `bytes` must outlive the reader. Throws bad_format.
+  /// Reads the directory of an archive in memory; `bytes` must outlive the reader. The directory has to have
+  /// as many entries as the archive says, each with a name of its own, which its member repeats. Throws
+  /// bad_format.
   ZipReader(std::string_view bytes, std::string name);
 
   const std::vector<ZipMember>& members() const { return members_; }
@@ -57,6 +62,10 @@ class ZipReader {
   std::optional<std::string_view> find(std::string_view member) const;
 
  private:
+  /// Of the member where it lies: bytes counted from its local header, or that.
+  std::string_view local_part(const ZipMember& m, std::uint64_t at, std::uint64_t size) const;
+  std::string_view local_header(const ZipMember& m) const;
+
   std::string_view bytes_;
   std::string name_;
   std::vector<ZipMember> members_;

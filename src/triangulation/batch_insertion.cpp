@@ -18,7 +18,8 @@ void append_in_order(std::span<const double> rows, std::size_t width, std::span<
     const std::size_t w = fixed_width > 0 ? std::size_t{fixed_width} : width;
     // Rows are met in no order of their own: they are prefetched long before their turn.
     constexpr std::size_t ahead = 96, most_in_block = 64;
-    std::vector<double> block(most_in_block * w);  // in the cache: vectors cannot grow without being written
+    std::vector<double> block(std::min(most_in_block, order.size()) *
+                              w);  // in the cache: vectors cannot grow without being written
     for (std::size_t first = 0; first < order.size(); first += most_in_block) {
       const std::size_t count = std::min(most_in_block, order.size() - first);
       for (std::size_t i = 0; i < count; ++i) {

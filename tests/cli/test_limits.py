@@ -26,6 +26,16 @@ class Memory(Case):
         self.assertFalse(os.path.exists(self.path("out.npz")))
 
 
+    def test_a_line_of_a_million_numbers_takes_the_memory_of_a_few(self):
+        line = self.file("line.txt", " ".join(["1.5"] * 1000000))
+        limit = 400 * 2**20
+
+        def limited():
+            resource.setrlimit(resource.RLIMIT_AS, (limit, limit))
+
+        self.assertIn("1 points in dimension 1000000", self.output("delaunay", line, preexec_fn=limited))
+
+
 class Interrupts(Case):
     def interrupted(self, arguments, wait, signal_number=signal.SIGINT, stdin=subprocess.DEVNULL, status=None):
         before = sorted(os.listdir(self.folder.name))

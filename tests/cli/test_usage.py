@@ -10,7 +10,8 @@ class Usage(Case):
         points = self.uniform(2, 5)
         for arguments in ([], ["triangulate"], ["delaunay"], ["delaunay", points, "--no-such-option"],
                           ["delaunay", points, "--threads", "0"], ["delaunay", points, "--threads", "two"],
-                          ["delaunay", points, "--seed", "-1"], ["delaunay", points, "--order", "sorted"],
+                          ["delaunay", points, "--seed", "-1"],
+                          ["delaunay", points, "-s", "99999999999999999999"], ["delaunay", points, "-s", "18446744073709551616"], ["delaunay", points, "--order", "sorted"],
                           ["delaunay", points, "--format", "bmp"], ["delaunay", points, "--output-format", "bmp"],
                           ["delaunay", points, "--stats", "-o", "-", "--output-format", "txt"], ["delaunay", points, points],
                           ["check", points, "--level", "7"], ["check"], ["locate", points],
@@ -19,6 +20,10 @@ class Usage(Case):
                           ["generate", "uniform", "-d", "2", "-n", "1.5"], ["generate", "uniform", "-d", "2", "-n", "five"],
                           ["generate", "flat", "-d", "1", "-n", "5"], ["locate", "-", "--queries", "-"]):
             self.complaint(*arguments, status=64)
+
+    def test_results_are_in_the_formats_of_results(self):
+        text = self.complaint("check", self.uniform(2, 5))
+        self.assertIn("'npy' cannot be used for reading anything but points; available: npz, json, off", text)
 
     def test_help_and_version(self):
         self.assertRegex(self.output("--version"), r"\Adelone \d+\.\d+\.\d+\n\Z")

@@ -118,13 +118,22 @@ class Handler : public nlohmann::json_sax<nlohmann::json> {
     if (error.id == number_overflow && member_ != nullptr) {
       const bool in_row = skip_ == 0 && depth_ > 0;
       throw Error(Errc::not_finite,
-                  fmt::format("{}: {}: {}{}", name_, key_, in_row ? fmt::format("row {}: ", row()) : "",
-                              describe_not_finite(token)),
+                  fmt::format("{}: {}: {}{}", name_, printable(key_),
+                              in_row ? fmt::format("row {}: ", row()) : "", describe_not_finite(token)),
                   in_row ? std::vector{row()} : std::vector<std::size_t>{});
     }
     std::string_view what = error.what();  // "[json.exception.parse_error.101] parse error at line 1, …"
     if (const auto close = what.find("] "); close != std::string_view::npos) what.remove_prefix(close + 2);
-    fail(Errc::bad_format, "{}: not valid JSON (byte {}): {}", name_, position, what);
+    // "…; last read: 'EXCERPT'", or with "; expected …" behind it: the excerpt is as long as the file wants.
+    constexpr std::string_view before = "last read: '", after = "'; expected ";
+    const auto begin = what.find(before);
+    if (begin == std::string_view::npos)
+      fail(Errc::bad_format, "{}: not valid JSON (byte {}): {}", name_, position, printable(what, 300));
+    const std::string_view rest = what.substr(begin + before.size());
+    const std::size_t end = std::min(rest.rfind(after), rest.rfind('\''));
+    fail(Errc::bad_format, "{}: not valid JSON (byte {}): {}{}{}", name_, position,
+         what.substr(0, begin + before.size() - 1), in_quotes(rest.substr(0, end)),
+         printable(rest.substr(std::min(end, rest.size() - 1) + 1)));
   }
 
  private:

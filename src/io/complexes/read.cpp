@@ -8,6 +8,7 @@
 #include "io/file.hpp"
 #include "io/npy.hpp"
 #include "io/points/off.hpp"
+#include "io/text_cursor.hpp"
 
 #include <delone/io.hpp>
 
@@ -237,12 +238,33 @@ AnyData read_file(File file, std::optional<Kind> wanted) {
   }
 }
 
-AnyData read_any(const std::string& path, const std::string& format, std::optional<Kind> wanted) {
+/// Refuses what cannot be of this format by its first bytes. Where the first word is wrong the reader says
+/// so.
+void check_opening(const std::string& format, std::string_view opening, bool is_whole,
+                   const std::string& name) {
+  if (is_whole) return;
+  if (format == "npz") return require_zip(opening, name);
+  const std::string_view text = text_of(opening, name);
+  require_text(text, name);
+  if (format == "off") {
+    TextCursor at(text, name);
+    if (const std::string_view word = at.next_token(); !at.at_end() && !word.ends_with("OFF"))
+      read_off_complex(text, name);
+  } else if (const auto first = text.find_first_not_of(" \t\r\n");
+             first != std::string_view::npos && text[first] != '{') {
+    JsonFile(text, name);
+  }
+}
+
+AnyData read_any(const std::string& path, const std::string& format, std::optional<Kind> wanted,
+                 std::uint64_t max_stream_bytes) {
   const std::string chosen =
       choose_format(path, format, "json", {"npz", "json", "off"}, "reading anything but points");
   const std::string name = input_name(path);
   return guarded(name, [&]() -> AnyData {
-    const Bytes bytes = read_all(path);
+    const Bytes bytes = read_all(path, max_stream_bytes, [&](std::string_view opening, bool is_whole) {
+      check_opening(chosen, opening, is_whole, name);
+    });
     if (chosen == "npz") return read_file(NpzFile(bytes.view(), name), wanted);
     if (chosen == "json") return read_file(JsonFile(bytes.view(), name), wanted);
     require_kind(complex, wanted, name);
@@ -253,17 +275,17 @@ AnyData read_any(const std::string& path, const std::string& format, std::option
 }  // namespace
 }  // namespace io
 
-AnyData read(const std::string& path, const std::string& format) {
-  return io::read_any(path, format, std::nullopt);
+AnyData read(const std::string& path, const std::string& format, std::uint64_t max_stream_bytes) {
+  return io::read_any(path, format, std::nullopt, max_stream_bytes);
 }
 
 template <PlainData Data>
-Data read_as(const std::string& path, const std::string& format) {
-  return std::get<Data>(io::read_any(path, format, io::kind_of_data<Data>));
+Data read_as(const std::string& path, const std::string& format, std::uint64_t max_stream_bytes) {
+  return std::get<Data>(io::read_any(path, format, io::kind_of_data<Data>, max_stream_bytes));
 }
-template ComplexData read_as(const std::string&, const std::string&);
-template HullData read_as(const std::string&, const std::string&);
-template IntersectionData read_as(const std::string&, const std::string&);
-template VoronoiData read_as(const std::string&, const std::string&);
+template ComplexData read_as(const std::string&, const std::string&, std::uint64_t);
+template HullData read_as(const std::string&, const std::string&, std::uint64_t);
+template IntersectionData read_as(const std::string&, const std::string&, std::uint64_t);
+template VoronoiData read_as(const std::string&, const std::string&, std::uint64_t);
 
 }  // namespace delone

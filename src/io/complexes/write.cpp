@@ -63,12 +63,13 @@ const std::initializer_list<std::string_view> complex_formats{"npz", "vtu", "off
 void write(const std::string& path, const ComplexData& data, const std::string& format) {
   const std::string chosen =
       io::choose_format(path, format, "txt", io::complex_formats, "writing a triangulation");
-  io::guarded(path, [&] {
-    io::validate(data, path);
-    io::require_finite(data.points, data.dimension, path);
-    io::require_finite(data.weights, 1, path + ": weights");
+  const std::string name = io::output_name(path);
+  io::guarded(name, [&] {
+    io::validate(data, name);
+    io::require_finite(data.points, data.dimension, name);
+    io::require_finite(data.weights, 1, name + ": weights");
     io::refuse_binary_output(path, chosen);
-    if (chosen == "vtu" || chosen == "svg" || chosen == "off") io::require_rows_in_range(data, path);
+    if (chosen == "vtu" || chosen == "svg" || chosen == "off") io::require_rows_in_range(data, name);
     io::AtomicFile file(path);
     if (chosen == "npz") io::write_npz(file, data);
     if (chosen == "vtu") io::write_vtu(file, data);
@@ -83,9 +84,10 @@ void write(const std::string& path, const ComplexData& data, const std::string& 
 
 void write(const std::string& path, const HullData& data, const std::string& format) {
   const std::string chosen = io::choose_format(path, format, "txt", io::complex_formats, "writing a hull");
-  io::guarded(path, [&] {
-    io::validate(data, path);
-    io::require_finite(data.points, data.dimension, path);
+  const std::string name = io::output_name(path);
+  io::guarded(name, [&] {
+    io::validate(data, name);
+    io::require_finite(data.points, data.dimension, name);
     if (chosen != "npz" && chosen != "json") {
       ComplexData boundary;
       boundary.dimension = data.dimension;
@@ -105,8 +107,9 @@ void write(const std::string& path, const HullData& data, const std::string& for
 void write(const std::string& path, const IntersectionData& data, const std::string& format) {
   const std::string chosen =
       io::choose_format(path, format, "json", {"npz", "json", "off"}, "writing an intersection");
-  io::guarded(path, [&] {
-    io::validate(data, path);
+  const std::string name = io::output_name(path);
+  io::guarded(name, [&] {
+    io::validate(data, name);
     io::refuse_binary_output(path, chosen);
     io::AtomicFile file(path);
     if (chosen == "npz") io::write_npz(file, data);
@@ -119,8 +122,9 @@ void write(const std::string& path, const IntersectionData& data, const std::str
 void write(const std::string& path, const VoronoiData& data, const std::string& format) {
   const std::string chosen =
       io::choose_format(path, format, "json", {"npz", "json"}, "writing the arrays of a Voronoi diagram");
-  io::guarded(path, [&] {
-    io::validate(data, path);
+  const std::string name = io::output_name(path);
+  io::guarded(name, [&] {
+    io::validate(data, name);
     io::refuse_binary_output(path, chosen);
     io::AtomicFile file(path);
     if (chosen == "npz") io::write_npz(file, data);
@@ -133,7 +137,8 @@ void write(const std::string& path, const Diagram& diagram, const std::optional<
            const std::string& format) {
   const std::string chosen =
       io::choose_format(path, format, "json", {"npz", "json", "svg", "vtu"}, "writing a Voronoi diagram");
-  io::guarded(path, [&] {
+  const std::string name = io::output_name(path);
+  io::guarded(name, [&] {
     if (!diagram.has_ridges()) io::fail(Errc::invalid_argument, "the diagram was made without ridges");
     if (chosen == "npz" || chosen == "json") return write(path, diagram.to_data(), chosen);
     io::refuse_binary_output(path, chosen);

@@ -294,8 +294,8 @@ PointTable read_vertices(Source source, const Header& header, const std::string&
     }
     for (const std::size_t column : columns)
       points.add(row[column], [&] {
-        return fmt::format("{}: {}: {} is not finite", source.place(i), vertex->properties[column].name,
-                           row[column]);
+        return fmt::format("{}: {}: {} is not finite", source.place(i),
+                           printable(vertex->properties[column].name), row[column]);
       });
   }
   return points.finish();

@@ -3,6 +3,7 @@
 #include "io/points/read_points.hpp"
 
 #include "io/file.hpp"
+#include "io/npy.hpp"
 #include "io/text_cursor.hpp"
 
 namespace delone {
@@ -17,8 +18,8 @@ PointTable with_columns(PointTable table, const std::vector<std::string>& wanted
   for (const std::string& one : wanted) {
     const auto number = io::to_count(one);
     if (!number || *number >= width)
-      io::fail(Errc::bad_format, "{}: there is no column {}; the columns are 0 to {}", name,
-               io::in_quotes(one), width - 1);
+      io::fail(Errc::bad_format, "{}: there is no column {}; the columns are 0 to {}", name, in_quotes(one),
+               width - 1);
     columns.push_back(static_cast<std::size_t>(*number));
   }
   PointTable out;
@@ -31,6 +32,27 @@ PointTable with_columns(PointTable table, const std::vector<std::string>& wanted
   return out;
 }
 
+/// Refuses what cannot be of this format by its first bytes. Where the first word is wrong the reader says
+/// so.
+void check_opening(const std::string& format, std::string_view opening, bool is_whole,
+                   const std::string& name) {
+  if (is_whole) return;  // read at once
+  if (format == "npy") return io::require_npy(opening, name);
+  if (format == "ply") {
+    if (!opening.starts_with("ply")) io::read_ply(opening, name, {});
+    return;
+  }
+  const std::string_view text = io::text_of(opening, name);
+  io::require_text(text, name);
+  io::TextCursor at(text, name);
+  const std::string_view word = at.next_token();
+  if (word.empty() || at.at_end()) return;  // there may be more of it
+  if (format == "off" && !word.ends_with("OFF")) io::read_off(text, name);
+  if (format == "qhull" && !io::to_count(word)) io::read_qhull(text, name);
+  if ((format == "txt" || format == "xyz" || format == "pts") && !io::to_number(word))
+    io::read_white_space(text, name);
+}
+
 }  // namespace
 
 PointTable read_points(const std::string& path, const ReadOptions& options) {
@@ -39,7 +61,9 @@ PointTable read_points(const std::string& path, const ReadOptions& options) {
                         {"npy", "csv", "tsv", "txt", "xyz", "pts", "off", "ply", "qhull"}, "reading points");
   const std::string name = io::input_name(path);
   return io::guarded(name, [&] {
-    const io::Bytes file = io::read_all(path);
+    const io::Bytes file = io::read_all(
+        path, options.max_stream_bytes,
+        [&](std::string_view opening, bool is_whole) { check_opening(format, opening, is_whole, name); });
     const std::string_view bytes = file.view();
     if (format == "csv" || format == "tsv")
       return io::read_delimited(bytes, name, format == "csv" ? ',' : '\t', options.columns);

@@ -185,7 +185,8 @@ class DelimitedReader {
   }
 
   std::string field_place(std::size_t column, std::size_t row_line) const {
-    const std::string label = names_.empty() ? std::string{} : fmt::format(" ({})", names_[column]);
+    const std::string label =
+        names_.empty() ? std::string{} : fmt::format(" ({})", printable(names_[column]));
     return fmt::format("{}:{}: column {}{}", at_.name(), row_line, column, label);
   }
 

@@ -53,16 +53,17 @@ void write_rows(io::AtomicFile& file, const PointTable& points, char delimiter) 
 void write_points(const std::string& path, const PointTable& points, const std::string& format) {
   const std::string chosen = io::choose_format(
       path, format, "qhull", {"npy", "csv", "tsv", "txt", "xyz", "pts", "off", "qhull"}, "writing points");
-  io::guarded(path, [&] {
+  const std::string name = io::output_name(path);
+  io::guarded(name, [&] {
     if (path == "-" && chosen == "npy")
       io::fail(Errc::unsupported, "format 'npy' is binary and is not written to standard output");
     if (points.dimension < 1)
-      io::fail(Errc::bad_dimension, "{}: cannot write: the dimension is {}", path, points.dimension);
+      io::fail(Errc::bad_dimension, "{}: cannot write: the dimension is {}", name, points.dimension);
     const auto dimension = static_cast<std::size_t>(points.dimension);
     if (points.coordinates.size() % dimension != 0)
       io::fail(Errc::invalid_argument, "{}: cannot write: the coordinates are no multiple of the dimension",
-               path);
-    io::require_finite(points.coordinates, points.dimension, path);
+               name);
+    io::require_finite(points.coordinates, points.dimension, name);
     io::AtomicFile file(path);
     const std::size_t n = points.num_points();
     if (chosen == "npy") {

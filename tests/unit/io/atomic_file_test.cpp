@@ -76,6 +76,38 @@ TEST_F(AtomicFiles, FollowSymbolicLinks) {
   EXPECT_EQ(content("target"), "new");
 }
 
+TEST_F(AtomicFiles, AreWrittenThroughLinksThatDangle) {
+  // Relative to the folder of each link, one after the other.
+  std::filesystem::create_directory(path("folder"));
+  std::filesystem::create_symlink("folder/second", path("first"));
+  std::filesystem::create_symlink("../target", path("folder/second"));
+  EXPECT_EQ(std::filesystem::weakly_canonical(write_target(path("first"))),
+            std::filesystem::weakly_canonical(path("target")));
+  write_text(path("first"), "new");
+  EXPECT_TRUE(std::filesystem::is_symlink(path("first")));
+  EXPECT_TRUE(std::filesystem::is_symlink(path("folder/second")));
+  EXPECT_EQ(content("target"), "new");
+  EXPECT_FALSE(std::filesystem::is_symlink(path("target")));
+  EXPECT_EQ(num_files(), 3u);
+}
+
+TEST_F(AtomicFiles, DoNotReplaceLinksThatLeadNowhere) {
+  std::filesystem::create_symlink("none/file", path("dangling"));
+  expect_error(Errc::cannot_write, {path("dangling"), "No such file"},
+               [&] { write_text(path("dangling"), "x"); });
+  std::filesystem::create_symlink("b", path("a"));
+  std::filesystem::create_symlink("a", path("b"));
+  EXPECT_EQ(write_target(path("a")), path("a"));
+  expect_error(Errc::cannot_write, {path("a"), "symbolic links"}, [&] { write_text(path("a"), "x"); });
+  for (const char* name : {"dangling", "a", "b"}) EXPECT_TRUE(std::filesystem::is_symlink(path(name)));
+}
+
+TEST_F(AtomicFiles, TargetsOfWhatIsNoLink) {
+  EXPECT_EQ(write_target("-"), "-");
+  EXPECT_EQ(write_target(path("none")), path("none"));
+  EXPECT_EQ(write_target(file("plain", "x")), path("plain"));
+}
+
 TEST_F(AtomicFiles, SayWhatCannotBeWritten) {
   expect_error(Errc::cannot_write, {path("none/a"), "No such file"}, [&] { AtomicFile out(path("none/a")); });
   std::filesystem::create_directory(path("directory"));

@@ -105,16 +105,43 @@ TEST_F(Zip, Damaged) {
 TEST_F(Zip, AnyChangedByteIsAnErrorOrHarmless) {
   const std::string whole = numpy_archive();
   for (std::size_t i = 0; i < whole.size(); ++i)
-    for (const int change : {1, 0x80, 0xff}) {
+    for (const int change : {1, 2, 4, 8, 0x10, 0x20, 0x40, 0x80, 0xff}) {
       std::string bytes = whole;
       bytes[i] = static_cast<char>(bytes[i] ^ change);
       try {
-        const auto found = io::ZipReader(bytes, "a.npz").find("x.npy");
-        EXPECT_EQ(found.value_or("content"), "content") << i;
+        EXPECT_EQ(io::ZipReader(bytes, "a.npz").find("x.npy"), "content") << i;
       } catch (const Error& error) {
         EXPECT_TRUE(error.code() == Errc::bad_format || error.code() == Errc::unsupported) << error.what();
       }
     }
+}
+
+TEST_F(Zip, NoMemberIsLost) {
+  const std::string whole = archive(0xffffffff);
+  const auto changed = [&](std::size_t at, char to) {
+    std::string bytes = whole;
+    bytes[at] = to;
+    return bytes;
+  };
+  // In the member itself, and in the directory.
+  for (const std::size_t at : {whole.find("empty"), whole.rfind("empty")})
+    expect_error(Errc::bad_format, {"a.npz", "disagree about its name", "'empty'", "'eXpty'"},
+                 [&] { io::ZipReader(changed(at + 1, 'X'), "a.npz"); });
+  expect_error(Errc::bad_format, {"a.npz", "more than 3 entries"},
+               [&] { io::ZipReader(changed(whole.size() - 12, 3), "a.npz"); });
+}
+
+TEST_F(Zip, NamesAreMetOnce) {
+  io::AtomicFile out(path("a.zip"));
+  io::ZipWriter zip(out);
+  zip.add("one\x1b", "he", "llo");
+  zip.add("two", "", "");
+  zip.add("one\x1b", "", "");
+  zip.finish();
+  out.commit();
+  const std::string bytes = content("a.zip");
+  expect_error(Errc::bad_format, {"a.npz", "'one\\x1b' appears twice"},
+               [&] { io::ZipReader(bytes, "a.npz"); });
 }
 
 }  // namespace

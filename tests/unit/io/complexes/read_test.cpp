@@ -3,7 +3,10 @@
 #include "complex_support.hpp"
 #include "small_results.hpp"
 
+#include <delone/printable.hpp>
+
 #include <cmath>
+#include <filesystem>
 #include <string>
 #include <utility>
 #include <variant>
@@ -255,6 +258,56 @@ TEST_F(Read, JsonFaults) {
   expect(Errc::bad_dimension, {"dimension is 0"}, "{\"points\": [[],[]], \"cells\": []}");
   EXPECT_EQ(expect(Errc::not_finite, {"points: row 1", "1e999"}, "{\"points\": [[0,0],[1e999,0]]}"),
             (std::vector<std::size_t>{1}));
+}
+
+TEST_F(Read, FaultsQuoteForeignTextSafely) {
+  const auto message = [&](const std::string& name, const std::string& text) {
+    try {
+      read_as<ComplexData>(file(name, text));
+    } catch (const Error& error) {
+      return std::string(error.what());
+    }
+    ADD_FAILURE() << "no error";
+    return std::string();
+  };
+  const std::string hostile = "\x1b]0;\xff" + std::string(1'000'000, 'y');
+  const std::string points = "\"points\": [[0,0],[1,0],[0,1]]";
+  std::string escaped = hostile;
+  escaped.replace(0, 1, "\\u001b");
+  escaped.replace(escaped.find('\xff'), 1, "\xc2\x9b");
+  for (const std::string& text :
+       {"{\"points\": " + hostile + "}", "{\"points\": \"" + escaped + "\"}",
+        "{\"points\": [[\"" + escaped + "\"]]}", "{\"" + escaped + "\": [1e999]}",
+        "{\"" + escaped + "\": 1, \"" + escaped + "\": 1}", "{\"" + escaped + "\": 1}",
+        "{" + points + ", \"cells\": [[0,1,2]], \"affine_dimension\": \"" + escaped + "\"}",
+        "\"" + escaped + "\"", "{\"x\": \"" + hostile + "\"}",
+        "{\"x\": 1" + std::string(1'000'000, '1') + "}"}) {
+    const std::string said = message("a.json", text);
+    EXPECT_LT(said.size(), 1000u) << said.substr(0, 300);
+    EXPECT_EQ(printable(said, said.size()), said);
+  }
+  EXPECT_NE(message("a.json", "{\"points\": [x]}").find("[x'"), std::string::npos)
+      << message("a.json", "{\"points\": [x]}");
+  EXPECT_NE(message("a.json", "{\"points\" 1}").find("expected ':'"), std::string::npos)
+      << message("a.json", "{\"points\" 1}");
+}
+
+TEST_F(Read, AnyChangedBitOfAnNpzIsAnErrorOrHarmless) {
+  const ComplexData expected = test::small_triangulation();
+  write(path("a.npz"), expected);
+  const std::string whole = content("a.npz");
+  for (std::size_t bit = 0; bit / 8 < whole.size(); bit += 11) {
+    std::filesystem::remove(path("b.npz"));  // some file systems write at once what replaces a file
+    std::string bytes = whole;
+    bytes[bit / 8] = static_cast<char>(bytes[bit / 8] ^ 1 << bit % 8);
+    try {
+      const ComplexData data = read_as<ComplexData>(file("b.npz", bytes));
+      EXPECT_TRUE(data.points == expected.points && data.cells == expected.cells &&
+                  data.neighbors == expected.neighbors && data.vertex_of_point == expected.vertex_of_point)
+          << bit;
+    } catch (const Error&) {
+    }
+  }
 }
 
 TEST_F(Read, ReadFaults) {

@@ -3,6 +3,8 @@
 // is named.
 #include "../io_support.hpp"
 
+#include <delone/printable.hpp>
+
 #include <unistd.h>
 #include <cmath>
 #include <limits>
@@ -223,6 +225,42 @@ TEST_F(ReadQhull, CountsThatNoFileHoldsAreNotAllocated) {
                [&] { read("a.qhull", "2147483647\n18446744073709551615\n1 2\n"); });
   expect_error(Errc::bad_format, {"'18446744073709551616'"},
                [&] { read("a.qhull", "2\n18446744073709551616\n1 2\n"); });
+}
+
+TEST_F(ReadPath, FaultsQuoteForeignTextSafely) {
+  const std::string hostile = "\x1b[31m\xff" + std::string(100'000, 'y');
+  std::string names = hostile + "0";
+  for (int i = 1; i < 50; ++i) names += "," + hostile + std::to_string(i);
+  const auto expect_safe = [&](const std::string& name, const std::string& text,
+                               const std::vector<std::string>& columns) {
+    try {
+      read(name, text, columns);
+      ADD_FAILURE() << "no error";
+    } catch (const Error& error) {
+      const std::string said = error.what();
+      EXPECT_LT(said.size(), 1000u) << said.substr(0, 300);
+      EXPECT_EQ(printable(said, said.size()), said);
+    }
+  };
+  expect_safe("a.csv", names + "\n", {"none"});
+  expect_safe("a.csv", names + "\n", {hostile});
+  expect_safe("a.csv", hostile + "\n" + hostile + "\n", {});
+  expect_safe("a.csv", hostile + "\n\n" + "nan\n", {});
+  expect_safe("a.csv", hostile + "," + hostile + "\n", {hostile});
+  expect_safe("a.txt", hostile, {});
+  expect_safe("a.qhull", hostile, {});
+  expect_safe("a.off", hostile, {});
+  expect_safe("a.off", "OFF\n1 0 0\n1 2 3 " + hostile, {});
+  expect_safe("a.ply", "ply\n" + hostile, {});
+  expect_safe("a.ply", "ply\nformat " + hostile, {});
+  expect_safe("a.ply",
+              "ply\nformat ascii 1.0\nelement vertex 1\nproperty float " + hostile + "\nend_header\nnan\n",
+              {hostile});
+  expect_safe("a.ply",
+              "ply\nformat ascii 1.0\nelement vertex 1\nproperty float " + hostile + "\nend_header\n1\n",
+              {"none"});
+  expect_safe("a\x1b[1m.csv", "x\ny\n", {});
+  expect_safe("a." + hostile.substr(0, 100), "", {});
 }
 
 TEST_F(ReadPath, FilesThatCannotBeOpened) {
