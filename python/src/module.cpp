@@ -41,5 +41,6 @@ PYBIND11_MODULE(_core, module) {
   python::bind_halfspaces(module);
   python::bind_cell_maps(module);
   python::bind_clough_tocher(module);
+  python::bind_lists(module);
   require_initialized_objects(module);
 }

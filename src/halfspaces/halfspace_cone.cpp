@@ -147,6 +147,11 @@ void HalfspaceCone::insert_all(std::span<const Index> sites, const std::function
   }
 }
 
+void HalfspaceCone::leave_out(Index site) {
+  is_surely_inside_.resize(sites_.size(), 0);
+  is_surely_inside_[site] = 1;
+}
+
 void HalfspaceCone::begin_batch() {
   before_ = now_;
   if (boundary_) boundary_->begin_batch();

@@ -30,6 +30,8 @@ class HalfspaceCone {
   /// Inserts sites, whose rays are those of no others, in turn, and calls done() after each, which may throw
   /// to stop.
   void insert_all(std::span<const Index> sites, const std::function<void()>& done);
+  /// Says of a site of the first batch that it is strictly inside, and need not be inserted. For k ≥ 2.
+  void leave_out(Index site);
   /// What follows can be undone, until it is, or kept. Throws std::bad_alloc, and then changes nothing.
   void begin_batch();
   void keep_batch() noexcept;
@@ -67,7 +69,7 @@ class HalfspaceCone {
   DualView view_;
   std::unique_ptr<HalfspaceEngine> boundary_;  // none for k = 1
   Progress now_, before_;
-  std::vector<char> is_surely_inside_;  // by site: whether it was found strictly inside when it was inserted
+  std::vector<char> is_surely_inside_;  // by site: whether it is known to be strictly inside
 };
 
 }  // namespace delone::internal

@@ -10,7 +10,9 @@
 #include "kernel/grid.hpp"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
+#include <cstdint>
 #include <limits>
 
 namespace delone::internal {
@@ -25,13 +27,14 @@ bool find_in_pairs(const double* row, const std::vector<double>& p, std::span<co
   const std::size_t d = p.size();
   double largest = 0;
   for (std::size_t j = 0; j < d; ++j) largest = std::max(largest, std::abs(row[j]));
-  if (largest == 0) return false;
-  const int exponent = -std::ilogb(largest);
-  const double offset = std::ldexp(row[d], exponent);
+  if (!(largest >= 0x1p-1000 && largest <= 0x1p1000)) return false;
+  // 2^−e for 2^e ≤ largest < 2^(e+1), by its biased exponent.
+  const double scale = std::bit_cast<double>((2046 - (std::bit_cast<std::uint64_t>(largest) >> 52)) << 52);
+  const double offset = row[d] * scale;
   if (!is_moderate(offset, 0x1p400)) return false;
   double sum = offset, rest = 0, magnitude = std::abs(offset);
   for (std::size_t j = 0; j < d; ++j) {
-    const double n = std::ldexp(row[j], exponent);
+    const double n = row[j] * scale;
     if (!is_moderate(n, 0x1p200) || !is_moderate(p[j], 0x1p200) || (n == 0) != (row[j] == 0)) return false;
     const kernel::DoubleDouble product = kernel::two_product(n, p[j]);
     const kernel::DoubleDouble next = kernel::two_sum(sum, product.high);
@@ -46,7 +49,7 @@ bool find_in_pairs(const double* row, const std::vector<double>& p, std::span<co
     return false;
   const std::size_t k = axes.size();
   for (std::size_t j = 0; j < k; ++j) {
-    const double n = std::ldexp(row[axes[j]], exponent);
+    const double n = row[axes[j]] * scale;
     dual[j] = n / s.high;
     const kernel::DoubleDouble back = kernel::two_product(dual[j], s.high);
     dual[k + j] = (((n - back.high) - back.low) - dual[j] * s.low) / s.high;

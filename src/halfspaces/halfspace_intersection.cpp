@@ -9,8 +9,8 @@
 #include "base/stopwatch.hpp"
 #include "halfspaces/interior_point.hpp"
 #include "halfspaces/intersection_arrays.hpp"
+#include "halfspaces/sites_to_insert.hpp"
 #include "kernel/predicates.hpp"
-#include "order/insertion_order.hpp"
 
 #include <delone/convex_hull.hpp>
 
@@ -29,6 +29,8 @@ namespace {
 using internal::DualSites;
 using internal::InteriorPoint;
 using internal::IntersectionParts;
+using internal::SitesToInsert;
+
 bool has_normal(const double* row, std::size_t d) {
   return std::any_of(row, row + d, [](double x) { return x != 0; });
 }
@@ -124,6 +126,7 @@ struct Polyhedron::Impl {
 
   /// Adds the sites of new rows, and their dual points if the axes are known.
   void add_sites(IntersectionParts& parts, const std::vector<double>& all, std::size_t first) const {
+    parts.reserve(all.size() / (d + 1) - first);
     for (std::size_t r = first; r * (d + 1) < all.size(); ++r) {
       const double* row = &all[r * (d + 1)];
       if (!has_normal(row, d)) {
@@ -151,30 +154,21 @@ struct Polyhedron::Impl {
   void construct(IntersectionParts& parts, Index first) {
     if (parts.rank() == 0) return;
     internal::Stopwatch stopwatch;
-    std::vector<Index> order = insertion_order(parts, first);
+    const SitesToInsert sites = sites_to_insert(parts, first, options);
     order_seconds += stopwatch.seconds();
     stopwatch.restart();
+    std::vector<Index> order = sites.order;
     if (!parts.cone) {
       parts.cone.emplace(parts.sites, parts.basis, parts.interior);
       std::erase_if(order, [&](Index site) {
         return std::binary_search(parts.basis.begin(), parts.basis.end(), site);
       });
     }
+    for (const Index site : sites.inner) parts.cone->leave_out(site);
     internal::ProgressMeter progress(options.progress, order.size());
     std::size_t done = 0;
     parts.cone->insert_all(order, [&] { progress(++done); });
     build_seconds += stopwatch.seconds();
-  }
-
-  std::vector<Index> insertion_order(const IntersectionParts& parts, Index first) const {
-    const auto k = static_cast<std::size_t>(parts.rank());
-    std::vector<double> duals;
-    for (Index site = first; site < parts.sites.size(); ++site)
-      for (std::size_t j = 0; j < k; ++j)
-        duals.push_back(std::isfinite(parts.sites.dual(site)[j]) ? parts.sites.dual(site)[j] : 0.0);
-    std::vector<Index> order = order::insertion_order({duals, parts.rank()}, options);
-    for (Index& site : order) site += first;
-    return order;
   }
 
   /// Adds rows, all or none.

@@ -16,7 +16,10 @@
 // double, that double is the result.
 #include "halfspaces/halfspace_vertex.hpp"
 
+#include "base/compiled_dimension.hpp"
 #include "halfspaces/halfspace_dual.hpp"
+#include "halfspaces/meeting_point_kernel.hpp"
+#include "kernel/buffer.hpp"
 #include "kernel/double_double.hpp"
 #include "kernel/linear_bound.hpp"
 
@@ -32,13 +35,13 @@ constexpr double u = kernel::unit_roundoff;
 
 bool is_moderate(double x) { return x == 0 || (std::abs(x) >= 0x1p-200 && std::abs(x) <= 0x1p200); }
 
+/// Of N equations; their number is chosen at run time if N is 0.
+template <int N>
 struct System {
-  std::size_t n;
-  std::vector<double> a, b;
-  std::vector<double> residual, error;  // set by evaluate()
+  explicit System(std::size_t size) : n(size), a(size * size), b(size), residual(size), error(size) {}
 
   /// Computes the residual of x with its error bounds. Returns whether it is certainly zero.
-  bool evaluate(const std::vector<double>& x) {
+  bool evaluate(const kernel::Buffer<double, N>& x) {
     bool all_zero = true;
     for (std::size_t i = 0; i < n; ++i) {
       double sum = b[i], rest = 0, magnitude = std::abs(b[i]), lost = 0;
@@ -57,12 +60,16 @@ struct System {
     }
     return all_zero;
   }
+
+  std::size_t n;
+  kernel::Buffer<double, N * N> a;
+  kernel::Buffer<double, N> b, residual, error;  // the last two are set by evaluate()
 };
 
+template <int N>
 bool find_certified(std::span<const double* const> rows, std::span<const int> columns, double* result) {
-  const std::size_t n = rows.size();
-  System system{n, std::vector<double>(n * n), std::vector<double>(n), std::vector<double>(n),
-                std::vector<double>(n)};
+  const std::size_t n = N > 0 ? static_cast<std::size_t>(N) : rows.size();
+  System<N> system(n);
   for (std::size_t i = 0; i < n; ++i) {
     double largest = 0;
     for (std::size_t j = 0; j < n; ++j) largest = std::max(largest, std::abs(rows[i][columns[j]]));
@@ -74,14 +81,13 @@ bool find_certified(std::span<const double* const> rows, std::span<const int> co
       (j < n ? system.a[i * n + j] : system.b[i]) = j < n ? scaled : -scaled;
     }
   }
-  std::vector<double> work = system.a, inverse(n * n), x(n), correction(n), tail(n);
-  if (!(n == 2   ? kernel::approximate_inverse<2>(work.data(), inverse.data(), n)
-        : n == 3 ? kernel::approximate_inverse<3>(work.data(), inverse.data(), n)
-                 : kernel::approximate_inverse<0>(work.data(), inverse.data(), n)))
-    return false;
-  const double alpha = kernel::inverse_defect<0>(system.a.data(), inverse.data(), n);
+  kernel::Buffer<double, N*N> work = system.a, inverse(n * n);
+  kernel::Buffer<double, N> x(n), correction(n), tail(n), improved(n);
+  if (!kernel::approximate_inverse<N>(work.data(), inverse.data(), n)) return false;
+  const double alpha = kernel::inverse_defect<N>(system.a.data(), inverse.data(), n);
   if (!(alpha < 0.5)) return false;
   for (std::size_t j = 0; j < n; ++j) {
+    x[j] = 0;
     for (std::size_t i = 0; i < n; ++i) x[j] += inverse[j * n + i] * system.b[i];
     if (!(std::abs(x[j]) <= 0x1p200)) return false;
     if (!is_moderate(x[j])) x[j] = 0;
@@ -89,6 +95,7 @@ bool find_certified(std::span<const double* const> rows, std::span<const int> co
   if (!system.evaluate(x)) {
     double zeta = 0;
     for (std::size_t j = 0; j < n; ++j) {
+      correction[j] = tail[j] = 0;
       for (std::size_t i = 0; i < n; ++i) {
         correction[j] += inverse[j * n + i] * system.residual[i];
         tail[j] += std::abs(inverse[j * n + i]) *
@@ -99,7 +106,6 @@ bool find_certified(std::span<const double* const> rows, std::span<const int> co
     }
     zeta *= 1.01 / (1 - alpha);
     bool settled = true;
-    std::vector<double> improved(n);
     for (std::size_t j = 0; j < n; ++j) {
       const kernel::DoubleDouble sum = kernel::two_sum(x[j], correction[j]);
       const double radius = 1.01 * (alpha * zeta + tail[j]) + 4 * u * std::abs(sum.low);
@@ -131,7 +137,40 @@ void find_exactly(std::span<const double* const> rows, std::span<const int> colu
 }  // namespace
 
 void meeting_point(std::span<const double* const> rows, std::span<const int> columns, double* x) {
-  if (!find_certified(rows, columns, x)) find_exactly(rows, columns, x);
+  const bool is_certain = with_compiled_dimension<1, most_meeting_lanes>(
+      rows.size(), [&](auto n) { return find_certified<n()>(rows, columns, x); });
+  if (!is_certain) find_exactly(rows, columns, x);
+}
+
+std::vector<double> meeting_points(std::span<const double* const> rows, std::span<const int> columns) {
+  const std::size_t n = columns.size() - 1, count = rows.size() / n;
+  std::vector<double> points(count * n);
+  const auto find = [&](std::size_t p) {
+    meeting_point(rows.subspan(p * n, n), columns, points.data() + p * n);
+  };
+  std::size_t next = 0;
+  if (n >= least_meeting_lanes && n <= most_meeting_lanes) {
+    std::vector<double> entries(n * (n + 1) * meeting_block), found(n * meeting_block),
+        settled(meeting_block);
+    for (; next + meeting_block <= count; next += meeting_block) {
+      for (std::size_t lane = 0; lane < meeting_block; ++lane)
+        for (std::size_t i = 0; i < n; ++i) {
+          const double* const row = rows[(next + lane) * n + i];
+          for (std::size_t j = 0; j <= n; ++j)
+            entries[(i * (n + 1) + j) * meeting_block + lane] = row[columns[j]];
+        }
+      find_meeting_points_in_lanes(n, entries.data(), found.data(), settled.data());
+      for (std::size_t lane = 0; lane < meeting_block; ++lane) {
+        if (settled[lane] == 0) {
+          find(next + lane);
+          continue;
+        }
+        for (std::size_t j = 0; j < n; ++j) points[(next + lane) * n + j] = found[j * meeting_block + lane];
+      }
+    }
+  }
+  for (; next < count; ++next) find(next);
+  return points;
 }
 
 std::vector<kernel::Integer> cone_normal(std::span<const double* const> rows, std::span<const int> columns) {

@@ -17,6 +17,10 @@ namespace delone::internal {
 /// rounding. REQUIRES independent normals.
 void meeting_point(std::span<const double* const> rows, std::span<const int> columns, double* x);
 
+/// The same for many points at once, of k rows each: their coordinates, point by point. In few dimensions
+/// SIMD, one point per lane.
+std::vector<double> meeting_points(std::span<const double* const> rows, std::span<const int> columns);
+
 /// A normal of the linear hyperplane spanned by k rows on k+1 columns: the integers z_j, j ≤ k, with
 /// det(rows, q) = λ·Σ q_j·z_j for every row q and one factor λ > 0. All zero if the rows are dependent.
 std::vector<kernel::Integer> cone_normal(std::span<const double* const> rows, std::span<const int> columns);

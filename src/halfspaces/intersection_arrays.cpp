@@ -20,6 +20,7 @@
 #include <bit>
 #include <cmath>
 #include <limits>
+#include <numeric>
 #include <utility>
 
 namespace delone::internal {
@@ -115,12 +116,9 @@ class ArrayMaker {
   void make_vertices() {
     const std::size_t num_facets = faces_.num_facets();
     number_.resize(num_facets);
-    std::vector<const double*> rows;
-    std::vector<double> x(k_);
+    std::vector<const double*> rows, rows_of_vertices;
     for (std::size_t f = 0; f < num_facets; ++f) {
       cancellation_point();
-      rows.clear();
-      for (const Index site : hull_.cell(cell_of_facet_[f])) rows.push_back(sites_.row(site));
       auto& offsets = is_at_infinity_[f] ? data_.direction_offsets : data_.vertex_offsets;
       auto& halfspaces = is_at_infinity_[f] ? data_.direction_halfspaces : data_.vertex_halfspaces;
       number_[f] = static_cast<SignedIndex>(offsets.size()) - 1;
@@ -129,28 +127,35 @@ class ArrayMaker {
         if (site != 0) halfspaces.push_back(parts_.row_of_site[site]);
       std::sort(halfspaces.begin() + static_cast<std::ptrdiff_t>(first), halfspaces.end());
       offsets.push_back(static_cast<SignedIndex>(halfspaces.size()));
-      if (is_at_infinity_[f]) {
-        // det(rows, q) is positive for q inside, where q·z must be negative.
-        std::vector<kernel::Integer> z = cone_normal(rows, sites_.axes);
-        z.pop_back();
-        const bool keep = hull_.dimension == 1 && cell_of_facet_[f] == 1;
-        for (kernel::Integer& entry : z)
-          if (!keep) entry = -entry;
-        const std::vector<double> direction = unit_vector(z, axes_, d_);
-        data_.directions.insert(data_.directions.end(), direction.begin(), direction.end());
-      } else {
-        meeting_point(rows, sites_.axes, x.data());
-        const std::size_t at = data_.vertices.size();
-        data_.vertices.resize(at + d_, 0.0);
-        for (std::size_t j = 0; j < k_; ++j) data_.vertices[at + static_cast<std::size_t>(axes_[j])] = x[j];
+      rows.clear();
+      for (const Index site : hull_.cell(cell_of_facet_[f])) rows.push_back(sites_.row(site));
+      if (!is_at_infinity_[f]) {
+        rows_of_vertices.insert(rows_of_vertices.end(), rows.begin(), rows.end());
+        continue;
       }
+      // det(rows, q) is positive for q inside, where q·z must be negative.
+      std::vector<kernel::Integer> z = cone_normal(rows, sites_.axes);
+      z.pop_back();
+      const bool keep = hull_.dimension == 1 && cell_of_facet_[f] == 1;
+      for (kernel::Integer& entry : z)
+        if (!keep) entry = -entry;
+      const std::vector<double> direction = unit_vector(z, axes_, d_);
+      data_.directions.insert(data_.directions.end(), direction.begin(), direction.end());
     }
+    std::vector<double> points = meeting_points(rows_of_vertices, sites_.axes);
+    if (k_ == d_) {
+      data_.vertices = std::move(points);
+      return;
+    }
+    data_.vertices.assign(points.size() / k_ * d_, 0.0);
+    for (std::size_t i = 0; i < points.size(); ++i)
+      data_.vertices[i / k_ * d_ + static_cast<std::size_t>(axes_[i % k_])] = points[i];
   }
 
   void make_edges() {
-    const PolytopeRidges ridges = find_ridges(hull_, faces_, sites_of_facet_);
-    for (std::size_t r = 0; r < ridges.sites.size(); ++r) {
-      Index a = ridges.facets[2 * r], b = ridges.facets[2 * r + 1];
+    const std::vector<Index> neighbors = neighboring_facets(hull_, faces_);
+    for (std::size_t r = 0; r < neighbors.size(); r += 2) {
+      Index a = neighbors[r], b = neighbors[r + 1];
       if (is_at_infinity_[a] && is_at_infinity_[b]) continue;
       if (is_at_infinity_[a]) std::swap(a, b);
       std::vector<SignedIndex>& list = is_at_infinity_[b] ? data_.rays : data_.edges;
@@ -170,26 +175,37 @@ class ArrayMaker {
     for (Index site = 1; site < sites_.size(); ++site)
       if (faces_.is_extreme[site]) order.emplace_back(parts_.row_of_site[site], site);
     std::sort(order.begin(), order.end());
-    std::vector<std::vector<Index>> around(sites_.size());
-    for (std::size_t f = 0; f < faces_.num_facets(); ++f)
-      for (const Index site : sites_of_facet_[f]) around[site].push_back(static_cast<Index>(f));
+    const Lists around = k_ == 3 ? Lists{} : facets_around_sites();
     std::vector<Index> cell_with(sites_.size(), invalid_index);
     for (std::size_t c = 0; c < hull_.num_cells(); ++c)
       for (const Index site : hull_.cell(c)) cell_with[site] = static_cast<Index>(c);
     for (const auto& [row, site] : order) {
       cancellation_point();
       data_.facet_halfspaces.push_back(row);
-      const std::vector<Index> facets = k_ == 3 ? in_cycle(site, cell_with[site]) : around[site];
-      for (const Index f : facets)
+      for (const Index f : k_ == 3 ? in_cycle(site, cell_with[site]) : around[site])
         (is_at_infinity_[f] ? data_.facet_directions : data_.facet_vertices).push_back(number_[f]);
       data_.facet_offsets.push_back(static_cast<SignedIndex>(data_.facet_vertices.size()));
       data_.facet_direction_offsets.push_back(static_cast<SignedIndex>(data_.facet_directions.size()));
     }
   }
 
-  /// For k = 3, the facets of the boundary around a site in cyclic order, those at infinity last.
-  std::vector<Index> in_cycle(Index site, Index start) const {
-    std::vector<Index> cycle;
+  Lists facets_around_sites() const {
+    Lists around;
+    around.offsets.assign(sites_.size() + 1, 0);
+    for (const Index site : sites_of_facet_.items) ++around.offsets[site + std::size_t{1}];
+    std::partial_sum(around.offsets.begin(), around.offsets.end(), around.offsets.begin());
+    std::vector<std::size_t> next(around.offsets.begin(), around.offsets.end() - 1);
+    around.items.resize(sites_of_facet_.items.size());
+    for (std::size_t f = 0; f < faces_.num_facets(); ++f)
+      for (const Index site : sites_of_facet_[f]) around.items[next[site]++] = static_cast<Index>(f);
+    return around;
+  }
+
+  /// For k = 3, the facets of the boundary around a site in cyclic order, those at infinity last. Valid until
+  /// the next call.
+  std::span<const Index> in_cycle(Index site, Index start) {
+    std::vector<Index>& cycle = cycle_;
+    cycle.clear();
     Index c = start;
     do {
       const auto cell = hull_.cell(c);
@@ -223,6 +239,8 @@ class ArrayMaker {
     std::vector<int> all(d_);
     for (std::size_t j = 0; j < d_; ++j) all[j] = static_cast<int>(j);
     std::vector<double> dual(2 * d_), normal(d_);
+    data_.dual_points.reserve(parts_.site_of_row.size() * d_);
+    data_.dual_equations.reserve(data_.num_vertices() * (d_ + 1));
     for (const Index site : parts_.site_of_row) {
       cancellation_point();
       std::fill(dual.begin(), dual.end(), 0.0);
@@ -233,12 +251,13 @@ class ArrayMaker {
       data_.dual_points.insert(data_.dual_points.end(), dual.begin(),
                                dual.begin() + static_cast<std::ptrdiff_t>(d_));
     }
+    std::vector<char> is_axis(d_, 0);
+    for (const int axis : axes_) is_axis[static_cast<std::size_t>(axis)] = 1;
     // The dual points y of the rows through a vertex v satisfy y·(v − p) = 1.
     for (std::size_t v = 0; v < data_.num_vertices(); ++v) {
       double largest = 0, square = 0;
       for (std::size_t j = 0; j < d_; ++j) {
-        const bool is_axis = std::binary_search(axes_.begin(), axes_.end(), static_cast<int>(j));
-        normal[j] = is_axis ? data_.vertex(v)[j] - data_.interior_point[j] : 0;
+        normal[j] = is_axis[j] != 0 ? data_.vertex(v)[j] - data_.interior_point[j] : 0;
         largest = std::max(largest, std::abs(normal[j]));
       }
       for (const double x : normal) square += (x / largest) * (x / largest);
@@ -255,7 +274,7 @@ class ArrayMaker {
   SimplicialHull hull_;
   PolytopeFaces faces_;
   Lists sites_of_facet_;
-  std::vector<Index> cell_of_facet_, inner_sites_;
+  std::vector<Index> cell_of_facet_, inner_sites_, cycle_;
   std::vector<char> is_at_infinity_;
   std::vector<SignedIndex> number_;
   std::vector<HalfspaceKind> kind_of_site_;
@@ -297,6 +316,14 @@ IntersectionParts::IntersectionParts(const IntersectionParts& other)
       state(other.state),
       witness(other.witness) {
   if (other.cone) cone.emplace(sites, *other.cone);
+}
+
+void IntersectionParts::reserve(std::size_t more) {
+  if (more < site_of_row.size()) return;  // then vectors grow by themselves
+  site_at.reserve(sites.size() + more);
+  sites.rows.reserve(sites.rows.size() + more * sites.row_size);
+  row_of_site.reserve(row_of_site.size() + more);
+  site_of_row.reserve(site_of_row.size() + more);
 }
 
 void IntersectionParts::add_dual(Index site) {

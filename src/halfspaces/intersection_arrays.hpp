@@ -22,6 +22,8 @@ struct IntersectionParts {
   IntersectionParts& operator=(const IntersectionParts&) = delete;
 
   int rank() const { return sites.axes.empty() ? 0 : sites.dimension(); }
+  /// Makes room for so many more rows.
+  void reserve(std::size_t more);
   void add_dual(Index site);
   /// The site of a row's ray, which is new if it is the last one: of row r. REQUIRES a normal.
   Index site_of_ray(const double* row, SignedIndex r);

@@ -18,6 +18,7 @@ namespace delone {
 namespace {
 
 using internal::HullAnalysis;
+using internal::HullMeasures;
 using internal::HullState;
 using internal::SimplicialHull;
 
@@ -35,22 +36,24 @@ void append(const internal::ExtremeHull& hull, std::size_t first_row, ConvexHull
   for (Index site = 0; site < state.sites().size(); ++site)
     if (k == 0 || is_extreme[site] != 0) all.vertices.push_back(row(site));
   std::sort(all.vertices.begin() + first_vertex, all.vertices.end());
-  all.volumes.push_back(k == d ? analysis.measures().volume.value : 0);
-  all.areas.push_back(k == d                ? analysis.measures().area.value
-                      : k == d - 1 && k > 0 ? 2 * analysis.measures().volume.value
-                                            : 0);
   if (k == d) {
     const SimplicialHull& boundary = state.hull();
     const auto first_cell = static_cast<SignedIndex>(all.cells.size() / static_cast<std::size_t>(d));
     for (const Index site : boundary.cells) all.cells.push_back(row(site));
     for (const Index cell : boundary.neighbors)
       all.neighbors.push_back(first_cell + static_cast<SignedIndex>(cell));
-    const std::vector<double> equations = analysis.equations().equations;
+    HullMeasures measures;
+    const std::vector<double> equations = analysis.equations(&measures).equations;
+    all.volumes.push_back(measures.volume.value);
+    all.areas.push_back(measures.area.value);
     const auto width = static_cast<std::ptrdiff_t>(d + 1);
     for (const Index facet : analysis.faces().facet_of_cell) {
       const auto begin = equations.begin() + static_cast<std::ptrdiff_t>(facet) * width;
       all.equations.insert(all.equations.end(), begin, begin + width);
     }
+  } else {
+    all.volumes.push_back(0);
+    all.areas.push_back(k == d - 1 && k > 0 ? 2 * analysis.measures().volume.value : 0);
   }
   all.vertex_offsets.push_back(all.vertices.size());
   all.cell_offsets.push_back(all.cells.size() / static_cast<std::size_t>(d));

@@ -83,7 +83,7 @@ std::vector<PointKind> HullAnalysis::find_kinds() const {
   return kinds;
 }
 
-FacetEquations HullAnalysis::equations() const {
+FacetEquations HullAnalysis::equations(HullMeasures* measures) const {
   const HullSites& sites = state_.sites();
   std::vector<const double*> scratch;
   return facet_equations(
@@ -95,7 +95,7 @@ FacetEquations HullAnalysis::equations() const {
         };
         return sites.point(*std::find_if(state_.basis().begin(), state_.basis().end(), is_inside));
       },
-      faces().seeds);
+      faces().seeds, measures);
 }
 
 HullData HullAnalysis::make_data() const {

@@ -57,8 +57,9 @@ class HullAnalysis {
   std::size_t num_extreme() const;
   const HullMeasures& measures() const;
   const HullData& data() const;
-  /// Of the facets. Computed at each call.
-  FacetEquations equations() const;
+  /// Of the facets. Computed at each call. `measures`: if not null, set to measures(), which costs less
+  /// together; not with a tolerance.
+  FacetEquations equations(HullMeasures* measures = nullptr) const;
 
  private:
   std::vector<PointKind> find_kinds() const;

@@ -166,6 +166,16 @@ std::size_t count_ridges(const SimplicialHull& hull, const PolytopeFaces& faces)
   return count;
 }
 
+std::vector<Index> neighboring_facets(const SimplicialHull& hull, const PolytopeFaces& faces) {
+  std::vector<Index> facets;
+  facets.reserve(hull.neighbors.size());
+  for_each_ridge(hull, faces, [&](Index a, Index b, Index, std::size_t) {
+    facets.push_back(a);
+    facets.push_back(b);
+  });
+  return facets;
+}
+
 PolytopeRidges find_ridges(const SimplicialHull& hull, const PolytopeFaces& faces, const Lists& facet_sites) {
   PolytopeRidges ridges;
   std::vector<Index> sites;

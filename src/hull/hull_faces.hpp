@@ -61,6 +61,8 @@ struct PolytopeRidges {
   Lists sites;                ///< extreme ones, increasing
 };
 PolytopeRidges find_ridges(const SimplicialHull& hull, const PolytopeFaces& faces, const Lists& facet_sites);
+/// The facets of the ridges alone.
+std::vector<Index> neighboring_facets(const SimplicialHull& hull, const PolytopeFaces& faces);
 std::size_t count_ridges(const SimplicialHull& hull, const PolytopeFaces& faces);
 
 /// The number of faces of each dimension 0 … k−1, given the vertices of each facet. The facets of a face are

@@ -53,30 +53,55 @@ std::vector<const double*>& gather(const HullSites& sites, std::span<const Index
   return points;
 }
 
+/// Sums over the cells of a hull.
+class Measuring {
+ public:
+  Measuring(const HullSites& sites, const SimplicialHull& hull)
+      : sites_(sites),
+        apex_(hull.cells[0]),
+        is_full_(hull.dimension > 1 && hull.dimension == sites.ambient) {}
+
+  /// Whether HullNormal, which works on k axes, helps: if k < d, it gives the areas of projections.
+  bool needs_normals() const { return is_full_; }
+  /// Adds a cell with these points, and its normal if that is known.
+  template <int D>
+  void add(std::span<const Index> cell, std::vector<const double*>& points, const HullNormal<D>* normal) {
+    const bool has_apex = std::find(cell.begin(), cell.end(), apex_) != cell.end();
+    if (normal != nullptr && normal->has_measures()) {
+      area_.add(normal->content());
+      if (!has_apex) volume_.add(normal->cone(sites_.point(apex_), sites_.axes));
+      return;
+    }
+    area_.add(simplex_volume(points, sites_.ambient));
+    if (has_apex) return;
+    points.push_back(sites_.point(apex_));
+    volume_.add(simplex_volume(points, sites_.ambient));
+    points.pop_back();
+  }
+  HullMeasures result(const SimplicialHull& hull) const {
+    if (hull.dimension == 1) return {volume_.result(), {static_cast<double>(hull.num_cells()), 0}};
+    return {volume_.result(), area_.result()};
+  }
+
+ private:
+  const HullSites& sites_;
+  Index apex_;
+  bool is_full_;
+  MeasureSum volume_, area_;
+};
+
 template <int D>
 HullMeasures measure(const HullSites& sites, const SimplicialHull& hull) {
   HullNormal<D> normal(hull.dimension);
-  MeasureSum volume, area;
+  Measuring measuring(sites, hull);
   std::vector<const double*> points;
-  const Index apex = hull.cells[0];
   for (std::size_t c = 0; c < hull.num_cells(); ++c) {
     cancellation_point();
-    const auto cell = hull.cell(c);
-    gather(sites, cell, points);
-    // HullNormal works on k axes; if k < d, these give the areas of projections.
-    const bool is_known = hull.dimension > 1 && hull.dimension == sites.ambient &&
-                          normal.compute(points.data(), sites.axes, false) && normal.has_measures();
-    const bool has_apex = std::find(cell.begin(), cell.end(), apex) != cell.end();
-    if (is_known) {
-      area.add(normal.content());
-      if (!has_apex) volume.add(normal.cone(sites.point(apex), sites.axes));
-    } else {
-      area.add(simplex_volume(points, sites.ambient));
-      points.push_back(sites.point(apex));
-      if (!has_apex) volume.add(simplex_volume(points, sites.ambient));
-    }
+    gather(sites, hull.cell(c), points);
+    const bool is_known = measuring.needs_normals() && normal.compute(points.data(), sites.axes, false);
+    measuring.add(hull.cell(c), points, is_known ? &normal : nullptr);
   }
-  return {volume.result(), area.result()};
+  return measuring.result(hull);
 }
 
 /// An upper bound on the distance between two sites.
@@ -124,16 +149,19 @@ void orthogonalize(const std::vector<const double*>& points, const double* inner
 template <int D>
 void fill_equations(const HullSites& sites, const SimplicialHull& hull, std::span<const Index> facet_of_cell,
                     const std::function<const double*(std::size_t)>& inner, std::span<const Index> seeds,
-                    FacetEquations& result) {
+                    HullMeasures* measures, FacetEquations& result) {
   const std::size_t d = static_cast<std::size_t>(sites.ambient), k = hull.corners();
   const double extent = extent_of(sites);
   HullNormal<D> normal(hull.dimension);
+  Measuring measuring(sites, hull);
   std::vector<const double*> points;
   for (std::size_t c = 0; c < hull.num_cells(); ++c) {
     cancellation_point();
     if (!seeds.empty() && seeds[facet_of_cell[c]] != c) continue;
     gather(sites, hull.cell(c), points);
     const bool is_known = k == d && normal.compute(points.data(), sites.axes, k == 1 && c == 0);
+    if (measures != nullptr)
+      measuring.add(hull.cell(c), points, is_known && measuring.needs_normals() ? &normal : nullptr);
     // Vectors N and N′ with |N − N′| ≤ e differ by at most 2e/|N| after normalization. Rounding the length
     // and the quotients adds (k + 5)·u.
     const double error =
@@ -155,6 +183,7 @@ void fill_equations(const HullSites& sites, const SimplicialHull& hull, std::spa
     equation[d] = offset;
     best = error + 1.01 * static_cast<double>(d + 1) * 0x1p-53 * magnitude;
   }
+  if (measures != nullptr) *measures = measuring.result(hull);
 }
 
 }  // namespace
@@ -207,21 +236,19 @@ Measure simplex_volume(std::span<const double* const> points, int ambient) {
 
 HullMeasures measure_hull(const HullSites& sites, const SimplicialHull& hull) {
   if (hull.num_cells() == 0) return {};
-  HullMeasures measures =
-      with_compiled_dimension(hull.corners(), [&](auto k) { return measure<k()>(sites, hull); });
-  if (hull.dimension == 1) measures.area = {static_cast<double>(hull.num_cells()), 0};
-  return measures;
+  return with_compiled_dimension(hull.corners(), [&](auto k) { return measure<k()>(sites, hull); });
 }
 
 FacetEquations facet_equations(const HullSites& sites, const SimplicialHull& hull,
                                std::span<const Index> facet_of_cell, std::size_t num_facets,
                                const std::function<const double*(std::size_t)>& inner,
-                               std::span<const Index> seeds) {
+                               std::span<const Index> seeds, HullMeasures* measures) {
   FacetEquations result{std::vector<double>(num_facets * (static_cast<std::size_t>(sites.ambient) + 1)),
                         std::vector<double>(num_facets, -1)};
+  if (measures != nullptr) *measures = {};
   if (num_facets > 0)
     with_compiled_dimension(hull.corners(), [&](auto k) {
-      fill_equations<k()>(sites, hull, facet_of_cell, inner, seeds, result);
+      fill_equations<k()>(sites, hull, facet_of_cell, inner, seeds, measures, result);
     });
   return result;
 }

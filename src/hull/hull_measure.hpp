@@ -46,13 +46,14 @@ HullMeasures measure_hull(const HullSites& sites, const SimplicialHull& hull);
 /// For each facet the outward unit normal of its hyperplane within the flat and the offset, d+1 numbers, with
 /// the error bounds of Polytope::data(). Each facet takes the equation of its cell with the smallest bound.
 /// `inner(c)`: a site strictly inside the hyperplane of cell c. `seeds`: if not empty, the cell of each facet
-/// whose equation it takes.
+/// whose equation it takes. `measures`: if
+/// not null, set to measure_hull() with the same eliminations; then no seeds.
 struct FacetEquations {
   std::vector<double> equations, errors;
 };
 FacetEquations facet_equations(const HullSites& sites, const SimplicialHull& hull,
                                std::span<const Index> facet_of_cell, std::size_t num_facets,
                                const std::function<const double*(std::size_t)>& inner,
-                               std::span<const Index> seeds = {});
+                               std::span<const Index> seeds = {}, HullMeasures* measures = nullptr);
 
 }  // namespace delone::internal

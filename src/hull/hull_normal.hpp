@@ -86,8 +86,8 @@ class HullNormal {
     // N is (−1)^(k−1) times the determinant of (e_1, …, e_(k−1), x).
     if ((det.value > 0) == (reversed != (k() % 2 == 0)))
       for (std::size_t j = 0; j < k(); ++j) normal_[j] = -normal_[j];
-    weight_ = std::ldexp(std::fabs(det.value), exponent);
-    weight_error_ = std::ldexp(det.error, exponent);
+    weight_ = times_power(std::fabs(det.value), exponent);
+    weight_error_ = times_power(det.error, exponent);
     return error_ < 0.125 * length_;
   }
 
@@ -125,6 +125,11 @@ class HullNormal {
 
  private:
   std::size_t k() const { return D > 0 ? static_cast<std::size_t>(D) : k_; }
+  /// x·2^exponent.
+  static double times_power(double x, int exponent) {
+    if (exponent < -1000 || exponent > 1000) return std::ldexp(x, exponent);
+    return x * std::bit_cast<double>(static_cast<std::uint64_t>(exponent + 1023) << 52);
+  }
   /// γ_(k + more).
   double rounding(int more) const { return 1.01 * (static_cast<double>(k()) + more) * kernel::unit_roundoff; }
 

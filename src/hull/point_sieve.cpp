@@ -57,8 +57,8 @@ void tilt(LinearFunctions& functions, const CenteredBox& box) {
 
 }  // namespace
 
-PointSieve::PointSieve(std::span<const double> coordinates, int dimension)
-    : dimension_(dimension), points_(coordinates) {}
+PointSieve::PointSieve(std::span<const double> coordinates, int dimension, double relative_error)
+    : dimension_(dimension), relative_error_(relative_error), points_(coordinates) {}
 
 std::vector<Index> PointSieve::remaining_rows() const {
   if (!rows_.empty() || points_.empty()) return rows_;
@@ -88,6 +88,8 @@ bool PointSieve::find_box(std::vector<std::size_t>& outermost) {
     if (!(reach > 0x1p-900 && reach < 0x1p900)) return false;
     box_.center.push_back(center);
     box_.reach.push_back(reach);
+    if (relative_error_ > 0)
+      box_.error.push_back(1.01 * relative_error_ * (std::fabs(center) + reach) + 0x1p-1072);
   }
   outermost = extremes(first_directions(box_, num_remaining()));
   return true;
@@ -125,14 +127,17 @@ void PointSieve::remove(std::span<const char> is_interior) {
   rows_ = std::move(rows);
 }
 
-/// One pass; false if it removes too little for another one.
-bool PointSieve::remove_interior() {
-  constexpr std::size_t least_share = 8, sample = 512;
-  const std::size_t d = ambient(), n = num_remaining();
+HullPlanes PointSieve::planes_of_shell() const {
   const SimplicialHull& hull = shell_->hull();
   std::vector<Index> cells(hull.num_cells());
   std::iota(cells.begin(), cells.end(), Index{0});
-  const HullPlanes planes = hull_planes(shell_->sites(), hull, cells, box_);
+  return hull_planes(shell_->sites(), hull, cells, box_);
+}
+
+/// One pass with the planes of the shell; false if it removes too little for another one.
+bool PointSieve::remove_interior(const HullPlanes& planes) {
+  constexpr std::size_t least_share = 8, sample = 512;
+  const std::size_t d = ambient(), n = num_remaining();
   std::vector<char> is_interior(n, 0);
   if (n > 8 * sample) {  // some rows at even distances
     std::vector<double> some;
@@ -162,13 +167,11 @@ void PointSieve::run() {
     chosen_.clear();
     return;
   }
-  while (remove_interior() && num_remaining() >= least_rows) {
+  for (;;) {
     cancellation_point();
-    const SimplicialHull& hull = shell_->hull();
-    if (hull.num_cells() * ambient() > most_work) return;
-    std::vector<Index> cells(hull.num_cells());
-    std::iota(cells.begin(), cells.end(), Index{0});
-    HullPlanes planes = hull_planes(shell_->sites(), hull, cells, box_);
+    HullPlanes planes = planes_of_shell();
+    if (!remove_interior(planes) || num_remaining() < least_rows || planes.low.size() * ambient() > most_work)
+      return;
     add_to_shell(extremes(std::move(planes.functions)));
   }
 }

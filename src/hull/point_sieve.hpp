@@ -20,8 +20,10 @@ namespace delone::internal {
 
 class PointSieve {
  public:
-  /// Rows of `dimension` finite numbers, which outlive this object. There is no shell yet.
-  PointSieve(std::span<const double> coordinates, int dimension);
+  /// Rows of `dimension` finite numbers, which outlive this object. There is no shell yet. If the numbers are
+  /// rounded, each is off by at most relative_error times itself, and 2^−1072: rows are then removed only if
+  /// the exact points are interior (hull_planes.hpp).
+  PointSieve(std::span<const double> coordinates, int dimension, double relative_error = 0);
 
   /// Removes interior rows while a pass over the rest removes enough of them. O(rows·2^d) for d ≤ 5, else
   /// O(rows·d), times the number of passes, which is logarithmic.
@@ -55,9 +57,11 @@ class PointSieve {
  private:
   std::size_t ambient() const { return static_cast<std::size_t>(dimension_); }
   bool find_box(std::vector<std::size_t>& outermost);
-  bool remove_interior();
+  HullPlanes planes_of_shell() const;
+  bool remove_interior(const HullPlanes& planes);
 
   int dimension_;
+  double relative_error_;
   std::span<const double> points_;  // of the remaining rows
   std::vector<double> own_points_;  // if they are not those of the input
   std::vector<Index> rows_;         // empty: all

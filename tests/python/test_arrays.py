@@ -8,6 +8,7 @@ import numpy as np
 import pytest
 
 import delone
+from delone import _core
 
 SQUARE = [[0, 0], [3, 0], [0, 3], [3, 3], [1, 2]]
 EXPECTED = delone.Delaunay(np.array(SQUARE, float)).hash
@@ -211,3 +212,13 @@ def test_changing_the_input_afterwards_changes_nothing():
     t = delone.Delaunay(points)
     points[:] = 7
     assert t.hash == EXPECTED and t.points.tolist() == SQUARE
+
+
+def test_lists_of_lists():
+    numbers = np.array([3, -1, 3, 70000, 0], np.int32)
+    assert _core._lists(numbers, np.array([0, 2, 2, 5])) == [[3, -1], [], [3, 70000, 0]]
+    assert _core._lists(np.arange(1000, dtype=np.int32), np.arange(0, 1001, 500)) == [list(range(500)), list(range(500, 1000))]
+    assert _core._lists(numbers[:0], np.array([0])) == [] and gc.isenabled()
+    for offsets in ([0, 6], [2, 1], [-1, 2]):
+        with pytest.raises(ValueError):
+            _core._lists(numbers, np.array(offsets))

@@ -50,6 +50,16 @@ def test_linear_agrees(points, kind, rescale, seed):
         np.testing.assert_allclose(found, expected, rtol=1e-7, atol=1e-7)
 
 
+@pytest.mark.parametrize("bad", [np.nan, np.inf])
+def test_values_that_are_not_finite_are_no_fill_values(bad):
+    points = np.array([[0, 0], [4, 0], [0, 4], [4, 4.5], [1, 2]])
+    function = interpolate.LinearNDInterpolator(points, [bad, 1, 2, 3, 4], fill_value=-7)
+    found = function([[0.1, 0.1], [3.5, 3.5], [9, 9], [4, 4.5]])
+    assert not np.isfinite(found[0]) and np.isfinite(found[1]) and found[2] == -7 and found[3] == 3
+    function.values = [0, 1, 2, 3, 4]
+    np.testing.assert_array_equal(np.isfinite(function([[0.1, 0.1], [9, 9]])), [True, True])
+
+
 @given(points=general_points(dimension=2), kind=KINDS, rescale=st.booleans(), seed=st.integers(0, 2**32 - 1))
 @QUICK
 def test_cubic_agrees(points, kind, rescale, seed):

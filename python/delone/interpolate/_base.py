@@ -100,6 +100,7 @@ class OnTriangulation(Interpolator):
         self.fill_value = (complex if self.is_complex else float)(self._given_fill)
         kind = np.complex128 if self.is_complex else np.float64
         self._values = np.array(values.reshape(len(values), int(np.prod(self.values_shape))), dtype=kind, order="C")
+        self._are_finite = bool(np.isfinite(self._values).all())
         self._prepare()
 
     @property
@@ -135,11 +136,11 @@ class OnTriangulation(Interpolator):
         if self._tri.npoints != len(self._values):
             raise RuntimeError("points were added to the triangulation since the interpolator was made")
 
-    def _outside(self, result: np.ndarray, queries: np.ndarray, factor: float) -> np.ndarray:
+    def _outside(self, result: np.ndarray, queries: np.ndarray, factor: float, all_are: bool = False) -> np.ndarray:
         """The numbers of the queries that are not within the tolerance of the hull. Their rows of the result are NaN, and so are those
-        of others where values are NaN."""
+        of others where values are NaN, unless `all_are`: then no others are."""
         unsure = np.flatnonzero(np.isnan(result[:, :1]))
-        if not len(unsure):
+        if not len(unsure) or all_are:
             return unsure
         unsure = unsure[np.isnan(result[unsure]).all(axis=1)]
         if not len(unsure):

@@ -42,7 +42,7 @@ class LinearNDInterpolator(OnTriangulation):
         if factor != 1:
             function = delone.LinearInterpolator(self._tri._core, self._columns, tolerance=self._distance * factor)
         result = function(queries)
-        outside = self._outside(result, queries, factor)
+        outside = self._outside(result, queries, factor, all_are=self._are_finite)
         if len(outside):
             found, weights = self._beyond(queries[outside], factor)
             result[outside] = np.einsum("qi,qic->qc", weights, self._columns[self._tri._own[0][found]])

@@ -58,9 +58,3 @@ def boundary_facets(simplices: np.ndarray, neighbors: np.ndarray) -> np.ndarray:
     cell, opposite = np.nonzero(neighbors == -1)
     keep = np.arange(simplices.shape[1]) != opposite[:, None]
     return simplices[cell][keep].reshape(len(cell), simplices.shape[1] - 1)
-
-
-def lists(items: np.ndarray, offsets: np.ndarray) -> list[list[int]]:
-    """The lists that are stored one after the other in `items`: list i from offsets[i] to offsets[i+1]."""
-    items, offsets = items.tolist(), offsets.tolist()
-    return [items[begin:end] for begin, end in zip(offsets, offsets[1:])]

@@ -7,8 +7,9 @@ from functools import cached_property
 import numpy as np
 
 import delone
+from delone import _core
 
-from . import _geometry, _options
+from . import _options
 from ._base import Incremental, as_points, qhull_error
 
 
@@ -112,7 +113,7 @@ class HalfspaceIntersection(Incremental):
 
     @cached_property
     def dual_facets(self) -> list[list[int]]:
-        return _geometry.lists(self._core.vertex_halfspaces, self._core.vertex_offsets)
+        return _core._lists(self._core.vertex_halfspaces, self._core.vertex_offsets)
 
     @cached_property
     def dual_vertices(self) -> np.ndarray:

@@ -7,8 +7,9 @@ from functools import cached_property
 import numpy as np
 
 import delone
+from delone import _core
 
-from . import _geometry, _options, _tolerance
+from . import _options, _tolerance
 from ._base import OfPoints, as_points
 
 
@@ -102,12 +103,12 @@ class Voronoi(OfPoints):
 
     @cached_property
     def ridge_vertices(self) -> list[list[int]]:
-        ridges = _geometry.lists(*self._ridges)
+        ridges = _core._lists(*self._ridges)
         return [ridges[i] for i in self._listed_ridges.tolist()]
 
     @cached_property
     def regions(self) -> list[list[int]]:
-        regions = _geometry.lists(*self._regions)
+        regions = _core._lists(*self._regions)
         regions = [[] if region == [-1] else region for region in regions] + [[] for _ in range(self._num_hidden)]
         return regions + [[]] if self._options.at_infinity else regions
 

@@ -130,6 +130,42 @@ TEST(MeetingPoint, IsCorrectlyRounded) {
   }
 }
 
+// Many at once, in lanes where there are lanes for the dimension: the same doubles.
+TEST(MeetingPoints, AreThoseOfEach) {
+  test::Random random(3);
+  for (std::size_t n = 1; n <= 6; ++n) {
+    Rows rows;
+    while (rows.size() < 40 * n) {
+      const int kind = random.integer(0, 5);
+      Rows system(n);
+      for (auto& row : system) {
+        const double scale = kind == 4 ? std::ldexp(1.0, random.integer(-1000, 1000)) : 1;
+        for (std::size_t j = 0; j <= n; ++j)
+          row.push_back(scale * (kind == 0   ? random.integer(-3, 3)
+                                 : kind == 1 ? 1 + 0x1p-45 * random.integer(-9, 9)
+                                 : kind == 5 ? std::ldexp(random.real() - 0.5, random.integer(-300, 300))
+                                             : random.real() - 0.5));
+      }
+      if (kind == 2)
+        for (auto& row : system) row.back() = 0;  // all through the origin
+      if (kind > 1 || !solve(system).empty()) rows.insert(rows.end(), system.begin(), system.end());
+    }
+    const std::vector<const double*> all = pointers(rows);
+    const std::vector<int> columns = all_columns(Rows(1, rows[0]));
+    const std::vector<double> points = meeting_points(all, columns);
+    ASSERT_EQ(points.size(), rows.size());
+    for (std::size_t p = 0; p * n < rows.size(); ++p) {
+      std::vector<double> x(n);
+      meeting_point(std::span(all).subspan(p * n, n), columns, x.data());
+      for (std::size_t j = 0; j < n; ++j) {
+        EXPECT_EQ(points[p * n + j], x[j]) << n << ' ' << p;
+        EXPECT_EQ(std::signbit(points[p * n + j]), std::signbit(x[j]));
+      }
+    }
+  }
+  EXPECT_THAT(meeting_points({}, std::vector<int>{0, 1, 2}), IsEmpty());
+}
+
 TEST(ConeNormal, IsTheCrossProduct) {
   const Rows rows = {{1, 0, 0}, {0, 0.5, 0}};
   EXPECT_THAT(cone_normal(pointers(rows), std::vector<int>{0, 1, 2}), ElementsAre(0, 0, 1));

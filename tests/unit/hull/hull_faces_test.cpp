@@ -37,6 +37,7 @@ TEST(HullFaces, OfAPyramid) {
   const PolytopeRidges ridges = find_ridges(pyramid, faces, sites);
   EXPECT_EQ(count_ridges(pyramid, faces), 8u);
   EXPECT_THAT(ridges.facets, ElementsAre(0, 1, 0, 2, 0, 4, 1, 2, 1, 3, 1, 4, 2, 3, 3, 4));
+  EXPECT_EQ(neighboring_facets(pyramid, faces), ridges.facets);
   EXPECT_THAT(list(ridges.sites, 0), ElementsAre(0, 1));
   EXPECT_THAT(list(ridges.sites, 2), ElementsAre(0, 4));
   EXPECT_THAT(list(ridges.sites, 7), ElementsAre(3, 4));
@@ -65,6 +66,7 @@ TEST(HullFaces, SitesInFacetsAndRidgesAreNotExtreme) {
   EXPECT_THAT(list(sites, 4), ElementsAre(0, 1, 2, 3));
   const PolytopeRidges ridges = find_ridges(hull, faces, sites);
   EXPECT_THAT(ridges.facets, ElementsAre(0, 1, 0, 3, 0, 4, 1, 2, 1, 4, 2, 3, 2, 4, 3, 4));
+  EXPECT_EQ(neighboring_facets(hull, faces), ridges.facets);
   EXPECT_THAT(list(ridges.sites, 2), ElementsAre(0, 1));  // two cells of both facets meet along it
   EXPECT_EQ(count_ridges(hull, faces), 8u);
 }

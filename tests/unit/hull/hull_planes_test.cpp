@@ -70,6 +70,23 @@ TEST(HullPlanes, ProveWhatIsSo) {
   }
 }
 
+// A square whose corners and all other points may be off by 1/64 on one axis and 1/16 on the other.
+TEST(HullPlanes, LeaveRoomForRoundedPoints) {
+  HullState state(2);
+  state.insert_range(std::vector<double>{-1, -1, 1, -1, 1, 1, -1, 1}, {});
+  const std::vector<Index> cells{0, 1, 2, 3};
+  const HullPlanes exact = hull_planes(state.sites(), state.hull(), cells, {{0, 0}, {1, 1}});
+  const HullPlanes rounded =
+      hull_planes(state.sites(), state.hull(), cells, {{0, 0}, {1, 1}, {0x1p-6, 0x1p-4}});
+  for (std::size_t f = 0; f < 4; ++f) {
+    const double* const normal = exact.functions.normals.data() + 2 * f;
+    const double room = 2 * (std::fabs(normal[0]) * 0x1p-6 + std::fabs(normal[1]) * 0x1p-4);
+    EXPECT_LE(rounded.low[f], exact.low[f] - room);
+    EXPECT_GE(rounded.low[f], exact.low[f] - 1.02 * room);
+    EXPECT_GE(rounded.high[f], exact.high[f] + room);
+  }
+}
+
 TEST(HullPlanes, ProveNothingWithoutANormal) {
   HullState state(2);
   state.insert_range(std::vector<double>{0, 0, 1e-310, 0, 0, 1e-310}, {});

@@ -63,6 +63,19 @@ TEST(PointSieve, RemovesMostOfManyRows) {
   EXPECT_LT(check(make_point_set("ball", 3, 20000, 1), 3), 5000u);
 }
 
+// The larger the error of coordinates, the more rows remain: all, if it is as large as the points.
+TEST(PointSieve, LeavesRoomForRoundedPoints) {
+  const std::vector<double> rows = make_point_set("ball", 3, 3000, 1);
+  std::size_t before = 0;
+  for (const double relative_error : {0.0, 0x1p-50, 0.01, 0.1, 1.0}) {
+    PointSieve sieve(rows, 3, relative_error);
+    sieve.run();
+    EXPECT_GE(sieve.num_remaining(), before);
+    before = sieve.num_remaining();
+  }
+  EXPECT_EQ(before, 3000u);
+}
+
 TEST(PointSieve, HasNoShellForFlatAndExtremeInput) {
   std::vector<double> flat = make_point_set("uniform", 3, 500, 1);
   for (std::size_t i = 2; i < flat.size(); i += 3) flat[i] = 1;
