@@ -66,10 +66,11 @@ std::vector<Index> PointSieve::remaining_rows() const {
   return all;
 }
 
-std::vector<std::size_t> PointSieve::extremes(LinearFunctions functions) const {
-  tilt(functions, box_);
+std::vector<std::size_t> PointSieve::extremes_among(std::span<const double> points, LinearFunctions functions,
+                                                    bool tilted) const {
+  if (tilted) tilt(functions, box_);
   std::vector<Extreme> found(functions.size(), Extreme{-infinity, Extreme::nowhere});
-  find_extremes(points_, functions, found);
+  find_extremes(points, functions, found);
   std::vector<std::size_t> which;
   for (const Extreme& extreme : found) which.push_back(extreme.at);
   return which;
