@@ -69,8 +69,8 @@ std::vector<PointKind> HullAnalysis::find_kinds() const {
     if (!locator_) return site == state_.basis()[0] ? PointKind::extreme : PointKind::boundary;
     if (is_corner[site]) return PointKind::boundary;
     if (state_.is_surely_interior(site)) return PointKind::interior;
-    return locator_->side_of_hull(sites.point(site), sites.grid) == Sign::positive ? PointKind::interior
-                                                                                   : PointKind::boundary;
+    return locator_->is_in_interior(sites.point(site), sites.grid) ? PointKind::interior
+                                                                   : PointKind::boundary;
   };
   std::vector<PointKind> kinds(state_.num_rows(), PointKind::duplicate);
   for (Index site = 0; site < sites.size(); ++site)

@@ -32,6 +32,17 @@ Sign HullLocator::side_of_hull(const double* q, const kernel::Grid& grid) const 
   return locate(q, grid).side;
 }
 
+bool HullLocator::is_in_interior(const double* q, const kernel::Grid& grid) const {
+  if (has_fan()) {
+    const auto [near, sign] = approach(q);
+    if (sign != Sign::zero) return sign == Sign::positive;
+    // One hyperplane that q is on or beyond is enough.
+    std::vector<const double*> scratch;
+    if (side(near, q, grid, scratch) != Sign::positive) return false;
+  }
+  return locate(q, grid).side == Sign::positive;
+}
+
 bool HullLocator::has_fan() const { return builder_.boundary() != nullptr && builder_.has_center(); }
 
 /// A cell near the ray from the center through q, and what is certain of q: as HullEngine::descend().

@@ -28,6 +28,8 @@ class HullLocator {
   Result locate(const double* q, const kernel::Grid& grid) const;
   /// The side alone, which is faster.
   Sign side_of_hull(const double* q, const kernel::Grid& grid) const;
+  /// Whether q is in the interior of the hull. Faster still for points of the boundary.
+  bool is_in_interior(const double* q, const kernel::Grid& grid) const;
 
   /// All cells whose hyperplane has q on the side `side` (zero or negative), in increasing order. `first`
   /// must be one of them. Searches across ridges: for q on the boundary the cells with side zero are
