@@ -210,7 +210,8 @@ ExtremeHull find_extreme_hull(std::span<const double> coordinates, int dimension
       insert(result, coordinates, rows, options);
     }
   }
-  drop_others(result, coordinates, options);
+  // With a tolerance it is not these cells that are shown.
+  if (options.tolerance == 0) drop_others(result, coordinates, options);
   return result;
 }
 

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "hull/hull_locator.hpp"
 
+#include "base/compiled_dimension.hpp"
 #include "hull/hull_fan.hpp"
+#include "kernel/hull_stages.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -13,7 +15,13 @@ Sign HullLocator::side(std::size_t cell, const double* q, const kernel::Grid& gr
                        std::vector<const double*>& scratch) const {
   if (const HullEngine* boundary = builder_.boundary())
     if (const Sign sign = boundary->certain_side(hull_.slots[cell], q); sign != Sign::zero) return sign;
-  return side_of_cell(sites_, hull_, cell, q, grid, scratch);
+  if (hull_.dimension == 1) return side_of_cell(sites_, hull_, cell, q, grid, scratch);
+  scratch.clear();
+  for (const Index site : hull_.cell(cell)) scratch.push_back(sites_.point(site));
+  StageCounts uncounted;
+  return with_compiled_dimension<1, 6>(hull_.corners(), [&](auto k) {
+    return kernel::hull_side<k()>(sites_.flat(), scratch.data(), q, grid, uncounted);
+  });
 }
 
 HullLocator::Result HullLocator::locate(const double* q, const kernel::Grid& grid) const {
