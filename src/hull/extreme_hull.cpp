@@ -2,6 +2,7 @@
 #include "hull/extreme_hull.hpp"
 
 #include "base/compiled_dimension.hpp"
+#include "hull/growing_shell.hpp"
 #include "hull/hull_analysis.hpp"
 #include "hull/point_sieve.hpp"
 #include "kernel/hull_stages.hpp"
@@ -24,6 +25,8 @@ class Refinement {
   bool run() {
     drop_interior();
     if (few_are_undecided()) return false;
+    if (grow_exactly()) return true;
+    drop_interior();
     for (;; drop_interior()) {
       if (!pays()) return false;
       const std::vector<std::size_t> beyond = farthest_beyond();
@@ -36,6 +39,27 @@ class Refinement {
   }
 
  private:
+  /// The shell grows in binary64 until no point is beyond it by more than rounding; those that are beyond it
+  /// exactly are added. Returns false if that fails; the shell may have grown.
+  bool grow_exactly() {
+    constexpr std::size_t most_work = std::size_t{1} << 20;
+    const auto& reach = sieve_.box().reach;
+    const double tolerance = 0x1p-44 * std::accumulate(reach.begin(), reach.end(), 0.0);
+    GrowingShell growth(sieve_, tolerance, [] {});
+    if (!growth.is_possible() || !growth.run(most_work / (sieve_.num_remaining() + 1))) return false;
+    const HullState& shell = sieve_.shell();
+    const HullLocator locator(shell.sites(), *shell.builder());
+    kernel::Grid grid = shell.sites().grid;
+    for (const std::size_t i : growth.covered()) grid.include(point(i).data());
+    std::vector<std::size_t> beyond;
+    for (const std::size_t i : growth.covered())
+      if (locator.locate_from(growth.cell_of(i), point(i).data(), grid).side == Sign::negative)
+        beyond.push_back(i);
+    // The others are in this shell, and in larger ones.
+    sieve_.add_to_shell(beyond);
+    return true;
+  }
+
   std::size_t ambient() const { return static_cast<std::size_t>(sieve_.shell().sites().ambient); }
   std::span<const double> point(std::size_t i) const {
     return sieve_.remaining_points().subspan(i * ambient(), ambient());

@@ -51,6 +51,13 @@ bool HullLocator::is_in_interior(const double* q, const kernel::Grid& grid) cons
   return locate(q, grid).side == Sign::positive;
 }
 
+HullLocator::Result HullLocator::locate_from(std::size_t start, const double* q,
+                                             const kernel::Grid& grid) const {
+  const std::size_t c = walk_cones(sites_, hull_, builder_.center(), q, start, grid);
+  std::vector<const double*> scratch;
+  return {c, side(c, q, grid, scratch)};
+}
+
 bool HullLocator::has_fan() const { return builder_.boundary() != nullptr && builder_.has_center(); }
 
 /// A cell near the ray from the center through q, and what is certain of q: as HullEngine::descend().
