@@ -60,6 +60,7 @@ class PointSieve {
  private:
   std::size_t ambient() const { return static_cast<std::size_t>(dimension_); }
   bool find_box(std::vector<std::size_t>& outermost);
+  void put_well_spread_first(std::vector<std::size_t>& which) const;
   bool remove_interior();
 
   int dimension_;
