@@ -71,7 +71,9 @@ class Polytope {
 
   /// Options::tolerance; 0 for an exact hull.
   double tolerance() const;
-  /// No point is farther than this from the hull: a bound, rounded up, that is at most the tolerance.
+  /// No point is farther than this from the hull: a bound, rounded up, that is at most the tolerance. After
+  /// insert_extreme_points() the first call may cost an exact hull of the rows; data().max_distance is then
+  /// the tolerance.
   double max_distance() const;
 
   /// The hull as arrays, without `points`; valid until the next insertion. Computed on first use after a

@@ -59,6 +59,10 @@ class HullEngine {
   /// The side of a cell's hyperplane that a point of the flat is on, by the filter: + inside, − beyond, zero
   /// if uncertain.
   virtual Sign certain_side(Index slot, const double* q) const = 0;
+  /// A cell's hyperplane as the engine holds it: n·(x − o) is 1 on it, about, and less inside, with the
+  /// centre o. Writes n, one number per axis of the flat; returns how far the product is off for points of
+  /// the box, about: infinity or NaN if nothing is known.
+  virtual double hyperplane(Index slot, double* normal) const = 0;
   /// A cell near the ray from the centre to a point of the flat, and what is certain: − the point is beyond
   /// its hyperplane, + it is in the interior of the hull. Starts from the best of some cells. O(k) per cell
   /// that is passed.

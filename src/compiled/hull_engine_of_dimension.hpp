@@ -89,6 +89,8 @@ class HullEngineOfDimension final : public HullEngine {
     return value > threshold ? Sign::positive : value < -threshold ? Sign::negative : Sign::zero;
   }
 
+  double hyperplane(Index slot, double* normal) const override { return geometry().hyperplane(slot, normal); }
+
   std::pair<Index, Sign> descend(const double* point, const std::vector<Index>& starts) const override {
     const auto q = geometry().make_query(point);
     const auto h = geometry().evaluator(q);

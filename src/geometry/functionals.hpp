@@ -96,6 +96,8 @@ class Functionals {
   Evaluator evaluator(const double* row) const { return {memory_, row, per_bend_}; }
 
   double threshold(Index cell) const { return certificate::threshold(packed(cell)); }
+  /// The k + 1 coefficients of h̃ before the reference entry.
+  const double* coefficients(Index cell) const { return functional(cell); }
   /// Thresholds of several cells for one row alone, smaller if the row is near the vertices of the cell.
   /// `rows`: of all vertices. Cost O(k²) per cell.
   void thresholds_at(std::span<const Index> cells, const VertexRows& rows, const double* row,

@@ -101,6 +101,12 @@ class HullGeometry {
   }
 
   auto evaluator(const Query& q) const { return functionals_.evaluator(q.row.data()); }
+  /// The negative of g·X as a function n·(x − o) of points: writes n, returns the threshold.
+  double hyperplane(Index cell, double* normal) const {
+    const double* const g = functionals_.coefficients(cell);
+    for (std::size_t r = 0; r < axes_.size(); ++r) normal[r] = -g[r] * scale_[r];
+    return functionals_.threshold(cell);
+  }
   bool is_infinite(Index) const { return false; }
   /// There is no tighter one.
   void thresholds_at(std::span<const Index> cells, const Query&, double* thresholds) const {

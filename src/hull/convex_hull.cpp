@@ -10,12 +10,14 @@
 #include "hull/hull_analysis.hpp"
 #include "hull/hull_state.hpp"
 #include "hull/tolerance/flat_distance.hpp"
+#include "hull/tolerance/necessary_hull.hpp"
 #include "hull/tolerance/tolerant_hull.hpp"
 
 #include <delone/convex_hull.hpp>
 
 #include <algorithm>
 #include <mutex>
+#include <optional>
 #include <utility>
 
 namespace delone {
@@ -33,14 +35,19 @@ struct Polytope::Impl {
   Impl(const Impl& other)
       : dimension(other.dimension),
         options(other.options),
-        state(std::make_unique<HullState>(*other.state)) {}
+        state(std::make_unique<HullState>(*other.state)),
+        has_vertices_only(other.has_vertices_only) {
+    if (has_vertices_only) tolerant = std::make_unique<const TolerantHull>(*state, options.tolerance);
+  }
 
   int dimension;
   Options options;
-  std::unique_ptr<HullState> state;  // the exact hull of all points
+  std::unique_ptr<HullState> state;  // the exact hull of all points,
+  bool has_vertices_only = false;    // unless only those that are shown have been inserted into it
   mutable std::mutex mutex;
   mutable std::unique_ptr<const TolerantHull> tolerant;  // made on first use, if there is a tolerance
   mutable std::unique_ptr<const HullAnalysis> analysis_of_state;
+  mutable std::optional<double> known_distance;  // of points from the hull, if it has vertices only
 
   std::size_t ambient() const { return static_cast<std::size_t>(dimension); }
   int affine_dimension() const { return shown().affine_hull().dimension(); }
@@ -61,7 +68,30 @@ struct Polytope::Impl {
   }
   double max_distance() const {
     shown();
-    return tolerant ? tolerant->max_distance() : 0;
+    if (!has_vertices_only) return tolerant ? tolerant->max_distance() : 0;
+    return internal::guarded("the hull", [&] {
+      const std::lock_guard lock(mutex);
+      if (!known_distance) {
+        const std::unique_ptr<HullState> exact = exact_state();
+        known_distance = TolerantHull(*exact, options, false).max_distance();
+      }
+      return *known_distance;
+    });
+  }
+  /// The exact hull of all rows, where `state` is that of vertices only.
+  std::unique_ptr<HullState> exact_state() const {
+    auto exact = std::make_unique<HullState>(dimension);
+    exact->insert_range(state->sites().coordinates, options);
+    return exact;
+  }
+  void make_exact() {
+    if (!has_vertices_only) return;
+    std::unique_ptr<HullState> exact = exact_state();
+    analysis_of_state.reset();
+    tolerant.reset();
+    known_distance.reset();
+    state = std::move(exact);
+    has_vertices_only = false;
   }
 
   /// Throws unless all is well with new points; false if there are none.
@@ -76,6 +106,7 @@ struct Polytope::Impl {
   }
   void insert_range(std::span<const double> coordinates) {
     if (!check_points(coordinates)) return;
+    make_exact();
     std::unique_ptr<const TolerantHull> made;
     const auto make = [&] { made = std::make_unique<const TolerantHull>(*state, options, true); };
     state->insert_range(coordinates, options, options.tolerance > 0 ? make : std::function<void()>{});
@@ -86,6 +117,16 @@ struct Polytope::Impl {
     if (state->num_rows() > 0)
       throw Error(Errc::invalid_argument, "extreme points alone are inserted into an empty hull only");
     if (!check_points(coordinates)) return {};
+    if (options.tolerance > 0)
+      if (auto necessary = internal::find_necessary_hull(coordinates, dimension, options)) {
+        auto made = std::make_unique<const TolerantHull>(*necessary->state, options.tolerance);
+        std::vector<SignedIndex> rows(necessary->rows.begin(), necessary->rows.end());
+        analysis_of_state.reset();
+        tolerant = std::move(made);
+        state = std::move(necessary->state);
+        has_vertices_only = true;
+        return rows;
+      }
     internal::ExtremeHull hull = internal::find_extreme_hull(coordinates, dimension, options);
     std::vector<SignedIndex> rows(hull.rows.begin(), hull.rows.end());
     // What is shown with a tolerance depends on the extreme points alone.
@@ -102,6 +143,7 @@ struct Polytope::Impl {
       throw Error(Errc::bad_dimension, "the point has not as many coordinates as the space");
     internal::require_finite(point, ambient(), "a coordinate");
     check_room(1);
+    make_exact();
     if (state->raises_dimension(point.data())) {
       const std::size_t row = state->num_rows();
       analysis_of_state.reset();

@@ -2,6 +2,7 @@
 #include "hull/extreme_hull.hpp"
 
 #include "base/compiled_dimension.hpp"
+#include "hull/growing_shell.hpp"
 #include "hull/hull_analysis.hpp"
 #include "hull/point_sieve.hpp"
 #include "kernel/hull_stages.hpp"
@@ -24,6 +25,8 @@ class Refinement {
   bool run() {
     drop_interior();
     if (few_are_undecided()) return false;
+    if (grow_exactly()) return true;
+    drop_interior();
     for (;; drop_interior()) {
       if (!pays()) return false;
       const std::vector<std::size_t> beyond = farthest_beyond();
@@ -35,7 +38,34 @@ class Refinement {
     return true;
   }
 
+  /// The shell before points were added that may not be extreme, if it was kept.
+  std::unique_ptr<HullState> take_before() { return std::move(before_); }
+
  private:
+  /// The shell grows in binary64 until no point is beyond it by more than rounding; those that are beyond it
+  /// exactly are added. Returns false if that fails; the shell may have grown.
+  bool grow_exactly() {
+    constexpr std::size_t most_work = std::size_t{1} << 20;
+    const auto& reach = sieve_.box().reach;
+    const double tolerance = 0x1p-44 * std::accumulate(reach.begin(), reach.end(), 0.0);
+    GrowingShell growth(sieve_, tolerance, [] {});
+    if (!growth.is_possible() || !growth.run(most_work / (sieve_.num_remaining() + 1))) return false;
+    const HullState& shell = sieve_.shell();
+    const HullLocator locator(shell.sites(), *shell.builder());
+    kernel::Grid grid = shell.sites().grid;
+    for (const std::size_t i : growth.covered()) grid.include(point(i).data());
+    std::vector<std::size_t> beyond;
+    for (const std::size_t i : growth.covered())
+      if (locator.locate_from(growth.cell_of(i), point(i).data(), grid).side == Sign::negative)
+        beyond.push_back(i);
+    // The others are in this shell, and in larger ones.
+    if (!beyond.empty()) {
+      before_ = std::make_unique<HullState>(shell);
+      sieve_.add_to_shell(beyond);
+    }
+    return true;
+  }
+
   std::size_t ambient() const { return static_cast<std::size_t>(sieve_.shell().sites().ambient); }
   std::span<const double> point(std::size_t i) const {
     return sieve_.remaining_points().subspan(i * ambient(), ambient());
@@ -156,6 +186,7 @@ class Refinement {
 
   PointSieve& sieve_;
   HullPlanes planes_;
+  std::unique_ptr<HullState> before_;
 };
 
 void insert(ExtremeHull& hull, std::span<const double> coordinates, std::span<const Index> rows,
@@ -170,19 +201,28 @@ void insert(ExtremeHull& hull, std::span<const double> coordinates, std::span<co
 }
 
 /// Begins anew with the extreme points if another point is a vertex of a cell. Which points are extreme does
-/// not depend on the others, so this happens at most once.
-void drop_others(ExtremeHull& hull, std::span<const double> coordinates, const Options& options) {
+/// not depend on the others, so this happens at most once. `before`: a state of the first rows alone, or
+/// none; if they are extreme it goes on from there.
+void drop_others(ExtremeHull& hull, std::unique_ptr<HullState> before, std::span<const double> coordinates,
+                 const Options& options) {
   const HullAnalysis analysis(*hull.state);
   const SimplicialHull& boundary = hull.state->hull();
   const std::vector<char>& is_extreme = analysis.faces().is_extreme;
   if (std::all_of(boundary.cells.begin(), boundary.cells.end(),
                   [&](Index site) { return is_extreme[site] != 0; }))
     return;
+  ExtremeHull other{std::make_unique<HullState>(hull.state->sites().ambient), {}};
+  const std::size_t first = before ? before->sites().size() : 0;
+  if (before && before->num_rows() == first &&
+      std::find(is_extreme.begin(), is_extreme.begin() + static_cast<std::ptrdiff_t>(first), 0) ==
+          is_extreme.begin() + static_cast<std::ptrdiff_t>(first)) {
+    other.state = std::move(before);
+    other.rows.assign(hull.rows.begin(), hull.rows.begin() + static_cast<std::ptrdiff_t>(first));
+  }
   std::vector<Index> rows;
-  for (Index site = 0; site < is_extreme.size(); ++site)
+  for (Index site = static_cast<Index>(other.rows.size()); site < is_extreme.size(); ++site)
     if (is_extreme[site] != 0) rows.push_back(hull.rows[static_cast<std::size_t>(hull.state->row(site))]);
   std::sort(rows.begin(), rows.end());
-  ExtremeHull other{std::make_unique<HullState>(hull.state->sites().ambient), {}};
   insert(other, coordinates, rows, options);
   hull = std::move(other);
 }
@@ -194,13 +234,16 @@ ExtremeHull find_extreme_hull(std::span<const double> coordinates, int dimension
   const std::size_t n = coordinates.size() / static_cast<std::size_t>(dimension);
   ExtremeHull result{std::make_unique<HullState>(dimension), {}};
   PointSieve sieve(coordinates, dimension);
+  std::unique_ptr<HullState> before;
   if (dimension > 1 && n >= least_rows) sieve.run();
   if (!sieve.has_shell()) {
     std::vector<Index> rows(n);
     std::iota(rows.begin(), rows.end(), Index{0});
     insert(result, coordinates, rows, options);
   } else {
-    const bool is_complete = Refinement(sieve).run();
+    Refinement refinement(sieve);
+    const bool is_complete = refinement.run();
+    before = refinement.take_before();
     result.rows = sieve.shell_rows();
     result.state = sieve.take_shell();
     if (!is_complete) {
@@ -210,7 +253,8 @@ ExtremeHull find_extreme_hull(std::span<const double> coordinates, int dimension
       insert(result, coordinates, rows, options);
     }
   }
-  drop_others(result, coordinates, options);
+  // With a tolerance it is not these cells that are shown.
+  if (options.tolerance == 0) drop_others(result, std::move(before), coordinates, options);
   return result;
 }
 

@@ -20,8 +20,9 @@ struct ExtremeHull {
   std::vector<Index> rows;  ///< for each row of the state, the row of the input
 };
 
-/// The hull of a subset of the rows that contains all extreme points; only these are vertices of cells. Of
-/// equal rows it has the first. REQUIRES finite coordinates, and room for as many ids.
+/// The hull of a subset of the rows that contains all extreme points; only these are vertices of cells,
+/// unless there is a tolerance. Of equal rows it has the first. REQUIRES finite coordinates, and room for as
+/// many ids.
 ///
 /// Points strictly inside a growing shell are dropped, as are those that are in it, exactly; the farthest of
 /// the others extend it (point_sieve.hpp). If few points are left undecided by floating point, all of them

@@ -5,6 +5,7 @@
 #include "hull/tolerance/facet_labels.hpp"
 
 #include <algorithm>
+#include <limits>
 #include <utility>
 
 namespace delone::internal {
@@ -64,6 +65,22 @@ std::vector<PointKind> HullAnalysis::find_kinds() const {
   const PolytopeFaces& faces = this->faces();
   std::vector<char> is_corner(sites.size(), 0);
   for (const Index site : state_.hull().cells) is_corner[site] = 1;
+  // The least box around the hull: what is not strictly inside of it is not in the interior.
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  const auto d = static_cast<std::size_t>(sites.ambient);
+  std::vector<double> low(d, infinity), high(d, -infinity);
+  for (Index site = 0; site < sites.size(); ++site)
+    for (std::size_t j = 0; j < d && is_corner[site]; ++j) {
+      low[j] = std::min(low[j], sites.point(site)[j]);
+      high[j] = std::max(high[j], sites.point(site)[j]);
+    }
+  const auto is_in_box = [&](Index site) {
+    const double* const x = sites.point(site);
+    return std::all_of(sites.axes.begin(), sites.axes.end(), [&](int axis) {
+      const auto j = static_cast<std::size_t>(axis);
+      return low[j] < x[j] && x[j] < high[j];
+    });
+  };
   const auto kind_of = [&](Index site) {
     cancellation_point();
     if (faces.is_extreme[site]) return PointKind::extreme;
@@ -71,8 +88,8 @@ std::vector<PointKind> HullAnalysis::find_kinds() const {
     if (!locator_) return site == state_.basis()[0] ? PointKind::extreme : PointKind::boundary;
     if (is_corner[site]) return PointKind::boundary;
     if (state_.is_surely_interior(site)) return PointKind::interior;
-    return locator_->side_of_hull(sites.point(site), sites.grid) == Sign::positive ? PointKind::interior
-                                                                                   : PointKind::boundary;
+    return is_in_box(site) && locator_->is_in_interior(sites.point(site), sites.grid) ? PointKind::interior
+                                                                                      : PointKind::boundary;
   };
   std::vector<PointKind> kinds(state_.num_rows(), PointKind::duplicate);
   for (Index site = 0; site < sites.size(); ++site)

@@ -1,16 +1,19 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "hull/hull_fan.hpp"
 
+#include "base/compiled_dimension.hpp"
 #include "base/progress_meter.hpp"
 
 namespace delone::internal {
+namespace {
 
-std::size_t walk_cones(const HullSites& sites, const SimplicialHull& hull, const std::vector<double>& center,
-                       const double* q, std::size_t start, const kernel::Grid& grid) {
-  kernel::Grid grid_of_all = grid;
-  grid_of_all.include(center.data());
+/// K is the dimension of the flat, or 0.
+template <int K>
+std::size_t walk(const HullSites& sites, const SimplicialHull& hull, const double* center, const double* q,
+                 std::size_t start, const kernel::Grid& grid) {
   const std::size_t k = hull.corners();
-  std::vector<const double*> simplex(k + 1, center.data());
+  std::vector<const double*> simplex(k + 1, center);
+  const kernel::Flat flat = sites.flat();
   for (std::size_t c = start;;) {
     cancellation_point();
     for (std::size_t i = 0; i < k; ++i) simplex[i + 1] = sites.point(hull.cell(c)[i]);
@@ -18,12 +21,22 @@ std::size_t walk_cones(const HullSites& sites, const SimplicialHull& hull, const
     for (std::size_t i = 0; i < k && out == k; ++i) {
       const double* vertex = simplex[i + 1];
       simplex[i + 1] = q;
-      if (kernel::orientation<0>(sites.flat(), simplex.data(), grid_of_all) == Sign::negative) out = i;
+      if (kernel::orientation<K>(flat, simplex.data(), grid) == Sign::negative) out = i;
       simplex[i + 1] = vertex;
     }
     if (out == k) return c;
     c = hull.neighbors_of(c)[out];
   }
+}
+
+}  // namespace
+
+std::size_t walk_cones(const HullSites& sites, const SimplicialHull& hull, const std::vector<double>& center,
+                       const double* q, std::size_t start, const kernel::Grid& grid) {
+  kernel::Grid grid_of_all = grid;
+  grid_of_all.include(center.data());
+  return with_compiled_dimension<1, 6>(
+      hull.corners(), [&](auto k) { return walk<k()>(sites, hull, center.data(), q, start, grid_of_all); });
 }
 
 }  // namespace delone::internal

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "hull/hull_locator.hpp"
 
+#include "base/compiled_dimension.hpp"
 #include "base/progress_meter.hpp"
 #include "hull/hull_fan.hpp"
+#include "kernel/hull_stages.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -15,7 +17,13 @@ Sign HullLocator::side(std::size_t cell, const double* q, const kernel::Grid& gr
   cancellation_point();
   if (const HullEngine* boundary = builder_.boundary())
     if (const Sign sign = boundary->certain_side(hull_.slots[cell], q); sign != Sign::zero) return sign;
-  return side_of_cell(sites_, hull_, cell, q, grid, scratch);
+  if (hull_.dimension == 1) return side_of_cell(sites_, hull_, cell, q, grid, scratch);
+  scratch.clear();
+  for (const Index site : hull_.cell(cell)) scratch.push_back(sites_.point(site));
+  StageCounts uncounted;
+  return with_compiled_dimension<1, 6>(hull_.corners(), [&](auto k) {
+    return kernel::hull_side<k()>(sites_.flat(), scratch.data(), q, grid, uncounted);
+  });
 }
 
 HullLocator::Result HullLocator::locate(const double* q, const kernel::Grid& grid) const {
@@ -33,6 +41,24 @@ Sign HullLocator::side_of_hull(const double* q, const kernel::Grid& grid) const 
   if (has_fan())
     if (const Sign sign = approach(q).side; sign != Sign::zero) return sign;
   return locate(q, grid).side;
+}
+
+bool HullLocator::is_in_interior(const double* q, const kernel::Grid& grid) const {
+  if (has_fan()) {
+    const auto [near, sign] = approach(q);
+    if (sign != Sign::zero) return sign == Sign::positive;
+    // One hyperplane that q is on or beyond is enough.
+    std::vector<const double*> scratch;
+    if (side(near, q, grid, scratch) != Sign::positive) return false;
+  }
+  return locate(q, grid).side == Sign::positive;
+}
+
+HullLocator::Result HullLocator::locate_from(std::size_t start, const double* q,
+                                             const kernel::Grid& grid) const {
+  const std::size_t c = walk_cones(sites_, hull_, builder_.center(), q, start, grid);
+  std::vector<const double*> scratch;
+  return {c, side(c, q, grid, scratch)};
 }
 
 bool HullLocator::has_fan() const { return builder_.boundary() != nullptr && builder_.has_center(); }

@@ -26,8 +26,14 @@ class HullLocator {
   };
   /// REQUIRES q in the flat of the hull and k ≥ 1. `grid` covers the sites and q.
   Result locate(const double* q, const kernel::Grid& grid) const;
+  /// The same from a cell near that of q. REQUIRES has_fan().
+  Result locate_from(std::size_t start, const double* q, const kernel::Grid& grid) const;
+  /// Whether there are a boundary of an engine, and a point inside.
+  bool has_fan() const;
   /// The side alone, which is faster.
   Sign side_of_hull(const double* q, const kernel::Grid& grid) const;
+  /// Whether q is in the interior of the hull. Faster still for points of the boundary.
+  bool is_in_interior(const double* q, const kernel::Grid& grid) const;
 
   /// All cells whose hyperplane has q on the side `side` (zero or negative), in increasing order. `first`
   /// must be one of them. Searches across ridges: for q on the boundary the cells with side zero are
@@ -39,7 +45,6 @@ class HullLocator {
   /// The exact side, filtered first.
   Sign side(std::size_t cell, const double* q, const kernel::Grid& grid,
             std::vector<const double*>& scratch) const;
-  bool has_fan() const;
   Result approach(const double* q) const;
   Result search_all(const double* q, const kernel::Grid& grid) const;
 

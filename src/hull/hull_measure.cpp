@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
 #include <utility>
 
@@ -16,29 +17,45 @@ namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-/// Reduces the columns, of `rows` entries each, to triangular form by reflections; returns |r_ii|.
-std::vector<double> triangular_diagonal(std::vector<std::vector<double>>& columns, std::size_t rows) {
-  std::vector<double> diagonal;
-  std::vector<double> reflector(rows);
-  for (std::size_t s = 0; s < columns.size(); ++s) {
-    std::vector<double>& column = columns[s];
+/// Vectors, one after the other: on the stack if they are few.
+class Columns {
+ public:
+  Columns(std::size_t count, std::size_t rows)
+      : rows_(rows), more_(count * rows > std::size(few_) ? count * rows : 0) {}
+  double* operator[](std::size_t i) { return (more_.empty() ? few_ : more_.data()) + i * rows_; }
+
+ private:
+  std::size_t rows_;
+  double few_[64];
+  std::vector<double> more_;
+};
+
+/// Reduces `count` columns of `rows` entries each to triangular form by reflections; returns the product of
+/// |r_ii|.
+double product_of_diagonal(Columns& columns, std::size_t count, std::size_t rows) {
+  double product = 1;
+  Columns scratch(1, rows);
+  double* const reflector = scratch[0];
+  for (std::size_t s = 0; s < count; ++s) {
+    const double* const column = columns[s];
     double square = 0;
     for (std::size_t r = s; r < rows; ++r) square += column[r] * column[r];
     const double length = std::sqrt(square);
-    diagonal.push_back(length);
+    product *= length;
     if (length == 0) continue;
     const double alpha = column[s] > 0 ? -length : length;
     for (std::size_t r = s; r < rows; ++r) reflector[r] = column[r];
     reflector[s] -= alpha;
     const double half_square = square - alpha * column[s];  // |reflector|²/2, both terms positive
-    for (std::size_t j = s; j < columns.size(); ++j) {
+    for (std::size_t j = s; j < count; ++j) {
+      double* const other = columns[j];
       double dot = 0;
-      for (std::size_t r = s; r < rows; ++r) dot += reflector[r] * columns[j][r];
+      for (std::size_t r = s; r < rows; ++r) dot += reflector[r] * other[r];
       const double factor = dot / half_square;
-      for (std::size_t r = s; r < rows; ++r) columns[j][r] -= factor * reflector[r];
+      for (std::size_t r = s; r < rows; ++r) other[r] -= factor * reflector[r];
     }
   }
-  return diagonal;
+  return product;
 }
 
 /// x·2^exponent for an exponent of any size.
@@ -204,7 +221,7 @@ Measure MeasureSum::result() const {
 Measure simplex_volume(std::span<const double* const> points, int ambient) {
   const std::size_t j = points.size() - 1, d = static_cast<std::size_t>(ambient);
   if (j == 0) return {1, 0};
-  std::vector<std::vector<double>> edges(j, std::vector<double>(d));
+  Columns edges(j, d);
   std::int64_t exponent = 0;
   double product = 1, factorial = 1;
   for (std::size_t i = 0; i < j; ++i) {
@@ -217,16 +234,19 @@ Measure simplex_volume(std::span<const double* const> points, int ambient) {
     if (largest == 0) return {0, 0};
     const int scale = std::ilogb(largest);
     double square = 0;
-    for (double& x : edges[i]) {
-      x = std::ldexp(x, -scale);
+    // ldexp() is slow, and multiplication is the same while the factor is a double.
+    const bool has_factor = scale > -1000 && scale < 1000;
+    const double factor = has_factor ? std::ldexp(1.0, -scale) : 0;
+    for (std::size_t r = 0; r < d; ++r) {
+      double& x = edges[i][r];
+      x = has_factor ? x * factor : std::ldexp(x, -scale);
       square += x * x;
     }
     exponent += scale;
     product *= std::sqrt(square);
     factorial *= static_cast<double>(i + 1);
   }
-  double value = 1;
-  for (const double r : triangular_diagonal(edges, d)) value *= r;
+  const double value = product_of_diagonal(edges, j, d);
   const double relative = 10.0 * static_cast<double>(j * (d + 8)) * 0x1p-53;
   const double bound = 1.01 * product * (std::pow(1 + relative, static_cast<double>(j)) - 1) +
                        static_cast<double>(3 * j) * 0x1p-53 * value;

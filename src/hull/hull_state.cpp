@@ -376,6 +376,21 @@ HullInsertResult HullState::insert_in_flat(const double* point) {
   return result;
 }
 
+Index HullState::add_without_inserting(const double* point) {
+  const std::uint64_t tag = point_tag(point, sites_.ambient).low;
+  if (const Index site = find_site(tag, point); site != invalid_index) return site;
+  const auto site = static_cast<Index>(sites_.size());
+  site_of_row_.reserve(num_rows() + 1);
+  try {
+    add_site(point, num_rows(), tag);
+  } catch (...) {
+    drop_last_site(site, tag);
+    throw;
+  }
+  site_of_row_.push_back(site);
+  return site;
+}
+
 std::size_t HullState::num_duplicates() const {
   // Rows without a site are no duplicates unless they are equal to each other.
   const std::size_t of_sieved = sieved_.empty() ? 0 : sieved_.num_duplicates();

@@ -36,6 +36,10 @@ class HullState {
                     const std::function<void()>& approve = {});
   /// Inserts a row that is in the affine hull; the strong guarantee.
   HullInsertResult insert_in_flat(const double* point);
+  /// Adds a row without inserting its point: the boundary stays that of the hull of the others, and nothing
+  /// can be inserted any more. Returns the site; an earlier one, and there is no new row, if it is at the
+  /// point. Strong guarantee.
+  Index add_without_inserting(const double* point);
   /// A point that is a duplicate, or in the affine hull, does not raise the dimension.
   bool raises_dimension(const double* point) const;
 

@@ -3,6 +3,7 @@
 
 #include "base/progress_meter.hpp"
 #include "base/random.hpp"
+#include "hull/tolerance/growing_flat.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -67,10 +68,11 @@ std::vector<Index> PointSieve::remaining_rows() const {
   return all;
 }
 
-std::vector<std::size_t> PointSieve::extremes(LinearFunctions functions) const {
-  tilt(functions, box_);
+std::vector<std::size_t> PointSieve::extremes_among(std::span<const double> points, LinearFunctions functions,
+                                                    bool tilted) const {
+  if (tilted) tilt(functions, box_);
   std::vector<Extreme> found(functions.size(), Extreme{-infinity, Extreme::nowhere});
-  find_extremes(points_, functions, found);
+  find_extremes(points, functions, found);
   std::vector<std::size_t> which;
   for (const Extreme& extreme : found) which.push_back(extreme.at);
   return which;
@@ -92,7 +94,25 @@ bool PointSieve::find_box(std::vector<std::size_t>& outermost) {
       box_.error.push_back(1.01 * relative_error_ * (std::fabs(center) + reach) + 0x1p-1072);
   }
   outermost = extremes(first_directions(box_, num_remaining()));
+  put_well_spread_first(outermost);
   return true;
+}
+
+/// The shell begins with the simplex of the first rows: with a flat one, of one rounded face perhaps, no
+/// double would be inside.
+void PointSieve::put_well_spread_first(std::vector<std::size_t>& which) const {
+  const std::size_t d = ambient();
+  std::erase(which, Extreme::nowhere);
+  if (which.size() <= d) return;
+  std::vector<const double*> points;
+  for (const std::size_t i : which) points.push_back(points_.data() + i * d);
+  GrowingFlat flat(std::move(points), dimension_);
+  for (std::size_t k = 0; k < d; ++k) flat.grow();
+  for (std::size_t k = 0; k < flat.basis().size(); ++k) {
+    const auto i = static_cast<std::size_t>(flat.basis()[k] - points_.data()) / d;
+    const auto rest = which.begin() + static_cast<std::ptrdiff_t>(k);
+    if (const auto at = std::find(rest, which.end(), i); at != which.end()) std::iter_swap(rest, at);
+  }
 }
 
 bool PointSieve::add_to_shell(std::span<const std::size_t> which) {

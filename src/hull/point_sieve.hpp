@@ -52,13 +52,19 @@ class PointSieve {
   bool is_in_shell(std::size_t i) const { return chosen_.count(remaining_row(i)) > 0; }
   /// For each function, slightly tilted, a remaining row where it is greatest. Tilted functions have few
   /// ties: of rows with equal values most are no extreme points.
-  std::vector<std::size_t> extremes(LinearFunctions functions) const;
+  std::vector<std::size_t> extremes(const LinearFunctions& functions) const {
+    return extremes_among(points_, functions, true);
+  }
+  /// The same among some points, d numbers each; not tilted on request.
+  std::vector<std::size_t> extremes_among(std::span<const double> points, LinearFunctions functions,
+                                          bool tilted) const;
 
  private:
   std::size_t ambient() const { return static_cast<std::size_t>(dimension_); }
   bool find_box(std::vector<std::size_t>& outermost);
   HullPlanes planes_of_shell() const;
   bool remove_interior(const HullPlanes& planes);
+  void put_well_spread_first(std::vector<std::size_t>& which) const;
 
   int dimension_;
   double relative_error_;

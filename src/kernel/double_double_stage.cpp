@@ -92,14 +92,15 @@ std::optional<Sign> double_double_orientation(const Flat& flat, const double* co
                                               const double* base, const Grid& grid) {
   Rows rows(flat.axes.size());
   if (rows.n == 0 || rows.n > most_columns) return std::nullopt;
-  std::int64_t unit_exponent = 0;
+  double largest[most_columns];
   for (std::size_t r = 0; r < rows.n; ++r) {
-    const int axis = flat.axes[r];
-    const double largest = extent(rows.n, axis, points, base);
-    if (largest == 0) return Sign::zero;  // binary64 differences vanish only when they are exactly zero
-    if (!(largest < largest_difference)) return std::nullopt;
-    unit_exponent += grid.exponent(axis) - fill(rows, r, axis, points, base, largest);
+    largest[r] = extent(rows.n, flat.axes[r], points, base);
+    if (largest[r] == 0) return Sign::zero;  // binary64 differences vanish only when they are exactly zero
+    if (!(largest[r] < largest_difference)) return std::nullopt;
   }
+  std::int64_t unit_exponent = 0;
+  for (std::size_t r = 0; r < rows.n; ++r)
+    unit_exponent += grid.exponent(flat.axes[r]) - fill(rows, r, flat.axes[r], points, base, largest[r]);
   return sign_of(rows, 0, unit_exponent);
 }
 

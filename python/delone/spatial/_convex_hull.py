@@ -76,7 +76,10 @@ class ConvexHull(OfPoints):
     def _rebuild(self):
         points = self._without_good_row(self._points)
         tolerance = self._wanted_tolerance
-        self._set(tolerance=_tolerance.of_qhull(points, self._options) if tolerance is None else tolerance)
+        if tolerance is None:
+            box = (self.min_bound, self.max_bound) if points is self._points else None
+            tolerance = _tolerance.of_qhull(points, self._options, box)
+        self._set(tolerance=tolerance)
         # A hull to which points can be added has all of them, as has one that tells of others; else extreme ones suffice.
         if self._incremental or self._options.keep_coplanar:
             self._core, self._core_rows = delone.ConvexHull(points, tolerance=self.tolerance), None
@@ -113,10 +116,17 @@ class ConvexHull(OfPoints):
             rows = rows[extreme][of_extreme]
         self._rows = rows
         simplices, neighbors = self._listed()
-        k, volume = core.affine_dimension, float(core.volume)
-        full, thin = k == self.ndim, k == self.ndim - 1
-        self._set(simplices=simplices, neighbors=neighbors, nsimplex=len(simplices), affine_dimension=k,
-                  volume=volume if full else 0.0, area=float(core.area) if full else 2.0 * volume if thin else 0.0)
+        self._set(simplices=simplices, neighbors=neighbors, nsimplex=len(simplices), affine_dimension=core.affine_dimension)
+
+    @cached_property
+    def volume(self) -> float:
+        return float(self._core.volume) if self.affine_dimension == self.ndim else 0.0
+
+    @cached_property
+    def area(self) -> float:
+        if self.affine_dimension == self.ndim:
+            return float(self._core.area)
+        return 2.0 * float(self._core.volume) if self.affine_dimension == self.ndim - 1 else 0.0
 
     def _listed(self) -> tuple[np.ndarray, np.ndarray]:
         """simplices and neighbors, new arrays."""

@@ -3,15 +3,18 @@
 from __future__ import annotations
 
 import math
+import sys
 
 import numpy as np
 
 from ._geometry import bounds
 from ._options import Options
 
+EPSILON = sys.float_info.epsilon
 
-def of_qhull(points: np.ndarray, options: Options = Options()) -> float:
-    """The distance within which Qhull merges facets, for points (n, d) and its options.
+
+def of_qhull(points: np.ndarray, options: Options = Options(), box=None) -> float:
+    """The distance within which Qhull merges facets, for points (n, d), their bounds if these are known, and its options.
 
     Its ``_one-merge``: (2d + 1) R + d C, with the round-off of a distance R = ε (1.01 d min(√d m, s) + m), where ε = 2⁻⁵²,
     m = max |x_ij| and s = Σ_j max_i |x_ij|; C is 0, or given by option Cn or C-n. Option En gives R, and Wn a lower bound of the
@@ -24,12 +27,10 @@ def of_qhull(points: np.ndarray, options: Options = Options()) -> float:
     if options.unmerged:
         return 0.0
     d = points.shape[1]
-    with np.errstate(over="ignore"):
-        low, high = bounds(points)
-        largest = np.maximum(-low, high)
-        units = np.finfo(float).eps * largest
-        m, s = float(units.max()), float(units.sum())
+    low, high = bounds(points) if box is None else box
+    low, high = low.tolist(), high.tolist()
+    units = [EPSILON * max(-a, b) for a, b in zip(low, high)]
+    m, s = max(units), sum(units)
     roundoff = 1.01 * d * min(math.sqrt(d) * m, s) + m if options.roundoff is None else options.roundoff
     tolerance = max((2 * d + 1) * roundoff + d * options.centrum, options.width)
-    with np.errstate(over="ignore"):
-        return min(tolerance, float((high - low).max()), np.finfo(float).max)
+    return min(tolerance, max(b - a for a, b in zip(low, high)), sys.float_info.max)

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numeric>
 #include <utility>
 #include <vector>
@@ -20,7 +21,8 @@ class Labels {
       : sites_(sites),
         hull_(hull),
         near_(sites.ambient, hull.dimension, tolerance),
-        label_(hull.num_cells(), invalid_index) {
+        label_(hull.num_cells(), invalid_index),
+        sizes_(hull.num_cells()) {
     double largest = 0;
     for (const double x : sites.coordinates) largest = std::max(largest, std::fabs(x));
     if (largest > 0) exponent_ = -std::ilogb(largest);
@@ -69,45 +71,47 @@ class Labels {
   }
   /// What decides which of two cells begins a facet first.
   struct Size {
-    double content = 0;
+    double content = -1;  // not yet known
     std::vector<const double*> points;
-    Index cell = 0;
   };
-  Size size_of(Index c) const {
-    Size size{0, {}, c};
+  const Size& size_of(Index c) {
+    Size& size = sizes_[c];
+    if (size.content >= 0) return size;
+    size.points.clear();
     for (const Index site : hull_.cell(c)) size.points.push_back(sites_.point(site));
     std::sort(size.points.begin(), size.points.end(), before());
     // Scaled, so that products of lengths are in the range of doubles.
     const auto d = static_cast<std::size_t>(sites_.ambient);
-    std::vector<double> coordinates;
-    std::vector<const double*> scaled;
+    std::vector<double>& coordinates = scaled_coordinates_;
+    coordinates.clear();
+    const double scale = std::ldexp(1.0, exponent_);
+    const bool has_scale = scale > 0 && scale <= std::numeric_limits<double>::max();
     for (const double* const p : size.points)
-      for (std::size_t j = 0; j < d; ++j) coordinates.push_back(std::ldexp(p[j], exponent_));
-    for (std::size_t i = 0; i < size.points.size(); ++i) scaled.push_back(&coordinates[i * d]);
-    size.content = simplex_volume(scaled, sites_.ambient).value;
+      for (std::size_t j = 0; j < d; ++j)
+        coordinates.push_back(has_scale ? p[j] * scale : std::ldexp(p[j], exponent_));
+    scaled_.clear();
+    for (std::size_t i = 0; i < size.points.size(); ++i) scaled_.push_back(&coordinates[i * d]);
+    size.content = simplex_volume(scaled_, sites_.ambient).value;
     return size;
   }
-  bool precedes(const Size& a, const Size& b) const {
+  bool precedes(Index c, Index other) {
+    const Size &a = size_of(c), &b = size_of(other);
     if (a.content != b.content) return a.content > b.content;
     return std::lexicographical_compare(a.points.begin(), a.points.end(), b.points.begin(), b.points.end(),
                                         before());
   }
-  void put_in_order(std::vector<Index>& cells) const {
-    std::vector<Size> sizes;
-    for (const Index c : cells) sizes.push_back(size_of(c));
-    std::sort(sizes.begin(), sizes.end(), [this](const Size& a, const Size& b) { return precedes(a, b); });
-    std::transform(sizes.begin(), sizes.end(), cells.begin(), [](const Size& size) { return size.cell; });
+  void put_in_order(std::vector<Index>& cells) {
+    std::sort(cells.begin(), cells.end(), [this](Index a, Index b) { return precedes(a, b); });
   }
 
   void grow(Index seed) {
     set_plane(seed);
     label_[seed] = seed;
     std::vector<Index> facet{seed};
-    const Size size = size_of(seed);
     for (std::size_t next = 0; next < facet.size(); ++next) {
       cancellation_point();
       for (const Index across : hull_.neighbors_of(facet[next]))
-        if (label_[across] == invalid_index && is_near(across, seed) && !precedes(size_of(across), size)) {
+        if (label_[across] == invalid_index && is_near(across, seed) && !precedes(across, seed)) {
           label_[across] = seed;
           facet.push_back(across);
         }
@@ -119,6 +123,9 @@ class Labels {
   NearFlat near_;
   std::vector<Index> label_;
   std::vector<const double*> points_;
+  std::vector<Size> sizes_;  // by cell
+  std::vector<double> scaled_coordinates_;
+  std::vector<const double*> scaled_;
   int exponent_ = 0;  // of the power of two that makes the coordinates less than 2
 };
 

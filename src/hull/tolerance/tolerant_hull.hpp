@@ -15,6 +15,10 @@ class TolerantHull {
   /// `shows_progress` the callback of the options is called with 1, and may cancel.
   TolerantHull(const HullState& exact, const Options& options, bool shows_progress);
 
+  /// For an exact hull that was made of the chosen vertices; no point is farther from it than max_distance.
+  TolerantHull(const HullState& of_vertices, double max_distance)
+      : exact_(of_vertices), max_distance_(max_distance) {}
+
   /// The exact one itself if all its vertices are kept, and its cells have no other corners.
   const HullState& state() const { return own_ ? *own_ : exact_; }
   double max_distance() const { return max_distance_; }

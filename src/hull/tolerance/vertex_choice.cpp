@@ -6,6 +6,7 @@
 #include "hull/tolerance/cover.hpp"
 #include "hull/tolerance/flat_distance.hpp"
 #include "hull/tolerance/growing_flat.hpp"
+#include "kernel/nearest_in_hull.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -137,6 +138,13 @@ std::optional<NearFlatChoice> choose_projected(const HullSites& sites, const Ext
   return NearFlatChoice{std::move(axes), choice_of(cover, extreme)};
 }
 
+/// Whether no point that a flat grows by is within the tolerance of it, by the least height of their simplex.
+bool is_far_from_flats(GrowingFlat flat, int dimension, double tolerance) {
+  for (int k = 0; k < dimension; ++k) flat.grow();
+  kernel::NearestInHull heights;
+  return heights.least_height_down(flat.basis(), dimension) > tolerance;
+}
+
 }  // namespace
 
 ExtremeSites::ExtremeSites(const HullSites& sites, const Lists& facet_sites) {
@@ -190,6 +198,7 @@ std::optional<NearFlatChoice> choose_in_flat(const HullSites& sites, const Extre
                                              int dimension, double tolerance,
                                              const std::function<void()>& alive) {
   GrowingFlat flat(points_of(sites, extreme), sites.ambient);
+  if (is_far_from_flats(flat, dimension, tolerance)) return std::nullopt;
   for (int k = 0; k < dimension; ++k) {
     if (is_near_flat(flat.basis(), flat.farthest(), sites.ambient, tolerance))
       if (auto choice = choose_projected(sites, extreme, flat.axes(), tolerance, alive)) return choice;

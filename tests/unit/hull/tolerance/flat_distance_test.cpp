@@ -61,5 +61,41 @@ TEST(FlatDistance, AgreesWithRationals) {
   EXPECT_GT(outside, 300);
 }
 
+// Cells so thin that binary64 knows nothing of their normal: the last point is within about 1e-15 of the flat
+// of the others.
+TEST(FlatDistance, OfThinCells) {
+  std::mt19937_64 random(6);
+  std::uniform_real_distribution<double> uniform(-1, 1);
+  int decided = 0, inside = 0;
+  for (int round = 0; round < 200; ++round) {
+    const std::size_t d = 2 + round % 4;
+    std::vector<std::vector<double>> points(d + 1, std::vector<double>(d));
+    for (auto& p : points)
+      for (double& x : p) x = uniform(random);
+    for (std::size_t j = 0; j < d && d > 2; ++j) {
+      points[d - 1][j] = 0;
+      for (std::size_t i = 0; i + 1 < d; ++i) points[d - 1][j] += points[i][j] / static_cast<double>(d - 1);
+    }
+    std::vector<const double*> cell;
+    for (std::size_t i = 0; i < d; ++i) cell.push_back(points[i].data());
+    const double* q = points[d].data();
+    PreciseNormal precise;
+    precise.set(cell, static_cast<int>(d));
+    for (const double tolerance : {1e-3, 0.1, 0.3, 1.0}) {
+      const bool expected = is_near_flat(cell, q, static_cast<int>(d), tolerance);
+      if (const auto near = precise.is_near(q, tolerance)) {
+        EXPECT_EQ(*near, expected);
+        ++decided;
+      }
+      NearFlat near(static_cast<int>(d), static_cast<int>(d), tolerance);
+      near.set(cell);
+      EXPECT_EQ(near.contains(q), expected);
+      inside += expected;
+    }
+  }
+  EXPECT_GT(decided, 700);
+  EXPECT_GT(inside, 100);
+}
+
 }  // namespace
 }  // namespace delone::internal

@@ -1,0 +1,153 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "hull/tolerance/necessary_hull.hpp"
+
+#include "base/progress_meter.hpp"
+#include "hull/growing_shell.hpp"
+#include "hull/point_sieve.hpp"
+#include "kernel/determinant.hpp"
+#include "kernel/nearest_in_hull.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numeric>
+#include <utility>
+
+namespace delone::internal {
+namespace {
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+constexpr double unit = kernel::unit_roundoff;
+constexpr double absolute = 0x1p-500;
+
+class Search {
+ public:
+  Search(std::span<const double> coordinates, int dimension, const Options& options)
+      : coordinates_(coordinates),
+        d_(static_cast<std::size_t>(dimension)),
+        n_(coordinates.size() / d_),
+        tolerance_(options.tolerance),
+        meter_(options.progress, 0),
+        sieve_(coordinates, dimension) {}
+
+  std::optional<NecessaryHull> run() {
+    sieve_.run();
+    if (!sieve_.has_shell()) return std::nullopt;
+    GrowingShell growth(sieve_, tolerance_, [&] { meter_(0); });
+    if (!growth.is_possible() || !is_far_from_flats() || !growth.run(most_work / n_)) return std::nullopt;
+    // Equal rows would be one site.
+    if (shell().sites().size() != sieve_.shell_rows().size() || !all_are_necessary()) return std::nullopt;
+    return result(growth.covered());
+  }
+
+ private:
+  static constexpr std::size_t most_work = std::size_t{1} << 20;
+
+  HullState& shell() { return sieve_.shell(); }
+  const ConvexHullBuilder& builder() { return *shell().builder(); }
+
+  /// Let h be the least height of a simplex of points. A flat of fewer dimensions is farther than
+  /// h/(2·(d+1)) from one of them: the simplex is no thinner than h/(d+1) in any direction. With the bounds
+  /// here that is far more than the tolerance, and than the rounding in the search for the farthest point.
+  bool is_far_from_flats() {
+    std::vector<const double*> simplex;
+    for (const Index site : shell().basis()) simplex.push_back(shell().sites().point(site));
+    const auto& reach = sieve_.box().reach;
+    const double extent = *std::max_element(reach.begin(), reach.end());
+    const double height = nearest_.least_height_down(simplex, static_cast<int>(d_));
+    return height > 8 * static_cast<double>(d_ + 1) * tolerance_ && height > extent * 0x1p-16;
+  }
+
+  /// For each vertex the sum of the unit normals of its cells.
+  std::vector<double> directions() {
+    const HullState& state = shell();
+    const SimplicialHull& hull = state.hull();
+    std::vector<double> sums(state.sites().size() * d_, 0.0), normal(d_);
+    for (std::size_t c = 0; c < hull.num_cells(); ++c) {
+      const double threshold = builder().boundary()->hyperplane(hull.slots[c], normal.data());
+      const double length = std::sqrt(std::inner_product(normal.begin(), normal.end(), normal.begin(), 0.0));
+      if (!(threshold < 0x1p-20 && length > 0 && length < infinity)) continue;
+      for (const Index site : hull.cell(c))
+        for (std::size_t j = 0; j < d_; ++j) sums[site * d_ + j] += normal[j] / length;
+    }
+    return sums;
+  }
+
+  /// Whether n proves that v is farther than the tolerance from the hull of all other points. A computed n·(v
+  /// − w) is off by at most γ(d+1) of the sum of the absolute products, and these are at most Σ|n_j| times
+  /// the extent.
+  bool is_necessary(const double* v, const double* n) const {
+    double square = 0, size = 0;
+    for (std::size_t j = 0; j < d_; ++j) {
+      square += n[j] * n[j];
+      size += std::fabs(n[j]) * sieve_.box().reach[j];
+    }
+    const auto dimension = static_cast<double>(d_);
+    const double length = std::sqrt(square) * (1 + (dimension + 4) * unit);
+    if (!(length > 0x1p-400 && length < 0x1p400)) return false;
+    const double least =
+        tolerance_ * length * (1 + 4 * unit) + 2.02 * (dimension + 2) * unit * size * 1.01 + absolute;
+    const double* w = coordinates_.data();
+    for (std::size_t i = 0; i < n_; ++i, w += d_) {
+      double product = 0;
+      for (std::size_t j = 0; j < d_; ++j) product += n[j] * (v[j] - w[j]);
+      if (!(product > least) && !std::equal(v, v + d_, w)) return false;
+    }
+    return true;
+  }
+
+  bool all_are_necessary() {
+    const HullSites& sites = shell().sites();
+    const std::vector<double> sums = directions();
+    std::vector<const double*> others;
+    std::vector<double> direction(d_);
+    for (Index v = 0; v < sites.size(); ++v) {
+      if (is_necessary(sites.point(v), sums.data() + v * d_)) continue;
+      others.clear();
+      for (Index w = 0; w < sites.size(); ++w)
+        if (w != v) others.push_back(sites.point(w));
+      nearest_.find(others, sites.point(v), static_cast<int>(d_));
+      std::fill(direction.begin(), direction.end(), 0.0);
+      for (const int i : nearest_.face())
+        for (std::size_t j = 0; j < d_; ++j)
+          direction[j] += nearest_.weights()[static_cast<std::size_t>(i)] *
+                          (sites.point(v)[j] - others[static_cast<std::size_t>(i)][j]);
+      if (!is_necessary(sites.point(v), direction.data())) return false;
+    }
+    return true;
+  }
+
+  NecessaryHull result(const std::vector<std::size_t>& covered) {
+    NecessaryHull found;
+    found.rows = sieve_.shell_rows();
+    for (const std::size_t i : covered) {
+      const Index row = sieve_.remaining_row(i);
+      const Index site = shell().add_without_inserting(sieve_.remaining_points().data() + i * d_);
+      if (site == found.rows.size())
+        found.rows.push_back(row);
+      else
+        found.rows[site] = std::min(found.rows[site], row);
+    }
+    found.state = sieve_.take_shell();
+    return found;
+  }
+
+  std::span<const double> coordinates_;
+  std::size_t d_, n_;
+  double tolerance_;
+  ProgressMeter meter_;
+  PointSieve sieve_;
+  kernel::NearestInHull nearest_;
+};
+
+}  // namespace
+
+std::optional<NecessaryHull> find_necessary_hull(std::span<const double> coordinates, int dimension,
+                                                 const Options& options) {
+  constexpr std::size_t least_rows = 64, most_rows = 8192;
+  const std::size_t n = coordinates.size() / static_cast<std::size_t>(dimension);
+  if (dimension < 2 || n < least_rows || n > most_rows) return std::nullopt;
+  return Search(coordinates, dimension, options).run();
+}
+
+}  // namespace delone::internal
