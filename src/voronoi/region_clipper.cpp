@@ -350,10 +350,44 @@ void RegionClipper::find_coordinates_exactly(Corner corner) {
 }
 
 double RegionClipper::volume() {
+  if (d_ >= 4 && is_moderate_)
+    if (const auto volume = volume_by_faces()) return *volume;
   polytope_.start(d_, d_);
   for (Corner c = 0; c < alive_.size(); ++c)
     if (alive_[c] != 0) polytope_.add_corner(position(c), {planes_of(c), d_});
   return polytope_.volume();
+}
+
+/// The region and its planes are labels: the site is the origin, and the points of planes are their normals.
+std::optional<double> RegionClipper::volume_by_faces() {
+  const double scale = std::ldexp(1.0, -std::ilogb(extent_) - 1);
+  std::vector<double> points(d_, 0.0), x(d_);
+  for (const Plane& plane : planes_) {
+    double largest = 0;
+    for (const double a : plane.a) largest = std::max(largest, std::abs(a));
+    const double unit = std::ldexp(1.0, -std::ilogb(largest));
+    for (const double a : plane.a) points.push_back(a * unit);
+  }
+  FaceVolumes faces(d_, d_);
+  faces.set_points(points);
+  std::vector<Index> labels;
+  for (Corner c = 0; c < alive_.size(); ++c) {
+    if (alive_[c] == 0) continue;
+    labels.assign(1, 0);
+    for (std::size_t i = 0; i < d_; ++i) labels.push_back(static_cast<Index>(planes_of(c)[i] + 1));
+    std::sort(labels.begin(), labels.end());
+    for (std::size_t j = 0; j < d_; ++j) x[j] = position(c)[j] * scale;
+    faces.add_corner(x, radii_[c] * scale, labels);
+  }
+  std::vector<unsigned char> wanted(planes_.size() + 1, 0);
+  wanted[0] = 1;
+  std::optional<double> volume;
+  faces.measure(1, wanted, [&](const FaceVolumes::Face& face) {
+    constexpr double least_volume = 1e-200;  // smaller ones may have lost digits to underflow
+    if (face.is_accurate && face.volume > least_volume) volume = face.volume;
+  });
+  for (std::size_t i = 0; i < d_ && volume; ++i) *volume /= scale;
+  return volume;
 }
 
 /// The corners on a plane in the order of its polygon; for d = 2, all corners.

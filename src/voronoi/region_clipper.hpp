@@ -7,11 +7,13 @@
 #pragma once
 
 #include "kernel/fractions.hpp"
+#include "voronoi/face_volumes.hpp"
 #include "voronoi/simple_polytope.hpp"
 
 #include <delone/voronoi.hpp>
 
 #include <cstddef>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -50,6 +52,8 @@ class RegionClipper {
   bool is_beyond(Corner corner, std::size_t plane);
   bool is_beyond_exactly(Corner corner, std::size_t plane);
   const std::vector<kernel::Integer>& exact_plane(std::size_t plane);
+  /// Nothing where rounding errors may be magnified.
+  std::optional<double> volume_by_faces();
   Corner new_corner();
   void find_coordinates(Corner corner);
   void find_coordinates_exactly(Corner corner);
