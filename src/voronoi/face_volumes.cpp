@@ -33,37 +33,43 @@ void FaceVolumes::add_corner(std::span<const double> x, double error, std::span<
   labels_.insert(labels_.end(), labels.begin(), labels.end());
 }
 
-/// Gram–Schmidt of the edges at the first point, with a second pass where the first cancels. The relative
-/// error is that of rounding, to first order: a few roundings of each edge, relative to its height.
+/// Modified Gram–Schmidt of the edges at the first point. The relative error is an estimate: a few roundings
+/// of each edge, relative to its height.
 void FaceVolumes::measure_simplex(std::span<const Index> labels, double& volume, double& error) {
   volume = 1;
   error = 0;
-  basis_.resize(std::max(basis_.size(), (m_ + 1) * d_));
+  const std::size_t num_edges = labels.size() - 1;
+  edges_.resize(std::max(edges_.size(), num_edges * d_));
+  lengths_.resize(std::max(lengths_.size(), num_edges));
   const double* const from = point(labels[0]);
-  for (std::size_t i = 1; i < labels.size(); ++i) {
-    double* const edge = basis_.data() + (i - 1) * d_;
-    const double* const to = point(labels[i]);
-    double before = 0;
+  for (std::size_t i = 0; i < num_edges; ++i) {
+    double* const edge = edges_.data() + i * d_;
+    const double* const to = point(labels[i + 1]);
+    double square = 0;
     for (std::size_t j = 0; j < d_; ++j) {
       edge[j] = to[j] - from[j];
-      before += edge[j] * edge[j];
+      square += edge[j] * edge[j];
     }
-    double after = before;
-    for (int pass = 0; pass < 2 && i > 1; ++pass) {
-      for (const double* b = basis_.data(); b != edge; b += d_) {
-        double dot = 0;
-        for (std::size_t j = 0; j < d_; ++j) dot += b[j] * edge[j];
-        for (std::size_t j = 0; j < d_; ++j) edge[j] -= dot * b[j];
-      }
-      after = 0;
-      for (std::size_t j = 0; j < d_; ++j) after += edge[j] * edge[j];
-      if (after > before / 4) break;
-    }
-    const double height = std::sqrt(after);
-    for (std::size_t j = 0; j < d_; ++j) edge[j] /= height;
-    volume *= height;
-    error += static_cast<double>(d_ + 4 * i + 8) * u * std::sqrt(before) / height;
+    lengths_[i] = square;
   }
+  for (std::size_t i = 0; i < num_edges; ++i) {
+    const double* const edge = edges_.data() + i * d_;
+    double square = 0;
+    for (std::size_t j = 0; j < d_; ++j) square += edge[j] * edge[j];
+    volume *= square;
+    error += static_cast<double>(d_ + 4 * i + 12) * std::sqrt(lengths_[i] / square);
+    const double inverse = 1 / square;
+    // The later edges do not depend on each other, so their sums overlap in time.
+    for (std::size_t later = i + 1; later < num_edges; ++later) {
+      double* const other = edges_.data() + later * d_;
+      double dot = 0;
+      for (std::size_t j = 0; j < d_; ++j) dot += edge[j] * other[j];
+      dot *= inverse;
+      for (std::size_t j = 0; j < d_; ++j) other[j] -= dot * edge[j];
+    }
+  }
+  volume = std::sqrt(volume);
+  error *= u;
 }
 
 FaceVolumes::Level FaceVolumes::corners_as_faces() const {

@@ -74,10 +74,10 @@ class FaceVolumes {
 
   std::size_t m_, d_;
   std::span<const double> points_;
-  std::vector<double> x_, errors_;  // of the corners
-  std::vector<Index> labels_;       // m + 1 per corner
-  std::vector<Index> table_;        // of the level being made
-  std::vector<double> basis_;
+  std::vector<double> x_, errors_;       // of the corners
+  std::vector<Index> labels_;            // m + 1 per corner
+  std::vector<Index> table_;             // of the level being made
+  std::vector<double> edges_, lengths_;  // of a simplex
 };
 
 }  // namespace delone::internal

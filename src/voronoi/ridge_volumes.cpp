@@ -15,7 +15,7 @@ namespace {
 /// So many faces, about, are measured at a time.
 constexpr std::size_t most_faces = std::size_t{1} << 25;
 /// Volumes at most this, in units of the extent of the sites, may have lost digits to underflow.
-constexpr double least_volume = 1e-200;
+constexpr double least_volume = 1e-120;
 
 /// A ridge, which is measured with the cells of region a.
 struct SoughtRidge {
