@@ -184,15 +184,23 @@ CertifiedDeterminant eliminate(Vectors& a) {
   return det;
 }
 
-/// The sign of the determinant of vectors, which lies on a grid. `is_uneven`: whether its entries are of many
-/// magnitudes.
+/// The sign of the determinant of vectors, which lies on a grid. `is_uneven`: whether entries are of many
+/// magnitudes, and binary64 has not been tried on these vectors.
 std::optional<Sign> sign_of(Vectors& a, std::int64_t unit_exponent, bool is_uneven) {
-  const auto exponent = scale(a, is_uneven);
+  const auto grid_unit = [&](std::int64_t exponent) {
+    return detail::power_of_two(unit_exponent - exponent);
+  };
+  if (!is_uneven) {
+    Vectors evenly = a;
+    const auto exponent = scale(evenly, false);
+    if (!exponent) return Sign::zero;
+    if (const auto sign = detail::certified_sign(eliminate(evenly), grid_unit(*exponent))) return sign;
+  }
+  const auto exponent = scale(a, true);
   if (!exponent) return Sign::zero;
-  const double grid_unit = detail::power_of_two(unit_exponent - *exponent);
-  if (is_uneven)  // else it has been tried
-    if (const auto sign = detail::certified_sign(eliminate_in_binary64(a), grid_unit)) return sign;
-  return detail::certified_sign(eliminate(a), grid_unit);
+  if (is_uneven)
+    if (const auto sign = detail::certified_sign(eliminate_in_binary64(a), grid_unit(*exponent))) return sign;
+  return detail::certified_sign(eliminate(a), grid_unit(*exponent));
 }
 
 /// A tree of n + 1 points.
