@@ -13,9 +13,9 @@ namespace delone::internal {
 namespace {
 
 constexpr double u = 0x1p-53;
-/// A volume is accurate if its error is this part of it, or this multiple of what errors of corners make
-/// inevitable.
-constexpr double accurate = 1e-11, inevitable = 64;
+/// A volume is accurate if its error is `accurate` of it, or no more than errors of corners make inevitable
+/// and `coarse` of it.
+constexpr double accurate = 1e-11, coarse = 1e-6;
 
 std::uint64_t key_of(Index label) { return random::mix(label + 0x9e3779b97f4a7c15u); }
 
@@ -175,9 +175,12 @@ void FaceVolumes::measure(std::size_t size, const std::vector<unsigned char>& wa
                           const std::function<void(const Face&)>& visit) {
   Level level = corners_as_faces();
   while (level.size > size) level = next(level, wanted);
-  for (std::size_t f = 0; f < level.count(); ++f)
-    visit({level.labels_of(f), level.volumes[f],
-           level.errors[f] <= accurate * level.volumes[f] + inevitable * level.least_errors[f]});
+  for (std::size_t f = 0; f < level.count(); ++f) {
+    const double volume = level.volumes[f], error = level.errors[f];
+    const bool is_accurate = std::isfinite(volume) && std::isfinite(error) && error <= coarse * volume &&
+                             error <= accurate * volume + level.least_errors[f];
+    visit({level.labels_of(f), volume, is_accurate});
+  }
 }
 
 }  // namespace delone::internal
