@@ -2,12 +2,12 @@
 #include "hull/hull_faces.hpp"
 
 #include "base/progress_meter.hpp"
+#include "base/random.hpp"
 #include "base/union_find.hpp"
 
 #include <algorithm>
 #include <iterator>
 #include <numeric>
-#include <set>
 #include <utility>
 
 namespace delone::internal {
@@ -94,6 +94,40 @@ void for_each_ridge(const SimplicialHull& hull, const PolytopeFaces& faces, Visi
         visit(f, sides[i].facet, sides[i].cell, sides[i].vertex);
   }
 }
+
+/// The faces of one dimension, numbered in the order in which they are met.
+struct FaceLevel {
+  Lists faces;
+
+  /// The number of the face with these vertices, in increasing order. Adds it if it is new.
+  Index number(std::span<const Index> sites) {
+    if (2 * (faces.size() + 1) > table.size()) grow();
+    const std::size_t place = find(sites);
+    if (table[place] == invalid_index) {
+      table[place] = static_cast<Index>(faces.size());
+      faces.add(sites);
+    }
+    return table[place];
+  }
+
+ private:
+  std::size_t find(std::span<const Index> sites) const {
+    std::uint64_t key = sites.size();
+    for (const Index v : sites) key = random::mix(key ^ v);
+    std::size_t place = key & (table.size() - 1);
+    const auto is_here = [&](Index number) {
+      return std::equal(sites.begin(), sites.end(), faces[number].begin(), faces[number].end());
+    };
+    while (table[place] != invalid_index && !is_here(table[place])) place = (place + 1) & (table.size() - 1);
+    return place;
+  }
+  void grow() {
+    table.assign(std::max<std::size_t>(64, 2 * table.size()), invalid_index);
+    for (std::size_t f = 0; f < faces.size(); ++f) table[find(faces[f])] = static_cast<Index>(f);
+  }
+
+  std::vector<Index> table;  // numbers of faces; its size is 0 or a power of two
+};
 
 }  // namespace
 
@@ -206,40 +240,80 @@ std::vector<Index> common_vertices(const Lists& facets, std::span<const Index> w
 
 std::vector<std::size_t> count_faces(const Lists& facets, int dimension) {
   std::vector<std::size_t> counts(static_cast<std::size_t>(std::max(dimension, 0)), 0);
-  std::set<std::vector<Index>> level;
-  for (std::size_t f = 0; f < facets.size(); ++f) level.emplace(facets[f].begin(), facets[f].end());
+  FaceLevel level;
+  for (std::size_t f = 0; f < facets.size(); ++f) level.number(facets[f]);
   std::vector<std::pair<Index, Index>> pairs;
   for (std::size_t f = 0; f < facets.size(); ++f)
     for (const Index v : facets[f]) pairs.emplace_back(v, static_cast<Index>(f));
   const Lists facets_of =
       pairs.empty() ? Lists{}
                     : grouped(pairs, std::max_element(pairs.begin(), pairs.end())->first + std::size_t{1});
+  // For each face of the level one face of the level above that contains it, and for each of those all faces
+  // of the level in it. Facets are in the polytope.
+  std::vector<Index> parent;
+  Lists within;
 
+  std::vector<std::size_t> num_common(facets.size(), 0);
+  std::vector<Index> touching, cut;
+  std::vector<std::vector<Index>> cuts;
+  std::vector<Index> numbers;
   for (std::size_t j = counts.size(); j-- > 0;) {
-    counts[j] = level.size();
+    counts[j] = level.faces.size();
     if (j == 0) break;
-    std::set<std::vector<Index>> next;
-    for (const std::vector<Index>& face : level) {
+    FaceLevel next;
+    std::vector<Index> next_parent;
+    Lists next_within;
+    const auto add = [&](std::size_t face, std::span<const Index> sites) {
+      const Index number = next.number(sites);
+      if (number == next_parent.size()) next_parent.push_back(static_cast<Index>(face));
+      numbers.push_back(number);
+    };
+    for (std::size_t f = 0; f < level.faces.size(); ++f) {
       cancellation_point();
-      std::vector<Index> touching;  // the facets that meet the face
-      for (const Index v : face) touching.insert(touching.end(), facets_of[v].begin(), facets_of[v].end());
-      std::sort(touching.begin(), touching.end());
-      touching.erase(std::unique(touching.begin(), touching.end()), touching.end());
-      std::vector<std::vector<Index>> cuts;
-      for (const Index f : touching) {
-        std::vector<Index> cut = intersection(face, facets[f]);
-        if (cut.size() < face.size()) cuts.push_back(std::move(cut));
+      const auto face = level.faces[f];
+      numbers.clear();
+      if (face.size() == j + 1) {  // a simplex
+        for (std::size_t i = 0; i <= j; ++i) {
+          cut.assign(face.begin(), face.end());
+          cut.erase(cut.begin() + static_cast<std::ptrdiff_t>(i));
+          add(f, cut);
+        }
+      } else {
+        // A face of dimension j − 1 has at least j vertices.
+        cuts.clear();
+        const auto meet = [&](std::span<const Index> other) {
+          std::vector<Index> common = intersection(face, other);
+          if (j <= common.size() && common.size() < face.size()) cuts.push_back(std::move(common));
+        };
+        if (parent.empty()) {
+          touching.clear();
+          for (const Index v : face)
+            for (const Index g : facets_of[v])
+              if (num_common[g]++ == 0) touching.push_back(g);
+          for (const Index g : touching)
+            if (std::exchange(num_common[g], 0) >= j) meet(facets[g]);
+        } else {
+          for (const Index g : within[parent[f]])
+            if (g != f) meet(level.faces[g]);
+        }
+        std::sort(cuts.begin(), cuts.end(), [](const auto& a, const auto& b) { return a.size() > b.size(); });
+        std::size_t num_largest = 0;
+        for (std::size_t i = 0; i < cuts.size(); ++i) {
+          const auto begin = cuts.begin(), end = begin + static_cast<std::ptrdiff_t>(num_largest);
+          if (std::any_of(begin, end, [&](const auto& other) {
+                return std::includes(other.begin(), other.end(), cuts[i].begin(), cuts[i].end());
+              }))
+            continue;
+          if (i != num_largest) std::swap(cuts[num_largest], cuts[i]);
+          ++num_largest;
+        }
+        for (std::size_t i = 0; i < num_largest; ++i) add(f, cuts[i]);
       }
-      std::sort(cuts.begin(), cuts.end(), [](const auto& a, const auto& b) { return a.size() > b.size(); });
-      std::vector<std::vector<Index>> largest;
-      for (std::vector<Index>& cut : cuts)
-        if (std::none_of(largest.begin(), largest.end(), [&](const auto& other) {
-              return std::includes(other.begin(), other.end(), cut.begin(), cut.end());
-            }))
-          largest.push_back(std::move(cut));
-      next.insert(std::make_move_iterator(largest.begin()), std::make_move_iterator(largest.end()));
+      next_within.add(numbers);
     }
     level = std::move(next);
+    parent = std::move(next_parent);
+    within = std::move(next_within);
   }
   return counts;
 }

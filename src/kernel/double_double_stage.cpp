@@ -9,6 +9,7 @@
 #include "kernel/direct.hpp"
 #include "kernel/double_double.hpp"
 #include "kernel/minors.hpp"
+#include "kernel/scaled_stage.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -18,8 +19,8 @@
 namespace delone::kernel {
 namespace {
 
-/// Minors of more columns take as long as integers.
-constexpr std::size_t most_columns = 10;
+/// More columns are eliminated: a table of minors would take longer.
+constexpr std::size_t most_columns = 6;
 
 /// Of sums (relative to the magnitudes of both terms) and of products.
 constexpr double rounding_error = 9 * unit_roundoff * unit_roundoff;
@@ -43,31 +44,26 @@ struct Rows {
   }
 };
 
-/// The determinant of entries or the permanent of magnitudes. N is the number of columns, or 0 for run time.
-template <int N, class Number>
-Number by_minors(const Number* a, std::size_t n) {
-  if constexpr (N > 0) return determinant_by_minors<N>(a);
-  Number minors[std::size_t{1} << most_columns];
-  return determinant_by_minors(a, n, minors);
-}
-
 /// The sign of a determinant on a grid, of entries that are off by `roundings` roundings.
 template <int N>
 std::optional<Sign> sign_by_minors(const Rows& rows, double roundings, double grid_unit) {
-  const double value = by_minors<N>(rows.entries, rows.n).high;
+  const double value = determinant_by_minors<N>(rows.entries).high;
   if (!std::isfinite(value)) return std::nullopt;
-  const double permanent = by_minors<N>(rows.parts, rows.n).value;
-  const auto n = static_cast<double>(rows.n);
-  const double error = 1.01 * (roundings + n * (n + 1) / 2) * rounding_error * permanent + scaled_underflow +
+  const double permanent = determinant_by_minors<N>(rows.parts).value;
+  const double error = 1.01 * (roundings + N * (N + 1) / 2) * rounding_error * permanent + scaled_underflow +
                        unit_roundoff * std::fabs(value);  // the low part
   return detail::certified_sign(value, error, grid_unit);
 }
 
-/// The same for a grid of 2^unit_exponent.
+/// The same for a grid of 2^unit_exponent. REQUIRES 1 to 6 rows.
 std::optional<Sign> sign_of(const Rows& rows, double roundings, std::int64_t unit_exponent) {
   const double grid_unit = detail::power_of_two(unit_exponent);
-  return internal::with_compiled_dimension<1, 6>(
-      rows.n, [&](auto n) { return sign_by_minors<n()>(rows, roundings, grid_unit); });
+  return internal::with_compiled_dimension<1, most_columns>(rows.n, [&](auto n) -> std::optional<Sign> {
+    if constexpr (n() == 0)
+      return std::nullopt;
+    else
+      return sign_by_minors<n()>(rows, roundings, grid_unit);
+  });
 }
 
 /// The largest |p_i − base| along an axis.
@@ -86,10 +82,8 @@ int fill(Rows& rows, std::size_t r, int axis, const double* const* points, const
   return exponent;
 }
 
-}  // namespace
-
-std::optional<Sign> double_double_orientation(const Flat& flat, const double* const* points,
-                                              const double* base, const Grid& grid) {
+std::optional<Sign> orientation_by_minors(const Flat& flat, const double* const* points, const double* base,
+                                          const Grid& grid) {
   Rows rows(flat.axes.size());
   if (rows.n == 0 || rows.n > most_columns) return std::nullopt;
   double largest[most_columns];
@@ -104,8 +98,8 @@ std::optional<Sign> double_double_orientation(const Flat& flat, const double* co
   return sign_of(rows, 0, unit_exponent);
 }
 
-std::optional<Sign> double_double_sphere(const Flat& flat, const double* const* points, const double* q,
-                                         const Grid& grid) {
+std::optional<Sign> sphere_by_minors(const Flat& flat, const double* const* points, const double* q,
+                                     const Grid& grid) {
   const std::size_t k = flat.axes.size();
   Rows rows(k + 1);
   if (rows.n > most_columns) return std::nullopt;
@@ -141,6 +135,20 @@ std::optional<Sign> double_double_sphere(const Flat& flat, const double* const* 
     rows.parts[i * rows.n + k].value += std::fabs(weight.high);
   }
   return sign_of(rows, flat.ambient + 1, unit_exponent - 2 * exponent);
+}
+
+}  // namespace
+
+std::optional<Sign> double_double_orientation(const Flat& flat, const double* const* points,
+                                              const double* base, const Grid& grid) {
+  const auto sign = orientation_by_minors(flat, points, base, grid);
+  return sign ? sign : scaled_orientation(flat, points, base, grid);
+}
+
+std::optional<Sign> double_double_sphere(const Flat& flat, const double* const* points, const double* q,
+                                         const Grid& grid) {
+  const auto sign = sphere_by_minors(flat, points, q, grid);
+  return sign ? sign : scaled_sphere(flat, points, q, grid);
 }
 
 }  // namespace delone::kernel

@@ -14,7 +14,7 @@
 
 #include "base/progress_meter.hpp"
 #include "kernel/grid.hpp"
-#include "kernel/linear_bound.hpp"
+#include "voronoi/clipper_limits.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -23,16 +23,8 @@
 #include <utility>
 
 namespace delone::internal {
-namespace {
 
-constexpr double u = kernel::unit_roundoff;
-/// The filter handles only boxes and planes in this range, where no product overflows and underflow stays
-/// below 10⁻²⁹⁰.
-constexpr double least_extent = 1e-80, largest_extent = 1e80, underflow = 1e-290;
-/// Corners with a larger radius than this, in units of the box, get their coordinates from integers.
-constexpr double coarse = 0x1p-44;
-
-}  // namespace
+using namespace clipper_limits;
 
 RegionClipper::RegionClipper(const Box& box) : d_(box.low.size()), box_(box) {
   is_moderate_ = true;
@@ -45,6 +37,7 @@ RegionClipper::RegionClipper(const Box& box) : d_(box.low.size()), box_(box) {
   work_.resize(d_ * d_);
   inverse_.resize(d_ * d_);
   right_.resize(d_);
+  scales_.resize(d_);
 }
 
 void RegionClipper::clip(const Site& site, std::span<const Site> others) {
@@ -286,76 +279,45 @@ void RegionClipper::link_new_corners(std::size_t plane) {
   }
 }
 
-/// With the residual r of the computed solution, |y − ỹ| ≤ |R|·(|r| + its error)/(1 − α); see
-/// linear_bound.hpp.
-void RegionClipper::find_coordinates(Corner corner) {
-  double* y = position(corner);
-  radii_[corner] = std::numeric_limits<double>::infinity();
-  std::fill(y, y + d_, 0.0);
-  if (!is_moderate_) return find_coordinates_exactly(corner);
-  // Scaling the rows by powers of two makes all entries smaller than 1. It affects only the certificate.
-  for (std::size_t i = 0; i < d_; ++i) {
-    const Plane& p = planes_[planes_of(corner)[i]];
-    double largest = 0;
-    for (const double a : p.a) largest = std::max(largest, std::abs(a));
-    if (!(largest > least_extent * least_extent && largest < largest_extent))
-      return find_coordinates_exactly(corner);
-    const double scale = std::ldexp(1.0, -std::ilogb(largest) - 1);
-    for (std::size_t j = 0; j < d_; ++j) matrix_[i * d_ + j] = work_[i * d_ + j] = p.a[j] * scale;
-    right_[i] = p.b * scale;
-  }
-  if (!kernel::approximate_inverse<0>(work_.data(), inverse_.data(), d_))
-    return find_coordinates_exactly(corner);
-  const double alpha = kernel::inverse_defect<0>(matrix_.data(), inverse_.data(), d_);
-  if (!(alpha < 0.5)) return find_coordinates_exactly(corner);
-  for (std::size_t j = 0; j < d_; ++j)
-    for (std::size_t i = 0; i < d_; ++i) y[j] += inverse_[j * d_ + i] * right_[i];
-  constexpr double too_large = 1e8;
-  for (const double entry : inverse_)
-    if (!(std::abs(entry) < too_large)) return find_coordinates_exactly(corner);
-  double radius = 0;
-  for (std::size_t i = 0; i < d_; ++i) {
-    const Plane& p = planes_[planes_of(corner)[i]];
-    double residual = right_[i], magnitude = std::abs(right_[i]), largest = 0;
-    for (std::size_t j = 0; j < d_; ++j) {
-      residual -= matrix_[i * d_ + j] * y[j];
-      magnitude += std::abs(matrix_[i * d_ + j] * y[j]);
-      largest = std::max(largest, std::abs(p.a[j]));
-    }
-    const double scale = std::ldexp(1.0, -std::ilogb(largest) - 1);
-    right_[i] =
-        std::abs(residual) + static_cast<double>(d_ + 3) * u * magnitude + p.b_error * scale + underflow;
-  }
-  for (std::size_t j = 0; j < d_; ++j) {
-    double error = 0;
-    for (std::size_t i = 0; i < d_; ++i) error += std::abs(inverse_[j * d_ + i]) * right_[i];
-    if (!(error <= radius)) radius = error;
-  }
-  radius *= 1.01 / (1 - alpha);
-  if (!(radius < coarse * extent_)) return find_coordinates_exactly(corner);
-  radii_[corner] = radius;
-}
-
-void RegionClipper::find_coordinates_exactly(Corner corner) {
-  std::vector<kernel::Integer> system;
-  for (std::size_t i = 0; i < d_; ++i) {
-    const auto& row = exact_plane(planes_of(corner)[i]);
-    system.insert(system.end(), row.begin(), row.end());
-  }
-  const kernel::Fractions solution = kernel::solve_exactly(std::move(system), d_);
-  double largest = 0;
-  for (std::size_t j = 0; j < d_; ++j) {
-    position(corner)[j] = kernel::nearest_double(solution.numerators[j], solution.denominator, grid_);
-    largest = std::max(largest, std::abs(position(corner)[j]));
-  }
-  radii_[corner] = u * largest + std::numeric_limits<double>::denorm_min();
-}
-
 double RegionClipper::volume() {
+  if (d_ >= 4 && is_moderate_)
+    if (const auto volume = volume_by_faces()) return *volume;
   polytope_.start(d_, d_);
   for (Corner c = 0; c < alive_.size(); ++c)
     if (alive_[c] != 0) polytope_.add_corner(position(c), {planes_of(c), d_});
   return polytope_.volume();
+}
+
+/// The region and its planes are labels: the site is the origin, and the points of planes are their normals.
+std::optional<double> RegionClipper::volume_by_faces() {
+  const double scale = std::ldexp(1.0, -std::ilogb(extent_) - 1);
+  std::vector<double> points(d_, 0.0), x(d_);
+  for (const Plane& plane : planes_) {
+    double largest = 0;
+    for (const double a : plane.a) largest = std::max(largest, std::abs(a));
+    const double unit = std::ldexp(1.0, -std::ilogb(largest));
+    for (const double a : plane.a) points.push_back(a * unit);
+  }
+  FaceVolumes faces(d_, d_);
+  faces.set_points(points);
+  std::vector<Index> labels;
+  for (Corner c = 0; c < alive_.size(); ++c) {
+    if (alive_[c] == 0) continue;
+    labels.assign(1, 0);
+    for (std::size_t i = 0; i < d_; ++i) labels.push_back(static_cast<Index>(planes_of(c)[i] + 1));
+    std::sort(labels.begin(), labels.end());
+    for (std::size_t j = 0; j < d_; ++j) x[j] = position(c)[j] * scale;
+    faces.add_corner(x, radii_[c] * scale, labels);
+  }
+  std::vector<unsigned char> wanted(planes_.size() + 1, 0);
+  wanted[0] = 1;
+  std::optional<double> volume;
+  faces.measure(1, wanted, [&](const FaceVolumes::Face& face) {
+    constexpr double least_volume = 1e-120;  // smaller ones may have lost digits to underflow
+    if (face.is_accurate && face.volume > least_volume) volume = face.volume;
+  });
+  for (std::size_t i = 0; i < d_ && volume; ++i) *volume /= scale;
+  return volume;
 }
 
 /// The corners on a plane in the order of its polygon; for d = 2, all corners.

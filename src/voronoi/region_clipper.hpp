@@ -7,11 +7,13 @@
 #pragma once
 
 #include "kernel/fractions.hpp"
+#include "voronoi/face_volumes.hpp"
 #include "voronoi/simple_polytope.hpp"
 
 #include <delone/voronoi.hpp>
 
 #include <cstddef>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -50,8 +52,12 @@ class RegionClipper {
   bool is_beyond(Corner corner, std::size_t plane);
   bool is_beyond_exactly(Corner corner, std::size_t plane);
   const std::vector<kernel::Integer>& exact_plane(std::size_t plane);
+  /// Nothing where rounding errors may be magnified.
+  std::optional<double> volume_by_faces();
   Corner new_corner();
   void find_coordinates(Corner corner);
+  /// Improves the coordinates that find_coordinates() has found, and returns a radius of the corner.
+  double refine(Corner corner, double alpha);
   void find_coordinates_exactly(Corner corner);
   void link_new_corners(std::size_t plane);
   std::vector<Index> cycle(std::size_t plane, const std::vector<Index>& number,
@@ -77,7 +83,7 @@ class RegionClipper {
   std::vector<double> positions_, radii_;
   std::vector<unsigned char> alive_, beyond_;
   std::vector<Corner> free_, fresh_;
-  std::vector<double> matrix_, work_, inverse_, right_;
+  std::vector<double> matrix_, work_, inverse_, right_, scales_;
   SimplePolytope polytope_;
 };
 

@@ -7,6 +7,7 @@
 #include "base/require_tolerance.hpp"
 #include "voronoi/diagram_simplifier.hpp"
 #include "voronoi/region_clipper.hpp"
+#include "voronoi/ridge_volumes.hpp"
 #include "voronoi/simple_polytope.hpp"
 #include "voronoi/voronoi_builder.hpp"
 
@@ -163,8 +164,7 @@ double Diagram::ridge_volume(std::size_t i, const std::vector<std::vector<Index>
   }
   // The dual face of an edge of the triangulation: one corner for each cell around the edge, on a facet for
   // each further site.
-  const auto a = static_cast<std::size_t>(point_region_[static_cast<std::size_t>(ridge_points_[2 * i])]);
-  const auto b = static_cast<std::size_t>(point_region_[static_cast<std::size_t>(ridge_points_[2 * i + 1])]);
+  const auto [a, b] = internal::regions_of_ridge(ridge_points_, point_region_, i);
   const std::size_t k = static_cast<std::size_t>(affine_dimension_);
   std::vector<Index> star;
   std::set_intersection(cells_of_region[a].begin(), cells_of_region[a].end(), cells_of_region[b].begin(),
@@ -203,8 +203,12 @@ std::vector<double> Diagram::ridge_volumes() const {
   }
   return internal::guarded("the diagram", [&] {
     const auto cells = cells_of_regions();
-    std::vector<double> volumes(num_ridges());
-    for (std::size_t i = 0; i < volumes.size(); ++i) volumes[i] = ridge_volume(i, cells);
+    std::vector<double> volumes = internal::measure_ridges(
+        {static_cast<std::size_t>(affine_dimension_), ambient(), sites_, vertices_, cell_regions_,
+         cell_vertex_, cells, ridge_points_, point_region_, ridge_vertices_, ridge_offsets_},
+        std::vector<unsigned char>(num_regions(), 1));
+    for (std::size_t i = 0; i < volumes.size(); ++i)
+      if (std::isnan(volumes[i])) volumes[i] = ridge_volume(i, cells);
     return volumes;
   });
 }
@@ -213,12 +217,15 @@ std::vector<double> Diagram::ridge_volumes() const {
 std::vector<double> Diagram::volumes_of(const std::vector<unsigned char>& wanted) const {
   const auto cells = cells_of_regions();
   std::vector<internal::CompensatedSum> sums(num_regions());
+  const std::vector<double> of_ridges = internal::measure_ridges(
+      {static_cast<std::size_t>(affine_dimension_), ambient(), sites_, vertices_, cell_regions_, cell_vertex_,
+       cells, ridge_points_, point_region_, ridge_vertices_, ridge_offsets_},
+      wanted);
   for (std::size_t i = 0; i < num_ridges(); ++i) {
-    const auto a = static_cast<std::size_t>(point_region_[static_cast<std::size_t>(ridge_points_[2 * i])]);
-    const auto b =
-        static_cast<std::size_t>(point_region_[static_cast<std::size_t>(ridge_points_[2 * i + 1])]);
+    const auto [a, b] = internal::regions_of_ridge(ridge_points_, point_region_, i);
     if (!wanted[a] && !wanted[b]) continue;
-    const double volume = ridge_volume(i, cells) / affine_dimension_;
+    const double volume =
+        (std::isnan(of_ridges[i]) ? ridge_volume(i, cells) : of_ridges[i]) / affine_dimension_;
     if (wanted[a]) sums[a].add(volume * bisector_distance(a, b));
     if (wanted[b]) sums[b].add(volume * bisector_distance(b, a));
   }

@@ -168,9 +168,9 @@ TEST(DoubleDoubleStage, PairsProveZerosOnLargeLattices) {
   EXPECT_EQ(double_double_sphere(c.flat(), c.rows.data(), c.q(), c.grid), Sign::zero);
 }
 
-TEST(DoubleDoubleStage, PairsTakeNoMoreThanTenColumns) {
-  const std::vector<double> rows(static_cast<std::size_t>(12 * 11), 0.5);
-  const RowCase c(RowForm::point, 11, rows);
+TEST(DoubleDoubleStage, PairsTakeNoMoreThanTwelveColumns) {
+  const std::vector<double> rows(static_cast<std::size_t>(14 * 12), 0.5);
+  const RowCase c(RowForm::point, 12, rows);
   EXPECT_EQ(double_double_orientation(c.flat(), c.rows.data(), c.q(), c.grid), std::nullopt);
   EXPECT_EQ(double_double_sphere(c.flat(), c.rows.data(), c.q(), c.grid), std::nullopt);
 }
