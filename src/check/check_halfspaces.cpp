@@ -248,8 +248,9 @@ class IntersectionChecker {
                       .halfspaces = {listed.begin(), listed.end()}};
     bool negate = is_vertex && z->back() < 0;
     if (!is_vertex) {
-      std::size_t j = 0;
-      while ((*z)[j] == 0) ++j;
+      std::size_t j = 0;  // the largest: smaller ones may be 0 when they are rounded
+      for (std::size_t other = 1; other < k_; ++other)
+        if (abs((*z)[other]) > abs((*z)[j])) j = other;
       negate = (data_.direction(i)[static_cast<std::size_t>(data_.axes[j])] < 0) != ((*z)[j] < 0);
     }
     if (negate)

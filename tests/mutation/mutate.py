@@ -7,7 +7,7 @@ that include the file, are compiled again, without optimisation, and linked with
 tried one after the other, the likeliest first, until one fails. Prints a table, and exits with status 1 if a mutant survives
 that is not listed as equivalent.
 
-Usage: mutate.py [--build build/test] [--work build/mutation] [--only WORD] [--skip-known FILE] [--table FILE]
+Usage: mutate.py [--build build/test] [--work build/mutation] [--only WORD] [--table FILE] [--skip FILE]
   --only WORD        mutants whose file or name contains it
   --table FILE       appends a line for each mutant: name, kind, test that fails (or survives)
   --skip FILE        leaves out the mutants of that table: to go on after an interruption
@@ -51,6 +51,7 @@ class Workshop:
         self.includes.append(f"-I{build / 'include'}")
         self.sources = [str(path.relative_to(ROOT)) for room in RECOMPILED_ROOMS for path in (ROOT / room).glob("**/*.cpp")]
         self.depends = {path: included(path, set()) for path in self.sources}
+        self.fresh = set()  # the objects that have been made for the present mutant
         self.header = work / "precompiled.hpp"
         text = "#include <gmock/gmock.h>\n#include <gtest/gtest.h>\n#include <boost/multiprecision/cpp_int.hpp>\n"
         if not self.header.exists() or self.header.read_text() != text:
@@ -67,6 +68,10 @@ class Workshop:
         name = path.replace("/", "+") + (".mutant.o" if seen else ".o")
         output = self.work / name
         source = self.overlay / path.removeprefix("src/") if path == mutated else ROOT / path
+        if output in self.fresh:
+            return output
+        if seen:
+            self.fresh.add(output)
         if seen or not output.exists() or output.stat().st_mtime < (ROOT / path).stat().st_mtime:
             done = self.compile(source, output, ["-include", str(self.header)] if is_test else [])
             if done.returncode != 0:
@@ -75,6 +80,7 @@ class Workshop:
 
     def apply(self, file, old, new):
         shutil.rmtree(self.overlay, ignore_errors=True)
+        self.fresh.clear()
         text = (ROOT / file).read_text()
         if text.count(old) != 1:
             raise RuntimeError(f"{file}: {text.count(old)} places for {old!r}")
