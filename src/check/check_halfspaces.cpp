@@ -200,8 +200,10 @@ class IntersectionChecker {
   }
 
   void check_interior_point() const {
-    if (!std::all_of(data_.interior_point.begin(), data_.interior_point.end(),
-                     [](double x) { return std::isfinite(x); }))
+    // One that is rounded may be beyond the range of doubles, as vertices may.
+    if (!std::all_of(data_.interior_point.begin(), data_.interior_point.end(), [this](double x) {
+          return data_.interior_point_is_exact ? std::isfinite(x) : !std::isnan(x);
+        }))
       throw Violation{"a coordinate of the interior point is not finite"};
     if (!data_.interior_point_is_exact) return;
     std::vector<double> homogeneous = data_.interior_point;

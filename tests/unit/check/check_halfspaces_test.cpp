@@ -108,5 +108,13 @@ TEST(CheckHalfspaces, DirectionsWithEntriesThatRoundToZero) {
   EXPECT_TRUE(report.ok) << report.violation;
 }
 
+TEST(CheckHalfspaces, InteriorPointsBeyondTheRangeOfDoubles) {
+  const std::vector<double> rows{1e-300, 1e300, -1e-300, -1e301};  // x ≤ −1e600, x ≥ −1e601
+  const HalfspaceIntersection<> intersection(rows, 1);
+  ASSERT_EQ(intersection.state(), IntersectionState::full);
+  const CheckReport report = check(intersection.to_data());
+  EXPECT_TRUE(report.ok) << report.violation;
+}
+
 }  // namespace
 }  // namespace delone
