@@ -50,6 +50,8 @@ RULES = {
     "tests/support": (PUBLIC, set()),
     "tests/consumer": (PUBLIC, set()),
     "tests/unit": (PUBLIC, {"tests/support", "src/*"}),
+    # These call the stages of the predicates one by one.
+    "tests/campaign": (PUBLIC, {"tests/support", "src/*"}),
 }
 
 # The largest that files and rooms may be.

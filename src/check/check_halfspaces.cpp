@@ -202,8 +202,10 @@ class IntersectionChecker {
   }
 
   void check_interior_point() const {
-    if (!std::all_of(data_.interior_point.begin(), data_.interior_point.end(),
-                     [](double x) { return std::isfinite(x); }))
+    // One that is rounded may be beyond the range of doubles, as vertices may.
+    if (!std::all_of(data_.interior_point.begin(), data_.interior_point.end(), [this](double x) {
+          return data_.interior_point_is_exact ? std::isfinite(x) : !std::isnan(x);
+        }))
       throw Violation{"a coordinate of the interior point is not finite"};
     if (!data_.interior_point_is_exact) return;
     std::vector<double> homogeneous = data_.interior_point;
@@ -250,8 +252,9 @@ class IntersectionChecker {
                       .halfspaces = {listed.begin(), listed.end()}};
     bool negate = is_vertex && z->back() < 0;
     if (!is_vertex) {
-      std::size_t j = 0;
-      while ((*z)[j] == 0) ++j;
+      std::size_t j = 0;  // the largest: smaller ones may be 0 when they are rounded
+      for (std::size_t other = 1; other < k_; ++other)
+        if (abs((*z)[other]) > abs((*z)[j])) j = other;
       negate = (data_.direction(i)[static_cast<std::size_t>(data_.axes[j])] < 0) != ((*z)[j] < 0);
     }
     if (negate)

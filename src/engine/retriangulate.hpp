@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <iterator>
+#include <new>
 
 namespace delone::engine {
 
@@ -159,10 +160,17 @@ Filling retriangulate(CellStore<K>& cells, G& geometry, Index v, const typename 
                    facets.subspan(first, last - first));
     }
     ridges.hash(cells, facets, first, last);
-    for (const std::uint32_t f : geometry.create_star(v, q, facets.subspan(first, last - first))) {
-      const Index cell = facets[first + f].created;
-      const auto vertices = cells.vertices(cell);
-      geometry.create(cell, vertices, cells.infinite_slot(cell), facets[first + f].slot);
+    try {
+      for (const std::uint32_t f : geometry.create_star(v, q, facets.subspan(first, last - first))) {
+        const Index cell = facets[first + f].created;
+        const auto vertices = cells.vertices(cell);
+        geometry.create(cell, vertices, cells.infinite_slot(cell), facets[first + f].slot);
+      }
+    } catch (const std::bad_alloc&) {
+      // Where the dimension is chosen at run time, what is cached takes memory to compute. It is too late to
+      // change nothing: without it, exact stages decide.
+      for (std::size_t f = first; f < last; ++f)
+        geometry.give_up(facets[f].created, cells.infinite_slot(facets[f].created) >= 0);
     }
   }
   if (ridges.hashes()) {

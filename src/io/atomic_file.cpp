@@ -62,10 +62,7 @@ AtomicFile::AtomicFile(const std::string& path) : name_(output_name(path)), targ
 
 AtomicFile::~AtomicFile() {
   if (file_ != nullptr && file_ != stdout) std::fclose(file_);
-  if (!temporary_.empty()) {
-    std::error_code ignored;
-    fs::remove(temporary_, ignored);
-  }
+  if (!temporary_.empty()) std::remove(temporary_.c_str());  // std::filesystem would need memory
 }
 
 void AtomicFile::fail_with(int error) const { fail(Errc::cannot_write, "{}: {}", name_, error_text(error)); }

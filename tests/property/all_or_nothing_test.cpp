@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // A batch is inserted whole or not at all: cancelled, or out of memory at any allocation, everything is as it
 // was before, and the batch can be inserted again.
+#include "allocations.hpp"
 #include "degenerate.hpp"
 #include "halfspace_sets.hpp"
 #include "scale.hpp"
@@ -13,56 +14,12 @@
 #include <delone/point_sets.hpp>
 #include <delone/regular.hpp>
 
-#include <atomic>
-#include <cstdlib>
 #include <memory>
 #include <new>
 #include <optional>
 #include <random>
 #include <string>
 #include <vector>
-
-namespace {
-
-/// Counts allocations of the thread, and makes some of them fail.
-struct Allocations {
-  std::size_t count = 0;
-  std::size_t first_to_fail = 0;  ///< none, if 0
-  bool all_later_fail = false;
-
-  bool fails() {
-    ++count;
-    return first_to_fail != 0 && (all_later_fail ? count >= first_to_fail : count == first_to_fail);
-  }
-};
-thread_local Allocations allocations;
-
-void* allocate(std::size_t size, std::size_t alignment) {
-  if (allocations.fails()) throw std::bad_alloc();
-  void* const memory = alignment <= alignof(std::max_align_t)
-                           ? std::malloc(size)
-                           : std::aligned_alloc(alignment, (size + alignment - 1) / alignment * alignment);
-  if (memory == nullptr) throw std::bad_alloc();
-  return memory;
-}
-
-}  // namespace
-
-[[gnu::noinline]] void* operator new(std::size_t size) { return allocate(size, 1); }
-[[gnu::noinline]] void* operator new(std::size_t size, std::align_val_t alignment) {
-  return allocate(size, static_cast<std::size_t>(alignment));
-}
-// Sanitizers would serve these two themselves, with memory that is not from malloc().
-[[gnu::noinline]] void* operator new(std::size_t size, const std::nothrow_t&) noexcept {
-  return allocations.fails() ? nullptr : std::malloc(size);
-}
-[[gnu::noinline]] void operator delete(void* memory, const std::nothrow_t&) noexcept { std::free(memory); }
-[[gnu::noinline]] void operator delete(void* memory) noexcept { std::free(memory); }
-[[gnu::noinline]] void operator delete(void* memory, std::size_t) noexcept { std::free(memory); }
-[[gnu::noinline]] void operator delete(void* memory, std::align_val_t) noexcept { std::free(memory); }
-[[gnu::noinline]] void operator delete(void* memory, std::size_t, std::align_val_t) noexcept {
-  std::free(memory);
-}
 
 namespace {
 

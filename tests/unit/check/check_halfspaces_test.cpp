@@ -4,6 +4,8 @@
 
 #include "small_results.hpp"
 
+#include <delone/halfspaces.hpp>
+
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -95,6 +97,23 @@ TEST(CheckHalfspaces, AWitnessProvesThatNothingIsInside) {
   EXPECT_THAT(check(data).halfspaces, ElementsAre(0));
   data.edges = {0, 0};
   EXPECT_EQ(check(data).reached.name, "storage");
+}
+
+TEST(CheckHalfspaces, DirectionsWithEntriesThatRoundToZero) {
+  // The direction along the second row is (−1.8e-605, 1).
+  const std::vector<double> rows{7.5e-228, -3.3e-115, -1, 1.6e286, 2.9e-319, -1};
+  const HalfspaceIntersection<> intersection(rows, 2);
+  ASSERT_EQ(intersection.data().num_directions(), 2u);
+  const CheckReport report = check(intersection.to_data());
+  EXPECT_TRUE(report.ok) << report.violation;
+}
+
+TEST(CheckHalfspaces, InteriorPointsBeyondTheRangeOfDoubles) {
+  const std::vector<double> rows{1e-300, 1e300, -1e-300, -1e301};  // x ≤ −1e600, x ≥ −1e601
+  const HalfspaceIntersection<> intersection(rows, 1);
+  ASSERT_EQ(intersection.state(), IntersectionState::full);
+  const CheckReport report = check(intersection.to_data());
+  EXPECT_TRUE(report.ok) << report.violation;
 }
 
 }  // namespace

@@ -64,6 +64,23 @@ TEST(DirectStage, PassesOnWhatIsBeyondRange) {
   EXPECT_EQ(direct_sphere<2>(c.flat(), c.rows.data(), c.q(), c.grid), std::nullopt);
 }
 
+TEST(DirectStage, IsNotMisledWhereProductsOfSmallColumnsUnderflow) {
+  // Products of entries of the first two columns have a few bits only, and the third makes them large again.
+  random::Generator generator(3);
+  const int exponents[] = {-560, -560, 440};
+  for (std::size_t round = 0; round < test::scaled_count(2000); ++round) {
+    std::vector<double> x(12, 0.0);
+    for (std::size_t i = 3; i < 9; ++i) x[i] = static_cast<double>(generator.below(1u << 30));
+    for (std::size_t j = 0; j < 3; ++j) x[9 + j] = x[3 + j] + x[6 + j];
+    x[9 + generator.below(3)] += static_cast<double>(generator.below(3)) - 1;
+    for (std::size_t i = 0; i < 12; ++i) x[i] = std::ldexp(x[i], exponents[i % 3]);
+    const RowCase c(RowForm::point, 3, std::move(x));
+    const auto sign = direct_orientation<3>(c.flat(), c.rows.data() + 1, c.rows[0], c.grid);
+    const Sign exact = exact_orientation(c.flat(), c.rows.data() + 1, c.rows[0]);
+    ASSERT_EQ(sign.value_or(exact), exact);
+  }
+}
+
 /// The signs of determinants of rows over all magnitudes: those that are known are right, and most are known.
 template <int N>
 void expect_right_determinants() {

@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// operator new of this program: counts allocations of a thread, and makes some of them fail.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+
+namespace delone::test {
+
+struct Allocations {
+  std::size_t count = 0;
+  std::size_t first_to_fail = 0;  ///< none, if 0
+  bool all_later_fail = false;
+
+  bool fails() {
+    ++count;
+    return first_to_fail != 0 && (all_later_fail ? count >= first_to_fail : count == first_to_fail);
+  }
+};
+extern thread_local Allocations allocations;
+
+/// What this thread has allocated and not freed.
+extern thread_local std::int64_t num_live_allocations;
+
+}  // namespace delone::test
