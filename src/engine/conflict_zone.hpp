@@ -161,6 +161,13 @@ template <class Cells, QueryGeometry G, class Evaluator, class Marks>
   return zone.num_cells - num_cells + zone.num_facets - num_facets;
 }
 
+/// Whether cells must be claimed before they are read, because other threads change them
+/// (claimed_cells.hpp).
+template <class Cells>
+constexpr bool are_shared = requires(const Cells& cells) {
+  cells.unclaimed_neighbors(Index{});
+};
+
 /// Fills `zone` from a cell in conflict. `marks`: marks(cell), is_unseen(cell), is_in_conflict(cell),
 /// set(cell, mark) and set_if(cell, conflict), passed by value; all cells must be unseen before, and the
 /// cells of the zone and of `zone.marked` stay marked. REQUIRES that no vertex is at q. If memory runs out,
@@ -183,7 +190,7 @@ void find_conflict_zone(const Cells& cells, const G& geometry, const typename G:
   const std::size_t block_size = ConflictZone::block_size(facets),
                     cells_ahead = ConflictZone::cells_ahead(facets);
   const std::size_t enough_open = ConflictZone::enough_open(facets);
-  const bool is_tree = facets <= 3;
+  const bool is_tree = facets <= 3 && !are_shared<Cells>;
   zone.num_cells = zone.num_facets = zone.num_marked = zone.num_infinite = 0;
   zone.reserve(1, facets);
   const auto functional = geometry.evaluator(q);
@@ -250,7 +257,12 @@ void find_conflict_zone(const Cells& cells, const G& geometry, const typename G:
       const std::size_t end = std::min(next + block_size, num_cells);
       std::size_t num_candidates = 0;
       for (; next < end; ++next) {
-        const Index* const neighbors = cells.neighbors(zone_cells[next]);
+        const Index* const neighbors = [&] {
+          if constexpr (are_shared<Cells>)
+            return cells.unclaimed_neighbors(zone_cells[next]);
+          else
+            return cells.neighbors(zone_cells[next]);
+        }();
         for (std::size_t i = 0; i < facets; ++i) {
           const Index neighbor = neighbors[i];
           candidates[num_candidates] = {neighbor, static_cast<std::uint32_t>(next),
@@ -258,6 +270,8 @@ void find_conflict_zone(const Cells& cells, const G& geometry, const typename G:
           num_candidates += !marks.is_in_conflict(neighbor);
         }
       }
+      if constexpr (are_shared<Cells>)
+        cells.claim(num_candidates, [candidates](std::size_t c) { return candidates[c].cell; });
       for (std::size_t c = 0; c < num_candidates; ++c) values[c] = functional.value(candidates[c].cell);
       for (std::size_t c = 0; c < num_candidates; ++c)
         place(candidates[c].cell, values[c], candidates[c].from, candidates[c].slot);

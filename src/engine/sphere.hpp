@@ -73,6 +73,14 @@ class Sphere {
     effort_ = before_.effort;
   }
 
+  /// Vertex v becomes new_ids[v]. REQUIRES that new ids are no larger than old ones.
+  void renumber_vertices(std::span<const Index> new_ids) {
+    for (Index cell = 0; cell < cells_.num_slots(); ++cell)
+      if (!cells_.is_vacant(cell))
+        for (int i = 0; i <= cells_.dimension(); ++i)
+          cells_.set_vertex(cell, i, new_ids[cells_.vertex(cell, i)]);
+  }
+
   /// Makes room for the functionals of cells of which only the links were written.
   void prepare_functionals() {
     memory_.reserve(cells_.num_slots());

@@ -46,7 +46,7 @@ Index* write_round(const Pass& pass, std::uint8_t round, std::size_t begin, std:
 
 }  // namespace
 
-std::vector<Index> spread_order(PointsView points, std::uint64_t seed) {
+std::vector<Index> spread_order(PointsView points, std::uint64_t seed, std::vector<std::size_t>* rounds) {
   std::vector<Index> rows(points.size());
   std::iota(rows.begin(), rows.end(), Index{0});
   if (rows.empty()) return rows;
@@ -92,6 +92,7 @@ std::vector<Index> spread_order(PointsView points, std::uint64_t seed) {
         next = write_round(*pass, round, begin, begin + length, turned, next);
     }
     backwards = !backwards;
+    if (rounds != nullptr) rounds->push_back(static_cast<std::size_t>(next - order.data()));
   }
   order.pop_back();
   return order;

@@ -235,9 +235,10 @@ void Triangulation::Impl::insert_range(std::span<const double> coordinates, std:
   expand();
   internal::Stopwatch stopwatch;
   const PointsView view(coordinates, dimension);
-  std::vector<Index> order = order::insertion_order(view, options);
+  std::vector<std::size_t> rounds;
+  std::vector<Index> order = order::insertion_order(view, options, &rounds);
   const double order_seconds = stopwatch.restart();
-  BatchInsertion batch(*this, std::move(order));
+  BatchInsertion batch(*this, std::move(order), std::move(rounds));
   batch.take(weighted() ? std::span<const double>(weighted_rows(view, weights)) : coordinates);
   if (release) release();
   batch.insert_all();

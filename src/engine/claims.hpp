@@ -1,0 +1,197 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Which cells are whose, while several workers insert vertices at once. A worker reads and writes a cell only
+// while it holds it; what it does not get at once it leaves alone: it gives up all that it holds and comes
+// back later (parallel_insertion.hpp). So nobody ever waits, and there are no races.
+//
+// Every worker has a byte of its own for each slot of a cell. To claim cells it sets its bytes, passes a
+// fence, and reads the bytes of the others. Of two workers that claim one cell at least one sees the byte of
+// the other, as both fences are in one order; then neither or one of them gets the cell. Stores and one fence
+// for many cells are cheaper than a locked instruction for each.
+//
+// A worker that gets a cell has read zeros in the bytes of all others, the last of which each has stored
+// after it was done with the cell: their stores release, and the reads acquire.
+#pragma once
+
+#include "base/growable_array.hpp"
+#include "cells/cell_memory.hpp"
+
+#include <delone/types.hpp>
+
+#include <atomic>
+#include <bit>
+#include <cstddef>
+#include <cstdint>
+
+namespace delone::engine {
+
+/// Thrown where another worker holds a cell that is needed.
+struct Clash {};
+
+/// What a worker has of a slot: nothing; the cell, until its insertion ends, and then the other bits may be
+/// its mark; or the slot, which is vacant, or has a cell of the star that the worker has made last.
+namespace claim_bits {
+inline constexpr std::uint8_t none = 0, held = 1, in_conflict = 2, not_in_conflict = 4, kept = 8;
+}
+
+/// The bytes of all workers.
+class ClaimTable {
+ public:
+  static constexpr unsigned most_workers = 64;
+
+  explicit ClaimTable(unsigned workers)
+      : num_workers_(workers), shift_(std::bit_width(std::bit_ceil(workers)) - 1) {}
+
+  unsigned num_workers() const { return num_workers_; }
+  std::size_t bytes() const { return bytes_.capacity(); }
+  /// Makes room for slots. Throws std::bad_alloc. No worker may be at work.
+  void reserve(std::size_t slots) { bytes_.reserve(slots << shift_); }
+  /// Makes the slots first … last − 1, of which nobody else knows, those of a worker that keeps them.
+  void keep(std::size_t first, std::size_t last, unsigned worker) {
+    const View bytes = view();
+    for (std::size_t slot = first; slot < last; ++slot)
+      for (unsigned w = 0; w < num_workers_; ++w)
+        bytes.of(static_cast<Index>(slot), w)
+            .store(w == worker ? claim_bits::kept : claim_bits::none, std::memory_order_relaxed);
+  }
+  /// The same for slots that nobody holds.
+  void clear(std::size_t first, std::size_t last) { keep(first, last, num_workers_); }
+
+  /// Access to the bytes, until they grow. By value, as the compiler must assume that writing a byte changes
+  /// what a reference refers to.
+  struct View {
+    std::uint8_t* first;
+    int shift;
+    std::atomic_ref<std::uint8_t> of(Index cell, unsigned worker) const {
+      return std::atomic_ref<std::uint8_t>(first[(std::size_t{cell} << shift) + worker]);
+    }
+  };
+  View view() { return {bytes_.data(), shift_}; }
+
+ private:
+  unsigned num_workers_;
+  int shift_;
+  GrowableArray<std::uint8_t> bytes_;
+};
+
+/// The claims of one worker, and its marks of cells that it holds.
+class Claims {
+ public:
+  Claims(ClaimTable& table, unsigned worker) : table_(table), worker_(worker) {}
+
+  /// Claims `count` cells, cell_at(i) being that of number i; some may be held already. Throws Clash if
+  /// another worker has one of them, and std::bad_alloc; what was claimed by then stays so until give_up().
+  template <class CellAt>
+  void claim(std::size_t count, CellAt cell_at) {
+    if (num_held_ + count >= held_.capacity()) [[unlikely]]
+      held_.reserve(2 * (num_held_ + count) + 64);
+    const ClaimTable::View bytes = table_.view();
+    const unsigned worker = worker_;
+    Index *const held = held_.data(), *end = held + num_held_;
+    Index* const begin = end;
+    for (std::size_t i = 0; i < count; ++i) {
+      const Index cell = cell_at(i);
+      const auto own = bytes.of(cell, worker);
+      const std::uint8_t present = own.load(std::memory_order_relaxed);
+      *end = cell;
+      end += present == claim_bits::none;
+      own.store(present | claim_bits::held, std::memory_order_relaxed);
+    }
+    num_held_ = static_cast<std::size_t>(end - held);
+    if (end == begin) return;
+    std::atomic_thread_fence(std::memory_order_seq_cst);
+    unsigned others = 0;
+    for (const Index* cell = begin; cell != end; ++cell) others |= of_others(bytes, *cell);
+    if (others != 0) [[unlikely]]
+      throw Clash();
+  }
+
+  /// The same for one cell that others may have, or that is no cell any more. Returns whether it was got.
+  bool try_claim(Index cell) {
+    const ClaimTable::View bytes = table_.view();
+    const auto own = bytes.of(cell, worker_);
+    if (own.load(std::memory_order_relaxed) != claim_bits::none) return false;
+    if (num_held_ + 1 >= held_.capacity()) held_.reserve(2 * num_held_ + 64);
+    own.store(claim_bits::held, std::memory_order_relaxed);
+    std::atomic_thread_fence(std::memory_order_seq_cst);
+    if (of_others(bytes, cell) != 0) {
+      own.store(claim_bits::none, std::memory_order_release);
+      return false;
+    }
+    held_[num_held_++] = cell;
+    return true;
+  }
+  /// Holds a cell that is kept. Throws std::bad_alloc.
+  void hold_kept(Index cell) {
+    if (num_held_ + 1 >= held_.capacity()) held_.reserve(2 * num_held_ + 64);
+    table_.view().of(cell, worker_).store(claim_bits::held, std::memory_order_relaxed);
+    held_[num_held_++] = cell;
+  }
+
+  /// The marks that find_conflict_zone() needs. They end with the claims.
+  class Marks {
+   public:
+    Marks(ClaimTable::View bytes, unsigned worker) : bytes_(bytes), worker_(worker) {}
+    Mark operator()(Index cell) const { return static_cast<Mark>(bits(cell) >> 1 & 3); }
+    bool is_unseen(Index cell) const {
+      return (bits(cell) & (claim_bits::in_conflict | claim_bits::not_in_conflict)) == 0;
+    }
+    bool is_in_conflict(Index cell) const { return (bits(cell) & claim_bits::in_conflict) != 0; }
+    void set(Index cell, Mark mark) {
+      put(cell, static_cast<std::uint8_t>(claim_bits::held | static_cast<std::uint8_t>(mark) << 1));
+    }
+    void set_if(Index cell, bool conflict) {
+      put(cell, static_cast<std::uint8_t>(bits(cell) | conflict << 1));
+    }
+
+   private:
+    std::uint8_t bits(Index cell) const { return bytes_.of(cell, worker_).load(std::memory_order_relaxed); }
+    void put(Index cell, std::uint8_t bits) {
+      bytes_.of(cell, worker_).store(bits, std::memory_order_relaxed);
+    }
+    ClaimTable::View bytes_;
+    unsigned worker_;
+  };
+  Marks marks() const { return {table_.view(), worker_}; }
+
+  /// Keeps slots that are held.
+  void keep(const Index* cells, std::size_t count) {
+    const ClaimTable::View bytes = table_.view();
+    const unsigned worker = worker_;
+    for (std::size_t i = 0; i < count; ++i)
+      bytes.of(cells[i], worker).store(claim_bits::kept, std::memory_order_relaxed);
+  }
+  /// Gives up cells that are kept, number i being cell_at(i), all but one.
+  template <class CellAt>
+  void release_kept(std::size_t count, CellAt cell_at, Index but) {
+    const ClaimTable::View bytes = table_.view();
+    const unsigned worker = worker_;
+    for (std::size_t i = 0; i < count; ++i)
+      if (cell_at(i) != but) bytes.of(cell_at(i), worker).store(claim_bits::none, std::memory_order_release);
+  }
+  /// Gives up all that is held and not kept.
+  void give_up() {
+    const ClaimTable::View bytes = table_.view();
+    const unsigned worker = worker_;
+    const Index* const held = held_.data();
+    for (std::size_t i = 0, n = num_held_; i < n; ++i) {
+      const auto own = bytes.of(held[i], worker);
+      own.store(own.load(std::memory_order_relaxed) & claim_bits::kept, std::memory_order_release);
+    }
+    num_held_ = 0;
+  }
+
+ private:
+  unsigned of_others(ClaimTable::View bytes, Index cell) const {
+    unsigned others = 0;
+    for (unsigned w = 0; w < table_.num_workers(); ++w)
+      others |= w == worker_ ? 0u : bytes.of(cell, w).load(std::memory_order_acquire);
+    return others;
+  }
+
+  ClaimTable& table_;
+  unsigned worker_;
+  GrowableArray<Index> held_;
+  std::size_t num_held_ = 0;
+};
+
+}  // namespace delone::engine
