@@ -133,8 +133,8 @@ class Build : public Sphere<K, G> {
   }
 
  private:
-  /// Whose cells are too few for several workers.
-  static constexpr std::size_t few_vertices = 400;
+  /// So few have too few cells for several workers.
+  static constexpr std::size_t few_vertices = K <= 2 ? 24 : 16 * (K + 1);
 
   using Sphere<K, G>::memory_;
   using Sphere<K, G>::cells_, Sphere<K, G>::geometry_, Sphere<K, G>::work_, Sphere<K, G>::effort_,

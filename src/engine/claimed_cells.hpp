@@ -27,19 +27,27 @@ class ClaimedCells {
   /// The neighbors of a cell, all of which are held then. Throws Clash if they cannot be.
   const Index* neighbors(Index cell) const {
     const Index* const across = cells_.neighbors(cell);
-    claim(static_cast<std::size_t>(dimension()) + 1, [across](std::size_t i) { return across[i]; });
+    Claims::Claiming claiming = begin_claims(static_cast<std::size_t>(dimension()) + 1);
+    for (int i = 0; i <= dimension(); ++i) claiming.add(across[i]);
+    end_claims(claiming);
     return across;
   }
-  /// The same without claiming them: nothing of them may be read.
+  /// The same without claiming them: nothing of them may be read until they are claimed.
   const Index* unclaimed_neighbors(Index cell) const { return cells_.neighbors(cell); }
-  template <class CellAt>
-  void claim(std::size_t count, CellAt&& cell_at) const {
-    claims_.claim(count, cell_at);
-  }
+  Claims::Claiming begin_claims(std::size_t most) const { return claims_.begin(most); }
+  void end_claims(const Claims::Claiming& claiming) const { claims_.end(claiming); }
 
-  [[gnu::always_inline]] void prefetch(Index cell) const { cells_.prefetch(cell); }
-  [[gnu::always_inline]] void prefetch_neighbors(Index cell) const { cells_.prefetch_neighbors(cell); }
-  [[gnu::always_inline]] void prefetch_across_hull(Index cell) const { cells_.prefetch_across_hull(cell); }
+  [[gnu::always_inline]] void prefetch(Index cell) const {
+    cells_.prefetch(cell);
+    claims_.prefetch(cell);
+  }
+  [[gnu::always_inline]] void prefetch_neighbors(Index cell) const {
+    const Index* const across = cells_.neighbors(cell);
+    for (int i = 0; i <= dimension(); ++i) prefetch(across[i]);
+  }
+  [[gnu::always_inline]] void prefetch_across_hull(Index cell) const {
+    prefetch(cells_.neighbors(cell)[cells_.infinite_slot(cell)]);
+  }
 
  private:
   const CellStore<K>& cells_;

@@ -78,34 +78,58 @@ class Claims {
  public:
   Claims(ClaimTable& table, unsigned worker) : table_(table), worker_(worker) {}
 
-  /// Claims `count` cells, cell_at(i) being that of number i; some may be held already. Throws Clash if
-  /// another worker has one of them, and std::bad_alloc; what was claimed by then stays so until give_up().
-  template <class CellAt>
-  void claim(std::size_t count, CellAt cell_at) {
-    if (num_held_ + count >= held_.capacity()) [[unlikely]]
-      held_.reserve(2 * (num_held_ + count) + 64);
-    const ClaimTable::View bytes = table_.view();
-    const unsigned worker = worker_;
-    Index *const held = held_.data(), *end = held + num_held_;
-    Index* const begin = end;
-    for (std::size_t i = 0; i < count; ++i) {
-      const Index cell = cell_at(i);
-      const auto own = bytes.of(cell, worker);
+  /// What claims several cells in two steps.
+  class Claiming {
+   public:
+    /// Notes a cell. Returns whether it is not marked as being in conflict.
+    bool add(Index cell) {
+      const auto own = bytes_.of(cell, worker_);
       const std::uint8_t present = own.load(std::memory_order_relaxed);
-      *end = cell;
-      end += present == claim_bits::none;
+      *end_ = cell;
+      end_ += present == claim_bits::none;
       own.store(present | claim_bits::held, std::memory_order_relaxed);
+      return (present & claim_bits::in_conflict) == 0;
     }
-    num_held_ = static_cast<std::size_t>(end - held);
-    if (end == begin) return;
+
+   private:
+    friend Claims;
+    ClaimTable::View bytes_;
+    unsigned worker_;
+    Index *begin_, *end_;
+  };
+  /// Begins to claim at most `most` cells, some of which may be held already. Throws std::bad_alloc.
+  Claiming begin(std::size_t most) {
+    if (num_held_ + most >= held_.capacity()) [[unlikely]]
+      held_.reserve(2 * (num_held_ + most) + 64);
+    Claiming claiming;
+    claiming.bytes_ = table_.view();
+    claiming.worker_ = worker_;
+    claiming.begin_ = claiming.end_ = held_.data() + num_held_;
+    return claiming;
+  }
+  /// Claims them. Throws Clash if another worker has one of them; they stay claimed until give_up() all the
+  /// same.
+  void end(const Claiming& claiming) {
+    num_held_ = static_cast<std::size_t>(claiming.end_ - held_.data());
+    if (claiming.end_ == claiming.begin_) return;
     std::atomic_thread_fence(std::memory_order_seq_cst);
     unsigned others = 0;
-    for (const Index* cell = begin; cell != end; ++cell) others |= of_others(bytes, *cell);
+    if (const unsigned workers = table_.num_workers(); workers == 2)
+      for (const Index* cell = claiming.begin_; cell != claiming.end_; ++cell)
+        others |= claiming.bytes_.of(*cell, 1 - claiming.worker_).load(std::memory_order_acquire);
+    else
+      for (const Index* cell = claiming.begin_; cell != claiming.end_; ++cell)
+        others |= of_others(claiming.bytes_, *cell);
     if (others != 0) [[unlikely]]
       throw Clash();
   }
 
-  /// The same for one cell that others may have, or that is no cell any more. Returns whether it was got.
+  [[gnu::always_inline]] void prefetch(Index cell) const {
+    const ClaimTable::View bytes = table_.view();
+    __builtin_prefetch(bytes.first + (std::size_t{cell} << bytes.shift), 1);
+  }
+
+  /// Claims one cell that others may have, or that is no cell any more. Returns whether it was got.
   bool try_claim(Index cell) {
     const ClaimTable::View bytes = table_.view();
     const auto own = bytes.of(cell, worker_);
@@ -153,12 +177,9 @@ class Claims {
   };
   Marks marks() const { return {table_.view(), worker_}; }
 
-  /// Keeps slots that are held.
-  void keep(const Index* cells, std::size_t count) {
-    const ClaimTable::View bytes = table_.view();
-    const unsigned worker = worker_;
-    for (std::size_t i = 0; i < count; ++i)
-      bytes.of(cells[i], worker).store(claim_bits::kept, std::memory_order_relaxed);
+  /// Keeps a slot of which nobody else knows.
+  void keep(Index cell) {
+    table_.view().of(cell, worker_).store(claim_bits::kept, std::memory_order_relaxed);
   }
   /// Gives up cells that are kept, number i being cell_at(i), all but one.
   template <class CellAt>
@@ -168,19 +189,30 @@ class Claims {
     for (std::size_t i = 0; i < count; ++i)
       if (cell_at(i) != but) bytes.of(cell_at(i), worker).store(claim_bits::none, std::memory_order_release);
   }
-  /// Gives up all that is held and not kept.
+  /// Gives up all that is held.
   void give_up() {
+    give_up([](std::uint8_t) { return claim_bits::none; });
+  }
+  /// The same but for cells that are marked as being in conflict: their slots are kept.
+  void give_up_and_keep_zone() {
+    give_up([](std::uint8_t bits) {
+      constexpr int shift = std::countr_zero(claim_bits::kept) - std::countr_zero(claim_bits::in_conflict);
+      return static_cast<std::uint8_t>((bits & claim_bits::in_conflict) << shift);
+    });
+  }
+
+ private:
+  template <class Rest>
+  void give_up(Rest rest) {
     const ClaimTable::View bytes = table_.view();
     const unsigned worker = worker_;
     const Index* const held = held_.data();
     for (std::size_t i = 0, n = num_held_; i < n; ++i) {
       const auto own = bytes.of(held[i], worker);
-      own.store(own.load(std::memory_order_relaxed) & claim_bits::kept, std::memory_order_release);
+      own.store(rest(own.load(std::memory_order_relaxed)), std::memory_order_release);
     }
     num_held_ = 0;
   }
-
- private:
   unsigned of_others(ClaimTable::View bytes, Index cell) const {
     unsigned others = 0;
     for (unsigned w = 0; w < table_.num_workers(); ++w)

@@ -39,6 +39,10 @@ struct ConflictZone {
   /// How many cells are searched at a time, and how many cells ahead neighbors are prefetched. A processor
   /// fetches only some dozens of cache lines at once, so there are fewer cells if these are larger.
   static constexpr std::size_t block_size(std::size_t facets_of_cell) { return facets_of_cell <= 4 ? 16 : 4; }
+  /// The same where neighbors are claimed, at the cost of a fence for each block.
+  static constexpr std::size_t shared_block_size(std::size_t facets_of_cell) {
+    return facets_of_cell <= 4 ? 16 : 8;
+  }
   static constexpr std::size_t cells_ahead(std::size_t facets_of_cell) {
     return facets_of_cell <= 4 ? 32 : 16;
   }
@@ -90,7 +94,7 @@ struct ConflictZone {
     has_facets.reserve(size);
     without_facets.reserve(size);
     others.reserve(size);
-    const std::size_t neighbors = block_size(facets_of_cell) * facets_of_cell,
+    const std::size_t neighbors = shared_block_size(facets_of_cell) * facets_of_cell,
                       most_open = neighbors + enough_open(facets_of_cell);
     candidates.resize(neighbors + 1);
     candidate_values.resize(neighbors);
@@ -168,6 +172,21 @@ constexpr bool are_shared = requires(const Cells& cells) {
   cells.unclaimed_neighbors(Index{});
 };
 
+template <class Cells>
+const Index* unclaimed_neighbors(const Cells& cells, Index cell) {
+  if constexpr (are_shared<Cells>)
+    return cells.unclaimed_neighbors(cell);
+  else
+    return cells.neighbors(cell);
+}
+template <class Cells>
+auto begin_claims(const Cells& cells, std::size_t most) {
+  if constexpr (are_shared<Cells>)
+    return cells.begin_claims(most);
+  else
+    return 0;
+}
+
 /// Fills `zone` from a cell in conflict. `marks`: marks(cell), is_unseen(cell), is_in_conflict(cell),
 /// set(cell, mark) and set_if(cell, conflict), passed by value; all cells must be unseen before, and the
 /// cells of the zone and of `zone.marked` stay marked. REQUIRES that no vertex is at q. If memory runs out,
@@ -187,7 +206,8 @@ template <class Cells, QueryGeometry G, class Marks>
 void find_conflict_zone(const Cells& cells, const G& geometry, const typename G::Query& q, Index first,
                         Marks marks, ConflictZone& zone, StageCounts& counts) {
   const auto facets = static_cast<std::size_t>(cells.dimension()) + 1;
-  const std::size_t block_size = ConflictZone::block_size(facets),
+  const std::size_t block_size = are_shared<Cells> ? ConflictZone::shared_block_size(facets)
+                                                   : ConflictZone::block_size(facets),
                     cells_ahead = ConflictZone::cells_ahead(facets);
   const std::size_t enough_open = ConflictZone::enough_open(facets);
   const bool is_tree = facets <= 3 && !are_shared<Cells>;
@@ -256,22 +276,21 @@ void find_conflict_zone(const Cells& cells, const G& geometry, const typename G:
       double* const values = zone.candidate_values.data();
       const std::size_t end = std::min(next + block_size, num_cells);
       std::size_t num_candidates = 0;
+      // Where others change cells, all neighbors are claimed before any of them is read.
+      [[maybe_unused]] auto claiming = begin_claims(cells, block_size * facets);
       for (; next < end; ++next) {
-        const Index* const neighbors = [&] {
-          if constexpr (are_shared<Cells>)
-            return cells.unclaimed_neighbors(zone_cells[next]);
-          else
-            return cells.neighbors(zone_cells[next]);
-        }();
+        const Index* const neighbors = unclaimed_neighbors(cells, zone_cells[next]);
         for (std::size_t i = 0; i < facets; ++i) {
           const Index neighbor = neighbors[i];
           candidates[num_candidates] = {neighbor, static_cast<std::uint32_t>(next),
                                         static_cast<std::uint32_t>(i)};
-          num_candidates += !marks.is_in_conflict(neighbor);
+          if constexpr (are_shared<Cells>)
+            num_candidates += claiming.add(neighbor);
+          else
+            num_candidates += !marks.is_in_conflict(neighbor);
         }
       }
-      if constexpr (are_shared<Cells>)
-        cells.claim(num_candidates, [candidates](std::size_t c) { return candidates[c].cell; });
+      if constexpr (are_shared<Cells>) cells.end_claims(claiming);
       for (std::size_t c = 0; c < num_candidates; ++c) values[c] = functional.value(candidates[c].cell);
       for (std::size_t c = 0; c < num_candidates; ++c)
         place(candidates[c].cell, values[c], candidates[c].from, candidates[c].slot);

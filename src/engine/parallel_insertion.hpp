@@ -49,16 +49,26 @@ class SharedSlots {
       : memory_(memory), claims_(claims), next_(first) {}
 
   std::pair<Index, Index> take(std::size_t least, unsigned worker) {
-    const std::unique_lock lock(mutex_);
+    std::unique_lock lock(mutex_);
     const std::size_t count = std::max(least, at_a_time), left = memory_.capacity() - next_;
     if (left < least) {
       needed_ = std::max(needed_, next_ + least);
       throw Exhausted();
     }
     const Index first = next_, last = static_cast<Index>(first + std::min(count, left));
-    memory_.prepare(last);
-    claims_.keep(first, last, worker);
     next_ = last;
+    const std::size_t ahead = std::min(last + prepared_ahead, memory_.capacity());
+    const bool prepares = ahead > prepared_ && !is_preparing_;
+    if (prepares) {
+      is_preparing_ = true;
+      prepared_ = std::min(ahead + prepared_ahead, memory_.capacity());
+    }
+    lock.unlock();
+    if (prepares) {  // others need not wait for it
+      memory_.prepare(prepared_);
+      is_preparing_.store(false, std::memory_order_release);
+    }
+    claims_.keep(first, last, worker);
     return {first, last};
   }
   /// Makes room for half as many slots again. No worker may be at work. Throws as CellStore::reserve() does.
@@ -74,17 +84,20 @@ class SharedSlots {
 
  private:
   static constexpr std::size_t at_a_time = 1024;
+  /// Pages of so many cells are fetched before they are needed.
+  static constexpr std::size_t prepared_ahead = 16384;
 
   CellMemory<K>& memory_;
   ClaimTable& claims_;
   std::mutex mutex_;
   Index next_;
-  std::size_t needed_ = 0;
+  std::size_t needed_ = 0, prepared_ = 0;
+  std::atomic<bool> is_preparing_ = false;
 };
 
 /// One of the threads that insert.
 template <int K, class G>
-class Worker final : public SlotSource {
+class alignas(128) Worker final : public SlotSource {
  public:
   /// What all workers share.
   struct Shared {
@@ -143,9 +156,8 @@ class Worker final : public SlotSource {
       abandon();
       throw;
     }
-    // Slots of the zone have cells of the star now, or are vacant: both are kept.
-    claims_.keep(work_.zone.cells.data(), work_.zone.num_cells);
-    claims_.give_up();
+    // Slots of the zone have cells of the star now, or are vacant.
+    claims_.give_up_and_keep_zone();
     has_star_ = true;
     add_start(work_.star().back().created);
     return Outcome::done;
@@ -161,7 +173,11 @@ class Worker final : public SlotSource {
   Claims& claims() { return claims_; }
   const Effort& effort() const { return effort_; }
   std::int64_t num_more_infinite() const { return num_more_infinite_; }
-  Index last_start() const { return starts_[(num_starts_ - 1) % starts_.size()]; }
+  /// Counts an insertion; another thread may ask how many there were.
+  void count_done() {
+    num_done_.store(num_done_.load(std::memory_order_relaxed) + 1, std::memory_order_relaxed);
+  }
+  std::size_t num_done() const { return num_done_.load(std::memory_order_relaxed); }
 
  private:
   /// A cell that is held, to walk to q from: of the last star, which is given up but for it; or a start that
@@ -218,6 +234,7 @@ class Worker final : public SlotSource {
   std::array<Index, 16> starts_{};
   std::size_t num_starts_ = 0;
   Index num_known_slots_ = 0;
+  std::atomic<std::size_t> num_done_ = 0;
   std::uint64_t random_ = 0x9e3779b97f4a7c15u;
 };
 
@@ -248,6 +265,7 @@ class ParallelInsertion {
   /// Inserts the vertices of the batch from number `begin` on. After an exception the cells are of no use,
   /// unless they are undone.
   void insert_from(std::size_t begin) {
+    num_before_ = begin;
     prepare();
     for (const std::size_t end : batch_.rounds) {
       if (end <= begin) continue;
@@ -270,6 +288,7 @@ class ParallelInsertion {
       parts_.geometry.write_rows(batch_.first + static_cast<Index>(first),
                                  batch_.first + static_cast<Index>(end) - 1);
     });
+    reserve_slots();
     claims_.reserve(parts_.memory.capacity());
     claims_.clear(0, parts_.cells.num_slots());
     for (unsigned w = 0; w < claims_.num_workers(); ++w) {
@@ -277,9 +296,21 @@ class ParallelInsertion {
       workers_.back()->add_start(parts_.last_cell);
     }
     // Vacant slots are the first worker's.
-    for (const Index slot : parts_.cells.vacant()) workers_.front()->claims().keep(&slot, 1);
+    for (const Index slot : parts_.cells.vacant()) workers_.front()->claims().keep(slot);
     workers_.front()->cells().reserve_vacancies(parts_.cells.num_vacant());
     workers_.front()->cells().take_vacant(parts_.cells, 0);
+  }
+
+  /// Makes room for as many cells as there will be if vertices get as many as they have now, and some more.
+  /// Without, memory grows several times.
+  void reserve_slots() {
+    const std::size_t now = parts_.cells.num_slots(), n = batch_.first + batch_.at.size();
+    const std::size_t per_vertex = now / (batch_.first + num_before_) + 1;
+    try {
+      parts_.memory.reserve(
+          std::min<std::size_t>(max_index, std::max(now, per_vertex * n + n / 2 * per_vertex)));
+    } catch (const std::bad_alloc&) {
+    }
   }
 
   void insert_round(std::size_t begin, std::size_t end) {
@@ -289,6 +320,7 @@ class ParallelInsertion {
       needs_memory_ = false;
       for (auto& worker : workers_) worker->set_known_slots(slots_.num_slots());
       internal::run_workers(claims_.num_workers(), [&](unsigned w) { work(w); });
+
       if (!needs_memory_) break;
       slots_.grow();
     }
@@ -314,7 +346,7 @@ class ParallelInsertion {
   void insert_stretch(W& worker, unsigned w) {
     std::vector<std::size_t>& waiting = put_off_[w];
     const bool is_caller = std::this_thread::get_id() == caller_;
-    std::size_t next_waiting = 0, since_last_clash = 0, failures = 0;
+    std::size_t next_waiting = 0, since_last_clash = 0, failures = 0, since_tick = 0;
     while (!needs_memory_.load(std::memory_order_relaxed) && !failed_.load(std::memory_order_relaxed)) {
       std::size_t i;
       const bool is_old = next_waiting < waiting.size() && since_last_clash >= 2;
@@ -331,8 +363,11 @@ class ParallelInsertion {
       if (outcome == Outcome::done) {
         ++since_last_clash;
         failures = 0;
-        const std::size_t done = num_done_.fetch_add(1, std::memory_order_relaxed) + 1;
-        if (is_caller) batch_.tick(done);
+        worker.count_done();
+        if (is_caller && ++since_tick == insertions_per_tick) {
+          since_tick = 0;
+          batch_.tick(num_done());
+        }
         continue;
       }
       waiting.push_back(i);
@@ -351,7 +386,14 @@ class ParallelInsertion {
       if (outcome == Outcome::needs_memory) slots_.grow();
     }
     worker.release_star();
-    batch_.tick(++num_done_);
+    worker.count_done();
+    batch_.tick(num_done());
+  }
+
+  std::size_t num_done() const {
+    std::size_t sum = num_before_;
+    for (const auto& worker : workers_) sum += worker->num_done();
+    return sum;
   }
 
   /// All vacant slots go back to the one store.
@@ -374,6 +416,7 @@ class ParallelInsertion {
     while (parts_.cells.is_vacant(parts_.last_cell)) ++parts_.last_cell;
   }
 
+  static constexpr std::size_t insertions_per_tick = 16;
   /// After so many clashes in a row, when all else is done, a worker leaves what it has put off.
   static constexpr std::size_t most_failures = 64;
 
@@ -386,8 +429,9 @@ class ParallelInsertion {
   std::vector<std::vector<std::size_t>> put_off_;  // by every worker, numbers in the batch
   std::vector<std::unique_ptr<W>> workers_;
   std::thread::id caller_ = std::this_thread::get_id();
-  std::atomic<bool> needs_memory_ = false, failed_ = false;
-  std::atomic<std::size_t> num_done_ = 0;
+  std::size_t num_before_ = 0;  // vertices of the batch that one thread has inserted
+  alignas(128) std::atomic<bool> needs_memory_ = false;
+  std::atomic<bool> failed_ = false;
 };
 
 }  // namespace delone::engine
