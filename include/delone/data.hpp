@@ -36,12 +36,6 @@ struct ComplexData {
   }
 };
 
-/// Numbers the cells by what they are: in lexicographic order of their rows, each of which increases, but for
-/// the last two where the orientation wants it so. Then two equal sets of cells are equal arrays, whatever
-/// the order of insertion and the number of threads. Returns the new number of each cell. Throws
-/// Errc::out_of_memory. `threads`: as Options::threads. Cost O(m·k·log(cells per row)).
-std::vector<SignedIndex> number_canonically(ComplexData& data, unsigned threads = 1);
-
 /// What an input row is to the convex hull. Exactly one of them holds.
 enum class PointKind : std::uint8_t {
   extreme,    ///< a vertex of the polytope: in no segment between two other points of the hull

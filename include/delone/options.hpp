@@ -48,6 +48,7 @@ struct Statistics {
   double order_seconds = 0;    ///< ordering and merging duplicates
   double build_seconds = 0;    ///< insertions
   std::size_t cell_bytes = 0;  ///< memory reserved for cells, at present
+  unsigned threads = 1;        ///< most threads that have inserted a batch
 };
 
 }  // namespace delone

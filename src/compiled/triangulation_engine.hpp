@@ -110,6 +110,8 @@ class TriangulationEngine : public TriangulationQueries {
   /// Gives vertices other ids: vertex v becomes new_ids[v], which is invalid_index for those that have no
   /// cell. The points of the vertices have been moved by then.
   virtual void renumber_vertices(std::span<const Index> new_ids) = 0;
+  /// Gives cells ids that depend on the ids of their vertices alone, without gaps. Throws std::bad_alloc.
+  virtual void sort_cells(unsigned threads) = 0;
   /// What follows can be undone, until it is, or kept. Throws, and then changes nothing.
   virtual void begin_batch() = 0;
   virtual void keep_batch() noexcept = 0;

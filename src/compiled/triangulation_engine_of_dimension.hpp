@@ -98,6 +98,7 @@ class TriangulationEngineOfDimension final : public TriangulationEngine {
     build_.renumber_vertices(new_ids);
     geometry().set_rows(points_.last_vertex());
   }
+  void sort_cells(unsigned threads) override { build_.sort_cells(points_.last_vertex() + 1, threads); }
   void begin_batch() override {
     need_functionals();
     build_.begin_batch();

@@ -153,6 +153,11 @@ class CellStore {
     other.num_vacant_ = 0;
     num_slots_ = num_slots;
   }
+  /// After the cells have been moved to the first slots.
+  void close_gaps() noexcept {
+    num_slots_ = num_cells();
+    num_vacant_ = 0;
+  }
   std::size_t num_vacant() const { return num_vacant_; }
   /// The vacant slots.
   std::span<const Index> vacant() const { return {vacant_.data(), num_vacant_}; }

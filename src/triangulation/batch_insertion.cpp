@@ -279,6 +279,7 @@ bool Triangulation::Impl::BatchInsertion::insert_in_threads() {
     return false;
   }
   place_in_order(first, at);
+  impl_.statistics.threads = std::max(impl_.statistics.threads, threads);
   return true;
 }
 

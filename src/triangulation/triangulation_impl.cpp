@@ -2,6 +2,7 @@
 // Insertion: points to vertices, affine dimensions, duplicates, hidden points, rows.
 #include "triangulation/triangulation_impl.hpp"
 
+#include "base/parallel.hpp"
 #include "base/require_finite.hpp"
 #include "base/stopwatch.hpp"
 #include "order/insertion_order.hpp"
@@ -281,6 +282,14 @@ void Triangulation::Impl::compact() {
   cell_of_vertex.shrink_to_fit();
   row_of_vertex.shrink_to_fit();
   vertex_of_row.shrink_to_fit();
+}
+
+/// Of what compact() has left, too: insertions are possible then.
+void Triangulation::Impl::sort_cells() {
+  expand();
+  if (!engine) return;
+  engine->sort_cells(internal::threads_to_use(options.threads));
+  find_cells_of_vertices();
 }
 
 /// Makes insertions possible again after compact(): cells keep their ids.
