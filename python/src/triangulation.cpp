@@ -63,12 +63,14 @@ void HeldTriangulation::refuse_reentry() const {
 
 void HeldTriangulation::add(std::span<const double> coordinates, std::span<const double> weights,
                             Supervisor& supervisor) {
-  with_engine(supervisor, [](const Triangulation&) {});  // recovers, if need be
+  refuse_reentry();
+  rebuild(supervisor);
   const std::unique_lock lock(mutex_);
   if (is_stale_) throw std::runtime_error("another thread's insertion was broken off");
   const Changing changing(changing_);
   batches_.reserve(batches_.size() + 1);
   watch_->supervisor = &supervisor;
+  is_sorted_ = false;
   try {
     insert(*engine_, coordinates, weights);
   } catch (...) {
@@ -114,7 +116,14 @@ void HeldTriangulation::rebuild(Supervisor& supervisor) const {
   const std::lock_guard derived(derived_mutex_);
   locator_.reset();
   engine_ = std::move(engine);
-  is_stale_ = false;
+  is_stale_ = is_sorted_ = false;
+}
+
+void HeldTriangulation::sort_cells() const {
+  const std::unique_lock lock(mutex_);
+  if (is_stale_ || is_sorted_) return;
+  std::visit([](auto& product) { product.sort_cells(); }, *engine_);
+  is_sorted_ = true;
 }
 
 std::shared_ptr<const Cells> HeldTriangulation::cells_of(const Triangulation& engine) const {

@@ -56,9 +56,10 @@ class HeldTriangulation {
     for (;;) {
       {
         const std::shared_lock lock(mutex_);
-        if (!is_stale_) return std::visit(work, std::as_const(*engine_));
+        if (!is_stale_ && is_sorted_) return std::visit(work, std::as_const(*engine_));
       }
       rebuild(supervisor);
+      sort_cells();
     }
   }
   /// The same, as what they have in common.
@@ -88,6 +89,7 @@ class HeldTriangulation {
  private:
   std::unique_ptr<Engine> make_engine() const;
   void rebuild(Supervisor& supervisor) const;
+  void sort_cells() const;
   void refuse_reentry() const;
   std::shared_ptr<const Cells> cells_of(const Triangulation& engine) const;
   const PointLocator& locator_of(const Triangulation& engine) const;
@@ -110,6 +112,8 @@ class HeldTriangulation {
   /// The last insertion was interrupted: the engine has rows that are not ours. It is rebuilt without them
   /// before its next use.
   mutable bool is_stale_ = false;
+  /// Cells have numbers that do not depend on threads. They get them before they are first asked for.
+  mutable bool is_sorted_ = true;
   std::atomic<std::uint64_t> version_{0};
   mutable std::atomic<std::thread::id> changing_;
 
