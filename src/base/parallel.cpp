@@ -8,6 +8,17 @@
 #include <new>
 #include <string>
 #include <thread>
+#include <vector>
+
+// ThreadSanitizer does not see how oneTBB, which is not compiled for it, passes work from one thread to
+// another.
+#if defined(__SANITIZE_THREAD__)
+#define DELONE_PLAIN_THREADS 1
+#elif defined(__has_feature)
+#if __has_feature(thread_sanitizer)
+#define DELONE_PLAIN_THREADS 1
+#endif
+#endif
 
 #if DELONE_WITH_TBB
 #include <tbb/global_control.h>
@@ -114,7 +125,15 @@ void run_workers(unsigned n, void (*work)(void* context, unsigned worker), void*
     }
   };
   unsigned next = 0;
-#if DELONE_WITH_TBB
+#if DELONE_PLAIN_THREADS
+  if (n > 1) {
+    std::vector<std::thread> others;
+    for (unsigned worker = 1; worker < n; ++worker) others.emplace_back(run, worker);
+    run(0);
+    for (std::thread& other : others) other.join();
+    next = n;
+  }
+#elif DELONE_WITH_TBB
   try {
     if (!has_lost_threads) {
       note_threads();

@@ -12,7 +12,7 @@
 
 namespace delone::engine {
 
-/// Only what is said of cells that are held may be asked.
+/// Only of cells that are held may anything be asked.
 template <int K>
 class ClaimedCells {
  public:
@@ -24,8 +24,9 @@ class ClaimedCells {
   const Index* vertices(Index cell, Index* room) const { return cells_.vertices(cell, room); }
   int infinite_slot(Index cell) const { return cells_.infinite_slot(cell); }
 
-  /// The neighbors of a cell, all of which are held then. Throws Clash if they cannot be.
+  /// The neighbors of a cell, which is owned then, and all of which are held. Throws Clash if that cannot be.
   const Index* neighbors(Index cell) const {
+    claims_.own(cell);
     const Index* const across = cells_.neighbors(cell);
     Claims::Claiming claiming = begin_claims(static_cast<std::size_t>(dimension()) + 1);
     for (int i = 0; i <= dimension(); ++i) claiming.add(across[i]);
@@ -34,8 +35,11 @@ class ClaimedCells {
   }
   /// The same without claiming them: nothing of them may be read until they are claimed.
   const Index* unclaimed_neighbors(Index cell) const { return cells_.neighbors(cell); }
+  void own(const Index* cells, std::size_t count, bool is_fenced) const {
+    claims_.own(cells, count, is_fenced);
+  }
   Claims::Claiming begin_claims(std::size_t most) const { return claims_.begin(most); }
-  void end_claims(const Claims::Claiming& claiming) const { claims_.end(claiming); }
+  bool end_claims(const Claims::Claiming& claiming) const { return claims_.end(claiming); }
 
   [[gnu::always_inline]] void prefetch(Index cell) const {
     cells_.prefetch(cell);
@@ -45,9 +49,8 @@ class ClaimedCells {
     const Index* const across = cells_.neighbors(cell);
     for (int i = 0; i <= dimension(); ++i) prefetch(across[i]);
   }
-  [[gnu::always_inline]] void prefetch_across_hull(Index cell) const {
-    prefetch(cells_.neighbors(cell)[cells_.infinite_slot(cell)]);
-  }
+  /// Not that cell itself: it is not known before the infinite one is owned.
+  [[gnu::always_inline]] void prefetch_across_hull(Index) const {}
 
  private:
   const CellStore<K>& cells_;

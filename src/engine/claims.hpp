@@ -1,15 +1,20 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Which cells are whose, while several workers insert vertices at once. A worker reads and writes a cell only
-// while it holds it; what it does not get at once it leaves alone: it gives up all that it holds and comes
-// back later (parallel_insertion.hpp). So nobody ever waits, and there are no races.
+// Which cells are whose, while several workers insert vertices at once. What a worker does not get at once it
+// leaves alone: it gives up all that it holds and comes back later (parallel_insertion.hpp). So nobody ever
+// waits, and there are no races.
+//
+// A worker reads the vertices and the functional of a cell only while it holds it. It reads its neighbors,
+// and replaces it, only while nobody else holds it: then it *owns* the cell. In low dimensions all that is
+// held is owned, which takes fewer steps. In high dimensions the survivors around a zone are many, and the
+// zones of two workers may have survivors in common: each worker then writes the link across its own facet.
 //
 // Every worker has a byte of its own for each slot of a cell. To claim cells it sets its bytes, passes a
 // fence, and reads the bytes of the others. Of two workers that claim one cell at least one sees the byte of
 // the other, as both fences are in one order; then neither or one of them gets the cell. Stores and one fence
 // for many cells are cheaper than a locked instruction for each.
 //
-// A worker that gets a cell has read zeros in the bytes of all others, the last of which each has stored
-// after it was done with the cell: their stores release, and the reads acquire.
+// All stores to the bytes release, and the reads of others' bytes acquire: who holds a cell, or owns it,
+// knows all that was written to it, or to its links, by those who held it before.
 #pragma once
 
 #include "base/growable_array.hpp"
@@ -27,10 +32,11 @@ namespace delone::engine {
 /// Thrown where another worker holds a cell that is needed.
 struct Clash {};
 
-/// What a worker has of a slot: nothing; the cell, until its insertion ends, and then the other bits may be
-/// its mark; or the slot, which is vacant, or has a cell of the star that the worker has made last.
+/// What a worker has of a slot: nothing; the cell, until its insertion ends, with its mark; or the slot,
+/// which is vacant, or has a cell of the star that the worker has made last. Cells in conflict are owned, or
+/// will be before their neighbors are read.
 namespace claim_bits {
-inline constexpr std::uint8_t none = 0, held = 1, in_conflict = 2, not_in_conflict = 4, kept = 8;
+inline constexpr std::uint8_t none = 0, held = 1, in_conflict = 2, not_in_conflict = 4, kept = 8, owned = 16;
 }
 
 /// The bytes of all workers.
@@ -76,7 +82,13 @@ class ClaimTable {
 /// The claims of one worker, and its marks of cells that it holds.
 class Claims {
  public:
-  Claims(ClaimTable& table, unsigned worker) : table_(table), worker_(worker) {}
+  /// shares_survivors: whether cells are held that are not owned.
+  Claims(ClaimTable& table, unsigned worker, bool shares_survivors)
+      : table_(table),
+        worker_(worker),
+        hindrance_(shares_survivors ? claim_bits::in_conflict | claim_bits::kept | claim_bits::owned
+                                    : 0xffu) {}
+  bool shares_survivors() const { return hindrance_ != 0xffu; }
 
   /// What claims several cells in two steps.
   class Claiming {
@@ -87,7 +99,7 @@ class Claims {
       const std::uint8_t present = own.load(std::memory_order_relaxed);
       *end_ = cell;
       end_ += present == claim_bits::none;
-      own.store(present | claim_bits::held, std::memory_order_relaxed);
+      own.store(present | claim_bits::held, std::memory_order_release);
       return (present & claim_bits::in_conflict) == 0;
     }
 
@@ -108,10 +120,10 @@ class Claims {
     return claiming;
   }
   /// Claims them. Throws Clash if another worker has one of them; they stay claimed until give_up() all the
-  /// same.
-  void end(const Claiming& claiming) {
+  /// same. Returns whether there was a fence.
+  bool end(const Claiming& claiming) {
     num_held_ = static_cast<std::size_t>(claiming.end_ - held_.data());
-    if (claiming.end_ == claiming.begin_) return;
+    if (claiming.end_ == claiming.begin_) return false;
     std::atomic_thread_fence(std::memory_order_seq_cst);
     unsigned others = 0;
     if (const unsigned workers = table_.num_workers(); workers == 2)
@@ -120,8 +132,29 @@ class Claims {
     else
       for (const Index* cell = claiming.begin_; cell != claiming.end_; ++cell)
         others |= of_others(claiming.bytes_, *cell);
+    if ((others & hindrance_) != 0) [[unlikely]]
+      throw Clash();
+    return true;
+  }
+
+  /// Makes sure that `count` cells that are held and are marked as being in conflict are owned. `is_fenced`:
+  /// whether they were when cells were claimed last. Throws Clash.
+  void own(const Index* cells, std::size_t count, bool is_fenced) {
+    if (!shares_survivors()) return;
+    if (!is_fenced) std::atomic_thread_fence(std::memory_order_seq_cst);
+    const ClaimTable::View bytes = table_.view();
+    unsigned others = 0;
+    for (std::size_t i = 0; i < count; ++i) others |= of_others(bytes, cells[i]);
     if (others != 0) [[unlikely]]
       throw Clash();
+  }
+  /// The same for one cell that is held.
+  void own(Index cell) {
+    if (!shares_survivors()) return;
+    const auto bits = table_.view().of(cell, worker_);
+    if ((bits.load(std::memory_order_relaxed) & claim_bits::owned) != 0) return;
+    bits.store(bits.load(std::memory_order_relaxed) | claim_bits::owned, std::memory_order_release);
+    own(&cell, 1, false);
   }
 
   [[gnu::always_inline]] void prefetch(Index cell) const {
@@ -135,7 +168,7 @@ class Claims {
     const auto own = bytes.of(cell, worker_);
     if (own.load(std::memory_order_relaxed) != claim_bits::none) return false;
     if (num_held_ + 1 >= held_.capacity()) held_.reserve(2 * num_held_ + 64);
-    own.store(claim_bits::held, std::memory_order_relaxed);
+    own.store(claim_bits::held | claim_bits::owned, std::memory_order_release);
     std::atomic_thread_fence(std::memory_order_seq_cst);
     if (of_others(bytes, cell) != 0) {
       own.store(claim_bits::none, std::memory_order_release);
@@ -147,7 +180,7 @@ class Claims {
   /// Holds a cell that is kept. Throws std::bad_alloc.
   void hold_kept(Index cell) {
     if (num_held_ + 1 >= held_.capacity()) held_.reserve(2 * num_held_ + 64);
-    table_.view().of(cell, worker_).store(claim_bits::held, std::memory_order_relaxed);
+    table_.view().of(cell, worker_).store(claim_bits::held | claim_bits::owned, std::memory_order_release);
     held_[num_held_++] = cell;
   }
 
@@ -161,7 +194,8 @@ class Claims {
     }
     bool is_in_conflict(Index cell) const { return (bits(cell) & claim_bits::in_conflict) != 0; }
     void set(Index cell, Mark mark) {
-      put(cell, static_cast<std::uint8_t>(claim_bits::held | static_cast<std::uint8_t>(mark) << 1));
+      constexpr int both = claim_bits::in_conflict | claim_bits::not_in_conflict;
+      put(cell, static_cast<std::uint8_t>((bits(cell) & ~both) | static_cast<std::uint8_t>(mark) << 1));
     }
     void set_if(Index cell, bool conflict) {
       put(cell, static_cast<std::uint8_t>(bits(cell) | conflict << 1));
@@ -170,7 +204,7 @@ class Claims {
    private:
     std::uint8_t bits(Index cell) const { return bytes_.of(cell, worker_).load(std::memory_order_relaxed); }
     void put(Index cell, std::uint8_t bits) {
-      bytes_.of(cell, worker_).store(bits, std::memory_order_relaxed);
+      bytes_.of(cell, worker_).store(bits, std::memory_order_release);
     }
     ClaimTable::View bytes_;
     unsigned worker_;
@@ -222,6 +256,7 @@ class Claims {
 
   ClaimTable& table_;
   unsigned worker_;
+  unsigned hindrance_;  ///< what others may not have of a cell that is held
   GrowableArray<Index> held_;
   std::size_t num_held_ = 0;
 };

@@ -221,6 +221,7 @@ void find_conflict_zone(const Cells& cells, const G& geometry, const typename G:
   marks.set(first, Mark::in_conflict);
   std::size_t prefetched = 0;
   std::uint64_t evaluated = 0, uncertain = 0;
+  [[maybe_unused]] std::size_t fenced = 0;  // so many cells of the zone were marked before the last fence
   zone.num_undecided = zone.num_open = 0;
   const auto leave_open = [&](Index cell, double value, std::size_t from, std::size_t slot) {
     const Mark mark = marks(cell);
@@ -270,8 +271,13 @@ void find_conflict_zone(const Cells& cells, const G& geometry, const typename G:
         for (std::size_t i = 0; i < facets; ++i) place(neighbors[i], functional.value(neighbors[i]), next, i);
       }
     } else {
-      for (; prefetched < std::min(num_cells, next + cells_ahead); ++prefetched)
-        cells.prefetch_neighbors(zone_cells[prefetched]);
+      const std::size_t last_prefetched = std::min(num_cells, next + cells_ahead);
+      if constexpr (are_shared<Cells>) {  // the zone is owned before its neighbors are known
+        const bool are_fenced = last_prefetched <= fenced;
+        cells.own(zone_cells + prefetched, last_prefetched - prefetched, are_fenced);
+        if (!are_fenced) fenced = num_cells;
+      }
+      for (; prefetched < last_prefetched; ++prefetched) cells.prefetch_neighbors(zone_cells[prefetched]);
       ConflictZone::Candidate* const candidates = zone.candidates.data();
       double* const values = zone.candidate_values.data();
       const std::size_t end = std::min(next + block_size, num_cells);
@@ -290,7 +296,8 @@ void find_conflict_zone(const Cells& cells, const G& geometry, const typename G:
             num_candidates += !marks.is_in_conflict(neighbor);
         }
       }
-      if constexpr (are_shared<Cells>) cells.end_claims(claiming);
+      if constexpr (are_shared<Cells>)
+        if (cells.end_claims(claiming)) fenced = num_cells;
       for (std::size_t c = 0; c < num_candidates; ++c) values[c] = functional.value(candidates[c].cell);
       for (std::size_t c = 0; c < num_candidates; ++c)
         place(candidates[c].cell, values[c], candidates[c].from, candidates[c].slot);

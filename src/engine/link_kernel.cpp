@@ -113,7 +113,9 @@ HWY_INLINE hn::Vec<D> look_up(D d, const std::uint32_t* entries, hn::Vec<D> indi
   if constexpr (hn::MaxLanes(d) <= 4) return four_from(0);
 }
 
-template <int K, VertexIds Ids>
+/// `Shared`: the slot of the survivor across the facet is found by vertices alone. Its vertex opposite the
+/// facet is the difference of the sums of all vertices of the two cells, but for that of the dead one.
+template <int K, VertexIds Ids, bool Shared>
 void create_cells(const CellLinks& links, Index apex, const DeadCells& zone, std::span<HorizonFacet> facets) {
   const IdTag<K> d;
   const Pieces<K> pieces(links.k);
@@ -141,11 +143,21 @@ void create_cells(const CellLinks& links, Index apex, const DeadCells& zone, std
     Index* const across_survivor = survivor_links + layout.ids_before_neighbors();
     facet.dead_opposite = layout.vertex(dead_links, facet.slot);  // the new cell may be where the dead one is
     std::ptrdiff_t mirror = 0;
+    if constexpr (Shared) {
+      Index opposite = facet.dead_opposite;
+      for (std::size_t i = 0; i < pieces.num_ids; ++i)
+        opposite += layout.vertex(survivor_links, static_cast<int>(i)) -
+                    layout.vertex(dead_links, static_cast<int>(i));
+      for (std::size_t i = 1; i < pieces.num_ids; ++i)
+        if (layout.vertex(survivor_links, static_cast<int>(i)) == opposite)
+          mirror = static_cast<std::ptrdiff_t>(i);
+    }
     for (std::size_t begin = pieces.num() * pieces.lanes; begin > 0;) {
       begin -= pieces.lanes;
       const auto vertices = load_vertices<Ids>(d, dead_links, begin);
       store_vertices<Ids>(hn::IfThenElse(pieces.is(facet.slot, begin), hn::Set(d, apex), vertices), d,
                           created_links, begin);
+      if constexpr (Shared) continue;
       const std::ptrdiff_t start = std::min(static_cast<std::ptrdiff_t>(begin), last_start);
       auto is_mirror = hn::Eq(hn::LoadU(d, across_survivor + start), hn::Set(d, dead));
       if (first_lane > 0) is_mirror = hn::AndNot(hn::FirstN(d, first_lane), is_mirror);
@@ -246,8 +258,12 @@ void for_layout(const CellLinks& links, Work&& work) {
 }
 
 void create_cells_here(const CellLinks& links, Index apex, const DeadCells& zone,
-                       std::span<HorizonFacet> facets) {
-  for_layout(links, [&](auto k, auto ids) { create_cells<k(), ids()>(links, apex, zone, facets); });
+                       std::span<HorizonFacet> facets, bool shared) {
+  for_layout(links, [&](auto k, auto ids) {
+    if constexpr (shares_survivors(k()))
+      if (shared) return create_cells<k(), ids(), true>(links, apex, zone, facets);
+    create_cells<k(), ids(), false>(links, apex, zone, facets);
+  });
 }
 void hash_ridges_here(const CellLinks& links, std::span<const HorizonFacet> facets, std::size_t first,
                       std::size_t last, std::uint32_t* hashes, Index* created, const RidgeEntries* table) {
@@ -274,8 +290,9 @@ HWY_EXPORT(create_cells_here);
 HWY_EXPORT(hash_ridges_here);
 HWY_EXPORT(match_ridges_here);
 
-void create_cells(const CellLinks& links, Index apex, const DeadCells& zone, std::span<HorizonFacet> facets) {
-  HWY_DYNAMIC_DISPATCH(create_cells_here)(links, apex, zone, facets);
+void create_cells(const CellLinks& links, Index apex, const DeadCells& zone, std::span<HorizonFacet> facets,
+                  bool shares_survivors) {
+  HWY_DYNAMIC_DISPATCH(create_cells_here)(links, apex, zone, facets, shares_survivors);
 }
 void hash_ridges(const CellLinks& links, std::span<const HorizonFacet> facets, std::size_t first,
                  std::size_t last, std::uint32_t* hashes, Index* created, const RidgeEntries* table) {

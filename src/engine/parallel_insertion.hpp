@@ -114,7 +114,10 @@ class alignas(128) Worker final : public SlotSource {
         number_(number),
         cells_(shared.memory, *this),
         geometry_(geometry, typename G::ForThread()),
-        claims_(shared.claims, number) {}
+        claims_(shared.claims, number, shares_survivors(K)) {
+    work_.shares_survivors = shares_survivors(K);
+    work_.cells_have_marks = false;
+  }
   Worker(const Worker&) = delete;
   Worker& operator=(const Worker&) = delete;
 
