@@ -134,7 +134,7 @@ class Build : public Sphere<K, G> {
 
  private:
   /// So few have too few cells for several workers.
-  static constexpr std::size_t few_vertices = K <= 2 ? 24 : 16 * (K + 1);
+  static constexpr std::size_t few_vertices = K <= 4 ? 16 * K : K == 5 ? 150 : 200;
 
   using Sphere<K, G>::memory_;
   using Sphere<K, G>::cells_, Sphere<K, G>::geometry_, Sphere<K, G>::work_, Sphere<K, G>::effort_,

@@ -39,21 +39,33 @@ namespace claim_bits {
 inline constexpr std::uint8_t none = 0, held = 1, in_conflict = 2, not_in_conflict = 4, kept = 8, owned = 16;
 }
 
-/// The bytes of all workers.
+/// The bytes of all workers: in the records of the cells if there is room for them, as their lines are in the
+/// cache then when they are needed, or else in an array of their own.
 class ClaimTable {
  public:
   static constexpr unsigned most_workers = 64;
 
-  explicit ClaimTable(unsigned workers)
-      : num_workers_(workers), shift_(std::bit_width(std::bit_ceil(workers)) - 1) {}
+  explicit ClaimTable(unsigned workers) : num_workers_(workers) {}
 
   unsigned num_workers() const { return num_workers_; }
-  std::size_t bytes() const { return bytes_.capacity(); }
-  /// Makes room for slots. Throws std::bad_alloc. No worker may be at work.
-  void reserve(std::size_t slots) { bytes_.reserve(slots << shift_); }
+  /// Makes room for all slots that the memory has room for. Throws std::bad_alloc. To be called when cells
+  /// have moved. No worker may be at work.
+  template <int K>
+  void cover(CellMemory<K>& memory) {
+    const CellLayout<K>& layout = memory.layout();
+    if (num_workers_ <= layout.num_spare_bytes() &&
+        layout.functional_stride() * sizeof(double) > most_workers) {
+      view_ = {reinterpret_cast<std::uint8_t*>(memory.links(0) + layout.num_link_ids()),
+               layout.functional_stride() * sizeof(double)};
+    } else {
+      const std::size_t stride = std::bit_ceil(num_workers_);
+      bytes_.reserve(memory.capacity() * stride);
+      view_ = {bytes_.data(), stride};
+    }
+  }
   /// Makes the slots first … last − 1, of which nobody else knows, those of a worker that keeps them.
   void keep(std::size_t first, std::size_t last, unsigned worker) {
-    const View bytes = view();
+    const View bytes = view_;
     for (std::size_t slot = first; slot < last; ++slot)
       for (unsigned w = 0; w < num_workers_; ++w)
         bytes.of(static_cast<Index>(slot), w)
@@ -62,21 +74,21 @@ class ClaimTable {
   /// The same for slots that nobody holds.
   void clear(std::size_t first, std::size_t last) { keep(first, last, num_workers_); }
 
-  /// Access to the bytes, until they grow. By value, as the compiler must assume that writing a byte changes
+  /// Access to the bytes, until cells move. By value, as the compiler must assume that writing a byte changes
   /// what a reference refers to.
   struct View {
     std::uint8_t* first;
-    int shift;
+    std::size_t stride;
     std::atomic_ref<std::uint8_t> of(Index cell, unsigned worker) const {
-      return std::atomic_ref<std::uint8_t>(first[(std::size_t{cell} << shift) + worker]);
+      return std::atomic_ref<std::uint8_t>(first[cell * stride + worker]);
     }
   };
-  View view() { return {bytes_.data(), shift_}; }
+  View view() const { return view_; }
 
  private:
   unsigned num_workers_;
-  int shift_;
-  GrowableArray<std::uint8_t> bytes_;
+  View view_{nullptr, 0};
+  GrowableArray<std::uint8_t> bytes_{Pages::large};
 };
 
 /// The claims of one worker, and its marks of cells that it holds.
@@ -157,9 +169,10 @@ class Claims {
     own(&cell, 1, false);
   }
 
+  /// Prefetches the bytes of a cell, unless they are in its record.
   [[gnu::always_inline]] void prefetch(Index cell) const {
     const ClaimTable::View bytes = table_.view();
-    __builtin_prefetch(bytes.first + (std::size_t{cell} << bytes.shift), 1);
+    if (bytes.stride <= ClaimTable::most_workers) __builtin_prefetch(bytes.first + cell * bytes.stride, 1);
   }
 
   /// Claims one cell that others may have, or that is no cell any more. Returns whether it was got.

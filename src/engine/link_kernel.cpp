@@ -144,13 +144,21 @@ void create_cells(const CellLinks& links, Index apex, const DeadCells& zone, std
     facet.dead_opposite = layout.vertex(dead_links, facet.slot);  // the new cell may be where the dead one is
     std::ptrdiff_t mirror = 0;
     if constexpr (Shared) {
-      Index opposite = facet.dead_opposite;
-      for (std::size_t i = 0; i < pieces.num_ids; ++i)
-        opposite += layout.vertex(survivor_links, static_cast<int>(i)) -
-                    layout.vertex(dead_links, static_cast<int>(i));
-      for (std::size_t i = 1; i < pieces.num_ids; ++i)
-        if (layout.vertex(survivor_links, static_cast<int>(i)) == opposite)
-          mirror = static_cast<std::ptrdiff_t>(i);
+      const auto vertices_of = [&](const Index* of_cell, std::size_t begin) {
+        return hn::IfThenElseZero(hn::FirstN(d, pieces.num_ids - begin),
+                                  load_vertices<Ids>(d, of_cell, begin));
+      };
+      auto difference = hn::Zero(d);
+      for (std::size_t begin = 0; begin < pieces.num_ids; begin += pieces.lanes)
+        difference =
+            hn::Add(difference, hn::Sub(vertices_of(survivor_links, begin), vertices_of(dead_links, begin)));
+      const auto opposite = hn::Add(hn::SumOfLanes(d, difference), hn::Set(d, facet.dead_opposite));
+      for (std::size_t begin = 0; begin < pieces.num_ids; begin += pieces.lanes) {
+        const auto is_mirror = hn::And(hn::FirstN(d, pieces.num_ids - begin),
+                                       hn::Eq(load_vertices<Ids>(d, survivor_links, begin), opposite));
+        if (const auto found = hn::FindFirstTrue(d, is_mirror); found >= 0)
+          mirror = found + static_cast<std::ptrdiff_t>(begin);
+      }
     }
     for (std::size_t begin = pieces.num() * pieces.lanes; begin > 0;) {
       begin -= pieces.lanes;
@@ -235,7 +243,14 @@ void match_ridges(const CellLinks& links, std::span<const HorizonFacet> facets,
       // Clamped, as a count that has overflowed gives a meaningless number.
       const auto other = hn::Min(hn::IfThenElse(matched, hn::Sub(hn::Sub(entry, two), own), own), last);
       const auto across = look_up(d, created, hn::ShiftRightSame(other, facet_shift), count);
+#if HWY_ARCH_X86 && HWY_TARGET <= HWY_AVX2
       hn::BlendedStore(across, valid, d, neighbors + begin);
+#else  // there it would read and write the other lanes, too, which may be those of a cell of another thread
+      HWY_ALIGN Index ids[pieces.lanes];
+      hn::Store(across, d, ids);
+      for (std::size_t i = 0; i < count; ++i)
+        if (begin + i != static_cast<std::size_t>(facets[f].slot)) neighbors[begin + i] = ids[i];
+#endif
       std::uint8_t bits[8];
       hn::StoreMaskBits(d, hn::AndNot(pair, valid), bits);
       const auto shifted = static_cast<std::uint8_t>(bits[0] << begin % 8);

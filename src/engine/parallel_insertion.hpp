@@ -77,8 +77,8 @@ class SharedSlots {
       throw Error(Errc::too_many, "the triangulation has more cells than this build has ids");
     const std::size_t slots =
         std::min<std::size_t>(std::max(needed_, memory_.capacity() + memory_.capacity() / 2), max_index);
-    claims_.reserve(slots);
     memory_.reserve(slots);
+    claims_.cover(memory_);
   }
   Index num_slots() const { return next_; }
 
@@ -292,8 +292,9 @@ class ParallelInsertion {
                                  batch_.first + static_cast<Index>(end) - 1);
     });
     reserve_slots();
-    claims_.reserve(parts_.memory.capacity());
-    claims_.clear(0, parts_.cells.num_slots());
+    claims_.cover(parts_.memory);
+    internal::parallel_for(batch_.threads, parts_.cells.num_slots(), 65536,
+                           [&](std::size_t first, std::size_t end) { claims_.clear(first, end); });
     for (unsigned w = 0; w < claims_.num_workers(); ++w) {
       workers_.push_back(std::make_unique<W>(shared_, parts_.geometry, w));
       workers_.back()->add_start(parts_.last_cell);
