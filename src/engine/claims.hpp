@@ -53,14 +53,13 @@ class ClaimTable {
   template <int K>
   void cover(CellMemory<K>& memory) {
     const CellLayout<K>& layout = memory.layout();
-    if (num_workers_ <= layout.num_spare_bytes() &&
-        layout.functional_stride() * sizeof(double) > most_workers) {
+    if (num_workers_ <= layout.num_spare_bytes()) {
       view_ = {reinterpret_cast<std::uint8_t*>(memory.links(0) + layout.num_link_ids()),
-               layout.functional_stride() * sizeof(double)};
+               layout.functional_stride() * sizeof(double), false};
     } else {
       const std::size_t stride = std::bit_ceil(num_workers_);
       bytes_.reserve(memory.capacity() * stride);
-      view_ = {bytes_.data(), stride};
+      view_ = {bytes_.data(), stride, true};
     }
   }
   /// Makes the slots first … last − 1, of which nobody else knows, those of a worker that keeps them.
@@ -79,6 +78,7 @@ class ClaimTable {
   struct View {
     std::uint8_t* first;
     std::size_t stride;
+    bool are_apart;  ///< from the records of cells
     std::atomic_ref<std::uint8_t> of(Index cell, unsigned worker) const {
       return std::atomic_ref<std::uint8_t>(first[cell * stride + worker]);
     }
@@ -87,7 +87,7 @@ class ClaimTable {
 
  private:
   unsigned num_workers_;
-  View view_{nullptr, 0};
+  View view_{nullptr, 0, true};
   GrowableArray<std::uint8_t> bytes_{Pages::large};
 };
 
@@ -172,7 +172,7 @@ class Claims {
   /// Prefetches the bytes of a cell, unless they are in its record.
   [[gnu::always_inline]] void prefetch(Index cell) const {
     const ClaimTable::View bytes = table_.view();
-    if (bytes.stride <= ClaimTable::most_workers) __builtin_prefetch(bytes.first + cell * bytes.stride, 1);
+    if (bytes.are_apart) __builtin_prefetch(bytes.first + cell * bytes.stride, 1);
   }
 
   /// Claims one cell that others may have, or that is no cell any more. Returns whether it was got.
