@@ -29,17 +29,17 @@ Options with_threads(unsigned threads, std::uint64_t seed = 0) {
 }
 
 template <class Product>
-void expect_equal(const Product& made, const Product& reference) {
+void expect_equal(Product& made, Product& reference) {
   EXPECT_EQ(made.hash().hex(), reference.hash().hex());
   EXPECT_EQ(made.num_finite_cells(), reference.num_finite_cells());
   EXPECT_EQ(made.num_infinite_cells(), reference.num_infinite_cells());
   EXPECT_EQ(made.num_vertices(), reference.num_vertices());
   EXPECT_EQ(made.num_duplicates(), reference.num_duplicates());
-  Product sorted = made, sorted_reference = reference;
-  sorted.sort_cells();
-  sorted_reference.sort_cells();
-  EXPECT_EQ(sorted.hash(), reference.hash());
-  const ComplexData a = sorted.to_data(false), b = sorted_reference.to_data(false);
+  const CanonicalHash before = made.hash();
+  made.sort_cells();
+  reference.sort_cells();
+  EXPECT_EQ(made.hash(), before);
+  const ComplexData a = made.to_data(false), b = reference.to_data(false);
   EXPECT_EQ(a.cells, b.cells);
   EXPECT_EQ(a.neighbors, b.neighbors);
   EXPECT_EQ(a.vertex_of_point, b.vertex_of_point);
@@ -48,7 +48,7 @@ void expect_equal(const Product& made, const Product& reference) {
 void expect_same_in_threads(const PointSet& set) {
   SCOPED_TRACE(set.name + " in " + std::to_string(set.dimension) + "D");
   for (const std::uint64_t seed : {0, 1}) {
-    const Delaunay<> reference(set.points, set.dimension, with_threads(1, seed));
+    Delaunay<> reference(set.points, set.dimension, with_threads(1, seed));
     for (const unsigned threads : {2u, 3u, 8u}) {
       SCOPED_TRACE(threads);
       Delaunay<> made(set.points, set.dimension, with_threads(threads, seed));
@@ -101,9 +101,9 @@ TEST_P(ThreadsIn, WeightedPoints) {
                         weights = make_point_set("uniform", 1, n, 7);
     for (double& x : points) x = is_rounded ? std::round(8 * x) : x;
     for (double& w : weights) w = is_rounded ? std::round(4 * w) : 0.05 * w;
-    const Regular<> reference(points, weights, d, with_threads(1));
+    Regular<> reference(points, weights, d, with_threads(1));
     for (const unsigned threads : {2u, 8u}) {
-      const Regular<> made(points, weights, d, with_threads(threads));
+      Regular<> made(points, weights, d, with_threads(threads));
       expect_equal(made, reference);
       EXPECT_EQ(made.hidden_rows(), reference.hidden_rows());
     }
@@ -122,7 +122,7 @@ TEST(Threads, ResultsCanBeUsedAsAnyOther) {
   }
   expect_equal(made, reference);
   EXPECT_TRUE(check(made).ok());
-  const Delaunay<> copy = made;
+  Delaunay<> copy = made;
   made.compact();
   expect_equal(made, reference);
   expect_equal(copy, reference);
