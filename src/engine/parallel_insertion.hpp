@@ -147,7 +147,7 @@ class alignas(128) Worker final : public SlotSource {
       const Filling made = retriangulate(cells_, geometry_, v, q, work_);
       effort_.created_cells += made.num_cells;
       num_more_infinite_ +=
-          std::int64_t{made.num_infinite} - static_cast<std::int64_t>(work_.zone.num_infinite);
+          static_cast<std::int64_t>(made.num_infinite) - static_cast<std::int64_t>(work_.zone.num_infinite);
       at = v;
     } catch (const Clash&) {
       abandon();

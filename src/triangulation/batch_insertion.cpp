@@ -278,20 +278,29 @@ bool Triangulation::Impl::BatchInsertion::insert_in_threads() {
     vertices.num_waiting = n;
     return false;
   }
-  place_in_order(first, at);
+  place_in_order(first, at, threads);
   impl_.statistics.threads = std::max(impl_.statistics.threads, threads);
   return true;
 }
 
 /// Gives ids without gaps to the vertices that several threads have inserted, as if they had been inserted in
 /// order: of equal points, the first is the vertex. at: for each place, the vertex at its point.
-void Triangulation::Impl::BatchInsertion::place_in_order(Index first, std::span<const Index> at) {
+void Triangulation::Impl::BatchInsertion::place_in_order(Index first, std::span<const Index> at,
+                                                         unsigned threads) {
   const std::size_t begin = place_, n = at.size();
   const auto is_duplicate = [&](std::size_t i) { return at[i] != first + i && at[i] != invalid_index; };
   std::size_t num_duplicates = 0;
   for (std::size_t i = 0; i < n; ++i) num_duplicates += is_duplicate(i);
   if (num_duplicates == 0) {
-    for (std::size_t i = 0; i < n; ++i) impl_.assign(row(begin + i), first + static_cast<Index>(i));
+    impl_.row_of_vertex.resize(std::size_t{first} + n);
+    internal::parallel_for(threads, n, 16384, [&](std::size_t from, std::size_t to) {
+      for (std::size_t i = from; i < to; ++i) {
+        const Index v = first + static_cast<Index>(i);
+        impl_.vertex_of_row[row(begin + i)] = VertexId{v};
+        impl_.row_of_vertex[v] = static_cast<Index>(row(begin + i));
+      }
+    });
+    impl_.num_rows_inserted += n;
     place_ = order_.size();
     return;
   }

@@ -54,7 +54,7 @@ class Triangulation::Impl::BatchInsertion final : public engine::Batch {
   std::vector<Index> merge_duplicates();
   void insert_at_only_vertex();
   bool insert_in_threads();
-  void place_in_order(Index first, std::span<const Index> at);
+  void place_in_order(Index first, std::span<const Index> at, unsigned threads);
   void finish();
 
   std::size_t row(std::size_t place) const { return before_.num_rows + order_[place]; }

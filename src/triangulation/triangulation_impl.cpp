@@ -9,6 +9,7 @@
 #include "triangulation/batch_insertion.hpp"
 
 #include <algorithm>
+#include <atomic>
 #include <chrono>
 #include <limits>
 #include <new>
@@ -322,8 +323,20 @@ void Triangulation::Impl::find_cells_of_vertices() {
   if (affine_hull.dimension() < 0) return;
   cell_of_vertex.assign(points.last_vertex() + 1, invalid_cell);
   const Complex now = complex();
-  for (const CellId c : now.all_cells())
-    for (int i = 0; i <= now.affine_dimension(); ++i) cell_of_vertex[index(now.vertex(c, i))] = c;
+  const unsigned threads = statistics.threads > 1 ? internal::threads_to_use(options.threads) : 1;
+  if (threads > 1) {
+    internal::parallel_for(threads, now.num_cell_slots(), 65536, [&](std::size_t first, std::size_t last) {
+      for (std::size_t slot = first; slot < last; ++slot) {
+        const CellId c{static_cast<Index>(slot)};
+        if (!now.is_cell(c)) continue;
+        for (int i = 0; i <= now.affine_dimension(); ++i)
+          std::atomic_ref(cell_of_vertex[index(now.vertex(c, i))]).store(c, std::memory_order_relaxed);
+      }
+    });
+  } else {
+    for (const CellId c : now.all_cells())
+      for (int i = 0; i <= now.affine_dimension(); ++i) cell_of_vertex[index(now.vertex(c, i))] = c;
+  }
   num_vertices = static_cast<Index>(
       cell_of_vertex.size() - 1 -
       static_cast<std::size_t>(std::count(cell_of_vertex.begin() + 1, cell_of_vertex.end(), invalid_cell)));
