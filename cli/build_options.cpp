@@ -34,6 +34,13 @@ void BuildOptions::add_construction(CLI::App& command) {
   command.add_flag("-q,--quiet", quiet, "No progress bar, no notes");
 }
 
+void BuildOptions::add_threads(CLI::App& command) {
+  command
+      .add_option("--threads", threads,
+                  "At most this many threads build; 0: as many as there are cores, where they gain")
+      ->check(CLI::Range(0, 65536));
+}
+
 void BuildOptions::check() const {
   if (stats && output == "-") throw UsageError("--stats and --output - both want standard output");
 }
@@ -43,6 +50,7 @@ Options BuildOptions::to_options(ProgressBar& bar) const {
   options.seed = seed;
   for (const auto& [name, value] : insertion_orders)
     if (order == name) options.order = value;
+  options.threads = threads;
   options.progress = bar.callback();
   return options;
 }

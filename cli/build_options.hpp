@@ -15,12 +15,16 @@ struct BuildOptions {
   std::string output, output_format;
   std::uint64_t seed = 0;
   std::string order = "automatic";
+  unsigned threads = 0;
   bool stats = false, quiet = false, force = false;
 
   /// --output, --output-format and --force. `what` names the result, as in "the hull".
   void add_output(CLI::App& command, const std::string& what, const std::vector<std::string>& formats);
   /// --seed, --order, --stats and --quiet.
   void add_construction(CLI::App& command);
+
+  /// --threads.
+  void add_threads(CLI::App& command);
 
   /// Throws UsageError if both --stats and --output go to standard output.
   void check() const;

@@ -115,7 +115,7 @@ int run_with(Build build, const std::optional<Box>& box, Cost cost, Clock::time_
              const VoronoiOptions& options) {
   const std::string name = input_name(options.weighted.input.path);
   auto stage_start = Clock::now();
-  const auto triangulation = about(name, [&] {
+  auto triangulation = about(name, [&] {
     ProgressBar bar(options.build.quiet);
     const StageGuard guard(Stage::building);
     return build(options.build.to_options(bar));
@@ -123,6 +123,7 @@ int run_with(Build build, const std::optional<Box>& box, Cost cost, Clock::time_
   cost.build = seconds_since(stage_start);
 
   stage_start = Clock::now();
+  triangulation.sort_cells();  // what is written does not depend on the threads
   const auto diagram =
       about(name, [&] { return diagram_of(triangulation, {.tolerance = options.tolerance}); });
   const std::string volumes = options.volumes.empty() ? "" : about(output_name(options.volumes), [&] {
@@ -196,6 +197,7 @@ Run add_diagram(CLI::App& app, bool power) {
          "--tolerance", options->tolerance,
          "Merge vertices that are within this distance of one of them, and drop ridges of no larger width")
       ->type_name("DISTANCE");
+  options->build.add_threads(app);
   options->build.add_construction(app);
   return [options] { return run_voronoi(*options); };
 }

@@ -78,6 +78,13 @@ class Triangulation {
   /// memory of both. Throws Errc::out_of_memory, and then changes nothing.
   void compact();
 
+  /// Numbers the cells by their vertices: then the order of cells, and of the vertices in each, is the same
+  /// however many threads have built the triangulation, until the next insertion. The ids of cells change,
+  /// without gaps. Uses up to Options::threads threads. Cost O(cells·k·log(cells per vertex)), and for a
+  /// moment the memory of all cells twice. Throws Errc::out_of_memory; then the order of vertices may have
+  /// changed.
+  void sort_cells();
+
   int dimension() const;           ///< d
   int affine_dimension() const;    ///< k ≤ d; 0 for one distinct point, −1 for none
   std::size_t num_points() const;  ///< rows inserted, duplicates and hidden points included

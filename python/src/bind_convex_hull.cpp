@@ -223,7 +223,7 @@ auto asking(Question question) {
 }
 
 constexpr const char* class_doc = R"(
-ConvexHull(points, *, tolerance=0.0, seed=0, order='automatic', threads=1, progress=None)
+ConvexHull(points, *, tolerance=0.0, seed=0, order='automatic', threads=0, progress=None)
 
 The convex hull of points, (n, d) numbers that are exact in float64, in any dimension d >= 1.
 
@@ -296,9 +296,9 @@ constexpr const char* text(const char* doc) { return doc + 1; }
 void bind_convex_hull(py::module_& module) {
   py::class_<HeldHull> type(module, "ConvexHull", text(class_doc));
   type.def(py::init(&construct), "points"_a, py::kw_only(), "tolerance"_a = 0.0, "seed"_a = 0,
-           "order"_a = "automatic", "threads"_a = 1, "progress"_a = py::none());
+           "order"_a = "automatic", "threads"_a = 0, "progress"_a = py::none());
   type.def_static("of_extreme_points", &of_extreme_points, "points"_a, py::kw_only(), "tolerance"_a = 0.0,
-                  "seed"_a = 0, "order"_a = "automatic", "threads"_a = 1, "progress"_a = py::none(),
+                  "seed"_a = 0, "order"_a = "automatic", "threads"_a = 0, "progress"_a = py::none(),
                   text(of_extreme_points_doc));
   type.def("insert_range", &HeldHull::add, "points"_a, py::kw_only(), "progress"_a = py::none(),
            text(insert_range_doc));

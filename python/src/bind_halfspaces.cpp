@@ -160,7 +160,7 @@ auto asking(Question question) {
 }
 
 constexpr const char* class_doc = R"(
-HalfspaceIntersection(halfspaces, interior_point=None, *, seed=0, order='automatic', threads=1, progress=None)
+HalfspaceIntersection(halfspaces, interior_point=None, *, seed=0, order='automatic', threads=0, progress=None)
 
 The points x with A x + b <= 0, for halfspaces (m, d+1) with the rows [A, b], d >= 1: the vertices, facets and
 edges of a polyhedron, exactly. interior_point: (d,), strictly inside all of them; without one it is found, by an
@@ -217,7 +217,7 @@ void bind_halfspaces(py::module_& module) {
                  halfspaces, interior_point, BuildArguments{seed, std::move(order), threads}, progress);
            }),
            "halfspaces"_a, "interior_point"_a = py::none(), py::kw_only(), "seed"_a = 0,
-           "order"_a = "automatic", "threads"_a = 1, "progress"_a = py::none());
+           "order"_a = "automatic", "threads"_a = 0, "progress"_a = py::none());
   type.def("insert_range", &HeldIntersection::add, "halfspaces"_a, py::kw_only(), "progress"_a = py::none(),
            text(insert_range_doc));
   type.def_property_readonly("dimension", &HeldIntersection::dimension,

@@ -436,7 +436,7 @@ void bind_points_only(py::class_<T, Held, std::shared_ptr<T>>& type) {
                        const py::object& progress) {
              return construct<T>(points, py::none(), seed, std::move(order), threads, progress);
            }),
-           "points"_a, py::kw_only(), "seed"_a = 0, "order"_a = "automatic", "threads"_a = 1,
+           "points"_a, py::kw_only(), "seed"_a = 0, "order"_a = "automatic", "threads"_a = 0,
            "progress"_a = py::none());
   type.def(
       "insert_range",
@@ -582,13 +582,15 @@ void bind_triangulations(py::module_& module) {
 
   py::class_<HeldDelaunay, Held, std::shared_ptr<HeldDelaunay>> delaunay(
       module, "Delaunay",
-      "Delaunay(points, *, seed=0, order='automatic', threads=1, progress=None)\n\n"
+      "Delaunay(points, *, seed=0, order='automatic', threads=0, progress=None)\n\n"
       "The Delaunay triangulation of points, (n, d) numbers that are exact in float64, in any dimension.\n\n"
       "Exact, a function of the set of points: seed and order ('automatic', 'as_given', 'shuffled') only "
       "change "
       "the way there.\n"
-      "Duplicates are merged, flat points are triangulated in their flat. At most `threads` threads are "
-      "used. `progress` is\n"
+      "Duplicates are merged, flat points are triangulated in their flat. At most `threads` threads build; 0: "
+      "as many as there are\n"
+      "cores for the process, where a batch is large enough to gain by them. All arrays are the same, however "
+      "many. `progress` is\n"
       "called ten times a second with the fraction done, and may return False to stop (CancelledError). "
       "Ctrl-C stops with\n"
       "KeyboardInterrupt. Methods let go of the GIL; any number of threads may call them at once.\n"
@@ -599,7 +601,7 @@ void bind_triangulations(py::module_& module) {
 
   py::class_<HeldRegular, Held, std::shared_ptr<HeldRegular>> regular(
       module, "Regular",
-      "Regular(points, weights, *, seed=0, order='automatic', threads=1, progress=None)\n\n"
+      "Regular(points, weights, *, seed=0, order='automatic', threads=0, progress=None)\n\n"
       "The regular triangulation (weighted Delaunay triangulation) of points, (n, d), with weights, (n,), "
       "which have the unit "
       "of\n"
@@ -611,7 +613,7 @@ void bind_triangulations(py::module_& module) {
                           std::string order, int threads, const py::object& progress) {
                 return construct<HeldRegular>(points, weights, seed, std::move(order), threads, progress);
               }),
-              "points"_a, "weights"_a, py::kw_only(), "seed"_a = 0, "order"_a = "automatic", "threads"_a = 1,
+              "points"_a, "weights"_a, py::kw_only(), "seed"_a = 0, "order"_a = "automatic", "threads"_a = 0,
               "progress"_a = py::none());
   regular.def(
       "insert_range",
@@ -636,7 +638,7 @@ void bind_triangulations(py::module_& module) {
 
   py::class_<HeldFurthestSite, Held, std::shared_ptr<HeldFurthestSite>> furthest(
       module, "FurthestSite",
-      "FurthestSite(points, *, seed=0, order='automatic', threads=1, progress=None)\n\n"
+      "FurthestSite(points, *, seed=0, order='automatic', threads=0, progress=None)\n\n"
       "The furthest-site Delaunay triangulation of points, (n, d): the cells whose spheres have no point "
       "outside. Its "
       "vertices\n"

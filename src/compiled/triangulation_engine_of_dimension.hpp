@@ -85,6 +85,20 @@ class TriangulationEngineOfDimension final : public TriangulationEngine {
     need_functionals();
     build_.insert_all(batch);
   }
+  bool insert_all([[maybe_unused]] const engine::ParallelBatch& batch) override {
+    if constexpr (K >= 2 && K <= 6) {
+      if (points_.form == kernel::RowForm::furthest_point) return false;
+      need_functionals();
+      build_.insert_all(batch);
+      return true;
+    }
+    return false;
+  }
+  void renumber_vertices(std::span<const Index> new_ids) override {
+    build_.renumber_vertices(new_ids);
+    geometry().set_rows(points_.last_vertex());
+  }
+  void sort_cells(unsigned threads) override { build_.sort_cells(points_.last_vertex() + 1, threads); }
   void begin_batch() override {
     need_functionals();
     build_.begin_batch();

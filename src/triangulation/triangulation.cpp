@@ -63,6 +63,10 @@ InsertResult Triangulation::insert_point(std::span<const double> point, double w
   return internal::guarded("the triangulation", [&] { return impl_->insert(point, weight, hint); });
 }
 
+void Triangulation::sort_cells() {
+  internal::guarded("the cells in order", [&] { impl_->sort_cells(); });
+}
+
 void Triangulation::compact() {
   internal::guarded("a second copy of the cells", [&] { impl_->compact(); });
 }

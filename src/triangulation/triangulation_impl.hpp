@@ -60,6 +60,7 @@ struct Triangulation::Impl {
                     const std::function<void()>& release = {});
   InsertResult insert(std::span<const double> point, double weight, std::optional<CellId> hint);
   void compact();
+  void sort_cells();
   /// The triangulation, if the affine dimension is at least 1.
   const TriangulationQueries* queries() const {
     return engine ? static_cast<const TriangulationQueries*>(engine.get()) : compacted.get();
