@@ -78,6 +78,11 @@ class NaturalNeighborCoordinates {
 
  private:
   friend class NaturalNeighborInterpolator;
+  /// Each thread that works has its own visitor. `poll`: called by this thread while it waits, if not empty.
+  void find_by_threads(std::span<const double> queries, const LocateOptions& how,
+                       const std::function<Visit()>& make_visit, const std::function<void()>& poll,
+                       bool with_gradients) const;
+
   std::unique_ptr<Impl> impl_;
 };
 

@@ -38,8 +38,10 @@ class Supervisor {
     const py::gil_scoped_acquire gil;
     return ask(fraction);
   }
-  /// For loops over queries: looks at the clock only now and then.
+  /// For loops over queries: looks at the clock only now and then. Only the thread that made this object
+  /// counts; others that share the work may call it.
   void count() {
+    if (std::this_thread::get_id() != owner_) return;
     if (++count_ % 4096 == 0 && !go_on(0)) throw Error(Errc::cancelled, "cancelled");
   }
 
@@ -71,6 +73,7 @@ class Supervisor {
   std::optional<py::error_already_set> raised_;
   Clock::time_point last_ = Clock::now();
   unsigned count_ = 0;
+  std::thread::id owner_ = std::this_thread::get_id();
 };
 
 /// Lets threads share an object of the library: queries hold a lock together, a change holds it alone.

@@ -8,11 +8,14 @@
 #include <delone/triangulation.hpp>
 
 #include <algorithm>
+#include <atomic>
 #include <cstddef>
 #include <functional>
 #include <limits>
+#include <mutex>
 #include <span>
 #include <string>
+#include <thread>
 #include <vector>
 
 namespace delone::internal {
@@ -34,25 +37,54 @@ inline std::vector<double> by_vertex(const Triangulation& triangulation, std::sp
   return result;
 }
 
-/// Counts steps and calls `progress` every 256 of them.
-class Meter {
+/// How many steps all threads have done, and who is told.
+class Progress {
  public:
-  explicit Meter(const std::function<bool(std::size_t)>& progress) : progress_(progress) {}
-  void operator()() {
-    if (++done_ % 256 == 0 && progress_ && !progress_(done_))
+  /// For the thread that makes it, which is the only one that calls `progress`.
+  explicit Progress(const std::function<bool(std::size_t)>& progress) : progress_(progress) {}
+
+  bool is_wanted() const { return progress_ != nullptr; }
+  void add(std::size_t steps) {
+    done_.fetch_add(steps, std::memory_order_relaxed);
+    if (std::this_thread::get_id() == caller_) poll();
+  }
+  void poll() const {
+    if (progress_ && !progress_(done_.load(std::memory_order_relaxed)))
       throw Error(Errc::cancelled, "cancelled by the progress callback");
+  }
+
+  /// poll(), if there is a progress function. Refers to this object.
+  std::function<void()> poller() const {
+    return is_wanted() ? std::function<void()>([this] { poll(); }) : nullptr;
   }
 
  private:
   const std::function<bool(std::size_t)>& progress_;
+  std::thread::id caller_ = std::this_thread::get_id();
+  std::atomic<std::size_t> done_ = 0;
+};
+
+/// Counts the steps of one thread and tells of every 256 of them.
+class Meter {
+ public:
+  explicit Meter(Progress& progress) : progress_(&progress) {}
+  void operator()() {
+    if (++done_ % 256 == 0 && progress_->is_wanted()) progress_->add(256);
+  }
+
+ private:
+  Progress* progress_;
   std::size_t done_ = 0;
 };
 
 inline LocateOptions locate_options(const EvaluateOptions& options) {
-  return {.tolerance = options.tolerance, .project = options.outside == Outside::project};
+  return {.tolerance = options.tolerance,
+          .project = options.outside == Outside::project,
+          .threads = options.threads};
 }
 
-/// The answers of queries that location leaves outside, `width` numbers each.
+/// The answers of queries that location leaves outside, `width` numbers each. Several threads may call
+/// value() and gradient().
 class OutsideAnswers {
  public:
   /// `queries`: of d coordinates each.
@@ -63,6 +95,7 @@ class OutsideAnswers {
   void value(std::size_t query, double* at) {
     refuse(query);
     if (options_.outside == Outside::nearest) {
+      const std::lock_guard lock(mutex_);
       beyond_.push_back(query);
       const double* const q = queries_.data() + query * d_;
       coordinates_.insert(coordinates_.end(), q, q + d_);
@@ -79,13 +112,18 @@ class OutsideAnswers {
   }
   /// Replaces the values of those that get the one at the nearest vertex. `values`: by vertex id.
   void finish(const PointLocator& locator, std::span<const double> values, std::span<double> result,
-              Meter& meter) const {
+              Progress& progress) const {
     if (beyond_.empty()) return;
-    locator.nearest(coordinates_, [&](std::size_t i, VertexId v) {
-      meter();
-      if (v != invalid_vertex)
-        std::copy_n(values.data() + index(v) * width_, width_, result.data() + beyond_[i] * width_);
-    });
+    std::atomic<std::size_t> done = 0;
+    locator.nearest(
+        coordinates_,
+        [&](std::size_t i, VertexId v) {
+          if (v != invalid_vertex)
+            std::copy_n(values.data() + index(v) * width_, width_, result.data() + beyond_[i] * width_);
+          if (progress.is_wanted() && done.fetch_add(1, std::memory_order_relaxed) % 256 == 255)
+            progress.add(256);
+        },
+        options_.threads);
   }
 
  private:
@@ -98,6 +136,7 @@ class OutsideAnswers {
   const EvaluateOptions& options_;
   std::span<const double> queries_;
   std::size_t d_, width_;
+  std::mutex mutex_;
   std::vector<std::size_t> beyond_;
   std::vector<double> coordinates_;
 };
