@@ -23,9 +23,8 @@ class NeighborLists {
   explicit NeighborLists(std::size_t count) : of_query_(count) {}
   void find(const NaturalNeighborCoordinates& coordinates, const Triangulation& engine,
             std::span<const double> queries, const LocateOptions& how, Supervisor& supervisor) {
-    unsigned count = 0;
     coordinates.find(queries, how, [&](std::size_t query, const NaturalNeighbors& found) {
-      if (++count % 256 == 0 && !supervisor.go_on(0)) throw Error(Errc::cancelled, "cancelled");
+      supervisor.count(256);
       for (std::size_t i = 0; i < found.vertices.size(); ++i)
         of_query_[query].emplace_back(static_cast<SignedIndex>(engine.row_of(found.vertices[i])),
                                       found.weights[i]);
@@ -59,7 +58,7 @@ py::tuple natural_neighbors(const py::object& points, const py::object& object) 
   Supervisor supervisor;
   supervisor.run([&, x = queries.coordinates()] {
     held.with_engine(supervisor, [&](const Triangulation& engine) {
-      lists.find(NaturalNeighborCoordinates(engine), engine, x, {}, supervisor);
+      lists.find(NaturalNeighborCoordinates(engine), engine, x, {.threads = held.threads()}, supervisor);
     });
   });
   return lists.arrays();

@@ -68,7 +68,9 @@ class HeldFunction {
   const py::object& fill() const { return fill_; }
   double tolerance() const { return tolerance_; }
   LocateOptions how_to_locate() const {
-    return {.tolerance = tolerance_, .project = outside_ == Outside::project};
+    return {.tolerance = tolerance_,
+            .project = outside_ == Outside::project,
+            .threads = triangulation().threads()};
   }
 
  protected:
@@ -150,10 +152,11 @@ class HeldFunction {
 
  private:
   EvaluateOptions options(Supervisor& supervisor, std::span<const double> fill = {}) const {
-    return {
-        .outside = outside_, .fill = fill, .tolerance = tolerance_, .progress = [&supervisor](std::size_t) {
-          return supervisor.go_on(0);
-        }};
+    return {.outside = outside_,
+            .fill = fill,
+            .tolerance = tolerance_,
+            .progress = [&supervisor](std::size_t) { return supervisor.go_on(0); },
+            .threads = triangulation().threads()};
   }
 
   std::vector<py::ssize_t> shape_of(const Queries& queries) const {

@@ -40,9 +40,9 @@ class Supervisor {
   }
   /// For loops over queries: looks at the clock only now and then. Only the thread that made this object
   /// counts; others that share the work may call it.
-  void count() {
+  void count(unsigned interval = 4096) {
     if (std::this_thread::get_id() != owner_) return;
-    if (++count_ % 4096 == 0 && !go_on(0)) throw Error(Errc::cancelled, "cancelled");
+    if (++count_ % interval == 0 && !go_on(0)) throw Error(Errc::cancelled, "cancelled");
   }
 
   /// Runs `work` without the GIL.

@@ -304,7 +304,8 @@ void check_hidden(const Examined& examined, const Volumes& volumes, std::span<co
                       {c},
                       {at}};
   };
-  work_in_parts(examined.threads, rows.size(), part_of_check, [&] {
+  constexpr std::size_t walks_in_part = 256;
+  work_in_parts(examined.threads, rows.size(), walks_in_part, [&] {
     return [&, geometry = Geometry(examined, volumes.axes)](std::size_t first, std::size_t last,
                                                             const StopPoint& stop) mutable {
       std::uint64_t random = first;

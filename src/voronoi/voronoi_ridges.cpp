@@ -24,7 +24,7 @@ void VoronoiBuilder::add_ridge(VertexId s, VertexId t, std::span<const SignedInd
 /// part and thread if cells have merged: classes are not for several threads.
 template <class MakeWork>
 void VoronoiBuilder::collect_in_parts(std::size_t size, MakeWork make_work) {
-  constexpr std::size_t part = 1024;
+  constexpr std::size_t part = 256;
   const std::size_t num_parts = (size + part - 1) / part;
   const unsigned threads = has_merged_ ? 1 : internal::threads_for_parts(threads_, num_parts);
   if (threads == 1) {
