@@ -126,7 +126,8 @@ class Triangulation {
 
   /// A plain copy: cells of point rows in the order of finite_cells().
   ComplexData to_data(bool with_points = true) const;
-  CanonicalHash hash() const;
+  /// `threads`: as for canonical_hash() below.
+  CanonicalHash hash(unsigned threads = 1) const;
   Statistics statistics() const;
 
  protected:
@@ -171,5 +172,9 @@ template <int D>
 using OwnPoint = std::conditional_t<D == dynamic, std::vector<double>, std::array<double, (D > 0 ? D : 1)>>;
 
 }  // namespace detail
+
+/// canonical_hash() by several threads: at most so many; 0: as many as there are cores, where the data are
+/// large enough to gain by them.
+CanonicalHash canonical_hash(const ComplexData& data, unsigned threads);
 
 }  // namespace delone

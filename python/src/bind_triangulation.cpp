@@ -171,9 +171,10 @@ py::tuple vertex_neighbors(const Held& held) {
   return py::make_tuple(list_view(std::move(offsets)), list_view(std::move(rows)));
 }
 
-/// Locates queries. Calls visit(query, where, row of the cell or −1).
+/// Locates queries. Calls visit(query, where, row of the cell or −1), from several threads at once.
 template <class Visit>
-void locate_each(const Held& held, const Queries& queries, const LocateOptions& options, Visit visit) {
+void locate_each(const Held& held, const Queries& queries, LocateOptions options, Visit visit) {
+  options.threads = held.threads();
   Supervisor supervisor;
   supervisor.run([&, x = queries.coordinates()] {
     held.with_locator([&](const Triangulation& engine, const PointLocator& locator, const Cells& cells) {
@@ -349,18 +350,24 @@ double distance_or_power(const Held& held, const Triangulation& engine, const do
   return length * length - static_cast<const Regular<>&>(engine).weight(v);
 }
 
-/// Calls visit(query, rank, vertex) for the vertices nearest to each query.
+/// Calls visit(query, rank, vertex) for the vertices nearest to each query, from several threads at once.
 template <class Visit>
 void visit_nearest(const PointLocator& locator, std::span<const double> queries, std::optional<std::size_t> k,
-                   Visit visit) {
+                   unsigned threads, Visit visit) {
   if (!k)
-    locator.nearest(queries, [&](std::size_t query, VertexId v) {
-      if (v != invalid_vertex) visit(query, 0, v);
-    });
+    locator.nearest(
+        queries,
+        [&](std::size_t query, VertexId v) {
+          if (v != invalid_vertex) visit(query, 0, v);
+        },
+        threads);
   else
-    locator.nearest(queries, *k, [&](std::size_t query, std::span<const VertexId> found) {
-      for (std::size_t rank = 0; rank < found.size(); ++rank) visit(query, rank, found[rank]);
-    });
+    locator.nearest(
+        queries, *k,
+        [&](std::size_t query, std::span<const VertexId> found) {
+          for (std::size_t rank = 0; rank < found.size(); ++rank) visit(query, rank, found[rank]);
+        },
+        threads);
 }
 
 py::tuple nearest(const Held& held, const py::object& object, std::optional<py::ssize_t> k) {
@@ -375,7 +382,7 @@ py::tuple nearest(const Held& held, const py::object& object, std::optional<py::
   supervisor.run([&, x = queries.coordinates(), row = rows.mutable_data(), at = distances.mutable_data()] {
     held.with_locator([&](const Triangulation& engine, const PointLocator& locator, const Cells&) {
       const auto d = static_cast<std::size_t>(held.dimension());
-      visit_nearest(locator, x, k ? std::optional(width) : std::nullopt,
+      visit_nearest(locator, x, k ? std::optional(width) : std::nullopt, held.threads(),
                     [&](std::size_t query, std::size_t rank, VertexId v) {
                       row[query * width + rank] = static_cast<SignedIndex>(engine.row_of(v));
                       at[query * width + rank] = distance_or_power(held, engine, x.data() + query * d, v);
@@ -556,7 +563,10 @@ void bind_triangulations(py::module_& module) {
           "(indptr (n+1,) int64, indices): the rows joined to row i by an edge are "
           "indices[indptr[i]:indptr[i+1]], increasing. Rows that are no vertices have none.")
       .def_property_readonly(
-          "hash", [](const Held& h) { return ask(h, [](const Triangulation& t) { return t.hash().hex(); }); },
+          "hash",
+          [](const Held& h) {
+            return ask(h, [&](const Triangulation& t) { return t.hash(h.threads()).hex(); });
+          },
           "32 hexadecimal digits that depend on the coordinates of the vertices and the set of cells only; "
           "the command prints "
           "the same. O(n d + m k).")

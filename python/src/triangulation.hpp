@@ -42,6 +42,8 @@ class HeldTriangulation {
   Form form() const { return form_; }
   int dimension() const { return dimension_; }
   const BuildArguments& arguments() const { return arguments_; }
+  /// At most so many threads answer a batch of questions, as they build.
+  unsigned threads() const { return static_cast<unsigned>(arguments_.threads); }
 
   // Without the GIL, in Supervisor::run():
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "base/parallel.hpp"
 
+#include "base/progress_meter.hpp"
+
 #include <charconv>
 #include <exception>
 #include <fstream>
@@ -8,6 +10,7 @@
 #include <new>
 #include <string>
 #include <thread>
+#include <utility>
 #include <vector>
 
 // ThreadSanitizer does not see how oneTBB, which is not compiled for it, passes work from one thread to
@@ -117,12 +120,15 @@ void run_workers(unsigned n, void (*work)(void* context, unsigned worker), void*
   std::exception_ptr failure;
   std::mutex mutex;
   const auto run = [&](unsigned worker) noexcept {
+    // A thread that helps while it waits has a progress function of its own call, which is not for this work.
+    ProgressMeter* const meter = std::exchange(current_meter, worker == 0 ? current_meter : nullptr);
     try {
       work(context, worker);
     } catch (...) {
       const std::lock_guard lock(mutex);
       if (!failure) failure = std::current_exception();
     }
+    current_meter = meter;
   };
   unsigned next = 0;
 #if DELONE_PLAIN_THREADS

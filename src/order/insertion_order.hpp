@@ -50,7 +50,7 @@ std::vector<Index> shuffled_order(std::size_t n, std::uint64_t seed);
 /// first_axis, first_axis − 1, … (mod d). m rows are halved ⌈log2 m⌉ times, so with m ≤ 2^(d−1) some axes are
 /// never used. As different axes may have different units, no axis is preferred; the rounds of brio_order()
 /// start with different axes instead. REQUIRES 0 ≤ first_axis < d. O(m log m) expected; memory O(m·d) for d ≤
-/// 4, O(m) beyond.
-void hilbert_sort(PointsView points, std::span<Index> rows, int first_axis = 0);
+/// 4, O(m) beyond. Up to `threads` threads distribute rows to cubes; the result does not depend on them.
+void hilbert_sort(PointsView points, std::span<Index> rows, int first_axis = 0, unsigned threads = 1);
 
 }  // namespace delone::order
