@@ -25,9 +25,9 @@ struct Options {
   /// and arrays do not depend on it; ids of cells do.
   unsigned threads = 1;
   bool force_runtime_dimension = false;  ///< use the run-time-dimension engine even for k ≤ 8
-  /// Called from the thread that builds, and from no other, about every 20 ms with the fraction done, 0…1, which
-  /// does not decrease; return false to cancel (Errc::cancelled). ProgressScope does the same for calls without
-  /// options.
+  /// Called from the thread that builds, and from no other, about every 20 ms with the fraction done, 0…1,
+  /// which does not decrease; return false to cancel (Errc::cancelled). ProgressScope does the same for calls
+  /// without options.
   std::function<bool(double)> progress = {};
   /// Of hulls (ConvexHull, LowerHull), with the unit of the coordinates; see there. 0, the default, is exact.
   /// Must be finite and ≥ 0, and 0 for triangulations and halfspaces; otherwise Errc::invalid_argument.

@@ -39,7 +39,8 @@ inline std::vector<double> by_vertex(const Triangulation& triangulation, std::sp
   return result;
 }
 
-/// How many steps all threads have done. The thread that makes it tells `progress`, at its cancellation points.
+/// How many steps all threads have done. The thread that makes it tells `progress`, at its cancellation
+/// points.
 class Progress {
  public:
   explicit Progress(const std::function<bool(std::size_t)>& progress)

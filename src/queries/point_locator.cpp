@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Batches of queries by a certified visibility walk. The nearest vertex is in nearest_vertex.cpp.
-#include "base/quick_rounds.hpp"
 #include "queries/point_locator_impl.hpp"
 
 #include "base/require_finite.hpp"
@@ -85,30 +84,6 @@ struct NoTable {
 
 /// The walks of one thread.
 template <class Table>
-<<<<<<< HEAD
-void walk_through(const PointLocator::Impl& where, Table table, std::span<const double> queries,
-                  const LocateOptions& options, internal::TolerantLocation* tolerant,
-                  const PointLocator::Visit& visit) {
-  PlainWalk plain(where);
-  CellId start = invalid_cell;
-  const double* const coordinates = queries.data();
-  const auto width = static_cast<std::size_t>(where.dimension);
-  internal::QuickRounds round;
-  const auto answer = [&](Index query, LocatedPoint& found, auto complete) {
-    round();
-    const double* const exact = found.barycentric.data();
-    if (tolerant != nullptr && !tolerant->is_final(found))
-      tolerant->refine(coordinates + static_cast<std::size_t>(query) * width, found);
-    if (options.coordinates && found.barycentric.data() == exact) complete();
-    visit(query, found);
-  };
-  const auto walk_plainly = [&](const double* q, CellId from, LocatedPoint& found) {
-    plain.locate(q, from, found);
-  };
-  where.in_pieces(queries, [&](std::span<const Index> piece) {
-    if (piece.size() >= Table::least_many) {
-      start = table.locate_all(coordinates, piece, start, answer, walk_plainly);
-=======
 class Walks {
  public:
   explicit Walks(const PointLocator::Impl& where) : where_(where), table_(where), plain_(where) {}
@@ -123,7 +98,6 @@ class Walks {
       table_.locate_all(
           coordinates, rows, start, answer,
           [&](const double* q, CellId from, LocatedPoint& found) { plain_.locate(q, from, found); });
->>>>>>> around
       return;
     }
     for (const Index query : rows) {

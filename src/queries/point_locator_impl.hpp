@@ -81,15 +81,13 @@ struct PointLocator::Impl {
       starts.clear();
       for (std::size_t at = 0; at < in_round.size() && rows.size() > part; at += part)
         starts.push_back(start = find_start(in_round[at], start));
-      internal::work_in_parts(
-          how.threads, in_round.size(), part,
-          [&] {
-            return [&, work = make_work()](std::size_t begin, std::size_t end,
-                                           const internal::StopPoint& stop) mutable {
-              work(std::span<const Index>(in_round.subspan(begin, end - begin)),
-                   starts.empty() ? invalid_cell : starts[begin / part], stop);
-            };
-          });
+      internal::work_in_parts(how.threads, in_round.size(), part, [&] {
+        return [&, work = make_work()](std::size_t begin, std::size_t end,
+                                       const internal::StopPoint& stop) mutable {
+          work(std::span<const Index>(in_round.subspan(begin, end - begin)),
+               starts.empty() ? invalid_cell : starts[begin / part], stop);
+        };
+      });
     }
   }
   /// PointLocator::locate(). The threads are those of the options.

@@ -242,7 +242,8 @@ std::vector<double> Diagram::volumes_of(const std::vector<unsigned char>& wanted
         const std::size_t a = region(2 * (begin + i)), b = region(2 * (begin + i) + 1);
         if (!wanted[a] && !wanted[b]) continue;
         const double known = of_ridges[begin + i];
-        const double volume = (std::isnan(known) ? ridge_volume(begin + i, cells) : known) / affine_dimension_;
+        const double volume =
+            (std::isnan(known) ? ridge_volume(begin + i, cells) : known) / affine_dimension_;
         if (wanted[a]) terms[2 * i] = volume * bisector_distance(a, b);
         if (wanted[b]) terms[2 * i + 1] = volume * bisector_distance(b, a);
       }

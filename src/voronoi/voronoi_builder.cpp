@@ -3,7 +3,6 @@
 #include "voronoi/voronoi_builder.hpp"
 
 #include "base/parallel_parts.hpp"
-#include "base/quick_rounds.hpp"
 #include "kernel/predicates.hpp"
 #include "triangulation/stored_points.hpp"
 #include "voronoi/cell_center.hpp"

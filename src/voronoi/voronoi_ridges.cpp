@@ -2,7 +2,6 @@
 // Ridges, the duals of edges. If no two cells share a sphere, every edge has a ridge; otherwise is_ridge()
 // decides.
 #include "base/parallel_parts.hpp"
-#include "base/quick_rounds.hpp"
 #include "voronoi/voronoi_builder.hpp"
 
 #include <delone/predicates.hpp>
