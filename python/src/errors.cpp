@@ -83,8 +83,9 @@ py::dict as_dict(const Statistics& s) {
   using namespace py::literals;
   return py::dict("created_cells"_a = s.created_cells, "visited_cells"_a = s.visited_cells,
                   "insertions"_a = s.insertions, "filter"_a = s.filter, "direct"_a = s.direct,
-                  "exact"_a = s.exact, "perturbed"_a = s.perturbed, "order_seconds"_a = s.order_seconds, "threads"_a = s.threads,
-                  "build_seconds"_a = s.build_seconds, "cell_bytes"_a = s.cell_bytes);
+                  "exact"_a = s.exact, "perturbed"_a = s.perturbed, "order_seconds"_a = s.order_seconds,
+                  "threads"_a = s.threads, "build_seconds"_a = s.build_seconds,
+                  "cell_bytes"_a = s.cell_bytes);
 }
 
 void bind_errors(py::module_& module) {
