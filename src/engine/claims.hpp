@@ -53,7 +53,8 @@ class ClaimTable {
   template <int K>
   void cover(CellMemory<K>& memory) {
     const CellLayout<K>& layout = memory.layout();
-    if (num_workers_ <= layout.num_spare_bytes()) {
+    // Triangles are so small that an array of bytes alone is in the cache.
+    if (layout.dimension() > 2 && num_workers_ <= layout.num_spare_bytes()) {
       view_ = {reinterpret_cast<std::uint8_t*>(memory.links(0) + layout.num_link_ids()),
                layout.functional_stride() * sizeof(double), false};
     } else {
