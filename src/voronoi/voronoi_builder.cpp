@@ -3,6 +3,7 @@
 #include "voronoi/voronoi_builder.hpp"
 
 #include "base/parallel_parts.hpp"
+#include "base/progress_meter.hpp"
 #include "kernel/predicates.hpp"
 #include "triangulation/stored_points.hpp"
 #include "voronoi/cell_center.hpp"

@@ -2,6 +2,7 @@
 // Ridges, the duals of edges. If no two cells share a sphere, every edge has a ridge; otherwise is_ridge()
 // decides.
 #include "base/parallel_parts.hpp"
+#include "base/progress_meter.hpp"
 #include "voronoi/voronoi_builder.hpp"
 
 #include <delone/predicates.hpp>
