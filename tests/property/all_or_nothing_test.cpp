@@ -24,7 +24,8 @@
 
 namespace {
 
-/// How many allocations, of all threads together, there may be before all fail; none fails if it is negative.
+/// How many allocations, of all threads together, there may be before one fails; none fails if it is
+/// negative.
 std::atomic<long> left_for_all_threads = -1;
 
 /// Counts allocations of the thread, and makes some of them fail.
@@ -35,7 +36,7 @@ struct Allocations {
 
   bool fails() {
     if (left_for_all_threads.load(std::memory_order_relaxed) >= 0 && left_for_all_threads.fetch_sub(1) <= 0) {
-      left_for_all_threads = 0;
+      left_for_all_threads = -1;
       return true;
     }
     ++count;
