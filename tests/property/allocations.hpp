@@ -8,7 +8,7 @@
 
 namespace delone::test {
 
-/// How many allocations, of all threads together, there may be before all fail; none fails if it is negative.
+/// How many allocations, of all threads together, there may be before one fails; none fails if it is negative.
 extern std::atomic<long> left_for_all_threads;
 
 struct Allocations {
@@ -18,7 +18,7 @@ struct Allocations {
 
   bool fails() {
     if (left_for_all_threads.load(std::memory_order_relaxed) >= 0 && left_for_all_threads.fetch_sub(1) <= 0) {
-      left_for_all_threads = 0;
+      left_for_all_threads = -1;
       return true;
     }
     ++count;
