@@ -58,8 +58,9 @@ TEST(Printable, EveryByteAloneAndAfterALeadByte) {
 }
 
 TEST(Printable, IsCutAtSoManyCharacters) {
-  EXPECT_EQ(printable(std::string(80, 'x')), std::string(80, 'x'));
-  EXPECT_EQ(printable(std::string(1'000'000, 'x')), std::string(80, 'x') + "…");
+  const std::string most(80, 'x');
+  EXPECT_EQ(printable(most), most);
+  EXPECT_EQ(printable(std::string(1'000'000, 'x')), most + "…");
   EXPECT_EQ(printable("äöü", 2), "äö…");
   EXPECT_EQ(printable("ab\x1b", 5), "ab…");  // an escape is not cut
   EXPECT_EQ(printable("ab\x1b", 6), "ab\\x1b");
