@@ -10,14 +10,12 @@
 #pragma once
 
 #include "base/growable_array.hpp"
-#include "base/parallel.hpp"
 
 #include <delone/types.hpp>
 
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
-#include <span>
 #include <type_traits>
 #include <utility>
 
@@ -220,35 +218,6 @@ class CellMemory {
         std::copy_n(neighbors, K + 1, links + wide.ids_before_neighbors());
       }
     }
-  }
-  /// Makes cell order[n] that of slot n, for all n; other cells are lost. Only their links if that is all it
-  /// has. Throws std::bad_alloc, and then changes nothing.
-  void reorder(std::span<const Index> order, unsigned threads) {
-    CellMemory moved(dimension(), layout_.vertex_ids());
-    const bool has_words = capacity_ >= order.size();
-    if (has_words)
-      moved.reserve(order.size());
-    else
-      moved.reserve_links(order.size());
-    const std::size_t words = layout_.functional_stride(), ids = layout_.link_stride();
-    constexpr std::size_t ahead = 16;
-    internal::parallel_for(threads, order.size(), 4096, [&](std::size_t first, std::size_t last) {
-      for (std::size_t n = first; n < last; ++n) {
-        const Index cell = order[n], later = order[std::min(n + ahead, order.size() - 1)];
-        if (has_words) {
-          __builtin_prefetch(words_.data() + later * words);
-          std::copy_n(words_.data() + cell * words, words, moved.words_.data() + n * words);
-          if (layout_.certificates_are_apart()) moved.certificates_[n] = certificates_[cell];
-        }
-        if (layout_.links_are_apart())
-          std::copy_n(links_.data() + cell * ids, ids, moved.links_.data() + n * ids);
-      }
-    });
-    std::swap(words_, moved.words_);
-    std::swap(certificates_, moved.certificates_);
-    std::swap(links_, moved.links_);
-    capacity_ = moved.capacity_;
-    link_capacity_ = moved.link_capacity_;
   }
   /// Copies the first `cells` cells of a memory of the same dimension; their links alone if that is all it
   /// has.

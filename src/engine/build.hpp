@@ -56,6 +56,8 @@ class Build : public Sphere<K, G> {
     }
   }
 
+  /// So few vertices have too few cells for several threads.
+  static constexpr std::size_t few_vertices = K <= 4 ? 16 * K : K == 5 ? 150 : 200;
   /// The same in several threads, once there are enough cells for them; in one thread where the geometry does
   /// not share its cells.
   void insert_all(const ParallelBatch& batch) {
@@ -133,9 +135,6 @@ class Build : public Sphere<K, G> {
   }
 
  private:
-  /// So few have too few cells for several workers.
-  static constexpr std::size_t few_vertices = K <= 4 ? 16 * K : K == 5 ? 150 : 200;
-
   using Sphere<K, G>::memory_;
   using Sphere<K, G>::cells_, Sphere<K, G>::geometry_, Sphere<K, G>::work_, Sphere<K, G>::effort_,
       Sphere<K, G>::num_infinite_, Sphere<K, G>::log_;

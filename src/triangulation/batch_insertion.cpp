@@ -268,6 +268,8 @@ void Triangulation::Impl::BatchInsertion::insert_at_only_vertex() {
 /// Returns false, and nothing has been done, if one thread has to do.
 bool Triangulation::Impl::BatchInsertion::insert_in_threads() {
   const std::size_t begin = place_, n = order_.size() - begin;
+  if (!impl_.engine->shares_batches_of(n)) return false;
+  impl_.has_ids_of_threads = true;
   const unsigned threads = threads_for(impl_.options.threads, n, impl_.dimension);
   if (threads < 2) return false;
   std::vector<Index> at(n);
@@ -277,11 +279,8 @@ bool Triangulation::Impl::BatchInsertion::insert_in_threads() {
   VertexPoints& vertices = impl_.points;
   const Index first = vertices.last_vertex() + 1;
   vertices.num_waiting = 0;  // all points are where those of their vertices are
-  if (!impl_.engine->insert_all(engine::ParallelBatch{threads, first, at, rounds,
-                                                      [&](std::size_t done) { progress_(begin + done); }})) {
-    vertices.num_waiting = n;
-    return false;
-  }
+  impl_.engine->insert_all(
+      engine::ParallelBatch{threads, first, at, rounds, [&](std::size_t done) { progress_(begin + done); }});
   place_in_order(first, at, threads);
   impl_.statistics.threads = std::max(impl_.statistics.threads, threads);
   return true;

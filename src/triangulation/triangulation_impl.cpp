@@ -55,6 +55,7 @@ std::unique_ptr<Triangulation::Impl> Triangulation::Impl::clone() const {
   copy->vertex_of_row = vertex_of_row;
   copy->num_rows_inserted = num_rows_inserted;
   copy->num_vertices = num_vertices;
+  copy->has_ids_of_threads = has_ids_of_threads;
   copy->statistics = statistics;
   if (landmarks) copy->landmarks = std::make_unique<internal::Landmarks>(*landmarks);
   std::copy(std::begin(single_links), std::end(single_links), copy->single_links);
@@ -289,10 +290,12 @@ void Triangulation::Impl::compact() {
 
 /// Of what compact() has left, too: insertions are possible then.
 void Triangulation::Impl::sort_cells() {
+  if (!has_ids_of_threads) return;
   expand();
   if (!engine) return;
   engine->sort_cells(internal::threads_to_use(options.threads));
   find_cells_of_vertices();
+  has_ids_of_threads = false;
 }
 
 /// Makes insertions possible again after compact(): cells keep their ids.
