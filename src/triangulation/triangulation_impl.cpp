@@ -334,8 +334,14 @@ void Triangulation::Impl::find_cells_of_vertices() {
       for (std::size_t slot = first; slot < last; ++slot) {
         const CellId c{static_cast<Index>(slot)};
         if (!now.is_cell(c)) continue;
-        for (int i = 0; i <= now.affine_dimension(); ++i)
-          std::atomic_ref(cell_of_vertex[index(now.vertex(c, i))]).store(c, std::memory_order_relaxed);
+        for (int i = 0; i <= now.affine_dimension(); ++i) {
+          // The last one, as in one thread.
+          const std::atomic_ref last_cell(cell_of_vertex[index(now.vertex(c, i))]);
+          CellId known = last_cell.load(std::memory_order_relaxed);
+          while ((known == invalid_cell || known < c) &&
+                 !last_cell.compare_exchange_weak(known, c, std::memory_order_relaxed)) {
+          }
+        }
       }
     });
   } else {
