@@ -21,6 +21,7 @@
 #include <atomic>
 #include <cstddef>
 #include <cstdint>
+#include <numeric>
 #include <span>
 #include <utility>
 #include <vector>
@@ -34,11 +35,17 @@ class CellSorter {
   static_assert(K >= 2 && HashBits <= 32);
 
  public:
-  CellSorter(CellMemory<K>& memory, CellStore<K>& cells, Index num_vertices, unsigned threads)
-      : memory_(memory), cells_(cells), threads_(threads), end_(std::size_t{num_vertices} + 1) {}
+  /// `has_gaps`: some ids before num_vertices may be those of no vertex. Which ones does not matter then.
+  CellSorter(CellMemory<K>& memory, CellStore<K>& cells, Index num_vertices, bool has_gaps, unsigned threads)
+      : memory_(memory),
+        cells_(cells),
+        threads_(threads),
+        ranks_(has_gaps ? num_vertices : 0),
+        end_(std::size_t{num_vertices} + 1) {}
 
   /// Throws std::bad_alloc, and then nothing has changed.
   void run() {
+    if (!ranks_.empty()) find_ranks();
     find_keys();
     distribute();
     number_cells();
@@ -63,6 +70,14 @@ class CellSorter {
     return array;
   }
 
+  /// The number of vertices of lesser ids.
+  void find_ranks() {
+    for (Index cell = 0; cell < cells_.num_slots(); ++cell)
+      if (!cells_.is_vacant(cell))
+        for (int i = 0; i <= K; ++i) ranks_[cells_.vertex(cell, i)] = 1;
+    std::exclusive_scan(ranks_.begin(), ranks_.end(), ranks_.begin(), Index{0});
+  }
+
   /// A key for each slot, and how many cells each vertex is the newest of.
   void find_keys() {
     const Index num_slots = cells_.num_slots();
@@ -77,7 +92,8 @@ class CellSorter {
         std::uint64_t sum = 0;
         for (int i = 0; i <= K; ++i) {
           const Index v = cells_.vertex(cell, i);
-          const std::uint64_t product = (std::uint64_t{v} + 1) * 0x9e3779b97f4a7c15u;
+          const std::uint64_t product =
+              (std::uint64_t{ranks_.empty() ? v : ranks_[v]} + 1) * 0x9e3779b97f4a7c15u;
           newest = std::max(newest, v);
           sum += product ^ product >> 29;
         }
@@ -184,6 +200,7 @@ class CellSorter {
   CellMemory<K>& memory_;
   CellStore<K>& cells_;
   unsigned threads_;
+  std::vector<Index> ranks_;  // by vertex; none if they are the ids
   /// By vertex: how many cells it is the newest of; then where the next of them goes, and at last where they
   /// end.
   std::vector<Index> end_;
@@ -194,8 +211,9 @@ class CellSorter {
 /// Sorts all cells, of vertices before num_vertices; there are no vacant slots then. Throws std::bad_alloc,
 /// and then changes nothing. Cost O(k²) per cell, and for a moment some 20 bytes for each.
 template <int K>
-void sort_cells(CellMemory<K>& memory, CellStore<K>& cells, Index num_vertices, unsigned threads) {
-  CellSorter<K>(memory, cells, num_vertices, threads).run();
+void sort_cells(CellMemory<K>& memory, CellStore<K>& cells, Index num_vertices, bool has_gaps,
+                unsigned threads) {
+  CellSorter<K>(memory, cells, num_vertices, has_gaps, threads).run();
 }
 
 }  // namespace delone::engine

@@ -83,8 +83,8 @@ class Sphere {
   }
 
   /// Gives cells ids that depend on their vertices alone, all before num_vertices (sort_cells.hpp).
-  void sort_cells(Index num_vertices, unsigned threads) {
-    engine::sort_cells(memory_, cells_, num_vertices, threads);
+  void sort_cells(Index num_vertices, bool has_gaps, unsigned threads) {
+    engine::sort_cells(memory_, cells_, num_vertices, has_gaps, threads);
     work_.clear();
     work_.last_cell = 0;
   }
