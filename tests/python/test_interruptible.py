@@ -21,8 +21,8 @@ QUICK = {
     "delone.HalfspaceIntersection": "__getstate__ dimension halfspaces num_halfspaces rank state statistics",
     "delone.LinearInterpolator": "__getstate__ __repr__ tolerance triangulation values",
     "delone.NaturalNeighborInterpolator": "__getstate__ __repr__ smooth tolerance triangulation values",
-    "delone.PowerDiagram": "__reduce__ __repr__ weights",
-    "delone.Voronoi": "__reduce__ __repr__",
+    "delone.PowerDiagram": "__repr__ weights",
+    "delone.Voronoi": "__repr__",
     "delone.TrimResult": "__getstate__ __repr__ cells depth kept lost_volume neighbors num_removed orphans",
     "delone._core.Diagram": "affine_dimension bounding_box dimension is_bounded max_displacement num_points num_rays num_regions num_ridges "
                             "num_vertices point_region points ray_directions ray_points ray_vertices region region_offsets region_points "
@@ -183,6 +183,8 @@ def public():
             plain = cls.__module__ == "delone" or cls.__module__.startswith("delone._c") and cls.__name__ == "ConvexHulls"
             place = f"delone.{cls.__name__}" if plain else f"{cls.__module__}.{cls.__name__}"
             for name, member in vars(cls).items():
+                if name == "__reduce__" and type(member).__name__ == "instancemethod":
+                    continue  # does what __getstate__ does, or is quick
                 if (not name.startswith("_") or name in called) and not inspect.ismemberdescriptor(member):
                     if callable(member) or isinstance(member, (property, classmethod, staticmethod)) or hasattr(member, "__get__"):
                         yield place, name
