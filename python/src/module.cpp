@@ -5,6 +5,7 @@
 #include "running.hpp"
 
 #include <cstddef>
+#include <string>
 
 namespace {
 
@@ -22,6 +23,25 @@ void require_initialized_objects(const py::module_& module) {
     if (PyType_Check(item.second.ptr()))
       if (auto* const type = py::detail::get_type_info(reinterpret_cast<PyTypeObject*>(item.second.ptr())))
         type->operator_new = refuse_uninitialized;
+}
+
+/// Pickles of protocols 0 and 1, and __reduce__() itself, would make an object of pybind11's common base
+/// class, at which pybind11 ends the program.
+py::tuple reduce(const py::object& self) {
+  const py::type type = py::type::of(self);
+  if (!py::hasattr(type, "__setstate__"))
+    throw py::type_error("cannot pickle '" + std::string(py::str(type.attr("__name__"))) + "' object");
+  return py::make_tuple(py::module_::import("copyreg").attr("__newobj__"), py::make_tuple(type),
+                        self.attr("__getstate__")());
+}
+
+void reduce_in_one_way(const py::module_& module) {
+  for (const auto& item : py::dict(module.attr("__dict__")))
+    if (PyType_Check(item.second.ptr()) &&
+        py::detail::get_type_info(reinterpret_cast<PyTypeObject*>(item.second.ptr())) != nullptr &&
+        !item.second.attr("__dict__").contains("__reduce__"))
+      py::setattr(item.second, "__reduce__",
+                  py::cpp_function(&reduce, py::name("__reduce__"), py::is_method(item.second)));
 }
 
 }  // namespace
@@ -43,4 +63,5 @@ PYBIND11_MODULE(_core, module) {
   python::bind_clough_tocher(module);
   python::bind_lists(module);
   require_initialized_objects(module);
+  reduce_in_one_way(module);
 }

@@ -24,7 +24,7 @@ constexpr double absolute = 0x1p-500;
 
 }  // namespace
 
-/// The inverses of the cells' cones, each computed when it is first asked for.
+/// The inverses of the cells' cones, each computed on first use.
 class GrowingShell::Cones {
  public:
   Cones(const HullState& state, const double* center)

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "voronoi/face_volumes.hpp"
 
+#include "base/progress_meter.hpp"
 #include "base/random.hpp"
 
 #include <algorithm>
@@ -106,6 +107,7 @@ FaceVolumes::Level FaceVolumes::next(const Level& level, const std::vector<unsig
   };
   std::vector<Index> sites(made.size);
   for (std::size_t facet = 0; facet < level.count(); ++facet) {
+    cancellation_point();
     const auto labels = level.labels_of(facet);
     std::size_t num_wanted = 0;
     for (const Index label : labels) num_wanted += wanted[label];

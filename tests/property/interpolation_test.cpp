@@ -232,7 +232,7 @@ TEST(Interpolation, Errors) {
       Errc::cancelled);
   std::size_t calls = 0;
   interpolate.evaluate(many, answers, {.progress = [&](std::size_t) { return ++calls > 0; }});
-  EXPECT_GE(calls, 2u);
+  EXPECT_GE(calls, 1u);  // at first, and then every few milliseconds
 }
 
 }  // namespace

@@ -21,8 +21,8 @@ QUICK = {
     "delone.HalfspaceIntersection": "__getstate__ dimension halfspaces num_halfspaces rank state statistics",
     "delone.LinearInterpolator": "__getstate__ __repr__ tolerance triangulation values",
     "delone.NaturalNeighborInterpolator": "__getstate__ __repr__ smooth tolerance triangulation values",
-    "delone.PowerDiagram": "__reduce__ __repr__ weights",
-    "delone.Voronoi": "__reduce__ __repr__",
+    "delone.PowerDiagram": "__repr__ weights",
+    "delone.Voronoi": "__repr__",
     "delone.TrimResult": "__getstate__ __repr__ cells depth kept lost_volume neighbors num_removed orphans",
     "delone._core.Diagram": "affine_dimension bounding_box dimension is_bounded max_displacement num_points num_rays num_regions num_ridges "
                             "num_vertices point_region points ray_directions ray_points ray_vertices region region_offsets region_points "
@@ -32,7 +32,7 @@ QUICK = {
     "delone._locations.Locations": "__getitem__ __init__ __iter__ __len__ __repr__",
     "delone.spatial._base.Incremental": "__copy__ __getstate__ close",
     "delone.spatial._base.OfPoints": "points",
-    "delone.spatial._convex_hull.ConvexHull": "__getstate__ coplanar equations good vertices",
+    "delone.spatial._convex_hull.ConvexHull": "__getstate__ area coplanar equations good vertices volume",
     "delone.spatial._delaunay.Delaunay": "convex_hull coplanar good lift_points paraboloid_scale paraboloid_shift vertex_neighbor_vertices "
                                          "vertex_to_simplex vertices",
     "delone.spatial._halfspaces.HalfspaceIntersection": "dual_area dual_equations dual_facets dual_points dual_vertices dual_volume halfspaces",
@@ -62,7 +62,7 @@ def halfspaces(n, d):
 
 # The work that is interrupted, after some preparation. `of`: other entries that do the same.
 HULL = "hull = delone.ConvexHull(wild(14, 9))"
-DIAGRAM = "diagram = delone.Voronoi(random.random((100, 7)))"
+DIAGRAM = "diagram = delone.Voronoi(random.random((250, 7)))"
 SIMPLEX = "points = np.r_[np.zeros((1, 8)), np.eye(8)]"
 LONG = {
     "delone.Delaunay.__init__": ("", "delone.Delaunay(random.random((300_000, 6)))"),
@@ -82,11 +82,11 @@ LONG = {
     "delone.ConvexHull.__init__": ("", "delone.ConvexHull(sphere(100_000, 8))"),
     "delone.ConvexHull.of_extreme_points": ("", "delone.ConvexHull.of_extreme_points(sphere(100_000, 8))"),
     "delone.ConvexHull.insert_range": (f"{SIMPLEX}; hull = delone.ConvexHull(points)", "hull.insert_range(sphere(100_000, 8))"),
-    "delone.ConvexHull.locate": ("hull = delone.ConvexHull(wild(11, 8))", "hull.locate(wild(10_000, 8))"),
-    "delone.ConvexHull.contains": ("hull = delone.ConvexHull(wild(11, 8))", "hull.contains(wild(10_000, 8))"),
+    "delone.ConvexHull.locate": ("hull = delone.ConvexHull(wild(11, 8))", "hull.locate(wild(300_000, 8))"),
+    "delone.ConvexHull.contains": ("hull = delone.ConvexHull(wild(11, 8))", "hull.contains(wild(300_000, 8))"),
     "delone.ConvexHull.visible_facets": (HULL, "[hull.visible_facets(each) for each in wild(1000, 9)]"),
     "delone.ConvexHull.plane_distance": ("hull = delone.ConvexHull(sphere(300, 5)); hull.equations", "hull.plane_distance(random.random((30_000, 5)))"),
-    "delone.ConvexHull.num_facets": (HULL, "hull.num_facets",
+    "delone.ConvexHull.num_facets": ("hull = delone.ConvexHull(sphere(3000, 7))", "hull.num_facets",
                                      "__len__ num_vertices num_ridges cells neighbors facet_of_cell vertices vertex_of_point facets ridges "
                                      "equations equation_errors point_kinds points __getstate__"),
     "delone.ConvexHull.f_vector": ("hull = delone.ConvexHull(sphere(40, 7))", "hull.f_vector"),
@@ -183,6 +183,8 @@ def public():
             plain = cls.__module__ == "delone" or cls.__module__.startswith("delone._c") and cls.__name__ == "ConvexHulls"
             place = f"delone.{cls.__name__}" if plain else f"{cls.__module__}.{cls.__name__}"
             for name, member in vars(cls).items():
+                if name == "__reduce__" and type(member).__name__ == "instancemethod":
+                    continue  # does what __getstate__ does, or is quick
                 if (not name.startswith("_") or name in called) and not inspect.ismemberdescriptor(member):
                     if callable(member) or isinstance(member, (property, classmethod, staticmethod)) or hasattr(member, "__get__"):
                         yield place, name

@@ -94,3 +94,18 @@ for cls in (Mine, Failing):
         print(type(error).__name__, error)
 ''')
     assert output.count("TypeError") == 2 and "failed as it should" in output
+
+
+def test_old_pickle_protocols_give_the_same():
+    output = run('''
+import pickle
+import delone
+
+points = [[0, 0], [1, 0], [0, 1]]
+for made in (delone.Delaunay(points), delone.ConvexHull(points), delone.LinearInterpolator(points, [1, 2, 3])):
+    for protocol in range(pickle.HIGHEST_PROTOCOL + 1):
+        copy = pickle.loads(pickle.dumps(made, protocol))
+        print(type(copy) is type(made) and repr(copy) == repr(made))
+    print(made.__reduce__()[1] == (type(made),), object.__reduce_ex__(made, 0)[1] == (type(made),))
+''')
+    assert output.split() == ["True"] * (3 * 8)

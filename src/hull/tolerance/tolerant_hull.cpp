@@ -41,9 +41,10 @@ TolerantHull::TolerantHull(const HullState& exact, const Options& options, bool 
     : exact_(exact) {
   const int k = exact.affine_hull().dimension();
   if (k < 1) return;
-  ProgressMeter meter(options.progress, 0);
+  const std::function<bool(double)> nobody;
+  ProgressMeter meter(shows_progress ? options.progress : nobody, 0);
   const std::function<void()> alive = [&] {
-    if (shows_progress) meter(0);
+    meter(0);
   };
   const HullAnalysis analysis(exact);
   const ExtremeSites extreme(exact.sites(), analysis.facet_sites());

@@ -121,7 +121,7 @@ TEST(CheckStorage, Damage) {
                    c.points.clear();
                    c.vertex_of_point.clear();
                  }),
-                 "storage", "0 points");
+                 "storage", "no points");
 }
 
 TEST(CheckIncidence, ThreeCellsOnOneFacet) {

@@ -130,7 +130,7 @@ TEST(MeetingPoint, IsCorrectlyRounded) {
   }
 }
 
-// Many at once, in lanes where there are lanes for the dimension: the same doubles.
+// Blocks of vertices, by SIMD where the dimension has a kernel, give the same doubles as single ones.
 TEST(MeetingPoints, AreThoseOfEach) {
   test::Random random(3);
   for (std::size_t n = 1; n <= 6; ++n) {

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "degenerate.hpp"
 
+#include "scale.hpp"
+
 #include <delone/delaunay.hpp>
 #include <delone/error.hpp>
 #include <delone/point_locator.hpp>
@@ -165,7 +167,7 @@ std::vector<double> queries_around(const test::PointSet& set, std::uint64_t seed
 }
 
 TEST(NearestVertices, AreThoseOfASort) {
-  for (int d = 1; d <= 5; ++d)
+  for (int d = 1; d <= static_cast<int>(test::scaled_size(5, 3)); ++d)
     for (const test::PointSet& set :
          {test::lattice(d, d > 3 ? 2 : 4), test::small_integers(d, 60, 0, 3, 7u),
           test::nudged(test::lattice(d, 3), 5), test::cospherical(d, d == 1 ? 4 : 5),

@@ -25,7 +25,7 @@ TEST(TakenPoints, GiveTheSameTriangulation) {
                         {"grid", 3, 1000},
                         {"duplicates", 3, 2000},
                         {"flat", 4, 500},
-                        {"uniform", 7, 200},
+                        {"uniform", 7, test::scaled_size(200, 40)},
                         {"uniform", 9, 20}}) {
     SCOPED_TRACE(c.kind);
     const std::vector<double> points = make_point_set(c.kind, c.dimension, c.n, 1);
