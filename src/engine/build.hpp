@@ -73,14 +73,17 @@ class Build : public Sphere<K, G> {
       insert_until(std::min<std::size_t>(n, few_vertices));
       if (done < n) {
         work_.clear();
-        ParallelInsertion<K, G>({memory_, cells_, geometry_, log_.is_on() ? &log_ : nullptr, effort_,
-                                 num_infinite_, work_.last_cell},
-                                batch)
-            .insert_from(done);
+        ParallelInsertion<K, G>(insertion_parts(), batch).insert_from(done);
       }
     } else {
       insert_until(n);
     }
+  }
+
+  /// What insertions by several workers change.
+  InsertionParts<K, G> insertion_parts() {
+    return {memory_, cells_,        geometry_,      log_.is_on() ? &log_ : nullptr,
+            effort_, num_infinite_, work_.last_cell};
   }
 
   /// Inserts vertex v (§2.3, case c), walking from a cell `start` or from near the last insertion. Returns v;

@@ -126,8 +126,10 @@ class alignas(128) Worker final : public SlotSource {
   /// A cell to start from; the latest is tried first.
   void add_start(Index cell) { starts_[num_starts_++ % starts_.size()] = cell; }
 
-  /// Inserts a vertex, or changes nothing. `at`: as Batch::placed().
+  /// Inserts a vertex, or changes nothing. `at`: as Batch::placed(). What the insertion claims is held until
+  /// the next one, or release().
   Outcome insert(Index v, Index& at) {
+    end_last();
     const typename G::Query q = geometry_.query_at(v);
     const ClaimedCells<K> cells(cells_, claims_);
     try {
@@ -138,7 +140,6 @@ class alignas(128) Worker final : public SlotSource {
       effort_.visited_cells += found.visited;
       at = found.vertex;
       if (found.vertex != invalid_index || found.hidden) {
-        claims_.give_up();
         add_start(found.cell);
         return Outcome::done;
       }
@@ -159,17 +160,15 @@ class alignas(128) Worker final : public SlotSource {
       abandon();
       throw;
     }
-    // Slots of the zone have cells of the star now, or are vacant.
-    claims_.give_up_and_keep_zone();
     has_star_ = true;
     add_start(work_.star().back().created);
     return Outcome::done;
   }
 
-  /// Gives up the cells of the last star.
-  void release_star() {
-    if (!std::exchange(has_star_, false)) return;
-    release_star_but(invalid_index);
+  /// Gives up all cells.
+  void release() {
+    end_last();
+    if (std::exchange(has_star_, false)) release_star_but(invalid_index);
   }
 
   CellStore<K>& cells() { return cells_; }
@@ -183,6 +182,9 @@ class alignas(128) Worker final : public SlotSource {
   std::size_t num_done() const { return num_done_.load(std::memory_order_relaxed); }
 
  private:
+  /// Gives up what the last insertion has claimed, but for its star. Slots of the zone have cells of the star
+  /// now, or are vacant.
+  void end_last() { claims_.give_up_and_keep_zone(); }
   /// A cell that is held, to walk to q from: of the last star, which is given up but for it; or a start that
   /// no other worker has. None, perhaps.
   Index take_start(const typename G::Query& q) {
@@ -241,29 +243,46 @@ class alignas(128) Worker final : public SlotSource {
   std::uint64_t random_ = 0x9e3779b97f4a7c15u;
 };
 
-/// A batch, from when there are enough cells for several workers.
+/// What a worker has done in its turn; ended: nothing, and there is nothing left that it could.
+enum class Step { inserted, put_off, ended };
+
+/// Each worker has a thread, and takes its turns there. A schedule calls step(w) for each of n workers w
+/// until it returns Step::ended.
+struct WorkersInThreads {
+  template <class TakeTurn>
+  void operator()(unsigned n, TakeTurn step) const {
+    internal::run_workers(n, [&](unsigned w) {
+      while (step(w) != Step::ended) {
+      }
+    });
+  }
+};
+
+/// What insertions change: a sphere that has cells. `log`: null if nothing has to be undone.
 template <int K, class G>
+struct InsertionParts {
+  CellMemory<K>& memory;
+  CellStore<K>& cells;
+  G& geometry;
+  UndoLog<K>* log;
+  Effort& effort;
+  Index& num_infinite;
+  Index& last_cell;
+};
+
+/// A batch, from when there are enough cells for several workers.
+template <int K, class G, class Schedule = WorkersInThreads>
 class ParallelInsertion {
  public:
-  /// What changes: a sphere that has cells. `log`: null if nothing has to be undone.
-  struct Parts {
-    CellMemory<K>& memory;
-    CellStore<K>& cells;
-    G& geometry;
-    UndoLog<K>* log;
-    Effort& effort;
-    Index& num_infinite;
-    Index& last_cell;
-  };
-
-  ParallelInsertion(Parts parts, const ParallelBatch& batch)
+  ParallelInsertion(InsertionParts<K, G> parts, const ParallelBatch& batch, Schedule schedule = {})
       : parts_(parts),
+        schedule_(std::move(schedule)),
         batch_(batch),
         claims_(std::min(batch.threads, ClaimTable::most_workers)),
         slots_(parts.memory, claims_, parts.cells.num_slots()),
         shared_{parts.memory, slots_, claims_, parts.log, {}},
         ranges_(claims_.num_workers()),
-        put_off_(claims_.num_workers()) {}
+        stretches_(claims_.num_workers()) {}
 
   /// Inserts the vertices of the batch from number `begin` on. After an exception the cells are of no use,
   /// unless they are undone.
@@ -319,67 +338,78 @@ class ParallelInsertion {
 
   void insert_round(std::size_t begin, std::size_t end) {
     ranges_.assign(begin, end);
-    for (auto& list : put_off_) list.clear();
-    for (;;) {
+    do {
       needs_memory_ = false;
+      for (Stretch& stretch : stretches_) stretch.begin();
       for (auto& worker : workers_) worker->set_known_slots(slots_.num_slots());
-      internal::run_workers(claims_.num_workers(), [&](unsigned w) { work(w); });
-
-      if (!needs_memory_) break;
-      slots_.grow();
-    }
+      schedule_(claims_.num_workers(), [&](unsigned w) { return step(w); });
+      if (needs_memory_) slots_.grow();
+    } while (needs_memory_);
     // What has always been in the way of others.
-    for (auto& list : put_off_) {
-      for (const std::size_t i : list) insert_alone(i);
-      list.clear();
+    for (Stretch& stretch : stretches_) {
+      for (const std::size_t i : stretch.put_off) insert_alone(i);
+      stretch.put_off.clear();
     }
   }
 
-  void work(unsigned w) {
+  /// What a worker has to do, beside its range.
+  struct Stretch {
+    std::vector<std::size_t> put_off;  // numbers in the batch
+    std::size_t next = 0;              // of those in put_off; the ones before have been tried again
+    std::size_t since_last_clash = 0, failures = 0, since_tick = 0;
+
+    void begin() { since_last_clash = failures = 0; }
+    bool has_put_off() const { return next < put_off.size(); }
+    void end() {
+      put_off.erase(put_off.begin(), put_off.begin() + static_cast<std::ptrdiff_t>(std::exchange(next, 0)));
+    }
+  };
+
+  /// A worker tries to insert one vertex.
+  Step step(unsigned w) {
     W& worker = *workers_[w];
     try {
-      insert_stretch(worker, w);
+      const Step done = try_next(worker, w);
+      if (done != Step::ended) return done;
     } catch (...) {
       failed_.store(true, std::memory_order_relaxed);
-      worker.release_star();
+      worker.release();
       throw;
     }
-    worker.release_star();
+    worker.release();
+    stretches_[w].end();
+    return Step::ended;
   }
 
-  void insert_stretch(W& worker, unsigned w) {
-    std::vector<std::size_t>& waiting = put_off_[w];
-    const bool is_caller = std::this_thread::get_id() == caller_;
-    std::size_t next_waiting = 0, since_last_clash = 0, failures = 0, since_tick = 0;
-    while (!needs_memory_.load(std::memory_order_relaxed) && !failed_.load(std::memory_order_relaxed)) {
-      std::size_t i;
-      const bool is_old = next_waiting < waiting.size() && since_last_clash >= 2;
-      if (is_old) {
-        i = waiting[next_waiting];
-      } else if (!ranges_.next(w, i)) {
-        if (next_waiting == waiting.size() || failures > most_failures) break;
-        i = waiting[next_waiting];
-        std::this_thread::yield();
-      }
-      const bool was_waiting = next_waiting < waiting.size() && waiting[next_waiting] == i;
-      const Outcome outcome = worker.insert(batch_.first + static_cast<Index>(i), batch_.at[i]);
-      next_waiting += was_waiting;
-      if (outcome == Outcome::done) {
-        ++since_last_clash;
-        failures = 0;
-        worker.count_done();
-        if (is_caller && ++since_tick == insertions_per_tick) {
-          since_tick = 0;
-          batch_.tick(num_done());
-        }
-        continue;
-      }
-      waiting.push_back(i);
-      since_last_clash = 0;
-      ++failures;
-      if (outcome == Outcome::needs_memory) needs_memory_.store(true, std::memory_order_relaxed);
+  Step try_next(W& worker, unsigned w) {
+    Stretch& stretch = stretches_[w];
+    if (needs_memory_.load(std::memory_order_relaxed) || failed_.load(std::memory_order_relaxed))
+      return Step::ended;
+    std::size_t i;
+    const bool may_retry = stretch.has_put_off(), is_time = stretch.since_last_clash >= 2;
+    bool is_retry = may_retry && is_time;
+    if (!is_retry && !ranges_.next(w, i)) {
+      if (!may_retry || stretch.failures > most_failures) return Step::ended;
+      is_retry = true;
+      std::this_thread::yield();
     }
-    waiting.erase(waiting.begin(), waiting.begin() + static_cast<std::ptrdiff_t>(next_waiting));
+    if (is_retry) i = stretch.put_off[stretch.next++];
+    const Outcome outcome = worker.insert(batch_.first + static_cast<Index>(i), batch_.at[i]);
+    if (outcome == Outcome::done) {
+      ++stretch.since_last_clash;
+      stretch.failures = 0;
+      worker.count_done();
+      if (std::this_thread::get_id() == caller_ && ++stretch.since_tick == insertions_per_tick) {
+        stretch.since_tick = 0;
+        batch_.tick(num_done());
+      }
+      return Step::inserted;
+    }
+    stretch.put_off.push_back(i);
+    stretch.since_last_clash = 0;
+    ++stretch.failures;
+    if (outcome == Outcome::needs_memory) needs_memory_.store(true, std::memory_order_relaxed);
+    return Step::put_off;
   }
 
   void insert_alone(std::size_t i) {
@@ -389,7 +419,7 @@ class ParallelInsertion {
       if (outcome == Outcome::done) break;
       if (outcome == Outcome::needs_memory) slots_.grow();
     }
-    worker.release_star();
+    worker.release();
     worker.count_done();
     batch_.tick(num_done());
   }
@@ -421,16 +451,17 @@ class ParallelInsertion {
   }
 
   static constexpr std::size_t insertions_per_tick = 16;
-  /// After so many clashes in a row, when all else is done, a worker leaves what it has put off.
+  /// After so many clashes in a row, when all else is done, a worker leaves what it has put off to the end.
   static constexpr std::size_t most_failures = 64;
 
-  Parts parts_;
+  InsertionParts<K, G> parts_;
+  Schedule schedule_;
   const ParallelBatch& batch_;
   ClaimTable claims_;
   SharedSlots<K> slots_;
   typename W::Shared shared_;
   WorkRanges ranges_;
-  std::vector<std::vector<std::size_t>> put_off_;  // by every worker, numbers in the batch
+  std::vector<Stretch> stretches_;
   std::vector<std::unique_ptr<W>> workers_;
   std::thread::id caller_ = std::this_thread::get_id();
   std::size_t num_before_ = 0;  // vertices of the batch that one thread has inserted
