@@ -34,10 +34,10 @@ void BuildOptions::add_construction(CLI::App& command) {
   command.add_flag("-q,--quiet", quiet, "No progress bar, no notes");
 }
 
-void BuildOptions::add_threads(CLI::App& command) {
+void add_threads(CLI::App& command, unsigned& threads) {
   command
       .add_option("--threads", threads,
-                  "At most this many threads build; 0: as many as there are cores, where they gain")
+                  "At most this many threads; 0: as many as there are cores, where they gain")
       ->check(CLI::Range(0, 65536));
 }
 

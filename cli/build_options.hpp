@@ -23,13 +23,13 @@ struct BuildOptions {
   /// --seed, --order, --stats and --quiet.
   void add_construction(CLI::App& command);
 
-  /// --threads.
-  void add_threads(CLI::App& command);
-
   /// Throws UsageError if both --stats and --output go to standard output.
   void check() const;
   /// The options for the library. They refer to the bar.
   Options to_options(ProgressBar& bar) const;
 };
+
+/// --threads.
+void add_threads(CLI::App& command, unsigned& threads);
 
 }  // namespace delone::cli

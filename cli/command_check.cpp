@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // delone check: every level of exact checks of what a file holds, from any program.
+#include "build_options.hpp"
 #include "command.hpp"
 #include "output.hpp"
 
@@ -175,9 +176,7 @@ Run add_check(CLI::App& app) {
   app.add_option("--points", options->points.path, "Take the points from this file instead")
       ->type_name("FILE");
   add_max_stream(app, options->points.options.max_stream_bytes);
-  app.add_option("--threads", options->threads,
-                 "At most this many threads; 0: as many as there are cores, where they gain")
-      ->check(CLI::Range(0, 65536));
+  add_threads(app, options->threads);
   app.footer(levels_text<ComplexData>("Levels of triangulations") + levels_text<HullData>("Levels of hulls") +
              levels_text<VoronoiData>("Levels of Voronoi and power diagrams") +
              levels_text<IntersectionData>("Levels of intersections of halfspaces") +

@@ -117,7 +117,7 @@ Run add_delaunay(CLI::App& app) {
   app.add_option("--trim", options->trim,
                  "Leave cells at the border out that are within this distance of what remains")
       ->type_name("DISTANCE");
-  options->build.add_threads(app);
+  add_threads(app, options->build.threads);
   app.add_flag("--furthest-site", options->furthest_site,
                "The furthest-site triangulation: spheres that have all points inside, instead of none");
   app.add_flag("--runtime-dimension", options->runtime_dimension,

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // delone locate: where query points lie in the triangulation of other points, exactly.
+#include "build_options.hpp"
 #include "command.hpp"
 #include "interrupt.hpp"
 #include "output.hpp"
@@ -131,9 +132,7 @@ Run add_locate(CLI::App& app) {
       ->check(CLI::IsMember({"csv", "json"}));
   add_force(app, options->force);
   app.add_flag("-q,--quiet", options->quiet, "No progress bar");
-  app.add_option("--threads", options->threads,
-                 "At most this many threads locate; 0: as many as there are cores, where they gain")
-      ->check(CLI::Range(0, 65536));
+  add_threads(app, options->threads);
   app.footer(
       "One row for each query: its number, its kind (in_cell, on_face, on_vertex, outside_hull, "
       "outside_affine_hull), a cell\n"

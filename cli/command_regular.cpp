@@ -65,7 +65,7 @@ Run add_regular(CLI::App& app) {
   auto options = std::make_shared<RegularOptions>();
   options->weighted.add_to(app);
   options->build.add_output(app, "the triangulation", complex_formats());
-  options->build.add_threads(app);
+  add_threads(app, options->build.threads);
   options->build.add_construction(app);
   return [options] { return run_regular(*options); };
 }
