@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // delone.HalfspaceIntersection.
 #include "arrays.hpp"
+#include "docstring.hpp"
 #include "module.hpp"
 #include "pickling.hpp"
 #include "running.hpp"
@@ -202,9 +203,6 @@ constexpr const char* dual_equations_doc = R"(
 constexpr const char* statistics_doc = R"(
 What the construction has cost: a dict of counts (created_cells, visited_cells, insertions, and the tests decided by
 the stages filter, direct, exact, perturbed), order_seconds, build_seconds and cell_bytes.)";
-
-/// The text of a docstring, without the line break that it begins with.
-constexpr const char* text(const char* doc) { return doc + 1; }
 
 }  // namespace
 

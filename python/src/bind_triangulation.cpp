@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // delone.Delaunay, Regular and FurthestSite.
 #include "arrays.hpp"
+#include "docstring.hpp"
 #include "module.hpp"
 #include "pickling.hpp"
 #include "triangulation.hpp"
@@ -492,6 +493,32 @@ constexpr const char* nearest_doc =
     "first call\n"
     "makes a table of all edges; then a query takes O(k log k) comparisons for evenly spread points.";
 
+constexpr const char* delaunay_doc = R"(
+Delaunay(points, *, seed=0, order='automatic', threads=0, progress=None)
+
+The Delaunay triangulation of points, (n, d) numbers that are exact in float64, in any dimension.
+
+Exact, a function of the set of points: seed and order ('automatic', 'as_given', 'shuffled') only change the way there.
+Duplicates are merged, flat points are triangulated in their flat. At most `threads` threads build, and answer queries; 0:
+as many as there are cores for the process, where the work is large enough to gain by them. All arrays are the same,
+however many. `progress` is called ten times a second with the fraction done, and may return False to stop
+(CancelledError). Ctrl-C stops with KeyboardInterrupt. Methods let go of the GIL; any number of threads may call them at
+once. Raises InputError, a ValueError, for NaN and infinities, and ValueError for other input that is no array of points;
+both name the row. Cost: O(n) cells and time in each dimension for evenly spread points.)";
+
+constexpr const char* regular_doc = R"(
+Regular(points, weights, *, seed=0, order='automatic', threads=0, progress=None)
+
+The regular triangulation (weighted Delaunay triangulation) of points, (n, d), with weights, (n,), which have the unit
+of squared lengths and may be negative. Points above the lower boundary of the lifted points (x, |x|² - weight) are
+hidden. All else as in Delaunay.)";
+
+constexpr const char* furthest_site_doc = R"(
+FurthestSite(points, *, seed=0, order='automatic', threads=0, progress=None)
+
+The furthest-site Delaunay triangulation of points, (n, d): the cells whose spheres have no point outside. Its vertices
+are the extreme points, all others are hidden. One thread builds it. All else as in Delaunay.)";
+
 }  // namespace
 
 void bind_triangulations(py::module_& module) {
@@ -590,37 +617,11 @@ void bind_triangulations(py::module_& module) {
       .def("nearest", &nearest, "queries"_a, "k"_a = py::none(), nearest_doc)
       .def("__repr__", &repr);
 
-  py::class_<HeldDelaunay, Held, std::shared_ptr<HeldDelaunay>> delaunay(
-      module, "Delaunay",
-      "Delaunay(points, *, seed=0, order='automatic', threads=0, progress=None)\n\n"
-      "The Delaunay triangulation of points, (n, d) numbers that are exact in float64, in any dimension.\n\n"
-      "Exact, a function of the set of points: seed and order ('automatic', 'as_given', 'shuffled') only "
-      "change "
-      "the way there.\n"
-      "Duplicates are merged, flat points are triangulated in their flat. At most `threads` threads build; "
-      "0: "
-      "as many as there are\n"
-      "cores for the process, where a batch is large enough to gain by them. All arrays are the same, "
-      "however "
-      "many. `progress` is\n"
-      "called ten times a second with the fraction done, and may return False to stop (CancelledError). "
-      "Ctrl-C stops with\n"
-      "KeyboardInterrupt. Methods let go of the GIL; any number of threads may call them at once.\n"
-      "Raises InputError, a ValueError, for NaN and infinities, and ValueError for other input that is no "
-      "array of points;\n"
-      "both name the row. Cost: O(n) cells and time in each dimension for evenly spread points.");
+  py::class_<HeldDelaunay, Held, std::shared_ptr<HeldDelaunay>> delaunay(module, "Delaunay",
+                                                                         text(delaunay_doc));
   bind_points_only(delaunay);
 
-  py::class_<HeldRegular, Held, std::shared_ptr<HeldRegular>> regular(
-      module, "Regular",
-      "Regular(points, weights, *, seed=0, order='automatic', threads=0, progress=None)\n\n"
-      "The regular triangulation (weighted Delaunay triangulation) of points, (n, d), with weights, (n,), "
-      "which have the unit "
-      "of\n"
-      "squared lengths and may be negative. Points above the lower boundary of the lifted points (x, |x|² − "
-      "weight) are "
-      "hidden.\n"
-      "All else as in Delaunay.");
+  py::class_<HeldRegular, Held, std::shared_ptr<HeldRegular>> regular(module, "Regular", text(regular_doc));
   regular.def(py::init([](const py::object& points, const py::object& weights, std::uint64_t seed,
                           std::string order, int threads, const py::object& progress) {
                 return construct<HeldRegular>(points, weights, seed, std::move(order), threads, progress);
@@ -648,13 +649,8 @@ void bind_triangulations(py::module_& module) {
   bind_hidden(regular);
   bind_pickle(regular);
 
-  py::class_<HeldFurthestSite, Held, std::shared_ptr<HeldFurthestSite>> furthest(
-      module, "FurthestSite",
-      "FurthestSite(points, *, seed=0, order='automatic', threads=0, progress=None)\n\n"
-      "The furthest-site Delaunay triangulation of points, (n, d): the cells whose spheres have no point "
-      "outside. Its "
-      "vertices\n"
-      "are the extreme points, all others are hidden. All else as in Delaunay.");
+  py::class_<HeldFurthestSite, Held, std::shared_ptr<HeldFurthestSite>> furthest(module, "FurthestSite",
+                                                                                 text(furthest_site_doc));
   bind_points_only(furthest);
   bind_hidden(furthest);
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // delone.Voronoi and PowerDiagram.
 #include "arrays.hpp"
+#include "docstring.hpp"
 #include "module.hpp"
 #include "triangulation.hpp"
 
@@ -193,9 +194,6 @@ PowerDiagram(points, weights=None, tolerance=0.0)
 The power diagram of points, (n, d), with weights, (n,), or of a Regular triangulation: as Voronoi, with the power
 |x - p|^2 - weight in place of the squared distance. Weights have the unit of squared lengths. Hidden points have no
 region, and a region need not contain its site. TypeError for another triangulation.)";
-
-/// The text of a docstring, without the line break that it begins with.
-constexpr const char* text(const char* doc) { return doc + 1; }
 
 }  // namespace
 

@@ -131,8 +131,9 @@ void run_workers(unsigned n, void (*work)(void* context, unsigned worker), void*
     current_meter = meter;
   };
   unsigned next = 0;
-#if DELONE_PLAIN_THREADS
-  if (n > 1) {
+#if DELONE_PLAIN_THREADS && DELONE_WITH_TBB
+  {
+    note_threads();
     std::vector<std::thread> others;
     for (unsigned worker = 1; worker < n; ++worker) others.emplace_back(run, worker);
     run(0);
