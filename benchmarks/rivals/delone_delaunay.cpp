@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // delone itself, through the interface of its rivals. Options: --order automatic|as_given|shuffled (the
 // library's), --order curve (one Hilbert curve through all points) and --order report (rounds sorted along
-// it, as in 2008), --seed S.
+// it, as in 2008), --seed S, --threads N (1).
 #include "rival.hpp"
 #include "spatial_sort.hpp"
 
@@ -22,6 +22,7 @@ class Delone {
       : table_(std::move(table)), order_(arguments.option("order", "automatic")) {
     if (arguments.repeat > 1) spare_ = table_.coordinates;
     options_.seed = std::stoull(arguments.option("seed", "0"));
+    options_.threads = static_cast<unsigned>(std::stoul(arguments.option("threads", "1")));
     if (order_ == "shuffled")
       options_.order = delone::InsertionOrder::shuffled;
     else if (order_ == "as_given" || order_ == "curve" || order_ == "report")
