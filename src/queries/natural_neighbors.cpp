@@ -205,8 +205,8 @@ void NaturalNeighborCoordinates::find_by_threads(std::span<const double> queries
     visit(query, found);
   };
   const auto make = [&]() -> PointLocator::Visit {
-    const auto own =
-        std::make_shared<Searching>(NaturalSearch(centers), InnerPoint(centers, how), make_visit());
+    const auto own = std::shared_ptr<Searching>(
+        new Searching{NaturalSearch(centers), InnerPoint(centers, how), make_visit()});
     return [&, own](std::size_t query, const LocatedPoint& where) { answer(*own, query, where); };
   };
   impl_->locator.impl_->locate(queries, how, {.least_part = 64}, {.make = make});
