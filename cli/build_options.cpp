@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "build_options.hpp"
 
+#include <algorithm>
 #include <array>
 #include <utility>
 
@@ -34,8 +35,12 @@ void BuildOptions::add_construction(CLI::App& command) {
   command.add_flag("-q,--quiet", quiet, "No progress bar, no notes");
 }
 
-void BuildOptions::check() const {
-  if (stats && output == "-") throw UsageError("--stats and --output - both want standard output");
+std::vector<Output> BuildOptions::outputs(std::vector<Output> others) const {
+  std::vector<Output> all{{"--output", output}};
+  all.insert(all.end(), others.begin(), others.end());
+  const bool writes = std::any_of(all.begin(), all.end(), [](const Output& to) { return !to.path.empty(); });
+  if (stats || !writes) all.push_back({stats ? "--stats" : "the summary", "-"});
+  return all;
 }
 
 Options BuildOptions::to_options(ProgressBar& bar) const {

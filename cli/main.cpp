@@ -80,7 +80,9 @@ int run(int argc, char** argv) {
   app.footer(
       "Points are read from .npy .csv .tsv .txt .xyz .pts .off .ply files, or in Qhull's form from standard "
       "input (-).\n"
-      "Exit status: 0 success, 1 a check failed, 2 bad input or output, 3 out of memory, 64 wrong usage.");
+      "Exit status: 0 success, 1 a check failed, 2 bad input or output, 3 too large for memory or a limit, "
+      "64 "
+      "wrong usage,\n130 or 143 interrupted.");
 
   try {
     app.parse(argc, argv);
