@@ -43,7 +43,7 @@ py::array_t<double> as_weights(const py::object& object, py::ssize_t count) {
   auto weights = as_doubles(object, "weights");
   if (weights.ndim() != 1 || weights.shape(0) != count)
     throw py::value_error("weights: an array of shape (" + std::to_string(count) + ",), not " +
-                          std::string(py::str(weights.attr("shape"))));
+                          shown(weights.attr("shape")));
   return weights;
 }
 
@@ -589,7 +589,9 @@ void bind_triangulations(py::module_& module) {
       "the way there.\n"
       "Duplicates are merged, flat points are triangulated in their flat. At most `threads` threads are "
       "used. `progress` is\n"
-      "called ten times a second with the fraction done, and may return False to stop (CancelledError). "
+      "called ten times a second with the fraction done; what it returns stops the work (CancelledError) if "
+      "it is "
+      "false, but None. "
       "Ctrl-C stops with\n"
       "KeyboardInterrupt. Methods let go of the GIL; any number of threads may call them at once.\n"
       "Raises InputError, a ValueError, for NaN and infinities, and ValueError for other input that is no "

@@ -2,6 +2,9 @@
 """Objects whose __init__ has not run, as damaged pickles make them: whatever is done with them raises."""
 import inspect
 
+import pytest
+
+import delone
 from hostile_support import run
 
 PROGRAM = """
@@ -94,6 +97,44 @@ for cls in (Mine, Failing):
         print(type(error).__name__, error)
 ''')
     assert output.count("TypeError") == 2 and "failed as it should" in output
+
+
+def test_the_base_of_pybind11_cannot_be_made():
+    output = run('''
+import pickle
+import delone
+
+base = delone.Delaunay.__mro__[-2]
+
+class Derived(base):
+    pass
+
+class Initialized(base):
+    def __init__(self):
+        pass
+
+class Mixed(delone.Delaunay, base):
+    pass
+
+for cls in (base, Derived, Initialized):
+    try:
+        cls()
+    except TypeError as error:
+        print(error)
+print(Mixed([[0, 0], [1, 0], [0, 1]]))
+try:
+    object.__new__(base)
+except TypeError as error:
+    print(error)
+''')
+    assert output.count("cannot make") == 3 and "<delone.Delaunay: 3 points" in output and "is not safe" in output
+
+
+def test_adding_to_an_uninitialized_object():
+    for cls, add in ((delone.spatial.Delaunay, "add_points"), (delone.spatial.ConvexHull, "add_points"), (delone.spatial.Voronoi, "add_points"),
+                     (delone.spatial.HalfspaceIntersection, "add_halfspaces")):
+        with pytest.raises(TypeError, match="the object is not initialized"):
+            getattr(cls.__new__(cls), add)([[1.0, 2.0]])
 
 
 def test_old_pickle_protocols_give_the_same():
