@@ -48,6 +48,8 @@ struct DiagramOptions {
   DiagramParts parts = DiagramParts::all;
   /// ε ≥ 0, a distance: what is not larger is left out of the diagram, see Diagram. 0: the exact diagram.
   double tolerance = 0;
+  /// As in Options; it stops the making of the diagram (Errc::cancelled). The fraction is 0 throughout.
+  std::function<bool(double)> progress = {};
 };
 
 /// A diagram of sites in R^d: for each site (distinct point) the region of the points of the flat that are
@@ -172,8 +174,9 @@ class Diagram {
   std::span<const SignedIndex> ray_points() const { return ray_points_; }
 
   /// The (k−1)-volume of each ridge: a length for k = 2, an area for k = 3, 1 for k = 1; infinity for
-  /// unbounded ridges. Combinatorics are exact; sums are in binary64, relative error about 10⁻¹⁵ times the
-  /// shape's condition. Cost: O(output) for k ≤ 3; beyond, at most (k−1)! simplices per cell and ridge.
+  /// unbounded ridges and those with a vertex beyond the range of double precision. Combinatorics are exact;
+  /// sums are in binary64, relative error about 10⁻¹⁵ times the shape's condition. Cost: O(output) for k ≤ 3;
+  /// beyond, at most (k−1)! simplices per cell and ridge.
   std::vector<double> ridge_volumes() const;
   /// The k-volume of each region, infinity for unbounded ones: (1/k)·Σ over its ridges of volume times signed
   /// distance of the site from the bisector, compensated. For k = 0 infinity. Cost: that of ridge_volumes().

@@ -401,10 +401,17 @@ std::string repr(const Held& held) {
 
 py::tuple state(const Held& held) {
   const BuildArguments& a = held.arguments();
-  const py::list batches = batches_to_state(held.batches());
-  return py::make_tuple(held.dimension(), points(held),
-                        held.form() == Form::regular ? py::object(weights(held)) : py::none(), batches,
-                        a.seed, a.order, a.threads);
+  for (;;) {
+    Supervisor supervisor;
+    const std::vector<std::size_t> batches = supervisor.run([&] { return held.batches(); });
+    const py::array rows = points(held);
+    const py::object numbers = held.form() == Form::regular ? py::object(weights(held)) : py::none();
+    // Other threads may have added rows meanwhile.
+    if (num_rows(batches) == static_cast<std::size_t>(rows.shape(0)) &&
+        (numbers.is_none() || py::len(numbers) == static_cast<std::size_t>(rows.shape(0))))
+      return py::make_tuple(held.dimension(), rows, numbers, batches_to_state(batches), a.seed, a.order,
+                            a.threads);
+  }
 }
 
 template <class T>

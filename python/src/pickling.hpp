@@ -6,6 +6,7 @@
 #include <pybind11/pybind11.h>
 
 #include <cstddef>
+#include <numeric>
 #include <span>
 #include <string>
 #include <vector>
@@ -24,6 +25,10 @@ auto from_state(const py::tuple& state, std::size_t size, const char* what, Make
   } catch (const py::cast_error&) {
     throw wrong();
   }
+}
+
+inline std::size_t num_rows(std::span<const std::size_t> batches) {
+  return std::accumulate(batches.begin(), batches.end(), std::size_t{0});
 }
 
 inline py::list batches_to_state(std::span<const std::size_t> batches) {

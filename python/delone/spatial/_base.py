@@ -58,8 +58,8 @@ class Incremental:
     without a change of anything else if that fails, adds rows to it in ``_extend(rows)`` and takes its arrays over in ``_update()``. It
     sets results with ``_set``: they cannot be assigned from outside, since all others would still be those of the object.
 
-    Ctrl-C can come between any two steps. While rows are added, ``_adding`` holds the points before and after, and what depends on
-    them is not there; whoever asks for it gets what belongs to the points that the object of the library has.
+    Ctrl-C can come between any two steps. While rows are added, ``_adding`` holds the points before and after. Where that was
+    stopped, what depends on them is not there, and who asks for it gets what belongs to the points that ``_core`` has then.
     """
 
     _incremental = False
@@ -125,12 +125,15 @@ class Incremental:
         points = as_points(points)
         old = self._points
         new = np.concatenate([old, points])
-        self._set(_adding=(old, new))
-        self._forget()
-        for name in self._of_rows:
-            self.__dict__.pop(name, None)
-        self._rebuild(new) if restart else self._extend(points)
-        self._settle()
+        try:
+            self._set(_adding=(old, new))
+            self._rebuild(new) if restart else self._extend(points)
+            self._settle()
+        except BaseException:
+            self._set(_adding=(old, new))
+            for name in self._derived + self._of_rows:
+                self.__dict__.pop(name, None)
+            raise
 
     def _settle(self) -> None:
         """Takes over what belongs to the rows that the object of the library has."""
@@ -147,8 +150,8 @@ class Incremental:
         return self._core.num_points
 
     def __getattr__(self, name):
-        """For what is not there, as after an addition that was stopped."""
-        if "_adding" in self.__dict__ and not name.startswith("__"):
+        """For what is not there: after an addition that was stopped."""
+        if "_adding" in self.__dict__ and (name in self._derived or name in self._of_rows):
             self._settle()
             return getattr(self, name)
         raise AttributeError(f"{type(self).__name__!r} object has no attribute {name!r}")
@@ -157,10 +160,12 @@ class Incremental:
         """Ends adding points. All results stay."""
         self._incremental = False
 
-    def _forget(self) -> None:
-        """Drops what is computed on first use, so that it is computed anew."""
+    def _take_over(self, **results) -> None:
+        """Sets these, and drops what is computed on first use, so that it is computed anew."""
+        self._set(**results)
         for name in self._derived:
-            self.__dict__.pop(name, None)
+            if name not in results:
+                self.__dict__.pop(name, None)
 
     def __copy__(self):
         """A copy of its own: points added to one are not added to the other."""
@@ -168,7 +173,7 @@ class Incremental:
 
     def __getstate__(self):
         """What is pickled; the arrays of the library's object are in that object already."""
-        if "_adding" in self.__dict__:
+        if "_adding" in self.__dict__ and "_points" not in self.__dict__:
             self._settle()
         return {name: value for name, value in self.__dict__.items() if name not in self._derived or "_core" not in self.__dict__}
 

@@ -107,7 +107,6 @@ class ConvexHull(OfPoints):
         return self._core.num_points + (self._options.good_row is not None)
 
     def _update(self):
-        self._forget()
         rows = self._without_good_row(np.arange(self.npoints, dtype=np.intc))
         core = self._core
         if self._core_rows is not None:
@@ -120,8 +119,8 @@ class ConvexHull(OfPoints):
             shown, of_extreme = delone.ConvexHull.of_extreme_points(core.points[extreme])
             rows = rows[extreme][of_extreme]
         simplices, neighbors = _geometry.listed(rows[shown.cells], shown.neighbors, self.ndim)
-        self._set(simplices=simplices, neighbors=neighbors, nsimplex=len(simplices), affine_dimension=core.affine_dimension,
-                  _extreme=sorted_rows, _shown=shown, _rows=rows)
+        self._take_over(simplices=simplices, neighbors=neighbors, nsimplex=len(simplices), affine_dimension=core.affine_dimension,
+                        _extreme=sorted_rows, _shown=shown, _rows=rows)
 
     @cached_property
     def volume(self) -> float:

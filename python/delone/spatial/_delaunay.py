@@ -104,9 +104,8 @@ class Delaunay(OfPoints):
         self._core.insert_range(rows)
 
     def _update(self):
-        self._forget()
         simplices, neighbors = self._listed()
-        self._set(simplices=simplices, neighbors=neighbors, nsimplex=len(simplices), affine_dimension=self._core.affine_dimension)
+        self._take_over(simplices=simplices, neighbors=neighbors, nsimplex=len(simplices), affine_dimension=self._core.affine_dimension)
 
     def _listed(self) -> tuple[np.ndarray, np.ndarray]:
         """simplices and neighbors, new arrays."""

@@ -98,9 +98,8 @@ class HalfspaceIntersection(Incremental):
         return self._core.num_halfspaces
 
     def _update(self):
-        self._forget()
         core = self._core
-        self._set(intersections=np.array(core.vertices), is_bounded=bool(core.is_bounded))
+        self._take_over(intersections=np.array(core.vertices), is_bounded=bool(core.is_bounded))
 
     def _set_points(self, points):
         low, high = _geometry.bounds(points)

@@ -79,7 +79,6 @@ class Voronoi(OfPoints):
         self._core.insert_range(rows)
 
     def _update(self):
-        self._forget()
         tolerance = self._wanted_tolerance
         tolerance = _tolerance.of_qhull(self._points, self._options) if tolerance is None else tolerance
         diagram = delone.Voronoi(self._core, tolerance)
@@ -92,10 +91,10 @@ class Voronoi(OfPoints):
         # and the like, that are dual to edges of the convex hull with few cells about them.
         counts = np.diff(diagram.ridge_offsets)
         listed = np.flatnonzero(counts >= self._core.affine_dimension)
-        self._set(affine_dimension=self._core.affine_dimension, vertices=np.array(diagram.vertices), point_region=point_region,
-                  ridge_points=diagram.ridge_points[listed], tolerance=tolerance, _num_hidden=len(hidden), _listed_ridges=listed,
-                  _ridges=(diagram.ridge_vertices, diagram.ridge_offsets), _regions=(diagram.region_vertices, diagram.region_offsets),
-                  _ray_points=diagram.ray_points, _ray_directions=diagram.ray_directions)
+        self._take_over(affine_dimension=self._core.affine_dimension, vertices=np.array(diagram.vertices), point_region=point_region,
+                        ridge_points=diagram.ridge_points[listed], tolerance=tolerance, _num_hidden=len(hidden), _listed_ridges=listed,
+                        _ridges=(diagram.ridge_vertices, diagram.ridge_offsets), _regions=(diagram.region_vertices, diagram.region_offsets),
+                        _ray_points=diagram.ray_points, _ray_directions=diagram.ray_directions)
         if not self._incremental:
             del self._core
 
