@@ -129,3 +129,10 @@ def test_an_error_leaves_everything_as_it_was():
             made.add_halfspaces([[1.0, 0, 1]], restart=restart)
         check_halfspaces(made)
         assert made.nineq == 4
+
+
+def test_adding_to_an_uninitialized_object():
+    for cls, add in ((spatial.Delaunay, "add_points"), (spatial.ConvexHull, "add_points"), (spatial.Voronoi, "add_points"),
+                     (spatial.HalfspaceIntersection, "add_halfspaces")):
+        with pytest.raises(TypeError, match="the object is not initialized"):
+            getattr(cls.__new__(cls), add)([[1.0, 2.0]])

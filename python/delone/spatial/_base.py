@@ -175,7 +175,7 @@ class Incremental:
         """What is pickled; the arrays of the library's object are in that object already."""
         if "_adding" in self.__dict__ and "_points" not in self.__dict__:
             self._settle()
-        return {name: value for name, value in self.__dict__.items() if name not in self._derived or "_core" not in self.__dict__}
+        return {name: value for name, value in self.__dict__.copy().items() if name not in self._derived or "_core" not in self.__dict__}
 
     def __setstate__(self, state):
         self.__dict__.update(state)
