@@ -12,6 +12,11 @@
 namespace delone::python {
 namespace {
 
+/// For loops over objects: signal handlers of Python run now and then, and may raise.
+void let_signals_through(py::ssize_t round) {
+  if (round % 4096 == 0 && PyErr_CheckSignals() != 0) throw py::error_already_set();
+}
+
 /// Raises InputError for entry `index` of the array, naming its row.
 [[noreturn]] void refuse_entry(const std::string& name, py::ssize_t index, const py::array& array,
                                const std::string& why) {
@@ -25,11 +30,13 @@ namespace {
 void refuse_objects(const std::string& name, const py::array& array) {
   const py::object flat = array.attr("ravel")();
   for (py::ssize_t i = 0; i < array.size(); ++i) {
+    let_signals_through(i);
     const py::object value = flat[py::int_(i)];
     const bool is_text = PyUnicode_Check(value.ptr()) != 0 || PyBytes_Check(value.ptr()) != 0;
     const auto number = py::reinterpret_steal<py::object>(is_text ? nullptr : PyNumber_Float(value.ptr()));
     if (number) continue;
     const bool is_large = !is_text && PyErr_ExceptionMatches(PyExc_OverflowError) != 0;
+    if (!is_text && PyErr_ExceptionMatches(PyExc_Exception) == 0) throw py::error_already_set();  // Ctrl-C
     PyErr_Clear();
     if (value.is_none()) refuse_entry(name, i, array, "None is not a number");
     if (is_large) refuse_entry(name, i, array, shown(value) + " is beyond the range of double precision");
@@ -80,6 +87,7 @@ py::ssize_t find_changed(const py::array& converted, const py::array& original) 
   }
   const py::object numbers = converted.attr("ravel")(), objects = original.attr("ravel")();
   for (py::ssize_t i = 0; i < original.size(); ++i) {
+    let_signals_through(i);
     const py::object number = numbers[py::int_(i)].attr("item")();
     py::object object = objects[py::int_(i)];
     // Python compares its integers with floats exactly; NumPy rounds its own.
@@ -104,7 +112,8 @@ void refuse_rounded(const py::object& object, const py::array& converted, const 
   py::array original;
   try {
     original = numpy.attr("asarray")(object, py::dtype("O"));
-  } catch (py::error_already_set&) {
+  } catch (py::error_already_set& error) {
+    if (!error.matches(PyExc_Exception)) throw;
     return;  // an object with an array of its own, of floats only
   }
   if (!original.attr("shape").equal(converted.attr("shape"))) return;

@@ -17,7 +17,8 @@ std::string printed(const py::str& text) {
 std::string shown(const py::handle& value) {
   try {
     return printed(py::str(value));
-  } catch (py::error_already_set&) {
+  } catch (py::error_already_set& error) {
+    if (!error.matches(PyExc_Exception)) throw;  // Ctrl-C
     return "a huge " + type_name(value);
   }
 }
@@ -25,7 +26,8 @@ std::string shown(const py::handle& value) {
 std::string represented(const py::handle& value) {
   try {
     return printed(py::repr(value));
-  } catch (py::error_already_set&) {
+  } catch (py::error_already_set& error) {
+    if (!error.matches(PyExc_Exception)) throw;  // Ctrl-C
     return "a huge " + type_name(value);
   }
 }

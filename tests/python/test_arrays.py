@@ -1,6 +1,8 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """What may be given as an array, what is refused, what is copied, and how long arrays live."""
 import gc
+import signal
+import time
 import tracemalloc
 from fractions import Fraction
 
@@ -152,6 +154,36 @@ def test_masked_values_are_refused_everywhere():
             function(open_)
     with pytest.raises(ValueError, match="offsets: masked"):
         delone.convex_hulls(points, np.ma.array([0, 5], mask=[False, True]))
+
+
+@pytest.mark.parametrize("name", ["__float__", "__str__"])
+def test_ctrl_c_in_a_conversion_is_not_taken_for_an_answer(name):
+    """Where numbers are objects of Python, a signal handler can run in their methods."""
+    def interrupted(self):
+        raise KeyboardInterrupt
+
+    number = type("Number", (), {"__float__": lambda self: 0.5, "__eq__": lambda self, other: self is other, "__hash__": None, name: interrupted})()
+    with pytest.raises(KeyboardInterrupt):
+        delone.Delaunay([[0, number]])
+
+
+@pytest.mark.skipif(not hasattr(signal, "ITIMER_PROF"), reason="timers as POSIX has them")
+def test_ctrl_c_ends_the_conversion_of_many_objects():
+    points = np.full((3_000_000, 1), 0.5, object)
+
+    def ring(signum, frame):
+        raise KeyboardInterrupt
+
+    before = signal.signal(signal.SIGPROF, ring)
+    begin = time.process_time()
+    try:
+        signal.setitimer(signal.ITIMER_PROF, 0.1)
+        with pytest.raises(KeyboardInterrupt):
+            delone.Delaunay(points)
+    finally:
+        signal.setitimer(signal.ITIMER_PROF, 0)
+        signal.signal(signal.SIGPROF, before)
+    assert time.process_time() - begin < 0.4
 
 
 LONG = "\x1b[31m" + "y" * 100_000
