@@ -102,7 +102,7 @@ int run_delaunay(const DelaunayOptions& options) {
   cost.read = seconds_since(start);
   if (!to.output.empty()) check_complex_output(to.output, to.output_format, table.dimension);
   if (options.threads > threads_used && !to.quiet)
-    fmt::print(stderr, "delone: note: this version builds with one thread, not {}\n", options.threads);
+    print_note(fmt::format("delone: note: this version builds with one thread, not {}\n", options.threads));
   return options.furthest_site ? run_with<FurthestSite<>>(std::move(table), options, start, cost)
                                : run_with<Delaunay<>>(std::move(table), options, start, cost);
 }

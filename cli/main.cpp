@@ -26,7 +26,7 @@ int complain(int status, std::string message) {
   constexpr std::size_t longest = 2000;
   for (char& c : message)
     if (c == '\n' || c == '\r') c = ' ';
-  fmt::print(stderr, "delone: {}\n", printable(message, longest));
+  print_note(fmt::format("delone: {}\n", printable(message, longest)));
   return status;
 }
 

@@ -60,6 +60,11 @@ void print_output(std::string_view text) {
   if (const int error = put(stdout, text); error != 0) fail_writing("standard output", error);
 }
 
+void print_note(const std::string& text) {
+  std::fputs(text.c_str(), stderr);
+  std::fflush(stderr);
+}
+
 void save_text(const std::string& path, std::string_view text) {
   const StageGuard guard(stage_of_writing(path));
   about(output_name(path), [&] { write_text(path, text); });

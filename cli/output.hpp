@@ -19,6 +19,9 @@ namespace delone::cli {
 /// Text to standard output. Throws cannot_write.
 void print_output(std::string_view text);
 
+/// Text to standard error. Where that is closed or full, nobody can be told, and nothing else fails.
+void print_note(const std::string& text);
+
 /// Text to a file, or to standard output for "-", so that Ctrl-C leaves no partial file. Throws cannot_write.
 void save_text(const std::string& path, std::string_view text);
 
