@@ -46,6 +46,8 @@ class CMakeBuild(build_ext):
         target = pathlib.Path(self.get_ext_fullpath(extension.name))
         target.parent.mkdir(parents=True, exist_ok=True)
         shutil.copy2(found[0], target)
+        for library in prefix.rglob("libtbb.so*"):  # what the module needs beside it
+            shutil.copy2(library, target.parent)
 
     def configure_and_build(self):
         build = pathlib.Path(self.build_temp).resolve() / "cmake"

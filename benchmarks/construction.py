@@ -94,9 +94,9 @@ def processor_seconds_to_start(command):
     return statistics.median(usage.ru_utime + usage.ru_stime for usage in usages)
 
 
-def construct(command, arguments):
+def construct(command, arguments, threads=1):
     """The statistics of one construction."""
-    output, usage = run_command(command, "delaunay", *arguments, "--stats", "--quiet")
+    output, usage = run_command(command, "delaunay", *arguments, "--threads", str(threads), "--stats", "--quiet")
     run = json.loads(output)
     seconds = run["seconds"]
     run["seconds"] = seconds["order"] + seconds["build"]

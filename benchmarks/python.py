@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: BSD-3-Clause
-"""Times the Python module against scipy: constructions, hulls, halfspaces, location of points, linear interpolation; one thread.
+"""Times the Python module against scipy: constructions, hulls, halfspaces, location of points, linear interpolation; on one core.
 
   PYTHONPATH=build/release/python benchmarks/python.py               a table
   PYTHONPATH=build/release/python benchmarks/python.py --record      also benchmarks/history/DATE-COMMIT-python.json
@@ -13,6 +13,7 @@ import argparse
 import datetime
 import itertools
 import json
+import os
 import pathlib
 import platform
 import statistics
@@ -208,6 +209,7 @@ def main():
     parser.add_argument("--only", action="append", metavar="TEXT", help="experiments whose name contains TEXT")
     parser.add_argument("--record", action="store_true", help="write the figures to benchmarks/history/")
     options = parser.parse_args()
+    os.sched_setaffinity(0, {min(os.sched_getaffinity(0))})  # delone would use all cores
 
     print(f"{'experiment':<60}{'delone, s':>10}{'scipy, s':>10}{'scipy / delone':>16}")
     results = {}

@@ -35,6 +35,13 @@ void BuildOptions::add_construction(CLI::App& command) {
   command.add_flag("-q,--quiet", quiet, "No progress bar, no notes");
 }
 
+void add_threads(CLI::App& command, unsigned& threads) {
+  command
+      .add_option("--threads", threads,
+                  "At most this many threads; 0: as many as there are cores, where they gain")
+      ->check(CLI::Range(0, 65536));
+}
+
 std::vector<Output> BuildOptions::outputs(std::vector<Output> others) const {
   std::vector<Output> all{{"--output", output}};
   all.insert(all.end(), others.begin(), others.end());
@@ -48,6 +55,7 @@ Options BuildOptions::to_options(ProgressBar& bar) const {
   options.seed = seed;
   for (const auto& [name, value] : insertion_orders)
     if (order == name) options.order = value;
+  options.threads = threads;
   options.progress = bar.callback();
   return options;
 }

@@ -16,6 +16,7 @@ struct BuildOptions {
   std::string output, output_format;
   std::uint64_t seed = 0;
   std::string order = "automatic";
+  unsigned threads = 0;
   bool stats = false, quiet = false, force = false;
 
   /// --output, --output-format and --force. `what` names the result, as in "the hull".
@@ -29,5 +30,8 @@ struct BuildOptions {
   /// The options for the library. They refer to the bar.
   Options to_options(ProgressBar& bar) const;
 };
+
+/// --threads.
+void add_threads(CLI::App& command, unsigned& threads);
 
 }  // namespace delone::cli

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // delone check: every level of exact checks of what a file holds, from any program.
+#include "build_options.hpp"
 #include "command.hpp"
 #include "output.hpp"
 
@@ -21,6 +22,7 @@ struct CheckCommandOptions {
   bool canonical = false;
   bool any_orientation = false;
   bool furthest_site = false;
+  unsigned threads = 0;
 };
 
 const char* kind_of(const ComplexData& data, bool furthest_site) {
@@ -115,6 +117,7 @@ int run_check(Data data, const CheckCommandOptions& options) {
     if (!options.points.path.empty()) replace_points(data, options);
   CheckOptions check_options;
   check_options.up_to = options.level;
+  check_options.threads = options.threads;
   check_options.canonical = options.canonical;
   check_options.oriented = !options.any_orientation;
   check_options.furthest_site = options.furthest_site;
@@ -173,6 +176,7 @@ Run add_check(CLI::App& app) {
   app.add_option("--points", options->points.path, "Take the points from this file instead")
       ->type_name("FILE");
   add_max_stream(app, options->points.options.max_stream_bytes);
+  add_threads(app, options->threads);
   app.footer(levels_text<ComplexData>("Levels of triangulations") + levels_text<HullData>("Levels of hulls") +
              levels_text<VoronoiData>("Levels of Voronoi and power diagrams") +
              levels_text<IntersectionData>("Levels of intersections of halfspaces") +

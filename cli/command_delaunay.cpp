@@ -17,7 +17,6 @@ namespace {
 struct DelaunayOptions {
   PointInput input;
   BuildOptions build;
-  int threads = 1;
   bool runtime_dimension = false, furthest_site = false;
   std::optional<double> trim;  // the tolerance
 };
@@ -54,11 +53,14 @@ int run_with(PointTable table, const DelaunayOptions& options, Clock::time_point
   const BuildOptions& to = options.build;
   const bool writes = !to.output.empty();
   const auto build_start = Clock::now();
-  const Product triangulation = build<Product>(table, options);
+  Product triangulation = build<Product>(table, options);
   cost.build = seconds_since(build_start);
 
   std::string hash;
   std::optional<TrimResult> trimmed;
+  const auto sort_start = Clock::now();
+  if (writes) triangulation.sort_cells();  // what is written does not depend on the threads
+  const double sort_seconds = seconds_since(sort_start);
   if (options.trim)
     trimmed = about(input_name(options.input.path), [&] { return trim(triangulation, *options.trim); });
   if (writes) {
@@ -66,7 +68,7 @@ int run_with(PointTable table, const DelaunayOptions& options, Clock::time_point
     ComplexData data = trimmed ? std::move(trimmed->data) : triangulation.to_data(false);
     data.points = std::move(table.coordinates);
     write_output(to.output, data, to.output_format);
-    cost.write = seconds_since(write_start);
+    cost.write = sort_seconds + seconds_since(write_start);
     cost.close(start);
     if (to.stats) hash = trimmed ? triangulation.hash().hex() : canonical_hash(data).hex();
   } else {
@@ -101,8 +103,6 @@ int run_delaunay(const DelaunayOptions& options) {
   PointTable table = options.input.read();
   cost.read = seconds_since(start);
   if (!to.output.empty()) check_complex_output(to.output, to.output_format, table.dimension);
-  if (options.threads > threads_used && !to.quiet)
-    print_note(fmt::format("delone: note: this version builds with one thread, not {}\n", options.threads));
   return options.furthest_site ? run_with<FurthestSite<>>(std::move(table), options, start, cost)
                                : run_with<Delaunay<>>(std::move(table), options, start, cost);
 }
@@ -116,7 +116,7 @@ Run add_delaunay(CLI::App& app) {
   app.add_option("--trim", options->trim,
                  "Leave cells at the border out that are within this distance of what remains")
       ->type_name("DISTANCE");
-  app.add_option("--threads", options->threads, "At most this many threads")->check(CLI::Range(1, 65536));
+  add_threads(app, options->build.threads);
   app.add_flag("--furthest-site", options->furthest_site,
                "The furthest-site triangulation: spheres that have all points inside, instead of none");
   app.add_flag("--runtime-dimension", options->runtime_dimension,

@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // delone locate: where query points lie in the triangulation of other points, exactly.
+#include "build_options.hpp"
 #include "command.hpp"
 #include "interrupt.hpp"
 #include "output.hpp"
 #include "progress_bar.hpp"
+
+#include <delone/point_locator.hpp>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -11,7 +14,6 @@
 #include <algorithm>
 #include <filesystem>
 #include <memory>
-#include <optional>
 
 namespace delone::cli {
 namespace {
@@ -20,11 +22,12 @@ struct LocateOptions {
   PointInput input, queries;
   std::string output = "-", output_format;
   bool quiet = false, force = false;
+  unsigned threads = 0;
 };
 
 struct Answer {
-  Location::Kind kind;
-  std::int64_t cell;              ///< row of the cell in the files of `delaunay`; −1 outside
+  Location::Kind kind = Location::Kind::outside_affine_hull;
+  std::int64_t cell = -1;         ///< row of the cell in the files of `delaunay`; −1 outside
   std::vector<std::size_t> face;  ///< point rows
 };
 
@@ -57,22 +60,18 @@ std::vector<Answer> locate_all(const PointTable& points, const PointTable& queri
   std::int64_t count = 0;
   for (const CellId cell : complex.finite_cells()) row_of_cell[index(cell)] = count++;
 
-  const PointsView view(queries.coordinates, queries.dimension);
-  std::vector<Answer> answers;
-  answers.reserve(view.size());
-  std::optional<CellId> hint;
-  for (std::size_t i = 0; i < view.size(); ++i) {
+  std::vector<Answer> answers(PointsView(queries.coordinates, queries.dimension).size());
+  const auto take = [&](std::size_t query, const LocatedPoint& where) {
     if (caught_signal() != 0) throw Error(Errc::cancelled, "interrupted");
-    const Location location = t.locate(view[i], hint);
-    Answer answer{location.kind, -1, {}};
-    if (location.cell != invalid_cell) {
-      answer.cell = row_of_cell[index(location.cell)];
-      hint = location.cell;
-    }
-    for (const VertexId v : location.face) answer.face.push_back(t.row_of(v));
+    Answer& answer = answers[query];
+    answer.kind = where.kind;
+    answer.cell = where.cell == invalid_cell ? -1 : row_of_cell[index(where.cell)];
+    for (std::size_t i = 0; i < where.barycentric.size(); ++i)
+      if (where.barycentric[i] > 0)
+        answer.face.push_back(t.row_of(complex.vertex(where.cell, static_cast<int>(i))));
     std::sort(answer.face.begin(), answer.face.end());
-    answers.push_back(std::move(answer));
-  }
+  };
+  PointLocator(t).locate(queries.coordinates, {.coordinates = false, .threads = options.threads}, take);
   return answers;
 }
 
@@ -133,6 +132,7 @@ Run add_locate(CLI::App& app) {
       ->check(CLI::IsMember({"csv", "json"}));
   add_force(app, options->force);
   app.add_flag("-q,--quiet", options->quiet, "No progress bar");
+  add_threads(app, options->threads);
   app.footer(
       "One row for each query: its number, its kind (in_cell, on_face, on_vertex, outside_hull, "
       "outside_affine_hull), a cell\n"

@@ -36,7 +36,7 @@ int run_regular(const RegularOptions& options) {
   if (writes) check_complex_output(build.output, build.output_format, table.dimension);
 
   auto stage_start = Clock::now();
-  const Regular<> triangulation = about(input_name(options.weighted.input.path), [&] {
+  Regular<> triangulation = about(input_name(options.weighted.input.path), [&] {
     ProgressBar bar(build.quiet);
     const StageGuard guard(Stage::building);
     return Regular<>(table.coordinates, weights, table.dimension, build.to_options(bar));
@@ -44,7 +44,10 @@ int run_regular(const RegularOptions& options) {
   cost.build = seconds_since(stage_start);
 
   stage_start = Clock::now();
-  if (writes) write_output(build.output, triangulation.to_data(), build.output_format);
+  if (writes) {
+    triangulation.sort_cells();
+    write_output(build.output, triangulation.to_data(), build.output_format);
+  }
   cost.write = seconds_since(stage_start);
   cost.close(start);
   const auto counts = [&] { return counts_of(triangulation, triangulation.hash().hex()); };
@@ -61,6 +64,7 @@ Run add_regular(CLI::App& app) {
   auto options = std::make_shared<RegularOptions>();
   options->weighted.add_to(app);
   options->build.add_output(app, "the triangulation", complex_formats());
+  add_threads(app, options->build.threads);
   options->build.add_construction(app);
   return [options] { return run_regular(*options); };
 }

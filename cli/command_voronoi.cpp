@@ -94,8 +94,9 @@ Summary summary(const Triangulation& t, const Diagram& diagram, const Cost& cost
 }
 
 /// One line per region: the row of its point, and its volume.
-std::string volumes_text(const Diagram& diagram, const std::optional<Box>& box) {
-  const std::vector<double> volumes = box ? diagram.region_volumes(*box) : diagram.region_volumes();
+std::string volumes_text(const Diagram& diagram, const std::optional<Box>& box, unsigned threads) {
+  const std::vector<double> volumes =
+      box ? diagram.region_volumes(*box, threads) : diagram.region_volumes(threads);
   std::string text = "point,volume\n";
   for (std::size_t r = 0; r < volumes.size(); ++r)
     text += fmt::format("{},{}\n", diagram.region_points()[r], volumes[r]);
@@ -115,7 +116,7 @@ int run_with(Build build, const std::optional<Box>& box, Cost cost, Clock::time_
              const VoronoiOptions& options) {
   const std::string name = input_name(options.weighted.input.path);
   auto stage_start = Clock::now();
-  const auto triangulation = about(name, [&] {
+  auto triangulation = about(name, [&] {
     ProgressBar bar(options.build.quiet);
     const StageGuard guard(Stage::building);
     return build(options.build.to_options(bar));
@@ -123,10 +124,12 @@ int run_with(Build build, const std::optional<Box>& box, Cost cost, Clock::time_
   cost.build = seconds_since(stage_start);
 
   stage_start = Clock::now();
-  const auto diagram =
-      about(name, [&] { return diagram_of(triangulation, {.tolerance = options.tolerance}); });
+  triangulation.sort_cells();  // what is written does not depend on the threads
+  const auto diagram = about(name, [&] {
+    return diagram_of(triangulation, {.tolerance = options.tolerance, .threads = options.build.threads});
+  });
   const std::string volumes = options.volumes.empty() ? "" : about(output_name(options.volumes), [&] {
-    return volumes_text(diagram, box);
+    return volumes_text(diagram, box, options.build.threads);
   });
   cost.diagram = seconds_since(stage_start);
 
@@ -191,6 +194,7 @@ Run add_diagram(CLI::App& app, bool power) {
          "--tolerance", options->tolerance,
          "Merge vertices that are within this distance of one of them, and drop ridges of no larger width")
       ->type_name("DISTANCE");
+  add_threads(app, options->build.threads);
   options->build.add_construction(app);
   return [options] { return run_voronoi(*options); };
 }

@@ -11,9 +11,6 @@ namespace delone::cli {
 using Clock = std::chrono::steady_clock;
 double seconds_since(Clock::time_point start);
 
-/// The number of threads that work, whatever --threads says: this version builds with one.
-inline constexpr int threads_used = 1;
-
 /// Times are in seconds.
 struct Cost {
   /// Stops the clock. Call it before the hashes of the report, which do not count.

@@ -54,7 +54,7 @@ void add_cost(Json& json, const Statistics& s, std::size_t num_cells, const Cost
   json["created_cells"] = s.created_cells;
   json["stages"] = {
       {"filter", s.filter}, {"direct", s.direct}, {"exact", s.exact}, {"perturbed", s.perturbed}};
-  json["threads"] = threads_used;
+  json["threads"] = s.threads;
   json["seed"] = seed;
   json["version"] = DELONE_VERSION;
 }

@@ -10,6 +10,8 @@ option(DELONE_BUILD_BENCHMARKS "Build the programs of benchmarks/internal, and o
 option(DELONE_OPTIMIZE_TESTS "Compile the tests of a release build with its full optimisation, which takes twice as long" OFF)
 option(DELONE_FUZZ "Build the fuzz targets with libFuzzer (needs clang)" OFF)
 option(DELONE_WERROR "Treat warnings as errors" ${DELONE_DEVELOPER_MODE})
+set(DELONE_WITH_TBB AUTO CACHE STRING "Threads, by oneTBB: ON, OFF, or AUTO: if it is found")
+set_property(CACHE DELONE_WITH_TBB PROPERTY STRINGS AUTO ON OFF)
 set(DELONE_LARGEST_COMPILED_DIMENSION 8 CACHE STRING
   "Engines are compiled for 1 … this dimension (8 at most); larger ones use the engine whose dimension is a variable")
 set(DELONE_SANITIZE "" CACHE STRING "Sanitizers for -fsanitize=, for example address,undefined")

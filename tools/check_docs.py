@@ -52,6 +52,13 @@ def line_of(text, offset):
     return text.count("\n", 0, offset) + 1
 
 
+def libraries_of(build):
+    """What programs link beside the library."""
+    cache = dict(line.split("=", 1) for line in (build / "CMakeCache.txt").read_text().splitlines() if "=" in line)
+    has_tbb = cache.get("DELONE_WITH_TBB:STRING") != "OFF" and not cache.get("TBB_DIR:PATH", "NOTFOUND").endswith("NOTFOUND")
+    return ["-lhwy", "-ltbb"] if has_tbb else ["-lhwy"]
+
+
 def find_library(build):
     for name in ("libdelone.a", "libdelone.so"):
         found = sorted(build.rglob(name))
@@ -130,7 +137,8 @@ class Runner:
             library = find_library(self.build)
             compiled = subprocess.run(
                 [self.compiler, "-std=c++20", "-O0", "-Wall", "-Wextra", "-Werror", f"-I{ROOT / 'include'}", f"-I{self.build / 'include'}",
-                 str(source), str(library), f"-Wl,-rpath,{library.parent}", "-lhwy", "-pthread", "-o", str(program)],
+                 str(source), str(library), f"-Wl,-rpath,{library.parent}", *libraries_of(self.build), "-pthread",
+                 "-o", str(program)],
                 capture_output=True, text=True)
             if compiled.returncode != 0:
                 raise DocsError("does not compile:\n" + compiled.stderr)

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Inserts a batch of points as the library does, and tells an observer when an insertion passes from one
-// phase to the next. The engine is unchanged. The observer sits in the batch, and in the geometry: the engine
-// gets an evaluator from it when a walk or the search of a conflict zone begins, and memory and functionals
-// when a star is made.
+// phase to the next; or lets several workers insert it by a given schedule. The engine is unchanged. The
+// observer sits in the batch, and in the geometry: the engine gets an evaluator from it when a walk or the
+// search of a conflict zone begins, and memory and functionals when a star is made.
 #pragma once
 
 #include "compiled/triangulation_engine.hpp"
@@ -48,6 +48,8 @@ class ObservedGeometry : public delone::geometry::DelaunayGeometry<K> {
   template <class... Arguments>
   ObservedGeometry(delone::CellMemory<K>& memory, Observer& observer, Arguments&&... arguments)
       : Base(memory, std::forward<Arguments>(arguments)...), observer_(observer) {}
+  ObservedGeometry(const ObservedGeometry& shared, typename Base::ForThread form)
+      : Base(shared, form), observer_(shared.observer_) {}
 
   auto evaluator(const Query& q) const {
     observer_.evaluates();
@@ -91,11 +93,32 @@ class EngineRun {
     build_.insert_all(Batch{*this, order});
   }
 
+  /// The same by several workers (engine/parallel_insertion.hpp).
+  template <class Schedule>
+  void insert_by(unsigned workers, Schedule schedule) {
+    std::vector<std::size_t> rounds;
+    const std::vector<Index> order = delone::order::automatic_order(points_, 0, &rounds);
+    vertices_.coordinates.reserve((order.size() + 1) * K);
+    used_ = start(order);
+    const Index first = vertices_.last_vertex() + 1;
+    for (const Index row : order)
+      if (!used_[row]) append(row);
+    for (std::size_t& end : rounds) end -= std::min<std::size_t>(end, K + 1);
+    std::vector<Index> at(order.size() - (K + 1));
+    const std::size_t few = std::min<std::size_t>(at.size(), build_.few_vertices);
+    for (std::size_t i = 0; i < few; ++i) build_.insert(first + static_cast<Index>(i));
+    const delone::engine::ParallelBatch batch{workers, first, at, rounds, [](std::size_t) {}};
+    delone::engine::ParallelInsertion<K, Geometry, Schedule>(build_.insertion_parts(), batch,
+                                                             std::move(schedule))
+        .insert_from(few);
+  }
+
   const delone::engine::Effort& effort() const { return build_.effort(); }
   const delone::engine::CellStore<K>& cells() const { return build_.cells(); }
   const ObservedGeometry<K, Observer>& geometry() const { return build_.geometry(); }
 
  private:
+  using Geometry = ObservedGeometry<K, Observer>;
   /// What the engine's loop inserts.
   struct Batch {
     EngineRun& run;
@@ -109,7 +132,7 @@ class EngineRun {
       run.observer_.begins(run.build_.star().empty() ? 1 : 2);
       return v;
     }
-    void placed(Index v, Index at) {
+    void placed(Index v, Index at, bool) {
       if (at == v)
         run.observer_.ends(run.build_.workspace());
       else  // a duplicate
@@ -161,7 +184,7 @@ class EngineRun {
   delone::PointsView points_;
   Observer& observer_;
   delone::VertexPoints vertices_;
-  delone::engine::Build<K, ObservedGeometry<K, Observer>> build_;
+  delone::engine::Build<K, Geometry> build_;
   std::vector<bool> used_;  // the rows of the first simplex
 };
 

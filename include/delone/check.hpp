@@ -29,6 +29,9 @@ struct CheckOptions {
   static constexpr int all = std::numeric_limits<int>::max();
   /// The number of the highest level to examine; `all`, and every number beyond the last level, is the last.
   int up_to = all;
+  /// At most so many threads; 0: as many as there are cores for this process, where the data are large enough
+  /// to gain by them. The report does not depend on it.
+  unsigned threads = 1;
 
   // The rest is for triangulations; of other data they must be as they are here.
 

@@ -35,8 +35,12 @@ struct EvaluateOptions {
   /// τ of LocateOptions: the value at x is that of the function at the point x' there, so at one with |x −
   /// x'| ≤ τ; at a vertex it is the given one.
   double tolerance = 0;
-  /// Called now and then with the number of queries done; returning false cancels (Errc::cancelled).
+  /// Called now and then, by the calling thread, with the number of queries done; returning false cancels
+  /// (Errc::cancelled).
   std::function<bool(std::size_t)> progress = {};
+  /// At most so many threads; 0: as many as there are cores for this process, where the batch is large enough
+  /// to gain by them. The result does not depend on it, to the last bit.
+  unsigned threads = 1;
 };
 
 /// The function that is linear in every cell of a triangulation and has given values at its vertices.

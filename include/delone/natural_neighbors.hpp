@@ -78,6 +78,10 @@ class NaturalNeighborCoordinates {
 
  private:
   friend class NaturalNeighborInterpolator;
+  /// Each thread that works has its own visitor.
+  void find_by_threads(std::span<const double> queries, const LocateOptions& how,
+                       const std::function<Visit()>& make_visit, bool with_gradients) const;
+
   std::unique_ptr<Impl> impl_;
 };
 

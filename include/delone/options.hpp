@@ -20,9 +20,14 @@ enum class InsertionOrder {
 struct Options {
   std::uint64_t seed = 0;  ///< of the random choices of the insertion order
   InsertionOrder order = InsertionOrder::automatic;
+  /// At most so many threads build; 0: as many as there are cores for this process (affinity mask, quota of
+  /// the container), where a batch is large enough to gain by them. Points, sets of cells and exported files
+  /// and arrays do not depend on it; ids of cells do.
+  unsigned threads = 1;
   bool force_runtime_dimension = false;  ///< use the run-time-dimension engine even for k ≤ 8
-  /// Called from the building thread about every 20 ms with the fraction done, 0…1, which does not decrease;
-  /// return false to cancel (Errc::cancelled). ProgressScope does the same for calls without options.
+  /// Called from the thread that builds, and from no other, about every 20 ms with the fraction done, 0…1,
+  /// which does not decrease; return false to cancel (Errc::cancelled). ProgressScope does the same for calls
+  /// without options.
   std::function<bool(double)> progress = {};
   /// Of hulls (ConvexHull, LowerHull), with the unit of the coordinates; see there. 0, the default, is exact.
   /// Must be finite and ≥ 0, and 0 for triangulations and halfspaces; otherwise Errc::invalid_argument.
@@ -43,6 +48,7 @@ struct Statistics {
   double order_seconds = 0;    ///< ordering and merging duplicates
   double build_seconds = 0;    ///< insertions
   std::size_t cell_bytes = 0;  ///< memory reserved for cells, at present
+  unsigned threads = 1;        ///< most threads that have inserted a batch
 };
 
 }  // namespace delone

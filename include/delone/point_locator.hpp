@@ -42,6 +42,10 @@ struct LocateOptions {
   /// Whether LocatedPoint::barycentric is wanted. If not, it only tells which coordinates are positive: for
   /// queries in slivers this saves exact arithmetic.
   bool coordinates = true;
+  /// At most so many threads; 0: as many as there are cores for this process (affinity mask, quota of the
+  /// container), where the batch is large enough to gain by them. The answers do not depend on it. With other
+  /// values than 1 the callbacks are called from several threads at once, once for each query as before.
+  unsigned threads = 1;
 };
 
 /// Where a query x lies (exactly), and its barycentric coordinates (rounded). With a tolerance, or if x is
@@ -64,7 +68,9 @@ struct LocatedPoint {
 
 /// Answers queries about a triangulation, which it refers to: valid until the next insertion. `const` members
 /// may be called from several threads at once. A batch is visited along a Hilbert curve, in stretches each of
-/// whose walks starts where the one before ended; answers are given with the number of their query.
+/// whose walks starts where the one before ended; answers are given with the number of their query. Which
+/// stretches threads share depends on the batch alone, and so do the cells that answer for queries on faces
+/// of several. `threads` of the members below is that of LocateOptions.
 ///
 /// Method: the visibility walk with signs of orientations. For k = d ≤ 6 all of a cell come from one table of
 /// minors with a certified bound, those that it cannot tell from exact arithmetic. Cost: for a batch as dense
@@ -79,7 +85,8 @@ class PointLocator {
   ~PointLocator();
 
   /// Locates q queries (q×d coordinates) and calls `visit` once for each, in no particular order. What
-  /// `visit` throws ends the batch and is passed on. Throws bad_dimension, not_finite (rows() names the
+  /// `visit` throws ends the batch and is passed on: of several exceptions in several threads the one that
+  /// one thread would have met. Throws bad_dimension, not_finite (rows() names the
   /// queries), out_of_memory.
   void locate(std::span<const double> queries, const Visit& visit) const;
   /// The same with a tolerance. Throws invalid_argument for one that is negative, NaN, infinite or larger
@@ -90,21 +97,24 @@ class PointLocator {
   /// first, until it returns false. All cells within the radius are visited, and maybe some that are farther
   /// by a rounding. REQUIRES a finite radius ≥ 0. Method and errors: as locate() with a tolerance.
   void cells_within(std::span<const double> queries, double radius,
-                    const std::function<bool(std::size_t query, CellId cell)>& visit) const;
+                    const std::function<bool(std::size_t query, CellId cell)>& visit,
+                    unsigned threads = 1) const;
 
   /// For each of q queries the vertex of least distance; of a regular triangulation, of least power |x − p|²
   /// − weight: the site whose region of the diagram contains the query. Exact; of several the one with the
   /// first input row. invalid_vertex if there is no vertex. `visit` as for locate(). The first call makes a
   /// table of all edges, O(cells·k). Throws as locate(), and unsupported for a furthest-site triangulation.
   void nearest(std::span<const double> queries,
-               const std::function<void(std::size_t query, VertexId nearest)>& visit) const;
+               const std::function<void(std::size_t query, VertexId nearest)>& visit,
+               unsigned threads = 1) const;
 
   /// The k nearest vertices of each query, or all if there are fewer, nearest first; of equally near ones
   /// those with smaller first rows first. Exact. By power for a regular triangulation, and else as above.
   /// Valid during the call that they are passed to. Method: best-first search over edges, O(k·e·log(k·e))
   /// per query for e edges at a vertex. Throws as above, and invalid_argument for k = 0.
   void nearest(std::span<const double> queries, std::size_t k,
-               const std::function<void(std::size_t query, std::span<const VertexId> nearest)>& visit) const;
+               const std::function<void(std::size_t query, std::span<const VertexId> nearest)>& visit,
+               unsigned threads = 1) const;
 
   /// The vertices joined to each vertex by an edge, the infinite vertex excluded, increasing: those of v are
   /// entries offsets[v] … offsets[v+1]−1 of `vertices`; for v up to num_vertex_slots(). Made on first use,
@@ -118,8 +128,11 @@ class PointLocator {
   struct Impl;
 
  private:
+  friend class LinearInterpolator;
+  friend class NaturalNeighborCoordinates;
+
   template <class Each>
-  void each_nearest(std::span<const double> queries, Each each) const;
+  void each_nearest(std::span<const double> queries, unsigned threads, Each each) const;
 
   std::unique_ptr<Impl> impl_;
 };

@@ -78,6 +78,13 @@ class Triangulation {
   /// memory of both. Throws Errc::out_of_memory, and then changes nothing.
   void compact();
 
+  /// Gives cells ids by their vertices, without gaps: by the newest, and by a hash of all. Then the order of
+  /// cells, and of the vertices in each, is the same however many threads have built the triangulation, until
+  /// the next insertion. Does nothing where one thread has built it whatever Options::threads said. Uses up
+  /// to so many threads. Cost O(cells·k²), and for a moment 16 bytes per cell. Throws Errc::out_of_memory,
+  /// and then changes nothing.
+  void sort_cells();
+
   int dimension() const;           ///< d
   int affine_dimension() const;    ///< k ≤ d; 0 for one distinct point, −1 for none
   std::size_t num_points() const;  ///< rows inserted, duplicates and hidden points included
@@ -119,7 +126,8 @@ class Triangulation {
 
   /// A plain copy: cells of point rows in the order of finite_cells().
   ComplexData to_data(bool with_points = true) const;
-  CanonicalHash hash() const;
+  /// `threads`: as for canonical_hash() below.
+  CanonicalHash hash(unsigned threads = 1) const;
   Statistics statistics() const;
 
  protected:
@@ -164,5 +172,9 @@ template <int D>
 using OwnPoint = std::conditional_t<D == dynamic, std::vector<double>, std::array<double, (D > 0 ? D : 1)>>;
 
 }  // namespace detail
+
+/// canonical_hash() by several threads: at most so many; 0: as many as there are cores, where the data are
+/// large enough to gain by them.
+CanonicalHash canonical_hash(const ComplexData& data, unsigned threads);
 
 }  // namespace delone

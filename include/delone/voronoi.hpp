@@ -48,6 +48,9 @@ struct DiagramOptions {
   DiagramParts parts = DiagramParts::all;
   /// ε ≥ 0, a distance: what is not larger is left out of the diagram, see Diagram. 0: the exact diagram.
   double tolerance = 0;
+  /// At most so many threads make the diagram; 0: as many as there are cores for this process, where it is
+  /// large enough to gain by them. The arrays do not depend on it, to the last bit.
+  unsigned threads = 1;
   /// As in Options; it stops the making of the diagram (Errc::cancelled). The fraction is 0 throughout.
   std::function<bool(double)> progress = {};
 };
@@ -177,16 +180,17 @@ class Diagram {
   /// unbounded ridges and those with a vertex beyond the range of double precision. Combinatorics are exact;
   /// sums are in binary64, relative error about 10⁻¹⁵ times the shape's condition. Cost: O(output) for k ≤ 3;
   /// beyond, at most (k−1)! simplices per cell and ridge.
-  std::vector<double> ridge_volumes() const;
+  /// `threads`, here and below: as DiagramOptions::threads; volumes do not depend on it either.
+  std::vector<double> ridge_volumes(unsigned threads = 1) const;
   /// The k-volume of each region, infinity for unbounded ones: (1/k)·Σ over its ridges of volume times signed
   /// distance of the site from the bisector, compensated. For k = 0 infinity. Cost: that of ridge_volumes().
-  std::vector<double> region_volumes() const;
+  std::vector<double> region_volumes(unsigned threads = 1) const;
   /// The d-volume of each region within a box: always of dimension d, regions of flat input being those of
   /// R^d, prisms over the ones in the flat. The volumes add up to that of the box up to rounding. The
   /// combinatorics of every cut are exact. Cost: regions that lie inside the box as region_volumes(); others
   /// one by one, 2^d corners and more. Errors: invalid_argument (box not of d finite numbers low < high),
   /// unsupported (d > 12), out_of_memory.
-  std::vector<double> region_volumes(const Box& box) const;
+  std::vector<double> region_volumes(const Box& box, unsigned threads = 1) const;
   /// Calls `visit` with each region cut off at the box, in order. Errors: as region_volumes(box); unsupported
   /// for d > 3.
   void for_each_clipped_region(
@@ -219,7 +223,7 @@ class Diagram {
   }
   double ridge_volume(std::size_t ridge, const std::vector<std::vector<Index>>& cells_of_region) const;
   std::vector<std::vector<Index>> cells_of_regions() const;
-  std::vector<double> volumes_of(const std::vector<unsigned char>& wanted) const;
+  std::vector<double> volumes_of(const std::vector<unsigned char>& wanted, unsigned threads) const;
   double bisector_distance(std::size_t from, std::size_t to) const;
   void require_ridges() const;
   void simplify();

@@ -76,7 +76,7 @@ class ConvexHulls:
         return f"<delone.ConvexHulls: {len(self)} hulls, {len(self.vertices)} vertices, {len(self.cells)} cells>"
 
 
-def convex_hulls(points, offsets=None, *, seed=0, order="automatic", threads=1, progress=None) -> ConvexHulls:
+def convex_hulls(points, offsets=None, *, seed=0, order="automatic", threads=0, progress=None) -> ConvexHulls:
     """The convex hulls of many sets of points: a ConvexHulls.
 
     `points` is a sequence of arrays (n_i, d), or an array (h, n, d); or, with `offsets`, one array (n, d) of which set i has the

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // delone.ConvexHull.
 #include "arrays.hpp"
+#include "docstring.hpp"
 #include "module.hpp"
 #include "pickling.hpp"
 #include "running.hpp"
@@ -229,7 +230,7 @@ auto asking(Question question) {
 }
 
 constexpr const char* class_doc = R"(
-ConvexHull(points, *, tolerance=0.0, seed=0, order='automatic', threads=1, progress=None)
+ConvexHull(points, *, tolerance=0.0, seed=0, order='automatic', threads=0, progress=None)
 
 The convex hull of points, (n, d) numbers that are exact in float64, in any dimension d >= 1.
 
@@ -294,17 +295,14 @@ constexpr const char* statistics_doc = R"(
 What the construction has cost: a dict of counts (created_cells, visited_cells, insertions, and the tests decided by
 the stages filter, direct, exact, perturbed), order_seconds, build_seconds and cell_bytes.)";
 
-/// The text of a docstring, without the line break that it begins with.
-constexpr const char* text(const char* doc) { return doc + 1; }
-
 }  // namespace
 
 void bind_convex_hull(py::module_& module) {
   py::class_<HeldHull> type(module, "ConvexHull", text(class_doc));
   type.def(py::init(&construct), "points"_a, py::kw_only(), "tolerance"_a = 0.0, "seed"_a = 0,
-           "order"_a = "automatic", "threads"_a = 1, "progress"_a = py::none());
+           "order"_a = "automatic", "threads"_a = 0, "progress"_a = py::none());
   type.def_static("of_extreme_points", &of_extreme_points, "points"_a, py::kw_only(), "tolerance"_a = 0.0,
-                  "seed"_a = 0, "order"_a = "automatic", "threads"_a = 1, "progress"_a = py::none(),
+                  "seed"_a = 0, "order"_a = "automatic", "threads"_a = 0, "progress"_a = py::none(),
                   text(of_extreme_points_doc));
   type.def("insert_range", &HeldHull::add, "points"_a, py::kw_only(), "progress"_a = py::none(),
            text(insert_range_doc));

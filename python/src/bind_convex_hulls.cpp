@@ -51,7 +51,7 @@ py::tuple convex_hulls_of(const py::object& points, const Offsets& offsets, std:
 
 void bind_convex_hulls(py::module_& module) {
   module.def("_convex_hulls", &convex_hulls_of, "points"_a, "offsets"_a, py::kw_only(), "seed"_a = 0,
-             "order"_a = "automatic", "threads"_a = 1, "progress"_a = py::none(),
+             "order"_a = "automatic", "threads"_a = 0, "progress"_a = py::none(),
              "The arrays of delone.ConvexHulls, in the order of its arguments.");
   module.def(
       "_doubles", &as_doubles, "object"_a, "name"_a,

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // delone.HalfspaceIntersection.
 #include "arrays.hpp"
+#include "docstring.hpp"
 #include "module.hpp"
 #include "pickling.hpp"
 #include "running.hpp"
@@ -160,7 +161,7 @@ auto asking(Question question) {
 }
 
 constexpr const char* class_doc = R"(
-HalfspaceIntersection(halfspaces, interior_point=None, *, seed=0, order='automatic', threads=1, progress=None)
+HalfspaceIntersection(halfspaces, interior_point=None, *, seed=0, order='automatic', threads=0, progress=None)
 
 The points x with A x + b <= 0, for halfspaces (m, d+1) with the rows [A, b], d >= 1: the vertices, facets and
 edges of a polyhedron, exactly. interior_point: (d,), strictly inside all of them; without one it is found, by an
@@ -203,9 +204,6 @@ constexpr const char* statistics_doc = R"(
 What the construction has cost: a dict of counts (created_cells, visited_cells, insertions, and the tests decided by
 the stages filter, direct, exact, perturbed), order_seconds, build_seconds and cell_bytes.)";
 
-/// The text of a docstring, without the line break that it begins with.
-constexpr const char* text(const char* doc) { return doc + 1; }
-
 }  // namespace
 
 void bind_halfspaces(py::module_& module) {
@@ -217,7 +215,7 @@ void bind_halfspaces(py::module_& module) {
                  halfspaces, interior_point, BuildArguments{seed, std::move(order), threads}, progress);
            }),
            "halfspaces"_a, "interior_point"_a = py::none(), py::kw_only(), "seed"_a = 0,
-           "order"_a = "automatic", "threads"_a = 1, "progress"_a = py::none());
+           "order"_a = "automatic", "threads"_a = 0, "progress"_a = py::none());
   type.def("insert_range", &HeldIntersection::add, "halfspaces"_a, py::kw_only(), "progress"_a = py::none(),
            text(insert_range_doc));
   type.def_property_readonly("dimension", &HeldIntersection::dimension,

@@ -58,8 +58,9 @@ py::tuple natural_neighbors(const py::object& points, const py::object& object) 
   NeighborLists lists(queries.size());
   Supervisor supervisor;
   supervisor.run([&, x = queries.coordinates()] {
-    held.with_engine(
-        [&](const Triangulation& engine) { lists.find(NaturalNeighborCoordinates(engine), engine, x, {}); });
+    held.with_engine([&](const Triangulation& engine) {
+      lists.find(NaturalNeighborCoordinates(engine), engine, x, {.threads = held.threads()});
+    });
   });
   return lists.arrays();
 }

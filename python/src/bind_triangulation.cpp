@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // delone.Delaunay, Regular and FurthestSite.
 #include "arrays.hpp"
+#include "docstring.hpp"
 #include "module.hpp"
 #include "pickling.hpp"
 #include "triangulation.hpp"
@@ -171,9 +172,10 @@ py::tuple vertex_neighbors(const Held& held) {
   return py::make_tuple(list_view(std::move(offsets)), list_view(std::move(rows)));
 }
 
-/// Locates queries. Calls visit(query, where, row of the cell or −1).
+/// Locates queries. Calls visit(query, where, row of the cell or −1), from several threads at once.
 template <class Visit>
-void locate_each(const Held& held, const Queries& queries, const LocateOptions& options, Visit visit) {
+void locate_each(const Held& held, const Queries& queries, LocateOptions options, Visit visit) {
+  options.threads = held.threads();
   Supervisor supervisor;
   supervisor.run([&, x = queries.coordinates()] {
     held.with_locator([&](const Triangulation& engine, const PointLocator& locator, const Cells& cells) {
@@ -349,18 +351,24 @@ double distance_or_power(const Held& held, const Triangulation& engine, const do
   return length * length - static_cast<const Regular<>&>(engine).weight(v);
 }
 
-/// Calls visit(query, rank, vertex) for the vertices nearest to each query.
+/// Calls visit(query, rank, vertex) for the vertices nearest to each query, from several threads at once.
 template <class Visit>
 void visit_nearest(const PointLocator& locator, std::span<const double> queries, std::optional<std::size_t> k,
-                   Visit visit) {
+                   unsigned threads, Visit visit) {
   if (!k)
-    locator.nearest(queries, [&](std::size_t query, VertexId v) {
-      if (v != invalid_vertex) visit(query, 0, v);
-    });
+    locator.nearest(
+        queries,
+        [&](std::size_t query, VertexId v) {
+          if (v != invalid_vertex) visit(query, 0, v);
+        },
+        threads);
   else
-    locator.nearest(queries, *k, [&](std::size_t query, std::span<const VertexId> found) {
-      for (std::size_t rank = 0; rank < found.size(); ++rank) visit(query, rank, found[rank]);
-    });
+    locator.nearest(
+        queries, *k,
+        [&](std::size_t query, std::span<const VertexId> found) {
+          for (std::size_t rank = 0; rank < found.size(); ++rank) visit(query, rank, found[rank]);
+        },
+        threads);
 }
 
 py::tuple nearest(const Held& held, const py::object& object, std::optional<py::ssize_t> k) {
@@ -375,7 +383,7 @@ py::tuple nearest(const Held& held, const py::object& object, std::optional<py::
   supervisor.run([&, x = queries.coordinates(), row = rows.mutable_data(), at = distances.mutable_data()] {
     held.with_locator([&](const Triangulation& engine, const PointLocator& locator, const Cells&) {
       const auto d = static_cast<std::size_t>(held.dimension());
-      visit_nearest(locator, x, k ? std::optional(width) : std::nullopt,
+      visit_nearest(locator, x, k ? std::optional(width) : std::nullopt, held.threads(),
                     [&](std::size_t query, std::size_t rank, VertexId v) {
                       row[query * width + rank] = static_cast<SignedIndex>(engine.row_of(v));
                       at[query * width + rank] = distance_or_power(held, engine, x.data() + query * d, v);
@@ -443,7 +451,7 @@ void bind_points_only(py::class_<T, Held, std::shared_ptr<T>>& type) {
                        const py::object& progress) {
              return construct<T>(points, py::none(), seed, std::move(order), threads, progress);
            }),
-           "points"_a, py::kw_only(), "seed"_a = 0, "order"_a = "automatic", "threads"_a = 1,
+           "points"_a, py::kw_only(), "seed"_a = 0, "order"_a = "automatic", "threads"_a = 0,
            "progress"_a = py::none());
   type.def(
       "insert_range",
@@ -491,6 +499,32 @@ constexpr const char* nearest_doc =
     "rows of least power |x − p|² − weight, and the powers. Not for FurthestSite. ValueError for k < 1. The "
     "first call\n"
     "makes a table of all edges; then a query takes O(k log k) comparisons for evenly spread points.";
+
+constexpr const char* delaunay_doc = R"(
+Delaunay(points, *, seed=0, order='automatic', threads=0, progress=None)
+
+The Delaunay triangulation of points, (n, d) numbers that are exact in float64, in any dimension.
+
+Exact, a function of the set of points: seed and order ('automatic', 'as_given', 'shuffled') only change the way there.
+Duplicates are merged, flat points are triangulated in their flat. At most `threads` threads build, and answer queries; 0:
+as many as there are cores for the process, where the work is large enough to gain by them. All arrays are the same,
+however many. `progress` is called ten times a second with the fraction done; what it returns stops the work
+(CancelledError) if it is false, but None. Ctrl-C stops with KeyboardInterrupt. Methods let go of the GIL; any number of threads may call them at
+once. Raises InputError, a ValueError, for NaN and infinities, and ValueError for other input that is no array of points;
+both name the row. Cost: O(n) cells and time in each dimension for evenly spread points.)";
+
+constexpr const char* regular_doc = R"(
+Regular(points, weights, *, seed=0, order='automatic', threads=0, progress=None)
+
+The regular triangulation (weighted Delaunay triangulation) of points, (n, d), with weights, (n,), which have the unit
+of squared lengths and may be negative. Points above the lower boundary of the lifted points (x, |x|² - weight) are
+hidden. All else as in Delaunay.)";
+
+constexpr const char* furthest_site_doc = R"(
+FurthestSite(points, *, seed=0, order='automatic', threads=0, progress=None)
+
+The furthest-site Delaunay triangulation of points, (n, d): the cells whose spheres have no point outside. Its vertices
+are the extreme points, all others are hidden. One thread builds it. All else as in Delaunay.)";
 
 }  // namespace
 
@@ -563,7 +597,10 @@ void bind_triangulations(py::module_& module) {
           "(indptr (n+1,) int64, indices): the rows joined to row i by an edge are "
           "indices[indptr[i]:indptr[i+1]], increasing. Rows that are no vertices have none.")
       .def_property_readonly(
-          "hash", [](const Held& h) { return ask(h, [](const Triangulation& t) { return t.hash().hex(); }); },
+          "hash",
+          [](const Held& h) {
+            return ask(h, [&](const Triangulation& t) { return t.hash(h.threads()).hex(); });
+          },
           "32 hexadecimal digits that depend on the coordinates of the vertices and the set of cells only; "
           "the command prints "
           "the same. O(n d + m k).")
@@ -587,40 +624,16 @@ void bind_triangulations(py::module_& module) {
       .def("nearest", &nearest, "queries"_a, "k"_a = py::none(), nearest_doc)
       .def("__repr__", &repr);
 
-  py::class_<HeldDelaunay, Held, std::shared_ptr<HeldDelaunay>> delaunay(
-      module, "Delaunay",
-      "Delaunay(points, *, seed=0, order='automatic', threads=1, progress=None)\n\n"
-      "The Delaunay triangulation of points, (n, d) numbers that are exact in float64, in any dimension.\n\n"
-      "Exact, a function of the set of points: seed and order ('automatic', 'as_given', 'shuffled') only "
-      "change "
-      "the way there.\n"
-      "Duplicates are merged, flat points are triangulated in their flat. At most `threads` threads are "
-      "used. `progress` is\n"
-      "called ten times a second with the fraction done; what it returns stops the work (CancelledError) if "
-      "it is "
-      "false, but None. "
-      "Ctrl-C stops with\n"
-      "KeyboardInterrupt. Methods let go of the GIL; any number of threads may call them at once.\n"
-      "Raises InputError, a ValueError, for NaN and infinities, and ValueError for other input that is no "
-      "array of points;\n"
-      "both name the row. Cost: O(n) cells and time in each dimension for evenly spread points.");
+  py::class_<HeldDelaunay, Held, std::shared_ptr<HeldDelaunay>> delaunay(module, "Delaunay",
+                                                                         text(delaunay_doc));
   bind_points_only(delaunay);
 
-  py::class_<HeldRegular, Held, std::shared_ptr<HeldRegular>> regular(
-      module, "Regular",
-      "Regular(points, weights, *, seed=0, order='automatic', threads=1, progress=None)\n\n"
-      "The regular triangulation (weighted Delaunay triangulation) of points, (n, d), with weights, (n,), "
-      "which have the unit "
-      "of\n"
-      "squared lengths and may be negative. Points above the lower boundary of the lifted points (x, |x|² − "
-      "weight) are "
-      "hidden.\n"
-      "All else as in Delaunay.");
+  py::class_<HeldRegular, Held, std::shared_ptr<HeldRegular>> regular(module, "Regular", text(regular_doc));
   regular.def(py::init([](const py::object& points, const py::object& weights, std::uint64_t seed,
                           std::string order, int threads, const py::object& progress) {
                 return construct<HeldRegular>(points, weights, seed, std::move(order), threads, progress);
               }),
-              "points"_a, "weights"_a, py::kw_only(), "seed"_a = 0, "order"_a = "automatic", "threads"_a = 1,
+              "points"_a, "weights"_a, py::kw_only(), "seed"_a = 0, "order"_a = "automatic", "threads"_a = 0,
               "progress"_a = py::none());
   regular.def(
       "insert_range",
@@ -643,13 +656,8 @@ void bind_triangulations(py::module_& module) {
   bind_hidden(regular);
   bind_pickle(regular);
 
-  py::class_<HeldFurthestSite, Held, std::shared_ptr<HeldFurthestSite>> furthest(
-      module, "FurthestSite",
-      "FurthestSite(points, *, seed=0, order='automatic', threads=1, progress=None)\n\n"
-      "The furthest-site Delaunay triangulation of points, (n, d): the cells whose spheres have no point "
-      "outside. Its "
-      "vertices\n"
-      "are the extreme points, all others are hidden. All else as in Delaunay.");
+  py::class_<HeldFurthestSite, Held, std::shared_ptr<HeldFurthestSite>> furthest(module, "FurthestSite",
+                                                                                 text(furthest_site_doc));
   bind_points_only(furthest);
   bind_hidden(furthest);
 }

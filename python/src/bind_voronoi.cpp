@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // delone.Voronoi and PowerDiagram.
 #include "arrays.hpp"
+#include "docstring.hpp"
 #include "module.hpp"
 #include "triangulation.hpp"
 
@@ -30,7 +31,8 @@ class HeldDiagram {
   HeldDiagram(const py::object& triangulation, double tolerance) : source_type_(py::type::of(triangulation)) {
     const auto& source = triangulation.cast<const HeldTriangulation&>();
     is_furthest_ = source.form() == Form::furthest_site;
-    const DiagramOptions options{.tolerance = tolerance};
+    threads_ = source.threads();
+    const DiagramOptions options{.tolerance = tolerance, .threads = threads_};
     Supervisor supervisor;
     for (std::uint64_t version = source.version() + 1;
          version != source.version();) {  // until no other thread adds points
@@ -60,6 +62,7 @@ class HeldDiagram {
 
   const Diagram& diagram() const { return *diagram_; }
   std::size_t dimension() const { return static_cast<std::size_t>(diagram_->dimension()); }
+  unsigned threads() const { return threads_; }
   bool is_furthest() const { return is_furthest_; }
   py::array ray_directions() const {
     const auto there = diagram_->ray_directions();
@@ -84,6 +87,7 @@ class HeldDiagram {
 
  private:
   py::object source_type_, source_state_;
+  unsigned threads_ = 1;  // those of the triangulation
   bool is_furthest_ = false;
   std::shared_ptr<const Diagram> diagram_;
   std::shared_ptr<const std::vector<double>> points_, weights_;
@@ -112,8 +116,10 @@ py::array region_volumes(const HeldDiagram& held, const py::object& object) {
   if (box && held.is_furthest())
     throw Error(Errc::unsupported, "furthest-site diagrams are not cut off at boxes");
   Supervisor supervisor;
-  return list_view(supervisor.run(
-      [&] { return box ? held.diagram().region_volumes(*box) : held.diagram().region_volumes(); }));
+  return list_view(supervisor.run([&] {
+    return box ? held.diagram().region_volumes(*box, held.threads())
+               : held.diagram().region_volumes(held.threads());
+  }));
 }
 
 std::size_t checked(const char* what, py::ssize_t i, std::size_t count) {
@@ -188,9 +194,6 @@ PowerDiagram(points, weights=None, tolerance=0.0)
 The power diagram of points, (n, d), with weights, (n,), or of a Regular triangulation: as Voronoi, with the power
 |x - p|^2 - weight in place of the squared distance. Weights have the unit of squared lengths. Hidden points have no
 region, and a region need not contain its site. TypeError for another triangulation.)";
-
-/// The text of a docstring, without the line break that it begins with.
-constexpr const char* text(const char* doc) { return doc + 1; }
 
 }  // namespace
 
@@ -295,7 +298,7 @@ void bind_voronoi(py::module_& module) {
           "ridge_volumes",
           [](const HeldDiagram& h) {
             Supervisor supervisor;
-            return list_view(supervisor.run([&] { return h.diagram().ridge_volumes(); }));
+            return list_view(supervisor.run([&] { return h.diagram().ridge_volumes(h.threads()); }));
           },
           "(r,) float64: the (k-1)-volume of each ridge, infinite if unbounded, 1 for k = 1. Rounded.")
       .def(

@@ -75,7 +75,8 @@ Options BuildArguments::to_options() const {
     options.order = InsertionOrder::as_given;
   else if (order != "automatic")
     throw py::value_error("order: 'automatic', 'as_given' or 'shuffled', not " + in_quotes(order));
-  if (threads < 1) throw py::value_error("threads: at least 1, not " + std::to_string(threads));
+  if (threads < 0) throw py::value_error("threads: at least 0, not " + std::to_string(threads));
+  options.threads = static_cast<unsigned>(threads);
   return options;
 }
 
@@ -84,7 +85,8 @@ py::dict as_dict(const Statistics& s) {
   return py::dict("created_cells"_a = s.created_cells, "visited_cells"_a = s.visited_cells,
                   "insertions"_a = s.insertions, "filter"_a = s.filter, "direct"_a = s.direct,
                   "exact"_a = s.exact, "perturbed"_a = s.perturbed, "order_seconds"_a = s.order_seconds,
-                  "build_seconds"_a = s.build_seconds, "cell_bytes"_a = s.cell_bytes);
+                  "threads"_a = s.threads, "build_seconds"_a = s.build_seconds,
+                  "cell_bytes"_a = s.cell_bytes);
 }
 
 void bind_errors(py::module_& module) {

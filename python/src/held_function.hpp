@@ -67,7 +67,9 @@ class HeldFunction {
   const py::object& fill() const { return fill_; }
   double tolerance() const { return tolerance_; }
   LocateOptions how_to_locate() const {
-    return {.tolerance = tolerance_, .project = outside_ == Outside::project};
+    return {.tolerance = tolerance_,
+            .project = outside_ == Outside::project,
+            .threads = triangulation().threads()};
   }
 
  protected:
@@ -149,7 +151,7 @@ class HeldFunction {
 
  private:
   EvaluateOptions options(std::span<const double> fill = {}) const {
-    return {.outside = outside_, .fill = fill, .tolerance = tolerance_};
+    return {.outside = outside_, .fill = fill, .tolerance = tolerance_, .threads = triangulation().threads()};
   }
 
   std::vector<py::ssize_t> shape_of(const Queries& queries) const {

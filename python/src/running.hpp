@@ -132,7 +132,7 @@ class Guard {
 struct BuildArguments {
   std::uint64_t seed = 0;
   std::string order = "automatic";
-  int threads = 1;
+  int threads = 0;
 
   /// Raises ValueError for a bad argument.
   Options to_options() const;

@@ -41,11 +41,12 @@ std::unique_ptr<Engine> HeldTriangulation::make_engine() const {
 }
 
 void HeldTriangulation::add(std::span<const double> coordinates, std::span<const double> weights) {
-  with_engine([](const Triangulation&) {});  // recovers, if need be
   const Use use(this, "changed");
+  rebuild();
   const std::unique_lock lock(mutex_);
   if (is_stale_) throw std::runtime_error("another thread's insertion was broken off");
   batches_.reserve(batches_.size() + 1);
+  is_sorted_ = false;
   try {
     insert(*engine_, coordinates, weights);
   } catch (...) {
@@ -80,7 +81,14 @@ void HeldTriangulation::rebuild() const {
   const std::lock_guard derived(derived_mutex_);
   locator_.reset();
   engine_ = std::move(engine);
-  is_stale_ = false;
+  is_stale_ = is_sorted_ = false;
+}
+
+void HeldTriangulation::sort_cells() const {
+  const std::unique_lock lock(mutex_);
+  if (is_stale_ || is_sorted_) return;
+  std::visit([](auto& product) { product.sort_cells(); }, *engine_);
+  is_sorted_ = true;
 }
 
 std::shared_ptr<const Cells> HeldTriangulation::cells_of(const Triangulation& engine) const {

@@ -42,6 +42,8 @@ class HeldTriangulation {
   Form form() const { return form_; }
   int dimension() const { return dimension_; }
   const BuildArguments& arguments() const { return arguments_; }
+  /// At most so many threads answer a batch of questions, as they build.
+  unsigned threads() const { return static_cast<unsigned>(arguments_.threads); }
 
   // Without the GIL, in Supervisor::run():
 
@@ -55,9 +57,10 @@ class HeldTriangulation {
     for (;;) {
       {
         const std::shared_lock lock(mutex_);
-        if (!is_stale_) return std::visit(work, std::as_const(*engine_));
+        if (!is_stale_ && is_sorted_) return std::visit(work, std::as_const(*engine_));
       }
       rebuild();
+      sort_cells();
     }
   }
   /// The same, as what they have in common.
@@ -87,6 +90,7 @@ class HeldTriangulation {
  private:
   std::unique_ptr<Engine> make_engine() const;
   void rebuild() const;
+  void sort_cells() const;
   std::shared_ptr<const Cells> cells_of(const Triangulation& engine) const;
   const PointLocator& locator_of(const Triangulation& engine) const;
   std::shared_ptr<const std::vector<double>> row_data(bool want_weights) const;
@@ -102,6 +106,8 @@ class HeldTriangulation {
   /// The last insertion was interrupted: the engine has rows that are not ours. It is rebuilt without them
   /// before its next use.
   mutable bool is_stale_ = false;
+  /// Cells have numbers that do not depend on threads. They get them before they are first asked for.
+  mutable bool is_sorted_ = true;
   std::atomic<std::uint64_t> version_{0};
 
   mutable std::mutex derived_mutex_;  // of all members below, under mutex_

@@ -87,6 +87,11 @@ class CellLayout {
   }
   /// The size of the vertices and neighbors of a cell, in ids.
   std::size_t num_link_ids() const { return ids_before_neighbors() + num_coefficients(); }
+  /// How many bytes of a record are not used, after the links.
+  std::size_t num_spare_bytes() const {
+    if (links_are_apart()) return 0;
+    return (functional_stride() - words_before_links()) * sizeof(double) - num_link_ids() * sizeof(Index);
+  }
   /// How many words of the record are before the links.
   std::size_t words_before_links() const { return links_are_apart() ? 0 : words_of_record(); }
   /// The memory of a cell, all arrays together.

@@ -4,6 +4,7 @@
 // check_geometry.cpp.
 #include <delone/check.hpp>
 
+#include "base/parallel_parts.hpp"
 #include "base/progress_meter.hpp"
 #include "check/check_stages.hpp"
 #include "complex/canonical_hash.hpp"
@@ -27,7 +28,7 @@ std::vector<SignedIndex> facet_vertices(std::span<const SignedIndex> cell, std::
   return rows;
 }
 
-void check_storage(const ComplexData& data, bool furthest) {
+void check_storage(const ComplexData& data, bool furthest, unsigned threads) {
   const int d = data.dimension, k = data.affine_dimension;
   if (d < 1) throw Violation{fmt::format("the dimension is {}, less than 1", d)};
   if (k < -1 || k > d) throw Violation{fmt::format("the affine dimension is {}, outside -1...{}", k, d)};
@@ -61,20 +62,23 @@ void check_storage(const ComplexData& data, bool furthest) {
     if (!std::isfinite(data.weights[row]))
       throw Violation{fmt::format("the weight of point {} is not finite", row), {}, {row}};
   const std::size_t m = data.num_cells();
-  std::vector<SignedIndex> sorted(corners);
-  for (std::size_t c = 0; c < m; ++c) {
-    cancellation_point();
-    sorted.assign(data.cells.begin() + static_cast<std::ptrdiff_t>(c * corners),
-                  data.cells.begin() + static_cast<std::ptrdiff_t>((c + 1) * corners));
-    std::sort(sorted.begin(), sorted.end());
-    for (const SignedIndex row : {sorted.front(), sorted.back()})
-      if (row < 0 || static_cast<std::size_t>(row) >= n)
-        throw Violation{fmt::format("cell {} has the vertex {}, but there are {} points", c, row, n), {c}};
-    const auto twice = std::adjacent_find(sorted.begin(), sorted.end());
-    if (twice != sorted.end())
-      throw Violation{
-          fmt::format("cell {} has the vertex {} twice", c, *twice), {c}, {static_cast<std::size_t>(*twice)}};
-  }
+  for_parts(threads, m, part_of_check, [&](std::size_t first, std::size_t last, const StopPoint& stop) {
+    stop();
+    std::vector<SignedIndex> sorted(corners);
+    for (std::size_t c = first; c < last; ++c) {
+      sorted.assign(data.cells.begin() + static_cast<std::ptrdiff_t>(c * corners),
+                    data.cells.begin() + static_cast<std::ptrdiff_t>((c + 1) * corners));
+      std::sort(sorted.begin(), sorted.end());
+      for (const SignedIndex row : {sorted.front(), sorted.back()})
+        if (row < 0 || static_cast<std::size_t>(row) >= n)
+          throw Violation{fmt::format("cell {} has the vertex {}, but there are {} points", c, row, n), {c}};
+      const auto twice = std::adjacent_find(sorted.begin(), sorted.end());
+      if (twice != sorted.end())
+        throw Violation{fmt::format("cell {} has the vertex {} twice", c, *twice),
+                        {c},
+                        {static_cast<std::size_t>(*twice)}};
+    }
+  });
   for (std::size_t i = 0; i < data.neighbors.size(); ++i)
     if (data.neighbors[i] < -1 ||
         (data.neighbors[i] >= 0 && static_cast<std::size_t>(data.neighbors[i]) >= m))
@@ -199,14 +203,14 @@ void check_completeness(const Examined& examined, const Volumes& volumes, bool c
 CheckReport check(const ComplexData& data, const CheckOptions& options) {
   using namespace internal;
   Examined examined{data, static_cast<std::size_t>(std::max(0, data.affine_dimension + 1)),
-                    options.furthest_site};
+                    options.furthest_site, options.threads};
   Volumes volumes;
   // No points, no cells: the empty complex is a sphere of dimension −1, and nothing else is left to hold.
   const bool is_empty = data.affine_dimension < 0;
   return run_levels<ComplexData>(
       options,
       [&](CheckReport&) {
-        check_storage(data, options.furthest_site);
+        check_storage(data, options.furthest_site, options.threads);
         examined.weighted_rows = weighted_rows(data);
       },
       [&](CheckReport&) {

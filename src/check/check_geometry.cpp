@@ -20,6 +20,7 @@
 //
 // All of that holds for other lifts, too: |x|² less weights, and −|x|², for which the empty-sphere property
 // is that no point is outside the sphere.
+#include "base/parallel_parts.hpp"
 #include "base/progress_meter.hpp"
 #include "base/random.hpp"
 #include "check/check_stages.hpp"
@@ -28,6 +29,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <atomic>
 #include <numeric>
 #include <tuple>
 #include <utility>
@@ -106,53 +108,74 @@ std::vector<int> axes_of_cells(const Examined& examined) {
   return {hull.axes().begin(), hull.axes().end()};
 }
 
+/// Calls examine(i, geometry) for i = 0 … size − 1, in the parts of the threads, each with a Geometry of
+/// its own.
+template <class Examine>
+void in_parts(const Examined& examined, const Volumes& volumes, std::size_t size, Examine examine) {
+  work_in_parts(examined.threads, size, part_of_check, [&] {
+    return [&, geometry = Geometry(examined, volumes.axes)](std::size_t first, std::size_t last,
+                                                            const StopPoint& stop) mutable {
+      for (std::size_t i = first; i < last; ++i) {
+        stop();
+        examine(i, geometry);
+      }
+    };
+  });
+}
+
 }  // namespace
 
 Volumes check_volume(const Examined& examined, bool oriented) {
   const ComplexData& data = examined.data;
   const std::size_t m = data.num_cells(), corners = examined.corners;
   Volumes volumes{axes_of_cells(examined), std::vector<Sign>(m)};
-  Geometry geometry(examined, volumes.axes);
-  for (std::size_t c = 0; c < m; ++c) {
-    cancellation_point();
-    const Sign sign = volumes.orientation[c] = geometry.orientation(c);
+  if (m > 0) volumes.orientation[0] = Geometry(examined, volumes.axes).orientation(0);
+  const Sign first_sign = m > 0 ? volumes.orientation[0] : Sign::zero;
+  in_parts(examined, volumes, m, [&](std::size_t c, Geometry& geometry) {
+    const Sign sign = geometry.orientation(c);
+    if (c > 0) volumes.orientation[c] = sign;
     if (sign == Sign::zero)
       throw Violation{fmt::format("cell {} {} is flat", c, braces(examined.cell(c))), {c}};
-    if (!oriented) continue;
+    if (!oriented) return;
     if (data.affine_dimension == data.dimension && sign == Sign::negative)
       throw Violation{fmt::format("cell {} {} is negatively oriented", c, braces(examined.cell(c))), {c}};
-    if (sign != volumes.orientation[0])
+    if (sign != first_sign)
       throw Violation{fmt::format("the cells 0 {} and {} {} have different orientations",
                                   braces(examined.cell(0)), c, braces(examined.cell(c))),
                       {0, c}};
-  }
+  });
 
   // Oriented cells lie on different sides of a common facet because level 2 found them coherent.
   if (oriented) return volumes;
-  std::vector<SignedIndex> scratch;
-  for (std::size_t at = 0; at < examined.neighbors.size(); ++at) {
-    const std::size_t c = at / corners, i = at % corners;
-    const SignedIndex across = examined.neighbors[at];
-    if (across < 0 || static_cast<std::size_t>(across) < c) continue;
-    const auto other = static_cast<std::size_t>(across);
-    const auto a = examined.cell(c), b = examined.cell(other);
-    if (coherent(a, i, b, mirror(a, i, b), scratch) != (volumes.orientation[c] == volumes.orientation[other]))
-      throw Violation{fmt::format("the cells {} {} and {} {} lie on the same side of their common facet", c,
+  for_parts(examined.threads, examined.neighbors.size(), part_of_check,
+            [&](std::size_t first, std::size_t last, const StopPoint& stop) {
+              stop();
+              std::vector<SignedIndex> scratch;
+              for (std::size_t at = first; at < last; ++at) {
+                const std::size_t c = at / corners, i = at % corners;
+                const SignedIndex across = examined.neighbors[at];
+                if (across < 0 || static_cast<std::size_t>(across) < c) continue;
+                const auto other = static_cast<std::size_t>(across);
+                const auto a = examined.cell(c), b = examined.cell(other);
+                if (coherent(a, i, b, mirror(a, i, b), scratch) !=
+                    (volumes.orientation[c] == volumes.orientation[other]))
+                  throw Violation{
+                      fmt::format("the cells {} {} and {} {} lie on the same side of their common facet", c,
                                   braces(a), other, braces(b)),
                       {c, other}};
-  }
+              }
+            });
   return volumes;
 }
 
 namespace {
 
-std::size_t check_inner_facets(const Examined& examined, const Volumes& volumes, Geometry& geometry,
-                               bool canonical) {
-  std::size_t ties = 0;
-  for (std::size_t at = 0; at < examined.neighbors.size(); ++at) {
+std::size_t check_inner_facets(const Examined& examined, const Volumes& volumes, bool canonical) {
+  std::atomic<std::size_t> ties = 0;
+  in_parts(examined, volumes, examined.neighbors.size(), [&](std::size_t at, Geometry& geometry) {
     const std::size_t c = at / examined.corners, i = at % examined.corners;
     const SignedIndex across = examined.neighbors[at];
-    if (across < 0 || static_cast<std::size_t>(across) < c) continue;
+    if (across < 0 || static_cast<std::size_t>(across) < c) return;
     const auto other = static_cast<std::size_t>(across);
     const auto a = examined.cell(c), b = examined.cell(other);
     const SignedIndex apex = b[mirror(a, i, b)];
@@ -162,8 +185,8 @@ std::size_t check_inner_facets(const Examined& examined, const Volumes& volumes,
                                   braces(b), examined.furthest ? "outside" : "inside", c, braces(a)),
                       {c, other},
                       {static_cast<std::size_t>(apex)}};
-    if (sign == Sign::positive) continue;
-    ++ties;
+    if (sign == Sign::positive) return;
+    ties.fetch_add(1, std::memory_order_relaxed);
     if (canonical && geometry.in_sphere_perturbed(c, volumes.orientation[c], apex) != Sign::positive)
       throw Violation{
           fmt::format(
@@ -171,15 +194,15 @@ std::size_t check_inner_facets(const Examined& examined, const Volumes& volumes,
               apex, other, braces(b), c, braces(a), examined.furthest ? "outside" : "inside"),
           {c, other},
           {static_cast<std::size_t>(apex)}};
-  }
+  });
   return ties;
 }
 
-void check_hull_ridges(const Examined& examined, const Volumes& volumes, Geometry& geometry) {
+void check_hull_ridges(const Examined& examined, const Volumes& volumes) {
   const std::size_t k = examined.corners - 1;
-  for (std::size_t at = 0; at < examined.hull_neighbors.size(); ++at) {
+  in_parts(examined, volumes, examined.hull_neighbors.size(), [&](std::size_t at, Geometry& geometry) {
     const std::size_t h = at / k, i = at % k, next = static_cast<std::size_t>(examined.hull_neighbors[at]);
-    if (next < h) continue;
+    if (next < h) return;
     const auto a = examined.hull_facet(h), b = examined.hull_facet(next);
     const SignedIndex apex = b[mirror(a, i, b)];
     const auto [c, opposite] = examined.hull[h];
@@ -190,7 +213,7 @@ void check_hull_ridges(const Examined& examined, const Volumes& volumes, Geometr
               examined.hull[next].first, braces(a), c),
           {c, examined.hull[next].first},
           {static_cast<std::size_t>(apex)}};
-  }
+  });
 }
 
 // The point o of the header: vertex 0 of cell 0, moved by ε towards vertex 1, by ε² towards vertex 2, and so
@@ -205,17 +228,19 @@ Sign side_of_reference(const Examined& examined, const Volumes& volumes, Geometr
   return Sign::zero;
 }
 
-void check_covered_once(const Examined& examined, const Volumes& volumes, Geometry& geometry) {
-  for (const auto& [c, i] : examined.hull)
+void check_covered_once(const Examined& examined, const Volumes& volumes) {
+  in_parts(examined, volumes, examined.hull.size(), [&](std::size_t h, Geometry& geometry) {
+    const auto [c, i] = examined.hull[h];
     if (side_of_reference(examined, volumes, geometry, c, i) != Sign::positive)
       throw Violation{
           fmt::format("the hull is not convex: cell 0 {} is not behind the hull facet {} of cell {}",
                       braces(examined.cell(0)), braces(facet_vertices(examined.cell(c), i)), c),
           {0, c}};
+  });
 
   const double* reference = examined.point(examined.cell(0)[0]);
-  for (std::size_t c = 1; c < examined.data.num_cells(); ++c) {
-    cancellation_point();
+  in_parts(examined, volumes, examined.data.num_cells(), [&](std::size_t c, Geometry& geometry) {
+    if (c == 0) return;
     const auto cell = examined.cell(c);
     const bool near = std::all_of(volumes.axes.begin(), volumes.axes.end(), [&](int axis) {
       bool below = false, above = false;
@@ -225,13 +250,13 @@ void check_covered_once(const Examined& examined, const Volumes& volumes, Geomet
       }
       return below && above;
     });
-    if (!near) continue;
+    if (!near) return;
     std::size_t i = 0;
     while (i < cell.size() && side_of_reference(examined, volumes, geometry, c, i) == Sign::positive) ++i;
     if (i == cell.size())
       throw Violation{
           fmt::format("the cells 0 {} and {} {} overlap", braces(examined.cell(0)), c, braces(cell)), {0, c}};
-  }
+  });
 }
 
 /// The cell whose closed simplex has the point, by a walk; or the one behind the hull facet that the point is
@@ -257,10 +282,7 @@ std::pair<std::size_t, bool> find_cell(const Examined& examined, const Volumes& 
 
 void check_hidden(const Examined& examined, const Volumes& volumes, std::span<const std::size_t> rows,
                   bool canonical) {
-  Geometry geometry(examined, volumes.axes);
-  std::uint64_t random = 0;
-  std::size_t c = 0;
-  for (const std::size_t at : rows) {
+  const auto examine = [&](std::size_t at, Geometry& geometry, std::uint64_t& random, std::size_t& c) {
     const auto row = static_cast<SignedIndex>(at);
     if (examined.corners > 1) {
       bool found;
@@ -284,15 +306,26 @@ void check_hidden(const Examined& examined, const Volumes& volumes, std::span<co
                                   braces(examined.cell(c)), canonical ? ", ties perturbed" : ""),
                       {c},
                       {at}};
-  }
+  };
+  constexpr std::size_t walks_in_part = 256;
+  work_in_parts(examined.threads, rows.size(), walks_in_part, [&] {
+    return [&, geometry = Geometry(examined, volumes.axes)](std::size_t first, std::size_t last,
+                                                            const StopPoint& stop) mutable {
+      std::uint64_t random = first;
+      std::size_t c = 0;
+      for (std::size_t i = first; i < last; ++i) {
+        stop();
+        examine(rows[i], geometry, random, c);
+      }
+    };
+  });
 }
 
 std::size_t check_local_convexity(const Examined& examined, const Volumes& volumes, bool canonical) {
   if (examined.corners == 1) return 0;
-  Geometry geometry(examined, volumes.axes);
-  const std::size_t ties = check_inner_facets(examined, volumes, geometry, canonical);
-  check_hull_ridges(examined, volumes, geometry);
-  check_covered_once(examined, volumes, geometry);
+  const std::size_t ties = check_inner_facets(examined, volumes, canonical);
+  check_hull_ridges(examined, volumes);
+  check_covered_once(examined, volumes);
   return ties;
 }
 

@@ -21,6 +21,7 @@ struct Examined {
   const ComplexData& data;
   std::size_t corners;    ///< k+1, vertices of a cell
   bool furthest = false;  ///< whether spheres shall have all points inside, not outside
+  unsigned threads = 1;   ///< as CheckOptions::threads
   /// For weighted points: each point and then its weight. Filled after level 1.
   std::vector<double> weighted_rows{};
 
@@ -52,6 +53,10 @@ struct Examined {
   }
 };
 
+/// Cells, facets or rows that one thread examines at a time; levels that take them in the order of their
+/// numbers find the same first violation for every number of threads.
+inline constexpr std::size_t part_of_check = 4096;
+
 /// A set of points for a message: "{3, 17, 20}".
 std::string braces(std::span<const SignedIndex> rows);
 /// A facet for a message: the vertices of a cell but one.
@@ -62,7 +67,8 @@ std::vector<SignedIndex> facet_vertices(std::span<const SignedIndex> cell, std::
 /// cells share a facet. For the facets of a hull, which share ridges, `hull` translates them into cells for
 /// the message.
 std::vector<SignedIndex> paired_facets(std::span<const SignedIndex> cells, std::size_t corners,
-                                       const std::vector<std::pair<std::size_t, std::size_t>>& hull = {});
+                                       const std::vector<std::pair<std::size_t, std::size_t>>& hull = {},
+                                       unsigned threads = 1);
 
 /// For cells a and b that share the facet opposite a[i]: the index j of the vertex of b opposite that facet.
 std::size_t mirror(std::span<const SignedIndex> a, std::size_t i, std::span<const SignedIndex> b);
@@ -77,7 +83,7 @@ struct Volumes {
   std::vector<Sign> orientation;
 };
 
-void check_storage(const ComplexData& data, bool furthest = false);
+void check_storage(const ComplexData& data, bool furthest = false, unsigned threads = 1);
 void check_incidence(Examined& examined, bool oriented);
 void check_sphere(Examined& examined);
 Volumes check_volume(const Examined& examined, bool oriented);

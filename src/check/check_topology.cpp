@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Levels 2 and 3 of check(): the cells with the infinite cells added form a closed pseudomanifold, oriented,
 // connected, with connected stars, and with the Euler characteristic of a sphere. No coordinate is looked at.
+#include "base/parallel_parts.hpp"
 #include "base/progress_meter.hpp"
 #include "base/random.hpp"
 #include "check/check_stages.hpp"
@@ -11,6 +12,9 @@
 
 #include <algorithm>
 #include <bit>
+#include <limits>
+#include <mutex>
+#include <utility>
 
 namespace delone::internal {
 
@@ -31,46 +35,120 @@ bool equal_facets(std::span<const SignedIndex> a, std::size_t i, std::span<const
 
 }  // namespace
 
-std::vector<SignedIndex> paired_facets(std::span<const SignedIndex> cells, std::size_t corners,
-                                       const std::vector<std::pair<std::size_t, std::size_t>>& hull) {
+namespace {
+
+/// Pairs the facets whose keys are in one class.
+class FacetPairing {
+ public:
+  /// Facets that share a facet are equal in `cells`; `across` gets the cells. `count`: of the facets to come.
+  FacetPairing(std::span<const SignedIndex> cells, std::size_t corners, std::vector<SignedIndex>& across,
+               std::size_t count)
+      : cells_(cells),
+        corners_(corners),
+        across_(across),
+        // A sphere fills half of the table at most; a heap of unrelated cells still leaves one place empty.
+        table_(std::bit_ceil(count + 1)) {}
+
+  /// Returns the facet equal to this one that was added first, if two were added already; or none.
+  std::size_t add(std::size_t facet, std::uint64_t key) {
+    const std::size_t mask = table_.size() - 1, cell = facet / corners_;
+    std::size_t at = key & mask;
+    for (; table_[at].facet != 0; at = (at + 1) & mask) {
+      if (table_[at].key != key) continue;
+      const std::size_t first = table_[at].facet - 1, other = first / corners_;
+      if (!equal_facets(cells_.subspan(cell * corners_, corners_), facet % corners_,
+                        cells_.subspan(other * corners_, corners_), first % corners_))
+        continue;
+      if (across_[first] >= 0) return first;
+      across_[first] = static_cast<SignedIndex>(cell);
+      across_[facet] = static_cast<SignedIndex>(other);
+      return none;
+    }
+    table_[at] = {key, facet + 1};
+    return none;
+  }
+  static constexpr std::size_t none = std::numeric_limits<std::size_t>::max();
+
+ private:
   struct Place {
     std::uint64_t key = 0;
     std::size_t facet = 0;  // 1 + cell·corners + i; 0 is an empty place
   };
-  // A sphere fills half of the table at most; a heap of unrelated cells still leaves one place empty.
-  std::vector<Place> table(std::bit_ceil(cells.size() + 1));
-  const std::size_t mask = table.size() - 1;
-  std::vector<SignedIndex> across(cells.size(), -1);
-  for (std::size_t first = 0; first < cells.size(); first += corners) {
-    cancellation_point();
-    const auto a = cells.subspan(first, corners);
-    std::uint64_t total = 0;
-    for (const SignedIndex row : a) total += random::mix(static_cast<std::uint64_t>(row) + 1);
-    for (std::size_t i = 0; i < corners; ++i) {
-      const std::uint64_t key = random::mix(total - random::mix(static_cast<std::uint64_t>(a[i]) + 1));
-      std::size_t at = key & mask;
-      for (; table[at].facet != 0; at = (at + 1) & mask) {
-        if (table[at].key != key) continue;
-        const std::size_t facet = table[at].facet - 1, other = facet / corners;
-        if (!equal_facets(a, i, cells.subspan(other * corners, corners), facet % corners)) continue;
-        const std::size_t cell = first / corners;
-        if (across[facet] >= 0) {
-          std::vector<std::size_t> three{other, static_cast<std::size_t>(across[facet]), cell};
-          if (!hull.empty())
-            for (std::size_t& facet_of_hull : three) facet_of_hull = hull[facet_of_hull].first;
-          throw Violation{fmt::format("{}the cells {}, {} and {} share the {} {}",
-                                      hull.empty() ? "" : "hull facets of ", three[0], three[1], three[2],
-                                      hull.empty() ? "facet" : "ridge", braces(facet_vertices(a, i))),
-                          three};
-        }
-        across[facet] = static_cast<SignedIndex>(cell);
-        across[first + i] = static_cast<SignedIndex>(other);
-        break;
-      }
-      if (table[at].facet == 0) table[at] = {key, first + i + 1};
+  std::span<const SignedIndex> cells_;
+  std::size_t corners_;
+  std::vector<SignedIndex>& across_;
+  std::vector<Place> table_;
+};
+
+/// Calls each(facet, key) for the facets of a cell; equal facets have equal keys.
+template <class Each>
+void for_facet_keys(std::span<const SignedIndex> cells, std::size_t corners, std::size_t cell, Each each) {
+  const auto a = cells.subspan(cell * corners, corners);
+  std::uint64_t total = 0;
+  for (const SignedIndex row : a) total += random::mix(static_cast<std::uint64_t>(row) + 1);
+  for (std::size_t i = 0; i < corners; ++i)
+    each(cell * corners + i, random::mix(total - random::mix(static_cast<std::uint64_t>(a[i]) + 1)));
+}
+
+/// The first facet, in the order of their numbers, that two earlier ones are equal to, and the first of
+/// these. Threads pair one class of keys each, so that they share no table.
+std::pair<std::size_t, std::size_t> pair_facets(std::span<const SignedIndex> cells, std::size_t corners,
+                                                unsigned threads, std::vector<SignedIndex>& across) {
+  constexpr std::size_t none = FacetPairing::none;
+  const std::size_t m = cells.size() / corners, classes = threads_for_parts(threads, m / part_of_check);
+  if (classes == 1) {
+    FacetPairing pairing(cells, corners, across, cells.size());
+    std::pair<std::size_t, std::size_t> third{none, none};
+    for (std::size_t c = 0; c < m && third.first == none; ++c) {
+      cancellation_point();
+      for_facet_keys(cells, corners, c, [&](std::size_t facet, std::uint64_t key) {
+        if (third.first != none) return;
+        const std::size_t first = pairing.add(facet, key);
+        if (first != none) third = {facet, first};
+      });
     }
+    return third;
   }
-  return across;
+  std::vector<std::uint64_t> keys(cells.size());
+  for_parts(threads, m, part_of_check, [&](std::size_t first, std::size_t last, const StopPoint& stop) {
+    stop();
+    for (std::size_t c = first; c < last; ++c)
+      for_facet_keys(cells, corners, c, [&](std::size_t facet, std::uint64_t key) { keys[facet] = key; });
+  });
+  // The lowest bits are places in the tables.
+  const auto class_of = [&](std::uint64_t key) { return (key >> 32) * classes >> 32; };
+  std::vector<std::pair<std::size_t, std::size_t>> thirds(classes, {none, none});
+  run_workers(static_cast<unsigned>(classes), [&](unsigned worker) {
+    std::size_t count = 0;
+    for (const std::uint64_t key : keys) count += class_of(key) == worker ? 1 : 0;
+    FacetPairing pairing(cells, corners, across, count);
+    for (std::size_t facet = 0; facet < keys.size(); ++facet) {
+      if (class_of(keys[facet]) != worker) continue;
+      const std::size_t first = pairing.add(facet, keys[facet]);
+      if (first == none) continue;
+      thirds[worker] = {facet, first};
+      return;
+    }
+  });
+  return *std::min_element(thirds.begin(), thirds.end());
+}
+
+}  // namespace
+
+std::vector<SignedIndex> paired_facets(std::span<const SignedIndex> cells, std::size_t corners,
+                                       const std::vector<std::pair<std::size_t, std::size_t>>& hull,
+                                       unsigned threads) {
+  std::vector<SignedIndex> across(cells.size(), -1);
+  const auto [facet, first] = pair_facets(cells, corners, threads, across);
+  if (facet == FacetPairing::none) return across;
+  std::vector<std::size_t> three{first / corners, static_cast<std::size_t>(across[first]), facet / corners};
+  if (!hull.empty())
+    for (std::size_t& facet_of_hull : three) facet_of_hull = hull[facet_of_hull].first;
+  throw Violation{
+      fmt::format("{}the cells {}, {} and {} share the {} {}", hull.empty() ? "" : "hull facets of ",
+                  three[0], three[1], three[2], hull.empty() ? "facet" : "ridge",
+                  braces(facet_vertices(cells.subspan(facet / corners * corners, corners), facet % corners))),
+      three};
 }
 
 std::size_t mirror(std::span<const SignedIndex> a, std::size_t i, std::span<const SignedIndex> b) {
@@ -96,7 +174,7 @@ bool coherent(std::span<const SignedIndex> a, std::size_t i, std::span<const Sig
 void check_incidence(Examined& examined, bool oriented) {
   const ComplexData& data = examined.data;
   const std::size_t corners = examined.corners, m = data.num_cells();
-  examined.neighbors = paired_facets(data.cells, corners);
+  examined.neighbors = paired_facets(data.cells, corners, {}, examined.threads);
 
   for (std::size_t at = 0; at < data.neighbors.size(); ++at) {
     const SignedIndex given = data.neighbors[at], derived = examined.neighbors[at];
@@ -118,18 +196,22 @@ void check_incidence(Examined& examined, bool oriented) {
   }
 
   if (!oriented) return;
-  std::vector<SignedIndex> scratch;
-  for (std::size_t c = 0; c < m; ++c)
-    for (std::size_t i = 0; i < corners; ++i) {
-      const SignedIndex across = examined.neighbors[c * corners + i];
-      if (across < 0 || static_cast<std::size_t>(across) < c) continue;
-      const auto other = static_cast<std::size_t>(across);
-      const auto a = examined.cell(c), b = examined.cell(other);
-      if (!coherent(a, i, b, mirror(a, i, b), scratch))
-        throw Violation{fmt::format("the cells {} {} and {} {} are not oriented coherently", c, braces(a),
-                                    other, braces(b)),
-                        {c, other}};
-    }
+  for_parts(examined.threads, m, part_of_check,
+            [&](std::size_t first, std::size_t last, const StopPoint& stop) {
+              stop();
+              std::vector<SignedIndex> scratch;
+              for (std::size_t at = first * corners; at < last * corners; ++at) {
+                const std::size_t c = at / corners, i = at % corners;
+                const SignedIndex across = examined.neighbors[at];
+                if (across < 0 || static_cast<std::size_t>(across) < c) continue;
+                const auto other = static_cast<std::size_t>(across);
+                const auto a = examined.cell(c), b = examined.cell(other);
+                if (!coherent(a, i, b, mirror(a, i, b), scratch))
+                  throw Violation{fmt::format("the cells {} {} and {} {} are not oriented coherently", c,
+                                              braces(a), other, braces(b)),
+                                  {c, other}};
+              }
+            });
 }
 
 namespace {
@@ -159,7 +241,8 @@ Closed closed_complex(Examined& examined) {
     throw Error(Errc::too_many,
                 fmt::format("delone::check: {} cells and {} hull facets are too many for this build", m, h));
 
-  if (k > 0) examined.hull_neighbors = paired_facets(examined.hull_vertices, k, examined.hull);
+  if (k > 0)
+    examined.hull_neighbors = paired_facets(examined.hull_vertices, k, examined.hull, examined.threads);
   Closed closed{m, m + h, corners, data.num_points() + 1, data.cells, examined.neighbors};
   std::size_t infinite = m;
   for (SignedIndex& neighbor : closed.neighbors)
@@ -266,6 +349,15 @@ class FaceCounter {
     }
   }
 
+  // Adds the counts to those of another counter, and begins anew.
+  void move_counts_to(FaceCounter& sum) {
+    sum.complete_ = sum.complete_ && complete_;
+    for (std::size_t j = 0; j < all_.size(); ++j) {
+      sum.all_[j] += std::exchange(all_[j], 0);
+      sum.infinite_[j] += std::exchange(infinite_[j], 0);
+    }
+  }
+
   // Throws unless the characteristics are those of spheres of dimension k, and k−1 for the hull.
   void finish() {
     if (!complete_) return;
@@ -314,12 +406,38 @@ class FaceCounter {
   std::vector<std::uint64_t> local_, others_;
 };
 
+/// The cells around one vertex after the other.
+class Stars {
+ public:
+  explicit Stars(const Closed& closed) : closed_(closed), reached_from_(closed.num_cells, -1) {}
+
+  /// Those that are reached from one of them.
+  const std::vector<std::size_t>& reached(SignedIndex vertex, std::size_t cell) {
+    star_.assign(1, cell);
+    reached_from_[cell] = vertex;
+    for (std::size_t next = 0; next < star_.size(); ++next) {
+      const std::size_t first = star_[next] * closed_.corners;
+      for (std::size_t i = 0; i < closed_.corners; ++i) {
+        const auto other = static_cast<std::size_t>(closed_.neighbors[first + i]);
+        if (closed_.cells[first + i] == vertex || reached_from_[other] == vertex) continue;
+        reached_from_[other] = vertex;
+        star_.push_back(other);
+      }
+    }
+    return star_;
+  }
+
+ private:
+  const Closed& closed_;
+  std::vector<SignedIndex> reached_from_;
+  std::vector<std::size_t> star_;
+};
+
 }  // namespace
 
 void check_sphere(Examined& examined) {
   if (examined.data.num_cells() == 0) throw Violation{"there is no cell"};
   const Closed closed = closed_complex(examined);
-  check_connected(closed);
 
   const std::size_t corners = closed.corners;
   std::vector<std::size_t> star_size(closed.num_vertices, 0), incident(closed.num_vertices, 0);
@@ -329,35 +447,37 @@ void check_sphere(Examined& examined) {
     incident[static_cast<std::size_t>(closed.cells[at])] = at / corners;
   }
   FaceCounter faces(closed);
-  std::vector<SignedIndex> reached_from(closed.num_cells, -1);
-  std::vector<std::size_t> star;
-  for (std::size_t v = 0; v < closed.num_vertices; ++v) {
-    if (star_size[v] == 0) continue;
-    const auto vertex = static_cast<SignedIndex>(v);
-    star.assign(1, incident[v]);
-    reached_from[incident[v]] = vertex;
-    for (std::size_t next = 0; next < star.size(); ++next) {
-      const std::size_t first = star[next] * corners;
-      for (std::size_t i = 0; i < corners; ++i) {
-        const auto other = static_cast<std::size_t>(closed.neighbors[first + i]);
-        if (closed.cells[first + i] == vertex || reached_from[other] == vertex) continue;
-        reached_from[other] = vertex;
-        star.push_back(other);
+  std::mutex mutex;
+  constexpr std::size_t vertices_in_part = 1024;
+  // The first part is whether the complex is connected: a question for one thread.
+  const std::size_t num_parts = 1 + (closed.num_vertices + vertices_in_part - 1) / vertices_in_part;
+  const auto make_work = [&] {
+    return [&, own = FaceCounter(closed), stars = Stars(closed)](std::size_t part, std::size_t,
+                                                                 const StopPoint& stop) mutable {
+      if (part == 0) return check_connected(closed);
+      const std::size_t end = std::min(part * vertices_in_part, closed.num_vertices);
+      for (std::size_t v = (part - 1) * vertices_in_part; v < end; ++v) {
+        if (star_size[v] == 0) continue;
+        stop();
+        const std::vector<std::size_t>& star = stars.reached(static_cast<SignedIndex>(v), incident[v]);
+        if (star.size() != star_size[v]) {
+          if (v + 1 == closed.num_vertices)
+            throw Violation{
+                fmt::format("the hull falls apart: {} of its {} facets are reached from one of cell {}",
+                            star.size(), star_size[v], examined.hull[incident[v] - closed.num_finite].first)};
+          throw Violation{
+              fmt::format("the cells around the vertex {} fall apart: {} of {} are reached from one of them",
+                          v, star.size(), star_size[v]),
+              star.front() < closed.num_finite ? std::vector{star.front()} : std::vector<std::size_t>{},
+              {v}};
+        }
+        own.add_star(static_cast<SignedIndex>(v), star);
       }
-    }
-    if (star.size() != star_size[v]) {
-      if (v + 1 == closed.num_vertices)
-        throw Violation{
-            fmt::format("the hull falls apart: {} of its {} facets are reached from one of cell {}",
-                        star.size(), star_size[v], examined.hull[incident[v] - closed.num_finite].first)};
-      throw Violation{
-          fmt::format("the cells around the vertex {} fall apart: {} of {} are reached from one of them", v,
-                      star.size(), star_size[v]),
-          star.front() < closed.num_finite ? std::vector{star.front()} : std::vector<std::size_t>{},
-          {v}};
-    }
-    faces.add_star(vertex, star);
-  }
+      const std::lock_guard lock(mutex);
+      own.move_counts_to(faces);
+    };
+  };
+  work_in_parts(examined.threads, num_parts, 1, make_work);
   faces.finish();
 }
 

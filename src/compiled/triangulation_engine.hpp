@@ -105,6 +105,16 @@ class TriangulationEngine : public TriangulationQueries {
   virtual Index insert(Index v, Index start) = 0;
   /// Inserts all vertices of a batch, each as insert() does.
   virtual void insert_all(engine::Batch& batch) = 0;
+  /// Whether several threads can insert a batch of so many vertices.
+  virtual bool shares_batches_of(std::size_t num_vertices) const = 0;
+  /// The same in several threads. REQUIRES that they can.
+  virtual void insert_all(const engine::ParallelBatch& batch) = 0;
+  /// Gives vertices other ids: vertex v becomes new_ids[v], which is invalid_index for those that have no
+  /// cell. The points of the vertices have been moved by then.
+  virtual void renumber_vertices(std::span<const Index> new_ids) = 0;
+  /// Gives cells ids that depend on the ids of their vertices alone, without gaps, where several threads may
+  /// have inserted a batch. Throws std::bad_alloc, and then changes nothing.
+  virtual void sort_cells(unsigned threads) = 0;
   /// What follows can be undone, until it is, or kept. Throws, and then changes nothing.
   virtual void begin_batch() = 0;
   virtual void keep_batch() noexcept = 0;

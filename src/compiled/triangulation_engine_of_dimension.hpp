@@ -85,6 +85,24 @@ class TriangulationEngineOfDimension final : public TriangulationEngine {
     need_functionals();
     build_.insert_all(batch);
   }
+  bool shares_batches_of(std::size_t num_vertices) const override {
+    if constexpr (is_shared)
+      return points_.form != kernel::RowForm::furthest_point && num_vertices > decltype(build_)::few_vertices;
+    return false;
+  }
+  void insert_all([[maybe_unused]] const engine::ParallelBatch& batch) override {
+    if constexpr (is_shared) {
+      need_functionals();
+      build_.insert_all(batch);
+    }
+  }
+  void renumber_vertices(std::span<const Index> new_ids) override {
+    build_.renumber_vertices(new_ids);
+    geometry().set_rows(points_.last_vertex());
+  }
+  void sort_cells([[maybe_unused]] unsigned threads) override {
+    if constexpr (is_shared) build_.sort_cells(points_.last_vertex() + 1, points_.weighted(), threads);
+  }
   void begin_batch() override {
     need_functionals();
     build_.begin_batch();
@@ -173,6 +191,9 @@ class TriangulationEngineOfDimension final : public TriangulationEngine {
       count = 0;
     }
   }
+
+  /// Whether several threads may insert at once.
+  static constexpr bool is_shared = K >= 2 && K <= 6;
 
   const VertexPoints& points_;
   mutable engine::Build<K, Geometry> build_;  // mutable for need_functionals() alone

@@ -6,6 +6,7 @@
 
 #include <delone/data.hpp>
 #include <delone/error.hpp>
+#include <delone/triangulation.hpp>
 
 #include <algorithm>
 #include <cstddef>
@@ -66,14 +67,19 @@ std::vector<internal::PointTag> weighted_tags(const ComplexData& data, internal:
 
 }  // namespace
 
-CanonicalHash canonical_hash(const ComplexData& data) {
+CanonicalHash canonical_hash(const ComplexData& data) { return canonical_hash(data, 1); }
+
+CanonicalHash canonical_hash(const ComplexData& data, unsigned threads) {
   const std::size_t n = data.num_points();
   std::vector<internal::PointTag> tags(n);
   internal::HashAccumulator hash;
   if (data.weights.empty()) {
-    for (std::size_t row = 0; row < n; ++row)
-      tags[row] = internal::point_tag(data.points.data() + row * static_cast<std::size_t>(data.dimension),
-                                      data.dimension);
+    internal::for_parts(
+        threads, n, 16384, [&](std::size_t first, std::size_t last, const internal::StopPoint&) {
+          for (std::size_t row = first; row < last; ++row)
+            tags[row] = internal::point_tag(
+                data.points.data() + row * static_cast<std::size_t>(data.dimension), data.dimension);
+        });
     if (std::find(data.vertex_of_point.begin(), data.vertex_of_point.end(), -1) ==
         data.vertex_of_point.end()) {
       add_distinct(tags, hash);
@@ -88,19 +94,21 @@ CanonicalHash canonical_hash(const ComplexData& data) {
     tags = weighted_tags(data, hash);
   }
   const std::size_t corners = static_cast<std::size_t>(data.affine_dimension + 1);
-  for (std::size_t cell = 0; cell < data.num_cells(); ++cell) {
-    internal::cancellation_point();
-    internal::PointTag sum;
-    for (std::size_t i = 0; i < corners; ++i) {
-      const SignedIndex row = data.cells[cell * corners + i];
-      if (row < 0 || static_cast<std::size_t>(row) >= n)
-        throw Error(Errc::invalid_argument, "delone::canonical_hash: cell " + std::to_string(cell) +
-                                                " has the vertex " + std::to_string(row) +
-                                                ", but there are " + std::to_string(n) + " points");
-      sum += tags[static_cast<std::size_t>(row)];
+  const auto add_cells = [&](std::size_t begin, std::size_t end, internal::HashAccumulator& some) {
+    for (std::size_t cell = begin; cell < end; ++cell) {
+      internal::PointTag sum;
+      for (std::size_t i = 0; i < corners; ++i) {
+        const SignedIndex row = data.cells[cell * corners + i];
+        if (row < 0 || static_cast<std::size_t>(row) >= n)
+          throw Error(Errc::invalid_argument, "delone::canonical_hash: cell " + std::to_string(cell) +
+                                                  " has the vertex " + std::to_string(row) +
+                                                  ", but there are " + std::to_string(n) + " points");
+        sum += tags[static_cast<std::size_t>(row)];
+      }
+      some.add_cell(sum);
     }
-    hash.add_cell(sum);
-  }
+  };
+  internal::add_in_parts(threads, data.num_cells(), hash, add_cells);
   return hash.finish(data.dimension, data.affine_dimension);
 }
 

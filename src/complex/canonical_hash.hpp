@@ -4,12 +4,15 @@
 // complex both feed it.
 #pragma once
 
+#include "base/parallel_parts.hpp"
 #include "base/random.hpp"
 
 #include <delone/complex.hpp>
 
 #include <bit>
+#include <cstddef>
 #include <cstdint>
+#include <mutex>
 
 namespace delone::internal {
 
@@ -47,6 +50,12 @@ class HashAccumulator {
     add(cells_, sum_of_vertices);
     ++num_cells_;
   }
+  /// Adds all that was added to another accumulator.
+  void add(const HashAccumulator& other) {
+    vertices_ += other.vertices_;
+    cells_ += other.cells_;
+    num_cells_ += other.num_cells_;
+  }
   /// The hash of everything added, for points of R^dimension with the given affine dimension.
   CanonicalHash finish(int dimension, int affine_dimension) const {
     const auto shape =
@@ -66,5 +75,19 @@ class HashAccumulator {
   PointTag vertices_, cells_;
   std::uint64_t num_cells_ = 0;
 };
+
+/// Adds what add_some(first, last, hash) adds for the parts of 0 … size − 1, in up to `threads` threads.
+template <class AddSome>
+void add_in_parts(unsigned threads, std::size_t size, HashAccumulator& hash, const AddSome& add_some) {
+  constexpr std::size_t part = 16384;
+  std::mutex mutex;
+  for_parts(threads, size, part, [&](std::size_t first, std::size_t last, const StopPoint& stop) {
+    stop();
+    HashAccumulator some;
+    add_some(first, last, some);
+    const std::lock_guard lock(mutex);
+    hash.add(some);
+  });
+}
 
 }  // namespace delone::internal

@@ -1,9 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What the loop of build.hpp is given where the dimension is not known to the compiler: two virtual calls per
-// insertion.
+// What the loops of build.hpp and parallel_insertion.hpp are given where the dimension is not known to the
+// compiler.
 #pragma once
 
 #include <delone/types.hpp>
+
+#include <cstddef>
+#include <functional>
+#include <span>
 
 namespace delone::engine {
 
@@ -18,6 +22,18 @@ class Batch {
 
  protected:
   ~Batch() = default;
+};
+
+/// Vertices to be inserted by several threads at once.
+struct ParallelBatch {
+  unsigned threads;
+  Index first;          ///< vertices first, first + 1, …, in the order of insertion
+  std::span<Index> at;  ///< receives, for each, what Batch::placed() is told
+  std::span<const std::size_t>
+      rounds;  ///< where stretches of the order end that cover the whole set, ascending
+  /// Called often in the calling thread, and in no other, with the number of vertices inserted. May throw to
+  /// end the batch.
+  std::function<void(std::size_t done)> tick;
 };
 
 }  // namespace delone::engine

@@ -10,6 +10,7 @@
 
 #include "engine/dimension_jump.hpp"
 #include "engine/locate.hpp"
+#include "engine/parallel_insertion.hpp"
 #include "engine/restore.hpp"
 #include "engine/retriangulate.hpp"
 #include "engine/seed.hpp"
@@ -53,6 +54,36 @@ class Build : public Sphere<K, G> {
       const Index at = insert(v);
       batch.placed(v, at, work_.is_strictly_hidden);
     }
+  }
+
+  /// So few vertices have too few cells for several threads.
+  static constexpr std::size_t few_vertices = K <= 4 ? 16 * K : K == 5 ? 150 : 200;
+  /// The same in several threads, once there are enough cells for them; in one thread where the geometry does
+  /// not share its cells.
+  void insert_all(const ParallelBatch& batch) {
+    std::size_t done = 0;
+    const std::size_t n = batch.at.size();
+    const auto insert_until = [&](std::size_t end) {
+      for (; done < end; ++done) {
+        batch.at[done] = insert(batch.first + static_cast<Index>(done));
+        batch.tick(done + 1);
+      }
+    };
+    if constexpr (K >= 2 && K <= 6 && requires { typename G::ForThread; }) {
+      insert_until(std::min<std::size_t>(n, few_vertices));
+      if (done < n) {
+        work_.clear();
+        ParallelInsertion<K, G>(insertion_parts(), batch).insert_from(done);
+      }
+    } else {
+      insert_until(n);
+    }
+  }
+
+  /// What insertions by several workers change.
+  InsertionParts<K, G> insertion_parts() {
+    return {memory_, cells_,        geometry_,      log_.is_on() ? &log_ : nullptr,
+            effort_, num_infinite_, work_.last_cell};
   }
 
   /// Inserts vertex v (§2.3, case c), walking from a cell `start` or from near the last insertion. Returns v;
@@ -107,6 +138,7 @@ class Build : public Sphere<K, G> {
   }
 
  private:
+  using Sphere<K, G>::memory_;
   using Sphere<K, G>::cells_, Sphere<K, G>::geometry_, Sphere<K, G>::work_, Sphere<K, G>::effort_,
       Sphere<K, G>::num_infinite_, Sphere<K, G>::log_;
   using Sphere<K, G>::start_near, Sphere<K, G>::starts_with, Sphere<K, G>::count_infinite,

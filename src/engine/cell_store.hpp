@@ -14,15 +14,29 @@
 #include <bit>
 #include <cstddef>
 #include <cstdint>
+#include <span>
+#include <utility>
 #include <vector>
 
 namespace delone::engine {
+
+/// Where the store of a worker gets slots from (parallel_insertion.hpp).
+class SlotSource {
+ public:
+  /// Slots first … last − 1, vacant, and at least as many as that. Throws, and then changes nothing.
+  virtual std::pair<Index, Index> take(std::size_t least) = 0;
+
+ protected:
+  ~SlotSource() = default;
+};
 
 /// K is the dimension of the cells, or 0 when it is chosen at run time.
 template <int K>
 class CellStore {
  public:
   explicit CellStore(CellMemory<K>& memory) : memory_(memory) {}
+  /// The store of one of several workers on the same memory. It knows the vacant slots of its own alone.
+  CellStore(CellMemory<K>& memory, SlotSource& source) : memory_(memory), source_(&source) {}
 
   int dimension() const { return memory_.dimension(); }
   const CellLayout<K>& layout() const { return memory_.layout(); }
@@ -130,6 +144,24 @@ class CellStore {
       if (!is_cell(cell)) release(cell);
   }
 
+  /// Takes over the vacant slots of another store on the same memory, in which there are `num_slots` in all.
+  /// REQUIRES a reserve_vacancies() that covers them.
+  void take_vacant(CellStore& other, Index num_slots) noexcept {
+    std::copy_n(other.vacant_.begin(), other.num_vacant_,
+                vacant_.begin() + static_cast<std::ptrdiff_t>(num_vacant_));
+    num_vacant_ += other.num_vacant_;
+    other.num_vacant_ = 0;
+    num_slots_ = num_slots;
+  }
+  /// After the cells have been moved to the first slots.
+  void close_gaps() noexcept {
+    num_slots_ = num_cells();
+    num_vacant_ = 0;
+  }
+  std::size_t num_vacant() const { return num_vacant_; }
+  /// The vacant slots.
+  std::span<const Index> vacant() const { return {vacant_.data(), num_vacant_}; }
+
   /// Removes all cells.
   void clear() {
     num_slots_ = 0;
@@ -144,6 +176,7 @@ class CellStore {
   /// Makes room for `count` more cells, so that as many calls of allocate() cannot fail. Throws
   /// Errc::too_many when the ids are exhausted.
   void reserve(std::size_t count) {
+    if (source_ != nullptr) return take_slots(count);
     const std::size_t slots = slots_for(count);
     if (slots > memory_.capacity()) memory_.reserve(with_slack(slots, memory_.capacity()));
     memory_.prepare(slots);
@@ -208,6 +241,14 @@ class CellStore {
   Mark mark(Index cell) { return marks()(cell); }
 
  private:
+  /// Makes sure that there are so many vacant slots.
+  void take_slots(std::size_t count) {
+    if (count <= num_vacant_) return;
+    reserve_vacancies(count + 4096);
+    const auto [first, last] = source_->take(count - num_vacant_);
+    reserve_vacancies(last - first);
+    for (Index cell = last; cell-- > first;) release(cell);
+  }
   /// How many slots there will be with `count` more cells.
   std::size_t slots_for(std::size_t count) const {
     const std::size_t fresh = count > num_vacant_ ? count - num_vacant_ : 0;
@@ -236,6 +277,7 @@ class CellStore {
   }
 
   CellMemory<K>& memory_;
+  SlotSource* source_ = nullptr;
   Index num_slots_ = 0;
   std::size_t num_vacant_ = 0;
   std::vector<Index> vacant_{0};  // the first num_vacant_ entries; the others are unspecified

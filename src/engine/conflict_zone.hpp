@@ -40,6 +40,10 @@ struct ConflictZone {
   /// How many cells are searched at a time, and how many cells ahead neighbors are prefetched. A processor
   /// fetches only some dozens of cache lines at once, so there are fewer cells if these are larger.
   static constexpr std::size_t block_size(std::size_t facets_of_cell) { return facets_of_cell <= 4 ? 16 : 4; }
+  /// The same where neighbors are claimed, at the cost of a fence for each block.
+  static constexpr std::size_t shared_block_size(std::size_t facets_of_cell) {
+    return facets_of_cell <= 4 ? 16 : 8;
+  }
   static constexpr std::size_t cells_ahead(std::size_t facets_of_cell) {
     return facets_of_cell <= 4 ? 32 : 16;
   }
@@ -91,7 +95,7 @@ struct ConflictZone {
     has_facets.reserve(size);
     without_facets.reserve(size);
     others.reserve(size);
-    const std::size_t neighbors = block_size(facets_of_cell) * facets_of_cell,
+    const std::size_t neighbors = shared_block_size(facets_of_cell) * facets_of_cell,
                       most_open = neighbors + enough_open(facets_of_cell);
     candidates.resize(neighbors + 1);
     candidate_values.resize(neighbors);
@@ -162,6 +166,28 @@ template <class Cells, QueryGeometry G, class Evaluator, class Marks>
   return zone.num_cells - num_cells + zone.num_facets - num_facets;
 }
 
+/// Whether cells must be claimed before they are read, because other threads change them
+/// (claimed_cells.hpp).
+template <class Cells>
+constexpr bool are_shared = requires(const Cells& cells) {
+  cells.unclaimed_neighbors(Index{});
+};
+
+template <class Cells>
+const Index* unclaimed_neighbors(const Cells& cells, Index cell) {
+  if constexpr (are_shared<Cells>)
+    return cells.unclaimed_neighbors(cell);
+  else
+    return cells.neighbors(cell);
+}
+template <class Cells>
+auto begin_claims(const Cells& cells, std::size_t most) {
+  if constexpr (are_shared<Cells>)
+    return cells.begin_claims(most);
+  else
+    return 0;
+}
+
 /// Fills `zone` from a cell in conflict. `marks`: marks(cell), is_unseen(cell), is_in_conflict(cell),
 /// set(cell, mark) and set_if(cell, conflict), passed by value; all cells must be unseen before, and the
 /// cells of the zone and of `zone.marked` stay marked. REQUIRES that no vertex is at q. If memory runs out,
@@ -181,10 +207,11 @@ template <class Cells, QueryGeometry G, class Marks>
 void find_conflict_zone(const Cells& cells, const G& geometry, const typename G::Query& q, Index first,
                         Marks marks, ConflictZone& zone, StageCounts& counts) {
   const auto facets = static_cast<std::size_t>(cells.dimension()) + 1;
-  const std::size_t block_size = ConflictZone::block_size(facets),
+  const std::size_t block_size = are_shared<Cells> ? ConflictZone::shared_block_size(facets)
+                                                   : ConflictZone::block_size(facets),
                     cells_ahead = ConflictZone::cells_ahead(facets);
   const std::size_t enough_open = ConflictZone::enough_open(facets);
-  const bool is_tree = facets <= 3;
+  const bool is_tree = facets <= 3 && !are_shared<Cells>;
   zone.num_cells = zone.num_facets = zone.num_marked = zone.num_infinite = 0;
   zone.reserve(1, facets);
   const auto functional = geometry.evaluator(q);
@@ -196,6 +223,7 @@ void find_conflict_zone(const Cells& cells, const G& geometry, const typename G:
   constexpr std::size_t cells_per_look = 2048;
   std::size_t prefetched = 0, next_look = cells_per_look;
   std::uint64_t evaluated = 0, uncertain = 0;
+  [[maybe_unused]] std::size_t fenced = 0;  // so many cells of the zone were marked before the last fence
   zone.num_undecided = zone.num_open = 0;
   const auto leave_open = [&](Index cell, double value, std::size_t from, std::size_t slot) {
     const Mark mark = marks(cell);
@@ -249,21 +277,33 @@ void find_conflict_zone(const Cells& cells, const G& geometry, const typename G:
         for (std::size_t i = 0; i < facets; ++i) place(neighbors[i], functional.value(neighbors[i]), next, i);
       }
     } else {
-      for (; prefetched < std::min(num_cells, next + cells_ahead); ++prefetched)
-        cells.prefetch_neighbors(zone_cells[prefetched]);
+      const std::size_t last_prefetched = std::min(num_cells, next + cells_ahead);
+      if constexpr (are_shared<Cells>) {  // the zone is owned before its neighbors are known
+        const bool are_fenced = last_prefetched <= fenced;
+        cells.own(zone_cells + prefetched, last_prefetched - prefetched, are_fenced);
+        if (!are_fenced) fenced = num_cells;
+      }
+      for (; prefetched < last_prefetched; ++prefetched) cells.prefetch_neighbors(zone_cells[prefetched]);
       ConflictZone::Candidate* const candidates = zone.candidates.data();
       double* const values = zone.candidate_values.data();
       const std::size_t end = std::min(next + block_size, num_cells);
       std::size_t num_candidates = 0;
+      // Where others change cells, all neighbors are claimed before any of them is read.
+      [[maybe_unused]] auto claiming = begin_claims(cells, block_size * facets);
       for (; next < end; ++next) {
-        const Index* const neighbors = cells.neighbors(zone_cells[next]);
+        const Index* const neighbors = unclaimed_neighbors(cells, zone_cells[next]);
         for (std::size_t i = 0; i < facets; ++i) {
           const Index neighbor = neighbors[i];
           candidates[num_candidates] = {neighbor, static_cast<std::uint32_t>(next),
                                         static_cast<std::uint32_t>(i)};
-          num_candidates += !marks.is_in_conflict(neighbor);
+          if constexpr (are_shared<Cells>)
+            num_candidates += claiming.add(neighbor);
+          else
+            num_candidates += !marks.is_in_conflict(neighbor);
         }
       }
+      if constexpr (are_shared<Cells>)
+        if (cells.end_claims(claiming)) fenced = num_cells;
       for (std::size_t c = 0; c < num_candidates; ++c) values[c] = functional.value(candidates[c].cell);
       for (std::size_t c = 0; c < num_candidates; ++c)
         place(candidates[c].cell, values[c], candidates[c].from, candidates[c].slot);

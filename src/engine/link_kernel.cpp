@@ -113,7 +113,9 @@ HWY_INLINE hn::Vec<D> look_up(D d, const std::uint32_t* entries, hn::Vec<D> indi
   if constexpr (hn::MaxLanes(d) <= 4) return four_from(0);
 }
 
-template <int K, VertexIds Ids>
+/// `Shared`: the slot of the survivor across the facet is found by vertices alone. Its vertex opposite the
+/// facet is the difference of the sums of all vertices of the two cells, but for that of the dead one.
+template <int K, VertexIds Ids, bool Shared>
 void create_cells(const CellLinks& links, Index apex, const DeadCells& zone, std::span<HorizonFacet> facets) {
   const IdTag<K> d;
   const Pieces<K> pieces(links.k);
@@ -141,11 +143,29 @@ void create_cells(const CellLinks& links, Index apex, const DeadCells& zone, std
     Index* const across_survivor = survivor_links + layout.ids_before_neighbors();
     facet.dead_opposite = layout.vertex(dead_links, facet.slot);  // the new cell may be where the dead one is
     std::ptrdiff_t mirror = 0;
+    if constexpr (Shared) {
+      const auto vertices_of = [&](const Index* of_cell, std::size_t begin) {
+        return hn::IfThenElseZero(hn::FirstN(d, pieces.num_ids - begin),
+                                  load_vertices<Ids>(d, of_cell, begin));
+      };
+      auto difference = hn::Zero(d);
+      for (std::size_t begin = 0; begin < pieces.num_ids; begin += pieces.lanes)
+        difference =
+            hn::Add(difference, hn::Sub(vertices_of(survivor_links, begin), vertices_of(dead_links, begin)));
+      const auto opposite = hn::Add(hn::SumOfLanes(d, difference), hn::Set(d, facet.dead_opposite));
+      for (std::size_t begin = 0; begin < pieces.num_ids; begin += pieces.lanes) {
+        const auto is_mirror = hn::And(hn::FirstN(d, pieces.num_ids - begin),
+                                       hn::Eq(load_vertices<Ids>(d, survivor_links, begin), opposite));
+        if (const auto found = hn::FindFirstTrue(d, is_mirror); found >= 0)
+          mirror = found + static_cast<std::ptrdiff_t>(begin);
+      }
+    }
     for (std::size_t begin = pieces.num() * pieces.lanes; begin > 0;) {
       begin -= pieces.lanes;
       const auto vertices = load_vertices<Ids>(d, dead_links, begin);
       store_vertices<Ids>(hn::IfThenElse(pieces.is(facet.slot, begin), hn::Set(d, apex), vertices), d,
                           created_links, begin);
+      if constexpr (Shared) continue;
       const std::ptrdiff_t start = std::min(static_cast<std::ptrdiff_t>(begin), last_start);
       auto is_mirror = hn::Eq(hn::LoadU(d, across_survivor + start), hn::Set(d, dead));
       if (first_lane > 0) is_mirror = hn::AndNot(hn::FirstN(d, first_lane), is_mirror);
@@ -223,7 +243,14 @@ void match_ridges(const CellLinks& links, std::span<const HorizonFacet> facets,
       // Clamped, as a count that has overflowed gives a meaningless number.
       const auto other = hn::Min(hn::IfThenElse(matched, hn::Sub(hn::Sub(entry, two), own), own), last);
       const auto across = look_up(d, created, hn::ShiftRightSame(other, facet_shift), count);
+#if HWY_ARCH_X86 && HWY_TARGET <= HWY_AVX2
       hn::BlendedStore(across, valid, d, neighbors + begin);
+#else  // there it would read and write the other lanes, too, which may be those of a cell of another thread
+      HWY_ALIGN Index ids[pieces.lanes];
+      hn::Store(across, d, ids);
+      for (std::size_t i = 0; i < count; ++i)
+        if (begin + i != static_cast<std::size_t>(facets[f].slot)) neighbors[begin + i] = ids[i];
+#endif
       std::uint8_t bits[8];
       hn::StoreMaskBits(d, hn::AndNot(pair, valid), bits);
       const auto shifted = static_cast<std::uint8_t>(bits[0] << begin % 8);
@@ -246,8 +273,12 @@ void for_layout(const CellLinks& links, Work&& work) {
 }
 
 void create_cells_here(const CellLinks& links, Index apex, const DeadCells& zone,
-                       std::span<HorizonFacet> facets) {
-  for_layout(links, [&](auto k, auto ids) { create_cells<k(), ids()>(links, apex, zone, facets); });
+                       std::span<HorizonFacet> facets, bool shared) {
+  for_layout(links, [&](auto k, auto ids) {
+    if constexpr (shares_survivors(k()))
+      if (shared) return create_cells<k(), ids(), true>(links, apex, zone, facets);
+    create_cells<k(), ids(), false>(links, apex, zone, facets);
+  });
 }
 void hash_ridges_here(const CellLinks& links, std::span<const HorizonFacet> facets, std::size_t first,
                       std::size_t last, std::uint32_t* hashes, Index* created, const RidgeEntries* table) {
@@ -274,8 +305,9 @@ HWY_EXPORT(create_cells_here);
 HWY_EXPORT(hash_ridges_here);
 HWY_EXPORT(match_ridges_here);
 
-void create_cells(const CellLinks& links, Index apex, const DeadCells& zone, std::span<HorizonFacet> facets) {
-  HWY_DYNAMIC_DISPATCH(create_cells_here)(links, apex, zone, facets);
+void create_cells(const CellLinks& links, Index apex, const DeadCells& zone, std::span<HorizonFacet> facets,
+                  bool shares_survivors) {
+  HWY_DYNAMIC_DISPATCH(create_cells_here)(links, apex, zone, facets, shares_survivors);
 }
 void hash_ridges(const CellLinks& links, std::span<const HorizonFacet> facets, std::size_t first,
                  std::size_t last, std::uint32_t* hashes, Index* created, const RidgeEntries* table) {

@@ -33,7 +33,15 @@ struct DeadCells {
 /// Writes the vertices of created cells, and links them with the survivors of their facets. The ids in
 /// facet.created are given; the other members of the facets are filled in. A cell may be created in the place
 /// of the dead cell of its facet, or of that of an earlier facet.
-void create_cells(const CellLinks& links, Index apex, const DeadCells& zone, std::span<HorizonFacet> facets);
+///
+/// Where zones of several threads share survivors, these write the links of one cell at a time, so that no
+/// link of a survivor is read.
+void create_cells(const CellLinks& links, Index apex, const DeadCells& zone, std::span<HorizonFacet> facets,
+                  bool shares_survivors);
+
+/// Whether the zones of several threads may share survivors in this dimension. In lower ones, stars are small
+/// and rarely meet; in higher ones, one thread inserts.
+constexpr bool shares_survivors(int k) { return k == 5 || k == 6; }
 
 /// The number of a half-ridge is facet · 2^half_ridge_shift + its slot in the created cell. Numbers with the
 /// slot of the apex, or with one beyond the last vertex, are not used.

@@ -173,11 +173,13 @@ WalkResult search_all(const Cells& cells, const G& geometry, const typename G::Q
   return nowhere;
 }
 
-/// A cell in conflict with q, or the vertex at q, or that q is hidden.
+/// A cell in conflict with q, or the vertex at q, or that q is hidden. REQUIRES can_walk() of cells that
+/// other threads change.
 template <class Cells, QueryGeometry G>
 WalkResult locate(const Cells& cells, const G& geometry, const typename G::Query& q, Index start,
                   StageCounts& counts) {
-  if (!geometry.can_walk()) return search_all(cells, geometry, q, counts);
+  if constexpr (requires { cells.num_slots(); })
+    if (!geometry.can_walk()) return search_all(cells, geometry, q, counts);
   const auto [outcome, descent] = approach(cells, geometry, q, start);
   if (outcome != Descent::uncertain) return descent;
   WalkResult result = walk_exactly(cells, geometry, q, descent.cell, true, counts);

@@ -157,7 +157,7 @@ Filling retriangulate(CellStore<K>& cells, G& geometry, Index v, const typename 
       }
     } else {
       create_cells(cells.links(), v, {zone.cells.data(), zone.values.data()},
-                   facets.subspan(first, last - first));
+                   facets.subspan(first, last - first), work.shares_survivors);
     }
     ridges.hash(cells, facets, first, last);
     try {
@@ -183,7 +183,8 @@ Filling retriangulate(CellStore<K>& cells, G& geometry, Index v, const typename 
     }
   }
   // Created cells have no marks.
-  for (std::size_t i = 0; i < zone.num_marked; ++i) cells.marks().set(zone.marked[i], Mark::unseen);
+  if (work.cells_have_marks)
+    for (std::size_t i = 0; i < zone.num_marked; ++i) cells.marks().set(zone.marked[i], Mark::unseen);
   Index num_infinite = 0;
   if (zone.num_infinite > 0)  // else the infinite vertex is on no facet of the zone
     for (const HorizonFacet& facet : facets) num_infinite += geometry.is_infinite(facet.created) ? 1 : 0;

@@ -8,6 +8,7 @@
 #include "engine/create_functionals.hpp"
 #include "engine/geometry_concept.hpp"
 #include "engine/locate.hpp"
+#include "engine/sort_cells.hpp"
 #include "engine/undo_log.hpp"
 #include "engine/workspace.hpp"
 
@@ -71,6 +72,21 @@ class Sphere {
     work_.clear();
     work_.last_cell = before_.last_cell;
     effort_ = before_.effort;
+  }
+
+  /// Vertex v becomes new_ids[v]. REQUIRES that new ids are no larger than old ones.
+  void renumber_vertices(std::span<const Index> new_ids) {
+    for (Index cell = 0; cell < cells_.num_slots(); ++cell)
+      if (!cells_.is_vacant(cell))
+        for (int i = 0; i <= cells_.dimension(); ++i)
+          cells_.set_vertex(cell, i, new_ids[cells_.vertex(cell, i)]);
+  }
+
+  /// Gives cells ids that depend on their vertices alone, all before num_vertices (sort_cells.hpp).
+  void sort_cells(Index num_vertices, bool has_gaps, unsigned threads) {
+    engine::sort_cells(memory_, cells_, num_vertices, has_gaps, threads);
+    work_.clear();
+    work_.last_cell = 0;
   }
 
   /// Makes room for the functionals of cells of which only the links were written.

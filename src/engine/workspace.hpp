@@ -25,6 +25,8 @@ struct Workspace {
   RidgeTable ridges;
   Index last_cell = 0;              ///< one of the last insertion, or where the last walk ended
   bool is_strictly_hidden = false;  ///< what was inserted last; see WalkResult::strictly
+  bool cells_have_marks = true;     ///< whether marks are in the cells, and have to be taken back
+  bool shares_survivors = false;    ///< whether other threads may link survivors with cells of their own
   bool tracks_swallowed = false;    ///< whether insertions fill `swallowed`: it costs
   std::vector<Index> swallowed;     ///< the vertices that lost all their cells by the last insertion
 

@@ -50,6 +50,22 @@ class DelaunayGeometry : public PointPredicates<K> {
     adopt_frame(Lattice(frame_, axes_));
   }
 
+  /// The same for another thread. The cells are shared, and so are the rows of the vertices, all of which
+  /// must be there (prepare_rows()). `shared` must outlive this object, and its rows must stay where they
+  /// are.
+  struct ForThread {};
+  DelaunayGeometry(const DelaunayGeometry& shared, ForThread)
+      : PointPredicates<K>(shared),
+        grid_(shared.grid_),
+        frame_(shared.frame_),
+        lattice_(shared.lattice_),
+        bounds_(shared.bounds_),
+        bounds_revision_(shared.bounds_revision_),
+        functionals_(shared.functionals_),
+        computes_rows_(shared.computes_rows_),
+        shared_rows_(shared.rows_.data()),
+        has_all_rows_(true) {}
+
   using PointPredicates<K>::dimension;
   using PointPredicates<K>::point;
   const Frame& frame() const { return frame_; }
@@ -71,6 +87,15 @@ class DelaunayGeometry : public PointPredicates<K> {
     rows_.reserve((static_cast<std::size_t>(vertices) + 1) * row_size());
     std::fill_n(rows_.data(), row_size(), 0.0);
     for (Index v = 1; v <= vertices; ++v) write_row(point(v), rows_.data() + v * row_size());
+  }
+
+  /// Makes room for the rows of vertices up to `last` and what the first star of one thread would find out.
+  /// Throws std::bad_alloc, and then changes nothing.
+  void prepare_rows(Index last) { reserve_star(last, 1); }
+  /// Computes the rows of vertices first … last. Several threads may do so for different ones.
+  void write_rows(Index first, Index last) {
+    if (computes_rows_) return;
+    for (Index v = first; v <= last; ++v) write_row(point(v), rows_.data() + v * row_size());
   }
 
   /// The images and lifts of the vertices, k + 1 doubles each. REQUIRES keep_rows().
@@ -134,7 +159,7 @@ class DelaunayGeometry : public PointPredicates<K> {
       bounds_ = lattice_.bounds(grid_, axes_);
       bounds_revision_ = grid_.revision();
     }
-    if (computes_rows_) return;
+    if (computes_rows_ || has_all_rows_) return;
     const std::size_t size = (static_cast<std::size_t>(v) + 1) * row_size();
     rows_.reserve(growing(size));
     rows_.prepare(size);
@@ -143,7 +168,7 @@ class DelaunayGeometry : public PointPredicates<K> {
   /// sides of each facet. Returns the facets for whose cells that is too inaccurate: these cells must be
   /// created one by one.
   std::span<const std::uint32_t> create_star(Index v, const Query& q, std::span<const HorizonFacet> facets) {
-    if (!computes_rows_)
+    if (!computes_rows_ && !has_all_rows_)
       std::memcpy(rows_.data() + v * row_size(), q.row.data(), row_size() * sizeof(double));
     return functionals_.combine(facets, rows(), q.row.data(), q.bounds);
   }
@@ -158,7 +183,7 @@ class DelaunayGeometry : public PointPredicates<K> {
         can_compute_rows(K) && dimension() == frame_.ambient() && frame_.form() == kernel::RowForm::point;
   }
   VertexRows rows() const {
-    if (!computes_rows_) return rows_.data();
+    if (!computes_rows_) return has_all_rows_ ? shared_rows_ : rows_.data();
     return rows_of(point(0));
   }
   /// Rows of points that lie one after the other in memory.
@@ -192,6 +217,8 @@ class DelaunayGeometry : public PointPredicates<K> {
   Functionals<K> functionals_;
   bool computes_rows_ = false;
   GrowableArray<double> rows_{Pages::large};  // of the vertices in the frame, if they are kept
+  const double* shared_rows_ = nullptr;       // those of another thread's geometry, if it
+  bool has_all_rows_ = false;
 };
 
 template <int K>

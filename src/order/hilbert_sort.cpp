@@ -13,6 +13,7 @@
 //   (3) δ' = δ + 1 + (0 for i = 0; ctz(i) for even i; the number of trailing ones of i for odd i)  (mod d).
 // So of i only the length of its last run of equal bits is kept, and e is overwritten by the corner.
 #include "base/compiled_dimension.hpp"
+#include "base/parallel.hpp"
 #include "base/progress_meter.hpp"
 #include "order/insertion_order.hpp"
 #include "order/select.hpp"
@@ -23,6 +24,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <memory>
+#include <mutex>
 #include <utility>
 #include <vector>
 
@@ -222,10 +224,10 @@ class Automaton {
 /// Sorts 64-bit words by the lowest `bits` bits of their upper halves, the others being equal, and writes
 /// their lower halves to `rows`; equal numbers keep their order. Distributes by the highest bits first, so
 /// that the rest happens in parts that fit the caches. `other` is memory of as many words. Calls
-/// crowded(first, last) where more than `few` rows have one number.
+/// crowded(first, last) where more than `few` rows have one number. `threads` share the parts.
 template <class Crowded>
 void sort_by_number(std::uint64_t* words, std::uint64_t* other, std::size_t size, int bits, Index* rows,
-                    std::uint32_t few, const Crowded& crowded) {
+                    std::uint32_t few, const Crowded& crowded, unsigned threads = 1) {
   constexpr int last_bits = 12, max_bits = 10;
   if (size == 0) return;
   internal::cancellation_point();
@@ -250,16 +252,20 @@ void sort_by_number(std::uint64_t* words, std::uint64_t* other, std::size_t size
   std::uint32_t sum = 0;
   for (std::uint32_t& count : begin) sum += std::exchange(count, sum);
   for (std::size_t i = 0; i < size; ++i) other[begin[words[i] >> shift & mask]++] = words[i];
-  for (std::size_t digit = 0, first = 0; digit <= mask; first = begin[digit++])
-    sort_by_number(other + first, words + first, begin[digit] - first, bits - digit_bits, rows + first, few,
-                   crowded);
+  const auto sort_parts = [&](std::size_t digit, std::size_t end) {
+    for (std::size_t first = digit == 0 ? 0 : begin[digit - 1]; digit < end; first = begin[digit++])
+      sort_by_number(other + first, words + first, begin[digit] - first, bits - digit_bits, rows + first, few,
+                     crowded);
+  };
+  if (threads == 1) return sort_parts(0, mask + 1);
+  internal::parallel_for(threads, mask + 1, 16, sort_parts);
 }
 
 /// Splits the box of the points into equal cubes, about one per point, and sorts the points by the cubes'
 /// numbers on the curve: a few instructions per bit of the number, where halving takes a few passes over the
 /// points. Only rows that share a cube are then sorted by halves.
 template <int D>
-void sort_by_cubes(const Position& start, PointsView points, std::span<Index> rows) {
+void sort_by_cubes(const Position& start, PointsView points, std::span<Index> rows, unsigned threads) {
   static const Automaton<D> automaton;
   constexpr int levels_per_step = Automaton<D>::levels_per_step;
   const int levels =
@@ -275,24 +281,36 @@ void sort_by_cubes(const Position& start, PointsView points, std::span<Index> ro
   std::array<double, D> low, high, scale;
   std::copy_n(point(0), D, low.begin());
   high = low;
-  for (std::size_t i = 0; i < size; ++i) {
-    constexpr std::size_t ahead = 32;
-    const double* next = point(std::min(i + ahead, size - 1));
-    __builtin_prefetch(next);
-    __builtin_prefetch(next + D - 1);  // often in the next cache line
-    for (std::size_t j = 0; j < D; ++j) {
-      const double x = point(i)[j];
-      memory[i * D + j] = std::bit_cast<std::uint64_t>(x);
-      low[j] = std::min(low[j], x);
-      high[j] = std::max(high[j], x);
+  constexpr std::size_t part = 16384;
+  std::mutex mutex;
+  internal::parallel_for(threads, size, part, [&](std::size_t first, std::size_t last) {
+    std::array<double, D> least, most;
+    std::copy_n(point(first), D, least.begin());
+    most = least;
+    for (std::size_t i = first; i < last; ++i) {
+      constexpr std::size_t ahead = 32;
+      const double* next = point(std::min(i + ahead, size - 1));
+      __builtin_prefetch(next);
+      __builtin_prefetch(next + D - 1);  // often in the next cache line
+      for (std::size_t j = 0; j < D; ++j) {
+        const double x = point(i)[j];
+        memory[i * D + j] = std::bit_cast<std::uint64_t>(x);
+        least[j] = std::min(least[j], x);
+        most[j] = std::max(most[j], x);
+      }
     }
-  }
+    const std::lock_guard lock(mutex);
+    for (std::size_t j = 0; j < D; ++j) {
+      low[j] = std::min(low[j], least[j]);
+      high[j] = std::max(high[j], most[j]);
+    }
+  });
   for (std::size_t j = 0; j < D; ++j) {
     scale[j] = cubes / (high[j] - low[j]);
     if (!(scale[j] > 0 && scale[j] < 1e300))
       return sort_by_halves<D>(start, points, rows);  // flat, tiny or huge
   }
-  for (std::size_t i = 0; i < size; ++i) {
+  const auto word = [&](std::size_t i) {
     std::array<std::uint32_t, D> cube;
     for (std::size_t j = 0; j < D; ++j) {
       const double x = std::bit_cast<double>(memory[i * D + j]);
@@ -300,22 +318,38 @@ void sort_by_cubes(const Position& start, PointsView points, std::span<Index> ro
           static_cast<std::uint32_t>(static_cast<std::int32_t>(std::min((x - low[j]) * scale[j], cubes - 1)))
           << spare;
     }
-    memory[i] = automaton.number(start, cube, steps) >> (D * spare) << 32 | rows[i];
+    return automaton.number(start, cube, steps) >> (D * spare) << 32 | rows[i];
+  };
+  // The words replace the coordinates from the beginning on, so threads need memory of their own for them.
+  std::unique_ptr<std::uint64_t[]> apart;
+  std::uint64_t* words = memory.get();
+  std::uint64_t* other = words + size;
+  if (threads == 1) {
+    for (std::size_t i = 0; i < size; ++i) words[i] = word(i);
+  } else {
+    apart = std::make_unique_for_overwrite<std::uint64_t[]>(size);
+    words = apart.get();
+    other = memory.get();
+    internal::parallel_for(threads, size, part, [&](std::size_t first, std::size_t last) {
+      for (std::size_t i = first; i < last; ++i) words[i] = word(i);
+    });
   }
   constexpr std::uint32_t few = 8;
-  sort_by_number(memory.get(), memory.get() + size, size, D * levels, rows.data(), few,
-                 [&](Index* first, Index* last) {
-                   sort_by_halves<D>(start, points, {first, last});
-                 });
+  sort_by_number(
+      words, other, size, D * levels, rows.data(), few,
+      [&](Index* first, Index* last) {
+        sort_by_halves<D>(start, points, {first, last});
+      },
+      threads);
 }
 
 template <int D>
-void sort_in_dimension(const Position& start, PointsView points, std::span<Index> rows) {
+void sort_in_dimension(const Position& start, PointsView points, std::span<Index> rows, unsigned threads) {
   constexpr std::size_t many = 1000;
   if (rows.size() < many || D * ((std::bit_width(rows.size()) + D - 1) / D) > 32 || sizeof(Index) > 4)
     sort_by_halves<D>(start, points, rows);
   else
-    sort_by_cubes<D>(start, points, rows);
+    sort_by_cubes<D>(start, points, rows, threads);
 }
 
 /// Any dimension: the coordinate in use is gathered anew for each split.
@@ -336,13 +370,13 @@ void sort_keyed(const Curve& curve, const Position& position, PointsView points,
 
 }  // namespace
 
-void hilbert_sort(PointsView points, std::span<Index> rows, int first_axis) {
+void hilbert_sort(PointsView points, std::span<Index> rows, int first_axis, unsigned threads) {
   if (rows.size() < 2) return;
   Position start;
   start.axis = first_axis;
   internal::with_compiled_dimension<1, 4>(static_cast<std::size_t>(points.dimension()), [&](auto d) {
     if constexpr (d() > 1) {
-      sort_in_dimension<d()>(start, points, rows);
+      sort_in_dimension<d()>(start, points, rows, threads);
     } else if constexpr (d() == 1) {
       sort_by_halves<1>(start, points, rows);
     } else {

@@ -27,7 +27,8 @@ int num_splits(std::size_t n) { return n < 2 ? 0 : static_cast<int>(std::bit_wid
 
 }  // namespace
 
-std::vector<Index> insertion_order(PointsView points, const Options& options) {
+std::vector<Index> insertion_order(PointsView points, const Options& options,
+                                   std::vector<std::size_t>* rounds) {
   switch (options.order) {
     case InsertionOrder::shuffled:
       return shuffled_order(points.size(), options.seed);
@@ -39,7 +40,7 @@ std::vector<Index> insertion_order(PointsView points, const Options& options) {
     case InsertionOrder::automatic:
       break;
   }
-  return automatic_order(points, options.seed);
+  return automatic_order(points, options.seed, rounds);
 }
 
 std::vector<Index> shuffled_order(std::size_t n, std::uint64_t seed) {
@@ -50,7 +51,7 @@ std::vector<Index> shuffled_order(std::size_t n, std::uint64_t seed) {
   return rows;
 }
 
-std::vector<Index> brio_order(PointsView points, std::uint64_t seed) {
+std::vector<Index> brio_order(PointsView points, std::uint64_t seed, std::vector<std::size_t>* rounds) {
   std::vector<Index> rows = shuffled_order(points.size(), seed);
   if (rows.empty()) return rows;
 
@@ -59,6 +60,7 @@ std::vector<Index> brio_order(PointsView points, std::uint64_t seed) {
   std::vector<std::size_t> ends{rows.size()};
   while (ends.back() > smallest) ends.push_back(ends.back() / points_per_earlier);
 
+  if (rounds != nullptr) rounds->assign(ends.rbegin(), ends.rend());
   std::size_t begin = 0;
   int first_axis = d - 1;
   bool backwards = false;

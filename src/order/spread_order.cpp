@@ -46,7 +46,7 @@ Index* write_round(const Pass& pass, std::uint8_t round, std::size_t begin, std:
 
 }  // namespace
 
-std::vector<Index> spread_order(PointsView points, std::uint64_t seed) {
+std::vector<Index> spread_order(PointsView points, std::uint64_t seed, std::vector<std::size_t>* rounds) {
   std::vector<Index> rows(points.size());
   std::iota(rows.begin(), rows.end(), Index{0});
   if (rows.empty()) return rows;
@@ -88,8 +88,12 @@ std::vector<Index> spread_order(PointsView points, std::uint64_t seed) {
     for (std::size_t i = 0; i < n; i += stretch) {
       const std::size_t length = std::min(stretch, n - i), begin = backwards ? n - i - length : i;
       bool turned = backwards;
-      for (std::uint8_t round = kept_round; round-- > 0; turned = !turned)
+      for (std::uint8_t round = kept_round; round-- > 0; turned = !turned) {
         next = write_round(*pass, round, begin, begin + length, turned, next);
+        // Unless there are several stretches, each round covers all of the curve.
+        if (rounds != nullptr && (length == n || (i + length == n && round == 0)))
+          rounds->push_back(static_cast<std::size_t>(next - order.data()));
+      }
     }
     backwards = !backwards;
   }

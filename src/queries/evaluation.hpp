@@ -10,11 +10,14 @@
 #include <delone/triangulation.hpp>
 
 #include <algorithm>
+#include <atomic>
 #include <cstddef>
 #include <functional>
 #include <limits>
+#include <mutex>
 #include <span>
 #include <string>
+#include <thread>
 #include <vector>
 
 namespace delone::internal {
@@ -36,28 +39,47 @@ inline std::vector<double> by_vertex(const Triangulation& triangulation, std::sp
   return result;
 }
 
-/// Counts steps and tells `progress` their number now and then, as ProgressMeter does.
-class Meter {
+/// How many steps all threads have done. The thread that makes it tells `progress`, at its cancellation
+/// points.
+class Progress {
  public:
-  explicit Meter(const std::function<bool(std::size_t)>& progress)
+  explicit Progress(const std::function<bool(std::size_t)>& progress)
       : ask_(progress ? std::function<bool(double)>([&](double) { return progress(done_); }) : nullptr),
         meter_(ask_) {}
-  void operator()() {
-    ++done_;
+
+  bool is_wanted() const { return ask_ != nullptr; }
+  void add(std::size_t steps) {
+    done_.fetch_add(steps, std::memory_order_relaxed);
     cancellation_point();
   }
 
  private:
-  std::size_t done_ = 0;
+  std::atomic<std::size_t> done_ = 0;
   std::function<bool(double)> ask_;
   ProgressMeter meter_;
 };
 
+/// Counts the steps of one thread and tells of every 256 of them.
+class Meter {
+ public:
+  explicit Meter(Progress& progress) : progress_(&progress) {}
+  void operator()() {
+    if (++done_ % 256 == 0 && progress_->is_wanted()) progress_->add(256);
+  }
+
+ private:
+  Progress* progress_;
+  std::size_t done_ = 0;
+};
+
 inline LocateOptions locate_options(const EvaluateOptions& options) {
-  return {.tolerance = options.tolerance, .project = options.outside == Outside::project};
+  return {.tolerance = options.tolerance,
+          .project = options.outside == Outside::project,
+          .threads = options.threads};
 }
 
-/// The answers of queries that location leaves outside, `width` numbers each.
+/// The answers of queries that location leaves outside, `width` numbers each. Several threads may call
+/// value() and gradient().
 class OutsideAnswers {
  public:
   /// `queries`: of d coordinates each.
@@ -68,6 +90,7 @@ class OutsideAnswers {
   void value(std::size_t query, double* at) {
     refuse(query);
     if (options_.outside == Outside::nearest) {
+      const std::lock_guard lock(mutex_);
       beyond_.push_back(query);
       const double* const q = queries_.data() + query * d_;
       coordinates_.insert(coordinates_.end(), q, q + d_);
@@ -84,13 +107,18 @@ class OutsideAnswers {
   }
   /// Replaces the values of those that get the one at the nearest vertex. `values`: by vertex id.
   void finish(const PointLocator& locator, std::span<const double> values, std::span<double> result,
-              Meter& meter) const {
+              Progress& progress) const {
     if (beyond_.empty()) return;
-    locator.nearest(coordinates_, [&](std::size_t i, VertexId v) {
-      meter();
-      if (v != invalid_vertex)
-        std::copy_n(values.data() + index(v) * width_, width_, result.data() + beyond_[i] * width_);
-    });
+    std::atomic<std::size_t> done = 0;
+    locator.nearest(
+        coordinates_,
+        [&](std::size_t i, VertexId v) {
+          if (v != invalid_vertex)
+            std::copy_n(values.data() + index(v) * width_, width_, result.data() + beyond_[i] * width_);
+          if (progress.is_wanted() && done.fetch_add(1, std::memory_order_relaxed) % 256 == 255)
+            progress.add(256);
+        },
+        options_.threads);
   }
 
  private:
@@ -103,6 +131,7 @@ class OutsideAnswers {
   const EvaluateOptions& options_;
   std::span<const double> queries_;
   std::size_t d_, width_;
+  std::mutex mutex_;
   std::vector<std::size_t> beyond_;
   std::vector<double> coordinates_;
 };

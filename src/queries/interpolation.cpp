@@ -5,6 +5,7 @@
 
 #include "queries/barycentric.hpp"
 #include "queries/evaluation.hpp"
+#include "queries/point_locator_impl.hpp"
 
 #include <algorithm>
 #include <vector>
@@ -27,11 +28,9 @@ void LinearInterpolator::evaluate(std::span<const double> queries, std::span<dou
   require_size(result.size(), queries.size() / d * columns_, "the result");
   if (!options.fill.empty()) require_size(options.fill.size(), columns_, "the constants outside");
   const Complex complex = triangulation_.complex();
-  const LocateOptions how = internal::locate_options(options);
-  Meter meter(options.progress);
+  internal::Progress progress(options.progress);
   internal::OutsideAnswers beyond(options, queries, d, columns_);
-  locator_.locate(queries, how, [&](std::size_t query, const LocatedPoint& where) {
-    meter();
+  const auto answer = [&](std::size_t query, const LocatedPoint& where) {
     double* const at = result.data() + query * columns_;
     if (where.barycentric.empty()) {
       beyond.value(query, at);
@@ -45,8 +44,15 @@ void LinearInterpolator::evaluate(std::span<const double> queries, std::span<dou
           values_.data() + index(complex.vertex(where.cell, static_cast<int>(i))) * columns_;
       for (std::size_t c = 0; c < columns_; ++c) at[c] += weight * value[c];
     }
-  });
-  beyond.finish(locator_, values_, result, meter);
+  };
+  const auto make_visit = [&]() -> PointLocator::Visit {
+    return [&, meter = Meter(progress)](std::size_t query, const LocatedPoint& where) mutable {
+      meter();
+      answer(query, where);
+    };
+  };
+  locator_.impl_->locate(queries, internal::locate_options(options), {}, {.make = make_visit});
+  beyond.finish(locator_, values_, result, progress);
 }
 
 void LinearInterpolator::gradients(std::span<const double> queries, std::span<double> result,
@@ -55,32 +61,33 @@ void LinearInterpolator::gradients(std::span<const double> queries, std::span<do
   const std::size_t width = columns_ * d;
   require_size(result.size(), queries.size() / d * width, "the result");
   const Complex complex = triangulation_.complex();
-  const LocateOptions how = internal::locate_options(options);
-  Meter meter(options.progress);
-  CellId last = invalid_cell;
-  std::vector<const double*> points;
-  std::vector<double> values, gradient;
-  const internal::OutsideAnswers beyond(options, queries, d, width);
-  locator_.locate(queries, how, [&](std::size_t query, const LocatedPoint& where) {
-    meter();
-    double* const at = result.data() + query * width;
-    if (where.barycentric.empty()) {
-      beyond.gradient(query, at);
-      return;
-    }
-    if (where.cell != last) {
-      last = where.cell;
-      points.clear();
-      values.clear();
-      for (const VertexId v : complex.vertices(last)) {
-        points.push_back(triangulation_.point(v).data());
-        const double* const value = values_.data() + index(v) * columns_;
-        values.insert(values.end(), value, value + columns_);
+  internal::Progress progress(options.progress);
+  internal::OutsideAnswers beyond(options, queries, d, width);
+  const auto make_visit = [&]() -> PointLocator::Visit {
+    return [&, meter = Meter(progress), last = CellId{invalid_cell}, points = std::vector<const double*>(),
+            values = std::vector<double>(),
+            gradient = std::vector<double>()](std::size_t query, const LocatedPoint& where) mutable {
+      meter();
+      double* const at = result.data() + query * width;
+      if (where.barycentric.empty()) {
+        beyond.gradient(query, at);
+        return;
       }
-      internal::gradients(points, values, static_cast<int>(columns_), static_cast<int>(d), gradient);
-    }
-    std::copy(gradient.begin(), gradient.end(), at);
-  });
+      if (where.cell != last) {
+        last = where.cell;
+        points.clear();
+        values.clear();
+        for (const VertexId v : complex.vertices(last)) {
+          points.push_back(triangulation_.point(v).data());
+          const double* const value = values_.data() + index(v) * columns_;
+          values.insert(values.end(), value, value + columns_);
+        }
+        internal::gradients(points, values, static_cast<int>(columns_), static_cast<int>(d), gradient);
+      }
+      std::copy(gradient.begin(), gradient.end(), at);
+    };
+  };
+  locator_.impl_->locate(queries, internal::locate_options(options), {}, {.make = make_visit});
 }
 
 }  // namespace delone

@@ -14,12 +14,15 @@
 #include "queries/barycentric.hpp"
 #include "queries/evaluation.hpp"
 #include "queries/natural_search.hpp"
+#include "queries/point_locator_impl.hpp"
 #include "queries/site_gradients.hpp"
 
 #include <delone/error.hpp>
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
+#include <memory>
 #include <new>
 #include <utility>
 
@@ -145,11 +148,22 @@ void NaturalNeighborCoordinates::find(std::span<const double> queries, const Vis
 
 void NaturalNeighborCoordinates::find(std::span<const double> queries, const LocateOptions& how,
                                       const Visit& visit, bool with_gradients) const {
+  find_by_threads(
+      queries, how, [&] { return Visit(std::cref(visit)); }, with_gradients);
+}
+
+void NaturalNeighborCoordinates::find_by_threads(std::span<const double> queries, const LocateOptions& how,
+                                                 const std::function<Visit()>& make_visit,
+                                                 bool with_gradients) const {
   const NaturalCenters& centers = impl_->centers;
   const std::size_t d = centers.dimension();
-  NaturalSearch search(centers);
-  InnerPoint inner(centers, how);
-  impl_->locator.locate(queries, how, [&](std::size_t query, const LocatedPoint& where) {
+  struct Searching {
+    NaturalSearch search;
+    InnerPoint inner;
+    Visit visit;
+  };
+  const auto answer = [&](Searching& own, std::size_t query, const LocatedPoint& where) {
+    auto& [search, inner, visit] = own;
     NaturalNeighbors found;
     found.kind = where.kind;
     found.point = queries.subspan(query * d, d);
@@ -189,7 +203,13 @@ void NaturalNeighborCoordinates::find(std::span<const double> queries, const Loc
       take(search);
     }
     visit(query, found);
-  });
+  };
+  const auto make = [&]() -> PointLocator::Visit {
+    const auto own =
+        std::make_shared<Searching>(NaturalSearch(centers), InnerPoint(centers, how), make_visit());
+    return [&, own](std::size_t query, const LocatedPoint& where) { answer(*own, query, where); };
+  };
+  impl_->locator.impl_->locate(queries, how, {.least_part = 64}, {.make = make});
 }
 
 namespace {
@@ -309,7 +329,8 @@ NaturalNeighborInterpolator::NaturalNeighborInterpolator(const Triangulation& tr
   if (!site_gradients.empty()) {
     site_gradients_ = internal::by_vertex(triangulation, site_gradients, columns * d);
   } else if (smooth) {
-    Meter meter(progress);
+    internal::Progress told(progress);
+    Meter meter(told);
     std::vector<double> estimated(values_.size() * d);
     for (const VertexId v : triangulation.complex().finite_vertices()) {
       meter();
@@ -335,21 +356,24 @@ void NaturalNeighborInterpolator::evaluate(std::span<const double> queries, std:
   const auto d = static_cast<std::size_t>(triangulation_.dimension());
   require_size(result.size(), queries.size() / d * columns_, "the result");
   if (!options.fill.empty()) require_size(options.fill.size(), columns_, "the constants outside");
-  Meter meter(options.progress);
-  Interpolant interpolant(triangulation_, values_, columns_, site_gradients_);
+  internal::Progress progress(options.progress);
   internal::OutsideAnswers beyond(options, queries, d, columns_);
-  const auto visit = [&](std::size_t query, const NaturalNeighbors& found) {
-    meter();
-    double* const at = result.data() + query * columns_;
-    if (found.vertices.empty())
-      beyond.value(query, at);
-    else if (smooth_)
-      interpolant.smooth(found.point.data(), found, at, nullptr);
-    else
-      interpolant.plain(found, at, nullptr);
+  const auto make_visit = [&]() -> NaturalNeighborCoordinates::Visit {
+    return [&, meter = Meter(progress),
+            interpolant = Interpolant(triangulation_, values_, columns_, site_gradients_)](
+               std::size_t query, const NaturalNeighbors& found) mutable {
+      meter();
+      double* const at = result.data() + query * columns_;
+      if (found.vertices.empty())
+        beyond.value(query, at);
+      else if (smooth_)
+        interpolant.smooth(found.point.data(), found, at, nullptr);
+      else
+        interpolant.plain(found, at, nullptr);
+    };
   };
-  coordinates_.find(queries, internal::locate_options(options), visit);
-  beyond.finish(coordinates_.impl_->locator, values_, result, meter);
+  coordinates_.find_by_threads(queries, internal::locate_options(options), make_visit, false);
+  beyond.finish(coordinates_.impl_->locator, values_, result, progress);
 }
 
 void NaturalNeighborInterpolator::gradients(std::span<const double> queries, std::span<double> result,
@@ -357,23 +381,25 @@ void NaturalNeighborInterpolator::gradients(std::span<const double> queries, std
   const auto d = static_cast<std::size_t>(triangulation_.dimension());
   const std::size_t width = columns_ * d;
   require_size(result.size(), queries.size() / d * width, "the result");
-  Meter meter(options.progress);
-  Interpolant interpolant(triangulation_, values_, columns_, site_gradients_);
+  internal::Progress progress(options.progress);
   const internal::OutsideAnswers beyond(options, queries, d, width);
-  std::vector<double> value(columns_);
-  const auto visit = [&](std::size_t query, const NaturalNeighbors& found) {
-    meter();
-    double* const at = result.data() + query * width;
-    if (found.vertices.empty())
-      beyond.gradient(query, at);
-    else if (found.kind == Location::Kind::on_vertex)
-      site_gradient(found.vertices[0], {at, width});
-    else if (smooth_)
-      interpolant.smooth(found.point.data(), found, value.data(), at);
-    else
-      interpolant.plain(found, value.data(), at);
+  const auto make_visit = [&]() -> NaturalNeighborCoordinates::Visit {
+    return [&, meter = Meter(progress), value = std::vector<double>(columns_),
+            interpolant = Interpolant(triangulation_, values_, columns_, site_gradients_)](
+               std::size_t query, const NaturalNeighbors& found) mutable {
+      meter();
+      double* const at = result.data() + query * width;
+      if (found.vertices.empty())
+        beyond.gradient(query, at);
+      else if (found.kind == Location::Kind::on_vertex)
+        site_gradient(found.vertices[0], {at, width});
+      else if (smooth_)
+        interpolant.smooth(found.point.data(), found, value.data(), at);
+      else
+        interpolant.plain(found, value.data(), at);
+    };
   };
-  coordinates_.find(queries, internal::locate_options(options), visit, true);
+  coordinates_.find_by_threads(queries, internal::locate_options(options), make_visit, true);
 }
 
 }  // namespace delone

@@ -25,6 +25,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <memory>
 #include <new>
 #include <unordered_set>
 
@@ -250,53 +251,64 @@ const PointLocator::Edges& PointLocator::edges() const {
 /// Calls each(search, query, nearest vertex) for all queries; without a vertex, each(nullptr, query,
 /// invalid_vertex).
 template <class Each>
-void PointLocator::each_nearest(std::span<const double> queries, Each each) const {
+void PointLocator::each_nearest(std::span<const double> queries, unsigned threads, Each each) const {
   if (impl_->points.form == kernel::RowForm::furthest_point)
     throw Error(Errc::unsupported,
                 "the vertex of least distance is not found by a furthest-site triangulation");
   const auto d = static_cast<std::size_t>(impl_->dimension);
   if (impl_->triangulation.num_vertices() == 0) {
-    impl_->in_order(queries,
-                    [&](Index query) { each(static_cast<Nearest*>(nullptr), query, invalid_vertex); });
+    locate(queries, [&](std::size_t query, const LocatedPoint&) {
+      each(static_cast<Nearest*>(nullptr), query, invalid_vertex);
+    });
     return;
   }
-  Nearest nearest_to(*impl_, edges());
-  VertexId start = invalid_vertex;
   // The vertices of the cell that contains a query are near it. If the points lie in a flat and there is no
   // such cell, the walk starts at the answer to the previous query.
-  locate(queries, [&](std::size_t query, const LocatedPoint& where) {
-    const double* q = queries.data() + query * d;
-    if (where.cell != invalid_cell) {
-      double least = std::numeric_limits<double>::infinity();
-      for (int i = 0; i <= impl_->affine_dimension; ++i) {
-        const VertexId v = impl_->complex.vertex(where.cell, i);
-        if (v == infinite_vertex) continue;
-        const double at =
-            power(q, impl_->point(v), d, impl_->points.weighted() ? impl_->point(v)[d] : 0.0).value;
-        if (start == invalid_vertex || at < least) {
-          start = v;
-          least = at;
+  struct Walk {
+    Nearest to;
+    VertexId start;
+  };
+  const Edges& table = edges();
+  const auto make_visit = [&]() -> Visit {
+    const auto walk = std::make_shared<Walk>(Nearest(*impl_, table), invalid_vertex);
+    return [&, walk](std::size_t query, const LocatedPoint& where) {
+      const double* q = queries.data() + query * d;
+      VertexId& start = walk->start;
+      if (where.cell != invalid_cell) {
+        double least = std::numeric_limits<double>::infinity();
+        for (int i = 0; i <= impl_->affine_dimension; ++i) {
+          const VertexId v = impl_->complex.vertex(where.cell, i);
+          if (v == infinite_vertex) continue;
+          const double at =
+              power(q, impl_->point(v), d, impl_->points.weighted() ? impl_->point(v)[d] : 0.0).value;
+          if (start == invalid_vertex || at < least) {
+            start = v;
+            least = at;
+          }
         }
+      } else if (start == invalid_vertex) {
+        start = impl_->complex.finite_vertices().front();
       }
-    } else if (start == invalid_vertex) {
-      start = impl_->complex.finite_vertices().front();
-    }
-    start = nearest_to(q, start);
-    each(&nearest_to, query, start);
-  });
+      start = walk->to(q, start);
+      each(&walk->to, query, start);
+    };
+  };
+  impl_->locate(queries, {.threads = threads}, {.least_part = 1024}, {.make = make_visit});
 }
 
 void PointLocator::nearest(std::span<const double> queries,
-                           const std::function<void(std::size_t query, VertexId nearest)>& visit) const {
-  each_nearest(queries, [&](Nearest*, std::size_t query, VertexId v) { visit(query, v); });
+                           const std::function<void(std::size_t query, VertexId nearest)>& visit,
+                           unsigned threads) const {
+  each_nearest(queries, threads, [&](Nearest*, std::size_t query, VertexId v) { visit(query, v); });
 }
 
 void PointLocator::nearest(
     std::span<const double> queries, std::size_t k,
-    const std::function<void(std::size_t query, std::span<const VertexId> nearest)>& visit) const {
+    const std::function<void(std::size_t query, std::span<const VertexId> nearest)>& visit,
+    unsigned threads) const {
   if (k == 0) throw Error(Errc::invalid_argument, "k, the number of nearest vertices, is at least 1, not 0");
   const auto d = static_cast<std::size_t>(impl_->dimension);
-  each_nearest(queries, [&](Nearest* search, std::size_t query, VertexId v) {
+  each_nearest(queries, threads, [&](Nearest* search, std::size_t query, VertexId v) {
     if (search == nullptr)
       visit(query, {});
     else

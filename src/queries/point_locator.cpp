@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Batches of queries by a certified visibility walk. The nearest vertex is in nearest_vertex.cpp.
-#include "base/quick_rounds.hpp"
 #include "queries/point_locator_impl.hpp"
 
 #include "base/require_finite.hpp"
@@ -12,8 +11,10 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <memory>
 #include <new>
 #include <numeric>
+#include <optional>
 #include <string>
 
 namespace delone {
@@ -69,6 +70,7 @@ class PlainWalk {
 };
 
 struct NoTable {
+  explicit NoTable(const PointLocator::Impl&) {}
   static constexpr std::size_t least_many = std::numeric_limits<std::size_t>::max();
   template <class Answer>
   bool locate(const double*, CellId, Answer) {
@@ -80,56 +82,116 @@ struct NoTable {
   }
 };
 
+/// The walks of one thread.
 template <class Table>
-void walk_through(const PointLocator::Impl& where, Table table, std::span<const double> queries,
-                  const LocateOptions& options, internal::TolerantLocation* tolerant,
-                  const PointLocator::Visit& visit) {
-  PlainWalk plain(where);
-  CellId start = invalid_cell;
-  const double* const coordinates = queries.data();
-  const auto width = static_cast<std::size_t>(where.dimension);
-  internal::QuickRounds round;
-  const auto answer = [&](Index query, LocatedPoint& found, auto complete) {
-    round();
-    const double* const exact = found.barycentric.data();
-    if (tolerant != nullptr && !tolerant->is_final(found))
-      tolerant->refine(coordinates + static_cast<std::size_t>(query) * width, found);
-    if (options.coordinates && found.barycentric.data() == exact) complete();
-    visit(query, found);
-  };
-  const auto walk_plainly = [&](const double* q, CellId from, LocatedPoint& found) {
-    plain.locate(q, from, found);
-  };
-  where.in_pieces(queries, [&](std::span<const Index> piece) {
-    if (piece.size() >= Table::least_many) {
-      start = table.locate_all(coordinates, piece, start, answer, walk_plainly);
+class Walks {
+ public:
+  explicit Walks(const PointLocator::Impl& where) : where_(where), table_(where), plain_(where) {}
+
+  /// Calls answer(query, found, complete) for each, as TableWalk.
+  template <class Answer>
+  void locate(std::span<const double> queries, std::span<const Index> rows, CellId start,
+              const Answer& answer) {
+    const double* const coordinates = queries.data();
+    const auto width = static_cast<std::size_t>(where_.dimension);
+    if (rows.size() >= Table::least_many) {
+      table_.locate_all(
+          coordinates, rows, start, answer,
+          [&](const double* q, CellId from, LocatedPoint& found) { plain_.locate(q, from, found); });
       return;
     }
-    for (const Index query : piece) {
+    for (const Index query : rows) {
       const double* const q = coordinates + static_cast<std::size_t>(query) * width;
       const auto take = [&](LocatedPoint& found, auto complete) {
-        if (found.cell != invalid_cell) {
-          const int infinite = where.complex.infinite_index(found.cell);
-          start = infinite < 0 ? found.cell : where.complex.neighbor(found.cell, infinite);
-        }
+        start = finite_cell(found.cell, start);
         answer(query, found, complete);
       };
-      if (table.locate(q, start, take)) continue;
+      if (table_.locate(q, start, take)) continue;
       LocatedPoint found;
-      plain.locate(q, start, found);
+      plain_.locate(q, start, found);
       take(found, [] {});
     }
-  });
+  }
+  /// A finite cell at the query; `start` if there is none.
+  CellId find(const double* q, CellId start) {
+    CellId cell = start;
+    const auto take = [&](const LocatedPoint& found, auto) { cell = finite_cell(found.cell, start); };
+    if (table_.locate(q, start, take)) return cell;
+    LocatedPoint found;
+    plain_.locate(q, start, found);
+    return finite_cell(found.cell, start);
+  }
+
+ private:
+  CellId finite_cell(CellId cell, CellId otherwise) const {
+    if (cell == invalid_cell) return otherwise;
+    const int infinite = where_.complex.infinite_index(cell);
+    return infinite < 0 ? cell : where_.complex.neighbor(cell, infinite);
+  }
+
+  const PointLocator::Impl& where_;
+  Table table_;
+  PlainWalk plain_;
+};
+
+/// The walks of one thread, what they keep for a tolerance, and who gets the answers.
+template <class Table>
+class Answering {
+ public:
+  Answering(const PointLocator::Impl& where, std::span<const double> queries, const LocateOptions& options,
+            const internal::ThickCells* thick, const internal::Visits& visits)
+      : walks_(where),
+        queries_(queries),
+        width_(static_cast<std::size_t>(where.dimension)),
+        coordinates_(options.coordinates),
+        own_(visits.make ? visits.make() : nullptr),
+        shared_(visits.shared) {
+    if (options.tolerance > 0 || options.project) tolerant_.emplace(where, options, thick);
+  }
+
+  void operator()(std::span<const Index> rows, CellId start, const internal::StopPoint& stop) {
+    const PointLocator::Visit& visit = shared_ != nullptr ? *shared_ : own_;
+    walks_.locate(queries_, rows, start, [&](Index query, LocatedPoint& found, auto complete) {
+      stop();
+      const double* const exact = found.barycentric.data();
+      if (tolerant_ && !tolerant_->is_final(found))
+        tolerant_->refine(queries_.data() + static_cast<std::size_t>(query) * width_, found);
+      if (coordinates_ && found.barycentric.data() == exact) complete();
+      visit(query, found);
+    });
+  }
+
+ private:
+  Walks<Table> walks_;
+  std::span<const double> queries_;
+  std::size_t width_;
+  bool coordinates_;
+  PointLocator::Visit own_;
+  const PointLocator::Visit* shared_;
+  std::optional<internal::TolerantLocation> tolerant_;
+};
+
+template <class Table>
+void walk_through(const PointLocator::Impl& where, std::span<const double> queries,
+                  const LocateOptions& options, const internal::BatchOptions& batch,
+                  const internal::ThickCells* thick, const internal::Visits& visits) {
+  Walks<Table> to_starts(where);
+  where.in_parts(
+      queries, batch, [&] { return Answering<Table>(where, queries, options, thick, visits); },
+      [&](Index query, CellId start) {
+        return to_starts.find(
+            queries.data() + static_cast<std::size_t>(query) * static_cast<std::size_t>(where.dimension),
+            start);
+      });
 }
 
 template <int K>
-void dispatch(const PointLocator::Impl& where, std::span<const double> queries, const LocateOptions& options,
-              internal::TolerantLocation* tolerant, const PointLocator::Visit& visit) {
+void dispatch(const PointLocator::Impl& where, const auto&... arguments) {
   if (where.affine_dimension != where.dimension || where.dimension > largest_table)
-    return walk_through(where, NoTable{}, queries, options, tolerant, visit);
+    return walk_through<NoTable>(where, arguments...);
   if constexpr (K < largest_table)
-    if (where.dimension > K) return dispatch<K + 1>(where, queries, options, tolerant, visit);
-  walk_through(where, internal::TableWalk<K>(where), queries, options, tolerant, visit);
+    if (where.dimension > K) return dispatch<K + 1>(where, arguments...);
+  walk_through<internal::TableWalk<K>>(where, arguments...);
 }
 
 }  // namespace
@@ -140,30 +202,41 @@ void PointLocator::locate(std::span<const double> queries, const Visit& visit) c
 
 void PointLocator::locate(std::span<const double> queries, const LocateOptions& options,
                           const Visit& visit) const {
+  impl_->locate(queries, options, {}, {.shared = &visit});
+}
+
+void PointLocator::Impl::locate(std::span<const double> queries, const LocateOptions& options,
+                                internal::BatchOptions batch, const internal::Visits& visits) const {
   internal::require_tolerance(options.tolerance);
   if (options.tolerance > 0)
-    internal::require_tolerance_within(options.tolerance, impl_->longest_side(),
+    internal::require_tolerance_within(options.tolerance, longest_side(),
                                        "the set of points, whose longest side is");
+  batch.threads = options.threads;
+  if (options.tolerance > 0 || options.project)
+    batch.least_part = std::min<std::size_t>(batch.least_part, 512);
   try {
-    if (options.tolerance == 0 && !options.project)
-      return dispatch<1>(*impl_, queries, options, nullptr, visit);
-    const auto thick = impl_->thick_cells(options.tolerance);
-    internal::TolerantLocation tolerant(*impl_, options, thick.get());
-    dispatch<1>(*impl_, queries, options, &tolerant, visit);
+    const auto kinds = thick_cells(options.tolerance);
+    dispatch<1>(*this, queries, options, batch, kinds.get(), visits);
   } catch (const std::bad_alloc&) {
     throw Error(Errc::out_of_memory, "not enough memory for the queries");
   }
 }
 
 void PointLocator::cells_within(std::span<const double> queries, double radius,
-                                const std::function<bool(std::size_t, CellId)>& visit) const {
+                                const std::function<bool(std::size_t, CellId)>& visit,
+                                unsigned threads) const {
   internal::require_tolerance(radius);
-  internal::TolerantLocation near(*impl_, {.tolerance = radius}, nullptr);
   const auto width = static_cast<std::size_t>(impl_->dimension);
-  const auto look_around = [&](std::size_t query, const LocatedPoint& found) {
-    near.visit_near(queries.data() + query * width, found, [&](CellId cell) { return visit(query, cell); });
+  const auto make_visit = [&]() -> Visit {
+    const auto near =
+        std::make_shared<internal::TolerantLocation>(*impl_, LocateOptions{.tolerance = radius}, nullptr);
+    return [&, near](std::size_t query, const LocatedPoint& found) {
+      near->visit_near(queries.data() + query * width, found,
+                       [&](CellId cell) { return visit(query, cell); });
+    };
   };
-  locate(queries, {.coordinates = false}, look_around);
+  impl_->locate(queries, {.coordinates = false, .threads = threads}, {.least_part = 512},
+                {.make = make_visit});
 }
 
 double PointLocator::Impl::longest_side() const {

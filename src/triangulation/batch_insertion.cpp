@@ -2,6 +2,7 @@
 #include "triangulation/batch_insertion.hpp"
 
 #include "base/compiled_dimension.hpp"
+#include "base/parallel.hpp"
 
 #include <algorithm>
 #include <compare>
@@ -31,15 +32,25 @@ void append_in_order(std::span<const double> rows, std::size_t width, std::span<
   });
 }
 
+/// How many threads insert a batch of n points, if so many are asked for. If that is left open, one does
+/// where the batch takes a few milliseconds.
+unsigned threads_for(unsigned requested, std::size_t n, int dimension) {
+  constexpr std::size_t enough[] = {100000, 100000, 30000, 8000, 2000, 800, 400};
+  if (requested == 0 && n < enough[std::min<std::size_t>(static_cast<std::size_t>(dimension), 6)]) return 1;
+  return internal::threads_to_use(requested);
+}
+
 }  // namespace
 
-Triangulation::Impl::BatchInsertion::BatchInsertion(Impl& impl, std::vector<Index> order)
+Triangulation::Impl::BatchInsertion::BatchInsertion(Impl& impl, std::vector<Index> order,
+                                                    std::vector<std::size_t> rounds)
     : impl_(impl),
       before_{impl.affine_hull,          impl.points.coordinates.size(),
               impl.vertex_of_row.size(), impl.row_of_vertex.size(),
               impl.num_rows_inserted,    impl.only_vertex(),
               impl.engine != nullptr,    nullptr},
       order_(std::move(order)),
+      rounds_(std::move(rounds)),
       progress_(impl.options.progress, order_.size()) {}
 
 Triangulation::Impl::BatchInsertion::~BatchInsertion() {
@@ -129,8 +140,9 @@ void Triangulation::Impl::BatchInsertion::insert_all() {
   start();
   if (!impl_.engine)
     insert_at_only_vertex();
-  else if (place_ < order_.size())  // wrapped cells would get their functionals, which nobody may need
-    impl_.engine->insert_all(*this);
+  else if (place_ < order_.size() &&
+           !insert_in_threads())      // wrapped cells would get their functionals, which
+    impl_.engine->insert_all(*this);  // nobody may need
   finish();
 }
 
@@ -251,6 +263,67 @@ void Triangulation::Impl::BatchInsertion::insert_at_only_vertex() {
     if (heavier > 0) impl_.only_vertex() = v;
     placed(v, at, false);
   }
+}
+
+/// Returns false, and nothing has been done, if one thread has to do.
+bool Triangulation::Impl::BatchInsertion::insert_in_threads() {
+  const std::size_t begin = place_, n = order_.size() - begin;
+  if (!impl_.engine->shares_batches_of(n)) return false;
+  impl_.has_ids_of_threads = true;
+  const unsigned threads = threads_for(impl_.options.threads, n, impl_.dimension);
+  if (threads < 2) return false;
+  std::vector<Index> at(n);
+  std::vector<std::size_t> rounds;
+  for (const std::size_t end : rounds_)
+    if (end > begin) rounds.push_back(end - begin);
+  VertexPoints& vertices = impl_.points;
+  const Index first = vertices.last_vertex() + 1;
+  vertices.num_waiting = 0;  // all points are where those of their vertices are
+  impl_.engine->insert_all(
+      engine::ParallelBatch{threads, first, at, rounds, [&](std::size_t done) { progress_(begin + done); }});
+  place_in_order(first, at, threads);
+  impl_.statistics.threads = std::max(impl_.statistics.threads, threads);
+  return true;
+}
+
+/// Gives ids without gaps to the vertices that several threads have inserted, as if they had been inserted in
+/// order: of equal points, the first is the vertex. at: for each place, the vertex at its point.
+void Triangulation::Impl::BatchInsertion::place_in_order(Index first, std::span<const Index> at,
+                                                         unsigned threads) {
+  const std::size_t begin = place_, n = at.size();
+  const auto is_duplicate = [&](std::size_t i) { return at[i] != first + i && at[i] != invalid_index; };
+  std::size_t num_duplicates = 0;
+  for (std::size_t i = 0; i < n; ++i) num_duplicates += is_duplicate(i);
+  if (num_duplicates == 0) {
+    impl_.row_of_vertex.resize(std::size_t{first} + n);
+    internal::parallel_for(threads, n, 16384, [&](std::size_t from, std::size_t to) {
+      for (std::size_t i = from; i < to; ++i) {
+        const Index v = first + static_cast<Index>(i);
+        impl_.vertex_of_row[row(begin + i)] = VertexId{v};
+        impl_.row_of_vertex[v] = static_cast<Index>(row(begin + i));
+      }
+    });
+    impl_.num_rows_inserted += n;
+    place_ = order_.size();
+    return;
+  }
+  std::vector<Index> new_ids(std::size_t{first} + n, invalid_index);
+  std::iota(new_ids.begin(), new_ids.begin() + static_cast<std::ptrdiff_t>(first), Index{0});
+  VertexPoints& vertices = impl_.points;
+  Index next = first;
+  for (std::size_t i = 0; i < n; ++i) {
+    Index& id = new_ids[is_duplicate(i) ? at[i] : first + i];
+    if (id == invalid_index) {
+      id = next++;
+      double* const to = vertices.coordinates.data() + std::size_t{id} * vertices.row_size();
+      if (to != vertices.point(first + static_cast<Index>(i)))
+        std::copy_n(vertices.point(first + static_cast<Index>(i)), vertices.row_size(), to);
+    }
+    impl_.assign(row(begin + i), id);
+  }
+  vertices.num_waiting = n - (next - first);
+  place_ = order_.size();
+  impl_.engine->renumber_vertices(new_ids);
 }
 
 /// Nothing of it throws.

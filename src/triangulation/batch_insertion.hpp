@@ -20,8 +20,8 @@ namespace delone {
 
 class Triangulation::Impl::BatchInsertion final : public engine::Batch {
  public:
-  /// `order`: in which rows are to be inserted.
-  BatchInsertion(Impl& impl, std::vector<Index> order);
+  /// `order`: in which rows are to be inserted; `rounds`: where its rounds end that cover the whole set.
+  BatchInsertion(Impl& impl, std::vector<Index> order, std::vector<std::size_t> rounds);
   /// Unless all rows have been inserted, everything is as it was.
   ~BatchInsertion();
   BatchInsertion(const BatchInsertion&) = delete;
@@ -53,6 +53,8 @@ class Triangulation::Impl::BatchInsertion final : public engine::Batch {
   bool wrap(std::span<const Index> simplex);
   std::vector<Index> merge_duplicates();
   void insert_at_only_vertex();
+  bool insert_in_threads();
+  void place_in_order(Index first, std::span<const Index> at, unsigned threads);
   void finish();
 
   std::size_t row(std::size_t place) const { return before_.num_rows + order_[place]; }
@@ -60,10 +62,11 @@ class Triangulation::Impl::BatchInsertion final : public engine::Batch {
 
   Impl& impl_;
   Before before_;
-  std::vector<Index> order_;        // of rows, the places in which they are stored
-  std::vector<double> low_, high_;  // the box of the rows
-  std::size_t num_spanning_ = 0;    // at the first places, each raises the affine dimension
-  std::size_t place_ = 0;           // of the next vertex
+  std::vector<Index> order_;         // of rows, the places in which they are stored
+  std::vector<std::size_t> rounds_;  // where rounds of the order end
+  std::vector<double> low_, high_;   // the box of the rows
+  std::size_t num_spanning_ = 0;     // at the first places, each raises the affine dimension
+  std::size_t place_ = 0;            // of the next vertex
   std::vector<std::pair<Index, Index>>
       duplicates_;  // of rows, found beforehand, and the rows that they repeat
   internal::ProgressMeter progress_;

@@ -63,6 +63,10 @@ InsertResult Triangulation::insert_point(std::span<const double> point, double w
   return internal::guarded("the triangulation", [&] { return impl_->insert(point, weight, hint); });
 }
 
+void Triangulation::sort_cells() {
+  internal::guarded("the cells in order", [&] { impl_->sort_cells(); });
+}
+
 void Triangulation::compact() {
   internal::guarded("a second copy of the cells", [&] { impl_->compact(); });
 }
@@ -175,7 +179,7 @@ ComplexData Triangulation::to_data(bool with_points) const {
   return data;
 }
 
-CanonicalHash Triangulation::hash() const {
+CanonicalHash Triangulation::hash(unsigned threads) const {
   const std::vector<VertexId> vertices = complex().finite_vertices();
   const auto weight = [&](VertexId v) { return impl_->points.point(index(v))[impl_->ambient()]; };
   const bool with_weights =
@@ -183,19 +187,27 @@ CanonicalHash Triangulation::hash() const {
                                        [&](VertexId v) { return weight(v) != weight(vertices.front()); });
   std::vector<internal::PointTag> tags(complex().num_vertex_slots());  // by vertex id
   internal::HashAccumulator hash;
-  internal::QuickRounds round;
-  for (const VertexId v : vertices) {
-    round();
-    tags[index(v)] = internal::point_tag(impl_->points.point(index(v)), dimension() + (with_weights ? 1 : 0));
-    hash.add_vertex(tags[index(v)]);
-  }
+  internal::add_in_parts(threads, vertices.size(), hash,
+                         [&](std::size_t first, std::size_t last, internal::HashAccumulator& some) {
+                           for (std::size_t i = first; i < last; ++i) {
+                             const Index v = index(vertices[i]);
+                             tags[v] = internal::point_tag(impl_->points.point(v),
+                                                           dimension() + (with_weights ? 1 : 0));
+                             some.add_vertex(tags[v]);
+                           }
+                         });
   const Complex now = complex();
-  for (const CellId c : now.finite_cells()) {
-    round();
-    internal::PointTag sum;
-    for (int i = 0; i <= now.affine_dimension(); ++i) sum += tags[index(now.vertex(c, i))];
-    hash.add_cell(sum);
-  }
+  internal::add_in_parts(threads, now.num_cell_slots(), hash,
+                         [&](std::size_t first, std::size_t last, internal::HashAccumulator& some) {
+                           for (std::size_t slot = first; slot < last; ++slot) {
+                             const CellId c{static_cast<Index>(slot)};
+                             if (!now.is_cell(c) || now.is_infinite(c)) continue;
+                             internal::PointTag sum;
+                             for (int i = 0; i <= now.affine_dimension(); ++i)
+                               sum += tags[index(now.vertex(c, i))];
+                             some.add_cell(sum);
+                           }
+                         });
   return hash.finish(dimension(), affine_dimension());
 }
 

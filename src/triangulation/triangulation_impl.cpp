@@ -2,6 +2,7 @@
 // Insertion: points to vertices, affine dimensions, duplicates, hidden points, rows.
 #include "triangulation/triangulation_impl.hpp"
 
+#include "base/parallel.hpp"
 #include "base/progress_meter.hpp"
 #include "base/require_finite.hpp"
 #include "base/stopwatch.hpp"
@@ -9,6 +10,7 @@
 #include "triangulation/batch_insertion.hpp"
 
 #include <algorithm>
+#include <atomic>
 #include <chrono>
 #include <limits>
 #include <new>
@@ -53,6 +55,7 @@ std::unique_ptr<Triangulation::Impl> Triangulation::Impl::clone() const {
   copy->vertex_of_row = vertex_of_row;
   copy->num_rows_inserted = num_rows_inserted;
   copy->num_vertices = num_vertices;
+  copy->has_ids_of_threads = has_ids_of_threads;
   copy->statistics = statistics;
   if (landmarks) copy->landmarks = std::make_unique<internal::Landmarks>(*landmarks);
   std::copy(std::begin(single_links), std::end(single_links), copy->single_links);
@@ -237,9 +240,10 @@ void Triangulation::Impl::insert_range(std::span<const double> coordinates, std:
   expand();
   internal::Stopwatch stopwatch;
   const PointsView view(coordinates, dimension);
-  std::vector<Index> order = order::insertion_order(view, options);
+  std::vector<std::size_t> rounds;
+  std::vector<Index> order = order::insertion_order(view, options, &rounds);
   const double order_seconds = stopwatch.restart();
-  BatchInsertion batch(*this, std::move(order));
+  BatchInsertion batch(*this, std::move(order), std::move(rounds));
   batch.take(weighted() ? std::span<const double>(weighted_rows(view, weights)) : coordinates);
   if (release) release();
   batch.insert_all();
@@ -284,6 +288,16 @@ void Triangulation::Impl::compact() {
   vertex_of_row.shrink_to_fit();
 }
 
+/// Of what compact() has left, too: insertions are possible then.
+void Triangulation::Impl::sort_cells() {
+  if (!has_ids_of_threads) return;
+  expand();
+  if (!engine) return;
+  engine->sort_cells(internal::threads_to_use(options.threads));
+  find_cells_of_vertices();
+  has_ids_of_threads = false;
+}
+
 /// Makes insertions possible again after compact(): cells keep their ids.
 void Triangulation::Impl::expand() {
   if (!compacted) return;
@@ -314,8 +328,26 @@ void Triangulation::Impl::find_cells_of_vertices() {
   if (affine_hull.dimension() < 0) return;
   cell_of_vertex.assign(points.last_vertex() + 1, invalid_cell);
   const Complex now = complex();
-  for (const CellId c : now.all_cells())
-    for (int i = 0; i <= now.affine_dimension(); ++i) cell_of_vertex[index(now.vertex(c, i))] = c;
+  const unsigned threads = statistics.threads > 1 ? internal::threads_to_use(options.threads) : 1;
+  if (threads > 1) {
+    internal::parallel_for(threads, now.num_cell_slots(), 65536, [&](std::size_t first, std::size_t last) {
+      for (std::size_t slot = first; slot < last; ++slot) {
+        const CellId c{static_cast<Index>(slot)};
+        if (!now.is_cell(c)) continue;
+        for (int i = 0; i <= now.affine_dimension(); ++i) {
+          // The last one, as in one thread.
+          const std::atomic_ref last_cell(cell_of_vertex[index(now.vertex(c, i))]);
+          CellId known = last_cell.load(std::memory_order_relaxed);
+          while ((known == invalid_cell || known < c) &&
+                 !last_cell.compare_exchange_weak(known, c, std::memory_order_relaxed)) {
+          }
+        }
+      }
+    });
+  } else {
+    for (const CellId c : now.all_cells())
+      for (int i = 0; i <= now.affine_dimension(); ++i) cell_of_vertex[index(now.vertex(c, i))] = c;
+  }
   num_vertices = static_cast<Index>(
       cell_of_vertex.size() - 1 -
       static_cast<std::size_t>(std::count(cell_of_vertex.begin() + 1, cell_of_vertex.end(), invalid_cell)));

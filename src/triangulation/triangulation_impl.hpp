@@ -38,7 +38,8 @@ struct Triangulation::Impl {
   std::vector<Index> row_of_vertex{0};              // the first row at each vertex
   std::vector<VertexId> vertex_of_row;  // invalid_vertex for a row that was not inserted (cancelled)
   std::size_t num_rows_inserted = 0;
-  Index num_vertices = 0;  // those that have cells
+  Index num_vertices = 0;           // those that have cells
+  bool has_ids_of_threads = false;  // a batch was large enough for several threads: ids of cells may tell
   Statistics statistics;
   std::unique_ptr<internal::Landmarks>
       landmarks;  // from an insertion without hint on, until the frame changes
@@ -60,6 +61,7 @@ struct Triangulation::Impl {
                     const std::function<void()>& release = {});
   InsertResult insert(std::span<const double> point, double weight, std::optional<CellId> hint);
   void compact();
+  void sort_cells();
   /// The triangulation, if the affine dimension is at least 1.
   const TriangulationQueries* queries() const {
     return engine ? static_cast<const TriangulationQueries*>(engine.get()) : compacted.get();

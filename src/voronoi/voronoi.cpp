@@ -4,6 +4,7 @@
 
 #include "base/compensated_sum.hpp"
 #include "base/guarded.hpp"
+#include "base/parallel_parts.hpp"
 #include "base/progress_meter.hpp"
 #include "base/require_tolerance.hpp"
 #include "voronoi/diagram_simplifier.hpp"
@@ -21,6 +22,7 @@ namespace delone {
 namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
+constexpr std::size_t ridges_in_part = 2048;
 
 /// The length of a vector of R^d, without overflow or underflow on the way; infinity if a component is not
 /// finite, as differences of vertices beyond the range of double precision.
@@ -78,8 +80,8 @@ struct Neighbors {
 /// Clips the regions of a diagram.
 class DiagramClipper {
  public:
-  DiagramClipper(const Diagram& diagram, const Box& box)
-      : diagram_(diagram), neighbors_(diagram), clipper_(box) {}
+  DiagramClipper(const Diagram& diagram, const Neighbors& neighbors, const Box& box)
+      : diagram_(diagram), neighbors_(neighbors), clipper_(box) {}
 
   internal::RegionClipper& clip(std::size_t region) {
     others_.clear();
@@ -95,7 +97,7 @@ class DiagramClipper {
   }
 
   const Diagram& diagram_;
-  Neighbors neighbors_;
+  const Neighbors& neighbors_;
   internal::RegionClipper clipper_;
   std::vector<internal::RegionClipper::Site> others_;
 };
@@ -112,7 +114,7 @@ Diagram::Diagram(const Triangulation& triangulation, const std::function<double(
   internal::require_tolerance(tolerance_);
   const internal::ProgressMeter meter(options.progress);
   internal::guarded("the diagram", [&] {
-    VoronoiBuilder(triangulation, weight, *this).run();
+    VoronoiBuilder(triangulation, weight, options.threads, *this).run();
     if (tolerance_ > 0) simplify();
   });
   if (options.parts == DiagramParts::all || !has_ridges_) return;
@@ -201,10 +203,10 @@ std::vector<std::vector<Index>> Diagram::cells_of_regions() const {
   return cells;
 }
 
-std::vector<double> Diagram::ridge_volumes() const {
+std::vector<double> Diagram::ridge_volumes(unsigned threads) const {
   require_ridges();
   if (exact_ != nullptr) {
-    const std::vector<double> exact = exact_->ridge_volumes();
+    const std::vector<double> exact = exact_->ridge_volumes(threads);
     return internal::guarded("the diagram", [&] {
       std::vector<double> volumes;
       for (const Index ridge : ridge_of_exact_) volumes.push_back(exact[ridge]);
@@ -217,27 +219,48 @@ std::vector<double> Diagram::ridge_volumes() const {
         {static_cast<std::size_t>(affine_dimension_), ambient(), sites_, vertices_, cell_regions_,
          cell_vertex_, cells, ridge_points_, point_region_, ridge_vertices_, ridge_offsets_},
         std::vector<unsigned char>(num_regions(), 1));
-    for (std::size_t i = 0; i < volumes.size(); ++i)
-      if (std::isnan(volumes[i])) volumes[i] = ridge_volume(i, cells);
+    internal::for_parts(threads, volumes.size(), ridges_in_part,
+                        [&](std::size_t first, std::size_t last, const internal::StopPoint& stop) {
+                          for (std::size_t i = first; i < last; ++i) {
+                            stop();
+                            if (std::isnan(volumes[i])) volumes[i] = ridge_volume(i, cells);
+                          }
+                        });
     return volumes;
   });
 }
 
-/// Volumes of the regions for which `wanted` holds; 0 for the others.
-std::vector<double> Diagram::volumes_of(const std::vector<unsigned char>& wanted) const {
+/// Volumes of the regions for which `wanted` holds; 0 for the others. The terms are added up in the order of
+/// the ridges, whatever the number of threads.
+std::vector<double> Diagram::volumes_of(const std::vector<unsigned char>& wanted, unsigned threads) const {
   const auto cells = cells_of_regions();
+  const auto region = [&](std::size_t i) {
+    return static_cast<std::size_t>(point_region_[static_cast<std::size_t>(ridge_points_[i])]);
+  };
   std::vector<internal::CompensatedSum> sums(num_regions());
   const std::vector<double> of_ridges = internal::measure_ridges(
       {static_cast<std::size_t>(affine_dimension_), ambient(), sites_, vertices_, cell_regions_, cell_vertex_,
        cells, ridge_points_, point_region_, ridge_vertices_, ridge_offsets_},
       wanted);
-  for (std::size_t i = 0; i < num_ridges(); ++i) {
-    const auto [a, b] = internal::regions_of_ridge(ridge_points_, point_region_, i);
-    if (!wanted[a] && !wanted[b]) continue;
-    const double volume =
-        (std::isnan(of_ridges[i]) ? ridge_volume(i, cells) : of_ridges[i]) / affine_dimension_;
-    if (wanted[a]) sums[a].add(volume * bisector_distance(a, b));
-    if (wanted[b]) sums[b].add(volume * bisector_distance(b, a));
+  constexpr std::size_t block = std::size_t{1} << 16;
+  std::vector<double> terms(2 * std::min(block, num_ridges()));
+  for (std::size_t begin = 0; begin < num_ridges(); begin += block) {
+    const std::size_t count = std::min(block, num_ridges() - begin);
+    const auto find_terms = [&](std::size_t first, std::size_t last, const internal::StopPoint& stop) {
+      for (std::size_t i = first; i < last; ++i) {
+        stop();
+        const std::size_t a = region(2 * (begin + i)), b = region(2 * (begin + i) + 1);
+        if (!wanted[a] && !wanted[b]) continue;
+        const double known = of_ridges[begin + i];
+        const double volume =
+            (std::isnan(known) ? ridge_volume(begin + i, cells) : known) / affine_dimension_;
+        if (wanted[a]) terms[2 * i] = volume * bisector_distance(a, b);
+        if (wanted[b]) terms[2 * i + 1] = volume * bisector_distance(b, a);
+      }
+    };
+    internal::for_parts(threads, count, ridges_in_part, find_terms);
+    for (std::size_t i = 0; i < 2 * count; ++i)
+      if (const std::size_t r = region(2 * begin + i); wanted[r]) sums[r].add(terms[i]);
   }
   std::vector<double> volumes(num_regions(), 0.0);
   for (std::size_t r = 0; r < volumes.size(); ++r)
@@ -245,11 +268,11 @@ std::vector<double> Diagram::volumes_of(const std::vector<unsigned char>& wanted
   return volumes;
 }
 
-std::vector<double> Diagram::region_volumes() const {
+std::vector<double> Diagram::region_volumes(unsigned threads) const {
   require_ridges();
-  if (exact_ != nullptr) return exact_->region_volumes();
+  if (exact_ != nullptr) return exact_->region_volumes(threads);
   return internal::guarded("the diagram", [&] {
-    std::vector<double> volumes = volumes_of(bounded_);
+    std::vector<double> volumes = volumes_of(bounded_, threads);
     for (std::size_t r = 0; r < volumes.size(); ++r)
       if (!bounded_[r]) volumes[r] = infinity;
     return volumes;
@@ -314,16 +337,25 @@ bool Diagram::is_inside(std::size_t r, const Box& box) const {
   return true;
 }
 
-std::vector<double> Diagram::region_volumes(const Box& box) const {
+std::vector<double> Diagram::region_volumes(const Box& box, unsigned threads) const {
   check_box(box);
-  if (exact_ != nullptr) return exact_->region_volumes(box);
+  if (exact_ != nullptr) return exact_->region_volumes(box, threads);
   return internal::guarded("the diagram", [&] {
     std::vector<unsigned char> inside(num_regions());
     for (std::size_t r = 0; r < num_regions(); ++r) inside[r] = is_inside(r, box) ? 1 : 0;
-    std::vector<double> volumes = volumes_of(inside);
-    DiagramClipper clipper(*this, box);
-    for (std::size_t r = 0; r < num_regions(); ++r)
-      if (!inside[r]) volumes[r] = clipper.clip(r).volume();
+    std::vector<double> volumes = volumes_of(inside, threads);
+    const Neighbors neighbors(*this);
+    constexpr std::size_t regions_in_part = 64;
+    internal::work_in_parts(threads, num_regions(), regions_in_part, [&] {
+      return [&, clipper = DiagramClipper(*this, neighbors, box)](std::size_t first, std::size_t last,
+                                                                  const internal::StopPoint& stop) mutable {
+        for (std::size_t r = first; r < last; ++r) {
+          if (inside[r]) continue;
+          stop();
+          volumes[r] = clipper.clip(r).volume();
+        }
+      };
+    });
     return volumes;
   });
 }
@@ -333,7 +365,9 @@ void Diagram::for_each_clipped_region(
   check_box(box);
   if (dimension_ > 3)
     throw Error(Errc::unsupported, "the geometry of clipped regions is available up to dimension 3");
-  DiagramClipper clipper(exact_ != nullptr ? *exact_ : *this, box);
+  const Diagram& exact = exact_ != nullptr ? *exact_ : *this;
+  const Neighbors neighbors(exact);
+  DiagramClipper clipper(exact, neighbors, box);
   for (std::size_t r = 0; r < num_regions(); ++r) visit(r, clipper.clip(r).geometry());
 }
 

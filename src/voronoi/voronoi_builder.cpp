@@ -2,7 +2,8 @@
 // Sites, vertices, regions and rays. Ridges are in voronoi_ridges.cpp.
 #include "voronoi/voronoi_builder.hpp"
 
-#include "base/quick_rounds.hpp"
+#include "base/parallel_parts.hpp"
+#include "base/progress_meter.hpp"
 #include "kernel/predicates.hpp"
 #include "triangulation/stored_points.hpp"
 #include "voronoi/cell_center.hpp"
@@ -15,9 +16,10 @@
 namespace delone {
 
 VoronoiBuilder::VoronoiBuilder(const Triangulation& triangulation,
-                               const std::function<double(VertexId)>& weight, Diagram& out)
+                               const std::function<double(VertexId)>& weight, unsigned threads, Diagram& out)
     : triangulation_(triangulation),
       weight_(weight),
+      threads_(threads),
       out_(out),
       complex_(triangulation.complex()),
       k_(complex_.affine_dimension()),
@@ -100,23 +102,28 @@ void VoronoiBuilder::find_centers() {
     if (std::binary_search(axes_.begin(), axes_.end(), static_cast<int>(j))) continue;
     for (const VertexId v : site_of_region_) aligned = aligned && point(v)[j] == point(site_of_region_[0])[j];
   }
-  internal::CenterFinder finder(triangulation_.dimension(), axes_, aligned);
   const auto corners = static_cast<std::size_t>(k_) + 1;
-  constexpr std::size_t block = internal::CenterFinder::block;
-  std::vector<const double*> points(corners * block);
-  std::vector<double> weights(weight_ ? corners * block : 0);
+  constexpr std::size_t block = internal::CenterFinder::block, part = 128 * block;
   centers_.resize(cells_.size() * d_);
-  for (std::size_t first = 0; first < cells_.size(); first += block) {
-    internal::cancellation_point();
-    const std::size_t count = std::min(block, cells_.size() - first);
-    for (std::size_t cell = 0; cell < count; ++cell)
-      for (std::size_t i = 0; i < corners; ++i) {
-        const VertexId v = corners_[(first + cell) * corners + i];
-        points[cell * corners + i] = point(v);
-        if (weight_) weights[cell * corners + i] = weights_[index(v)];
+  internal::work_in_parts(threads_, cells_.size(), part, [&] {
+    return [&, finder = internal::CenterFinder(triangulation_.dimension(), axes_, aligned),
+            points = std::vector<const double*>(corners * block),
+            weights = std::vector<double>(weight_ ? corners * block : 0)](
+               std::size_t begin, std::size_t end, const internal::StopPoint& stop) mutable {
+      for (std::size_t first = begin; first < end; first += block) {
+        stop();
+        const std::size_t count = std::min(block, end - first);
+        for (std::size_t cell = 0; cell < count; ++cell)
+          for (std::size_t i = 0; i < corners; ++i) {
+            const VertexId v = corners_[(first + cell) * corners + i];
+            points[cell * corners + i] = point(v);
+            if (weight_) weights[cell * corners + i] = weights_[index(v)];
+          }
+        finder.find_block(count, points.data(), weight_ ? weights.data() : nullptr,
+                          centers_.data() + first * d_);
       }
-    finder.find_block(count, points.data(), weight_ ? weights.data() : nullptr, centers_.data() + first * d_);
-  }
+    };
+  });
 }
 
 Index VoronoiBuilder::root(Index cell) { return has_merged_ ? classes_.root(cell) : cell; }

@@ -16,8 +16,9 @@ namespace delone {
 
 class VoronoiBuilder {
  public:
+  /// `threads`: as DiagramOptions::threads.
   VoronoiBuilder(const Triangulation& triangulation, const std::function<double(VertexId)>& weight,
-                 Diagram& out);
+                 unsigned threads, Diagram& out);
 
   void run() {
     sort_cells();
@@ -63,6 +64,8 @@ class VoronoiBuilder {
   /// on the line through s and t.
   bool is_ridge(VertexId s, VertexId t, std::span<const Index> star);
   void add_ridge(VertexId s, VertexId t, std::span<const SignedIndex> vertices);
+  template <class MakeWork>
+  void collect_in_parts(std::size_t size, MakeWork make_work);
   void collect_rays();
 
   Index root(Index cell);
@@ -80,6 +83,7 @@ class VoronoiBuilder {
 
   const Triangulation& triangulation_;
   const std::function<double(VertexId)>& weight_;
+  const unsigned threads_;
   Diagram& out_;
   const Complex complex_;
   const int k_;

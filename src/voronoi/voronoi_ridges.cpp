@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Ridges, the duals of edges. If no two cells share a sphere, every edge has a ridge; otherwise is_ridge()
 // decides.
-#include "base/quick_rounds.hpp"
+#include "base/parallel_parts.hpp"
+#include "base/progress_meter.hpp"
 #include "voronoi/voronoi_builder.hpp"
 
 #include <delone/predicates.hpp>
@@ -20,6 +21,58 @@ void VoronoiBuilder::add_ridge(VertexId s, VertexId t, std::span<const SignedInd
   out_.ridge_offsets_.push_back(static_cast<std::int64_t>(out_.ridge_vertices_.size()));
 }
 
+/// Calls work(first, last, add) for parts of 0 … size − 1, where add(s, t, vertices) adds a ridge, in the
+/// threads of the diagram, each with its own work = make_work(). Ridges are in the order of the parts. One
+/// part and thread if cells have merged: classes are not for several threads.
+template <class MakeWork>
+void VoronoiBuilder::collect_in_parts(std::size_t size, MakeWork make_work) {
+  constexpr std::size_t part = 256;
+  const std::size_t num_parts = (size + part - 1) / part;
+  const unsigned threads = has_merged_ ? 1 : internal::threads_for_parts(threads_, num_parts);
+  if (threads == 1) {
+    auto work = make_work();
+    work(std::size_t{0}, size,
+         [&](VertexId s, VertexId t, std::span<const SignedIndex> vertices) { add_ridge(s, t, vertices); });
+    return;
+  }
+  struct Ridges {
+    std::vector<SignedIndex> points, vertices;
+    std::vector<std::int64_t> sizes;
+    std::size_t first = 0, first_vertex = 0;
+  };
+  std::vector<Ridges> lists(num_parts);
+  internal::work_in_parts(threads, size, part, [&] {
+    return [&, work = make_work()](std::size_t first, std::size_t last,
+                                   const internal::StopPoint& stop) mutable {
+      stop();
+      Ridges& list = lists[first / part];
+      work(first, last, [&](VertexId s, VertexId t, std::span<const SignedIndex> vertices) {
+        list.points.push_back(std::min(row_of(s), row_of(t)));
+        list.points.push_back(std::max(row_of(s), row_of(t)));
+        list.vertices.insert(list.vertices.end(), vertices.begin(), vertices.end());
+        list.sizes.push_back(static_cast<std::int64_t>(vertices.size()));
+      });
+    };
+  });
+  std::size_t count = 0, entries = 0;
+  for (Ridges& list : lists) {
+    list.first = std::exchange(count, count + list.sizes.size());
+    list.first_vertex = std::exchange(entries, entries + list.vertices.size());
+  }
+  out_.ridge_points_.resize(2 * count);
+  out_.ridge_vertices_.resize(entries);
+  out_.ridge_offsets_.assign(count + 1, 0);
+  internal::for_parts(threads, num_parts, 1, [&](std::size_t p, std::size_t, const internal::StopPoint&) {
+    Ridges& list = lists[p];
+    std::copy(list.points.begin(), list.points.end(), out_.ridge_points_.data() + 2 * list.first);
+    std::copy(list.vertices.begin(), list.vertices.end(), out_.ridge_vertices_.data() + list.first_vertex);
+    auto end = static_cast<std::int64_t>(list.first_vertex);
+    for (std::size_t i = 0; i < list.sizes.size(); ++i)
+      out_.ridge_offsets_[list.first + i + 1] = end += list.sizes[i];
+    list = {};
+  });
+}
+
 void VoronoiBuilder::collect_ridges() {
   if (k_ == 1)
     for (const CellId c : cells_)
@@ -30,16 +83,20 @@ void VoronoiBuilder::collect_ridges() {
 }
 
 void VoronoiBuilder::collect_ridges_in_plane() {
-  for (const CellId c : cells_)
-    for (int i = 0; i < 3; ++i) {
-      const CellId other = complex_.neighbor(c, i);
-      const VertexId s = complex_.vertex(c, (i + 1) % 3), t = complex_.vertex(c, (i + 2) % 3);
-      if (index(other) < index(c) && vertex_of_cell_[index(other)] >= 0) continue;
-      if (root(index(c)) == root(index(other))) continue;
-      std::array<SignedIndex, 2> ends{vertex_of_cell_[index(c)], vertex_of_cell_[index(other)]};
-      if (ends[1] < 0) std::swap(ends[0], ends[1]);
-      add_ridge(s, t, ends);
-    }
+  collect_in_parts(cells_.size(), [&] {
+    return [&](std::size_t first, std::size_t last, auto&& add) {
+      for (std::size_t place = first; place < last; ++place)
+        for (int i = 0; i < 3; ++i) {
+          const CellId c = cells_[place], other = complex_.neighbor(c, i);
+          const VertexId s = complex_.vertex(c, (i + 1) % 3), t = complex_.vertex(c, (i + 2) % 3);
+          if (index(other) < index(c) && vertex_of_cell_[index(other)] >= 0) continue;
+          if (root(index(c)) == root(index(other))) continue;
+          std::array<SignedIndex, 2> ends{vertex_of_cell_[index(c)], vertex_of_cell_[index(other)]};
+          if (ends[1] < 0) std::swap(ends[0], ends[1]);
+          add(s, t, ends);
+        }
+    };
+  });
 }
 
 namespace {
@@ -106,46 +163,50 @@ void VoronoiBuilder::collect_ridges_in_space() {
                                3 * std::size_t{complex_.num_infinite_cells()});
   out_.ridge_points_.reserve(2 * (site_of_region_.size() + complex_.num_all_cells()));
   out_.ridge_offsets_.reserve(1 + site_of_region_.size() + complex_.num_all_cells());
-  std::vector<Index> met(row_of_vertex_.size(), 0);  // by vertex: the last s whose edge to it was visited
-  std::vector<Index> ring;
-  std::vector<SignedIndex> vertices;
-  for (Index s = 1; s < row_of_vertex_.size(); ++s) {
-    if (row_of_vertex_[s] < 0) continue;
-    const auto region = static_cast<std::size_t>(region_of_vertex_[s]);
-    for (const SignedIndex place : out_.region(region)) {
-      if (place < 0) continue;
-      const auto first = static_cast<Index>(place);
-      for (Index b = 0; b < 4; ++b) {
-        const Index t = cells[first].vertices[b];
-        if (t <= s || met[t] == s) continue;
-        met[t] = s;
-        const Index a = cells[first].index_of(s);
-        if (row_of_vertex_[s] < row_of_vertex_[t])
-          walk_around(cells, first, a, b, ring);
-        else
-          walk_around(cells, first, b, a, ring);
-        if (has_merged_) {
-          const auto class_of = [&](Index cell) { return root(index(order[cell])); };
-          const auto same_class = [&](Index p, Index q) { return class_of(p) == class_of(q); };
-          ring.erase(std::unique(ring.begin(), ring.end(), same_class), ring.end());
-          if (ring.size() > 1 && same_class(ring.front(), ring.back())) ring.pop_back();
-          if (ring.size() < 3) continue;
+  const auto make_work = [&] {
+    // met, by vertex: the last s whose edge to it was visited
+    return [&, met = std::vector<Index>(row_of_vertex_.size(), 0), ring = std::vector<Index>(),
+            vertices = std::vector<SignedIndex>()](std::size_t begin, std::size_t end, auto&& add) mutable {
+      for (auto s = static_cast<Index>(begin); s < end; ++s) {
+        if (row_of_vertex_[s] < 0) continue;
+        const auto region = static_cast<std::size_t>(region_of_vertex_[s]);
+        for (const SignedIndex place : out_.region(region)) {
+          if (place < 0) continue;
+          const auto first = static_cast<Index>(place);
+          for (Index b = 0; b < 4; ++b) {
+            const Index t = cells[first].vertices[b];
+            if (t <= s || met[t] == s) continue;
+            met[t] = s;
+            const Index a = cells[first].index_of(s);
+            if (row_of_vertex_[s] < row_of_vertex_[t])
+              walk_around(cells, first, a, b, ring);
+            else
+              walk_around(cells, first, b, a, ring);
+            if (has_merged_) {
+              const auto class_of = [&](Index cell) { return root(index(order[cell])); };
+              const auto same_class = [&](Index p, Index q) { return class_of(p) == class_of(q); };
+              ring.erase(std::unique(ring.begin(), ring.end(), same_class), ring.end());
+              if (ring.size() > 1 && same_class(ring.front(), ring.back())) ring.pop_back();
+              if (ring.size() < 3) continue;
+            }
+            vertices.clear();
+            for (const Index cell : ring) {
+              SignedIndex vertex = cell < cells_.size() ? static_cast<SignedIndex>(cell) : -1;
+              if (has_merged_ && vertex >= 0) vertex = vertex_of_cell_[index(order[cell])];
+              if (vertex >= 0 || vertices.empty() || vertices.back() >= 0) vertices.push_back(vertex);
+            }
+            if (!out_.bounded_[region]) {
+              if (vertices.front() == -1 && vertices.back() == -1) vertices.pop_back();
+              const auto infinity = std::find(vertices.begin(), vertices.end(), -1);
+              if (infinity != vertices.end()) std::rotate(vertices.begin(), infinity, vertices.end());
+            }
+            add(VertexId{s}, VertexId{t}, vertices);
+          }
         }
-        vertices.clear();
-        for (const Index cell : ring) {
-          SignedIndex vertex = cell < cells_.size() ? static_cast<SignedIndex>(cell) : -1;
-          if (has_merged_ && vertex >= 0) vertex = vertex_of_cell_[index(order[cell])];
-          if (vertex >= 0 || vertices.empty() || vertices.back() >= 0) vertices.push_back(vertex);
-        }
-        if (!out_.bounded_[region]) {
-          if (vertices.front() == -1 && vertices.back() == -1) vertices.pop_back();
-          const auto infinity = std::find(vertices.begin(), vertices.end(), -1);
-          if (infinity != vertices.end()) std::rotate(vertices.begin(), infinity, vertices.end());
-        }
-        add_ridge(VertexId{s}, VertexId{t}, vertices);
       }
-    }
-  }
+    };
+  };
+  collect_in_parts(row_of_vertex_.size(), make_work);
   if (has_merged_) {
     out_.ridge_vertices_.shrink_to_fit();
     out_.ridge_points_.shrink_to_fit();
@@ -189,65 +250,71 @@ void VoronoiBuilder::collect_ridges_by_region() {
 
   // If no cells merge, every finite cell contributes to an edge for each pair of its corners.
   out_.ridge_vertices_.reserve(cells_.size() * (corners * (corners - 1) / 2) + infinite_cells.size());
-  std::vector<Index> count(num_regions, 0), cells, stars, slots;
-  std::vector<SignedIndex> others, vertices;
-  for (std::size_t r = 0; r < num_regions; ++r) {
-    cells.clear();
-    for (const SignedIndex place : out_.region(r))
-      if (place >= 0) cells.push_back(static_cast<Index>(place));
-    cells.insert(cells.end(), infinite_cells.begin() + static_cast<std::ptrdiff_t>(offsets[r]),
-                 infinite_cells.begin() + static_cast<std::ptrdiff_t>(offsets[r + 1]));
-    internal::cancellation_point();
-    const auto for_each_later = [&](auto&& visit) {
-      for (std::size_t e = 0; e < cells.size(); ++e) {
-        constexpr std::size_t ahead = 12;
-        if (e + ahead < cells.size()) __builtin_prefetch(regions.data() + cells[e + ahead] * corners);
-        const Index place = cells[e];
-        const SignedIndex* const first = regions.data() + place * corners;
-        std::size_t not_later = 0;  // counting avoids unpredictable branches
-        for (std::size_t i = 0; i < corners; ++i)
-          not_later += first[i] <= static_cast<SignedIndex>(r) ? 1 : 0;
-        for (std::size_t i = not_later; i < corners; ++i) visit(first[i], place);
+  const auto make_work = [&] {
+    return [&, count = std::vector<Index>(num_regions, 0), cells = std::vector<Index>(),
+            stars = std::vector<Index>(), slots = std::vector<Index>(), others = std::vector<SignedIndex>(),
+            vertices = std::vector<SignedIndex>()](std::size_t begin, std::size_t end_of_part,
+                                                   auto&& add) mutable {
+      for (std::size_t r = begin; r < end_of_part; ++r) {
+        internal::cancellation_point();
+        cells.clear();
+        for (const SignedIndex place : out_.region(r))
+          if (place >= 0) cells.push_back(static_cast<Index>(place));
+        cells.insert(cells.end(), infinite_cells.begin() + static_cast<std::ptrdiff_t>(offsets[r]),
+                     infinite_cells.begin() + static_cast<std::ptrdiff_t>(offsets[r + 1]));
+        const auto for_each_later = [&](auto&& visit) {
+          for (std::size_t e = 0; e < cells.size(); ++e) {
+            constexpr std::size_t ahead = 12;
+            if (e + ahead < cells.size()) __builtin_prefetch(regions.data() + cells[e + ahead] * corners);
+            const Index place = cells[e];
+            const SignedIndex* const first = regions.data() + place * corners;
+            std::size_t not_later = 0;  // counting avoids unpredictable branches
+            for (std::size_t i = 0; i < corners; ++i)
+              not_later += first[i] <= static_cast<SignedIndex>(r) ? 1 : 0;
+            for (std::size_t i = not_later; i < corners; ++i) visit(first[i], place);
+          }
+        };
+        others.clear();
+        for_each_later([&](SignedIndex other, Index) {
+          if (count[static_cast<std::size_t>(other)]++ == 0) others.push_back(other);
+        });
+        std::sort(others.begin(), others.end());
+        Index end = 0;
+        for (const SignedIndex other : others) {
+          const Index size = count[static_cast<std::size_t>(other)];
+          count[static_cast<std::size_t>(other)] = end;  // now the position where the star grows
+          end += size;
+        }
+        stars.resize(end);
+        for_each_later(
+            [&](SignedIndex other, Index place) { stars[count[static_cast<std::size_t>(other)]++] = place; });
+        Index first = 0;
+        for (const SignedIndex other : others) {
+          // Finite cells, then infinite ones.
+          const auto star = std::span(stars).subspan(first, count[static_cast<std::size_t>(other)] - first);
+          first = std::exchange(count[static_cast<std::size_t>(other)], 0);
+          const VertexId s = site_of_region_[r], t = site_of_region_[static_cast<std::size_t>(other)];
+          if (has_merged_) {
+            slots.clear();
+            for (const Index place : star) slots.push_back(index(order[place]));
+            if (!is_ridge(s, t, slots)) continue;
+          }
+          vertices.assign(star.back() < cells_.size() ? 0 : 1, -1);
+          for (const Index place : star) {
+            if (place >= cells_.size()) break;
+            vertices.push_back(has_merged_ ? vertex_of_cell_[index(order[place])]
+                                           : static_cast<SignedIndex>(place));
+          }
+          if (has_merged_) {
+            std::sort(vertices.begin(), vertices.end());
+            vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
+          }
+          add(s, t, vertices);
+        }
       }
     };
-    others.clear();
-    for_each_later([&](SignedIndex other, Index) {
-      if (count[static_cast<std::size_t>(other)]++ == 0) others.push_back(other);
-    });
-    std::sort(others.begin(), others.end());
-    Index end = 0;
-    for (const SignedIndex other : others) {
-      const Index size = count[static_cast<std::size_t>(other)];
-      count[static_cast<std::size_t>(other)] = end;  // now the position where the star grows
-      end += size;
-    }
-    stars.resize(end);
-    for_each_later(
-        [&](SignedIndex other, Index place) { stars[count[static_cast<std::size_t>(other)]++] = place; });
-    Index first = 0;
-    for (const SignedIndex other : others) {
-      // Finite cells, then infinite ones.
-      const auto star = std::span(stars).subspan(first, count[static_cast<std::size_t>(other)] - first);
-      first = std::exchange(count[static_cast<std::size_t>(other)], 0);
-      const VertexId s = site_of_region_[r], t = site_of_region_[static_cast<std::size_t>(other)];
-      if (has_merged_) {
-        slots.clear();
-        for (const Index place : star) slots.push_back(index(order[place]));
-        if (!is_ridge(s, t, slots)) continue;
-      }
-      vertices.assign(star.back() < cells_.size() ? 0 : 1, -1);
-      for (const Index place : star) {
-        if (place >= cells_.size()) break;
-        vertices.push_back(has_merged_ ? vertex_of_cell_[index(order[place])]
-                                       : static_cast<SignedIndex>(place));
-      }
-      if (has_merged_) {
-        std::sort(vertices.begin(), vertices.end());
-        vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
-      }
-      add_ridge(s, t, vertices);
-    }
-  }
+  };
+  collect_in_parts(num_regions, make_work);
   if (has_merged_) out_.ridge_vertices_.shrink_to_fit();
   // Volumes use the faces of finite cells only.
   regions.resize(cells_.size() * corners);

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """delone delaunay: its files, statistics and progress."""
+import pathlib
 import json
 import os
 import pty
@@ -63,10 +64,14 @@ class Delaunay(Case):
         self.assertIn("100 points in dimension 2", text)
         self.assertEqual(self.output("delaunay", points, "-o", self.path("out.npz")), "")
 
-    def test_threads_note(self):
-        points = self.uniform(2, 10)
-        self.assertRegex(self.run_delone("delaunay", points, "--threads", 2).stderr.decode(), r"\Adelone: note: [^\n]*\n\Z")
-        self.assertEqual(self.run_delone("delaunay", points, "--threads", 2, "--quiet").stderr, b"")
+    def test_threads_change_nothing(self):
+        for d, n in ((2, 2000), (3, 1000), (4, 200)):
+            points = self.uniform(d, n)
+            out = [self.path(f"{threads}.npz") for threads in (0, 1, 2, 3)]
+            for threads, path in zip((0, 1, 2, 3), out):
+                self.output("delaunay", points, "--threads", threads, "-o", path)
+            for other in out[1:]:
+                self.assertEqual(pathlib.Path(out[0]).read_bytes(), pathlib.Path(other).read_bytes())
 
     def test_npz(self):
         for kind, d, n in (("uniform", 2, 100), ("uniform", 3, 200), ("uniform", 5, 60), ("grid", 3, 64), ("duplicates", 2, 100),

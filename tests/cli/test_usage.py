@@ -11,9 +11,10 @@ class Usage(Case):
     def test_bad_options(self):
         points = self.uniform(2, 5)
         for arguments in ([], ["triangulate"], ["delaunay"], ["delaunay", points, "--no-such-option"],
-                          ["delaunay", points, "--threads", "0"], ["delaunay", points, "--threads", "two"],
+                          ["delaunay", points, "--threads", "-1"], ["delaunay", points, "--threads", "two"],
                           ["delaunay", points, "--seed", "-1"],
-                          ["delaunay", points, "-s", "99999999999999999999"], ["delaunay", points, "-s", "18446744073709551616"], ["delaunay", points, "--order", "sorted"],
+                          ["delaunay", points, "-s", "99999999999999999999"], ["delaunay", points, "-s", "18446744073709551616"],
+                          ["delaunay", points, "--order", "sorted"],
                           ["delaunay", points, "--format", "bmp"], ["delaunay", points, "--output-format", "bmp"],
                           ["delaunay", points, "--stats", "-o", "-", "--output-format", "txt"], ["delaunay", points, points],
                           ["check", points, "--level", "7"], ["check"], ["locate", points],

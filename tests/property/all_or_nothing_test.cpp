@@ -250,4 +250,34 @@ TEST(AllOrNothingAfterCompact, LeavesCellsInTheirPlaces) {
   EXPECT_EQ(product.object.hash(), whole.object.hash());
 }
 
+/// The same in several threads, any of which may be the one that runs out of memory.
+TEST(AllOrNothing, OutOfMemoryInAnyThread) {
+  const Rows first = make_point_set("uniform", 3, 400, 1), second = make_point_set("uniform", 3, 1500, 2);
+  Options options;
+  options.threads = 3;
+  std::size_t num_failures = 0;
+  for (long allowed = 0;; allowed = allowed < 40 ? allowed + 1 : allowed + allowed / 6) {
+    DelaunayProduct product(3, options);
+    product.insert(first);
+    const Seen before = seen(product);
+    left_for_all_threads = allowed;
+    try {
+      product.insert(second);
+      left_for_all_threads = -1;
+      break;
+    } catch (const Error& error) {
+      left_for_all_threads = -1;
+      EXPECT_EQ(error.code(), Errc::out_of_memory);
+      ++num_failures;
+      Seen after = seen(product);
+      EXPECT_EQ(after.hash, before.hash);
+      EXPECT_EQ(after.num_points, before.num_points);
+      EXPECT_EQ(after.vertex_of_point, before.vertex_of_point);
+    }
+    product.insert(second);
+    EXPECT_EQ(product.object.num_points(), 1900u);
+  }
+  EXPECT_GT(num_failures, 20u);
+}
+
 }  // namespace

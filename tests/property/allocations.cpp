@@ -6,6 +6,7 @@
 
 namespace delone::test {
 
+std::atomic<long> left_for_all_threads = -1;
 thread_local Allocations allocations;
 thread_local std::int64_t num_live_allocations = 0;
 

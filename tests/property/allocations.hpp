@@ -2,10 +2,14 @@
 // operator new of this program: counts allocations of a thread, and makes some of them fail.
 #pragma once
 
+#include <atomic>
 #include <cstddef>
 #include <cstdint>
 
 namespace delone::test {
+
+/// How many allocations, of all threads together, there may be before one fails; none fails if it is negative.
+extern std::atomic<long> left_for_all_threads;
 
 struct Allocations {
   std::size_t count = 0;
@@ -13,6 +17,10 @@ struct Allocations {
   bool all_later_fail = false;
 
   bool fails() {
+    if (left_for_all_threads.load(std::memory_order_relaxed) >= 0 && left_for_all_threads.fetch_sub(1) <= 0) {
+      left_for_all_threads = -1;
+      return true;
+    }
     ++count;
     return first_to_fail != 0 && (all_later_fail ? count >= first_to_fail : count == first_to_fail);
   }

@@ -99,6 +99,16 @@ def test_result_depends_on_the_set_of_points_alone(points, random):
         assert {frozenset(map(tuple, c)) for c in other.points[other.cells].tolist()} == {frozenset(map(tuple, c)) for c in points[t.cells].tolist()}
 
 
+@pytest.mark.parametrize("d, n", [(2, 2000), (3, 800), (4, 200), (5, 100)])
+def test_arrays_do_not_depend_on_threads(d, n):
+    points = np.random.default_rng(1).random((n, d))
+    one = delone.Delaunay(points, threads=1)
+    for threads in (0, 2, 3):
+        other = delone.Delaunay(points, threads=threads)
+        assert other.hash == one.hash and np.array_equal(other.cells, one.cells) and np.array_equal(other.neighbors, one.neighbors)
+        assert np.array_equal(delone.Voronoi(other).vertices, delone.Voronoi(one).vertices)
+
+
 @QUICK
 @given(lattice_points(), st.integers(0, 14), st.integers(0, 14))
 def test_adding_points_in_parts(points, i, j):
@@ -220,7 +230,7 @@ def test_representation_and_statistics():
 
 @pytest.mark.parametrize("arguments, message", [
     ({"order": "random"}, "order: 'automatic', 'as_given' or 'shuffled', not 'random'"),
-    ({"threads": 0}, "threads: at least 1, not 0"),
+    ({"threads": -1}, "threads: at least 0, not -1"),
 ])
 def test_bad_arguments(arguments, message):
     with pytest.raises(ValueError, match=message):

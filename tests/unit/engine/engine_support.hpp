@@ -17,9 +17,9 @@ namespace delone::engine {
 
 /// Points of R^ambient that span the axes, and an engine for them. The first is vertex 1; weights are the
 /// last entries of rows if points have any.
-template <int K>
+template <int K, class G = geometry::DelaunayGeometry<K>>
 struct Points {
-  using Geometry = geometry::DelaunayGeometry<K>;
+  using Geometry = G;
 
   Points(const std::vector<double>& rows, int ambient, double low, double high, bool weighted = false)
       : coordinates(width(ambient, weighted), 0.0),

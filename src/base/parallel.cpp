@@ -1,0 +1,169 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "base/parallel.hpp"
+
+#include "base/progress_meter.hpp"
+
+#include <charconv>
+#include <exception>
+#include <fstream>
+#include <mutex>
+#include <new>
+#include <string>
+#include <thread>
+#include <utility>
+#include <vector>
+
+// ThreadSanitizer does not see how oneTBB, which is not compiled for it, passes work from one thread to
+// another.
+#if defined(__SANITIZE_THREAD__)
+#define DELONE_PLAIN_THREADS 1
+#elif defined(__has_feature)
+#if __has_feature(thread_sanitizer)
+#define DELONE_PLAIN_THREADS 1
+#endif
+#endif
+
+#if DELONE_WITH_TBB
+#include <tbb/global_control.h>
+#include <tbb/task_arena.h>
+#include <tbb/task_group.h>
+#endif
+#ifdef __linux__
+#include <sched.h>
+#endif
+#if __has_include(<pthread.h>)
+#include <pthread.h>
+#endif
+
+namespace delone::internal {
+namespace {
+
+unsigned cores_of_affinity_mask() {
+#ifdef __linux__
+  cpu_set_t mask;
+  if (sched_getaffinity(0, sizeof mask, &mask) == 0)
+    return static_cast<unsigned>(std::max(CPU_COUNT(&mask), 1));
+#endif
+  return std::max(std::thread::hardware_concurrency(), 1u);
+}
+
+/// The first line of a file, or nothing.
+std::string first_line(const std::string& path) {
+  std::string line;
+  std::ifstream file(path);
+  std::getline(file, line);
+  return line;
+}
+
+/// The smallest quota of the control groups that the process is in, from its own to the root: of version 2,
+/// and of version 1 where its own group is mounted as the root, as it is in containers.
+std::optional<unsigned> cores_of_control_groups() {
+  std::optional<unsigned> least;
+  const auto limit = [&](std::string_view cpu_max) {
+    if (const auto cores = cores_of_quota(cpu_max)) least = std::min(least.value_or(*cores), *cores);
+  };
+#ifdef __linux__
+  std::ifstream groups("/proc/self/cgroup");
+  for (std::string line; std::getline(groups, line);) {
+    if (!line.starts_with("0::")) continue;
+    for (std::string group = line.substr(3); group.starts_with('/'); group.resize(group.rfind('/')))
+      limit(first_line("/sys/fs/cgroup" + group + "/cpu.max"));
+  }
+  limit(first_line("/sys/fs/cgroup/cpu.max"));
+  limit(first_line("/sys/fs/cgroup/cpu/cpu.cfs_quota_us") + " " +
+        first_line("/sys/fs/cgroup/cpu/cpu.cfs_period_us"));
+#endif
+  return least;
+}
+
+#if DELONE_WITH_TBB
+std::atomic<bool> has_threads = false;       // of this process
+std::atomic<bool> has_lost_threads = false;  // in a child that was forked off
+
+void note_threads() {
+#if __has_include(<pthread.h>)
+  static std::once_flag once;
+  std::call_once(once,
+                 [] { pthread_atfork(nullptr, nullptr, [] { has_lost_threads = has_threads.load(); }); });
+#endif
+  has_threads = true;
+}
+#endif
+
+}  // namespace
+
+unsigned num_cores() {
+  const unsigned cores = cores_of_affinity_mask();
+  static const std::optional<unsigned> quota = cores_of_control_groups();  // files that are slow to read
+  return quota ? std::min(*quota, cores) : cores;
+}
+
+unsigned threads_to_use([[maybe_unused]] unsigned requested) {
+#if DELONE_WITH_TBB
+  if (!has_lost_threads) return requested == 0 ? num_cores() : requested;
+#endif
+  return 1;
+}
+
+std::optional<unsigned> cores_of_quota(std::string_view cpu_max) {
+  long long quota = 0, period = 0;
+  const char* const end = cpu_max.data() + cpu_max.size();
+  const auto after_quota = std::from_chars(cpu_max.data(), end, quota);
+  if (after_quota.ec != std::errc() || after_quota.ptr == end) return std::nullopt;
+  if (std::from_chars(after_quota.ptr + 1, end, period).ec != std::errc()) return std::nullopt;
+  if (quota <= 0 || period <= 0) return std::nullopt;
+  return static_cast<unsigned>(std::clamp<long long>(quota / period, 1, 1 << 20));
+}
+
+void run_workers(unsigned n, void (*work)(void* context, unsigned worker), void* context) {
+  if (n == 1) return work(context, 0);
+  std::exception_ptr failure;
+  std::mutex mutex;
+  const auto run = [&](unsigned worker) noexcept {
+    // A thread that helps while it waits has a progress function of its own call, which is not for this work.
+    ProgressMeter* const meter = std::exchange(current_meter, worker == 0 ? current_meter : nullptr);
+    try {
+      work(context, worker);
+    } catch (...) {
+      const std::lock_guard lock(mutex);
+      if (!failure) failure = std::current_exception();
+    }
+    current_meter = meter;
+  };
+  unsigned next = 0;
+#if DELONE_PLAIN_THREADS && DELONE_WITH_TBB
+  {
+    note_threads();
+    std::vector<std::thread> others;
+    for (unsigned worker = 1; worker < n; ++worker) others.emplace_back(run, worker);
+    run(0);
+    for (std::thread& other : others) other.join();
+    next = n;
+  }
+#elif DELONE_WITH_TBB
+  try {
+    if (!has_lost_threads) {
+      note_threads();
+      // More threads than cores are only had where they were asked for.
+      std::optional<tbb::global_control> more;
+      if (n > static_cast<unsigned>(tbb::this_task_arena::max_concurrency()))
+        more.emplace(tbb::global_control::max_allowed_parallelism, n);
+      tbb::task_arena arena(static_cast<int>(n));
+      arena.execute([&] {
+        tbb::task_group others;
+        try {
+          for (next = 1; next < n; ++next) others.run([&run, worker = next] { run(worker); });
+        } catch (const std::bad_alloc&) {  // those that are left run in this thread
+        }
+        run(0);
+        others.wait();
+      });
+    }
+  } catch (const std::bad_alloc&) {  // of the arena, before anything has begun
+  }
+#endif
+  for (; next < n; ++next) run(next);
+  if (failure) std::rethrow_exception(failure);
+}
+
+}  // namespace delone::internal
