@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "build_options.hpp"
 
+#include <algorithm>
 #include <array>
 #include <utility>
 
@@ -41,8 +42,12 @@ void add_threads(CLI::App& command, unsigned& threads) {
       ->check(CLI::Range(0, 65536));
 }
 
-void BuildOptions::check() const {
-  if (stats && output == "-") throw UsageError("--stats and --output - both want standard output");
+std::vector<Output> BuildOptions::outputs(std::vector<Output> others) const {
+  std::vector<Output> all{{"--output", output}};
+  all.insert(all.end(), others.begin(), others.end());
+  const bool writes = std::any_of(all.begin(), all.end(), [](const Output& to) { return !to.path.empty(); });
+  if (stats || !writes) all.push_back({stats ? "--stats" : "the summary", "-"});
+  return all;
 }
 
 Options BuildOptions::to_options(ProgressBar& bar) const {

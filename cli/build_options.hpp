@@ -3,6 +3,7 @@
 #pragma once
 
 #include "command.hpp"
+#include "output.hpp"
 #include "progress_bar.hpp"
 
 #include <cstdint>
@@ -23,8 +24,9 @@ struct BuildOptions {
   /// --seed, --order, --stats and --quiet.
   void add_construction(CLI::App& command);
 
-  /// Throws UsageError if both --stats and --output go to standard output.
-  void check() const;
+  /// Where the command writes: the result, `others`, and the report: with --stats, or if nothing else is
+  /// written.
+  std::vector<Output> outputs(std::vector<Output> others = {}) const;
   /// The options for the library. They refer to the bar.
   Options to_options(ProgressBar& bar) const;
 };

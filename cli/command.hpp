@@ -16,6 +16,7 @@
 
 namespace delone::cli {
 
+/// The same as in docs/guide.md. 3 is also for streams and numbers of points and cells beyond a limit.
 namespace exit_status {
 inline constexpr int ok = 0, check_failed = 1, bad_input = 2, out_of_memory = 3, usage = 64;
 }

@@ -182,6 +182,7 @@ Run add_check(CLI::App& app) {
              levels_text<IntersectionData>("Levels of intersections of halfspaces") +
              "Exit status: 0 no violation, 1 a violation, which is printed.");
   return [options] {
+    protect_files({options->path, options->points.path}, {{"the report", "-"}});
     AnyData data = about(input_name(options->path), [&] {
       return read(options->path, options->format, options->points.options.max_stream_bytes);
     });

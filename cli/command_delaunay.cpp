@@ -95,8 +95,7 @@ int run_with(PointTable table, const DelaunayOptions& options, Clock::time_point
 
 int run_delaunay(const DelaunayOptions& options) {
   const BuildOptions& to = options.build;
-  to.check();
-  protect_files({options.input.path}, {to.output}, to.force);
+  protect_files({options.input.path}, to.outputs(), to.force);
   if (options.trim && (!(*options.trim >= 0) || !std::isfinite(*options.trim)))
     throw UsageError("--trim: a finite distance of at least 0 was expected");
   const auto start = Clock::now();

@@ -2,11 +2,14 @@
 // delone generate: named point sets, the same bits for the same arguments.
 #include "command.hpp"
 #include "output.hpp"
+#include "whole_numbers.hpp"
 
 #include <fmt/format.h>
 
-#include <cmath>
+#include <cstdint>
+#include <limits>
 #include <memory>
+#include <optional>
 
 namespace delone::cli {
 namespace {
@@ -23,21 +26,16 @@ const std::vector<std::string>& point_output_formats() {
   return formats;
 }
 
-/// Whole numbers, also written as 1e6.
-std::size_t parse_count(const std::string& text) {
-  std::size_t used = 0;
-  double value = -1;
-  try {
-    value = std::stod(text, &used);
-  } catch (const std::exception&) {
-  }
-  if (used != text.size() || !(value >= 0) || value > 0x1p53 || value != std::trunc(value))
-    throw UsageError(fmt::format("-n wants a whole number of points, not {}", in_quotes(text)));
-  return static_cast<std::size_t>(value);
+std::size_t count_of(const std::string& text) {
+  const std::optional<std::uint64_t> count = parse_count(text);
+  if (!count) throw UsageError(fmt::format("-n wants a whole number of points, not {}", in_quotes(text)));
+  if (*count > std::numeric_limits<std::size_t>::max() || *count == beyond_numbers)
+    throw Error(Errc::out_of_memory, fmt::format("not enough memory for {} points", printable(text)));
+  return static_cast<std::size_t>(*count);
 }
 
 int run_generate(const GenerateOptions& options) {
-  const std::size_t n = parse_count(options.count);
+  const std::size_t n = count_of(options.count);
   check_writable(options.output);
   PointTable table;
   table.dimension = options.dimension;

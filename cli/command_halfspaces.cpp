@@ -125,8 +125,7 @@ Summary summary(const Polyhedron& found, const Cost& cost, const HalfspacesOptio
 
 int run_halfspaces(const HalfspacesOptions& options) {
   const BuildOptions& build = options.build;
-  build.check();
-  protect_files({options.input.path, options.interior}, {build.output}, build.force);
+  protect_files({options.input.path, options.interior}, build.outputs(), build.force);
   const bool writes = !build.output.empty();
   const auto start = Clock::now();
   Cost cost;

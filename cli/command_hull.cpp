@@ -98,23 +98,21 @@ Summary summary(const Envelope& hull, const Cost& cost, const HullOptions& optio
 /// Writes the output file by `write`, if there is to be one, and reports.
 template <class Hull, class Write>
 int finish(const Hull& hull, const HullOptions& options, Cost cost, Clock::time_point start, Write write) {
-  const bool writes = !options.build.output.empty();
-  if (writes) {
+  if (!options.build.output.empty()) {
     const auto write_start = Clock::now();
     write();
     cost.write = seconds_since(write_start);
   }
   cost.close(start);
   print_report(
-      options.build, writes, [&] { return stats(hull, cost, options); },
-      [&] { return summary(hull, cost, options); });
+      options.build, !options.build.output.empty() || !options.distances.empty(),
+      [&] { return stats(hull, cost, options); }, [&] { return summary(hull, cost, options); });
   return exit_status::ok;
 }
 
 int run_hull(const HullOptions& options) {
   const BuildOptions& build = options.build;
-  build.check();
-  protect_files({options.input.path}, {build.output, options.distances}, build.force);
+  protect_files({options.input.path}, build.outputs({{"--distances", options.distances}}), build.force);
   const bool one_side = options.lower || options.upper;
   if (!options.distances.empty() && !one_side) throw UsageError("--distances needs --lower or --upper");
   const auto start = Clock::now();

@@ -139,6 +139,7 @@ std::string describe(const PointTable& table) {
 }
 
 int run_info(const InfoOptions& options) {
+  protect_files({options.input.path}, {{"the description", "-"}});
   const std::string name = input_name(options.input.path);
   const auto print = [&](const auto& held) {
     print_output(about(name, [&] { return fmt::format("{}: {}", name, describe(held)); }));

@@ -97,7 +97,7 @@ std::string as_json(const std::vector<Answer>& answers) {
 int run_locate(const LocateOptions& options) {
   std::string format = options.output_format;
   if (format.empty()) format = std::filesystem::path(options.output).extension() == ".json" ? "json" : "csv";
-  protect_files({options.input.path, options.queries.path}, {options.output}, options.force);
+  protect_files({options.input.path, options.queries.path}, {{"--output", options.output}}, options.force);
   check_writable(options.output);
   if (options.input.path == "-" && options.queries.path == "-")
     throw UsageError("points and queries both from standard input");

@@ -26,8 +26,7 @@ Summary summary(const Regular<>& t, const Counts& counts, const Cost& cost, cons
 
 int run_regular(const RegularOptions& options) {
   const BuildOptions& build = options.build;
-  build.check();
-  protect_files({options.weighted.input.path, options.weighted.weights}, {build.output}, build.force);
+  protect_files({options.weighted.input.path, options.weighted.weights}, build.outputs(), build.force);
   const auto start = Clock::now();
   Cost cost;
   std::vector<double> weights;

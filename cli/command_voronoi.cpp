@@ -147,15 +147,10 @@ int run_with(Build build, const std::optional<Box>& box, Cost cost, Clock::time_
 }
 
 int run_voronoi(const VoronoiOptions& options) {
-  options.build.check();
   protect_files({options.weighted.input.path, options.weighted.weights},
-                {options.build.output, options.volumes}, options.build.force);
+                options.build.outputs({{"--volumes", options.volumes}}), options.build.force);
   if (!(options.tolerance >= 0) || !std::isfinite(options.tolerance))
     throw UsageError("--tolerance: a finite distance of at least 0 was expected");
-  if (options.build.stats && options.volumes == "-")
-    throw UsageError("--stats and --volumes - both want standard output");
-  if (options.build.output == "-" && options.volumes == "-")
-    throw UsageError("--output - and --volumes - both want standard output");
   const auto start = Clock::now();
   Cost cost;
   std::vector<double> weights;

@@ -26,7 +26,7 @@ int complain(int status, std::string message) {
   constexpr std::size_t longest = 2000;
   for (char& c : message)
     if (c == '\n' || c == '\r') c = ' ';
-  fmt::print(stderr, "delone: {}\n", printable(message, longest));
+  print_note(fmt::format("delone: {}\n", printable(message, longest)));
   return status;
 }
 
@@ -80,7 +80,9 @@ int run(int argc, char** argv) {
   app.footer(
       "Points are read from .npy .csv .tsv .txt .xyz .pts .off .ply files, or in Qhull's form from standard "
       "input (-).\n"
-      "Exit status: 0 success, 1 a check failed, 2 bad input or output, 3 out of memory, 64 wrong usage.");
+      "Exit status: 0 success, 1 a check failed, 2 bad input or output, 3 too large for memory or a limit, "
+      "64 "
+      "wrong usage,\n130 or 143 interrupted.");
 
   try {
     app.parse(argc, argv);

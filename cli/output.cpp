@@ -6,11 +6,13 @@
 #include "interrupt.hpp"
 
 #include <fmt/format.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include <cerrno>
 #include <cstdio>
 #include <filesystem>
+#include <optional>
 #include <system_error>
 
 namespace delone::cli {
@@ -58,6 +60,11 @@ void print_output(std::string_view text) {
   if (const int error = put(stdout, text); error != 0) fail_writing("standard output", error);
 }
 
+void print_note(const std::string& text) {
+  std::fputs(text.c_str(), stderr);
+  std::fflush(stderr);
+}
+
 void save_text(const std::string& path, std::string_view text) {
   const StageGuard guard(stage_of_writing(path));
   about(output_name(path), [&] { write_text(path, text); });
@@ -79,32 +86,48 @@ void check_writable(const std::string& path) {
 
 namespace {
 
-/// Whether an output is the file that is read. "-" is what standard input comes from.
-bool is_input(const std::string& input, const std::string& output) {
-  std::error_code error;
-  return fs::is_regular_file(output, error) &&
-         fs::equivalent(input == "-" ? "/dev/stdin" : input, output, error);
-}
+/// A regular file by its numbers, or one that is not there yet by the path at which it will be.
+struct Place {
+  bool exists = false;
+  dev_t device = 0;
+  ino_t number = 0;
+  fs::path path;
+  friend bool operator==(const Place&, const Place&) = default;
+};
 
-/// Whether two outputs are one file, be it there or not.
-bool same_output(const std::string& one, const std::string& other) {
+/// Nothing for pipes and devices. "-" is what the standard stream of that number is connected to.
+std::optional<Place> place_of(const std::string& path, int standard_stream) {
+  struct stat status {};
+  if ((path == "-" ? fstat(standard_stream, &status) : stat(path.c_str(), &status)) == 0) {
+    if (!S_ISREG(status.st_mode)) return std::nullopt;
+    return Place{true, status.st_dev, status.st_ino, {}};
+  }
   std::error_code error;
-  const auto file = [&](const std::string& path) { return fs::weakly_canonical(write_target(path), error); };
-  return file(one) == file(other) && !error && (!fs::exists(one, error) || fs::is_regular_file(one, error));
+  const fs::path target = fs::absolute(write_target(path), error);
+  const fs::path where = error ? fs::path() : fs::weakly_canonical(target, error);
+  if (path == "-" || error) return std::nullopt;
+  return Place{false, 0, 0, where};
 }
 
 }  // namespace
 
-void protect_files(const std::vector<std::string>& inputs, const std::vector<std::string>& outputs,
-                   bool force) {
+void protect_files(const std::vector<std::string>& inputs, const std::vector<Output>& outputs,
+                   std::optional<bool> force) {
   for (auto output = outputs.begin(); output != outputs.end(); ++output) {
-    if (output->empty() || *output == "-") continue;
+    if (output->path.empty()) continue;
+    const std::optional<Place> place = place_of(output->path, STDOUT_FILENO);
     for (const std::string& input : inputs)
-      if (!force && !input.empty() && is_input(input, *output))
-        throw UsageError(fmt::format("{} is also an input; --force overwrites it", output_name(*output)));
-    for (auto other = outputs.begin(); other != output; ++other)
-      if (!other->empty() && *other != "-" && same_output(*other, *output))
-        throw UsageError(fmt::format("{} and {} are one file", output_name(*other), output_name(*output)));
+      if (!force.value_or(false) && place && place->exists && !input.empty() &&
+          place == place_of(input, STDIN_FILENO))
+        throw UsageError(fmt::format("{} is also an input{}", output_name(output->path),
+                                     force ? "; --force overwrites it" : ""));
+    for (auto other = outputs.begin(); other != output; ++other) {
+      if (other->path == "-" && output->path == "-")
+        throw UsageError(fmt::format("{} and {} both want standard output", other->name, output->name));
+      if (place && !other->path.empty() && place == place_of(other->path, STDOUT_FILENO))
+        throw UsageError(
+            fmt::format("{} and {} are one file: {}", other->name, output->name, output_name(output->path)));
+    }
   }
 }
 

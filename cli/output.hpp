@@ -8,6 +8,7 @@
 
 #include <delone/delone.hpp>
 
+#include <optional>
 #include <string>
 #include <string_view>
 #include <type_traits>
@@ -17,6 +18,9 @@ namespace delone::cli {
 
 /// Text to standard output. Throws cannot_write.
 void print_output(std::string_view text);
+
+/// Text to standard error. Where that is closed or full, nobody can be told, and nothing else fails.
+void print_note(const std::string& text);
 
 /// Text to a file, or to standard output for "-", so that Ctrl-C leaves no partial file. Throws cannot_write.
 void save_text(const std::string& path, std::string_view text);
@@ -42,10 +46,17 @@ void write_output(const std::string& path, const Data& data, const Details&... d
   });
 }
 
+/// Where a command writes, as messages name it: an option, or what is printed. The path is "-" for standard
+/// output, and empty for nowhere.
+struct Output {
+  std::string name, path;
+};
+
 /// Throws UsageError if an output is a file that is also an input, by whatever path, unless `force`; and if
-/// it is that of another output. Paths may be empty.
-void protect_files(const std::vector<std::string>& inputs, const std::vector<std::string>& outputs,
-                   bool force);
+/// it is that of another output, be the file there or not. Standard output is a file if it was redirected to
+/// one. `force` is nothing for a command without that option. Paths may be empty.
+void protect_files(const std::vector<std::string>& inputs, const std::vector<Output>& outputs,
+                   std::optional<bool> force = std::nullopt);
 
 /// Throws cannot_write if no file can be made at that path.
 void check_writable(const std::string& path);

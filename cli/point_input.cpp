@@ -1,9 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The options that say how to read points, and the formats by name.
 #include "command.hpp"
+#include "whole_numbers.hpp"
 
 #include <algorithm>
 #include <charconv>
+#include <cstdint>
+#include <limits>
+#include <optional>
 #include <system_error>
 
 namespace delone::cli {
@@ -18,9 +22,20 @@ void PointInput::add_to(CLI::App& command, const std::string& name, const std::s
 
 void add_max_stream(CLI::App& command, std::uint64_t& bytes) {
   command
-      .add_option("--max-stream", bytes,
-                  "The most bytes to read from a pipe or device, as 500MB or 8GB; 4GB if not given")
-      ->transform(CLI::AsSizeValue(false))
+      .add_option_function<std::string>(
+          "--max-stream",
+          [&bytes](const std::string& text) {
+            constexpr std::uint64_t largest = std::numeric_limits<std::int64_t>::max();
+            const std::optional<std::uint64_t> size = parse_size(text);
+            if (!size || *size > largest)
+              throw CLI::ValidationError(
+                  "--max-stream",
+                  in_quotes(text) +
+                      " is no size: a whole number of bytes below 2^63, or with a unit, KB, MB, "
+                      "GB, TB (powers of 1000) or KiB, MiB, GiB, TiB (powers of 1024)");
+            bytes = *size;
+          },
+          "The most bytes to read from a pipe or device, as 500MB or 8GiB; 4GiB if not given")
       ->type_name("SIZE");
 }
 

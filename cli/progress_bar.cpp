@@ -3,12 +3,12 @@
 #include "progress_bar.hpp"
 
 #include "interrupt.hpp"
+#include "output.hpp"
 
 #include <fmt/format.h>
 #include <unistd.h>
 
 #include <algorithm>
-#include <cstdio>
 #include <string>
 
 namespace delone::cli {
@@ -34,14 +34,13 @@ void ProgressBar::draw(double fraction) {
   const int full = static_cast<int>(fraction * width);
   const double seconds = std::chrono::duration<double>(now - start_).count();
   const std::string left = fraction > 0.01 ? fmt::format("{:.0f} s left", seconds / fraction - seconds) : "";
-  fmt::print(stderr, "\r[{:=<{}}{: <{}}] {:3.0f} %  {}\x1b[K", "", full, "", width - full, 100 * fraction,
-             left);
-  std::fflush(stderr);
+  print_note(fmt::format("\r[{:=<{}}{: <{}}] {:3.0f} %  {}\x1b[K", "", full, "", width - full, 100 * fraction,
+                         left));
   drawn_ = true;
 }
 
 void ProgressBar::clear() {
-  if (drawn_) fmt::print(stderr, "\r\x1b[K");
+  if (drawn_) print_note("\r\x1b[K");
   drawn_ = false;
 }
 

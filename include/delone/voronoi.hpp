@@ -51,6 +51,8 @@ struct DiagramOptions {
   /// At most so many threads make the diagram; 0: as many as there are cores for this process, where it is
   /// large enough to gain by them. The arrays do not depend on it, to the last bit.
   unsigned threads = 1;
+  /// As in Options; it stops the making of the diagram (Errc::cancelled). The fraction is 0 throughout.
+  std::function<bool(double)> progress = {};
 };
 
 /// A diagram of sites in R^d: for each site (distinct point) the region of the points of the flat that are
@@ -175,8 +177,9 @@ class Diagram {
   std::span<const SignedIndex> ray_points() const { return ray_points_; }
 
   /// The (k−1)-volume of each ridge: a length for k = 2, an area for k = 3, 1 for k = 1; infinity for
-  /// unbounded ridges. Combinatorics are exact; sums are in binary64, relative error about 10⁻¹⁵ times the
-  /// shape's condition. Cost: O(output) for k ≤ 3; beyond, at most (k−1)! simplices per cell and ridge.
+  /// unbounded ridges and those with a vertex beyond the range of double precision. Combinatorics are exact;
+  /// sums are in binary64, relative error about 10⁻¹⁵ times the shape's condition. Cost: O(output) for k ≤ 3;
+  /// beyond, at most (k−1)! simplices per cell and ridge.
   /// `threads`, here and below: as DiagramOptions::threads; volumes do not depend on it either.
   std::vector<double> ridge_volumes(unsigned threads = 1) const;
   /// The k-volume of each region, infinity for unbounded ones: (1/k)·Σ over its ridges of volume times signed

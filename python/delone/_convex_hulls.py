@@ -83,8 +83,11 @@ def convex_hulls(points, offsets=None, *, seed=0, order="automatic", threads=0, 
     rows ``offsets[i]:offsets[i+1]``. Exact as ConvexHull, of which small ones in a loop take several times as long. The
     other arguments and errors are those of ConvexHull, without a tolerance; ValueError if arrays differ in d, or offsets do not increase from 0 to n.
     """
-    if offsets is None:
-        sets = [np.asarray(each) for each in points]
+    if offsets is None and isinstance(points, np.ndarray) and points.ndim == 3 and points.shape[0] > 0 < points.shape[2]:
+        offsets = np.arange(points.shape[0] + 1) * points.shape[1]
+        points = points.reshape(-1, points.shape[2])
+    elif offsets is None:
+        sets = [_core._doubles(each, f"points: set {i}") for i, each in enumerate(points)]
         for i, each in enumerate(sets):
             if each.ndim != 2 or each.shape[1] != sets[0].shape[-1]:
                 raise ValueError(f"points: set {i} is an array of shape {each.shape}; all have the shape (n, d), with one d")
@@ -93,6 +96,8 @@ def convex_hulls(points, offsets=None, *, seed=0, order="automatic", threads=0, 
         offsets = np.concatenate([[0], np.cumsum([len(each) for each in sets])])
         points = np.concatenate(sets)
     else:
+        if np.ma.is_masked(offsets):
+            raise ValueError("offsets: masked values are not numbers")
         offsets = np.asarray(offsets)
         if offsets.ndim != 1 or (offsets.dtype.kind not in "iu" and len(offsets)):
             raise ValueError("offsets: a list of whole numbers")

@@ -2,6 +2,8 @@
 // Conversions of inputs; see arrays.hpp.
 #include "arrays.hpp"
 
+#include "messages.hpp"
+
 #include <delone/error.hpp>
 
 #include <cstdint>
@@ -10,17 +12,9 @@
 namespace delone::python {
 namespace {
 
-/// The value as Python shows it, cut where it is long; its type if Python has no text for it, as for integers
-/// of thousands of digits.
-std::string shown(const py::handle& value) {
-  constexpr std::size_t longest = 40;
-  std::string text;
-  try {
-    text = py::str(value);
-  } catch (py::error_already_set&) {
-    text = "a huge " + std::string(py::str(py::type::handle_of(value).attr("__name__")));
-  }
-  return text.size() <= longest ? text : text.substr(0, longest) + "...";
+/// For loops over objects: signal handlers of Python run now and then, and may raise.
+void let_signals_through(py::ssize_t round) {
+  if (round % 4096 == 0 && PyErr_CheckSignals() != 0) throw py::error_already_set();
 }
 
 /// Raises InputError for entry `index` of the array, naming its row.
@@ -36,15 +30,17 @@ std::string shown(const py::handle& value) {
 void refuse_objects(const std::string& name, const py::array& array) {
   const py::object flat = array.attr("ravel")();
   for (py::ssize_t i = 0; i < array.size(); ++i) {
+    let_signals_through(i);
     const py::object value = flat[py::int_(i)];
     const bool is_text = PyUnicode_Check(value.ptr()) != 0 || PyBytes_Check(value.ptr()) != 0;
     const auto number = py::reinterpret_steal<py::object>(is_text ? nullptr : PyNumber_Float(value.ptr()));
     if (number) continue;
     const bool is_large = !is_text && PyErr_ExceptionMatches(PyExc_OverflowError) != 0;
+    if (!is_text && PyErr_ExceptionMatches(PyExc_Exception) == 0) throw py::error_already_set();  // Ctrl-C
     PyErr_Clear();
     if (value.is_none()) refuse_entry(name, i, array, "None is not a number");
     if (is_large) refuse_entry(name, i, array, shown(value) + " is beyond the range of double precision");
-    refuse_entry(name, i, array, "a " + shown(py::type::of(value).attr("__name__")) + " is not a number");
+    refuse_entry(name, i, array, "a " + type_name(value) + " is not a number");
   }
 }
 
@@ -73,33 +69,97 @@ bool is_plain(const py::object& object) {
   return array.ndim() > 0 && (array.flags() & py::detail::npy_api::NPY_ARRAY_ALIGNED_) != 0;
 }
 
+/// a == b as Python has it, also for one object that is not equal to itself.
+bool are_equal(const py::object& a, const py::object& b) {
+  const auto result = py::reinterpret_steal<py::object>(PyObject_RichCompare(a.ptr(), b.ptr(), Py_EQ));
+  const int is_true = result ? PyObject_IsTrue(result.ptr()) : -1;
+  if (is_true < 0) throw py::error_already_set();
+  return is_true > 0;
+}
+
+/// The first entry that is not what it was before its conversion to float64 or complex128, or −1. NaN is.
+py::ssize_t find_changed(const py::array& converted, const py::array& original) {
+  if (original.dtype().kind() != 'O') {
+    const py::module_ numpy = py::module_::import("numpy");
+    const py::array differs(
+        numpy.attr("flatnonzero")(converted.attr("__ne__")(original) & original.attr("__eq__")(original)));
+    return differs.size() > 0 ? differs[py::int_(0)].cast<py::ssize_t>() : -1;
+  }
+  const py::object numbers = converted.attr("ravel")(), objects = original.attr("ravel")();
+  for (py::ssize_t i = 0; i < original.size(); ++i) {
+    let_signals_through(i);
+    const py::object number = numbers[py::int_(i)].attr("item")();
+    py::object object = objects[py::int_(i)];
+    // Python compares its integers with floats exactly; NumPy rounds its own.
+    if (py::hasattr(object, "item")) object = object.attr("item")();
+    if (!are_equal(number, object) && are_equal(object, object)) return i;
+  }
+  return -1;
+}
+
+[[noreturn]] void refuse_inexact(const std::string& name, py::ssize_t index, const py::array& array) {
+  refuse_entry(name, index, array,
+               shown(array.attr("ravel")()[py::int_(index)]) + " is not exact in double precision");
+}
+
+/// NumPy makes floats of lists that have floats and integers, and rounds large integers. Raises InputError
+/// for the first that it has rounded. `converted`: what it made of the object.
+void refuse_rounded(const py::object& object, const py::array& converted, const std::string& name) {
+  const py::module_ numpy = py::module_::import("numpy");
+  if (py::isinstance<py::array>(object) ||
+      !py::bool_(numpy.attr("any")(numpy.attr("absolute")(converted).attr("__ge__")(0x1p53))))
+    return;
+  py::array original;
+  try {
+    original = numpy.attr("asarray")(object, py::dtype("O"));
+  } catch (py::error_already_set& error) {
+    if (!error.matches(PyExc_Exception)) throw;
+    return;  // an object with an array of its own, of floats only
+  }
+  if (!original.attr("shape").equal(converted.attr("shape"))) return;
+  if (const py::ssize_t index = find_changed(converted, original); index >= 0)
+    refuse_inexact(name, index, original);
+}
+
+void refuse_masked(const py::object& object, const std::string& name) {
+  const py::object ma = py::module_::import("numpy").attr("ma");
+  if (py::isinstance(object, ma.attr("MaskedArray")) && py::bool_(ma.attr("is_masked")(object)))
+    throw py::value_error(name + ": masked values are not numbers");
+}
+
 }  // namespace
+
+py::array as_numbers(const py::object& object, const std::string& name) {
+  const py::module_ numpy = py::module_::import("numpy");
+  refuse_masked(object, name);
+  const py::array array = numpy.attr("asarray")(object);
+  if (array.dtype().kind() != 'c') return as_doubles(object, name);
+  const py::array numbers = numpy.attr("asarray")(array, "complex128", py::arg("order") = "C");
+  refuse_rounded(object, numbers, name);
+  if (const py::ssize_t index = array.itemsize() > 16 ? find_changed(numbers, array) : -1; index >= 0)
+    refuse_inexact(name, index, array);
+  return numbers;
+}
 
 py::array_t<double> as_doubles(const py::object& object, const std::string& name) {
   if (is_plain(object)) return py::reinterpret_borrow<py::array_t<double>>(object);
   const py::module_ numpy = py::module_::import("numpy");
-  if (py::isinstance(object, numpy.attr("ma").attr("MaskedArray")) &&
-      py::bool_(numpy.attr("ma").attr("is_masked")(object)))
-    throw py::value_error(name + ": masked values are not numbers");
+  refuse_masked(object, name);
   const py::array array = numpy.attr("asarray")(object);
   const char kind = array.dtype().kind();
   if (kind == 'c') throw py::value_error(name + ": complex numbers are not real");
   if (kind != 'f' && kind != 'i' && kind != 'u' && kind != 'b' && kind != 'O')
-    throw py::value_error(name + ": not numbers, but " + std::string(py::str(array.dtype())));
+    throw py::value_error(name + ": not numbers, but " + shown(array.dtype()));
   if (kind == 'O') refuse_objects(name, array);
   py::array_t<double> doubles(numpy.attr("ascontiguousarray")(array, py::dtype::of<double>()));
   if (array.ndim() == 0) doubles = py::array_t<double>(doubles.attr("reshape")(py::tuple()));
+  if (kind == 'f') refuse_rounded(object, doubles, name);
   py::ssize_t inexact = -1;
   if ((kind == 'i' || kind == 'u') && array.itemsize() == 8)
     inexact = kind == 'i' ? find_inexact<std::int64_t>(array) : find_inexact<std::uint64_t>(array);
-  else if (kind == 'O' || (kind == 'f' && array.itemsize() > 8)) {
-    const py::array differs =
-        py::array(numpy.attr("flatnonzero")(doubles.attr("__ne__")(array) & array.attr("__eq__")(array)));
-    if (differs.size() > 0) inexact = differs[py::int_(0)].cast<py::ssize_t>();
-  }
-  if (inexact >= 0)
-    refuse_entry(name, inexact, array,
-                 shown(array.attr("ravel")()[py::int_(inexact)]) + " is not exact in double precision");
+  else if (kind == 'O' || (kind == 'f' && array.itemsize() > 8))
+    inexact = find_changed(doubles, array);
+  if (inexact >= 0) refuse_inexact(name, inexact, array);
   return doubles;
 }
 
@@ -107,7 +167,7 @@ py::array_t<double> as_points(const py::object& object, const std::string& name)
   auto points = as_doubles(object, name);
   if (points.ndim() != 2 || points.shape(1) < 1)
     throw py::value_error(name + ": an array of shape (n, d), d at least 1, not " +
-                          std::string(py::str(points.attr("shape"))));
+                          shown(points.attr("shape")));
   if (points.shape(1) > std::numeric_limits<int>::max() - 1)
     throw Error(Errc::bad_dimension, name + ": " + std::to_string(points.shape(1)) + " columns are too many");
   return points;
@@ -116,7 +176,7 @@ py::array_t<double> as_points(const py::object& object, const std::string& name)
 Queries::Queries(const py::object& object, int dimension) : array_(as_doubles(object, "queries")) {
   if (array_.ndim() < 1 || array_.shape(array_.ndim() - 1) != dimension)
     throw py::value_error("queries: an array of shape (..., " + std::to_string(dimension) + "), not " +
-                          std::string(py::str(array_.attr("shape"))));
+                          shown(array_.attr("shape")));
   shape_.assign(array_.shape(), array_.shape() + array_.ndim() - 1);
   size_ = static_cast<std::size_t>(array_.size()) / static_cast<std::size_t>(dimension);
 }

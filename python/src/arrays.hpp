@@ -25,6 +25,9 @@ namespace py = pybind11;
 /// infinite.
 py::array_t<double> as_doubles(const py::object& object, const std::string& name);
 
+/// The same; complex numbers as complex128.
+py::array as_numbers(const py::object& object, const std::string& name);
+
 inline std::span<const double> numbers(const py::array_t<double>& array) {
   return {array.data(), static_cast<std::size_t>(array.size())};
 }

@@ -200,9 +200,15 @@ py::array points(const HeldHull& held) {
 
 py::tuple state(const HeldHull& held) {
   const BuildArguments& a = held.arguments();
-  const py::list batches = batches_to_state(held.batches());
   const double tolerance = held.ask([](const Polytope& hull) { return hull.tolerance(); });
-  return py::make_tuple(held.dimension(), points(held), batches, a.seed, a.order, a.threads, tolerance);
+  for (;;) {
+    const std::vector<std::size_t> batches = held.batches();
+    const py::array rows = points(held);
+    // Other threads may have added rows meanwhile.
+    if (num_rows(batches) == static_cast<std::size_t>(rows.shape(0)))
+      return py::make_tuple(held.dimension(), rows, batches_to_state(batches), a.seed, a.order, a.threads,
+                            tolerance);
+  }
 }
 
 std::unique_ptr<HeldHull> restored(const py::tuple& given) {

@@ -53,6 +53,10 @@ void bind_convex_hulls(py::module_& module) {
   module.def("_convex_hulls", &convex_hulls_of, "points"_a, "offsets"_a, py::kw_only(), "seed"_a = 0,
              "order"_a = "automatic", "threads"_a = 0, "progress"_a = py::none(),
              "The arrays of delone.ConvexHulls, in the order of its arguments.");
+  module.def(
+      "_doubles", &as_doubles, "object"_a, "name"_a,
+      "An array-like of real numbers as C-contiguous float64, by the rules for all arguments; `name` is for "
+      "messages.");
 }
 
 }  // namespace delone::python

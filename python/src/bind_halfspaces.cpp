@@ -38,7 +38,7 @@ class HeldIntersection {
     if (has_interior_) interior = as_doubles(interior_point, "interior_point");
     if (has_interior_ && (interior.ndim() != 1 || interior.shape(0) != dimension_))
       throw py::value_error("interior_point: an array of shape (" + std::to_string(dimension_) + ",), not " +
-                            std::string(py::str(interior.attr("shape"))));
+                            shown(interior.attr("shape")));
     guard_.change(progress, [&, h = numbers(rows), p = numbers(interior)] {
       const Options options = arguments_.to_options();
       if (has_interior_)

@@ -127,12 +127,11 @@ class HeldNaturalInterpolator : public HeldFunction<NaturalNeighborInterpolator>
   std::vector<double> parts_of_gradients() {
     if (given_gradients_.is_none()) return {};
     const auto d = static_cast<std::size_t>(triangulation().dimension());
-    const py::array array =
-        own_copy(py::module_::import("numpy").attr("asarray")(given_gradients_), "gradients");
+    const py::array array = own_copy(as_numbers(given_gradients_, "gradients"), "gradients");
     given_gradients_ = array;
     if (std::vector<py::ssize_t>(array.shape(), array.shape() + array.ndim()) != shape_at_points())
       throw py::value_error("gradients: the shape of values followed by the dimension, not " +
-                            std::string(py::str(array.attr("shape"))));
+                            shown(array.attr("shape")));
     const auto* const given = static_cast<const double*>(array.data());
     const std::size_t size = static_cast<std::size_t>(array.size()), pieces = is_complex() ? 2 : 1;
     std::vector<double> result(size * pieces);

@@ -44,7 +44,7 @@ py::array_t<double> as_weights(const py::object& object, py::ssize_t count) {
   auto weights = as_doubles(object, "weights");
   if (weights.ndim() != 1 || weights.shape(0) != count)
     throw py::value_error("weights: an array of shape (" + std::to_string(count) + ",), not " +
-                          std::string(py::str(weights.attr("shape"))));
+                          shown(weights.attr("shape")));
   return weights;
 }
 
@@ -409,10 +409,17 @@ std::string repr(const Held& held) {
 
 py::tuple state(const Held& held) {
   const BuildArguments& a = held.arguments();
-  const py::list batches = batches_to_state(held.batches());
-  return py::make_tuple(held.dimension(), points(held),
-                        held.form() == Form::regular ? py::object(weights(held)) : py::none(), batches,
-                        a.seed, a.order, a.threads);
+  for (;;) {
+    Supervisor supervisor;
+    const std::vector<std::size_t> batches = supervisor.run([&] { return held.batches(); });
+    const py::array rows = points(held);
+    const py::object numbers = held.form() == Form::regular ? py::object(weights(held)) : py::none();
+    // Other threads may have added rows meanwhile.
+    if (num_rows(batches) == static_cast<std::size_t>(rows.shape(0)) &&
+        (numbers.is_none() || py::len(numbers) == static_cast<std::size_t>(rows.shape(0))))
+      return py::make_tuple(held.dimension(), rows, numbers, batches_to_state(batches), a.seed, a.order,
+                            a.threads);
+  }
 }
 
 template <class T>
@@ -501,8 +508,8 @@ The Delaunay triangulation of points, (n, d) numbers that are exact in float64, 
 Exact, a function of the set of points: seed and order ('automatic', 'as_given', 'shuffled') only change the way there.
 Duplicates are merged, flat points are triangulated in their flat. At most `threads` threads build, and answer queries; 0:
 as many as there are cores for the process, where the work is large enough to gain by them. All arrays are the same,
-however many. `progress` is called ten times a second with the fraction done, and may return False to stop
-(CancelledError). Ctrl-C stops with KeyboardInterrupt. Methods let go of the GIL; any number of threads may call them at
+however many. `progress` is called ten times a second with the fraction done; what it returns stops the work
+(CancelledError) if it is false, but None. Ctrl-C stops with KeyboardInterrupt. Methods let go of the GIL; any number of threads may call them at
 once. Raises InputError, a ValueError, for NaN and infinities, and ValueError for other input that is no array of points;
 both name the row. Cost: O(n) cells and time in each dimension for evenly spread points.)";
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The exceptions of the module, each derived also from the built-in exception that fits best; options and
 // statistics.
+#include "messages.hpp"
 #include "running.hpp"
 
 #include <new>
@@ -73,7 +74,7 @@ Options BuildArguments::to_options() const {
   else if (order == "as_given")
     options.order = InsertionOrder::as_given;
   else if (order != "automatic")
-    throw py::value_error("order: 'automatic', 'as_given' or 'shuffled', not '" + order + "'");
+    throw py::value_error("order: 'automatic', 'as_given' or 'shuffled', not " + in_quotes(order));
   if (threads < 0) throw py::value_error("threads: at least 0, not " + std::to_string(threads));
   options.threads = static_cast<unsigned>(threads);
   return options;
@@ -98,8 +99,8 @@ void bind_errors(py::module_& module) {
                  "Input or an argument that can have no result, such as NaN.");
   t.memory = make(module, "OutOfMemoryError", py::make_tuple(t.base, builtin(PyExc_MemoryError)),
                   "Not enough memory.");
-  t.cancelled =
-      make(module, "CancelledError", py::make_tuple(t.base), "The progress function returned False.");
+  t.cancelled = make(module, "CancelledError", py::make_tuple(t.base),
+                     "The progress function returned False, or what counts as false.");
   py::register_exception_translator(translate);
 }
 

@@ -4,6 +4,7 @@
 #pragma once
 
 #include "arrays.hpp"
+#include "messages.hpp"
 #include "triangulation.hpp"
 
 #include <delone/interpolation.hpp>
@@ -25,7 +26,7 @@ inline constexpr const char* outside_names[] = {"fill", "nearest", "error", "pro
 inline Outside outside_of(const std::string& name) {
   for (std::size_t i = 0; i < std::size(outside_names); ++i)
     if (name == outside_names[i]) return static_cast<Outside>(i);
-  throw py::value_error("outside: 'fill', 'nearest', 'error' or 'project', not '" + name + "'");
+  throw py::value_error("outside: 'fill', 'nearest', 'error' or 'project', not " + in_quotes(name));
 }
 
 inline double checked_tolerance(double tolerance) {
@@ -76,7 +77,7 @@ class HeldFunction {
                const py::object& fill, double tolerance)
       : outside_(outside_of(outside)), fill_(fill), tolerance_(checked_tolerance(tolerance)) {
     source_ = triangulation_of(points);
-    values_ = py::module_::import("numpy").attr("asarray")(values);
+    values_ = as_numbers(values, "values");
     is_complex_ = values_.dtype().kind() == 'c';
     values_ = own_copy(values_, "values");
     if (values_.ndim() < 1) throw py::value_error("values: an array of shape (n, ...)");
@@ -122,8 +123,8 @@ class HeldFunction {
     });
   }
 
-  /// A read-only copy as float64 or complex128, as values are.
-  py::array own_copy(const py::object& array, const char* name) const {
+  /// A read-only copy of what as_numbers() returns, as float64 or complex128, as values are.
+  py::array own_copy(const py::array& array, const char* name) const {
     using namespace py::literals;
     const py::object copied = is_complex_ ? py::object(array.attr("astype")("complex128", "order"_a = "C"))
                                           : as_doubles(array, name).attr("copy")("order"_a = "C");

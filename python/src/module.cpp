@@ -2,9 +2,11 @@
 // The compiled module delone._core.
 #include "module.hpp"
 
+#include "messages.hpp"
 #include "running.hpp"
 
 #include <cstddef>
+#include <new>
 #include <string>
 
 namespace {
@@ -30,7 +32,7 @@ void require_initialized_objects(const py::module_& module) {
 py::tuple reduce(const py::object& self) {
   const py::type type = py::type::of(self);
   if (!py::hasattr(type, "__setstate__"))
-    throw py::type_error("cannot pickle '" + std::string(py::str(type.attr("__name__"))) + "' object");
+    throw py::type_error("cannot pickle '" + delone::python::type_name(self) + "' object");
   return py::make_tuple(py::module_::import("copyreg").attr("__newobj__"), py::make_tuple(type),
                         self.attr("__getstate__")());
 }
@@ -42,6 +44,32 @@ void reduce_in_one_way(const py::module_& module) {
         !item.second.attr("__dict__").contains("__reduce__"))
       py::setattr(item.second, "__reduce__",
                   py::cpp_function(&reduce, py::name("__reduce__"), py::is_method(item.second)));
+}
+
+ternaryfunc make_of_pybind11 = nullptr;
+
+/// What calling a class does. pybind11 ends the program at a class without a class of C++, as its own common
+/// base class is, and those derived from it alone.
+PyObject* make_of_type(PyObject* type, PyObject* arguments, PyObject* keywords) {
+  try {
+    if (py::detail::all_type_info(reinterpret_cast<PyTypeObject*>(type)).empty()) {
+      PyErr_Format(PyExc_TypeError, "cannot make '%.200s' objects",
+                   reinterpret_cast<PyTypeObject*>(type)->tp_name);
+      return nullptr;
+    }
+  } catch (const std::bad_alloc&) {
+    return PyErr_NoMemory();
+  }
+  return make_of_pybind11(type, arguments, keywords);
+}
+
+/// The metaclass is common to all modules that share the internals of pybind11; this changes only what would
+/// end the program.
+void refuse_to_make_the_base() {
+  PyTypeObject* const metaclass = py::detail::get_internals().default_metaclass;
+  if (metaclass->tp_call == make_of_type) return;
+  make_of_pybind11 = metaclass->tp_call;
+  metaclass->tp_call = make_of_type;
 }
 
 }  // namespace
@@ -62,6 +90,8 @@ PYBIND11_MODULE(_core, module) {
   python::bind_cell_maps(module);
   python::bind_clough_tocher(module);
   python::bind_lists(module);
+  module.def("_represented", &python::represented, py::arg("value"), "How messages show a foreign value.");
   require_initialized_objects(module);
+  refuse_to_make_the_base();
   reduce_in_one_way(module);
 }

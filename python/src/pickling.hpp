@@ -6,6 +6,7 @@
 #include <pybind11/pybind11.h>
 
 #include <cstddef>
+#include <numeric>
 #include <span>
 #include <string>
 #include <vector>
@@ -17,13 +18,17 @@ namespace py = pybind11;
 /// Returns make(state). Raises ValueError unless the state has `size` entries of the types that it asks for.
 template <class Make>
 auto from_state(const py::tuple& state, std::size_t size, const char* what, Make make) {
-  const std::string wrong = std::string("not the state of ") + what;
-  if (state.size() != size) throw py::value_error(wrong);
+  const auto wrong = [what] { return py::value_error(std::string("not the state of ") + what); };
+  if (state.size() != size) throw wrong();
   try {
     return make(state);
   } catch (const py::cast_error&) {
-    throw py::value_error(wrong);
+    throw wrong();
   }
+}
+
+inline std::size_t num_rows(std::span<const std::size_t> batches) {
+  return std::accumulate(batches.begin(), batches.end(), std::size_t{0});
 }
 
 inline py::list batches_to_state(std::span<const std::size_t> batches) {

@@ -3,6 +3,8 @@
 // exceptions.
 #pragma once
 
+#include "messages.hpp"
+
 #include <pybind11/pybind11.h>
 
 #include <delone/delaunay.hpp>
@@ -26,12 +28,11 @@ namespace py = pybind11;
 /// the library.
 class Supervisor {
  public:
-  /// `progress`: None, or a function of the fraction done, which may return False to stop. Otherwise raises
-  /// TypeError.
+  /// `progress`: None, or a function of the fraction done, which stops the work if it returns what counts as
+  /// false, but None. Otherwise raises TypeError.
   explicit Supervisor(py::object progress = py::none()) : progress_(std::move(progress)) {
     if (!progress_.is_none() && PyCallable_Check(progress_.ptr()) == 0)
-      throw py::type_error("progress: a function of the fraction done, or None, not " +
-                           std::string(py::str(py::type::of(progress_).attr("__name__"))));
+      throw py::type_error("progress: a function of the fraction done, or None, not " + type_name(progress_));
   }
 
   /// Runs `work` without the GIL. Its own loops call cancellation_point().
@@ -60,7 +61,12 @@ class Supervisor {
   bool ask(double fraction) {
     try {
       if (PyErr_CheckSignals() != 0) throw py::error_already_set();
-      return progress_.is_none() || progress_(fraction).ptr() != Py_False;
+      if (progress_.is_none()) return true;
+      const py::object answer = progress_(fraction);
+      if (answer.is_none()) return true;
+      const int is_true = PyObject_IsTrue(answer.ptr());
+      if (is_true < 0) throw py::error_already_set();
+      return is_true > 0;
     } catch (py::error_already_set& error) {
       raised_ = error;
       return false;

@@ -125,6 +125,7 @@ std::shared_ptr<const std::vector<double>> HeldTriangulation::points() const { r
 std::shared_ptr<const std::vector<double>> HeldTriangulation::weights() const { return row_data(true); }
 
 std::vector<std::size_t> HeldTriangulation::batches() const {
+  const Use use(this, "used");
   const std::shared_lock lock(mutex_);
   return batches_;
 }

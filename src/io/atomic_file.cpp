@@ -2,11 +2,13 @@
 // Files that appear whole or not at all. See atomic_file.hpp.
 #include "io/atomic_file.hpp"
 
+#include "base/progress_meter.hpp"
 #include "io/file.hpp"
 
 #include <fmt/compile.h>
 #include <delone/io.hpp>
 
+#include <algorithm>
 #include <atomic>
 #include <cerrno>
 #include <chrono>
@@ -20,6 +22,9 @@ namespace delone::io {
 namespace fs = std::filesystem;
 
 namespace {
+
+/// Bytes that are written at a time.
+constexpr std::size_t largest_write = std::size_t{1} << 24;
 
 /// Creates a new file next to `target`: the same directory, hence the same file system, so that renaming is
 /// atomic. The name is short whatever the target's is, and `x` refuses to touch a file that exists.
@@ -105,11 +110,14 @@ void AtomicFile::flush() {
 
 void AtomicFile::write_now(const char* data, std::size_t size) {
   while (size > 0) {
+    internal::cancellation_point();
     errno = 0;
-    const std::size_t written = std::fwrite(data, 1, size, file_);
+    // Of a large block the system would write all before anything can stop it.
+    const std::size_t wanted = std::min(size, largest_write);
+    const std::size_t written = std::fwrite(data, 1, wanted, file_);
     data += written;
     size -= written;
-    if (size > 0) {
+    if (written < wanted) {
       if (errno != EINTR) fail_with(errno);
       std::clearerr(file_);
     }

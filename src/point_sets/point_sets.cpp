@@ -62,16 +62,16 @@ std::vector<double> make_point_set(std::string_view kind, int dimension, std::si
     throw Error(Errc::invalid_argument, "the dimension must be at least 1, not " + std::to_string(dimension));
   const auto d = static_cast<std::size_t>(dimension);
   if (n > std::numeric_limits<std::size_t>::max() / (2 * sizeof(double)) / d)
-    throw Error(Errc::too_many, std::to_string(n) + " points of dimension " + std::to_string(dimension) +
-                                    " cannot be stored");
+    throw Error(Errc::too_many, "not enough memory for " + std::to_string(n) + " points of dimension " +
+                                    std::to_string(dimension));
   for (const Entry& entry : entries) {
     if (entry.name != kind) continue;
     random::Generator generator(seed);
     try {
       return entry.make(d, n, generator);
     } catch (const std::bad_alloc&) {
-      throw Error(Errc::out_of_memory, "out of memory for " + std::to_string(n) + " points of dimension " +
-                                           std::to_string(dimension));
+      throw Error(Errc::out_of_memory, "not enough memory for " + std::to_string(n) +
+                                           " points of dimension " + std::to_string(dimension));
     }
   }
   throw Error(Errc::invalid_argument, "unknown kind of point set '" + std::string(kind) + "'");

@@ -5,6 +5,7 @@
 #include "base/compensated_sum.hpp"
 #include "base/guarded.hpp"
 #include "base/parallel_parts.hpp"
+#include "base/progress_meter.hpp"
 #include "base/require_tolerance.hpp"
 #include "voronoi/diagram_simplifier.hpp"
 #include "voronoi/region_clipper.hpp"
@@ -23,31 +24,39 @@ namespace {
 constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr std::size_t ridges_in_part = 2048;
 
-/// The length of q − p, without overflow or underflow on the way.
-double distance(const double* p, const double* q, std::size_t d) {
+/// The length of a vector of R^d, without overflow or underflow on the way; infinity if a component is not
+/// finite, as differences of vertices beyond the range of double precision.
+template <class Component>
+double length(std::size_t d, Component component) {
   double largest = 0;
-  for (std::size_t j = 0; j < d; ++j) largest = std::max(largest, std::abs(q[j] - p[j]));
-  if (largest == 0 || !std::isfinite(largest)) return largest;
+  for (std::size_t j = 0; j < d; ++j) {
+    const double x = std::abs(component(j));
+    if (!std::isfinite(x)) return infinity;
+    largest = std::max(largest, x);
+  }
+  if (largest == 0) return 0;
   const int exponent = std::ilogb(largest);
   double square = 0;
   for (std::size_t j = 0; j < d; ++j) {
-    const double x = std::ldexp(q[j] - p[j], -exponent);
+    const double x = std::ldexp(component(j), -exponent);
     square += x * x;
   }
   return std::ldexp(std::sqrt(square), exponent);
+}
+
+double distance(const double* p, const double* q, std::size_t d) {
+  return length(d, [&](std::size_t j) { return q[j] - p[j]; });
 }
 
 /// The area of the triangle o, p, q in R^d: half of base times height, the height by orthogonalisation.
 double triangle_area(const double* o, const double* p, const double* q, std::size_t d) {
   const double base = distance(o, p, d);
   if (!(base > 0) || !std::isfinite(base)) return base;
-  double along = 0, height = 0;
+  double along = 0;
   for (std::size_t j = 0; j < d; ++j) along += (p[j] - o[j]) / base * (q[j] - o[j]);
-  for (std::size_t j = 0; j < d; ++j) {
-    const double across = (q[j] - o[j]) - along * ((p[j] - o[j]) / base);
-    height += across * across;
-  }
-  return base * std::sqrt(height) / 2;
+  const double height =
+      length(d, [&](std::size_t j) { return (q[j] - o[j]) - along * ((p[j] - o[j]) / base); });
+  return base / 2 * height;
 }
 
 /// The regions that share a ridge with each region.
@@ -103,6 +112,7 @@ Diagram::Diagram(const Triangulation& triangulation, const std::function<double(
       is_weighted_(weight != nullptr),
       tolerance_(options.tolerance) {
   internal::require_tolerance(tolerance_);
+  const internal::ProgressMeter meter(options.progress);
   internal::guarded("the diagram", [&] {
     VoronoiBuilder(triangulation, weight, options.threads, *this).run();
     if (tolerance_ > 0) simplify();

@@ -29,7 +29,10 @@ class Generate(Case):
         self.assertEqual(np.load(self.path("a.npy")).shape, (1000, 2))
 
     def test_too_many_points_is_out_of_memory(self):
-        self.complaint("generate", "uniform", "-d", 1000000, "-n", "1e15", status=3)
+        for dimension, n in ((1000000, "1e15"), (2, "1e18"), (2, "1e30"), (2, "99999999999999999999999"), (2, "18446744073709551615"), (1, "1e17")):
+            self.assertIn("not enough memory for", self.complaint("generate", "uniform", "-d", dimension, "-n", n, status=3))
+        for n in ("-1", "inf", "nan", "1e-3", "", "0x10", " 5", "1e3 "):
+            self.assertIn("-n wants a whole number of points", self.complaint("generate", "uniform", "-d", 2, "-n=" + n, status=64))
 
 
 if __name__ == "__main__":

@@ -28,7 +28,7 @@ class Endless(Case):
         self.refused(["yes"], ["delaunay", "-"], 2, "'y', which is not a count")
         for arguments in (["delaunay", "-"], ["hull", "-"], ["info", "-"], ["locate", "-", "--queries", self.uniform(2, 5)],
                           ["regular", "-", "--weights", "0"], ["voronoi", "-"], ["halfspaces", "-"]):
-            self.refused(["yes", "1"], [*arguments, "--max-stream", "1MB"], 3, "more than 1048576 bytes.*--max-stream")
+            self.refused(["yes", "1"], [*arguments, "--max-stream", "1MB"], 3, "more than 1000000 bytes.*--max-stream")
         self.refused(["yes", '{"'], ["check", "/dev/stdin", "--format", "json", "--max-stream", "1MB"], 3, "--max-stream")
 
     def test_the_limit_is_for_streams_only(self):
@@ -37,7 +37,19 @@ class Endless(Case):
         text = "2\n1000\n" + "0 1\n" * 1000
         self.complaint("info", "-", "--max-stream", "1KB", stdin=text, status=3)
         self.output("info", "-", "--max-stream", "8KB", stdin=text)
-        self.complaint("info", "-", "--max-stream", "much", stdin=text, status=64)
+
+    def test_sizes(self):
+        text = "2\n1000\n" + "0 1\n" * 1000
+        for size, size_in_bytes in (("0", 0), ("1000", 1000), ("1e3", 1000), ("1KB", 1000), ("1kb", 1000), ("1 KB", 1000), ("1.5KB", 1500),
+                                    ("1KiB", 1024), ("1K", 1024), ("0.5KiB", 512), ("4000B", 4000)):
+            self.assertIn(f"more than {size_in_bytes} bytes", self.complaint("info", "-", "--max-stream", size, stdin=text, status=3))
+        for size in ("9223372036854775807", "9e18", "4GB", "4GiB", "1000TiB", "1T"):
+            self.output("info", "-", "--max-stream", size, stdin=text)
+        for size in ("-1", "-1KB", "9223372036854775808", "18446744073709551616", "1e19", "1e30", "99999999TiB", "0.5", "0.0001KB", "much",
+                     "GB", "4XB", "4GiBs", "4KK", "inf", "nan", "0x10", "+5", "1e3e3"):
+            text = self.complaint("info", "-", "--max-stream=" + size, stdin="", status=64)
+            self.assertIn("--max-stream: ", text)
+            self.assertIn("KiB", text)
 
 
 class Messages(Case):
@@ -110,6 +122,60 @@ class Overwriting(Case):
         self.complaint("voronoi", self.points, "-o", self.path("new.csv"), "--output-format", "json", "--volumes",
                        self.path("link.csv"), status=64)
         self.assertFalse(os.path.exists(self.path("new.csv")))
+
+    def test_two_outputs_are_not_one_new_file(self):
+        os.mkdir(self.path("other"))
+        os.symlink("other", self.path("way"))
+        new = self.path("new.json")
+        names = ["new.json", "./new.json", "folder/../new.json", "way/../new.json", new]
+        for one in names:
+            for other in names:
+                for command in (["voronoi", "--volumes"], ["hull", "--lower", "--distances"]):
+                    text = self.complaint(*command, one, self.points, "-o", other, status=64, cwd=self.folder.name)
+                    self.assertIn("are one file", text)
+        self.complaint("voronoi", self.points, "-o", "other/a.json", "--volumes", "way/a.json", status=64, cwd=self.folder.name)
+        weights = self.file("weights.txt", "0\n0\n0\n")
+        self.complaint("power", self.points, "--weights", weights, "-o", "b.json", "--volumes", "./b.json", status=64, cwd=self.folder.name)
+        self.assertFalse(os.path.exists(new))
+        self.output("voronoi", self.points, "-o", "new.json", "--volumes", "other/new.json", cwd=self.folder.name)
+
+    def test_two_outputs_do_not_share_standard_output(self):
+        for arguments in (["voronoi", "-o", "-", "--output-format", "json", "--volumes", "-"], ["voronoi", "--volumes", "-", "--stats"],
+                          ["hull", "--lower", "-o", "-", "--output-format", "json", "--distances", "-"],
+                          ["hull", "--lower", "--distances", "-", "--stats"], ["delaunay", "-o", "-", "--output-format", "json", "--stats"]):
+            self.assertIn("standard output", self.complaint(*arguments, self.points, status=64))
+        # The distances and nothing else.
+        self.assertRegex(self.output("hull", "--lower", "--distances", "-", self.points), r"\A1\n3\n[0-9.]+\n[0-9.]+\n[0-9.]+\n\Z")
+        # A file written whole would take the place of the one that the report goes to.
+        out = self.path("out.json")
+        for arguments, status in ((["-o", out, "--stats"], 64), (["-o", "/dev/stdout", "--output-format", "json"], 0)):
+            with open(out, "wb") as stdout:
+                done = subprocess.run([DELONE, "delaunay", self.points, *arguments], stdout=stdout, stderr=subprocess.PIPE, timeout=60)
+            self.assertEqual(done.returncode, status, done.stderr)
+
+    def test_standard_output_is_no_input(self):
+        """As after `>>` and `1<>` of a shell, which leave the file as it is."""
+        triangulation = self.file("t.json", '{"dimension":1,"points":[[0],[1]],"cells":[[0,1]]}')
+        with open(triangulation, "rb") as file:
+            content = file.read()
+        pair = self.uniform(2, 3)
+        for arguments in (["delaunay", "A"], ["delaunay", "A", "--stats"], ["hull", "A"], ["voronoi", "A", "--volumes", "-"], ["halfspaces", "A"],
+                          ["locate", "A", "--queries", pair], ["locate", pair, "--queries", "A"], ["regular", pair, "--weights", "A"],
+                          ["power", pair, "--weights", "A"], ["info", "A"], ["check", "A"], ["check", pair, "--points", "A"], ["info", "-"],
+                          ["halfspaces", pair, "--interior", "A"], ["delaunay", "-", "-o", "-", "--output-format", "json"]):
+            for mode in ("ab", "r+b"):
+                with open(triangulation, mode) as stdout, open(triangulation, "rb") as stdin:
+                    done = subprocess.run([DELONE, *[triangulation if each == "A" else each for each in arguments]], stdin=stdin, stdout=stdout,
+                                          stderr=subprocess.PIPE, timeout=60)
+                self.assertEqual(done.returncode, 64, (arguments, done.stderr))
+                self.assertRegex(done.stderr.decode(), r"\Adelone: standard output is also an input[^\n]*\n\Z")
+                with open(triangulation, "rb") as file:
+                    self.assertEqual(file.read(), content)
+        points = self.file("points.csv", "0,0\n1,0\n0,1\n")
+        with open(points, "ab") as stdout:
+            self.assertEqual(subprocess.run([DELONE, "locate", points, "--queries", points, "--force"], stdout=stdout, timeout=60).returncode, 0)
+        with open(points, encoding="utf-8") as file:
+            self.assertIn("query,kind,cell,face", file.read())
 
     def test_links_are_written_through(self):
         os.symlink("new.json", self.path("link.json"))

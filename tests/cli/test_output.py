@@ -33,6 +33,19 @@ class BadOutput(Case):
                 self.assertEqual(done.returncode, 2, arguments)
                 self.assertRegex(done.stderr.decode(), r"\Adelone: standard output: No space left[^\n]*\n\Z")
 
+    def test_closed_streams(self):
+        """Statuses are as always, whether or not anybody can be told."""
+        points, out = self.uniform(2, 100), self.path("out.json")
+        for arguments, status in ((["info", "nofile"], 2), (["delaunay", "--no-such-option"], 64), (["delaunay", points], 2),
+                                  (["delaunay", points, "-o", out], 0), (["delaunay", points, "-o", out, "--threads", "9"], 0),
+                                  (["locate", points, "--queries", points], 2), (["delaunay", "-"], 2), (["delaunay", points, "-o", out, "--stats"], 2)):
+            command = " ".join(f"'{each}'" for each in [DELONE, *arguments])
+            for closed in ("<&- >&- 2>&-", "<&- >&- 2>/dev/full"):
+                done = subprocess.run(["sh", "-c", f"exec {command} {closed}"], timeout=60)
+                self.assertEqual(done.returncode, status, (arguments, closed))
+            if out in arguments:
+                self.output("check", out)
+
     def test_a_failed_write_keeps_the_old_file_and_leaves_nothing_else(self):
         points = self.uniform(3, 3000)
         out = self.file("out.npz", "old")

@@ -1,5 +1,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Options, help and version; what is refused with status 64."""
+import os
+import re
 import unittest
 
 from cli_support import Case
@@ -33,6 +35,13 @@ class Usage(Case):
             self.assertIn(f"delone {command}", self.output(command, "--help"))
         for kind in ("uniform", "cospherical", "mixed_scales"):
             self.assertIn(kind, self.output("generate", "--help"))
+
+    def test_exit_statuses_are_those_of_the_documentation(self):
+        with open(os.path.join(os.path.dirname(__file__), "../../docs/guide.md"), encoding="utf-8") as file:
+            table = file.read().split("| status | meaning |\n")[1].split("\n\n")[0]
+        documented = re.findall(r"\d+", " ".join(row.split("|")[1] for row in table.splitlines()))
+        self.assertEqual(documented, ["0", "1", "2", "3", "64", "130", "143"])
+        self.assertEqual(re.findall(r"\b\d+\b", self.output("--help").split("Exit status:")[1]), documented)
 
 
 if __name__ == "__main__":

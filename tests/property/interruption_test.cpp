@@ -112,6 +112,32 @@ TEST(Interruption, EverythingThatTakesLongAsks) {
   EXPECT_TRUE(is_stopped(1, [&] { static_cast<void>(trim(plane, 0.01)); }));
 }
 
+TEST(Interruption, DiagramsAskTheFunctionOfTheirOptions) {
+  std::mt19937 random(8);
+  std::vector<double> points(1500 * 4);
+  for (double& x : points) x = static_cast<double>(random()) * 0x1p-32;
+  const Delaunay<> triangulation(points, 4);
+  int calls = 0;
+  const auto stop = [&](double share) {
+    EXPECT_TRUE(share >= 0 && share <= 1);
+    return ++calls < 1;
+  };
+  const auto is_cancelled = [&](const auto& work) {
+    calls = 0;
+    try {
+      work();
+    } catch (const Error& error) {
+      EXPECT_EQ(error.code(), Errc::cancelled);
+      return calls == 1;
+    }
+    return false;
+  };
+  EXPECT_TRUE(is_cancelled([&] { Voronoi<> made(triangulation, {.progress = stop}); }));
+  EXPECT_TRUE(is_cancelled([&] { Voronoi<> made(triangulation, {.tolerance = 0.01, .progress = stop}); }));
+  const Voronoi<> made(triangulation, {.progress = [](double) { return true; }});
+  EXPECT_EQ(made.num_regions(), 1500u);
+}
+
 TEST(Interruption, ProgressMovesWhileWrapping) {
   std::mt19937_64 random(7);
   std::normal_distribution<double> normal;

@@ -1,6 +1,8 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """What may be given as an array, what is refused, what is copied, and how long arrays live."""
 import gc
+import signal
+import time
 import tracemalloc
 from fractions import Fraction
 
@@ -78,7 +80,7 @@ def test_what_is_no_array_of_points(points, message):
 
 
 @pytest.mark.parametrize("value, message", [
-    (10**400, r"1000000\d*\.\.\. is beyond the range of double precision"), (-10**400, "is beyond the range of double precision"),
+    (10**400, r"1000000\d*… is beyond the range of double precision"), (-10**400, "is beyond the range of double precision"),
     pytest.param(10**10_000, "a huge int is beyond the range of double precision", id="huge"), (None, "None is not a number"), (Fraction(1, 3), "1/3 is not exact in double precision"),
     ([1], "a list is not a number"), (1j, "a complex is not a number"), (object(), "a object is not a number"), (2**70 + 1, "is not exact in double precision"),
 ])
@@ -87,7 +89,127 @@ def test_objects_that_are_no_numbers_are_named(value, message):
     points[1, 1] = value
     with pytest.raises(delone.InputError, match=f"^points: row 1: .*{message}$") as raised:
         delone.Delaunay(points)
-    assert raised.value.rows == [1] and len(str(raised.value)) < 120
+    assert raised.value.rows == [1] and len(str(raised.value)) < 160
+
+
+LARGE = 2**53 + 1  # the least integer that is not exact in float64
+
+
+@pytest.mark.parametrize("points", [
+    [[0.5, 0], [0, LARGE]], [[0.5, 0], [0, -LARGE]], ([0.5, 0], (np.int64(LARGE), 0)), [np.array([0.5, 0]), np.array([LARGE, 0])],
+    [[0.5, 0], [0, np.uint64(LARGE)]], [[np.int64(-1), 0], [0, np.uint64(2**64 - 1)]], [[2**63, 0], [-LARGE, 0]], [[0.5, 0], [True, LARGE]],
+    [[np.nan, 0], [LARGE, 0]], [[np.float32(0.5), 0], [LARGE, 0]], [[np.longdouble(0.5), 0], [2**80 + 1, 0]], [[0.5, 0], [Fraction(1, 3), 0]],
+])
+def test_integers_among_floats_must_be_exact(points):
+    """NumPy makes floats of such lists, and rounds."""
+    t = delone.Delaunay([[0, 0], [1, 0], [0, 1]])
+    for take in (delone.Delaunay, delone.ConvexHull, t.find_simplex, delone.HalfspaceIntersection, lambda p: delone.convex_hulls([p]),
+                 lambda p: delone.convex_hulls([[[1, 1]], p]), lambda p: delone.convex_hulls(p, [0, 2]), lambda p: delone.convex_hulls([p, p]),
+                 lambda p: delone.LinearInterpolator(np.eye(2), p)):
+        with pytest.raises(delone.InputError, match=r": row 1: .* is not exact in double precision") as raised:
+            take(list(points))
+        assert raised.value.rows == [1]
+
+
+def test_integers_of_sets_among_floats_must_be_exact():
+    for sets in ([[[0.5, 1]], [[LARGE, 1]]], [np.array([[0.5, 1]]), np.array([[LARGE, 1]])], [[[0.5, 1]], np.array([[LARGE, 0.5]], object)]):
+        with pytest.raises(delone.InputError, match="^points: set 1: row 0: 9007199254740993 is not exact"):
+            delone.convex_hulls(sets)
+    with pytest.raises(delone.InputError, match="^points: row 3: 9007199254740993 is not exact"):
+        delone.convex_hulls(np.array([[[0, 0], [1, 1]], [[0, 0], [LARGE, 1]]]))
+    for values in ([1j, LARGE, 0], [LARGE * 1j, LARGE, 0], np.array([0, 1, np.clongdouble(1) / 3])):
+        with pytest.raises(delone.InputError, match="^values: row .* is not exact"):
+            delone.LinearInterpolator([[0, 0], [1, 0], [0, 1]], values)
+
+
+def test_large_integers_among_floats_that_are_exact():
+    t = delone.Delaunay([[0.5, 0], [0, 2**60], [np.float64(1e300), 2**53], (float(2**70), 2**70)])
+    assert t.points.tolist() == [[0.5, 0], [0, 2**60], [1e300, 2**53], [2.0**70, 2.0**70]]
+    f = delone.LinearInterpolator([[0, 0], [1, 0], [0, 1]], [1j, 2**60, 0.5])
+    assert f.values.tolist() == [1j, 2**60, 0.5]
+    assert len(delone.convex_hulls([[[0.5, 2**60], [1, 2]], np.array([[1, 2]], object)])) == 2
+
+
+def test_masked_values_are_refused_everywhere():
+    points, mask = np.array(SQUARE, float), np.zeros((5, 2), bool)
+    mask[3, 1] = True
+    masked, open_ = np.ma.array(points, mask=mask), np.ma.array(points, mask=np.zeros((5, 2)))
+    t = delone.Delaunay(points)
+    uses = {
+        "points": [delone.Delaunay, delone.ConvexHull, lambda p: delone.convex_hulls([p]), lambda p: delone.convex_hulls(np.ma.stack([p, p])),
+                   lambda p: delone.convex_hulls(p, [0, 5]), lambda p: delone.LinearInterpolator(p, np.zeros(5)),
+                   lambda p: delone.interpolate.NearestNDInterpolator(p, np.zeros(5)), lambda p: delone.interpolate.LinearNDInterpolator(p, np.zeros(5)),
+                   lambda p: delone.interpolate.LinearNDInterpolator((p[:, 0], p[:, 1]), np.zeros(5)),
+                   lambda p: delone.interpolate.LinearNDInterpolator(t, np.zeros(5))(p)],
+        "values": [lambda v: delone.LinearInterpolator(points, v), lambda v: delone.LinearInterpolator(points, v + 1j),
+                   lambda v: delone.NaturalNeighborInterpolator(points, v), lambda v: delone.interpolate.LinearNDInterpolator(points, v),
+                   lambda v: delone.interpolate.NearestNDInterpolator(points, v)],
+        "gradients": [lambda g: delone.NaturalNeighborInterpolator(points, np.zeros(5), smooth=True, gradients=g)],
+        "queries": [t.find_simplex, delone.LinearInterpolator(points, np.zeros(5))],
+    }
+    for name, functions in uses.items():
+        for function in functions:
+            with pytest.raises(ValueError, match=f"{name}: .*masked values are not numbers"):
+                function(masked)
+            function(open_)
+    with pytest.raises(ValueError, match="offsets: masked"):
+        delone.convex_hulls(points, np.ma.array([0, 5], mask=[False, True]))
+
+
+@pytest.mark.parametrize("name", ["__float__", "__str__"])
+def test_ctrl_c_in_a_conversion_is_not_taken_for_an_answer(name):
+    """Where numbers are objects of Python, a signal handler can run in their methods."""
+    def interrupted(self):
+        raise KeyboardInterrupt
+
+    number = type("Number", (), {"__float__": lambda self: 0.5, "__eq__": lambda self, other: self is other, "__hash__": None, name: interrupted})()
+    with pytest.raises(KeyboardInterrupt):
+        delone.Delaunay([[0, number]])
+
+
+@pytest.mark.skipif(not hasattr(signal, "ITIMER_PROF"), reason="timers as POSIX has them")
+def test_ctrl_c_ends_the_conversion_of_many_objects():
+    points = np.full((3_000_000, 1), 0.5, object)
+
+    def ring(signum, frame):
+        raise KeyboardInterrupt
+
+    before = signal.signal(signal.SIGPROF, ring)
+    begin = time.process_time()
+    try:
+        signal.setitimer(signal.ITIMER_PROF, 0.1)
+        with pytest.raises(KeyboardInterrupt):
+            delone.Delaunay(points)
+    finally:
+        signal.setitimer(signal.ITIMER_PROF, 0)
+        signal.signal(signal.SIGPROF, before)
+    assert time.process_time() - begin < 0.4
+
+
+LONG = "\x1b[31m" + "y" * 100_000
+
+
+class Odd:
+    def __repr__(self):
+        return LONG
+
+    __str__ = __repr__
+
+
+@pytest.mark.parametrize("use", [
+    lambda: delone.Delaunay(SQUARE, order=LONG), lambda: delone.LinearInterpolator(SQUARE, [0] * 5, outside=LONG),
+    lambda: delone.spatial.Delaunay(SQUARE, flat=LONG), lambda: delone.spatial.Delaunay(SQUARE, flat=Odd()),
+    lambda: delone.spatial.Delaunay(SQUARE, qhull_options=LONG), lambda: delone.spatial.ConvexHull(SQUARE, qhull_options="QG" + "1" * 4000),
+    lambda: delone.interpolate.griddata(SQUARE, [0] * 5, SQUARE, method=LONG), lambda: delone.Delaunay(SQUARE, progress=type(LONG, (), {})()),
+    lambda: delone.Delaunay([[0, type(LONG, (), {})()]]), lambda: delone.Delaunay([[10**400, None]]), lambda: delone.Delaunay(np.zeros(1, [("y" * 1000, "f8")])),
+    lambda: delone.Delaunay(np.zeros((1,) * 32)), lambda: delone.Delaunay(SQUARE, order=10**5000), lambda: delone.interpolate.griddata(SQUARE, [0] * 5, SQUARE, method=10**5000),
+    lambda: delone.Delaunay(SQUARE, order="\udcff\u202e"), lambda: delone.spatial.Delaunay(SQUARE, flat="\udcff\u202e"),
+])
+def test_foreign_text_in_messages_is_printable_and_short(use):
+    with pytest.raises((ValueError, TypeError)) as raised:
+        use()
+    text = str(raised.value)
+    assert "incompatible" in text or len(text) < 300 and text.isprintable()
 
 
 def test_lists_with_objects():

@@ -128,6 +128,8 @@ def test_progress():
     fractions = []
     points = np.random.default_rng(2).random((30_000, 5))  # some twenty times what passes between two calls
     delone.Delaunay(points, progress=fractions.append)
+    for truthy in (np.True_, 1, "yes", [0]):
+        delone.Delaunay(points[:10_000], progress=lambda fraction: truthy)
     assert len(fractions) >= 2 and fractions == sorted(fractions) and 0 <= fractions[0] and fractions[-1] <= 1
 
 
@@ -141,11 +143,18 @@ def test_progress_can_stop_and_raise(make):
     with pytest.raises(delone.CancelledError):
         make(lambda fraction: False)
 
+    for falsy in (np.False_, 0, 0.0, "", [], np.float64(0)):
+        with pytest.raises(delone.CancelledError):
+            make(lambda fraction: falsy)
+
     def fail(fraction):
         raise ZeroDivisionError("from the progress function")
 
     with pytest.raises(ZeroDivisionError, match="from the progress function"):
         make(fail)
+
+    with pytest.raises(ValueError, match="ambiguous"):
+        make(lambda fraction: np.array([True, False]))
 
 
 def test_signals_are_for_the_main_thread():

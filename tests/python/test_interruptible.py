@@ -78,7 +78,7 @@ LONG = {
     "delone._core.Triangulation.nearest": ("t = delone.Delaunay(random.random((5000, 4)))", "t.nearest(random.random((20_000, 4)), k=500)"),
     "delone._core.Triangulation.trim": ("t = delone.Delaunay(random.random((20_000, 4)))", "t.trim(0.5)"),
     "delone._core.Triangulation.transform": ("t = delone.Delaunay(random.random((100_000, 4)))", "t.transform"),
-    "delone._core.Triangulation.vertex_neighbors": ("t = delone.Delaunay(random.random((3000, 7)))", "t.vertex_neighbors"),
+    "delone._core.Triangulation.vertex_neighbors": ("t = delone.Delaunay(random.random((20_000, 5)))", "t.vertex_neighbors"),
     "delone.ConvexHull.__init__": ("", "delone.ConvexHull(sphere(100_000, 8))"),
     "delone.ConvexHull.of_extreme_points": ("", "delone.ConvexHull.of_extreme_points(sphere(100_000, 8))"),
     "delone.ConvexHull.insert_range": (f"{SIMPLEX}; hull = delone.ConvexHull(points)", "hull.insert_range(sphere(100_000, 8))"),

@@ -1,5 +1,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Many threads: queries at once, queries beside insertions, and no thread keeps the interpreter to itself."""
+import copy
+import pickle
 import threading
 import time
 from concurrent.futures import ThreadPoolExecutor
@@ -8,6 +10,7 @@ import numpy as np
 import pytest
 
 import delone
+from hostile_support import members, run
 
 
 def run_together(actions):
@@ -116,3 +119,102 @@ def test_a_progress_function_that_asks_its_object_is_told_off():
     with pytest.raises(delone.CancelledError):
         made.insert_range(np.random.default_rng(5).random((20_000, 5)), progress=progress)
     assert errors == ["the object is being changed"] and made.num_points == 1
+
+
+def on_sphere(n):
+    points = np.random.default_rng(6).standard_normal((n, 7))
+    return points / np.linalg.norm(points, axis=1, keepdims=True)
+
+
+@pytest.mark.parametrize("make, rows", [
+    (delone.Delaunay, lambda: np.random.default_rng(5).random((20_000, 5))), (delone.FurthestSite, lambda: on_sphere(900)),
+    (delone.ConvexHull, lambda: on_sphere(900)), (lambda h: delone.HalfspaceIntersection(h, [0] * 6), lambda: np.c_[on_sphere(3000)[:, :6], -np.ones(3000)]),
+    (lambda p: delone.Regular(p, np.zeros(len(p))), lambda: np.random.default_rng(5).random((20_000, 5))),
+])
+def test_any_use_in_a_progress_function_is_told_off_or_answered(make, rows):
+    rows = rows()
+    made, answers = make(rows[:20]), {}
+    uses = {name: lambda name=name: getattr(made, name) for name in members(type(made))}
+    uses |= {f.__name__: lambda f=f: f(made) for f in (copy.copy, copy.deepcopy, pickle.dumps, repr, len, delone.Voronoi, delone.PowerDiagram)}
+    uses |= {f.__name__: lambda f=f: f(made, np.zeros(20)) for f in (delone.LinearInterpolator, delone.NaturalNeighborInterpolator)}
+    uses |= {f"{name}()": lambda name=name: getattr(made, name)(rows[:3]) for name in ("find_simplex", "insert_range", "locate", "nearest")
+             if hasattr(made, name)}
+
+    def progress(fraction):
+        for name, use in uses.items():
+            try:
+                use()
+            except Exception as error:
+                answers[name] = error
+        return False
+
+    arguments = (rows, np.zeros(len(rows))) if isinstance(made, delone.Regular) else (rows,)
+    with pytest.raises(delone.CancelledError):
+        made.insert_range(*arguments, progress=progress)
+    for name, error in answers.items():
+        assert isinstance(error, (TypeError, ValueError)) or (type(error) is RuntimeError and str(error) == "the object is being changed"), (name, error)
+    assert sum(isinstance(error, RuntimeError) for error in answers.values()) > 10 and "copy" in answers and "dumps" in answers
+    assert len(copy.copy(made)) == len(made)
+
+
+@pytest.mark.parametrize("kind", ["Delaunay", "FurthestSite", "Regular", "ConvexHull"])
+def test_copies_beside_insertions(kind):
+    """In a process of its own: where one thread waits for the other, and the other for the interpreter, it never ends."""
+    output = run('''
+import copy, pickle, sys, threading, time
+import numpy as np
+import delone
+
+kind = getattr(delone, sys.argv[1])
+sys.setswitchinterval(1e-5)
+random, more = np.random.default_rng(0), np.random.default_rng(1)
+
+def arguments(random, n):
+    return (random.standard_normal((n, 3)), *([np.zeros(n)] if kind is delone.Regular else []))
+
+made = kind(*arguments(random, 100))
+end = time.monotonic() + 0.7
+counts = []
+
+def repeat(action):
+    count = 0
+    while count < 3 or time.monotonic() < end:
+        action()
+        count += 1
+    counts.append(count)
+
+def take_copy():
+    other = pickle.loads(pickle.dumps(made)) if random.random() < 0.5 else copy.copy(made)
+    assert other.cells.max() < len(other.points) == other.num_points and len(other.cells) == len(other.neighbors)
+
+def look():
+    assert len(made.points) >= 100 and len(repr(made)) > 5 and len(made.hash) == 32
+
+threads = [threading.Thread(target=repeat, args=(action,)) for action in (lambda: made.insert_range(*arguments(more, 5)), take_copy, look)]
+for thread in threads:
+    thread.start()
+for thread in threads:
+    thread.join()
+assert len(counts) == 3, counts
+print("done")
+''', kind, seconds=60)
+    assert output == "done\n"
+
+
+def test_a_copy_during_a_long_insertion_waits_for_it():
+    """While the thread that inserts can have the interpreter, which it needs for its progress function."""
+    output = run('''
+import pickle, threading, time
+import numpy as np
+import delone
+
+made = delone.Delaunay(np.random.default_rng(0).random((20, 5)))
+fractions = []
+thread = threading.Thread(target=lambda: made.insert_range(np.random.default_rng(1).random((6_000, 5)), progress=fractions.append))
+thread.start()
+while not fractions:
+    time.sleep(0.001)
+print(pickle.loads(pickle.dumps(made)).num_points, len(fractions) > 1)
+thread.join()
+''', seconds=60)
+    assert output.split() == ["6020", "True"]

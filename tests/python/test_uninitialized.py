@@ -96,6 +96,37 @@ for cls in (Mine, Failing):
     assert output.count("TypeError") == 2 and "failed as it should" in output
 
 
+def test_the_base_of_pybind11_cannot_be_made():
+    output = run('''
+import pickle
+import delone
+
+base = delone.Delaunay.__mro__[-2]
+
+class Derived(base):
+    pass
+
+class Initialized(base):
+    def __init__(self):
+        pass
+
+class Mixed(delone.Delaunay, base):
+    pass
+
+for cls in (base, Derived, Initialized):
+    try:
+        cls()
+    except TypeError as error:
+        print(error)
+print(Mixed([[0, 0], [1, 0], [0, 1]]))
+try:
+    object.__new__(base)
+except TypeError as error:
+    print(error)
+''')
+    assert output.count("cannot make") == 3 and "<delone.Delaunay: 3 points" in output and "is not safe" in output
+
+
 def test_old_pickle_protocols_give_the_same():
     output = run('''
 import pickle

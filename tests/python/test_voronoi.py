@@ -173,3 +173,41 @@ def test_bad_tolerances(tolerance):
         delone.Voronoi(points, tolerance=tolerance)
     with pytest.raises(ValueError, match="the tolerance"):
         delone.PowerDiagram(points, np.zeros(20), tolerance=tolerance)
+
+
+@pytest.mark.parametrize("d", [2, 3, 4])
+def test_volumes_of_ridges_and_regions_at_all_magnitudes(d):
+    """Scaled by powers of two, numbers are scaled and not rounded, as long as they are in the range of double precision."""
+    points = np.random.default_rng(7).random((30, d))
+    plain = delone.Voronoi(points)
+    for exponent in (-1000, -530, -511, -340, -255, 255, 340, 505, 511, 1000, 1023):
+        v = delone.Voronoi(np.ldexp(points, exponent))
+        finite = np.isfinite(v.vertices).all(axis=1)
+        assert finite.all() or exponent > 900
+        for name, power in (("ridge_volumes", d - 1), ("region_volumes", d)):
+            found = getattr(v, name)()
+            assert not np.isnan(found).any()
+            with np.errstate(over="ignore", under="ignore"):
+                expected = np.ldexp(getattr(plain, name)(), power * exponent)
+            near = found == expected if exponent > 900 else np.isclose(found, expected, rtol=1e-11, atol=2e-323)
+            assert (near | np.isinf(found)).all() and (near.all() or exponent > 500), (name, exponent)
+
+
+def test_ridges_with_vertices_beyond_the_range_are_infinite():
+    for d in (2, 3, 4):
+        points = (np.random.default_rng(3).random((40, d)) * 2 - 1) * 1.7e308
+        v = delone.Voronoi(points)
+        finite, volumes = np.isfinite(v.vertices).all(axis=1), v.ridge_volumes()
+        assert not finite.all() and not np.isnan(volumes).any()
+        for i in range(v.num_ridges):
+            assert np.isinf(volumes[i]) or finite[v.ridge(i)].all()
+
+
+def test_areas_of_long_thin_ridges():
+    """The square of their width is beyond the range of double precision, their area is not."""
+    for width, length in ((1.3 * 2.0**-530, 2.0**500), (1.3 * 2.0**530, 2.0**-500), (2.0**-600, 2.0**100), (2.0**300, 2.0**300)):
+        axes = np.array([width, length, 1.0])
+        points = np.array([[0, 0, -1], [0, 0, 1]] + [[x, y, z] for z in (-1, 1) for x, y in ((2, 0), (-2, 0), (0, 2), (0, -2))]) * axes
+        v = delone.Voronoi(points)
+        pair = np.flatnonzero((np.sort(v.ridge_points, axis=1) == [0, 1]).all(axis=1))
+        assert np.isclose(v.ridge_volumes()[pair], 4 * width * length, rtol=1e-12, atol=0).all() and len(pair) == 1

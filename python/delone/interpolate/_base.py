@@ -16,11 +16,18 @@ class GradientEstimationWarning(Warning):
     """The gradients of a CloughTocher2DInterpolator did not converge."""
 
 
+def refuse_masked(name, *arrays) -> None:
+    """ValueError for masked values, which are none."""
+    if any(np.ma.is_masked(each) for each in arrays):
+        raise ValueError(f"{name}: masked values are not numbers")
+
+
 def coordinates(points, ndim: int | None = None) -> np.ndarray:
     """(…, d) of an array of that shape, or of a tuple of d arrays that broadcast against each other. Of an array of numbers (n,)
     points in one dimension, or one point of `ndim`."""
     if isinstance(points, tuple) and len(points) == 1:
         points, = points
+    refuse_masked("points", *points if isinstance(points, tuple) else (points,))
     if isinstance(points, tuple):
         return np.stack(np.broadcast_arrays(*points), axis=-1).astype(np.float64, copy=False)
     points = np.asanyarray(points)
@@ -92,6 +99,7 @@ class OnTriangulation(Interpolator):
 
     @values.setter
     def values(self, values) -> None:
+        refuse_masked("values", values)
         values = np.asarray(values)
         if values.ndim == 0 or len(values) != len(self.points):
             raise ValueError("different number of values and points")

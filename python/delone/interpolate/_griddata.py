@@ -4,6 +4,8 @@ from __future__ import annotations
 
 import numpy as np
 
+from delone import _core
+
 from ._base import coordinates
 from ._clough_tocher import CloughTocher2DInterpolator
 from ._linear import LinearNDInterpolator
@@ -36,7 +38,7 @@ def griddata(points, values, xi, method="linear", fill_value=np.nan, rescale=Fal
         return LinearNDInterpolator(points, values, fill_value, rescale)(xi, simplex_tolerance=simplex_tolerance)
     if method == "cubic" and ndim == 2:
         return CloughTocher2DInterpolator(points, values, fill_value, rescale=rescale)(xi, simplex_tolerance=simplex_tolerance)
-    raise ValueError(f"Unknown interpolation method {method!r} for {ndim} dimensional data")
+    raise ValueError(f"Unknown interpolation method {_core._represented(method)} for {ndim} dimensional data")
 
 
 def _on_line(points, values, xi, method, fill_value):

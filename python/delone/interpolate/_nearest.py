@@ -6,7 +6,7 @@ import numpy as np
 
 import delone
 
-from ._base import Interpolator
+from ._base import Interpolator, refuse_masked
 
 # Triangulations of more dimensions cost more than comparing all points.
 _LARGEST_TRIANGULATED = 4
@@ -33,6 +33,7 @@ class NearestNDInterpolator(Interpolator):
         if (tree_options or {}).get("boxsize") is not None:
             raise ValueError("tree_options: boxsize, a periodic space, is not there")
         super().__init__(x, rescale)
+        refuse_masked("values", y)
         self.values = np.asarray(y)
         if self.values.ndim == 0 or len(self.values) != len(self.points):
             raise ValueError("different number of values and points")

@@ -8,6 +8,8 @@ import sys
 
 import numpy as np
 
+from delone import _core
+
 from ._geometry import bounds
 
 
@@ -52,14 +54,19 @@ def as_points(points, what: str = "points") -> np.ndarray:
 class Incremental:
     """Rows of numbers, their bounds, and adding rows.
 
-    A subclass keeps the object of the library that does the work in ``_core``, builds it from ``points`` in ``_rebuild()``, adds
-    rows to it in ``_extend(rows)`` and takes its arrays over in ``_update()``. It sets results with ``_set``: they cannot be
-    assigned from outside, since all others would still be those of the object.
+    A subclass keeps the object of the library that does the work in ``_core``, sets it in ``_rebuild(points)``, in one step and
+    without a change of anything else if that fails, adds rows to it in ``_extend(rows)`` and takes its arrays over in ``_update()``. It
+    sets results with ``_set``: they cannot be assigned from outside, since all others would still be those of the object.
+
+    Ctrl-C can come between any two steps. While rows are added, ``_adding`` holds the points before and after. Where that was
+    stopped, what depends on them is not there, and who asks for it gets what belongs to the points that ``_core`` has then.
     """
 
     _incremental = False
     # Attributes that _update() sets, or that are computed from those on first use.
     _derived: tuple[str, ...] = ()
+    # Those that _set_points() sets and that depend on the rows.
+    _of_rows = ("_points", "npoints", "nineq", "min_bound", "max_bound")
     _read_only = frozenset({"points", "ndim", "npoints", "min_bound", "max_bound", "affine_dimension", "furthest_site",
                             # Names in scipy that programs reach for: assigning them would do nothing here.
                             "_points", "_qhull", "_transform", "_vertex_to_simplex", "_vertex_neighbor_vertices", "_vertices", "_ridge_dict"})
@@ -81,11 +88,11 @@ class Incremental:
         if flat is None:
             flat = "result" if self._options.joggled else "error"
         if flat not in ("error", "result"):
-            raise ValueError(f"flat: 'error' or 'result', not {flat!r}")
+            raise ValueError(f"flat: 'error' or 'result', not {_core._represented(flat)}")
         self._flat = flat
         self._incremental = bool(incremental)
         self._set_points(points.copy() if incremental else points)
-        self._rebuild()
+        self._rebuild(self._points)
         if flat == "error":
             self._refuse_flat()
         self._update()
@@ -106,6 +113,8 @@ class Incremental:
         self._set(_points=points, npoints=npoints, ndim=ndim, min_bound=low, max_bound=high)
 
     def _add_rows(self, points, restart: bool) -> None:
+        if "_core" not in self.__dict__ and not hasattr(self, "_points"):
+            raise TypeError("the object is not initialized: its __init__ or __setstate__ did not run, or failed")
         if not self._incremental:
             raise RuntimeError("incremental mode not enabled or already closed")
         points = np.asarray(points)
@@ -115,22 +124,48 @@ class Incremental:
             return
         points = as_points(points)
         old = self._points
-        self._set_points(np.concatenate([old, points]))
+        new = np.concatenate([old, points])
         try:
-            self._rebuild() if restart else self._extend(points)
+            self._set(_adding=(old, new))
+            self._rebuild(new) if restart else self._extend(points)
+            self._settle()
         except BaseException:
-            self._set_points(old)
+            self._set(_adding=(old, new))
+            for name in self._derived + self._of_rows:
+                self.__dict__.pop(name, None)
             raise
+
+    def _settle(self) -> None:
+        """Takes over what belongs to the rows that the object of the library has."""
+        adding = self.__dict__.get("_adding")
+        if adding is None:  # another thread was first
+            return
+        old, new = adding
+        self._set_points(new if self._num_rows() == len(new) else old)
         self._update()
+        self.__dict__.pop("_adding", None)
+
+    def _num_rows(self) -> int:
+        """The number of rows that the object of the library has."""
+        return self._core.num_points
+
+    def __getattr__(self, name):
+        """For what is not there: after an addition that was stopped."""
+        if "_adding" in self.__dict__ and (name in self._derived or name in self._of_rows):
+            self._settle()
+            return getattr(self, name)
+        raise AttributeError(f"{type(self).__name__!r} object has no attribute {name!r}")
 
     def close(self) -> None:
         """Ends adding points. All results stay."""
         self._incremental = False
 
-    def _forget(self) -> None:
-        """Drops what is computed on first use, so that it is computed anew."""
+    def _take_over(self, **results) -> None:
+        """Sets these, and drops what is computed on first use, so that it is computed anew."""
+        self._set(**results)
         for name in self._derived:
-            self.__dict__.pop(name, None)
+            if name not in results:
+                self.__dict__.pop(name, None)
 
     def __copy__(self):
         """A copy of its own: points added to one are not added to the other."""
@@ -138,7 +173,9 @@ class Incremental:
 
     def __getstate__(self):
         """What is pickled; the arrays of the library's object are in that object already."""
-        return {name: value for name, value in self.__dict__.items() if name not in self._derived or "_core" not in self.__dict__}
+        if "_adding" in self.__dict__ and "_points" not in self.__dict__:
+            self._settle()
+        return {name: value for name, value in self.__dict__.copy().items() if name not in self._derived or "_core" not in self.__dict__}
 
     def __setstate__(self, state):
         self.__dict__.update(state)

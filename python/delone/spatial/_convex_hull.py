@@ -7,6 +7,7 @@ from functools import cached_property
 import numpy as np
 
 import delone
+from delone import _core
 
 from . import _geometry, _options, _tolerance
 from ._base import OfPoints, as_points, qhull_error
@@ -58,14 +59,15 @@ class ConvexHull(OfPoints):
     Results cannot be assigned; an array is the caller's to change, and changes nothing else.
     """
 
-    _derived = ("simplices", "neighbors", "nsimplex", "volume", "area", "_shown", "vertices", "equations", "coplanar", "good")
+    _derived = ("simplices", "neighbors", "nsimplex", "affine_dimension", "volume", "area", "_shown", "vertices", "equations", "coplanar",
+                "good", "_extreme", "_rows")
     _read_only = OfPoints._read_only | {"tolerance"}
 
     def __init__(self, points, incremental=False, qhull_options=None, *, tolerance=None, flat=None):
         points = as_points(points)
         self._options = _options.parse(qhull_options, kind="hull", incremental=incremental)
         if self._options.good_row is not None and self._options.good_row >= len(points):
-            raise ValueError(f"Qhull option 'QG{self._options.good_row}': there are {len(points)} points")
+            raise ValueError(f"Qhull option {_core._represented(f'QG{self._options.good_row}')}: there are {len(points)} points")
         self._wanted_tolerance = tolerance
         self._start(points, incremental, flat)
 
@@ -73,18 +75,18 @@ class ConvexHull(OfPoints):
         good = self._options.good_row
         return rows if good is None else np.delete(rows, good, axis=0)
 
-    def _rebuild(self):
-        points = self._without_good_row(self._points)
+    def _rebuild(self, points):
+        points = self._without_good_row(points)
         tolerance = self._wanted_tolerance
         if tolerance is None:
-            box = (self.min_bound, self.max_bound) if points is self._points else None
+            box = (self.min_bound, self.max_bound) if points is self.__dict__.get("_points") else None
             tolerance = _tolerance.of_qhull(points, self._options, box)
-        self._set(tolerance=tolerance)
         # A hull to which points can be added has all of them, as has one that tells of others; else extreme ones suffice.
         if self._incremental or self._options.keep_coplanar:
-            self._core, self._core_rows = delone.ConvexHull(points, tolerance=self.tolerance), None
+            core, rows = delone.ConvexHull(points, tolerance=tolerance), None
         else:
-            self._core, self._core_rows = delone.ConvexHull.of_extreme_points(points, tolerance=self.tolerance)
+            core, rows = delone.ConvexHull.of_extreme_points(points, tolerance=tolerance)
+        self._set(tolerance=tolerance, _core=core, _core_rows=rows)
 
     def _extend(self, rows):
         self._core.insert_range(rows)
@@ -98,25 +100,27 @@ class ConvexHull(OfPoints):
     def __setstate__(self, state):
         self.__dict__.update(state)
         if "_core" not in state:
-            self._rebuild()
+            self._rebuild(self._points)
         self._update()
 
+    def _num_rows(self):
+        return self._core.num_points + (self._options.good_row is not None)
+
     def _update(self):
-        self._forget()
         rows = self._without_good_row(np.arange(self.npoints, dtype=np.intc))
         core = self._core
         if self._core_rows is not None:
             rows = rows[self._core_rows]
         extreme = core.vertices
-        self._extreme = np.sort(rows[extreme])
-        self._shown = core
+        sorted_rows = np.sort(rows[extreme])
+        shown = core
         if self._core_rows is None and np.count_nonzero(np.bincount(core.cells.ravel())) > len(extreme):
             # Other points of the boundary are vertices of its simplices, too: the hull of the extreme points has the same boundary.
-            self._shown, of_extreme = delone.ConvexHull.of_extreme_points(core.points[extreme])
+            shown, of_extreme = delone.ConvexHull.of_extreme_points(core.points[extreme])
             rows = rows[extreme][of_extreme]
-        self._rows = rows
-        simplices, neighbors = self._listed()
-        self._set(simplices=simplices, neighbors=neighbors, nsimplex=len(simplices), affine_dimension=core.affine_dimension)
+        simplices, neighbors = _geometry.listed(rows[shown.cells], shown.neighbors, self.ndim)
+        self._take_over(simplices=simplices, neighbors=neighbors, nsimplex=len(simplices), affine_dimension=core.affine_dimension,
+                        _extreme=sorted_rows, _shown=shown, _rows=rows)
 
     @cached_property
     def volume(self) -> float:

@@ -78,7 +78,7 @@ class Delaunay(OfPoints):
     Cost: that of `delone.Delaunay`; attributes below are computed on first use.
     """
 
-    _derived = ("simplices", "neighbors", "nsimplex", "convex_hull", "coplanar", "good", "_paraboloid",
+    _derived = ("simplices", "neighbors", "nsimplex", "affine_dimension", "convex_hull", "coplanar", "good", "_paraboloid",
                 "transform", "equations", "vertex_to_simplex", "vertex_neighbor_vertices", "_search", "_own")
 
     def __init__(self, points, furthest_site=False, incremental=False, qhull_options=None, *, flat=None):
@@ -97,16 +97,15 @@ class Delaunay(OfPoints):
         self._update()
         return self
 
-    def _rebuild(self):
-        self._core = (delone.FurthestSite if self._options.furthest else delone.Delaunay)(self._points)
+    def _rebuild(self, points):
+        self._core = (delone.FurthestSite if self._options.furthest else delone.Delaunay)(points)
 
     def _extend(self, rows):
         self._core.insert_range(rows)
 
     def _update(self):
-        self._forget()
         simplices, neighbors = self._listed()
-        self._set(simplices=simplices, neighbors=neighbors, nsimplex=len(simplices), affine_dimension=self._core.affine_dimension)
+        self._take_over(simplices=simplices, neighbors=neighbors, nsimplex=len(simplices), affine_dimension=self._core.affine_dimension)
 
     def _listed(self) -> tuple[np.ndarray, np.ndarray]:
         """simplices and neighbors, new arrays."""

@@ -9,7 +9,7 @@ import numpy as np
 import delone
 from delone import _core
 
-from . import _options
+from . import _geometry, _options
 from ._base import Incremental, as_points, qhull_error
 
 
@@ -54,7 +54,7 @@ class HalfspaceIntersection(Incremental):
     """
 
     _read_only = Incremental._read_only | {"halfspaces", "interior_point", "nineq", "is_bounded"}
-    _derived = ("intersections", "dual_points", "dual_facets", "dual_vertices", "dual_equations", "dual_area", "dual_volume")
+    _derived = ("intersections", "dual_points", "dual_facets", "dual_vertices", "dual_equations", "dual_area", "dual_volume", "is_bounded")
 
     def __init__(self, halfspaces, interior_point, incremental=False, qhull_options=None, *, flat=None):
         halfspaces = as_points(halfspaces, "halfspaces")
@@ -86,22 +86,24 @@ class HalfspaceIntersection(Incremental):
             raise qhull_error(f"QH6154 initial simplex is flat: the dual points of {self.nineq} halfspaces in {d} dimensions span a "
                               "flat. flat='result' gives the intersection")
 
-    def _rebuild(self):
+    def _rebuild(self, halfspaces):
         with _not_inside():
-            self._core = delone.HalfspaceIntersection(self._points, self.interior_point)
+            self._core = delone.HalfspaceIntersection(halfspaces, self.interior_point)
 
     def _extend(self, rows):
         with _not_inside():
             self._core.insert_range(rows)
 
+    def _num_rows(self):
+        return self._core.num_halfspaces
+
     def _update(self):
-        self._forget()
         core = self._core
-        self._set(intersections=np.array(core.vertices), is_bounded=bool(core.is_bounded))
+        self._take_over(intersections=np.array(core.vertices), is_bounded=bool(core.is_bounded))
 
     def _set_points(self, points):
-        super()._set_points(points)
-        self._set(nineq=len(points), ndim=points.shape[1] - 1)
+        low, high = _geometry.bounds(points)
+        self._set(_points=points, npoints=len(points), nineq=len(points), ndim=points.shape[1] - 1, min_bound=low, max_bound=high)
 
     @cached_property
     def dual_points(self) -> np.ndarray:

@@ -11,6 +11,8 @@ import re
 from dataclasses import dataclass
 from typing import Optional
 
+from delone import _core
+
 # Options without an effect, and why: the tests and docs/from-qhull.md go through these tables.
 NO_EFFECT = {
     "Qt": "all cells are simplices",
@@ -88,7 +90,7 @@ def parse(text, *, kind: str, furthest_site: bool = False, incremental: bool = F
     for option in text.split():
         good, tolerance = _GOOD.fullmatch(option), _TOLERANCE.fullmatch(option)
         if incremental and option in _NOT_INCREMENTAL:
-            raise ValueError(f"Qhull option {option!r} is incompatible with incremental mode")
+            raise ValueError(f"Qhull option {_core._represented(option)} is incompatible with incremental mode")
         if option == "Qbb":
             found["scaled"] = delaunay
         elif option == "Qz":
@@ -106,7 +108,7 @@ def parse(text, *, kind: str, furthest_site: bool = False, incremental: bool = F
         elif good and kind == "hull":
             found["good_row"], found["good_visible"] = int(good[2]), not good[1]
         elif option not in NO_EFFECT and not any(pattern.fullmatch(option) for pattern, _ in NO_EFFECT_PATTERNS):
-            raise ValueError(f"Qhull option {option!r}: {_refusal(option)}")
+            raise ValueError(f"Qhull option {_core._represented(option)}: {_refusal(option)}")
     if found["furthest"]:
         found["at_infinity"] = False
     return Options(**found)

@@ -61,7 +61,7 @@ class Voronoi(OfPoints):
     Results cannot be assigned; an array is the caller's to change, and changes nothing else.
     """
 
-    _derived = ("vertices", "ridge_points", "ridge_vertices", "regions", "point_region", "ridge_dict",
+    _derived = ("vertices", "ridge_points", "ridge_vertices", "regions", "point_region", "ridge_dict", "affine_dimension", "tolerance",
                 "_num_hidden", "_listed_ridges", "_ridges", "_regions", "_ray_points", "_ray_directions")
     _read_only = OfPoints._read_only | {"tolerance"}
 
@@ -72,32 +72,29 @@ class Voronoi(OfPoints):
         self._wanted_tolerance = tolerance
         self._start(points, incremental, flat)
 
-    def _rebuild(self):
-        self._core = (delone.FurthestSite if self._options.furthest else delone.Delaunay)(self._points)
+    def _rebuild(self, points):
+        self._core = (delone.FurthestSite if self._options.furthest else delone.Delaunay)(points)
 
     def _extend(self, rows):
         self._core.insert_range(rows)
 
     def _update(self):
-        self._forget()
         tolerance = self._wanted_tolerance
         tolerance = _tolerance.of_qhull(self._points, self._options) if tolerance is None else tolerance
         diagram = delone.Voronoi(self._core, tolerance)
         point_region = diagram.point_region.astype(np.intp)
         hidden = np.flatnonzero(point_region == -1)
         point_region[hidden] = diagram.num_regions + np.arange(len(hidden))
-        self._num_hidden = len(hidden)
         if not self._options.keep_coplanar:
             point_region[self._core.duplicates[:, 0]] = -1
         # As in scipy, where infinity counts as one vertex, ridges with fewer than k vertices are left out: the cones at one vertex,
         # and the like, that are dual to edges of the convex hull with few cells about them.
         counts = np.diff(diagram.ridge_offsets)
-        self._listed_ridges = np.flatnonzero(counts >= self._core.affine_dimension)
-        self._set(affine_dimension=self._core.affine_dimension, vertices=np.array(diagram.vertices), point_region=point_region,
-                  ridge_points=diagram.ridge_points[self._listed_ridges], tolerance=tolerance)
-        self._ridges = diagram.ridge_vertices, diagram.ridge_offsets
-        self._regions = diagram.region_vertices, diagram.region_offsets
-        self._ray_points, self._ray_directions = diagram.ray_points, diagram.ray_directions
+        listed = np.flatnonzero(counts >= self._core.affine_dimension)
+        self._take_over(affine_dimension=self._core.affine_dimension, vertices=np.array(diagram.vertices), point_region=point_region,
+                        ridge_points=diagram.ridge_points[listed], tolerance=tolerance, _num_hidden=len(hidden), _listed_ridges=listed,
+                        _ridges=(diagram.ridge_vertices, diagram.ridge_offsets), _regions=(diagram.region_vertices, diagram.region_offsets),
+                        _ray_points=diagram.ray_points, _ray_directions=diagram.ray_directions)
         if not self._incremental:
             del self._core
 

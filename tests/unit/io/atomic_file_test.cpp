@@ -3,6 +3,8 @@
 #include "io/atomic_file.hpp"
 #include "io_support.hpp"
 
+#include <delone/progress.hpp>
+
 #include <cstdint>
 #include <filesystem>
 #include <limits>
@@ -30,6 +32,28 @@ TEST_F(AtomicFiles, AppearWhenCommitted) {
   out.commit();
   EXPECT_EQ(content("a"), "text 1-b 0.1 -3 18446744073709551615");
   EXPECT_EQ(num_files(), 1u);
+}
+
+TEST_F(AtomicFiles, CanBeStoppedInTheMidstOfALargeBlock) {
+  const std::string block(std::size_t{40} << 20, 'x');
+  int calls = 0;
+  const ProgressScope scope([&](double) { return ++calls < 2; });
+  expect_error(Errc::cancelled, {}, [&] {
+    AtomicFile out(path("a"));
+    for (int i = 0; i < 20; ++i) out.write(block);  // long before the end of this it is asked again
+    out.commit();
+  });
+  EXPECT_EQ(num_files(), 0u);
+  EXPECT_EQ(calls, 2);
+}
+
+TEST_F(AtomicFiles, LargeBlocksAreWrittenWhole) {
+  std::string block(std::size_t{33} << 20, 'x');
+  for (std::size_t i = 0; i < block.size(); i += 1000) block[i] = static_cast<char>('a' + i / 1000 % 20);
+  AtomicFile out(path("a"));
+  out.write(block);
+  out.commit();
+  EXPECT_TRUE(content("a") == block);
 }
 
 TEST_F(AtomicFiles, LeaveNothingUnlessCommitted) {

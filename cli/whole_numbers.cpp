@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "whole_numbers.hpp"
+
+#include <charconv>
+#include <cmath>
+#include <cstddef>
+#include <string>
+#include <system_error>
+
+namespace delone::cli {
+namespace {
+
+/// number · unit, if it is whole. In digits it is exact, otherwise a product of doubles.
+std::optional<std::uint64_t> scaled(std::string_view number, std::uint64_t unit) {
+  // Signs, inf and nan begin otherwise.
+  if (number.empty() || std::string_view("0123456789.").find(number[0]) == std::string_view::npos)
+    return std::nullopt;
+  const char* const all = number.data() + number.size();
+  std::uint64_t digits = 0;
+  if (const auto [end, error] = std::from_chars(number.data(), all, digits); end == all)
+    return error != std::errc() || digits > beyond_numbers / unit ? beyond_numbers : digits * unit;
+  double value = 0;
+  if (const auto [end, error] = std::from_chars(number.data(), all, value);
+      error != std::errc() || end != all)
+    return std::nullopt;
+  value *= static_cast<double>(unit);
+  if (value != std::trunc(value)) return std::nullopt;
+  return value < 0x1p64 ? static_cast<std::uint64_t>(value) : beyond_numbers;
+}
+
+/// Nothing if there is no such unit.
+std::optional<std::uint64_t> bytes_of(std::string unit) {
+  for (char& c : unit)
+    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
+  if (unit.empty() || unit == "b") return 1;
+  const std::size_t power = std::string_view("kmgt").find(unit[0]);
+  const std::string_view rest = std::string_view(unit).substr(1);
+  if (power == std::string_view::npos || (!rest.empty() && rest != "b" && rest != "ib")) return std::nullopt;
+  const std::uint64_t base = rest == "b" ? 1000 : 1024;
+  std::uint64_t bytes = base;
+  for (std::size_t i = 0; i < power; ++i) bytes *= base;
+  return bytes;
+}
+
+}  // namespace
+
+std::optional<std::uint64_t> parse_count(std::string_view text) { return scaled(text, 1); }
+
+std::optional<std::uint64_t> parse_size(std::string_view text) {
+  const std::size_t end = text.find_last_of("0123456789.") + 1;  // 0 if there is none
+  std::string_view unit = text.substr(end);
+  if (!unit.empty() && unit[0] == ' ') unit.remove_prefix(1);
+  const auto bytes = bytes_of(std::string(unit));
+  return bytes ? scaled(text.substr(0, end), *bytes) : std::nullopt;
+}
+
+}  // namespace delone::cli

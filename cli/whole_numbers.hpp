@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Whole numbers as options have them: counts, as 1000 or 1e6, and sizes, as 500MB or 1.5GiB.
+#pragma once
+
+#include <cstdint>
+#include <limits>
+#include <optional>
+#include <string_view>
+
+namespace delone::cli {
+
+/// What stands for every number that is larger.
+inline constexpr std::uint64_t beyond_numbers = std::numeric_limits<std::uint64_t>::max();
+
+/// Digits, also with a decimal point and an exponent. Nothing for other text, and if the value is not whole.
+std::optional<std::uint64_t> parse_count(std::string_view text);
+
+/// The same as a number of bytes, and with a unit after it, in letters of either case: B; KB, MB, GB, TB,
+/// powers of 1000; KiB, MiB, GiB, TiB and K, M, G, T, powers of 1024. The product must be whole.
+std::optional<std::uint64_t> parse_size(std::string_view text);
+
+}  // namespace delone::cli

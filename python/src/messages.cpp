@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "messages.hpp"
+
+namespace delone::python {
+
+namespace py = pybind11;
+
+namespace {
+
+/// Text of Python can have halves of pairs of UTF-16, which UTF-8 cannot.
+std::string printed(const py::str& text) {
+  return printable(std::string(py::bytes(text.attr("encode")("utf-8", "surrogatepass"))));
+}
+
+}  // namespace
+
+std::string shown(const py::handle& value) {
+  try {
+    return printed(py::str(value));
+  } catch (py::error_already_set& error) {
+    if (!error.matches(PyExc_Exception)) throw;  // Ctrl-C
+    return "a huge " + type_name(value);
+  }
+}
+
+std::string represented(const py::handle& value) {
+  try {
+    return printed(py::repr(value));
+  } catch (py::error_already_set& error) {
+    if (!error.matches(PyExc_Exception)) throw;  // Ctrl-C
+    return "a huge " + type_name(value);
+  }
+}
+
+std::string type_name(const py::handle& value) {
+  return printed(py::type::handle_of(value).attr("__name__"));
+}
+
+}  // namespace delone::python
