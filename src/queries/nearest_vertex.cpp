@@ -270,7 +270,7 @@ void PointLocator::each_nearest(std::span<const double> queries, unsigned thread
   };
   const Edges& table = edges();
   const auto make_visit = [&]() -> Visit {
-    const auto walk = std::make_shared<Walk>(Nearest(*impl_, table), invalid_vertex);
+    const auto walk = std::shared_ptr<Walk>(new Walk{Nearest(*impl_, table), invalid_vertex});
     return [&, walk](std::size_t query, const LocatedPoint& where) {
       const double* q = queries.data() + query * d;
       VertexId& start = walk->start;
