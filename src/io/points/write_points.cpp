@@ -24,7 +24,8 @@ void write_header(io::AtomicFile& file, const std::vector<std::string>& names, c
   for (std::size_t i = 0; i < names.size(); ++i) {
     if (i > 0) file.put(delimiter);
     const std::string& name = names[i];
-    if (name.find_first_of(" ,\t\"\r\n#") == std::string::npos) {
+    const bool is_mark = name.starts_with("\xEF\xBB\xBF");  // a byte order mark, which readers skip
+    if (!is_mark && name.find_first_of(" ,\t\"\r\n#") == std::string::npos) {
       file.write(name);
       continue;
     }

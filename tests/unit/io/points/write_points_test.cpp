@@ -68,6 +68,10 @@ TEST_F(WritePoints, Names) {
   t.column_names = {"#a", "b"};
   write_points(path("a.csv"), t);
   EXPECT_EQ(read_points(path("a.csv")).column_names, t.column_names);
+  t.column_names = {"\xEF\xBB\xBF.5", ".5"};  // begins like a file with a byte order mark
+  write_points(path("a.csv"), t);
+  EXPECT_EQ(read_points(path("a.csv")).column_names, t.column_names);
+  EXPECT_EQ(read_points(path("a.csv")).coordinates, t.coordinates);
   t.column_names = {"2001", "2002"};  // would be read as a point
   write_points(path("a.csv"), t);
   EXPECT_EQ(content("a.csv"), "1,2\n");
