@@ -101,8 +101,7 @@ TEST_P(HullThreadsIn, HiddenPoints) {
 }
 
 TEST_P(HullThreadsIn, DegenerateSets) {
-  for (const PointSet& set :
-       test::degenerate_sets(GetParam(), num_points({60, 100, 60, 30, 20, 14}), 3)) {
+  for (const PointSet& set : test::degenerate_sets(GetParam(), num_points({60, 100, 60, 30, 20, 14}), 3)) {
     expect_same_in_threads(set);
     if (HasFailure()) return;
   }
