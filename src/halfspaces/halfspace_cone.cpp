@@ -206,6 +206,7 @@ void HalfspaceCone::keep_batch() noexcept {
 }
 void HalfspaceCone::undo_batch() noexcept {
   if (boundary_) boundary_->undo_batch();
+  ids_tell_of_timing_ = false;  // as when it began
   now_ = before_;
 }
 

@@ -197,6 +197,7 @@ void ConvexHullBuilder::keep_batch() noexcept {
 }
 void ConvexHullBuilder::undo_batch() noexcept {
   if (boundary_) boundary_->undo_batch();
+  ids_tell_of_timing_ = false;  // as when it began
   now_ = before_;
   now_.hull_is_current = false;  // it may have been made for the batch
 }
