@@ -16,6 +16,11 @@ class CompensatedSum {
       compensation_ += std::abs(sum_) >= std::abs(x) ? (sum_ - next) + x : (x - next) + sum_;
     sum_ = next;
   }
+  /// Adds all that was added to another sum.
+  void add(const CompensatedSum& other) {
+    add(other.sum_);
+    add(other.compensation_);
+  }
   double value() const { return sum_ + compensation_; }
 
  private:

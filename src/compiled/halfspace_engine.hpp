@@ -10,8 +10,10 @@
 
 #include <delone/types.hpp>
 
+#include <cstddef>
 #include <memory>
 #include <optional>
+#include <span>
 #include <utility>
 #include <vector>
 
@@ -30,6 +32,14 @@ class HalfspaceEngine {
   virtual bool insert(Index site) = 0;
   /// Inserts all vertices of a batch, each as insert() does.
   virtual void insert_all(engine::Batch& batch) = 0;
+  /// Whether several threads may insert a batch of so many vertices.
+  virtual bool shares_batches_of(std::size_t num_vertices) const = 0;
+  /// The same by several threads. REQUIRES shares_batches_of(). After an exception cells are of no use unless
+  /// the batch is undone.
+  virtual void insert_all(const engine::ParallelBatch& batch) = 0;
+  /// Gives cells ids that depend on their vertices alone, and on the places where these come in a certain
+  /// order (engine/sort_cells.hpp): by vertex, from 0 on. Where batches are never shared, does nothing.
+  virtual void sort_cells(std::span<const Index> places, unsigned threads) = 0;
   /// What follows can be undone, until it is, or kept. Throws, and then changes nothing.
   virtual void begin_batch() = 0;
   virtual void keep_batch() noexcept = 0;

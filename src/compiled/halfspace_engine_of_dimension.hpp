@@ -6,6 +6,9 @@
 #include "compiled/halfspace_engine.hpp"
 #include "engine/build.hpp"
 
+#include <algorithm>
+#include <cstddef>
+#include <span>
 #include <utility>
 
 namespace delone::internal {
@@ -30,6 +33,20 @@ class HalfspaceEngineOfDimension final : public HalfspaceEngine {
   bool insert(Index site) override { return build_.insert(site + 1) != invalid_index; }
 
   void insert_all(engine::Batch& batch) override { build_.insert_all(batch); }
+  bool shares_batches_of(std::size_t num_vertices) const override {
+    if constexpr (is_shared) return geometry().can_walk() && num_vertices > decltype(build_)::few_vertices;
+    return false;
+  }
+  void insert_all([[maybe_unused]] const engine::ParallelBatch& batch) override {
+    if constexpr (is_shared) build_.insert_all(batch);
+  }
+  void sort_cells([[maybe_unused]] std::span<const Index> places,
+                  [[maybe_unused]] unsigned threads) override {
+    if constexpr (is_shared) {
+      const Index end = *std::max_element(places.begin(), places.end()) + 1;
+      build_.sort_cells({end, true, places}, threads);
+    }
+  }
   void begin_batch() override { build_.begin_batch(); }
   void keep_batch() noexcept override { build_.keep_batch(); }
   void undo_batch() noexcept override { build_.undo_batch(); }
@@ -96,6 +113,9 @@ class HalfspaceEngineOfDimension final : public HalfspaceEngine {
     geometry().update_box();
     if (other != nullptr) build_.copy_cells(other->build_);
   }
+
+  /// Whether several threads may insert at once.
+  static constexpr bool is_shared = K >= 2 && K <= 6;
 
   const Geometry& geometry() const { return build_.geometry(); }
   Geometry& geometry() { return build_.geometry(); }

@@ -10,7 +10,9 @@
 
 #include <delone/types.hpp>
 
+#include <cstddef>
 #include <memory>
+#include <span>
 #include <utility>
 #include <vector>
 
@@ -38,6 +40,14 @@ class HullEngine {
   virtual Insertion insert(Index site) = 0;
   /// Inserts all vertices of a batch, each as insert() does.
   virtual void insert_all(engine::Batch& batch) = 0;
+  /// Whether several threads may insert a batch of so many vertices.
+  virtual bool shares_batches_of(std::size_t num_vertices) const = 0;
+  /// The same by several threads. REQUIRES shares_batches_of(). After an exception cells are of no use unless
+  /// the batch is undone.
+  virtual void insert_all(const engine::ParallelBatch& batch) = 0;
+  /// Gives cells ids that depend on their vertices alone, and on the places where these come in a certain
+  /// order (engine/sort_cells.hpp): by vertex, from 0 on. Where batches are never shared, does nothing.
+  virtual void sort_cells(std::span<const Index> places, unsigned threads) = 0;
   /// What follows can be undone, until it is, or kept. Throws, and then changes nothing.
   virtual void begin_batch() = 0;
   virtual void keep_batch() noexcept = 0;
@@ -46,6 +56,10 @@ class HullEngine {
   /// Whether a site is in the interior for certain; false says nothing. Walks from where the last insertion
   /// or question ended.
   virtual bool is_surely_interior(Index site) = 0;
+  /// The same for many sites, by several threads (Options::threads): sets is_interior[i] to 1 or 0. A
+  /// cancellation point.
+  virtual void find_surely_interior(std::span<const Index> sites, std::span<char> is_interior,
+                                    unsigned threads) const = 0;
   /// Takes over the view's box, which has changed. Throws std::bad_alloc, and then changes nothing.
   virtual void update_box() = 0;
   /// A copy that reads sites and view from other places.

@@ -2,6 +2,7 @@
 // The implementation of HullEngine for one dimension: joins engine/ and geometry/.
 #pragma once
 
+#include "base/parallel_parts.hpp"
 #include "base/progress_meter.hpp"
 #include "compiled/boundary_cells.hpp"
 #include "compiled/hull_engine.hpp"
@@ -11,6 +12,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <span>
 #include <utility>
 
 namespace delone::internal {
@@ -38,8 +40,35 @@ class HullEngineOfDimension final : public HullEngine {
     return build_.workspace().is_strictly_hidden ? Insertion::interior : Insertion::hidden;
   }
   bool is_surely_interior(Index site) override { return build_.is_surely_hidden(site + 1); }
+  void find_surely_interior(std::span<const Index> sites, std::span<char> is_interior,
+                            unsigned threads) const override {
+    constexpr std::size_t part = 1024;
+    work_in_parts(threads, sites.size(), part, [&] {
+      return
+          [&, from = build_.last_cell()](std::size_t first, std::size_t last, const StopPoint& stop) mutable {
+            for (std::size_t i = first; i < last; ++i) {
+              stop();
+              is_interior[i] = build_.is_surely_hidden(sites[i] + 1, from) ? 1 : 0;
+            }
+          };
+    });
+  }
 
   void insert_all(engine::Batch& batch) override { build_.insert_all(batch); }
+  bool shares_batches_of(std::size_t num_vertices) const override {
+    if constexpr (is_shared) return geometry().can_walk() && num_vertices > decltype(build_)::few_vertices;
+    return false;
+  }
+  void insert_all([[maybe_unused]] const engine::ParallelBatch& batch) override {
+    if constexpr (is_shared) build_.insert_all(batch);
+  }
+  void sort_cells([[maybe_unused]] std::span<const Index> places,
+                  [[maybe_unused]] unsigned threads) override {
+    if constexpr (is_shared) {
+      const Index end = *std::max_element(places.begin(), places.end()) + 1;
+      build_.sort_cells({end, true, places}, threads);
+    }
+  }
   void begin_batch() override { build_.begin_batch(); }
   void keep_batch() noexcept override { build_.keep_batch(); }
   void undo_batch() noexcept override { build_.undo_batch(); }
@@ -121,6 +150,9 @@ class HullEngineOfDimension final : public HullEngine {
     geometry().set_box(view.low.data(), view.high.data());
     if (other != nullptr) build_.copy_cells(other->build_);
   }
+
+  /// Whether several threads may insert at once.
+  static constexpr bool is_shared = K >= 2 && K <= 6;
 
   const Geometry& geometry() const { return build_.geometry(); }
   Geometry& geometry() { return build_.geometry(); }

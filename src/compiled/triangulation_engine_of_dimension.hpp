@@ -101,7 +101,7 @@ class TriangulationEngineOfDimension final : public TriangulationEngine {
     geometry().set_rows(points_.last_vertex());
   }
   void sort_cells([[maybe_unused]] unsigned threads) override {
-    if constexpr (is_shared) build_.sort_cells(points_.last_vertex() + 1, points_.weighted(), threads);
+    if constexpr (is_shared) build_.sort_cells({points_.last_vertex() + 1, points_.weighted()}, threads);
   }
   void begin_batch() override {
     need_functionals();

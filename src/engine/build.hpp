@@ -58,6 +58,12 @@ class Build : public Sphere<K, G> {
 
   /// So few vertices have too few cells for several threads.
   static constexpr std::size_t few_vertices = K <= 4 ? 16 * K : K == 5 ? 150 : 200;
+  /// Unless there are as many cells as so many vertices have if they are spread evenly.
+  static constexpr std::size_t many_cells = K == 2   ? 64
+                                            : K == 3 ? 300
+                                            : K == 4 ? 1600
+                                            : K == 5 ? 12000
+                                                     : 60000;
   /// The same in several threads, once there are enough cells for them; in one thread where the geometry does
   /// not share its cells.
   void insert_all(const ParallelBatch& batch) {
@@ -65,12 +71,14 @@ class Build : public Sphere<K, G> {
     const std::size_t n = batch.at.size();
     const auto insert_until = [&](std::size_t end) {
       for (; done < end; ++done) {
-        batch.at[done] = insert(batch.first + static_cast<Index>(done));
+        batch.at[done] = insert(batch.vertex(done));
+        batch.note_strictly(done, work_.is_strictly_hidden);
         batch.tick(done + 1);
       }
     };
     if constexpr (K >= 2 && K <= 6 && requires { typename G::ForThread; }) {
-      insert_until(std::min<std::size_t>(n, few_vertices));
+      const std::size_t alone = geometry_.can_walk() ? std::min<std::size_t>(n, few_vertices) : n;
+      while (done < alone && (alone == n || cells_.num_cells() < many_cells)) insert_until(done + 1);
       if (done < n) {
         work_.clear();
         ParallelInsertion<K, G>(insertion_parts(), batch).insert_from(done);
@@ -109,11 +117,13 @@ class Build : public Sphere<K, G> {
   }
 
   /// Whether v is in conflict with no cell for certain, by cached functionals alone; false says nothing.
-  bool is_surely_hidden(Index v) {
+  bool is_surely_hidden(Index v) { return is_surely_hidden(v, work_.last_cell); }
+  /// The same; walks from a cell, and sets it to where the walk has ended.
+  bool is_surely_hidden(Index v, Index& cell) const {
     const Query q = geometry_.query_at(v);
     if (!geometry_.can_walk()) return false;
-    const auto [outcome, near] = approach(cells_, geometry_, q, work_.last_cell);
-    work_.last_cell = near.cell;
+    const auto [outcome, near] = approach(cells_, geometry_, q, cell);
+    cell = near.cell;
     return outcome == Descent::hidden;
   }
 

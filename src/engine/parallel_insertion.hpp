@@ -126,10 +126,12 @@ class alignas(128) Worker final : public SlotSource {
   /// A cell to start from; the latest is tried first.
   void add_start(Index cell) { starts_[num_starts_++ % starts_.size()] = cell; }
 
-  /// Inserts a vertex, or changes nothing. `at`: as Batch::placed(). What the insertion claims is held until
-  /// the next one, or release().
-  Outcome insert(Index v, Index& at) {
+  /// Inserts vertex number i of a batch, or changes nothing. What the insertion claims is held until the next
+  /// one, or release().
+  Outcome insert(const ParallelBatch& batch, std::size_t i) {
     end_last();
+    const Index v = batch.vertex(i);
+    Index& at = batch.at[i];
     const typename G::Query q = geometry_.query_at(v);
     const ClaimedCells<K> cells(cells_, claims_);
     try {
@@ -140,6 +142,7 @@ class alignas(128) Worker final : public SlotSource {
       effort_.visited_cells += found.visited;
       at = found.vertex;
       if (found.vertex != invalid_index || found.hidden) {
+        batch.note_strictly(i, found.strictly);
         add_start(found.cell);
         return Outcome::done;
       }
@@ -150,6 +153,7 @@ class alignas(128) Worker final : public SlotSource {
       num_more_infinite_ +=
           static_cast<std::int64_t>(made.num_infinite) - static_cast<std::int64_t>(work_.zone.num_infinite);
       at = v;
+      batch.note_strictly(i, false);
     } catch (const Clash&) {
       abandon();
       return Outcome::put_off;
@@ -303,12 +307,15 @@ class ParallelInsertion {
   using Outcome = typename W::Outcome;
 
   void prepare() {
-    const Index last = batch_.first + static_cast<Index>(batch_.at.size()) - 1;
+    const Index last = batch_.last_vertex();
     parts_.cells.admit_vertices(last);
     parts_.geometry.prepare_rows(last);
     internal::parallel_for(batch_.threads, batch_.at.size(), 4096, [&](std::size_t first, std::size_t end) {
-      parts_.geometry.write_rows(batch_.first + static_cast<Index>(first),
-                                 batch_.first + static_cast<Index>(end) - 1);
+      if (batch_.steps.empty())
+        parts_.geometry.write_rows(batch_.vertex(first), batch_.vertex(end - 1));
+      else
+        for (std::size_t i = first; i < end; ++i)
+          parts_.geometry.write_rows(batch_.vertex(i), batch_.vertex(i));
     });
     reserve_slots();
     claims_.cover(parts_.memory);
@@ -327,8 +334,8 @@ class ParallelInsertion {
   /// Makes room for as many cells as there will be if vertices get as many as they have now, and some more.
   /// Without, memory grows several times.
   void reserve_slots() {
-    const std::size_t now = parts_.cells.num_slots(), n = batch_.first + batch_.at.size();
-    const std::size_t per_vertex = now / (batch_.first + num_before_) + 1;
+    const std::size_t now = parts_.cells.num_slots(), before = batch_.vertices_before();
+    const std::size_t n = before + batch_.at.size(), per_vertex = now / (before + num_before_) + 1;
     try {
       parts_.memory.reserve(
           std::min<std::size_t>(max_index, std::max(now, per_vertex * n + n / 2 * per_vertex)));
@@ -394,7 +401,7 @@ class ParallelInsertion {
       std::this_thread::yield();
     }
     if (is_retry) i = stretch.put_off[stretch.next++];
-    const Outcome outcome = worker.insert(batch_.first + static_cast<Index>(i), batch_.at[i]);
+    const Outcome outcome = worker.insert(batch_, i);
     if (outcome == Outcome::done) {
       ++stretch.since_last_clash;
       stretch.failures = 0;
@@ -415,7 +422,7 @@ class ParallelInsertion {
   void insert_alone(std::size_t i) {
     W& worker = *workers_.front();
     for (;;) {
-      const Outcome outcome = worker.insert(batch_.first + static_cast<Index>(i), batch_.at[i]);
+      const Outcome outcome = worker.insert(batch_, i);
       if (outcome == Outcome::done) break;
       if (outcome == Outcome::needs_memory) slots_.grow();
     }

@@ -3,6 +3,9 @@
 // greatest id, and those of one newest vertex by a hash of all. The vertices of each cell are increasing, but
 // for the last two where the orientation wants it so.
 //
+// Where ids are not in the order of insertion, places in it can be given instead of them; they need not be
+// without gaps.
+//
 // The cells of one newest vertex were created by one insertion, and those of the next by an insertion nearby.
 // So cells come from few places of memory, each of which is read from its beginning to its end, and nearly
 // all neighbors have numbers that are in the cache.
@@ -28,6 +31,14 @@
 
 namespace delone::engine {
 
+/// What is known of the vertices that cells have.
+struct VertexOrder {
+  Index size;  ///< all ids are before it, or places if there are any
+  /// Some may be those of no vertex. Which ones does not matter then.
+  bool has_gaps = false;
+  std::span<const Index> places = {};  ///< by id, those in the order of insertion
+};
+
 /// K is the dimension of the cells; two cells of one newest vertex have the same hash with a probability of
 /// 2^−HashBits.
 template <int K, int HashBits = 32>
@@ -35,13 +46,13 @@ class CellSorter {
   static_assert(K >= 2 && HashBits <= 32);
 
  public:
-  /// `has_gaps`: some ids before num_vertices may be those of no vertex. Which ones does not matter then.
-  CellSorter(CellMemory<K>& memory, CellStore<K>& cells, Index num_vertices, bool has_gaps, unsigned threads)
+  CellSorter(CellMemory<K>& memory, CellStore<K>& cells, const VertexOrder& order, unsigned threads)
       : memory_(memory),
         cells_(cells),
         threads_(threads),
-        ranks_(has_gaps ? num_vertices : 0),
-        end_(std::size_t{num_vertices} + 1) {}
+        places_(order.places),
+        ranks_(order.has_gaps ? order.size : 0),
+        end_(std::size_t{order.size} + 1) {}
 
   /// Throws std::bad_alloc, and then nothing has changed.
   void run() {
@@ -70,11 +81,19 @@ class CellSorter {
     return array;
   }
 
-  /// The number of vertices of lesser ids.
+  /// Where a vertex is among all.
+  Index rank(Index v) const {
+    const Index place = places_.empty() ? v : places_[v];
+    return ranks_.empty() ? place : ranks_[place];
+  }
+  /// The number of vertices before each place.
   void find_ranks() {
     for (Index cell = 0; cell < cells_.num_slots(); ++cell)
       if (!cells_.is_vacant(cell))
-        for (int i = 0; i <= K; ++i) ranks_[cells_.vertex(cell, i)] = 1;
+        for (int i = 0; i <= K; ++i) {
+          const Index v = cells_.vertex(cell, i);
+          ranks_[places_.empty() ? v : places_[v]] = 1;
+        }
     std::exclusive_scan(ranks_.begin(), ranks_.end(), ranks_.begin(), Index{0});
   }
 
@@ -91,10 +110,9 @@ class CellSorter {
         Index newest = 0;
         std::uint64_t sum = 0;
         for (int i = 0; i <= K; ++i) {
-          const Index v = cells_.vertex(cell, i);
-          const std::uint64_t product =
-              (std::uint64_t{ranks_.empty() ? v : ranks_[v]} + 1) * 0x9e3779b97f4a7c15u;
-          newest = std::max(newest, v);
+          const Index number = rank(cells_.vertex(cell, i));
+          const std::uint64_t product = (std::uint64_t{number} + 1) * 0x9e3779b97f4a7c15u;
+          newest = std::max(newest, number);
           sum += product ^ product >> 29;
         }
         key(cell)[0] = newest;
@@ -200,20 +218,20 @@ class CellSorter {
   CellMemory<K>& memory_;
   CellStore<K>& cells_;
   unsigned threads_;
-  std::vector<Index> ranks_;  // by vertex; none if they are the ids
-  /// By vertex: how many cells it is the newest of; then where the next of them goes, and at last where they
-  /// end.
+  std::span<const Index> places_;  // by vertex; none if they are the ids
+  std::vector<Index> ranks_;       // by place; none if they are the places
+  /// By rank of a vertex: how many cells it is the newest of; then where the next of them goes, and at last
+  /// where they end.
   std::vector<Index> end_;
   GrowableArray<Index> of_slots_;  // two for each, its key; then one, the number of its cell
   GrowableArray<std::uint64_t> entries_;
 };
 
-/// Sorts all cells, of vertices before num_vertices; there are no vacant slots then. Throws std::bad_alloc,
-/// and then changes nothing. Cost O(k²) per cell, and for a moment some 20 bytes for each.
+/// Sorts all cells; there are no vacant slots then. Throws std::bad_alloc, and then changes nothing. Cost
+/// O(k²) per cell, and for a moment some 20 bytes for each.
 template <int K>
-void sort_cells(CellMemory<K>& memory, CellStore<K>& cells, Index num_vertices, bool has_gaps,
-                unsigned threads) {
-  CellSorter<K>(memory, cells, num_vertices, has_gaps, threads).run();
+void sort_cells(CellMemory<K>& memory, CellStore<K>& cells, const VertexOrder& order, unsigned threads) {
+  CellSorter<K>(memory, cells, order, threads).run();
 }
 
 }  // namespace delone::engine

@@ -82,9 +82,9 @@ class Sphere {
           cells_.set_vertex(cell, i, new_ids[cells_.vertex(cell, i)]);
   }
 
-  /// Gives cells ids that depend on their vertices alone, all before num_vertices (sort_cells.hpp).
-  void sort_cells(Index num_vertices, bool has_gaps, unsigned threads) {
-    engine::sort_cells(memory_, cells_, num_vertices, has_gaps, threads);
+  /// Gives cells ids that depend on their vertices alone (sort_cells.hpp).
+  void sort_cells(const VertexOrder& order, unsigned threads) {
+    engine::sort_cells(memory_, cells_, order, threads);
     work_.clear();
     work_.last_cell = 0;
   }

@@ -57,9 +57,20 @@ class HalfspaceGeometry {
         view_(view),
         inner_(std::move(inner)),
         scale_(static_cast<std::size_t>(sites.dimension()), std::numeric_limits<double>::quiet_NaN()),
-        functionals_(cells) {
+        functionals_(cells),
+        rows_(scale_.size()) {
     functionals_.set_frame();
   }
+
+  /// The same for another thread; as HullGeometry's.
+  struct ForThread {};
+  HalfspaceGeometry(const HalfspaceGeometry& shared, ForThread)
+      : sites_(shared.sites_),
+        view_(shared.view_),
+        inner_(shared.inner_),
+        scale_(shared.scale_),
+        functionals_(shared.functionals_),
+        rows_(shared.rows_, KeptRows::ForThread()) {}
 
   static constexpr bool has_plateaus = true;
   bool can_walk() const { return view_.is_inside; }
@@ -70,7 +81,7 @@ class HalfspaceGeometry {
   /// nothing.
   void update_box() {
     const auto n = static_cast<Index>(sites_.size());
-    rows_.reserve((n + 1) * scale_.size());
+    rows_.reserve(n);
     for (std::size_t j = 0; j < scale_.size(); ++j) {
       const double center = view_.is_inside ? view_.dual_of_center[j] : 0;
       const double half = std::max(view_.high[j] - center, center - view_.low[j]);
@@ -80,8 +91,14 @@ class HalfspaceGeometry {
                       ? std::ldexp(1.0, -std::ilogb(half) - 2)
                       : std::numeric_limits<double>::quiet_NaN();
     }
-    std::fill_n(rows_.data(), scale_.size(), 0.0);
-    for (Index v = 1; v <= n; ++v) write_image(v, rows_.data() + v * scale_.size());
+    std::fill_n(rows_.row(0), scale_.size(), 0.0);
+    if (n > 0) write_rows(1, n);
+  }
+
+  /// As HullGeometry's.
+  void prepare_rows(Index last) { reserve_star(last, 1); }
+  void write_rows(Index first, Index last) {
+    for (Index v = first; v <= last; ++v) write_image(v, rows_.row(v));
   }
 
   /// REQUIRES a site whose dual point is in the box.
@@ -135,13 +152,12 @@ class HalfspaceGeometry {
   /// Makes room for a star of vertex v. Throws std::bad_alloc, and then changes nothing.
   void reserve_star(Index v, std::size_t facets) {
     functionals_.reserve_star(facets);
-    const std::size_t size = (static_cast<std::size_t>(v) + 1) * scale_.size();
-    if (size > rows_.capacity()) rows_.reserve(size + size / 2);
+    rows_.reserve(v);
   }
   /// Computes what is cached for the created cells of a star of vertex v at q; returns the facets for whose
   /// cells that is too inaccurate: these cells must be created one by one.
   std::span<const std::uint32_t> create_star(Index v, const Query& q, std::span<const HorizonFacet> facets) {
-    std::copy_n(q.row.data(), scale_.size(), rows_.data() + v * scale_.size());
+    rows_.set(v, q.row.data());
     return functionals_.combine(facets, rows_.data(), q.row.data(), {});
   }
   /// Says nothing of a cell: exact stages decide.
@@ -178,7 +194,7 @@ class HalfspaceGeometry {
   std::vector<Index> inner_;
   std::vector<double> scale_;  // per axis
   Functionals<K, false> functionals_;
-  GrowableArray<double> rows_;     // images of the vertices
+  KeptRows rows_;                  // images
   const kernel::Grid no_grid_{1};  // homogeneous rows need none
 };
 

@@ -9,6 +9,7 @@
 
 #include "cells/cell_memory.hpp"
 #include "geometry/functionals.hpp"
+#include "geometry/kept_rows.hpp"
 #include "geometry/lattice.hpp"
 #include "kernel/hull_stages.hpp"
 
@@ -52,9 +53,27 @@ class HullGeometry {
         center_is_inside_(center_is_inside),
         inner_(std::move(inner)),
         scale_(axes_.size(), std::numeric_limits<double>::quiet_NaN()),
-        functionals_(cells) {
+        functionals_(cells),
+        rows_(axes_.size()) {
     functionals_.set_frame();
   }
+
+  /// The same for another thread. The cells are shared, and so are the rows of the vertices, all of which
+  /// must be there (prepare_rows()). `shared` must outlive this object, and its rows must stay where they
+  /// are.
+  struct ForThread {};
+  HullGeometry(const HullGeometry& shared, ForThread)
+      : axes_(shared.axes_),
+        ambient_(shared.ambient_),
+        coordinates_(shared.coordinates_),
+        grid_(shared.grid_),
+        center_(shared.center_),
+        center_is_inside_(shared.center_is_inside_),
+        inner_(shared.inner_),
+        scale_(shared.scale_),
+        lattice_(shared.lattice_),
+        functionals_(shared.functionals_),
+        rows_(shared.rows_, KeptRows::ForThread()) {}
 
   static constexpr bool has_plateaus = true;
   bool can_walk() const { return center_is_inside_; }
@@ -76,12 +95,19 @@ class HullGeometry {
     }
     Lattice lattice(scale);
     const std::size_t n = coordinates_.size() / static_cast<std::size_t>(ambient_);
-    rows_.reserve((n + 1) * axes_.size());
+    rows_.reserve(static_cast<Index>(n));
     scale_ = std::move(scale);
     lattice_ = std::move(lattice);
-    std::fill_n(rows_.data(), axes_.size(), 0.0);
-    for (std::size_t v = 1; v <= n; ++v)
-      write_row(point(static_cast<Index>(v)), rows_.data() + v * axes_.size());
+    std::fill_n(rows_.row(0), axes_.size(), 0.0);
+    if (n > 0) write_rows(1, static_cast<Index>(n));
+  }
+
+  /// Makes room for the rows of vertices up to `last` and what the first star of one thread would find out.
+  /// Throws std::bad_alloc, and then changes nothing.
+  void prepare_rows(Index last) { reserve_star(last, 1); }
+  /// Computes the rows of vertices first … last. Several threads may do so for different ones.
+  void write_rows(Index first, Index last) {
+    for (Index v = first; v <= last; ++v) write_row(point(v), rows_.row(v));
   }
 
   /// A query at the point of a vertex.
@@ -150,13 +176,12 @@ class HullGeometry {
   /// Makes room for a star of vertex v. Throws std::bad_alloc, and then changes nothing.
   void reserve_star(Index v, std::size_t facets) {
     functionals_.reserve_star(facets);
-    const std::size_t size = (static_cast<std::size_t>(v) + 1) * axes_.size();
-    if (size > rows_.capacity()) rows_.reserve(size + size / 2);
+    rows_.reserve(v);
   }
   /// Computes what is cached for the created cells of a star of vertex v at q; returns the facets for whose
   /// cells that is too inaccurate: these cells must be created one by one.
   std::span<const std::uint32_t> create_star(Index v, const Query& q, std::span<const HorizonFacet> facets) {
-    std::copy_n(q.row.data(), axes_.size(), rows_.data() + v * axes_.size());
+    rows_.set(v, q.row.data());
     return functionals_.combine(facets, rows_.data(), q.row.data(), q.bounds);
   }
   /// Says nothing of a cell: exact stages decide.
@@ -193,7 +218,7 @@ class HullGeometry {
   std::vector<double> scale_;  // per axis of the flat
   Lattice lattice_;
   Functionals<K, false> functionals_;
-  GrowableArray<double> rows_;  // of the vertices
+  KeptRows rows_;
 };
 
 }  // namespace delone::geometry

@@ -40,8 +40,14 @@ HalfspaceCone::HalfspaceCone(const DualSites& sites, std::vector<Index> simplex,
 }
 
 HalfspaceCone::HalfspaceCone(const DualSites& sites, const HalfspaceCone& other)
-    : sites_(sites), view_(other.view_), now_(other.now_) {
-  is_surely_inside_ = other.is_surely_inside_;
+    : sites_(sites),
+      view_(other.view_),
+      now_(other.now_),
+      is_surely_inside_(other.is_surely_inside_),
+      threads_(other.threads_) {
+  const std::lock_guard lock(other.mutex_);
+  places_ = other.places_;
+  ids_tell_of_timing_ = other.ids_tell_of_timing_;
   if (other.boundary_) boundary_ = other.boundary_->copy(sites, view_);
 }
 
@@ -117,34 +123,71 @@ void HalfspaceCone::insert_end(Index site) {
 }
 
 struct HalfspaceCone::SiteBatch final : engine::Batch {
-  SiteBatch(HalfspaceCone& to, std::span<const Index> all, const std::function<void()>& listener)
+  SiteBatch(HalfspaceCone& to, std::span<const Index> all, const std::function<void(std::size_t)>& listener)
       : cone(to), sites(all), tell(listener) {}
 
   Index next() override { return place < sites.size() ? sites[place++] + 1 : invalid_index; }
   void placed(Index v, Index at, bool strictly) override {
     cone.is_surely_inside_[v - 1] = at != v && strictly ? 1 : 0;
     cone.now_.insertions += at == v;
-    tell();
+    tell(place);
   }
 
   HalfspaceCone& cone;
   std::span<const Index> sites;
-  const std::function<void()>& tell;
+  const std::function<void(std::size_t)>& tell;
   std::size_t place = 0;
 };
 
-void HalfspaceCone::insert_all(std::span<const Index> sites, const std::function<void()>& done) {
-  if (boundary_) {
-    include(sites);
-    is_surely_inside_.resize(sites_.size(), 0);
-    SiteBatch batch(*this, sites, done);
-    boundary_->insert_all(batch);
-  } else {
-    for (const Index site : sites) {
-      insert_end(site);
-      done();
+unsigned HalfspaceCone::insert_all(std::span<const Index> sites, std::span<const std::size_t> rounds,
+                                   const Options& options, const std::function<void(std::size_t)>& progress) {
+  if (!boundary_) {
+    for (std::size_t i = 0; i < sites.size(); ++i) {
+      insert_end(sites[i]);
+      progress(i + 1);
     }
+    return 1;
   }
+  include(sites);
+  is_surely_inside_.resize(sites_.size(), 0);
+  const unsigned threads = prepare_for_threads(sites, options);
+  if (threads > 1) {
+    insert_in_threads(sites, rounds, threads, progress);
+  } else {
+    SiteBatch batch(*this, sites, progress);
+    boundary_->insert_all(batch);
+  }
+  return threads;
+}
+
+/// How many threads insert sites. Where several may, notes the order of sites; no function of timing is that
+/// of their rows.
+unsigned HalfspaceCone::prepare_for_threads(std::span<const Index> sites, const Options& options) {
+  if (options.order == InsertionOrder::as_given || !boundary_->shares_batches_of(sites.size())) return 1;
+  places_.add(sites, sites_.size());
+  ids_tell_of_timing_ = true;
+  return engine::threads_for_batch(options.threads, sites.size(), sites_.dimension() - 1);
+}
+
+void HalfspaceCone::insert_in_threads(std::span<const Index> sites, std::span<const std::size_t> rounds,
+                                      unsigned threads, const std::function<void(std::size_t)>& progress) {
+  threads_ = threads;
+  std::vector<Index> at(sites.size());
+  std::vector<char> strictly(sites.size());
+  engine::ParallelBatch batch{threads, 1, at, rounds, progress, sites, now_.insertions, strictly};
+  boundary_->insert_all(batch);
+  for (std::size_t i = 0; i < sites.size(); ++i) {
+    const bool is_vertex = at[i] == sites[i] + 1;
+    is_surely_inside_[sites[i]] = !is_vertex && strictly[i] != 0 ? 1 : 0;
+    now_.insertions += is_vertex;
+  }
+}
+
+void HalfspaceCone::sort_cells() const {
+  if (!ids_tell_of_timing_) return;
+  places_.add({}, sites_.size());  // sites that came singly
+  boundary_->sort_cells(places_.of_vertices(), threads_);
+  ids_tell_of_timing_ = false;
 }
 
 void HalfspaceCone::leave_out(Index site) {
@@ -153,6 +196,8 @@ void HalfspaceCone::leave_out(Index site) {
 }
 
 void HalfspaceCone::begin_batch() {
+  // What is undone is undone slot by slot: cells stay where they are from now on, until they are kept.
+  sort_cells();
   before_ = now_;
   if (boundary_) boundary_->begin_batch();
 }
@@ -161,10 +206,18 @@ void HalfspaceCone::keep_batch() noexcept {
 }
 void HalfspaceCone::undo_batch() noexcept {
   if (boundary_) boundary_->undo_batch();
+  ids_tell_of_timing_ = false;  // as when it began
   now_ = before_;
 }
 
+std::size_t HalfspaceCone::bytes() const {
+  const std::lock_guard lock(mutex_);
+  return boundary_ ? boundary_->bytes() : sizeof(now_.ends);
+}
+
 SimplicialHull HalfspaceCone::hull() const {
+  const std::lock_guard lock(mutex_);
+  sort_cells();
   return boundary_ ? boundary_->to_simplicial_hull()
                    : SimplicialHull{1, {now_.ends[0], now_.ends[1]}, {1, 0}, {}};
 }

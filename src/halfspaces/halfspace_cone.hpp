@@ -8,10 +8,15 @@
 
 #include "compiled/halfspace_engine.hpp"
 #include "halfspaces/halfspace_dual.hpp"
+#include "hull/insertion_places.hpp"
 
+#include <delone/options.hpp>
+
+#include <cstddef>
 #include <cstdint>
 #include <functional>
 #include <memory>
+#include <mutex>
 #include <optional>
 #include <span>
 #include <utility>
@@ -27,9 +32,11 @@ class HalfspaceCone {
   /// A copy that reads the sites from another place.
   HalfspaceCone(const DualSites& sites, const HalfspaceCone& other);
 
-  /// Inserts sites, whose rays are those of no others, in turn, and calls done() after each, which may throw
-  /// to stop.
-  void insert_all(std::span<const Index> sites, const std::function<void()>& done);
+  /// Inserts sites, whose rays are those of no others, in turn or by several threads. `rounds`: as for
+  /// engine::ParallelBatch. progress() is told often how many are inserted, and may throw to stop. Returns
+  /// the number of threads. After an exception the cone is of no use, unless the batch is undone.
+  unsigned insert_all(std::span<const Index> sites, std::span<const std::size_t> rounds,
+                      const Options& options, const std::function<void(std::size_t)>& progress);
   /// Says of a site of the first batch that it is strictly inside, and need not be inserted. For k ≥ 2.
   void leave_out(Index site);
   /// What follows can be undone, until it is, or kept. Throws std::bad_alloc, and then changes nothing.
@@ -39,7 +46,8 @@ class HalfspaceCone {
   void undo_batch() noexcept;
 
   /// The boundary. Inside of a cell is where the determinant of its rows and of the queried row is
-  /// positive; for k = 1 cell 0 is so, cell 1 the other way round.
+  /// positive; for k = 1 cell 0 is so, cell 1 the other way round. Cells have an order that does not depend
+  /// on timing; until then they may.
   SimplicialHull hull() const;
   std::vector<std::pair<Index, Index>> coplanar_neighbors(const SimplicialHull& hull) const;
   /// The exact side of cell c of hull() that a site is on: + inside, 0 on its hyperplane.
@@ -50,13 +58,17 @@ class HalfspaceCone {
 
   engine::Effort effort() const { return boundary_ ? boundary_->effort() : engine::Effort{}; }
   std::uint64_t insertions() const { return now_.insertions; }
-  std::size_t bytes() const { return boundary_ ? boundary_->bytes() : sizeof(now_.ends); }
+  std::size_t bytes() const;
 
  private:
   void choose_center(const std::vector<Index>& simplex, const InteriorPoint& p);
   bool grow_box(Index site);
   void include(std::span<const Index> sites);
   void insert_end(Index site);
+  unsigned prepare_for_threads(std::span<const Index> sites, const Options& options);
+  void insert_in_threads(std::span<const Index> sites, std::span<const std::size_t> rounds, unsigned threads,
+                         const std::function<void(std::size_t)>& progress);
+  void sort_cells() const;
 
   struct SiteBatch;
   /// What of all this a batch changes.
@@ -70,6 +82,10 @@ class HalfspaceCone {
   std::unique_ptr<HalfspaceEngine> boundary_;  // none for k = 1
   Progress now_, before_;
   std::vector<char> is_surely_inside_;  // by site: whether it is known to be strictly inside
+  unsigned threads_ = 1;                // of the last batch of several
+  mutable std::mutex mutex_;
+  mutable InsertionPlaces places_;
+  mutable bool ids_tell_of_timing_ = false;  // of cells: they have to be sorted before they are shown
 };
 
 }  // namespace delone::internal

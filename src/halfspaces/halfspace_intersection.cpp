@@ -49,13 +49,15 @@ struct Polyhedron::Impl {
         rows(other.rows),
         current(std::make_unique<IntersectionParts>(*other.current)),
         order_seconds(other.order_seconds),
-        build_seconds(other.build_seconds) {}
+        build_seconds(other.build_seconds),
+        most_threads(other.most_threads) {}
 
   std::size_t d;
   Options options;
   std::vector<double> rows;  // m×(d+1)
   std::unique_ptr<IntersectionParts> current;
   double order_seconds = 0, build_seconds = 0;
+  unsigned most_threads = 1;
   mutable std::mutex mutex;
   mutable std::unique_ptr<const IntersectionData> data;
 
@@ -166,8 +168,9 @@ struct Polyhedron::Impl {
     }
     for (const Index site : sites.inner) parts.cone->leave_out(site);
     internal::ProgressMeter progress(options.progress, order.size());
-    std::size_t done = 0;
-    parts.cone->insert_all(order, [&] { progress(++done); });
+    const unsigned threads =
+        parts.cone->insert_all(order, sites.rounds, options, [&](std::size_t done) { progress(done); });
+    most_threads = std::max(most_threads, threads);
     build_seconds += stopwatch.seconds();
   }
 
@@ -304,6 +307,7 @@ Statistics Polyhedron::statistics() const {
   Statistics s;
   s.order_seconds = impl_->order_seconds;
   s.build_seconds = impl_->build_seconds;
+  s.threads = impl_->most_threads;
   if (!impl_->current->cone) return s;
   const engine::Effort effort = impl_->current->cone->effort();
   s.created_cells = effort.created_cells;

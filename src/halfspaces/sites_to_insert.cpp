@@ -27,11 +27,11 @@ SitesToInsert sites_to_insert(const IntersectionParts& parts, Index first, const
     }
   }
   SitesToInsert sites;
-  PointSieve sieve(duals, parts.rank(), relative_error);
+  PointSieve sieve(duals, parts.rank(), relative_error, options.threads);
   if (are_finite && !parts.cone && k > 1 && count >= least_sieved &&
       options.order == InsertionOrder::automatic)
     sieve.run();
-  sites.order = order::insertion_order({sieve.remaining_points(), parts.rank()}, options);
+  sites.order = order::insertion_order({sieve.remaining_points(), parts.rank()}, options, &sites.rounds);
   std::size_t next = 0;
   for (Index i = 0; sieve.num_remaining() < count && i < count; ++i)
     if (next < sieve.num_remaining() && sieve.remaining_row(next) == i)

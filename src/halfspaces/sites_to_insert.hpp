@@ -7,12 +7,15 @@
 #include <delone/options.hpp>
 #include <delone/types.hpp>
 
+#include <cstddef>
 #include <vector>
 
 namespace delone::internal {
 
 struct SitesToInsert {
   std::vector<Index> order;
+  std::vector<std::size_t>
+      rounds;                ///< where about stretches of the order end that cover all sites, ascending
   std::vector<Index> inner;  ///< left out: their dual points are certainly interior to the hull of the others
 };
 

@@ -171,8 +171,8 @@ struct Polytope::Impl {
     if (!analysis_of_state) {
       const HullState& of = shown_when_locked();
       const double distance = tolerant ? tolerant->max_distance() : 0;
-      analysis_of_state =
-          std::make_unique<HullAnalysis>(of, internal::HullTolerance{options.tolerance, distance});
+      analysis_of_state = std::make_unique<HullAnalysis>(
+          of, internal::HullTolerance{options.tolerance, distance}, options.threads);
     }
     return *analysis_of_state;
   }
@@ -326,18 +326,28 @@ std::vector<SignedIndex> Polytope::visible_facets(const AnyPoint<>& query) const
 CanonicalHash Polytope::hash() const {
   const SimplicialHull& hull = impl_->hull();
   const HullSites& sites = impl_->state->sites();
+  const unsigned threads = impl_->options.threads;
   internal::HashAccumulator hash;
-  std::vector<Index> corners = hull.cells;
-  if (affine_dimension() == 0) corners = {impl_->shown().basis()[0]};
-  std::sort(corners.begin(), corners.end());
-  corners.erase(std::unique(corners.begin(), corners.end()), corners.end());
-  for (const Index site : corners) hash.add_vertex(internal::point_tag(sites.point(site), dimension()));
-  for (std::size_t c = 0; c < hull.num_cells(); ++c) {
-    internal::cancellation_point();
-    internal::PointTag sum;
-    for (const Index site : hull.cell(c)) sum += internal::point_tag(sites.point(site), dimension());
-    hash.add_cell(sum);
-  }
+  std::vector<char> is_corner(sites.size(), 0);
+  for (const Index site : hull.cells) is_corner[site] = 1;
+  if (affine_dimension() == 0) is_corner[impl_->shown().basis()[0]] = 1;
+  std::vector<internal::PointTag> tags(sites.size());
+  internal::add_in_parts(
+      threads, sites.size(), hash, [&](std::size_t first, std::size_t last, internal::HashAccumulator& some) {
+        for (std::size_t site = first; site < last; ++site) {
+          if (is_corner[site] == 0) continue;
+          tags[site] = internal::point_tag(sites.point(static_cast<Index>(site)), dimension());
+          some.add_vertex(tags[site]);
+        }
+      });
+  internal::add_in_parts(threads, hull.num_cells(), hash,
+                         [&](std::size_t first, std::size_t last, internal::HashAccumulator& some) {
+                           for (std::size_t c = first; c < last; ++c) {
+                             internal::PointTag sum;
+                             for (const Index site : hull.cell(c)) sum += tags[site];
+                             some.add_cell(sum);
+                           }
+                         });
   return hash.finish(dimension(), affine_dimension());
 }
 

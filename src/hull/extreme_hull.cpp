@@ -233,7 +233,7 @@ ExtremeHull find_extreme_hull(std::span<const double> coordinates, int dimension
   constexpr std::size_t least_rows = 64;
   const std::size_t n = coordinates.size() / static_cast<std::size_t>(dimension);
   ExtremeHull result{std::make_unique<HullState>(dimension), {}};
-  PointSieve sieve(coordinates, dimension);
+  PointSieve sieve(coordinates, dimension, 0, options.threads);
   std::unique_ptr<HullState> before;
   if (dimension > 1 && n >= least_rows) sieve.run();
   if (!sieve.has_shell()) {

@@ -10,8 +10,8 @@
 
 namespace delone::internal {
 
-HullAnalysis::HullAnalysis(const HullState& state, const HullTolerance& tolerance)
-    : state_(state), tolerance_(tolerance) {
+HullAnalysis::HullAnalysis(const HullState& state, const HullTolerance& tolerance, unsigned threads)
+    : state_(state), tolerance_(tolerance), threads_(threads) {
   if (state.builder() != nullptr) locator_.emplace(state.sites(), *state.builder());
 }
 
@@ -53,7 +53,7 @@ std::size_t HullAnalysis::num_extreme() const {
 }
 
 const HullMeasures& HullAnalysis::measures() const {
-  return measures_.get([&] { return measure_hull(state_.sites(), state_.hull()); });
+  return measures_.get([&] { return measure_hull(state_.sites(), state_.hull(), threads_); });
 }
 
 const HullData& HullAnalysis::data() const {

@@ -42,8 +42,8 @@ struct HullTolerance {
 
 class HullAnalysis {
  public:
-  /// The state must outlive this object and must not change.
-  explicit HullAnalysis(const HullState& state, const HullTolerance& tolerance = {});
+  /// The state must outlive this object and must not change. `threads`: as Options::threads.
+  explicit HullAnalysis(const HullState& state, const HullTolerance& tolerance = {}, unsigned threads = 1);
 
   /// Empty for k < 1.
   const std::optional<HullLocator>& locator() const { return locator_; }
@@ -67,6 +67,7 @@ class HullAnalysis {
 
   const HullState& state_;
   HullTolerance tolerance_;
+  unsigned threads_;
   std::optional<HullLocator> locator_;
   Lazy<PolytopeFaces> faces_;
   Lazy<Lists> facet_sites_;

@@ -44,8 +44,11 @@ ConvexHullBuilder::ConvexHullBuilder(const HullSites& sites, const std::vector<I
 }
 
 ConvexHullBuilder::ConvexHullBuilder(const HullSites& sites, const ConvexHullBuilder& other)
-    : sites_(sites), view_(other.view_), now_(other.now_) {
+    : sites_(sites), view_(other.view_), now_(other.now_), threads_(other.threads_) {
   now_.hull_is_current = false;
+  const std::lock_guard lock(other.mutex_);
+  places_ = other.places_;
+  ids_tell_of_timing_ = other.ids_tell_of_timing_;
   if (other.boundary_) boundary_ = other.boundary_->copy(sites, view_);
 }
 
@@ -153,7 +156,39 @@ void ConvexHullBuilder::insert_all(std::span<const Index> sites,
   }
 }
 
+void ConvexHullBuilder::prepare_for_threads(std::span<const Index> order) {
+  places_.add(order, sites_.size());
+  ids_tell_of_timing_ = true;
+}
+
+void ConvexHullBuilder::insert_all(std::span<const Index> sites, std::span<const std::size_t> rounds,
+                                   unsigned threads, const std::function<void(std::size_t)>& tick,
+                                   const std::function<void(Index, Insertion)>& placed) {
+  threads_ = threads;
+  std::vector<Index> at(sites.size());
+  std::vector<char> strictly(sites.size());
+  engine::ParallelBatch batch{threads, 1, at, rounds, tick, sites, now_.insertions, strictly};
+  boundary_->insert_all(batch);
+  for (std::size_t i = 0; i < sites.size(); ++i) {
+    const Insertion outcome = at[i] == sites[i] + 1 ? Insertion::vertex
+                              : strictly[i] != 0    ? Insertion::interior
+                                                    : Insertion::hidden;
+    count(outcome);
+    placed(sites[i], outcome);
+  }
+}
+
+void ConvexHullBuilder::find_surely_interior(std::span<const Index> sites, std::span<char> is_interior,
+                                             unsigned threads) const {
+  if (boundary_)
+    boundary_->find_surely_interior(sites, is_interior, threads);
+  else
+    std::fill(is_interior.begin(), is_interior.end(), 0);
+}
+
 void ConvexHullBuilder::begin_batch() {
+  // What is undone is undone slot by slot: cells stay where they are from now on, until they are kept.
+  sort_cells();
   before_ = now_;
   if (boundary_) boundary_->begin_batch();
 }
@@ -162,12 +197,27 @@ void ConvexHullBuilder::keep_batch() noexcept {
 }
 void ConvexHullBuilder::undo_batch() noexcept {
   if (boundary_) boundary_->undo_batch();
+  ids_tell_of_timing_ = false;  // as when it began
   now_ = before_;
   now_.hull_is_current = false;  // it may have been made for the batch
 }
 
+void ConvexHullBuilder::sort_cells() const {
+  if (!ids_tell_of_timing_) return;
+  places_.add({}, sites_.size());  // sites that came singly
+  boundary_->sort_cells(places_.of_vertices(), threads_);
+  ids_tell_of_timing_ = false;
+  now_.hull_is_current = false;
+}
+
+std::size_t ConvexHullBuilder::bytes() const {
+  const std::lock_guard lock(mutex_);
+  return boundary_ ? boundary_->bytes() : sizeof(now_.ends);
+}
+
 const SimplicialHull& ConvexHullBuilder::hull() const {
   const std::lock_guard lock(mutex_);
+  sort_cells();
   if (!now_.hull_is_current) {
     hull_ = boundary_ ? boundary_->to_simplicial_hull()
                       : SimplicialHull{1, {now_.ends[0], now_.ends[1]}, {1, 0}, {}};

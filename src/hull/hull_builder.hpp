@@ -5,6 +5,7 @@
 
 #include "compiled/hull_engine.hpp"
 #include "compiled/simplicial_hull.hpp"
+#include "hull/insertion_places.hpp"
 
 #include <cstdint>
 #include <functional>
@@ -29,6 +30,21 @@ class ConvexHullBuilder {
   Insertion insert(Index site);
   /// The same for many sites in turn; `placed` is told what became of each, and may throw to stop.
   void insert_all(std::span<const Index> sites, const std::function<void(Index, Insertion)>& placed);
+  /// Whether several threads may insert so many sites.
+  bool shares_batches_of(std::size_t num_sites) const {
+    return boundary_ && boundary_->shares_batches_of(num_sites);
+  }
+  /// Several threads may insert sites before the next call of hull(), which numbers cells in an order that
+  /// does not depend on timing. `order`: of these sites, among others perhaps, and no function of what was
+  /// inserted by several threads before. Until hull() is called, a batch that has begun can be undone.
+  void prepare_for_threads(std::span<const Index> order);
+  /// The same as above by several threads. `rounds`: as for engine::ParallelBatch. `tick` is called often, in
+  /// the calling thread alone, with the number of sites inserted, and may throw to stop. REQUIRES
+  /// shares_batches_of() and prepare_for_threads(). Without begin_batch() the boundary is of no use after an
+  /// exception.
+  void insert_all(std::span<const Index> sites, std::span<const std::size_t> rounds, unsigned threads,
+                  const std::function<void(std::size_t)>& tick,
+                  const std::function<void(Index, Insertion)>& placed);
   /// What follows can be undone, until it is, or kept. Throws std::bad_alloc, and then changes nothing.
   void begin_batch();
   void keep_batch() noexcept;
@@ -37,6 +53,10 @@ class ConvexHullBuilder {
   /// Whether a site is in the interior for certain; false says nothing. Fast if the previous site was
   /// near.
   bool is_surely_interior(Index site) { return boundary_ && boundary_->is_surely_interior(site); }
+  /// The same for many sites, by several threads (Options::threads): is_interior[i] becomes 1 or 0. A
+  /// cancellation point.
+  void find_surely_interior(std::span<const Index> sites, std::span<char> is_interior,
+                            unsigned threads) const;
 
   /// Made on the first call after an insertion; `const` calls may come from several threads.
   const SimplicialHull& hull() const;
@@ -47,7 +67,7 @@ class ConvexHullBuilder {
   bool has_center() const { return view_.is_inside; }
   const engine::Effort& effort() const { return boundary_ ? boundary_->effort() : now_.effort_of_ends; }
   std::uint64_t insertions() const { return now_.insertions; }
-  std::size_t bytes() const { return boundary_ ? boundary_->bytes() : sizeof(now_.ends); }
+  std::size_t bytes() const;
 
  private:
   struct SiteBatch;
@@ -60,6 +80,7 @@ class ConvexHullBuilder {
   };
 
   Insertion insert_end(Index site);
+  void sort_cells() const;
   void count(Insertion outcome);
   void choose_center(const std::vector<Index>& simplex);
   void grow_box(const double* point, double margin);
@@ -69,8 +90,11 @@ class ConvexHullBuilder {
   std::unique_ptr<HullEngine> boundary_;  // none for k = 1
   mutable Progress now_;
   Progress before_;
+  unsigned threads_ = 1;  // of the last batch of several
   mutable std::mutex mutex_;
-  mutable SimplicialHull hull_;  // if now_.hull_is_current
+  mutable InsertionPlaces places_;
+  mutable bool ids_tell_of_timing_ = false;  // of cells: they have to be sorted before they are shown
+  mutable SimplicialHull hull_;              // if now_.hull_is_current
 };
 
 }  // namespace delone::internal

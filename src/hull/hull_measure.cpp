@@ -2,6 +2,7 @@
 #include "hull/hull_measure.hpp"
 
 #include "base/compiled_dimension.hpp"
+#include "base/parallel_parts.hpp"
 #include "base/progress_meter.hpp"
 #include "compiled/dispatch.hpp"
 #include "hull/hull_normal.hpp"
@@ -95,6 +96,10 @@ class Measuring {
     volume_.add(simplex_volume(points, sites_.ambient));
     points.pop_back();
   }
+  void add(const Measuring& other) {
+    volume_.add(other.volume_);
+    area_.add(other.area_);
+  }
   HullMeasures result(const SimplicialHull& hull) const {
     if (hull.dimension == 1) return {volume_.result(), {static_cast<double>(hull.num_cells()), 0}};
     return {volume_.result(), area_.result()};
@@ -108,17 +113,23 @@ class Measuring {
 };
 
 template <int D>
-HullMeasures measure(const HullSites& sites, const SimplicialHull& hull) {
-  HullNormal<D> normal(hull.dimension);
-  Measuring measuring(sites, hull);
-  std::vector<const double*> points;
-  for (std::size_t c = 0; c < hull.num_cells(); ++c) {
-    cancellation_point();
-    gather(sites, hull.cell(c), points);
-    const bool is_known = measuring.needs_normals() && normal.compute(points.data(), sites.axes, false);
-    measuring.add(hull.cell(c), points, is_known ? &normal : nullptr);
-  }
-  return measuring.result(hull);
+HullMeasures measure(const HullSites& sites, const SimplicialHull& hull, unsigned threads) {
+  constexpr std::size_t part = 8192;
+  std::vector<Measuring> of_parts((hull.num_cells() + part - 1) / part, Measuring(sites, hull));
+  for_parts(threads, hull.num_cells(), part, [&](std::size_t first, std::size_t last, const StopPoint& stop) {
+    HullNormal<D> normal(hull.dimension);
+    Measuring measuring(sites, hull);
+    std::vector<const double*> points;
+    for (std::size_t c = first; c < last; ++c) {
+      stop();
+      gather(sites, hull.cell(c), points);
+      const bool is_known = measuring.needs_normals() && normal.compute(points.data(), sites.axes, false);
+      measuring.add(hull.cell(c), points, is_known ? &normal : nullptr);
+    }
+    of_parts[first / part].add(measuring);
+  });
+  for (std::size_t p = 1; p < of_parts.size(); ++p) of_parts[0].add(of_parts[p]);
+  return of_parts[0].result(hull);
 }
 
 /// An upper bound on the distance between two sites.
@@ -211,6 +222,12 @@ void MeasureSum::add(const Measure& term) {
   magnitude_ += std::fabs(term.value);
 }
 
+void MeasureSum::add(const MeasureSum& other) {
+  sum_.add(other.sum_);
+  error_ += other.error_;
+  magnitude_ += other.magnitude_;
+}
+
 Measure MeasureSum::result() const {
   const double value = sum_.value();
   if (!std::isfinite(value)) return {value, infinity};
@@ -254,9 +271,9 @@ Measure simplex_volume(std::span<const double* const> points, int ambient) {
           times_power(bound / factorial, exponent) + std::numeric_limits<double>::denorm_min()};
 }
 
-HullMeasures measure_hull(const HullSites& sites, const SimplicialHull& hull) {
+HullMeasures measure_hull(const HullSites& sites, const SimplicialHull& hull, unsigned threads) {
   if (hull.num_cells() == 0) return {};
-  return with_compiled_dimension(hull.corners(), [&](auto k) { return measure<k()>(sites, hull); });
+  return with_compiled_dimension(hull.corners(), [&](auto k) { return measure<k()>(sites, hull, threads); });
 }
 
 FacetEquations facet_equations(const HullSites& sites, const SimplicialHull& hull,

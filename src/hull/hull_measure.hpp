@@ -18,6 +18,8 @@ namespace delone::internal {
 class MeasureSum {
  public:
   void add(const Measure& term);
+  /// Adds all that was added to another sum.
+  void add(const MeasureSum& other);
   Measure result() const;
 
  private:
@@ -37,11 +39,12 @@ Measure simplex_volume(std::span<const double* const> points, int ambient);
 
 /// The volume of the hull and the area of its boundary, both within the flat, with one elimination per cell.
 /// The volume is the sum over the simplices that join each cell to one fixed vertex. None of them has
-/// negative volume, so nothing cancels.
+/// negative volume, so nothing cancels. Up to `threads` threads (Options::threads) share the cells; the
+/// result does not depend on them.
 struct HullMeasures {
   Measure volume, area;
 };
-HullMeasures measure_hull(const HullSites& sites, const SimplicialHull& hull);
+HullMeasures measure_hull(const HullSites& sites, const SimplicialHull& hull, unsigned threads = 1);
 
 /// For each facet the outward unit normal of its hyperplane within the flat and the offset, d+1 numbers, with
 /// the error bounds of Polytope::data(). Each facet takes the equation of its cell with the smallest bound.

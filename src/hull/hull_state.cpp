@@ -3,6 +3,7 @@
 
 #include "base/stopwatch.hpp"
 #include "complex/canonical_hash.hpp"
+#include "hull/insert_in_threads.hpp"
 #include "hull/outermost_sites.hpp"
 #include "hull/point_sieve.hpp"
 #include "order/insertion_order.hpp"
@@ -176,11 +177,36 @@ void HullState::restart(Rollback& rollback) {
   if (affine_hull_.dimension() >= 1) builder_ = std::make_unique<ConvexHullBuilder>(sites_, basis_);
 }
 
+void HullState::note(Index site, Insertion outcome) {
+  if (outcome == Insertion::interior) is_surely_interior_[site] = 1;
+}
+
 /// Inserts sites in turn, and calls done() after each.
 void HullState::insert_all(std::span<const Index> sites, const std::function<void()>& done) {
   builder_->insert_all(sites, [&](Index site, Insertion outcome) {
-    if (outcome == Insertion::interior) is_surely_interior_[site] = 1;
+    note(site, outcome);
     done();
+  });
+}
+
+/// By as many threads as there are for it. `first`: those that were inserted before into a boundary that
+/// began with them, or none. If there are any, the order is no function of timing.
+void HullState::insert_in_threads(std::span<const Index> sites, std::span<const std::size_t> rounds,
+                                  const Options& options, std::span<const Index> first,
+                                  const std::function<void(std::size_t)>& progress) {
+  std::vector<Index> order(first.begin(), first.end());
+  order.insert(order.end(), sites.begin(), sites.end());
+  if (first.empty()) std::sort(order.begin(), order.end());
+  builder_->prepare_for_threads(order);
+  const unsigned threads =
+      engine::threads_for_batch(options.threads, sites.size(), affine_hull_.dimension() - 1);
+  earlier_.threads = std::max(earlier_.threads, threads);
+  const auto placed = [this](Index site, Insertion outcome) { note(site, outcome); };
+  if (threads > 1) return internal::insert_in_threads(*builder_, sites, rounds, threads, progress, placed);
+  std::size_t done = 0;
+  builder_->insert_all(sites, [&](Index site, Insertion outcome) {
+    placed(site, outcome);
+    progress(++done);
   });
 }
 
@@ -213,8 +239,8 @@ void HullState::add_rows(std::span<const double> coordinates, std::span<const In
 
 /// Adds the rows of the first batch. Interior ones that a few passes find have no sites. Returns the sites to
 /// begin with, if they are known.
-std::vector<Index> HullState::sieve(std::span<const double> coordinates) {
-  PointSieve sieve(coordinates, sites_.ambient);
+std::vector<Index> HullState::sieve(std::span<const double> coordinates, unsigned threads) {
+  PointSieve sieve(coordinates, sites_.ambient, 0, threads);
   sieve.run();
   const std::vector<Index> remaining = sieve.remaining_rows();
   const std::size_t n = coordinates.size() / ambient();
@@ -262,30 +288,35 @@ void HullState::give_sieved_rows_sites() {
 }
 
 /// Takes out the sites that are in the interior already, if a sample says that they are many.
-void HullState::drop_interior(std::vector<Index>& sites, ProgressMeter& progress) {
-  constexpr std::size_t sample = 64, rows_per_report = 1024;
+void HullState::drop_interior(std::vector<Index>& sites, unsigned threads) {
+  constexpr std::size_t sample = 64;
   if (sites.size() < 2 * sample) return;
   std::size_t interior = 0;
   for (std::size_t i = 0; i < sample; ++i)
     interior += builder_->is_surely_interior(sites[i * (sites.size() / sample)]) ? 1 : 0;
   if (interior < sample / 4) return;
-  std::size_t seen = 0;
-  std::erase_if(sites, [&](Index site) {
-    if (++seen % rows_per_report == 0) progress(0);
-    const bool is_interior = builder_->is_surely_interior(site);
-    is_surely_interior_[site] = is_interior ? 1 : 0;
-    return is_interior;
-  });
+  std::vector<char> is_interior(sites.size());
+  builder_->find_surely_interior(sites, is_interior, threads);
+  std::size_t left = 0;
+  for (std::size_t i = 0; i < sites.size(); ++i) {
+    is_surely_interior_[sites[i]] = is_interior[i];
+    sites[left] = sites[i];
+    left += is_interior[i] == 0;
+  }
+  sites.resize(left);
 }
 
-void HullState::put_in_order(std::vector<Index>& sites, const Options& options) const {
+/// Returns where rounds end that cover the whole set.
+std::vector<std::size_t> HullState::put_in_order(std::vector<Index>& sites, const Options& options) const {
+  std::vector<std::size_t> rounds;
   std::vector<double> coordinates;
   coordinates.reserve(sites.size() * ambient());
   for (const Index site : sites)
     coordinates.insert(coordinates.end(), sites_.point(site), sites_.point(site) + ambient());
-  std::vector<Index> order = order::insertion_order({coordinates, sites_.ambient}, options);
+  std::vector<Index> order = order::insertion_order({coordinates, sites_.ambient}, options, &rounds);
   for (Index& at : order) at = sites[at];
   sites = std::move(order);
+  return rounds;
 }
 
 void HullState::insert_range(std::span<const double> coordinates, const Options& options,
@@ -299,7 +330,7 @@ void HullState::insert_range(std::span<const double> coordinates, const Options&
   // With a tolerance an interior row may be outside of what is shown, and needs a site.
   if (first_site == 0 && ambient() > 1 && options.tolerance == 0 &&
       options.order != InsertionOrder::as_given && coordinates.size() >= least_to_sieve * ambient())
-    outermost = sieve(coordinates);
+    outermost = sieve(coordinates, options.threads);
   else
     add_rows(coordinates, {});
   earlier_.order_seconds += stopwatch.seconds();
@@ -329,21 +360,30 @@ void HullState::insert_range(std::span<const double> coordinates, const Options&
       if (!is_done[site]) others.push_back(site);
     std::size_t done = 0;
     ProgressMeter progress(options.progress, outermost.size() + others.size());
-    const auto note = [&] { progress(++done); };
-    insert_all(outermost, note);
+    const auto count = [&] { progress(++done); };
+    insert_all(outermost, count);
     if (has_shell) {
       const std::size_t all = others.size();
-      drop_interior(others, progress);
+      drop_interior(others, options.threads);
       done += all - others.size();
     }
     earlier_.build_seconds += stopwatch.seconds();
 
     stopwatch.restart();
-    put_in_order(others, options);
+    const std::vector<std::size_t> rounds = put_in_order(others, options);
     earlier_.order_seconds += stopwatch.seconds();
 
     stopwatch.restart();
-    insert_all(others, note);
+    // As given means in that order. Of what is approved of, cells are asked before the batch is kept.
+    if (options.order == InsertionOrder::as_given || (approve && !raised) ||
+        !builder_->shares_batches_of(others.size())) {
+      insert_all(others, count);
+    } else {
+      std::vector<Index> first;
+      if (raised) first = basis_;
+      if (raised) first.insert(first.end(), outermost.begin(), outermost.end());
+      insert_in_threads(others, rounds, options, first, [&](std::size_t n) { progress(done + n); });
+    }
   }
   if (approve) approve();
   earlier_.build_seconds += stopwatch.seconds();

@@ -77,11 +77,15 @@ class HullState {
   void restart(Rollback& rollback);
   void note_effort(Statistics& sum) const;
   void add_rows(std::span<const double> coordinates, std::span<const Index> rows);
-  std::vector<Index> sieve(std::span<const double> coordinates);
+  std::vector<Index> sieve(std::span<const double> coordinates, unsigned threads);
   void give_sieved_rows_sites();
   void insert_all(std::span<const Index> sites, const std::function<void()>& done);
-  void drop_interior(std::vector<Index>& sites, ProgressMeter& progress);
-  void put_in_order(std::vector<Index>& sites, const Options& options) const;
+  void insert_in_threads(std::span<const Index> sites, std::span<const std::size_t> rounds,
+                         const Options& options, std::span<const Index> first,
+                         const std::function<void(std::size_t)>& progress);
+  void note(Index site, Insertion outcome);
+  void drop_interior(std::vector<Index>& sites, unsigned threads);
+  std::vector<std::size_t> put_in_order(std::vector<Index>& sites, const Options& options) const;
 
   HullSites sites_;
   kernel::AffineHull affine_hull_;

@@ -58,8 +58,9 @@ void tilt(LinearFunctions& functions, const CenteredBox& box) {
 
 }  // namespace
 
-PointSieve::PointSieve(std::span<const double> coordinates, int dimension, double relative_error)
-    : dimension_(dimension), relative_error_(relative_error), points_(coordinates) {}
+PointSieve::PointSieve(std::span<const double> coordinates, int dimension, double relative_error,
+                       unsigned threads)
+    : dimension_(dimension), relative_error_(relative_error), threads_(threads), points_(coordinates) {}
 
 std::vector<Index> PointSieve::remaining_rows() const {
   if (!rows_.empty() || points_.empty()) return rows_;
@@ -72,7 +73,7 @@ std::vector<std::size_t> PointSieve::extremes_among(std::span<const double> poin
                                                     bool tilted) const {
   if (tilted) tilt(functions, box_);
   std::vector<Extreme> found(functions.size(), Extreme{-infinity, Extreme::nowhere});
-  find_extremes(points, functions, found);
+  find_extremes(points, functions, found, threads_);
   std::vector<std::size_t> which;
   for (const Extreme& extreme : found) which.push_back(extreme.at);
   return which;
@@ -82,7 +83,7 @@ std::vector<std::size_t> PointSieve::extremes_among(std::span<const double> poin
 bool PointSieve::find_box(std::vector<std::size_t>& outermost) {
   const std::size_t d = ambient();
   std::vector<Extreme> ends(2 * d, Extreme{-infinity, Extreme::nowhere});
-  find_extremes(points_, axis_directions(d), ends);  // exact
+  find_extremes(points_, axis_directions(d), ends, threads_);  // exact
   for (std::size_t j = 0; j < d; ++j) {
     const double low = -ends[2 * j].value, high = ends[2 * j + 1].value;
     const double center = low / 2 + high / 2;
@@ -169,7 +170,7 @@ bool PointSieve::remove_interior(const HullPlanes& planes) {
     const auto found = std::count(is_interior.begin(), is_interior.begin() + sample, 1);
     if (static_cast<std::size_t>(found) < sample / least_share) return false;
   }
-  find_below(points_, planes.functions, planes.low, is_interior);
+  find_below(points_, planes.functions, planes.low, is_interior, threads_);
   const auto removed = static_cast<std::size_t>(std::count(is_interior.begin(), is_interior.end(), 1));
   if (removed == 0) return false;
   remove(is_interior);

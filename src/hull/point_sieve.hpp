@@ -22,8 +22,9 @@ class PointSieve {
  public:
   /// Rows of `dimension` finite numbers, which outlive this object. There is no shell yet. If the numbers are
   /// rounded, each is off by at most relative_error times itself, and 2^−1072: rows are then removed only if
-  /// the exact points are interior (hull_planes.hpp).
-  PointSieve(std::span<const double> coordinates, int dimension, double relative_error = 0);
+  /// the exact points are interior (hull_planes.hpp). `threads`, as Options::threads, share the passes.
+  PointSieve(std::span<const double> coordinates, int dimension, double relative_error = 0,
+             unsigned threads = 1);
 
   /// Removes interior rows while a pass over the rest removes enough of them. O(rows·2^d) for d ≤ 5, else
   /// O(rows·d), times the number of passes, which is logarithmic.
@@ -68,6 +69,7 @@ class PointSieve {
 
   int dimension_;
   double relative_error_;
+  unsigned threads_;
   std::span<const double> points_;  // of the remaining rows
   std::vector<double> own_points_;  // if they are not those of the input
   std::vector<Index> rows_;         // empty: all

@@ -3,6 +3,8 @@
 // over a block that is in the cache.
 #include "hull/sieve_kernel.hpp"
 
+#include "base/parallel_parts.hpp"
+
 #include <algorithm>
 #include <cstdint>
 
@@ -191,14 +193,45 @@ namespace delone::internal {
 HWY_EXPORT(Extremes);
 HWY_EXPORT(Below);
 
+namespace {
+/// What one thread does at a time.
+constexpr std::size_t points_per_part = 16384;
+}  // namespace
+
 void find_extremes(std::span<const double> points, const LinearFunctions& functions,
-                   std::span<Extreme> extremes) {
-  if (!points.empty()) HWY_DYNAMIC_DISPATCH(Extremes)({points, functions, {}, extremes, {}});
+                   std::span<Extreme> extremes, unsigned threads) {
+  const std::size_t d = functions.origin.size(), n = points.size() / std::max<std::size_t>(d, 1);
+  if (n == 0) return;
+  std::vector<Extreme> found((n + points_per_part - 1) / points_per_part * extremes.size());
+  for_parts(threads, n, points_per_part, [&](std::size_t first, std::size_t last, const StopPoint& stop) {
+    stop();
+    const std::span<Extreme> of_part(found.data() + first / points_per_part * extremes.size(),
+                                     extremes.size());
+    std::copy(extremes.begin(), extremes.end(), of_part.begin());
+    for (Extreme& extreme : of_part) extreme.at = Extreme::nowhere;
+    HWY_DYNAMIC_DISPATCH(Extremes)
+    ({points.subspan(first * d, (last - first) * d), functions, {}, of_part, {}});
+  });
+  for (std::size_t i = 0; i < found.size(); ++i) {
+    const Extreme& candidate = found[i];
+    Extreme& extreme = extremes[i % extremes.size()];
+    if (candidate.at != Extreme::nowhere && candidate.value > extreme.value)
+      extreme = {candidate.value, candidate.at + i / extremes.size() * points_per_part};
+  }
 }
 
 void find_below(std::span<const double> points, const LinearFunctions& functions,
-                std::span<const double> thresholds, std::span<char> is_below) {
-  if (!points.empty()) HWY_DYNAMIC_DISPATCH(Below)({points, functions, thresholds, {}, is_below});
+                std::span<const double> thresholds, std::span<char> is_below, unsigned threads) {
+  const std::size_t d = functions.origin.size(), n = points.size() / std::max<std::size_t>(d, 1);
+  for_parts(threads, n, points_per_part, [&](std::size_t first, std::size_t last, const StopPoint& stop) {
+    stop();
+    HWY_DYNAMIC_DISPATCH(Below)
+    ({points.subspan(first * d, (last - first) * d),
+      functions,
+      thresholds,
+      {},
+      is_below.subspan(first, last - first)});
+  });
 }
 
 }  // namespace delone::internal

@@ -31,11 +31,13 @@ struct Extreme {
 
 /// For each function, a point where the computed value is greatest, if that exceeds `extremes[i].value`; else
 /// the entry stays. Points with values that are not numbers may be passed over. `points`: d numbers each.
+/// `threads`: as Options::threads; the result does not depend on it. A cancellation point.
 void find_extremes(std::span<const double> points, const LinearFunctions& functions,
-                   std::span<Extreme> extremes);
+                   std::span<Extreme> extremes, unsigned threads = 1);
 
 /// Sets is_below[p] to 1 if the computed value of each function at point p is below its threshold, else to 0.
+/// `threads`: the same. A cancellation point.
 void find_below(std::span<const double> points, const LinearFunctions& functions,
-                std::span<const double> thresholds, std::span<char> is_below);
+                std::span<const double> thresholds, std::span<char> is_below, unsigned threads = 1);
 
 }  // namespace delone::internal

@@ -32,14 +32,6 @@ void append_in_order(std::span<const double> rows, std::size_t width, std::span<
   });
 }
 
-/// How many threads insert a batch of n points, if so many are asked for. If that is left open, one does
-/// where the batch takes a few milliseconds.
-unsigned threads_for(unsigned requested, std::size_t n, int dimension) {
-  constexpr std::size_t enough[] = {100000, 100000, 30000, 8000, 2000, 800, 400};
-  if (requested == 0 && n < enough[std::min<std::size_t>(static_cast<std::size_t>(dimension), 6)]) return 1;
-  return internal::threads_to_use(requested);
-}
-
 }  // namespace
 
 Triangulation::Impl::BatchInsertion::BatchInsertion(Impl& impl, std::vector<Index> order,
@@ -270,7 +262,7 @@ bool Triangulation::Impl::BatchInsertion::insert_in_threads() {
   const std::size_t begin = place_, n = order_.size() - begin;
   if (!impl_.engine->shares_batches_of(n)) return false;
   impl_.has_ids_of_threads = true;
-  const unsigned threads = threads_for(impl_.options.threads, n, impl_.dimension);
+  const unsigned threads = engine::threads_for_batch(impl_.options.threads, n, impl_.dimension);
   if (threads < 2) return false;
   std::vector<Index> at(n);
   std::vector<std::size_t> rounds;
@@ -279,8 +271,9 @@ bool Triangulation::Impl::BatchInsertion::insert_in_threads() {
   VertexPoints& vertices = impl_.points;
   const Index first = vertices.last_vertex() + 1;
   vertices.num_waiting = 0;  // all points are where those of their vertices are
-  impl_.engine->insert_all(
-      engine::ParallelBatch{threads, first, at, rounds, [&](std::size_t done) { progress_(begin + done); }});
+  engine::ParallelBatch batch{threads, first, at, rounds};
+  batch.tick = [&](std::size_t done) { progress_(begin + done); };
+  impl_.engine->insert_all(batch);
   place_in_order(first, at, threads);
   impl_.statistics.threads = std::max(impl_.statistics.threads, threads);
   return true;

@@ -2,6 +2,7 @@
 """delone halfspaces: bounded, unbounded, flat and empty intersections, files, their check, errors."""
 import itertools
 import json
+import pathlib
 import re
 import unittest
 
@@ -32,6 +33,15 @@ class Halfspaces(Case):
         for name, kind in {"seconds": dict, "peak_rss_bytes": int, "created_cells": int, "stages": dict, "seed": int,
                            "version": str}.items():
             self.assertIsInstance(stats[name], kind, name)
+
+    def test_threads_change_nothing(self):
+        normals = np.random.default_rng(1).normal(size=(800, 3))
+        rows = self.file("rows.npy", np.column_stack([normals, -np.linalg.norm(normals, axis=1)]))
+        out = [self.path(f"{threads}.npz") for threads in (0, 1, 2, 3)]
+        for threads, path in zip((0, 1, 2, 3), out):
+            self.output("halfspaces", rows, "--threads", threads, "-o", path)
+        for other in out[1:]:
+            self.assertEqual(pathlib.Path(out[0]).read_bytes(), pathlib.Path(other).read_bytes())
 
     def test_summary(self):
         path = self.file("wedge.csv", "-1,0,0\n0,-1,0\n-1,-1,-1\n")

@@ -3,6 +3,7 @@
 import itertools
 import json
 import os
+import pathlib
 import unittest
 import xml.etree.ElementTree
 
@@ -96,6 +97,16 @@ class Hull(Case):
         self.complaint("hull", phases, "--lower", "--upper", status=64)
         self.complaint("hull", phases, "--distances", distances, status=64)
         self.complaint("hull", self.file("one.csv", "1\n2\n"), "--lower")
+
+    def test_threads_change_nothing(self):
+        points = self.path("points.npy")
+        self.output("generate", "sphere", "-d", 3, "-n", 1000, "-o", points)
+        for side in ((), ("--lower",)):
+            out = [self.path(f"{threads}.npz") for threads in (0, 1, 2, 3)]
+            for threads, path in zip((0, 1, 2, 3), out):
+                self.output("hull", points, *side, "--threads", threads, "--force", "-o", path)
+            for other in out[1:]:
+                self.assertEqual(pathlib.Path(out[0]).read_bytes(), pathlib.Path(other).read_bytes())
 
     def test_the_order_does_not_change_the_end(self):
         points = self.path("grid.npy")

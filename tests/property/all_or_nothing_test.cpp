@@ -19,6 +19,7 @@
 #include <optional>
 #include <random>
 #include <string>
+#include <type_traits>
 #include <vector>
 
 namespace {
@@ -251,13 +252,14 @@ TEST(AllOrNothingAfterCompact, LeavesCellsInTheirPlaces) {
 }
 
 /// The same in several threads, any of which may be the one that runs out of memory.
-TEST(AllOrNothing, OutOfMemoryInAnyThread) {
-  const Rows first = make_point_set("uniform", 3, 400, 1), second = make_point_set("uniform", 3, 1500, 2);
+template <class Product>
+void expect_all_or_nothing_in_threads(const Rows& first, const Rows& second) {
+  SCOPED_TRACE(Product::name);
   Options options;
   options.threads = 3;
   std::size_t num_failures = 0;
   for (long allowed = 0;; allowed = allowed < 40 ? allowed + 1 : allowed + allowed / 6) {
-    DelaunayProduct product(3, options);
+    Product product(3, options);
     product.insert(first);
     const Seen before = seen(product);
     left_for_all_threads = allowed;
@@ -273,11 +275,34 @@ TEST(AllOrNothing, OutOfMemoryInAnyThread) {
       EXPECT_EQ(after.hash, before.hash);
       EXPECT_EQ(after.num_points, before.num_points);
       EXPECT_EQ(after.vertex_of_point, before.vertex_of_point);
+      if constexpr (!std::is_same_v<Product, DelaunayProduct>) {
+        EXPECT_EQ(after.cells, before.cells);
+        EXPECT_EQ(after.neighbors, before.neighbors);
+        EXPECT_EQ(after.ids, before.ids);
+      }
     }
     product.insert(second);
-    EXPECT_EQ(product.object.num_points(), 1900u);
+    EXPECT_EQ(seen(product).num_points, before.num_points + second.size() / Product::width(3));
   }
   EXPECT_GT(num_failures, 20u);
+}
+
+TEST(AllOrNothing, OutOfMemoryInAnyThread) {
+  expect_all_or_nothing_in_threads<DelaunayProduct>(make_point_set("uniform", 3, 400, 1),
+                                                    make_point_set("uniform", 3, 1500, 2));
+  for (const std::size_t first : {20u, 400u})
+    expect_all_or_nothing_in_threads<HullProduct>(make_point_set("sphere", 3, first, 1),
+                                                  make_point_set("sphere", 3, 700, 2));
+  const auto tangent = [](std::size_t n, std::uint64_t seed) {
+    const Rows normals = make_point_set("sphere", 3, n, seed);
+    Rows rows;
+    for (std::size_t i = 0; i < normals.size(); ++i) {
+      rows.push_back(normals[i]);
+      if (i % 3 == 2) rows.push_back(-1);
+    }
+    return rows;
+  };
+  expect_all_or_nothing_in_threads<HalfspaceProduct>(tangent(200, 1), tangent(500, 2));
 }
 
 }  // namespace

@@ -135,3 +135,14 @@ def test_representation():
     assert repr(delone.ConvexHull([[0, 1], [1, 1]])) == (
         "<delone.ConvexHull: 2 points in dimension 2, affine dimension 1, 2 vertices, 2 facets>")
     assert delone.ConvexHull(lattice(3, 2)).statistics["insertions"] > 0
+
+
+@pytest.mark.parametrize("d, n", [(3, 2000), (4, 500), (5, 200)])
+def test_arrays_do_not_depend_on_threads(d, n):
+    points = np.random.default_rng(2).normal(size=(n, d))
+    points[::2] /= np.linalg.norm(points[::2], axis=1)[:, None] / 4
+    one = delone.ConvexHull(points, threads=1)
+    for threads in (0, 2, 3):
+        other = delone.ConvexHull(points, threads=threads)
+        assert other.hash == one.hash and np.array_equal(other.cells, one.cells) and np.array_equal(other.neighbors, one.neighbors)
+        assert np.array_equal(other.equations, one.equations) and np.array_equal(other.point_kinds, one.point_kinds)

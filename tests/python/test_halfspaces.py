@@ -125,3 +125,14 @@ def test_adding_halfspaces(given_point):
 def test_errors(arguments, error, message):
     with pytest.raises(error, match=message):
         delone.HalfspaceIntersection(*arguments)
+
+
+@pytest.mark.parametrize("d, n", [(3, 1000), (4, 300)])
+def test_arrays_do_not_depend_on_threads(d, n):
+    normals = np.random.default_rng(2).normal(size=(n, d))
+    rows = np.column_stack([normals, -np.linalg.norm(normals, axis=1)])
+    one = delone.HalfspaceIntersection(rows, threads=1)
+    for threads in (0, 2, 3):
+        other = delone.HalfspaceIntersection(rows, threads=threads)
+        assert np.array_equal(other.vertices, one.vertices) and np.array_equal(other.edges, one.edges)
+        assert np.array_equal(other.vertex_halfspaces, one.vertex_halfspaces) and np.array_equal(other.facet_vertices, one.facet_vertices)

@@ -14,6 +14,14 @@ TEST(CompensatedSum, KeepsWhatWouldBeRoundedAway) {
   EXPECT_EQ(sum.value(), 2);
 }
 
+TEST(CompensatedSum, AddsOtherSumsWithTheirCorrections) {
+  CompensatedSum sum, other;
+  for (const double x : {1.0, 1e100}) sum.add(x);
+  for (const double x : {1.0, -1e100}) other.add(x);
+  sum.add(other);
+  EXPECT_EQ(sum.value(), 2);
+}
+
 TEST(CompensatedSum, OverflowsToInfinity) {
   CompensatedSum sum;
   for (int i = 0; i < 3; ++i) sum.add(1.5e308);

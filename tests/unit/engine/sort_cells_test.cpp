@@ -25,7 +25,7 @@ std::vector<std::vector<Index>> sorted_links(Points<K>& points, Index num_vertic
   memory.copy(points.build.memory(), from.num_slots());
   CellStore<K> cells(memory);
   cells.copy_slots(from);
-  CellSorter<K, HashBits>(memory, cells, num_vertices, threads > 1, threads).run();
+  CellSorter<K, HashBits>(memory, cells, {num_vertices, threads > 1}, threads).run();
   EXPECT_EQ(cells.num_slots(), from.num_cells());
   std::vector<std::vector<Index>> links(cells.num_slots());
   Index newest = 0;
@@ -62,7 +62,7 @@ void expect_same_order(std::size_t usual) {
     EXPECT_EQ((sorted_links<K, 1>(up, n + 1, threads)), (sorted_links<K, 1>(down, n + 1, 1)));
   }
   const auto sphere = up.sphere();
-  up.build.sort_cells(n + 1, true, 2);
+  up.build.sort_cells({n + 1, true}, 2);
   EXPECT_EQ(up.sphere(), sphere);
   EXPECT_EQ((sorted_links<K, 32>(up, n + 1, 1)), links);
 }
@@ -82,7 +82,7 @@ TEST(SortCells, SortedCellsGrow) {
   for (Index v = 5; v <= n; ++v) {
     sorted.build.insert(v);
     reference.build.insert(v);
-    if (v % 50 == 0) sorted.build.sort_cells(n + 1, false, 1);
+    if (v % 50 == 0) sorted.build.sort_cells({n + 1, false}, 1);
   }
   EXPECT_EQ(sorted.sphere(), reference.sphere());
 }

@@ -6,11 +6,14 @@
 #include "hull/hull_analysis.hpp"
 #include "hull_support.hpp"
 
+#include <delone/point_sets.hpp>
+
 #include <gtest/gtest.h>
 #include <boost/multiprecision/cpp_int.hpp>
 
 #include <cmath>
 #include <limits>
+#include <vector>
 
 namespace delone::internal {
 namespace {
@@ -108,6 +111,28 @@ TEST(MeasureHull, OfLatticeCubes) {
     const HullMeasures measures = measure_hull(state.sites(), state.hull());
     expect_measure(measures.volume, std::pow(2, d), 1e-10);
     expect_measure(measures.area, 2 * d * std::pow(2, d - 1), 1e-10);
+  }
+}
+
+TEST(MeasureHull, ThreadsFindTheSame) {
+  HullState state(3);
+  state.insert_range(make_point_set("sphere", 3, 9000, 1), {});
+  const SimplicialHull& hull = state.hull();
+  ASSERT_GT(hull.num_cells(), 2 * 8192u);  // parts
+  const HullMeasures one = measure_hull(state.sites(), hull);
+  MeasureSum area;
+  for (std::size_t c = 0; c < hull.num_cells(); ++c) {
+    std::vector<const double*> points;
+    for (const Index site : hull.cell(c)) points.push_back(state.sites().point(site));
+    area.add(simplex_volume(points, 3));
+  }
+  EXPECT_LE(std::fabs(one.area.value - area.result().value), one.area.error + area.result().error);
+  for (const unsigned threads : {2u, 3u}) {
+    const HullMeasures measures = measure_hull(state.sites(), hull, threads);
+    EXPECT_EQ(measures.volume.value, one.volume.value);
+    EXPECT_EQ(measures.volume.error, one.volume.error);
+    EXPECT_EQ(measures.area.value, one.area.value);
+    EXPECT_EQ(measures.area.error, one.area.error);
   }
 }
 

@@ -68,5 +68,28 @@ TEST(SieveKernel, ValuesThatAreNoNumbersAreNotBelow) {
   EXPECT_EQ(is_below[1], 1);
 }
 
+TEST(SieveKernel, ThreadsFindTheSame) {
+  const std::size_t n = 70000;  // several parts
+  const std::vector<double> points = coarse(3, n, 1);
+  const LinearFunctions functions{coarse(3, 1, 1), coarse(3, 9, 2)};
+  const std::vector<double> thresholds(functions.size(), 20.0);
+  std::vector<Extreme> extremes(functions.size(), Extreme{-1e300}), in_threads = extremes;
+  std::vector<char> is_below(n, 2), below_in_threads = is_below;
+  find_extremes(points, functions, extremes);
+  find_below(points, functions, thresholds, is_below);
+  for (const unsigned threads : {2u, 3u}) {
+    find_extremes(points, functions, in_threads, threads);
+    find_below(points, functions, thresholds, below_in_threads, threads);
+    for (std::size_t f = 0; f < functions.size(); ++f) {
+      std::size_t first = 0;
+      while (value(functions, f, &points[3 * first]) != extremes[f].value) ++first;
+      EXPECT_EQ(extremes[f].at, first);
+      EXPECT_EQ(in_threads[f].value, extremes[f].value);
+      EXPECT_EQ(in_threads[f].at, extremes[f].at);
+    }
+    EXPECT_EQ(below_in_threads, is_below);
+  }
+}
+
 }  // namespace
 }  // namespace delone::internal
