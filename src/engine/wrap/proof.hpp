@@ -31,7 +31,8 @@
 
 namespace delone::engine {
 
-template <int K, Geometry G>
+/// PartSize: the number of cells that a thread checks at a time, a multiple of 64.
+template <int K, Geometry G, Index PartSize = 8192>
 class Proof {
   using Query = typename G::Query;
   using Evaluator = decltype(std::declval<const G&>().evaluator(std::declval<const Query&>()));
@@ -98,7 +99,8 @@ class Proof {
     std::vector<Pending> pending;
     std::atomic<int> stage = 0;  ///< how many stages have been completed
   };
-  static constexpr Index part_size = 128 * bits_of_word;
+  static constexpr Index part_size = PartSize;
+  static_assert(part_size % bits_of_word == 0);
 
   /// The memory of a thread.
   struct alignas(64) Worker {
