@@ -210,7 +210,8 @@ bool Triangulation::Impl::BatchInsertion::wrap(std::span<const Index> simplex) {
   const auto tick = [this](double done) {
     progress_(static_cast<std::size_t>(done * static_cast<double>(order_.size())));
   };
-  const unsigned threads = internal::threads_to_use(impl_.options.threads);
+  constexpr unsigned most = 64;  // more would find nothing to do
+  const unsigned threads = std::min(internal::threads_to_use(impl_.options.threads), most);
   if (!impl_.engine->wrap(threads, tick)) {
     vertices.num_waiting = order_.size() - place_;
     return false;
