@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Work in blocks, which are prepared and finished one after the other, and whose parts are done in between,
-// by several threads. Two blocks are under way: while one is finished, the parts of the other are done. What
-// happens in what order to the state that blocks are prepared from is the same for every number of threads.
+// Work in blocks, which the calling thread prepares and finishes one after the other, so that what they are
+// made of stays in its cache; their parts are done in between by several threads. Two blocks are under way:
+// while one is finished, the parts of the other are done. What happens in what order to the state that blocks
+// are prepared from is the same for every number of threads.
 #pragma once
 
 #include "base/parallel.hpp"
@@ -77,15 +78,25 @@ class Pipeline {
       for (;;) {
         const std::uint32_t before = events_.load(std::memory_order_acquire);
         if (is_over_.load(std::memory_order_acquire)) return;
-        if (worker == 0) work_.tick();
-        if (try_to_finish() || try_to_do_part(worker)) continue;
-        events_.wait(before, std::memory_order_acquire);
+        if (worker == 0) {
+          work_.tick();
+          if (is_ready()) {
+            finish_next();
+            notify();
+            continue;
+          }
+        }
+        if (!try_to_do_part(worker)) events_.wait(before, std::memory_order_acquire);
       }
     } catch (...) {
       const std::lock_guard lock(failing_);
       if (!failure_ || worker == 0) failure_ = std::current_exception();
       end();
     }
+  }
+
+  bool is_ready() const {
+    return progress_[next_.load(std::memory_order_relaxed)].undone.load(std::memory_order_acquire) == 0;
   }
 
   /// Takes a part of the block that is to be finished next, or else of the other, and does it.
@@ -103,24 +114,6 @@ class Pipeline {
       return true;
     }
     return false;
-  }
-
-  bool try_to_finish() {
-    const auto is_ready = [&] {
-      return progress_[next_.load(std::memory_order_acquire)].undone.load(std::memory_order_acquire) == 0;
-    };
-    if (!is_ready()) return false;
-    const std::unique_lock lock(finishing_, std::try_to_lock);
-    // Whoever has the lock goes on, or has seen that there is nothing to be finished and will be woken.
-    if (!lock || !is_ready() || is_over_.load(std::memory_order_acquire)) return false;
-    try {
-      finish_next();
-    } catch (...) {
-      end();  // before anybody else has the lock
-      throw;
-    }
-    notify();
-    return true;
   }
 
   void finish_next() {
@@ -148,7 +141,7 @@ class Pipeline {
   std::array<Progress, 2> progress_;
   alignas(64) std::atomic<unsigned> next_ = 0;  // the block to be finished
   std::atomic<bool> has_failed_ = false, is_over_ = false;
-  std::mutex finishing_, failing_;
+  std::mutex failing_;
   std::exception_ptr failure_;
   alignas(64) std::atomic<std::uint32_t> events_ = 0;  // waiting threads are woken by a change
 };
