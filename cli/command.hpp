@@ -65,7 +65,8 @@ struct PointInput {
   ReadOptions options;
 
   void add_to(CLI::App& command, const std::string& name, const std::string& description);
-  PointTable read() const;
+  /// By at most so many threads; 0: as many as gain.
+  PointTable read(unsigned threads = 0) const;
 };
 
 /// Options shared by several commands: the limit of streams, a list of columns, leave to

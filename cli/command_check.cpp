@@ -101,7 +101,7 @@ void require_fitting(const CheckCommandOptions& options) {
 /// Takes the points from the other file.
 template <class Data>
 void replace_points(Data& data, const CheckCommandOptions& options) {
-  PointTable table = options.points.read();
+  PointTable table = options.points.read(options.threads);
   if (data.num_points() != 0 && data.dimension != table.dimension)
     throw Error(Errc::bad_dimension, fmt::format("{}: points of dimension {}; those of {} have {}",
                                                  input_name(options.points.path), table.dimension,

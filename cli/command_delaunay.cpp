@@ -100,7 +100,7 @@ int run_delaunay(const DelaunayOptions& options) {
     throw UsageError("--trim: a finite distance of at least 0 was expected");
   const auto start = Clock::now();
   Cost cost;
-  PointTable table = options.input.read();
+  PointTable table = options.input.read(to.threads);
   cost.read = seconds_since(start);
   if (!to.output.empty()) check_complex_output(to.output, to.output_format, table.dimension);
   return options.furthest_site ? run_with<FurthestSite<>>(std::move(table), options, start, cost)

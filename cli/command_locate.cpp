@@ -103,7 +103,7 @@ int run_locate(const LocateOptions& options) {
     throw UsageError("points and queries both from standard input");
   PointInput from = options.queries;
   from.options.max_stream_bytes = options.input.options.max_stream_bytes;
-  const PointTable points = options.input.read(), queries = from.read();
+  const PointTable points = options.input.read(options.threads), queries = from.read(options.threads);
   if (queries.dimension != points.dimension)
     throw Error(Errc::bad_dimension,
                 fmt::format("{}: queries of dimension {} for points of dimension {}",

@@ -30,7 +30,7 @@ int run_regular(const RegularOptions& options) {
   const auto start = Clock::now();
   Cost cost;
   std::vector<double> weights;
-  const PointTable table = options.weighted.read(weights);
+  const PointTable table = options.weighted.read(weights, build.threads);
   cost.read = seconds_since(start);
   const bool writes = !build.output.empty();
   if (writes) check_complex_output(build.output, build.output_format, table.dimension);

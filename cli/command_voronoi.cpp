@@ -154,7 +154,8 @@ int run_voronoi(const VoronoiOptions& options) {
   const auto start = Clock::now();
   Cost cost;
   std::vector<double> weights;
-  PointTable table = options.power ? options.weighted.read(weights) : options.weighted.input.read();
+  PointTable table = options.power ? options.weighted.read(weights, options.build.threads)
+                                   : options.weighted.input.read(options.build.threads);
   cost.read = seconds_since(start);
   check_outputs(options, table.dimension);
   const std::optional<Box> box = chosen_box(options, table.dimension);

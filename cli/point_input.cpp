@@ -71,8 +71,10 @@ void add_seed(CLI::App& command, std::uint64_t& seed, const std::string& descrip
   command.add_option("-s,--seed", seed, description)->check(CLI::Validator(a_seed, ""))->type_name("S");
 }
 
-PointTable PointInput::read() const {
-  return about(input_name(path), [&] { return read_points(path, options); });
+PointTable PointInput::read(unsigned threads) const {
+  ReadOptions read_options = options;
+  read_options.threads = threads;
+  return about(input_name(path), [&] { return read_points(path, read_options); });
 }
 
 const std::vector<std::string>& point_formats() {

@@ -58,7 +58,7 @@ void WeightedInput::add_to(CLI::App& command) {
       ->type_name("COLUMN|FILE");
 }
 
-PointTable WeightedInput::read(std::vector<double>& weights_read) const {
+PointTable WeightedInput::read(std::vector<double>& weights_read, unsigned threads) const {
   const std::optional<std::size_t> number = as_number(weights);
   const std::string name = input_name(input.path);
   std::error_code unused;
@@ -69,7 +69,7 @@ PointTable WeightedInput::read(std::vector<double>& weights_read) const {
   // The chosen columns are the coordinates, so the weight is read after them.
   const bool appended = !is_file && !input.options.columns.empty();
   if (appended) all.options.columns.push_back(weights);
-  PointTable table = all.read();
+  PointTable table = all.read(threads);
   if (is_file) {
     weights_read = read_weights(weights, table.num_points(), input.options.max_stream_bytes);
     return table;

@@ -15,7 +15,7 @@ struct WeightedInput {
 
   void add_to(CLI::App& command);
   /// Reads the points and one finite weight for each. Errors name the file.
-  PointTable read(std::vector<double>& weights_read) const;
+  PointTable read(std::vector<double>& weights_read, unsigned threads = 0) const;
 };
 
 }  // namespace delone::cli

@@ -43,6 +43,9 @@ struct ReadOptions {
   /// csv, tsv, txt, ply: names, or 0-based numbers where there are no names; empty: all.
   std::vector<std::string> columns;
   std::uint64_t max_stream_bytes = default_max_stream_bytes;
+  /// csv, tsv, txt: at most so many threads parse; 0: as many as there are cores for this process, where the
+  /// file is large enough to gain by them. Points and errors do not depend on it.
+  unsigned threads = 1;
 };
 
 /// Reads points. Values must be finite.

@@ -85,9 +85,9 @@ class TriangulationEngine : public TriangulationQueries {
   virtual bool is_worth_wrapping(std::size_t num_points) const = 0;
   /// Starts from all vertices, if they can be wrapped: returns false, and has no cells, where rounded numbers
   /// do not say how, and if there are ties. What only queries and insertions need is computed by the first of
-  /// them, O(k³) per cell. `tick` is called often with the fraction done; what it throws is
-  /// passed on.
-  virtual bool wrap(const std::function<void(double)>& tick) = 0;
+  /// them, O(k³) per cell. The cells and their ids are the same for every number of threads. `tick` is called
+  /// often by this thread, with the fraction done; what it throws is passed on.
+  virtual bool wrap(unsigned threads, const std::function<void(double)>& tick) = 0;
   /// Starts from a triangulation of dimension k−1 and a vertex outside its flat.
   virtual void jump(const Complex& old, Index q) = 0;
   /// Starts from a triangulation of the same points. Its cells keep their ids if it has no vacant slots.

@@ -43,9 +43,11 @@ class TriangulationEngineOfDimension final : public TriangulationEngine {
     return points_.form == kernel::RowForm::point && K == points_.ambient &&
            engine::is_worth_wrapping(K, num_points);
   }
-  bool wrap([[maybe_unused]] const std::function<void(double)>& tick) override {
+  bool wrap([[maybe_unused]] unsigned threads,
+            [[maybe_unused]] const std::function<void(double)>& tick) override {
     if constexpr (K >= 2)
-      if (build_.wrap(PointsToWrap<K>(points_, cells(), geometry()), tick)) lacks_functionals_ = true;
+      if (build_.wrap(PointsToWrap<K>(points_, cells(), geometry()), threads, tick))
+        lacks_functionals_ = true;
     return lacks_functionals_;
   }
   void jump(const Complex& old, Index q) override {

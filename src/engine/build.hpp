@@ -141,8 +141,8 @@ class Build : public Sphere<K, G> {
   /// Instead of the loop, for few vertices in many dimensions: each cell is created once (wrap/wrap.hpp).
   /// Returns false, and there are no cells, where that cannot be proved to be right.
   template <class Points>
-  bool wrap(Points&& points, const std::function<void(double)>& tick) {
-    const std::optional<Index> num_infinite = wrap_all(cells_, points, effort_.stages, tick);
+  bool wrap(Points&& points, unsigned threads, const std::function<void(double)>& tick) {
+    const std::optional<Index> num_infinite = wrap_all(cells_, points, threads, effort_.stages, tick);
     if (num_infinite) starts_with(*num_infinite, cells_.num_cells());
     return num_infinite.has_value();
   }

@@ -4,6 +4,7 @@
 
 #include "io/file.hpp"
 
+#include <algorithm>
 #include <utility>
 #include <vector>
 
@@ -30,6 +31,17 @@ void require_finite(std::span<const double> coordinates, int dimension, const st
   if (rows.size() > 1)
     message += fmt::format(" (and {} more row{})", rows.size() - 1, rows.size() == 2 ? "" : "s");
   throw Error(Errc::not_finite, message, std::move(rows));
+}
+
+/// Moves what parts have written up to `end`, where it belongs: lines without a point have left gaps.
+void PointCollector::close_gaps(std::span<const PointCollector> parts, std::size_t end) {
+  for (const PointCollector& part : parts) {
+    double* const to = table.coordinates.data() + end;
+    if (to != part.room_) std::copy(part.room_, part.end_, to);
+    end += static_cast<std::size_t>(part.end_ - part.room_);
+    if (first_.empty()) first_ = part.first_;
+  }
+  table.coordinates.resize(end);
 }
 
 PointTable PointCollector::finish() {

@@ -3,12 +3,18 @@
 // error can name every row concerned.
 #pragma once
 
+#include "base/parallel_parts.hpp"
+#include "io/line_parts.hpp"
+
 #include <delone/io.hpp>
 
 #include <cmath>
+#include <cstddef>
 #include <span>
 #include <string>
 #include <string_view>
+#include <utility>
+#include <vector>
 
 namespace delone::io {
 
@@ -24,17 +30,52 @@ class PointCollector {
  public:
   PointTable table;
 
+  PointCollector() = default;
+  /// Writes the values to `room` instead of the table.
+  explicit PointCollector(double* room) : room_(room), end_(room) {}
+
   /// REQUIRES that values arrive row by row. `describe` is called at most once, for the message.
   template <class Describe>
   void add(double value, Describe&& describe) {
     if (!std::isfinite(value) && first_.empty()) first_ = describe();
-    table.coordinates.push_back(value);
+    if (room_ != nullptr)
+      *end_++ = value;
+    else
+      table.coordinates.push_back(value);
   }
   /// The table, or Error{not_finite} with its rows.
   PointTable finish();
 
+  /// Appends the values of a text in parts: read(part, collector) reads those of a part, at most `width` per
+  /// line, to another collector, in any of the threads. Of several exceptions, that of the first part is
+  /// passed on.
+  template <class Read>
+  void add_parts(std::span<const LinePart> parts, std::size_t width, unsigned threads, const Read& read);
+
  private:
+  void close_gaps(std::span<const PointCollector> parts, std::size_t end);
+
   std::string first_;
+  double *room_ = nullptr, *end_ = nullptr;
 };
+
+template <class Read>
+void PointCollector::add_parts(std::span<const LinePart> parts, std::size_t width, unsigned threads,
+                               const Read& read) {
+  std::vector<double>& values = table.coordinates;
+  const std::size_t before = values.size();
+  std::vector<std::size_t> begin(parts.size() + 1, before);
+  for (std::size_t p = 0; p < parts.size(); ++p) begin[p + 1] = begin[p] + parts[p].num_lines * width;
+  values.resize(begin.back());
+  std::vector<PointCollector> collectors(parts.size());
+  internal::for_parts(threads, parts.size(), 1,
+                      [&](std::size_t p, std::size_t, const internal::StopPoint& stop) {
+                        stop();
+                        PointCollector collector(values.data() + begin[p]);
+                        read(parts[p], collector);
+                        collectors[p] = std::move(collector);
+                      });
+  close_gaps(collectors, before);
+}
 
 }  // namespace delone::io

@@ -37,6 +37,8 @@ std::string output_name(const std::string& path) {
 namespace {
 
 constexpr std::size_t opening_size = std::size_t{1} << 16;
+/// Files are read in pieces of so many bytes.
+constexpr std::size_t piece = std::size_t{4} << 20;
 
 /// The size of a regular file, as a hint only: pipes, /proc and files that grow have another.
 std::size_t size_hint(const std::string& path) {
@@ -49,7 +51,8 @@ std::size_t size_hint(const std::string& path) {
 bool read_up_to(std::size_t most, std::FILE* file, const std::string& name, Bytes& bytes) {
   while (bytes.size() < most) {
     if (bytes.size() == bytes.capacity()) bytes.reserve(bytes.capacity() + bytes.capacity() / 2 + 4096);
-    const std::size_t room = std::min(bytes.capacity(), most) - bytes.size();
+    const std::size_t room = std::min({bytes.capacity() - bytes.size(), most - bytes.size(), piece});
+    bytes.prepare(bytes.size() + room);
     errno = 0;
     bytes.set_size(bytes.size() + std::fread(bytes.data() + bytes.size(), 1, room, file));
     if (std::ferror(file) != 0) {

@@ -2,6 +2,8 @@
 // What every reader and writer shares: whole files in memory, the choice of a format, and error messages.
 #pragma once
 
+#include "base/growable_array.hpp"
+
 #include <fmt/format.h>
 #include <delone/error.hpp>
 #include <delone/printable.hpp>
@@ -37,31 +39,23 @@ std::string input_name(const std::string& path);
 /// The same, and "-" is standard output.
 std::string output_name(const std::string& path);
 
-/// The bytes of a file. Not initialised before they are read, and grown by realloc: files may be as large as
+/// The bytes of a file. Not initialised before they are read, and grown in place: files may be as large as
 /// memory.
 class Bytes {
  public:
   explicit Bytes(std::size_t capacity) { reserve(capacity); }
-  void reserve(std::size_t capacity) {
-    if (capacity <= capacity_) return;
-    auto* grown = static_cast<char*>(std::realloc(data_.get(), capacity));
-    if (grown == nullptr) throw std::bad_alloc();
-    static_cast<void>(data_.release());
-    data_.reset(grown);
-    capacity_ = capacity;
-  }
-  char* data() { return data_.get(); }
+  void reserve(std::size_t capacity) { bytes_.reserve(capacity); }
+  /// Says that so many bytes will soon be written in all. REQUIRES room for them.
+  void prepare(std::size_t size) { bytes_.prepare(size); }
+  char* data() { return bytes_.data(); }
   std::size_t size() const { return size_; }
-  std::size_t capacity() const { return capacity_; }
+  std::size_t capacity() const { return bytes_.capacity(); }
   void set_size(std::size_t size) { size_ = size; }
-  std::string_view view() const { return {data_.get(), size_}; }
+  std::string_view view() const { return {bytes_.data(), size_}; }
 
  private:
-  struct Free {
-    void operator()(char* p) const { std::free(p); }
-  };
-  std::unique_ptr<char, Free> data_;
-  std::size_t size_ = 0, capacity_ = 0;
+  GrowableArray<char> bytes_{Pages::large};
+  std::size_t size_ = 0;
 };
 
 /// The first bytes of a file: 64 KiB, unless it is shorter. May throw, so that the rest is not read.

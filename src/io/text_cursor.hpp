@@ -36,12 +36,14 @@ std::string_view text_of(std::string_view bytes, const std::string& name);
 
 class TextCursor {
  public:
-  TextCursor(std::string_view text, std::string name)
-      : p_(text.data()), end_(text.data() + text.size()), name_(std::move(name)) {}
+  /// `line`: the number of the first line.
+  TextCursor(std::string_view text, std::string name, std::size_t line = 1)
+      : p_(text.data()), end_(text.data() + text.size()), name_(std::move(name)), line_(line) {}
 
   const char* position() const { return p_; }
   const char* end() const { return end_; }
   void move_to(const char* p) { p_ = p; }
+  std::string_view rest() const { return {p_, remaining()}; }
   std::size_t remaining() const { return static_cast<std::size_t>(end_ - p_); }
   std::size_t line() const { return line_; }
   const std::string& name() const { return name_; }
@@ -110,7 +112,7 @@ class TextCursor {
   const char* p_;
   const char* end_;
   std::string name_;
-  std::size_t line_ = 1;
+  std::size_t line_;
 };
 
 }  // namespace delone::io

@@ -3,6 +3,7 @@
 // sorted along the Hilbert curve.
 #include "order/insertion_order.hpp"
 
+#include "base/parallel.hpp"
 #include "base/random.hpp"
 
 #include <algorithm>
@@ -40,7 +41,11 @@ std::vector<Index> insertion_order(PointsView points, const Options& options,
     case InsertionOrder::automatic:
       break;
   }
-  return automatic_order(points, options.seed, rounds);
+  constexpr std::size_t enough = 20000;  // points, whose order takes a millisecond
+  const bool is_left_open = options.threads == 0;
+  return automatic_order(
+      points, options.seed, rounds,
+      is_left_open && points.size() < enough ? 1 : internal::threads_to_use(options.threads));
 }
 
 std::vector<Index> shuffled_order(std::size_t n, std::uint64_t seed) {
@@ -51,7 +56,8 @@ std::vector<Index> shuffled_order(std::size_t n, std::uint64_t seed) {
   return rows;
 }
 
-std::vector<Index> brio_order(PointsView points, std::uint64_t seed, std::vector<std::size_t>* rounds) {
+std::vector<Index> brio_order(PointsView points, std::uint64_t seed, std::vector<std::size_t>* rounds,
+                              unsigned threads) {
   std::vector<Index> rows = shuffled_order(points.size(), seed);
   if (rows.empty()) return rows;
 
@@ -66,7 +72,7 @@ std::vector<Index> brio_order(PointsView points, std::uint64_t seed, std::vector
   bool backwards = false;
   for (auto end = ends.rbegin(); end != ends.rend(); ++end) {
     const std::span<Index> round(rows.data() + begin, *end - begin);
-    hilbert_sort(points, round, first_axis);
+    hilbert_sort(points, round, first_axis, threads);
     // A round that ends at the end of the curve is followed by one that starts there.
     if (backwards) std::reverse(round.begin(), round.end());
     backwards = !backwards;

@@ -15,15 +15,15 @@ namespace delone::order {
 
 /// The rows 0…n−1 in the order that the options name. `rounds`, if there are any, receives where rounds end
 /// that cover the whole set, ascending: within one of them, stretches far from each other have points far
-/// from each other.
+/// from each other. Up to Options::threads threads share the work; the order does not depend on them.
 std::vector<Index> insertion_order(PointsView points, const Options& options,
                                    std::vector<std::size_t>* rounds = nullptr);
 
 /// BRIO (Amenta, Choi, Rote 2003, doi:10.1145/777792.777824): the rows 0…n−1 in random rounds of growing
 /// size, each round sorted along a d-dimensional Hilbert curve by coordinate comparisons only (RR-6743,
-/// appendix A). Deterministic in (points, seed).
+/// appendix A). Deterministic in (points, seed); `threads` of this and of the next two: as of hilbert_sort().
 std::vector<Index> brio_order(PointsView points, std::uint64_t seed,
-                              std::vector<std::size_t>* rounds = nullptr);
+                              std::vector<std::size_t>* rounds = nullptr, unsigned threads = 1);
 
 /// The rows 0…n−1 in rounds, each of which doubles the number of points. A round takes points that are far
 /// from those before it: within a block of the Hilbert curve, each is the farthest from those chosen before
@@ -31,13 +31,14 @@ std::vector<Index> brio_order(PointsView points, std::uint64_t seed,
 /// come together. Deterministic in (points, seed). Cost O(n log n), and O(d) times the size of a block per
 /// point for the distances; memory O(n·d).
 std::vector<Index> spread_order(PointsView points, std::uint64_t seed,
-                                std::vector<std::size_t>* rounds = nullptr);
+                                std::vector<std::size_t>* rounds = nullptr, unsigned threads = 1);
 
 /// brio_order() in the plane, where choosing far points costs more than the cells it saves, and else
 /// spread_order().
 inline std::vector<Index> automatic_order(PointsView points, std::uint64_t seed,
-                                          std::vector<std::size_t>* rounds = nullptr) {
-  return points.dimension() <= 2 ? brio_order(points, seed, rounds) : spread_order(points, seed, rounds);
+                                          std::vector<std::size_t>* rounds = nullptr, unsigned threads = 1) {
+  return points.dimension() <= 2 ? brio_order(points, seed, rounds, threads)
+                                 : spread_order(points, seed, rounds, threads);
 }
 
 /// A uniformly random permutation of 0…n−1. Deterministic in (n, seed).

@@ -202,11 +202,14 @@ bool Triangulation::Impl::BatchInsertion::wrap(std::span<const Index> simplex) {
   const auto tick = [this](double done) {
     progress_(static_cast<std::size_t>(done * static_cast<double>(order_.size())));
   };
-  if (!impl_.engine->wrap(tick)) {
+  constexpr unsigned most = 64;  // more would find nothing to do
+  const unsigned threads = std::min(internal::threads_to_use(impl_.options.threads), most);
+  if (!impl_.engine->wrap(threads, tick)) {
     vertices.num_waiting = order_.size() - place_;
     return false;
   }
   for (; place_ < order_.size(); ++place_) impl_.assign(row(place_), static_cast<Index>(place_) + 1);
+  impl_.statistics.threads = std::max(impl_.statistics.threads, threads);
   return true;
 }
 

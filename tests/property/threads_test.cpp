@@ -114,6 +114,29 @@ TEST_P(ThreadsIn, WeightedPoints) {
   }
 }
 
+// Batches of so many points in 7D and 8D are wrapped: cell ids do not depend on threads either.
+TEST(Threads, WrappedBatches) {
+  if (test::scale() == test::Scale::small) GTEST_SKIP() << "too slow where engines are not compiled for 7D";
+  for (const int d : {7, 8}) {
+    std::vector<double> points = make_point_set("clusters", d, d == 7 ? test::scaled_count(200) : 100, 5);
+    points.insert(points.end(), points.begin(), points.begin() + 3 * d);  // duplicates
+    const Delaunay<> reference(points, d, with_threads(1));
+    const ComplexData data = reference.to_data(false);
+    for (const unsigned threads : {2u, 3u, 8u}) {
+      if (d == 8 && threads != 3) continue;
+      SCOPED_TRACE(threads);
+      const Delaunay<> made(points, d, with_threads(threads));
+      EXPECT_EQ(made.statistics().threads, threads);
+      EXPECT_EQ(made.hash(), reference.hash());
+      EXPECT_EQ(made.num_duplicates(), 3u);
+      const ComplexData data_made = made.to_data(false);
+      EXPECT_EQ(data_made.cells, data.cells);
+      EXPECT_EQ(data_made.neighbors, data.neighbors);
+      EXPECT_EQ(data_made.vertex_of_point, data.vertex_of_point);
+    }
+  }
+}
+
 TEST(Threads, ResultsCanBeUsedAsAnyOther) {
   const std::vector<double> points = make_point_set("uniform", 3, 1500, 2),
                             more = make_point_set("uniform", 3, 300, 3);

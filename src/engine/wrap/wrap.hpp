@@ -7,9 +7,11 @@
 #include "engine/wrap/proof.hpp"
 #include "engine/wrap/wrapping.hpp"
 
+#include <deque>
 #include <functional>
 #include <new>
 #include <optional>
+#include <utility>
 #include <vector>
 
 namespace delone::engine {
@@ -24,31 +26,42 @@ constexpr bool is_worth_wrapping(int k, std::size_t n) {
 /// not say how to go on, with ties, and without memory, of which insertion needs less. `tick` is called
 /// often, with the fraction done; what it throws is passed on.
 ///
-/// Points knows coordinates: search() says what is beyond facets; geometry_of(memory) is a geometry for cells
-/// in another memory; query_in_one_cell(geometry) is at a point inside exactly one finite cell, exactly
-/// proved, or nothing.
+/// Points knows coordinates: search() says what is beyond facets, in one thread; geometry_of(memory) is a
+/// geometry for cells in another memory; query_in_one_cell(geometry) is at a point inside exactly one finite
+/// cell, exactly proved, or nothing. The cells and their order are the same for every number of threads.
 template <int K, class Points>
-std::optional<Index> wrap_all(CellStore<K>& cells, Points& points, StageCounts& counts,
+std::optional<Index> wrap_all(CellStore<K>& cells, Points& points, unsigned threads, StageCounts& counts,
                               const std::function<void(double)>& tick) {
   const auto first_half = [&](double done) { tick(done / 2); };
   const auto second_half = [&](double done) { tick(0.5 + done / 2); };
   const auto try_to = [&]() -> std::optional<Index> {
     cells.widen_vertices();
     {
-      auto search = points.search();
-      if (!Wrapping<K, decltype(search)>(cells, search, points.last_vertex()).run(first_half))
+      std::vector<ForThread<decltype(points.search())>> searches;
+      for (unsigned thread = 0; thread < threads; ++thread) searches.push_back({points.search()});
+      if (!Wrapping<K, decltype(points.search())>(cells, searches, points.last_vertex()).run(first_half))
         return std::nullopt;
     }
-    CellMemory<K> some_cells(K);
-    auto geometry = points.geometry_of(some_cells);
-    using Proof = engine::Proof<K, decltype(geometry)>;
-    some_cells.reserve(Proof::batch_size);
+    using Geometry = decltype(points.geometry_of(std::declval<CellMemory<K>&>()));
+    using Proof = engine::Proof<K, Geometry>;
+    struct SomeCells {
+      explicit SomeCells(Points& points) : geometry(points.geometry_of(memory)) {
+        memory.reserve(Proof::batch_size);
+      }
+      CellMemory<K> memory{K};
+      Geometry geometry;
+    };
+    std::deque<SomeCells> some_cells;  // a thread's each
+    std::vector<Geometry*> geometries;
+    for (unsigned thread = 0; thread < threads; ++thread)
+      geometries.push_back(&some_cells.emplace_back(points).geometry);
+    const Geometry& geometry = *geometries.front();
     const auto inner = points.query_in_one_cell(geometry);
     if (!inner) return std::nullopt;
-    std::vector<typename decltype(geometry)::Query> queries;
+    std::vector<typename Geometry::Query> queries;
     queries.reserve(points.last_vertex() + 1);
     for (Index v = 0; v <= points.last_vertex(); ++v) queries.push_back(geometry.query_at(v));
-    Proof proof(cells, geometry, queries, counts);
+    Proof proof(cells, geometries, queries, counts);
     if (!proof.run(*inner, second_half)) return std::nullopt;
     return proof.num_infinite();
   };

@@ -121,7 +121,7 @@ bool FacetSearch::first_cell(Index* vertices) const {
   return true;
 }
 
-bool FacetSearch::find_apexes(std::span<const OpenCell> cells, Index* apexes) {
+bool FacetSearch::find_apexes(std::span<const OpenCell> cells, Index* apexes, ComparisonLimit& limit) {
   const auto k = static_cast<std::size_t>(k_), width = k + 1;
   double* const functions = at_cache_line(scratch_.data());
   std::array<const Index*, batch_size> simplices;
@@ -174,7 +174,7 @@ bool FacetSearch::find_apexes(std::span<const OpenCell> cells, Index* apexes) {
   search_tiles(task);
 
   for (const SoughtFacet& facet : facets) {
-    const std::optional<Index> apex = settle(task, facet, functions, scales[facet.cell]);
+    const std::optional<Index> apex = settle(task, facet, functions, scales[facet.cell], limit);
     if (!apex) return false;
     apexes[facet.cell * width + facet.slot] = *apex;
   }
@@ -182,9 +182,8 @@ bool FacetSearch::find_apexes(std::span<const OpenCell> cells, Index* apexes) {
 }
 
 std::optional<Index> FacetSearch::settle(const SearchTask& task, const SoughtFacet& facet, double* functions,
-                                         const Scale& scale) {
+                                         const Scale& scale, ComparisonLimit& limit) {
   const auto k = static_cast<std::size_t>(k_), width = k + 1;
-  ++num_settled_;
   if (!(scale.spread < largest_spread && scale.height < largest_spread)) return std::nullopt;
   if (facet.num_listed == 0) return index(infinite_vertex);
   const auto coefficient = [&](std::size_t f, std::size_t r) {
@@ -225,9 +224,7 @@ std::optional<Index> FacetSearch::settle(const SearchTask& task, const SoughtFac
   if (candidates_.size() <= 1 && best.high < infinity) return best.vertex;
   contenders_.clear();
   for (const Candidate& c : candidates_) contenders_.push_back(c.vertex);
-  // Where vertices are close to many spheres, insertion is as fast as wrapping.
-  num_asked_ += contenders_.size();
-  if (num_asked_ > 1000 + num_settled_ / 4) return std::nullopt;
+  if (!limit.allows(contenders_.size())) return std::nullopt;
   return arbiter_(task.cells[facet.cell].vertices, static_cast<int>(facet.slot), contenders_);
 }
 

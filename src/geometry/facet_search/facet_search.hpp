@@ -38,9 +38,10 @@ class FacetSearch {
   bool first_cell(Index* vertices) const;
 
   /// For up to batch_size finite cells, k + 1 apexes each: the vertex across every open facet, or
-  /// infinite_vertex if there is none; other entries are not written. Returns false on a tie, and where the
-  /// arbiter would be called too often. Cost O(k³ + n·k·facets) per cell.
-  bool find_apexes(std::span<const OpenCell> cells, Index* apexes);
+  /// infinite_vertex if there is none; other entries are not written. `limit` counts the vertices that the
+  /// arbiter has to compare. Returns false on a tie, and where the limit is exceeded. Cost O(k³ + n·k·facets)
+  /// per cell.
+  bool find_apexes(std::span<const OpenCell> cells, Index* apexes, ComparisonLimit& limit);
 
  private:
   /// Bounds on the magnitudes of a cell's functions in the frame's box.
@@ -56,7 +57,7 @@ class FacetSearch {
   };
   /// The apex by binary64 or the arbiter.
   std::optional<Index> settle(const SearchTask& task, const SoughtFacet& facet, double* functions,
-                              const Scale& scale);
+                              const Scale& scale, ComparisonLimit& limit);
 
   int k_;
   const double* rows_;
@@ -72,7 +73,6 @@ class FacetSearch {
   std::vector<Candidate> candidates_;
   std::vector<Index> contenders_;  // for the arbiter
   Arbiter arbiter_;
-  std::size_t num_settled_ = 0, num_asked_ = 0;  // facets, and vertices that the arbiter had to compare
 };
 
 }  // namespace delone::geometry

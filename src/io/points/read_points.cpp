@@ -65,13 +65,14 @@ PointTable read_points(const std::string& path, const ReadOptions& options) {
         path, options.max_stream_bytes,
         [&](std::string_view opening, bool is_whole) { check_opening(format, opening, is_whole, name); });
     const std::string_view bytes = file.view();
+    const io::ReadingInParts how{.threads = options.threads};
     if (format == "csv" || format == "tsv")
-      return io::read_delimited(bytes, name, format == "csv" ? ',' : '\t', options.columns);
+      return io::read_delimited(bytes, name, format == "csv" ? ',' : '\t', options.columns, how);
     if (format == "ply") return io::read_ply(bytes, name, options.columns);
     PointTable table = format == "npy"     ? io::read_npy(bytes, name)
                        : format == "off"   ? io::read_off(bytes, name)
                        : format == "qhull" ? io::read_qhull(bytes, name)
-                                           : io::read_white_space(bytes, name);
+                                           : io::read_white_space(bytes, name, how);
     return with_columns(std::move(table), options.columns, name);
   });
 }

@@ -3,6 +3,8 @@
 // and throw Error.
 #pragma once
 
+#include "io/line_parts.hpp"
+
 #include <delone/io.hpp>
 
 #include <string>
@@ -15,9 +17,9 @@ struct NpyArray;
 
 /// csv (',') and tsv (tab). `columns`: names of a header or 0-based numbers; empty for all.
 PointTable read_delimited(std::string_view bytes, const std::string& name, char delimiter,
-                          const std::vector<std::string>& columns);
+                          const std::vector<std::string>& columns, const ReadingInParts& how = {});
 /// txt, xyz, pts: rows of numbers, '#' comments.
-PointTable read_white_space(std::string_view bytes, const std::string& name);
+PointTable read_white_space(std::string_view bytes, const std::string& name, const ReadingInParts& how = {});
 /// Dimension, rest of the line ignored; count; that many rows, in any layout.
 PointTable read_qhull(std::string_view bytes, const std::string& name);
 /// The rows of a 2-D array, or the items of a 1-D array as points of dimension 1.

@@ -48,6 +48,17 @@ std::string_view trimmed(std::string_view text) {
   return text.substr(first, text.find_last_not_of(" \t\n") - first + 1);
 }
 
+/// The rows from the cursor on in parts, or nothing if one thread should read them. There are no more lines
+/// than there can be points of so many values: in each value there is a character and one after it.
+std::vector<LinePart> parts_of_rows(const TextCursor& at, char never, std::size_t width,
+                                    const ReadingInParts& how) {
+  std::vector<LinePart> parts = split_lines(at.rest(), at.line(), never, how);
+  std::size_t num_lines = 0;
+  for (const LinePart& part : parts) num_lines += part.num_lines;
+  if (num_lines > (at.remaining() + 1) / 2 / width) parts.clear();
+  return parts;
+}
+
 /// Reads csv and tsv.
 class DelimitedReader {
  public:
@@ -55,15 +66,33 @@ class DelimitedReader {
                   const std::vector<std::string>& wanted)
       : at_(text, name), delimiter_(delimiter), wanted_(wanted) {}
 
-  PointTable read() {
+  PointTable read(const ReadingInParts& how) {
     if (!find_row()) fail(Errc::bad_format, "{}: no row and no header in the file", at_.name());
-    read_header();
+    PointCollector points;
+    read_header(points.table);
     row_.resize(width_);
-    while (find_row()) read_row();
-    return points_.finish();
+    const std::vector<LinePart> parts = parts_of_rows(at_, '"', columns_.size(), how);
+    if (parts.empty())
+      read_rows(points);
+    else
+      points.add_parts(parts, columns_.size(), how.threads,
+                       [&](const LinePart& part, PointCollector& of_part) {
+                         DelimitedReader(*this, part).read_rows(of_part);
+                       });
+    return points.finish();
   }
 
  private:
+  /// Reads a part of the rows, after the header.
+  DelimitedReader(const DelimitedReader& all, const LinePart& part) : DelimitedReader(all) {
+    at_ = TextCursor(part.text, all.at_.name(), part.first_line);
+  }
+  DelimitedReader(const DelimitedReader&) = default;
+
+  void read_rows(PointCollector& points) {
+    while (find_row()) read_row(points);
+  }
+
   bool is_space(char c) const { return c != delimiter_ && TextCursor::is_blank(c); }
   void skip_spaces() {
     const char* p = at_.position();
@@ -135,7 +164,7 @@ class DelimitedReader {
 
   /// The first line gives the number of columns, and their names if any field is text. A line of numbers with
   /// empty fields is a faulty row rather than a header.
-  void read_header() {
+  void read_header(PointTable& table) {
     const TextCursor start = at_;
     std::vector<std::string> fields;
     do fields.push_back(field());
@@ -154,9 +183,9 @@ class DelimitedReader {
     columns_ = select(wanted_, names_, width_, at_.name());
     selected_.assign(width_, false);
     for (std::size_t column : columns_) selected_[column] = true;
-    points_.table.dimension = static_cast<int>(columns_.size());
+    table.dimension = static_cast<int>(columns_.size());
     if (header)
-      for (std::size_t column : columns_) points_.table.column_names.push_back(names_[column]);
+      for (std::size_t column : columns_) table.column_names.push_back(names_[column]);
   }
 
   /// A quoted field may span lines: errors name the line where the row starts.
@@ -194,7 +223,7 @@ class DelimitedReader {
     if (not_finite_.empty()) not_finite_ = field_place(column, row_line) + ": " + describe_not_finite(text);
   }
 
-  void read_row() {
+  void read_row(PointCollector& points) {
     const std::size_t row_line = at_.line();
     std::size_t found = 0;
     do {
@@ -210,7 +239,7 @@ class DelimitedReader {
       fail(Errc::bad_format, "{}:{}: expected {} field{}, found {}", at_.name(), row_line, width_,
            width_ == 1 ? "" : "s", found);
     at_.take_line_end();
-    for (std::size_t column : columns_) points_.add(row_[column], [&] { return not_finite_; });
+    for (std::size_t column : columns_) points.add(row_[column], [&] { return not_finite_; });
   }
 
   TextCursor at_;
@@ -222,7 +251,6 @@ class DelimitedReader {
   std::vector<bool> selected_;
   std::vector<double> row_;
   std::string not_finite_;
-  PointCollector points_;
 };
 
 /// What to say of the value that was just read, from `start` to the cursor.
@@ -234,30 +262,41 @@ std::string place_of_value(const TextCursor& at, std::size_t column, const char*
 }  // namespace
 
 PointTable read_delimited(std::string_view bytes, const std::string& name, char delimiter,
-                          const std::vector<std::string>& columns) {
-  return DelimitedReader(text_of(bytes, name), name, delimiter, columns).read();
+                          const std::vector<std::string>& columns, const ReadingInParts& how) {
+  return DelimitedReader(text_of(bytes, name), name, delimiter, columns).read(how);
 }
 
-PointTable read_white_space(std::string_view bytes, const std::string& name) {
+PointTable read_white_space(std::string_view bytes, const std::string& name, const ReadingInParts& how) {
   TextCursor at(text_of(bytes, name), name);
   if (!at.find_content()) fail(Errc::bad_format, "{}: no row in the file", name);
-  PointCollector points;
   std::size_t width = 0;
-  for (; at.find_content(); at.take_line_end()) {
+  const auto read_row = [&](TextCursor& row, PointCollector& points) {
     std::size_t found = 0;
-    for (; !at.skip_to_content(); ++found) {
-      const char* start = at.position();
-      const double value = at.number("a coordinate");
-      if (width == 0 || found < width) points.add(value, [&] { return place_of_value(at, found, start); });
+    for (; !row.skip_to_content(); ++found) {
+      const char* start = row.position();
+      const double value = row.number("a coordinate");
+      if (width == 0 || found < width) points.add(value, [&] { return place_of_value(row, found, start); });
     }
-    if (width == 0) {
-      width = found;
-      points.table.dimension = static_cast<int>(width);
-    }
-    if (found != width)
-      fail(Errc::bad_format, "{}: expected {} number{}, found {}", at.place(), width, width == 1 ? "" : "s",
-           found);
-  }
+    return found;
+  };
+  PointCollector points;
+  width = read_row(at, points);
+  points.table.dimension = static_cast<int>(width);
+  at.take_line_end();
+  const auto read_rows = [&](TextCursor& rows, PointCollector& to) {
+    for (; rows.find_content(); rows.take_line_end())
+      if (const std::size_t found = read_row(rows, to); found != width)
+        fail(Errc::bad_format, "{}: expected {} number{}, found {}", rows.place(), width,
+             width == 1 ? "" : "s", found);
+  };
+  const std::vector<LinePart> parts = parts_of_rows(at, 0, width, how);
+  if (parts.empty())
+    read_rows(at, points);
+  else
+    points.add_parts(parts, width, how.threads, [&](const LinePart& part, PointCollector& of_part) {
+      TextCursor rows(part.text, name, part.first_line);
+      read_rows(rows, of_part);
+    });
   return points.finish();
 }
 

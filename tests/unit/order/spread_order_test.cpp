@@ -28,6 +28,25 @@ TEST(SpreadOrder, IsAPermutationDeterminedByTheSeed) {
     }
 }
 
+TEST(SpreadOrder, DoesNotDependOnThreads) {
+  for (const int d : {1, 2, 3, 4, 5, 6})
+    for (const std::size_t n : {40u, 3000u, 20000u}) {
+      const auto x = uniform_points(d, std::min(n, test::scaled_size(20'000, 3000)), 4);
+      const PointsView points(x, d);
+      std::vector<std::size_t> rounds, rounds_of_brio;
+      const auto rows = spread_order(points, 1, &rounds),
+                 rows_of_brio = brio_order(points, 1, &rounds_of_brio);
+      for (const unsigned threads : {2u, 3u, 8u}) {
+        std::vector<std::size_t> rounds_in_threads;
+        EXPECT_EQ(spread_order(points, 1, &rounds_in_threads, threads), rows) << d << " " << n;
+        EXPECT_EQ(rounds_in_threads, rounds);
+        rounds_in_threads.clear();
+        EXPECT_EQ(brio_order(points, 1, &rounds_in_threads, threads), rows_of_brio) << d << " " << n;
+        EXPECT_EQ(rounds_in_threads, rounds_of_brio);
+      }
+    }
+}
+
 TEST(SpreadOrder, AnyFinitePoints) {
   for (const double scale : {0.0, 0x1p-1074, 1e-320, 1e-300, 1e300, 1.7e308}) {
     auto x = uniform_points(3, 3000, 5);

@@ -20,6 +20,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <deque>
 #include <map>
 #include <numeric>
 #include <span>
@@ -58,8 +59,8 @@ class GrowingHull {
     engine_ = make_triangulation_engine(all_axes(k), points_, frame_of(k, all), {}, false);
   }
 
-  bool wrap() {
-    return engine_->wrap([](double) {});
+  bool wrap(unsigned threads = 1) {
+    return engine_->wrap(threads, [](double) {});
   }
   /// Inserts the points so far one by one.
   void seed() {
@@ -76,6 +77,18 @@ class GrowingHull {
       append();
       engine_->insert(points_.last_vertex(), invalid_index);
     }
+  }
+
+  /// The vertices and neighbors of all cells, in their order.
+  std::vector<Index> links() const {
+    const Complex complex = engine_->complex(points_.last_vertex(), {});
+    std::vector<Index> result;
+    for (const CellId cell : complex.all_cells())
+      for (int i = 0; i <= complex.affine_dimension(); ++i) {
+        result.push_back(index(complex.vertex(cell, i)));
+        result.push_back(index(complex.neighbor(cell, i)));
+      }
+    return result;
   }
 
   /// The vertices of all cells. Expects that their neighbors are right, and finite ones oriented positively.
@@ -124,7 +137,7 @@ bool expect_the_same_as_insertion(int k, const Coordinates& all, std::size_t lat
   const std::size_t n = all.size() / static_cast<std::size_t>(k), first = n > k + 1 + later ? n - later : n;
   SCOPED_TRACE(testing::Message() << first << " of " << n << " points in dimension " << k);
   GrowingHull wrapped(k, all, first), inserted(k, all, first);
-  const bool is_wrapped = wrapped.wrap();
+  const bool is_wrapped = wrapped.wrap(1 + n % 3);
   if (!is_wrapped) wrapped.seed();
   inserted.seed();
   EXPECT_TRUE(test::same_cells(inserted.cells(), wrapped.cells()));
@@ -249,6 +262,22 @@ TEST(Wrap, DoesNotDecideTies) {
   }
 }
 
+TEST(Wrap, GivesTheSameCellsInTheSameOrderInThreads) {
+  for (int k = 2; k <= largest_dimension; ++k) {
+    SCOPED_TRACE(k);
+    static constexpr std::size_t usual[] = {0, 0, 3000, 800, 300, 120, 60, 40, 30};
+    const std::size_t n = std::max(test::scaled_count(usual[k]), static_cast<std::size_t>(k) + 4);
+    const Coordinates points = make_point_set(k % 2 == 0 ? "uniform" : "clusters", k, n, 8);
+    GrowingHull reference(k, points, n);
+    ASSERT_TRUE(reference.wrap());
+    for (const unsigned threads : {2u, 3u, 8u}) {
+      GrowingHull wrapped(k, points, n);
+      ASSERT_TRUE(wrapped.wrap(threads));
+      EXPECT_EQ(wrapped.links(), reference.links());
+    }
+  }
+}
+
 TEST(Wrap, BuildsBatchesOfFewPointsInSevenDimensions) {
   if (largest_dimension < 7) GTEST_SKIP() << "no engine for it is compiled";
   constexpr std::size_t d = 7, n = 210;
@@ -266,12 +295,16 @@ TEST(Wrap, BuildsBatchesOfFewPointsInSevenDimensions) {
   EXPECT_EQ(wrapped.num_vertices(), n);
 
   // Cancelled on the way, all is as if nothing had been inserted.
-  Options cancelling;
-  cancelling.progress = [](double) { return false; };
-  Delaunay<> cancelled(d, cancelling);
-  EXPECT_THROW(cancelled.insert_range(points), Error);
-  EXPECT_EQ(cancelled.num_vertices(), 0u);
-  EXPECT_EQ(cancelled.affine_dimension(), -1);
+  for (const unsigned threads : {1u, 2u}) {
+    Options cancelling;
+    cancelling.threads = threads;
+    int calls_left = static_cast<int>(threads);
+    cancelling.progress = [&](double) { return --calls_left > 0; };
+    Delaunay<> cancelled(d, cancelling);
+    EXPECT_THROW(cancelled.insert_range(points), Error);
+    EXPECT_EQ(cancelled.num_vertices(), 0u);
+    EXPECT_EQ(cancelled.affine_dimension(), -1);
+  }
 }
 
 TEST(Wrap, LeavesWhatQueriesNeedToTheFirst) {
@@ -344,10 +377,10 @@ struct Proposed {
   /// Proposes a triangulation of the first vertices.
   void wrap(Index vertices) {
     cells.clear();
-    geometry::FacetSearch search(K, geometry.kept_rows(), vertices,
-                                 [this](const Index* cell, int slot, std::span<const Index> among) {
-                                   return geometry.first_beyond(cell, slot, among, points.grid);
-                                 });
+    ForThread<geometry::FacetSearch> search[] = {{geometry::FacetSearch(
+        K, geometry.kept_rows(), vertices, [this](const Index* cell, int slot, std::span<const Index> among) {
+          return geometry.first_beyond(cell, slot, among, points.grid);
+        })}};
     ASSERT_TRUE((Wrapping<K, geometry::FacetSearch>(cells, search, vertices).run([](double) {})));
   }
 
@@ -381,20 +414,30 @@ struct Proposed {
   }
 
   /// That of the cells, and that a point is on the inner side of the hull.
-  bool is_proved(const Coordinates& point) {
+  bool is_proved(const Coordinates& point, unsigned threads = 1) {
+    using Geometry = geometry::DelaunayGeometry<K>;
+    std::deque<CellMemory<K>> memories;
+    std::deque<Geometry> of_threads;
+    std::vector<Geometry*> geometries{&geometry};
+    while (geometries.size() < threads) {
+      memories.emplace_back(K).reserve(Proof<K, Geometry>::batch_size);
+      geometries.push_back(&of_threads.emplace_back(memories.back(), all_axes(K), K, points.coordinates,
+                                                    points.grid, geometry.frame()));
+      geometries.back()->keep_rows(num_vertices);
+    }
     std::vector<typename geometry::DelaunayGeometry<K>::Query> queries;
     for (Index v = 0; v <= num_vertices; ++v) queries.push_back(geometry.make_query(geometry.point(v)));
     const kernel::Grid grid = points.grid_with(point.data());
     StageCounts counts;
-    return Proof<K, geometry::DelaunayGeometry<K>>(cells, geometry, queries, counts)
+    return Proof<K, Geometry, 64>(cells, geometries, queries, counts)
         .run(geometry.make_query(point.data(), grid), [](double) {});
   }
   /// The same with a point that is.
-  bool is_proved() {
+  bool is_proved(unsigned threads = 1) {
     Coordinates mean(K);
     for (Index v = 1; v <= num_vertices; ++v)
       for (std::size_t j = 0; j < K; ++j) mean[j] += points.point(v)[j] / num_vertices;
-    return is_proved(mean);
+    return is_proved(mean, threads);
   }
 
   VertexPoints points;
@@ -530,6 +573,35 @@ TEST(Proof, NoticesThatPointsAreElsewhere) {
   expect_no_proof_of_what_is_right_elsewhere<2>();
   expect_no_proof_of_what_is_right_elsewhere<3>();
   expect_no_proof_of_what_is_right_elsewhere<5>();
+}
+
+// In many parts, so that orientations of neighbors are often compared at the end.
+TEST(Proof, IsTheSameInThreads) {
+  const std::size_t n = std::max<std::size_t>(test::scaled_count(200), 30);
+  const Coordinates here = make_point_set("uniform", 3, n, 6);
+  Coordinates there = here;  // flatter: spheres are others, orientations are not
+  for (std::size_t i = 0; i < there.size(); i += 3) there[i] *= 0.9;
+  Proposed<3> a(here), b(there);
+  ASSERT_NO_FATAL_FAILURE(a.wrap(a.num_vertices));
+  const test::Cells right = a.all();
+  ASSERT_TRUE(a.propose(right) && a.is_proved());
+  const test::Cells oriented = a.all();
+  for (const unsigned threads : {1u, 2u, 3u, 8u}) {
+    SCOPED_TRACE(threads);
+    ASSERT_TRUE(a.propose(right));
+    EXPECT_TRUE(a.is_proved(threads));
+    EXPECT_EQ(a.all(), oriented);
+    ASSERT_TRUE(b.propose(right));
+    EXPECT_FALSE(b.is_proved(threads));
+    // A vertex that is on the other side of some of the facets opposite it.
+    for (Index v = 1; v <= 5; ++v) {
+      Coordinates moved = here;
+      for (std::size_t j = 0; j < 3; ++j) moved[3 * (v - 1) + j] = 1 - moved[3 * (v - 1) + j];
+      Proposed<3> folded(moved);
+      ASSERT_TRUE(folded.propose(right));
+      EXPECT_FALSE(folded.is_proved(threads));
+    }
+  }
 }
 
 TEST(Proof, NoticesAVertexWithoutCells) {

@@ -80,6 +80,7 @@ TEST(FacetSearch, FindsCellsWithEmptySpheres) {
       SCOPED_TRACE(testing::Message() << n << " points in dimension " << k);
       random::Generator generator(n);
       const std::vector<double> rows = rows_of(k, random_points(k, n, generator));
+      ComparisonLimit unlimited;
       FacetSearch search(k, rows.data(), n, undecided);
       const auto width = static_cast<std::size_t>(k) + 1;
       std::vector<std::vector<Index>> cells(1, std::vector<Index>(width));
@@ -95,7 +96,7 @@ TEST(FacetSearch, FindsCellsWithEmptySpheres) {
         for (const auto& cell : batch)
           open.push_back({cell.data(), static_cast<std::uint32_t>(1 + generator.below((1u << width) - 1))});
         std::vector<Index> apexes(count * width, invalid_index);
-        ASSERT_TRUE(search.find_apexes(open, apexes.data()));
+        ASSERT_TRUE(search.find_apexes(open, apexes.data(), unlimited));
         for (std::size_t i = 0; i < count * width; ++i) {
           if ((open[i / width].open_slots >> i % width & 1) == 0) {
             EXPECT_EQ(apexes[i], invalid_index);
@@ -131,10 +132,11 @@ TEST(FacetSearch, LeavesWhatIsCloseToTheArbiter) {
       EXPECT_EQ(std::vector<Index>(vertices.begin(), vertices.end()), (std::vector<Index>{4, 5}));
       return verdict;
     };
+    ComparisonLimit unlimited;
     FacetSearch search(2, rows.data(), 5, arbiter);
-    EXPECT_FALSE(search.find_apexes({&open, 1}, apexes));
+    EXPECT_FALSE(search.find_apexes({&open, 1}, apexes, unlimited));
     verdict = 5;
-    EXPECT_TRUE(search.find_apexes({&open, 1}, apexes));
+    EXPECT_TRUE(search.find_apexes({&open, 1}, apexes, unlimited));
     EXPECT_EQ(apexes[2], 5u);
   }
 }
@@ -156,13 +158,24 @@ TEST(FacetSearch, LeavesAllThatAreCloseToTheArbiter) {
       asked.assign(vertices.begin(), vertices.end());
       return std::optional<Index>(close.back());
     };
+    ComparisonLimit unlimited;
     FacetSearch search(2, rows.data(), n, arbiter);
     const Index cell[] = {1, 2, 3};
     Index apexes[3];
     const OpenCell open{cell, 1 << 2};
-    ASSERT_TRUE(search.find_apexes({&open, 1}, apexes));
+    ASSERT_TRUE(search.find_apexes({&open, 1}, apexes, unlimited));
     EXPECT_EQ(apexes[2], close.back());
     EXPECT_EQ(asked, close);
+    EXPECT_EQ(unlimited.count(), count);
+
+    ComparisonLimit limit;
+    for (const bool is_enough : {false, true}) {
+      limit.reset(2 * count - !is_enough);
+      EXPECT_TRUE(search.find_apexes({&open, 1}, apexes, limit));
+      asked.clear();
+      EXPECT_EQ(search.find_apexes({&open, 1}, apexes, limit), is_enough);
+      EXPECT_EQ(asked.empty(), !is_enough);
+    }
   }
 }
 
@@ -178,11 +191,12 @@ TEST(FacetSearch, FindsTheFirstOfManyThatAreClose) {
     }
     const auto n = static_cast<Index>(3 + count);
     const std::vector<double> rows = rows_of(2, points);
+    ComparisonLimit unlimited;
     FacetSearch search(2, rows.data(), n, undecided);
     const Index cell[] = {1, 2, 3};
     Index apexes[3];
     const OpenCell open{cell, 1 << 2};
-    ASSERT_TRUE(search.find_apexes({&open, 1}, apexes));
+    ASSERT_TRUE(search.find_apexes({&open, 1}, apexes, unlimited));
     EXPECT_EQ(apexes[2], n);
   }
 }
@@ -192,11 +206,12 @@ TEST(FacetSearch, EndsAtCellsThatAreNotDelaunay) {
   for (double distance = 0.25; distance > 1e-18; distance /= 2) {
     SCOPED_TRACE(distance);
     const std::vector<double> rows = rows_of(2, {0.1, 0.1, 0.9, 0.1, 0.1, 0.9, 0.9 - distance, 0.9});
+    ComparisonLimit unlimited;
     FacetSearch search(2, rows.data(), 4, undecided);
     const Index cell[] = {1, 2, 3};
     Index apexes[3] = {invalid_index, invalid_index, invalid_index};
     const OpenCell open{cell, 7};
-    if (search.find_apexes({&open, 1}, apexes)) {
+    if (search.find_apexes({&open, 1}, apexes, unlimited)) {
       EXPECT_EQ(apexes[0], 4u);
     }
   }
