@@ -176,7 +176,7 @@ Run add_halfspaces(CLI::App& app) {
       ->type_name("X,Y,...|FILE");
   options->build.add_output(app, "the intersection", {"npz", "json", "off"});
   options->build.add_construction(app);
-  options->build.add_threads(app);
+  add_threads(app, options->build.threads);
   return [options] { return run_halfspaces(*options); };
 }
 
