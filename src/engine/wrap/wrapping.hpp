@@ -47,7 +47,7 @@ struct alignas(64) ForThread {
 
 /// Fills an empty store whose vertices are wide. The vertices of a cell are in ascending order, whatever its
 /// orientation. The cells and their order do not depend on the number of threads: in blocks, open facets are
-/// searched beyond by all of them, and cells are created by one thread at a time (pipeline.hpp).
+/// searched beyond by all of them, and the calling thread creates the cells (pipeline.hpp).
 template <int K, SearchBeyondFacets S>
 class Wrapping {
  public:
