@@ -111,7 +111,7 @@ TEST_P(HullThreadsIn, LatticesAndDuplicates) {
   static constexpr int side[] = {40, 10, 5, 3, 3, 2};
   expect_same_in_threads(test::lattice(GetParam(), side[GetParam() - 2]));
   expect_same_in_threads(
-      test::small_integers(GetParam(), num_points({300, 1500, 900, 300, 180, 220}), 0, 3, 8));
+      test::small_integers(GetParam(), num_points({300, 1500, 900, 200, 60, 60}), 0, 3, 8));
 }
 
 /// Most points are on the faces of a cube, many of them vertices of cells for a while.
