@@ -47,6 +47,7 @@ HalfspaceCone::HalfspaceCone(const DualSites& sites, const HalfspaceCone& other)
       threads_(other.threads_) {
   const std::lock_guard lock(other.mutex_);
   places_ = other.places_;
+  was_shared_ = other.was_shared_;
   ids_tell_of_timing_ = other.ids_tell_of_timing_;
   if (other.boundary_) boundary_ = other.boundary_->copy(sites, view_);
 }
@@ -163,9 +164,12 @@ unsigned HalfspaceCone::insert_all(std::span<const Index> sites, std::span<const
 /// How many threads insert sites. Where several may, notes the order of sites; no function of timing is that
 /// of their rows.
 unsigned HalfspaceCone::prepare_for_threads(std::span<const Index> sites, const Options& options) {
-  if (options.order == InsertionOrder::as_given || !boundary_->shares_batches_of(sites.size())) return 1;
+  const bool is_shared =
+      options.order != InsertionOrder::as_given && boundary_->shares_batches_of(sites.size());
+  if (!is_shared && !was_shared_) return 1;
   places_.add(sites, sites_.size());
-  ids_tell_of_timing_ = true;
+  ids_tell_of_timing_ = was_shared_ = true;
+  if (!is_shared) return 1;
   return engine::threads_for_batch(options.threads, sites.size(), sites_.dimension() - 1);
 }
 

@@ -85,6 +85,9 @@ class HalfspaceCone {
   unsigned threads_ = 1;                // of the last batch of several
   mutable std::mutex mutex_;
   mutable InsertionPlaces places_;
+  /// Whether several threads may have inserted anything: then what is cached of cells tells of timing for
+  /// ever, and so may the ids of all that are made later.
+  bool was_shared_ = false;
   mutable bool ids_tell_of_timing_ = false;  // of cells: they have to be sorted before they are shown
 };
 

@@ -48,6 +48,7 @@ ConvexHullBuilder::ConvexHullBuilder(const HullSites& sites, const ConvexHullBui
   now_.hull_is_current = false;
   const std::lock_guard lock(other.mutex_);
   places_ = other.places_;
+  was_shared_ = other.was_shared_;
   ids_tell_of_timing_ = other.ids_tell_of_timing_;
   if (other.boundary_) boundary_ = other.boundary_->copy(sites, view_);
 }
@@ -118,6 +119,7 @@ void ConvexHullBuilder::count(Insertion outcome) {
   if (outcome != Insertion::vertex) return;
   ++now_.insertions;
   now_.hull_is_current = false;
+  if (was_shared_) ids_tell_of_timing_ = true;
 }
 
 Insertion ConvexHullBuilder::insert(Index site) {
@@ -158,7 +160,7 @@ void ConvexHullBuilder::insert_all(std::span<const Index> sites,
 
 void ConvexHullBuilder::prepare_for_threads(std::span<const Index> order) {
   places_.add(order, sites_.size());
-  ids_tell_of_timing_ = true;
+  ids_tell_of_timing_ = was_shared_ = true;
 }
 
 void ConvexHullBuilder::insert_all(std::span<const Index> sites, std::span<const std::size_t> rounds,
@@ -191,19 +193,21 @@ void ConvexHullBuilder::begin_batch() {
   sort_cells();
   before_ = now_;
   if (boundary_) boundary_->begin_batch();
+  is_in_batch_ = true;
 }
 void ConvexHullBuilder::keep_batch() noexcept {
   if (boundary_) boundary_->keep_batch();
+  is_in_batch_ = false;
 }
 void ConvexHullBuilder::undo_batch() noexcept {
   if (boundary_) boundary_->undo_batch();
-  ids_tell_of_timing_ = false;  // as when it began
+  ids_tell_of_timing_ = is_in_batch_ = false;  // as when it began
   now_ = before_;
   now_.hull_is_current = false;  // it may have been made for the batch
 }
 
 void ConvexHullBuilder::sort_cells() const {
-  if (!ids_tell_of_timing_) return;
+  if (!ids_tell_of_timing_ || is_in_batch_) return;
   places_.add({}, sites_.size());  // sites that came singly
   boundary_->sort_cells(places_.of_vertices(), threads_);
   ids_tell_of_timing_ = false;

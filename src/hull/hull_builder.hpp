@@ -93,6 +93,10 @@ class ConvexHullBuilder {
   unsigned threads_ = 1;  // of the last batch of several
   mutable std::mutex mutex_;
   mutable InsertionPlaces places_;
+  /// Whether several threads may have inserted anything: then what is cached of cells tells of timing for
+  /// ever, and so may the ids of all that are made later.
+  bool was_shared_ = false;
+  bool is_in_batch_ = false;                 // that may be undone: cells stay in their slots
   mutable bool ids_tell_of_timing_ = false;  // of cells: they have to be sorted before they are shown
   mutable SimplicialHull hull_;              // if now_.hull_is_current
 };

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <limits>
 #include <numeric>
 
@@ -180,6 +181,9 @@ bool PointSieve::remove_interior(const HullPlanes& planes) {
 void PointSieve::run() {
   // Below, an insertion costs no more than a pass; above, a pass costs more than it saves.
   constexpr std::size_t least_rows = 256, most_work = 1500;
+  // What is inserted into shells is no part of what is done.
+  const std::function<bool(double)> no_function;
+  const ProgressMeter meter(no_function, 1);
   std::vector<std::size_t> outermost;
   if (points_.empty() || !find_box(outermost)) return;
   if (!add_to_shell(outermost)) {

@@ -282,7 +282,7 @@ void expect_all_or_nothing_in_threads(const Rows& first, const Rows& second) {
       }
     }
     product.insert(second);
-    EXPECT_EQ(seen(product).num_points, before.num_points + second.size() / Product::width(3));
+    EXPECT_EQ(seen(product).num_rows, before.num_rows + second.size() / Product::width(3));
   }
   EXPECT_GT(num_failures, 20u);
 }

@@ -76,7 +76,7 @@ void expect_same_in_threads(const PointSet& set) {
   const ConvexHull<> reference = in_parts(set, with_threads(1));
   const ConvexHull<> made = in_parts(set, with_threads(3));
   expect_equal(made, reference);
-  EXPECT_TRUE(check(made.to_data()).ok);
+  EXPECT_EQ(made.hash(), at_once.hash());
 }
 
 class HullThreadsIn : public ::testing::TestWithParam<int> {
@@ -111,7 +111,7 @@ TEST_P(HullThreadsIn, LatticesAndDuplicates) {
   static constexpr int side[] = {40, 10, 5, 3, 3, 2};
   expect_same_in_threads(test::lattice(GetParam(), side[GetParam() - 2]));
   expect_same_in_threads(
-      test::small_integers(GetParam(), num_points({300, 1500, 900, 300, 180, 220}), 0, 3, 8));
+      test::small_integers(GetParam(), num_points({300, 1500, 900, 200, 60, 60}), 0, 3, 8));
 }
 
 /// Most points are on the faces of a cube, many of them vertices of cells for a while.
@@ -195,8 +195,8 @@ TEST_P(HullThreadsIn, Halfspaces) {
 }
 
 TEST(HullThreads, ResultsCanBeUsedAsAnyOther) {
-  const std::vector<double> points = make_point_set("sphere", 3, 1500, 2),
-                            more = make_point_set("sphere", 3, 300, 3);
+  const std::vector<double> points = make_point_set("sphere", 3, 500, 2),
+                            more = make_point_set("sphere", 3, 100, 3);
   ConvexHull<> made(points, 3, with_threads(4)), reference(points, 3);
   for (std::size_t i = 0; i < more.size(); i += 3) {
     made.insert(std::span(more).subspan(i, 3));
@@ -250,7 +250,9 @@ TEST(HullThreads, CancelledBatchesChangeNothing) {
   }
   calls_left = 1 << 30;
   made.insert_range(more);
-  EXPECT_TRUE(check(made.to_data()).ok);
+  std::vector<double> all = points;
+  all.insert(all.end(), more.begin(), more.end());
+  EXPECT_EQ(made.hash(), ConvexHull<>(all, 3).hash());
 }
 
 }  // namespace
