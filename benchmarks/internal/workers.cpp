@@ -17,6 +17,7 @@
 #include <benchmark/benchmark.h>
 
 #include <algorithm>
+#include <chrono>
 #include <functional>
 #include <limits>
 #include <queue>
@@ -89,9 +90,11 @@ void workers(benchmark::State& state, const char* kind) {
   const delone::PointsView points(coordinates, K);
   for (auto _ : state) {
     const double start = benchmarks::thread_seconds();
+    const auto clock_start = std::chrono::steady_clock::now();
     const double build_seconds = delone::Delaunay<>(coordinates, K).statistics().build_seconds;
+    const std::chrono::duration<double> by_clock = std::chrono::steady_clock::now() - clock_start;
     const double whole = benchmarks::thread_seconds() - start;
-    const double serial = std::max(0.0, whole - build_seconds);
+    const double serial = whole * (1 - build_seconds / by_clock.count());
     const Turns one = turns_of<K>(points, 1);
     const Turns many = turns_of<K>(points, static_cast<unsigned>(state.range(1)));
     state.counters["put_off"] = static_cast<double>(many.put_off) / static_cast<double>(many.inserted);
