@@ -4,10 +4,10 @@
 // passed the end of its insertion, so that others clash with it as they would if they ran at once. The engine
 // is unchanged. What cores share (caches, memory bandwidth, clock rate) is left out.
 //
-// Counters: `put_off`, attempts that clashed, per vertex; `insertions`, the time of all turns of one worker
-// divided by the critical path, which is the sum over all rounds of the time of the worker that ends last;
-// `serial`, the part of one thread's time in the library that is not insertion; `whole`, the speed-up if none
-// of that part were shared.
+// Counters: `put_off`, attempts that clashed, per vertex; `insertions`, the time of the turns that inserted a
+// vertex divided by the critical path, which is the sum over all rounds of the time of the worker that ends
+// last; `serial`, the share of one thread's time in the library that is not insertion; `whole`, the speed-up
+// if none of that part were shared.
 #include "clocks.hpp"
 #include "engine_run.hpp"
 
@@ -29,7 +29,7 @@ namespace {
 
 /// What the turns of all workers came to.
 struct Turns {
-  double seconds = 0, critical_path = 0;
+  double inserting = 0, critical_path = 0;  // seconds
   std::size_t inserted = 0, put_off = 0;
 };
 
@@ -50,7 +50,7 @@ class ByClocks {
       const double start = benchmarks::thread_seconds();
       const delone::engine::Step done = step(w);
       const double seconds = benchmarks::thread_seconds() - start - look_;
-      turns_.seconds += seconds;
+      if (done == delone::engine::Step::inserted) turns_.inserting += seconds;
       last = std::max(last, clock + seconds);
       turns_.inserted += done == delone::engine::Step::inserted;
       turns_.put_off += done == delone::engine::Step::put_off;
@@ -89,18 +89,16 @@ void workers(benchmark::State& state, const char* kind) {
       delone::make_point_set(kind, K, static_cast<std::size_t>(state.range(0)), 1);
   const delone::PointsView points(coordinates, K);
   for (auto _ : state) {
-    const double start = benchmarks::thread_seconds();
     const auto clock_start = std::chrono::steady_clock::now();
     const double build_seconds = delone::Delaunay<>(coordinates, K).statistics().build_seconds;
     const std::chrono::duration<double> by_clock = std::chrono::steady_clock::now() - clock_start;
-    const double whole = benchmarks::thread_seconds() - start;
-    const double serial = whole * (1 - build_seconds / by_clock.count());
-    const Turns one = turns_of<K>(points, 1);
-    const Turns many = turns_of<K>(points, static_cast<unsigned>(state.range(1)));
-    state.counters["put_off"] = static_cast<double>(many.put_off) / static_cast<double>(many.inserted);
-    state.counters["insertions"] = one.seconds / many.critical_path;
-    state.counters["serial"] = serial / whole;
-    state.counters["whole"] = (serial + one.seconds) / (serial + many.critical_path);
+    const double serial = 1 - build_seconds / by_clock.count();
+    const Turns turns = turns_of<K>(points, static_cast<unsigned>(state.range(1)));
+    const double insertions = turns.inserting / turns.critical_path;
+    state.counters["put_off"] = static_cast<double>(turns.put_off) / static_cast<double>(turns.inserted);
+    state.counters["insertions"] = insertions;
+    state.counters["serial"] = serial;
+    state.counters["whole"] = 1 / (serial + (1 - serial) / insertions);
   }
 }
 

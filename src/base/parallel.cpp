@@ -24,7 +24,6 @@
 #endif
 
 #if DELONE_WITH_TBB
-#include <tbb/global_control.h>
 #include <tbb/task_arena.h>
 #include <tbb/task_group.h>
 #endif
@@ -88,6 +87,28 @@ void note_threads() {
 #endif
   has_threads = true;
 }
+
+#if !DELONE_PLAIN_THREADS
+/// Whether the system lets this process have as many threads as it has cores; oneTBB ends the process if one
+/// of its threads cannot start another. Tried once.
+bool can_start_threads() {
+  static const bool can = [] {
+    std::atomic<bool> may_end = false;
+    std::vector<std::thread> threads;
+    bool all = true;
+    try {
+      for (unsigned i = 1; i < num_cores(); ++i) threads.emplace_back([&] { may_end.wait(false); });
+    } catch (const std::exception&) {
+      all = false;
+    }
+    may_end = true;
+    may_end.notify_all();
+    for (std::thread& thread : threads) thread.join();
+    return all;
+  }();
+  return can;
+}
+#endif
 #endif
 
 }  // namespace
@@ -119,7 +140,9 @@ void run_workers(unsigned n, void (*work)(void* context, unsigned worker), void*
   if (n == 1) return work(context, 0);
   std::exception_ptr failure;
   std::mutex mutex;
+  std::vector<std::atomic<bool>> has_begun(n);
   const auto run = [&](unsigned worker) noexcept {
+    if (has_begun[worker].exchange(true)) return;
     // A thread that helps while it waits has a progress function of its own call, which is not for this work.
     ProgressMeter* const meter = std::exchange(current_meter, worker == 0 ? current_meter : nullptr);
     try {
@@ -130,7 +153,6 @@ void run_workers(unsigned n, void (*work)(void* context, unsigned worker), void*
     }
     current_meter = meter;
   };
-  unsigned next = 0;
 #if DELONE_PLAIN_THREADS && DELONE_WITH_TBB
   {
     note_threads();
@@ -138,31 +160,27 @@ void run_workers(unsigned n, void (*work)(void* context, unsigned worker), void*
     for (unsigned worker = 1; worker < n; ++worker) others.emplace_back(run, worker);
     run(0);
     for (std::thread& other : others) other.join();
-    next = n;
   }
 #elif DELONE_WITH_TBB
-  try {
-    if (!has_lost_threads) {
+  if (!has_lost_threads && can_start_threads()) {
+    try {
       note_threads();
-      // More threads than cores are only had where they were asked for.
-      std::optional<tbb::global_control> more;
-      if (n > static_cast<unsigned>(tbb::this_task_arena::max_concurrency()))
-        more.emplace(tbb::global_control::max_allowed_parallelism, n);
-      tbb::task_arena arena(static_cast<int>(n));
+      const auto cores = static_cast<unsigned>(tbb::this_task_arena::max_concurrency());
+      tbb::task_arena arena(static_cast<int>(std::min(n, std::max(cores, 1u))));
       arena.execute([&] {
         tbb::task_group others;
         try {
-          for (next = 1; next < n; ++next) others.run([&run, worker = next] { run(worker); });
-        } catch (const std::bad_alloc&) {  // those that are left run in this thread
+          for (unsigned worker = 1; worker < n; ++worker) others.run([&run, worker] { run(worker); });
+        } catch (const std::exception&) {  // no memory, or no thread
         }
         run(0);
         others.wait();
       });
+    } catch (const std::exception&) {
     }
-  } catch (const std::bad_alloc&) {  // of the arena, before anything has begun
   }
 #endif
-  for (; next < n; ++next) run(next);
+  for (unsigned worker = 0; worker < n; ++worker) run(worker);  // those that have not begun
   if (failure) std::rethrow_exception(failure);
 }
 

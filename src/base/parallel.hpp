@@ -25,8 +25,9 @@ unsigned threads_to_use(unsigned requested);
 std::optional<unsigned> cores_of_quota(std::string_view cpu_max);
 
 /// Runs work(context, 0), …, work(context, n − 1), each once: the first in this thread, the others in other
-/// threads, or in this one after the first where no thread can be had; so none may wait for another. Returns
-/// when all have ended. If some throw, one exception is passed on then. Nothing is started if n is 1.
+/// threads, at most as many as there are cores, or in this one after the first where no thread can be had; so
+/// none may wait for another. Returns when all have ended. If some throw, one exception is passed on then.
+/// Nothing is started if n is 1. Throws std::bad_alloc before anything has begun.
 void run_workers(unsigned n, void (*work)(void* context, unsigned worker), void* context);
 
 /// The same for a callable.

@@ -52,7 +52,11 @@ class PlainWalk {
         where_.triangulation.locate(std::span(q, static_cast<std::size_t>(where_.dimension)), hint);
     found = {location.kind, location.cell, {}, 0};
     if (location.face.empty()) return;
-    const VerticesOfCell vertices = where_.complex.vertices(location.cell);
+    // Cached functionals lead the walk, and what they round to depends on the order of insertion, which
+    // several threads do not share. The face does not.
+    if (location.kind != Location::Kind::in_cell && where_.affine_dimension <= largest_table)
+      found.cell = first_cell_of(location.face);
+    const VerticesOfCell vertices = where_.complex.vertices(found.cell);
     std::vector<const double*> points;
     std::vector<unsigned char> on_face;
     for (const VertexId v : vertices) {
@@ -65,6 +69,19 @@ class PlainWalk {
   }
 
  private:
+  /// Of the finite cells that have a face, the one of the least id.
+  CellId first_cell_of(const std::vector<VertexId>& face) const {
+    const Complex& complex = where_.complex;
+    CellId first = invalid_cell;
+    for (const CellId cell : complex.star(face.front())) {
+      const auto has = [&](VertexId v) { return complex.index_of(cell, v) >= 0; };
+      if (!complex.is_infinite(cell) && (first == invalid_cell || cell < first) &&
+          std::all_of(face.begin(), face.end(), has))
+        first = cell;
+    }
+    return first;
+  }
+
   const PointLocator::Impl& where_;
   std::vector<double> weights_;
 };
