@@ -56,7 +56,7 @@ def plot(path, record_path):
     axes.invert_yaxis()
     axes.axvline(1, color="black", linewidth=0.8)
     axes.set_xlabel("times as fast as one thread")
-    axes.legend()
+    axes.legend(loc="lower center", bbox_to_anchor=(0.5, 1), ncols=len(threads), frameon=False)
     figure.tight_layout()
     figure.savefig(path, metadata={"Date": None})
 
