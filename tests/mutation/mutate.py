@@ -7,10 +7,11 @@ with the library of a build directory; if none fails, so are the sources of src/
 Tests are tried one after the other, the likeliest first, until one fails. Prints a table, and exits with status 1 if a mutant survives
 that is not listed as equivalent.
 
-Usage: mutate.py [--build build/test] [--work build/mutation] [--only WORD] [--table FILE] [--skip FILE]
+Usage: mutate.py [--build build/test] [--work build/mutation] [--only WORD] [--table FILE] [--skip FILE] [--list]
   --only WORD        mutants whose file or name contains it
   --table FILE       appends a line for each mutant: name, kind, test that fails (or survives)
   --skip FILE        leaves out the mutants of that table: to go on after an interruption
+  --list             only says whether each mutant has one place in the sources; exits with status 1 if not
 """
 import argparse
 import pathlib
@@ -108,6 +109,16 @@ class Workshop:
             return True  # a walk without end
 
 
+def list_places():
+    """Whether each mutant has one place in the sources."""
+    misplaced = 0
+    for file, name, kind, old, _ in MUTANTS:
+        places = (ROOT / file).read_text().count(old)
+        misplaced += places != 1
+        print(f"{file}\t{name}\t{kind}" + ("" if places == 1 else f"\t{places} places"))
+    return 1 if misplaced else 0
+
+
 def main():
     parser = argparse.ArgumentParser(usage=__doc__)
     parser.add_argument("--build", default="build/test")
@@ -115,7 +126,10 @@ def main():
     parser.add_argument("--only", default="")
     parser.add_argument("--table")
     parser.add_argument("--skip")
+    parser.add_argument("--list", action="store_true")
     given = parser.parse_args()
+    if given.list:
+        return list_places()
     known = {line.split("\t")[0] for line in open(given.skip)} if given.skip and pathlib.Path(given.skip).exists() else set()
     workshop = Workshop((ROOT / given.build).resolve(), (ROOT / given.work).resolve())
     survivors = 0
