@@ -201,11 +201,14 @@ MUTANTS = [
     ("src/engine/dimension_jump.hpp", "orientation of joined cells", "sign", "link(c, joined[index(c)], q, base, !q_is_positive,",
      "link(c, joined[index(c)], q, base, q_is_positive,"),
     ("src/engine/seed.hpp", "orientation of the first sphere", "sign", "const int slot = j < 2 ? 1 - j : j;", "const int slot = j;"),
-    ("src/engine/wrap/proof.hpp", "orientation of neighbors", "sign", "is_flipped_[cell] != (is_flipped_[neighbor] != ((slot + mirror) % 2 == 0))",
-     "is_flipped_[cell] == (is_flipped_[neighbor] != ((slot + mirror) % 2 == 0))"),
-    ("src/engine/wrap/proof.hpp", "ties are no proof", "sign", "return exact_side(cell, queries_[apex]) == Sign::positive;",
-     "return exact_side(cell, queries_[apex]) != Sign::negative;"),
-    ("src/engine/wrap/proof.hpp", "covered once", "sign", "exact_side(cell, point) != Sign::positive)", "exact_side(cell, point) == Sign::positive)"),
+    ("src/engine/wrap/proof.hpp", "orientation of neighbors", "sign", "const bool differ = (slot + mirror) % 2 == 0;",
+     "const bool differ = (slot + mirror) % 2 != 0;"),
+    ("src/engine/wrap/proof.hpp", "orientation of neighbors in other parts", "sign",
+     "(is_flipped(facet.cell) != is_flipped(facet.neighbor)) != facet.differ", "false"),
+    ("src/engine/wrap/proof.hpp", "ties are no proof", "sign", "return exact_side(cell, queries_[apex], worker) == Sign::positive;",
+     "return exact_side(cell, queries_[apex], worker) != Sign::negative;"),
+    ("src/engine/wrap/proof.hpp", "covered once", "sign", "exact_side(cell, point, worker) != Sign::positive)",
+     "exact_side(cell, point, worker) == Sign::positive)"),
 ]
 
 # Mutants that no test can tell from the original, with the reason.
