@@ -29,6 +29,9 @@ void write_off(AtomicFile& file, const ComplexData& data) {
 void write_off(AtomicFile& file, const IntersectionData& data) {
   if (data.dimension != 3 || !data.bounded)
     fail(Errc::unsupported, "format 'off' needs a bounded intersection in dimension 3");
+  if (data.facet_offsets.size() != data.num_facets() + 1)
+    fail(Errc::invalid_argument, "cannot write: facet_offsets has {} numbers for {} facets",
+         data.facet_offsets.size(), data.num_facets());
   file.print("OFF\n{} {} {}\n", data.num_vertices(), data.num_facets(), data.num_edges());
   for (std::size_t v = 0; v < data.num_vertices(); ++v)
     for (std::size_t j = 0; j < 3; ++j) {

@@ -30,4 +30,13 @@ TEST_F(WriteOff, Off) {
   expect({"18446744073709551615 faces"}, "OFF\n1 18446744073709551615 0\n0 0 0\n1 0\n");
 }
 
+TEST_F(WriteOff, FacetsWithoutLists) {
+  IntersectionData data;
+  data.dimension = 3;
+  data.bounded = true;
+  data.facet_halfspaces = {0, 1};
+  expect_error(Errc::invalid_argument, {"facet_offsets has 0 numbers for 2 facets"},
+               [&] { write(path("a.off"), data); });
+}
+
 }  // namespace
