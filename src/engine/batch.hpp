@@ -55,8 +55,8 @@ struct ParallelBatch {
   }
 };
 
-/// How many threads insert a batch of n vertices into cells of k dimensions, if so many are asked for. If
-/// that is left open, one does where the batch takes a few milliseconds.
+/// How many threads insert a batch of n vertices into cells of k dimensions. `requested`: as
+/// Options::threads; 0 is one thread where the batch takes less than a few milliseconds.
 inline unsigned threads_for_batch(unsigned requested, std::size_t n, int k) {
   constexpr std::size_t enough[] = {100000, 100000, 30000, 8000, 2000, 800, 400};
   if (requested == 0 && n < enough[std::clamp(k, 0, 6)]) return 1;
