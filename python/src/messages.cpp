@@ -12,24 +12,25 @@ std::string printed(const py::str& text) {
   return printable(std::string(py::bytes(text.attr("encode")("utf-8", "surrogatepass"))));
 }
 
-}  // namespace
-
-std::string shown(const py::handle& value) {
+/// What `to_text` makes of a value; its type if it fails, as for integers of too many digits.
+template <class ToText>
+std::string printed_by(ToText to_text, const py::handle& value) {
   try {
-    return printed(py::str(value));
+    return printed(to_text(value));
   } catch (py::error_already_set& error) {
     if (!error.matches(PyExc_Exception)) throw;  // Ctrl-C
     return "a huge " + type_name(value);
   }
 }
 
+}  // namespace
+
+std::string shown(const py::handle& value) {
+  return printed_by([](const py::handle& x) { return py::str(x); }, value);
+}
+
 std::string represented(const py::handle& value) {
-  try {
-    return printed(py::repr(value));
-  } catch (py::error_already_set& error) {
-    if (!error.matches(PyExc_Exception)) throw;  // Ctrl-C
-    return "a huge " + type_name(value);
-  }
+  return printed_by([](const py::handle& x) { return py::str(py::repr(x)); }, value);
 }
 
 std::string type_name(const py::handle& value) {
