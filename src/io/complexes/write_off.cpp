@@ -29,7 +29,8 @@ void write_off(AtomicFile& file, const ComplexData& data) {
 void write_off(AtomicFile& file, const IntersectionData& data) {
   if (data.dimension != 3 || !data.bounded)
     fail(Errc::unsupported, "format 'off' needs a bounded intersection in dimension 3");
-  if (data.facet_offsets.size() != data.num_facets() + 1)
+  const bool no_lists = data.facet_offsets.empty() && data.num_facets() == 0;
+  if (!no_lists && data.facet_offsets.size() != data.num_facets() + 1)
     fail(Errc::invalid_argument, "cannot write: facet_offsets has {} numbers for {} facets",
          data.facet_offsets.size(), data.num_facets());
   file.print("OFF\n{} {} {}\n", data.num_vertices(), data.num_facets(), data.num_edges());

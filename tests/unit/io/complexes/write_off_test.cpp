@@ -37,6 +37,9 @@ TEST_F(WriteOff, FacetsWithoutLists) {
   data.facet_halfspaces = {0, 1};
   expect_error(Errc::invalid_argument, {"facet_offsets has 0 numbers for 2 facets"},
                [&] { write(path("a.off"), data); });
+  data.facet_halfspaces.clear();
+  write(path("a.off"), data);
+  EXPECT_EQ(content("a.off"), "OFF\n0 0 0\n");
 }
 
 }  // namespace
