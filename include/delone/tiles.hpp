@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Triangulations of more points than memory holds: a folder of parts, each triangulated by itself, which
+// together are the triangulation of all points.
+#pragma once
+
+#include <delone/check.hpp>
+#include <delone/complex.hpp>
+#include <delone/points.hpp>
+
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <string>
+#include <vector>
+
+namespace delone {
+
+/// How a set is cut into tiles. The triangulation never depends on it; which part has a cell does.
+struct TilesOptions {
+  /// The most memory to use, in bytes, mapped pages included; 0: three quarters of what is free. The program
+  /// itself and the arrays of the caller count.
+  std::uint64_t memory = 0;
+  /// The number of tiles; 0: as few as the memory allows.
+  std::size_t tiles = 0;
+  unsigned threads = 1;  ///< as Options::threads
+  /// Whether the last column of the input holds weights: the triangulation is then regular.
+  bool weighted = false;
+  /// Goes on with what an earlier call has left in the folder, if it was the same work.
+  bool resume = true;
+  bool vtu = false;   ///< also tiles.pvtu and a .vtu per part, d ≤ 3
+  bool hdf5 = false;  ///< also tiles.h5; Errc::unsupported in a build without HDF5
+  /// As Options::progress.
+  std::function<bool(double)> progress = {};
+};
+
+/// One part of the folder: a tile and what it took.
+struct TilePart {
+  std::string file;               ///< within the folder: "part-0000.npz"
+  std::int64_t first_cell = 0;    ///< the global id of its first cell
+  std::int64_t num_cells = 0;     ///< finite cells of the part
+  std::int64_t num_points = 0;    ///< input rows in the tile
+  std::int64_t num_vertices = 0;  ///< distinct points of the tile that are not hidden
+  std::int64_t num_foreign = 0;   ///< points of other tiles that had to be inserted
+  std::int64_t num_rounds = 0;    ///< rounds of questions
+};
+
+/// What a folder of tiles holds: its index.json.
+struct TilesIndex {
+  int dimension = 0, affine_dimension = -1;
+  bool weighted = false;
+  std::int64_t num_points = 0, num_vertices = 0, num_duplicates = 0, num_hidden = 0, num_cells = 0;
+  std::int64_t num_hull_facets = 0;
+  CanonicalHash hash;  ///< that of the whole triangulation, as Triangulation::hash()
+  std::vector<TilePart> parts;
+};
+
+/// One part, as its file holds it. Cells belong to the tile of their lexicographically smallest vertex.
+struct TileData {
+  int dimension = 0, affine_dimension = -1;
+  std::vector<std::int64_t> rows;   ///< v: the input row of each point below, the first of equal ones
+  std::vector<double> points;       ///< v×d: the vertices of the cells, those of other tiles included
+  std::vector<double> weights;      ///< v, or none
+  std::vector<std::int32_t> cells;  ///< m×(k+1): numbers of points; positively oriented when k = d
+  /// m×(k+1): the cell of this part across the facet opposite each vertex; −1 beyond the convex hull;
+  /// −2 − s: the cell seams[s] of another part.
+  std::vector<std::int32_t> neighbors;
+  std::vector<std::int64_t> seams;           ///< global ids of cells
+  std::vector<std::int64_t> own_rows;        ///< the input rows of the tile, increasing
+  std::vector<std::int64_t> vertex_of_row;   ///< for each of them the first equal row; −1: hidden
+
+  std::size_t num_points() const { return rows.size(); }
+  std::size_t num_cells() const {
+    return affine_dimension < 0 ? 0 : cells.size() / static_cast<std::size_t>(affine_dimension + 1);
+  }
+};
+
+/// The Delaunay triangulation, or the regular one, of the points of a file, as a folder of parts.
+TilesIndex make_tiles(const std::string& input, const std::string& folder, const TilesOptions& options = {});
+/// The same of points in memory: rows of d coordinates, and a weight if `weighted`.
+TilesIndex make_tiles(PointsView rows, const std::string& folder, const TilesOptions& options = {});
+
+TilesIndex read_tiles_index(const std::string& folder);
+/// Part number i of a folder.
+TileData read_tile(const std::string& folder, std::size_t i);
+
+/// Examines a folder of tiles part by part, in memory for two parts: the levels of check() for
+/// triangulations, seams included. CheckReport::cells are global ids, points are rows of the input.
+CheckReport check_tiles(const std::string& folder, const CheckOptions& options = {});
+
+}  // namespace delone

@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// All points in the order of a k-d tree, cut into pages of neighboring points: what every tile knows of the
+// others are the boxes of their pages; the points of a page come when a question reaches it.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <vector>
+
+namespace delone::tiles {
+
+/// The points of a page.
+struct Page {
+  std::vector<double> points;      ///< d coordinates each, and then the weight if points have one
+  std::vector<std::int64_t> rows;  ///< of the input
+
+  std::size_t size() const { return rows.size(); }
+};
+
+/// A tile: consecutive pages, and the box outside which all other points lie.
+struct Tile {
+  std::size_t first_page = 0, last_page = 0;  ///< the pages first_page … last_page − 1
+  /// d numbers each, infinite where no other tile is beyond: no point of another tile is strictly inside.
+  std::vector<double> low, high;
+};
+
+/// What is known of all pages, everywhere.
+struct PageTable {
+  int dimension = 0;                       ///< d
+  bool weighted = false;                   ///< rows of points have d + 1 numbers
+  std::vector<std::uint64_t> first_point;  ///< of each page in the order, and the number of points
+  std::vector<double> boxes;               ///< 2d numbers per page: the least and the largest coordinates
+  std::vector<double> weights;             ///< the largest weight of each page, if points have weights
+  std::vector<Tile> tiles;
+
+  std::size_t num_pages() const { return first_point.empty() ? 0 : first_point.size() - 1; }
+  std::size_t num_points() const { return first_point.empty() ? 0 : first_point.back(); }
+  std::size_t row_size() const { return static_cast<std::size_t>(dimension) + (weighted ? 1 : 0); }
+  std::size_t page_size(std::size_t p) const { return first_point[p + 1] - first_point[p]; }
+  const double* low(std::size_t p) const { return boxes.data() + p * 2 * static_cast<std::size_t>(dimension); }
+  const double* high(std::size_t p) const { return low(p) + dimension; }
+};
+
+/// Where the points of pages come from: a file, or other processes.
+class PageSource {
+ public:
+  virtual ~PageSource() = default;
+  /// The points of a page; null if they are not here yet, and the page is wanted from now on. May be called
+  /// from several threads at once.
+  virtual std::shared_ptr<const Page> find(std::size_t page) = 0;
+};
+
+/// What is known of the whole set before the first tile: every tile starts from it.
+struct Survey {
+  int dimension = 0;
+  bool weighted = false;
+  std::uint64_t num_points = 0;
+  int affine_dimension = -1;
+  std::vector<double> low, high;          ///< the box of all points
+  double lowest_weight = 0, largest_weight = 0;
+  /// k+1 affinely independent points and the extreme ones along each axis: rows of d coordinates and the
+  /// weight, and their rows of the input.
+  std::vector<double> landmarks;
+  std::vector<std::int64_t> landmark_rows;
+};
+
+}  // namespace delone::tiles
