@@ -13,10 +13,18 @@ namespace delone::tiles {
 
 /// The points of a page.
 struct Page {
-  std::vector<double> points;      ///< d coordinates each, and then the weight if points have one
-  std::vector<std::int64_t> rows;  ///< of the input
+  /// Axis by axis: coordinate j of point i is number j·stride() + i; then the weights if points have weights.
+  /// What is between size() and stride() is finite and means nothing.
+  std::vector<double> coordinates;
+  std::vector<std::int64_t> rows;  ///< of the input: the first of equal points
 
   std::size_t size() const { return rows.size(); }
+  std::size_t stride() const { return stride_of(size()); }
+  static std::size_t stride_of(std::size_t size) { return (size + 7) / 8 * 8; }
+  /// One point: its coordinates, and its weight.
+  void copy_point(std::size_t i, double* point) const {
+    for (std::size_t at = i; at < coordinates.size(); at += stride()) *point++ = coordinates[at];
+  }
 };
 
 /// A tile: consecutive pages, and the box outside which all other points lie.
@@ -39,7 +47,9 @@ struct PageTable {
   std::size_t num_points() const { return first_point.empty() ? 0 : first_point.back(); }
   std::size_t row_size() const { return static_cast<std::size_t>(dimension) + (weighted ? 1 : 0); }
   std::size_t page_size(std::size_t p) const { return first_point[p + 1] - first_point[p]; }
-  const double* low(std::size_t p) const { return boxes.data() + p * 2 * static_cast<std::size_t>(dimension); }
+  const double* low(std::size_t p) const {
+    return boxes.data() + p * 2 * static_cast<std::size_t>(dimension);
+  }
   const double* high(std::size_t p) const { return low(p) + dimension; }
 };
 
@@ -58,7 +68,7 @@ struct Survey {
   bool weighted = false;
   std::uint64_t num_points = 0;
   int affine_dimension = -1;
-  std::vector<double> low, high;          ///< the box of all points
+  std::vector<double> low, high;  ///< the box of all points
   double lowest_weight = 0, largest_weight = 0;
   /// k+1 affinely independent points and the extreme ones along each axis: rows of d coordinates and the
   /// weight, and their rows of the input.

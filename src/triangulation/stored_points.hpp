@@ -28,6 +28,10 @@ class StoredPoints : private Triangulation {
         std::vector<CellId> (Triangulation::*)(std::span<const double>, double, std::optional<CellId>) const;
     return (t.*static_cast<Find>(&StoredPoints::conflict_zone_of))(query, 0.0, hint);
   }
+  /// The vertex of each row, hidden or not; invalid_vertex for rows that were not inserted.
+  static const std::vector<VertexId>& vertices_of_rows(const Triangulation& t) {
+    return impl_of(t).vertex_of_row;
+  }
   static const VertexPoints& of(const Triangulation& t) { return impl_of(t).points; }
   /// The coordinates of an input row, followed by its weight if points have one; hidden or not. Null if the
   /// row was not inserted.

@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Questions against eight boxes, or the points of a page, at a time: SIMD for the best instruction set of the
+// processor. The bounds are those of question.hpp, computed in the same order.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+
+namespace delone::tiles {
+
+/// A question as the kernel reads it; see Question.
+struct QuestionForm {
+  const double *p = nullptr, *c = nullptr;
+  const double *direction = nullptr, *reach = nullptr;
+  bool is_halfspace = false, is_weighted = false;
+  double largest_weight = 0;
+};
+
+inline constexpr std::size_t boxes_per_node = 8;
+inline constexpr std::size_t most_points_of_page = 64;
+
+/// The boxes, by their bits, of which it is not certain that no point is in conflict. `boxes`: for each axis
+/// eight least coordinates and then eight largest ones; then eight largest weights, if points have weights.
+/// With `has_best` boxes are also left out in which no key can be less than `best_key`, rounded.
+/// `distances`: the squared distances of the boxes from p.
+unsigned find_open_boxes(std::size_t d, const QuestionForm& question, const double* boxes, bool has_best,
+                         double best_key, double* distances);
+
+/// The points, by their bits, that are not certainly outside. `coordinates`: axis by axis those of `count` ≤
+/// most_points_of_page points, each axis padded to a multiple
+/// of eight numbers, and then their weights if they have weights.
+std::uint64_t find_points_not_outside(std::size_t d, const QuestionForm& question, const double* coordinates,
+                                      std::size_t count);
+
+}  // namespace delone::tiles

@@ -1,0 +1,341 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Rounds of insertions and questions.
+#include "tiles/tile_triangulation.hpp"
+
+#include "base/compiled_dimension.hpp"
+#include "base/parallel_parts.hpp"
+#include "base/stopwatch.hpp"
+#include "kernel/predicates.hpp"
+#include "triangulation/stored_points.hpp"
+#include "voronoi/cell_center.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace delone::tiles {
+
+namespace {
+
+constexpr double u = 0x1p-53;
+
+/// Whether the flat of all points is parallel to coordinate axes, so that centers are found in binary64.
+bool is_aligned(const Survey& survey, std::span<const int> axes) {
+  for (std::size_t j = 0; j < survey.low.size(); ++j)
+    if (survey.low[j] != survey.high[j] &&
+        std::find(axes.begin(), axes.end(), static_cast<int>(j)) == axes.end())
+      return false;
+  return true;
+}
+
+}  // namespace
+
+/// The questions of one thread in one round.
+template <int D>
+class TileTriangulation::Asking {
+ public:
+  explicit Asking(TileTriangulation& tile)
+      : tile_(tile),
+        complex_(tile.triangulation().complex()),
+        points_(internal::StoredPoints::of(tile.triangulation())),
+        axes_(tile.triangulation().axes()),
+        d_(static_cast<std::size_t>(points_.ambient)),
+        k_(axes_.size()),
+        finder_(points_.ambient, axes_, is_aligned(tile.survey_, axes_)),
+        question_(d_, points_.weighted()),
+        search_(tile.tree_, tile.source_, tile.known_, tile.tile().first_page, tile.tile().last_page) {
+    question_.set_largest_weight(
+        std::max(std::abs(tile.survey_.lowest_weight), std::abs(tile.survey_.largest_weight)));
+    centers_.resize(internal::CenterFinder::block * d_);
+    spokes_.reserve(internal::CenterFinder::block);
+  }
+  Asking(const Asking&) = delete;
+  Asking& operator=(const Asking&) = delete;
+
+  /// All cells of these slots that are new and have a vertex of the tile.
+  void ask_slots(std::size_t first, std::size_t last) {
+    for (std::size_t slot = first; slot < last; ++slot) {
+      const CellId cell{static_cast<Index>(slot)};
+      if (complex_.is_cell(cell)) ask_if_new(cell);
+    }
+    ask_gathered();
+  }
+  /// Asks again for cells that have waited for pages.
+  void ask_again(std::span<const CellId> cells) {
+    for (const CellId cell : cells)
+      if (complex_.is_cell(cell) && !is_new(cell)) gather(cell);
+    ask_gathered();
+  }
+
+  std::vector<PointPlace> found;
+  std::vector<CellId> waiting;
+  std::uint64_t num_questions = 0;
+  std::uint64_t num_pages() const { return search_.num_visited; }
+  std::uint64_t num_exact() const { return search_.num_exact; }
+
+ private:
+  /// A finite cell whose center is wanted.
+  struct Spoke {
+    CellId cell;
+    const double* own;  ///< the first vertex of the tile
+  };
+
+  bool is_new(CellId cell) const {
+    for (const VertexId v : complex_.vertices(cell))
+      if (v != infinite_vertex && index(v) >= tile_.first_new_vertex_) return true;
+    return false;
+  }
+  bool is_own(VertexId v) const { return tile_.is_own_[index(v)] != 0; }
+  const double* point(VertexId v) const { return points_.point(index(v)); }
+
+  void ask_if_new(CellId cell) {
+    if (is_new(cell)) gather(cell);
+  }
+  void gather(CellId cell) {
+    const double* own = nullptr;
+    bool is_infinite = false;
+    for (const VertexId v : complex_.vertices(cell)) {
+      is_infinite = is_infinite || v == infinite_vertex;
+      if (own == nullptr && is_own(v)) own = point(v);
+    }
+    if (own == nullptr) return;
+    if (is_infinite) {
+      ask_beyond(cell, own);
+      return;
+    }
+    spokes_.push_back({cell, own});
+    for (const VertexId v : complex_.vertices(cell)) {
+      corners_.push_back(point(v));
+      if (points_.weighted()) weights_.push_back(corners_.back()[d_]);
+    }
+    if (spokes_.size() == internal::CenterFinder::block) ask_gathered();
+  }
+
+  void ask_gathered() {
+    if (!spokes_.empty()) {
+      finder_.find_block(spokes_.size(), corners_.data(), points_.weighted() ? weights_.data() : nullptr,
+                         centers_.data());
+      for (std::size_t i = 0; i < spokes_.size(); ++i) {
+        const double* const center = centers_.data() + i * d_;
+        if (is_within_tile(spokes_[i].own, center)) continue;
+        question_.ask_within_sphere(spokes_[i].own, center);
+        const std::span<const double* const> corners(corners_.data() + i * (k_ + 1), k_ + 1);
+        ask(spokes_[i].cell, [&](const double* x) { return is_in_sphere(corners, x); });
+      }
+    }
+    spokes_.clear();
+    corners_.clear();
+    weights_.clear();
+  }
+
+  /// Whether certainly no point of another tile is inside the sphere, as the tile's box contains it. The
+  /// radius, and the distance of the center from either side, are off by at most what the center is,
+  /// 1.01u Σ|c_j|, and (d + 6)u of their size.
+  bool is_within_tile(const double* own, const double* center) const {
+    double squared = 0, magnitude = 0;
+    for (std::size_t j = 0; j < d_; ++j) {
+      squared += (own[j] - center[j]) * (own[j] - center[j]);
+      magnitude += std::abs(center[j]);
+    }
+    if (points_.weighted()) squared += std::max(tile_.survey_.largest_weight - own[d_], 0.0);
+    const double radius = std::sqrt(squared);
+    const double reach = radius + 8 * u * (magnitude + static_cast<double>(d_ + 6) * radius) + 0x1p-500;
+    const Tile& tile = tile_.tile();
+    for (std::size_t j = 0; j < d_; ++j)
+      if (!(center[j] - reach > tile.low[j] && center[j] + reach < tile.high[j])) return false;
+    return true;
+  }
+
+  bool is_in_sphere(std::span<const double* const> corners, const double* x) const {
+    const std::size_t width = points_.row_size();
+    for (const double* corner : corners)
+      if (std::equal(corner, corner + width, x)) return false;
+    const kernel::Flat flat{points_.ambient, axes_, points_.form};
+    return kernel::in_sphere_perturbed(flat, corners, kernel::orientation(flat, corners), x) ==
+           Sign::negative;
+  }
+
+  /// An infinite cell. A point in the hyperplane of its facet is in conflict exactly if it is so with the
+  /// finite cell behind the facet, which has the same vertices of the tile and asks for itself.
+  void ask_beyond(CellId cell, const double* own) {
+    const int infinite = complex_.infinite_index(cell);
+    facet_.clear();
+    for (const VertexId v : complex_.vertices(cell))
+      if (v != infinite_vertex) facet_.push_back(point(v));
+    const CellId behind = complex_.neighbor(cell, infinite);
+    const double* const inner = point(complex_.vertex(behind, complex_.mirror_index(cell, infinite)));
+    if (is_side_of_box(inner)) return;
+    const std::vector<double> normal = internal::outward_direction(facet_, inner, d_);
+    question_.ask_beyond_facet(own, normal.data());
+    const kernel::Flat flat{points_.ambient, axes_, points_.form};
+    ask(cell, [&](const double* x) { return kernel::hull_side(flat, facet_, inner, x) == Sign::negative; });
+  }
+  /// Whether the facet lies in a side of the box of all points: then nothing is beyond it.
+  bool is_side_of_box(const double* inner) const {
+    const auto lies_in = [&](std::size_t j, double bound) {
+      return inner[j] != bound &&
+             std::all_of(facet_.begin(), facet_.end(), [&](const double* p) { return p[j] == bound; });
+    };
+    for (std::size_t j = 0; j < d_; ++j)
+      if (lies_in(j, tile_.survey_.low[j]) || lies_in(j, tile_.survey_.high[j])) return true;
+    return false;
+  }
+
+  template <class Exact>
+  void ask(CellId cell, const Exact& is_in_conflict) {
+    ++num_questions;
+    const Answer answer = search_.find(question_, is_in_conflict);
+    if (answer.is_waiting)
+      waiting.push_back(cell);
+    else if (answer.is_open)
+      found.push_back(answer.place);
+  }
+
+  TileTriangulation& tile_;
+  const Complex complex_;
+  const VertexPoints& points_;
+  const std::vector<int> axes_;
+  const std::size_t d_, k_;
+  internal::CenterFinder finder_;
+  Question<D> question_;
+  PageSearch search_;
+  std::vector<Spoke> spokes_;
+  std::vector<const double*> corners_, facet_;
+  std::vector<double> weights_, centers_;
+};
+
+TileTriangulation::TileTriangulation(const Survey& survey, const PageTree& tree, PageSource& source,
+                                     std::size_t number, TilePoints own, const TileOptions& options)
+    : survey_(survey),
+      tree_(tree),
+      source_(source),
+      number_(number),
+      options_(options),
+      own_(std::move(own)),
+      known_(tree.table().num_pages()) {
+  Options how;
+  how.threads = options.threads;
+  how.progress = options.progress;
+  if (survey.weighted)
+    regular_.emplace(survey.dimension, how);
+  else
+    delaunay_.emplace(survey.dimension, how);
+}
+
+bool TileTriangulation::advance() {
+  if (own_.rows.empty()) return false;
+  const internal::Stopwatch insertion;
+  if (!has_asked_) {
+    // The landmarks settle the affine dimension and the frame, which later rounds would have to change.
+    std::vector<double> rows = std::move(own_.points);
+    own_.points = {};
+    rows.insert(rows.end(), survey_.landmarks.begin(), survey_.landmarks.end());
+    rows_ = own_.rows;
+    rows_.insert(rows_.end(), survey_.landmark_rows.begin(), survey_.landmark_rows.end());
+    insert(std::move(rows));
+  } else {
+    insert_found();
+  }
+  effort_.insert_seconds += insertion.seconds();
+  effort_.created_cells = triangulation().statistics().created_cells;
+  has_asked_ = true;
+  ++num_rounds_;
+  if (survey_.affine_dimension >= 1) {
+    const internal::Stopwatch asking;
+    ask();
+    effort_.ask_seconds += asking.seconds();
+  }
+  return !found_.empty() || !waiting_.empty();
+}
+
+/// `rows`: those of rows_ that have no vertices yet.
+void TileTriangulation::insert(std::vector<double> rows) {
+  first_new_vertex_ = triangulation().complex().num_vertex_slots();
+  if (has_asked_ == false) first_new_vertex_ = 1;
+  const std::size_t d = static_cast<std::size_t>(survey_.dimension), width = tree_.table().row_size();
+  if (delaunay_) {
+    delaunay_->insert_range(std::move(rows));
+  } else {
+    std::vector<double> coordinates, weights;
+    coordinates.reserve(rows.size() / width * d);
+    weights.reserve(rows.size() / width);
+    for (std::size_t at = 0; at < rows.size(); at += width) {
+      coordinates.insert(coordinates.end(), rows.begin() + static_cast<std::ptrdiff_t>(at),
+                         rows.begin() + static_cast<std::ptrdiff_t>(at + d));
+      weights.push_back(rows[at + d]);
+    }
+    regular_->insert_range(std::move(coordinates), weights);
+  }
+  // A hidden vertex keeps its id, which Complex does not show.
+  const auto& vertex_of_row = internal::StoredPoints::vertices_of_rows(triangulation());
+  const Index slots = internal::StoredPoints::of(triangulation()).last_vertex() + 1;
+  is_own_.resize(slots, 0);
+  row_of_.resize(slots, -1);
+  for (; num_rows_done_ < rows_.size(); ++num_rows_done_) {
+    const VertexId v = vertex_of_row[num_rows_done_];
+    if (v == invalid_vertex) continue;
+    if (num_rows_done_ < own_.rows.size()) is_own_[index(v)] = 1;
+    std::int64_t& row = row_of_[index(v)];
+    if (row < 0) row = rows_[num_rows_done_];
+  }
+}
+
+void TileTriangulation::insert_found() {
+  if (found_.empty()) {
+    first_new_vertex_ = internal::StoredPoints::of(triangulation()).last_vertex() + 1;
+    return;
+  }
+  const std::size_t width = tree_.table().row_size();
+  std::vector<double> rows;
+  rows.reserve(found_.size() * width);
+  for (const PointPlace place : found_) {
+    const auto page = source_.find(place.page);
+    rows.resize(rows.size() + width);
+    page->copy_point(place.slot, rows.data() + rows.size() - width);
+    rows_.push_back(page->rows[place.slot]);
+    known_.add(place.page, place.slot, page->size());
+  }
+  num_foreign_ += found_.size();
+  insert(std::move(rows));
+}
+
+void TileTriangulation::ask() {
+  found_.clear();
+  const std::vector<CellId> waited = std::move(waiting_);
+  waiting_ = {};
+  std::mutex mutex;
+  // The answers of all threads, in an order that does not depend on them.
+  const auto collect = [&](auto& asking) {
+    const std::lock_guard lock(mutex);
+    found_.insert(found_.end(), asking.found.begin(), asking.found.end());
+    waiting_.insert(waiting_.end(), asking.waiting.begin(), asking.waiting.end());
+    effort_.questions += asking.num_questions;
+    effort_.pages += asking.num_pages();
+    effort_.exact += asking.num_exact();
+  };
+  internal::with_compiled_dimension<1, 5>(static_cast<std::size_t>(survey_.dimension), [&](auto d) {
+    if (!waited.empty()) {
+      Asking<d()> asking(*this);
+      asking.ask_again(waited);
+      collect(asking);
+    }
+    constexpr std::size_t part = 16384;
+    internal::for_parts(options_.threads, triangulation().complex().num_cell_slots(), part,
+                        [&](std::size_t first, std::size_t last, const internal::StopPoint& stop) {
+                          stop();
+                          Asking<d()> asking(*this);
+                          asking.ask_slots(first, last);
+                          collect(asking);
+                        });
+  });
+  std::sort(found_.begin(), found_.end());
+  found_.erase(std::unique(found_.begin(), found_.end()), found_.end());
+}
+
+std::size_t TileTriangulation::bytes() const {
+  const auto& points = internal::StoredPoints::of(triangulation());
+  return triangulation().statistics().cell_bytes + points.coordinates.capacity() * sizeof(double) +
+         rows_.capacity() * sizeof(std::int64_t) + is_own_.capacity() +
+         row_of_.capacity() * sizeof(std::int64_t);
+}
+
+}  // namespace delone::tiles

@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// One tile of a triangulation: its own points, and round by round the points of other tiles that its cells
+// are in conflict with, until no cell with a vertex of its own is. These cells are then cells of the whole
+// triangulation, and all that have such a vertex are among them.
+//
+// Why. A cell that no point of the whole set is in conflict with, ties perturbed by coordinates alone, is a
+// cell of the whole. The star of a point of the tile, closed by cells of the whole, is its whole star. So
+// nothing has to be merged, and tiles agree wherever they meet.
+#pragma once
+
+#include "tiles/finished_tile.hpp"
+#include "tiles/page_tree.hpp"
+#include "triangulation/triangulation_impl.hpp"
+
+#include <delone/delaunay.hpp>
+#include <delone/options.hpp>
+#include <delone/regular.hpp>
+
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <mutex>
+#include <optional>
+#include <span>
+#include <vector>
+
+namespace delone::tiles {
+
+/// The points of a tile in the order of its pages.
+struct TilePoints {
+  std::vector<double> points;      ///< distinct: coordinates, and weights where points have them
+  std::vector<std::int64_t> rows;  ///< of the input: the first equal one
+  /// Rows of the input that repeat an earlier one, and that one.
+  std::vector<std::int64_t> duplicate_rows, first_rows;
+};
+
+struct TileOptions {
+  unsigned threads = 1;
+  std::function<bool(double)> progress = {};
+};
+
+/// What the questions of a tile have cost.
+struct TileEffort {
+  std::uint64_t questions = 0;  ///< cells that met the box of another tile
+  std::uint64_t pages = 0;      ///< pages looked at, by all questions
+  std::uint64_t exact = 0;      ///< points that only exact arithmetic decided
+  std::uint64_t created_cells = 0;
+  double insert_seconds = 0, ask_seconds = 0;
+};
+
+class TileTriangulation {
+ public:
+  /// `number`: of the tile in the table. All references outlive the object.
+  TileTriangulation(const Survey& survey, const PageTree& tree, PageSource& source, std::size_t number,
+                    TilePoints own, const TileOptions& options);
+
+  /// Inserts what the last round has found, and asks for all cells that are new. Returns whether there is
+  /// more to do: points to insert, or pages to wait for.
+  bool advance();
+  /// REQUIRES that advance() has returned false. Ends the triangulation.
+  FinishedTile finish();
+
+  const TileEffort& effort() const { return effort_; }
+  std::size_t num_foreign() const { return num_foreign_; }
+  std::size_t num_rounds() const { return num_rounds_; }
+  /// The memory of cells and points, in bytes.
+  std::size_t bytes() const;
+
+ private:
+  template <int D>
+  class Asking;
+
+  const Triangulation& triangulation() const {
+    return delaunay_ ? static_cast<const Triangulation&>(*delaunay_) : *regular_;
+  }
+  const Tile& tile() const { return tree_.table().tiles[number_]; }
+  void insert(std::vector<double> rows);
+  void insert_found();
+  void ask();
+  bool has_own_vertex(CellId cell) const;
+  double fraction_done() const;
+
+  const Survey& survey_;
+  const PageTree& tree_;
+  PageSource& source_;
+  const std::size_t number_;
+  const TileOptions options_;
+  std::optional<Delaunay<>> delaunay_;
+  std::optional<Regular<>> regular_;
+  TilePoints own_;
+  std::vector<std::int64_t> rows_;    // of all points that were inserted, in that order
+  std::vector<std::uint8_t> is_own_;  // by vertex id
+  std::vector<std::int64_t> row_of_;  // by vertex id
+  std::size_t num_rows_done_ = 0;     // rows whose vertices are entered above
+  Index first_new_vertex_ = 1;        // of the last insertion
+  KnownPoints known_;
+  std::vector<PointPlace> found_;  // to be inserted next
+  std::vector<CellId> waiting_;    // cells whose questions wait for pages
+  std::size_t num_foreign_ = 0, num_rounds_ = 0;
+  bool has_asked_ = false;
+  TileEffort effort_;
+};
+
+}  // namespace delone::tiles
