@@ -132,7 +132,7 @@ std::unique_ptr<PointStream> open_raw(const Source& source, int dimension) {
   return std::make_unique<BinaryStream>(source, std::move(array), 0);
 }
 
-/// csv, tsv and white space separated rows.
+/// csv, tsv, white space separated rows, and Qhull's form.
 class TextStream final : public FileStream {
  public:
   TextStream(const Source& source, std::string format) : FileStream(source), format_(std::move(format)) {
@@ -278,7 +278,7 @@ Source copied(const std::string& path, const StreamOptions& options) {
 std::unique_ptr<PointStream> open_format(const std::string& format, const std::string& path,
                                          const StreamOptions& options) {
   namespace fs = std::filesystem;
-  if (format == "off" || format == "ply" || format == "qhull") {
+  if (format == "off" || format == "ply") {
     ReadOptions reading;
     reading.format = format;
     reading.max_stream_bytes = options.max_stream_bytes;

@@ -42,9 +42,9 @@ struct StreamOptions {
   std::uint64_t max_stream_bytes = default_max_stream_bytes;
 };
 
-/// A file of points. npy, raw, csv, tsv, txt, xyz and pts are read in chunks, with memory for some megabytes;
-/// others at once, as by read_points(). What is not a regular file, as standard input, is copied to the
-/// scratch folder first. Messages are those of read_points().
+/// A file of points. npy, raw, csv, tsv, txt, xyz, pts and qhull are read in chunks, with memory for some
+/// megabytes; others at once, as by read_points(). What is not a regular file, as standard input, is copied
+/// to the scratch folder first. Messages are those of read_points().
 std::unique_ptr<PointStream> open_point_stream(const std::string& path, const StreamOptions& options = {});
 /// Points in memory, which have to outlive the stream.
 std::unique_ptr<PointStream> stream_of(PointsView rows);

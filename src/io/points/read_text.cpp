@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Tables of text: csv and tsv with an optional header and quotes, white space separated rows, and Qhull's
-// form. One pass over the text, numbers are parsed in place; only fields that are needed are read.
+// Tables of text: csv and tsv with an optional header and quotes, and white space separated rows. One pass
+// over the text, numbers are parsed in place; only fields that are needed are read.
 #include "io/collect.hpp"
 #include "io/file.hpp"
 #include "io/points/read_points.hpp"
@@ -8,7 +8,6 @@
 #include "io/text_cursor.hpp"
 
 #include <algorithm>
-#include <limits>
 #include <memory>
 
 namespace delone::io {
@@ -286,12 +285,6 @@ class DelimitedReader {
   bool is_last_ = true;  // nothing follows the text
 };
 
-/// What to say of the value that was just read, from `start` to the cursor.
-std::string place_of_value(const TextCursor& at, std::size_t column, const char* start) {
-  return fmt::format("{}: column {}: {}", at.place(), column,
-                     describe_not_finite({start, static_cast<std::size_t>(at.position() - start)}));
-}
-
 /// Reads white space separated rows; all have as many numbers as the first.
 class WhiteSpaceReader {
  public:
@@ -324,32 +317,9 @@ class WhiteSpaceReader {
   std::size_t width_ = 0;
 };
 
-/// The pieces of a text, with the number of their first line.
-class Pieces : public TextRows {
- protected:
-  explicit Pieces(const std::string& name) : name_(name) {}
-  /// The cursor at a piece: the byte order mark of the first is skipped.
-  TextCursor cursor(std::string_view text) {
-    const std::string_view shown = is_first_ ? text_of(text, name_) : text;
-    skipped_ = text.size() - shown.size();
-    return {shown, name_, line_};
-  }
-  std::size_t finish(std::size_t size, std::size_t line) {
-    is_first_ = is_first_ && size == 0;
-    line_ = line;
-    return size == 0 ? 0 : size + skipped_;
-  }
-
-  std::string name_;
-
- private:
-  bool is_first_ = true;
-  std::size_t line_ = 1, skipped_ = 0;
-};
-
-class WhiteSpaceRows final : public Pieces {
+class WhiteSpaceRows final : public TextRowsInPieces {
  public:
-  explicit WhiteSpaceRows(const std::string& name) : Pieces(name) {}
+  explicit WhiteSpaceRows(const std::string& name) : TextRowsInPieces(name) {}
   std::size_t read(std::string_view text, bool is_last, PointCollector& rows) override {
     TextCursor at = cursor(text);
     const char* const begin = at.position();
@@ -367,10 +337,10 @@ class WhiteSpaceRows final : public Pieces {
   WhiteSpaceReader reader_;
 };
 
-class DelimitedRows final : public Pieces {
+class DelimitedRows final : public TextRowsInPieces {
  public:
   DelimitedRows(const std::string& name, char delimiter)
-      : Pieces(name), reader_({}, name, delimiter, all_columns_) {}
+      : TextRowsInPieces(name), reader_({}, name, delimiter, all_columns_) {}
   std::size_t read(std::string_view text, bool is_last, PointCollector& rows) override {
     const std::size_t size = reader_.read_piece(cursor(text), is_last, rows);
     if (is_last && width() == 0) fail(Errc::bad_format, "{}: no row and no header in the file", name_);
@@ -410,34 +380,8 @@ PointTable read_white_space(std::string_view bytes, const std::string& name, con
 std::unique_ptr<TextRows> open_text_rows(const std::string& format, const std::string& name) {
   if (format == "csv" || format == "tsv")
     return std::make_unique<DelimitedRows>(name, format == "csv" ? ',' : '\t');
+  if (format == "qhull") return open_qhull_rows(name);
   return std::make_unique<WhiteSpaceRows>(name);
-}
-
-PointTable read_qhull(std::string_view bytes, const std::string& name) {
-  TextCursor at(text_of(bytes, name), name);
-  PointCollector points;
-  points.table.dimension = static_cast<int>(at.count("the dimension", std::numeric_limits<int>::max()));
-  if (points.table.dimension == 0) fail(Errc::bad_dimension, "{}: the dimension is 0", at.place());
-  at.skip_to_line_end();
-  const auto dimension = static_cast<std::size_t>(points.table.dimension);
-  const std::uint64_t count = at.count("the number of points", std::numeric_limits<std::uint64_t>::max());
-  // Each number takes two bytes at least: what the file cannot hold is never allocated.
-  const std::size_t most = at.remaining() / 2 + 1;
-  if (count <= most / dimension)
-    points.table.coordinates.reserve(static_cast<std::size_t>(count) * dimension);
-  for (std::uint64_t row = 0; row < count; ++row) {
-    for (std::size_t column = 0; column < dimension; ++column) {
-      if (!at.find_content())
-        fail(Errc::bad_format, "{}: expected {} points of {} coordinates, the file ends after {} numbers",
-             at.place(), count, dimension, points.table.coordinates.size());
-      const char* start = at.position();
-      points.add(at.number("a coordinate"), [&] { return place_of_value(at, column, start); });
-    }
-  }
-  if (at.find_content())
-    fail(Errc::bad_format, "{}: expected {} points of {} coordinates, but more follows: {}", at.place(),
-         count, dimension, in_quotes(at.token()));
-  return points.finish();
 }
 
 }  // namespace delone::io

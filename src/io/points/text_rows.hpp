@@ -3,6 +3,7 @@
 #pragma once
 
 #include "io/collect.hpp"
+#include "io/text_cursor.hpp"
 
 #include <cstddef>
 #include <memory>
@@ -11,7 +12,8 @@
 
 namespace delone::io {
 
-/// Reads csv, tsv (all columns), or white space separated rows, as read_points() does, with its messages.
+/// Reads csv, tsv (all columns), white space separated rows, or Qhull's form, as read_points() does, with its
+/// messages.
 class TextRows {
  public:
   virtual ~TextRows() = default;
@@ -23,7 +25,34 @@ class TextRows {
   virtual std::size_t width() const = 0;
 };
 
-/// `format`: csv, tsv, txt, xyz or pts.
+/// `format`: csv, tsv, txt, xyz, pts or qhull.
 std::unique_ptr<TextRows> open_text_rows(const std::string& format, const std::string& name);
+std::unique_ptr<TextRows> open_qhull_rows(const std::string& name);
+
+/// Counts the lines of the pieces.
+class TextRowsInPieces : public TextRows {
+ protected:
+  explicit TextRowsInPieces(const std::string& name) : name_(name) {}
+  /// The cursor at a piece: the byte order mark of the first is skipped.
+  TextCursor cursor(std::string_view text) {
+    const std::string_view shown = is_first_ ? text_of(text, name_) : text;
+    skipped_ = text.size() - shown.size();
+    return {shown, name_, line_};
+  }
+  std::size_t finish(std::size_t size, std::size_t line) {
+    is_first_ = is_first_ && size == 0;
+    line_ = line;
+    return size == 0 ? 0 : size + skipped_;
+  }
+
+  std::string name_;
+
+ private:
+  bool is_first_ = true;
+  std::size_t line_ = 1, skipped_ = 0;
+};
+
+/// What to say of the value that was just read, from `start` to the cursor.
+std::string place_of_value(const TextCursor& at, std::size_t column, const char* start);
 
 }  // namespace delone::io

@@ -85,7 +85,7 @@ class PointStreams : public delone_test::TemporaryDirectory {
 
 TEST_F(PointStreams, ReadWhatReadPointsReads) {
   const PointTable table = random_table(60000, 3);
-  for (const std::string extension : {"npy", "csv", "tsv", "txt", "xyz", "pts"}) {
+  for (const std::string extension : {"npy", "csv", "tsv", "txt", "xyz", "pts", "qhull"}) {
     write_points(path("many." + extension), table);
     expect_as_read(path("many." + extension), true);
   }
@@ -176,6 +176,28 @@ TEST_F(PointStreams, ReadTablesInPieces) {
     expect_as_refused(file("many.txt", text + "1 2 3"));
     expect_as_refused(file("many.txt", text + "1 word" + end));
   }
+}
+
+/// Rows of Qhull's form may be spread over lines, and end in another piece.
+TEST_F(PointStreams, ReadQhullInPieces) {
+  random::Generator random(2);
+  for (const std::string end : {"\n", "\r"}) {
+    const int n = 60000;
+    std::string text = "# set" + end + "3 three dimensions" + end + std::to_string(n) + " ";
+    for (int i = 0; i < 3 * n; ++i) {
+      text += std::to_string(random.uniform()) + (random.below(3) == 0 ? end : " ");
+      if (i == 150000) text += end + "# a comment" + end;
+    }
+    expect_as_read(file("a.qhull", text), true);
+    expect_as_refused(file("a.qhull", text + " 7"));
+    expect_as_refused(file("a.qhull", text.substr(0, text.size() - 20)));
+    std::string changed = text;
+    changed.replace(text.size() - 900, 8, " -1e999 ");
+    expect_as_refused(file("a.qhull", changed.substr(0, text.size())));
+  }
+  for (const std::string bytes : {"", "3", "3\n", "0\n2\n", "2\n1\n1", "x", "2\nx", "2 c\n1\n1 nan"})
+    expect_as_refused(file("a.qhull", bytes));
+  expect_as_read(file("a.qhull", "2\n0\n"), false);
 }
 
 TEST_F(PointStreams, RefuseWhatIsNoTable) {
