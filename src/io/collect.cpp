@@ -16,13 +16,13 @@ std::string describe_not_finite(std::string_view text) {
 }
 
 void require_finite(std::span<const double> coordinates, int dimension, const std::string& name,
-                    const std::string& first) {
+                    const std::string& first, std::size_t first_row) {
   std::vector<std::size_t> rows;
   std::string message = first;
   const auto width = static_cast<std::size_t>(dimension);
   for (std::size_t i = 0; i < coordinates.size(); ++i) {
     if (std::isfinite(coordinates[i])) continue;
-    const std::size_t row = i / width;
+    const std::size_t row = first_row + i / width;
     if (message.empty())
       message = fmt::format("{}: row {}: column {}: {} is not finite", name, row, i % width, coordinates[i]);
     if (rows.empty() || rows.back() != row) rows.push_back(row);
@@ -44,8 +44,8 @@ void PointCollector::close_gaps(std::span<const PointCollector> parts, std::size
   table.coordinates.resize(end);
 }
 
-PointTable PointCollector::finish() {
-  if (!first_.empty()) require_finite(table.coordinates, table.dimension, {}, first_);
+PointTable PointCollector::finish(std::size_t first_row) {
+  if (!first_.empty()) require_finite(table.coordinates, table.dimension, {}, first_, first_row);
   return std::move(table);
 }
 

@@ -19,9 +19,9 @@
 namespace delone::io {
 
 /// Throws not_finite, with the rows that hold a NaN or an infinity, if there are any. `first` describes the
-/// first value concerned; when empty it is made of `name` and the row.
+/// first value concerned; when empty it is made of `name` and the row. Rows count from `first_row`.
 void require_finite(std::span<const double> coordinates, int dimension, const std::string& name,
-                    const std::string& first = {});
+                    const std::string& first = {}, std::size_t first_row = 0);
 
 /// "'nan' is not finite", or for decimals "'1e999' is beyond the range of double precision".
 std::string describe_not_finite(std::string_view text);
@@ -43,8 +43,8 @@ class PointCollector {
     else
       table.coordinates.push_back(value);
   }
-  /// The table, or Error{not_finite} with its rows.
-  PointTable finish();
+  /// The table, or Error{not_finite} with its rows, which count from `first_row`.
+  PointTable finish(std::size_t first_row = 0);
 
   /// Appends the values of a text in parts: read(part, collector) reads those of a part, at most `width` per
   /// line, to another collector, in any of the threads. Of several exceptions, that of the first part is

@@ -9,6 +9,7 @@
 #include <cstring>
 #include <limits>
 #include <type_traits>
+#include <utility>
 
 namespace delone::io {
 
@@ -220,7 +221,7 @@ void require_npy(std::string_view opening, const std::string& name) {
     fail(Errc::bad_format, "{}: not an .npy file (its signature is missing)", name);
 }
 
-NpyArray parse_npy(std::string_view bytes, const std::string& name) {
+NpyOpening parse_npy_opening(std::string_view bytes, std::size_t file_size, const std::string& name) {
   require_npy(bytes, name);
   if (bytes.size() < 12) fail(Errc::bad_format, "{}: truncated .npy header", name);
   const int version = bytes[6];
@@ -237,13 +238,12 @@ NpyArray parse_npy(std::string_view bytes, const std::string& name) {
   set_type(array, header.descr, name);
   array.fortran_order = header.fortran_order;
   array.shape = header.shape;
-  array.data = bytes.substr(start + length);
   if (array.shape.size() > 2)
     fail(Errc::bad_format, "{}: the array has shape {}; expected at most 2 dimensions", name,
          shape_text(array.shape));
 
   // The product of the shape may overflow: compare by division.
-  const std::size_t found = array.data.size();
+  const std::size_t found = file_size - start - length;
   std::size_t expected = array.item_size;
   bool overflow = false, empty = false;
   for (const std::size_t extent : array.shape) {
@@ -261,10 +261,16 @@ NpyArray parse_npy(std::string_view bytes, const std::string& name) {
   if (found > expected)
     fail(Errc::bad_format, "{}: expected {} bytes of data for shape {}, found {}", name, expected,
          shape_text(array.shape), found);
+  return {std::move(array), start + length};
+}
+
+NpyArray parse_npy(std::string_view bytes, const std::string& name) {
+  auto [array, data_begin] = parse_npy_opening(bytes, bytes.size(), name);
+  array.data = bytes.substr(data_begin);
   return array;
 }
 
-std::vector<double> to_doubles(const NpyArray& array, const std::string& name) {
+std::vector<double> to_doubles(const NpyArray& array, const std::string& name, std::size_t first_row) {
   if (array.kind == 'f' && array.item_size == 8 && !array.fortran_order && !array.big_endian &&
       std::endian::native == std::endian::little) {
     std::vector<double> out(array.num_items());
@@ -276,7 +282,7 @@ std::vector<double> to_doubles(const NpyArray& array, const std::string& name) {
     return convert_items<T, double>(array, [&](T value, std::size_t i) {
       if (!is_exact(value))
         fail(Errc::bad_format, "{}: row {}: the integer {} is not exact in double precision", name,
-             i / num_columns(array), value);
+             first_row + i / num_columns(array), value);
       return static_cast<double>(value);
     });
   });

@@ -29,12 +29,22 @@ struct NpyArray {
 /// Throws bad_format unless a file with this opening can be an .npy file.
 void require_npy(std::string_view opening, const std::string& name);
 
-/// Parses a whole .npy file. Throws bad_format, or unsupported for other kinds of data.
+/// What the header of an .npy file says.
+struct NpyOpening {
+  NpyArray array;              ///< without data
+  std::size_t data_begin = 0;  ///< where the data begin in the file
+};
+/// Parses the header from the first bytes of a file of `file_size` bytes: all of them, or largest_npy_header.
+/// Throws bad_format, also for sizes that disagree, or unsupported for other kinds of data.
+NpyOpening parse_npy_opening(std::string_view opening, std::size_t file_size, const std::string& name);
+inline constexpr std::size_t largest_npy_header = std::size_t{1} << 20;
+
+/// Parses a whole .npy file. Throws as parse_npy_opening().
 NpyArray parse_npy(std::string_view bytes, const std::string& name);
 
 /// The items of a 0-, 1- or 2-D array in row-major order. Integers that binary64 cannot hold are an error
-/// (bad_format).
-std::vector<double> to_doubles(const NpyArray& array, const std::string& name);
+/// (bad_format). `first_row`: the number of the first row, for messages.
+std::vector<double> to_doubles(const NpyArray& array, const std::string& name, std::size_t first_row = 0);
 /// The items of an array of integers in row-major order. Throws bad_format for other kinds and for values
 /// beyond SignedIndex.
 std::vector<SignedIndex> to_indices(const NpyArray& array, const std::string& name);

@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Tables of text: csv and tsv with an optional header and quotes, white space separated rows, and Qhull's
-// form. One pass over the text, numbers are parsed in place; only fields that are needed are read.
+// Tables of text: csv and tsv with an optional header and quotes, and white space separated rows. One pass
+// over the text, numbers are parsed in place; only fields that are needed are read.
 #include "io/collect.hpp"
 #include "io/file.hpp"
 #include "io/points/read_points.hpp"
+#include "io/points/text_rows.hpp"
 #include "io/text_cursor.hpp"
 
 #include <algorithm>
-#include <limits>
+#include <memory>
 
 namespace delone::io {
 
@@ -82,7 +83,36 @@ class DelimitedReader {
     return points.finish();
   }
 
+  /// As TextRows::read().
+  std::size_t read_piece(TextCursor at, bool is_last, PointCollector& points) {
+    at_ = at;
+    is_last_ = is_last;
+    const char* const begin = at_.position();
+    const char* end_of_rows = begin;
+    std::size_t line = at_.line();
+    try {
+      while (find_row()) {
+        end_of_rows = at_.position();
+        line = at_.line();
+        if (width_ > 0) {
+          read_row(points);
+        } else {
+          read_header(points.table);
+          row_.resize(width_);
+        }
+      }
+    } catch (const Unfinished&) {
+      at_ = TextCursor({end_of_rows, static_cast<std::size_t>(at_.end() - end_of_rows)}, at_.name(), line);
+    }
+    return static_cast<std::size_t>(at_.position() - begin);
+  }
+  std::size_t num_selected() const { return columns_.size(); }
+  std::size_t line() const { return at_.line(); }
+
  private:
+  /// A quoted field that does not end in this piece of the text.
+  struct Unfinished {};
+
   /// Reads a part of the rows, after the header.
   DelimitedReader(const DelimitedReader& all, const LinePart& part) : DelimitedReader(all) {
     at_ = TextCursor(part.text, all.at_.name(), part.first_line);
@@ -124,6 +154,7 @@ class DelimitedReader {
       const std::string opened = at_.place();
       at_.move_to(at_.position() + 1);
       for (;;) {
+        if (at_.at_end() && !is_last_) throw Unfinished();
         if (at_.at_end()) fail(Errc::bad_format, "{}: a quoted field is not closed", opened);
         const char* p = at_.position();
         if (*p == '"') {
@@ -251,13 +282,76 @@ class DelimitedReader {
   std::vector<bool> selected_;
   std::vector<double> row_;
   std::string not_finite_;
+  bool is_last_ = true;  // nothing follows the text
 };
 
-/// What to say of the value that was just read, from `start` to the cursor.
-std::string place_of_value(const TextCursor& at, std::size_t column, const char* start) {
-  return fmt::format("{}: column {}: {}", at.place(), column,
-                     describe_not_finite({start, static_cast<std::size_t>(at.position() - start)}));
-}
+/// Reads white space separated rows; all have as many numbers as the first.
+class WhiteSpaceReader {
+ public:
+  std::size_t width() const { return width_; }
+
+  /// REQUIRES content at the cursor.
+  void read_first_row(TextCursor& at, PointCollector& points) {
+    width_ = read_row(at, points);
+    points.table.dimension = static_cast<int>(width_);
+    at.take_line_end();
+  }
+  void read_rows(TextCursor& at, PointCollector& points) const {
+    for (; at.find_content(); at.take_line_end())
+      if (const std::size_t found = read_row(at, points); found != width_)
+        fail(Errc::bad_format, "{}: expected {} number{}, found {}", at.place(), width_,
+             width_ == 1 ? "" : "s", found);
+  }
+
+ private:
+  std::size_t read_row(TextCursor& at, PointCollector& points) const {
+    std::size_t found = 0;
+    for (; !at.skip_to_content(); ++found) {
+      const char* start = at.position();
+      const double value = at.number("a coordinate");
+      if (width_ == 0 || found < width_) points.add(value, [&] { return place_of_value(at, found, start); });
+    }
+    return found;
+  }
+
+  std::size_t width_ = 0;
+};
+
+class WhiteSpaceRows final : public TextRowsInPieces {
+ public:
+  explicit WhiteSpaceRows(const std::string& name) : TextRowsInPieces(name) {}
+  std::size_t read(std::string_view text, bool is_last, PointCollector& rows) override {
+    TextCursor at = cursor(text);
+    const char* const begin = at.position();
+    if (width() > 0 || at.find_content()) {
+      if (width() == 0) reader_.read_first_row(at, rows);
+      reader_.read_rows(at, rows);
+    } else if (is_last) {
+      fail(Errc::bad_format, "{}: no row in the file", name_);
+    }
+    return finish(static_cast<std::size_t>(at.position() - begin), at.line());
+  }
+  std::size_t width() const override { return reader_.width(); }
+
+ private:
+  WhiteSpaceReader reader_;
+};
+
+class DelimitedRows final : public TextRowsInPieces {
+ public:
+  DelimitedRows(const std::string& name, char delimiter)
+      : TextRowsInPieces(name), reader_({}, name, delimiter, all_columns_) {}
+  std::size_t read(std::string_view text, bool is_last, PointCollector& rows) override {
+    const std::size_t size = reader_.read_piece(cursor(text), is_last, rows);
+    if (is_last && width() == 0) fail(Errc::bad_format, "{}: no row and no header in the file", name_);
+    return finish(size, reader_.line());
+  }
+  std::size_t width() const override { return reader_.num_selected(); }
+
+ private:
+  const std::vector<std::string> all_columns_;  // empty
+  DelimitedReader reader_;
+};
 
 }  // namespace
 
@@ -269,62 +363,25 @@ PointTable read_delimited(std::string_view bytes, const std::string& name, char 
 PointTable read_white_space(std::string_view bytes, const std::string& name, const ReadingInParts& how) {
   TextCursor at(text_of(bytes, name), name);
   if (!at.find_content()) fail(Errc::bad_format, "{}: no row in the file", name);
-  std::size_t width = 0;
-  const auto read_row = [&](TextCursor& row, PointCollector& points) {
-    std::size_t found = 0;
-    for (; !row.skip_to_content(); ++found) {
-      const char* start = row.position();
-      const double value = row.number("a coordinate");
-      if (width == 0 || found < width) points.add(value, [&] { return place_of_value(row, found, start); });
-    }
-    return found;
-  };
+  WhiteSpaceReader reader;
   PointCollector points;
-  width = read_row(at, points);
-  points.table.dimension = static_cast<int>(width);
-  at.take_line_end();
-  const auto read_rows = [&](TextCursor& rows, PointCollector& to) {
-    for (; rows.find_content(); rows.take_line_end())
-      if (const std::size_t found = read_row(rows, to); found != width)
-        fail(Errc::bad_format, "{}: expected {} number{}, found {}", rows.place(), width,
-             width == 1 ? "" : "s", found);
-  };
-  const std::vector<LinePart> parts = parts_of_rows(at, 0, width, how);
+  reader.read_first_row(at, points);
+  const std::vector<LinePart> parts = parts_of_rows(at, 0, reader.width(), how);
   if (parts.empty())
-    read_rows(at, points);
+    reader.read_rows(at, points);
   else
-    points.add_parts(parts, width, how.threads, [&](const LinePart& part, PointCollector& of_part) {
+    points.add_parts(parts, reader.width(), how.threads, [&](const LinePart& part, PointCollector& of_part) {
       TextCursor rows(part.text, name, part.first_line);
-      read_rows(rows, of_part);
+      reader.read_rows(rows, of_part);
     });
   return points.finish();
 }
 
-PointTable read_qhull(std::string_view bytes, const std::string& name) {
-  TextCursor at(text_of(bytes, name), name);
-  PointCollector points;
-  points.table.dimension = static_cast<int>(at.count("the dimension", std::numeric_limits<int>::max()));
-  if (points.table.dimension == 0) fail(Errc::bad_dimension, "{}: the dimension is 0", at.place());
-  at.skip_to_line_end();
-  const auto dimension = static_cast<std::size_t>(points.table.dimension);
-  const std::uint64_t count = at.count("the number of points", std::numeric_limits<std::uint64_t>::max());
-  // Each number takes two bytes at least: what the file cannot hold is never allocated.
-  const std::size_t most = at.remaining() / 2 + 1;
-  if (count <= most / dimension)
-    points.table.coordinates.reserve(static_cast<std::size_t>(count) * dimension);
-  for (std::uint64_t row = 0; row < count; ++row) {
-    for (std::size_t column = 0; column < dimension; ++column) {
-      if (!at.find_content())
-        fail(Errc::bad_format, "{}: expected {} points of {} coordinates, the file ends after {} numbers",
-             at.place(), count, dimension, points.table.coordinates.size());
-      const char* start = at.position();
-      points.add(at.number("a coordinate"), [&] { return place_of_value(at, column, start); });
-    }
-  }
-  if (at.find_content())
-    fail(Errc::bad_format, "{}: expected {} points of {} coordinates, but more follows: {}", at.place(),
-         count, dimension, in_quotes(at.token()));
-  return points.finish();
+std::unique_ptr<TextRows> open_text_rows(const std::string& format, const std::string& name) {
+  if (format == "csv" || format == "tsv")
+    return std::make_unique<DelimitedRows>(name, format == "csv" ? ',' : '\t');
+  if (format == "qhull") return open_qhull_rows(name);
+  return std::make_unique<WhiteSpaceRows>(name);
 }
 
 }  // namespace delone::io

@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The points of a tile in the order of a k-d tree, cut into pages.
+#pragma once
+
+#include "tiles/pages.hpp"
+
+#include <bit>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace delone::tiles {
+
+/// Points and their rows in one array: d coordinates, the weight if there is one, and the bits of the row.
+/// Rows are far below 2^52, so that none reads as a NaN.
+inline double coded_row(std::int64_t row) { return std::bit_cast<double>(row); }
+inline std::int64_t row_of(double coded) { return std::bit_cast<std::int64_t>(coded); }
+
+inline constexpr std::size_t default_page_points = 128;
+
+/// Puts the records of a tile in the order of a k-d tree and appends its pages, of at most `page_points`
+/// points each, and the tile itself to the table, of which first_point has to be set up: {0} before the first
+/// tile. Which points are on a page does not depend on the order of the
+/// records. The box of the tile is left to the caller. O(n log n).
+void order_pages(std::vector<double>& records, std::size_t page_points, PageTable& table);
+
+}  // namespace delone::tiles
