@@ -41,6 +41,8 @@ RULES = {
     "src/io": (PUBLIC, {"src/base"}),
     "src/io/points": (PUBLIC, {"src/io", "src/base"}),
     "src/io/complexes": (PUBLIC, {"src/io", "src/io/points", "src/base"}),
+    "src/tiles": (PUBLIC, {"src/triangulation", "src/voronoi", "src/complex", "src/check", "src/io", "src/io/points",
+                           "src/io/complexes", "src/compiled", "src/geometry", "src/order", "src/kernel", "src/base"}),
     "cli": (PUBLIC, set()),
     "examples": (PUBLIC, set()),
     "benchmarks": (PUBLIC, {"tests/support"}),

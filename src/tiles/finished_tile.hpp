@@ -12,8 +12,8 @@
 
 namespace delone::tiles {
 
-/// A facet of a cell of the part whose neighbor is in no part that is known: the cell of another part with the
-/// same facet, or none beyond the convex hull.
+/// A facet of a cell of the part whose neighbor is in no part that is known: the cell of another part with
+/// the same facet, or none beyond the convex hull.
 struct Seam {
   std::int32_t cell = 0;   ///< of this part
   std::int32_t index = 0;  ///< of the opposite vertex

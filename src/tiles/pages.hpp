@@ -39,7 +39,9 @@ struct PageTable {
   std::size_t num_points() const { return first_point.empty() ? 0 : first_point.back(); }
   std::size_t row_size() const { return static_cast<std::size_t>(dimension) + (weighted ? 1 : 0); }
   std::size_t page_size(std::size_t p) const { return first_point[p + 1] - first_point[p]; }
-  const double* low(std::size_t p) const { return boxes.data() + p * 2 * static_cast<std::size_t>(dimension); }
+  const double* low(std::size_t p) const {
+    return boxes.data() + p * 2 * static_cast<std::size_t>(dimension);
+  }
   const double* high(std::size_t p) const { return low(p) + dimension; }
 };
 
@@ -58,7 +60,7 @@ struct Survey {
   bool weighted = false;
   std::uint64_t num_points = 0;
   int affine_dimension = -1;
-  std::vector<double> low, high;          ///< the box of all points
+  std::vector<double> low, high;  ///< the box of all points
   double lowest_weight = 0, largest_weight = 0;
   /// k+1 affinely independent points and the extreme ones along each axis: rows of d coordinates and the
   /// weight, and their rows of the input.
