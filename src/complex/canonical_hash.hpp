@@ -9,6 +9,7 @@
 
 #include <delone/complex.hpp>
 
+#include <array>
 #include <bit>
 #include <cstddef>
 #include <cstdint>
@@ -55,6 +56,17 @@ class HashAccumulator {
     vertices_ += other.vertices_;
     cells_ += other.cells_;
     num_cells_ += other.num_cells_;
+  }
+  /// All that was added as numbers, and the accumulator that gave such numbers.
+  std::array<std::uint64_t, 5> words() const {
+    return {vertices_.high, vertices_.low, cells_.high, cells_.low, num_cells_};
+  }
+  static HashAccumulator of_words(const std::array<std::uint64_t, 5>& words) {
+    HashAccumulator hash;
+    hash.vertices_ = {words[0], words[1]};
+    hash.cells_ = {words[2], words[3]};
+    hash.num_cells_ = words[4];
+    return hash;
   }
   /// The hash of everything added, for points of R^dimension with the given affine dimension.
   CanonicalHash finish(int dimension, int affine_dimension) const {

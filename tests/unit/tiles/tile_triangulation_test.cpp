@@ -2,7 +2,7 @@
 // Tiles against the whole: the same cells, the same hash, whatever the cuts.
 #include "degenerate.hpp"
 #include "scale.hpp"
-#include "tiles_support.hpp"
+#include "memory_pages.hpp"
 
 #include <delone/delaunay.hpp>
 #include <delone/regular.hpp>

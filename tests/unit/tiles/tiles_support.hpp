@@ -1,205 +1,181 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Points in pages in memory, cut into tiles by medians along the longest side of their box.
+// Whole triangulations cut into finished tiles, as the tiles of a folder would be, whatever the tiles are: a
+// cell belongs to the tile of its lexicographically smallest vertex.
 #pragma once
 
-#include "kernel/predicates.hpp"
-#include "tiles/pages.hpp"
-#include "tiles/tile_triangulation.hpp"
+#include "tiles/finished_tile.hpp"
+#include "tiles/work_folder.hpp"
+
+#include <delone/data.hpp>
 
 #include <algorithm>
-#include <limits>
-#include <map>
-#include <numeric>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <string>
 #include <vector>
 
 namespace delone_test {
 
-using namespace delone;
-using namespace delone::tiles;
+/// The point of a row, and its weight: what the order of vertices in a cell goes by.
+inline std::vector<double> weighted_row(const delone::ComplexData& data, std::size_t row) {
+  const auto d = static_cast<std::size_t>(data.dimension);
+  const auto first = data.points.begin() + static_cast<std::ptrdiff_t>(row * d);
+  std::vector<double> point(first, first + static_cast<std::ptrdiff_t>(d));
+  if (!data.weights.empty()) point.push_back(data.weights[row]);
+  return point;
+}
 
-class MemoryPages final : public PageSource {
- public:
-  /// `points`: rows of d numbers, and the weight if `weighted`.
-  MemoryPages(std::vector<double> points, int dimension, std::size_t num_tiles, bool weighted = false,
-              std::size_t page_size = 8)
-      : points_(std::move(points)),
-        width_(static_cast<std::size_t>(dimension) + (weighted ? 1 : 0)),
-        page_size_(page_size) {
-    for (double& x : points_) x += 0.0;  // −0 is 0
-    const std::size_t n = points_.size() / width_;
-    survey.dimension = table.dimension = dimension;
-    survey.weighted = table.weighted = weighted;
-    survey.num_points = n;
-    std::map<std::vector<double>, std::int64_t> first;
-    std::vector<std::int64_t> distinct;
+/// `tile_of_row`: for each row, equal rows alike.
+inline std::vector<delone::tiles::FinishedTile> cut_into_tiles(const delone::ComplexData& data,
+                                                               std::span<const std::size_t> tile_of_row,
+                                                               std::size_t num_tiles) {
+  using delone::SignedIndex;
+  using delone::tiles::FinishedTile;
+  const auto d = static_cast<std::size_t>(data.dimension);
+  const std::size_t corners = static_cast<std::size_t>(data.affine_dimension + 1), m = data.num_cells(),
+                    n = data.num_points();
+  std::vector<FinishedTile> tiles(num_tiles);
+  std::vector<std::size_t> tile_of_cell(m), number_of_cell(m);
+  for (std::size_t c = 0; c < m; ++c) {
+    std::size_t least = static_cast<std::size_t>(data.cells[c * corners]);
+    for (std::size_t i = 1; i < corners; ++i)
+      if (const auto row = static_cast<std::size_t>(data.cells[c * corners + i]);
+          weighted_row(data, row) < weighted_row(data, least))
+        least = row;
+    tile_of_cell[c] = tile_of_row[least];
+    number_of_cell[c] = tiles[tile_of_cell[c]].data.num_cells();
+    FinishedTile& tile = tiles[tile_of_cell[c]];
+    tile.data.dimension = data.dimension;
+    tile.data.affine_dimension = data.affine_dimension;
+    tile.data.cells.resize(tile.data.cells.size() + corners);
+  }
+  for (std::size_t t = 0; t < num_tiles; ++t) {
+    FinishedTile& tile = tiles[t];
+    tile.data.dimension = data.dimension;
+    tile.data.affine_dimension = data.affine_dimension;
+    std::vector<std::int32_t> number_of_row(n, -1);
+    bool has_vertex = false;
     for (std::size_t row = 0; row < n; ++row) {
-      const double* const p = point(static_cast<std::int64_t>(row));
-      const auto [found, is_new] =
-          first.emplace(std::vector<double>(p, p + width_), static_cast<std::int64_t>(row));
-      if (is_new)
-        distinct.push_back(static_cast<std::int64_t>(row));
-      else
-        duplicates_[found->second].push_back(static_cast<std::int64_t>(row));
-    }
-    make_survey(distinct);
-    const double infinity = std::numeric_limits<double>::infinity();
-    table.first_point = {0};
-    cut(distinct, num_tiles, std::vector<double>(static_cast<std::size_t>(dimension), -infinity),
-        std::vector<double>(static_cast<std::size_t>(dimension), infinity));
-  }
-
-  std::shared_ptr<const Page> find(std::size_t page) override { return pages_[page]; }
-
-  TilePoints own(std::size_t tile) const {
-    TilePoints own;
-    for (std::size_t p = table.tiles[tile].first_page; p < table.tiles[tile].last_page; ++p) {
-      for (std::size_t i = 0; i < pages_[p]->size(); ++i) {
-        own.points.resize(own.points.size() + width_);
-        pages_[p]->copy_point(i, own.points.data() + own.points.size() - width_);
+      if (tile_of_row[row] != t) continue;
+      const SignedIndex vertex = data.vertex_of_point[row];
+      tile.data.own_rows.push_back(static_cast<std::int64_t>(row));
+      tile.data.vertex_of_row.push_back(vertex);
+      if (vertex < 0) {
+        ++tile.num_hidden;
+      } else if (static_cast<std::size_t>(vertex) != row) {
+        ++tile.num_duplicates;
+      } else {
+        ++tile.num_vertices;
+        const std::vector<double> point = weighted_row(data, row);
+        tile.hash.add_vertex(delone::internal::point_tag(point.data(), data.dimension));
+        if (data.weights.empty()) continue;
+        tile.weighted_hash.add_vertex(delone::internal::point_tag(point.data(), data.dimension + 1));
+        tile.least_weight = has_vertex ? std::min(tile.least_weight, point[d]) : point[d];
+        tile.largest_weight = has_vertex ? std::max(tile.largest_weight, point[d]) : point[d];
+        has_vertex = true;
       }
-      own.rows.insert(own.rows.end(), pages_[p]->rows.begin(), pages_[p]->rows.end());
     }
-    for (const std::int64_t row : own.rows)
-      if (const auto found = duplicates_.find(row); found != duplicates_.end())
-        for (const std::int64_t duplicate : found->second) {
-          own.duplicate_rows.push_back(duplicate);
-          own.first_rows.push_back(row);
+    for (std::size_t c = 0; c < m; ++c) {
+      if (tile_of_cell[c] != t) continue;
+      delone::internal::PointTag sum, weighted_sum;
+      for (std::size_t i = 0; i < corners; ++i) {
+        const auto row = static_cast<std::size_t>(data.cells[c * corners + i]);
+        const std::vector<double> point = weighted_row(data, row);
+        if (number_of_row[row] < 0) {
+          number_of_row[row] = static_cast<std::int32_t>(tile.data.rows.size());
+          tile.data.rows.push_back(static_cast<std::int64_t>(row));
+          tile.data.points.insert(tile.data.points.end(), point.begin(),
+                                  point.begin() + static_cast<std::ptrdiff_t>(d));
+          if (!data.weights.empty()) tile.data.weights.push_back(point[d]);
+          if (tile_of_row[row] != t) ++tile.num_foreign;
         }
-    return own;
-  }
-
-  Survey survey;
-  PageTable table;
-
- private:
-  const double* point(std::int64_t row) const {
-    return points_.data() + static_cast<std::size_t>(row) * width_;
-  }
-
-  void make_survey(const std::vector<std::int64_t>& distinct) {
-    const auto d = static_cast<std::size_t>(survey.dimension);
-    kernel::AffineHull hull(survey.dimension);
-    std::vector<std::int64_t> rows;
-    for (const std::int64_t row : distinct)
-      if (hull.dimension() < survey.dimension && hull.add(point(row))) rows.push_back(row);
-    survey.affine_dimension = hull.dimension();
-    if (distinct.empty()) return;
-    survey.low.assign(point(distinct[0]), point(distinct[0]) + d);
-    survey.high = survey.low;
-    survey.lowest_weight = std::numeric_limits<double>::infinity();
-    survey.largest_weight = -survey.lowest_weight;
-    for (const std::int64_t row : distinct) {
-      for (std::size_t j = 0; j < d; ++j) {
-        survey.low[j] = std::min(survey.low[j], point(row)[j]);
-        survey.high[j] = std::max(survey.high[j], point(row)[j]);
+        tile.data.cells[number_of_cell[c] * corners + i] = number_of_row[row];
+        sum += delone::internal::point_tag(point.data(), data.dimension);
+        if (!data.weights.empty())
+          weighted_sum += delone::internal::point_tag(point.data(), data.dimension + 1);
+        const SignedIndex across = data.neighbors[c * corners + i];
+        bool knows_facet = false;
+        for (std::size_t j = 0; j < corners; ++j)
+          knows_facet |= j != i && tile_of_row[static_cast<std::size_t>(data.cells[c * corners + j])] == t;
+        if (across >= 0 && tile_of_cell[static_cast<std::size_t>(across)] == t) {
+          tile.data.neighbors.push_back(
+              static_cast<std::int32_t>(number_of_cell[static_cast<std::size_t>(across)]));
+        } else if (across < 0 && knows_facet) {
+          tile.data.neighbors.push_back(-1);
+          ++tile.num_hull_facets;
+        } else {
+          tile.data.neighbors.push_back(
+              static_cast<std::int32_t>(-2 - static_cast<std::ptrdiff_t>(tile.seams.size())));
+          tile.seams.push_back({static_cast<std::int32_t>(number_of_cell[c]), static_cast<std::int32_t>(i)});
+        }
       }
-      if (!survey.weighted) continue;
-      survey.lowest_weight = std::min(survey.lowest_weight, point(row)[d]);
-      survey.largest_weight = std::max(survey.largest_weight, point(row)[d]);
-    }
-    for (std::size_t j = 0; j < d; ++j) {
-      const auto less = [&](std::int64_t a, std::int64_t b) { return point(a)[j] < point(b)[j]; };
-      rows.push_back(*std::min_element(distinct.begin(), distinct.end(), less));
-      rows.push_back(*std::max_element(distinct.begin(), distinct.end(), less));
-    }
-    for (const std::int64_t row : rows) {
-      survey.landmark_rows.push_back(row);
-      survey.landmarks.insert(survey.landmarks.end(), point(row), point(row) + width_);
+      tile.hash.add_cell(sum);
+      if (!data.weights.empty()) tile.weighted_hash.add_cell(weighted_sum);
     }
   }
+  return tiles;
+}
 
-  /// The axis of the longest side, and the rows ordered by their coordinates from that axis on, cyclically.
-  std::size_t order(std::vector<std::int64_t>& rows) const {
-    const auto d = static_cast<std::size_t>(survey.dimension);
-    std::size_t axis = 0;
-    double longest = -1;
-    for (std::size_t j = 0; j < d; ++j) {
-      const auto less = [&](std::int64_t a, std::int64_t b) { return point(a)[j] < point(b)[j]; };
-      const auto [low, high] = std::minmax_element(rows.begin(), rows.end(), less);
-      const double side = point(*high)[j] / 2 - point(*low)[j] / 2;
-      if (side > longest) longest = side, axis = j;
-    }
-    std::sort(rows.begin(), rows.end(), [&](std::int64_t a, std::int64_t b) {
-      for (std::size_t i = 0; i < d; ++i)
-        if (const std::size_t j = (axis + i) % d; point(a)[j] != point(b)[j])
-          return point(a)[j] < point(b)[j];
-      return a < b;
-    });
-    return axis;
-  }
-  bool is_same_place(std::int64_t a, std::int64_t b) const {
-    return std::equal(point(a), point(a) + survey.dimension, point(b));
-  }
+/// Tiles by a hash of the coordinates: as scattered as can be.
+inline std::vector<std::size_t> scattered_tiles(const delone::ComplexData& data, std::size_t num_tiles) {
+  std::vector<std::size_t> tiles;
+  for (std::size_t row = 0; row < data.num_points(); ++row)
+    tiles.push_back(delone::internal::point_tag(
+                        data.points.data() + row * static_cast<std::size_t>(data.dimension), data.dimension)
+                        .high %
+                    num_tiles);
+  return tiles;
+}
 
-  void cut(std::vector<std::int64_t> rows, std::size_t num_tiles, std::vector<double> low,
-           std::vector<double> high) {
-    if (num_tiles <= 1) {
-      Tile tile{table.num_pages(), 0, low, high};
-      make_pages(std::move(rows));
-      tile.last_page = table.num_pages();
-      table.tiles.push_back(tile);
-      return;
-    }
-    std::size_t middle = rows.size() * (num_tiles / 2) / num_tiles, axis = 0;
-    std::vector<double> left_high = high, right_low = low;
-    if (!rows.empty()) {
-      axis = order(rows);
-      while (middle > 0 && middle < rows.size() && is_same_place(rows[middle - 1], rows[middle])) ++middle;
-      if (middle > 0) right_low[axis] = std::max(right_low[axis], point(rows[middle - 1])[axis]);
-      if (middle < rows.size()) left_high[axis] = std::min(left_high[axis], point(rows[middle])[axis]);
-    }
-    const auto at = rows.begin() + static_cast<std::ptrdiff_t>(middle);
-    cut({rows.begin(), at}, num_tiles / 2, low, left_high);
-    cut({at, rows.end()}, num_tiles - num_tiles / 2, right_low, high);
-  }
-  void make_pages(std::vector<std::int64_t> rows) {
-    if (rows.empty()) return;
-    if (rows.size() > page_size_) {
-      order(rows);
-      const auto middle = rows.begin() + static_cast<std::ptrdiff_t>(rows.size() / 2);
-      make_pages({rows.begin(), middle});
-      make_pages({middle, rows.end()});
-      return;
-    }
-    auto page = std::make_shared<Page>();
-    const auto d = static_cast<std::size_t>(survey.dimension);
-    std::vector<double> low(d, std::numeric_limits<double>::infinity()), high(d, -low[0]);
-    double weight = -std::numeric_limits<double>::infinity();
-    for (const std::int64_t row : rows) {
-      page->rows.push_back(row);
-      for (std::size_t j = 0; j < d; ++j) {
-        low[j] = std::min(low[j], point(row)[j]);
-        high[j] = std::max(high[j], point(row)[j]);
-      }
-      if (survey.weighted) weight = std::max(weight, point(row)[d]);
-    }
-    for (std::size_t j = 0; j < width_; ++j)
-      for (std::size_t i = 0; i < Page::stride_of(rows.size()); ++i)
-        page->coordinates.push_back(point(rows[std::min(i, rows.size() - 1)])[j]);
-    table.first_point.push_back(table.first_point.back() + rows.size());
-    table.boxes.insert(table.boxes.end(), low.begin(), low.end());
-    table.boxes.insert(table.boxes.end(), high.begin(), high.end());
-    if (survey.weighted) table.weights.push_back(weight);
-    pages_.push_back(std::move(page));
-  }
+inline delone::tiles::Plan plan_of(const delone::ComplexData& data, std::size_t num_tiles) {
+  return {data.dimension,
+          data.affine_dimension,
+          !data.weights.empty(),
+          static_cast<std::int64_t>(data.num_points()),
+          num_tiles,
+          "a test"};
+}
 
-  std::vector<double> points_;
-  const std::size_t width_, page_size_;
-  std::map<std::int64_t, std::vector<std::int64_t>> duplicates_;
-  std::vector<std::shared_ptr<const Page>> pages_;
-};
+/// Makes a finished folder of the whole.
+inline delone::TilesIndex write_folder(const std::string& folder, const delone::ComplexData& data,
+                                       std::size_t num_tiles, std::uint64_t memory = std::uint64_t{1} << 24) {
+  delone::tiles::WorkFolder work(folder, plan_of(data, num_tiles), false);
+  const auto tiles = cut_into_tiles(data, scattered_tiles(data, num_tiles), num_tiles);
+  for (std::size_t t = 0; t < num_tiles; ++t) work.finish(t, tiles[t]);
+  return work.finish_all(memory);
+}
 
-/// All tiles of a set, one after the other.
-inline std::vector<FinishedTile> all_tiles(MemoryPages& pages, unsigned threads = 1) {
-  const PageTree tree(pages.table);
-  std::vector<FinishedTile> result;
-  for (std::size_t i = 0; i < pages.table.tiles.size(); ++i) {
-    TileTriangulation tile(pages.survey, tree, pages, i, pages.own(i), {threads, {}});
-    while (tile.advance()) {
+/// All parts of a folder as one triangulation; without the coordinates of rows that are no vertices.
+inline delone::ComplexData glue(const std::string& folder) {
+  const delone::TilesIndex index = delone::read_tiles_index(folder);
+  delone::ComplexData whole;
+  whole.dimension = index.dimension;
+  whole.affine_dimension = index.affine_dimension;
+  const auto d = static_cast<std::size_t>(index.dimension), n = static_cast<std::size_t>(index.num_points);
+  whole.points.assign(n * d, 0);
+  whole.vertex_of_point.assign(n, -2);
+  if (index.weighted) whole.weights.assign(n, 0);
+  for (std::size_t t = 0; t < index.parts.size(); ++t) {
+    const delone::TileData part = delone::read_tile(folder, t);
+    for (std::size_t v = 0; v < part.rows.size(); ++v) {
+      std::copy_n(
+          part.points.begin() + static_cast<std::ptrdiff_t>(v * d), d,
+          whole.points.begin() + static_cast<std::ptrdiff_t>(part.rows[v]) * static_cast<std::ptrdiff_t>(d));
+      if (index.weighted) whole.weights[static_cast<std::size_t>(part.rows[v])] = part.weights[v];
     }
-    result.push_back(tile.finish());
+    for (const std::int32_t v : part.cells)
+      whole.cells.push_back(static_cast<delone::SignedIndex>(part.rows[static_cast<std::size_t>(v)]));
+    for (const std::int32_t neighbor : part.neighbors)
+      whole.neighbors.push_back(static_cast<delone::SignedIndex>(
+          neighbor >= 0    ? index.parts[t].first_cell + neighbor
+          : neighbor == -1 ? -1
+                           : part.seams[static_cast<std::size_t>(-2 - neighbor)]));
+    for (std::size_t i = 0; i < part.own_rows.size(); ++i)
+      whole.vertex_of_point[static_cast<std::size_t>(part.own_rows[i])] =
+          static_cast<delone::SignedIndex>(part.vertex_of_row[i]);
   }
-  return result;
+  return whole;
 }
 
 }  // namespace delone_test

@@ -1,0 +1,145 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "tiles/index_file.hpp"
+
+#include "io/file.hpp"
+#include "tiles/json_members.hpp"
+#include "tiles/part_file.hpp"
+
+#include <delone/io.hpp>
+
+#include <filesystem>
+#include <limits>
+
+namespace delone::tiles {
+
+namespace {
+
+constexpr const char* format_name = "delone tiles";
+constexpr std::int64_t version = 1;
+constexpr std::int64_t most = std::numeric_limits<std::int64_t>::max() - 1;
+constexpr std::int64_t largest_dimension = std::numeric_limits<std::int32_t>::max() - 1;
+
+/// Adds up numbers of parts. Throws bad_format for a sum that is not as expected.
+class Sum {
+ public:
+  void add(std::int64_t number) { sum_ += static_cast<std::uint64_t>(number); }
+  void expect(std::int64_t total, const char* member, const std::string& name) const {
+    if (sum_ != static_cast<std::uint64_t>(total))
+      io::fail(Errc::bad_format, "{}: {}: found {}, but those of the parts are {}", name, member, total,
+               sum_);
+  }
+
+ private:
+  std::uint64_t sum_ = 0;
+};
+
+}  // namespace
+
+void write_tiles_index(const std::string& folder, const TilesIndex& index, const std::string& fingerprint) {
+  nlohmann::ordered_json json;
+  json["format"] = format_name;
+  json["version"] = version;
+  json["dimension"] = index.dimension;
+  json["affine_dimension"] = index.affine_dimension;
+  json["weighted"] = index.weighted;
+  json["num_points"] = index.num_points;
+  json["num_vertices"] = index.num_vertices;
+  json["num_duplicates"] = index.num_duplicates;
+  json["num_hidden"] = index.num_hidden;
+  json["num_cells"] = index.num_cells;
+  json["num_hull_facets"] = index.num_hull_facets;
+  json["hash"] = index.hash.hex();
+  json["input"] = fingerprint;
+  json["parts"] = nlohmann::ordered_json::array();
+  for (const TilePart& part : index.parts)
+    json["parts"].push_back({{"file", part.file},
+                             {"first_cell", part.first_cell},
+                             {"num_cells", part.num_cells},
+                             {"num_points", part.num_points},
+                             {"num_vertices", part.num_vertices},
+                             {"num_foreign", part.num_foreign},
+                             {"num_rounds", part.num_rounds}});
+  write_text(path_in(folder, index_name), json.dump(1) + "\n");
+}
+
+TilesIndex read_tiles_index(const std::string& folder, std::string& fingerprint) {
+  const std::string path = path_in(folder, index_name), name = io::input_name(path);
+  return io::guarded(name, [&] {
+    const nlohmann::json json = read_json(path);
+    const JsonMembers members(json, name);
+    if (members.text("format") != format_name)
+      io::fail(Errc::bad_format, "{}: not an index of tiles: its format is {}", name,
+               in_quotes(members.text("format")));
+    if (const std::int64_t found = members.number("version", 1, most); found != version)
+      io::fail(Errc::unsupported, "{}: version {} of tiles; this program knows version {}", name, found,
+               version);
+    TilesIndex index;
+    index.dimension = static_cast<int>(members.number("dimension", 1, largest_dimension));
+    index.affine_dimension = static_cast<int>(members.number("affine_dimension", -1, index.dimension));
+    index.weighted = members.flag("weighted");
+    index.num_points = members.number("num_points", 0, most);
+    index.num_vertices = members.number("num_vertices", 0, index.num_points);
+    index.num_duplicates = members.number("num_duplicates", 0, index.num_points);
+    index.num_hidden = members.number("num_hidden", 0, index.weighted ? index.num_points : 0);
+    Sum kinds;
+    for (const std::int64_t number : {index.num_vertices, index.num_duplicates, index.num_hidden})
+      kinds.add(number);
+    kinds.expect(index.num_points, "num_points", name);
+    index.num_cells = members.number("num_cells", 0, most);
+    index.num_hull_facets = members.number("num_hull_facets", 0, most);
+    const auto hash = members.words<2>("hash");
+    index.hash = {hash[0], hash[1]};
+    fingerprint = members.text("input");
+
+    Sum cells, points, vertices;
+    std::int64_t next = 0;
+    for (const nlohmann::json& entry : members.array("parts")) {
+      const std::string file = part_name(index.parts.size());
+      const JsonMembers given(entry, fmt::format("{}: parts[{}]", name, index.parts.size()));
+      TilePart part;
+      part.file = given.text("file");
+      if (part.file != file)
+        io::fail(Errc::bad_format, "{}: file: expected {}, found {}", given.name(), file,
+                 in_quotes(part.file));
+      part.first_cell = given.number("first_cell", next, next);
+      part.num_cells = given.number("num_cells", 0, index.num_cells - next);
+      part.num_points = given.number("num_points", 0, index.num_points);
+      part.num_vertices = given.number("num_vertices", 0, part.num_points);
+      part.num_foreign = given.number("num_foreign", 0, most);
+      part.num_rounds = given.number("num_rounds", 0, most);
+      next += part.num_cells;
+      cells.add(part.num_cells);
+      points.add(part.num_points);
+      vertices.add(part.num_vertices);
+      index.parts.push_back(std::move(part));
+    }
+    cells.expect(index.num_cells, "num_cells", name);
+    points.expect(index.num_points, "num_points", name);
+    vertices.expect(index.num_vertices, "num_vertices", name);
+    return index;
+  });
+}
+
+bool has_tiles_index(const std::string& folder) {
+  std::error_code error;
+  return std::filesystem::exists(path_in(folder, index_name), error);
+}
+
+}  // namespace delone::tiles
+
+namespace delone {
+
+TilesIndex read_tiles_index(const std::string& folder) {
+  std::string fingerprint;
+  return tiles::read_tiles_index(folder, fingerprint);
+}
+
+TileData read_tile(const std::string& folder, std::size_t i) {
+  const TilesIndex index = read_tiles_index(folder);
+  if (i >= index.parts.size())
+    io::fail(Errc::invalid_argument, "{}: there is no part {}; the folder has {}", io::input_name(folder), i,
+             index.parts.size());
+  return tiles::read_tile_of(folder, index, i);
+}
+
+}  // namespace delone

@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The members of a JSON object that was written by delone: all are there, of the kind and in the range that
+// is asked for, or the error says what is wrong.
+#pragma once
+
+#include "io/file.hpp"
+
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <utility>
+
+namespace delone::tiles {
+
+class JsonMembers {
+ public:
+  JsonMembers(const nlohmann::json& object, std::string name) : object_(object), name_(std::move(name)) {
+    if (!object_.is_object()) io::fail(Errc::bad_format, "{}: expected a JSON object", name_);
+  }
+
+  std::int64_t number(const char* member, std::int64_t least, std::int64_t largest) const {
+    const nlohmann::json& value = find(member);
+    if (!value.is_number_integer() || value > largest || value < least)
+      io::fail(Errc::bad_format, "{}: {}: expected a number from {} to {}, found {}", name_, member, least,
+               largest, printable(value.dump()));
+    return value.get<std::int64_t>();
+  }
+  double real(const char* member) const {
+    const nlohmann::json& value = find(member);
+    if (!value.is_number()) refuse(member, "a number", value);
+    return value.get<double>();
+  }
+  bool flag(const char* member) const {
+    const nlohmann::json& value = find(member);
+    if (!value.is_boolean()) refuse(member, "true or false", value);
+    return value.get<bool>();
+  }
+  std::string text(const char* member) const {
+    const nlohmann::json& value = find(member);
+    if (!value.is_string()) refuse(member, "a text", value);
+    return value.get<std::string>();
+  }
+  /// A text of 16 hexadecimal digits per word.
+  template <std::size_t n>
+  std::array<std::uint64_t, n> words(const char* member) const {
+    const std::string digits = text(member);
+    std::array<std::uint64_t, n> result{};
+    const bool is_hex = std::all_of(digits.begin(), digits.end(),
+                                    [](char c) { return (c >= '0' && c <= '9') || (c >= 'a' && c <= 'f'); });
+    if (digits.size() != 16 * n || !is_hex)
+      io::fail(Errc::bad_format, "{}: {}: expected {} hexadecimal digits, found {}", name_, member, 16 * n,
+               in_quotes(digits));
+    for (std::size_t i = 0; i < n; ++i) result[i] = std::stoull(digits.substr(16 * i, 16), nullptr, 16);
+    return result;
+  }
+  const nlohmann::json& array(const char* member) const {
+    const nlohmann::json& value = find(member);
+    if (!value.is_array()) refuse(member, "an array", value);
+    return value;
+  }
+  const std::string& name() const { return name_; }
+
+ private:
+  const nlohmann::json& find(const char* member) const {
+    const auto found = object_.find(member);
+    if (found == object_.end()) io::fail(Errc::bad_format, "{}: there is no member '{}'", name_, member);
+    return *found;
+  }
+  [[noreturn]] void refuse(const char* member, std::string_view expected, const nlohmann::json& found) const {
+    io::fail(Errc::bad_format, "{}: {}: expected {}, found {}", name_, member, expected,
+             printable(found.dump()));
+  }
+
+  const nlohmann::json& object_;
+  std::string name_;
+};
+
+/// The JSON value that a file holds. Throws cannot_open or bad_format.
+inline nlohmann::json read_json(const std::string& path) {
+  const std::string name = io::input_name(path);
+  const io::Bytes bytes = io::read_all(path, 0, [](std::string_view, bool) {});
+  try {
+    return nlohmann::json::parse(bytes.view());
+  } catch (const nlohmann::json::exception& error) {
+    io::fail(Errc::bad_format, "{}: {}", name, printable(error.what(), 200));
+  }
+}
+
+/// 16 hexadecimal digits per word.
+template <std::size_t n>
+std::string hex_text(const std::array<std::uint64_t, n>& words) {
+  std::string text;
+  for (const std::uint64_t word : words) text += fmt::format("{:016x}", word);
+  return text;
+}
+
+}  // namespace delone::tiles

@@ -1,0 +1,281 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "tiles/seams.hpp"
+
+#include "base/progress_meter.hpp"
+#include "base/random.hpp"
+#include "io/atomic_file.hpp"
+#include "io/file.hpp"
+#include "tiles/part_file.hpp"
+#include "tiles/record_buckets.hpp"
+
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <array>
+#include <cerrno>
+#include <cstdio>
+#include <filesystem>
+#include <limits>
+#include <memory>
+#include <vector>
+
+namespace delone::tiles {
+
+namespace {
+
+// A file of records begins with k and the number of records. A record: the k vertices of the facet as rows of
+// the input, increasing; then tile, cell, index of the opposite vertex, number of the seam.
+constexpr std::size_t header_words = 2, other_words = 4;
+
+struct Header {
+  std::int64_t k = 0, count = 0;
+};
+
+/// Reads the records of one tile in pieces.
+class RecordReader {
+ public:
+  RecordReader(const std::string& work, std::size_t tile)
+      : path_(path_in(work, seam_records_name(tile))), file_(nullptr, &std::fclose) {
+    errno = 0;
+    file_.reset(std::fopen(path_.c_str(), "rb"));
+    if (!file_) io::fail(Errc::cannot_open, "{}: {}", io::input_name(path_), io::error_text(errno));
+    std::array<std::int64_t, header_words> header{};
+    read(header.data(), header.size());
+    header_ = {header[0], header[1]};
+    std::error_code error;
+    const std::uint64_t size = std::filesystem::file_size(path_, error);
+    const bool fits =
+        header_.k >= 0 && header_.k < (std::int64_t{1} << 31) && header_.count >= 0 &&
+        header_.count < (std::int64_t{1} << 31) &&
+        size == sizeof(std::int64_t) * (header_words + words() * static_cast<std::uint64_t>(header_.count));
+    if (error || !fits)
+      io::fail(Errc::bad_format, "{}: damaged or truncated: {} bytes for {} facets of {} vertices",
+               io::input_name(path_), size, header_.count, header_.k);
+  }
+
+  const Header& header() const { return header_; }
+  std::size_t words() const { return static_cast<std::size_t>(header_.k) + other_words; }
+
+  /// Calls each(record) for all records.
+  template <class Each>
+  void for_each(const Each& each) {
+    constexpr std::size_t records_at_once = 4096;
+    std::vector<std::int64_t> piece;
+    for (auto left = static_cast<std::size_t>(header_.count); left > 0;) {
+      internal::cancellation_point();
+      const std::size_t count = std::min(left, records_at_once);
+      piece.resize(count * words());
+      read(piece.data(), piece.size());
+      for (std::size_t i = 0; i < count; ++i)
+        each(std::span<const std::int64_t>(piece).subspan(i * words(), words()));
+      left -= count;
+    }
+  }
+  [[noreturn]] void refuse(std::span<const std::int64_t> record) const {
+    io::fail(Errc::bad_format, "{}: damaged: a record {{{}}} out of range", io::input_name(path_),
+             fmt::join(record, ", "));
+  }
+
+ private:
+  void read(std::int64_t* words, std::size_t count) {
+    if (std::fread(words, sizeof(std::int64_t), count, file_.get()) != count)
+      io::fail(Errc::bad_format, "{}: truncated", io::input_name(path_));
+  }
+
+  std::string path_;
+  std::unique_ptr<std::FILE, int (*)(std::FILE*)> file_;
+  Header header_;
+};
+
+std::uint64_t key_of(std::span<const std::int64_t> facet) {
+  std::uint64_t key = 0;
+  for (const std::int64_t row : facet)
+    key = random::mix(key + 0x9e3779b97f4a7c15u + static_cast<std::uint64_t>(row));
+  return key;
+}
+
+/// For every seam of every tile the global cell across it, −1 where there is none; more of them than fit in
+/// memory are in files by ranges of tiles.
+class Answers {
+ public:
+  Answers(const std::string& work, std::span<const std::int64_t> counts, std::uint64_t memory)
+      : counts_(counts.begin(), counts.end()), range_of_tile_(counts.size()) {
+    const std::uint64_t most = std::max<std::uint64_t>(memory / 8, 1024);  // numbers in memory at once
+    std::uint64_t in_range = 0;
+    std::size_t range = 0;
+    for (std::size_t t = 0; t < counts_.size(); ++t) {
+      const auto count = static_cast<std::uint64_t>(counts_[t]);
+      if (in_range > 0 && in_range + count > most) ++range, in_range = 0;
+      in_range += count;
+      range_of_tile_[t] = range;
+    }
+    buckets_ = std::make_unique<RecordBuckets>(path_in(work, "answers"), range + 1);
+    if (range == 0) start(0);
+  }
+
+  void put(std::int64_t tile, std::int64_t seam, std::int64_t cell) {
+    if (buckets_->size() == 1) return set(tile, seam, cell);
+    const std::array<std::int64_t, 3> words{tile, seam, cell};
+    buckets_->append(range_of_tile_[static_cast<std::size_t>(tile)], words);
+  }
+  void write(const std::string& folder) {
+    for (std::size_t range = 0, t = 0; range < buckets_->size(); ++range) {
+      if (buckets_->size() > 1) {
+        start(range);
+        const std::vector<std::int64_t> words = buckets_->take(range);
+        for (std::size_t i = 0; i < words.size(); i += 3) set(words[i], words[i + 1], words[i + 2]);
+      }
+      for (; t < counts_.size() && range_of_tile_[t] == range; ++t)
+        write_seams(folder, t, cells_[t - first_]);
+    }
+  }
+
+ private:
+  void start(std::size_t range) {
+    cells_.clear();
+    first_ = 0;
+    while (first_ < counts_.size() && range_of_tile_[first_] < range) ++first_;
+    for (std::size_t t = first_; t < counts_.size() && range_of_tile_[t] == range; ++t)
+      cells_.emplace_back(static_cast<std::size_t>(counts_[t]), -1);
+  }
+  void set(std::int64_t tile, std::int64_t seam, std::int64_t cell) {
+    cells_[static_cast<std::size_t>(tile) - first_][static_cast<std::size_t>(seam)] = cell;
+  }
+
+  std::vector<std::int64_t> counts_;
+  std::vector<std::size_t> range_of_tile_;
+  std::unique_ptr<RecordBuckets> buckets_;
+  std::vector<std::vector<std::int64_t>> cells_;  ///< of the tiles from first_ on
+  std::size_t first_ = 0;
+};
+
+/// Pairs equal facets of one bucket: each(a, b) for two records, each(a, a) for one without a partner.
+template <class Each>
+void match_records(std::span<const std::int64_t> words, std::size_t k, const Each& each) {
+  struct Entry {
+    std::uint64_t key;
+    std::size_t record;
+  };
+  const std::size_t size = k + other_words, count = words.size() / size;
+  const auto record = [&](std::size_t i) { return words.subspan(i * size, size); };
+  const auto compare = [&](const Entry& a, const Entry& b) {  // of the facets
+    const auto first = record(a.record).first(k), second = record(b.record).first(k);
+    return std::lexicographical_compare_three_way(first.begin(), first.end(), second.begin(), second.end());
+  };
+  std::vector<Entry> entries(count);
+  for (std::size_t i = 0; i < count; ++i) entries[i] = {key_of(record(i).first(k)), i};
+  std::sort(entries.begin(), entries.end(), [&](const Entry& a, const Entry& b) {
+    if (a.key != b.key) return a.key < b.key;
+    const auto order = compare(a, b);
+    return order != 0 ? order < 0 : a.record < b.record;
+  });
+  const auto equal = [&](std::size_t i, std::size_t j) {
+    return j < count && entries[i].key == entries[j].key && compare(entries[i], entries[j]) == 0;
+  };
+  for (std::size_t i = 0; i < count;) {
+    const auto a = record(entries[i].record);
+    if (!equal(i, i + 1)) {
+      each(a, a);
+      ++i;
+      continue;
+    }
+    const auto b = record(entries[i + 1].record);
+    if (equal(i, i + 2)) {
+      const auto c = record(entries[i + 2].record);
+      io::fail(
+          Errc::bad_format,
+          "the parts do not fit together: the facet {{{}}} is that of cell {} of tile {}, cell {} of tile {} "
+          "and cell {} of tile {}",
+          fmt::join(a.first(k), ", "), a[k + 1], a[k], b[k + 1], b[k], c[k + 1], c[k]);
+    }
+    if (a[k] == b[k])
+      io::fail(Errc::bad_format, "the seam {{{}}} of tile {} is between its own cells {} and {}",
+               fmt::join(a.first(k), ", "), a[k], a[k + 1], b[k + 1]);
+    each(a, b);
+    i += 2;
+  }
+}
+
+}  // namespace
+
+std::string seam_records_name(std::size_t tile) { return fmt::format("seams-{:04}.bin", tile); }
+
+std::uint64_t append_seam_records(const std::string& work, std::size_t tile, const FinishedTile& finished) {
+  const std::string path = path_in(work, seam_records_name(tile));
+  return io::guarded(io::output_name(path), [&] {
+    const TileData& data = finished.data;
+    const auto corners = static_cast<std::size_t>(std::max(data.affine_dimension + 1, 1)), k = corners - 1;
+    io::AtomicFile file(path);
+    const std::array<std::int64_t, header_words> header{static_cast<std::int64_t>(k),
+                                                        static_cast<std::int64_t>(finished.seams.size())};
+    file.write(header.data(), sizeof(header));
+    std::vector<std::int64_t> record;
+    for (std::size_t s = 0; s < finished.seams.size(); ++s) {
+      const auto [cell, index] = finished.seams[s];
+      record.clear();
+      for (std::size_t i = 0; i < corners; ++i)
+        if (i != static_cast<std::size_t>(index))
+          record.push_back(
+              data.rows[static_cast<std::size_t>(data.cells[static_cast<std::size_t>(cell) * corners + i])]);
+      std::sort(record.begin(), record.end());
+      record.insert(record.end(),
+                    {static_cast<std::int64_t>(tile), cell, index, static_cast<std::int64_t>(s)});
+      file.write(record.data(), record.size() * sizeof(std::int64_t));
+    }
+    file.commit();
+    return static_cast<std::uint64_t>(sizeof(std::int64_t) *
+                                      (header_words + (k + other_words) * finished.seams.size()));
+  });
+}
+
+std::int64_t match_seams(const std::string& folder, const std::string& work,
+                         std::span<const std::int64_t> first_cell, std::uint64_t memory) {
+  return io::guarded(io::output_name(folder), [&]() -> std::int64_t {
+    const std::size_t tiles = first_cell.size();
+    std::vector<std::int64_t> counts(tiles);
+    std::size_t k = 0;
+    std::uint64_t words = 0;
+    for (std::size_t t = 0; t < tiles; ++t) {
+      const RecordReader reader(work, t);
+      counts[t] = reader.header().count;
+      if (counts[t] == 0) continue;
+      const auto k_of_tile = static_cast<std::size_t>(reader.header().k);
+      if (words > 0 && k != k_of_tile)
+        io::fail(Errc::bad_format,
+                 "the parts do not fit together: facets of {} vertices in tile {}, of {} before it",
+                 k_of_tile, t, k);
+      k = k_of_tile;
+      words += static_cast<std::uint64_t>(counts[t]) * reader.words();
+    }
+    // A bucket takes its records and at most half as much for their order; the answers take an eighth.
+    RecordBuckets buckets(path_in(work, "facets"), RecordBuckets::count_for(words, memory / 2));
+    for (std::size_t t = 0; t < tiles; ++t) {
+      if (counts[t] == 0) continue;
+      RecordReader reader(work, t);
+      reader.for_each([&](std::span<const std::int64_t> record) {
+        if (record[k] != static_cast<std::int64_t>(t) || record[k + 3] < 0 || record[k + 3] >= counts[t])
+          reader.refuse(record);
+        // The keys sort a bucket by their highest bits; this takes the lowest.
+        buckets.append((key_of(record.first(k)) & 0xffffffffu) * buckets.size() >> 32, record);
+      });
+    }
+    Answers answers(work, counts, memory);
+    std::int64_t unmatched = 0;
+    for (std::size_t b = 0; b < buckets.size(); ++b) {
+      internal::cancellation_point();
+      match_records(buckets.take(b), k,
+                    [&](std::span<const std::int64_t> a, std::span<const std::int64_t> c) {
+                      if (a.data() == c.data()) {
+                        ++unmatched;
+                        return;
+                      }
+                      answers.put(a[k], a[k + 3], first_cell[static_cast<std::size_t>(c[k])] + c[k + 1]);
+                      answers.put(c[k], c[k + 3], first_cell[static_cast<std::size_t>(a[k])] + a[k + 1]);
+                    });
+    }
+    answers.write(folder);
+    return unmatched;
+  });
+}
+
+}  // namespace delone::tiles

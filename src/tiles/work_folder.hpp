@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// A folder of tiles while it is being made: FOLDER/work/plan.json says what it is to become, and
+// FOLDER/work/tile-0000.json what a tile has become whose part and seams are complete.
+#pragma once
+
+#include "tiles/finished_tile.hpp"
+
+#include <delone/tiles.hpp>
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace delone::tiles {
+
+/// What a folder is to become. Two calls with equal plans make the same parts.
+struct Plan {
+  int dimension = 0, affine_dimension = -1;
+  bool weighted = false;
+  std::int64_t num_points = 0;
+  std::size_t num_tiles = 0;
+  std::string fingerprint;  ///< of the input: any text that tells it from others
+
+  friend bool operator==(const Plan&, const Plan&) = default;
+};
+
+/// What remains to be known of a tile whose part is written.
+struct TileRecord {
+  std::int64_t num_cells = 0, num_points = 0, num_seams = 0;
+  std::int64_t num_vertices = 0, num_duplicates = 0, num_hidden = 0, num_hull_facets = 0;
+  std::int64_t num_foreign = 0, num_rounds = 0;
+  double least_weight = 0, largest_weight = 0;
+  internal::HashAccumulator hash, weighted_hash;
+  std::uint64_t part_bytes = 0, seam_bytes = 0;  ///< sizes of the files
+};
+
+class WorkFolder {
+ public:
+  /// Creates FOLDER and FOLDER/work, or goes on with an unfinished folder of an equal plan if `resume`;
+  /// without `resume` parts that delone has left there, finished or not, are removed. Throws invalid_argument
+  /// and changes nothing if the folder holds anything else, or is of another plan; cannot_write with the
+  /// system's reason.
+  WorkFolder(std::string folder, const Plan& plan, bool resume);
+
+  const std::string& folder() const { return folder_; }
+  /// FOLDER/work
+  const std::string& work() const { return work_; }
+  const Plan& plan() const { return plan_; }
+
+  /// Tile t if it is complete: its record, and files of the sizes that this names.
+  const std::optional<TileRecord>& finished(std::size_t t) const { return records_[t]; }
+  std::size_t num_finished() const;
+
+  /// Writes the part, the seams and at last the record of tile t. Tiles may be finished by several threads.
+  void finish(std::size_t t, const FinishedTile& tile);
+
+  /// REQUIRES that all tiles are finished. Matches the seams, writes index.json, and removes FOLDER/work.
+  TilesIndex finish_all(std::uint64_t memory);
+
+ private:
+  void open(bool resume);
+
+  std::string folder_, work_;
+  Plan plan_;
+  std::vector<std::optional<TileRecord>> records_;
+};
+
+/// The index of a finished folder of this plan: nothing is left to do. Nothing if there is no index; throws
+/// invalid_argument if the folder is finished and is of another plan.
+std::optional<TilesIndex> find_finished(const std::string& folder, const Plan& plan);
+
+/// What an unfinished folder is to become, and how many of its tiles are complete.
+struct UnfinishedTiles {
+  Plan plan;
+  std::size_t num_finished = 0;
+};
+/// Nothing if the folder has no plan. Changes nothing.
+std::optional<UnfinishedTiles> find_unfinished(const std::string& folder);
+
+}  // namespace delone::tiles

@@ -1,0 +1,129 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// A folder of tiles is gone on with if it is of the same plan; whatever else it holds stays as it is.
+#include "tiles/work_folder.hpp"
+
+#include "../io/io_support.hpp"
+#include "tiles/index_file.hpp"
+#include "tiles_support.hpp"
+
+#include <delone/delaunay.hpp>
+#include <delone/point_sets.hpp>
+
+#include <gtest/gtest.h>
+
+#include <sys/resource.h>
+
+#include <csignal>
+
+namespace {
+
+using namespace delone;
+using namespace delone_test;
+using tiles::WorkFolder;
+
+class WorkFolderTest : public TemporaryDirectory {
+ protected:
+  WorkFolderTest()
+      : whole_(make_point_set("uniform", 2, 100), 2),
+        data_(whole_.to_data()),
+        tiles_(cut_into_tiles(data_, scattered_tiles(data_, 3), 3)),
+        folder_(path("out")) {}
+
+  Delaunay<> whole_;
+  ComplexData data_;
+  std::vector<tiles::FinishedTile> tiles_;
+  std::string folder_;
+};
+
+TEST_F(WorkFolderTest, GoesOnWithFinishedTiles) {
+  const tiles::Plan plan = plan_of(data_, 3);
+  EXPECT_FALSE(tiles::find_unfinished(folder_));
+  WorkFolder(folder_, plan, true).finish(1, tiles_[1]);
+  EXPECT_EQ(tiles::find_unfinished(folder_).value().num_finished, 1u);
+  EXPECT_EQ(tiles::find_unfinished(folder_).value().plan, plan);
+  WorkFolder again(folder_, plan, true);
+  EXPECT_FALSE(again.finished(0));
+  ASSERT_TRUE(again.finished(1));
+  EXPECT_EQ(again.num_finished(), 1u);
+  EXPECT_EQ(again.finished(1)->hash.words(), tiles_[1].hash.words());
+  EXPECT_EQ(again.finished(1)->num_cells, static_cast<std::int64_t>(tiles_[1].data.num_cells()));
+  again.finish(0, tiles_[0]);
+  again.finish(2, tiles_[2]);
+  EXPECT_FALSE(tiles::find_finished(folder_, plan));
+  const TilesIndex index = again.finish_all(std::uint64_t{1} << 20);
+  EXPECT_EQ(index.hash, whole_.hash());
+  EXPECT_EQ(tiles::find_finished(folder_, plan).value().hash, whole_.hash());
+  EXPECT_FALSE(tiles::find_unfinished(folder_));
+}
+
+TEST_F(WorkFolderTest, OnlyCompleteTilesAreFinished) {
+  const tiles::Plan plan = plan_of(data_, 3);
+  const auto is_finished = [&] { return WorkFolder(folder_, plan, true).finished(1).has_value(); };
+  for (const char* damaged : {"part-0001.npz", "work/seams-0001.bin", "work/tile-0001.json"})
+    for (const bool remove : {false, true}) {
+      WorkFolder(folder_, plan, true).finish(1, tiles_[1]);
+      EXPECT_TRUE(is_finished());
+      const std::string name = std::string("out/") + damaged, whole = content(name);
+      if (remove)
+        std::filesystem::remove(path(name));
+      else
+        file(name, whole.substr(0, whole.size() - 3));
+      EXPECT_FALSE(is_finished()) << damaged;
+    }
+}
+
+TEST_F(WorkFolderTest, OfSomethingElseIsLeftAlone) {
+  const tiles::Plan plan = plan_of(data_, 3);
+  const auto open = [&](tiles::Plan other) { return [this, other] { WorkFolder(folder_, other, true); }; };
+  file("out", "a file");
+  expect_error(Errc::invalid_argument, {"not a folder"}, open(plan));
+  std::filesystem::remove(folder_);
+  std::filesystem::create_directory(folder_);
+  file("out/thesis.txt", "precious");
+  for (const bool resume : {false, true})
+    expect_error(Errc::invalid_argument, {"not empty", "thesis.txt"},
+                 [&] { WorkFolder(folder_, plan, resume); });
+  EXPECT_EQ(content("out/thesis.txt"), "precious");
+  std::filesystem::remove(path("out/thesis.txt"));
+  WorkFolder(folder_, plan, true).finish(0, tiles_[0]);
+  auto other = plan;
+  other.fingerprint = "another";
+  expect_error(Errc::invalid_argument, {"unfinished", "of other points"}, open(other));
+  other = plan;
+  other.num_tiles = 4;
+  expect_error(Errc::invalid_argument, {"in 3 tiles, not 4"}, open(other));
+  other = plan;
+  other.dimension = 3;
+  expect_error(Errc::invalid_argument, {"dimension 2, not 3"}, open(other));
+  EXPECT_TRUE(WorkFolder(folder_, plan, true).finished(0));
+  file("out/work/plan.json", "{");
+  expect_error(Errc::bad_format, {"plan.json"}, open(plan));
+  EXPECT_EQ(WorkFolder(folder_, plan, false).num_finished(), 0u);
+}
+
+TEST_F(WorkFolderTest, FinishedOfAnotherPlanIsAnError) {
+  write_folder(folder_, data_, 3);
+  tiles::Plan plan = plan_of(data_, 3);
+  EXPECT_TRUE(tiles::find_finished(folder_, plan));
+  expect_error(Errc::invalid_argument, {"finished"}, [&] { WorkFolder(folder_, plan, true); });
+  plan.fingerprint = "another";
+  expect_error(Errc::invalid_argument, {"of other points"}, [&] { tiles::find_finished(folder_, plan); });
+}
+
+TEST_F(WorkFolderTest, FullDiskLosesNoFinishedTile) {
+  const tiles::Plan plan = plan_of(data_, 3);
+  WorkFolder work(folder_, plan, true);
+  work.finish(0, tiles_[0]);
+  rlimit before{};
+  getrlimit(RLIMIT_FSIZE, &before);
+  const auto old_handler = std::signal(SIGXFSZ, SIG_IGN);
+  const rlimit small{1500, before.rlim_max};
+  setrlimit(RLIMIT_FSIZE, &small);
+  expect_error(Errc::cannot_write, {"part-0001.npz"}, [&] { work.finish(1, tiles_[1]); });
+  setrlimit(RLIMIT_FSIZE, &before);
+  std::signal(SIGXFSZ, old_handler);
+  EXPECT_EQ(WorkFolder(folder_, plan, true).num_finished(), 1u);
+  EXPECT_FALSE(std::filesystem::exists(path("out/part-0001.npz")));
+}
+
+}  // namespace
