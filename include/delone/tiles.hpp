@@ -15,6 +15,15 @@
 
 namespace delone {
 
+/// What tiles will cost, from a sample and a model: docs/tiles.md.
+struct TilesForecast {
+  std::int64_t num_points = 0;
+  std::size_t num_tiles = 1;
+  double cells_per_point = 0;        ///< of a sample
+  double foreign_share = 0;          ///< points of other tiles that a tile inserts, divided by its own
+  std::uint64_t bytes_per_tile = 0;  ///< memory of a tile at its peak
+};
+
 /// How a set is cut into tiles. The triangulation never depends on it; which part has a cell does.
 struct TilesOptions {
   /// The most memory to use, in bytes, mapped pages included; 0: three quarters of what is free. The program
@@ -25,12 +34,18 @@ struct TilesOptions {
   unsigned threads = 1;  ///< as Options::threads
   /// Whether the last column of the input holds weights: the triangulation is then regular.
   bool weighted = false;
+  /// Of the input: as ReadOptions::format, or raw: little-endian doubles, for which `columns` says how many
+  /// a row has; empty: by extension.
+  std::string format;
+  int columns = 0;
   /// Goes on with what an earlier call has left in the folder, if it was the same work.
   bool resume = true;
   bool vtu = false;   ///< also tiles.pvtu and a .vtu per part, d ≤ 3
   bool hdf5 = false;  ///< also tiles.h5; Errc::unsupported in a build without HDF5
   /// As Options::progress.
   std::function<bool(double)> progress = {};
+  /// Called once, before the first tile; return false to cancel (Errc::cancelled).
+  std::function<bool(const TilesForecast&)> forecast = {};
 };
 
 /// One part of the folder: a tile and what it took.

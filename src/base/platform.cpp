@@ -3,7 +3,9 @@
 
 #include "base/coarse_clock.hpp"
 
+#include <algorithm>
 #include <chrono>
+#include <cstdio>
 
 #ifdef __linux__
 #include <sys/mman.h>
@@ -75,6 +77,41 @@ std::chrono::steady_clock::time_point coarse_now() {
                                                  std::chrono::nanoseconds(now.tv_nsec));
 #endif
   return std::chrono::steady_clock::now();
+}
+
+std::size_t resident_memory() {
+#ifdef __linux__
+  if (std::FILE* const file = std::fopen("/proc/self/statm", "r")) {
+    unsigned long long all = 0, resident = 0;
+    const int found = std::fscanf(file, "%llu %llu", &all, &resident);
+    std::fclose(file);
+    if (found == 2)
+      return static_cast<std::size_t>(resident) * static_cast<std::size_t>(sysconf(_SC_PAGESIZE));
+  }
+#endif
+  return 0;
+}
+
+std::size_t available_memory() {
+  std::size_t available = 0;
+#ifdef __linux__
+  if (std::FILE* const file = std::fopen("/proc/meminfo", "r")) {
+    char line[128];
+    unsigned long long kilobytes = 0;
+    while (std::fgets(line, sizeof line, file) != nullptr)
+      if (std::sscanf(line, "MemAvailable: %llu", &kilobytes) == 1)
+        available = static_cast<std::size_t>(kilobytes) * 1024;
+    std::fclose(file);
+  }
+  // The limit of a container counts what it already uses.
+  if (std::FILE* const file = std::fopen("/sys/fs/cgroup/memory.max", "r")) {
+    unsigned long long limit = 0;
+    if (std::fscanf(file, "%llu", &limit) == 1)
+      available = std::min(available, static_cast<std::size_t>(limit));
+    std::fclose(file);
+  }
+#endif
+  return available;
 }
 
 std::size_t first_level_cache() {

@@ -45,6 +45,11 @@ double clock_seconds();
 /// they are not known.
 double thread_seconds();
 
+/// The memory that this process has in use, mapped files included, in bytes; 0 if it is not known.
+std::size_t resident_memory();
+/// The memory that programs can still get without swapping, in bytes; 0 if it is not known.
+std::size_t available_memory();
+
 /// The size of the L1 data cache in bytes, or 0 if it is not known.
 std::size_t first_level_cache();
 

@@ -211,7 +211,7 @@ FinishedTile TileTriangulation::finish() {
   const auto& vertex_of_row = internal::StoredPoints::vertices_of_rows(triangulation());
   const Complex complex = triangulation().complex();
   std::vector<std::pair<std::int64_t, std::int64_t>> rows;
-  rows.reserve(own_.rows.size() + own_.duplicate_rows.size());
+  rows.reserve(own_.rows.size() + own_.duplicates.size());
   std::vector<std::int64_t> hidden;
   for (std::size_t i = 0; i < own_.rows.size(); ++i) {
     const VertexId v = vertex_of_row[i];
@@ -221,10 +221,10 @@ FinishedTile TileTriangulation::finish() {
   }
   std::sort(hidden.begin(), hidden.end());
   result.num_hidden = static_cast<std::int64_t>(hidden.size());
-  for (std::size_t i = 0; i < own_.duplicate_rows.size(); ++i) {
-    const bool is_hidden = std::binary_search(hidden.begin(), hidden.end(), own_.first_rows[i]);
+  for (const Duplicate& duplicate : own_.duplicates) {
+    const bool is_hidden = std::binary_search(hidden.begin(), hidden.end(), duplicate.first_row);
     (is_hidden ? result.num_hidden : result.num_duplicates) += 1;
-    rows.emplace_back(own_.duplicate_rows[i], is_hidden ? -1 : own_.first_rows[i]);
+    rows.emplace_back(duplicate.row, is_hidden ? -1 : duplicate.first_row);
   }
   delaunay_.reset();
   regular_.reset();

@@ -5,6 +5,7 @@
 
 #include "base/progress_meter.hpp"
 #include "io/file.hpp"
+#include "tiles/duplicates.hpp"
 
 #include <algorithm>
 #include <bit>
@@ -144,8 +145,12 @@ PageTable make_page_file(PointStream& points, const Survey& survey, const SplitT
   Buckets buckets(path + ".unordered", num_tiles, table.row_size() + 1, options.memory / 4);
   distribute(points, survey, tree, buckets);
 
-  Leftover leftover(path);
-  io::PositionedFile file(path, io::PositionedFile::Mode::write);
+  const std::string path_of_duplicates = path + ".duplicates";
+  Leftover leftover(path), leftover_duplicates(path_of_duplicates);
+  io::PositionedFile file(path, io::PositionedFile::Mode::write),
+      duplicates_file(path_of_duplicates, io::PositionedFile::Mode::write);
+  const std::size_t page_points =
+      options.page_points > 0 ? options.page_points : points_per_page(survey.num_points);
   std::vector<Tile> boxes = tree.boxes();
   std::vector<double> records, piece;
   for (std::size_t t = 0; t < num_tiles; ++t) {
@@ -154,22 +159,30 @@ PageTable make_page_file(PointStream& points, const Survey& survey, const SplitT
                "tile {} has {} points, which take {} bytes; more memory is needed, or more tiles", t,
                bytes / record_bytes(table), bytes);
     buckets.take(t, records);
-    order_pages(records, options.page_points, table);
+    const std::vector<Duplicate> duplicates = take_duplicates(records, table.row_size());
+    duplicates_file.write(table.first_duplicate.back() * sizeof(Duplicate), duplicates.data(),
+                          duplicates.size() * sizeof(Duplicate));
+    table.first_duplicate.push_back(table.first_duplicate.back() + duplicates.size());
+    order_pages(records, page_points, table);
     write_pages(records, table, file, piece);
     table.tiles.back().low = std::move(boxes[t].low);
     table.tiles.back().high = std::move(boxes[t].high);
   }
   file.close();
+  duplicates_file.close();
   leftover.keep();
+  leftover_duplicates.keep();
   return table;
 }
 
 PageFile::PageFile(const std::string& path, const PageTable& table, std::size_t cache_bytes)
-    : file_(path), table_(table), cache_bytes_(cache_bytes) {
-  const std::uint64_t expected = table.num_points() * record_bytes(table);
-  if (const std::uint64_t found = file_.size(); found != expected)
-    io::fail(Errc::bad_format, "{}: expected {} bytes for {} points, found {}", file_.name(), expected,
-             table.num_points(), found);
+    : file_(path), duplicates_(path + ".duplicates"), table_(table), cache_bytes_(cache_bytes) {
+  const auto require = [](const io::PositionedFile& file, std::uint64_t expected) {
+    if (const std::uint64_t found = file.size(); found != expected)
+      io::fail(Errc::bad_format, "{}: expected {} bytes, found {}", file.name(), expected, found);
+  };
+  require(file_, table.num_points() * record_bytes(table));
+  require(duplicates_, table.first_duplicate.back() * sizeof(Duplicate));
 }
 
 std::shared_ptr<const Page> PageFile::find(std::size_t page) {
@@ -177,8 +190,15 @@ std::shared_ptr<const Page> PageFile::find(std::size_t page) {
     const std::lock_guard lock(mutex_);
     if (const auto found = cache_.find(page); found != cache_.end()) return found->second;
   }
+  const std::size_t size = table_.page_size(page), row_size = table_.row_size();
+  std::vector<double> numbers(size * (row_size + 1));
+  file_.read(table_.first_point[page] * record_bytes(table_), numbers.data(),
+             numbers.size() * sizeof(double));
   auto read = std::make_shared<Page>();
-  read_pages(page, page + 1, *read);
+  for (std::size_t j = 0; j < row_size; ++j)
+    for (std::size_t i = 0; i < Page::stride_of(size); ++i)
+      read->coordinates.push_back(numbers[std::min(i, size - 1) * row_size + j]);
+  for (std::size_t i = 0; i < size; ++i) read->rows.push_back(row_of(numbers[size * row_size + i]));
   ++num_reads_;
   constexpr std::size_t overhead = 256;  // of the entry and the allocations
   const std::size_t bytes = read->size() * record_bytes(table_) + overhead;
@@ -189,21 +209,34 @@ std::shared_ptr<const Page> PageFile::find(std::size_t page) {
   return place->second;
 }
 
-Page PageFile::read_tile_points(std::size_t tile) const {
+TilePoints PageFile::read_tile_points(std::size_t tile) const {
   const Tile& all = table_.tiles[tile];
-  Page points;
-  const std::size_t size = table_.first_point[all.last_page] - table_.first_point[all.first_page];
-  points.points.reserve(size * table_.row_size());
+  TilePoints points;
+  const std::size_t size = table_.first_point[all.last_page] - table_.first_point[all.first_page],
+                    row_size = table_.row_size();
+  points.points.reserve(size * row_size);
   points.rows.reserve(size);
+  std::vector<double> piece;
   for (std::size_t first = all.first_page; first < all.last_page;) {
     internal::cancellation_point();
     std::size_t last = first + 1;
     while (last < all.last_page &&
            (table_.first_point[last] - table_.first_point[first]) * record_bytes(table_) < piece_bytes)
       ++last;
-    read_pages(first, last, points);
-    first = last;
+    piece.resize((table_.first_point[last] - table_.first_point[first]) * (row_size + 1));
+    file_.read(table_.first_point[first] * record_bytes(table_), piece.data(), piece.size() * sizeof(double));
+    const double* from = piece.data();
+    for (; first < last; ++first) {
+      const std::size_t on_page = table_.page_size(first);
+      points.points.insert(points.points.end(), from, from + on_page * row_size);
+      from += on_page * row_size;
+      for (std::size_t i = 0; i < on_page; ++i) points.rows.push_back(row_of(from[i]));
+      from += on_page;
+    }
   }
+  points.duplicates.resize(table_.first_duplicate[tile + 1] - table_.first_duplicate[tile]);
+  duplicates_.read(table_.first_duplicate[tile] * sizeof(Duplicate), points.duplicates.data(),
+                   points.duplicates.size() * sizeof(Duplicate));
   return points;
 }
 
@@ -211,21 +244,6 @@ void PageFile::drop() {
   const std::lock_guard lock(mutex_);
   cache_.clear();
   cached_bytes_ = 0;
-}
-
-/// Appends the pages first … last − 1.
-void PageFile::read_pages(std::size_t first, std::size_t last, Page& to) const {
-  const std::size_t row_size = table_.row_size();
-  std::vector<double> piece((table_.first_point[last] - table_.first_point[first]) * (row_size + 1));
-  file_.read(table_.first_point[first] * record_bytes(table_), piece.data(), piece.size() * sizeof(double));
-  const double* from = piece.data();
-  for (std::size_t page = first; page < last; ++page) {
-    const std::size_t size = table_.page_size(page);
-    to.points.insert(to.points.end(), from, from + size * row_size);
-    from += size * row_size;
-    for (std::size_t i = 0; i < size; ++i) to.rows.push_back(row_of(from[i]));
-    from += size;
-  }
 }
 
 }  // namespace delone::tiles

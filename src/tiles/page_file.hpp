@@ -7,6 +7,7 @@
 #include "tiles/pages.hpp"
 #include "tiles/point_stream.hpp"
 #include "tiles/split_tree.hpp"
+#include "tiles/tile_points.hpp"
 
 #include <atomic>
 #include <cstddef>
@@ -19,16 +20,16 @@
 namespace delone::tiles {
 
 struct PageFileOptions {
-  std::size_t page_points = default_page_points;
+  std::size_t page_points = 0;  ///< the most points of a page; 0: by the number of points
   /// The most memory to use, in bytes. A quarter of it holds points on their way to the tiles; after that the
   /// points of one tile are in memory at a time, which is an error, out_of_memory, where it is not enough.
   std::uint64_t memory = std::uint64_t{1} << 30;
 };
 
 /// Reads the stream once more, from its beginning, and writes all points to `path`, tile by tile in pages.
-/// A file of the same size beside it, `path`.unordered, has the points in the meantime; it is removed, and
-/// after an error `path`, too. Throws cannot_write; bad_format if the stream has not as many rows
-/// as the survey.
+/// Duplicates go to `path`.duplicates. A file of the same size beside it, `path`.unordered, has the points in
+/// the meantime; it is removed, and after an error the others, too. Throws cannot_write; bad_format if the
+/// stream has not as many rows as the survey.
 PageTable make_page_file(PointStream& points, const Survey& survey, const SplitTree& tree,
                          const std::string& path, const PageFileOptions& options = {});
 
@@ -42,16 +43,14 @@ class PageFile final : public PageSource {
   /// Never null. Beyond the limit of the cache, the page is read again every time.
   std::shared_ptr<const Page> find(std::size_t page) override;
   /// All points of a tile, in the order of its pages.
-  Page read_tile_points(std::size_t tile) const;
+  TilePoints read_tile_points(std::size_t tile) const;
   /// Forgets all pages: those that nobody else holds are freed.
   void drop();
   /// How many pages were read from the file.
   std::uint64_t num_reads() const { return num_reads_; }
 
  private:
-  void read_pages(std::size_t first, std::size_t last, Page& to) const;
-
-  io::PositionedFile file_;
+  io::PositionedFile file_, duplicates_;
   const PageTable& table_;
   const std::size_t cache_bytes_;
   std::atomic<std::uint64_t> num_reads_ = 0;

@@ -123,6 +123,11 @@ void order_by_numbers(std::vector<double>& records, std::size_t page_points, Pag
 
 }  // namespace
 
+std::size_t points_per_page(std::uint64_t num_points) {
+  constexpr std::uint64_t least = 64, most = 1024, pages = std::uint64_t{1} << 20;
+  return static_cast<std::size_t>(std::clamp(std::bit_ceil(num_points / pages + 1), least, most));
+}
+
 void order_pages(std::vector<double>& records, std::size_t page_points, PageTable& table) {
   Tile tile;
   tile.first_page = table.num_pages();

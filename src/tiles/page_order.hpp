@@ -16,7 +16,8 @@ namespace delone::tiles {
 inline double coded_row(std::int64_t row) { return std::bit_cast<double>(row); }
 inline std::int64_t row_of(double coded) { return std::bit_cast<std::int64_t>(coded); }
 
-inline constexpr std::size_t default_page_points = 128;
+/// Enough for about a million pages, 64 at least.
+std::size_t points_per_page(std::uint64_t num_points);
 
 /// Puts the records of a tile in the order of a k-d tree and appends its pages, of at most `page_points`
 /// points each, and the tile itself to the table, of which first_point has to be set up: {0} before the first

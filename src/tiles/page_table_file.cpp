@@ -101,6 +101,8 @@ bool agrees(const PageTable& table) {
   const auto d = static_cast<std::size_t>(table.dimension);
   const std::size_t num_pages = table.num_pages();
   if (!std::is_sorted(table.first_point.begin(), table.first_point.end()) ||
+      table.first_duplicate.size() != table.tiles.size() + 1 || table.first_duplicate.front() != 0 ||
+      !std::is_sorted(table.first_duplicate.begin(), table.first_duplicate.end()) ||
       table.boxes.size() != num_pages * 2 * d || table.weights.size() != (table.weighted ? num_pages : 0))
     return false;
   std::size_t page = 0;
@@ -128,6 +130,7 @@ void write_page_table(const std::string& path, const PageTable& table) {
   to.put(table.first_point);
   to.put(table.boxes);
   to.put(table.weights);
+  to.put(table.first_duplicate);
   to.put<std::uint64_t>(table.tiles.size());
   for (const Tile& tile : table.tiles) {
     to.put<std::uint64_t>(tile.first_page);
@@ -146,6 +149,7 @@ PageTable read_page_table(const std::string& path) {
   table.first_point = from.get_array<std::uint64_t>();
   table.boxes = from.get_array<double>();
   table.weights = from.get_array<double>();
+  table.first_duplicate = from.get_array<std::uint64_t>();
   for (auto left = from.get<std::uint64_t>(); left > 0; --left) {
     Tile& tile = table.tiles.emplace_back();
     tile.first_page = static_cast<std::size_t>(from.get<std::uint64_t>());

@@ -155,24 +155,33 @@ class PageSearch {
   void search_page(const Page& page, std::size_t number, const Question<D>& question,
                    const QuestionForm& form, const Exact& is_in_conflict, Answer& best) {
     const auto d = static_cast<std::size_t>(tree_.table().dimension);
-    for (std::uint64_t bits = find_points_not_outside(d, form, page.coordinates.data(), page.size());
-         bits != 0; bits &= bits - 1) {
-      const auto slot = static_cast<std::size_t>(std::countr_zero(bits));
-      if (known_.contains(number, slot)) continue;
-      page.copy_point(slot, point_.data());
-      const double* const x = point_.data();
-      const double key = question.key(x);
-      // Of equal keys the point at the first place, so that the answer does not depend on the path.
-      const PointPlace place{static_cast<std::uint32_t>(number), static_cast<std::uint32_t>(slot)};
-      if (best.is_open && !(key < best.key || (key == best.key && place < best.place))) continue;
-      if (question.side(x) == QuestionSide::unsure) {
-        ++num_exact;
-        if (!is_in_conflict(x)) continue;
+    for (std::size_t first = 0; first < page.size(); first += most_points_at_once) {
+      const std::size_t count = std::min(page.size() - first, most_points_at_once);
+      for (std::uint64_t bits =
+               find_points_not_outside(d, form, page.coordinates.data() + first, page.stride(), count);
+           bits != 0; bits &= bits - 1) {
+        test_point(page, number, first + static_cast<std::size_t>(std::countr_zero(bits)), question,
+                   is_in_conflict, best);
       }
-      best.is_open = true;
-      best.key = key;
-      best.place = place;
     }
+  }
+  template <int D, class Exact>
+  void test_point(const Page& page, std::size_t number, std::size_t slot, const Question<D>& question,
+                  const Exact& is_in_conflict, Answer& best) {
+    if (known_.contains(number, slot)) return;
+    page.copy_point(slot, point_.data());
+    const double* const x = point_.data();
+    const double key = question.key(x);
+    // Of equal keys the point at the first place, so that the answer does not depend on the path.
+    const PointPlace place{static_cast<std::uint32_t>(number), static_cast<std::uint32_t>(slot)};
+    if (best.is_open && !(key < best.key || (key == best.key && place < best.place))) return;
+    if (question.side(x) == QuestionSide::unsure) {
+      ++num_exact;
+      if (!is_in_conflict(x)) return;
+    }
+    best.is_open = true;
+    best.key = key;
+    best.place = place;
   }
 
   struct Entry {

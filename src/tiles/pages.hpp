@@ -38,12 +38,15 @@ struct Tile {
 struct PageTable {
   int dimension = 0;                       ///< d
   bool weighted = false;                   ///< rows of points have d + 1 numbers
-  std::vector<std::uint64_t> first_point;  ///< of each page in the order, and the number of points
+  std::vector<std::uint64_t> first_point;  ///< of each page in the order, and the number of distinct points
   std::vector<double> boxes;               ///< 2d numbers per page: the least and the largest coordinates
   std::vector<double> weights;             ///< the largest weight of each page, if points have weights
   std::vector<Tile> tiles;
+  /// How many duplicates the tiles before each have, and all have.
+  std::vector<std::uint64_t> first_duplicate{0};
 
   std::size_t num_pages() const { return first_point.empty() ? 0 : first_point.size() - 1; }
+  /// Distinct ones.
   std::size_t num_points() const { return first_point.empty() ? 0 : first_point.back(); }
   std::size_t row_size() const { return static_cast<std::size_t>(dimension) + (weighted ? 1 : 0); }
   std::size_t page_size(std::size_t p) const { return first_point[p + 1] - first_point[p]; }

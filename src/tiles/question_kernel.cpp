@@ -77,11 +77,11 @@ unsigned open_boxes(std::size_t dimension, const QuestionForm& question, const d
 
 template <int D>
 std::uint64_t points_not_outside(std::size_t dimension, const QuestionForm& question,
-                                 const double* HWY_RESTRICT coordinates, std::size_t count) {
+                                 const double* HWY_RESTRICT coordinates, std::size_t stride,
+                                 std::size_t count) {
   const std::size_t d = D > 0 ? static_cast<std::size_t>(D) : dimension;
   const hn::CappedTag<double, 8> tag;
   using V = hn::Vec<decltype(tag)>;
-  const std::size_t stride = (count + 7) / 8 * 8;
   std::uint64_t result = 0;
   for (std::size_t first = 0; first < count; first += hn::Lanes(tag)) {
     V value = hn::Zero(tag), slack = hn::Zero(tag);
@@ -117,9 +117,10 @@ unsigned find_open_boxes_here(std::size_t d, const QuestionForm& question, const
   });
 }
 std::uint64_t find_points_not_outside_here(std::size_t d, const QuestionForm& question,
-                                           const double* coordinates, std::size_t count) {
-  return internal::with_compiled_dimension<2, 5>(
-      d, [&](auto dimension) { return points_not_outside<dimension()>(d, question, coordinates, count); });
+                                           const double* coordinates, std::size_t stride, std::size_t count) {
+  return internal::with_compiled_dimension<2, 5>(d, [&](auto dimension) {
+    return points_not_outside<dimension()>(d, question, coordinates, stride, count);
+  });
 }
 
 }  // namespace HWY_NAMESPACE
@@ -138,8 +139,8 @@ unsigned find_open_boxes(std::size_t d, const QuestionForm& question, const doub
 }
 
 std::uint64_t find_points_not_outside(std::size_t d, const QuestionForm& question, const double* coordinates,
-                                      std::size_t count) {
-  return HWY_DYNAMIC_DISPATCH(find_points_not_outside_here)(d, question, coordinates, count);
+                                      std::size_t stride, std::size_t count) {
+  return HWY_DYNAMIC_DISPATCH(find_points_not_outside_here)(d, question, coordinates, stride, count);
 }
 
 }  // namespace delone::tiles

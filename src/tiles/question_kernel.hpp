@@ -17,7 +17,7 @@ struct QuestionForm {
 };
 
 inline constexpr std::size_t boxes_per_node = 8;
-inline constexpr std::size_t most_points_of_page = 64;
+inline constexpr std::size_t most_points_at_once = 64;
 
 /// The boxes, by their bits, of which it is not certain that no point is in conflict. `boxes`: for each axis
 /// eight least coordinates and then eight largest ones; then eight largest weights, if points have weights.
@@ -26,10 +26,10 @@ inline constexpr std::size_t most_points_of_page = 64;
 unsigned find_open_boxes(std::size_t d, const QuestionForm& question, const double* boxes, bool has_best,
                          double best_key, double* distances);
 
-/// The points, by their bits, that are not certainly outside. `coordinates`: axis by axis those of `count` ≤
-/// most_points_of_page points, each axis padded to a multiple
-/// of eight numbers, and then their weights if they have weights.
+/// The points, by their bits, that are not certainly outside. Coordinate j of point i is number j·stride + i;
+/// weights follow the coordinates. REQUIRES count ≤ most_points_at_once, and that eight points at a time can
+/// be read.
 std::uint64_t find_points_not_outside(std::size_t d, const QuestionForm& question, const double* coordinates,
-                                      std::size_t count);
+                                      std::size_t stride, std::size_t count);
 
 }  // namespace delone::tiles

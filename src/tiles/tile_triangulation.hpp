@@ -10,6 +10,7 @@
 
 #include "tiles/finished_tile.hpp"
 #include "tiles/page_tree.hpp"
+#include "tiles/tile_points.hpp"
 #include "triangulation/triangulation_impl.hpp"
 
 #include <delone/delaunay.hpp>
@@ -26,14 +27,6 @@
 #include <vector>
 
 namespace delone::tiles {
-
-/// The points of a tile in the order of its pages.
-struct TilePoints {
-  std::vector<double> points;      ///< distinct: coordinates, and weights where points have them
-  std::vector<std::int64_t> rows;  ///< of the input: the first equal one
-  /// Rows of the input that repeat an earlier one, and that one.
-  std::vector<std::int64_t> duplicate_rows, first_rows;
-};
 
 struct TileOptions {
   unsigned threads = 1;

@@ -61,10 +61,7 @@ class MemoryPages final : public PageSource {
     }
     for (const std::int64_t row : own.rows)
       if (const auto found = duplicates_.find(row); found != duplicates_.end())
-        for (const std::int64_t duplicate : found->second) {
-          own.duplicate_rows.push_back(duplicate);
-          own.first_rows.push_back(row);
-        }
+        for (const std::int64_t duplicate : found->second) own.duplicates.push_back({duplicate, row});
     return own;
   }
 

@@ -58,14 +58,16 @@ TEST_F(PageFiles, HaveEveryRowOnce) {
         std::vector<bool> seen(n);
         std::map<std::vector<double>, std::size_t> tile_of;
         for (std::size_t t = 0; t < table.tiles.size(); ++t) {
-          const Page own = file.read_tile_points(t);
+          const TilePoints own = file.read_tile_points(t);
           std::size_t at = 0;
           for (std::size_t page = table.tiles[t].first_page; page < table.tiles[t].last_page; ++page) {
             const auto found = file.find(page);
             ASSERT_EQ(found->size(), table.page_size(page));
             for (std::size_t i = 0; i < found->size(); ++i, ++at) {
               const auto row = static_cast<std::size_t>(found->rows[i]);
-              const double* const point = &found->points[i * width];
+              std::vector<double> numbers(width);
+              found->copy_point(i, numbers.data());
+              const double* const point = numbers.data();
               ASSERT_LT(row, n);
               ASSERT_FALSE(seen[row]);
               seen[row] = true;
@@ -83,7 +85,15 @@ TEST_F(PageFiles, HaveEveryRowOnce) {
               }
             }
           }
-          ASSERT_EQ(at, own.size());
+          ASSERT_EQ(at, own.rows.size());
+          for (const Duplicate& duplicate : own.duplicates) {
+            const auto row = static_cast<std::size_t>(duplicate.row),
+                       first = static_cast<std::size_t>(duplicate.first_row);
+            ASSERT_LT(first, row);
+            ASSERT_TRUE(std::equal(&set.rows[row * width], &set.rows[row * width] + width, &set.rows[first * width]));
+            ASSERT_FALSE(seen[row]);
+            seen[row] = true;
+          }
         }
         EXPECT_EQ(std::count(seen.begin(), seen.end(), true), static_cast<std::ptrdiff_t>(n));
       }

@@ -1,0 +1,212 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// From an input to a folder of parts: survey, cut, pages, one tile after the other, seams.
+#include "base/platform.hpp"
+#include "base/random.hpp"
+#include "io/file.hpp"
+#include "tiles/page_file.hpp"
+#include "tiles/part_file.hpp"
+#include "tiles/survey.hpp"
+#include "tiles/tile_plan.hpp"
+#include "tiles/tile_triangulation.hpp"
+#include "tiles/work_folder.hpp"
+
+#include <delone/progress.hpp>
+#include <delone/tiles.hpp>
+
+#include <algorithm>
+#include <bit>
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <string>
+#include <utility>
+
+namespace delone {
+
+namespace tiles {
+namespace {
+
+/// What the steps before and after the tiles take of all the time, about.
+constexpr double share_of_survey = 0.04, share_of_pages = 0.1, share_of_seams = 0.04;
+
+/// A tile that takes more memory than was forecast.
+struct TileTooLarge {
+  std::size_t tile;
+};
+
+/// One run, from the input to the index.
+class Run {
+ public:
+  Run(PointStream& points, std::string folder, std::string fingerprint, const TilesOptions& options)
+      : points_(points),
+        folder_(std::move(folder)),
+        fingerprint_(std::move(fingerprint)),
+        options_(options),
+        memory_(options.memory > 0 ? options.memory : platform::available_memory() / 4 * 3) {}
+
+  TilesIndex run() {
+    {
+      const ProgressScope scope(part_of_progress(0, share_of_survey));
+      SurveyResult result = make_survey(points_, options_.weighted);
+      survey_ = std::move(result.survey);
+      sample_ = std::move(result.sample);
+      cells_per_point_ = cells_per_point(sample_, survey_);
+    }
+    std::size_t num_tiles = 0;  // not settled
+    for (;;) try {
+        return run_with(num_tiles);
+      } catch (const TileTooLarge& too_large) {
+        if (options_.tiles > 0 || forecast_.num_tiles >= survey_.num_points)
+          io::fail(Errc::out_of_memory,
+                   "tile {} of {} takes more than {} bytes; more memory is needed, or more tiles",
+                   too_large.tile, forecast_.num_tiles, memory_);
+        num_tiles = 2 * forecast_.num_tiles;
+      }
+  }
+
+ private:
+  /// The number of tiles: that of an unfinished folder of the same input, or as few as fit into memory.
+  void settle_tiles(std::size_t num_tiles) {
+    TilesOptions options = options_;
+    if (options.tiles == 0) options.tiles = num_tiles;
+    if (options.tiles == 0 && options_.resume)
+      if (const auto unfinished = find_unfinished(folder_);
+          unfinished && unfinished->plan.fingerprint == fingerprint_)
+        options.tiles = unfinished->plan.num_tiles;
+    forecast_ = plan_tiles(survey_, cells_per_point_, options, memory_for_tiles());
+  }
+  /// Without what is there already, the boxes of all pages, and the cache of pages.
+  std::uint64_t memory_for_tiles() const {
+    const std::uint64_t pages = survey_.num_points / points_per_page(survey_.num_points) + 1,
+                        per_page = 60 * static_cast<std::uint64_t>(survey_.dimension) + 40,
+                        used = platform::resident_memory() + pages * per_page + cache_bytes();
+    return used + (memory_ / 10) < memory_ ? memory_ - used - memory_ / 20 : memory_ / 10;
+  }
+  std::size_t cache_bytes() const {
+    return static_cast<std::size_t>(std::min<std::uint64_t>(memory_ / 16, std::uint64_t{256} << 20));
+  }
+
+  TilesIndex run_with(std::size_t num_tiles) {
+    settle_tiles(num_tiles);
+    const SplitTree tree = make_split_tree(sample_, survey_.dimension, forecast_.num_tiles);
+    forecast_.num_tiles = static_cast<std::size_t>(tree.num_tiles);
+    if (options_.forecast && !std::exchange(has_told_, true) && !options_.forecast(forecast_))
+      throw Error(Errc::cancelled, "cancelled");
+    Plan plan;
+    plan.dimension = survey_.dimension;
+    plan.affine_dimension = survey_.affine_dimension;
+    plan.weighted = survey_.weighted;
+    plan.num_points = static_cast<std::int64_t>(survey_.num_points);
+    plan.num_tiles = forecast_.num_tiles;
+    plan.fingerprint = fingerprint_;
+    if (options_.resume)
+      if (auto index = find_finished(folder_, plan)) return std::move(*index);
+    WorkFolder folder(folder_, plan, options_.resume && num_tiles == 0);
+    const PageTable table = make_pages(tree, folder.work());
+    make_parts(folder, table);
+    const ProgressScope scope(part_of_progress(1 - share_of_seams, 1));
+    return folder.finish_all(memory_ / 4);
+  }
+
+  PageTable make_pages(const SplitTree& tree, const std::string& work) {
+    const ProgressScope scope(part_of_progress(share_of_survey, share_of_pages));
+    pages_path_ = path_in(work, "points.bin");
+    const std::string table_path = path_in(work, "pages.bin");
+    if (std::filesystem::exists(table_path)) {
+      PageTable table = read_page_table(table_path);
+      const PageFile complete(pages_path_, table);  // throws if it is not
+      return table;
+    }
+    PageFileOptions how;
+    how.memory = memory_;
+    PageTable table = make_page_file(points_, survey_, tree, pages_path_, how);
+    write_page_table(table_path, table);
+    return table;
+  }
+
+  void make_parts(WorkFolder& folder, const PageTable& table) {
+    sample_ = {};
+    const PageTree tree(table);
+    PageFile pages(pages_path_, table, cache_bytes());
+    for (std::size_t t = 0; t < table.tiles.size(); ++t) {
+      if (folder.finished(t)) continue;
+      const double start = share_of_pages,
+                   step = (1 - share_of_pages - share_of_seams) / static_cast<double>(table.tiles.size());
+      TileOptions how;
+      how.threads = options_.threads;
+      const auto progress =
+          part_of_progress(start + step * static_cast<double>(t), start + step * static_cast<double>(t + 1));
+      how.progress = [&](double fraction) {
+        if (platform::resident_memory() > memory_) throw TileTooLarge{t};
+        return progress(fraction);
+      };
+      const ProgressScope scope(how.progress);
+      FinishedTile finished;
+      {
+        TileTriangulation tile(survey_, tree, pages, t, pages.read_tile_points(t), how);
+        while (tile.advance()) {
+        }
+        finished = tile.finish();
+      }
+      pages.drop();
+      folder.finish(t, finished);
+    }
+  }
+
+  /// The progress function of a part of the work, which is from `low` to `high` of all.
+  std::function<bool(double)> part_of_progress(double low, double high) {
+    return [this, low, high](double fraction) {
+      done_ = std::max(done_, low + (high - low) * fraction);
+      return !options_.progress || options_.progress(done_);
+    };
+  }
+
+  PointStream& points_;
+  const std::string folder_, fingerprint_;
+  const TilesOptions& options_;
+  const std::uint64_t memory_;
+  Survey survey_;
+  std::vector<double> sample_;
+  double cells_per_point_ = 0;
+  TilesForecast forecast_;
+  double done_ = 0;
+  bool has_told_ = false;
+  std::string pages_path_;
+};
+
+/// What tells an input from others: its path, size, and time of last change.
+std::string fingerprint_of(const std::string& input, const TilesOptions& options) {
+  namespace fs = std::filesystem;
+  std::error_code error;
+  const fs::path path = fs::weakly_canonical(input, error);
+  const auto size = fs::file_size(path, error);
+  if (error) return "stream";
+  const auto changed = fs::last_write_time(path, error).time_since_epoch().count();
+  return fmt::format("{} of {} bytes, changed at {}{}", path.string(), size, changed,
+                     options.weighted ? ", weighted" : "");
+}
+
+}  // namespace
+}  // namespace tiles
+
+TilesIndex make_tiles(const std::string& input, const std::string& folder, const TilesOptions& options) {
+  return io::guarded(io::input_name(input), [&] {
+    tiles::StreamOptions how;
+    how.format = options.format;
+    how.dimension = options.columns;
+    how.scratch_folder = std::filesystem::temp_directory_path().string();
+    const auto points = tiles::open_point_stream(input, how);
+    return tiles::Run(*points, folder, tiles::fingerprint_of(input, options), options).run();
+  });
+}
+
+TilesIndex make_tiles(PointsView rows, const std::string& folder, const TilesOptions& options) {
+  return io::guarded(io::output_name(folder), [&] {
+    const auto points = tiles::stream_of(rows);
+    std::uint64_t hash = rows.size();
+    for (const double x : rows.coordinates()) hash = random::mix(hash ^ std::bit_cast<std::uint64_t>(x));
+    return tiles::Run(*points, folder, fmt::format("an array of hash {:016x}", hash), options).run();
+  });
+}
+
+}  // namespace delone
