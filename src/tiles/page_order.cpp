@@ -61,11 +61,10 @@ class KdOrder {
     split(middle, last, num_pages - pages_below);
   }
 
-  /// A total order: equal positions by weight and row.
+  /// A total order: equal positions by their rows.
   bool is_below(const double* a, const double* b, int axis) const {
     if (a[axis] != b[axis]) return a[axis] < b[axis];
     if (const int order = compare_along(a, b, axis, d_); order != 0) return order < 0;
-    if (table_.weighted && a[d_] != b[d_]) return a[d_] < b[d_];
     const std::size_t row = handles_.size() - 1;
     return row_of(a[row]) < row_of(b[row]);
   }

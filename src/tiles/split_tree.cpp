@@ -92,7 +92,7 @@ std::vector<Tile> SplitTree::boxes() const {
     return tiles;
   }
   // Nodes come after those that they are below or beyond. What is below has coordinates up to that of the
-  // splitter, what is beyond from it on.
+  // splitter, what is beyond from it on; the splitter is in the box of its node.
   std::vector<Tile> nodes(axes.size());
   nodes[0] = whole;
   for (std::size_t n = 0; n < axes.size(); ++n) {
@@ -103,9 +103,9 @@ std::vector<Tile> SplitTree::boxes() const {
                         : tiles[static_cast<std::size_t>(-1 - child)];
     };
     Tile& lower = box_of(below[n]) = nodes[n];
-    lower.high[axis] = std::min(lower.high[axis], cut);
+    lower.high[axis] = cut;
     Tile& upper = box_of(beyond[n]) = nodes[n];
-    upper.low[axis] = std::max(upper.low[axis], cut);
+    upper.low[axis] = cut;
   }
   return tiles;
 }

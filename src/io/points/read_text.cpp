@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <memory>
+#include <utility>
 
 namespace delone::io {
 
@@ -85,7 +86,7 @@ class DelimitedReader {
 
   /// As TextRows::read().
   std::size_t read_piece(TextCursor at, bool is_last, PointCollector& points) {
-    at_ = at;
+    at_ = std::move(at);
     is_last_ = is_last;
     const char* const begin = at_.position();
     const char* end_of_rows = begin;

@@ -34,6 +34,11 @@ TEST(RequireFiniteRows, NamesTheRowsOnceEach) {
                            io::require_finite(std::vector<double>{nan, nan, nan}, 1, "f", "here");
                          }),
             (Rows{0, 1, 2}));
+  EXPECT_EQ(expect_error(Errc::not_finite, {"f: row 11: column 0"},
+                         [] {
+                           io::require_finite(std::vector<double>{0, 0, nan, 0}, 2, "f", {}, 10);
+                         }),
+            Rows{11});
 }
 
 TEST(DescribeNotFinite, TellsNamesFromDecimals) {

@@ -99,6 +99,19 @@ TEST_F(PageFiles, HaveEveryRowOnce) {
       }
 }
 
+/// A tile is read and written in several pieces.
+TEST_F(PageFiles, HaveLargeTiles) {
+  const test::TileSet set = set_named("uniform3", 80000);
+  const Made made = make(set, 1, path("points"), {});
+  const PageFile file(path("points"), made.table);
+  const Page all = file.read_tile_points(0);
+  ASSERT_EQ(all.size(), 80000u);
+  std::vector<double> rows(set.rows.size());
+  for (std::size_t i = 0; i < all.size(); ++i)
+    std::copy_n(&all.points[i * 3], 3, &rows[static_cast<std::size_t>(all.rows[i]) * 3]);
+  EXPECT_EQ(rows, set.rows);
+}
+
 /// The same file, however much memory there is.
 TEST_F(PageFiles, AreDeterministic) {
   const test::TileSet set = set_named("uniform3", 2000);
@@ -125,6 +138,16 @@ TEST_F(PageFiles, CacheWithinItsLimit) {
     for (std::size_t page = 0; page < num_pages; ++page)
       EXPECT_EQ(none.find(page)->size(), made.table.page_size(page));
   EXPECT_EQ(none.num_reads(), 2 * num_pages);
+  PageFile some(path("points"), made.table, 3000);
+  for (int round = 0; round < 2; ++round) {
+    const std::uint64_t before = some.num_reads();
+    for (int again = 0; again < 2; ++again)
+      for (std::size_t page = 0; page < num_pages; ++page) some.find(page);
+    const std::uint64_t hits = 2 * num_pages - (some.num_reads() - before);
+    EXPECT_GT(hits, 0u);
+    EXPECT_LT(hits, 13u);  // no more pages of 240 bytes fit
+    some.drop();
+  }
 }
 
 TEST_F(PageFiles, ServeThreads) {

@@ -200,6 +200,13 @@ TEST_F(PointStreams, ReadQhullInPieces) {
   expect_as_read(file("a.qhull", "2\n0\n"), false);
 }
 
+/// A field that is longer than a piece.
+TEST_F(PointStreams, ReadLongFields) {
+  const std::string field = "\"1" + std::string(900000, '\n') + "\"";
+  expect_as_read(file("a.csv", "2,3\n4," + field + "\n5,6\n"), true);
+  expect_as_refused(file("a.csv", "2,3\n4," + field + "\n5\n"));
+}
+
 TEST_F(PointStreams, RefuseWhatIsNoTable) {
   for (const std::string bytes : {"", "\n", "# nothing\n", "1 2\n3\n", "1 nan\n", "x 1\n", "\xff\xfe 1"})
     expect_as_refused(file("a.txt", bytes));
