@@ -83,10 +83,15 @@ struct Volumes {
   std::vector<Sign> orientation;
 };
 
+/// Each point followed by its weight; nothing where points have none.
+std::vector<double> weighted_rows(const ComplexData& data);
+
 void check_storage(const ComplexData& data, bool furthest = false, unsigned threads = 1);
 void check_incidence(Examined& examined, bool oriented);
 void check_sphere(Examined& examined);
 Volumes check_volume(const Examined& examined, bool oriented);
+/// The part of the next that looks at facets between two cells; it returns the ties.
+std::size_t check_inner_facets(const Examined& examined, const Volumes& volumes, bool canonical);
 std::size_t check_local_convexity(const Examined& examined, const Volumes& volumes,
                                   bool canonical);  // returns the ties
 /// Points that are no vertices nor equal to one must be hidden, if they may be: in the closed simplex of a
