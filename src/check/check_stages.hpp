@@ -70,6 +70,10 @@ std::vector<SignedIndex> paired_facets(std::span<const SignedIndex> cells, std::
                                        const std::vector<std::pair<std::size_t, std::size_t>>& hull = {},
                                        unsigned threads = 1);
 
+/// Whether the facets of a opposite a[i] and of b opposite b[j] have the same vertices, which are distinct in
+/// each.
+bool equal_facets(std::span<const SignedIndex> a, std::size_t i, std::span<const SignedIndex> b,
+                  std::size_t j);
 /// For cells a and b that share the facet opposite a[i]: the index j of the vertex of b opposite that facet.
 std::size_t mirror(std::span<const SignedIndex> a, std::size_t i, std::span<const SignedIndex> b);
 /// True if the permutation that turns a, with a[i] replaced by b[j], into b is odd: then a and b, which lie

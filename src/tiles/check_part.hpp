@@ -80,12 +80,12 @@ inline Sign side_of_reference(const kernel::Flat& flat, const Reference& referen
   return sign;
 }
 
-/// A part as a triangulation of its points. Neighbors in other parts are −1.
+/// A part as a triangulation of its points.
 struct CheckedPart {
   std::size_t number = 0;
   std::int64_t first_cell = 0;
   ComplexData data;
-  TileData tile;  ///< without points, weights and cells, which `data` has
+  TileData tile;  ///< without points, weights and cells, which `data` has; that has no neighbors
 
   std::size_t corners() const { return static_cast<std::size_t>(data.affine_dimension + 1); }
   std::int64_t row(SignedIndex point) const { return tile.rows[static_cast<std::size_t>(point)]; }

@@ -84,8 +84,8 @@ void SeamChecker::add(const CheckedPart& part) {
     if (!part.data.weights.empty())
       append(std::span(part.data.weights).subspan(static_cast<std::size_t>(v), 1));
   };
-  for (std::size_t at = 0; at < part.data.neighbors.size(); ++at) {
-    if (part.data.neighbors[at] >= 0) continue;
+  for (std::size_t at = 0; at < part.tile.neighbors.size(); ++at) {
+    if (part.tile.neighbors[at] >= 0) continue;
     internal::cancellation_point();
     const std::size_t c = at / corners, i = at % corners;
     facet.clear();

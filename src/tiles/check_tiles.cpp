@@ -3,18 +3,19 @@
 // stages of check(); facets with one cell in their part, and rows, go to buckets on disk, with their
 // coordinates, and are compared bucket by bucket.
 //
-// Why that suffices. Glue two cells wherever they have a facet with the same k rows and the same coordinates,
-// and glue infinite cells to the facets that are left, and to each other across the ridges of these. Level 2
-// finds that no facet is that of three cells, and that the gluing is the one which the files give; level 3
-// finds that each ridge of the hull is that of two hull facets, so that the complex is closed. Level 4 finds
-// that no cell is flat and that cells lie on different sides of their common facet. The hull facets as they
-// are seen from inside their cells are the boundary of the chain of all cells, whose boundary is zero: the
-// two hull facets at a ridge are oriented coherently. So with o, the cones behind hull facets, and the
-// reference cell of check_geometry.cpp, and with its argument, the complex is mapped to R^k ∪ {∞} without a
-// fold. Each point of general position is then covered equally often, and if the complex falls apart, by each
-// piece at least once. At o that number is one, since no cell but the reference cell covers o and all hull
-// facets have o on their inner side. So there is one piece, and its cells tile a convex region; convexity at
-// ridges and locally at facets then proves the empty-sphere property.
+// Why that suffices. Glue cells that are neighbors. Level 2 finds that each facet is glued to one other at
+// most, of the same k rows with the same coordinates, and that facets with one cell in their part are glued
+// whenever two of them are equal; three are never. Glue infinite cells to the facets that are left, and to
+// each other across the ridges of these: level 3 finds that each of them is a ridge of two hull facets, so
+// that the complex is closed. Level 4 finds that no cell is flat and that cells lie on different sides of
+// their common facet. The hull facets, as they are oriented by their cells, are the boundary of the chain of
+// all cells, and have no boundary: the two at a ridge are oriented coherently. So with o, the cones behind
+// hull facets, and the reference cell of check_geometry.cpp, and with its argument, the complex is mapped to
+// R^k ∪ {∞} without a fold. Each point of general position is then covered equally often, and if the complex
+// falls apart, by each piece at least once. At o that number is one, since no cell but the reference cell
+// covers o and all hull facets have o on their inner side. So there is one piece, its cells tile a convex
+// region, and no third cell has the facet of two. Convexity at ridges and locally at facets then proves the
+// empty-sphere property.
 //
 // Neither connected stars nor an Euler characteristic have to be examined: they follow. Suppose two vertices,
 // or two pieces of the star of one, are at one point x. The cells of either piece, from one to the next
@@ -109,9 +110,6 @@ CheckedPart read_checked(const std::string& folder, const TilesIndex& index, std
     part.data.cells = std::exchange(part.tile.cells, {});
   else
     part.data.cells.assign(part.tile.cells.begin(), part.tile.cells.end());
-  part.data.neighbors.reserve(part.tile.neighbors.size());
-  for (const std::int32_t neighbor : part.tile.neighbors)
-    part.data.neighbors.push_back(std::max<std::int32_t>(neighbor, -1));
   return part;
 }
 

@@ -3,6 +3,8 @@
 #include "tiles/check_tiles.hpp"
 
 #include "../io/io_support.hpp"
+#include "degenerate.hpp"
+#include "scale.hpp"
 #include "tiles/index_file.hpp"
 #include "tiles/part_file.hpp"
 #include "tiles_support.hpp"
@@ -123,7 +125,10 @@ TEST_F(CheckTiles, SoundRegularOnesPass) {
   for (const double scale : {0.0, 0.02}) {
     std::vector<double> weights = make_point_set("uniform", 1, 120, 5);
     for (double& weight : weights) weight *= scale;
-    expect_sound(Regular<>(make_point_set("uniform", 3, 120), weights, 3).to_data(), 4);
+    std::vector<double> points = make_point_set("uniform", 3, 120);
+    std::copy_n(points.begin(), 30, points.end() - 30);  // of other weights, and of the same ones
+    std::copy_n(weights.begin(), 5, weights.end() - 10);
+    expect_sound(Regular<>(points, weights, 3).to_data(), 4);
   }
 }
 
@@ -202,6 +207,43 @@ TEST_F(CheckTiles, ChangedCoordinatesAreFound) {
         if (part.rows[v] == moved) part.points[3 * v] += 10;
     });
   expect_violation(4, "negatively oriented");
+}
+
+// One number of one array, anything in range: never passes, and is never an error.
+TEST_F(CheckTiles, EveryChangedNumberIsFound) {
+  test::Random random(7);
+  for (std::size_t round = 0; round < test::scaled_count(40); ++round) {
+    write_usual();
+    const std::int64_t num_points = read_tiles_index(folder_).num_points,
+                       num_cells = read_tiles_index(folder_).num_cells;
+    const auto part_number = static_cast<std::size_t>(random.integer(0, 2));
+    const int kind = random.integer(0, 6);
+    bool changes = false;
+    change_part(part_number, [&](TileData& part) {
+      const auto change = [&](auto& items, std::int64_t least, std::int64_t largest) {
+        if (items.empty()) return;
+        auto& item = items[random.bits() % items.size()];
+        const auto before = item;
+        item = static_cast<std::remove_reference_t<decltype(item)>>(
+            random.integer(static_cast<int>(least), static_cast<int>(largest)));
+        changes = item != before;
+      };
+      const auto m = static_cast<std::int64_t>(part.num_cells()),
+                 v = static_cast<std::int64_t>(part.num_points());
+      if (kind == 0) change(part.cells, 0, v - 1);
+      if (kind == 1) change(part.neighbors, -1, m - 1);
+      if (kind == 2) change(part.seams, -1, num_cells - 1);
+      if (kind == 3) change(part.rows, 0, num_points - 1);
+      if (kind == 4) change(part.points, -2, 2);
+      if (kind == 5) change(part.vertex_of_row, 0, num_points - 1);
+      if (kind == 6) change(part.own_rows, 0, num_points - 1);
+    });
+    if (!changes) continue;
+    const CheckReport report = checked(false, round % 2 == 0 ? little : std::uint64_t{1} << 20);
+    EXPECT_FALSE(report.ok) << "kind " << kind << ", round " << round;
+    for (const std::size_t cell : report.cells) EXPECT_LT(cell, static_cast<std::size_t>(num_cells));
+    for (const std::size_t row : report.points) EXPECT_LT(row, static_cast<std::size_t>(num_points));
+  }
 }
 
 TEST_F(CheckTiles, OrientationIsComparedAcrossSeams) {
