@@ -69,9 +69,12 @@ struct PointInput {
   PointTable read(unsigned threads = 0) const;
 };
 
-/// Options shared by several commands: the limit of streams, a list of columns, leave to
+/// Options shared by several commands: the limit of streams, sizes, a list of columns, leave to
 /// overwrite inputs, a seed.
 void add_max_stream(CLI::App& command, std::uint64_t& bytes);
+/// An option whose value is a size, as 500MB or 2G.
+void add_size(CLI::App& command, const std::string& name, std::uint64_t& bytes,
+              const std::string& description);
 void add_columns(CLI::App& command, const std::string& name, std::vector<std::string>& columns);
 void add_force(CLI::App& command, bool& force);
 void add_seed(CLI::App& command, std::uint64_t& seed, const std::string& description);

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // delone delaunay: points in, triangulation out, and what it cost.
 #include "interrupt.hpp"
+#include "make_tiles.hpp"
+#include "memory_limit.hpp"
 #include "report.hpp"
 
 #include <fmt/format.h>
@@ -19,6 +21,7 @@ struct DelaunayOptions {
   BuildOptions build;
   bool runtime_dimension = false, furthest_site = false;
   std::optional<double> trim;  // the tolerance
+  TilesInput tiles;
 };
 
 Summary summary(const Triangulation& t, const Counts& counts, const Cost& cost,
@@ -98,6 +101,7 @@ int run_delaunay(const DelaunayOptions& options) {
   protect_files({options.input.path}, to.outputs(), to.force);
   if (options.trim && (!(*options.trim >= 0) || !std::isfinite(*options.trim)))
     throw UsageError("--trim: a finite distance of at least 0 was expected");
+  const MemoryLimit limit(options.tiles.memory);
   const auto start = Clock::now();
   Cost cost;
   PointTable table = options.input.read(to.threads);
@@ -122,7 +126,12 @@ Run add_delaunay(CLI::App& app) {
   app.add_flag("--runtime-dimension", options->runtime_dimension,
                "Use the engine that is not compiled for one dimension");
   options->build.add_construction(app);
-  return [options] { return run_delaunay(*options); };
+  options->tiles.add_to(app);
+  return [options, &app] {
+    if (options->tiles.wanted(app, options->build.output))
+      return run_tiles({"delaunay", options->input, {}, options->build, options->tiles});
+    return run_delaunay(*options);
+  };
 }
 
 }  // namespace delone::cli

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // delone regular: weighted points in, regular triangulation out, and what it cost.
 #include "interrupt.hpp"
+#include "make_tiles.hpp"
+#include "memory_limit.hpp"
 #include "report.hpp"
 #include "weighted_input.hpp"
 
@@ -14,6 +16,7 @@ namespace {
 struct RegularOptions {
   WeightedInput weighted;
   BuildOptions build;
+  TilesInput tiles;
 };
 
 Summary summary(const Regular<>& t, const Counts& counts, const Cost& cost, const RegularOptions& options) {
@@ -27,6 +30,7 @@ Summary summary(const Regular<>& t, const Counts& counts, const Cost& cost, cons
 int run_regular(const RegularOptions& options) {
   const BuildOptions& build = options.build;
   protect_files({options.weighted.input.path, options.weighted.weights}, build.outputs(), build.force);
+  const MemoryLimit limit(options.tiles.memory);
   const auto start = Clock::now();
   Cost cost;
   std::vector<double> weights;
@@ -66,7 +70,13 @@ Run add_regular(CLI::App& app) {
   options->build.add_output(app, "the triangulation", complex_formats());
   add_threads(app, options->build.threads);
   options->build.add_construction(app);
-  return [options] { return run_regular(*options); };
+  options->tiles.add_to(app);
+  return [options, &app] {
+    if (options->tiles.wanted(app, options->build.output))
+      return run_tiles(
+          {"regular", options->weighted.input, options->weighted.column(), options->build, options->tiles});
+    return run_regular(*options);
+  };
 }
 
 }  // namespace delone::cli

@@ -2,6 +2,8 @@
 // Signal handlers. They set flags, lower a resource limit or end the process, all of which a handler may do.
 #include "interrupt.hpp"
 
+#include "memory_limit.hpp"
+
 #include <sys/resource.h>
 #include <sys/time.h>
 #include <unistd.h>
@@ -41,6 +43,7 @@ extern "C" void on_interrupt(int signal) {
       refuse_writes();
       break;
     case Stage::building:
+    case Stage::tiling:
       break;
   }
   itimerval timer{};
@@ -50,7 +53,13 @@ extern "C" void on_interrupt(int signal) {
 }
 
 extern "C" void on_grace_over(int) {
-  if (stage_now.load() != Stage::writing) _exit(128 + signal_caught.load());
+  const Stage stage = stage_now.load();
+  if (stage == Stage::writing) return;
+  if (stage == Stage::tiling) {
+    constexpr char text[] = "delone: interrupted; the same command goes on with the folder\n";
+    [[maybe_unused]] const auto written = ::write(STDERR_FILENO, text, sizeof text - 1);
+  }
+  _exit(128 + signal_caught.load());
 }
 
 void handle(int signal, void (*handler)(int)) {
@@ -79,14 +88,17 @@ void install_interrupt_handlers() {
 
 int caught_signal() { return signal_caught.load(); }
 
-StageGuard::StageGuard(Stage stage) : scope_([](double) { return caught_signal() == 0; }) {
+StageGuard::StageGuard(Stage stage)
+    : scope_([](double) { return caught_signal() == 0 && memory_suffices(); }) {
   stage_now = stage;
   end_if_caught();
 }
 
 StageGuard::~StageGuard() {
   // The build finished before the signal could stop it. A file that was finished is kept.
-  if (stage_now.exchange(Stage::plain) == Stage::building && std::uncaught_exceptions() == 0) end_if_caught();
+  const Stage stage = stage_now.exchange(Stage::plain);
+  if ((stage == Stage::building || stage == Stage::tiling) && std::uncaught_exceptions() == 0)
+    end_if_caught();
 }
 
 }  // namespace delone::cli

@@ -10,6 +10,7 @@ namespace delone::cli {
 enum class Stage : int {
   plain,     ///< nothing to clean up: the process ends at once
   building,  ///< the progress callback stops the library; if that takes too long, the process ends
+  tiling,    ///< the same, and what is there can be gone on with, which is said
   writing,   ///< to a regular file: further writes fail, and the writer removes its temporary file
 };
 

@@ -3,6 +3,7 @@
 // status.
 #include "command.hpp"
 #include "interrupt.hpp"
+#include "memory_limit.hpp"
 #include "output.hpp"
 
 #include <fmt/format.h>
@@ -49,6 +50,9 @@ int status_of(Errc code) {
   return code == Errc::out_of_memory || code == Errc::too_many ? exit_status::out_of_memory
                                                                : exit_status::bad_input;
 }
+
+/// Whether the limit of memory may have led to it: to a refusal, or to a stop by the progress callback.
+bool was_memory(Errc code) { return code == Errc::out_of_memory || code == Errc::cancelled; }
 
 int run_parsed(const std::vector<std::pair<CLI::App*, Run>>& commands) {
   for (const auto& [command, run] : commands)
@@ -110,8 +114,12 @@ int run_and_report(int argc, char** argv) {
   } catch (const Error& e) {
     // Any failure after Ctrl-C is a consequence of it.
     if (const int signal = caught_signal(); signal != 0) return complain(128 + signal, "interrupted");
+    if (const std::string text = memory_message(); !text.empty() && was_memory(e.code()))
+      return complain(exit_status::out_of_memory, text);
     return complain(status_of(e.code()), e.what());
   } catch (const std::bad_alloc&) {
+    if (const std::string text = memory_message(); !text.empty())
+      return complain(exit_status::out_of_memory, text);
     return complain(exit_status::out_of_memory, "not enough memory");
   } catch (const std::exception& e) {
     return complain(exit_status::bad_input, e.what());

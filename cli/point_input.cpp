@@ -21,21 +21,26 @@ void PointInput::add_to(CLI::App& command, const std::string& name, const std::s
 }
 
 void add_max_stream(CLI::App& command, std::uint64_t& bytes) {
+  add_size(command, "--max-stream", bytes,
+           "The most bytes to read from a pipe or device, as 500MB or 8GiB; 4GiB if not given");
+}
+
+void add_size(CLI::App& command, const std::string& name, std::uint64_t& bytes,
+              const std::string& description) {
   command
       .add_option_function<std::string>(
-          "--max-stream",
-          [&bytes](const std::string& text) {
+          name,
+          [&bytes, name](const std::string& text) {
             constexpr std::uint64_t largest = std::numeric_limits<std::int64_t>::max();
             const std::optional<std::uint64_t> size = parse_size(text);
             if (!size || *size > largest)
               throw CLI::ValidationError(
-                  "--max-stream",
-                  in_quotes(text) +
-                      " is no size: a whole number of bytes below 2^63, or with a unit, KB, MB, "
-                      "GB, TB (powers of 1000) or KiB, MiB, GiB, TiB (powers of 1024)");
+                  name, in_quotes(text) +
+                            " is no size: a whole number of bytes below 2^63, or with a unit, KB, MB, "
+                            "GB, TB (powers of 1000) or KiB, MiB, GiB, TiB (powers of 1024)");
             bytes = *size;
           },
-          "The most bytes to read from a pipe or device, as 500MB or 8GiB; 4GiB if not given")
+          description)
       ->type_name("SIZE");
 }
 

@@ -3,6 +3,7 @@
 #include "progress_bar.hpp"
 
 #include "interrupt.hpp"
+#include "memory_limit.hpp"
 #include "output.hpp"
 
 #include <fmt/format.h>
@@ -18,7 +19,7 @@ ProgressBar::ProgressBar(bool quiet)
 
 std::function<bool(double)> ProgressBar::callback() {
   return [this](double fraction) {
-    if (caught_signal() != 0) return false;
+    if (caught_signal() != 0 || !memory_suffices()) return false;
     if (enabled_) draw(fraction);
     return true;
   };

@@ -58,6 +58,14 @@ void WeightedInput::add_to(CLI::App& command) {
       ->type_name("COLUMN|FILE");
 }
 
+std::string WeightedInput::column() const {
+  std::error_code unused;
+  if (!as_number(weights) && (weights == "-" || std::filesystem::exists(weights, unused)))
+    throw UsageError(
+        fmt::format("--weights {}: the weights of tiles are a column of the points", input_name(weights)));
+  return weights;
+}
+
 PointTable WeightedInput::read(std::vector<double>& weights_read, unsigned threads) const {
   const std::optional<std::size_t> number = as_number(weights);
   const std::string name = input_name(input.path);

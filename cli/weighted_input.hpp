@@ -14,6 +14,8 @@ struct WeightedInput {
   std::string weights;  ///< a column's name, a column's number, or a file
 
   void add_to(CLI::App& command);
+  /// Where only a column will do: throws UsageError for a file.
+  std::string column() const;
   /// Reads the points and one finite weight for each. Errors name the file.
   PointTable read(std::vector<double>& weights_read, unsigned threads = 0) const;
 };

@@ -33,12 +33,16 @@ struct TilesOptions {
   /// The number of tiles; 0: as few as the memory allows.
   std::size_t tiles = 0;
   unsigned threads = 1;  ///< as Options::threads
-  /// Whether the last column of the input holds weights: the triangulation is then regular.
+  /// Whether a column of the input holds weights: the triangulation is then regular.
   bool weighted = false;
   /// Of the input: as ReadOptions::format, or raw: little-endian doubles, for which `columns` says how many
   /// a row has; empty: by extension.
   std::string format;
   int columns = 0;
+  /// Of a file: the columns with the coordinates, by their names or numbers from 0 as ReadOptions::columns;
+  /// empty: all others. And the one with the weights; empty: the last.
+  std::vector<std::string> coordinates;
+  std::string weights;
   /// Goes on with what an earlier call has left in the folder, if it was the same work.
   bool resume = true;
   bool vtu = false;   ///< also tiles.pvtu and a .vtu per part, d ≤ 3

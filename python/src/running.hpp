@@ -11,7 +11,9 @@
 #include <delone/error.hpp>
 #include <delone/progress.hpp>
 
+#include <algorithm>
 #include <chrono>
+#include <functional>
 #include <mutex>
 #include <optional>
 #include <shared_mutex>
@@ -35,6 +37,11 @@ class Supervisor {
       throw py::type_error("progress: a function of the fraction done, or None, not " + type_name(progress_));
   }
 
+  /// For options of calls that say what is done by a function of their own; refers to this object.
+  std::function<bool(double)> callback() {
+    return [this](double fraction) { return go_on(fraction); };
+  }
+
   /// Runs `work` without the GIL. Its own loops call cancellation_point().
   template <class Work>
   auto run(Work work) {
@@ -52,11 +59,12 @@ class Supervisor {
   using Clock = std::chrono::steady_clock;
   /// Without the GIL.
   bool go_on(double fraction) {
+    fraction_ = std::max(fraction_, fraction);
     const auto now = Clock::now();
     if (now - last_ < std::chrono::milliseconds(100)) return true;
     last_ = now;
     const py::gil_scoped_acquire gil;
-    return ask(fraction);
+    return ask(fraction_);
   }
   bool ask(double fraction) {
     try {
@@ -76,6 +84,7 @@ class Supervisor {
   py::object progress_;
   std::optional<py::error_already_set> raised_;
   Clock::time_point last_ = Clock::now();
+  double fraction_ = 0;
 };
 
 /// While it lives, the thread works on an object. A progress function or a signal handler that uses the

@@ -1,13 +1,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // From an input to a folder of parts: survey, cut, pages, one tile after the other, seams.
 #include "base/platform.hpp"
+#include "base/progress_meter.hpp"
 #include "base/random.hpp"
 #include "io/file.hpp"
+#include "tiles/hdf5_file.hpp"
 #include "tiles/page_file.hpp"
 #include "tiles/part_file.hpp"
 #include "tiles/survey.hpp"
 #include "tiles/tile_plan.hpp"
 #include "tiles/tile_triangulation.hpp"
+#include "tiles/vtu_parts.hpp"
 #include "tiles/work_folder.hpp"
 
 #include <delone/progress.hpp>
@@ -45,6 +48,7 @@ class Run {
         memory_(options.memory > 0 ? options.memory : platform::available_memory() / 4 * 3) {}
 
   TilesIndex run() {
+    require_writers();
     {
       const ProgressScope scope(part_of_progress(0, share_of_survey));
       SurveyResult result = make_survey(points_, options_.weighted);
@@ -65,14 +69,18 @@ class Run {
   }
 
  private:
+  /// Throws what the writers would throw in the end.
+  void require_writers() const {
+    if (options_.vtu) require_vtu(folder_, points_.dimension() - (options_.weighted ? 1 : 0));
+    if (options_.hdf5) require_hdf5(folder_);
+  }
   /// The number of tiles: that of an unfinished folder of the same input, or as few as fit into memory.
   void settle_tiles(std::size_t num_tiles) {
     TilesOptions options = options_;
     if (options.tiles == 0) options.tiles = num_tiles;
     if (options.tiles == 0 && options_.resume)
-      if (const auto unfinished = find_unfinished(folder_);
-          unfinished && unfinished->plan.fingerprint == fingerprint_)
-        options.tiles = unfinished->plan.num_tiles;
+      if (const auto plan = find_plan(folder_); plan && plan->fingerprint == fingerprint_)
+        options.tiles = plan->num_tiles;
     forecast_ = plan_tiles(survey_, cells_per_point_, options, memory_for_tiles());
   }
   /// Without what is there already, the boxes of all pages, and the cache of pages.
@@ -105,7 +113,7 @@ class Run {
     const PageTable table = make_pages(tree, folder.work());
     make_parts(folder, table);
     const ProgressScope scope(part_of_progress(1 - share_of_seams, 1));
-    return folder.finish_all(memory_ / 4);
+    return folder.finish_all(memory_ / 4, options_.vtu, options_.hdf5);
   }
 
   PageTable make_pages(const SplitTree& tree, const std::string& work) {
@@ -174,16 +182,41 @@ class Run {
   std::string pages_path_;
 };
 
-/// What tells an input from others: its path, size, and time of last change.
-std::string fingerprint_of(const std::string& input, const TilesOptions& options) {
+/// What tells rows from others.
+std::string hash_of_rows(PointStream& points) {
+  std::uint64_t hash = 0;
+  std::vector<double> rows;
+  points.rewind();
+  while (points.next(rows)) {
+    internal::cancellation_point();
+    for (const double x : rows) hash = random::mix(hash ^ std::bit_cast<std::uint64_t>(x));
+  }
+  return fmt::format("rows of {} numbers, of hash {:016x}", points.dimension(), hash);
+}
+
+/// What tells an input from others: its path, size, time of last change, and how it is read. Of what is not a
+/// file, the rows themselves.
+std::string fingerprint_of(const std::string& input, PointStream& points, const TilesOptions& options) {
   namespace fs = std::filesystem;
   std::error_code error;
+  if (input == "-" || !fs::is_regular_file(input, error)) return hash_of_rows(points);
   const fs::path path = fs::weakly_canonical(input, error);
   const auto size = fs::file_size(path, error);
-  if (error) return "stream";
   const auto changed = fs::last_write_time(path, error).time_since_epoch().count();
-  return fmt::format("{} of {} bytes, changed at {}{}", path.string(), size, changed,
-                     options.weighted ? ", weighted" : "");
+  std::string how;
+  if (!options.format.empty()) how += fmt::format(", as {}", options.format);
+  if (options.columns > 0) how += fmt::format(", {} numbers per row", options.columns);
+  for (const std::string& column : options.coordinates) how += ", column " + in_quotes(column);
+  if (!options.weights.empty()) how += ", weights " + in_quotes(options.weights);
+  return fmt::format("{} of {} bytes, changed at {}{}", path.string(), size, changed, how);
+}
+
+/// The folder that a folder is in, or will be.
+std::string folder_above(const std::string& folder) {
+  namespace fs = std::filesystem;
+  const fs::path path(folder);
+  const fs::path above = (path.has_filename() ? path : path.parent_path()).parent_path();
+  return above.empty() ? "." : above.string();
 }
 
 }  // namespace
@@ -191,21 +224,34 @@ std::string fingerprint_of(const std::string& input, const TilesOptions& options
 
 TilesIndex make_tiles(const std::string& input, const std::string& folder, const TilesOptions& options) {
   return io::guarded(io::input_name(input), [&] {
-    tiles::StreamOptions how;
-    how.format = options.format;
-    how.dimension = options.columns;
-    how.scratch_folder = std::filesystem::temp_directory_path().string();
-    const auto points = tiles::open_point_stream(input, how);
-    return tiles::Run(*points, folder, tiles::fingerprint_of(input, options), options).run();
+    if (!options.weighted && !options.weights.empty())
+      throw Error(Errc::invalid_argument, "a column of weights without weights");
+    std::unique_ptr<tiles::PointStream> points;
+    std::string fingerprint;
+    {
+      const ProgressScope scope(options.progress);
+      tiles::StreamOptions how;
+      how.format = options.format;
+      how.dimension = options.columns;
+      how.columns = options.coordinates;
+      how.last_column = options.weights;
+      how.scratch_folder = tiles::folder_above(folder);
+      points = tiles::open_point_stream(input, how);
+      fingerprint = tiles::fingerprint_of(input, *points, options);
+    }
+    return tiles::Run(*points, folder, fingerprint, options).run();
   });
 }
 
 TilesIndex make_tiles(PointsView rows, const std::string& folder, const TilesOptions& options) {
   return io::guarded(io::output_name(folder), [&] {
     const auto points = tiles::stream_of(rows);
-    std::uint64_t hash = rows.size();
-    for (const double x : rows.coordinates()) hash = random::mix(hash ^ std::bit_cast<std::uint64_t>(x));
-    return tiles::Run(*points, folder, fmt::format("an array of hash {:016x}", hash), options).run();
+    std::string fingerprint;
+    {
+      const ProgressScope scope(options.progress);
+      fingerprint = tiles::hash_of_rows(*points);
+    }
+    return tiles::Run(*points, folder, fingerprint, options).run();
   });
 }
 

@@ -3,6 +3,7 @@
 #include "tiles/point_stream.hpp"
 
 #include "base/progress_meter.hpp"
+#include "base/random.hpp"
 #include "io/collect.hpp"
 #include "io/file.hpp"
 #include "io/npy.hpp"
@@ -17,6 +18,7 @@
 #include <filesystem>
 #include <initializer_list>
 #include <limits>
+#include <random>
 #include <utility>
 
 namespace delone::tiles {
@@ -135,7 +137,11 @@ std::unique_ptr<PointStream> open_raw(const Source& source, int dimension) {
 /// csv, tsv, white space separated rows, and Qhull's form.
 class TextStream final : public FileStream {
  public:
-  TextStream(const Source& source, std::string format) : FileStream(source), format_(std::move(format)) {
+  TextStream(const Source& source, std::string format, const StreamOptions& options)
+      : FileStream(source),
+        format_(std::move(format)),
+        columns_(options.columns),
+        last_column_(options.last_column) {
     // The width is that of the first row or header.
     begin();
     std::vector<double> rows;
@@ -172,7 +178,7 @@ class TextStream final : public FileStream {
 
  private:
   void begin() {
-    reader_ = io::open_text_rows(format_, name());
+    reader_ = io::open_text_rows(format_, name(), columns_, last_column_);
     text_.clear();
     offset_ = 0;
     row_ = 0;
@@ -204,6 +210,8 @@ class TextStream final : public FileStream {
   }
 
   const std::string format_;
+  const std::vector<std::string> columns_;
+  const std::string last_column_;
   std::unique_ptr<io::TextRows> reader_;
   std::string text_;  // read, and not yet parsed
   std::uint64_t offset_ = 0;
@@ -240,6 +248,47 @@ class MemoryStream final : public PointStream {
   std::size_t at_ = 0;  // a row
 };
 
+/// Some columns of another stream, by their numbers.
+class SelectedColumns final : public PointStream {
+ public:
+  SelectedColumns(std::unique_ptr<PointStream> all, const StreamOptions& options, const std::string& name)
+      : all_(std::move(all)) {
+    for (const std::string& one : options.columns) columns_.push_back(column_of(one, name));
+    if (options.columns.empty())
+      for (std::size_t i = 0; i < width(); ++i) columns_.push_back(i);
+    if (options.last_column.empty()) return;
+    const std::size_t last = column_of(options.last_column, name);
+    if (options.columns.empty()) columns_.erase(columns_.begin() + static_cast<std::ptrdiff_t>(last));
+    columns_.push_back(last);
+  }
+  int dimension() const override { return static_cast<int>(columns_.size()); }
+  std::optional<std::uint64_t> size_hint() const override { return all_->size_hint(); }
+  void rewind() override { all_->rewind(); }
+
+  bool next(std::vector<double>& rows) override {
+    rows.clear();
+    if (!all_->next(whole_rows_)) return false;
+    rows.reserve(whole_rows_.size() / width() * columns_.size());
+    for (std::size_t row = 0; row < whole_rows_.size(); row += width())
+      for (const std::size_t column : columns_) rows.push_back(whole_rows_[row + column]);
+    return true;
+  }
+
+ private:
+  std::size_t width() const { return static_cast<std::size_t>(all_->dimension()); }
+  std::size_t column_of(const std::string& text, const std::string& name) const {
+    const auto number = io::to_count(text);
+    if (!number || *number >= width())
+      io::fail(Errc::bad_format, "{}: there is no column {}; the columns are 0 to {}", name, in_quotes(text),
+               static_cast<std::int64_t>(width()) - 1);
+    return static_cast<std::size_t>(*number);
+  }
+
+  std::unique_ptr<PointStream> all_;
+  std::vector<std::size_t> columns_;
+  std::vector<double> whole_rows_;
+};
+
 /// Copies a stream to a file, as it cannot be read twice.
 Source copied(const std::string& path, const StreamOptions& options) {
   namespace fs = std::filesystem;
@@ -254,7 +303,10 @@ Source copied(const std::string& path, const StreamOptions& options) {
   errno = 0;
   const std::unique_ptr<std::FILE, Close> from(path == "-" ? stdin : std::fopen(path.c_str(), "rb"));
   if (!from) io::fail(Errc::cannot_open, "{}: {}", name, io::error_text(errno));
-  Source copy{(fs::path(options.scratch_folder) / "input").string(), name, true};
+  const std::uint64_t tag =
+      random::mix((std::uint64_t{std::random_device{}()} << 32) + std::random_device{}());
+  Source copy{(fs::path(options.scratch_folder) / fmt::format(".delone-partial-{:016x}", tag)).string(), name,
+              true};
   try {
     io::PositionedFile to(copy.path, io::PositionedFile::Mode::write);
     std::string piece(chunk_bytes, '\0');
@@ -291,7 +343,7 @@ std::unique_ptr<PointStream> open_format(const std::string& format, const std::s
   try {
     if (format == "npy") return open_npy(source);
     if (format == "raw" || format == "bin") return open_raw(source, options.dimension);
-    return std::make_unique<TextStream>(source, format);
+    return std::make_unique<TextStream>(source, format, options);
   } catch (...) {
     if (source.is_copy) std::remove(source.path.c_str());
     throw;
@@ -306,6 +358,10 @@ std::unique_ptr<PointStream> open_point_stream(const std::string& path, const St
       {"npy", "raw", "bin", "csv", "tsv", "txt", "xyz", "pts", "off", "ply", "qhull"}, "reading points");
   return io::guarded(io::input_name(path), [&] {
     std::unique_ptr<PointStream> points = open_format(format, path, options);
+    const bool has_names = format == "csv" || format == "tsv";  // and has read the columns by them
+    if (!has_names && !(options.columns.empty() && options.last_column.empty()))
+      return std::unique_ptr<PointStream>(
+          std::make_unique<SelectedColumns>(std::move(points), options, io::input_name(path)));
     if (options.dimension != 0 && points->dimension() != options.dimension)
       io::fail(Errc::bad_dimension, "{}: rows have {} numbers, not {}", io::input_name(path),
                points->dimension(), options.dimension);

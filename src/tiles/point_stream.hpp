@@ -37,6 +37,10 @@ struct StreamOptions {
   std::string format;
   /// The numbers of a row of a raw file; 0: not known. Other formats tell; then it has to agree, unless 0.
   int dimension = 0;
+  /// The columns to read, as ReadOptions::columns, and one that comes after them; empty: all others, and
+  /// none.
+  std::vector<std::string> columns;
+  std::string last_column;
   /// A folder for copies of streams that cannot be read twice.
   std::string scratch_folder;
   std::uint64_t max_stream_bytes = default_max_stream_bytes;

@@ -65,8 +65,8 @@ std::vector<LinePart> parts_of_rows(const TextCursor& at, char never, std::size_
 class DelimitedReader {
  public:
   DelimitedReader(std::string_view text, const std::string& name, char delimiter,
-                  const std::vector<std::string>& wanted)
-      : at_(text, name), delimiter_(delimiter), wanted_(wanted) {}
+                  const std::vector<std::string>& wanted, std::string last = {})
+      : at_(text, name), delimiter_(delimiter), wanted_(wanted), last_(std::move(last)) {}
 
   PointTable read(const ReadingInParts& how) {
     if (!find_row()) fail(Errc::bad_format, "{}: no row and no header in the file", at_.name());
@@ -213,6 +213,11 @@ class DelimitedReader {
       at_ = start;
     }
     columns_ = select(wanted_, names_, width_, at_.name());
+    if (!last_.empty()) {
+      const std::size_t last = select({last_}, names_, width_, at_.name())[0];
+      if (wanted_.empty()) columns_.erase(columns_.begin() + static_cast<std::ptrdiff_t>(last));
+      columns_.push_back(last);
+    }
     selected_.assign(width_, false);
     for (std::size_t column : columns_) selected_[column] = true;
     table.dimension = static_cast<int>(columns_.size());
@@ -277,6 +282,7 @@ class DelimitedReader {
   TextCursor at_;
   char delimiter_;
   const std::vector<std::string>& wanted_;
+  const std::string last_;  // the column that is put last; empty: none
   std::size_t width_ = 0;
   std::vector<std::string> names_;
   std::vector<std::size_t> columns_;
@@ -340,8 +346,10 @@ class WhiteSpaceRows final : public TextRowsInPieces {
 
 class DelimitedRows final : public TextRowsInPieces {
  public:
-  DelimitedRows(const std::string& name, char delimiter)
-      : TextRowsInPieces(name), reader_({}, name, delimiter, all_columns_) {}
+  DelimitedRows(const std::string& name, char delimiter, std::vector<std::string> columns, std::string last)
+      : TextRowsInPieces(name),
+        columns_(std::move(columns)),
+        reader_({}, name, delimiter, columns_, std::move(last)) {}
   std::size_t read(std::string_view text, bool is_last, PointCollector& rows) override {
     const std::size_t size = reader_.read_piece(cursor(text), is_last, rows);
     if (is_last && width() == 0) fail(Errc::bad_format, "{}: no row and no header in the file", name_);
@@ -350,7 +358,7 @@ class DelimitedRows final : public TextRowsInPieces {
   std::size_t width() const override { return reader_.num_selected(); }
 
  private:
-  const std::vector<std::string> all_columns_;  // empty
+  const std::vector<std::string> columns_;
   DelimitedReader reader_;
 };
 
@@ -378,9 +386,11 @@ PointTable read_white_space(std::string_view bytes, const std::string& name, con
   return points.finish();
 }
 
-std::unique_ptr<TextRows> open_text_rows(const std::string& format, const std::string& name) {
+std::unique_ptr<TextRows> open_text_rows(const std::string& format, const std::string& name,
+                                         std::vector<std::string> columns, std::string last) {
   if (format == "csv" || format == "tsv")
-    return std::make_unique<DelimitedRows>(name, format == "csv" ? ',' : '\t');
+    return std::make_unique<DelimitedRows>(name, format == "csv" ? ',' : '\t', std::move(columns),
+                                           std::move(last));
   if (format == "qhull") return open_qhull_rows(name);
   return std::make_unique<WhiteSpaceRows>(name);
 }

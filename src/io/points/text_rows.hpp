@@ -9,10 +9,11 @@
 #include <memory>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace delone::io {
 
-/// Reads csv, tsv (all columns), white space separated rows, or Qhull's form, as read_points() does, with its
+/// Reads csv, tsv, white space separated rows, or Qhull's form, as read_points() does, with its
 /// messages.
 class TextRows {
  public:
@@ -25,8 +26,10 @@ class TextRows {
   virtual std::size_t width() const = 0;
 };
 
-/// `format`: csv, tsv, txt, xyz, pts or qhull.
-std::unique_ptr<TextRows> open_text_rows(const std::string& format, const std::string& name);
+/// `format`: csv, tsv, txt, xyz, pts or qhull. Of csv and tsv `columns`, as read_delimited(), and one that is
+/// put last, if any; the other formats have all.
+std::unique_ptr<TextRows> open_text_rows(const std::string& format, const std::string& name,
+                                         std::vector<std::string> columns = {}, std::string last = {});
 std::unique_ptr<TextRows> open_qhull_rows(const std::string& name);
 
 /// Counts the lines of the pieces.

@@ -1,0 +1,169 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "make_tiles.hpp"
+
+#include "cost.hpp"
+#include "interrupt.hpp"
+#include "report.hpp"
+#include "tiles_folder.hpp"
+
+#include <delone/tiles.hpp>
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+
+namespace delone::cli {
+namespace {
+
+constexpr std::array of_tiles{"--tiles", "--raw", "--vtu", "--hdf5", "--no-resume"};
+constexpr std::array of_files{"--output-format", "--force", "--max-stream",        "--trim",
+                              "--furthest-site", "--seed",  "--runtime-dimension", "--order"};
+
+bool is_given(const CLI::App& command, const char* option) {
+  const CLI::Option* const found = command.get_option_no_throw(option);
+  return found != nullptr && found->count() > 0;
+}
+
+/// "1.4 GB"
+std::string size_text(std::uint64_t bytes) {
+  const auto value = static_cast<double>(bytes);
+  return value < 1e9 ? fmt::format("{:.0f} MB", value / 1e6) : fmt::format("{:.1f} GB", value / 1e9);
+}
+
+/// What it will cost, before it starts.
+std::string text_of(const TilesForecast& forecast) {
+  std::string text =
+      fmt::format("{} points in {} tile{}, each with about {} of memory", forecast.num_points,
+                  forecast.num_tiles, forecast.num_tiles == 1 ? "" : "s", size_text(forecast.bytes_per_tile));
+  if (forecast.num_tiles > 1)
+    text += fmt::format(" and {:.2g} % of points of other tiles", 100 * forecast.foreign_share);
+  text += ".\n";
+  if (forecast.foreign_share > 1)
+    text += fmt::format(
+        "Tiles do not pay here: each inserts {:.1f} times as many points of other tiles as of its own. "
+        "With more memory, or a file as output, it takes less time.\n",
+        forecast.foreign_share);
+  return text;
+}
+
+Json stats_of(const TilesCommand& command, const TilesIndex& index, const Cost& cost) {
+  std::int64_t foreign = 0, rounds = 0;
+  for (const TilePart& part : index.parts) {
+    foreign += part.num_foreign;
+    rounds = std::max(rounds, part.num_rounds);
+  }
+  Json json;
+  json["command"] = command.name;
+  json["dimension"] = index.dimension;
+  json["affine_dimension"] = index.affine_dimension;
+  json["points"] = index.num_points;
+  json["vertices"] = index.num_vertices;
+  json["duplicates"] = index.num_duplicates;
+  json["hidden"] = index.num_hidden;
+  json["cells"] = index.num_cells;
+  json["hull_facets"] = index.num_hull_facets;
+  json["hash"] = index.hash.hex();
+  json["parts"] = index.parts.size();
+  json["foreign"] = foreign;
+  json["rounds"] = rounds;
+  json["seconds"] = {{"total", cost.total}};
+  json["peak_rss_bytes"] = cost.peak_rss_bytes;
+  json["threads"] = command.build.threads;
+  json["version"] = DELONE_VERSION;
+  return json;
+}
+
+TilesOptions options_of(const TilesCommand& command, ProgressBar& bar) {
+  TilesOptions options;
+  options.memory = command.tiles.memory;
+  options.tiles = command.tiles.tiles;
+  options.threads = command.build.threads;
+  options.weighted = !command.weights.empty();
+  options.format = command.tiles.raw_columns > 0 ? "raw" : command.input.options.format;
+  options.columns = command.tiles.raw_columns;
+  options.coordinates = command.input.options.columns;
+  options.weights = command.weights;
+  options.resume = !command.tiles.no_resume;
+  options.vtu = command.tiles.vtu;
+  options.hdf5 = command.tiles.hdf5;
+  options.progress = bar.callback();
+  options.forecast = [&command, &bar](const TilesForecast& forecast) {
+    if (!command.build.quiet) {
+      bar.clear();
+      print_note(text_of(forecast));
+    }
+    return true;
+  };
+  return options;
+}
+
+}  // namespace
+
+void TilesInput::add_to(CLI::App& command) {
+  add_size(
+      command, "--memory", memory,
+      "The most memory to use, as 2G. With a file as output the command ends at this limit; with a folder "
+      "it makes as many tiles as that takes; without it they may use three quarters of what is free");
+  const char* const group = "With a folder as output (-o OUT/)";
+  command.add_option("--tiles", tiles, "The number of tiles, instead of as few as the memory allows")
+      ->check(CLI::Range(1, 1 << 20))
+      ->type_name("N")
+      ->group(group);
+  command
+      .add_option("--raw", raw_columns,
+                  "IN holds nothing but little-endian doubles, N per row, the weight included")
+      ->check(CLI::Range(1, 1 << 20))
+      ->type_name("N")
+      ->group(group);
+  command.add_flag("--vtu", vtu, "Also write tiles.pvtu and a .vtu per part, for ParaView (d <= 3)")
+      ->group(group);
+  command.add_flag("--hdf5", hdf5, "Also write tiles.h5")->group(group);
+  command.add_flag("--no-resume", no_resume, "Begin again, instead of going on with what is in the folder")
+      ->group(group);
+}
+
+bool TilesInput::wanted(const CLI::App& command, const std::string& output) const {
+  const bool is_tiled = !output.empty() && (output.back() == '/' || is_folder(output));
+  if (!is_tiled)
+    for (const char* const option : of_tiles)
+      if (is_given(command, option))
+        throw UsageError(
+            fmt::format("{} is for tiles, which go to a folder: -o OUT/, with a slash at the end", option));
+  if (is_tiled)
+    for (const char* const option : of_files)
+      if (is_given(command, option))
+        throw UsageError(
+            fmt::format("{} does not go together with tiles, which a folder as output means", option));
+  if (is_tiled && raw_columns > 0 && is_given(command, "--format"))
+    throw UsageError("--raw is a format; --format names another one");
+  return is_tiled;
+}
+
+int run_tiles(const TilesCommand& command) {
+  const std::string& folder = command.build.output;
+  if (command.build.stats) protect_files({command.input.path}, {{"--stats", "-"}});
+  const auto start = Clock::now();
+  TilesIndex index;
+  try {
+    ProgressBar bar(command.build.quiet);
+    const StageGuard guard(Stage::tiling);
+    index = make_tiles(command.input.path, folder, options_of(command, bar));
+  } catch (const Error&) {
+    const int signal = caught_signal();
+    if (signal == 0) throw;
+    const auto unfinished = find_unfinished_tiles(folder);
+    const std::string done =
+        unfinished ? fmt::format(": {} of {} tiles are done", unfinished->num_finished, unfinished->num_tiles)
+                   : "";
+    print_note(
+        fmt::format("delone: interrupted; the same command goes on with {}{}\n", output_name(folder), done));
+    return 128 + signal;
+  }
+  Cost cost;
+  cost.close(start);
+  if (command.build.stats) print_output(stats_of(command, index, cost).dump(2) + "\n");
+  return exit_status::ok;
+}
+
+}  // namespace delone::cli

@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The commands delaunay and regular with a folder as output: the triangulation is made in tiles, of more
+// points than memory holds.
+#pragma once
+
+#include "build_options.hpp"
+#include "command.hpp"
+
+#include <cstddef>
+#include <cstdint>
+#include <string>
+
+namespace delone::cli {
+
+/// --memory, and the options of tiles.
+struct TilesInput {
+  std::uint64_t memory = 0;  ///< 0: not given
+  std::size_t tiles = 0;
+  int raw_columns = 0;  ///< 0: IN is not raw
+  bool vtu = false, hdf5 = false, no_resume = false;
+
+  void add_to(CLI::App& command);
+  /// Whether the output is a folder: one that exists, or a path that ends with a slash. Throws UsageError for
+  /// options that do not go together with that.
+  bool wanted(const CLI::App& command, const std::string& output) const;
+};
+
+struct TilesCommand {
+  const char* name;  ///< "delaunay" or "regular"
+  const PointInput& input;
+  std::string weights;  ///< the column, empty: none
+  const BuildOptions& build;
+  const TilesInput& tiles;
+};
+
+/// Makes the folder, reports, and returns the exit status.
+int run_tiles(const TilesCommand& command);
+
+}  // namespace delone::cli

@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// --memory where all has to be in memory: the command ends at the limit, before the machine suffers.
+#pragma once
+
+#include <delone/progress.hpp>
+
+#include <cstdint>
+#include <optional>
+#include <string>
+
+namespace delone::cli {
+
+/// While it lives, the resident memory of the process stays within a limit. Progress callbacks ask
+/// memory_suffices(), so that work ends some megabytes below the limit. What may still be allocated is
+/// limited at the same time (RLIMIT_DATA) to what is left, so that no array between two such calls goes
+/// beyond it. Systems without that, or without /proc, have no limit.
+class MemoryLimit {
+ public:
+  /// 0: none.
+  explicit MemoryLimit(std::uint64_t bytes);
+  MemoryLimit(const MemoryLimit&) = delete;
+  MemoryLimit& operator=(const MemoryLimit&) = delete;
+  ~MemoryLimit();
+
+ private:
+  std::optional<ProgressScope> scope_;
+};
+
+/// False once the limit of memory is reached.
+bool memory_suffices();
+
+/// What to say where memory was not enough; empty if there is no limit.
+std::string memory_message();
+
+}  // namespace delone::cli

@@ -1,0 +1,124 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The compiled part of delone.tiles: folders of tiles are made, read and checked.
+#include "arrays.hpp"
+#include "module.hpp"
+#include "running.hpp"
+
+#include <delone/tiles.hpp>
+
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace delone::python {
+namespace {
+
+using namespace py::literals;
+
+/// The members of index.json with their names; `hash` in hexadecimal, `parts` one after the other.
+py::dict as_dict(const TilesIndex& index) {
+  py::list parts;
+  for (const TilePart& part : index.parts)
+    parts.append(py::dict("file"_a = part.file, "first_cell"_a = part.first_cell,
+                          "num_cells"_a = part.num_cells, "num_points"_a = part.num_points,
+                          "num_vertices"_a = part.num_vertices, "num_foreign"_a = part.num_foreign,
+                          "num_rounds"_a = part.num_rounds));
+  return py::dict("dimension"_a = index.dimension, "affine_dimension"_a = index.affine_dimension,
+                  "weighted"_a = index.weighted, "num_points"_a = index.num_points,
+                  "num_vertices"_a = index.num_vertices, "num_duplicates"_a = index.num_duplicates,
+                  "num_hidden"_a = index.num_hidden, "num_cells"_a = index.num_cells,
+                  "num_hull_facets"_a = index.num_hull_facets, "hash"_a = index.hash.hex(),
+                  "parts"_a = parts);
+}
+
+/// A path, or rows of numbers: of shape (n, d), or (n, d + 1) with weights.
+py::dict make(const py::object& input, const std::string& folder, std::uint64_t memory, std::size_t tiles,
+              int threads, bool weighted, const std::string& format, int columns,
+              std::vector<std::string> coordinates, std::string weights, bool resume, bool vtu, bool hdf5,
+              const py::object& progress) {
+  TilesOptions options;
+  options.memory = memory;
+  options.tiles = tiles;
+  options.threads = BuildArguments{.threads = threads}.to_options().threads;
+  options.weighted = weighted;
+  options.format = format;
+  options.columns = columns;
+  options.coordinates = std::move(coordinates);
+  options.weights = std::move(weights);
+  options.resume = resume;
+  options.vtu = vtu;
+  options.hdf5 = hdf5;
+  Supervisor supervisor(progress);
+  options.progress = supervisor.callback();
+  if (py::isinstance<py::str>(input)) {
+    const auto path = input.cast<std::string>();
+    return as_dict(supervisor.run([&] { return make_tiles(path, folder, options); }));
+  }
+  const auto rows = as_points(input, "points");
+  const PointsView view(numbers(rows), static_cast<int>(rows.shape(1)));
+  return as_dict(supervisor.run([&] { return make_tiles(view, folder, options); }));
+}
+
+py::dict read_index(const std::string& folder) {
+  Supervisor supervisor;
+  return as_dict(supervisor.run([&] { return read_tiles_index(folder); }));
+}
+
+/// The arrays of a part; neighbors are global, `first_cell` that of the part.
+py::dict read_part(const std::string& folder, std::size_t number, std::int64_t first_cell) {
+  Supervisor supervisor;
+  std::vector<std::int64_t> neighbors;
+  const auto data = std::make_shared<TileData>(supervisor.run([&] {
+    TileData part = read_tile(folder, number);
+    neighbors.reserve(part.neighbors.size());
+    for (const std::int32_t one : part.neighbors)
+      neighbors.push_back(one >= 0    ? first_cell + one
+                          : one == -1 ? -1
+                                      : part.seams[static_cast<std::size_t>(-2 - std::int64_t{one})]);
+    part.neighbors = {};
+    return part;
+  }));
+  const auto d = static_cast<std::size_t>(data->dimension),
+             width = static_cast<std::size_t>(data->affine_dimension + 1);
+  const py::object none = py::none();
+  return py::dict("points"_a = rows_view(data->points, data->num_points(), d, data),
+                  "weights"_a = data->weights.empty() ? none : py::object(list_view(data->weights, data)),
+                  "rows"_a = list_view(data->rows, data),
+                  "cells"_a = rows_view(data->cells, data->num_cells(), width, data),
+                  "neighbors"_a = rows_view(std::move(neighbors), data->num_cells(), width),
+                  "own_rows"_a = list_view(data->own_rows, data),
+                  "vertex_of_row"_a = list_view(data->vertex_of_row, data));
+}
+
+/// The highest level reached, its name, and the violation, if there is one, with its cells and rows.
+py::dict check(const std::string& folder, int level, bool canonical, int threads,
+               const py::object& progress) {
+  CheckOptions options;
+  options.up_to = level;
+  options.canonical = canonical;
+  options.threads = BuildArguments{.threads = threads}.to_options().threads;
+  Supervisor supervisor(progress);
+  const CheckReport report = supervisor.run([&] { return check_tiles(folder, options); });
+  return py::dict("ok"_a = report.ok, "level"_a = report.reached.number,
+                  "name"_a = std::string(report.reached.name), "violation"_a = report.violation,
+                  "cells"_a = report.cells, "points"_a = report.points, "ties"_a = report.ties);
+}
+
+}  // namespace
+
+void bind_tiles(py::module_& module) {
+  module.def("_make_tiles", &make, "input"_a, "folder"_a, py::kw_only(), "memory"_a, "tiles"_a, "threads"_a,
+             "weighted"_a, "format"_a, "columns"_a, "coordinates"_a, "weights"_a, "resume"_a, "vtu"_a,
+             "hdf5"_a, "progress"_a,
+             "Makes a folder of tiles from a path or an array, the last column of which may be weights, and "
+             "returns its index.");
+  module.def("_read_tiles_index", &read_index, "folder"_a, "The index of a folder of tiles.");
+  module.def("_read_tile", &read_part, "folder"_a, "number"_a, "first_cell"_a,
+             "The arrays of delone.tiles.Part.");
+  module.def("_check_tiles", &check, "folder"_a, py::kw_only(), "level"_a, "canonical"_a, "threads"_a,
+             "progress"_a, "The members of delone.tiles.Report.");
+}
+
+}  // namespace delone::python
