@@ -3,7 +3,7 @@
 
 Arrays go in and come out as NumPy arrays. Results are exact functions of the input: flat, duplicate and cospherical points are
 ordinary input, and no tolerance decides anything unless one is given. `delone.spatial` and `delone.interpolate` have the names and
-arguments of those in scipy; `patch_scipy` makes existing programs use them.
+arguments of those in scipy; `patch_scipy` makes existing programs use them. `delone.tiles` is for more points than memory holds.
 """
 import importlib
 
@@ -29,6 +29,6 @@ Delaunay.__base__.transform = property(_transform)
 
 
 def __getattr__(name):
-    if name in ("interpolate", "spatial"):
+    if name in ("interpolate", "spatial", "tiles"):
         return importlib.import_module("." + name, __name__)
     raise AttributeError(f"module {__name__!r} has no attribute {name!r}")

@@ -52,7 +52,7 @@ py::dict make(const py::object& input, const std::string& folder, std::uint64_t 
   options.hdf5 = hdf5;
   Supervisor supervisor(progress);
   options.progress = supervisor.callback();
-  if (py::isinstance<py::str>(input)) {
+  if (py::isinstance<py::bytes>(input)) {
     const auto path = input.cast<std::string>();
     return as_dict(supervisor.run([&] { return make_tiles(path, folder, options); }));
   }

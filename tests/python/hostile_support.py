@@ -10,7 +10,7 @@ import sys
 
 import numpy as np
 
-MODULES = ["delone", "delone._core", "delone.spatial", "delone.interpolate"]
+MODULES = ["delone", "delone._core", "delone.spatial", "delone.interpolate", "delone.tiles"]
 
 
 def is_large():
