@@ -10,8 +10,13 @@
 
 #include <fmt/format.h>
 
+#include <unistd.h>
+
 #include <algorithm>
 #include <array>
+#include <cerrno>
+#include <filesystem>
+#include <system_error>
 
 namespace delone::cli {
 namespace {
@@ -45,6 +50,21 @@ std::string text_of(const TilesForecast& forecast) {
         "With more memory, or a file as output, it takes less time.\n",
         forecast.foreign_share);
   return text;
+}
+
+/// Throws cannot_write if no folder can be made there.
+void check_folder(const std::string& folder) {
+  namespace fs = std::filesystem;
+  std::error_code error;
+  fs::path above = fs::absolute(folder, error);
+  while (!fs::exists(above, error) && above.has_relative_path()) above = above.parent_path();
+  int why = 0;
+  if (!fs::is_directory(above, error))
+    why = ENOTDIR;
+  else if (access(above.c_str(), W_OK | X_OK) != 0)
+    why = errno;
+  if (why != 0)
+    throw Error(Errc::cannot_write, output_name(folder) + ": " + std::generic_category().message(why));
 }
 
 Json stats_of(const TilesCommand& command, const TilesIndex& index, const Cost& cost) {
@@ -142,6 +162,7 @@ bool TilesInput::wanted(const CLI::App& command, const std::string& output) cons
 
 int run_tiles(const TilesCommand& command) {
   const std::string& folder = command.build.output;
+  check_folder(folder);
   if (command.build.stats) protect_files({command.input.path}, {{"--stats", "-"}});
   const auto start = Clock::now();
   TilesIndex index;
