@@ -10,7 +10,7 @@ import sys
 import pytest
 
 import delone
-from delone import _core, interpolate, spatial
+from delone import _core, interpolate, spatial, tiles
 
 STUB = ast.parse((pathlib.Path(delone.__file__).parent / "_core.pyi").read_text(encoding="utf-8"))
 STUBBED = {node.name: node for node in STUB.body if isinstance(node, ast.ClassDef)}
@@ -63,7 +63,7 @@ def test_everything_public_has_a_docstring(name):
             assert len(re.sub(r"^\w+\(self.*\n", "", text).strip()) >= 2, f"{name}.{member}"
 
 
-@pytest.mark.parametrize("module, name", [(module, name) for module in (spatial, interpolate) for name in module.__all__])
+@pytest.mark.parametrize("module, name", [(module, name) for module in (spatial, interpolate, tiles) for name in module.__all__])
 def test_everything_public_of_the_layers_has_a_docstring(module, name):
     described = getattr(module, name)
     assert described.__doc__

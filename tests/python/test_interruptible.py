@@ -40,6 +40,8 @@ QUICK = {
     "delone.interpolate._base.Interpolator": "__init__",
     "delone.interpolate._base.OnTriangulation": "__init__ values",
     "delone.interpolate._nearest.NearestNDInterpolator": "__init__",
+    "delone.tiles.Tiles": "__getitem__ __init__ __iter__ __len__ __repr__ affine_dimension dimension folder hash num_cells num_duplicates num_hidden "
+                          "num_hull_facets num_points num_vertices parts weighted",
     "delone": "patch_scipy scipy_is_patched unpatch_scipy",
     "delone.spatial": "convex_hull_plot_2d delaunay_plot_2d distance_matrix geometric_slerp minkowski_distance minkowski_distance_p "
                       "procrustes voronoi_plot_2d",
@@ -63,6 +65,7 @@ def halfspaces(n, d):
 # The work that is interrupted, after some preparation. `of`: other entries that do the same.
 HULL = "hull = delone.ConvexHull(wild(14, 9))"
 DIAGRAM = "diagram = delone.Voronoi(random.random((250, 7)))"
+SCRATCH = "import tempfile; from delone import tiles; folder = tempfile.TemporaryDirectory()"
 SIMPLEX = "points = np.r_[np.zeros((1, 8)), np.eye(8)]"
 LONG = {
     "delone.Delaunay.__init__": ("", "delone.Delaunay(random.random((300_000, 6)))"),
@@ -149,6 +152,8 @@ LONG = {
     "delone.interpolate._nearest.NearestNDInterpolator.__call__": ("f = interpolate.NearestNDInterpolator(random.random((2000, 4)), np.zeros(2000))",
                                                                    "f(random.random((3_000_000, 4)))"),
     "delone.interpolate.griddata": ("", "interpolate.griddata(random.random((300_000, 6)), np.zeros(300_000), random.random((10, 6)))"),
+    "delone.tiles.make_tiles": (SCRATCH, "tiles.make_tiles(random.random((300_000, 6)), folder.name)"),
+    "delone.tiles.Tiles.check": (f"{SCRATCH}; made = tiles.make_tiles(random.random((2000, 6)), folder.name, tiles=2)", "made.check()"),
 }
 # In every run; the others at full size only.
 USUAL = ["delone.ConvexHull.locate", "delone.ConvexHull.num_facets", "delone.HalfspaceIntersection.volume", "delone._core.Diagram.region_volumes",
@@ -179,7 +184,7 @@ def public():
     """All functions, constructors and members, by the class that has them."""
     called = {"__call__", "__copy__", "__getitem__", "__getstate__", "__init__", "__iter__", "__len__", "__reduce__", "__repr__"}
     for cls in classes():
-        if cls.__name__ != "HullOfSet" and cls.__name__ != "_Patched":
+        if cls.__name__ not in ("HullOfSet", "Part", "PartIndex", "Report", "_Patched"):
             plain = cls.__module__ == "delone" or cls.__module__.startswith("delone._c") and cls.__name__ == "ConvexHulls"
             place = f"delone.{cls.__name__}" if plain else f"{cls.__module__}.{cls.__name__}"
             for name, member in vars(cls).items():
@@ -191,7 +196,7 @@ def public():
     for module_name in MODULES:
         module = importlib.import_module(module_name)
         for name, function in inspect.getmembers(module, inspect.isroutine):
-            if not name.startswith("_") and module_name != "delone._core":
+            if not name.startswith("_") and module_name != "delone._core" and function.__module__ != "typing":
                 yield module_name, name
 
 

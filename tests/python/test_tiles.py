@@ -1,0 +1,244 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""delone.tiles: folders of tiles are the triangulations of all their points."""
+import os
+import pathlib
+import pickle
+import signal
+import subprocess
+import sys
+
+import numpy as np
+import pytest
+
+import delone
+from delone import tiles
+from delone.tiles import Tiles, make_tiles
+
+
+@pytest.fixture
+def random():
+    return np.random.default_rng(3)
+
+
+def global_cells(made):
+    cells = np.concatenate([part.rows[part.cells] for part in made])
+    neighbors = np.concatenate([part.neighbors for part in made])
+    return cells, neighbors
+
+
+def require_same(made, whole):
+    """All that both say agrees; neighbors share the facet."""
+    assert made.hash == whole.hash and made.affine_dimension == whole.affine_dimension
+    assert (made.num_points, made.num_vertices, made.num_duplicates) == (whole.num_points, whole.num_vertices, whole.num_duplicates)
+    cells, neighbors = global_cells(made)
+    assert made.num_cells == len(cells) == len(whole)
+    assert set(map(frozenset, cells.tolist())) == set(map(frozenset, whole.cells.tolist()))
+    for j in range(cells.shape[1]):
+        near = neighbors[:, j]
+        facets = np.delete(cells, j, axis=1)
+        shared = (cells[near][:, :, None] == facets[:, None, :]).any(axis=1).all(axis=1)
+        assert shared[near >= 0].all()
+    assert (neighbors == -1).sum() == made.num_hull_facets == len(whole.hull_facets)
+    rows = np.concatenate([part.own_rows for part in made])
+    vertices = np.concatenate([part.vertex_of_row for part in made])
+    assert sorted(rows) == list(range(whole.num_points))
+    assert (vertices[np.argsort(rows)] == whole.vertex_of_point).all()
+    assert made.check(canonical=True)
+
+
+@pytest.mark.parametrize("number", [1, 2, 5])
+@pytest.mark.parametrize("dimension", [1, 2, 3, 4])
+def test_same_as_in_memory(random, tmp_path, dimension, number):
+    points = random.random((600, dimension))
+    made = make_tiles(points, tmp_path / "out", tiles=number)
+    assert len(made) == number
+    require_same(made, delone.Delaunay(points))
+
+
+def test_lattice_with_duplicates(random, tmp_path):
+    points = random.integers(0, 8, (1500, 3))
+    require_same(make_tiles(points, tmp_path / "out", tiles=6), delone.Delaunay(points))
+
+
+def test_flat(random, tmp_path):
+    points = random.integers(0, 40, (700, 2)) @ [[1, 2, 3, 0], [2, 1, 0, 5]]
+    made = make_tiles(points, tmp_path / "out", tiles=4)
+    assert made.affine_dimension == 2
+    require_same(made, delone.Delaunay(points))
+
+
+def test_weights(random, tmp_path):
+    points, weights = random.random((900, 3)), random.random(900) * 0.03
+    whole = delone.Regular(points, weights)
+    made = make_tiles(points, tmp_path / "out", weights=weights, tiles=4)
+    assert made.weighted and made.num_hidden == whole.num_hidden > 100
+    require_same(made, whole)
+    part = made[0]
+    assert (part.weights == weights[part.rows]).all() and (part.points == points[part.rows]).all()
+    # Of a file, its column.
+    np.save(tmp_path / "p.npy", np.c_[weights, points])
+    again = make_tiles(tmp_path / "p.npy", tmp_path / "again", weights=0, tiles=3)
+    assert again.hash == made.hash
+
+
+@pytest.mark.parametrize("points", [np.zeros((0, 2)), np.zeros((5, 3)), [[0.0, 1.0]], [[0.0], [2.0]]])
+def test_little(tmp_path, points):
+    made = make_tiles(points, tmp_path / "out")
+    whole = delone.Delaunay(points)
+    assert (made.hash, made.num_cells, made.num_vertices) == (whole.hash, len(whole), whole.num_vertices)
+    assert sum(len(part.cells) for part in made) == len(whole)
+
+
+def test_parts(random, tmp_path):
+    points = random.random((500, 2))
+    made = make_tiles(points, str(tmp_path / "out"), tiles=3)
+    assert made.folder == str(tmp_path / "out") and len(made) == 3 and made.dimension == 2 and not made.weighted
+    assert repr(made) == f"<delone.tiles.Tiles: Delaunay, 500 points in dimension 2, {made.num_cells} cells in 3 parts>"
+    for number, part in enumerate(made):
+        assert part.number == number and part.weights is None
+        assert part.first_cell == made.parts[number].first_cell and len(part.cells) == made.parts[number].num_cells
+        assert part.points.dtype == np.float64 and part.points.shape == (len(part.rows), 2)
+        assert part.cells.dtype == np.int32 and part.neighbors.dtype == np.int64 and part.cells.shape == part.neighbors.shape
+        assert part.own_rows.shape == part.vertex_of_row.shape == (made.parts[number].num_points,)
+        assert not any(each.flags.writeable for each in part if isinstance(each, np.ndarray))
+    assert made[-1].number == made[np.int64(2)].number == 2
+    for wrong in (3, -4):
+        with pytest.raises(IndexError, match=f"part {wrong} of 3"):
+            made[wrong]
+    with pytest.raises(TypeError):
+        made[0:2]
+    assert pickle.loads(pickle.dumps(made)).hash == Tiles(pathlib.Path(made.folder)).hash == made.hash
+
+
+def test_check(random, tmp_path):
+    made = make_tiles(random.random((400, 3)), tmp_path / "out", tiles=2)
+    report = made.check(2)
+    assert report and report.ok and report.level == 2 and report.name == "incidence" and report.violation == ""
+    with pytest.raises(ValueError):
+        made.check(0)
+    with pytest.raises(ValueError, match="threads"):
+        made.check(threads=-1)
+    os.truncate(tmp_path / "out" / "part-0001.npz", 1000)
+    report = made.check()
+    assert not report and report.level == 1 and "part-0001.npz" in report.violation
+    assert made[0].number == 0
+    with pytest.raises(delone.Error, match="part-0001.npz"):
+        made[1]
+
+
+def test_arguments(random, tmp_path):
+    points = random.random((50, 2))
+    out = tmp_path / "out"
+    for wrong in [dict(memory="2X"), dict(memory=0), dict(memory="1.5"), dict(memory=2**63), dict(memory=True), dict(memory="1e3"), dict(tiles=0),
+                  dict(tiles=1.5), dict(threads=-1), dict(weights=[1.0]), dict(columns=[0]), dict(format="npy"), dict(raw=2)]:
+        with pytest.raises(ValueError, match=next(iter(wrong))):
+            make_tiles(points, out, **wrong)
+    with pytest.raises(TypeError, match="progress"):
+        make_tiles(points, out, progress=3)
+    with pytest.raises(TypeError, match="weights"):
+        make_tiles("p.npy", out, weights=[1.0])
+    with pytest.raises(ValueError, match="shape"):
+        make_tiles(points[0], out)
+    with pytest.raises(delone.InputError, match="row 7"):
+        make_tiles(np.where(np.arange(50)[:, None] == 7, np.nan, points), out)
+    with pytest.raises(delone.Error, match="nothing.npy"):
+        make_tiles(tmp_path / "nothing.npy", out)
+    assert not out.exists()
+    with pytest.raises(delone.Error, match="index.json"):
+        Tiles(tmp_path)
+
+
+@pytest.mark.parametrize("text, bytes_", [("2G", 2 << 30), ("1.5 kib", 1536), ("500MB", 500_000_000), ("3t", 3 << 40), ("77", 77), (5, 5), ("9B", 9)])
+def test_sizes(text, bytes_):
+    assert tiles._bytes_of(text) == bytes_
+
+
+def test_files(random, tmp_path):
+    points = random.random((300, 3))
+    whole = delone.Delaunay(points).hash
+    points.tofile(tmp_path / "p.dat")
+    assert make_tiles(tmp_path / "p.dat", tmp_path / "a", raw=3, tiles=2).hash == whole
+    np.savetxt(tmp_path / "p.csv", points, delimiter=",", header="x,y,z", comments="", fmt="%.17g")
+    assert make_tiles(str(tmp_path / "p.csv"), tmp_path / "b", columns=["x", "y", "z"], memory="1G").hash == whole
+    assert make_tiles(os.fsencode(tmp_path / "p.csv"), tmp_path / "c", columns=["x", 1]).hash == delone.Delaunay(points[:, :2]).hash
+
+
+def test_folders(random, tmp_path):
+    points = random.random((300, 2))
+    made = make_tiles(points, tmp_path / "out", tiles=2)
+    times = [os.stat(tmp_path / "out" / part.file).st_mtime_ns for part in made.parts]
+    assert make_tiles(points, tmp_path / "out", tiles=2).hash == made.hash
+    assert [os.stat(tmp_path / "out" / part.file).st_mtime_ns for part in made.parts] == times
+    with pytest.raises(delone.InputError, match="finished tiles"):
+        make_tiles(points + 1, tmp_path / "out", tiles=2)
+    with pytest.raises(delone.InputError, match="finished tiles"):
+        make_tiles(points, tmp_path / "out", tiles=3)
+    assert make_tiles(points, tmp_path / "out", tiles=3, resume=False).hash == made.hash
+    (tmp_path / "mine").mkdir()
+    (tmp_path / "mine" / "notes").write_text("")
+    with pytest.raises(delone.InputError, match="it holds notes"):
+        make_tiles(points, tmp_path / "mine")
+
+
+def test_progress_stops_and_resumes(random, tmp_path):
+    points = random.random((40_000, 3))
+    out = tmp_path / "out"
+    seen = []
+
+    def progress(fraction):
+        seen.append(fraction)
+        return len(list(out.glob("work/tile-*.json"))) < 2
+
+    with pytest.raises(delone.CancelledError):
+        make_tiles(points, out, tiles=20, threads=1, progress=progress)
+    assert seen == sorted(seen) and 0 <= seen[0] and seen[-1] <= 1
+    done = {path: path.stat().st_mtime_ns for path in out.glob("part-*.npz") if (out / "work" / path.name.replace("part", "tile").replace("npz", "json")).exists()}
+    assert len(done) >= 2
+    made = make_tiles(points, out, tiles=20)
+    assert made.hash == delone.Delaunay(points).hash
+    assert done == {path: path.stat().st_mtime_ns for path in done}
+
+
+PROGRAM = """
+import pathlib, signal, sys
+import numpy as np
+import delone.tiles
+{before}
+points = np.random.default_rng(3).random((20_000, 3))
+print("ready", flush=True)
+try:
+    print(delone.tiles.make_tiles(points, sys.argv[1], tiles=10, threads=1).hash)
+except KeyboardInterrupt:
+    print("interrupted")
+except delone.Error as error:
+    print(type(error).__name__, error)
+"""
+
+
+def run(folder, before=""):
+    return subprocess.Popen([sys.executable, "-c", PROGRAM.format(before=before), str(folder)], stdout=subprocess.PIPE, text=True)
+
+
+@pytest.mark.parametrize("number", [signal.SIGINT, signal.SIGKILL])
+def test_going_on_after_signals(tmp_path, number):
+    out = tmp_path / "out"
+    program = run(out)
+    while len(list(out.glob("work/tile-*.json"))) < 2 and program.poll() is None:
+        pass
+    assert program.poll() is None, "it was over before the signal"
+    program.send_signal(number)
+    text = program.communicate(timeout=60)[0]
+    assert text == ("ready\ninterrupted\n" if number == signal.SIGINT else "ready\n")
+    assert list(out.glob("work/tile-*.json")) and not (out / "index.json").exists()
+    text = run(out).communicate(timeout=60)[0]
+    points = np.random.default_rng(3).random((20_000, 3))
+    assert text == f"ready\n{delone.Delaunay(points).hash}\n"
+    assert not (out / "work").exists()
+
+
+def test_full_disk(tmp_path):
+    limit = "import resource; resource.setrlimit(resource.RLIMIT_FSIZE, (300_000, 300_000)); signal.signal(signal.SIGXFSZ, signal.SIG_IGN)"
+    text = run(tmp_path / "out", limit).communicate(timeout=60)[0]
+    assert text.startswith("ready\nError ") and "File too large" in text
+    points = np.random.default_rng(3).random((20_000, 3))
+    assert run(tmp_path / "out").communicate(timeout=60)[0] == f"ready\n{delone.Delaunay(points).hash}\n"
