@@ -33,7 +33,8 @@ bool is_given(const CLI::App& command, const char* option) {
 /// "1.4 GB"
 std::string size_text(std::uint64_t bytes) {
   const auto value = static_cast<double>(bytes);
-  return value < 1e9 ? fmt::format("{:.0f} MB", value / 1e6) : fmt::format("{:.1f} GB", value / 1e9);
+  return value < 1e9 ? fmt::format("{:.0f} MB", std::max(value / 1e6, 1.0))
+                     : fmt::format("{:.1f} GB", value / 1e9);
 }
 
 /// What it will cost, before it starts.
@@ -121,10 +122,9 @@ TilesOptions options_of(const TilesCommand& command, ProgressBar& bar) {
 }  // namespace
 
 void TilesInput::add_to(CLI::App& command) {
-  add_size(
-      command, "--memory", memory,
-      "The most memory to use, as 2G. With a file as output the command ends at this limit; with a folder "
-      "it makes as many tiles as that takes; without it they may use three quarters of what is free");
+  add_size(command, "--memory", memory,
+           "The most memory to use, as 2G: beyond it the command ends, or with a folder as output makes more "
+           "tiles (if not given: three quarters of what is free)");
   const char* const group = "With a folder as output (-o OUT/)";
   command.add_option("--tiles", tiles, "The number of tiles, instead of as few as the memory allows")
       ->check(CLI::Range(1, 1 << 20))

@@ -14,7 +14,7 @@ class BadOutput(Case):
         for path in (self.path("no/such/folder.npz"), "/proc/delone.npz"):
             self.assertIn(path, self.complaint("delaunay", points, "-o", path))
         os.mkdir(self.path("folder.npz"))
-        self.complaint("delaunay", points, "-o", self.path("folder.npz"))
+        self.complaint("hull", points, "-o", self.path("folder.npz"))
         self.complaint("generate", "uniform", "-d", 2, "-n", 5, "-o", self.path("no/such.npy"))
         self.complaint("locate", points, "--queries", points, "-o", self.path("no/such.csv"))
 
