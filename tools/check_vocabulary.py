@@ -104,6 +104,7 @@ class Python:
             for node in ast.walk(tree):
                 if isinstance(node, ast.ClassDef):
                     self.classes[node.name] = {item.name for item in node.body if isinstance(item, ast.FunctionDef)}
+                    self.classes[node.name] |= {item.target.id for item in node.body if isinstance(item, ast.AnnAssign)}
                     self.bases[node.name] = [base.id for base in node.bases if isinstance(base, ast.Name)]
                     self.words |= self.classes[node.name]
                 elif isinstance(node, ast.FunctionDef):
