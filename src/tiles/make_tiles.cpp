@@ -183,7 +183,8 @@ class Run {
 };
 
 /// What tells rows from others.
-std::string hash_of_rows(PointStream& points) {
+std::string hash_of_rows(PointStream& points, const TilesOptions& options) {
+  const ProgressScope scope(options.progress);
   std::uint64_t hash = 0;
   std::vector<double> rows;
   points.rewind();
@@ -199,16 +200,13 @@ std::string hash_of_rows(PointStream& points) {
 std::string fingerprint_of(const std::string& input, PointStream& points, const TilesOptions& options) {
   namespace fs = std::filesystem;
   std::error_code error;
-  if (input == "-" || !fs::is_regular_file(input, error)) return hash_of_rows(points);
+  if (input == "-" || !fs::is_regular_file(input, error)) return hash_of_rows(points, options);
   const fs::path path = fs::weakly_canonical(input, error);
   const auto size = fs::file_size(path, error);
   const auto changed = fs::last_write_time(path, error).time_since_epoch().count();
-  std::string how;
-  if (!options.format.empty()) how += fmt::format(", as {}", options.format);
-  if (options.columns > 0) how += fmt::format(", {} numbers per row", options.columns);
-  for (const std::string& column : options.coordinates) how += ", column " + in_quotes(column);
-  if (!options.weights.empty()) how += ", weights " + in_quotes(options.weights);
-  return fmt::format("{} of {} bytes, changed at {}{}", path.string(), size, changed, how);
+  return fmt::format("{} of {} bytes, changed at {}, format '{}' of {}, columns '{}', weights '{}'",
+                     path.string(), size, changed, options.format, options.columns,
+                     io::joined(options.coordinates), options.weights);
 }
 
 /// The folder that a folder is in, or will be.
@@ -227,7 +225,6 @@ TilesIndex make_tiles(const std::string& input, const std::string& folder, const
     if (!options.weighted && !options.weights.empty())
       throw Error(Errc::invalid_argument, "a column of weights without weights");
     std::unique_ptr<tiles::PointStream> points;
-    std::string fingerprint;
     {
       const ProgressScope scope(options.progress);
       tiles::StreamOptions how;
@@ -237,21 +234,15 @@ TilesIndex make_tiles(const std::string& input, const std::string& folder, const
       how.last_column = options.weights;
       how.scratch_folder = tiles::folder_above(folder);
       points = tiles::open_point_stream(input, how);
-      fingerprint = tiles::fingerprint_of(input, *points, options);
     }
-    return tiles::Run(*points, folder, fingerprint, options).run();
+    return tiles::Run(*points, folder, tiles::fingerprint_of(input, *points, options), options).run();
   });
 }
 
 TilesIndex make_tiles(PointsView rows, const std::string& folder, const TilesOptions& options) {
   return io::guarded(io::output_name(folder), [&] {
     const auto points = tiles::stream_of(rows);
-    std::string fingerprint;
-    {
-      const ProgressScope scope(options.progress);
-      fingerprint = tiles::hash_of_rows(*points);
-    }
-    return tiles::Run(*points, folder, fingerprint, options).run();
+    return tiles::Run(*points, folder, tiles::hash_of_rows(*points, options), options).run();
   });
 }
 

@@ -7,6 +7,7 @@
 #include "io/collect.hpp"
 #include "io/file.hpp"
 #include "io/npy.hpp"
+#include "io/points/read_points.hpp"
 #include "io/points/text_rows.hpp"
 #include "io/positioned_file.hpp"
 #include "io/text_cursor.hpp"
@@ -252,15 +253,8 @@ class MemoryStream final : public PointStream {
 class SelectedColumns final : public PointStream {
  public:
   SelectedColumns(std::unique_ptr<PointStream> all, const StreamOptions& options, const std::string& name)
-      : all_(std::move(all)) {
-    for (const std::string& one : options.columns) columns_.push_back(column_of(one, name));
-    if (options.columns.empty())
-      for (std::size_t i = 0; i < width(); ++i) columns_.push_back(i);
-    if (options.last_column.empty()) return;
-    const std::size_t last = column_of(options.last_column, name);
-    if (options.columns.empty()) columns_.erase(columns_.begin() + static_cast<std::ptrdiff_t>(last));
-    columns_.push_back(last);
-  }
+      : all_(std::move(all)),
+        columns_(io::column_numbers(options.columns, options.last_column, width(), name)) {}
   int dimension() const override { return static_cast<int>(columns_.size()); }
   std::optional<std::uint64_t> size_hint() const override { return all_->size_hint(); }
   void rewind() override { all_->rewind(); }
@@ -276,16 +270,9 @@ class SelectedColumns final : public PointStream {
 
  private:
   std::size_t width() const { return static_cast<std::size_t>(all_->dimension()); }
-  std::size_t column_of(const std::string& text, const std::string& name) const {
-    const auto number = io::to_count(text);
-    if (!number || *number >= width())
-      io::fail(Errc::bad_format, "{}: there is no column {}; the columns are 0 to {}", name, in_quotes(text),
-               static_cast<std::int64_t>(width()) - 1);
-    return static_cast<std::size_t>(*number);
-  }
 
   std::unique_ptr<PointStream> all_;
-  std::vector<std::size_t> columns_;
+  const std::vector<std::size_t> columns_;
   std::vector<double> whole_rows_;
 };
 
@@ -333,6 +320,10 @@ std::unique_ptr<PointStream> open_format(const std::string& format, const std::s
   if (format == "off" || format == "ply") {
     ReadOptions reading;
     reading.format = format;
+    if (format == "ply" && !options.columns.empty()) {
+      reading.columns = options.columns;
+      if (!options.last_column.empty()) reading.columns.push_back(options.last_column);
+    }
     reading.max_stream_bytes = options.max_stream_bytes;
     return std::make_unique<MemoryStream>(read_points(path, reading));
   }
@@ -358,8 +349,10 @@ std::unique_ptr<PointStream> open_point_stream(const std::string& path, const St
       {"npy", "raw", "bin", "csv", "tsv", "txt", "xyz", "pts", "off", "ply", "qhull"}, "reading points");
   return io::guarded(io::input_name(path), [&] {
     std::unique_ptr<PointStream> points = open_format(format, path, options);
-    const bool has_names = format == "csv" || format == "tsv";  // and has read the columns by them
-    if (!has_names && !(options.columns.empty() && options.last_column.empty()))
+    // Of these formats the readers have selected columns, by their names.
+    const bool is_selected =
+        format == "csv" || format == "tsv" || (format == "ply" && !options.columns.empty());
+    if (!is_selected && !(options.columns.empty() && options.last_column.empty()))
       return std::unique_ptr<PointStream>(
           std::make_unique<SelectedColumns>(std::move(points), options, io::input_name(path)));
     if (options.dimension != 0 && points->dimension() != options.dimension)

@@ -14,14 +14,7 @@ namespace {
 PointTable with_columns(PointTable table, const std::vector<std::string>& wanted, const std::string& name) {
   if (wanted.empty()) return table;
   const auto width = static_cast<std::size_t>(table.dimension);
-  std::vector<std::size_t> columns;
-  for (const std::string& one : wanted) {
-    const auto number = io::to_count(one);
-    if (!number || *number >= width)
-      io::fail(Errc::bad_format, "{}: there is no column {}; the columns are 0 to {}", name, in_quotes(one),
-               width - 1);
-    columns.push_back(static_cast<std::size_t>(*number));
-  }
+  const std::vector<std::size_t> columns = io::column_numbers(wanted, {}, width, name);
   PointTable out;
   out.dimension = static_cast<int>(columns.size());
   const std::size_t rows = table.num_points();
@@ -54,6 +47,24 @@ void check_opening(const std::string& format, std::string_view opening, bool is_
 }
 
 }  // namespace
+
+std::vector<std::size_t> io::column_numbers(const std::vector<std::string>& wanted, const std::string& last,
+                                            std::size_t width, const std::string& name) {
+  const auto number_of = [&](const std::string& one) {
+    const auto number = to_count(one);
+    if (!number || *number >= width)
+      fail(Errc::bad_format, "{}: there is no column {}; the columns are 0 to {}", name, in_quotes(one),
+           width - 1);
+    return static_cast<std::size_t>(*number);
+  };
+  std::vector<std::size_t> columns;
+  for (const std::string& one : wanted) columns.push_back(number_of(one));
+  const std::size_t after = last.empty() ? width : number_of(last);
+  for (std::size_t i = 0; wanted.empty() && i < width; ++i)
+    if (i != after) columns.push_back(i);
+  if (!last.empty()) columns.push_back(after);
+  return columns;
+}
 
 PointTable read_points(const std::string& path, const ReadOptions& options) {
   const std::string format =

@@ -7,6 +7,7 @@
 
 #include <delone/io.hpp>
 
+#include <cstddef>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -14,6 +15,11 @@
 namespace delone::io {
 
 struct NpyArray;
+
+/// The columns to read of a table with `width` of them and without names: `wanted`, all if it is empty; then,
+/// unless empty, `last`, which is not one of all then. Throws bad_format with the name of the file.
+std::vector<std::size_t> column_numbers(const std::vector<std::string>& wanted, const std::string& last,
+                                        std::size_t width, const std::string& name);
 
 /// csv (',') and tsv (tab). `columns`: names of a header or 0-based numbers; empty for all.
 PointTable read_delimited(std::string_view bytes, const std::string& name, char delimiter,

@@ -151,6 +151,43 @@ TEST_F(PointStreams, ReadRaw) {
   EXPECT_THROW(open_point_stream(path("flat.npy"), options), Error);
 }
 
+TEST_F(PointStreams, SelectColumns) {
+  const PointTable table = random_table(30000, 3);
+  write_points(path("t.npy"), table);
+  file("t.csv", "a,b,w,name\n1,2,3,x\n4,5,6,\"y,\nz\"\n7,8,9,nan\n");
+  file("t.ply",
+       "ply\nformat ascii 1.0\nelement vertex 2\nproperty float x\nproperty float y\nproperty float z\n"
+       "property float w\nend_header\n1 2 3 4\n5 6 7 8\n");
+  const auto read = [&](const std::string& name, std::vector<std::string> columns, std::string last = {}) {
+    StreamOptions options;
+    options.columns = std::move(columns);
+    options.last_column = std::move(last);
+    const auto stream = open_point_stream(path(name), options);
+    const std::vector<double> values = all(*stream);
+    stream->rewind();
+    EXPECT_EQ(all(*stream), values);
+    EXPECT_EQ(values.size() % static_cast<std::size_t>(stream->dimension()), 0u);
+    return values;
+  };
+  EXPECT_EQ(read("t.csv", {"b", "0"}), (std::vector<double>{2, 1, 5, 4, 8, 7}));
+  EXPECT_EQ(read("t.csv", {"b"}, "a"), (std::vector<double>{2, 1, 5, 4, 8, 7}));
+  EXPECT_EQ(read("t.csv", {"w", "a"}, "a"), (std::vector<double>{3, 1, 1, 6, 4, 4, 9, 7, 7}));
+  EXPECT_THROW(read("t.csv", {}, "w"), Error);  // the other columns are not all numbers
+  EXPECT_EQ(read("t.ply", {"x", "z"}, "w"), (std::vector<double>{1, 3, 4, 5, 7, 8}));
+  EXPECT_EQ(read("t.ply", {}, "1"), (std::vector<double>{1, 3, 2, 5, 7, 6}));
+  const std::vector<double> some = read("t.npy", {"2", "0"}), moved = read("t.npy", {}, "0");
+  ASSERT_EQ(some.size(), 60000u);
+  ASSERT_EQ(moved.size(), 90000u);
+  for (std::size_t row = 0; row < 30000; ++row) {
+    const double* const expected = table.coordinates.data() + 3 * row;
+    EXPECT_TRUE(some[2 * row] == expected[2] && some[2 * row + 1] == expected[0]);
+    EXPECT_TRUE(moved[3 * row] == expected[1] && moved[3 * row + 2] == expected[0]);
+  }
+  for (const std::string wrong : {"3", "x", "-1", ""}) EXPECT_THROW(read("t.npy", {wrong}), Error);
+  EXPECT_THROW(read("t.npy", {}, "3"), Error);
+  EXPECT_THROW(read("t.csv", {"c"}), Error);
+}
+
 /// Headers, quotes around line ends and comments, where pieces end within them.
 TEST_F(PointStreams, ReadTablesInPieces) {
   random::Generator random(1);
