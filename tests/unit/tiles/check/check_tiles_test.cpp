@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The check of folders of tiles: sound ones pass with little memory, and every damage is found at its level.
-#include "tiles/check_tiles.hpp"
+#include "tiles/check/check_tiles.hpp"
 
-#include "../io/io_support.hpp"
+#include "../../io/io_support.hpp"
+#include "../tiles_support.hpp"
 #include "degenerate.hpp"
 #include "scale.hpp"
 #include "tiles/index_file.hpp"
 #include "tiles/part_file.hpp"
-#include "tiles_support.hpp"
 
 #include <delone/check.hpp>
 #include <delone/delaunay.hpp>
@@ -163,6 +163,11 @@ TEST_F(CheckTiles, ChangedNeighborsAreFound) {
     neighbor = neighbor == 0 ? 1 : 0;
   });
   expect_violation(2, "part-0001.npz");
+  write_usual();
+  change_part(1, [](TileData& part) {
+    *std::find_if(part.neighbors.begin(), part.neighbors.end(), [](auto n) { return n >= 0; }) = -1;
+  });
+  expect_violation(2, "not the other way round");
   write_usual();
   change_part(2, [](TileData& part) {
     auto& seam = *std::find_if(part.seams.begin(), part.seams.end(), [](auto s) { return s >= 0; });
@@ -335,6 +340,21 @@ TEST_F(CheckTiles, EveryRowIsOnce) {
     part.points.insert(part.points.end(), {0, 0, 0});
   });
   expect_violation(6, "but no cell with it");
+}
+
+TEST_F(CheckTiles, DuplicatesAreOfEarlierVertices) {
+  // The rows 3, 4 and 5 are those of 0, and 6 is another vertex.
+  const std::vector<double> points{0, 0, 1, 0, 0, 1, 0, 0, 0, 0, 0, 0, 2, 2};
+  for (const std::int64_t wrong : {3, 6}) {
+    write_folder(folder_, Delaunay<>(points, 2).to_data(), 2);
+    EXPECT_TRUE(checked().ok);
+    for (std::size_t i = 0; i < 2; ++i)
+      change_part(i, [&](TileData& part) {
+        for (std::size_t r = 0; r < part.own_rows.size(); ++r)
+          if (part.own_rows[r] == 4) part.vertex_of_row[r] = wrong;
+      });
+    expect_violation(6, wrong == 3 ? "which is no vertex" : "which is a later one");
+  }
 }
 
 TEST_F(CheckTiles, TheIndexAgrees) {

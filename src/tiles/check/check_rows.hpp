@@ -4,7 +4,7 @@
 #pragma once
 
 #include "complex/canonical_hash.hpp"
-#include "tiles/check_part.hpp"
+#include "tiles/check/check_part.hpp"
 #include "tiles/record_buckets.hpp"
 
 #include <cstddef>

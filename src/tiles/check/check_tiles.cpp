@@ -25,13 +25,13 @@
 // Level 6 finds that a row has the same coordinates wherever a part has it, that it is a vertex in one sense
 // everywhere, and that every row of the input is in one part. Coordinates of duplicates and of hidden points
 // are not in the parts, so nothing is proved of them but that they are counted once.
-#include "tiles/check_tiles.hpp"
+#include "tiles/check/check_tiles.hpp"
 
 #include "base/random.hpp"
 #include "io/file.hpp"
-#include "tiles/check_part.hpp"
-#include "tiles/check_rows.hpp"
-#include "tiles/check_seams.hpp"
+#include "tiles/check/check_part.hpp"
+#include "tiles/check/check_rows.hpp"
+#include "tiles/check/check_seams.hpp"
 #include "tiles/index_file.hpp"
 #include "tiles/part_file.hpp"
 

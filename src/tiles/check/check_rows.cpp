@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "tiles/check_rows.hpp"
+#include "tiles/check/check_rows.hpp"
 
 #include "base/progress_meter.hpp"
 #include "tiles/part_file.hpp"
