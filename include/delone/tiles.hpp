@@ -99,5 +99,10 @@ std::optional<UnfinishedTiles> find_unfinished_tiles(const std::string& folder);
 /// level 1. Errors: those of read_tiles_index(), invalid_argument as for check() and for furthest_site and
 /// cells without orientation, cannot_write, out_of_memory.
 CheckReport check_tiles(const std::string& folder, const CheckOptions& options = {});
+/// The same, and at level 6 against the input: rows of d coordinates, and a weight if points have weights.
+/// Vertices are these points, and duplicates are equal to their vertices: a triangulation of all points,
+/// except that nothing is proved of hidden ones. Further errors: bad_dimension, and invalid_argument for
+/// another number of points.
+CheckReport check_tiles(const std::string& folder, PointsView input, const CheckOptions& options = {});
 
 }  // namespace delone

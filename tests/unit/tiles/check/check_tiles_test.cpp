@@ -357,6 +357,33 @@ TEST_F(CheckTiles, DuplicatesAreOfEarlierVertices) {
   }
 }
 
+TEST_F(CheckTiles, ComparesWithTheInput) {
+  const std::vector<double> points{0, 0, 1, 0, 0, 1, 0, 0, 2, 2};
+  write_folder(folder_, Delaunay<>(points, 2).to_data(), 2);
+  EXPECT_TRUE(check_tiles(folder_, PointsView(points, 2)).ok);
+  for (const std::size_t i : {6u, 9u}) {
+    std::vector<double> others = points;
+    others[i] = 7;
+    EXPECT_TRUE(checked().ok);
+    const CheckReport report = check_tiles(folder_, PointsView(others, 2));
+    EXPECT_FALSE(report.ok);
+    EXPECT_EQ(report.reached.number, 6);
+    EXPECT_NE(report.violation.find(i == 6 ? "not equal" : "other coordinates"), std::string::npos)
+        << report.violation;
+  }
+  expect_error(Errc::bad_dimension, {"1 columns"}, [&] { check_tiles(folder_, PointsView(points, 1)); });
+  expect_error(Errc::invalid_argument, {"4 points"},
+               [&] { check_tiles(folder_, PointsView(std::span(points).first(8), 2)); });
+  const std::vector<double> weighted{0, 0, .5, 1, 0, 0, 0, 1, 0, 0, 0, .5, 1, 1, 0, 1, 1, -9};
+  std::vector<double> coordinates, weights;
+  for (std::size_t i = 0; i < weighted.size(); i += 3) {
+    coordinates.insert(coordinates.end(), {weighted[i], weighted[i + 1]});
+    weights.push_back(weighted[i + 2]);
+  }
+  write_folder(folder_, Regular<>(coordinates, weights, 2).to_data(), 2);
+  EXPECT_TRUE(check_tiles(folder_, PointsView(weighted, 3)).ok);
+}
+
 TEST_F(CheckTiles, TheIndexAgrees) {
   write_usual();
   change_index([](TilesIndex& index) { index.hash.low ^= 1; });
