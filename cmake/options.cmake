@@ -12,6 +12,8 @@ option(DELONE_FUZZ "Build the fuzz targets with libFuzzer (needs clang)" OFF)
 option(DELONE_WERROR "Treat warnings as errors" ${DELONE_DEVELOPER_MODE})
 set(DELONE_WITH_TBB AUTO CACHE STRING "Threads, by oneTBB: ON, OFF, or AUTO: if it is found")
 set_property(CACHE DELONE_WITH_TBB PROPERTY STRINGS AUTO ON OFF)
+set(DELONE_WITH_HDF5 AUTO CACHE STRING "HDF5 files of tiles: ON, OFF, or AUTO: if its C library is found")
+set_property(CACHE DELONE_WITH_HDF5 PROPERTY STRINGS AUTO ON OFF)
 set(DELONE_LARGEST_COMPILED_DIMENSION 8 CACHE STRING
   "Engines are compiled for 1 … this dimension (8 at most); larger ones use the engine whose dimension is a variable")
 set(DELONE_SANITIZE "" CACHE STRING "Sanitizers for -fsanitize=, for example address,undefined")

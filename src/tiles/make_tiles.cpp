@@ -3,11 +3,13 @@
 #include "base/platform.hpp"
 #include "base/random.hpp"
 #include "io/file.hpp"
+#include "tiles/hdf5_file.hpp"
 #include "tiles/page_file.hpp"
 #include "tiles/part_file.hpp"
 #include "tiles/survey.hpp"
 #include "tiles/tile_plan.hpp"
 #include "tiles/tile_triangulation.hpp"
+#include "tiles/vtu_parts.hpp"
 #include "tiles/work_folder.hpp"
 
 #include <delone/progress.hpp>
@@ -45,6 +47,8 @@ class Run {
         memory_(options.memory > 0 ? options.memory : platform::available_memory() / 4 * 3) {}
 
   TilesIndex run() {
+    if (options_.vtu) require_vtu(folder_, points_.dimension() - (options_.weighted ? 1 : 0));
+    if (options_.hdf5) require_hdf5(folder_);
     {
       const ProgressScope scope(part_of_progress(0, share_of_survey));
       SurveyResult result = make_survey(points_, options_.weighted);
@@ -70,9 +74,8 @@ class Run {
     TilesOptions options = options_;
     if (options.tiles == 0) options.tiles = num_tiles;
     if (options.tiles == 0 && options_.resume)
-      if (const auto unfinished = find_unfinished(folder_);
-          unfinished && unfinished->plan.fingerprint == fingerprint_)
-        options.tiles = unfinished->plan.num_tiles;
+      if (const auto plan = find_plan(folder_); plan && plan->fingerprint == fingerprint_)
+        options.tiles = plan->num_tiles;
     const std::uint64_t memory = memory_for_tiles();
     forecast_ = plan_tiles(survey_, cells_per_point_, options, memory);
     if (options.tiles == 0 && forecast_.bytes_per_tile > memory)
@@ -114,7 +117,7 @@ class Run {
     const PageTable table = make_pages(tree, folder.work());
     make_parts(folder, table);
     const ProgressScope scope(part_of_progress(1 - share_of_seams, 1));
-    return folder.finish_all(memory_ / 4);
+    return folder.finish_all(memory_ / 4, options_.vtu, options_.hdf5);
   }
 
   PageTable make_pages(const SplitTree& tree, const std::string& work) {

@@ -2,9 +2,9 @@
 #include "tiles/seams.hpp"
 
 #include "base/progress_meter.hpp"
-#include "base/random.hpp"
 #include "io/atomic_file.hpp"
 #include "io/file.hpp"
+#include "tiles/equal_records.hpp"
 #include "tiles/part_file.hpp"
 #include "tiles/record_buckets.hpp"
 
@@ -87,13 +87,6 @@ class RecordReader {
   Header header_;
 };
 
-std::uint64_t key_of(std::span<const std::int64_t> facet) {
-  std::uint64_t key = 0;
-  for (const std::int64_t row : facet)
-    key = random::mix(key + 0x9e3779b97f4a7c15u + static_cast<std::uint64_t>(row));
-  return key;
-}
-
 /// For every seam of every tile the global cell across it, −1 where there is none; more of them than fit in
 /// memory are in files by ranges of tiles.
 class Answers {
@@ -152,36 +145,14 @@ class Answers {
 /// Pairs equal facets of one bucket: each(a, b) for two records, each(a, a) for one without a partner.
 template <class Each>
 void match_records(std::span<const std::int64_t> words, std::size_t k, const Each& each) {
-  struct Entry {
-    std::uint64_t key;
-    std::size_t record;
-  };
-  const std::size_t size = k + other_words, count = words.size() / size;
-  const auto record = [&](std::size_t i) { return words.subspan(i * size, size); };
-  const auto compare = [&](const Entry& a, const Entry& b) {  // of the facets
-    const auto first = record(a.record).first(k), second = record(b.record).first(k);
-    return std::lexicographical_compare_three_way(first.begin(), first.end(), second.begin(), second.end());
-  };
-  std::vector<Entry> entries(count);
-  for (std::size_t i = 0; i < count; ++i) entries[i] = {key_of(record(i).first(k)), i};
-  std::sort(entries.begin(), entries.end(), [&](const Entry& a, const Entry& b) {
-    if (a.key != b.key) return a.key < b.key;
-    const auto order = compare(a, b);
-    return order != 0 ? order < 0 : a.record < b.record;
-  });
-  const auto equal = [&](std::size_t i, std::size_t j) {
-    return j < count && entries[i].key == entries[j].key && compare(entries[i], entries[j]) == 0;
-  };
-  for (std::size_t i = 0; i < count;) {
-    const auto a = record(entries[i].record);
-    if (!equal(i, i + 1)) {
-      each(a, a);
-      ++i;
-      continue;
-    }
-    const auto b = record(entries[i + 1].record);
-    if (equal(i, i + 2)) {
-      const auto c = record(entries[i + 2].record);
+  const std::size_t size = k + other_words;
+  for_equal_records(words, size, k, [&](std::span<const std::size_t> equal) {
+    const auto record = [&](std::size_t i) { return words.subspan(equal[i] * size, size); };
+    const auto a = record(0);
+    if (equal.size() == 1) return each(a, a);
+    const auto b = record(1);
+    if (equal.size() > 2) {
+      const auto c = record(2);
       io::fail(
           Errc::bad_format,
           "the parts do not fit together: the facet {{{}}} is that of cell {} of tile {}, cell {} of tile {} "
@@ -192,8 +163,7 @@ void match_records(std::span<const std::int64_t> words, std::size_t k, const Eac
       io::fail(Errc::bad_format, "the seam {{{}}} of tile {} is between its own cells {} and {}",
                fmt::join(a.first(k), ", "), a[k], a[k + 1], b[k + 1]);
     each(a, b);
-    i += 2;
-  }
+  });
 }
 
 }  // namespace
@@ -255,8 +225,7 @@ std::int64_t match_seams(const std::string& folder, const std::string& work,
       reader.for_each([&](std::span<const std::int64_t> record) {
         if (record[k] != static_cast<std::int64_t>(t) || record[k + 3] < 0 || record[k + 3] >= counts[t])
           reader.refuse(record);
-        // The keys sort a bucket by their highest bits; this takes the lowest.
-        buckets.append((key_of(record.first(k)) & 0xffffffffu) * buckets.size() >> 32, record);
+        buckets.append(bucket_of_key(record.first(k), buckets.size()), record);
       });
     }
     Answers answers(work, counts, memory);

@@ -2,10 +2,12 @@
 #include "tiles/work_folder.hpp"
 
 #include "io/file.hpp"
+#include "tiles/hdf5_file.hpp"
 #include "tiles/index_file.hpp"
 #include "tiles/json_members.hpp"
 #include "tiles/part_file.hpp"
 #include "tiles/seams.hpp"
+#include "tiles/vtu_parts.hpp"
 
 #include <delone/io.hpp>
 
@@ -238,7 +240,7 @@ void WorkFolder::finish(std::size_t t, const FinishedTile& tile) {
   records_[t] = record;
 }
 
-TilesIndex WorkFolder::finish_all(std::uint64_t memory) {
+TilesIndex WorkFolder::finish_all(std::uint64_t memory, bool vtu, bool hdf5) {
   TilesIndex index;
   index.dimension = plan_.dimension;
   index.affine_dimension = plan_.affine_dimension;
@@ -268,6 +270,8 @@ TilesIndex WorkFolder::finish_all(std::uint64_t memory) {
   index.num_hull_facets += match_seams(folder_, work_, first_cell, memory);
   const bool weights_differ = plan_.weighted && least != largest;
   index.hash = (weights_differ ? weighted_hash : hash).finish(plan_.dimension, plan_.affine_dimension);
+  if (vtu) write_vtu_parts(folder_, index);
+  if (hdf5) write_hdf5(folder_, work_, index, memory);
   write_tiles_index(folder_, index, plan_.fingerprint);
   std::error_code error;
   fs::remove_all(work_, error);
@@ -293,13 +297,22 @@ std::optional<TilesIndex> find_finished(const std::string& folder, const Plan& p
   return index;
 }
 
-std::optional<UnfinishedTiles> find_unfinished(const std::string& folder) {
+std::optional<Plan> find_plan(const std::string& folder) {
   if (!has_plan(folder)) return std::nullopt;
-  const std::string work = path_in(folder, work_name);
-  UnfinishedTiles unfinished{read_plan(work)};
-  for (std::size_t t = 0; t < unfinished.plan.num_tiles; ++t)
-    if (find_record(folder, work, t)) ++unfinished.num_finished;
-  return unfinished;
+  return read_plan(path_in(folder, work_name));
 }
 
 }  // namespace delone::tiles
+
+namespace delone {
+
+std::optional<UnfinishedTiles> find_unfinished_tiles(const std::string& folder) {
+  const auto plan = tiles::find_plan(folder);
+  if (!plan || tiles::has_tiles_index(folder)) return std::nullopt;
+  UnfinishedTiles unfinished{plan->num_tiles, 0};
+  for (std::size_t t = 0; t < plan->num_tiles; ++t)
+    if (tiles::find_record(folder, tiles::path_in(folder, tiles::work_name), t)) ++unfinished.num_finished;
+  return unfinished;
+}
+
+}  // namespace delone

@@ -56,8 +56,9 @@ class WorkFolder {
   /// Writes the part, the seams and at last the record of tile t. Tiles may be finished by several threads.
   void finish(std::size_t t, const FinishedTile& tile);
 
-  /// REQUIRES that all tiles are finished. Matches the seams, writes index.json, and removes FOLDER/work.
-  TilesIndex finish_all(std::uint64_t memory);
+  /// REQUIRES that all tiles are finished. Matches the seams, writes what else is wanted (TilesOptions::vtu,
+  /// hdf5), then index.json, and removes FOLDER/work. Uses about `memory` bytes besides those of one part.
+  TilesIndex finish_all(std::uint64_t memory, bool vtu = false, bool hdf5 = false);
 
  private:
   void open(bool resume);
@@ -71,12 +72,7 @@ class WorkFolder {
 /// invalid_argument if the folder is finished and is of another plan.
 std::optional<TilesIndex> find_finished(const std::string& folder, const Plan& plan);
 
-/// What an unfinished folder is to become, and how many of its tiles are complete.
-struct UnfinishedTiles {
-  Plan plan;
-  std::size_t num_finished = 0;
-};
-/// Nothing if the folder has no plan. Changes nothing.
-std::optional<UnfinishedTiles> find_unfinished(const std::string& folder);
+/// What an unfinished folder is to become; nothing if the folder has no plan.
+std::optional<Plan> find_plan(const std::string& folder);
 
 }  // namespace delone::tiles
