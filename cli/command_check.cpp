@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <memory>
+#include <optional>
 #include <type_traits>
 #include <utility>
 #include <variant>
@@ -155,25 +156,30 @@ int run_check(Data data, const CheckCommandOptions& options) {
 
 /// A folder of tiles.
 int run_check_tiles(const CheckCommandOptions& options) {
-  if (options.any_orientation || options.furthest_site || !options.points.path.empty())
-    throw UsageError(
-        fmt::format("{} is a folder of tiles; --any-orientation, --furthest-site and --points are for "
-                    "triangulations in one file",
-                    input_name(options.path)));
+  if (options.any_orientation || options.furthest_site)
+    throw UsageError(fmt::format(
+        "{} is a folder of tiles; --any-orientation and --furthest-site are for triangulations in one file",
+        input_name(options.path)));
   const TilesIndex index = read_finished(options.path);
   CheckOptions check_options;
   check_options.up_to = options.level;
   check_options.threads = options.threads;
   check_options.canonical = options.canonical;
-  const CheckReport report =
-      about(input_name(options.path), [&] { return check_tiles(options.path, check_options); });
+  std::optional<PointTable> input;
+  if (!options.points.path.empty()) input = options.points.read(options.threads);
+  const CheckReport report = about(input_name(options.path), [&] {
+    return input ? check_tiles(options.path, PointsView(input->coordinates, input->dimension), check_options)
+                 : check_tiles(options.path, check_options);
+  });
   return print_report<ComplexData>(
       options,
       fmt::format("{} points in dimension {}, affine dimension {}, {} cells in {} parts", index.num_points,
                   index.dimension, index.affine_dimension, index.num_cells, index.parts.size()),
       report, ties(ComplexData{}, report),
-      fmt::format("a {} triangulation of its vertices, each point in one part",
-                  index.weighted ? "regular" : "Delaunay"));
+      fmt::format("a {} triangulation of {}, each point in one part", index.weighted ? "regular" : "Delaunay",
+                  !input            ? "its vertices"
+                  : !index.weighted ? "all its points"
+                                    : "all its points but hidden ones, which are not examined"));
 }
 
 template <class Data>
@@ -204,7 +210,8 @@ Run add_check(CLI::App& app) {
   app.add_flag("--furthest-site", options->furthest_site,
                "Require that no point is outside the sphere of a cell; points that are not extreme are no "
                "vertices");
-  app.add_option("--points", options->points.path, "Take the points from this file instead")
+  app.add_option("--points", options->points.path,
+                 "Take the points from this file instead; with a folder of tiles, compare with them")
       ->type_name("FILE");
   add_max_stream(app, options->points.options.max_stream_bytes);
   add_threads(app, options->threads);

@@ -110,13 +110,18 @@ struct UnfinishedTiles {
 /// Nothing if the path is not such a folder. Changes nothing.
 std::optional<UnfinishedTiles> find_unfinished_tiles(const std::string& folder);
 
-/// Examines a folder of tiles part by part, in memory for two parts, with scratch files in the folder: the
-/// levels of check() for triangulations, seams included. CheckReport::cells are global ids, points are rows
-/// of the input. Proves that the cells are the Delaunay or regular triangulation of their vertices, that
-/// every row is in one part, and that index.json is right. Coordinates of duplicates and hidden points are
-/// not in the folder: of these rows nothing else is proved. A part that cannot be read is a violation of
-/// level 1. Errors: those of read_tiles_index(), invalid_argument as for check() and for furthest_site and
-/// cells without orientation, cannot_write, out_of_memory.
+/// Examines a folder of tiles part by part, in memory for three parts (64 MiB at least), with scratch files
+/// in the folder: the levels of check() for triangulations, seams included. CheckReport::cells are global
+/// ids, points are rows of the input. Proves that the cells are the Delaunay or regular triangulation of
+/// their vertices, that every row is in one part, and that index.json is right. Coordinates of duplicates and
+/// hidden points are not in the folder: of these rows nothing else is proved. A part that cannot be read is a
+/// violation of level 1. Errors: those of read_tiles_index(), invalid_argument as for check() and for
+/// furthest_site and cells without orientation, cannot_write, out_of_memory.
 CheckReport check_tiles(const std::string& folder, const CheckOptions& options = {});
+/// The same, and at level 6 against the input: rows of d coordinates, and a weight if points have weights.
+/// Vertices are these points, and duplicates are equal to their vertices: a triangulation of all points,
+/// except that nothing is proved of hidden ones. Further errors: bad_dimension, and invalid_argument for
+/// another number of points.
+CheckReport check_tiles(const std::string& folder, PointsView input, const CheckOptions& options = {});
 
 }  // namespace delone

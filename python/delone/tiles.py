@@ -177,15 +177,24 @@ class Tiles:
     def __iter__(self) -> Iterator[Part]:
         return (self[i] for i in range(len(self)))
 
-    def check(self, level: int = 6, *, canonical: bool = False, threads: int = 0, progress=None) -> Report:
+    def check(self, level: int = 6, *, points=None, weights=None, canonical: bool = False, threads: int = 0, progress=None) -> Report:
         """Examines all parts and their seams, exactly: a Report, which is true if there is no violation.
 
-        level : the highest level to examine: 1 storage, 2 incidence, 3 sphere, 4 volume, 5 local convexity, 6 completeness; the last proves
-        that the cells are the Delaunay or regular triangulation of their vertices, and that every row is in one part. canonical : require
-        also the choice among ties that delone makes. threads, progress : as for `delone.Delaunay`. Takes memory for two parts, and scratch
-        files in the folder, which has to be writable. A part that cannot be read is a violation of level 1. ValueError for a level below 1.
+        level : the highest level to examine: 1 storage, 2 incidence, 3 sphere, 4 volume, 5 local convexity, 6 completeness
+        points, weights : (n, d) and (n,) floats
+            The input, which then is compared at level 6. Coordinates of duplicates and hidden points are not in the folder.
+        canonical : whether to require also the choice among ties that delone makes
+        threads, progress : as for `delone.Delaunay`
+
+        All levels prove that the cells are the Delaunay or regular triangulation of their vertices, and that every row is in one part; with
+        `points` that vertices are these points, and duplicates equal to theirs. Takes memory for three parts, and scratch files in
+        the folder, which has to be writable. A part that cannot be read is a violation of level 1. ValueError for a level below 1, and
+        for points or weights of another shape than those of the input.
         """
-        found = _core._check_tiles(os.fsencode(self._folder), level=min(level, 6), canonical=canonical, threads=threads, progress=progress)
+        if points is None and weights is not None:
+            raise ValueError("weights: those of which points?")
+        rows = None if points is None else _rows_of(points, weights)
+        found = _core._check_tiles(os.fsencode(self._folder), rows, level=min(level, 6), canonical=canonical, threads=threads, progress=progress)
         return Report(**{**found, "cells": tuple(found["cells"]), "points": tuple(found["points"])})
 
     def __repr__(self) -> str:
@@ -240,16 +249,22 @@ def make_tiles(points, folder, *, weights=None, columns=None, format=None, raw=N
     else:
         if columns is not None or format is not None or raw is not None:
             raise ValueError("columns, format and raw are for files")
-        given = _core._doubles(points, "points")
-        if given.ndim != 2 or given.shape[1] < 1:
-            raise ValueError(f"points: an array of shape (n, d), d at least 1, not {given.shape}")
-        if weights is not None:
-            column = _core._doubles(weights, "weights")
-            if column.shape != given.shape[:1]:
-                raise ValueError(f"weights: an array of shape {given.shape[:1]}, not {column.shape}")
-            given = np.column_stack([given, column])
+        given = _rows_of(points, weights)
     _core._make_tiles(given, os.fsencode(folder), **how)
     return Tiles(folder)
+
+
+def _rows_of(points, weights) -> np.ndarray:
+    """Points, with their weights as a last column."""
+    rows = _core._doubles(points, "points")
+    if rows.ndim != 2 or rows.shape[1] < 1:
+        raise ValueError(f"points: an array of shape (n, d), d at least 1, not {rows.shape}")
+    if weights is None:
+        return rows
+    column = _core._doubles(weights, "weights")
+    if column.shape != rows.shape[:1]:
+        raise ValueError(f"weights: an array of shape {rows.shape[:1]}, not {column.shape}")
+    return np.column_stack([rows, column])
 
 
 def _positive(value, name: str) -> int:

@@ -93,14 +93,20 @@ py::dict read_part(const std::string& folder, std::size_t number, std::int64_t f
 }
 
 /// The highest level reached, its name, and the violation, if there is one, with its cells and rows.
-py::dict check(const std::string& folder, int level, bool canonical, int threads,
+/// `input`: None, or rows of numbers as make() takes them.
+py::dict check(const std::string& folder, const py::object& input, int level, bool canonical, int threads,
                const py::object& progress) {
   CheckOptions options;
   options.up_to = level;
   options.canonical = canonical;
   options.threads = BuildArguments{.threads = threads}.to_options().threads;
+  const py::array_t<double> rows = input.is_none() ? py::array_t<double>() : as_points(input, "points");
+  const int width = input.is_none() ? 0 : static_cast<int>(rows.shape(1));
   Supervisor supervisor(progress);
-  const CheckReport report = supervisor.run([&] { return check_tiles(folder, options); });
+  const CheckReport report = supervisor.run([&] {
+    return input.is_none() ? check_tiles(folder, options)
+                           : check_tiles(folder, PointsView(numbers(rows), width), options);
+  });
   return py::dict("ok"_a = report.ok, "level"_a = report.reached.number,
                   "name"_a = std::string(report.reached.name), "violation"_a = report.violation,
                   "cells"_a = report.cells, "points"_a = report.points, "ties"_a = report.ties);
@@ -117,8 +123,8 @@ void bind_tiles(py::module_& module) {
   module.def("_read_tiles_index", &read_index, "folder"_a, "The index of a folder of tiles.");
   module.def("_read_tile", &read_part, "folder"_a, "number"_a, "first_cell"_a,
              "The arrays of delone.tiles.Part.");
-  module.def("_check_tiles", &check, "folder"_a, py::kw_only(), "level"_a, "canonical"_a, "threads"_a,
-             "progress"_a, "The members of delone.tiles.Report.");
+  module.def("_check_tiles", &check, "folder"_a, "input"_a, py::kw_only(), "level"_a, "canonical"_a,
+             "threads"_a, "progress"_a, "The members of delone.tiles.Report.");
 }
 
 }  // namespace delone::python

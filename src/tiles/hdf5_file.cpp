@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "tiles/hdf5_file.hpp"
 
+#include "base/platform.hpp"
 #include "io/file.hpp"
 #include "tiles/part_file.hpp"
 #include "tiles/record_buckets.hpp"
@@ -63,7 +64,11 @@ class Handle {
   Handle(hid_t id, herr_t (*close_by)(hid_t)) : id_(id), close_(close_by) {}
   Handle(Handle&& other) noexcept : id_(std::exchange(other.id_, -1)), close_(other.close_) {}
   Handle(const Handle&) = delete;
-  Handle& operator=(const Handle&) = delete;
+  Handle& operator=(Handle&& other) noexcept {
+    std::swap(id_, other.id_);
+    std::swap(close_, other.close_);
+    return *this;
+  }
   ~Handle() {
     if (id_ >= 0) close_(id_);
   }
@@ -88,10 +93,15 @@ hid_t file_type() {
 /// A file under another name until it is complete.
 class Hdf5File {
  public:
-  Hdf5File(const std::string& folder)
+  /// Of `bytes` bytes at most. HDF5 cannot close a file that it could not write to the end, and ends the
+  /// program when that is over: so whether there is room is found out before.
+  Hdf5File(const std::string& folder, std::uint64_t bytes)
       : target_(path_in(folder, file_name)),
         temporary_(path_in(folder, std::string(".delone-partial-") + file_name)),
-        file_(H5Fcreate(temporary_.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, H5P_DEFAULT), H5Fclose) {
+        file_(-1, H5Fclose) {
+    if (const int error = platform::find_no_room(temporary_.c_str(), bytes); error != 0)
+      io::fail(Errc::cannot_write, "{}: {}", io::output_name(target_), io::error_text(error));
+    file_ = Handle(H5Fcreate(temporary_.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, H5P_DEFAULT), H5Fclose);
     require(file_.id() >= 0);
   }
   ~Hdf5File() {
@@ -124,6 +134,15 @@ class Hdf5File {
   std::string target_, temporary_;
   Handle file_;
 };
+
+/// More than the file has, by all that is not in its arrays.
+std::uint64_t most_bytes(const TilesIndex& index) {
+  const auto v = static_cast<std::uint64_t>(index.num_vertices),
+             n = static_cast<std::uint64_t>(index.num_points),
+             m = static_cast<std::uint64_t>(index.num_cells), d = static_cast<std::uint64_t>(index.dimension),
+             corners = static_cast<std::uint64_t>(index.affine_dimension + 1);
+  return 8 * (v * (1 + d + (index.weighted ? 1 : 0)) + n + 2 * m * corners) + (std::uint64_t{1} << 16);
+}
 
 /// A dataset that is written from its first row on. `columns` = 0: a vector.
 template <class T>
@@ -232,7 +251,7 @@ class Rows {
 void write_all(const std::string& folder, const std::string& work, const TilesIndex& index,
                std::uint64_t memory) {
   const SilentErrors silent;
-  Hdf5File file(folder);
+  Hdf5File file(folder, most_bytes(index));
   const auto corners = static_cast<std::size_t>(index.affine_dimension + 1);
   file.attribute("dimension", index.dimension);
   file.attribute("affine_dimension", index.affine_dimension);

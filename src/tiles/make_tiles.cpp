@@ -48,7 +48,8 @@ class Run {
         memory_(options.memory > 0 ? options.memory : platform::available_memory() / 4 * 3) {}
 
   TilesIndex run() {
-    require_writers();
+    if (options_.vtu) require_vtu(folder_, points_.dimension() - (options_.weighted ? 1 : 0));
+    if (options_.hdf5) require_hdf5(folder_);
     {
       const ProgressScope scope(part_of_progress(0, share_of_survey));
       SurveyResult result = make_survey(points_, options_.weighted);
@@ -69,11 +70,6 @@ class Run {
   }
 
  private:
-  /// Throws what the writers would throw in the end.
-  void require_writers() const {
-    if (options_.vtu) require_vtu(folder_, points_.dimension() - (options_.weighted ? 1 : 0));
-    if (options_.hdf5) require_hdf5(folder_);
-  }
   /// The number of tiles: that of an unfinished folder of the same input, or as few as fit into memory.
   void settle_tiles(std::size_t num_tiles) {
     TilesOptions options = options_;
@@ -81,14 +77,23 @@ class Run {
     if (options.tiles == 0 && options_.resume)
       if (const auto plan = find_plan(folder_); plan && plan->fingerprint == fingerprint_)
         options.tiles = plan->num_tiles;
-    forecast_ = plan_tiles(survey_, cells_per_point_, options, memory_for_tiles());
+    const std::uint64_t memory = memory_for_tiles();
+    forecast_ = plan_tiles(survey_, cells_per_point_, options, memory);
+    if (options.tiles == 0 && forecast_.bytes_per_tile > memory)
+      io::fail(Errc::out_of_memory,
+               "{} bytes of memory are not enough: {} tiles would take {} each, and more tiles not less",
+               memory_, forecast_.num_tiles, forecast_.bytes_per_tile);
   }
-  /// Without what is there already, the boxes of all pages, and the cache of pages.
+  /// Without what is there already, the boxes of all pages, the cache of pages, and a reserve.
   std::uint64_t memory_for_tiles() const {
     const std::uint64_t pages = survey_.num_points / points_per_page(survey_.num_points) + 1,
                         per_page = 60 * static_cast<std::uint64_t>(survey_.dimension) + 40,
-                        used = platform::resident_memory() + pages * per_page + cache_bytes();
-    return used + (memory_ / 10) < memory_ ? memory_ - used - memory_ / 20 : memory_ / 10;
+                        used = platform::resident_memory() + pages * per_page + cache_bytes() + memory_ / 20;
+    if (used >= memory_)
+      io::fail(Errc::out_of_memory,
+               "{} bytes of memory are not enough for tiles of {} points: {} are in use before the first one",
+               memory_, survey_.num_points, used);
+    return memory_ - used;
   }
   std::size_t cache_bytes() const {
     return static_cast<std::size_t>(std::min<std::uint64_t>(memory_ / 16, std::uint64_t{256} << 20));
@@ -133,7 +138,6 @@ class Run {
   }
 
   void make_parts(WorkFolder& folder, const PageTable& table) {
-    sample_ = {};
     const PageTree tree(table);
     PageFile pages(pages_path_, table, cache_bytes());
     for (std::size_t t = 0; t < table.tiles.size(); ++t) {

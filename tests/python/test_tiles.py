@@ -71,6 +71,7 @@ def test_weights(random, tmp_path):
     points, weights = random.random((900, 3)), random.random(900) * 0.03
     whole = delone.Regular(points, weights)
     made = make_tiles(points, tmp_path / "out", weights=weights, tiles=4)
+    assert made.check(points=points, weights=weights)
     assert made.weighted and made.num_hidden == whole.num_hidden > 100
     require_same(made, whole)
     part = made[0]
@@ -111,7 +112,15 @@ def test_parts(random, tmp_path):
 
 
 def test_check(random, tmp_path):
-    made = make_tiles(random.random((400, 3)), tmp_path / "out", tiles=2)
+    points = random.random((400, 3))
+    made = make_tiles(points, tmp_path / "out", tiles=2)
+    assert made.check(points=points)
+    points[7] += 1e-9
+    report = made.check(points=points)
+    assert not report and report.level == 6 and 7 in report.points
+    for wrong in (dict(points=points[:-1]), dict(points=points, weights=points[:, 0]), dict(points=points[:, :2]), dict(weights=points[:, 0])):
+        with pytest.raises(ValueError):
+            made.check(**wrong)
     report = made.check(2)
     assert report and report.ok and report.level == 2 and report.name == "incidence" and report.violation == ""
     with pytest.raises(ValueError):

@@ -187,11 +187,11 @@ class MemoryPages final : public PageSource {
 };
 
 /// All tiles of a set, one after the other.
-inline std::vector<FinishedTile> all_tiles(MemoryPages& pages, unsigned threads = 1) {
+inline std::vector<FinishedTile> all_tiles(MemoryPages& pages, const TileOptions& options = {}) {
   const PageTree tree(pages.table);
   std::vector<FinishedTile> result;
   for (std::size_t i = 0; i < pages.table.tiles.size(); ++i) {
-    TileTriangulation tile(pages.survey, tree, pages, i, pages.own(i), {threads, {}});
+    TileTriangulation tile(pages.survey, tree, pages, i, pages.own(i), options);
     while (tile.advance()) {
     }
     result.push_back(tile.finish());

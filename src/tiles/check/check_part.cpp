@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "tiles/check_part.hpp"
+#include "tiles/check/check_part.hpp"
 
 #include "base/parallel_parts.hpp"
 #include "base/progress_meter.hpp"

@@ -4,7 +4,7 @@
 #pragma once
 
 #include "complex/canonical_hash.hpp"
-#include "tiles/check_part.hpp"
+#include "tiles/check/check_part.hpp"
 #include "tiles/record_buckets.hpp"
 
 #include <cstddef>
@@ -16,8 +16,10 @@ namespace delone::tiles {
 
 class RowChecker {
  public:
-  /// `words`: about how many numbers of rows and coordinates will come.
-  RowChecker(const TilesIndex& index, const std::string& scratch, std::uint64_t words, std::uint64_t memory);
+  /// `words`: about how many numbers of rows and coordinates will come. `input`: all points, each with its
+  /// weight if points have one, to be compared with; or null.
+  RowChecker(const TilesIndex& index, const std::string& scratch, std::uint64_t words, std::uint64_t memory,
+             const double* input);
 
   void add(const CheckedPart& part, Findings& findings);
   void match(Findings& findings);
@@ -27,7 +29,12 @@ class RowChecker {
   void match_bucket(std::size_t bucket, Findings& findings);
   void compare_with_index(Findings& findings) const;
 
+  const double* input_of(std::int64_t row) const {
+    return input_ + static_cast<std::size_t>(row) * row_size_;
+  }
+
   const TilesIndex& index_;
+  const double* input_;
   std::size_t row_size_;
   std::int64_t rows_per_bucket_;
   RecordBuckets owned_;   ///< row, part, vertex of the row

@@ -24,14 +24,15 @@
 //
 // Level 6 finds that a row has the same coordinates wherever a part has it, that it is a vertex in one sense
 // everywhere, and that every row of the input is in one part. Coordinates of duplicates and of hidden points
-// are not in the parts, so nothing is proved of them but that they are counted once.
-#include "tiles/check_tiles.hpp"
+// are not in the parts, so nothing is proved of them but that they are counted once; unless the input is at
+// hand, which duplicates are compared with.
+#include "tiles/check/check_tiles.hpp"
 
 #include "base/random.hpp"
 #include "io/file.hpp"
-#include "tiles/check_part.hpp"
-#include "tiles/check_rows.hpp"
-#include "tiles/check_seams.hpp"
+#include "tiles/check/check_part.hpp"
+#include "tiles/check/check_rows.hpp"
+#include "tiles/check/check_seams.hpp"
 #include "tiles/index_file.hpp"
 #include "tiles/part_file.hpp"
 
@@ -82,6 +83,16 @@ std::uint64_t size_of(const std::string& path) {
   return error ? 0 : static_cast<std::uint64_t>(size);
 }
 
+void require_input(PointsView input, const TilesIndex& index) {
+  const int columns = index.dimension + (index.weighted ? 1 : 0);
+  if (input.dimension() != columns)
+    io::fail(Errc::bad_dimension, "the input has {} columns; points in the folder have dimension {}{}",
+             input.dimension(), index.dimension, index.weighted ? " and a weight" : "");
+  if (static_cast<std::int64_t>(input.size()) != index.num_points)
+    io::fail(Errc::invalid_argument, "the input has {} points; those of the folder are {}", input.size(),
+             index.num_points);
+}
+
 struct Sizes {
   std::uint64_t largest = 0, parts = 0, seams = 0;  ///< bytes
 };
@@ -115,13 +126,15 @@ CheckedPart read_checked(const std::string& folder, const TilesIndex& index, std
 
 }  // namespace
 
-CheckReport check_tiles(const std::string& folder, const CheckOptions& options, std::uint64_t memory) {
+CheckReport check_tiles(const std::string& folder, const CheckOptions& options, std::uint64_t memory,
+                        std::optional<PointsView> input) {
   if (options.furthest_site || !options.oriented)
     io::fail(Errc::invalid_argument,
              "cells of tiles are oriented and Delaunay or regular; oriented and furthest_site are options of "
              "the check "
              "of a triangulation in one piece");
   const TilesIndex index = delone::read_tiles_index(folder);
+  if (input) require_input(*input, index);
   const Sizes sizes = sizes_of(folder, index);
   const std::uint64_t bound =
       memory != 0 ? memory : std::max<std::uint64_t>(sizes.largest, std::uint64_t{64} << 20);
@@ -132,7 +145,8 @@ CheckReport check_tiles(const std::string& folder, const CheckOptions& options, 
       std::min<std::uint64_t>(static_cast<std::uint64_t>(index.num_hull_facets), sizes.parts / 4);
   SeamChecker seams(index, reference, scratch.path(), sizes.seams / 8 + hull_facets, bound / 3,
                     options.canonical);
-  RowChecker rows(index, scratch.path(), sizes.parts / 8, bound / 3);
+  RowChecker rows(index, scratch.path(), sizes.parts / 8, bound / 3,
+                  input ? input->coordinates().data() : nullptr);
   std::size_t ties = 0;
   const auto examine = [&](std::size_t i) {
     std::optional<CheckedPart> part;
@@ -181,6 +195,10 @@ namespace delone {
 
 CheckReport check_tiles(const std::string& folder, const CheckOptions& options) {
   return io::guarded(io::input_name(folder), [&] { return tiles::check_tiles(folder, options, 0); });
+}
+
+CheckReport check_tiles(const std::string& folder, PointsView input, const CheckOptions& options) {
+  return io::guarded(io::input_name(folder), [&] { return tiles::check_tiles(folder, options, 0, input); });
 }
 
 }  // namespace delone

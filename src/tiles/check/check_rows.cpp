@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "tiles/check_rows.hpp"
+#include "tiles/check/check_rows.hpp"
 
 #include "base/progress_meter.hpp"
 #include "tiles/part_file.hpp"
@@ -26,8 +26,9 @@ std::int64_t rows_in_bucket(std::int64_t rows, std::uint64_t words, std::uint64_
 }  // namespace
 
 RowChecker::RowChecker(const TilesIndex& index, const std::string& scratch, std::uint64_t words,
-                       std::uint64_t memory)
+                       std::uint64_t memory, const double* input)
     : index_(index),
+      input_(input),
       row_size_(static_cast<std::size_t>(index.dimension) + (index.weighted ? 1 : 0)),
       rows_per_bucket_(rows_in_bucket(index.num_points, words, memory)),
       owned_(scratch + "/owned", bucket_of(std::max<std::int64_t>(index.num_points - 1, 0)) + 1),
@@ -157,6 +158,8 @@ void RowChecker::match_bucket(std::size_t bucket, Findings&) {
       ++num_duplicates_;
     } else {
       get_point(place[at]);
+      if (input_ != nullptr && !std::equal(point.begin(), point.end(), input_of(row)))
+        refuse("has other coordinates in the input");
       hash_.add_vertex(internal::point_tag(point.data(), index_.dimension));
       if (index_.weighted) {
         weighted_hash_.add_vertex(internal::point_tag(point.data(), index_.dimension + 1));
@@ -175,6 +178,12 @@ void RowChecker::match_bucket(std::size_t bucket, Findings&) {
                                   vertex_of[at] != merged[i] ? "no vertex" : "a later one"),
                       {},
                       rows_of({merged[i + 1], merged[i]})};
+    if (input_ != nullptr &&
+        !std::equal(input_of(merged[i]), input_of(merged[i]) + row_size_, input_of(merged[i + 1])))
+      throw Violation{
+          fmt::format("point {} was merged into point {}, but they are not equal", merged[i + 1], merged[i]),
+          {},
+          rows_of({merged[i + 1], merged[i]})};
   }
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "tiles/check_seams.hpp"
+#include "tiles/check/check_seams.hpp"
 
 #include "base/progress_meter.hpp"
 #include "tiles/equal_records.hpp"

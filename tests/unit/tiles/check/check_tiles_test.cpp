@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The check of folders of tiles: sound ones pass with little memory, and every damage is found at its level.
-#include "tiles/check_tiles.hpp"
+#include "tiles/check/check_tiles.hpp"
 
-#include "../io/io_support.hpp"
+#include "../../io/io_support.hpp"
+#include "../tiles_support.hpp"
 #include "degenerate.hpp"
 #include "scale.hpp"
 #include "tiles/index_file.hpp"
 #include "tiles/part_file.hpp"
-#include "tiles_support.hpp"
 
 #include <delone/check.hpp>
 #include <delone/delaunay.hpp>
@@ -163,6 +163,11 @@ TEST_F(CheckTiles, ChangedNeighborsAreFound) {
     neighbor = neighbor == 0 ? 1 : 0;
   });
   expect_violation(2, "part-0001.npz");
+  write_usual();
+  change_part(1, [](TileData& part) {
+    *std::find_if(part.neighbors.begin(), part.neighbors.end(), [](auto n) { return n >= 0; }) = -1;
+  });
+  expect_violation(2, "not the other way round");
   write_usual();
   change_part(2, [](TileData& part) {
     auto& seam = *std::find_if(part.seams.begin(), part.seams.end(), [](auto s) { return s >= 0; });
@@ -335,6 +340,48 @@ TEST_F(CheckTiles, EveryRowIsOnce) {
     part.points.insert(part.points.end(), {0, 0, 0});
   });
   expect_violation(6, "but no cell with it");
+}
+
+TEST_F(CheckTiles, DuplicatesAreOfEarlierVertices) {
+  // The rows 3, 4 and 5 are those of 0, and 6 is another vertex.
+  const std::vector<double> points{0, 0, 1, 0, 0, 1, 0, 0, 0, 0, 0, 0, 2, 2};
+  for (const std::int64_t wrong : {3, 6}) {
+    write_folder(folder_, Delaunay<>(points, 2).to_data(), 2);
+    EXPECT_TRUE(checked().ok);
+    for (std::size_t i = 0; i < 2; ++i)
+      change_part(i, [&](TileData& part) {
+        for (std::size_t r = 0; r < part.own_rows.size(); ++r)
+          if (part.own_rows[r] == 4) part.vertex_of_row[r] = wrong;
+      });
+    expect_violation(6, wrong == 3 ? "which is no vertex" : "which is a later one");
+  }
+}
+
+TEST_F(CheckTiles, ComparesWithTheInput) {
+  const std::vector<double> points{0, 0, 1, 0, 0, 1, 0, 0, 2, 2};
+  write_folder(folder_, Delaunay<>(points, 2).to_data(), 2);
+  EXPECT_TRUE(check_tiles(folder_, PointsView(points, 2)).ok);
+  for (const std::size_t i : {6u, 9u}) {
+    std::vector<double> others = points;
+    others[i] = 7;
+    EXPECT_TRUE(checked().ok);
+    const CheckReport report = check_tiles(folder_, PointsView(others, 2));
+    EXPECT_FALSE(report.ok);
+    EXPECT_EQ(report.reached.number, 6);
+    EXPECT_NE(report.violation.find(i == 6 ? "not equal" : "other coordinates"), std::string::npos)
+        << report.violation;
+  }
+  expect_error(Errc::bad_dimension, {"1 columns"}, [&] { check_tiles(folder_, PointsView(points, 1)); });
+  expect_error(Errc::invalid_argument, {"4 points"},
+               [&] { check_tiles(folder_, PointsView(std::span(points).first(8), 2)); });
+  const std::vector<double> weighted{0, 0, .5, 1, 0, 0, 0, 1, 0, 0, 0, .5, 1, 1, 0, 1, 1, -9};
+  std::vector<double> coordinates, weights;
+  for (std::size_t i = 0; i < weighted.size(); i += 3) {
+    coordinates.insert(coordinates.end(), {weighted[i], weighted[i + 1]});
+    weights.push_back(weighted[i + 2]);
+  }
+  write_folder(folder_, Regular<>(coordinates, weights, 2).to_data(), 2);
+  EXPECT_TRUE(check_tiles(folder_, PointsView(weighted, 3)).ok);
 }
 
 TEST_F(CheckTiles, TheIndexAgrees) {

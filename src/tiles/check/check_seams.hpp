@@ -3,7 +3,7 @@
 // ridges of the hull.
 #pragma once
 
-#include "tiles/check_part.hpp"
+#include "tiles/check/check_part.hpp"
 #include "tiles/record_buckets.hpp"
 
 #include <cstddef>
