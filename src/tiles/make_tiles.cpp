@@ -55,7 +55,7 @@ class Run {
       SurveyResult result = make_survey(points_, options_.weighted);
       survey_ = std::move(result.survey);
       sample_ = std::move(result.sample);
-      cells_per_point_ = cells_per_point(sample_, survey_);
+      model_ = SetModel::of_sample(sample_, survey_);
     }
     std::size_t num_tiles = 0;  // not settled
     for (;;) try {
@@ -78,7 +78,7 @@ class Run {
       if (const auto plan = find_plan(folder_); plan && plan->fingerprint == fingerprint_)
         options.tiles = plan->num_tiles;
     const std::uint64_t memory = memory_for_tiles();
-    forecast_ = plan_tiles(survey_, cells_per_point_, options, memory);
+    forecast_ = plan_tiles(survey_, model_, options, memory);
     if (options.tiles == 0 && forecast_.bytes_per_tile > memory)
       io::fail(Errc::out_of_memory,
                "{} bytes of memory are not enough: {} tiles would take {} each, and more tiles not less",
@@ -179,7 +179,7 @@ class Run {
   const std::uint64_t memory_;
   Survey survey_;
   std::vector<double> sample_;
-  double cells_per_point_ = 0;
+  SetModel model_;
   TilesForecast forecast_;
   double done_ = 0;
   bool has_told_ = false;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Searches in the tree of pages against all points.
 #include "degenerate.hpp"
-#include "memory_pages.hpp"
+#include "test_pages.hpp"
 
 #include <delone/point_sets.hpp>
 
@@ -16,7 +16,7 @@ TEST(PageTree, FindsTheFirstPoint) {
   test::Random random(4);
   for (const std::size_t num_tiles : {1, 3, 9})
     for (int d = 2; d <= 4; ++d) {
-      MemoryPages pages(make_point_set("uniform", d, 700, 2), d, num_tiles);
+      TestPages pages(make_point_set("uniform", d, 700, 2), d, num_tiles);
       const PageTree tree(pages.table);
       KnownPoints known(pages.table.num_pages());
       known.add(pages.table.num_pages() - 1, 0, pages.find(pages.table.num_pages() - 1)->size());
@@ -59,7 +59,7 @@ TEST(PageTree, WaitsForPages) {
     }
     std::vector<std::size_t> wanted;
   };
-  MemoryPages pages(make_point_set("uniform", 2, 500, 1), 2, 2);
+  TestPages pages(make_point_set("uniform", 2, 500, 1), 2, 2);
   NoPages nothing;
   const PageTree tree(pages.table);
   const KnownPoints known(pages.table.num_pages());

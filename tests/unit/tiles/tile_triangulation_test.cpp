@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Tiles against the whole: the same cells, the same hash, whatever the cuts.
 #include "degenerate.hpp"
-#include "memory_pages.hpp"
+#include "test_pages.hpp"
 #include "scale.hpp"
 
 #include <delone/delaunay.hpp>
@@ -63,7 +63,7 @@ void expect_same(const std::vector<FinishedTile>& tiles, const Whole& whole, boo
 void compare(const test::PointSet& set, std::size_t num_tiles, const TileOptions& options = {}) {
   SCOPED_TRACE(set.name + " in " + std::to_string(set.dimension) + "D, " + std::to_string(num_tiles) +
                " tiles");
-  MemoryPages pages(set.points, set.dimension, num_tiles);
+  TestPages pages(set.points, set.dimension, num_tiles);
   expect_same(all_tiles(pages, options), Delaunay<>(set.points, set.dimension), false);
 }
 
@@ -115,7 +115,7 @@ TEST(TileTriangulation, Weights) {
           weights.push_back(spread * random.real());
           rows.push_back(weights.back());
         }
-        MemoryPages pages(rows, d, num_tiles, true);
+        TestPages pages(rows, d, num_tiles, true);
         TileOptions options;
         options.try_all_points = num_tiles == 6;
         expect_same(all_tiles(pages, options), Regular<>(points, weights, d), spread > 0);
