@@ -149,7 +149,7 @@ class Run {
       const auto progress =
           part_of_progress(start + step * static_cast<double>(t), start + step * static_cast<double>(t + 1));
       how.progress = [&](double fraction) {
-        if (platform::resident_memory() > memory_) throw TileTooLarge{t};
+        if (platform::resident_memory() > memory_ - memory_ / 32) throw TileTooLarge{t};
         return progress(fraction);
       };
       const ProgressScope scope(how.progress);
