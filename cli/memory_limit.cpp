@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "memory_limit.hpp"
 
+#include <delone/error.hpp>
+
 #include <fmt/format.h>
 #include <sys/resource.h>
 #include <unistd.h>
