@@ -59,6 +59,13 @@ class WorkFolder {
   /// REQUIRES that all tiles are finished. Matches the seams, writes index.json, and removes FOLDER/work.
   TilesIndex finish_all(std::uint64_t memory);
 
+  /// The steps of finish_all() by themselves, for processes that share the folder. What others have finished:
+  void know(std::size_t t, const TileRecord& record) { records_[t] = record; }
+  /// What the index will be. Facets of the hull that are seams of parts are not yet counted.
+  TilesIndex summary() const;
+  /// Writes index.json, and removes FOLDER/work.
+  void close(const TilesIndex& index) const;
+
  private:
   void open(bool resume);
 
@@ -67,9 +74,15 @@ class WorkFolder {
   std::vector<std::optional<TileRecord>> records_;
 };
 
+/// The global id of the first cell of each part.
+std::vector<std::int64_t> first_cells(const TilesIndex& index);
+
 /// The index of a finished folder of this plan: nothing is left to do. Nothing if there is no index; throws
 /// invalid_argument if the folder is finished and is of another plan.
 std::optional<TilesIndex> find_finished(const std::string& folder, const Plan& plan);
+
+/// What an unfinished folder is to become; nothing if the folder has no plan.
+std::optional<Plan> find_plan(const std::string& folder);
 
 /// What an unfinished folder is to become, and how many of its tiles are complete.
 struct UnfinishedTiles {
