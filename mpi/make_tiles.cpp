@@ -275,16 +275,18 @@ template <class MakeShare>
 TilesIndex make(MPI_Comm comm, const std::string& folder, const TilesOptions& options, RankEffort* effort,
                 const MakeShare& make_share) {
   Ranks ranks(comm);
-  std::optional<Share> share;
-  ranks.together([&] {
-    if (options.vtu || options.hdf5)
-      throw Error(Errc::unsupported, "several processes write no .vtu and no HDF5");
-    make_share(ranks, share);
+  return ranks.guarded([&] {
+    std::optional<Share> share;
+    ranks.together([&] {
+      if (options.vtu || options.hdf5)
+        throw Error(Errc::unsupported, "several processes write no .vtu and no HDF5");
+      make_share(ranks, share);
+    });
+    RankEffort unused;
+    RankEffort& to = effort ? *effort : unused;
+    to = {};
+    return Run(ranks, *share, folder, options, to).run();
   });
-  RankEffort unused;
-  RankEffort& to = effort ? *effort : unused;
-  to = {};
-  return Run(ranks, *share, folder, options, to).run();
 }
 
 }  // namespace

@@ -55,9 +55,11 @@ OwnedPages::OwnedPages(Share& share, std::int64_t first_row, Survey& survey, con
     }
   });
   const auto found = static_cast<std::uint64_t>(ranks.sum(static_cast<std::int64_t>(num_points)));
-  if (found != survey.num_points)
+  ranks.together([&] {
+    if (found == survey.num_points) return;
     io::fail(Errc::bad_format, "the input has changed: it had {} points, and now it has {}",
              survey.num_points, found);
+  });
   settle_landmarks(survey, tree, ranks);
   make_table(own, tree, ranks);
 }

@@ -3,6 +3,8 @@
 
 #include <delone/error.hpp>
 
+#include <cstdio>
+#include <cstdlib>
 #include <limits>
 #include <new>
 #include <utility>
@@ -166,6 +168,12 @@ void Ranks::exchange_bytes(const std::vector<const void*>& from, const std::vect
   MPI_Waitall(static_cast<int>(requests.size()), requests.data(), MPI_STATUSES_IGNORE);
 }
 
+void Ranks::abort(const char* message) const {
+  std::fprintf(stderr, "delone: rank %d: %s\n", rank_, message);
+  MPI_Abort(comm_, 3);
+  std::abort();  // not reached
+}
+
 void Ranks::raise(const std::exception_ptr& failure) const {
   // The lowest rank that failed, and how many did.
   const std::int64_t first = min(failure ? rank_ : std::numeric_limits<int>::max());
@@ -178,6 +186,7 @@ void Ranks::raise(const std::exception_ptr& failure) const {
   const auto code = static_cast<Errc>(max(first == rank_ ? static_cast<std::int64_t>(mine.code) : -1));
   std::string text(message.begin(), message.end());
   if (!all_failed) text = "rank " + std::to_string(first) + ": " + text;
+  has_raised_ = true;
   throw Error(code, text, {rows.begin(), rows.end()});
 }
 

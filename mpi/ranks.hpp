@@ -101,6 +101,17 @@ class Ranks {
   }
   /// All ranks throw if any has a failure: that of the lowest such rank.
   void raise(const std::exception_ptr& failure) const;
+  /// Runs collective work. Ends all processes, after a message, if it throws anything on this rank that the
+  /// others do not know of: they would wait for this one for ever.
+  template <class Work>
+  auto guarded(const Work& work) const {
+    try {
+      return work();
+    } catch (const std::exception& error) {
+      if (!has_raised_) abort(error.what());
+      throw;
+    }
+  }
 
   /// What exchange() has sent and received so far, what stays at this rank apart.
   std::int64_t num_messages() const { return num_messages_; }
@@ -108,6 +119,7 @@ class Ranks {
   std::int64_t bytes_received() const { return bytes_received_; }
 
  private:
+  [[noreturn]] void abort(const char* message) const;
   std::uint64_t broadcast_size(std::uint64_t size) const;
   void broadcast_bytes(void* bytes, std::size_t size) const;
   std::vector<std::uint64_t> gather_sizes(std::uint64_t size) const;
@@ -118,6 +130,7 @@ class Ranks {
 
   MPI_Comm comm_ = MPI_COMM_NULL;
   int rank_ = 0, size_ = 1;
+  mutable bool has_raised_ = false;
   std::int64_t num_messages_ = 0, bytes_sent_ = 0, bytes_received_ = 0;
 };
 

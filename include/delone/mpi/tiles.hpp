@@ -44,8 +44,9 @@ struct RankEffort {
 /// not written.
 ///
 /// Errors of any rank are thrown by all, with the number of the rank in front unless all have the same one.
-/// If a process dies, MPI ends the others; another call, by as many ranks as you like, goes on with what the
-/// first has left.
+/// Where a rank runs out of memory in the middle of an exchange, it says so on standard error and ends all by
+/// MPI_Abort. If a process dies, MPI ends the others; another call, by as many ranks as you like, goes on
+/// with what the first has left.
 TilesIndex make_tiles(const std::vector<std::string>& inputs, const std::string& folder, MPI_Comm ranks,
                       const TilesOptions& options = {}, RankEffort* effort = nullptr);
 /// The same of points in memory: each rank has some of the rows, which are numbered rank by rank.
