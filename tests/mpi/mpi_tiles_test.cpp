@@ -186,7 +186,9 @@ TEST_F(MpiTiles, EqualTheWhole) {
   std::size_t number = 0;
   for (const Rows& rows : degenerate_rows())
     for (const std::size_t tiles : {std::size_t{0}, std::size_t{7}}) {
-      const std::string folder = path(std::to_string(++number));
+      // Every other one of each, unless there is time.
+      if ((++number + (number - 1) / 2) % 2 == 0 && test::scale() != test::Scale::large) continue;
+      const std::string folder = path(std::to_string(number));
       expect_whole(rows, make(rows, folder, tiles, number), folder);
     }
 }
