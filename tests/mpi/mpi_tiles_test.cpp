@@ -171,12 +171,17 @@ std::vector<Rows> degenerate_rows() {
   sets.push_back({"equal", 2, false, std::vector<double>(2 * n, 0.5)});
   sets.push_back({"none", 3, false, {}});
   test::Random random(3);
-  for (const int largest : {1, 40}) {  // few or many hidden points, and equal positions
-    Rows weighted{"weighted", 3, true, {}};
-    for (std::size_t i = 0; i < 3 * n; ++i)
-      weighted.values.insert(weighted.values.end(),
-                             {static_cast<double>(random.integer(0, 15)),
-                              static_cast<double>(random.integer(0, 15)), random.real() * largest});
+  // Few or many hidden points, and equal positions; or few points of large weight among many of none, which
+  // reach far into other tiles.
+  for (const int kind : {0, 1, 2}) {
+    Rows weighted{"weighted " + std::to_string(kind), 3, true, {}};
+    for (std::size_t i = 0; i < 3 * n; ++i) {
+      const double weight = kind == 2 ? (i % 60 == 0 ? 20 : 0) : random.real() * (kind == 0 ? 1 : 40);
+      for (int axis = 0; axis < 2; ++axis)
+        weighted.values.push_back(kind == 2 ? 15 * random.real()
+                                            : static_cast<double>(random.integer(0, 15)));
+      weighted.values.push_back(weight);
+    }
     sets.push_back(weighted);
   }
   return sets;
