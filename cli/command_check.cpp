@@ -3,11 +3,13 @@
 #include "build_options.hpp"
 #include "command.hpp"
 #include "output.hpp"
+#include "tiles_folder.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <memory>
+#include <optional>
 #include <type_traits>
 #include <utility>
 #include <variant>
@@ -110,6 +112,32 @@ void replace_points(Data& data, const CheckCommandOptions& options) {
   data.points = std::move(table.coordinates);
 }
 
+/// Prints the report. Returns the exit status.
+template <class Data>
+int print_report(const CheckCommandOptions& options, const std::string& held, const CheckReport& report,
+                 const std::string& ties_text, const std::string& proved) {
+  std::string text = fmt::format("{}: {}\n", input_name(options.path), held);
+  for (const CheckLevel& level : check_levels<Data>()) {
+    if (level.number > report.reached.number) break;
+    const bool failed = !report.ok && level.number == report.reached.number;
+    std::string meaning(level.meaning);
+    if (const auto at = meaning.find("inside the sphere"); options.furthest_site && at != std::string::npos)
+      meaning.replace(at, 6, "outside");
+    text +=
+        fmt::format("level {}  {:<17}{:<8}{}\n", level.number, level.name, failed ? "FAILED" : "ok", meaning);
+  }
+  if (!report.ok) {
+    text += fmt::format("violation: {}\n", report.violation);
+  } else {
+    text += ties_text;
+    text += report.reached.number == check_levels<Data>().back().number ? proved + ", exactly\n"
+                                                                        : "no violation up to this level\n";
+    if (options.canonical) text += "ties are decided as the symbolic perturbation decides them\n";
+  }
+  print_output(text);
+  return report.ok ? exit_status::ok : exit_status::check_failed;
+}
+
 template <class Data>
 int run_check(Data data, const CheckCommandOptions& options) {
   require_fitting<Data>(options);
@@ -123,27 +151,35 @@ int run_check(Data data, const CheckCommandOptions& options) {
   check_options.furthest_site = options.furthest_site;
   const CheckReport report = about(input_name(options.path), [&] { return check(data, check_options); });
 
-  std::string text = fmt::format("{}: {}\n", input_name(options.path), contents(data));
-  for (const CheckLevel& level : check_levels<Data>()) {
-    if (level.number > report.reached.number) break;
-    const bool failed = !report.ok && level.number == report.reached.number;
-    std::string meaning(level.meaning);
-    if (const auto at = meaning.find("inside the sphere"); options.furthest_site && at != std::string::npos)
-      meaning.replace(at, 6, "outside");
-    text +=
-        fmt::format("level {}  {:<17}{:<8}{}\n", level.number, level.name, failed ? "FAILED" : "ok", meaning);
-  }
-  if (!report.ok) {
-    text += fmt::format("violation: {}\n", report.violation);
-  } else {
-    text += ties(data, report);
-    text += report.reached.number == check_levels<Data>().back().number
-                ? result(data, check_options) + ", exactly\n"
-                : "no violation up to this level\n";
-    if (options.canonical) text += "ties are decided as the symbolic perturbation decides them\n";
-  }
-  print_output(text);
-  return report.ok ? exit_status::ok : exit_status::check_failed;
+  return print_report<Data>(options, contents(data), report, ties(data, report), result(data, check_options));
+}
+
+/// A folder of tiles.
+int run_check_tiles(const CheckCommandOptions& options) {
+  if (options.any_orientation || options.furthest_site)
+    throw UsageError(fmt::format(
+        "{} is a folder of tiles; --any-orientation and --furthest-site are for triangulations in one file",
+        input_name(options.path)));
+  const TilesIndex index = read_finished(options.path);
+  CheckOptions check_options;
+  check_options.up_to = options.level;
+  check_options.threads = options.threads;
+  check_options.canonical = options.canonical;
+  std::optional<PointTable> input;
+  if (!options.points.path.empty()) input = options.points.read(options.threads);
+  const CheckReport report = about(input_name(options.path), [&] {
+    return input ? check_tiles(options.path, PointsView(input->coordinates, input->dimension), check_options)
+                 : check_tiles(options.path, check_options);
+  });
+  return print_report<ComplexData>(
+      options,
+      fmt::format("{} points in dimension {}, affine dimension {}, {} cells in {} parts", index.num_points,
+                  index.dimension, index.affine_dimension, index.num_cells, index.parts.size()),
+      report, ties(ComplexData{}, report),
+      fmt::format("a {} triangulation of {}, each point in one part", index.weighted ? "regular" : "Delaunay",
+                  !input            ? "its vertices"
+                  : !index.weighted ? "all its points"
+                                    : "all its points but hidden ones, which are not examined"));
 }
 
 template <class Data>
@@ -158,9 +194,10 @@ std::string levels_text(const char* title) {
 
 Run add_check(CLI::App& app) {
   auto options = std::make_shared<CheckCommandOptions>();
-  app.add_option("COMPLEX", options->path,
-                 "A triangulation: .npz, .json or .off; or a hull, an intersection, a Voronoi or power "
-                 "diagram: .npz or .json")
+  app.add_option(
+         "COMPLEX", options->path,
+         "A triangulation: .npz, .json or .off, or a folder of tiles; or a hull, an intersection, a Voronoi "
+         "or power diagram: .npz or .json")
       ->required()
       ->type_name("");
   app.add_option("--format", options->format, "Format of COMPLEX, if not told by its extension")
@@ -173,7 +210,8 @@ Run add_check(CLI::App& app) {
   app.add_flag("--furthest-site", options->furthest_site,
                "Require that no point is outside the sphere of a cell; points that are not extreme are no "
                "vertices");
-  app.add_option("--points", options->points.path, "Take the points from this file instead")
+  app.add_option("--points", options->points.path,
+                 "Take the points from this file instead; with a folder of tiles, compare with them")
       ->type_name("FILE");
   add_max_stream(app, options->points.options.max_stream_bytes);
   add_threads(app, options->threads);
@@ -183,6 +221,7 @@ Run add_check(CLI::App& app) {
              "Exit status: 0 no violation, 1 a violation, which is printed.");
   return [options] {
     protect_files({options->path, options->points.path}, {{"the report", "-"}});
+    if (is_folder(options->path)) return run_check_tiles(*options);
     AnyData data = about(input_name(options->path), [&] {
       return read(options->path, options->format, options->points.options.max_stream_bytes);
     });

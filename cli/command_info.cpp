@@ -2,6 +2,7 @@
 // delone info: what a file holds.
 #include "command.hpp"
 #include "output.hpp"
+#include "tiles_folder.hpp"
 
 #include <fmt/format.h>
 
@@ -138,12 +139,52 @@ std::string describe(const PointTable& table) {
   return description.text();
 }
 
+std::string describe(const TilesIndex& index) {
+  Description description("a triangulation in tiles");
+  description.line("points", index.num_points)
+      .line("dimension", index.dimension)
+      .line("affine dimension", index.affine_dimension)
+      .line("weights", index.weighted ? "stored" : "none")
+      .line("cells", index.num_cells)
+      .line("hull facets", index.num_hull_facets)
+      .line("vertices", index.num_vertices)
+      .line("duplicates", index.num_duplicates);
+  if (index.weighted) description.line("hidden points", index.num_hidden);
+  description.line("parts", index.parts.size());
+  if (!index.parts.empty()) {
+    std::int64_t least = index.parts.front().num_cells, largest = least, foreign = 0;
+    for (const TilePart& part : index.parts) {
+      least = std::min(least, part.num_cells);
+      largest = std::max(largest, part.num_cells);
+      foreign += part.num_foreign;
+    }
+    description.line("cells of a part", fmt::format("{} ... {}", least, largest))
+        .line("foreign points", foreign);
+  }
+  return description.line("hash", index.hash.hex()).text();
+}
+
+/// A folder of tiles, finished or not.
+std::string describe_folder(const std::string& folder) {
+  if (const auto unfinished = find_unfinished_tiles(folder))
+    return Description("a triangulation in tiles, not finished")
+        .line("tiles", unfinished->num_tiles)
+        .line("tiles done", unfinished->num_finished)
+        .text();
+  return describe(read_tiles_index(folder));
+}
+
 int run_info(const InfoOptions& options) {
   protect_files({options.input.path}, {{"the description", "-"}});
   const std::string name = input_name(options.input.path);
   const auto print = [&](const auto& held) {
     print_output(about(name, [&] { return fmt::format("{}: {}", name, describe(held)); }));
   };
+  if (is_folder(options.input.path)) {
+    print_output(
+        about(name, [&] { return fmt::format("{}: {}", name, describe_folder(options.input.path)); }));
+    return exit_status::ok;
+  }
   if (const auto data =
           try_read(options.input.path, options.input.options.format, options.input.options.max_stream_bytes))
     std::visit(print, *data);
@@ -156,8 +197,9 @@ int run_info(const InfoOptions& options) {
 
 Run add_info(CLI::App& app) {
   auto options = std::make_shared<InfoOptions>();
-  app.add_option("FILE", options->input.path,
-                 "Points, or whatever delone writes; - for points from standard input")
+  app.add_option(
+         "FILE", options->input.path,
+         "Points, or whatever delone writes, a folder of tiles included; - for points from standard input")
       ->required()
       ->type_name("");
   std::vector<std::string> formats = point_formats();

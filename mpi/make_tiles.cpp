@@ -85,21 +85,8 @@ class Run {
       tree = read_split_tree(tiles::path_in(folder_name_, "work"), plan->dimension, plan->num_tiles);
     });
     const bool is_found = ranks_.max(std::int64_t{tree ? 1 : 0}) == 1;
-    if (!is_found) {
-      TilesOptions options = options_;
-      ranks_.together([&] {
-        const double cells = tiles::cells_per_point(whole_.result.sample, survey());
-        forecast_ = tiles::plan_tiles(survey(), cells, options, memory_for_tiles());
-        if (options.tiles == 0) {
-          const auto p = static_cast<std::size_t>(ranks_.size());
-          options.tiles = (forecast_.num_tiles + p - 1) / p * p;
-          forecast_ = tiles::plan_tiles(survey(), cells, options, memory_);
-        }
-      });
-      forecast_.num_tiles =
-          static_cast<std::size_t>(ranks_.max(static_cast<std::int64_t>(forecast_.num_tiles)));
-      tree = tiles::make_split_tree(whole_.result.sample, survey().dimension, forecast_.num_tiles);
-    } else {
+    TilesOptions options = options_;
+    if (is_found) {
       if (!tree) tree.emplace();
       tree->dimension = survey().dimension;
       ranks_.broadcast(tree->axes);
@@ -107,12 +94,13 @@ class Run {
       ranks_.broadcast(tree->below);
       ranks_.broadcast(tree->beyond);
       tree->num_tiles = static_cast<std::int32_t>(tree->axes.size() + 1);
-      TilesOptions options = options_;
       options.tiles = static_cast<std::size_t>(tree->num_tiles);
-      ranks_.together([&] {
-        forecast_ = tiles::plan_tiles(survey(), tiles::cells_per_point(whole_.result.sample, survey()),
-                                      options, memory_);
-      });
+    }
+    ranks_.together([&] { forecast(options); });
+    if (!is_found) {
+      const auto num_tiles = ranks_.max(static_cast<std::int64_t>(forecast_.num_tiles));
+      tree = tiles::make_split_tree(whole_.result.sample, survey().dimension,
+                                    static_cast<std::size_t>(num_tiles));
     }
     forecast_.num_tiles = static_cast<std::size_t>(tree->num_tiles);
     whole_.result.sample = {};
@@ -120,6 +108,26 @@ class Run {
       if (options_.forecast && !options_.forecast(forecast_)) throw Error(Errc::cancelled, "cancelled");
     });
     return std::move(*tree);
+  }
+  /// So many tiles as options say, or as few as fit into memory, a multiple of the number of ranks. The share
+  /// of foreign points is measured only where it matters, as this takes some tenths of a second.
+  void forecast(TilesOptions options) {
+    const auto p = static_cast<std::size_t>(ranks_.size());
+    const std::uint64_t memory = memory_for_tiles();
+    const auto settle = [&](const tiles::SetModel& model) {
+      forecast_ = tiles::plan_tiles(survey(), model, options, memory);
+      if (options.tiles > 0) return;
+      TilesOptions rounded = options;
+      rounded.tiles = (forecast_.num_tiles + p - 1) / p * p;
+      forecast_ = tiles::plan_tiles(survey(), model, rounded, memory);
+    };
+    if (options.tiles > 0 && !options_.forecast) return settle({});
+    tiles::SetModel model{tiles::cells_per_point(whole_.result.sample, survey()),
+                          tiles::ForeignShare::of_uniform_points(survey().affine_dimension)};
+    settle(model);
+    if (!options_.forecast && forecast_.num_tiles == p && forecast_.bytes_per_tile < memory / 4) return;
+    model.foreign = tiles::ForeignShare::of_sample(whole_.result.sample, survey().dimension);
+    settle(model);
   }
   /// Without what is there already, the points of the rank in their pages, and the boxes of all pages.
   std::uint64_t memory_for_tiles() const {
@@ -246,7 +254,7 @@ class Run {
     index.num_hull_facets +=
         match_seams(folder_name_, folder_->work(), tiles::first_cells(index), owners, ranks_);
     ranks_.together([&] {
-      if (ranks_.rank() == 0) folder_->close(index);
+      if (ranks_.rank() == 0) folder_->close(index, memory_ / 4);
     });
     return index;
   }

@@ -17,19 +17,6 @@ using tiles::SplitTree;
 using tiles::Survey;
 using tiles::Tile;
 
-std::shared_ptr<const tiles::Page> page_of_records(std::span<const double> records, std::size_t row_size) {
-  auto page = std::make_shared<tiles::Page>();
-  const std::size_t size = records.size() / (row_size + 1), stride = tiles::Page::stride_of(size);
-  page->coordinates.reserve(stride * row_size);
-  for (std::size_t j = 0; j < row_size; ++j)
-    for (std::size_t i = 0; i < stride; ++i)
-      page->coordinates.push_back(records[std::min(i, size - 1) * (row_size + 1) + j]);
-  page->rows.reserve(size);
-  for (std::size_t i = 0; i < size; ++i)
-    page->rows.push_back(tiles::row_of(records[i * (row_size + 1) + row_size]));
-  return page;
-}
-
 OwnedPages::OwnedPages(Share& share, std::int64_t first_row, Survey& survey, const SplitTree& tree,
                        Ranks& ranks, std::uint64_t memory)
     : owners_{static_cast<std::size_t>(tree.num_tiles), static_cast<std::size_t>(ranks.size())} {

@@ -24,9 +24,6 @@ struct TileOwners {
   std::size_t owner(std::size_t tile) const { return ((tile + 1) * num_ranks - 1) / num_tiles; }
 };
 
-/// A page as doubles: of each of its points the coordinates, the weight if there is one, and the coded row.
-std::shared_ptr<const tiles::Page> page_of_records(std::span<const double> records, std::size_t row_size);
-
 class OwnedPages {
  public:
   /// Sends all points to the ranks of their tiles, which put them into pages. Collective. The landmarks of

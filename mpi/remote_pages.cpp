@@ -12,7 +12,7 @@ std::shared_ptr<const tiles::Page> RemotePages::find(std::size_t page) {
   std::shared_ptr<const tiles::Page>& found = pages_[page];
   if (!found) {
     if (own_.has(page))
-      found = page_of_records(own_.records(page), own_.table().row_size());
+      found = tiles::page_of_records(own_.records(page), own_.table().row_size());
     else
       wanted_.push_back(page);
   }
@@ -66,7 +66,7 @@ std::size_t RemotePages::exchange(Ranks& ranks) {
     for (const std::uint64_t page : wanted_of[r]) {
       const auto number = static_cast<std::size_t>(page);
       const std::size_t size = own_.table().page_size(number) * (row_size + 1);
-      pages_[number] = page_of_records(records.first(size), row_size);
+      pages_[number] = tiles::page_of_records(records.first(size), row_size);
       records = records.subspan(size);
     }
   }

@@ -24,8 +24,7 @@ std::int64_t match_seams(const std::string& folder, const std::string& work,
       reader.for_each([&](std::span<const std::int64_t> record) {
         if (record[k] != static_cast<std::int64_t>(t) || record[k + 3] < 0 || record[k + 3] >= count)
           reader.refuse(record);
-        std::vector<std::int64_t>& to =
-            to_each[static_cast<std::size_t>((tiles::facet_key(record.first(k)) & 0xffffffffu) * p >> 32)];
+        std::vector<std::int64_t>& to = to_each[tiles::bucket_of_key(record.first(k), p)];
         to.insert(to.end(), record.begin(), record.end());
       });
     }

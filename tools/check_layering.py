@@ -43,6 +43,7 @@ RULES = {
     "src/io/complexes": (PUBLIC, {"src/io", "src/io/points", "src/base"}),
     "src/tiles": (PUBLIC, {"src/triangulation", "src/voronoi", "src/complex", "src/check", "src/io", "src/io/points",
                            "src/io/complexes", "src/compiled", "src/geometry", "src/order", "src/kernel", "src/base"}),
+    "src/tiles/check": (PUBLIC, {"src/tiles", "src/check", "src/complex", "src/io", "src/kernel", "src/base"}),
     # The public header for MPI includes that of MPI.
     "include/delone/mpi": (PUBLIC, set()),
     "mpi": (PUBLIC, {"src/*", "cli"}),

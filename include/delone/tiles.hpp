@@ -10,6 +10,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -79,9 +80,9 @@ struct TileData {
   /// m×(k+1): the cell of this part across the facet opposite each vertex; −1 beyond the convex hull;
   /// −2 − s: the cell seams[s] of another part.
   std::vector<std::int32_t> neighbors;
-  std::vector<std::int64_t> seams;           ///< global ids of cells
-  std::vector<std::int64_t> own_rows;        ///< the input rows of the tile, increasing
-  std::vector<std::int64_t> vertex_of_row;   ///< for each of them the first equal row; −1: hidden
+  std::vector<std::int64_t> seams;          ///< global ids of cells
+  std::vector<std::int64_t> own_rows;       ///< the input rows of the tile, increasing
+  std::vector<std::int64_t> vertex_of_row;  ///< for each of them the first equal row; −1: hidden
 
   std::size_t num_points() const { return rows.size(); }
   std::size_t num_cells() const {
@@ -98,8 +99,25 @@ TilesIndex read_tiles_index(const std::string& folder);
 /// Part number i of a folder.
 TileData read_tile(const std::string& folder, std::size_t i);
 
-/// Examines a folder of tiles part by part, in memory for two parts: the levels of check() for
-/// triangulations, seams included. CheckReport::cells are global ids, points are rows of the input.
+/// A folder of tiles that is not finished: how many there will be, and how many are complete.
+struct UnfinishedTiles {
+  std::size_t num_tiles = 0, num_finished = 0;
+};
+/// Nothing if the path is not such a folder. Changes nothing.
+std::optional<UnfinishedTiles> find_unfinished_tiles(const std::string& folder);
+
+/// Examines a folder of tiles part by part, in memory for three parts (64 MiB at least), with scratch files
+/// in the folder: the levels of check() for triangulations, seams included. CheckReport::cells are global
+/// ids, points are rows of the input. Proves that the cells are the Delaunay or regular triangulation of
+/// their vertices, that every row is in one part, and that index.json is right. Coordinates of duplicates and
+/// hidden points are not in the folder: of these rows nothing else is proved. A part that cannot be read is a
+/// violation of level 1. Errors: those of read_tiles_index(), invalid_argument as for check() and for
+/// furthest_site and cells without orientation, cannot_write, out_of_memory.
 CheckReport check_tiles(const std::string& folder, const CheckOptions& options = {});
+/// The same, and at level 6 against the input: rows of d coordinates, and a weight if points have weights.
+/// Vertices are these points, and duplicates are equal to their vertices: a triangulation of all points,
+/// except that nothing is proved of hidden ones. Further errors: bad_dimension, and invalid_argument for
+/// another number of points.
+CheckReport check_tiles(const std::string& folder, PointsView input, const CheckOptions& options = {});
 
 }  // namespace delone

@@ -8,7 +8,10 @@
 #include <cstdio>
 
 #ifdef __linux__
+#include <fcntl.h>
 #include <sys/mman.h>
+
+#include <cerrno>
 #endif
 #if __has_include(<unistd.h>)
 #include <time.h>
@@ -112,6 +115,21 @@ std::size_t available_memory() {
   }
 #endif
   return available;
+}
+
+int find_no_room([[maybe_unused]] const char* path, [[maybe_unused]] std::uint64_t bytes) {
+#ifdef __linux__
+  const int file = open(path, O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666);
+  if (file < 0) return errno;
+  const auto size = static_cast<off_t>(bytes);
+  int error = fallocate(file, 0, 0, size) == 0 ? 0 : errno;
+  if (error == EOPNOTSUPP || error == ENOSYS) error = ftruncate(file, size) == 0 ? 0 : errno;
+  close(file);
+  unlink(path);
+  return error;
+#else
+  return 0;
+#endif
 }
 
 std::size_t first_level_cache() {

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <atomic>
 #include <cstddef>
+#include <cstdint>
 #include <limits>
 
 namespace delone::platform {
@@ -49,6 +50,11 @@ double thread_seconds();
 std::size_t resident_memory();
 /// The memory that programs can still get without swapping, in bytes; 0 if it is not known.
 std::size_t available_memory();
+
+/// Whether the file system has room for a file of so many bytes at this path, and such a file is allowed: 0,
+/// or the errno value that says why not. A file that is there is truncated; what is created is removed. 0
+/// where the system cannot tell.
+int find_no_room(const char* path, std::uint64_t bytes);
 
 /// The size of the L1 data cache in bytes, or 0 if it is not known.
 std::size_t first_level_cache();

@@ -94,9 +94,6 @@ void check_storage(const ComplexData& data, bool furthest, unsigned threads) {
                       {row}};
 }
 
-namespace {
-
-/// Each point followed by its weight; nothing where points have none.
 std::vector<double> weighted_rows(const ComplexData& data) {
   std::vector<double> rows;
   const auto d = static_cast<std::ptrdiff_t>(data.dimension);
@@ -107,6 +104,8 @@ std::vector<double> weighted_rows(const ComplexData& data) {
   }
   return rows;
 }
+
+namespace {
 
 bool equal_points(const Examined& examined, std::size_t a, std::size_t b) {
   const double* p = examined.point(static_cast<SignedIndex>(a));

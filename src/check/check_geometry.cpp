@@ -168,8 +168,6 @@ Volumes check_volume(const Examined& examined, bool oriented) {
   return volumes;
 }
 
-namespace {
-
 std::size_t check_inner_facets(const Examined& examined, const Volumes& volumes, bool canonical) {
   std::atomic<std::size_t> ties = 0;
   in_parts(examined, volumes, examined.neighbors.size(), [&](std::size_t at, Geometry& geometry) {
@@ -197,6 +195,8 @@ std::size_t check_inner_facets(const Examined& examined, const Volumes& volumes,
   });
   return ties;
 }
+
+namespace {
 
 void check_hull_ridges(const Examined& examined, const Volumes& volumes) {
   const std::size_t k = examined.corners - 1;

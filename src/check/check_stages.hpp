@@ -70,6 +70,10 @@ std::vector<SignedIndex> paired_facets(std::span<const SignedIndex> cells, std::
                                        const std::vector<std::pair<std::size_t, std::size_t>>& hull = {},
                                        unsigned threads = 1);
 
+/// Whether the facets of a opposite a[i] and of b opposite b[j] have the same vertices, which are distinct in
+/// each.
+bool equal_facets(std::span<const SignedIndex> a, std::size_t i, std::span<const SignedIndex> b,
+                  std::size_t j);
 /// For cells a and b that share the facet opposite a[i]: the index j of the vertex of b opposite that facet.
 std::size_t mirror(std::span<const SignedIndex> a, std::size_t i, std::span<const SignedIndex> b);
 /// True if the permutation that turns a, with a[i] replaced by b[j], into b is odd: then a and b, which lie
@@ -83,10 +87,15 @@ struct Volumes {
   std::vector<Sign> orientation;
 };
 
+/// Each point followed by its weight; nothing where points have none.
+std::vector<double> weighted_rows(const ComplexData& data);
+
 void check_storage(const ComplexData& data, bool furthest = false, unsigned threads = 1);
 void check_incidence(Examined& examined, bool oriented);
 void check_sphere(Examined& examined);
 Volumes check_volume(const Examined& examined, bool oriented);
+/// The part of the next that looks at facets between two cells; it returns the ties.
+std::size_t check_inner_facets(const Examined& examined, const Volumes& volumes, bool canonical);
 std::size_t check_local_convexity(const Examined& examined, const Volumes& volumes,
                                   bool canonical);  // returns the ties
 /// Points that are no vertices nor equal to one must be hidden, if they may be: in the closed simplex of a

@@ -24,16 +24,14 @@ bool contains(std::span<const SignedIndex> rows, SignedIndex row) {
   return std::find(rows.begin(), rows.end(), row) != rows.end();
 }
 
-// Whether the facets of a opposite a[i] and of b opposite b[j] have the same vertices, which are distinct in
-// each.
+}  // namespace
+
 bool equal_facets(std::span<const SignedIndex> a, std::size_t i, std::span<const SignedIndex> b,
                   std::size_t j) {
   for (std::size_t t = 0; t < a.size(); ++t)
     if (t != i && (a[t] == b[j] || !contains(b, a[t]))) return false;
   return true;
 }
-
-}  // namespace
 
 namespace {
 

@@ -3,11 +3,13 @@
 #include "base/platform.hpp"
 #include "base/random.hpp"
 #include "io/file.hpp"
+#include "tiles/hdf5_file.hpp"
 #include "tiles/page_file.hpp"
 #include "tiles/part_file.hpp"
 #include "tiles/survey.hpp"
 #include "tiles/tile_plan.hpp"
 #include "tiles/tile_triangulation.hpp"
+#include "tiles/vtu_parts.hpp"
 #include "tiles/work_folder.hpp"
 
 #include <delone/progress.hpp>
@@ -45,12 +47,14 @@ class Run {
         memory_(options.memory > 0 ? options.memory : platform::available_memory() / 4 * 3) {}
 
   TilesIndex run() {
+    if (options_.vtu) require_vtu(folder_, points_.dimension() - (options_.weighted ? 1 : 0));
+    if (options_.hdf5) require_hdf5(folder_);
     {
       const ProgressScope scope(part_of_progress(0, share_of_survey));
       SurveyResult result = make_survey(points_, options_.weighted);
       survey_ = std::move(result.survey);
       sample_ = std::move(result.sample);
-      cells_per_point_ = cells_per_point(sample_, survey_);
+      model_ = SetModel::of_sample(sample_, survey_);
     }
     std::size_t num_tiles = 0;  // not settled
     for (;;) try {
@@ -70,17 +74,25 @@ class Run {
     TilesOptions options = options_;
     if (options.tiles == 0) options.tiles = num_tiles;
     if (options.tiles == 0 && options_.resume)
-      if (const auto unfinished = find_unfinished(folder_);
-          unfinished && unfinished->plan.fingerprint == fingerprint_)
-        options.tiles = unfinished->plan.num_tiles;
-    forecast_ = plan_tiles(survey_, cells_per_point_, options, memory_for_tiles());
+      if (const auto plan = find_plan(folder_); plan && plan->fingerprint == fingerprint_)
+        options.tiles = plan->num_tiles;
+    const std::uint64_t memory = memory_for_tiles();
+    forecast_ = plan_tiles(survey_, model_, options, memory);
+    if (options.tiles == 0 && forecast_.bytes_per_tile > memory)
+      io::fail(Errc::out_of_memory,
+               "{} bytes of memory are not enough: {} tiles would take {} each, and more tiles not less",
+               memory_, forecast_.num_tiles, forecast_.bytes_per_tile);
   }
-  /// Without what is there already, the boxes of all pages, and the cache of pages.
+  /// Without what is there already, the boxes of all pages, the cache of pages, and a reserve.
   std::uint64_t memory_for_tiles() const {
     const std::uint64_t pages = survey_.num_points / points_per_page(survey_.num_points) + 1,
                         per_page = 60 * static_cast<std::uint64_t>(survey_.dimension) + 40,
-                        used = platform::resident_memory() + pages * per_page + cache_bytes();
-    return used + (memory_ / 10) < memory_ ? memory_ - used - memory_ / 20 : memory_ / 10;
+                        used = platform::resident_memory() + pages * per_page + cache_bytes() + memory_ / 20;
+    if (used >= memory_)
+      io::fail(Errc::out_of_memory,
+               "{} bytes of memory are not enough for tiles of {} points: {} are in use before the first one",
+               memory_, survey_.num_points, used);
+    return memory_ - used;
   }
   std::size_t cache_bytes() const {
     return static_cast<std::size_t>(std::min<std::uint64_t>(memory_ / 16, std::uint64_t{256} << 20));
@@ -105,7 +117,7 @@ class Run {
     const PageTable table = make_pages(tree, folder.work());
     make_parts(folder, table);
     const ProgressScope scope(part_of_progress(1 - share_of_seams, 1));
-    return folder.finish_all(memory_ / 4);
+    return folder.finish_all(memory_ / 4, options_.vtu, options_.hdf5);
   }
 
   PageTable make_pages(const SplitTree& tree, const std::string& work) {
@@ -167,7 +179,7 @@ class Run {
   const std::uint64_t memory_;
   Survey survey_;
   std::vector<double> sample_;
-  double cells_per_point_ = 0;
+  SetModel model_;
   TilesForecast forecast_;
   double done_ = 0;
   bool has_told_ = false;

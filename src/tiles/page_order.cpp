@@ -122,6 +122,18 @@ void order_by_numbers(std::vector<double>& records, std::size_t page_points, Pag
 
 }  // namespace
 
+std::shared_ptr<const Page> page_of_records(std::span<const double> records, std::size_t row_size) {
+  auto page = std::make_shared<Page>();
+  const std::size_t size = records.size() / (row_size + 1), stride = Page::stride_of(size);
+  page->coordinates.reserve(stride * row_size);
+  for (std::size_t j = 0; j < row_size; ++j)
+    for (std::size_t i = 0; i < stride; ++i)
+      page->coordinates.push_back(records[std::min(i, size - 1) * (row_size + 1) + j]);
+  page->rows.reserve(size);
+  for (std::size_t i = 0; i < size; ++i) page->rows.push_back(row_of(records[i * (row_size + 1) + row_size]));
+  return page;
+}
+
 std::size_t points_per_page(std::uint64_t num_points) {
   constexpr std::uint64_t least = 64, most = 1024, pages = std::uint64_t{1} << 20;
   return static_cast<std::size_t>(std::clamp(std::bit_ceil(num_points / pages + 1), least, most));

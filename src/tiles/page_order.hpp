@@ -7,6 +7,8 @@
 #include <bit>
 #include <cstddef>
 #include <cstdint>
+#include <memory>
+#include <span>
 #include <vector>
 
 namespace delone::tiles {
@@ -15,6 +17,9 @@ namespace delone::tiles {
 /// Rows are far below 2^52, so that none reads as a NaN.
 inline double coded_row(std::int64_t row) { return std::bit_cast<double>(row); }
 inline std::int64_t row_of(double coded) { return std::bit_cast<std::int64_t>(coded); }
+
+/// The page of these records.
+std::shared_ptr<const Page> page_of_records(std::span<const double> records, std::size_t row_size);
 
 /// Enough for about a million pages, 64 at least.
 std::size_t points_per_page(std::uint64_t num_points);

@@ -3,8 +3,8 @@
 #pragma once
 
 #include "base/progress_meter.hpp"
-#include "base/random.hpp"
 #include "io/file.hpp"
+#include "tiles/equal_records.hpp"
 #include "tiles/part_file.hpp"
 #include "tiles/seams.hpp"
 
@@ -86,47 +86,17 @@ class SeamReader {
   SeamHeader header_;
 };
 
-/// For hash tables of facets.
-inline std::uint64_t facet_key(std::span<const std::int64_t> facet) {
-  std::uint64_t key = 0;
-  for (const std::int64_t row : facet)
-    key = random::mix(key + 0x9e3779b97f4a7c15u + static_cast<std::uint64_t>(row));
-  return key;
-}
-
 /// Pairs equal facets among records: each(a, b) for two records, each(a, a) for one without a partner.
 template <class Each>
 void match_seam_records(std::span<const std::int64_t> words, std::size_t k, const Each& each) {
-  struct Entry {
-    std::uint64_t key;
-    std::size_t record;
-  };
-  const std::size_t size = k + seam_other_words, count = words.size() / size;
-  const auto record = [&](std::size_t i) { return words.subspan(i * size, size); };
-  const auto compare = [&](const Entry& a, const Entry& b) {  // of the facets
-    const auto first = record(a.record).first(k), second = record(b.record).first(k);
-    return std::lexicographical_compare_three_way(first.begin(), first.end(), second.begin(), second.end());
-  };
-  std::vector<Entry> entries(count);
-  for (std::size_t i = 0; i < count; ++i) entries[i] = {facet_key(record(i).first(k)), i};
-  std::sort(entries.begin(), entries.end(), [&](const Entry& a, const Entry& b) {
-    if (a.key != b.key) return a.key < b.key;
-    const auto order = compare(a, b);
-    return order != 0 ? order < 0 : a.record < b.record;
-  });
-  const auto equal = [&](std::size_t i, std::size_t j) {
-    return j < count && entries[i].key == entries[j].key && compare(entries[i], entries[j]) == 0;
-  };
-  for (std::size_t i = 0; i < count;) {
-    const auto a = record(entries[i].record);
-    if (!equal(i, i + 1)) {
-      each(a, a);
-      ++i;
-      continue;
-    }
-    const auto b = record(entries[i + 1].record);
-    if (equal(i, i + 2)) {
-      const auto c = record(entries[i + 2].record);
+  const std::size_t size = k + seam_other_words;
+  for_equal_records(words, size, k, [&](std::span<const std::size_t> equal) {
+    const auto record = [&](std::size_t i) { return words.subspan(equal[i] * size, size); };
+    const auto a = record(0);
+    if (equal.size() == 1) return each(a, a);
+    const auto b = record(1);
+    if (equal.size() > 2) {
+      const auto c = record(2);
       io::fail(
           Errc::bad_format,
           "the parts do not fit together: the facet {{{}}} is that of cell {} of tile {}, cell {} of tile {} "
@@ -137,8 +107,7 @@ void match_seam_records(std::span<const std::int64_t> words, std::size_t k, cons
       io::fail(Errc::bad_format, "the seam {{{}}} of tile {} is between its own cells {} and {}",
                fmt::join(a.first(k), ", "), a[k], a[k + 1], b[k + 1]);
     each(a, b);
-    i += 2;
-  }
+  });
 }
 
 }  // namespace delone::tiles

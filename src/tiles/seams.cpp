@@ -130,8 +130,7 @@ std::int64_t match_seams(const std::string& folder, const std::string& work,
       reader.for_each([&](std::span<const std::int64_t> record) {
         if (record[k] != static_cast<std::int64_t>(t) || record[k + 3] < 0 || record[k + 3] >= counts[t])
           reader.refuse(record);
-        // The keys sort a bucket by their highest bits; this takes the lowest.
-        buckets.append((facet_key(record.first(k)) & 0xffffffffu) * buckets.size() >> 32, record);
+        buckets.append(bucket_of_key(record.first(k), buckets.size()), record);
       });
     }
     Answers answers(work, counts, memory);

@@ -1,33 +1,90 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "tiles/tile_plan.hpp"
 
+#include "tiles/memory_pages.hpp"
+#include "tiles/page_tree.hpp"
+#include "tiles/tile_triangulation.hpp"
+
 #include <delone/delaunay.hpp>
-#include <delone/regular.hpp>
+#include <delone/predicates.hpp>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <vector>
+#include <utility>
 
 namespace delone::tiles {
 
-double cells_per_point(std::span<const double> sample, const Survey& survey) {
-  // So many points take some tenths of a second.
+namespace {
+
+/// A part of the sample that is triangulated in some tenths of a second.
+std::span<const double> some_of(std::span<const double> sample, int dimension, int k) {
   constexpr std::array<std::size_t, 9> sizes{1, 20000, 50000, 30000, 10000, 2000, 500, 120, 60};
-  const auto k = static_cast<std::size_t>(std::max(survey.affine_dimension, 0));
-  const auto d = static_cast<std::size_t>(survey.dimension);
-  const std::size_t some = k < sizes.size() ? sizes[k] : 40;
-  const Delaunay<> t(sample.first(std::min(sample.size() / d, some) * d), survey.dimension);
+  const auto place = static_cast<std::size_t>(std::max(k, 0)), d = static_cast<std::size_t>(dimension);
+  const std::size_t some = place < sizes.size() ? sizes[place] : 40;
+  return sample.first(std::min(sample.size() / d, some) * d);
+}
+
+/// The inner faces of a tile: one per halving, two per axis at most.
+double inner_faces(int k, std::size_t num_tiles) {
+  return std::min(2.0 * k, std::log2(static_cast<double>(num_tiles)));
+}
+
+constexpr std::size_t tiles_of_sample = 8;
+
+/// Foreign points divided by own ones, of two of eight tiles.
+double measure_share(std::span<const double> points, int dimension) {
+  const MemoryPages pages(points, dimension, tiles_of_sample);
+  const PageTree tree(pages.table());
+  std::size_t foreign = 0, own = 0;
+  for (const std::size_t t : {std::size_t{0}, pages.table().tiles.size() / 2}) {
+    TilePoints some = pages.points(t);
+    own += some.rows.size();
+    TileTriangulation tile(pages.survey(), tree, pages.source(), t, std::move(some), {});
+    while (tile.advance()) {
+    }
+    foreign += tile.num_foreign();
+  }
+  return static_cast<double>(foreign) / static_cast<double>(std::max<std::size_t>(own, 1));
+}
+
+}  // namespace
+
+double cells_per_point(std::span<const double> sample, const Survey& survey) {
+  const Delaunay<> t(some_of(sample, survey.dimension, survey.affine_dimension), survey.dimension);
   if (t.num_vertices() == 0) return 1;
   return static_cast<double>(t.num_all_cells()) / static_cast<double>(t.num_vertices());
 }
 
-double expected_foreign_share(int k, double n, std::size_t num_tiles) {
-  if (num_tiles <= 1 || k < 1) return 0;
+double ForeignShare::of(double n, std::size_t num_tiles) const {
+  if (num_tiles <= 1 || dimension < 1) return 0;
+  // A tile has no more foreign points than there are.
+  return std::min(share * inner_faces(dimension, num_tiles) * std::pow(n / points, -exponent),
+                  static_cast<double>(num_tiles - 1));
+}
+
+ForeignShare ForeignShare::of_uniform_points(int dimension) {
   constexpr std::array<double, 7> factors{0, 1, 1.1, 1.3, 1.6, 2.5, 3.5};
-  // A tile of a cut by halves along k axes has two inner faces per axis at most, one per halving.
-  const double faces = std::min(2.0 * k, std::log2(static_cast<double>(num_tiles)));
-  return factors[std::min(static_cast<std::size_t>(k), factors.size() - 1)] * faces * std::pow(n, -1.0 / k);
+  const auto k = std::min(static_cast<std::size_t>(std::max(dimension, 0)), factors.size() - 1);
+  return {factors[k], 1, k > 0 ? 1.0 / dimension : 0, dimension};
+}
+
+ForeignShare ForeignShare::of_sample(std::span<const double> sample, int dimension) {
+  const int k = affine_dimension(some_of(sample, dimension, dimension), dimension);
+  const std::span<const double> large = some_of(sample, dimension, k);
+  const auto d = static_cast<std::size_t>(dimension);
+  const std::size_t n = large.size() / d;
+  if (k < 1 || n < 2 * tiles_of_sample * tiles_of_sample) return of_uniform_points(k);
+  const double of_large = measure_share(large, dimension),
+               of_small = measure_share(large.first(n / 8 * d), dimension),
+               faces = inner_faces(k, tiles_of_sample);
+  const double exponent =
+      of_large > 0 ? std::clamp(std::log2(of_small / of_large) / 3, 0.0, 1.5 / k) : 1.0 / k;
+  return {of_large / faces, static_cast<double>(n) / tiles_of_sample, exponent, k};
+}
+
+SetModel SetModel::of_sample(std::span<const double> sample, const Survey& survey) {
+  return {tiles::cells_per_point(sample, survey), ForeignShare::of_sample(sample, survey.dimension)};
 }
 
 double expected_tile_bytes(int d, int k, double n, double cells_of_point) {
@@ -39,19 +96,19 @@ double expected_tile_bytes(int d, int k, double n, double cells_of_point) {
   return n * (cells_of_point * cell + point);
 }
 
-TilesForecast plan_tiles(const Survey& survey, double cells_of_point, const TilesOptions& options,
+TilesForecast plan_tiles(const Survey& survey, const SetModel& model, const TilesOptions& options,
                          std::uint64_t memory) {
   TilesForecast forecast;
   forecast.num_points = static_cast<std::int64_t>(survey.num_points);
-  forecast.cells_per_point = cells_of_point;
+  forecast.cells_per_point = model.cells_per_point;
   const int k = survey.affine_dimension, d = survey.dimension;
   const auto n = static_cast<double>(std::max<std::uint64_t>(survey.num_points, 1));
   const auto evaluate = [&](std::size_t tiles) {
     forecast.num_tiles = tiles;
     const double own = n / static_cast<double>(tiles);
-    forecast.foreign_share = expected_foreign_share(k, own, tiles);
+    forecast.foreign_share = model.foreign.of(own, tiles);
     forecast.bytes_per_tile = static_cast<std::uint64_t>(
-        expected_tile_bytes(d, k, own * (1 + forecast.foreign_share), cells_of_point));
+        expected_tile_bytes(d, k, own * (1 + forecast.foreign_share), model.cells_per_point));
   };
   if (options.tiles > 0) {
     evaluate(options.tiles);

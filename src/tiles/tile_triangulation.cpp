@@ -53,7 +53,7 @@ class TileTriangulation::Asking {
 
   /// All cells of these slots that are new and have a vertex of the tile.
   void ask_slots(std::size_t first, std::size_t last) {
-    for (std::size_t slot = first; slot < last; ++slot) {
+    for (std::size_t slot = first; slot < last && !tile_.asks_in_vain_; ++slot) {
       const CellId cell{static_cast<Index>(slot)};
       if (complex_.is_cell(cell)) ask_if_new(cell);
     }
@@ -73,6 +73,10 @@ class TileTriangulation::Asking {
   std::uint64_t num_exact() const { return search_.num_exact; }
 
  private:
+  /// Where exact arithmetic decides more points than this, as on a sphere, other points are not asked for but
+  /// tried.
+  static constexpr std::uint64_t most_exact_per_question = 16, some_exact = 1024;
+
   /// A finite cell whose center is wanted.
   struct Spoke {
     CellId cell;
@@ -120,6 +124,10 @@ class TileTriangulation::Asking {
         question_.ask_within_sphere(spokes_[i].own, center);
         const std::span<const double* const> corners(corners_.data() + i * (k_ + 1), k_ + 1);
         ask(spokes_[i].cell, [&](const double* x) { return is_in_sphere(corners, x); });
+        if (search_.num_exact > most_exact_per_question * num_questions + some_exact) {
+          tile_.asks_in_vain_ = true;
+          break;
+        }
       }
     }
     spokes_.clear();
@@ -223,6 +231,7 @@ TileTriangulation::TileTriangulation(const Survey& survey, const PageTree& tree,
 
 bool TileTriangulation::advance() {
   if (own_.rows.empty()) return false;
+  if (asks_in_vain_) return try_all_points();
   const internal::Stopwatch insertion;
   if (!has_asked_) {
     // The landmarks settle the affine dimension and the frame, which later rounds would have to change.
@@ -241,10 +250,15 @@ bool TileTriangulation::advance() {
   ++num_rounds_;
   if (survey_.affine_dimension >= 1) {
     const internal::Stopwatch asking;
-    ask();
+    asks_in_vain_ = options_.try_all_points;
+    if (!asks_in_vain_) ask();
     effort_.ask_seconds += asking.seconds();
   }
-  return !found_.empty() || !waiting_.empty();
+  if (asks_in_vain_) {
+    pages_to_try_ = pages_by_distance();
+    last_cell_ = *triangulation().all_cells().begin();
+  }
+  return asks_in_vain_ || !found_.empty() || !waiting_.empty();
 }
 
 /// `rows`: those of rows_ that have no vertices yet.
@@ -265,6 +279,11 @@ void TileTriangulation::insert(std::vector<double> rows) {
     }
     regular_->insert_range(std::move(coordinates), weights);
   }
+  enter_vertices();
+}
+
+/// The vertices of rows that were inserted since.
+void TileTriangulation::enter_vertices() {
   // A hidden vertex keeps its id, which Complex does not show.
   const auto& vertex_of_row = internal::StoredPoints::vertices_of_rows(triangulation());
   const Index slots = internal::StoredPoints::of(triangulation()).last_vertex() + 1;
@@ -329,6 +348,82 @@ void TileTriangulation::ask() {
   });
   std::sort(found_.begin(), found_.end());
   found_.erase(std::unique(found_.begin(), found_.end()), found_.end());
+}
+
+/// The pages of other tiles, the nearest to the box of this one last.
+std::vector<std::uint32_t> TileTriangulation::pages_by_distance() const {
+  const PageTable& table = tree_.table();
+  const auto d = static_cast<std::size_t>(table.dimension);
+  std::vector<double> low(table.low(tile().first_page), table.high(tile().first_page)),
+      high(table.high(tile().first_page), table.high(tile().first_page) + d);
+  for (std::size_t page = tile().first_page; page < tile().last_page; ++page)
+    for (std::size_t j = 0; j < d; ++j) {
+      low[j] = std::min(low[j], table.low(page)[j]);
+      high[j] = std::max(high[j], table.high(page)[j]);
+    }
+  std::vector<std::pair<double, std::uint32_t>> pages;
+  for (std::size_t page = 0; page < table.num_pages(); ++page) {
+    if (page >= tile().first_page && page < tile().last_page) continue;
+    double distance = 0;
+    for (std::size_t j = 0; j < d; ++j) {
+      const double off = std::max({0.0, table.low(page)[j] - high[j], low[j] - table.high(page)[j]});
+      distance += off * off;
+    }
+    pages.emplace_back(distance, static_cast<std::uint32_t>(page));
+  }
+  std::sort(pages.begin(), pages.end(), std::greater<>());
+  std::vector<std::uint32_t> numbers;
+  for (const auto& page : pages) numbers.push_back(page.second);
+  return numbers;
+}
+
+/// Inserts every point of another tile that is in conflict with a cell that has a vertex of this one. Each is
+/// tried once: what such cells are in conflict with only becomes less as points are inserted. Returns whether
+/// there is more to do: a page is not here yet.
+bool TileTriangulation::try_all_points() {
+  const internal::Stopwatch trying;
+  while (!pages_to_try_.empty()) {
+    const std::uint32_t number = pages_to_try_.back();
+    const auto page = source_.find(number);
+    if (!page) {  // the next ones are wanted, too
+      for (std::size_t i = 1; i <= std::min<std::size_t>(pages_to_try_.size(), 64); ++i)
+        source_.find(pages_to_try_[pages_to_try_.size() - i]);
+      break;
+    }
+    pages_to_try_.pop_back();
+    ++effort_.pages;
+    for (std::size_t slot = 0; slot < page->size(); ++slot)
+      if (!known_.contains(number, slot)) insert_if_needed(*page, slot);
+    internal::cancellation_point();
+  }
+  effort_.insert_seconds += trying.seconds();
+  effort_.created_cells = triangulation().statistics().created_cells;
+  ++num_rounds_;
+  return !pages_to_try_.empty();
+}
+
+void TileTriangulation::insert_if_needed(const Page& page, std::size_t slot) {
+  const auto d = static_cast<std::size_t>(survey_.dimension);
+  std::vector<double> row(tree_.table().row_size());
+  page.copy_point(slot, row.data());
+  const std::span<const double> point(row.data(), d);
+  const double weight = survey_.weighted ? row[d] : 0;
+  const std::vector<CellId> zone =
+      internal::StoredPoints::conflict_zone(triangulation(), point, last_cell_, weight);
+  if (zone.empty()) return;
+  last_cell_ = zone.front();
+  const Complex complex = triangulation().complex();
+  const bool is_needed = std::any_of(zone.begin(), zone.end(), [&](CellId cell) {
+    const VerticesOfCell vertices = complex.vertices(cell);
+    return std::any_of(vertices.begin(), vertices.end(), [&](VertexId v) { return is_own_[index(v)] != 0; });
+  });
+  if (!is_needed) return;
+  const InsertResult result =
+      delaunay_ ? delaunay_->insert(point, last_cell_) : regular_->insert(point, weight, last_cell_);
+  rows_.push_back(page.rows[slot]);
+  enter_vertices();
+  ++num_foreign_;
+  last_cell_ = triangulation().complex().incident_cell(result.vertex);
 }
 
 std::size_t TileTriangulation::bytes() const {

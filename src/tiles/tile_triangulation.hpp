@@ -17,6 +17,7 @@
 #include <delone/options.hpp>
 #include <delone/regular.hpp>
 
+#include <atomic>
 #include <cstddef>
 #include <cstdint>
 #include <functional>
@@ -31,6 +32,7 @@ namespace delone::tiles {
 struct TileOptions {
   unsigned threads = 1;
   std::function<bool(double)> progress = {};
+  bool try_all_points = false;  ///< instead of asking for those that are needed
 };
 
 /// What the questions of a tile have cost.
@@ -69,10 +71,12 @@ class TileTriangulation {
   }
   const Tile& tile() const { return tree_.table().tiles[number_]; }
   void insert(std::vector<double> rows);
+  void enter_vertices();
   void insert_found();
   void ask();
-  bool has_own_vertex(CellId cell) const;
-  double fraction_done() const;
+  std::vector<std::uint32_t> pages_by_distance() const;
+  bool try_all_points();
+  void insert_if_needed(const Page& page, std::size_t slot);
 
   const Survey& survey_;
   const PageTree& tree_;
@@ -92,6 +96,9 @@ class TileTriangulation {
   std::vector<CellId> waiting_;    // cells whose questions wait for pages
   std::size_t num_foreign_ = 0, num_rounds_ = 0;
   bool has_asked_ = false;
+  std::atomic<bool> asks_in_vain_ = false;   // questions take too long: all points are tried instead
+  std::vector<std::uint32_t> pages_to_try_;  // the next one last
+  CellId last_cell_ = invalid_cell;          // where the last point that was tried is
   TileEffort effort_;
 };
 

@@ -2,10 +2,12 @@
 #include "tiles/work_folder.hpp"
 
 #include "io/file.hpp"
+#include "tiles/hdf5_file.hpp"
 #include "tiles/index_file.hpp"
 #include "tiles/json_members.hpp"
 #include "tiles/part_file.hpp"
 #include "tiles/seams.hpp"
+#include "tiles/vtu_parts.hpp"
 
 #include <delone/io.hpp>
 
@@ -268,17 +270,19 @@ TilesIndex WorkFolder::summary() const {
   return index;
 }
 
-void WorkFolder::close(const TilesIndex& index) const {
+void WorkFolder::close(const TilesIndex& index, std::uint64_t memory, bool vtu, bool hdf5) const {
+  if (vtu) write_vtu_parts(folder_, index);
+  if (hdf5) write_hdf5(folder_, work_, index, memory);
   write_tiles_index(folder_, index, plan_.fingerprint);
   std::error_code error;
   fs::remove_all(work_, error);
   if (error) cannot_write(work_, error);
 }
 
-TilesIndex WorkFolder::finish_all(std::uint64_t memory) {
+TilesIndex WorkFolder::finish_all(std::uint64_t memory, bool vtu, bool hdf5) {
   TilesIndex index = summary();
   index.num_hull_facets += match_seams(folder_, work_, first_cells(index), memory);
-  close(index);
+  close(index, memory, vtu, hdf5);
   return index;
 }
 
@@ -311,13 +315,17 @@ std::optional<Plan> find_plan(const std::string& folder) {
   return read_plan(path_in(folder, work_name));
 }
 
-std::optional<UnfinishedTiles> find_unfinished(const std::string& folder) {
-  if (!has_plan(folder)) return std::nullopt;
-  const std::string work = path_in(folder, work_name);
-  UnfinishedTiles unfinished{read_plan(work)};
-  for (std::size_t t = 0; t < unfinished.plan.num_tiles; ++t)
-    if (find_record(folder, work, t)) ++unfinished.num_finished;
+}  // namespace delone::tiles
+
+namespace delone {
+
+std::optional<UnfinishedTiles> find_unfinished_tiles(const std::string& folder) {
+  const auto plan = tiles::find_plan(folder);
+  if (!plan || tiles::has_tiles_index(folder)) return std::nullopt;
+  UnfinishedTiles unfinished{plan->num_tiles, 0};
+  for (std::size_t t = 0; t < plan->num_tiles; ++t)
+    if (tiles::find_record(folder, tiles::path_in(folder, tiles::work_name), t)) ++unfinished.num_finished;
   return unfinished;
 }
 
-}  // namespace delone::tiles
+}  // namespace delone

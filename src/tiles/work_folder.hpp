@@ -56,15 +56,16 @@ class WorkFolder {
   /// Writes the part, the seams and at last the record of tile t. Tiles may be finished by several threads.
   void finish(std::size_t t, const FinishedTile& tile);
 
-  /// REQUIRES that all tiles are finished. Matches the seams, writes index.json, and removes FOLDER/work.
-  TilesIndex finish_all(std::uint64_t memory);
+  /// REQUIRES that all tiles are finished. Matches the seams, writes what else is wanted (TilesOptions::vtu,
+  /// hdf5), then index.json, and removes FOLDER/work. Uses about `memory` bytes besides those of one part.
+  TilesIndex finish_all(std::uint64_t memory, bool vtu = false, bool hdf5 = false);
 
   /// The steps of finish_all() by themselves, for processes that share the folder. What others have finished:
   void know(std::size_t t, const TileRecord& record) { records_[t] = record; }
   /// What the index will be. Facets of the hull that are seams of parts are not yet counted.
   TilesIndex summary() const;
-  /// Writes index.json, and removes FOLDER/work.
-  void close(const TilesIndex& index) const;
+  /// Writes what else is wanted, then index.json, and removes FOLDER/work.
+  void close(const TilesIndex& index, std::uint64_t memory, bool vtu = false, bool hdf5 = false) const;
 
  private:
   void open(bool resume);
@@ -83,13 +84,5 @@ std::optional<TilesIndex> find_finished(const std::string& folder, const Plan& p
 
 /// What an unfinished folder is to become; nothing if the folder has no plan.
 std::optional<Plan> find_plan(const std::string& folder);
-
-/// What an unfinished folder is to become, and how many of its tiles are complete.
-struct UnfinishedTiles {
-  Plan plan;
-  std::size_t num_finished = 0;
-};
-/// Nothing if the folder has no plan. Changes nothing.
-std::optional<UnfinishedTiles> find_unfinished(const std::string& folder);
 
 }  // namespace delone::tiles

@@ -21,12 +21,12 @@ class StoredPoints : private Triangulation {
     using Predicate = Side (Triangulation::*)(CellId, std::span<const double>, double) const;
     return (t.*static_cast<Predicate>(&StoredPoints::side_of_sphere))(cell, query, 0.0);
   }
-  /// The cells in conflict with a query without weight.
-  static std::vector<CellId> conflict_zone(const Triangulation& t, std::span<const double> query,
-                                           CellId hint) {
+  /// The cells in conflict with a query.
+  static std::vector<CellId> conflict_zone(const Triangulation& t, std::span<const double> query, CellId hint,
+                                           double weight = 0) {
     using Find =
         std::vector<CellId> (Triangulation::*)(std::span<const double>, double, std::optional<CellId>) const;
-    return (t.*static_cast<Find>(&StoredPoints::conflict_zone_of))(query, 0.0, hint);
+    return (t.*static_cast<Find>(&StoredPoints::conflict_zone_of))(query, weight, hint);
   }
   /// The vertex of each row, hidden or not; invalid_vertex for rows that were not inserted.
   static const std::vector<VertexId>& vertices_of_rows(const Triangulation& t) {

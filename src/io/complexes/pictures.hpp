@@ -5,6 +5,10 @@
 
 #include <delone/data.hpp>
 
+#include <cstdint>
+#include <optional>
+#include <span>
+
 namespace delone {
 class Diagram;
 }
@@ -17,7 +21,18 @@ class AtomicFile;
 void write_off(AtomicFile& file, const ComplexData& data);
 /// A bounded intersection in space: facets as polygons. Throws unsupported for others.
 void write_off(AtomicFile& file, const IntersectionData& data);
+/// Simplices for VTK: of points of their own, and of an unstructured grid of many pieces.
+template <class Id>
+struct VtuSimplices {
+  int dimension = 0, affine_dimension = -1;
+  std::span<const double> points;            ///< d coordinates each
+  std::span<const Id> cells;                 ///< k+1 numbers of points each
+  std::span<const std::int64_t> rows = {};   ///< point data "row", if there are any
+  std::optional<std::int64_t> first_cell{};  ///< cell data "cell": numbers from this one on
+};
 /// VTK's XML format for unstructured grids, arrays appended as raw bytes. Throws unsupported for d > 3.
+template <class Id>
+void write_vtu(AtomicFile& file, const VtuSimplices<Id>& simplices);
 void write_vtu(AtomicFile& file, const ComplexData& data);
 /// The regions clipped to the box. Throws unsupported unless d = 2 or 3.
 void write_vtu(AtomicFile& file, const Diagram& diagram, const Box& box);

@@ -37,13 +37,16 @@ void append(std::string& bytes, T value) {
 
 }  // namespace
 
-void write_vtu(AtomicFile& file, const ComplexData& data) {
+template <class Id>
+void write_vtu(AtomicFile& file, const VtuSimplices<Id>& data) {
   if (data.dimension > 3)
     fail(Errc::unsupported, "{}: a .vtu file holds at most 3 dimensions, these points have {}; use npz",
          file.name(), data.dimension);
-  const std::uint64_t n = data.num_points(), m = data.num_cells();
-  const std::uint64_t point_bytes = n * 3 * sizeof(double),
-                      connectivity_bytes = data.cells.size() * sizeof(SignedIndex),
+  const auto dimension = static_cast<std::size_t>(data.dimension),
+             corners = static_cast<std::size_t>(data.affine_dimension + 1);
+  const std::uint64_t n = dimension == 0 ? 0 : data.points.size() / dimension,
+                      m = corners == 0 ? 0 : data.cells.size() / corners;
+  const std::uint64_t point_bytes = n * 3 * sizeof(double), connectivity_bytes = data.cells.size_bytes(),
                       offset_bytes = m * sizeof(std::int64_t), type_bytes = m;
   std::uint64_t offset = 0;
   const auto array = [&](std::string_view type, std::string_view name, std::string_view attributes,
@@ -57,30 +60,52 @@ void write_vtu(AtomicFile& file, const ComplexData& data) {
       "<VTKFile type=\"UnstructuredGrid\" version=\"1.0\" byte_order=\"LittleEndian\" "
       "header_type=\"UInt64\">\n"
       "  <UnstructuredGrid>\n");
-  file.print("    <Piece NumberOfPoints=\"{}\" NumberOfCells=\"{}\">\n      <Points>\n", n, m);
+  file.print("    <Piece NumberOfPoints=\"{}\" NumberOfCells=\"{}\">\n", n, m);
+  if (!data.rows.empty()) {
+    file.write("      <PointData>\n");
+    array("Int64", "row", "", data.rows.size_bytes());
+    file.write("      </PointData>\n");
+  }
+  if (data.first_cell) {
+    file.write("      <CellData>\n");
+    array("Int64", "cell", "", m * sizeof(std::int64_t));
+    file.write("      </CellData>\n");
+  }
+  file.write("      <Points>\n");
   array("Float64", "Points", " NumberOfComponents=\"3\"", point_bytes);
   file.write("      </Points>\n      <Cells>\n");
-  array(sizeof(SignedIndex) == 4 ? "Int32" : "Int64", "connectivity", "", connectivity_bytes);
+  array(sizeof(Id) == 4 ? "Int32" : "Int64", "connectivity", "", connectivity_bytes);
   array("Int64", "offsets", "", offset_bytes);
   array("UInt8", "types", "", type_bytes);
   file.write("      </Cells>\n    </Piece>\n  </UnstructuredGrid>\n  <AppendedData encoding=\"raw\">\n_");
 
-  const auto dimension = static_cast<std::size_t>(data.dimension);
+  std::string storage;
+  if (!data.rows.empty()) {
+    put_bytes(file, static_cast<std::uint64_t>(data.rows.size_bytes()));
+    file.write(little_endian_bytes(data.rows, storage));
+  }
+  if (data.first_cell) {
+    put_bytes(file, m * sizeof(std::int64_t));
+    for (std::uint64_t cell = 0; cell < m; ++cell)
+      put_bytes(file, *data.first_cell + static_cast<std::int64_t>(cell));
+  }
   put_bytes(file, point_bytes);
   for (std::size_t row = 0; row < n; ++row)
     for (std::size_t i = 0; i < 3; ++i)
       put_bytes(file, i < dimension ? data.points[row * dimension + i] : 0.0);
   put_bytes(file, connectivity_bytes);
-  std::string storage;
-  file.write(little_endian_bytes(std::span<const SignedIndex>(data.cells), storage));
+  file.write(little_endian_bytes(data.cells, storage));
   put_bytes(file, offset_bytes);
-  for (std::uint64_t cell = 1; cell <= m; ++cell)
-    put_bytes(file, static_cast<std::int64_t>(cell * static_cast<std::uint64_t>(data.affine_dimension + 1)));
+  for (std::uint64_t cell = 1; cell <= m; ++cell) put_bytes(file, static_cast<std::int64_t>(cell * corners));
   put_bytes(file, type_bytes);
-  if (m > 0)
-    file.write(
-        std::string(m, static_cast<char>(vtk_cell_types[static_cast<std::size_t>(data.affine_dimension)])));
+  if (m > 0) file.write(std::string(m, static_cast<char>(vtk_cell_types[corners - 1])));
   file.write("\n  </AppendedData>\n</VTKFile>\n");
+}
+template void write_vtu(AtomicFile&, const VtuSimplices<std::int32_t>&);
+template void write_vtu(AtomicFile&, const VtuSimplices<std::int64_t>&);
+
+void write_vtu(AtomicFile& file, const ComplexData& data) {
+  write_vtu(file, VtuSimplices<SignedIndex>{data.dimension, data.affine_dimension, data.points, data.cells});
 }
 
 void write_vtu(AtomicFile& file, const Diagram& diagram, const Box& box) {

@@ -90,7 +90,8 @@ TEST_F(PageFiles, HaveEveryRowOnce) {
             const auto row = static_cast<std::size_t>(duplicate.row),
                        first = static_cast<std::size_t>(duplicate.first_row);
             ASSERT_LT(first, row);
-            ASSERT_TRUE(std::equal(&set.rows[row * width], &set.rows[row * width] + width, &set.rows[first * width]));
+            ASSERT_TRUE(
+                std::equal(&set.rows[row * width], &set.rows[row * width] + width, &set.rows[first * width]));
             ASSERT_FALSE(seen[row]);
             seen[row] = true;
           }

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Tiles against the whole: the same cells, the same hash, whatever the cuts.
 #include "degenerate.hpp"
+#include "test_pages.hpp"
 #include "scale.hpp"
-#include "memory_pages.hpp"
 
 #include <delone/delaunay.hpp>
 #include <delone/regular.hpp>
@@ -60,11 +60,11 @@ void expect_same(const std::vector<FinishedTile>& tiles, const Whole& whole, boo
   EXPECT_EQ(hidden, static_cast<std::int64_t>(whole.num_hidden()));
 }
 
-void compare(const test::PointSet& set, std::size_t num_tiles, unsigned threads = 1) {
+void compare(const test::PointSet& set, std::size_t num_tiles, const TileOptions& options = {}) {
   SCOPED_TRACE(set.name + " in " + std::to_string(set.dimension) + "D, " + std::to_string(num_tiles) +
                " tiles");
-  MemoryPages pages(set.points, set.dimension, num_tiles);
-  expect_same(all_tiles(pages, threads), Delaunay<>(set.points, set.dimension), false);
+  TestPages pages(set.points, set.dimension, num_tiles);
+  expect_same(all_tiles(pages, options), Delaunay<>(set.points, set.dimension), false);
 }
 
 TEST(TileTriangulation, Uniform) {
@@ -75,8 +75,21 @@ TEST(TileTriangulation, Uniform) {
 
 TEST(TileTriangulation, Degenerate) {
   for (int d = 1; d <= 4; ++d)
-    for (const test::PointSet& set : test::degenerate_sets(d, d < 4 ? 60 : 40, 5))
-      for (const std::size_t tiles : {2, 5, 17}) compare(set, tiles);
+    for (const test::PointSet& set : test::degenerate_sets(d, d < 4 ? 50 : 30, 5))
+      for (const std::size_t tiles : {d < 4 ? 2 : 3, 13}) compare(set, tiles);
+}
+
+TEST(TileTriangulation, AllPointsTried) {
+  TileOptions options;
+  options.try_all_points = true;
+  for (int d = 1; d <= 4; ++d)
+    for (const test::PointSet& set : test::degenerate_sets(d, 40, 6)) compare(set, 5, options);
+}
+
+TEST(TileTriangulation, Threads) {
+  TileOptions options;
+  options.threads = 3;
+  compare(test::PointSet{"uniform", 3, make_point_set("uniform", 3, 3000, 1)}, 4, options);
 }
 
 TEST(TileTriangulation, Clusters) {
@@ -102,8 +115,10 @@ TEST(TileTriangulation, Weights) {
           weights.push_back(spread * random.real());
           rows.push_back(weights.back());
         }
-        MemoryPages pages(rows, d, num_tiles, true);
-        expect_same(all_tiles(pages), Regular<>(points, weights, d), spread > 0);
+        TestPages pages(rows, d, num_tiles, true);
+        TileOptions options;
+        options.try_all_points = num_tiles == 6;
+        expect_same(all_tiles(pages, options), Regular<>(points, weights, d), spread > 0);
       }
 }
 

@@ -37,10 +37,12 @@ class WorkFolderTest : public TemporaryDirectory {
 
 TEST_F(WorkFolderTest, GoesOnWithFinishedTiles) {
   const tiles::Plan plan = plan_of(data_, 3);
-  EXPECT_FALSE(tiles::find_unfinished(folder_));
+  EXPECT_FALSE(find_unfinished_tiles(folder_));
+  EXPECT_FALSE(tiles::find_plan(folder_));
   WorkFolder(folder_, plan, true).finish(1, tiles_[1]);
-  EXPECT_EQ(tiles::find_unfinished(folder_).value().num_finished, 1u);
-  EXPECT_EQ(tiles::find_unfinished(folder_).value().plan, plan);
+  EXPECT_EQ(find_unfinished_tiles(folder_).value().num_finished, 1u);
+  EXPECT_EQ(find_unfinished_tiles(folder_).value().num_tiles, 3u);
+  EXPECT_EQ(tiles::find_plan(folder_).value(), plan);
   WorkFolder again(folder_, plan, true);
   EXPECT_FALSE(again.finished(0));
   ASSERT_TRUE(again.finished(1));
@@ -53,7 +55,7 @@ TEST_F(WorkFolderTest, GoesOnWithFinishedTiles) {
   const TilesIndex index = again.finish_all(std::uint64_t{1} << 20);
   EXPECT_EQ(index.hash, whole_.hash());
   EXPECT_EQ(tiles::find_finished(folder_, plan).value().hash, whole_.hash());
-  EXPECT_FALSE(tiles::find_unfinished(folder_));
+  EXPECT_FALSE(find_unfinished_tiles(folder_));
 }
 
 TEST_F(WorkFolderTest, OnlyCompleteTilesAreFinished) {

@@ -17,10 +17,10 @@ namespace delone_test {
 using namespace delone;
 using namespace delone::tiles;
 
-class MemoryPages final : public PageSource {
+class TestPages final : public PageSource {
  public:
   /// `points`: rows of d numbers, and the weight if `weighted`.
-  MemoryPages(std::vector<double> points, int dimension, std::size_t num_tiles, bool weighted = false,
+  TestPages(std::vector<double> points, int dimension, std::size_t num_tiles, bool weighted = false,
               std::size_t page_size = 8)
       : points_(std::move(points)),
         width_(static_cast<std::size_t>(dimension) + (weighted ? 1 : 0)),
@@ -187,11 +187,11 @@ class MemoryPages final : public PageSource {
 };
 
 /// All tiles of a set, one after the other.
-inline std::vector<FinishedTile> all_tiles(MemoryPages& pages, unsigned threads = 1) {
+inline std::vector<FinishedTile> all_tiles(TestPages& pages, const TileOptions& options = {}) {
   const PageTree tree(pages.table);
   std::vector<FinishedTile> result;
   for (std::size_t i = 0; i < pages.table.tiles.size(); ++i) {
-    TileTriangulation tile(pages.survey, tree, pages, i, pages.own(i), {threads, {}});
+    TileTriangulation tile(pages.survey, tree, pages, i, pages.own(i), options);
     while (tile.advance()) {
     }
     result.push_back(tile.finish());
