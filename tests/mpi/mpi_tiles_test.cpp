@@ -98,47 +98,6 @@ Whole whole_of(const Rows& rows) {
   return of(Regular<>(coordinates, weights, rows.width - 1));
 }
 
-/// Neighbors of all parts are mutual and share a facet; those without a neighbor are on the hull.
-void expect_sound_parts(const std::string& folder, const TilesIndex& index) {
-  const auto corners = static_cast<std::size_t>(index.affine_dimension + 1);
-  if (corners == 0) return;
-  std::vector<std::int64_t> vertices, neighbors;
-  std::int64_t num_rows = 0;
-  for (std::size_t i = 0; i < index.parts.size(); ++i) {
-    const TileData part = read_tile(folder, i);
-    for (const std::int32_t v : part.cells) vertices.push_back(part.rows[static_cast<std::size_t>(v)]);
-    for (const std::int32_t n : part.neighbors)
-      neighbors.push_back(n >= 0    ? index.parts[i].first_cell + n
-                          : n == -1 ? -1
-                                    : part.seams[static_cast<std::size_t>(-2 - n)]);
-    num_rows += static_cast<std::int64_t>(part.own_rows.size());
-  }
-  EXPECT_EQ(num_rows, index.num_points);
-  ASSERT_EQ(vertices.size(), static_cast<std::size_t>(index.num_cells) * corners);
-  std::int64_t hull_facets = 0, faults = 0;
-  const auto facet = [&](std::size_t cell, std::size_t opposite) {
-    std::vector<std::int64_t> rows;
-    for (std::size_t i = 0; i < corners; ++i)
-      if (i != opposite) rows.push_back(vertices[cell * corners + i]);
-    std::sort(rows.begin(), rows.end());
-    return rows;
-  };
-  for (std::size_t at = 0; at < neighbors.size(); ++at) {
-    if (neighbors[at] < 0) {
-      ++hull_facets;
-      continue;
-    }
-    const auto other = static_cast<std::size_t>(neighbors[at]);
-    bool is_mutual = false;
-    for (std::size_t i = 0; i < corners; ++i)
-      is_mutual |= neighbors[other * corners + i] == static_cast<std::int64_t>(at / corners) &&
-                   facet(other, i) == facet(at / corners, at % corners);
-    faults += is_mutual ? 0 : 1;
-  }
-  EXPECT_EQ(faults, 0);
-  EXPECT_EQ(hull_facets, index.num_hull_facets);
-}
-
 void expect_whole(const Rows& rows, const TilesIndex& index, const std::string& folder) {
   SCOPED_TRACE(rows.name + ", rank " + std::to_string(rank_of()));
   const Whole whole = whole_of(rows);
@@ -148,7 +107,10 @@ void expect_whole(const Rows& rows, const TilesIndex& index, const std::string& 
   if (index.affine_dimension > 0) {
     EXPECT_EQ(index.num_hull_facets, whole.hull_facets);
   }
-  if (rank_of() == 0) expect_sound_parts(folder, index);
+  if (rank_of() == 0) {
+    const CheckReport report = check_tiles(folder, PointsView(rows.values, rows.width));
+    EXPECT_TRUE(report.ok) << report.violation;
+  }
 }
 
 TilesIndex make(const Rows& rows, const std::string& folder, std::size_t num_tiles, std::uint64_t seed) {
