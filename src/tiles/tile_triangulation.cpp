@@ -59,6 +59,18 @@ class TileTriangulation::Asking {
     }
     ask_gathered();
   }
+  /// The same of the cells of which one of these vertices is the last, all of them new: each cell once.
+  void ask_stars(std::size_t first, std::size_t last) {
+    for (std::size_t id = first; id < last && !tile_.asks_in_vain_; ++id) {
+      const VertexId v{static_cast<Index>(id)};
+      if (!complex_.is_vertex(v)) continue;
+      for (const CellId cell : complex_.star(v)) {
+        const VerticesOfCell vertices = complex_.vertices(cell);
+        if (std::none_of(vertices.begin(), vertices.end(), [&](VertexId w) { return w > v; })) gather(cell);
+      }
+    }
+    ask_gathered();
+  }
   /// Asks again for cells that have waited for pages.
   void ask_again(std::span<const CellId> cells) {
     for (const CellId cell : cells)
@@ -354,12 +366,20 @@ void TileTriangulation::ask() {
       asking.ask_again(waited);
       collect(asking);
     }
-    constexpr std::size_t part = 16384;
-    internal::for_parts(options_.threads, triangulation().complex().num_cell_slots(), part,
+    // Few new vertices: their stars. Otherwise all cells are looked through.
+    const std::size_t slots = triangulation().complex().num_cell_slots(),
+                      end = internal::StoredPoints::of(triangulation()).last_vertex() + std::size_t{1},
+                      num_new = end - std::min<std::size_t>(first_new_vertex_, end);
+    constexpr std::size_t part_of_slots = 16384, part_of_stars = 256, slots_per_star = 256;
+    const bool has_few = num_new < slots / slots_per_star;
+    internal::for_parts(options_.threads, has_few ? num_new : slots, has_few ? part_of_stars : part_of_slots,
                         [&](std::size_t first, std::size_t last, const internal::StopPoint& stop) {
                           stop();
                           Asking<d()> asking(*this);
-                          asking.ask_slots(first, last);
+                          if (has_few)
+                            asking.ask_stars(first_new_vertex_ + first, first_new_vertex_ + last);
+                          else
+                            asking.ask_slots(first, last);
                           collect(asking);
                         });
   });
