@@ -10,7 +10,7 @@ python_of_build = $(shell sed -n 's/^_\?Python_EXECUTABLE:[A-Z]*=//p' build/rele
 python_with_plots = $(shell for p in python3 /usr/bin/python3; do $$p -c "import matplotlib, scipy" 2>/dev/null && echo $$p && break; done)
 sources = $(shell git ls-files --cached --others --exclude-standard '*.hpp' '*.cpp')
 
-.PHONY: build python wheel demo test test-release test-asan matrix tsan without-tbb bench paper docs lint format fuzz clean help
+.PHONY: build python wheel demo test test-release test-asan matrix tsan without-tbb mpi bench paper docs lint format fuzz clean help
 
 help:                 ## this list
 	@sed -n 's/^\([a-z-]*\):.*## /\1\t/p' Makefile | expand -t 16
@@ -51,7 +51,7 @@ fuzz:                 ## every fuzz target for five minutes, with the sanitizers
 	cmake --build --preset fuzz -j $(jobs)
 	ctest --preset fuzz
 
-matrix: tsan without-tbb  ## builds of other kinds, with their tests: hours
+matrix: tsan without-tbb mpi  ## builds of other kinds, with their tests: hours
 
 tsan:                 ## unit, property and fuzz tests with clang's ThreadSanitizer
 	tools/install_dependencies.sh test clang
@@ -64,6 +64,12 @@ without-tbb:          ## unit tests and those of the command, of a build without
 	cmake --preset without-tbb $(launcher)
 	cmake --build --preset without-tbb -j $(jobs)
 	ctest --preset without-tbb
+
+mpi:                  ## the tests of delone::mpi, at their full size, with 1, 2, 3 and 5 ranks
+	tools/install_dependencies.sh test mpi
+	cmake --preset test $(launcher) -DDELONE_BUILD_MPI=ON
+	cmake --build --preset test -j $(jobs) --target delone_cli delone_mpi_cli delone_mpi_tests
+	DELONE_TEST_SCALE=large ctest --preset test -L mpi
 
 bench: python         ## the standard constructions, timed; takes minutes
 	tools/install_dependencies.sh bench

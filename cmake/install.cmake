@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: BSD-3-Clause
-# Install rules: the library with its public headers, the command, and a CMake package that offers delone::delone.
+# Install rules: the library with its public headers, the command, and a CMake package that offers delone::delone; and delone::mpi
+# with its header and command, if it was built.
 # The library's dependencies are private; users of a static library need only Highway and fmt.
 include(GNUInstallDirs)
 include(CMakePackageConfigHelpers)
@@ -11,11 +12,23 @@ install(TARGETS delone EXPORT delone-targets
   LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR}
   RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR}
   INCLUDES DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
-install(DIRECTORY ${PROJECT_SOURCE_DIR}/include/delone DESTINATION ${CMAKE_INSTALL_INCLUDEDIR} FILES_MATCHING PATTERN "*.hpp")
+install(DIRECTORY ${PROJECT_SOURCE_DIR}/include/delone DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}
+  FILES_MATCHING PATTERN "*.hpp" PATTERN mpi EXCLUDE)
 install(FILES ${PROJECT_BINARY_DIR}/include/delone/config.hpp DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/delone)
 install(FILES ${PROJECT_SOURCE_DIR}/LICENSE DESTINATION ${CMAKE_INSTALL_DOCDIR})
 if(DELONE_BUILD_CLI)
   install(TARGETS delone_cli RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
+endif()
+if(TARGET delone_mpi)
+  install(TARGETS delone_mpi EXPORT delone-mpi-targets
+    ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR}
+    LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR}
+    RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
+  install(DIRECTORY ${PROJECT_SOURCE_DIR}/include/delone/mpi DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/delone FILES_MATCHING PATTERN "*.hpp")
+  if(TARGET delone_mpi_cli)
+    install(TARGETS delone_mpi_cli RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
+  endif()
+  install(EXPORT delone-mpi-targets NAMESPACE delone:: DESTINATION ${delone_package_dir})
 endif()
 
 install(EXPORT delone-targets NAMESPACE delone:: DESTINATION ${delone_package_dir})

@@ -14,6 +14,13 @@ set(DELONE_WITH_TBB AUTO CACHE STRING "Threads, by oneTBB: ON, OFF, or AUTO: if 
 set_property(CACHE DELONE_WITH_TBB PROPERTY STRINGS AUTO ON OFF)
 set(DELONE_WITH_HDF5 AUTO CACHE STRING "HDF5 files of tiles: ON, OFF, or AUTO: if its C library is found")
 set_property(CACHE DELONE_WITH_HDF5 PROPERTY STRINGS AUTO ON OFF)
+set(delone_build_mpi OFF)
+if(PROJECT_IS_TOP_LEVEL)
+  set(delone_build_mpi AUTO)
+endif()
+set(DELONE_BUILD_MPI ${delone_build_mpi} CACHE STRING
+  "Build delone::mpi and the command `delone-mpi`, for several processes: ON, OFF, or AUTO: if MPI is found")
+set_property(CACHE DELONE_BUILD_MPI PROPERTY STRINGS AUTO ON OFF)
 set(DELONE_LARGEST_COMPILED_DIMENSION 8 CACHE STRING
   "Engines are compiled for 1 … this dimension (8 at most); larger ones use the engine whose dimension is a variable")
 set(DELONE_SANITIZE "" CACHE STRING "Sanitizers for -fsanitize=, for example address,undefined")

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: BSD-3-Clause
-# Installs the packages that are missing on Debian and Ubuntu:  tools/install_dependencies.sh [build] [python] [test] [nightly] [bench] [paper] [lint] [clang]
+# Installs the packages that are missing on Debian and Ubuntu:  tools/install_dependencies.sh [build] [python] [test] [nightly] [bench] [paper] [lint] [clang] [mpi]
 # Does nothing if all are there. On other systems it prints what is needed and leaves the rest to you.
 set -euo pipefail
 
@@ -14,6 +14,7 @@ paper=(python3 python3-numpy python3-scipy python3-matplotlib libqhull-dev libte
        libgmp-dev libmpfr-dev)
 lint=(clang-format clang-tidy python3)
 clang=(clang)
+mpi=(libopenmpi-dev openmpi-bin python3 python3-numpy python3-mpi4py)
 
 wanted=()
 for group in "${@:-build}"; do
@@ -26,7 +27,7 @@ for group in "${@:-build}"; do
     paper) wanted+=("${build[@]}" "${bench[@]}" "${paper[@]}") ;;
     lint) wanted+=("${build[@]}" "${lint[@]}") ;;
     clang) wanted+=("${build[@]}" "${clang[@]}") ;;
-    *) echo "usage: $0 [build] [python] [test] [nightly] [bench] [paper] [lint] [clang]" >&2; exit 64 ;;
+    *) echo "usage: $0 [build] [python] [test] [nightly] [bench] [paper] [lint] [clang] [mpi]" >&2; exit 64 ;;
   esac
 done
 

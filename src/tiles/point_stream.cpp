@@ -58,16 +58,21 @@ class BinaryStream final : public FileStream {
  public:
   BinaryStream(const Source& source, io::NpyArray array, std::uint64_t data_begin)
       : FileStream(source), array_(std::move(array)), data_begin_(data_begin) {
-    num_rows_ = array_.shape[0];
+    num_rows_ = last_ = array_.shape[0];
     width_ = array_.shape.size() == 1 ? 1 : array_.shape[1];
     rows_per_chunk_ = std::max<std::size_t>(chunk_bytes / sizeof(double) / width_, 1);
   }
   int dimension() const override { return static_cast<int>(width_); }
-  std::optional<std::uint64_t> size_hint() const override { return num_rows_; }
-  void rewind() override { row_ = 0; }
+  std::optional<std::uint64_t> size_hint() const override { return last_ - first_; }
+  void rewind() override { row_ = first_; }
+  bool restrict_to(std::uint64_t first, std::uint64_t last) override {
+    first_ = row_ = static_cast<std::size_t>(first);
+    last_ = static_cast<std::size_t>(last);
+    return true;
+  }
 
   bool next(std::vector<double>& rows) override {
-    const auto count = static_cast<std::size_t>(std::min<std::uint64_t>(rows_per_chunk_, num_rows_ - row_));
+    const auto count = static_cast<std::size_t>(std::min<std::uint64_t>(rows_per_chunk_, last_ - row_));
     rows.clear();
     if (count == 0) return false;
     const std::size_t item = array_.item_size;
@@ -101,7 +106,7 @@ class BinaryStream final : public FileStream {
 
   io::NpyArray array_;  // without data
   std::uint64_t data_begin_;
-  std::size_t num_rows_ = 0, row_ = 0, width_ = 0, rows_per_chunk_ = 0;
+  std::size_t num_rows_ = 0, first_ = 0, last_ = 0, row_ = 0, width_ = 0, rows_per_chunk_ = 0;
   std::string bytes_;
 };
 

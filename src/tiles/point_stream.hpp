@@ -29,6 +29,9 @@ class PointStream {
   virtual bool next(std::vector<double>& rows) = 0;
   /// Goes back to the first row.
   virtual void rewind() = 0;
+  /// From now on there are the rows first … last − 1 only, where that saves reading the others; false, and no
+  /// change, otherwise. REQUIRES first ≤ last ≤ size_hint(), and no earlier call. Rewinds.
+  virtual bool restrict_to(std::uint64_t /*first*/, std::uint64_t /*last*/) { return false; }
 };
 
 struct StreamOptions {

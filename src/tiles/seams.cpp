@@ -3,89 +3,18 @@
 
 #include "base/progress_meter.hpp"
 #include "io/atomic_file.hpp"
-#include "io/file.hpp"
-#include "tiles/equal_records.hpp"
 #include "tiles/part_file.hpp"
 #include "tiles/record_buckets.hpp"
-
-#include <fmt/ranges.h>
+#include "tiles/seam_records.hpp"
 
 #include <algorithm>
 #include <array>
-#include <cerrno>
-#include <cstdio>
-#include <filesystem>
-#include <limits>
 #include <memory>
 #include <vector>
 
 namespace delone::tiles {
 
 namespace {
-
-// A file of records begins with k and the number of records. A record: the k vertices of the facet as rows of
-// the input, increasing; then tile, cell, index of the opposite vertex, number of the seam.
-constexpr std::size_t header_words = 2, other_words = 4;
-
-struct Header {
-  std::int64_t k = 0, count = 0;
-};
-
-/// Reads the records of one tile in pieces.
-class RecordReader {
- public:
-  RecordReader(const std::string& work, std::size_t tile)
-      : path_(path_in(work, seam_records_name(tile))), file_(nullptr, &std::fclose) {
-    errno = 0;
-    file_.reset(std::fopen(path_.c_str(), "rb"));
-    if (!file_) io::fail(Errc::cannot_open, "{}: {}", io::input_name(path_), io::error_text(errno));
-    std::array<std::int64_t, header_words> header{};
-    read(header.data(), header.size());
-    header_ = {header[0], header[1]};
-    std::error_code error;
-    const std::uint64_t size = std::filesystem::file_size(path_, error);
-    const bool fits =
-        header_.k >= 0 && header_.k < (std::int64_t{1} << 31) && header_.count >= 0 &&
-        header_.count < (std::int64_t{1} << 31) &&
-        size == sizeof(std::int64_t) * (header_words + words() * static_cast<std::uint64_t>(header_.count));
-    if (error || !fits)
-      io::fail(Errc::bad_format, "{}: damaged or truncated: {} bytes for {} facets of {} vertices",
-               io::input_name(path_), size, header_.count, header_.k);
-  }
-
-  const Header& header() const { return header_; }
-  std::size_t words() const { return static_cast<std::size_t>(header_.k) + other_words; }
-
-  /// Calls each(record) for all records.
-  template <class Each>
-  void for_each(const Each& each) {
-    constexpr std::size_t records_at_once = 4096;
-    std::vector<std::int64_t> piece;
-    for (auto left = static_cast<std::size_t>(header_.count); left > 0;) {
-      internal::cancellation_point();
-      const std::size_t count = std::min(left, records_at_once);
-      piece.resize(count * words());
-      read(piece.data(), piece.size());
-      for (std::size_t i = 0; i < count; ++i)
-        each(std::span<const std::int64_t>(piece).subspan(i * words(), words()));
-      left -= count;
-    }
-  }
-  [[noreturn]] void refuse(std::span<const std::int64_t> record) const {
-    io::fail(Errc::bad_format, "{}: damaged: a record {{{}}} out of range", io::input_name(path_),
-             fmt::join(record, ", "));
-  }
-
- private:
-  void read(std::int64_t* words, std::size_t count) {
-    if (std::fread(words, sizeof(std::int64_t), count, file_.get()) != count)
-      io::fail(Errc::bad_format, "{}: truncated", io::input_name(path_));
-  }
-
-  std::string path_;
-  std::unique_ptr<std::FILE, int (*)(std::FILE*)> file_;
-  Header header_;
-};
 
 /// For every seam of every tile the global cell across it, −1 where there is none; more of them than fit in
 /// memory are in files by ranges of tiles.
@@ -142,30 +71,6 @@ class Answers {
   std::size_t first_ = 0;
 };
 
-/// Pairs equal facets of one bucket: each(a, b) for two records, each(a, a) for one without a partner.
-template <class Each>
-void match_records(std::span<const std::int64_t> words, std::size_t k, const Each& each) {
-  const std::size_t size = k + other_words;
-  for_equal_records(words, size, k, [&](std::span<const std::size_t> equal) {
-    const auto record = [&](std::size_t i) { return words.subspan(equal[i] * size, size); };
-    const auto a = record(0);
-    if (equal.size() == 1) return each(a, a);
-    const auto b = record(1);
-    if (equal.size() > 2) {
-      const auto c = record(2);
-      io::fail(
-          Errc::bad_format,
-          "the parts do not fit together: the facet {{{}}} is that of cell {} of tile {}, cell {} of tile {} "
-          "and cell {} of tile {}",
-          fmt::join(a.first(k), ", "), a[k + 1], a[k], b[k + 1], b[k], c[k + 1], c[k]);
-    }
-    if (a[k] == b[k])
-      io::fail(Errc::bad_format, "the seam {{{}}} of tile {} is between its own cells {} and {}",
-               fmt::join(a.first(k), ", "), a[k], a[k + 1], b[k + 1]);
-    each(a, b);
-  });
-}
-
 }  // namespace
 
 std::string seam_records_name(std::size_t tile) { return fmt::format("seams-{:04}.bin", tile); }
@@ -176,8 +81,8 @@ std::uint64_t append_seam_records(const std::string& work, std::size_t tile, con
     const TileData& data = finished.data;
     const auto corners = static_cast<std::size_t>(std::max(data.affine_dimension + 1, 1)), k = corners - 1;
     io::AtomicFile file(path);
-    const std::array<std::int64_t, header_words> header{static_cast<std::int64_t>(k),
-                                                        static_cast<std::int64_t>(finished.seams.size())};
+    const std::array<std::int64_t, seam_header_words> header{
+        static_cast<std::int64_t>(k), static_cast<std::int64_t>(finished.seams.size())};
     file.write(header.data(), sizeof(header));
     std::vector<std::int64_t> record;
     for (std::size_t s = 0; s < finished.seams.size(); ++s) {
@@ -194,7 +99,7 @@ std::uint64_t append_seam_records(const std::string& work, std::size_t tile, con
     }
     file.commit();
     return static_cast<std::uint64_t>(sizeof(std::int64_t) *
-                                      (header_words + (k + other_words) * finished.seams.size()));
+                                      (seam_header_words + (k + seam_other_words) * finished.seams.size()));
   });
 }
 
@@ -206,7 +111,7 @@ std::int64_t match_seams(const std::string& folder, const std::string& work,
     std::size_t k = 0;
     std::uint64_t words = 0;
     for (std::size_t t = 0; t < tiles; ++t) {
-      const RecordReader reader(work, t);
+      const SeamReader reader(work, t);
       counts[t] = reader.header().count;
       if (counts[t] == 0) continue;
       const auto k_of_tile = static_cast<std::size_t>(reader.header().k);
@@ -221,7 +126,7 @@ std::int64_t match_seams(const std::string& folder, const std::string& work,
     RecordBuckets buckets(path_in(work, "facets"), RecordBuckets::count_for(words, memory / 2));
     for (std::size_t t = 0; t < tiles; ++t) {
       if (counts[t] == 0) continue;
-      RecordReader reader(work, t);
+      SeamReader reader(work, t);
       reader.for_each([&](std::span<const std::int64_t> record) {
         if (record[k] != static_cast<std::int64_t>(t) || record[k + 3] < 0 || record[k + 3] >= counts[t])
           reader.refuse(record);
@@ -232,15 +137,15 @@ std::int64_t match_seams(const std::string& folder, const std::string& work,
     std::int64_t unmatched = 0;
     for (std::size_t b = 0; b < buckets.size(); ++b) {
       internal::cancellation_point();
-      match_records(buckets.take(b), k,
-                    [&](std::span<const std::int64_t> a, std::span<const std::int64_t> c) {
-                      if (a.data() == c.data()) {
-                        ++unmatched;
-                        return;
-                      }
-                      answers.put(a[k], a[k + 3], first_cell[static_cast<std::size_t>(c[k])] + c[k + 1]);
-                      answers.put(c[k], c[k + 3], first_cell[static_cast<std::size_t>(a[k])] + a[k + 1]);
-                    });
+      match_seam_records(buckets.take(b), k,
+                         [&](std::span<const std::int64_t> a, std::span<const std::int64_t> c) {
+                           if (a.data() == c.data()) {
+                             ++unmatched;
+                             return;
+                           }
+                           answers.put(a[k], a[k + 3], first_cell[static_cast<std::size_t>(c[k])] + c[k + 1]);
+                           answers.put(c[k], c[k + 3], first_cell[static_cast<std::size_t>(a[k])] + a[k + 1]);
+                         });
     }
     answers.write(folder);
     return unmatched;

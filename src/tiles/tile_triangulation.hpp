@@ -76,6 +76,7 @@ class TileTriangulation {
   void ask();
   std::vector<std::uint32_t> pages_by_distance() const;
   bool try_all_points();
+  std::uint64_t pages_worth_all_points() const;
   void insert_if_needed(const Page& page, std::size_t slot);
 
   const Survey& survey_;
@@ -96,9 +97,11 @@ class TileTriangulation {
   std::vector<CellId> waiting_;    // cells whose questions wait for pages
   std::size_t num_foreign_ = 0, num_rounds_ = 0;
   bool has_asked_ = false;
-  std::atomic<bool> asks_in_vain_ = false;   // questions take too long: all points are tried instead
-  std::vector<std::uint32_t> pages_to_try_;  // the next one last
-  CellId last_cell_ = invalid_cell;          // where the last point that was tried is
+  std::atomic<bool> asks_in_vain_ = false;      // questions take too long: all points are tried instead
+  std::atomic<std::uint64_t> pages_asked_ = 0;  // by all rounds
+  std::uint64_t most_pages_asked_ = 0;          // beyond that it is faster to try all points
+  std::vector<std::uint32_t> pages_to_try_;     // the next one last
+  CellId last_cell_ = invalid_cell;             // where the last point that was tried is
   TileEffort effort_;
 };
 

@@ -240,7 +240,7 @@ void WorkFolder::finish(std::size_t t, const FinishedTile& tile) {
   records_[t] = record;
 }
 
-TilesIndex WorkFolder::finish_all(std::uint64_t memory, bool vtu, bool hdf5) {
+TilesIndex WorkFolder::summary() const {
   TilesIndex index;
   index.dimension = plan_.dimension;
   index.affine_dimension = plan_.affine_dimension;
@@ -249,10 +249,8 @@ TilesIndex WorkFolder::finish_all(std::uint64_t memory, bool vtu, bool hdf5) {
   internal::HashAccumulator hash, weighted_hash;
   bool has_vertex = false;
   double least = 0, largest = 0;
-  std::vector<std::int64_t> first_cell;
   for (std::size_t t = 0; t < records_.size(); ++t) {
     const TileRecord& record = records_[t].value();
-    first_cell.push_back(index.num_cells);
     index.parts.push_back({part_name(t), index.num_cells, record.num_cells, record.num_points,
                            record.num_vertices, record.num_foreign, record.num_rounds});
     index.num_vertices += record.num_vertices;
@@ -267,16 +265,31 @@ TilesIndex WorkFolder::finish_all(std::uint64_t memory, bool vtu, bool hdf5) {
     largest = has_vertex ? std::max(largest, record.largest_weight) : record.largest_weight;
     has_vertex = true;
   }
-  index.num_hull_facets += match_seams(folder_, work_, first_cell, memory);
   const bool weights_differ = plan_.weighted && least != largest;
   index.hash = (weights_differ ? weighted_hash : hash).finish(plan_.dimension, plan_.affine_dimension);
+  return index;
+}
+
+void WorkFolder::close(const TilesIndex& index, std::uint64_t memory, bool vtu, bool hdf5) const {
   if (vtu) write_vtu_parts(folder_, index);
   if (hdf5) write_hdf5(folder_, work_, index, memory);
   write_tiles_index(folder_, index, plan_.fingerprint);
   std::error_code error;
   fs::remove_all(work_, error);
   if (error) cannot_write(work_, error);
+}
+
+TilesIndex WorkFolder::finish_all(std::uint64_t memory, bool vtu, bool hdf5) {
+  TilesIndex index = summary();
+  index.num_hull_facets += match_seams(folder_, work_, first_cells(index), memory);
+  close(index, memory, vtu, hdf5);
   return index;
+}
+
+std::vector<std::int64_t> first_cells(const TilesIndex& index) {
+  std::vector<std::int64_t> first;
+  for (const TilePart& part : index.parts) first.push_back(part.first_cell);
+  return first;
 }
 
 std::optional<TilesIndex> find_finished(const std::string& folder, const Plan& plan) {

@@ -60,6 +60,13 @@ class WorkFolder {
   /// hdf5), then index.json, and removes FOLDER/work. Uses about `memory` bytes besides those of one part.
   TilesIndex finish_all(std::uint64_t memory, bool vtu = false, bool hdf5 = false);
 
+  /// The steps of finish_all() by themselves, for processes that share the folder. What others have finished:
+  void know(std::size_t t, const TileRecord& record) { records_[t] = record; }
+  /// What the index will be. Facets of the hull that are seams of parts are not yet counted.
+  TilesIndex summary() const;
+  /// Writes what else is wanted, then index.json, and removes FOLDER/work.
+  void close(const TilesIndex& index, std::uint64_t memory, bool vtu = false, bool hdf5 = false) const;
+
  private:
   void open(bool resume);
 
@@ -67,6 +74,9 @@ class WorkFolder {
   Plan plan_;
   std::vector<std::optional<TileRecord>> records_;
 };
+
+/// The global id of the first cell of each part.
+std::vector<std::int64_t> first_cells(const TilesIndex& index);
 
 /// The index of a finished folder of this plan: nothing is left to do. Nothing if there is no index; throws
 /// invalid_argument if the folder is finished and is of another plan.

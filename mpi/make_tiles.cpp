@@ -1,0 +1,315 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// From an input to a folder of parts by all ranks: survey, cut, points to the ranks of their tiles, tiles in
+// rounds of questions and pages, seams.
+#include "base/platform.hpp"
+#include "base/stopwatch.hpp"
+#include "io/file.hpp"
+#include "owned_pages.hpp"
+#include "ranks.hpp"
+#include "remote_pages.hpp"
+#include "seam_exchange.hpp"
+#include "share.hpp"
+#include "split_tree_file.hpp"
+#include "tiles/index_file.hpp"
+#include "tiles/page_tree.hpp"
+#include "tiles/part_file.hpp"
+#include "tiles/tile_plan.hpp"
+#include "tiles/tile_triangulation.hpp"
+#include "tiles/work_folder.hpp"
+#include "whole_survey.hpp"
+
+#include <delone/mpi/tiles.hpp>
+#include <delone/progress.hpp>
+
+#include <algorithm>
+#include <exception>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <utility>
+
+namespace delone::mpi {
+
+namespace {
+
+/// What the steps before and after the tiles take of all the time, about.
+constexpr double share_of_survey = 0.04, share_of_points = 0.1, share_of_seams = 0.04;
+
+class Run {
+ public:
+  Run(Ranks& ranks, Share& share, std::string folder, const TilesOptions& options, RankEffort& effort)
+      : ranks_(ranks), share_(share), folder_name_(std::move(folder)), options_(options), effort_(effort) {
+    const auto neighbors = static_cast<std::uint64_t>(ranks.num_neighbors());
+    memory_ = options.memory > 0 ? options.memory : platform::available_memory() / neighbors / 4 * 3;
+  }
+
+  TilesIndex run() {
+    const internal::Stopwatch all;
+    internal::Stopwatch step;
+    {
+      const ProgressScope scope(part_of_progress(0, share_of_survey));
+      whole_ = survey_whole(share_, options_.weighted, ranks_);
+    }
+    tiles::SplitTree tree = settle_tiles();
+    if (auto index = open_folder(tree)) return std::move(*index);
+    std::optional<OwnedPages> pages;
+    {
+      const ProgressScope scope(part_of_progress(share_of_survey, share_of_points));
+      pages.emplace(share_, whole_.first_row, whole_.result.survey, tree, ranks_, memory_);
+    }
+    effort_.reading = step.restart();
+    make_parts(*pages);
+    step.restart();
+    TilesIndex index = finish(pages->owners());
+    effort_.writing += step.seconds();
+    effort_.num_messages = ranks_.num_messages();
+    effort_.bytes_sent = ranks_.bytes_sent();
+    effort_.bytes_received = ranks_.bytes_received();
+    effort_.total = all.seconds();
+    return index;
+  }
+
+ private:
+  const tiles::Survey& survey() const { return whole_.result.survey; }
+
+  /// The cut of an unfinished folder of the same points, or as few tiles as fit into memory, a multiple of
+  /// the number of ranks.
+  tiles::SplitTree settle_tiles() {
+    std::optional<tiles::SplitTree> tree;
+    ranks_.together([&] {
+      if (ranks_.rank() != 0 || !options_.resume) return;
+      const auto plan = tiles::find_plan(folder_name_);
+      if (!plan || plan->fingerprint != whole_.fingerprint || plan->dimension != survey().dimension ||
+          (options_.tiles > 0 && options_.tiles != plan->num_tiles))
+        return;
+      tree = read_split_tree(tiles::path_in(folder_name_, "work"), plan->dimension, plan->num_tiles);
+    });
+    const bool is_found = ranks_.max(std::int64_t{tree ? 1 : 0}) == 1;
+    TilesOptions options = options_;
+    if (is_found) {
+      if (!tree) tree.emplace();
+      tree->dimension = survey().dimension;
+      ranks_.broadcast(tree->axes);
+      ranks_.broadcast(tree->splitters);
+      ranks_.broadcast(tree->below);
+      ranks_.broadcast(tree->beyond);
+      tree->num_tiles = static_cast<std::int32_t>(tree->axes.size() + 1);
+      options.tiles = static_cast<std::size_t>(tree->num_tiles);
+    }
+    ranks_.together([&] { forecast(options); });
+    if (!is_found) {
+      const auto num_tiles = ranks_.max(static_cast<std::int64_t>(forecast_.num_tiles));
+      tree = tiles::make_split_tree(whole_.result.sample, survey().dimension,
+                                    static_cast<std::size_t>(num_tiles));
+    }
+    forecast_.num_tiles = static_cast<std::size_t>(tree->num_tiles);
+    whole_.result.sample = {};
+    ranks_.together([&] {
+      if (options_.forecast && !options_.forecast(forecast_)) throw Error(Errc::cancelled, "cancelled");
+    });
+    return std::move(*tree);
+  }
+  /// So many tiles as options say, or as few as fit into memory, a multiple of the number of ranks. The share
+  /// of foreign points is measured only where it matters, as this takes some tenths of a second.
+  void forecast(TilesOptions options) {
+    const auto p = static_cast<std::size_t>(ranks_.size());
+    const std::uint64_t memory = memory_for_tiles();
+    const auto settle = [&](const tiles::SetModel& model) {
+      forecast_ = tiles::plan_tiles(survey(), model, options, memory);
+      if (options.tiles > 0) return;
+      TilesOptions rounded = options;
+      rounded.tiles = (forecast_.num_tiles + p - 1) / p * p;
+      forecast_ = tiles::plan_tiles(survey(), model, rounded, memory);
+    };
+    if (options.tiles > 0 && !options_.forecast) return settle({});
+    tiles::SetModel model{tiles::cells_per_point(whole_.result.sample, survey()),
+                          tiles::ForeignShare::of_uniform_points(survey().affine_dimension)};
+    settle(model);
+    if (!options_.forecast && forecast_.num_tiles == p && forecast_.bytes_per_tile < memory / 4) return;
+    model.foreign = tiles::ForeignShare::of_sample(whole_.result.sample, survey().dimension);
+    settle(model);
+  }
+  /// Without what is there already, the points of the rank in their pages, and the boxes of all pages.
+  std::uint64_t memory_for_tiles() const {
+    const auto d = static_cast<std::uint64_t>(survey().dimension),
+               p = static_cast<std::uint64_t>(ranks_.size());
+    const std::uint64_t pages = survey().num_points / tiles::points_per_page(survey().num_points) + 1,
+                        used = platform::resident_memory() + pages * (60 * d + 56) +
+                               survey().num_points / p * 8 * (d + 2);
+    return used + memory_ / 10 < memory_ ? memory_ - used - memory_ / 20 : memory_ / 10;
+  }
+
+  /// Rank 0 makes the folder, or finds it finished: then the index.
+  std::optional<TilesIndex> open_folder(const tiles::SplitTree& tree) {
+    tiles::Plan plan;
+    plan.dimension = survey().dimension;
+    plan.affine_dimension = survey().affine_dimension;
+    plan.weighted = survey().weighted;
+    plan.num_points = static_cast<std::int64_t>(survey().num_points);
+    plan.num_tiles = forecast_.num_tiles;
+    plan.fingerprint = whole_.fingerprint;
+    std::optional<TilesIndex> index;
+    const auto open = [&](bool resume) { folder_.emplace(folder_name_, plan, resume); };
+    ranks_.together([&] {
+      if (ranks_.rank() != 0) return;
+      if (options_.resume) index = tiles::find_finished(folder_name_, plan);
+      if (index) return;
+      open(options_.resume);
+      if (!read_split_tree(folder_->work(), plan.dimension, plan.num_tiles))
+        write_split_tree(folder_->work(), tree);
+    });
+    const bool is_finished = ranks_.max(std::int64_t{index ? 1 : 0}) == 1;
+    ranks_.together([&] {
+      if (ranks_.rank() == 0) return;
+      if (is_finished)
+        index = read_tiles_index(folder_name_);
+      else
+        open(true);
+    });
+    return index;
+  }
+
+  /// Each rank makes its tiles one after the other; in a wave all ranks have one tile, or none.
+  void make_parts(const OwnedPages& pages) {
+    const tiles::PageTree tree(pages.table());
+    RemotePages source(pages);
+    const auto rank = static_cast<std::size_t>(ranks_.rank());
+    std::vector<std::size_t> own;
+    for (std::size_t t = pages.owners().first_tile(rank); t < pages.owners().first_tile(rank + 1); ++t) {
+      effort_.num_points +=
+          static_cast<std::int64_t>(pages.table().first_point[pages.table().tiles[t].last_page] -
+                                    pages.table().first_point[pages.table().tiles[t].first_page]);
+      if (!folder_->finished(t)) own.push_back(t);
+    }
+    const auto waves = static_cast<std::size_t>(ranks_.max(static_cast<std::int64_t>(own.size())));
+    for (std::size_t wave = 0; wave < waves; ++wave) {
+      const double start = share_of_points,
+                   step = (1 - share_of_points - share_of_seams) / static_cast<double>(waves);
+      const auto progress = part_of_progress(start + step * static_cast<double>(wave),
+                                             start + step * static_cast<double>(wave + 1));
+      make_part(wave < own.size() ? std::optional(own[wave]) : std::nullopt, pages, tree, source, progress);
+      source.drop();
+    }
+  }
+
+  void make_part(std::optional<std::size_t> number, const OwnedPages& pages, const tiles::PageTree& tree,
+                 RemotePages& source, const std::function<bool(double)>& progress) {
+    tiles::TileOptions how;
+    how.threads = options_.threads;
+    how.progress = [&](double fraction) {
+      if (platform::resident_memory() > memory_)
+        io::fail(Errc::out_of_memory,
+                 "tile {} of {} takes more than {} bytes; more memory is needed, or more tiles", *number,
+                 pages.table().tiles.size(), memory_);
+      return progress(fraction);
+    };
+    const ProgressScope scope(how.progress);
+    std::optional<tiles::TileTriangulation> tile;
+    internal::Stopwatch step;
+    if (number) source.want_near(*number);
+    effort_.num_pages_received += static_cast<std::int64_t>(source.exchange(ranks_));
+    effort_.exchanging += step.restart();
+    for (bool has_more = number.has_value();;) {
+      std::exception_ptr failure;
+      try {
+        if (has_more && !tile) tile.emplace(survey(), tree, source, *number, pages.points(*number), how);
+        if (has_more) has_more = tile->advance();
+      } catch (...) {
+        failure = std::current_exception();
+      }
+      step.restart();
+      // Whether a rank has failed, and whether one has more to do.
+      const auto state = ranks_.max({failure ? 1 : 0, has_more ? 1 : 0});
+      effort_.waiting += step.restart();
+      if (state[0] != 0) ranks_.raise(failure);
+      if (state[1] == 0) break;
+      ++effort_.num_rounds;
+      effort_.num_pages_received += static_cast<std::int64_t>(source.exchange(ranks_));
+      effort_.exchanging += step.restart();
+    }
+    ranks_.together([&] {
+      step.restart();
+      if (!tile) return;
+      ++effort_.num_tiles;
+      effort_.num_foreign += static_cast<std::int64_t>(tile->num_foreign());
+      effort_.inserting += tile->effort().insert_seconds;
+      effort_.asking += tile->effort().ask_seconds;
+      const tiles::FinishedTile finished = tile->finish();
+      tile.reset();
+      folder_->finish(*number, finished);
+      effort_.writing += step.restart();
+    });
+  }
+
+  /// All ranks know all records; seams; rank 0 writes the index.
+  TilesIndex finish(const TileOwners& owners) {
+    const ProgressScope scope(part_of_progress(1 - share_of_seams, 1));
+    const auto rank = static_cast<std::size_t>(ranks_.rank());
+    std::vector<tiles::TileRecord> records;
+    for (std::size_t t = owners.first_tile(rank); t < owners.first_tile(rank + 1); ++t)
+      records.push_back(folder_->finished(t).value());
+    records = ranks_.gather(records);
+    for (std::size_t t = 0; t < records.size(); ++t) folder_->know(t, records[t]);
+    TilesIndex index = folder_->summary();
+    index.num_hull_facets +=
+        match_seams(folder_name_, folder_->work(), tiles::first_cells(index), owners, ranks_);
+    ranks_.together([&] {
+      if (ranks_.rank() == 0) folder_->close(index, memory_ / 4);
+    });
+    return index;
+  }
+
+  /// The progress function of a part of the work, which is from `low` to `high` of all.
+  std::function<bool(double)> part_of_progress(double low, double high) {
+    return [this, low, high](double fraction) {
+      done_ = std::max(done_, low + (high - low) * fraction);
+      return !options_.progress || options_.progress(done_);
+    };
+  }
+
+  Ranks& ranks_;
+  Share& share_;
+  const std::string folder_name_;
+  const TilesOptions& options_;
+  RankEffort& effort_;
+  std::uint64_t memory_ = 0;
+  WholeSurvey whole_;
+  TilesForecast forecast_;
+  std::optional<tiles::WorkFolder> folder_;
+  double done_ = 0;
+};
+
+template <class MakeShare>
+TilesIndex make(MPI_Comm comm, const std::string& folder, const TilesOptions& options, RankEffort* effort,
+                const MakeShare& make_share) {
+  Ranks ranks(comm);
+  return ranks.guarded([&] {
+    std::optional<Share> share;
+    ranks.together([&] {
+      if (options.vtu || options.hdf5)
+        throw Error(Errc::unsupported, "several processes write no .vtu and no HDF5");
+      make_share(ranks, share);
+    });
+    RankEffort unused;
+    RankEffort& to = effort ? *effort : unused;
+    to = {};
+    return Run(ranks, *share, folder, options, to).run();
+  });
+}
+
+}  // namespace
+
+TilesIndex make_tiles(const std::vector<std::string>& inputs, const std::string& folder, MPI_Comm ranks,
+                      const TilesOptions& options, RankEffort* effort) {
+  return make(ranks, folder, options, effort, [&](const Ranks& all, std::optional<Share>& share) {
+    share.emplace(files_of(inputs), all, options);
+  });
+}
+
+TilesIndex make_tiles(PointsView rows_of_rank, const std::string& folder, MPI_Comm ranks,
+                      const TilesOptions& options, RankEffort* effort) {
+  return make(ranks, folder, options, effort,
+              [&](const Ranks&, std::optional<Share>& share) { share.emplace(rows_of_rank); });
+}
+
+}  // namespace delone::mpi
