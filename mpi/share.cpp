@@ -11,6 +11,8 @@ Share::Share(const std::vector<std::string>& files, const Ranks& ranks, const Ti
   tiles::StreamOptions how;
   how.format = options.format;
   how.dimension = options.columns;
+  how.columns = options.coordinates;
+  how.last_column = options.weights;
   const auto open = [&](const std::string& file) {
     streams_.push_back(
         io::guarded(io::input_name(file), [&] { return tiles::open_point_stream(file, how); }));
