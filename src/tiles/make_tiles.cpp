@@ -55,7 +55,7 @@ class Run {
       SurveyResult result = make_survey(points_, options_.weighted);
       survey_ = std::move(result.survey);
       sample_ = std::move(result.sample);
-      model_ = SetModel::of_sample(sample_, survey_);
+      model_ = {cells_per_point(sample_, survey_), ForeignShare::of_uniform_points(survey_.affine_dimension)};
     }
     std::size_t num_tiles = 0;  // not settled
     for (;;) try {
@@ -79,6 +79,10 @@ class Run {
         options.tiles = plan->num_tiles;
     const std::uint64_t memory = memory_for_tiles();
     forecast_ = plan_tiles(survey_, model_, options, memory);
+    if (forecast_.num_tiles > 1) {
+      model_.foreign = ForeignShare::of_sample(sample_, survey_.dimension);
+      forecast_ = plan_tiles(survey_, model_, options, memory);
+    }
     if (options.tiles == 0 && forecast_.bytes_per_tile > memory)
       io::fail(Errc::out_of_memory,
                "{} bytes of memory are not enough: {} tiles would take {} each, and more tiles not less",

@@ -83,10 +83,6 @@ ForeignShare ForeignShare::of_sample(std::span<const double> sample, int dimensi
   return {of_large / faces, static_cast<double>(n) / tiles_of_sample, exponent, k};
 }
 
-SetModel SetModel::of_sample(std::span<const double> sample, const Survey& survey) {
-  return {tiles::cells_per_point(sample, survey), ForeignShare::of_sample(sample, survey.dimension)};
-}
-
 double expected_tile_bytes(int d, int k, double n, double cells_of_point) {
   // A cell: ids of vertices and neighbors, a functional, marks; in the part its vertices and neighbors again,
   // its number and its slot. A tenth more, as arrays grow ahead of need.

@@ -35,8 +35,6 @@ struct ForeignShare {
 struct SetModel {
   double cells_per_point = 1;
   ForeignShare foreign;
-  /// Some tenths of a second.
-  static SetModel of_sample(std::span<const double> sample, const Survey& survey);
 };
 
 /// Memory of one tile at its peak, in bytes: the triangulation of n points, and the arrays of its part.

@@ -55,7 +55,7 @@ class TileTriangulation::Asking {
   void ask_slots(std::size_t first, std::size_t last) {
     for (std::size_t slot = first; slot < last && !tile_.asks_in_vain_; ++slot) {
       const CellId cell{static_cast<Index>(slot)};
-      if (complex_.is_cell(cell)) ask_if_new(cell);
+      if (complex_.is_cell(cell) && is_new(cell)) gather(cell);
     }
     ask_gathered();
   }
@@ -103,9 +103,7 @@ class TileTriangulation::Asking {
   bool is_own(VertexId v) const { return tile_.is_own_[index(v)] != 0; }
   const double* point(VertexId v) const { return points_.point(index(v)); }
 
-  void ask_if_new(CellId cell) {
-    if (is_new(cell)) gather(cell);
-  }
+  /// A cell with a vertex of the tile is asked for, soon or at once.
   void gather(CellId cell) {
     const double* own = nullptr;
     bool is_infinite = false;
@@ -279,8 +277,7 @@ bool TileTriangulation::advance() {
 
 /// `rows`: those of rows_ that have no vertices yet.
 void TileTriangulation::insert(std::vector<double> rows) {
-  first_new_vertex_ = triangulation().complex().num_vertex_slots();
-  if (has_asked_ == false) first_new_vertex_ = 1;
+  first_new_vertex_ = has_asked_ ? triangulation().complex().num_vertex_slots() : 1;
   const std::size_t d = static_cast<std::size_t>(survey_.dimension), width = tree_.table().row_size();
   if (delaunay_) {
     delaunay_->insert_range(std::move(rows));
