@@ -15,7 +15,18 @@ import numpy as np
 
 from . import _core
 
-__all__ = ["Part", "PartIndex", "Report", "Tiles", "make_tiles"]
+__all__ = ["Forecast", "Part", "PartIndex", "Report", "Tiles", "make_tiles"]
+
+
+class Forecast(NamedTuple):
+    """What tiles will cost, from a sample of the points: how many points and tiles there are, cells per point, the points of other tiles that
+    a tile inserts divided by its own (above 1 tiles do not pay), and the memory of a tile at its peak, in bytes."""
+
+    num_points: int
+    num_tiles: int
+    cells_per_point: float
+    foreign_share: float
+    bytes_per_tile: int
 
 
 class PartIndex(NamedTuple):
@@ -204,7 +215,7 @@ class Tiles:
 
 
 def make_tiles(points, folder, *, weights=None, columns=None, format=None, raw=None, memory=None, tiles=None, threads=0, resume=True,
-               vtu=False, hdf5=False, progress=None) -> Tiles:
+               vtu=False, hdf5=False, forecast=None, progress=None) -> Tiles:
     """Makes the Delaunay triangulation of the points of a file or an array in tiles, and returns the folder as Tiles; with weights the
     regular triangulation.
 
@@ -225,6 +236,7 @@ def make_tiles(points, folder, *, weights=None, columns=None, format=None, raw=N
     threads : at most this many; 0: as many as there are cores, where they gain
     resume : whether to go on with what an earlier call has left in the folder. Otherwise its tiles are removed first.
     vtu, hdf5 : whether to write tiles.pvtu and a .vtu per part, for ParaView (d <= 3), and tiles.h5
+    forecast : a function that is called once, before the first tile, with a Forecast; it stops the work as a progress function does
     progress : as for `delone.Delaunay`
 
     Ctrl-C, a full disk, or the end of the process lose the tile in work, no finished one: the same call goes on. Points of other tiles
@@ -233,8 +245,11 @@ def make_tiles(points, folder, *, weights=None, columns=None, format=None, raw=N
     written; InputError for values that are not finite, and for a folder with anything else in it; OutOfMemoryError if the tiles that were
     asked for take more than `memory`.
     """
+    if forecast is not None and not callable(forecast):
+        raise TypeError("forecast: a function of a Forecast, or None")
+    tell = None if forecast is None else lambda found: forecast(Forecast(*found))
     how = dict(memory=_bytes_of(memory), tiles=0 if tiles is None else _positive(tiles, "tiles"), threads=threads, resume=bool(resume),
-               vtu=bool(vtu), hdf5=bool(hdf5), progress=progress, format=format or "", columns=0 if raw is None else _positive(raw, "raw"),
+               vtu=bool(vtu), hdf5=bool(hdf5), forecast=tell, progress=progress, format=format or "", columns=0 if raw is None else _positive(raw, "raw"),
                coordinates=[] if columns is None else [str(each) for each in columns], weights="", weighted=weights is not None)
     if isinstance(points, (str, bytes, os.PathLike)):
         if raw is not None:

@@ -37,7 +37,7 @@ py::dict as_dict(const TilesIndex& index) {
 py::dict make(const py::object& input, const std::string& folder, std::uint64_t memory, std::size_t tiles,
               int threads, bool weighted, const std::string& format, int columns,
               std::vector<std::string> coordinates, std::string weights, bool resume, bool vtu, bool hdf5,
-              const py::object& progress) {
+              const py::object& forecast, const py::object& progress) {
   TilesOptions options;
   options.memory = memory;
   options.tiles = tiles;
@@ -52,6 +52,13 @@ py::dict make(const py::object& input, const std::string& folder, std::uint64_t 
   options.hdf5 = hdf5;
   Supervisor supervisor(progress);
   options.progress = supervisor.callback();
+  if (!forecast.is_none())
+    options.forecast = [&](const TilesForecast& f) {
+      return supervisor.agrees(forecast, [&] {
+        return py::make_tuple(f.num_points, f.num_tiles, f.cells_per_point, f.foreign_share,
+                              f.bytes_per_tile);
+      });
+    };
   if (py::isinstance<py::bytes>(input)) {
     const auto path = input.cast<std::string>();
     return as_dict(supervisor.run([&] { return make_tiles(path, folder, options); }));
@@ -117,7 +124,7 @@ py::dict check(const std::string& folder, const py::object& input, int level, bo
 void bind_tiles(py::module_& module) {
   module.def("_make_tiles", &make, "input"_a, "folder"_a, py::kw_only(), "memory"_a, "tiles"_a, "threads"_a,
              "weighted"_a, "format"_a, "columns"_a, "coordinates"_a, "weights"_a, "resume"_a, "vtu"_a,
-             "hdf5"_a, "progress"_a,
+             "hdf5"_a, "forecast"_a, "progress"_a,
              "Makes a folder of tiles from a path or an array, the last column of which may be weights, and "
              "returns its index.");
   module.def("_read_tiles_index", &read_index, "folder"_a, "The index of a folder of tiles.");

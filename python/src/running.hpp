@@ -42,6 +42,14 @@ class Supervisor {
     return [this](double fraction) { return go_on(fraction); };
   }
 
+  /// Asks another function of Python once, as the progress function: whether the work goes on. Call it
+  /// without the GIL, within the work; make() returns the argument.
+  template <class Make>
+  bool agrees(const py::object& function, Make make) {
+    const py::gil_scoped_acquire gil;
+    return decide([&] { return py::object(function(make())); });
+  }
+
   /// Runs `work` without the GIL. Its own loops call cancellation_point().
   template <class Work>
   auto run(Work work) {
@@ -67,10 +75,16 @@ class Supervisor {
     return ask(fraction_);
   }
   bool ask(double fraction) {
-    try {
+    return decide([&]() -> py::object {
       if (PyErr_CheckSignals() != 0) throw py::error_already_set();
-      if (progress_.is_none()) return true;
-      const py::object answer = progress_(fraction);
+      return progress_.is_none() ? progress_ : progress_(fraction);
+    });
+  }
+  /// With the GIL: what a function answers, of which None counts as true. Its exception is kept.
+  template <class Ask>
+  bool decide(Ask ask) {
+    try {
+      const py::object answer = ask();
       if (answer.is_none()) return true;
       const int is_true = PyObject_IsTrue(answer.ptr());
       if (is_true < 0) throw py::error_already_set();

@@ -263,6 +263,9 @@ class SelectedColumns final : public PointStream {
   int dimension() const override { return static_cast<int>(columns_.size()); }
   std::optional<std::uint64_t> size_hint() const override { return all_->size_hint(); }
   void rewind() override { all_->rewind(); }
+  bool restrict_to(std::uint64_t first, std::uint64_t last) override {
+    return all_->restrict_to(first, last);
+  }
 
   bool next(std::vector<double>& rows) override {
     rows.clear();

@@ -184,7 +184,7 @@ def public():
     """All functions, constructors and members, by the class that has them."""
     called = {"__call__", "__copy__", "__getitem__", "__getstate__", "__init__", "__iter__", "__len__", "__reduce__", "__repr__"}
     for cls in classes():
-        if cls.__name__ not in ("HullOfSet", "Part", "PartIndex", "Report", "_Patched"):
+        if cls.__name__ not in ("Forecast", "HullOfSet", "Part", "PartIndex", "Report", "_Patched"):
             plain = cls.__module__ == "delone" or cls.__module__.startswith("delone._c") and cls.__name__ == "ConvexHulls"
             place = f"delone.{cls.__name__}" if plain else f"{cls.__module__}.{cls.__name__}"
             for name, member in vars(cls).items():

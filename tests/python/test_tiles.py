@@ -208,6 +208,20 @@ def test_progress_stops_and_resumes(random, tmp_path):
     assert done == {path: path.stat().st_mtime_ns for path in done}
 
 
+def test_forecast(random, tmp_path):
+    seen = []
+    points = random.random((3000, 2))
+    make_tiles(points, tmp_path / "out", tiles=3, forecast=seen.append)
+    assert len(seen) == 1 and (seen[0].num_points, seen[0].num_tiles) == (3000, 3) and 0 < seen[0].foreign_share < 1
+    with pytest.raises(delone.CancelledError):
+        make_tiles(random.random((2000, 7)), tmp_path / "no", tiles=4, forecast=lambda forecast: forecast.foreign_share < 1)
+    with pytest.raises(ZeroDivisionError):
+        make_tiles(points, tmp_path / "no", forecast=lambda forecast: 1 / 0)
+    with pytest.raises(TypeError, match="forecast"):
+        make_tiles(points, tmp_path / "no", forecast=3)
+    assert not (tmp_path / "no").exists()
+
+
 PROGRAM = """
 import pathlib, signal, sys
 import numpy as np

@@ -105,10 +105,10 @@ TEST_F(PageFiles, HaveLargeTiles) {
   const test::TileSet set = set_named("uniform3", 80000);
   const Made made = make(set, 1, path("points"), {});
   const PageFile file(path("points"), made.table);
-  const Page all = file.read_tile_points(0);
-  ASSERT_EQ(all.size(), 80000u);
+  const TilePoints all = file.read_tile_points(0);
+  ASSERT_EQ(all.rows.size(), 80000u);
   std::vector<double> rows(set.rows.size());
-  for (std::size_t i = 0; i < all.size(); ++i)
+  for (std::size_t i = 0; i < all.rows.size(); ++i)
     std::copy_n(&all.points[i * 3], 3, &rows[static_cast<std::size_t>(all.rows[i]) * 3]);
   EXPECT_EQ(rows, set.rows);
 }

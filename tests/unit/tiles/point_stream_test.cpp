@@ -183,6 +183,11 @@ TEST_F(PointStreams, SelectColumns) {
     EXPECT_TRUE(some[2 * row] == expected[2] && some[2 * row + 1] == expected[0]);
     EXPECT_TRUE(moved[3 * row] == expected[1] && moved[3 * row + 2] == expected[0]);
   }
+  StreamOptions options;
+  options.columns = {"2"};
+  const auto stream = open_point_stream(path("t.npy"), options);
+  ASSERT_TRUE(stream->restrict_to(10, 12));
+  EXPECT_EQ(all(*stream), (std::vector<double>{table.coordinates[32], table.coordinates[35]}));
   for (const std::string wrong : {"3", "x", "-1", ""}) EXPECT_THROW(read("t.npy", {wrong}), Error);
   EXPECT_THROW(read("t.npy", {}, "3"), Error);
   EXPECT_THROW(read("t.csv", {"c"}), Error);
