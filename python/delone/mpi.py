@@ -12,7 +12,10 @@ from typing import NamedTuple, Tuple
 
 from mpi4py import MPI
 
-from . import _mpi
+try:
+    from . import _mpi
+except ImportError as missing:
+    raise ImportError("this build of delone has no delone.mpi: build it with MPI (DELONE_BUILD_MPI)") from missing
 from .tiles import Tiles, _bytes_of, _positive, _rows_of
 
 __all__ = ["Effort", "make_tiles"]
