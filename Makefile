@@ -68,7 +68,7 @@ without-tbb:          ## unit tests and those of the command, of a build without
 mpi:                  ## the tests of delone::mpi, at their full size, with 1, 2, 3 and 5 ranks
 	tools/install_dependencies.sh test mpi
 	cmake --preset test $(launcher) -DDELONE_BUILD_MPI=ON
-	cmake --build --preset test -j $(jobs) --target delone_cli delone_mpi_cli delone_mpi_tests
+	cmake --build --preset test -j $(jobs) --target delone_cli delone_mpi_cli delone_mpi_tests delone_python delone_python_mpi
 	DELONE_TEST_SCALE=large ctest --preset test -L mpi
 
 bench: python         ## the standard constructions, timed; takes minutes

@@ -52,7 +52,7 @@ class CMakeBuild(build_ext):
     def configure_and_build(self):
         build = pathlib.Path(self.build_temp).resolve() / "cmake"
         configure = ["cmake", "-S", str(ROOT), "-B", str(build), "-DCMAKE_BUILD_TYPE=Release", "-DDELONE_BUILD_PYTHON=ON",
-                     "-DDELONE_BUILD_CLI=OFF", f"-DPython_EXECUTABLE={sys.executable}"]
+                     "-DDELONE_BUILD_CLI=OFF", "-DDELONE_BUILD_MPI=OFF", f"-DPython_EXECUTABLE={sys.executable}"]
         if shutil.which("ninja"):
             configure += ["-G", "Ninja"]
         if shutil.which("ccache"):

@@ -44,7 +44,8 @@ struct Arguments {
   std::vector<std::string> inputs;
   std::string folder, memory, tiles;
   TilesOptions options;
-  bool restart = false, stats = false;
+  int raw = 0;
+  bool no_resume = false, stats = false;
 };
 
 /// The efforts of all ranks, at rank 0.
@@ -133,10 +134,13 @@ int run(int argc, char** argv) {
       ->type_name("N");
   delaunay.add_option("--format", options.format, "The format of the input, if its name does not tell it")
       ->type_name("FORMAT");
-  delaunay.add_option("--columns", options.columns, "The numbers of a row of raw doubles")
+  delaunay
+      .add_option("--raw", arguments.raw,
+                  "IN holds nothing but little-endian doubles, N per row, the weight included")
       ->type_name("N")
-      ->check(CLI::PositiveNumber);
-  delaunay.add_flag("--restart", arguments.restart, "Begin again where an earlier run has left parts");
+      ->check(CLI::Range(1, 1 << 20));
+  delaunay.add_flag("--no-resume", arguments.no_resume,
+                    "Begin again, instead of going on with what is in the folder");
   delaunay.add_flag("--stats", arguments.stats, "Print a report as JSON, with the effort of every rank");
   try {
     app.parse(argc, argv);
@@ -149,7 +153,11 @@ int run(int argc, char** argv) {
   } catch (const CLI::ParseError& error) {
     return complain(exit_status::usage, fmt::format("{} (see 'delone-mpi --help')", error.what()));
   }
-  options.resume = !arguments.restart;
+  options.resume = !arguments.no_resume;
+  if (arguments.raw > 0) {
+    options.format = "raw";
+    options.columns = arguments.raw;
+  }
   if (!arguments.memory.empty()) {
     const auto bytes = cli::parse_size(arguments.memory);
     if (!bytes || *bytes == 0) return complain(exit_status::usage, "--memory: a size was expected, as 2GiB");

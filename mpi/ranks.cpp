@@ -13,9 +13,6 @@ namespace delone::mpi {
 
 namespace {
 
-/// Counts of MPI are ints: larger arrays go in pieces of so many bytes.
-constexpr std::uint64_t piece_bytes = std::uint64_t{1} << 29;
-
 const char* at(const void* bytes, std::uint64_t offset) { return static_cast<const char*>(bytes) + offset; }
 char* at(void* bytes, std::uint64_t offset) { return static_cast<char*>(bytes) + offset; }
 
@@ -44,7 +41,7 @@ struct Failure {
 
 }  // namespace
 
-Ranks::Ranks(MPI_Comm others) {
+Ranks::Ranks(MPI_Comm others, std::uint64_t piece_bytes) : piece_bytes_(piece_bytes) {
   MPI_Comm_dup(others, &comm_);
   MPI_Comm_rank(comm_, &rank_);
   MPI_Comm_size(comm_, &size_);
@@ -92,8 +89,8 @@ std::uint64_t Ranks::broadcast_size(std::uint64_t size) const {
   return size;
 }
 void Ranks::broadcast_bytes(void* bytes, std::size_t size) const {
-  for (std::uint64_t done = 0; done < size; done += piece_bytes)
-    MPI_Bcast(at(bytes, done), static_cast<int>(std::min<std::uint64_t>(size - done, piece_bytes)), MPI_BYTE,
+  for (std::uint64_t done = 0; done < size; done += piece_bytes_)
+    MPI_Bcast(at(bytes, done), static_cast<int>(std::min<std::uint64_t>(size - done, piece_bytes_)), MPI_BYTE,
               0, comm_);
 }
 void Ranks::broadcast(std::string& text) const {
@@ -110,7 +107,7 @@ std::vector<std::uint64_t> Ranks::gather_sizes(std::uint64_t size) const {
 void Ranks::gather_bytes(const void* mine, const std::vector<std::uint64_t>& sizes, void* all) const {
   std::uint64_t bytes = 0;
   for (const std::uint64_t size : sizes) bytes += size;
-  if (bytes <= piece_bytes) {
+  if (bytes <= piece_bytes_) {
     std::vector<int> counts, places;
     int place = 0;
     for (const std::uint64_t size : sizes) {
@@ -125,8 +122,8 @@ void Ranks::gather_bytes(const void* mine, const std::vector<std::uint64_t>& siz
   std::uint64_t place = 0;
   for (std::size_t r = 0; r < sizes.size(); place += sizes[r++]) {
     if (static_cast<int>(r) == rank_ && sizes[r] > 0) std::memcpy(at(all, place), mine, sizes[r]);
-    for (std::uint64_t done = 0; done < sizes[r]; done += piece_bytes)
-      MPI_Bcast(at(all, place + done), static_cast<int>(std::min(sizes[r] - done, piece_bytes)), MPI_BYTE,
+    for (std::uint64_t done = 0; done < sizes[r]; done += piece_bytes_)
+      MPI_Bcast(at(all, place + done), static_cast<int>(std::min(sizes[r] - done, piece_bytes_)), MPI_BYTE,
                 static_cast<int>(r), comm_);
   }
 }
@@ -141,9 +138,9 @@ void Ranks::exchange_bytes(const std::vector<const void*>& from, const std::vect
   constexpr int tag = 1;  // pieces between two ranks arrive in their order
   std::vector<MPI_Request> requests;
   const auto for_pieces = [&](std::uint64_t size, const auto& each) {
-    for (std::uint64_t done = 0; done < size; done += piece_bytes) {
+    for (std::uint64_t done = 0; done < size; done += piece_bytes_) {
       requests.push_back(MPI_REQUEST_NULL);
-      each(done, static_cast<int>(std::min(size - done, piece_bytes)), &requests.back());
+      each(done, static_cast<int>(std::min(size - done, piece_bytes_)), &requests.back());
     }
   };
   for (int r = 0; r < size_; ++r) {

@@ -20,7 +20,8 @@ namespace delone::mpi {
 /// A communicator of our own with the ranks of another one. All members but the first two are collective.
 class Ranks {
  public:
-  explicit Ranks(MPI_Comm others);
+  /// Counts of MPI are ints: larger arrays go in pieces of so many bytes.
+  explicit Ranks(MPI_Comm others, std::uint64_t piece_bytes = std::uint64_t{1} << 29);
   Ranks(const Ranks&) = delete;
   Ranks& operator=(const Ranks&) = delete;
   ~Ranks();
@@ -129,6 +130,7 @@ class Ranks {
                       const std::vector<void*>& to, const std::vector<std::uint64_t>& sizes_in);
 
   MPI_Comm comm_ = MPI_COMM_NULL;
+  const std::uint64_t piece_bytes_;
   int rank_ = 0, size_ = 1;
   mutable bool has_raised_ = false;
   std::int64_t num_messages_ = 0, bytes_sent_ = 0, bytes_received_ = 0;

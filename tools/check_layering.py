@@ -56,6 +56,7 @@ RULES = {
     "tests/support": (PUBLIC, set()),
     "tests/consumer": (PUBLIC, set()),
     "tests/unit": (PUBLIC, {"tests/support", "src/*"}),
+    "tests/mpi": (PUBLIC, {"tests/support", "mpi"}),
     # These call the stages of the predicates one by one.
     "tests/campaign": (PUBLIC, {"tests/support", "src/*"}),
 }

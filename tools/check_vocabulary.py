@@ -164,7 +164,7 @@ def texts(folder, *suffixes):
 
 def faults():
     table = (ROOT / TABLE).read_text(encoding="utf-8")
-    checkers = (Cpp(texts("include/delone", ".hpp")), Command(texts("cli", ".cpp", ".hpp")), Python(texts("python/delone", ".py", ".pyi")))
+    checkers = (Cpp(texts("include/delone", ".hpp") + texts("include/delone/mpi", ".hpp")), Command(texts("cli", ".cpp", ".hpp")), Python(texts("python/delone", ".py", ".pyi")))
     for number, fault in faults_of_table(table, *checkers):
         yield f"{TABLE}:{number}: {fault}"
     for top in ("include", "src", "cli", "python", "examples", "tests", "docs", "tools", "README.md"):

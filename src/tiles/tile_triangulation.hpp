@@ -73,6 +73,7 @@ class TileTriangulation {
   void insert(std::vector<double> rows);
   void enter_vertices();
   void insert_found();
+  void insert_one_by_one();
   void ask();
   std::vector<std::uint32_t> pages_by_distance() const;
   bool try_all_points();

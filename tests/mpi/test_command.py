@@ -103,7 +103,7 @@ class Command(unittest.TestCase):
         other = self.save("other.npy", rows[:499])
         self.assertEqual(run(2, "delaunay", good, "-o", out).returncode, 0)
         self.expect_one_message(run(2, "delaunay", other, "-o", out), 2, "500 points, not 499")
-        self.assertEqual(run(2, "delaunay", other, "-o", out, "--restart").returncode, 0)
+        self.assertEqual(run(2, "delaunay", other, "-o", out, "--no-resume").returncode, 0)
 
     def test_a_killed_rank_ends_the_job_and_the_next_one_goes_on(self):
         whole = self.save("whole.npy", np.random.default_rng(2).random((400000 if LARGE else 60000, 3)))
