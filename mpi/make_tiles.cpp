@@ -10,11 +10,13 @@
 #include "seam_exchange.hpp"
 #include "share.hpp"
 #include "split_tree_file.hpp"
+#include "tiles/hdf5_file.hpp"
 #include "tiles/index_file.hpp"
 #include "tiles/page_tree.hpp"
 #include "tiles/part_file.hpp"
 #include "tiles/tile_plan.hpp"
 #include "tiles/tile_triangulation.hpp"
+#include "tiles/vtu_parts.hpp"
 #include "tiles/work_folder.hpp"
 #include "whole_survey.hpp"
 
@@ -153,7 +155,10 @@ class Run {
     ranks_.together([&] {
       if (ranks_.rank() != 0) return;
       if (options_.resume) index = tiles::find_finished(folder_name_, plan);
-      if (index) return;
+      if (index) {
+        tiles::write_missing_files(folder_name_, *index, memory_ / 4, options_.vtu, options_.hdf5);
+        return;
+      }
       open(options_.resume);
       if (!read_split_tree(folder_->work(), plan.dimension, plan.num_tiles))
         write_split_tree(folder_->work(), tree);
@@ -254,7 +259,7 @@ class Run {
     index.num_hull_facets +=
         match_seams(folder_name_, folder_->work(), tiles::first_cells(index), owners, ranks_);
     ranks_.together([&] {
-      if (ranks_.rank() == 0) folder_->close(index, memory_ / 4);
+      if (ranks_.rank() == 0) folder_->close(index, memory_ / 4, options_.vtu, options_.hdf5);
     });
     return index;
   }
@@ -286,9 +291,10 @@ TilesIndex make(MPI_Comm comm, const std::string& folder, const TilesOptions& op
   return ranks.guarded([&] {
     std::optional<Share> share;
     ranks.together([&] {
-      if (options.vtu || options.hdf5)
-        throw Error(Errc::unsupported, "several processes write no .vtu and no HDF5");
       make_share(ranks, share);
+      if (ranks.rank() != 0) return;
+      if (options.vtu) tiles::require_vtu(folder, share->dimension() - (options.weighted ? 1 : 0));
+      if (options.hdf5) tiles::require_hdf5(folder);
     });
     RankEffort unused;
     RankEffort& to = effort ? *effort : unused;

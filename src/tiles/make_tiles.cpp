@@ -117,7 +117,10 @@ class Run {
     plan.num_tiles = forecast_.num_tiles;
     plan.fingerprint = fingerprint_;
     if (options_.resume)
-      if (auto index = find_finished(folder_, plan)) return std::move(*index);
+      if (auto index = find_finished(folder_, plan)) {
+        write_missing_files(folder_, *index, memory_ / 4, options_.vtu, options_.hdf5);
+        return std::move(*index);
+      }
     WorkFolder folder(folder_, plan, options_.resume && num_tiles == 0);
     const PageTable table = make_pages(tree, folder.work());
     make_parts(folder, table);

@@ -310,6 +310,19 @@ std::optional<TilesIndex> find_finished(const std::string& folder, const Plan& p
   return index;
 }
 
+void write_missing_files(const std::string& folder, const TilesIndex& index, std::uint64_t memory, bool vtu,
+                         bool hdf5) {
+  if (vtu && !fs::exists(path_in(folder, "tiles.pvtu"))) write_vtu_parts(folder, index);
+  if (!hdf5 || fs::exists(path_in(folder, "tiles.h5"))) return;
+  const std::string work = path_in(folder, work_name);
+  std::error_code error;
+  fs::create_directory(work, error);
+  if (error) cannot_write(work, error);
+  write_hdf5(folder, work, index, memory);
+  fs::remove_all(work, error);
+  if (error) cannot_write(work, error);
+}
+
 std::optional<Plan> find_plan(const std::string& folder) {
   if (!has_plan(folder)) return std::nullopt;
   return read_plan(path_in(folder, work_name));

@@ -81,6 +81,9 @@ std::vector<std::int64_t> first_cells(const TilesIndex& index);
 /// The index of a finished folder of this plan: nothing is left to do. Nothing if there is no index; throws
 /// invalid_argument if the folder is finished and is of another plan.
 std::optional<TilesIndex> find_finished(const std::string& folder, const Plan& plan);
+/// Writes what is wanted beside the parts of a finished folder, and not there.
+void write_missing_files(const std::string& folder, const TilesIndex& index, std::uint64_t memory, bool vtu,
+                         bool hdf5);
 
 /// What an unfinished folder is to become; nothing if the folder has no plan.
 std::optional<Plan> find_plan(const std::string& folder);
