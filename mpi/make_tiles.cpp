@@ -151,7 +151,7 @@ class Run {
     plan.num_tiles = forecast_.num_tiles;
     plan.fingerprint = whole_.fingerprint;
     std::optional<TilesIndex> index;
-    const auto open = [&](bool resume) { folder_.emplace(folder_name_, plan, resume); };
+    const auto open = [&](bool resume) { folder_.emplace(folder_name_, plan, resume, ranks_.rank() == 0); };
     ranks_.together([&] {
       if (ranks_.rank() != 0) return;
       if (options_.resume) index = tiles::find_finished(folder_name_, plan);
@@ -291,6 +291,7 @@ TilesIndex make(MPI_Comm comm, const std::string& folder, const TilesOptions& op
   return ranks.guarded([&] {
     std::optional<Share> share;
     ranks.together([&] {
+      tiles::require_name(folder);
       make_share(ranks, share);
       if (ranks.rank() != 0) return;
       if (options.vtu) tiles::require_vtu(folder, share->dimension() - (options.weighted ? 1 : 0));

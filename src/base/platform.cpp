@@ -9,6 +9,7 @@
 
 #ifdef __linux__
 #include <fcntl.h>
+#include <sys/file.h>
 #include <sys/mman.h>
 
 #include <cerrno>
@@ -80,6 +81,19 @@ std::chrono::steady_clock::time_point coarse_now() {
                                                  std::chrono::nanoseconds(now.tv_nsec));
 #endif
   return std::chrono::steady_clock::now();
+}
+
+FileLock::FileLock([[maybe_unused]] const char* path) {
+#ifdef __linux__
+  file_ = open(path, O_RDWR | O_CREAT | O_CLOEXEC, 0666);
+  if (file_ >= 0) is_held_ = flock(file_, LOCK_EX | LOCK_NB) == 0 || errno != EWOULDBLOCK;
+#endif
+}
+
+FileLock::~FileLock() {
+#ifdef __linux__
+  if (file_ >= 0) close(file_);
+#endif
 }
 
 std::size_t resident_memory() {

@@ -46,6 +46,22 @@ double clock_seconds();
 /// they are not known.
 double thread_seconds();
 
+/// A file that one process at a time may hold: given back at the end of this object, or of the process.
+class FileLock {
+ public:
+  /// Creates the file if need be.
+  explicit FileLock(const char* path);
+  FileLock(const FileLock&) = delete;
+  FileLock& operator=(const FileLock&) = delete;
+  ~FileLock();
+  /// Whether this process holds it. True where the system has no such locks, or not for this file.
+  bool is_held() const { return is_held_; }
+
+ private:
+  int file_ = -1;
+  bool is_held_ = true;
+};
+
 /// The memory that this process has in use, mapped files included, in bytes; 0 if it is not known.
 std::size_t resident_memory();
 /// The memory that programs can still get without swapping, in bytes; 0 if it is not known.

@@ -206,20 +206,6 @@ std::string hash_of_rows(PointStream& points, const TilesOptions& options) {
   return fmt::format("rows of {} numbers, of hash {:016x}", points.dimension(), hash);
 }
 
-/// What tells an input from others: its path, size, time of last change, and how it is read. Of what is not a
-/// file, the rows themselves.
-std::string fingerprint_of(const std::string& input, PointStream& points, const TilesOptions& options) {
-  namespace fs = std::filesystem;
-  std::error_code error;
-  if (input == "-" || !fs::is_regular_file(input, error)) return hash_of_rows(points, options);
-  const fs::path path = fs::weakly_canonical(input, error);
-  const auto size = fs::file_size(path, error);
-  const auto changed = fs::last_write_time(path, error).time_since_epoch().count();
-  return fmt::format("{} of {} bytes, changed at {}, format '{}' of {}, columns '{}', weights '{}'",
-                     path.string(), size, changed, options.format, options.columns,
-                     io::joined(options.coordinates), options.weights);
-}
-
 /// The folder that a folder is in, or will be.
 std::string folder_above(const std::string& folder) {
   namespace fs = std::filesystem;
@@ -233,6 +219,7 @@ std::string folder_above(const std::string& folder) {
 
 TilesIndex make_tiles(const std::string& input, const std::string& folder, const TilesOptions& options) {
   return io::guarded(io::input_name(input), [&] {
+    tiles::require_name(folder);
     if (!options.weighted && !options.weights.empty())
       throw Error(Errc::invalid_argument, "a column of weights without weights");
     std::unique_ptr<tiles::PointStream> points;
@@ -246,12 +233,13 @@ TilesIndex make_tiles(const std::string& input, const std::string& folder, const
       how.scratch_folder = tiles::folder_above(folder);
       points = tiles::open_point_stream(input, how);
     }
-    return tiles::Run(*points, folder, tiles::fingerprint_of(input, *points, options), options).run();
+    return tiles::Run(*points, folder, tiles::hash_of_rows(*points, options), options).run();
   });
 }
 
 TilesIndex make_tiles(PointsView rows, const std::string& folder, const TilesOptions& options) {
   return io::guarded(io::output_name(folder), [&] {
+    tiles::require_name(folder);
     const auto points = tiles::stream_of(rows);
     return tiles::Run(*points, folder, tiles::hash_of_rows(*points, options), options).run();
   });

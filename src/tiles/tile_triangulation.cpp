@@ -105,13 +105,15 @@ class TileTriangulation::Asking {
 
   /// A cell with a vertex of the tile is asked for, soon or at once.
   void gather(CellId cell) {
-    const double* own = nullptr;
+    // The first vertex of the tile by its id: the order of vertices in a cell depends on threads.
+    VertexId first = invalid_vertex;
     bool is_infinite = false;
     for (const VertexId v : complex_.vertices(cell)) {
       is_infinite = is_infinite || v == infinite_vertex;
-      if (own == nullptr && is_own(v)) own = point(v);
+      if (is_own(v)) first = std::min(first, v);
     }
-    if (own == nullptr) return;
+    if (first == invalid_vertex) return;
+    const double* const own = point(first);
     if (is_infinite) {
       ask_beyond(cell, own);
       return;
@@ -179,8 +181,10 @@ class TileTriangulation::Asking {
   /// finite cell behind the facet, which has the same vertices of the tile and asks for itself.
   void ask_beyond(CellId cell, const double* own) {
     const int infinite = complex_.infinite_index(cell);
+    std::vector<VertexId> vertices = complex_.vertices(cell);
+    std::sort(vertices.begin(), vertices.end());  // so that rounding does not depend on threads
     facet_.clear();
-    for (const VertexId v : complex_.vertices(cell))
+    for (const VertexId v : vertices)
       if (v != infinite_vertex) facet_.push_back(point(v));
     const CellId behind = complex_.neighbor(cell, infinite);
     const double* const inner = point(complex_.vertex(behind, complex_.mirror_index(cell, infinite)));
@@ -409,82 +413,6 @@ void TileTriangulation::ask() {
   });
   std::sort(found_.begin(), found_.end());
   found_.erase(std::unique(found_.begin(), found_.end()), found_.end());
-}
-
-/// The pages of other tiles, the nearest to the box of this one last.
-std::vector<std::uint32_t> TileTriangulation::pages_by_distance() const {
-  const PageTable& table = tree_.table();
-  const auto d = static_cast<std::size_t>(table.dimension);
-  std::vector<double> low(table.low(tile().first_page), table.high(tile().first_page)),
-      high(table.high(tile().first_page), table.high(tile().first_page) + d);
-  for (std::size_t page = tile().first_page; page < tile().last_page; ++page)
-    for (std::size_t j = 0; j < d; ++j) {
-      low[j] = std::min(low[j], table.low(page)[j]);
-      high[j] = std::max(high[j], table.high(page)[j]);
-    }
-  std::vector<std::pair<double, std::uint32_t>> pages;
-  for (std::size_t page = 0; page < table.num_pages(); ++page) {
-    if (page >= tile().first_page && page < tile().last_page) continue;
-    double distance = 0;
-    for (std::size_t j = 0; j < d; ++j) {
-      const double off = std::max({0.0, table.low(page)[j] - high[j], low[j] - table.high(page)[j]});
-      distance += off * off;
-    }
-    pages.emplace_back(distance, static_cast<std::uint32_t>(page));
-  }
-  std::sort(pages.begin(), pages.end(), std::greater<>());
-  std::vector<std::uint32_t> numbers;
-  for (const auto& page : pages) numbers.push_back(page.second);
-  return numbers;
-}
-
-/// Inserts every point of another tile that is in conflict with a cell that has a vertex of this one. Each is
-/// tried once: what such cells are in conflict with only becomes less as points are inserted. Returns whether
-/// there is more to do: a page is not here yet.
-bool TileTriangulation::try_all_points() {
-  const internal::Stopwatch trying;
-  while (!pages_to_try_.empty()) {
-    const std::uint32_t number = pages_to_try_.back();
-    const auto page = source_.find(number);
-    if (!page) {  // the next ones are wanted, too
-      for (std::size_t i = 1; i <= std::min<std::size_t>(pages_to_try_.size(), 64); ++i)
-        source_.find(pages_to_try_[pages_to_try_.size() - i]);
-      break;
-    }
-    pages_to_try_.pop_back();
-    ++effort_.pages;
-    for (std::size_t slot = 0; slot < page->size(); ++slot)
-      if (!known_.contains(number, slot)) insert_if_needed(*page, slot);
-    internal::cancellation_point();
-  }
-  effort_.insert_seconds += trying.seconds();
-  effort_.created_cells = triangulation().statistics().created_cells;
-  ++num_rounds_;
-  return !pages_to_try_.empty();
-}
-
-void TileTriangulation::insert_if_needed(const Page& page, std::size_t slot) {
-  const auto d = static_cast<std::size_t>(survey_.dimension);
-  std::vector<double> row(tree_.table().row_size());
-  page.copy_point(slot, row.data());
-  const std::span<const double> point(row.data(), d);
-  const double weight = survey_.weighted ? row[d] : 0;
-  const std::vector<CellId> zone =
-      internal::StoredPoints::conflict_zone(triangulation(), point, last_cell_, weight);
-  if (zone.empty()) return;
-  last_cell_ = zone.front();
-  const Complex complex = triangulation().complex();
-  const bool is_needed = std::any_of(zone.begin(), zone.end(), [&](CellId cell) {
-    const VerticesOfCell vertices = complex.vertices(cell);
-    return std::any_of(vertices.begin(), vertices.end(), [&](VertexId v) { return is_own_[index(v)] != 0; });
-  });
-  if (!is_needed) return;
-  const InsertResult result =
-      delaunay_ ? delaunay_->insert(point, last_cell_) : regular_->insert(point, weight, last_cell_);
-  rows_.push_back(page.rows[slot]);
-  enter_vertices();
-  ++num_foreign_;
-  last_cell_ = triangulation().complex().incident_cell(result.vertex);
 }
 
 std::size_t TileTriangulation::bytes() const {

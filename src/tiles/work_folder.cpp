@@ -89,12 +89,25 @@ bool is_of_parts(const std::string& name) {
           (name.ends_with(".npz") || name.ends_with(".npy") || name.ends_with(".vtu")));
 }
 
-/// Names in the folder that no folder of tiles has.
+bool is_of_work(const std::string& name) {
+  for (const char* const start : {"plan.json", "split.json", "lock", "points.bin", "pages.bin", "tile-",
+                                  "seams-", "answers", "facets", "hdf5-", ".delone-partial-"})
+    if (name.starts_with(start)) return true;
+  return false;
+}
+
+/// Names in the folder, and in its folder `work`, that no folder of tiles has.
 std::vector<std::string> foreign_names(const std::string& folder) {
   std::vector<std::string> names;
   std::error_code error;
   for (fs::directory_iterator at(folder, error), end; !error && at != end; at.increment(error))
     if (const std::string name = at->path().filename().string(); !is_of_parts(name)) names.push_back(name);
+  const std::string work = path_in(folder, work_name);
+  if (!error && fs::is_directory(work, error))
+    for (fs::directory_iterator at(work, error), end; !error && at != end; at.increment(error))
+      if (const std::string name = at->path().filename().string(); !is_of_work(name))
+        names.push_back(path_in(work_name, name));
+  if (error == std::errc::no_such_file_or_directory) error.clear();
   if (error) cannot_write(folder, error);
   std::sort(names.begin(), names.end());
   return names;
@@ -163,12 +176,23 @@ std::optional<TileRecord> find_record(const std::string& folder, const std::stri
 
 }  // namespace
 
-WorkFolder::WorkFolder(std::string folder, const Plan& plan, bool resume)
-    : folder_(std::move(folder)), work_(path_in(folder_, work_name)), plan_(plan), records_(plan.num_tiles) {
-  io::guarded(io::output_name(folder_), [&] { open(resume); });
+void require_name(const std::string& folder) {
+  if (folder.empty()) throw Error(Errc::invalid_argument, "the name of the folder is empty");
 }
 
-void WorkFolder::open(bool resume) {
+WorkFolder::WorkFolder(std::string folder, const Plan& plan, bool resume, bool locked)
+    : folder_(std::move(folder)), work_(path_in(folder_, work_name)), plan_(plan), records_(plan.num_tiles) {
+  io::guarded(io::output_name(folder_), [&] { open(resume, locked); });
+}
+
+void WorkFolder::lock() {
+  lock_ = std::make_unique<platform::FileLock>(path_in(work_, "lock").c_str());
+  if (!lock_->is_held())
+    io::fail(Errc::cannot_write, "{}: another process is making tiles in this folder",
+             io::output_name(folder_));
+}
+
+void WorkFolder::open(bool resume, bool locked) {
   const std::string name = io::output_name(folder_);
   std::error_code error;
   const fs::file_status status = fs::status(folder_, error);
@@ -181,19 +205,26 @@ void WorkFolder::open(bool resume) {
     if (!foreign.empty() || (!finished && !has_plan(folder_)))
       io::fail(Errc::invalid_argument, "{}: the folder is not empty{}; tiles need a folder of their own",
                name, foreign.empty() ? ", and holds no tiles" : ": it holds " + io::joined(foreign));
+    if (std::error_code none; locked && fs::is_directory(work_, none)) lock();
     if (!resume) {
+      if (std::string input; finished) read_tiles_index(folder_, input);  // throws if it is not an index
       remove_parts(folder_);
     } else if (finished) {
       io::fail(Errc::invalid_argument, "{}: the folder holds finished tiles", name);
     } else if (const Plan found = read_plan(work_); found != plan_) {
       io::fail(Errc::invalid_argument,
-               "{}: the folder holds unfinished tiles {}; remove them or take another folder", name,
-               difference(found, plan_));
+               "{}: the folder holds unfinished tiles {}; begin again with resume off (--no-resume), or take "
+               "another folder",
+               name, difference(found, plan_));
     }
   }
   if (error) cannot_write(folder_, error);
   fs::create_directories(work_, error);
   if (error) cannot_write(work_, error);
+  if (locked) {
+    lock_.reset();
+    lock();
+  }
   if (!has_plan(folder_)) write_plan(work_, plan_);
   for (std::size_t t = 0; t < records_.size(); ++t) records_[t] = find_record(folder_, work_, t);
 }
@@ -303,10 +334,18 @@ std::optional<TilesIndex> find_finished(const std::string& folder, const Plan& p
   found.num_tiles = index.parts.size();
   if (found != plan)
     io::fail(Errc::invalid_argument,
-             "{}: the folder holds finished tiles {}; remove them or take another folder",
+             "{}: the folder holds finished tiles {}; make them again with resume off (--no-resume), or take "
+             "another folder",
              io::output_name(folder), difference(found, plan));
-  std::error_code error;
-  fs::remove_all(fs::path(folder) / work_name, error);  // left by a call that ended just before that
+  for (std::size_t i = 0; i < index.parts.size(); ++i)
+    for (const std::string& file : {part_name(i), seams_name(i)})
+      if (std::error_code error; !fs::exists(path_in(folder, file), error))
+        io::fail(Errc::bad_format, "{}: {} is missing; make the tiles again with resume off (--no-resume)",
+                 io::output_name(folder), file);
+  if (foreign_names(folder).empty()) {
+    std::error_code error;
+    fs::remove_all(fs::path(folder) / work_name, error);  // left by a call that ended just before that
+  }
   return index;
 }
 

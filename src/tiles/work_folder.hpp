@@ -3,12 +3,14 @@
 // FOLDER/work/tile-0000.json what a tile has become whose part and seams are complete.
 #pragma once
 
+#include "base/platform.hpp"
 #include "tiles/finished_tile.hpp"
 
 #include <delone/tiles.hpp>
 
 #include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -36,13 +38,18 @@ struct TileRecord {
   std::uint64_t part_bytes = 0, seam_bytes = 0;  ///< sizes of the files
 };
 
+/// Throws invalid_argument if the name of a folder is empty.
+void require_name(const std::string& folder);
+
 class WorkFolder {
  public:
   /// Creates FOLDER and FOLDER/work, or goes on with an unfinished folder of an equal plan if `resume`;
   /// without `resume` parts that delone has left there, finished or not, are removed. Throws invalid_argument
   /// and changes nothing if the folder holds anything else, or is of another plan; cannot_write with the
-  /// system's reason.
-  WorkFolder(std::string folder, const Plan& plan, bool resume);
+  /// system's reason. Holds a lock on the folder as long as it lives, and throws cannot_write if another
+  /// process has it; `locked`: whether this process may be one of several that share the folder, of which one
+  /// has the lock.
+  WorkFolder(std::string folder, const Plan& plan, bool resume, bool locked = true);
 
   const std::string& folder() const { return folder_; }
   /// FOLDER/work
@@ -68,9 +75,11 @@ class WorkFolder {
   void close(const TilesIndex& index, std::uint64_t memory, bool vtu = false, bool hdf5 = false) const;
 
  private:
-  void open(bool resume);
+  void open(bool resume, bool locked);
+  void lock();
 
   std::string folder_, work_;
+  std::unique_ptr<platform::FileLock> lock_;
   Plan plan_;
   std::vector<std::optional<TileRecord>> records_;
 };

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Tiles against the whole: the same cells, the same hash, whatever the cuts.
 #include "degenerate.hpp"
-#include "test_pages.hpp"
 #include "scale.hpp"
+#include "test_pages.hpp"
 
 #include <delone/delaunay.hpp>
 #include <delone/regular.hpp>
@@ -86,10 +86,17 @@ TEST(TileTriangulation, AllPointsTried) {
     for (const test::PointSet& set : test::degenerate_sets(d, 40, 6)) compare(set, 5, options);
 }
 
+/// Not only the same cells, but the same arrays.
 TEST(TileTriangulation, Threads) {
   TileOptions options;
   options.threads = 3;
-  compare(test::PointSet{"uniform", 3, make_point_set("uniform", 3, 3000, 1)}, 4, options);
+  TestPages pages(make_point_set("uniform", 3, 30000, 1), 3, 3);
+  const std::vector<FinishedTile> by_one = all_tiles(pages), by_three = all_tiles(pages, options);
+  for (std::size_t t = 0; t < by_one.size(); ++t) {
+    EXPECT_EQ(by_one[t].data.rows, by_three[t].data.rows);
+    EXPECT_EQ(by_one[t].data.cells, by_three[t].data.cells);
+    EXPECT_EQ(by_one[t].data.neighbors, by_three[t].data.neighbors);
+  }
 }
 
 TEST(TileTriangulation, Clusters) {

@@ -14,6 +14,7 @@
 #include <sys/resource.h>
 
 #include <csignal>
+#include <memory>
 
 namespace {
 
@@ -103,6 +104,37 @@ TEST_F(WorkFolderTest, OfSomethingElseIsLeftAlone) {
   EXPECT_EQ(WorkFolder(folder_, plan, false).num_finished(), 0u);
 }
 
+TEST_F(WorkFolderTest, IsOfOneProcess) {
+  const tiles::Plan plan = plan_of(data_, 3);
+  {
+    const WorkFolder first(folder_, plan, true);
+    for (const bool resume : {false, true})
+      expect_error(Errc::cannot_write, {"another process"}, [&] { WorkFolder(folder_, plan, resume); });
+    const WorkFolder shared(folder_, plan, true, false);
+  }
+  const WorkFolder next(folder_, plan, true);
+  expect_error(Errc::invalid_argument, {"name of the folder is empty"}, [] { tiles::require_name(""); });
+}
+
+TEST_F(WorkFolderTest, NothingOfOthersIsRemoved) {
+  const tiles::Plan plan = plan_of(data_, 3);
+  {
+    WorkFolder work(folder_, plan, true);
+    for (std::size_t t = 0; t < 3; ++t) work.finish(t, tiles_[t]);
+    work.finish_all(std::uint64_t{1} << 20);
+  }
+  std::filesystem::create_directory(path("out/work"));
+  file("out/work/thesis.txt", "precious");
+  EXPECT_TRUE(tiles::find_finished(folder_, plan));
+  expect_error(Errc::invalid_argument, {"thesis.txt"}, [&] { WorkFolder(folder_, plan, false); });
+  EXPECT_EQ(content("out/work/thesis.txt"), "precious");
+  std::filesystem::remove_all(path("out/work"));
+  std::filesystem::remove(path("out/part-0001.npz"));
+  expect_error(Errc::bad_format, {"part-0001.npz", "missing"}, [&] { tiles::find_finished(folder_, plan); });
+  file("out/index.json", "{\"mine\": 1}");
+  expect_error(Errc::bad_format, {"index.json"}, [&] { WorkFolder(folder_, plan, false); });
+}
+
 TEST_F(WorkFolderTest, FinishedOfAnotherPlanIsAnError) {
   write_folder(folder_, data_, 3);
   tiles::Plan plan = plan_of(data_, 3);
@@ -114,14 +146,15 @@ TEST_F(WorkFolderTest, FinishedOfAnotherPlanIsAnError) {
 
 TEST_F(WorkFolderTest, FullDiskLosesNoFinishedTile) {
   const tiles::Plan plan = plan_of(data_, 3);
-  WorkFolder work(folder_, plan, true);
-  work.finish(0, tiles_[0]);
+  auto work = std::make_unique<WorkFolder>(folder_, plan, true);
+  work->finish(0, tiles_[0]);
   rlimit before{};
   getrlimit(RLIMIT_FSIZE, &before);
   const auto old_handler = std::signal(SIGXFSZ, SIG_IGN);
   const rlimit small{1500, before.rlim_max};
   setrlimit(RLIMIT_FSIZE, &small);
-  expect_error(Errc::cannot_write, {"part-0001.npz"}, [&] { work.finish(1, tiles_[1]); });
+  expect_error(Errc::cannot_write, {"part-0001.npz"}, [&] { work->finish(1, tiles_[1]); });
+  work.reset();
   setrlimit(RLIMIT_FSIZE, &before);
   std::signal(SIGXFSZ, old_handler);
   EXPECT_EQ(WorkFolder(folder_, plan, true).num_finished(), 1u);
