@@ -94,13 +94,26 @@ struct TileData {
   }
 };
 
-/// The Delaunay triangulation, or the regular one, of the points of a file, as a folder of parts.
+/// The Delaunay triangulation, or the regular one, of the points of a file, as a folder of parts: the cells
+/// and the hash that Delaunay or Regular have in memory, for any number of tiles. The files are the same for
+/// every number of threads. After an error, and when the process is killed, finished parts stay, and the same
+/// call goes on with the tiles that are left. One process at a time works in a folder.
+///
+/// Method: docs/decisions/0016-tiles-are-certified-not-merged.md. Cost: that of the triangulation times about
+/// 1 + foreign_share of the forecast, and several times as much from five dimensions on and on hypersurfaces
+/// (docs/tiles.md); three passes over the input; scratch files of twice the size of the points.
+///
+/// Errors: those of reading, not_finite with rows(); invalid_argument for a folder that holds anything else
+/// or tiles of other points; out_of_memory where no number of tiles fits; unsupported (vtu for d > 3, hdf5);
+/// cannot_write; cancelled.
 TilesIndex make_tiles(const std::string& input, const std::string& folder, const TilesOptions& options = {});
 /// The same of points in memory: rows of d coordinates, and a weight if `weighted`.
 TilesIndex make_tiles(PointsView rows, const std::string& folder, const TilesOptions& options = {});
 
+/// The index of a finished folder, whose numbers agree with each other. Errors: cannot_open, bad_format.
 TilesIndex read_tiles_index(const std::string& folder);
-/// Part number i of a folder.
+/// Part number i of a finished folder, with its seams. Errors: invalid_argument, cannot_open, bad_format
+/// naming the array.
 TileData read_tile(const std::string& folder, std::size_t i);
 
 /// A folder of tiles that is not finished: how many there will be, and how many are complete.
