@@ -2,6 +2,7 @@
 // Folders from arrays in memory: the hash of the whole, whatever the number of tiles and threads.
 #include "degenerate.hpp"
 #include "memory_folder.hpp"
+#include "scale.hpp"
 
 #include <delone/delaunay.hpp>
 #include <delone/regular.hpp>
@@ -22,7 +23,7 @@ class MakeTiles : public ::testing::Test {
 };
 
 TEST_F(MakeTiles, Hashes) {
-  for (const test::PointSet& set : test::degenerate_sets(3, 60, 9)) {
+  for (const test::PointSet& set : test::degenerate_sets(3, test::scaled_size(60, 15), 9)) {
     SCOPED_TRACE(set.name);
     const std::string out = folder("out");
     TilesOptions options;
@@ -97,7 +98,7 @@ TEST_F(MakeTiles, Weights) {
 }
 
 TEST_F(MakeTiles, TooLittleMemory) {
-  const std::vector<double> points = make_point_set("uniform", 3, 20000, 1);
+  const std::vector<double> points = make_point_set("uniform", 3, test::scaled_size(20000, 1000), 1);
   TilesOptions options;
   options.memory = 1 << 20;  // less than the program itself
   try {
