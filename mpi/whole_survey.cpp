@@ -2,10 +2,10 @@
 #include "whole_survey.hpp"
 
 #include "base/random.hpp"
+#include "complex/canonical_hash.hpp"
 #include "io/file.hpp"
 
 #include <algorithm>
-#include <bit>
 #include <cmath>
 #include <limits>
 #include <numeric>
@@ -31,9 +31,7 @@ class HashingStream final : public tiles::PointStream {
     const auto width = static_cast<std::size_t>(dimension());
     const auto first = static_cast<std::uint64_t>(share_.first_row(0));
     for (std::size_t i = 0; i < rows.size() / width; ++i) {
-      std::uint64_t hash = 0;
-      for (std::size_t j = 0; j < width; ++j)
-        hash = random::mix(hash + 0x9e3779b97f4a7c15u + std::bit_cast<std::uint64_t>(rows[i * width + j]));
+      const std::uint64_t hash = internal::point_tag(&rows[i * width], dimension()).low;
       sum_ += hash;
       weighted_sum_ += (first + i) * hash;
     }

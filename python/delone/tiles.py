@@ -99,7 +99,7 @@ class Report(NamedTuple):
 
 
 class Tiles:
-    """A folder of tiles that is finished: ``Tiles(folder)``. A sequence of its parts, which are read as they are asked for.
+    """A folder of tiles that is finished: ``Tiles(folder)``. A sequence of its parts, each read from its file on access.
 
     Only the index is kept in memory. `delone.Error` if there is none, or if a file of the folder is damaged.
 
@@ -242,8 +242,8 @@ def make_tiles(points, folder, *, weights=None, columns=None, format=None, raw=N
     Ctrl-C, a full disk, or the end of the process lose the tile in work, no finished one: the same call goes on. Points of other tiles
     that a tile needs are inserted in both, a few percent in 2D and 3D. In high dimensions and for points on a surface they are many, and
     tiles cost several times as much (docs/tiles.md). delone.Error with the reason of the system if a file cannot be read or
-    written; InputError for values that are not finite, and for a folder with anything else in it; OutOfMemoryError if the tiles that were
-    asked for take more than `memory`.
+    written; InputError for values that are not finite, and for a folder with anything else in it; OutOfMemoryError if so many
+    `tiles` take more than `memory`.
     """
     if forecast is not None and not callable(forecast):
         raise TypeError("forecast: a function of a Forecast, or None")

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "tiles/duplicates.hpp"
 
-#include "base/random.hpp"
+#include "complex/canonical_hash.hpp"
 #include "tiles/page_order.hpp"
 
 #include <algorithm>
@@ -21,10 +21,7 @@ std::vector<Duplicate> take_duplicates(std::vector<double>& records, std::size_t
   std::size_t kept = 0;
   for (std::size_t i = 0; i < n; ++i) {
     double* const record = records.data() + i * record_size;
-    std::uint64_t hash = 0;
-    for (std::size_t j = 0; j < row_size; ++j)
-      hash = random::mix(hash + 0x9e3779b97f4a7c15u + std::bit_cast<std::uint64_t>(record[j] + 0.0));
-    std::size_t at = hash & mask;
+    std::size_t at = internal::point_tag(record, static_cast<int>(row_size)).low & mask;
     const auto kept_record = [&] { return records.data() + std::size_t{table[at]} * record_size; };
     while (table[at] != none && !std::equal(record, record + row_size, kept_record())) at = (at + 1) & mask;
     if (table[at] == none) {

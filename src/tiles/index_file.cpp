@@ -67,12 +67,7 @@ TilesIndex read_tiles_index(const std::string& folder, std::string& fingerprint)
   return io::guarded(name, [&] {
     const nlohmann::json json = read_json(path);
     const JsonMembers members(json, name);
-    if (members.text("format") != format_name)
-      io::fail(Errc::bad_format, "{}: not an index of tiles: its format is {}", name,
-               in_quotes(members.text("format")));
-    if (const std::int64_t found = members.number("version", 1, most); found != version)
-      io::fail(Errc::unsupported, "{}: version {} of tiles; this program knows version {}", name, found,
-               version);
+    members.require_format(format_name, version, "an index of tiles");
     TilesIndex index;
     index.dimension = static_cast<int>(members.number("dimension", 1, largest_dimension));
     index.affine_dimension = static_cast<int>(members.number("affine_dimension", -1, index.dimension));

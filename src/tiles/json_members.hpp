@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The members of a JSON object that was written by delone: all are there, of the kind and in the range that
-// is asked for, or the error says what is wrong.
+// The members of a JSON object that delone has written. A member that is missing, of another kind or out of
+// range is an error that names it.
 #pragma once
 
 #include "io/file.hpp"
@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <array>
 #include <cstdint>
+#include <limits>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -22,6 +23,16 @@ class JsonMembers {
     if (!object_.is_object()) io::fail(Errc::bad_format, "{}: expected a JSON object", name_);
   }
 
+  /// Throws bad_format unless `format` is `expected`, and unsupported for another version. `what`: as in "an
+  /// index of tiles".
+  void require_format(const char* expected, std::int64_t version, const char* what) const {
+    if (const std::string found = text("format"); found != expected)
+      io::fail(Errc::bad_format, "{}: not {}: its format is {}", name_, what, in_quotes(found));
+    if (const std::int64_t found = number("version", 1, std::numeric_limits<std::int64_t>::max());
+        found != version)
+      io::fail(Errc::unsupported, "{}: version {} of tiles; this program knows version {}", name_, found,
+               version);
+  }
   std::int64_t number(const char* member, std::int64_t least, std::int64_t largest) const {
     const nlohmann::json& value = find(member);
     if (!value.is_number_integer() || value > largest || value < least)

@@ -3,6 +3,7 @@
 #include "base/platform.hpp"
 #include "base/progress_meter.hpp"
 #include "base/random.hpp"
+#include "complex/canonical_hash.hpp"
 #include "io/file.hpp"
 #include "tiles/hdf5_file.hpp"
 #include "tiles/page_file.hpp"
@@ -17,7 +18,6 @@
 #include <delone/tiles.hpp>
 
 #include <algorithm>
-#include <bit>
 #include <filesystem>
 #include <memory>
 #include <optional>
@@ -201,7 +201,8 @@ std::string hash_of_rows(PointStream& points, const TilesOptions& options) {
   points.rewind();
   while (points.next(rows)) {
     internal::cancellation_point();
-    for (const double x : rows) hash = random::mix(hash ^ std::bit_cast<std::uint64_t>(x));
+    for (std::size_t at = 0; at < rows.size(); at += static_cast<std::size_t>(points.dimension()))
+      hash = random::mix(hash ^ internal::point_tag(&rows[at], points.dimension()).low);
   }
   return fmt::format("rows of {} numbers, of hash {:016x}", points.dimension(), hash);
 }

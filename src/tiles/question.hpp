@@ -4,14 +4,18 @@
 // A finite cell is in conflict with the points inside its sphere of center c, an infinite one with those
 // beyond its facet: the same with c at infinity. Let p be a vertex of the cell that is the tile's own. The
 // points of conflict are met one by one as the center moves from p to c along a line, the sphere always
-// through p: x is met where |x − p|² = 2λ(c − p)·(x − p). The first one, of the least λ, is asked for: the
-// open ball of that sphere has no point of the whole set inside, so px is an edge of the whole
-// triangulation. Hence a tile inserts none but the neighbors of its own points.
+// through p: x is met where |x − p|² = 2λ(c − p)·(x − p). The answer is the first one, of the least λ. The
+// open ball of that sphere lies in that of the cell, so a point inside would be in conflict and have been met
+// before. There is none in the whole set, and px is an edge of the whole triangulation. Hence a tile inserts
+// only neighbors of its own points, and the landmarks it begins with.
 //
 // With weights the power |x − q|² − w takes the place of the squared distance: x is met where
-// |x − p|² − w_x + w_p = 2λ(c − p)·(x − p). If that is negative at λ = 0 for some x, then p is not in its own
-// power region, and the x of the least value is asked for: its region has p inside, so it is a vertex of the
-// whole. Otherwise the point on the line where x is met belongs to the regions of p and x, and px is an edge.
+// |x − p|² − w_x + w_p = 2λ(c − p)·(x − p). Suppose that p is in its own power region: the left side is then
+// negative for no x. A point with a negative power at some λ has a positive right side, and a negative power
+// at λ = 1, too: it is in conflict. So the center where the first x is met belongs to the regions of p and x,
+// and px is an edge. If the left side is negative for a point in conflict, p is not in its own region, and
+// the point of the least left side is inserted first. That is right, as every point in conflict is, but the
+// whole triangulation need not have such an edge.
 //
 // Bounds. Let c be off by 1.01u|c_j| at most along each axis, as correct rounding makes it, u = 2⁻⁵³. The
 // sum f(x) = Σ(x_j − p_j)((x_j − c_j) + (p_j − c_j)) − (w_x − w_p), computed, is off from its exact value for
@@ -22,6 +26,14 @@
 // and (5d + 3)·2⁻¹⁰⁷⁴ by underflow. slack(x) = (d + 8)u Σ|x_j − p_j|(|x_j − c_j| + |p_j − c_j| + |c_j|)
 // + (d + 8)u(|w_x| + |w_p|) + 2⁻¹⁰⁰⁰ is larger, its own roundings included. Where numbers overflow,
 // comparisons are false, and the point is unsure.
+//
+// In a box, for the center as it is computed, f is least at the point nearest to the center, as it is
+// convex along each axis with its minimum at c_j, and at the largest weight. The slack with the largest
+// |x_j − p_j| and |x_j − c_j| of the box bounds the error at every point of it, that of the center included.
+//
+// Beyond a facet, the sum n·(x − p) is off by 10⁻¹²‖x − p‖₂ because of the normal, and by
+// (d + 2)u Σ|n_j||x_j − p_j| by rounding; with |n_j| ≤ 1 + 10⁻¹² the slack
+// (1.01·10⁻¹² + (d + 8)u) Σ|x_j − p_j| is larger. In a box the sum is largest in a corner.
 #pragma once
 
 #include "kernel/buffer.hpp"
@@ -71,7 +83,6 @@ class Question {
         value -= direction_[j] * (x[j] - p_[j]);
         slack += std::abs(x[j] - p_[j]);
       }
-      slack *= halfspace_slack;
     } else {
       for (std::size_t j = 0; j < d(); ++j) {
         const double from_p = x[j] - p_[j], from_c = x[j] - c_[j];
@@ -82,9 +93,8 @@ class Question {
         value -= x[d()] - p_[d()];
         slack += std::abs(x[d()]) + std::abs(p_[d()]);
       }
-      slack *= sphere_slack();
     }
-    slack += tiny;
+    slack = slack * slack_factor(is_halfspace_, d()) + least_slack;
     return value > slack ? Side::outside : value < -slack ? Side::inside : Side::unsure;
   }
 
@@ -110,8 +120,6 @@ class Question {
 
  private:
   std::size_t d() const { return D > 0 ? static_cast<std::size_t>(D) : dimension_; }
-  static constexpr double halfspace_slack = 1.1e-12, tiny = 0x1p-1000;
-  double sphere_slack() const { return static_cast<double>(d() + 8) * 0x1p-53; }
 
   const std::size_t dimension_;
   const bool weighted_;

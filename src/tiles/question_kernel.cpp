@@ -17,8 +17,8 @@ namespace hn = hwy::HWY_NAMESPACE;
 /// Whether value > slack, the certain side of no conflict, from the sums over the axes.
 template <class Tag, class V>
 auto is_outside(Tag tag, const QuestionForm& question, std::size_t d, V value, V slack) {
-  const double factor = question.is_halfspace ? 1.1e-12 : static_cast<double>(d + 8) * 0x1p-53;
-  return hn::Gt(value, hn::Add(hn::Mul(slack, hn::Set(tag, factor)), hn::Set(tag, 0x1p-1000)));
+  const double factor = slack_factor(question.is_halfspace, d);
+  return hn::Gt(value, hn::Add(hn::Mul(slack, hn::Set(tag, factor)), hn::Set(tag, least_slack)));
 }
 
 template <int D>

@@ -16,6 +16,12 @@ struct QuestionForm {
   double largest_weight = 0;
 };
 
+/// What the sums of question.hpp are multiplied with to give slacks.
+constexpr double slack_factor(bool is_halfspace, std::size_t d) {
+  return (is_halfspace ? 1.01e-12 : 0.0) + static_cast<double>(d + 8) * 0x1p-53;
+}
+inline constexpr double least_slack = 0x1p-1000;
+
 inline constexpr std::size_t boxes_per_node = 8;
 inline constexpr std::size_t most_points_at_once = 64;
 

@@ -85,8 +85,8 @@ class TileTriangulation::Asking {
   std::uint64_t num_exact() const { return search_.num_exact; }
 
  private:
-  /// Where exact arithmetic decides more points than this, as on a sphere, other points are not asked for but
-  /// tried.
+  /// Where exact arithmetic decides more points than this, as on a sphere, all points of
+  /// other tiles are tried.
   static constexpr std::uint64_t most_exact_per_question = 16, some_exact = 1024;
 
   /// A finite cell whose center is wanted.
@@ -103,7 +103,7 @@ class TileTriangulation::Asking {
   bool is_own(VertexId v) const { return tile_.is_own_[index(v)] != 0; }
   const double* point(VertexId v) const { return points_.point(index(v)); }
 
-  /// A cell with a vertex of the tile is asked for, soon or at once.
+  /// Puts the question of a cell with a vertex of the tile: at once, or with the next block of centers.
   void gather(CellId cell) {
     // The first vertex of the tile by its id: the order of vertices in a cell depends on threads.
     VertexId first = invalid_vertex;

@@ -40,7 +40,8 @@ std::vector<std::uint32_t> TileTriangulation::pages_by_distance() const {
 }
 
 /// Inserts every point of another tile that is in conflict with a cell that has a vertex of this one. Each is
-/// tried once: what such cells are in conflict with only becomes less as points are inserted. Returns whether
+/// tried once: a point is in conflict with the star of a vertex if it would take a part of its Voronoi or
+/// power region, and regions only become smaller as points are inserted. Returns whether
 /// there is more to do: a page is not here yet.
 bool TileTriangulation::try_all_points() {
   const internal::Stopwatch trying;

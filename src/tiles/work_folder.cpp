@@ -51,12 +51,7 @@ Plan read_plan(const std::string& work) {
   const std::string path = path_in(work, plan_name), name = io::input_name(path);
   const nlohmann::json json = read_json(path);
   const JsonMembers members(json, name);
-  if (members.text("format") != format_name)
-    io::fail(Errc::bad_format, "{}: not a plan of tiles: its format is {}", name,
-             in_quotes(members.text("format")));
-  if (const std::int64_t found = members.number("version", 1, most); found != version)
-    io::fail(Errc::unsupported, "{}: version {} of tiles; this program knows version {}", name, found,
-             version);
+  members.require_format(format_name, version, "a plan of tiles");
   Plan plan;
   plan.dimension = static_cast<int>(members.number("dimension", 1, std::numeric_limits<int>::max() - 1));
   plan.affine_dimension = static_cast<int>(members.number("affine_dimension", -1, plan.dimension));
