@@ -8,7 +8,6 @@ jobs := $(shell nproc)
 launcher := $(if $(shell command -v ccache),-DCMAKE_CXX_COMPILER_LAUNCHER=ccache)
 python_of_build = $(shell sed -n 's/^_\?Python_EXECUTABLE:[A-Z]*=//p' build/release/CMakeCache.txt | head -n 1)
 python_with_plots = $(shell for p in python3 /usr/bin/python3; do $$p -c "import matplotlib, scipy" 2>/dev/null && echo $$p && break; done)
-python_with_sphinx = $(shell for p in $(python_of_build) python3 /usr/bin/python3; do $$p -c "import furo, myst_parser, numpy" 2>/dev/null && echo $$p && break; done)
 sources = $(shell git ls-files --cached --others --exclude-standard '*.hpp' '*.cpp')
 
 .PHONY: build python wheel demo test test-release test-asan site matrix tsan without-tbb mpi bench paper docs lint format fuzz clean help
@@ -85,7 +84,7 @@ paper:                ## the experiments of the report, in build/paper: an hour;
 
 site: python          ## the documentation site, in build/site: pages, references of Python, C++ and the command
 	tools/install_dependencies.sh site
-	$(python_with_sphinx) -B tools/make_site.py build/release
+	for p in $(python_of_build) python3 /usr/bin/python3; do if $$p -c "import furo, myst_parser, numpy" 2>/dev/null; then exec $$p -B tools/make_site.py build/release; fi; done; exit 1
 
 docs: python          ## run the programs and commands of the documentation, follow its links
 	tools/check_docs.py build/release --python $(python_of_build)

@@ -335,8 +335,8 @@ def write_completions(folder, top, others):
 # ---- Markdown
 
 def markdown(text):
-    """The text, with nothing in it that Markdown interprets."""
-    return re.sub(r"([\\`*_{}\[\]<>#|$~])", r"\\\1", text)
+    """The text, with options as code, and with nothing else in it that Markdown interprets."""
+    return re.sub(r"(?<!\S)(--\w[\w-]*)|([\\`*_{}\[\]<>#|$~])", lambda match: f"`{match[1]}`" if match[1] else "\\" + match[2], text)
 
 
 def markdown_option(option):

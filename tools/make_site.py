@@ -62,7 +62,7 @@ def rewritten(path, pages):
 
 
 def folder_page(title, text, entries):
-    return f"# {title}\n\n{text}\n\n```{{toctree}}\n:maxdepth: 1\n\n" + "\n".join(entries) + "\n```\n"
+    return f"# {title}\n\n{text}\n\n```{{toctree}}\n:maxdepth: 2\n\n" + "\n".join(entries) + "\n```\n"
 
 
 def gather(stage):
@@ -94,10 +94,12 @@ def gather(stage):
 def describe_commands(build, stage):
     """Pages of the help of `delone`, and of `delone-mpi` if it was built."""
     (stage / "commands").mkdir()
-    for name in ("delone", "delone-mpi"):
-        if (build / name).is_file():
-            _, top, others = command_manual.describe([str(build / name)])
-            command_manual.write_markdown(stage / "commands", top, others)
+    names = [name for name in ("delone", "delone-mpi") if name == "delone" or (build / name).is_file()]
+    for name in names:
+        _, top, others = command_manual.describe([str(build / name)])
+        command_manual.write_markdown(stage / "commands", top, others)
+    text = "What each command says with `--help`. Where it is installed, `man delone` and `man delone-hull` say the same."
+    (stage / "commands.md").write_text(folder_page("Commands", text, ["commands/" + name for name in names]))
 
 
 def run_doxygen(build, stage, scratch):
@@ -126,11 +128,11 @@ GENERATE_TAGFILE = "{scratch}/tags.xml"
             if (folder / name).is_file():
                 comment = re.search(r"\A// SPDX.*\n((?://(?!/) ?.*\n)+)", (folder / name).read_text(encoding="utf-8"))
                 text = " ".join(line.lstrip("/ ") for line in comment[1].splitlines()) if comment else ""
-                return ": " + command_manual.markdown(text) if text else ""
+                return ": " + command_manual.markdown(re.match(r"(?:[^.]|\.(?! |$))*", text)[0]) if text else ""
         return ""
 
     text = '# C++ reference\n\nFrom the public headers, by Doxygen: <a href="cpp/index.html">all of it</a>, with its own search.\n\n## Headers\n\n'
-    text += "".join(f"- {link}{summary(name)}\n" for name, link in links(["file"], lambda c: (c.findtext("path") or "") + c.findtext("name")))
+    text += "".join(f"- {link}{summary(name)}\n" for name, link in links(["file"], lambda c: (c.findtext("path") + c.findtext("name")).partition("include/")[2]))
     text += "\n## Classes\n\n" + "".join(f"- {link}\n" for name, link in links(["class", "struct"], lambda c: c.findtext("name").removeprefix("delone::"))
                                          if "<" not in name)
     (stage / "cpp-reference.md").write_text(text, encoding="utf-8")

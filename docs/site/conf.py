@@ -25,6 +25,7 @@ html_copy_source = False
 html_last_updated_fmt = None
 pygments_style = "tango"
 highlight_language = "text"
+smartquotes = False  # -- begins an option
 
 # Docstrings: a word in single backquotes is code, as in Markdown. Signatures are those of the stub, which has the types.
 default_role = "code"
@@ -81,7 +82,7 @@ ITEM = re.compile(r"(\*{0,2}\w+(?:(?:, | / )\*{0,2}\w+)*) : (.*)")  # "points, w
 def escaped(text):
     """The text, with nothing that reStructuredText interprets outside of code."""
     parts = re.split(r"(`+[^`]*`+)", text)
-    return "".join(part if part.startswith("`") else re.sub(r"([*|])", r"\\\1", part) for part in parts)
+    return "".join(part if part.startswith("`") else re.sub(r"\*\w[\w ]*\*|([*|])", lambda m: m[1] and "\\" + m[1] or m[0], part) for part in parts)
 
 
 def docstring(app, what, name, thing, options, lines):
