@@ -40,9 +40,9 @@ def listing(folder):
     return place(folder) + "/index.md"
 
 
-def rewritten(path, pages):
-    """The text of a page, with its links as they are on the site. Files that it links to and that are no pages are added to `pages`."""
-    text = path.read_text(encoding="utf-8")
+def rewritten(path, pages, text=None):
+    """The text of a page, or the given one, with its links as they are on the site. Files that it links to and that are no pages are added to `pages`."""
+    text = path.read_text(encoding="utf-8") if text is None else text
     here = os.path.dirname(place(path)) or "."
 
     def moved(match):
@@ -128,7 +128,7 @@ GENERATE_TAGFILE = "{scratch}/tags.xml"
             if (folder / name).is_file():
                 comment = re.search(r"\A// SPDX.*\n((?://(?!/) ?.*\n)+)", (folder / name).read_text(encoding="utf-8"))
                 text = " ".join(line.lstrip("/ ") for line in comment[1].splitlines()) if comment else ""
-                return ": " + command_manual.markdown(re.match(r"(?:[^.]|\.(?! |$))*", text)[0]) if text else ""
+                return ": " + command_manual.markdown(re.match(r"(?:[^.]|\.(?! |$))*", text)[0]) + "." if text else ""
         return ""
 
     text = '# C++ reference\n\nFrom the public headers, by Doxygen: <a href="cpp/index.html">all of it</a>, with its own search.\n\n## Headers\n\n'

@@ -80,8 +80,8 @@ ITEM = re.compile(r"(\*{0,2}\w+(?:(?:, | / )\*{0,2}\w+)*) : (.*)")  # "points, w
 
 
 def escaped(text):
-    """The text, with nothing that reStructuredText interprets outside of code."""
-    parts = re.split(r"(`+[^`]*`+)", text)
+    """The text, with nothing but emphasis and pages of docs/ that reStructuredText interprets outside of code."""
+    parts = re.split(r"(`+[^`]*`+)", re.sub(r"(?<![\w`/])docs/([\w/-]+)\.md\b", r":doc:`/\1`", text))
     return "".join(part if part.startswith("`") else re.sub(r"\*\w[\w ]*\*|([*|])", lambda m: m[1] and "\\" + m[1] or m[0], part) for part in parts)
 
 
@@ -89,6 +89,8 @@ def docstring(app, what, name, thing, options, lines):
     """As reStructuredText: without the signature that pybind11 writes above it, with lists of definitions, and headings as paragraphs."""
     while lines and re.match(r"\w+\(.*\) -> |\w+\(self: ", lines[0]):
         del lines[0]
+    if lines and lines[0].startswith("Alias for field number"):  # of a NamedTuple, whose fields its own docstring explains
+        lines.clear()
     if any(line.rstrip().endswith("::") for line in lines):
         return
     found = inspect.cleandoc("\n".join(lines)).split("\n")
@@ -100,7 +102,7 @@ def docstring(app, what, name, thing, options, lines):
             lines[-1] = f"**{lines[-1]}**"
             lines.append("")
         elif item := ITEM.match(line):
-            lines += [""] * (bool(lines) and lines[-1] != "") + [f"``{item[1]}``"] + ["    " + escaped(item[2])] + ["", ""] * below.startswith("  ")
+            lines += [""] * (bool(lines) and lines[-1] != "") + [f"``{item[1]}``"] + ["    " + escaped(item[2])] + [""] * below.startswith("  ")
             in_item = True
         else:
             if in_item and line and not line.startswith("  ") and lines[-1]:
