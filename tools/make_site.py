@@ -79,7 +79,8 @@ def gather(stage):
         else:
             target.write_text(text, encoding="utf-8")
     names = sorted(path.stem for path in (ROOT / "docs" / "decisions").glob("*.md"))
-    (stage / "decisions" / "index.md").write_text(folder_page("Decisions", "What was chosen, what it costs, and how one would see that it was wrong.", names))
+    text = "What was chosen, what it costs, and how one would see that it was wrong."
+    (stage / "decisions" / "index.md").write_text(folder_page("Decisions", text, names))
     inside = sorted(place(path)[len("benchmarks/"):-len(".md")] for path in documents if place(path).startswith("benchmarks/"))
     (stage / "benchmarks" / "index.md").write_text(folder_page("Measurements", "What was measured, and when.", inside))
     examples = sorted((ROOT / "examples").glob("*.cpp"))
@@ -132,9 +133,10 @@ GENERATE_TAGFILE = "{scratch}/tags.xml"
         return ""
 
     text = '# C++ reference\n\nFrom the public headers, by Doxygen: <a href="cpp/index.html">all of it</a>, with its own search.\n\n## Headers\n\n'
-    text += "".join(f"- {link}{summary(name)}\n" for name, link in links(["file"], lambda c: (c.findtext("path") + c.findtext("name")).partition("include/")[2]))
-    text += "\n## Classes\n\n" + "".join(f"- {link}\n" for name, link in links(["class", "struct"], lambda c: c.findtext("name").removeprefix("delone::"))
-                                         if "<" not in name)
+    headers = links(["file"], lambda compound: (compound.findtext("path") + compound.findtext("name")).rpartition("include/")[2])
+    text += "".join(f"- {link}{summary(name)}\n" for name, link in headers)
+    classes = links(["class", "struct"], lambda compound: compound.findtext("name").removeprefix("delone::"))
+    text += "\n## Classes\n\n" + "".join(f"- {link}\n" for name, link in classes if "<" not in name)
     (stage / "cpp-reference.md").write_text(text, encoding="utf-8")
 
 

@@ -36,7 +36,8 @@ class Tree:
         return path.read_text(encoding="utf-8") if path.is_file() else ""
 
     def run(self, *command, **more):
-        return subprocess.run([str(word) for word in command], cwd=more.pop("cwd", self.root), text=True, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, **more)
+        """Runs a command, in the tree if not told otherwise; what it prints in one."""
+        return subprocess.run([str(word) for word in command], text=True, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, **{"cwd": self.root, **more})
 
     @property
     def version(self):
@@ -121,10 +122,10 @@ def check_changelog(tree):
 
 # What the format (citation-file-format.github.io, 1.2.0) requires, and what it allows of what is used here.
 CFF_REQUIRED = {"cff-version", "message", "title", "authors"}
-CFF_KEYS = CFF_REQUIRED | {"abstract", "commit", "contact", "date-released", "doi", "identifiers", "keywords", "license", "license-url", "preferred-citation",
-                           "references", "repository", "repository-artifact", "repository-code", "type", "url", "version"}
-CFF_REFERENCE = {"type", "title", "authors", "abstract", "doi", "institution", "issue", "journal", "start", "end", "number", "pages", "publisher", "url", "volume",
-                 "year", "month", "date-published", "edition", "notes", "section", "version"}
+CFF_KEYS = CFF_REQUIRED | {"abstract", "commit", "contact", "date-released", "doi", "identifiers", "keywords", "license", "license-url",
+                           "preferred-citation", "references", "repository", "repository-artifact", "repository-code", "type", "url", "version"}
+CFF_REFERENCE = {"type", "title", "authors", "abstract", "date-published", "doi", "edition", "end", "institution", "issue", "journal", "month", "notes",
+                 "number", "pages", "publisher", "section", "start", "url", "version", "volume", "year"}
 CFF_REFERENCE_TYPES = {"article", "book", "conference-paper", "report", "software", "thesis", "website", "generic"}
 
 
