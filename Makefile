@@ -10,7 +10,7 @@ python_of_build = $(shell sed -n 's/^_\?Python_EXECUTABLE:[A-Z]*=//p' build/rele
 python_with_plots = $(shell for p in python3 /usr/bin/python3; do $$p -c "import matplotlib, scipy" 2>/dev/null && echo $$p && break; done)
 sources = $(shell git ls-files --cached --others --exclude-standard '*.hpp' '*.cpp')
 
-.PHONY: build python wheel demo test test-release test-asan matrix tsan without-tbb mpi bench paper docs lint format fuzz clean help
+.PHONY: build python wheel demo test test-release test-asan site matrix tsan without-tbb mpi bench paper docs lint format fuzz clean help
 
 help:                 ## this list
 	@sed -n 's/^\([a-z-]*\):.*## /\1\t/p' Makefile | expand -t 16
@@ -81,6 +81,10 @@ paper:                ## the experiments of the report, in build/paper: an hour;
 	cmake --preset bench $(launcher) >/dev/null
 	cmake --build --preset bench -j $(jobs)
 	PYTHONPATH=benchmarks $(python_with_plots) -m paper --build build/bench $(if $(QUICK),--quick) $(if $(DOCS),--docs) $(if $(HULL),--hull $(HULL)) $(PAPER)
+
+site: python          ## the documentation site, in build/site: pages, references of Python, C++ and the command
+	tools/install_dependencies.sh site
+	for p in $(python_of_build) python3 /usr/bin/python3; do if $$p -c "import furo, myst_parser, numpy" 2>/dev/null; then exec $$p -B tools/make_site.py build/release; fi; done; exit 1
 
 docs: python          ## run the programs and commands of the documentation, follow its links
 	tools/check_docs.py build/release --python $(python_of_build)

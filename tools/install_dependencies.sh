@@ -1,19 +1,20 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: BSD-3-Clause
-# Installs the packages that are missing on Debian and Ubuntu:  tools/install_dependencies.sh [build] [python] [test] [nightly] [bench] [paper] [lint] [clang] [mpi]
+# Installs the packages that are missing on Debian and Ubuntu:  tools/install_dependencies.sh [build] [python] [test] [nightly] [bench] [paper] [lint] [clang] [mpi] [site]
 # Does nothing if all are there. On other systems it prints what is needed and leaves the rest to you.
 set -euo pipefail
 
 build=(g++ cmake ninja-build libcli11-dev libfmt-dev nlohmann-json3-dev libfast-float-dev libboost-dev libhwy-dev libtbb-dev)
 python=(python3 python3-dev python3-numpy pybind11-dev python3-pybind11 python3-pip python3-setuptools python3-wheel python3-venv)
 test=(libgtest-dev libgmock-dev librapidcheck-dev libqhull-dev libcdd-dev lrslib libcgal-dev libeigen3-dev libgmp-dev
-      libmpfr-dev python3-scipy python3-pytest python3-hypothesis python3-matplotlib)
+      libmpfr-dev python3-scipy python3-pytest python3-hypothesis python3-matplotlib python3-yaml groff man-db zsh fish)
 nightly=(python3-skimage python3-libpysal python3-ase python3-pymatgen python3-xarray)
 bench=(python3 python3-scipy libbenchmark-dev)
 paper=(python3 python3-numpy python3-scipy python3-matplotlib libqhull-dev libtet1.5-dev libcdd-dev lrslib libcgal-dev libeigen3-dev
        libgmp-dev libmpfr-dev)
 lint=(clang-format clang-tidy python3)
 clang=(clang)
+site=(python3-sphinx python3-myst-parser furo doxygen)
 mpi=(libopenmpi-dev openmpi-bin python3 python3-numpy python3-mpi4py)
 
 wanted=()
@@ -27,7 +28,9 @@ for group in "${@:-build}"; do
     paper) wanted+=("${build[@]}" "${bench[@]}" "${paper[@]}") ;;
     lint) wanted+=("${build[@]}" "${lint[@]}") ;;
     clang) wanted+=("${build[@]}" "${clang[@]}") ;;
-    *) echo "usage: $0 [build] [python] [test] [nightly] [bench] [paper] [lint] [clang] [mpi]" >&2; exit 64 ;;
+    mpi) wanted+=("${build[@]}" "${mpi[@]}") ;;
+    site) wanted+=("${build[@]}" "${python[@]}" "${site[@]}") ;;
+    *) echo "usage: $0 [build] [python] [test] [nightly] [bench] [paper] [lint] [clang] [mpi] [site]" >&2; exit 64 ;;
   esac
 done
 

@@ -26,8 +26,8 @@ const std::vector<PointSetKind>& point_set_kinds();
 /// to the first n. Exact by construction: flat and collinear lie in a hyperplane and on a line, cospherical
 /// on a sphere around the origin, without rounding. sphere and ulp_sphere are rounded and lie only near the
 /// unit sphere. Same arguments, same bits on every platform with IEEE arithmetic: random variables are made
-/// by rejection with + − × ÷ √, without <random> distributions and without functions of the mathematics
-/// library.
+/// by rejection with + − × ÷ √, without the distributions of `<random>` and without functions of the
+/// mathematics library.
 std::vector<double> make_point_set(std::string_view kind, int dimension, std::size_t n,
                                    std::uint64_t seed = 0);
 

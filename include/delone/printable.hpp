@@ -10,7 +10,7 @@ namespace delone {
 
 /// Text of foreign origin (the name of a column, of a member of an archive, an argument) for a terminal: at
 /// most `most` characters of it, then "…" if there are more. Control characters, characters that cannot be
-/// seen or turn the direction of writing, and bytes that are not UTF-8 are written as \x1b or \u{202e}.
+/// seen or turn the direction of writing, and bytes that are not UTF-8 are written as `\x1b` or `\u{202e}`.
 std::string printable(std::string_view foreign, std::size_t most = 80);
 
 /// The same in single quotes.

@@ -10,8 +10,10 @@ import numpy as np
 class Locations:
     """Where queries lie.
 
-    kind : (q,) uint8, numbers into `kinds`, the names
-    cell : (q,) a cell that contains the query; −1 if there is none
+    kind : (q,) uint8
+        Numbers into `kinds`, the names.
+    cell : (q,)
+        A cell that contains the query; −1 if there is none.
     face_offsets : (q+1,) int64, face_rows : rows of the input
         The smallest face that contains query i is spanned by the rows ``face_rows[face_offsets[i]:face_offsets[i+1]]``, increasing.
 
