@@ -19,7 +19,9 @@ namespace delone::c {
 class DiagramObject : public delone_object {
  public:
   virtual const VoronoiData& data() const = 0;
-  CheckReport check(const CheckOptions& options) const override { return delone::check(data(), options); }
+  CheckReport check(const CheckOptions& options) const override {
+    return delone::check(data(), of_any_data(options));
+  }
   void write(const std::string& path, const std::string& format) const override;
 
  protected:

@@ -18,7 +18,9 @@ namespace delone::c {
 class IntersectionObject : public delone_object {
  public:
   virtual const IntersectionData& data() const = 0;  // with the halfspaces
-  CheckReport check(const CheckOptions& options) const override { return delone::check(data(), options); }
+  CheckReport check(const CheckOptions& options) const override {
+    return delone::check(data(), of_any_data(options));
+  }
   void write(const std::string& path, const std::string& format) const override;
 
  protected:

@@ -18,7 +18,7 @@ using Made = MadeHull;
 }  // namespace
 
 CheckReport HullObject::check(const CheckOptions& options) const {
-  return delone::check(with_points(), options);
+  return delone::check(with_points(), of_any_data(options));
 }
 
 void HullObject::write(const std::string& path, const std::string& format) const {

@@ -67,6 +67,14 @@ T& as(Object* object, const char* expected) {
               "the object is of the kind " + std::string(object->kind()) + ", not " + expected);
 }
 
+/// Options of checks without those of triangulations.
+inline CheckOptions of_any_data(const CheckOptions& options) {
+  CheckOptions result;
+  result.up_to = options.up_to;
+  result.threads = options.threads;
+  return result;
+}
+
 template <class T>
 constexpr int type_of() {
   if (std::same_as<T, double>) return DELONE_FLOAT64;

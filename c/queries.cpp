@@ -38,9 +38,10 @@ void locate(const MadeTriangulation& in, std::span<const double> queries, const 
   LocateOptions how = locate_options(options);
   how.coordinates = to.barycentric != nullptr;
   const std::size_t width = static_cast<std::size_t>(in.triangulation().affine_dimension() + 1);
+  const std::span<const SignedIndex> number_of_slot = in.number_of_slot();
   in.locator().locate(queries, how, [&](std::size_t i, const LocatedPoint& where) {
     const bool is_inside = !where.barycentric.empty();
-    if (to.cells != nullptr) to.cells[i] = is_inside ? in.number_of(where.cell) : -1;
+    if (to.cells != nullptr) to.cells[i] = is_inside ? number_of_slot[index(where.cell)] : -1;
     if (to.kinds != nullptr) to.kinds[i] = static_cast<std::uint8_t>(where.kind);
     if (to.distances != nullptr) to.distances[i] = where.distance;
     if (to.barycentric == nullptr) return;
@@ -174,10 +175,11 @@ int delone_cells_within(const delone_object* triangulation, const double* querie
     const MadeTriangulation& of = as_made(triangulation);
     const PointsView points = view_of(queries, num_queries, of.triangulation().dimension(), "queries");
     std::vector<std::vector<std::int64_t>> found(num_queries);
+    const std::span<const SignedIndex> number_of_slot = of.number_of_slot();
     of.locator().cells_within(
         points.coordinates(), radius,
         [&](std::size_t i, CellId cell) {
-          found[i].push_back(of.number_of(cell));
+          found[i].push_back(number_of_slot[index(cell)]);
           return true;
         },
         given(options).threads);

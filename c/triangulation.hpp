@@ -75,10 +75,8 @@ class MadeTriangulation final : public TriangulationObject {
   const std::shared_ptr<Product>& product() const { return ready(), product_; }
   const Triangulation& triangulation() const { return product()->common(); }
   const PointLocator& locator() const;
-  /// The row in data().cells of a cell; −1 for an infinite one, and for none.
-  SignedIndex number_of(CellId cell) const {
-    return cell == invalid_cell ? -1 : ready().number_of_slot[index(cell)];
-  }
+  /// The row in data().cells of each cell by its slot; −1 for an infinite one.
+  std::span<const SignedIndex> number_of_slot() const { return ready().number_of_slot; }
   SignedIndex row_of(VertexId v) const {
     return v == invalid_vertex ? -1 : static_cast<SignedIndex>(product_->common().row_of(v));
   }
