@@ -15,6 +15,7 @@
 #include <memory>
 #include <span>
 #include <string>
+#include <utility>
 #include <variant>
 #include <vector>
 
@@ -51,6 +52,8 @@ using AnyTriangulation = std::variant<Delaunay<>, Regular<>, FurthestSite<>>;
 
 /// A product, which what refers to it keeps alive, and the number of its changes.
 struct Product {
+  explicit Product(AnyTriangulation triangulation) : any(std::move(triangulation)) {}
+
   AnyTriangulation any;
   std::atomic<std::uint64_t> changes{0};
 

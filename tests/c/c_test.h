@@ -18,6 +18,9 @@
 
 void check_failed(const char* file, int line, const char* condition, const char* message);
 
+/* Whether DELONE_TEST_SCALE asks for a small run, as sanitizers do. */
+int is_small_run(void);
+
 /* n x d numbers in 0 ... 1, the same in every run; to be freed. */
 double* random_points(size_t n, int d);
 

@@ -104,7 +104,7 @@ static int count(double fraction, void* user_data) {
 }
 
 static void progress_and_cancellation(void) {
-  const size_t n = 40000;
+  const size_t n = is_small_run() ? 5000 : 40000;
   double* const points = random_points(n, 3);
   struct progress progress = {0, 0, 0};
   delone_object* t;

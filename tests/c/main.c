@@ -10,6 +10,11 @@ void check_failed(const char* file, int line, const char* condition, const char*
   exit(1);
 }
 
+int is_small_run(void) {
+  const char* const scale = getenv("DELONE_TEST_SCALE");
+  return scale != NULL && strcmp(scale, "small") == 0;
+}
+
 double* random_points(size_t n, int d) {
   const size_t size = n * (size_t)d;
   double* const points = malloc(size * sizeof(double));

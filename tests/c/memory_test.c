@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
-/* Every allocation fails once: the call says so, and what was there before stays as it was. */
+/* Every allocation fails once. The call says so, and what was there before stays as it was. */
 #include "c_test.h"
 
 void fail_allocations_after(long n);
@@ -46,10 +46,13 @@ static int read_members(const delone_object* object) {
   return status;
 }
 
+/* From one place of a failure to the next: in a small run not all are tried. */
+static long step(void) { return is_small_run() ? 13 : 1; }
+
 static void sweep(int (*make)(delone_object**)) {
   int status = DELONE_OUT_OF_MEMORY;
   long n;
-  for (n = 0; status != DELONE_OK; ++n) {
+  for (n = 0; status != DELONE_OK; n += step()) {
     delone_object* object = base;
     int status_of_members;
     fail_allocations_after(n);
@@ -76,7 +79,7 @@ static void insertions_change_nothing_when_they_fail(void) {
   int status = DELONE_OUT_OF_MEMORY;
   long n;
   strcpy(hash, get_text(base, "hash"));
-  for (n = 0; status != DELONE_OK; ++n) {
+  for (n = 0; status != DELONE_OK; n += step()) {
     delone_object* object;
     OK(delone_clone(base, &object));
     fail_allocations_after(n);
