@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-# Install rules: the library with its public headers, the command, and a CMake package that offers delone::delone; and delone::mpi
+# Install rules: the library with its public headers, the command, and a CMake package that offers delone::delone, delone::c if it was built; and delone::mpi
 # with its header and command, if it was built.
 # The library's dependencies are private; users of a static library need only Highway and fmt.
 include(GNUInstallDirs)
@@ -18,6 +18,14 @@ install(FILES ${PROJECT_BINARY_DIR}/include/delone/config.hpp DESTINATION ${CMAK
 install(FILES ${PROJECT_SOURCE_DIR}/LICENSE DESTINATION ${CMAKE_INSTALL_DOCDIR})
 if(DELONE_BUILD_CLI)
   install(TARGETS delone_cli RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
+endif()
+if(TARGET delone_c)
+  install(TARGETS delone_c EXPORT delone-targets
+    ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR}
+    LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR}
+    RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR}
+    INCLUDES DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
+  install(FILES ${PROJECT_SOURCE_DIR}/include/delone/delone.h DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/delone)
 endif()
 if(TARGET delone_mpi)
   install(TARGETS delone_mpi EXPORT delone-mpi-targets

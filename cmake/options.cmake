@@ -3,6 +3,7 @@
 option(DELONE_64BIT_IDS "Use 64-bit ids for vertices and cells" OFF)
 option(DELONE_HARDENED "Check ids that are passed to the library: those out of range throw delone::Error" OFF)
 option(DELONE_BUILD_CLI "Build the command `delone`" ${PROJECT_IS_TOP_LEVEL})
+option(DELONE_BUILD_C "Build the C interface, a shared library" ${PROJECT_IS_TOP_LEVEL})
 option(DELONE_BUILD_PYTHON "Build the Python module `delone` (needs pybind11, and a Python with NumPy)" OFF)
 option(DELONE_INSTALL "Install rules and the CMake package" ${PROJECT_IS_TOP_LEVEL})
 option(DELONE_DEVELOPER_MODE "Build the tests and the examples" OFF)

@@ -2,15 +2,16 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Checks the documentation: runs its examples, compares their output, follows its links, measures its prose.
 
-Usage: check_docs.py BUILD_DIR [--compiler CXX] [--python PYTHON]
-                                   BUILD_DIR holds libdelone and the command, and for PYTHON the module;
+Usage: check_docs.py BUILD_DIR [--compiler CXX] [--c-compiler CC] [--python PYTHON]
+                                   BUILD_DIR holds libdelone, libdelone_c and the command, and for PYTHON the module;
                                    without PYTHON its examples are left out
        check_docs.py --prose       only measures prose, follows links and looks for the files named; needs no build
        check_docs.py --self-test   shows that each rule of prose finds what it should
 
 In README.md and docs/*.md a comment line directly before a fenced block says what the block is:
-  <!-- run -->             a ```cpp block is a complete program, compiled and run; a ```sh block is run by bash -e in a folder
-                           that has data/, with the command on the PATH. All blocks of one file share that folder. The ```python
+  <!-- run -->             a ```cpp or ```c block is a complete program, compiled and run; a ```sh block is run by bash -e in a
+                           folder that has data/, with the command on the PATH. Python finds the shared library of the
+                           C interface by its name. All blocks of one file share that folder. The ```python
                            blocks of one file are one session.
   <!-- run: status 2 -->   the same, and it must end with this exit status
   <!-- output -->          the block is what the last run block printed (standard output, then standard error);
@@ -115,15 +116,15 @@ for line in sys.stdin:
 class Runner:
     """Runs the blocks of one file in a scratch folder."""
 
-    def __init__(self, build, compiler, python, scratch):
-        self.build, self.compiler, self.python, self.scratch, self.programs = build, compiler, python, scratch, 0
+    def __init__(self, build, compilers, python, scratch):
+        self.build, self.compilers, self.python, self.scratch, self.programs = build, compilers, python, scratch, 0
         self.session = None
         (scratch / "data").symlink_to(ROOT / "data")
         (scratch / "include").symlink_to(ROOT / "include")
         (scratch / "examples").symlink_to(ROOT / "examples")
         path = f"{find_command(build).parent}:{os.environ['PATH']}"
         self.environment = {**os.environ, "PATH": path, "LC_ALL": "C.UTF-8", "COLUMNS": "100", "MPLBACKEND": "Agg",
-                            "PYTHONPATH": str(build / "python")}
+                            "PYTHONPATH": str(build / "python"), "LD_LIBRARY_PATH": str(build)}
 
     def close(self):
         if self.session:
@@ -131,15 +132,19 @@ class Runner:
 
     def run(self, language, body):
         """(exit status, output) of a block."""
-        if language == "cpp":
+        if language in ("cpp", "c"):
             self.programs += 1
-            source = self.scratch / f"program_{self.programs}.cpp"
+            source = self.scratch / f"program_{self.programs}.{language}"
             source.write_text(body, encoding="utf-8")
             program = source.with_suffix("")
-            library = find_library(self.build)
+            if language == "c":
+                how = ["-std=c99", "-pedantic", f"-L{self.build}", "-ldelone_c", "-lm"]
+            else:
+                library = find_library(self.build)
+                how = ["-std=c++20", f"-I{self.build / 'include'}", str(library), f"-Wl,-rpath,{library.parent}",
+                       *libraries_of(self.build), "-pthread"]
             compiled = subprocess.run(
-                [self.compiler, "-std=c++20", "-O0", "-Wall", "-Wextra", "-Werror", f"-I{ROOT / 'include'}", f"-I{self.build / 'include'}",
-                 str(source), str(library), f"-Wl,-rpath,{library.parent}", *libraries_of(self.build), "-pthread",
+                [self.compilers[language], "-O0", "-Wall", "-Wextra", "-Werror", f"-I{ROOT / 'include'}", str(source), *how,
                  "-o", str(program)],
                 capture_output=True, text=True)
             if compiled.returncode != 0:
@@ -151,7 +156,7 @@ class Runner:
             self.session = self.session or PythonSession(self.python, self.scratch, self.environment)
             return self.session.run(body)
         else:
-            raise DocsError(f"marked to run, but its language is '{language}' and not cpp, sh or python")
+            raise DocsError(f"marked to run, but its language is '{language}' and not cpp, c, sh or python")
         done = subprocess.run(command, cwd=self.scratch, env=self.environment, stdin=subprocess.DEVNULL, capture_output=True,
                               text=True, timeout=300)
         return done.returncode, done.stdout + done.stderr
@@ -165,7 +170,7 @@ def matches(expected, actual):
     return re.fullmatch("".join(lines), actual.rstrip("\n") + "\n") is not None
 
 
-def check_blocks(path, build, compiler, python, faults):
+def check_blocks(path, build, compilers, python, faults):
     """Runs the marked blocks of a file and adds to `faults`. Returns how many blocks were run and how many were left out."""
     text = path.read_text(encoding="utf-8")
     count, left_out, output = 0, 0, None
@@ -186,7 +191,7 @@ def check_blocks(path, build, compiler, python, faults):
                     continue
                 count += 1
                 output = ""
-                runner = runner or Runner(build, compiler, python, pathlib.Path(scratch))
+                runner = runner or Runner(build, compilers, python, pathlib.Path(scratch))
                 status, output = runner.run(block["language"], block["body"])
                 if status != int(block["status"] or 0):
                     raise DocsError(f"ended with exit status {status}, expected {block['status'] or 0}\n{output}")
@@ -322,6 +327,7 @@ def main():
     parser = argparse.ArgumentParser(description="Runs the examples of the documentation, follows its links, measures its prose.")
     parser.add_argument("build", type=pathlib.Path, nargs="?", help="a build directory that holds the library and the command")
     parser.add_argument("--compiler", default=os.environ.get("CXX") or shutil.which("c++") or "c++")
+    parser.add_argument("--c-compiler", default=os.environ.get("CC") or shutil.which("cc") or "cc")
     parser.add_argument("--python", help="a Python for which BUILD_DIR/python holds the module")
     parser.add_argument("--prose", action="store_true", help="only measure prose, follow links and look for files")
     parser.add_argument("--self-test", action="store_true", help="only show that the rules of prose find what they should")
@@ -339,7 +345,8 @@ def main():
             faults += missing_files(name, path.read_text(encoding="utf-8"))
         faults += prose_faults(name, path.read_text(encoding="utf-8"))
         if not arguments.prose:
-            run, not_run = check_blocks(path, arguments.build.resolve(), arguments.compiler, arguments.python, faults)
+            compilers = {"cpp": arguments.compiler, "c": arguments.c_compiler}
+            run, not_run = check_blocks(path, arguments.build.resolve(), compilers, arguments.python, faults)
             blocks, left_out = blocks + run, left_out + not_run
     if blocks == 0 and not faults and not arguments.prose:
         faults.append("no runnable block was found: the marks have changed")

@@ -167,10 +167,10 @@ def faults():
     checkers = (Cpp(texts("include/delone", ".hpp") + texts("include/delone/mpi", ".hpp")), Command(texts("cli", ".cpp", ".hpp")), Python(texts("python/delone", ".py", ".pyi")))
     for number, fault in faults_of_table(table, *checkers):
         yield f"{TABLE}:{number}: {fault}"
-    for top in ("include", "src", "cli", "python", "examples", "tests", "docs", "tools", "README.md"):
+    for top in ("include", "src", "c", "cli", "python", "examples", "tests", "docs", "tools", "README.md"):
         for file in [ROOT / top] if (ROOT / top).is_file() else sorted((ROOT / top).rglob("*")):
             path = file.relative_to(ROOT).as_posix()
-            if path in (TABLE, "tools/check_vocabulary.py") or file.suffix not in (".hpp", ".cpp", ".in", ".py", ".pyi", ".md", ".sh"):
+            if path in (TABLE, "tools/check_vocabulary.py") or file.suffix not in (".hpp", ".cpp", ".h", ".c", ".in", ".py", ".pyi", ".md", ".sh"):
                 continue
             for number, fault in retired_in(path, file.read_text(encoding="utf-8")):
                 yield f"{path}:{number}: {fault}"

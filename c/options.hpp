@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Options by name: what delone_options holds, as the options of the C++ interface.
+#pragma once
+
+#include <delone/delone.h>
+#include <delone/check.hpp>
+#include <delone/interpolation.hpp>
+#include <delone/io.hpp>
+#include <delone/options.hpp>
+#include <delone/point_locator.hpp>
+#include <delone/tiles.hpp>
+#include <delone/voronoi.hpp>
+
+#include <limits>
+#include <string>
+#include <vector>
+
+struct delone_options {
+  unsigned threads = 1;
+  double tolerance = 0;
+  delone::Options build;  // seed and order
+  delone::Outside outside = delone::Outside::fill;
+  double fill = std::numeric_limits<double>::quiet_NaN();
+  delone::CheckOptions check;
+  delone::ReadOptions read;    // format, columns, max_stream_bytes
+  delone::TilesOptions tiles;  // what is for tiles alone
+};
+
+namespace delone::c {
+
+/// The options themselves, or the defaults for NULL.
+const delone_options& given(const delone_options* options);
+
+/// For constructions that take a tolerance, and for those that take none.
+Options with_tolerance(const delone_options* options);
+Options without_tolerance(const delone_options* options);
+
+/// Throws invalid_argument for `outside` = "nearest" and "error".
+LocateOptions locate_options(const delone_options* options);
+CheckOptions check_options(const delone_options* options);
+ReadOptions read_options(const delone_options* options);
+TilesOptions tiles_options(const delone_options* options);
+
+}  // namespace delone::c

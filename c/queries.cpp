@@ -1,0 +1,277 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Points, located in and near what was made; interpolation; predicates.
+#include "envelope.hpp"
+#include "hull.hpp"
+#include "options.hpp"
+#include "triangulation.hpp"
+
+#include <delone/interpolation.hpp>
+#include <delone/natural_neighbors.hpp>
+#include <delone/predicates.hpp>
+
+#include <algorithm>
+#include <limits>
+#include <memory>
+#include <span>
+#include <utility>
+#include <variant>
+#include <vector>
+
+namespace delone::c {
+namespace {
+
+static_assert(static_cast<int>(Location::Kind::in_cell) == DELONE_INSIDE);
+static_assert(static_cast<int>(Location::Kind::on_face) == DELONE_ON_FACE);
+static_assert(static_cast<int>(Location::Kind::on_vertex) == DELONE_ON_VERTEX);
+static_assert(static_cast<int>(Location::Kind::outside_hull) == DELONE_OUTSIDE_HULL);
+static_assert(static_cast<int>(Location::Kind::outside_affine_hull) == DELONE_OUTSIDE_AFFINE_HULL);
+
+/// Where the answers go; those that are NULL are not wanted.
+struct Answers {
+  std::int64_t* cells;
+  std::uint8_t* kinds;
+  double *barycentric, *distances;
+};
+
+void locate(const MadeTriangulation& in, std::span<const double> queries, const delone_options* options,
+            const Answers& to) {
+  LocateOptions how = locate_options(options);
+  how.coordinates = to.barycentric != nullptr;
+  const std::size_t width = static_cast<std::size_t>(in.triangulation().affine_dimension() + 1);
+  const std::span<const SignedIndex> number_of_slot = in.number_of_slot();
+  in.locator().locate(queries, how, [&](std::size_t i, const LocatedPoint& where) {
+    const bool is_inside = !where.barycentric.empty();
+    if (to.cells != nullptr) to.cells[i] = is_inside ? number_of_slot[index(where.cell)] : -1;
+    if (to.kinds != nullptr) to.kinds[i] = static_cast<std::uint8_t>(where.kind);
+    if (to.distances != nullptr) to.distances[i] = where.distance;
+    if (to.barycentric == nullptr) return;
+    if (is_inside)
+      std::ranges::copy(where.barycentric, to.barycentric + i * width);
+    else
+      std::fill_n(to.barycentric + i * width, width, std::numeric_limits<double>::quiet_NaN());
+  });
+}
+
+std::uint8_t kind_of(const Containment& where) {
+  switch (where.kind) {
+    case Containment::Kind::inside:
+      return DELONE_INSIDE;
+    case Containment::Kind::on_boundary:
+      return where.face.size() == 1 ? DELONE_ON_VERTEX : DELONE_ON_FACE;
+    case Containment::Kind::outside:
+      return DELONE_OUTSIDE_HULL;
+    case Containment::Kind::outside_affine_hull:
+      break;
+  }
+  return DELONE_OUTSIDE_AFFINE_HULL;
+}
+
+void require_none(const void* answer, const char* what) {
+  if (answer != nullptr)
+    throw Error(Errc::invalid_argument, std::string(what) + " must be NULL for an object of this kind");
+}
+
+/// Lists of what was found near queries.
+std::unique_ptr<Results> lists_of(const char* name, const std::vector<std::vector<std::int64_t>>& found) {
+  auto [offsets, items] = joined(found);
+  auto results = std::make_unique<Results>("lists");
+  results->add("offsets", std::move(offsets));
+  results->add(name, std::move(items));
+  return results;
+}
+
+/// An interpolator keeps its triangulation, and notices its changes.
+class Interpolator final : public delone_object {
+ public:
+  using Any = std::variant<LinearInterpolator, NaturalNeighborInterpolator>;
+
+  template <class Make>
+  Interpolator(const MadeTriangulation& of, Make make)
+      : product_(of.product()), changes_(product_->changes), any_(make(product_->common())) {}
+
+  const char* kind() const override { return "interpolator"; }
+  const Members& members() const override {
+    static const Members all = {
+        member<Interpolator>("dimension", [](const Interpolator& o) { return o.dimension(); }),
+        member<Interpolator>("columns", [](const Interpolator& o) { return o.columns(); }),
+    };
+    return all;
+  }
+
+  int dimension() const { return product_->common().dimension(); }
+  std::size_t columns() const {
+    return std::visit([](const auto& one) { return one.columns(); }, any_);
+  }
+  const Any& any() const {
+    if (product_->changes != changes_)
+      throw Error(Errc::invalid_argument, "the triangulation of the interpolator has changed");
+    return any_;
+  }
+
+ private:
+  std::shared_ptr<Product> product_;
+  std::uint64_t changes_;
+  Any any_;
+};
+
+}  // namespace
+}  // namespace delone::c
+
+using namespace delone;
+using namespace delone::c;
+
+int delone_locate(const delone_object* object, const double* queries, std::size_t num_queries,
+                  const delone_options* options, std::int64_t* cells, std::uint8_t* kinds,
+                  double* barycentric, double* distances) {
+  return run([&] {
+    if (const auto* const made = dynamic_cast<const MadeTriangulation*>(&required(object, "the object"))) {
+      const PointsView points = view_of(queries, num_queries, made->triangulation().dimension(), "queries");
+      return locate(*made, points.coordinates(), options, {cells, kinds, barycentric, distances});
+    }
+    require_none(barycentric, "barycentric");
+    require_none(distances, "distances");
+    if (const auto* const made = dynamic_cast<const EnvelopeObject*>(object)) {
+      require_none(kinds, "kinds");
+      const PointsView points = view_of(queries, num_queries, made->hull().dimension() - 1, "queries");
+      for (std::size_t i = 0; i < num_queries; ++i) {
+        cancellation_point();
+        const std::optional<std::size_t> cell = made->hull().find_cell(points[i]);
+        if (cells != nullptr) cells[i] = cell ? static_cast<std::int64_t>(*cell) : -1;
+      }
+      return;
+    }
+    const ConvexHull<>& hull =
+        as<const MadeHull>(object, "a triangulation, convex hull, lower or upper hull that was made").hull();
+    const PointsView points = view_of(queries, num_queries, hull.dimension(), "queries");
+    for (std::size_t i = 0; i < num_queries; ++i) {
+      cancellation_point();
+      const Containment where = hull.locate(points[i]);
+      if (cells != nullptr) cells[i] = where.cell;
+      if (kinds != nullptr) kinds[i] = kind_of(where);
+    }
+  });
+}
+
+int delone_nearest(const delone_object* triangulation, const double* queries, std::size_t num_queries,
+                   std::size_t count, const delone_options* options, std::int64_t* rows) {
+  return run([&] {
+    const MadeTriangulation& of = as_made(triangulation);
+    const PointsView points = view_of(queries, num_queries, of.triangulation().dimension(), "queries");
+    const std::span<std::int64_t> to = matrix(rows, num_queries, count, "rows");
+    std::ranges::fill(to, -1);
+    of.locator().nearest(
+        points.coordinates(), count,
+        [&](std::size_t i, std::span<const VertexId> nearest) {
+          std::ranges::transform(nearest, to.subspan(i * count).begin(),
+                                 [&](VertexId v) { return of.row_of(v); });
+        },
+        given(options).threads);
+  });
+}
+
+int delone_cells_within(const delone_object* triangulation, const double* queries, std::size_t num_queries,
+                        double radius, const delone_options* options, delone_object** lists) {
+  return make(lists, [&] {
+    const MadeTriangulation& of = as_made(triangulation);
+    const PointsView points = view_of(queries, num_queries, of.triangulation().dimension(), "queries");
+    std::vector<std::vector<std::int64_t>> found(num_queries);
+    const std::span<const SignedIndex> number_of_slot = of.number_of_slot();
+    of.locator().cells_within(
+        points.coordinates(), radius,
+        [&](std::size_t i, CellId cell) {
+          found[i].push_back(number_of_slot[index(cell)]);
+          return true;
+        },
+        given(options).threads);
+    for (std::vector<std::int64_t>& one : found) std::ranges::sort(one);
+    return lists_of("cells", found);
+  });
+}
+
+int delone_natural_neighbors(const delone_object* triangulation, const double* queries,
+                             std::size_t num_queries, const delone_options* options, delone_object** lists) {
+  return make(lists, [&] {
+    const MadeTriangulation& of = as_made(triangulation);
+    const PointsView points = view_of(queries, num_queries, of.triangulation().dimension(), "queries");
+    std::vector<std::vector<std::int64_t>> rows(num_queries);
+    std::vector<std::vector<double>> weights(num_queries);
+    NaturalNeighborCoordinates(of.triangulation())
+        .find(points.coordinates(), locate_options(options),
+              [&](std::size_t i, const NaturalNeighbors& found) {
+                for (const VertexId v : found.vertices) rows[i].push_back(of.row_of(v));
+                weights[i].assign(found.weights.begin(), found.weights.end());
+              });
+    std::unique_ptr<Results> results = lists_of("rows", rows);
+    results->add("weights", joined(weights).second);
+    return results;
+  });
+}
+
+int delone_linear_interpolator(const delone_object* triangulation, const double* values, std::size_t columns,
+                               delone_object** interpolator) {
+  return make(interpolator, [&] {
+    const MadeTriangulation& of = as_made(triangulation);
+    const std::span<const double> given = matrix(values, of.triangulation().num_points(), columns, "values");
+    return std::make_unique<Interpolator>(
+        of, [&](const Triangulation& t) { return LinearInterpolator(t, given, columns); });
+  });
+}
+
+int delone_natural_neighbor_interpolator(const delone_object* triangulation, const double* values,
+                                         std::size_t columns, int smooth, const double* gradients,
+                                         delone_object** interpolator) {
+  return make(interpolator, [&] {
+    const MadeTriangulation& of = as_made(triangulation);
+    const std::size_t n = of.triangulation().num_points();
+    const auto d = static_cast<std::size_t>(of.triangulation().dimension());
+    const std::span<const double> given = matrix(values, n, columns, "values");
+    const std::span<const double> slopes = gradients == nullptr
+                                               ? std::span<const double>()
+                                               : std::span<const double>(gradients, given.size() * d);
+    return std::make_unique<Interpolator>(of, [&](const Triangulation& t) {
+      return NaturalNeighborInterpolator(t, given, columns, smooth != 0, slopes);
+    });
+  });
+}
+
+int delone_interpolate(const delone_object* interpolator, const double* queries, std::size_t num_queries,
+                       const delone_options* options, double* values, double* gradients) {
+  return run([&] {
+    const Interpolator& by = as<const Interpolator>(interpolator, "an interpolator");
+    const delone_options& how = given(options);
+    const PointsView points = view_of(queries, num_queries, by.dimension(), "queries");
+    const std::vector<double> fill(by.columns(), how.fill);
+    EvaluateOptions evaluate;
+    evaluate.outside = how.outside;
+    evaluate.fill = fill;
+    evaluate.tolerance = how.tolerance;
+    evaluate.threads = how.threads;
+    std::visit(
+        [&](const auto& one) {
+          const std::size_t size = num_queries * by.columns();
+          if (values != nullptr) one.evaluate(points.coordinates(), {values, size}, evaluate);
+          if (gradients != nullptr)
+            one.gradients(points.coordinates(), {gradients, size * static_cast<std::size_t>(by.dimension())},
+                          evaluate);
+        },
+        by.any());
+  });
+}
+
+int delone_orientation(const double* points, int dimension, int* sign) {
+  return run([&] {
+    view_of(nullptr, 0, dimension, "points");
+    const PointsView given = view_of(points, static_cast<std::size_t>(dimension) + 1, dimension, "points");
+    required(sign, "the place for the sign") = static_cast<int>(orientation(given.coordinates(), dimension));
+  });
+}
+
+int delone_in_sphere(const double* points, const double* query, int dimension, int* side) {
+  return run([&] {
+    view_of(nullptr, 0, dimension, "points");
+    const PointsView given = view_of(points, static_cast<std::size_t>(dimension) + 1, dimension, "points");
+    const PointsView of = view_of(query, 1, dimension, "the query");
+    required(side, "the place for the side") =
+        static_cast<int>(in_sphere(given.coordinates(), of.coordinates(), dimension));
+  });
+}

@@ -1,0 +1,240 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "triangulation.hpp"
+
+#include "options.hpp"
+
+#include <delone/io.hpp>
+#include <delone/trim.hpp>
+
+#include <algorithm>
+#include <array>
+#include <concepts>
+#include <utility>
+
+namespace delone::c {
+namespace {
+
+using Object = TriangulationObject;
+
+int width(const ComplexData& data) { return data.affine_dimension + 1; }
+
+}  // namespace
+
+void TriangulationObject::write(const std::string& path, const std::string& format) const {
+  delone::write(path, data(), format);
+}
+
+Members TriangulationObject::members_of_data() {
+  return {
+      member<Object>("dimension", [](const Object& o) { return o.data().dimension; }),
+      member<Object>("affine_dimension", [](const Object& o) { return o.data().affine_dimension; }),
+      member<Object>("num_points", [](const Object& o) { return o.data().num_points(); }),
+      member<Object>("num_cells", [](const Object& o) { return o.data().num_cells(); }),
+      member<Object>("points", [](const Object& o) { return table(o.data().points, o.data().dimension); }),
+      member<Object>("weights", [](const Object& o) { return list(o.data().weights); }),
+      member<Object>("cells", [](const Object& o) { return table(o.data().cells, width(o.data())); }),
+      member<Object>("neighbors", [](const Object& o) { return table(o.data().neighbors, width(o.data())); }),
+      member<Object>("vertex_of_point", [](const Object& o) { return list(o.data().vertex_of_point); }),
+      member<Object>("hash", [](const Object& o) -> const std::string& { return o.hash(); }),
+  };
+}
+
+GivenTriangulation::GivenTriangulation(ComplexData data, Members more)
+    : data_(std::move(data)), members_(members_of_data() + std::move(more)) {}
+
+const std::string& GivenTriangulation::hash() const {
+  return hash_.get([&] { return canonical_hash(data_).hex(); });
+}
+
+MadeTriangulation::MadeTriangulation(AnyTriangulation any, unsigned threads)
+    : product_(std::make_shared<Product>(std::move(any))), threads_(threads) {}
+
+const char* MadeTriangulation::kind() const {
+  constexpr std::array<const char*, 3> kinds{"delaunay", "regular", "furthest_site"};
+  return kinds[product_->any.index()];
+}
+
+const Members& MadeTriangulation::members() const {
+  using Made = MadeTriangulation;
+  static const Members all =
+      members_of_data() +
+      Members{
+          member<Made>("num_vertices", [](const Made& o) { return o.product_->common().num_vertices(); }),
+          member<Made>("num_duplicates", [](const Made& o) { return o.product_->common().num_duplicates(); }),
+          member<Made>("num_hidden", [](const Made& o) { return o.product_->common().num_hidden(); }),
+          member<Made>("num_infinite_cells",
+                       [](const Made& o) { return o.product_->common().num_infinite_cells(); }),
+          member<Made>("edges",
+                       [](const Made& o) {
+                         return table(
+                             o.edges_.get([&] { return o.rows_of(o.triangulation().complex().edges()); }), 2);
+                       }),
+          member<Made>("hull_facets",
+                       [](const Made& o) {
+                         const auto make = [&] {
+                           const Complex complex = o.triangulation().complex();
+                           std::vector<VertexId> vertices;
+                           for (const Facet& facet : complex.hull_facets())
+                             for (int i = 0; i <= complex.affine_dimension(); ++i)
+                               if (i != facet.opposite) vertices.push_back(complex.vertex(facet.cell, i));
+                           return o.rows_of(vertices);
+                         };
+                         return table(o.hull_facets_.get(make), o.triangulation().affine_dimension());
+                       }),
+          member<Made>(
+              "axes",
+              [](const Made& o) { return list(o.axes_.get([&] { return o.product_->common().axes(); })); }),
+      };
+  return all;
+}
+
+std::vector<SignedIndex> MadeTriangulation::rows_of(const std::vector<VertexId>& vertices) const {
+  std::vector<SignedIndex> rows(vertices.size());
+  std::ranges::transform(vertices, rows.begin(), [&](VertexId v) { return row_of(v); });
+  return rows;
+}
+
+const MadeTriangulation::Ready& MadeTriangulation::ready() const {
+  return ready_.get([&] {
+    std::visit([](auto& one) { one.sort_cells(); }, product_->any);
+    const Triangulation& triangulation = product_->common();
+    Ready made{triangulation.to_data(), {}};
+    made.number_of_slot.assign(triangulation.complex().num_cell_slots(), -1);
+    SignedIndex count = 0;
+    for (const CellId c : triangulation.finite_cells()) made.number_of_slot[index(c)] = count++;
+    return made;
+  });
+}
+
+const PointLocator& MadeTriangulation::locator() const {
+  const Triangulation& sorted = triangulation();
+  return locator_.get([&] { return PointLocator(sorted); });
+}
+
+const std::string& MadeTriangulation::hash() const {
+  return hash_.get([&] { return product_->common().hash(threads_).hex(); });
+}
+
+std::unique_ptr<delone_object> MadeTriangulation::clone() const {
+  return std::visit(
+      [&](const auto& one) { return std::make_unique<MadeTriangulation>(one.clone(), threads_); },
+      product()->any);
+}
+
+CheckReport MadeTriangulation::check(const CheckOptions& options) const {
+  CheckOptions of_kind = options;
+  of_kind.furthest_site = std::holds_alternative<FurthestSite<>>(product_->any);
+  return delone::check(data(), of_kind);
+}
+
+void MadeTriangulation::insert(const double* rows, std::size_t num_rows, const double* weights) {
+  const PointsView points = view_of(rows, num_rows, product_->common().dimension(), "rows");
+  const bool is_weighted = std::holds_alternative<Regular<>>(product_->any);
+  if (!is_weighted && weights != nullptr)
+    throw Error(Errc::invalid_argument, "only points of a regular triangulation have weights");
+  const std::span<const double> of_rows =
+      is_weighted ? matrix(weights, num_rows, 1, "weights") : std::span<const double>();
+  // Whatever happens, ids may have changed.
+  ready_.reset();
+  locator_.reset();
+  hash_.reset();
+  edges_.reset();
+  hull_facets_.reset();
+  axes_.reset();
+  ++product_->changes;
+  std::visit(
+      [&](auto& one) {
+        if constexpr (std::same_as<std::remove_cvref_t<decltype(one)>, Regular<>>) {
+          if (num_rows == 1)
+            one.insert(points.coordinates(), of_rows[0]);
+          else
+            one.insert_range(points, of_rows);
+        } else {
+          if (num_rows == 1)
+            one.insert(points.coordinates());
+          else
+            one.insert_range(points);
+        }
+      },
+      product_->any);
+}
+
+}  // namespace delone::c
+
+using namespace delone;
+using namespace delone::c;
+
+namespace {
+
+/// A triangulation of one class without weights.
+template <class T>
+int triangulate(const double* points, std::size_t num_points, int dimension, const delone_options* options,
+                delone_object** object) {
+  return make(object, [&] {
+    const Options how = without_tolerance(options);
+    return std::make_unique<MadeTriangulation>(
+        T(view_of(points, num_points, dimension, "points"), dimension, how), how.threads);
+  });
+}
+
+}  // namespace
+
+int delone_delaunay(const double* points, std::size_t num_points, int dimension,
+                    const delone_options* options, delone_object** object) {
+  return triangulate<Delaunay<>>(points, num_points, dimension, options, object);
+}
+
+int delone_furthest_site(const double* points, std::size_t num_points, int dimension,
+                         const delone_options* options, delone_object** object) {
+  return triangulate<FurthestSite<>>(points, num_points, dimension, options, object);
+}
+
+int delone_regular(const double* points, const double* weights, std::size_t num_points, int dimension,
+                   const delone_options* options, delone_object** object) {
+  return make(object, [&] {
+    const Options how = without_tolerance(options);
+    return std::make_unique<MadeTriangulation>(
+        Regular<>(view_of(points, num_points, dimension, "points"), matrix(weights, num_points, 1, "weights"),
+                  dimension, how),
+        how.threads);
+  });
+}
+
+int delone_trim(const delone_object* triangulation, double tolerance, delone_object** object) {
+  return make(object, [&] {
+    const auto result = std::make_shared<TrimResult>(trim(as_made(triangulation).triangulation(), tolerance));
+    ComplexData data = std::move(result->data);
+    return std::make_unique<GivenTriangulation>(
+        std::move(data),
+        Members{
+            {"kept", DELONE_ARRAY, [result](const delone_object&) -> Value { return list(result->kept); }},
+            {"orphans", DELONE_ARRAY,
+             [result](const delone_object&) -> Value { return list(result->orphans); }},
+            {"depth", DELONE_REAL, [result](const delone_object&) -> Value { return result->depth; }},
+            {"lost_volume", DELONE_REAL,
+             [result](const delone_object&) -> Value { return result->lost_volume; }}});
+  });
+}
+
+int delone_triangulation_of_cells(const double* points, const double* weights, std::size_t num_points,
+                                  int dimension, const std::int64_t* cells, std::size_t num_cells,
+                                  int affine_dimension, delone_object** object) {
+  return make(object, [&] {
+    ComplexData data;
+    data.dimension = dimension;
+    data.affine_dimension = affine_dimension;
+    const PointsView view = view_of(points, num_points, dimension, "points");
+    if (affine_dimension < -1 || affine_dimension > dimension)
+      throw Error(Errc::bad_dimension, "the affine dimension is " + std::to_string(affine_dimension) +
+                                           ", and must be -1 to " + std::to_string(dimension));
+    data.points.assign(view.coordinates().begin(), view.coordinates().end());
+    if (weights != nullptr) data.weights.assign(weights, weights + num_points);
+    for (const std::int64_t row :
+         matrix(cells, num_cells, static_cast<std::size_t>(affine_dimension + 1), "cells")) {
+      if (row < 0 || static_cast<std::uint64_t>(row) >= num_points)
+        throw Error(Errc::invalid_argument, "cells: there is no row " + std::to_string(row));
+      data.cells.push_back(static_cast<SignedIndex>(row));
+    }
+    return std::make_unique<GivenTriangulation>(std::move(data));
+  });
+}

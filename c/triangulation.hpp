@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Triangulations as objects: made ones, and those that are arrays only.
+#pragma once
+
+#include "object.hpp"
+
+#include <delone/data.hpp>
+#include <delone/delaunay.hpp>
+#include <delone/furthest_site.hpp>
+#include <delone/point_locator.hpp>
+#include <delone/regular.hpp>
+
+#include <atomic>
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <string>
+#include <utility>
+#include <variant>
+#include <vector>
+
+namespace delone::c {
+
+/// What has the arrays of a triangulation.
+class TriangulationObject : public delone_object {
+ public:
+  virtual const ComplexData& data() const = 0;
+  virtual const std::string& hash() const = 0;
+  CheckReport check(const CheckOptions& options) const override { return delone::check(data(), options); }
+  void write(const std::string& path, const std::string& format) const override;
+
+ protected:
+  static Members members_of_data();
+};
+
+/// Arrays that were read or given, or are left of a trimmed triangulation.
+class GivenTriangulation final : public TriangulationObject {
+ public:
+  explicit GivenTriangulation(ComplexData data, Members more = {});
+  const char* kind() const override { return "triangulation"; }
+  const Members& members() const override { return members_; }
+  const ComplexData& data() const override { return data_; }
+  const std::string& hash() const override;
+
+ private:
+  ComplexData data_;
+  Members members_;
+  Lazy<std::string> hash_;
+};
+
+using AnyTriangulation = std::variant<Delaunay<>, Regular<>, FurthestSite<>>;
+
+/// A product, which what refers to it keeps alive, and the number of its changes.
+struct Product {
+  explicit Product(AnyTriangulation triangulation) : any(std::move(triangulation)) {}
+
+  AnyTriangulation any;
+  std::atomic<std::uint64_t> changes{0};
+
+  const Triangulation& common() const {
+    return std::visit([](const auto& one) -> const Triangulation& { return one; }, any);
+  }
+};
+
+class MadeTriangulation final : public TriangulationObject {
+ public:
+  explicit MadeTriangulation(AnyTriangulation any, unsigned threads);
+
+  const char* kind() const override;
+  const Members& members() const override;
+  std::unique_ptr<delone_object> clone() const override;
+  void insert(const double* rows, std::size_t num_rows, const double* weights) override;
+  CheckReport check(const CheckOptions& options) const override;
+  const ComplexData& data() const override { return ready().data; }
+  const std::string& hash() const override;
+
+  /// The product once its cells have the numbers that they keep.
+  const std::shared_ptr<Product>& product() const { return ready(), product_; }
+  const Triangulation& triangulation() const { return product()->common(); }
+  const PointLocator& locator() const;
+  /// The row in data().cells of each cell by its slot; −1 for an infinite one.
+  std::span<const SignedIndex> number_of_slot() const { return ready().number_of_slot; }
+  SignedIndex row_of(VertexId v) const {
+    return v == invalid_vertex ? -1 : static_cast<SignedIndex>(product_->common().row_of(v));
+  }
+
+ private:
+  struct Ready {
+    ComplexData data;
+    std::vector<SignedIndex> number_of_slot;
+  };
+  const Ready& ready() const;
+  std::vector<SignedIndex> rows_of(const std::vector<VertexId>& vertices) const;
+
+  std::shared_ptr<Product> product_;
+  unsigned threads_;
+  Lazy<Ready> ready_;
+  Lazy<PointLocator> locator_;
+  Lazy<std::string> hash_;
+  Lazy<std::vector<SignedIndex>> edges_, hull_facets_;
+  Lazy<std::vector<int>> axes_;
+};
+
+inline const MadeTriangulation& as_made(const delone_object* object) {
+  return as<const MadeTriangulation>(object, "a triangulation that was made");
+}
+
+}  // namespace delone::c
