@@ -81,9 +81,9 @@ delone_needs_fetching(fetch "${hwy_FOUND}")
 if(fetch)
   delone_fetch(delone_highway https://github.com/google/highway/archive/refs/tags/1.0.3.tar.gz
     566fc77315878473d9a6bd815f7de78c73734acdcb745c3dde8579560ac5440e)
-  list(TRANSFORM "aligned_allocator;per_target;print;targets" REPLACE "(.+)" "${delone_highway_SOURCE_DIR}/hwy/\\1.cc"
-    OUTPUT_VARIABLE sources)
-  delone_static(delone_highway hwy::hwy ${delone_highway_SOURCE_DIR} ${sources})
+  set(folder ${delone_highway_SOURCE_DIR}/hwy)
+  delone_static(delone_highway hwy::hwy ${delone_highway_SOURCE_DIR}
+    ${folder}/aligned_allocator.cc ${folder}/per_target.cc ${folder}/print.cc ${folder}/targets.cc)
   target_compile_definitions(delone_highway PUBLIC HWY_STATIC_DEFINE)
   list(APPEND delone_fetched_libraries delone_highway)
 endif()

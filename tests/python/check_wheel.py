@@ -138,7 +138,7 @@ def main():
     version = arguments.version
     clean = {key: value for key, value in os.environ.items() if not key.startswith(("PYTHON", "PIP_", "VIRTUAL_ENV", "DELONE_BUILD_DIR", "LD_"))}
     clean["PYTHONDONTWRITEBYTECODE"] = "1"
-    building = {**clean, "DELONE_BUILD_DIR": str(arguments.build.resolve())} if arguments.build else clean
+    building = {**clean, **({"DELONE_BUILD_DIR": str(arguments.build.resolve())} if arguments.build else {})}
     with tempfile.TemporaryDirectory(prefix="delone_wheel_") as folder:
         folder = pathlib.Path(folder)
         run(sys.executable, "setup.py", "-q", "sdist", "--formats=gztar", "-d", folder / "dist", cwd=ROOT, env=clean)
@@ -147,6 +147,7 @@ def main():
         with tarfile.open(sdist) as archive:
             archive.extractall(folder)
         source = folder / f"delone-{version}"
+        building.update({"CCACHE_BASEDIR": str(source), "CCACHE_NOHASHDIR": "1"})  # the same objects in any folder
         run(sys.executable, "-m", "pip", "wheel", "--no-build-isolation", "--no-deps", "--no-index", "-w", folder / "dist", source, cwd=folder, env=building)
         wheel, = (folder / "dist").glob("delone-*.whl")
         assert wheel.name.startswith(f"delone-{version}-cp") and "none-any" not in wheel.name, wheel.name
