@@ -101,7 +101,11 @@ def main():
     with tempfile.TemporaryDirectory() as folder, zipfile.ZipFile(wheel) as archive:
         paths = [archive.extract(name, folder) for name in archive.namelist() if re.search(r"\.so(\.\d+)*$", name)]
         for path in paths:
-            needs = needs_of(path)
+            try:
+                needs = needs_of(path)
+            except (OSError, ValueError) as error:
+                print(f"{pathlib.Path(path).name}: {error}")
+                continue
             versions = [f"{family}_{'.'.join(map(str, version))}" for family, version in sorted(needs.highest().items())]
             print(f"{pathlib.Path(path).name}: {' '.join(sorted(needs.libraries) + versions)}")
         found, why = tag(paths, re.sub(r"^(manylinux_\d+_\d+|linux)_", "", claimed))
