@@ -28,7 +28,10 @@ from setuptools.command.build_ext import build_ext
 try:
     from setuptools.command.bdist_wheel import bdist_wheel
 except ImportError:  # before setuptools 70.1
-    from wheel.bdist_wheel import bdist_wheel
+    try:
+        from wheel.bdist_wheel import bdist_wheel
+    except ImportError:  # what makes no wheel does not need it
+        bdist_wheel = object
 
 ROOT = pathlib.Path(__file__).resolve().parent
 SCRATCH = ROOT / "build" / "wheel"  # what setuptools leaves behind goes where everything built goes
@@ -113,6 +116,6 @@ os.chdir(ROOT)
 setup(
     version=version(),
     ext_modules=[Extension("delone._core", sources=[])],
-    cmdclass={"build_ext": CMakeBuild, "bdist_wheel": TaggedWheel},
+    cmdclass={"build_ext": CMakeBuild, **({} if bdist_wheel is object else {"bdist_wheel": TaggedWheel})},
     options={"build": {"build_base": "build/wheel"}, "egg_info": {"egg_base": "build/wheel"}},
 )

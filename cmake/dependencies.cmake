@@ -2,7 +2,7 @@
 # The libraries that delone is made of: those that are installed, or built from pinned sources into the library itself.
 # DELONE_FETCH_DEPENDENCIES says which (cmake/options.cmake). To build without a network, unpack the sources and name their folders:
 # FETCHCONTENT_SOURCE_DIR_DELONE_HIGHWAY, …_FMT, …_TBB, …_JSON, …_FAST_FLOAT, …_CLI11, …_MULTIPRECISION, …_BOOST_CONFIG.
-# Offers hwy::hwy, fmt::fmt, nlohmann_json::nlohmann_json, CLI11::CLI11, TBB::tbb, Boost_INCLUDE_DIRS and FAST_FLOAT_INCLUDE.
+# Offers hwy::hwy, fmt::fmt, nlohmann_json::nlohmann_json, CLI11::CLI11, TBB::tbb, Boost_INCLUDE_DIRS and DELONE_FAST_FLOAT_INCLUDE.
 include(FetchContent)
 
 set(delone_fetched_libraries "")  # those that a static library of delone needs beside it: installed with it
@@ -56,7 +56,7 @@ if(NOT DELONE_FETCH_DEPENDENCIES STREQUAL "ALL")
   find_package(hwy ${delone_required})
   find_package(fmt ${delone_required})
   find_package(nlohmann_json ${delone_required})
-  find_path(FAST_FLOAT_INCLUDE fast_float/fast_float.h ${delone_required})
+  find_path(DELONE_FAST_FLOAT_INCLUDE fast_float/fast_float.h ${delone_required})
   if(DELONE_BUILD_CLI)
     find_package(CLI11 ${delone_required})
   endif()
@@ -103,11 +103,11 @@ if(fetch)
   delone_headers(delone_json nlohmann_json::nlohmann_json ${delone_json_SOURCE_DIR}/include)
 endif()
 
-delone_needs_fetching(fetch "${FAST_FLOAT_INCLUDE}")
+delone_needs_fetching(fetch "${DELONE_FAST_FLOAT_INCLUDE}")
 if(fetch)
   delone_fetch(delone_fast_float https://github.com/fastfloat/fast_float/archive/refs/tags/v3.9.0.tar.gz
     a10443e13748291709b422b2da49fc6753a1a43bf24205d4600595dfe3d811bb)
-  set(FAST_FLOAT_INCLUDE ${delone_fast_float_SOURCE_DIR}/include)
+  set(DELONE_FAST_FLOAT_INCLUDE ${delone_fast_float_SOURCE_DIR}/include)
 endif()
 
 if(DELONE_BUILD_CLI)
