@@ -44,7 +44,7 @@ inside = pathlib.Path(sys.prefix).resolve()
 assert inside in pathlib.Path(delone.__file__).resolve().parents, delone.__file__
 assert importlib.metadata.version("delone") == delone.__version__ == sys.argv[1], delone.__version__
 files = {file.name for file in importlib.metadata.files("delone")}
-assert {"LICENSE", "py.typed", "_core.pyi", "_delaunay.py"} <= files, files
+assert {"LICENSE", "THIRD_PARTY_LICENSES", "py.typed", "_core.pyi", "_delaunay.py"} <= files, files
 lattice = np.stack(np.meshgrid(*[np.arange(4.0)] * 3), axis=-1).reshape(-1, 3)
 t = delone.Delaunay(lattice)
 assert t.num_cells == len(t.cells) and len(np.unique(t.cells)) == 64
