@@ -8,9 +8,11 @@ jobs := $(shell nproc)
 launcher := $(if $(shell command -v ccache),-DCMAKE_CXX_COMPILER_LAUNCHER=ccache)
 python_of_build = $(shell sed -n 's/^_\?Python_EXECUTABLE:[A-Z]*=//p' build/release/CMakeCache.txt | head -n 1)
 python_with_plots = $(shell for p in python3 /usr/bin/python3; do $$p -c "import matplotlib, scipy" 2>/dev/null && echo $$p && break; done)
+version = $(shell sed -n 's/^project(delone VERSION \([0-9.]*\).*/\1/p' CMakeLists.txt)
 sources = $(shell git ls-files --cached --others --exclude-standard '*.hpp' '*.cpp' '*.h' '*.c')
 
-.PHONY: build python wheel demo test test-release test-asan site browser matrix tsan without-tbb mpi bench paper docs lint format fuzz clean help
+# Every target with a description.
+.PHONY: $(shell sed -n 's/^\([a-z0-9-]*\):.*\#\# .*/\1/p' Makefile)
 
 help:                 ## this list
 	@sed -n 's/^\([a-z-]*\):.*## /\1\t/p' Makefile | expand -t 16
@@ -25,8 +27,14 @@ python:               ## the Python module: PYTHONPATH=build/release/python
 	cmake --preset release $(launcher) -DDELONE_BUILD_PYTHON=ON >/dev/null
 	cmake --build --preset release -j $(jobs)
 
-wheel: python         ## a wheel, in build/wheels
+wheel: python         ## a wheel that stands alone, in build/wheels
 	DELONE_BUILD_DIR=build/release $(python_of_build) -m pip wheel --no-build-isolation --no-deps --no-index -w build/wheels .
+	@echo "The wheel: $$(ls -t build/wheels/delone-*.whl | head -n 1)"
+
+wheels:               ## a source distribution, a wheel that is compiled from it, the tests of Python with that in a new environment
+	tools/install_dependencies.sh test
+	for p in python3 /usr/bin/python3; do if $$p -c "import numpy, pytest, hypothesis, wheel" 2>/dev/null; then \
+	  exec $$p -B tests/python/check_wheel.py --full $(version) --wheels build/wheels; fi; done; exit 1
 
 demo: build           ## three real data sets: triangulated, checked, drawn
 	tools/demo.sh build/release build/demo

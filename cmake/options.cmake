@@ -15,6 +15,9 @@ set(DELONE_WITH_TBB AUTO CACHE STRING "Threads, by oneTBB: ON, OFF, or AUTO: if 
 set_property(CACHE DELONE_WITH_TBB PROPERTY STRINGS AUTO ON OFF)
 set(DELONE_WITH_HDF5 AUTO CACHE STRING "HDF5 files of tiles: ON, OFF, or AUTO: if its C library is found")
 set_property(CACHE DELONE_WITH_HDF5 PROPERTY STRINGS AUTO ON OFF)
+set(DELONE_FETCH_DEPENDENCIES OFF CACHE STRING
+  "Build libraries that delone needs from pinned sources: OFF: all must be installed, MISSING: those that are not found, ALL")
+set_property(CACHE DELONE_FETCH_DEPENDENCIES PROPERTY STRINGS OFF MISSING ALL)
 set(delone_build_mpi OFF)
 if(PROJECT_IS_TOP_LEVEL)
   set(delone_build_mpi AUTO)
@@ -28,6 +31,9 @@ set(DELONE_SANITIZE "" CACHE STRING "Sanitizers for -fsanitize=, for example add
 
 if(NOT DELONE_LARGEST_COMPILED_DIMENSION MATCHES "^[1-8]$")
   message(FATAL_ERROR "DELONE_LARGEST_COMPILED_DIMENSION is 1 to 8")
+endif()
+if(NOT DELONE_FETCH_DEPENDENCIES MATCHES "^(OFF|MISSING|ALL)$")
+  message(FATAL_ERROR "DELONE_FETCH_DEPENDENCIES is OFF, MISSING or ALL, and not ${DELONE_FETCH_DEPENDENCIES}")
 endif()
 foreach(option DELONE_64BIT_IDS DELONE_HARDENED)
   if(${option})
