@@ -28,7 +28,11 @@ if(TARGET delone_c)
   install(FILES ${PROJECT_SOURCE_DIR}/include/delone/delone.h DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/delone)
 endif()
 if(TARGET delone_mpi)
-  install(TARGETS delone_mpi EXPORT delone-mpi-targets
+  set(delone_mpi_targets delone_mpi)
+  if(TARGET delone_internals)
+    list(APPEND delone_mpi_targets delone_internals)
+  endif()
+  install(TARGETS ${delone_mpi_targets} EXPORT delone-mpi-targets
     ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR}
     LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR}
     RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
