@@ -127,7 +127,7 @@ class DELONE_EXPORT Polytope {
   HullInsertResult insert_point(std::span<const double> point);
 
  private:
-  struct Impl;
+  struct DELONE_HIDDEN Impl;
   std::unique_ptr<Impl> impl_;
 };
 

@@ -17,10 +17,13 @@
 #define DELONE_EXPORT
 #endif
 #define DELONE_EXPORT_TYPE
+#define DELONE_HIDDEN
 #elif defined(__GNUC__)
 #define DELONE_EXPORT __attribute__((visibility("default")))
 #define DELONE_EXPORT_TYPE __attribute__((visibility("default")))
+#define DELONE_HIDDEN __attribute__((visibility("hidden")))
 #else
 #define DELONE_EXPORT
 #define DELONE_EXPORT_TYPE
+#define DELONE_HIDDEN
 #endif

@@ -67,7 +67,7 @@ class DELONE_EXPORT Polyhedron {
   void insert_rows(const AnyPoints<>& halfspaces);
 
  private:
-  struct Impl;
+  struct DELONE_HIDDEN Impl;
   std::unique_ptr<Impl> impl_;
 };
 

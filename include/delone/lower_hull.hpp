@@ -90,7 +90,7 @@ class DELONE_EXPORT Envelope {
   ~Envelope();
 
  private:
-  struct Impl;
+  struct DELONE_HIDDEN Impl;
   std::unique_ptr<Impl> impl_;
 };
 

@@ -75,7 +75,7 @@ class DELONE_EXPORT NaturalNeighborCoordinates {
   void find(std::span<const double> queries, const LocateOptions& how, const Visit& visit,
             bool with_gradients = false) const;
 
-  struct Impl;
+  struct DELONE_HIDDEN Impl;
 
  private:
   friend class NaturalNeighborInterpolator;

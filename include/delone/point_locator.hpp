@@ -126,7 +126,7 @@ class DELONE_EXPORT PointLocator {
   };
   const Edges& edges() const;
 
-  struct Impl;
+  struct DELONE_HIDDEN Impl;
 
  private:
   friend class LinearInterpolator;

@@ -132,7 +132,7 @@ class DELONE_EXPORT Triangulation {
   Statistics statistics() const;
 
  protected:
-  struct Impl;
+  struct DELONE_HIDDEN Impl;
 
   Triangulation(TriangulationKind kind, int dimension, const Options& options);
   Triangulation(detail::Clone, const Triangulation& other);
