@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 # Install rules: the library with its public headers, the command, and a CMake package that offers delone::delone, delone::c if it was built; and delone::mpi
 # with its header and command, if it was built.
-# The library's dependencies are private; users of a static library need only Highway and fmt.
+# The library's dependencies are private; users of a static library need what it links: Highway, fmt, oneTBB and HDF5.
 include(GNUInstallDirs)
 include(CMakePackageConfigHelpers)
 
@@ -43,6 +43,7 @@ if(TARGET delone_mpi)
   install(EXPORT delone-mpi-targets NAMESPACE delone:: DESTINATION ${delone_package_dir})
 endif()
 
+include(${PROJECT_SOURCE_DIR}/cmake/pkgconfig.cmake)
 install(EXPORT delone-targets NAMESPACE delone:: DESTINATION ${delone_package_dir})
 configure_package_config_file(${PROJECT_SOURCE_DIR}/cmake/delone-config.cmake.in ${PROJECT_BINARY_DIR}/delone-config.cmake
   INSTALL_DESTINATION ${delone_package_dir})
