@@ -10,7 +10,7 @@ python_of_build = $(shell sed -n 's/^_\?Python_EXECUTABLE:[A-Z]*=//p' build/rele
 python_with_plots = $(shell for p in python3 /usr/bin/python3; do $$p -c "import matplotlib, scipy" 2>/dev/null && echo $$p && break; done)
 sources = $(shell git ls-files --cached --others --exclude-standard '*.hpp' '*.cpp' '*.h' '*.c')
 
-.PHONY: build python wheel demo test test-release test-asan site matrix tsan without-tbb mpi bench paper docs lint format fuzz clean help
+.PHONY: build python wheel demo test test-release test-asan site matrix tsan without-tbb mpi packages bench paper docs lint format fuzz clean help
 
 help:                 ## this list
 	@sed -n 's/^\([a-z-]*\):.*## /\1\t/p' Makefile | expand -t 16
@@ -70,6 +70,10 @@ mpi:                  ## the tests of delone::mpi, at their full size, with 1, 2
 	cmake --preset test $(launcher) -DDELONE_BUILD_MPI=ON
 	cmake --build --preset test -j $(jobs) --target delone_cli delone_mpi_cli delone_mpi_tests delone_python delone_python_mpi
 	DELONE_TEST_SCALE=large ctest --preset test -L mpi
+
+packages:             ## Debian packages of the committed tree, in build/packages, tried in a clean system (as root)
+	tools/install_dependencies.sh packages
+	tools/debian_packages.py
 
 bench: python         ## the standard constructions, timed; takes minutes
 	tools/install_dependencies.sh bench

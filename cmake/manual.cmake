@@ -1,9 +1,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 # delone_manual(<target>): man pages of a command, and completions for bash, zsh and fish, made from its --help and installed in the
 # usual places. Needs a Python, and a command that this machine can run; without, they are left out.
-if(DELONE_BUILD_CLI)
-  find_package(Python3 COMPONENTS Interpreter QUIET)
-endif()
+find_package(Python3 COMPONENTS Interpreter QUIET)
 include(GNUInstallDirs)
 
 function(delone_manual target)

@@ -72,21 +72,20 @@ def try_in_clean_system(tree, packages, keep):
     for package in packages:
         shutil.copy2(package, root / "packages")
     shutil.copytree(tree / "debian" / "tests", root / "packages" / "tests")
+    with open(root / "packages" / "Packages", "w", encoding="utf-8") as index:
+        subprocess.run(["dpkg-scanpackages", "--multiversion", "."], cwd=root / "packages", check=True, stdout=index, stderr=subprocess.DEVNULL)
+    (root / "etc/apt/sources.list.d/packages.list").write_text("deb [trusted=yes] file:/packages ./\n", encoding="utf-8")
+    for rule in root.glob("etc/dpkg/dpkg.cfg.d/*"):  # manuals are looked for
+        rule.unlink()
     inside = ["chroot", root, "env", "-i", "PATH=/usr/sbin:/usr/bin:/sbin:/bin", "HOME=/root", "LC_ALL=C.UTF-8", "DEBIAN_FRONTEND=noninteractive"]
     install = [*inside, "apt-get", "-qq", "install", "--yes", "--no-install-recommends"]
-    # A minimal system leaves manuals out; here they are looked for.
-    for rule in root.glob("etc/dpkg/dpkg.cfg.d/*exclude*"):
-        rule.unlink()
+    names = [package.name.partition("_")[0] for package in packages]
     with open(tree.parent / "install.log", "w", encoding="utf-8") as log:
         run(*inside, "apt-get", "-qq", "update", stdout=log, stderr=subprocess.STDOUT)
-        names = {package.name.partition("_")[0]: f"/packages/{package.name}" for package in packages}
-        for name, wanted in tests_in(tree):
-            # Only what the test depends on, so that a dependency that a package forgot is missed.
-            words = [names.get(word.strip(), word.strip()) for word in wanted.split(",")]
-            own = [path for package, path in names.items() if package.startswith("lib")]
-            run(*install, *dict.fromkeys(words + own), stdout=log, stderr=subprocess.STDOUT)
+        for name, wanted in tests_in(tree):  # each after what it depends on has been installed, and no more
+            run(*install, *(word.strip() for word in wanted.split(",")), stdout=log, stderr=subprocess.STDOUT)
             run(*inside, f"/packages/tests/{name}")
-        run(*install, *names.values(), stdout=log, stderr=subprocess.STDOUT)
+        run(*install, *names, stdout=log, stderr=subprocess.STDOUT)
         run(*inside, "apt-get", "-qq", "purge", "--yes", *names, stdout=log, stderr=subprocess.STDOUT)
     if not keep:
         shutil.rmtree(root)
