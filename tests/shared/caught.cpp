@@ -25,5 +25,6 @@ int main() {
   expect(delone::Errc::bad_dimension, [&] { cells_of_the_other_unit({0, 0, 1, 0, 1}, 2); });
   expect(delone::Errc::cannot_open, [&] { delone::read_as<delone::HullData>("/nowhere/hull.json"); });
   const auto levels = delone::check_levels<delone::VoronoiData>();
-  return failures + (levels.empty() ? 1 : 0) + (cells_of_the_other_unit({0, 0, 1, 0, 0, 1, 1, 1}, 2) == 2 ? 0 : 1);
+  return failures + (levels.empty() ? 1 : 0) +
+         (cells_of_the_other_unit({0, 0, 1, 0, 0, 1, 1, 1}, 2) == 2 ? 0 : 1);
 }
