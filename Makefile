@@ -80,6 +80,10 @@ mpi:                  ## the tests of delone::mpi, at their full size, with 1, 2
 	cmake --build --preset test -j $(jobs) --target delone_cli delone_mpi_cli delone_mpi_tests delone_python delone_python_mpi
 	DELONE_TEST_SCALE=large ctest --preset test -L mpi
 
+packages:             ## Debian packages of the committed tree, in build/packages, tried in a clean system (as root)
+	tools/install_dependencies.sh packages
+	tools/debian_packages.py
+
 bench: python         ## the standard constructions, timed; takes minutes
 	tools/install_dependencies.sh bench
 	python3 benchmarks/construction.py build/release/delone

@@ -14,6 +14,11 @@ endif()
 if(DELONE_FUZZ)  # libFuzzer sees which branches of the library an input takes
   target_compile_options(delone_flags INTERFACE -fsanitize=fuzzer-no-link)
 endif()
+# A parent project that chose no build type gets a library that is optimised none the less, unless its flags say how.
+if(NOT PROJECT_IS_TOP_LEVEL AND NOT CMAKE_BUILD_TYPE AND NOT CMAKE_CONFIGURATION_TYPES AND NOT CMAKE_CXX_FLAGS MATCHES "(^| )-O")
+  target_compile_options(delone_flags INTERFACE -O3)
+  target_compile_definitions(delone_flags INTERFACE NDEBUG)
+endif()
 if(PROJECT_IS_TOP_LEVEL AND NOT CMAKE_BUILD_TYPE AND NOT CMAKE_CONFIGURATION_TYPES)
   message(STATUS "No build type was chosen: using Release")
   set(CMAKE_BUILD_TYPE Release)

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: BSD-3-Clause
 # Install rules: the library with its public headers, the command, and a CMake package that offers delone::delone, delone::c if it was built; and delone::mpi
 # with its header and command, if it was built.
-# The library's dependencies are private; users of a static library need only Highway and fmt. Those that were built from sources are
-# installed with it.
+# The library's dependencies are private; users of a static library need what it links: Highway, fmt, oneTBB and HDF5. Those that were
+# built from sources are installed with it.
 include(GNUInstallDirs)
 include(CMakePackageConfigHelpers)
 
@@ -29,7 +29,11 @@ if(TARGET delone_c)
   install(FILES ${PROJECT_SOURCE_DIR}/include/delone/delone.h DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/delone)
 endif()
 if(TARGET delone_mpi)
-  install(TARGETS delone_mpi EXPORT delone-mpi-targets
+  set(delone_mpi_targets delone_mpi)
+  if(TARGET delone_internals)
+    list(APPEND delone_mpi_targets delone_internals)
+  endif()
+  install(TARGETS ${delone_mpi_targets} EXPORT delone-mpi-targets
     ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR}
     LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR}
     RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
@@ -40,6 +44,7 @@ if(TARGET delone_mpi)
   install(EXPORT delone-mpi-targets NAMESPACE delone:: DESTINATION ${delone_package_dir})
 endif()
 
+include(${PROJECT_SOURCE_DIR}/cmake/pkgconfig.cmake)
 install(EXPORT delone-targets NAMESPACE delone:: DESTINATION ${delone_package_dir})
 configure_package_config_file(${PROJECT_SOURCE_DIR}/cmake/delone-config.cmake.in ${PROJECT_BINARY_DIR}/delone-config.cmake
   INSTALL_DESTINATION ${delone_package_dir})

@@ -71,7 +71,7 @@ class Cpp:
         parts = re.sub(r"\(\)$|<\w*>", "", spelling).split("::")
         if len(parts) == 1:
             return None if any(parts[0] in words for words in self.words) else "no public header has it"
-        declares = re.compile(rf"\b(?:class|struct)\s+{parts[0]}\b(?!\s*;)")
+        declares = re.compile(rf"\b(?:class|struct)\s+(?:DELONE_\w+\s+)?{parts[0]}\b(?!\s*;)")
         bodies = [words for text, words in zip(self.headers, self.words) if declares.search(text)]
         if not bodies:
             return f"no public header declares {parts[0]}"

@@ -1,13 +1,14 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: BSD-3-Clause
-# Installs the packages that are missing on Debian and Ubuntu:  tools/install_dependencies.sh [build] [python] [test] [nightly] [bench] [paper] [lint] [clang] [mpi] [site] [browser]
+# Installs the packages that are missing on Debian and Ubuntu:  tools/install_dependencies.sh [GROUP ...]
+# A group is a list below; build is the default.
 # Does nothing if all are there. On other systems it prints what is needed and leaves the rest to you.
 set -euo pipefail
 
 build=(g++ cmake ninja-build libcli11-dev libfmt-dev nlohmann-json3-dev libfast-float-dev libboost-dev libhwy-dev libtbb-dev)
 python=(python3 python3-dev python3-numpy pybind11-dev python3-pybind11 python3-pip python3-setuptools python3-wheel python3-venv)
 test=(libgtest-dev libgmock-dev librapidcheck-dev libqhull-dev libcdd-dev lrslib libcgal-dev libeigen3-dev libgmp-dev
-      libmpfr-dev python3-scipy python3-pytest python3-hypothesis python3-matplotlib python3-yaml groff man-db zsh fish)
+      libmpfr-dev python3-scipy python3-pytest python3-hypothesis python3-matplotlib python3-yaml python3-jinja2 pkgconf groff man-db zsh fish)
 nightly=(python3-skimage python3-libpysal python3-ase python3-pymatgen python3-xarray)
 bench=(python3 python3-scipy libbenchmark-dev)
 paper=(python3 python3-numpy python3-scipy python3-matplotlib libqhull-dev libtet1.5-dev libcdd-dev lrslib libcgal-dev libeigen3-dev
@@ -16,6 +17,7 @@ lint=(clang-format clang-tidy python3)
 clang=(clang)
 site=(python3-sphinx python3-myst-parser furo doxygen)
 browser=(chromium chromium-driver python3-selenium)
+packages=(debhelper dpkg-dev dh-python fakeroot lintian mmdebstrap libhdf5-dev pkgconf)
 mpi=(libopenmpi-dev openmpi-bin python3 python3-numpy python3-mpi4py)
 
 wanted=()
@@ -30,9 +32,10 @@ for group in "${@:-build}"; do
     lint) wanted+=("${build[@]}" "${lint[@]}") ;;
     clang) wanted+=("${build[@]}" "${clang[@]}") ;;
     mpi) wanted+=("${build[@]}" "${mpi[@]}") ;;
+    packages) wanted+=("${build[@]}" "${python[@]}" "${packages[@]}") ;;
     site) wanted+=("${build[@]}" "${python[@]}" "${site[@]}") ;;
     browser) wanted+=("${browser[@]}") ;;
-    *) echo "usage: $0 [build] [python] [test] [nightly] [bench] [paper] [lint] [clang] [mpi] [site] [browser]" >&2; exit 64 ;;
+    *) echo "usage: $0 [GROUP ...]; the groups are the lists of this script: $(sed -n 's/^\([a-z]*\)=(.*/\1/p' "$0" | grep -vx wanted | xargs)" >&2; exit 64 ;;
   esac
 done
 

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <delone/data.hpp>
+#include <delone/export.hpp>
 
 #include <cstddef>
 #include <limits>
@@ -15,7 +16,7 @@
 namespace delone {
 
 /// One of the levels of check(), each of which presupposes those before it.
-struct CheckLevel {
+struct DELONE_EXPORT_TYPE CheckLevel {
   int number = 0;            ///< from 1 on
   std::string_view name;     ///< "storage", …
   std::string_view meaning;  ///< what it examines, in half a line
@@ -23,7 +24,7 @@ struct CheckLevel {
 
 /// The levels of this kind of data, from 1 on.
 template <PlainData Data>
-std::span<const CheckLevel> check_levels();
+DELONE_EXPORT std::span<const CheckLevel> check_levels();
 
 struct CheckOptions {
   static constexpr int all = std::numeric_limits<int>::max();
@@ -72,7 +73,7 @@ struct CheckReport {
 ///   5 local convexity  no facet has the opposite vertex of its neighbor inside the sphere, hull facets are
 ///                      convex: exactly
 ///   6 completeness     every input point is a vertex or a duplicate of one; affine dimension is right
-CheckReport check(const ComplexData& data, const CheckOptions& options = {});
+DELONE_EXPORT CheckReport check(const ComplexData& data, const CheckOptions& options = {});
 
 /// Convex hulls. Levels 1–4 prove that the cells are the boundary of the convex hull of all points. Needs
 /// points and cells; unknown neighbors, facets and kinds are not examined. Cost O(n·m·k).
@@ -83,7 +84,7 @@ CheckReport check(const ComplexData& data, const CheckOptions& options = {});
 ///                      the boundary once
 ///   5 completeness     facets, extreme rows and kinds of points are those of the polytope; the affine
 ///                      dimension is right
-CheckReport check(const HullData& data, const CheckOptions& options = {});
+DELONE_EXPORT CheckReport check(const HullData& data, const CheckOptions& options = {});
 
 /// Intersections of halfspaces, in integers and independently of how they were made; `lineality` and the dual
 /// arrays, which are rounded, are not examined. The graph of a polyhedron is connected, so level 3 proves
@@ -95,7 +96,7 @@ CheckReport check(const HullData& data, const CheckOptions& options = {});
 ///                      are that point, rounded; the same for directions; all exactly
 ///   3 completeness     every edge at every vertex is listed and leads to a listed vertex or direction; facets
 ///                      and kinds are right: so nothing is missing
-CheckReport check(const IntersectionData& data, const CheckOptions& options = {});
+DELONE_EXPORT CheckReport check(const IntersectionData& data, const CheckOptions& options = {});
 
 /// Voronoi diagrams, and power diagrams if there are weights. Numbers of vertices and regions, the order of
 /// ridges and rays and where cyclic lists start are free; so are directions around lists when k < d. From
@@ -108,6 +109,6 @@ CheckReport check(const IntersectionData& data, const CheckOptions& options = {}
 ///   3 vertices         each coordinate is the double nearest to that of the exact centre
 ///   4 ridges           the pairs of regions with a common facet, its vertices, in their order for k = 3
 ///   5 rays             the unbounded edges and their sites; directions up to 2⁻³⁰
-CheckReport check(const VoronoiData& data, const CheckOptions& options = {});
+DELONE_EXPORT CheckReport check(const VoronoiData& data, const CheckOptions& options = {});
 
 }  // namespace delone

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <delone/error.hpp>
+#include <delone/export.hpp>
 #include <delone/types.hpp>
 
 #include <compare>
@@ -106,7 +107,7 @@ using NeighborsOfCell = CellLinks<CellId>;
 /// Cells live in slots; a slot may be vacant after an insertion. The ranges skip vacant slots. Functions that
 /// take a cell REQUIRE is_cell(c), those that take a vertex is_vertex(v), and indices in a cell are 0 … k. A
 /// hardened build (the CMake option DELONE_HARDENED) checks this and throws Errc::invalid_argument.
-class Complex {
+class DELONE_EXPORT Complex {
  public:
   /// Which cells a range visits.
   enum class Which { all, finite, infinite };
@@ -319,6 +320,6 @@ struct CanonicalHash {
 };
 
 /// The canonical hash of a plain triangulation. O(n·d + m·k).
-CanonicalHash canonical_hash(const ComplexData& data);
+DELONE_EXPORT CanonicalHash canonical_hash(const ComplexData& data);
 
 }  // namespace delone

@@ -6,6 +6,7 @@
 #include <delone/complex.hpp>
 #include <delone/data.hpp>
 #include <delone/error.hpp>
+#include <delone/export.hpp>
 #include <delone/options.hpp>
 #include <delone/points.hpp>
 #include <delone/types.hpp>
@@ -54,7 +55,7 @@ struct HullInsertResult {
 ///
 /// `const` members may be called from several threads at once. REQUIRES of queries finite coordinates;
 /// otherwise they throw Errc::not_finite, and Errc::bad_dimension unless there are d of them.
-class Polytope {
+class DELONE_EXPORT Polytope {
  public:
   int dimension() const;           ///< d
   int affine_dimension() const;    ///< k ≤ d; 0 for one distinct point, −1 for none
@@ -126,7 +127,7 @@ class Polytope {
   HullInsertResult insert_point(std::span<const double> point);
 
  private:
-  struct Impl;
+  struct DELONE_HIDDEN Impl;
   std::unique_ptr<Impl> impl_;
 };
 

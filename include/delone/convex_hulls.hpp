@@ -2,6 +2,7 @@
 // The convex hulls of many sets of points at once.
 #pragma once
 
+#include <delone/export.hpp>
 #include <delone/options.hpp>
 #include <delone/points.hpp>
 #include <delone/types.hpp>
@@ -38,7 +39,7 @@ struct ConvexHulls {
 /// a loop over small sets costs several times as much. Throws Errc::invalid_argument unless the offsets
 /// increase, weakly, from 0 to the number of points, and as ConvexHull; rows in errors are those of all
 /// points.
-ConvexHulls convex_hulls(const AnyPoints<>& points, int dimension, std::span<const std::size_t> offsets,
-                         const Options& options = {});
+DELONE_EXPORT ConvexHulls convex_hulls(const AnyPoints<>& points, int dimension,
+                                       std::span<const std::size_t> offsets, const Options& options = {});
 
 }  // namespace delone

@@ -6,6 +6,7 @@
 // offsets[i] … offsets[i+1]−1.
 #pragma once
 
+#include <delone/export.hpp>
 #include <delone/types.hpp>
 
 #include <concepts>
@@ -17,7 +18,7 @@
 namespace delone {
 
 /// A triangulation: Delaunay, regular (with weights) or furthest-site.
-struct ComplexData {
+struct DELONE_EXPORT_TYPE ComplexData {
   int dimension = 0;               ///< d, coordinates per point
   int affine_dimension = -1;       ///< k, dimension of the affine hull of the points; −1 when there is none
   std::vector<double> points;      ///< n×d, as given
@@ -49,7 +50,7 @@ enum class PointKind : std::uint8_t {
 /// A *cell* is a simplex of the boundary, k vertices; a *facet* is a facet of the polytope, which consists of
 /// one cell or, where more than k points lie in its hyperplane, of several. Faces are given by their extreme
 /// rows, increasing.
-struct HullData {
+struct DELONE_EXPORT_TYPE HullData {
   int dimension = 0;           ///< d
   int affine_dimension = -1;   ///< k
   std::vector<double> points;  ///< n×d, as given; may be left out
@@ -100,7 +101,7 @@ enum class HalfspaceKind : std::uint8_t {
 /// k, the rank of the normals, is d unless the intersection contains lines. With k < d it is the sum of the
 /// linear space of `lineality` and of a polyhedron in k of the coordinates, `axes`; vertices, directions and
 /// edges are those of that polyhedron, their other coordinates 0.
-struct IntersectionData {
+struct DELONE_EXPORT_TYPE IntersectionData {
   int dimension = 0;                                  ///< d
   int rank = 0;                                       ///< k
   IntersectionState state = IntersectionState::full;  ///< whether there are interior points
@@ -163,7 +164,7 @@ struct IntersectionData {
 };
 
 /// A Voronoi diagram, or a power diagram (with weights): what the members of these names of the class give.
-struct VoronoiData {
+struct DELONE_EXPORT_TYPE VoronoiData {
   int dimension = 1, affine_dimension = -1;  ///< d and k
   std::vector<double> points;   ///< n×d, hidden points included; NaN for rows that were not inserted
   std::vector<double> weights;  ///< n, of a power diagram only

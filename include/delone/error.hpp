@@ -3,6 +3,8 @@
 // error.
 #pragma once
 
+#include <delone/export.hpp>
+
 #include <cstddef>
 #include <stdexcept>
 #include <string>
@@ -26,7 +28,7 @@ enum class Errc {
 
 /// What went wrong (what()), its kind (code()) and the input rows concerned, if any (rows()): those of the
 /// call that throws, counted from 0.
-class Error : public std::runtime_error {
+class DELONE_EXPORT_TYPE Error : public std::runtime_error {
  public:
   Error(Errc code, const std::string& message, std::vector<std::size_t> rows = {})
       : std::runtime_error(message), code_(code), rows_(std::move(rows)) {}

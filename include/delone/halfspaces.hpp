@@ -5,6 +5,7 @@
 
 #include <delone/data.hpp>
 #include <delone/error.hpp>
+#include <delone/export.hpp>
 #include <delone/options.hpp>
 #include <delone/points.hpp>
 #include <delone/types.hpp>
@@ -20,7 +21,7 @@ namespace delone {
 /// HalfspaceIntersection<D> makes one; functions for all dimensions take a `const Polyhedron&`.
 ///
 /// `const` members may be called from several threads at once.
-class Polyhedron {
+class DELONE_EXPORT Polyhedron {
  public:
   int dimension() const;  ///< d
   /// k, the rank of the normals; d−k is the dimension of the lineality space. 0 where state() is not full.
@@ -66,7 +67,7 @@ class Polyhedron {
   void insert_rows(const AnyPoints<>& halfspaces);
 
  private:
-  struct Impl;
+  struct DELONE_HIDDEN Impl;
   std::unique_ptr<Impl> impl_;
 };
 

@@ -2,6 +2,7 @@
 // Piecewise linear interpolation of values at scattered points.
 #pragma once
 
+#include <delone/export.hpp>
 #include <delone/point_locator.hpp>
 #include <delone/triangulation.hpp>
 #include <delone/types.hpp>
@@ -49,7 +50,7 @@ struct EvaluateOptions {
 ///
 /// Refers to the triangulation: valid until the next insertion. `const` members may be called from several
 /// threads at once.
-class LinearInterpolator {
+class DELONE_EXPORT LinearInterpolator {
  public:
   /// `values`: n×columns numbers, one row for each input row; NaN and infinities spread to the cells they are
   /// at. Of duplicates the value of the first row counts, those of hidden points are not used. Throws

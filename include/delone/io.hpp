@@ -13,6 +13,7 @@
 #pragma once
 
 #include <delone/data.hpp>
+#include <delone/export.hpp>
 
 #include <cstdint>
 #include <optional>
@@ -60,11 +61,12 @@ struct ReadOptions {
 ///   qhull        dimension, count, rows (rbox's output; the rest of the first line is a comment)
 /// Errors: bad_format with "FILE:LINE: …" or "FILE: row N: …"; not_finite with rows(); bad_dimension for
 /// dimension 0.
-PointTable read_points(const std::string& path, const ReadOptions& options = {});
+DELONE_EXPORT PointTable read_points(const std::string& path, const ReadOptions& options = {});
 
 /// Writes points: npy, csv, tsv, txt, xyz, pts, off, or qhull, the format of standard output. Errors:
 /// not_finite, bad_dimension, invalid_argument.
-void write_points(const std::string& path, const PointTable& points, const std::string& format = {});
+DELONE_EXPORT void write_points(const std::string& path, const PointTable& points,
+                                const std::string& format = {});
 
 /// What a file may hold.
 using AnyData = std::variant<ComplexData, HullData, IntersectionData, VoronoiData>;
@@ -77,13 +79,13 @@ using AnyData = std::variant<ComplexData, HullData, IntersectionData, VoronoiDat
 ///   off   OFF, nOFF: a triangulation
 /// The shapes of all arrays are checked; check() examines what they hold. Errors: bad_format, bad_dimension
 /// and not_finite, naming the member; for not_finite rows() are those of points or halfspaces.
-AnyData read(const std::string& path, const std::string& format = {},
-             std::uint64_t max_stream_bytes = default_max_stream_bytes);
+DELONE_EXPORT AnyData read(const std::string& path, const std::string& format = {},
+                           std::uint64_t max_stream_bytes = default_max_stream_bytes);
 
 /// As read(); bad_format, saying what the file holds, if that is something else.
 template <PlainData Data>
-Data read_as(const std::string& path, const std::string& format = {},
-             std::uint64_t max_stream_bytes = default_max_stream_bytes);
+DELONE_EXPORT Data read_as(const std::string& path, const std::string& format = {},
+                           std::uint64_t max_stream_bytes = default_max_stream_bytes);
 
 /// Writes a triangulation:
 ///   npz   points (n,d) float64, cells (m,k+1), neighbors (m,k+1), vertex_of_point (n,), affine_dimension ();
@@ -96,39 +98,40 @@ Data read_as(const std::string& path, const std::string& format = {},
 ///   npy   the cells array only
 /// Standard output takes the text formats. Errors: bad_dimension, not_finite; invalid_argument where the
 /// arrays disagree.
-void write(const std::string& path, const ComplexData& data, const std::string& format = {});
+DELONE_EXPORT void write(const std::string& path, const ComplexData& data, const std::string& format = {});
 
 /// Writes a convex hull (with its points): npz and json hold its arrays, kinds of points as numbers 0 … 3 in
 /// the order of PointKind; the other formats of triangulations hold the cells, as a triangulation of
 /// dimension k−1. Errors as there.
-void write(const std::string& path, const HullData& data, const std::string& format = {});
+DELONE_EXPORT void write(const std::string& path, const HullData& data, const std::string& format = {});
 
 /// Writes an intersection of halfspaces (with its halfspaces):
 ///   npz   its arrays
 ///   json  the same members; standard output
 ///   off   k = d = 3 and bounded: vertices, and facets as polygons
 /// Errors: bad_dimension; invalid_argument where the arrays disagree.
-void write(const std::string& path, const IntersectionData& data, const std::string& format = {});
+DELONE_EXPORT void write(const std::string& path, const IntersectionData& data,
+                         const std::string& format = {});
 
 /// Writes a Voronoi or power diagram:
 ///   npz   its arrays
 ///   json  the same members, lists as lists; standard output
 /// Errors: bad_dimension; invalid_argument where the arrays disagree.
-void write(const std::string& path, const VoronoiData& data, const std::string& format = {});
+DELONE_EXPORT void write(const std::string& path, const VoronoiData& data, const std::string& format = {});
 
 /// Writes a diagram, with its ridges, as its arrays (npz, json) or as a picture of what a box leaves of it:
 ///   svg   d = 2: a picture; the format of standard output is json
 ///   vtu   d = 2, 3: the regions as polygons or polyhedra, each with its `region` and `point`, for ParaView
 /// `box`: by default bounding_box(). Errors: invalid_argument for a bad box, and for a diagram without
 /// ridges.
-void write(const std::string& path, const Diagram& diagram, const std::optional<Box>& box = {},
-           const std::string& format = {});
+DELONE_EXPORT void write(const std::string& path, const Diagram& diagram, const std::optional<Box>& box = {},
+                         const std::string& format = {});
 
 /// Writes text, as the other writers do.
-void write_text(const std::string& path, std::string_view text);
+DELONE_EXPORT void write_text(const std::string& path, std::string_view text);
 
 /// The file that writing to `path` makes or replaces: the end of a chain of symbolic links, be there such a
 /// file or not. A chain without an end is returned as it is.
-std::string write_target(const std::string& path);
+DELONE_EXPORT std::string write_target(const std::string& path);
 
 }  // namespace delone

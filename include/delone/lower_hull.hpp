@@ -6,6 +6,7 @@
 #include <delone/complex.hpp>
 #include <delone/convex_hull.hpp>
 #include <delone/data.hpp>
+#include <delone/export.hpp>
 #include <delone/options.hpp>
 #include <delone/points.hpp>
 #include <delone/types.hpp>
@@ -31,7 +32,7 @@ enum class HullSide { lower, upper };
 ///
 /// `const` members may be called from several threads at once. REQUIRES of queries finite coordinates;
 /// otherwise they throw Errc::not_finite, and Errc::bad_dimension for a wrong number of them.
-class Envelope {
+class DELONE_EXPORT Envelope {
  public:
   int dimension() const;              ///< d
   int composition_dimension() const;  ///< c ≤ d−1, the affine dimension of the compositions; −1 for no point
@@ -89,7 +90,7 @@ class Envelope {
   ~Envelope();
 
  private:
-  struct Impl;
+  struct DELONE_HIDDEN Impl;
   std::unique_ptr<Impl> impl_;
 };
 

@@ -2,6 +2,7 @@
 // Natural neighbors of queries, their coordinates, and interpolation with them.
 #pragma once
 
+#include <delone/export.hpp>
 #include <delone/interpolation.hpp>
 #include <delone/point_locator.hpp>
 #include <delone/triangulation.hpp>
@@ -51,7 +52,7 @@ struct NaturalNeighbors {
 ///
 /// Refers to the triangulation: valid until the next insertion. `const` members may be called from several
 /// threads at once.
-class NaturalNeighborCoordinates {
+class DELONE_EXPORT NaturalNeighborCoordinates {
  public:
   /// Computes the centers of all finite cells, d doubles each. Throws unsupported unless the triangulation is
   /// a Delaunay<D>, and out_of_memory.
@@ -74,7 +75,7 @@ class NaturalNeighborCoordinates {
   void find(std::span<const double> queries, const LocateOptions& how, const Visit& visit,
             bool with_gradients = false) const;
 
-  struct Impl;
+  struct DELONE_HIDDEN Impl;
 
  private:
   friend class NaturalNeighborInterpolator;
@@ -101,7 +102,7 @@ class NaturalNeighborCoordinates {
 /// the hull, which has no such coordinates, the weights are 1/r⁴, and it is exact for linear ones; likewise
 /// for one just inside, whose neighbors in some direction have weights of less than 2⁻²⁰ of the largest.
 /// Cost: a small triangulation of the neighbors of each vertex.
-class NaturalNeighborInterpolator {
+class DELONE_EXPORT NaturalNeighborInterpolator {
  public:
   /// `values`: as for LinearInterpolator. `site_gradients`: n×columns×d numbers, one row for each input row,
   /// or none: they are estimated where they are needed, now if `smooth`. Throws bad_dimension unless the

@@ -3,6 +3,7 @@
 // vertex.
 #pragma once
 
+#include <delone/export.hpp>
 #include <delone/triangulation.hpp>
 #include <delone/types.hpp>
 
@@ -75,7 +76,7 @@ struct LocatedPoint {
 /// Method: the visibility walk with signs of orientations. For k = d ≤ 6 all of a cell come from one table of
 /// minors with a certified bound, those that it cannot tell from exact arithmetic. Cost: for a batch as dense
 /// as the vertices O(1) cells per query, and O(q log q) comparisons.
-class PointLocator {
+class DELONE_EXPORT PointLocator {
  public:
   using Visit = std::function<void(std::size_t query, const LocatedPoint& where)>;
 
@@ -125,7 +126,7 @@ class PointLocator {
   };
   const Edges& edges() const;
 
-  struct Impl;
+  struct DELONE_HIDDEN Impl;
 
  private:
   friend class LinearInterpolator;
@@ -139,7 +140,7 @@ class PointLocator {
 
 /// The sign of |q − a|² − weight_a − (|q − b|² − weight_b), exactly: negative if q is nearer to a. All
 /// finite, as many coordinates of each. Stages: binary64 with a certified bound, then integers. O(d).
-Sign compare_distances(std::span<const double> q, std::span<const double> a, std::span<const double> b,
-                       double weight_a = 0, double weight_b = 0);
+DELONE_EXPORT Sign compare_distances(std::span<const double> q, std::span<const double> a,
+                                     std::span<const double> b, double weight_a = 0, double weight_b = 0);
 
 }  // namespace delone

@@ -3,6 +3,8 @@
 // the same bits.
 #pragma once
 
+#include <delone/export.hpp>
+
 #include <cstddef>
 #include <cstdint>
 #include <string>
@@ -17,7 +19,7 @@ struct PointSetKind {
 };
 
 /// All kinds, in alphabetical order.
-const std::vector<PointSetKind>& point_set_kinds();
+DELONE_EXPORT const std::vector<PointSetKind>& point_set_kinds();
 
 /// n points of the named kind in R^d, row-major. Throws Errc::invalid_argument for an unknown kind, d < 1, or
 /// a combination that does not exist (flat and spheres of exact points need d ≥ 2; cospherical and ulp_sphere
@@ -28,7 +30,7 @@ const std::vector<PointSetKind>& point_set_kinds();
 /// unit sphere. Same arguments, same bits on every platform with IEEE arithmetic: random variables are made
 /// by rejection with + − × ÷ √, without the distributions of `<random>` and without functions of the
 /// mathematics library.
-std::vector<double> make_point_set(std::string_view kind, int dimension, std::size_t n,
-                                   std::uint64_t seed = 0);
+DELONE_EXPORT std::vector<double> make_point_set(std::string_view kind, int dimension, std::size_t n,
+                                                 std::uint64_t seed = 0);
 
 }  // namespace delone

@@ -3,6 +3,7 @@
 // finite doubles.
 #pragma once
 
+#include <delone/export.hpp>
 #include <delone/types.hpp>
 
 #include <span>
@@ -13,17 +14,18 @@ namespace delone {
 ///   +  positively oriented (counterclockwise for d = 2)   0  affinely dependent   −  negatively oriented
 /// (1) exchanging two points negates the sign; (2) it is 0 if two points are equal.
 /// REQUIRES coordinates.size() = (d+1)·d, all finite; otherwise throws Error.
-Sign orientation(std::span<const double> points, int dimension);
+DELONE_EXPORT Sign orientation(std::span<const double> points, int dimension);
 
 /// The side of the sphere through d+1 points that q lies on: inside, on or outside.
 /// (1) It does not depend on the order or the orientation of the points; (2) q is on the sphere if it is one
 /// of them.
 /// REQUIRES affinely independent points (orientation ≠ 0); otherwise throws Error. Never perturbed.
-Side in_sphere(std::span<const double> points, std::span<const double> q, int dimension);
+DELONE_EXPORT Side in_sphere(std::span<const double> points, std::span<const double> q, int dimension);
 
 /// As in_sphere, ties broken by the perturbation of Devillers and Teillaud: q is on the sphere only if it
 /// equals one of the points.
-Side in_sphere_perturbed(std::span<const double> points, std::span<const double> q, int dimension);
+DELONE_EXPORT Side in_sphere_perturbed(std::span<const double> points, std::span<const double> q,
+                                       int dimension);
 
 /// The side of the sphere (center c, squared radius ρ, which may be negative) orthogonal to d+1 weighted
 /// points, |p_i − c|² − ρ = w_i, that the weighted point (q, w_q) lies on: with |q − c|² − ρ − w_q
@@ -36,26 +38,27 @@ Side in_sphere_perturbed(std::span<const double> points, std::span<const double>
 /// larger weight and outside for the smaller; (4) adding one number to all weights changes nothing, as long
 /// as the sums are exact. REQUIRES d+1 affinely independent points and as many weights, all finite; otherwise
 /// throws Error. Never perturbed.
-Side in_power_sphere(std::span<const double> points, std::span<const double> weights,
-                     std::span<const double> q, double weight_of_q, int dimension);
+DELONE_EXPORT Side in_power_sphere(std::span<const double> points, std::span<const double> weights,
+                                   std::span<const double> q, double weight_of_q, int dimension);
 
 /// As in_power_sphere, ties broken by the same perturbation: on only if q equals one of the points in
 /// coordinates and weight.
-Side in_power_sphere_perturbed(std::span<const double> points, std::span<const double> weights,
-                               std::span<const double> q, double weight_of_q, int dimension);
+DELONE_EXPORT Side in_power_sphere_perturbed(std::span<const double> points, std::span<const double> weights,
+                                             std::span<const double> q, double weight_of_q, int dimension);
 
 /// The sign of the determinant of d+1 homogeneous rows of d+1 entries (row-major): a hull orientation of
 /// rays, such as the halfspaces (n, c). (1) Exchanging two rows negates it; (2) multiplying a row by a
 /// positive number changes nothing, if the products are exact; (3) for rows (x, 1) it is (−1)^d·orientation
 /// of the points x. REQUIRES rows.size() = (d+1)², all finite; otherwise throws Error.
-Sign homogeneous_orientation(std::span<const double> rows, int dimension);
+DELONE_EXPORT Sign homogeneous_orientation(std::span<const double> rows, int dimension);
 
 /// The side of a hyperplane (n, c) of d+1 numbers that p lies on: inside if n·p + c < 0, strictly inside the
 /// halfspace n·x + c ≤ 0; on if it is 0; outside if it is positive. REQUIRES hyperplane.size() = d+1,
 /// p.size() = d, all finite; otherwise throws Error.
-Side side_of_hyperplane(std::span<const double> hyperplane, std::span<const double> p, int dimension);
+DELONE_EXPORT Side side_of_hyperplane(std::span<const double> hyperplane, std::span<const double> p,
+                                      int dimension);
 
 /// The dimension of the affine hull of the points; −1 for none. Exact.
-int affine_dimension(std::span<const double> points, int dimension);
+DELONE_EXPORT int affine_dimension(std::span<const double> points, int dimension);
 
 }  // namespace delone

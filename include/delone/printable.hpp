@@ -2,6 +2,8 @@
 // Foreign text in messages: what a file or an argument holds, safe to print.
 #pragma once
 
+#include <delone/export.hpp>
+
 #include <cstddef>
 #include <string>
 #include <string_view>
@@ -11,9 +13,9 @@ namespace delone {
 /// Text of foreign origin (the name of a column, of a member of an archive, an argument) for a terminal: at
 /// most `most` characters of it, then "…" if there are more. Control characters, characters that cannot be
 /// seen or turn the direction of writing, and bytes that are not UTF-8 are written as `\x1b` or `\u{202e}`.
-std::string printable(std::string_view foreign, std::size_t most = 80);
+DELONE_EXPORT std::string printable(std::string_view foreign, std::size_t most = 80);
 
 /// The same in single quotes.
-std::string in_quotes(std::string_view foreign);
+DELONE_EXPORT std::string in_quotes(std::string_view foreign);
 
 }  // namespace delone

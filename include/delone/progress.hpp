@@ -2,6 +2,8 @@
 // Progress and cancellation of calls without options of their own.
 #pragma once
 
+#include <delone/export.hpp>
+
 #include <functional>
 #include <memory>
 
@@ -19,7 +21,7 @@ class ProgressMeter;
 ///
 /// The function gets the fraction done, 0…1, of constructions; 0 where that is not known. A progress function
 /// in the options of a call is asked, too. Scopes of one thread end in the reverse order of their beginning.
-class ProgressScope {
+class DELONE_EXPORT ProgressScope {
  public:
   /// Nothing is asked if `progress` is empty.
   explicit ProgressScope(std::function<bool(double)> progress);
@@ -34,6 +36,6 @@ class ProgressScope {
 
 /// For loops of the caller, as between queries: asks the function of the innermost scope, as the library
 /// does, and throws Errc::cancelled if it returns false. Costs nanoseconds.
-void cancellation_point();
+DELONE_EXPORT void cancellation_point();
 
 }  // namespace delone

@@ -5,6 +5,7 @@
 
 #include <delone/check.hpp>
 #include <delone/complex.hpp>
+#include <delone/export.hpp>
 #include <delone/points.hpp>
 
 #include <cstddef>
@@ -106,22 +107,24 @@ struct TileData {
 /// Errors: those of reading, not_finite with rows(); invalid_argument for a folder that holds anything else
 /// or tiles of other points; out_of_memory where no number of tiles fits; unsupported (vtu for d > 3, hdf5);
 /// cannot_write; cancelled.
-TilesIndex make_tiles(const std::string& input, const std::string& folder, const TilesOptions& options = {});
+DELONE_EXPORT TilesIndex make_tiles(const std::string& input, const std::string& folder,
+                                    const TilesOptions& options = {});
 /// The same of points in memory: rows of d coordinates, and a weight if `weighted`.
-TilesIndex make_tiles(PointsView rows, const std::string& folder, const TilesOptions& options = {});
+DELONE_EXPORT TilesIndex make_tiles(PointsView rows, const std::string& folder,
+                                    const TilesOptions& options = {});
 
 /// The index of a finished folder, whose numbers agree with each other. Errors: cannot_open, bad_format.
-TilesIndex read_tiles_index(const std::string& folder);
+DELONE_EXPORT TilesIndex read_tiles_index(const std::string& folder);
 /// Part number i of a finished folder, with its seams. Errors: invalid_argument, cannot_open, bad_format
 /// naming the array.
-TileData read_tile(const std::string& folder, std::size_t i);
+DELONE_EXPORT TileData read_tile(const std::string& folder, std::size_t i);
 
 /// A folder of tiles that is not finished: how many there will be, and how many are complete.
 struct UnfinishedTiles {
   std::size_t num_tiles = 0, num_finished = 0;
 };
 /// Nothing if the path is not such a folder. Changes nothing.
-std::optional<UnfinishedTiles> find_unfinished_tiles(const std::string& folder);
+DELONE_EXPORT std::optional<UnfinishedTiles> find_unfinished_tiles(const std::string& folder);
 
 /// Examines a folder of tiles part by part, in memory for three parts (64 MiB at least), with scratch files
 /// in the folder: the levels of check() for triangulations, seams included. CheckReport::cells are global
@@ -130,11 +133,12 @@ std::optional<UnfinishedTiles> find_unfinished_tiles(const std::string& folder);
 /// hidden points are not in the folder: of these rows nothing else is proved. A part that cannot be read is a
 /// violation of level 1. Errors: those of read_tiles_index(), invalid_argument as for check() and for
 /// furthest_site and cells without orientation, cannot_write, out_of_memory.
-CheckReport check_tiles(const std::string& folder, const CheckOptions& options = {});
+DELONE_EXPORT CheckReport check_tiles(const std::string& folder, const CheckOptions& options = {});
 /// The same, and at level 6 against the input: rows of d coordinates, and a weight if points have weights.
 /// Vertices are these points, and duplicates are equal to their vertices: a triangulation of all points,
 /// except that nothing is proved of hidden ones. Further errors: bad_dimension, and invalid_argument for
 /// another number of points.
-CheckReport check_tiles(const std::string& folder, PointsView input, const CheckOptions& options = {});
+DELONE_EXPORT CheckReport check_tiles(const std::string& folder, PointsView input,
+                                      const CheckOptions& options = {});
 
 }  // namespace delone

@@ -5,6 +5,7 @@
 #include <delone/complex.hpp>
 #include <delone/data.hpp>
 #include <delone/error.hpp>
+#include <delone/export.hpp>
 #include <delone/options.hpp>
 #include <delone/points.hpp>
 #include <delone/types.hpp>
@@ -65,7 +66,7 @@ struct InsertResult {
 /// *Hidden points.* In a regular or furthest-site triangulation some points are no vertices. A hidden point
 /// stays hidden, whatever is inserted later; a vertex may become hidden: its id is not used again, and the
 /// ids of vertices then have gaps (Complex::finite_vertices()). A Delaunay triangulation hides no point.
-class Triangulation {
+class DELONE_EXPORT Triangulation {
  public:
   Triangulation(const Triangulation&) = delete;
   Triangulation& operator=(const Triangulation&) = delete;
@@ -131,7 +132,7 @@ class Triangulation {
   Statistics statistics() const;
 
  protected:
-  struct Impl;
+  struct DELONE_HIDDEN Impl;
 
   Triangulation(TriangulationKind kind, int dimension, const Options& options);
   Triangulation(detail::Clone, const Triangulation& other);
@@ -175,6 +176,6 @@ using OwnPoint = std::conditional_t<D == dynamic, std::vector<double>, std::arra
 
 /// canonical_hash() by several threads: at most so many; 0: as many as there are cores, where the data are
 /// large enough to gain by them.
-CanonicalHash canonical_hash(const ComplexData& data, unsigned threads);
+DELONE_EXPORT CanonicalHash canonical_hash(const ComplexData& data, unsigned threads);
 
 }  // namespace delone

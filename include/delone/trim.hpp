@@ -3,6 +3,7 @@
 #pragma once
 
 #include <delone/data.hpp>
+#include <delone/export.hpp>
 #include <delone/triangulation.hpp>
 #include <delone/types.hpp>
 
@@ -42,6 +43,6 @@ struct TrimResult {
 /// is not convex: check() says so. Cost: O(m·k·d²) for m cells, and a solve in integers for each cell at the
 /// border that may be thin. Errors: invalid_argument (a tolerance that is negative, not finite, or larger
 /// than the longest side of the bounding box of two points or more), out_of_memory.
-TrimResult trim(const Triangulation& triangulation, double tolerance);
+DELONE_EXPORT TrimResult trim(const Triangulation& triangulation, double tolerance);
 
 }  // namespace delone

@@ -5,6 +5,7 @@
 
 #include <delone/data.hpp>
 #include <delone/delaunay.hpp>
+#include <delone/export.hpp>
 #include <delone/points.hpp>
 #include <delone/regular.hpp>
 #include <delone/types.hpp>
@@ -99,7 +100,7 @@ struct DiagramOptions {
 /// ridges, and keeps the exact diagram in memory if it changed anything. Errors: invalid_argument (a
 /// tolerance that is negative or not finite, or larger than the longest side of the bounding box of two sites
 /// or more), out_of_memory.
-class Diagram {
+class DELONE_EXPORT Diagram {
  public:
   int dimension() const { return dimension_; }                ///< d
   int affine_dimension() const { return affine_dimension_; }  ///< k
