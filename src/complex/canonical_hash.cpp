@@ -14,7 +14,7 @@
 
 namespace delone {
 
-DELONE_EXPORT std::string CanonicalHash::hex() const {
+std::string CanonicalHash::hex() const {
   static constexpr char digits[] = "0123456789abcdef";
   std::string text(32, '0');
   for (std::size_t i = 0; i < 16; ++i) {
