@@ -313,7 +313,7 @@ inline Complex::CellRange Complex::infinite_cells() const { return {*this, Which
 /// The canonical hash of a triangulation: 128 bits that depend on the coordinates of the vertices and on the
 /// set of finite cells only; not on ids, order of insertion, seed, duplicates, or the sign of zeros. As 32
 /// hexadecimal digits. If vertices have different weights, it depends on these, too; on hidden points never.
-struct CanonicalHash {
+struct DELONE_EXPORT CanonicalHash {
   std::uint64_t high = 0, low = 0;
   friend bool operator==(const CanonicalHash&, const CanonicalHash&) = default;
   std::string hex() const;

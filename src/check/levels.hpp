@@ -7,6 +7,7 @@
 
 #include <delone/check.hpp>
 #include <delone/error.hpp>
+#include <delone/export.hpp>
 
 #include <array>
 #include <concepts>
@@ -24,9 +25,9 @@ struct Violation {
 };
 
 template <PlainData Data>
-inline constexpr std::array<CheckLevel, 0> levels_of{};
+DELONE_HIDDEN inline constexpr std::array<CheckLevel, 0> levels_of{};
 template <>
-inline constexpr std::array<CheckLevel, 6> levels_of<ComplexData>{
+DELONE_HIDDEN inline constexpr std::array<CheckLevel, 6> levels_of<ComplexData>{
     {{1, "storage", "sizes, ranges, no repeated vertex in a cell"},
      {2, "incidence", "neighbors are mutual, facets shared by two, coherent orientation"},
      {3, "sphere", "closed by the infinite cells, a sphere"},
@@ -34,19 +35,19 @@ inline constexpr std::array<CheckLevel, 6> levels_of<ComplexData>{
      {5, "local convexity", "no vertex inside the sphere of a cell, the hull is convex"},
      {6, "completeness", "every point is a vertex or a duplicate of one"}}};
 template <>
-inline constexpr std::array<CheckLevel, 5> levels_of<HullData>{
+DELONE_HIDDEN inline constexpr std::array<CheckLevel, 5> levels_of<HullData>{
     {{1, "storage", "sizes, ranges, no repeated vertex in a cell"},
      {2, "incidence", "every ridge in two cells, neighbors mutual, coherent orientation, connected"},
      {3, "convexity", "no cell is flat, the boundary is convex at every ridge"},
      {4, "support", "no point is beyond a cell, the cells cover the boundary once"},
      {5, "completeness", "facets, extreme points and kinds of points are those of the polytope"}}};
 template <>
-inline constexpr std::array<CheckLevel, 3> levels_of<IntersectionData>{
+DELONE_HIDDEN inline constexpr std::array<CheckLevel, 3> levels_of<IntersectionData>{
     {{1, "storage", "sizes, ranges"},
      {2, "support", "every vertex is where its rows meet, inside all others; or the witness is a proof"},
      {3, "completeness", "no edge, vertex or direction is missing; facets and kinds are right"}}};
 template <>
-inline constexpr std::array<CheckLevel, 5> levels_of<VoronoiData>{
+DELONE_HIDDEN inline constexpr std::array<CheckLevel, 5> levels_of<VoronoiData>{
     {{1, "storage", "sizes, ranges, nothing twice in a list"},
      {2, "regions", "each point in the region of its site, the vertices of all regions"},
      {3, "vertices", "each coordinate the double nearest to the exact one"},

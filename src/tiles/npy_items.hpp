@@ -5,6 +5,8 @@
 #include "io/file.hpp"
 #include "io/npy.hpp"
 
+#include <delone/export.hpp>
+
 #include <algorithm>
 #include <array>
 #include <bit>
@@ -19,9 +21,9 @@
 namespace delone::tiles {
 
 template <class T>
-inline constexpr std::string_view npy_type = std::is_same_v<T, double>         ? "f8"
-                                             : std::is_same_v<T, std::int64_t> ? "i8"
-                                                                               : "i4";
+DELONE_HIDDEN inline constexpr std::string_view npy_type = std::is_same_v<T, double>         ? "f8"
+                                                           : std::is_same_v<T, std::int64_t> ? "i8"
+                                                                                             : "i4";
 
 /// Throws bad_format unless the array has the type T, C order, and so many dimensions.
 template <class T>

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <delone/data.hpp>
+#include <delone/export.hpp>
 
 #include <algorithm>
 #include <concepts>
@@ -34,13 +35,14 @@ inline constexpr const char* state_names[] = {"full", "flat", "empty"};
 
 /// The least and the largest number that stands for an item of an array of this type.
 template <class T>
-inline constexpr auto least_number = static_cast<std::int64_t>(std::numeric_limits<T>::min());
+DELONE_HIDDEN inline constexpr auto least_number = static_cast<std::int64_t>(std::numeric_limits<T>::min());
 template <class T>
-inline constexpr auto largest_number = static_cast<std::int64_t>(std::numeric_limits<T>::max());
+DELONE_HIDDEN inline constexpr auto largest_number = static_cast<std::int64_t>(std::numeric_limits<T>::max());
 template <>
-inline constexpr std::int64_t largest_number<PointKind> = static_cast<std::int64_t>(PointKind::duplicate);
+DELONE_HIDDEN inline constexpr std::int64_t largest_number<PointKind> =
+    static_cast<std::int64_t>(PointKind::duplicate);
 template <>
-inline constexpr std::int64_t largest_number<HalfspaceKind> =
+DELONE_HIDDEN inline constexpr std::int64_t largest_number<HalfspaceKind> =
     static_cast<std::int64_t>(HalfspaceKind::trivial);
 
 /// `Data`, or const Data.
