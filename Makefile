@@ -11,7 +11,7 @@ python_with_plots = $(shell for p in python3 /usr/bin/python3; do $$p -c "import
 version = $(shell sed -n 's/^project.delone VERSION \([0-9.]*\).*/\1/p' CMakeLists.txt)
 sources = $(shell git ls-files --cached --others --exclude-standard '*.hpp' '*.cpp' '*.h' '*.c')
 
-.PHONY: build python wheel wheels demo test test-release test-asan site matrix tsan without-tbb mpi bench paper docs lint format fuzz clean help
+.PHONY: build python wheel wheels demo test test-release test-asan site browser matrix tsan without-tbb mpi bench paper docs lint format fuzz clean help
 
 help:                 ## this list
 	@sed -n 's/^\([a-z-]*\):.*## /\1\t/p' Makefile | expand -t 16
@@ -58,9 +58,10 @@ fuzz:                 ## every fuzz target for five minutes, with the sanitizers
 	cmake --build --preset fuzz -j $(jobs)
 	ctest --preset fuzz
 
-matrix: tsan without-tbb mpi  ## builds of other kinds, with their tests: hours
+matrix:               ## builds of other kinds, with their tests, and a table of what passed: an hour; KINDS="tsan mpi": some of them
+	tools/matrix.py $(KINDS)
 
-tsan:                 ## unit, property and fuzz tests with clang's ThreadSanitizer
+tsan:                 ## the tests with threads, with clang's ThreadSanitizer
 	tools/install_dependencies.sh test clang
 	cmake --preset tsan $(launcher)
 	cmake --build --preset tsan -j $(jobs)
@@ -95,6 +96,10 @@ site: python          ## the documentation site, in build/site: pages, reference
 
 docs: python          ## run the programs and commands of the documentation, follow its links
 	tools/check_docs.py build/release --python $(python_of_build)
+
+browser: site         ## the site in Chromium, as on a phone
+	tools/install_dependencies.sh browser
+	SITE=build/site /usr/bin/python3 -B tests/site/test_in_browser.py
 
 lint:                 ## formatting, layering, prose, clang-tidy
 	tools/install_dependencies.sh lint test
