@@ -11,7 +11,8 @@ python_with_plots = $(shell for p in python3 /usr/bin/python3; do $$p -c "import
 version = $(shell sed -n 's/^project.delone VERSION \([0-9.]*\).*/\1/p' CMakeLists.txt)
 sources = $(shell git ls-files --cached --others --exclude-standard '*.hpp' '*.cpp' '*.h' '*.c')
 
-.PHONY: build python wheel wheels demo test test-release test-asan site browser matrix tsan without-tbb mpi bench paper docs lint format fuzz clean help
+# Every target with a description.
+.PHONY: $(shell sed -n 's/^\([a-z0-9-]*\):.*\#\# .*/\1/p' Makefile)
 
 help:                 ## this list
 	@sed -n 's/^\([a-z-]*\):.*## /\1\t/p' Makefile | expand -t 16
