@@ -8,7 +8,7 @@ jobs := $(shell nproc)
 launcher := $(if $(shell command -v ccache),-DCMAKE_CXX_COMPILER_LAUNCHER=ccache)
 python_of_build = $(shell sed -n 's/^_\?Python_EXECUTABLE:[A-Z]*=//p' build/release/CMakeCache.txt | head -n 1)
 python_with_plots = $(shell for p in python3 /usr/bin/python3; do $$p -c "import matplotlib, scipy" 2>/dev/null && echo $$p && break; done)
-version = $(shell sed -n 's/^project(delone VERSION \([0-9.]*\).*/\1/p' CMakeLists.txt)
+version = $(shell sed -n 's/^project.delone VERSION \([0-9.]*\).*/\1/p' CMakeLists.txt)
 sources = $(shell git ls-files --cached --others --exclude-standard '*.hpp' '*.cpp' '*.h' '*.c')
 
 # Every target with a description.
