@@ -2,6 +2,7 @@
 # Options of the build. A parent project that adds this one by add_subdirectory gets the library only.
 option(DELONE_64BIT_IDS "Use 64-bit ids for vertices and cells" OFF)
 option(DELONE_HARDENED "Check ids that are passed to the library: those out of range throw delone::Error" OFF)
+option(DELONE_PORTABLE "Standard C++ only: none of the extensions of GNU compilers, no calls of an operating system. Slower; same results" OFF)
 option(DELONE_BUILD_CLI "Build the command `delone`" ${PROJECT_IS_TOP_LEVEL})
 option(DELONE_BUILD_C "Build the C interface, a shared library" ${PROJECT_IS_TOP_LEVEL})
 option(DELONE_BUILD_PYTHON "Build the Python module `delone` (needs pybind11, and a Python with NumPy)" OFF)
@@ -29,7 +30,7 @@ set(DELONE_SANITIZE "" CACHE STRING "Sanitizers for -fsanitize=, for example add
 if(NOT DELONE_LARGEST_COMPILED_DIMENSION MATCHES "^[1-8]$")
   message(FATAL_ERROR "DELONE_LARGEST_COMPILED_DIMENSION is 1 to 8")
 endif()
-foreach(option DELONE_64BIT_IDS DELONE_HARDENED)
+foreach(option DELONE_64BIT_IDS DELONE_HARDENED DELONE_PORTABLE)
   if(${option})
     set(${option}_VALUE 1)
   else()
