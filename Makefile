@@ -10,7 +10,7 @@ python_of_build = $(shell sed -n 's/^_\?Python_EXECUTABLE:[A-Z]*=//p' build/rele
 python_with_plots = $(shell for p in python3 /usr/bin/python3; do $$p -c "import matplotlib, scipy" 2>/dev/null && echo $$p && break; done)
 sources = $(shell git ls-files --cached --others --exclude-standard '*.hpp' '*.cpp' '*.h' '*.c')
 
-.PHONY: build python wheel demo test test-release test-asan site matrix tsan without-tbb mpi bench paper docs lint format fuzz clean help
+.PHONY: build python wheel demo test test-release test-asan site matrix tsan without-tbb portable mingw mpi bench paper docs lint format fuzz clean help
 
 help:                 ## this list
 	@sed -n 's/^\([a-z-]*\):.*## /\1\t/p' Makefile | expand -t 16
@@ -64,6 +64,19 @@ without-tbb:          ## unit tests and those of the command, of a build without
 	cmake --preset without-tbb $(launcher)
 	cmake --build --preset without-tbb -j $(jobs)
 	ctest --preset without-tbb
+
+portable:             ## unit tests and those of the command, of a build without compiler extensions and system calls; same hashes
+	tools/install_dependencies.sh test
+	cmake --preset portable $(launcher)
+	cmake --build --preset portable -j $(jobs)
+	ctest --preset portable
+
+mingw:                ## for Windows: delone.exe by mingw-w64, and the unit tests, run by Wine
+	tools/install_dependencies.sh test mingw
+	tools/build_mingw_packages.sh $(jobs)
+	cmake --preset mingw $(launcher)
+	cmake --build --preset mingw -j $(jobs)
+	ctest --preset mingw
 
 mpi:                  ## the tests of delone::mpi, at their full size, with 1, 2, 3 and 5 ranks
 	tools/install_dependencies.sh test mpi

@@ -6,7 +6,6 @@
 
 #include "system.hpp"
 
-#define NOMINMAX
 #define WIN32_LEAN_AND_MEAN
 #include <fcntl.h>
 #include <io.h>

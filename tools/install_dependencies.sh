@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: BSD-3-Clause
-# Installs the packages that are missing on Debian and Ubuntu:  tools/install_dependencies.sh [build] [python] [test] [nightly] [bench] [paper] [lint] [clang] [mpi] [site]
+# Installs the packages that are missing on Debian and Ubuntu:  tools/install_dependencies.sh [build] [python] [test] [nightly] [bench] [paper] [lint] [clang] [mpi] [mingw] [site]
 # Does nothing if all are there. On other systems it prints what is needed and leaves the rest to you.
 set -euo pipefail
 
@@ -15,6 +15,7 @@ paper=(python3 python3-numpy python3-scipy python3-matplotlib libqhull-dev libte
 lint=(clang-format clang-tidy python3)
 clang=(clang)
 site=(python3-sphinx python3-myst-parser furo doxygen)
+mingw=(g++-mingw-w64-x86-64-posix wine wine64 dpkg-dev googletest)
 mpi=(libopenmpi-dev openmpi-bin python3 python3-numpy python3-mpi4py)
 
 wanted=()
@@ -28,9 +29,10 @@ for group in "${@:-build}"; do
     paper) wanted+=("${build[@]}" "${bench[@]}" "${paper[@]}") ;;
     lint) wanted+=("${build[@]}" "${lint[@]}") ;;
     clang) wanted+=("${build[@]}" "${clang[@]}") ;;
+    mingw) wanted+=("${build[@]}" "${mingw[@]}") ;;
     mpi) wanted+=("${build[@]}" "${mpi[@]}") ;;
     site) wanted+=("${build[@]}" "${python[@]}" "${site[@]}") ;;
-    *) echo "usage: $0 [build] [python] [test] [nightly] [bench] [paper] [lint] [clang] [mpi] [site]" >&2; exit 64 ;;
+    *) echo "usage: $0 [build] [python] [test] [nightly] [bench] [paper] [lint] [clang] [mpi] [mingw] [site]" >&2; exit 64 ;;
   esac
 done
 

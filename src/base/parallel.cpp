@@ -48,7 +48,7 @@ unsigned cores_of_affinity_mask() {
 }
 
 /// The first line of a file, or nothing.
-std::string first_line(const std::string& path) {
+[[maybe_unused]] std::string first_line(const std::string& path) {
   std::string line;
   std::ifstream file(path);
   std::getline(file, line);
@@ -59,7 +59,7 @@ std::string first_line(const std::string& path) {
 /// and of version 1 where its own group is mounted as the root, as it is in containers.
 std::optional<unsigned> cores_of_control_groups() {
   std::optional<unsigned> least;
-  const auto limit = [&](std::string_view cpu_max) {
+  [[maybe_unused]] const auto limit = [&](std::string_view cpu_max) {
     if (const auto cores = cores_of_quota(cpu_max)) least = std::min(least.value_or(*cores), *cores);
   };
 #if DELONE_LINUX

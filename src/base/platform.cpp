@@ -15,7 +15,6 @@
 #include <unistd.h>
 #endif
 #if DELONE_WINDOWS
-#define NOMINMAX
 #include <windows.h>  // before psapi.h
 
 #include <psapi.h>

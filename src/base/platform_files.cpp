@@ -12,7 +12,6 @@
 #include <sys/stat.h>
 #include <unistd.h>
 #elif DELONE_WINDOWS
-#define NOMINMAX
 #include <fcntl.h>
 #include <io.h>
 #include <sys/stat.h>
