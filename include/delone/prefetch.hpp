@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Prefetching, where the compiler offers it: GCC, Clang and those that follow them, and MSVC on x86-64.
+// Prefetching, where the compiler offers it: GCC, Clang and those that follow them.
 #pragma once
 
 #include <delone/config.hpp>
 
-#if !DELONE_PORTABLE && !defined(__GNUC__) && defined(_M_X64)
-#include <xmmintrin.h>
-#endif
+// The intrinsic of MSVC is declared in <xmmintrin.h>, which declares thousands of names; public headers do
+// without.
+
 
 namespace delone::internal {
 
@@ -14,9 +14,9 @@ namespace delone::internal {
 /// effect on results.
 #if !DELONE_PORTABLE && defined(__GNUC__)
 [[gnu::always_inline]] inline void prefetch(const void* address) { __builtin_prefetch(address); }
-#elif !DELONE_PORTABLE && defined(_M_X64)
-inline void prefetch(const void* address) { _mm_prefetch(static_cast<const char*>(address), _MM_HINT_T0); }
 #else
+// Nothing is prefetched.
+
 inline void prefetch(const void*) {}
 #endif
 
