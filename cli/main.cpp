@@ -62,6 +62,7 @@ int run(int argc, char** argv) {
   app.set_version_flag("--version", "delone " DELONE_VERSION);
   app.set_help_flag("-h,--help", "Print this help and exit");
   app.get_formatter()->column_width(34);
+  app.allow_windows_style_options(false);  // a path may begin with a slash there too
   app.require_subcommand(1);
   std::vector<std::pair<CLI::App*, Run>> commands;
   const auto add = [&](const char* name, const char* description, Run (*setup)(CLI::App&)) {

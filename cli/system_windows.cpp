@@ -14,7 +14,9 @@
 #include <psapi.h>
 
 #include <cerrno>
+#include <codecvt>
 #include <csignal>
+#include <locale>
 
 namespace delone::cli::system {
 namespace {
@@ -76,6 +78,10 @@ void set_limit(DWORD which, std::uint64_t bytes) {
 void prepare_process() {
   for (std::FILE* const stream : {stdin, stdout, stderr}) _setmode(_fileno(stream), _O_BINARY);
   SetConsoleOutputCP(CP_UTF8);
+#ifdef __GLIBCXX__
+  // Its std::filesystem::path converts by this facet. Arguments are in UTF-8 by the manifest.
+  std::locale::global(std::locale(std::locale::classic(), new std::codecvt_utf8_utf16<wchar_t>));
+#endif
 }
 
 bool is_terminal() {
