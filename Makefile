@@ -74,6 +74,19 @@ without-tbb:          ## unit tests and those of the command, of a build without
 	cmake --build --preset without-tbb -j $(jobs)
 	ctest --preset without-tbb
 
+portable:             ## unit tests and those of the command, of a build without compiler extensions and system calls; same hashes
+	tools/install_dependencies.sh test
+	cmake --preset portable $(launcher)
+	cmake --build --preset portable -j $(jobs)
+	ctest --preset portable
+
+mingw:                ## for Windows: delone.exe by mingw-w64, and the unit tests, run by Wine
+	tools/install_dependencies.sh test mingw
+	tools/build_mingw_packages.sh $(jobs)
+	cmake --preset mingw $(launcher)
+	cmake --build --preset mingw -j $(jobs)
+	ctest --preset mingw
+
 mpi:                  ## the tests of delone::mpi, at their full size, with 1, 2, 3 and 5 ranks
 	tools/install_dependencies.sh test mpi
 	cmake --preset test $(launcher) -DDELONE_BUILD_MPI=ON

@@ -18,6 +18,7 @@ clang=(clang)
 site=(python3-sphinx python3-myst-parser furo doxygen)
 browser=(chromium chromium-driver python3-selenium)
 packages=(debhelper dpkg-dev dh-python fakeroot lintian mmdebstrap libhdf5-dev pkgconf)
+mingw=(g++-mingw-w64-x86-64-posix wine wine64 dpkg-dev googletest)
 mpi=(libopenmpi-dev openmpi-bin python3 python3-numpy python3-mpi4py)
 
 wanted=()
@@ -31,6 +32,7 @@ for group in "${@:-build}"; do
     paper) wanted+=("${build[@]}" "${bench[@]}" "${paper[@]}") ;;
     lint) wanted+=("${build[@]}" "${lint[@]}") ;;
     clang) wanted+=("${build[@]}" "${clang[@]}") ;;
+    mingw) wanted+=("${build[@]}" "${mingw[@]}") ;;
     mpi) wanted+=("${build[@]}" "${mpi[@]}") ;;
     packages) wanted+=("${build[@]}" "${python[@]}" "${packages[@]}") ;;
     site) wanted+=("${build[@]}" "${python[@]}" "${site[@]}") ;;

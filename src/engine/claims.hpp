@@ -17,6 +17,7 @@
 // knows all that was written to it, or to its links, by those who held it before.
 #pragma once
 
+#include "base/compiler.hpp"
 #include "base/growable_array.hpp"
 #include "cells/cell_memory.hpp"
 
@@ -173,7 +174,7 @@ class Claims {
   /// Prefetches the bytes of a cell, unless they are in its record.
   [[gnu::always_inline]] void prefetch(Index cell) const {
     const ClaimTable::View bytes = table_.view();
-    if (bytes.are_apart) __builtin_prefetch(bytes.first + cell * bytes.stride, 1);
+    if (bytes.are_apart) delone::prefetch_for_writing(bytes.first + cell * bytes.stride);
   }
 
   /// Claims one cell that others may have, or that is no cell any more. Returns whether it was got.

@@ -12,6 +12,7 @@
 //   (2) e' = e for i = 0; otherwise the corner of i with bit 0 flipped, and bit ctz(i) flipped too if i is even;
 //   (3) δ' = δ + 1 + (0 for i = 0; ctz(i) for even i; the number of trailing ones of i for odd i)  (mod d).
 // So of i only the length of its last run of equal bits is kept, and e is overwritten by the corner.
+#include "base/compiler.hpp"
 #include "base/compiled_dimension.hpp"
 #include "base/parallel.hpp"
 #include "base/progress_meter.hpp"
@@ -290,8 +291,8 @@ void sort_by_cubes(const Position& start, PointsView points, std::span<Index> ro
     for (std::size_t i = first; i < last; ++i) {
       constexpr std::size_t ahead = 32;
       const double* next = point(std::min(i + ahead, size - 1));
-      __builtin_prefetch(next);
-      __builtin_prefetch(next + D - 1);  // often in the next cache line
+      delone::prefetch(next);
+      delone::prefetch(next + D - 1);  // often in the next cache line
       for (std::size_t j = 0; j < D; ++j) {
         const double x = point(i)[j];
         memory[i * D + j] = std::bit_cast<std::uint64_t>(x);

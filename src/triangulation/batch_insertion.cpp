@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "triangulation/batch_insertion.hpp"
 
+#include "base/compiler.hpp"
 #include "base/compiled_dimension.hpp"
 #include "base/parallel.hpp"
 
@@ -24,7 +25,7 @@ void append_in_order(std::span<const double> rows, std::size_t width, std::span<
     for (std::size_t first = 0; first < order.size(); first += most_in_block) {
       const std::size_t count = std::min(most_in_block, order.size() - first);
       for (std::size_t i = 0; i < count; ++i) {
-        __builtin_prefetch(rows.data() + order[std::min(first + i + ahead, order.size() - 1)] * w);
+        delone::prefetch(rows.data() + order[std::min(first + i + ahead, order.size() - 1)] * w);
         std::copy_n(rows.data() + order[first + i] * w, w, block.data() + i * w);
       }
       to.insert(to.end(), block.begin(), block.begin() + static_cast<std::ptrdiff_t>(count * w));
@@ -110,7 +111,7 @@ Index Triangulation::Impl::BatchInsertion::next() {
   if (place_ == order_.size()) return invalid_index;
   // Where to write vertices has no order of its own: it is prefetched long before its turn.
   constexpr std::size_t ahead = 64;
-  __builtin_prefetch(impl_.vertex_of_row.data() + row(std::min(place_ + ahead, order_.size() - 1)), 1);
+  delone::prefetch_for_writing(impl_.vertex_of_row.data() + row(std::min(place_ + ahead, order_.size() - 1)));
   const double* const from = point_at(place_++);
   VertexPoints& vertices = impl_.points;
   --vertices.num_waiting;
