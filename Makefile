@@ -10,7 +10,7 @@ python_of_build = $(shell sed -n 's/^_\?Python_EXECUTABLE:[A-Z]*=//p' build/rele
 python_with_plots = $(shell for p in python3 /usr/bin/python3; do $$p -c "import matplotlib, scipy" 2>/dev/null && echo $$p && break; done)
 sources = $(shell git ls-files --cached --others --exclude-standard '*.hpp' '*.cpp' '*.h' '*.c')
 
-.PHONY: build python wheel demo test test-release test-asan site matrix tsan without-tbb mpi bench paper docs lint format fuzz clean help
+.PHONY: build python wheel demo test test-release test-asan site matrix tsan without-tbb aarch64 s390x libcxx mpi bench paper docs lint format fuzz clean help
 
 help:                 ## this list
 	@sed -n 's/^\([a-z-]*\):.*## /\1\t/p' Makefile | expand -t 16
@@ -64,6 +64,26 @@ without-tbb:          ## unit tests and those of the command, of a build without
 	cmake --preset without-tbb $(launcher)
 	cmake --build --preset without-tbb -j $(jobs)
 	ctest --preset without-tbb
+
+aarch64:              ## unit tests and hashes of results, cross-compiled for 64-bit ARM and run by QEMU
+	tools/install_dependencies.sh build aarch64
+	tools/make_sysroot.sh arm64
+	cmake --preset aarch64 $(launcher)
+	cmake --build --preset aarch64 -j $(jobs)
+	ctest --preset aarch64
+
+s390x:                ## the same for s390x, which is big-endian
+	tools/install_dependencies.sh build s390x
+	tools/make_sysroot.sh s390x
+	cmake --preset s390x $(launcher)
+	cmake --build --preset s390x -j $(jobs)
+	ctest --preset s390x
+
+libcxx:               ## the same of clang with libc++, on this machine
+	tools/install_dependencies.sh build libcxx
+	cmake --preset libcxx $(launcher)
+	cmake --build --preset libcxx -j $(jobs)
+	ctest --preset libcxx
 
 mpi:                  ## the tests of delone::mpi, at their full size, with 1, 2, 3 and 5 ranks
 	tools/install_dependencies.sh test mpi

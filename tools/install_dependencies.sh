@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: BSD-3-Clause
-# Installs the packages that are missing on Debian and Ubuntu:  tools/install_dependencies.sh [build] [python] [test] [nightly] [bench] [paper] [lint] [clang] [mpi] [site]
+# Installs the packages that are missing on Debian and Ubuntu:  tools/install_dependencies.sh [build] [python] [test] [nightly] [bench] [paper] [lint] [clang] [mpi] [site] [aarch64] [s390x] [libcxx]
 # Does nothing if all are there. On other systems it prints what is needed and leaves the rest to you.
 set -euo pipefail
 
@@ -15,6 +15,9 @@ paper=(python3 python3-numpy python3-scipy python3-matplotlib libqhull-dev libte
 lint=(clang-format clang-tidy python3)
 clang=(clang)
 site=(python3-sphinx python3-myst-parser furo doxygen)
+aarch64=(g++-aarch64-linux-gnu qemu-user-static python3)
+s390x=(g++-s390x-linux-gnu qemu-user-static python3)
+libcxx=(clang libc++-dev libc++abi-dev googletest python3)
 mpi=(libopenmpi-dev openmpi-bin python3 python3-numpy python3-mpi4py)
 
 wanted=()
@@ -29,8 +32,11 @@ for group in "${@:-build}"; do
     lint) wanted+=("${build[@]}" "${lint[@]}") ;;
     clang) wanted+=("${build[@]}" "${clang[@]}") ;;
     mpi) wanted+=("${build[@]}" "${mpi[@]}") ;;
+    aarch64) wanted+=("${build[@]}" "${aarch64[@]}") ;;
+    s390x) wanted+=("${build[@]}" "${s390x[@]}") ;;
+    libcxx) wanted+=("${build[@]}" "${libcxx[@]}") ;;
     site) wanted+=("${build[@]}" "${python[@]}" "${site[@]}") ;;
-    *) echo "usage: $0 [build] [python] [test] [nightly] [bench] [paper] [lint] [clang] [mpi] [site]" >&2; exit 64 ;;
+    *) echo "usage: $0 [build] [python] [test] [nightly] [bench] [paper] [lint] [clang] [mpi] [site] [aarch64] [s390x] [libcxx]" >&2; exit 64 ;;
   esac
 done
 

@@ -276,7 +276,7 @@ void sort_by_cubes(const Position& start, PointsView points, std::span<Index> ro
   const std::size_t size = rows.size();
   // Holds the coordinates first, contiguous as they are read twice, and then the words to sort: memory that
   // is used twice has half of the page faults.
-  const auto memory = std::make_unique_for_overwrite<std::uint64_t[]>(D * size);
+  const std::unique_ptr<std::uint64_t[]> memory(new std::uint64_t[D * size]);
   const auto point = [&](std::size_t i) { return points.data() + std::size_t{rows[i]} * D; };
   std::array<double, D> low, high, scale;
   std::copy_n(point(0), D, low.begin());
@@ -327,7 +327,7 @@ void sort_by_cubes(const Position& start, PointsView points, std::span<Index> ro
   if (threads == 1) {
     for (std::size_t i = 0; i < size; ++i) words[i] = word(i);
   } else {
-    apart = std::make_unique_for_overwrite<std::uint64_t[]>(size);
+    apart.reset(new std::uint64_t[size]);
     words = apart.get();
     other = memory.get();
     internal::parallel_for(threads, size, part, [&](std::size_t first, std::size_t last) {
