@@ -13,7 +13,7 @@ sources = $(shell git ls-files --cached --others --exclude-standard '*.hpp' '*.c
 .PHONY: build python wheel demo test test-release test-asan site matrix tsan without-tbb aarch64 s390x libcxx mpi bench paper docs lint format fuzz clean help
 
 help:                 ## this list
-	@sed -n 's/^\([a-z-]*\):.*## /\1\t/p' Makefile | expand -t 16
+	@sed -n 's/^\([a-z0-9-]*\):.*## /\1\t/p' Makefile | expand -t 16
 
 build:                ## the command, at build/release/delone, and the library
 	tools/install_dependencies.sh build
