@@ -15,7 +15,7 @@ sources = $(shell git ls-files --cached --others --exclude-standard '*.hpp' '*.c
 .PHONY: $(shell sed -n 's/^\([a-z0-9-]*\):.*\#\# .*/\1/p' Makefile)
 
 help:                 ## this list
-	@sed -n 's/^\([a-z-]*\):.*## /\1\t/p' Makefile | expand -t 16
+	@sed -n 's/^\([a-z0-9-]*\):.*## /\1\t/p' Makefile | expand -t 16
 
 build:                ## the command, at build/release/delone, and the library
 	tools/install_dependencies.sh build
@@ -86,6 +86,26 @@ mingw:                ## for Windows: delone.exe by mingw-w64, and the unit test
 	cmake --preset mingw $(launcher)
 	cmake --build --preset mingw -j $(jobs)
 	ctest --preset mingw
+
+aarch64:              ## unit tests and hashes of results, cross-compiled for 64-bit ARM and run by QEMU
+	tools/install_dependencies.sh build aarch64
+	tools/make_sysroot.sh arm64
+	cmake --preset aarch64 $(launcher)
+	cmake --build --preset aarch64 -j $(jobs)
+	ctest --preset aarch64
+
+s390x:                ## the same for s390x, which is big-endian
+	tools/install_dependencies.sh build s390x
+	tools/make_sysroot.sh s390x
+	cmake --preset s390x $(launcher)
+	cmake --build --preset s390x -j $(jobs)
+	ctest --preset s390x
+
+libcxx:               ## the same of clang with libc++, on this machine
+	tools/install_dependencies.sh build libcxx
+	cmake --preset libcxx $(launcher)
+	cmake --build --preset libcxx -j $(jobs)
+	ctest --preset libcxx
 
 mpi:                  ## the tests of delone::mpi, at their full size, with 1, 2, 3 and 5 ranks
 	tools/install_dependencies.sh test mpi

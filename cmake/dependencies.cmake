@@ -2,7 +2,7 @@
 # The libraries that delone is made of: those that are installed, or built from pinned sources into the library itself.
 # DELONE_FETCH_DEPENDENCIES says which (cmake/options.cmake). To build without a network, unpack the sources and name their folders:
 # FETCHCONTENT_SOURCE_DIR_DELONE_HIGHWAY, …_FMT, …_TBB, …_JSON, …_FAST_FLOAT, …_CLI11, …_MULTIPRECISION, …_BOOST_CONFIG.
-# Offers hwy::hwy, fmt::fmt, nlohmann_json::nlohmann_json, CLI11::CLI11, TBB::tbb, Boost_INCLUDE_DIRS and DELONE_FAST_FLOAT_INCLUDE.
+# Offers hwy::hwy, DELONE_FMT, nlohmann_json::nlohmann_json, CLI11::CLI11, TBB::tbb, Boost_INCLUDE_DIRS and DELONE_FAST_FLOAT_INCLUDE.
 include(FetchContent)
 
 set(delone_fetched_libraries "")  # those that a static library of delone needs beside it: installed with it
@@ -94,6 +94,12 @@ if(fetch)
     5dea48d1fcddc3ec571ce2058e13910a0d4a6bab4cc09a809d8b1dd1c88ae6f2)
   delone_static(delone_fmt fmt::fmt ${delone_fmt_SOURCE_DIR}/include ${delone_fmt_SOURCE_DIR}/src/format.cc)
   list(APPEND delone_fetched_libraries delone_fmt)
+endif()
+
+# As headers fmt takes half of the compile time of every file that formats one message.
+set(DELONE_FMT fmt::fmt)
+if(DELONE_HEADER_ONLY_FMT)
+  set(DELONE_FMT fmt::fmt-header-only)
 endif()
 
 delone_needs_fetching(fetch "${nlohmann_json_FOUND}")

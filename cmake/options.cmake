@@ -28,6 +28,8 @@ set(DELONE_BUILD_MPI ${delone_build_mpi} CACHE STRING
 set_property(CACHE DELONE_BUILD_MPI PROPERTY STRINGS AUTO ON OFF)
 set(DELONE_LARGEST_COMPILED_DIMENSION 8 CACHE STRING
   "Engines are compiled for 1 … this dimension (8 at most); larger ones use the engine whose dimension is a variable")
+option(DELONE_HEADER_ONLY_FMT "Use fmt as headers only: where its library was built with another C++ standard library" OFF)
+set(DELONE_GOOGLETEST "" CACHE PATH "Sources of GoogleTest, to be built with the tests; if not given, the library that is installed is used")
 set(DELONE_SANITIZE "" CACHE STRING "Sanitizers for -fsanitize=, for example address,undefined")
 
 if(NOT DELONE_LARGEST_COMPILED_DIMENSION MATCHES "^[1-8]$")

@@ -19,6 +19,9 @@ site=(python3-sphinx python3-myst-parser furo doxygen)
 browser=(chromium chromium-driver python3-selenium)
 packages=(debhelper dpkg-dev dh-python fakeroot lintian mmdebstrap libhdf5-dev pkgconf)
 mingw=(g++-mingw-w64-x86-64-posix wine wine64 dpkg-dev googletest)
+aarch64=(g++-aarch64-linux-gnu qemu-user-static python3)
+s390x=(g++-s390x-linux-gnu qemu-user-static python3)
+libcxx=(clang libc++-dev libc++abi-dev googletest python3)
 mpi=(libopenmpi-dev openmpi-bin python3 python3-numpy python3-mpi4py)
 
 wanted=()
@@ -34,10 +37,13 @@ for group in "${@:-build}"; do
     clang) wanted+=("${build[@]}" "${clang[@]}") ;;
     mingw) wanted+=("${build[@]}" "${mingw[@]}") ;;
     mpi) wanted+=("${build[@]}" "${mpi[@]}") ;;
-    packages) wanted+=("${build[@]}" "${python[@]}" "${packages[@]}") ;;
+    aarch64) wanted+=("${build[@]}" "${aarch64[@]}") ;;
+    s390x) wanted+=("${build[@]}" "${s390x[@]}") ;;
+    libcxx) wanted+=("${build[@]}" "${libcxx[@]}") ;;
     site) wanted+=("${build[@]}" "${python[@]}" "${site[@]}") ;;
+    packages) wanted+=("${build[@]}" "${python[@]}" "${packages[@]}") ;;
     browser) wanted+=("${browser[@]}") ;;
-    *) echo "usage: $0 [GROUP ...]; the groups are the lists of this script: $(sed -n 's/^\([a-z]*\)=(.*/\1/p' "$0" | grep -vx wanted | xargs)" >&2; exit 64 ;;
+    *) echo "usage: $0 [GROUP ...]; the groups are the lists of this script: $(sed -n 's/^\([a-z0-9]*\)=([^)].*/\1/p' "$0" | xargs)" >&2; exit 64 ;;
   esac
 done
 

@@ -17,6 +17,7 @@
 // knows all that was written to it, or to its links, by those who held it before.
 #pragma once
 
+#include "base/atomic_ref.hpp"
 #include "base/compiler.hpp"
 #include "base/growable_array.hpp"
 #include "cells/cell_memory.hpp"
@@ -81,8 +82,8 @@ class ClaimTable {
     std::uint8_t* first;
     std::size_t stride;
     bool are_apart;  ///< from the records of cells
-    std::atomic_ref<std::uint8_t> of(Index cell, unsigned worker) const {
-      return std::atomic_ref<std::uint8_t>(first[cell * stride + worker]);
+    internal::AtomicRef<std::uint8_t> of(Index cell, unsigned worker) const {
+      return internal::AtomicRef<std::uint8_t>(first[cell * stride + worker]);
     }
   };
   View view() const { return view_; }
