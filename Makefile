@@ -8,12 +8,14 @@ jobs := $(shell nproc)
 launcher := $(if $(shell command -v ccache),-DCMAKE_CXX_COMPILER_LAUNCHER=ccache)
 python_of_build = $(shell sed -n 's/^_\?Python_EXECUTABLE:[A-Z]*=//p' build/release/CMakeCache.txt | head -n 1)
 python_with_plots = $(shell for p in python3 /usr/bin/python3; do $$p -c "import matplotlib, scipy" 2>/dev/null && echo $$p && break; done)
+version = $(shell sed -n 's/^project.delone VERSION \([0-9.]*\).*/\1/p' CMakeLists.txt)
 sources = $(shell git ls-files --cached --others --exclude-standard '*.hpp' '*.cpp' '*.h' '*.c')
 
-.PHONY: build python wheel demo test test-release test-asan site matrix tsan without-tbb mpi packages bench paper docs lint format fuzz clean help
+# Every target with a description.
+.PHONY: $(shell sed -n 's/^\([a-z0-9-]*\):.*\#\# .*/\1/p' Makefile)
 
 help:                 ## this list
-	@sed -n 's/^\([a-z-]*\):.*## /\1\t/p' Makefile | expand -t 16
+	@sed -n 's/^\([a-z0-9-]*\):.*## /\1\t/p' Makefile | expand -t 16
 
 build:                ## the command, at build/release/delone, and the library
 	tools/install_dependencies.sh build
@@ -25,8 +27,14 @@ python:               ## the Python module: PYTHONPATH=build/release/python
 	cmake --preset release $(launcher) -DDELONE_BUILD_PYTHON=ON >/dev/null
 	cmake --build --preset release -j $(jobs)
 
-wheel: python         ## a wheel, in build/wheels
+wheel: python         ## a wheel that stands alone, in build/wheels
 	DELONE_BUILD_DIR=build/release $(python_of_build) -m pip wheel --no-build-isolation --no-deps --no-index -w build/wheels .
+	@echo "The wheel: $$(ls -t build/wheels/delone-*.whl | head -n 1)"
+
+wheels:               ## a source distribution, a wheel that is compiled from it, the tests of Python with that in a new environment
+	tools/install_dependencies.sh test
+	for p in python3 /usr/bin/python3; do if $$p -c "import numpy, pytest, hypothesis, wheel" 2>/dev/null; then \
+	  exec $$p -B tests/python/check_wheel.py --full $(version) --wheels build/wheels; fi; done; exit 1
 
 demo: build           ## three real data sets: triangulated, checked, drawn
 	tools/demo.sh build/release build/demo
@@ -51,9 +59,10 @@ fuzz:                 ## every fuzz target for five minutes, with the sanitizers
 	cmake --build --preset fuzz -j $(jobs)
 	ctest --preset fuzz
 
-matrix: tsan without-tbb mpi  ## builds of other kinds, with their tests: hours
+matrix:               ## builds of other kinds, with their tests, and a table of what passed: an hour; KINDS="tsan mpi": some of them
+	tools/matrix.py $(KINDS)
 
-tsan:                 ## unit, property and fuzz tests with clang's ThreadSanitizer
+tsan:                 ## the tests with threads, with clang's ThreadSanitizer
 	tools/install_dependencies.sh test clang
 	cmake --preset tsan $(launcher)
 	cmake --build --preset tsan -j $(jobs)
@@ -64,6 +73,39 @@ without-tbb:          ## unit tests and those of the command, of a build without
 	cmake --preset without-tbb $(launcher)
 	cmake --build --preset without-tbb -j $(jobs)
 	ctest --preset without-tbb
+
+portable:             ## unit tests and those of the command, of a build without compiler extensions and system calls; same hashes
+	tools/install_dependencies.sh test
+	cmake --preset portable $(launcher)
+	cmake --build --preset portable -j $(jobs)
+	ctest --preset portable
+
+mingw:                ## for Windows: delone.exe by mingw-w64, and the unit tests, run by Wine
+	tools/install_dependencies.sh test mingw
+	tools/build_mingw_packages.sh $(jobs)
+	cmake --preset mingw $(launcher)
+	cmake --build --preset mingw -j $(jobs)
+	ctest --preset mingw
+
+aarch64:              ## unit tests and hashes of results, cross-compiled for 64-bit ARM and run by QEMU
+	tools/install_dependencies.sh build aarch64
+	tools/make_sysroot.sh arm64
+	cmake --preset aarch64 $(launcher)
+	cmake --build --preset aarch64 -j $(jobs)
+	ctest --preset aarch64
+
+s390x:                ## the same for s390x, which is big-endian
+	tools/install_dependencies.sh build s390x
+	tools/make_sysroot.sh s390x
+	cmake --preset s390x $(launcher)
+	cmake --build --preset s390x -j $(jobs)
+	ctest --preset s390x
+
+libcxx:               ## the same of clang with libc++, on this machine
+	tools/install_dependencies.sh build libcxx
+	cmake --preset libcxx $(launcher)
+	cmake --build --preset libcxx -j $(jobs)
+	ctest --preset libcxx
 
 mpi:                  ## the tests of delone::mpi, at their full size, with 1, 2, 3 and 5 ranks
 	tools/install_dependencies.sh test mpi
@@ -92,6 +134,10 @@ site: python          ## the documentation site, in build/site: pages, reference
 
 docs: python          ## run the programs and commands of the documentation, follow its links
 	tools/check_docs.py build/release --python $(python_of_build)
+
+browser: site         ## the site in Chromium, as on a phone
+	tools/install_dependencies.sh browser
+	SITE=build/site /usr/bin/python3 -B tests/site/test_in_browser.py
 
 lint:                 ## formatting, layering, prose, clang-tidy
 	tools/install_dependencies.sh lint test

@@ -5,7 +5,14 @@
     pip install --no-build-isolation .                            uses those that are installed
     DELONE_BUILD_DIR=build/release pip install --no-build-isolation .    takes the module from a build tree that has it
 
-Arguments for CMake: DELONE_CMAKE_ARGS, for example "-DDELONE_LARGEST_COMPILED_DIMENSION=6". The compiler's jobs: CMAKE_BUILD_PARALLEL_LEVEL.
+A wheel stands alone: libraries that not every system has are built in, or are put beside the module; its name says which Linux it
+needs (tools/platform_tag.py). Variables of the environment:
+
+    DELONE_CMAKE_ARGS             arguments for CMake, for example "-DDELONE_LARGEST_COMPILED_DIMENSION=6". Libraries that are not installed
+                                  are fetched; "-DDELONE_FETCH_DEPENDENCIES=ALL" builds all from sources, OFF fetches none
+    DELONE_SYSTEM_LIBRARIES=1     the module uses the system's libraries where they are, for packages of a distribution: the wheel has none,
+                                  its name claims nothing, and nothing is fetched
+    CMAKE_BUILD_PARALLEL_LEVEL    jobs of the compiler
 """
 import os
 import pathlib
@@ -18,8 +25,20 @@ import sys
 from setuptools import Extension, setup
 from setuptools.command.build_ext import build_ext
 
+try:
+    from setuptools.command.bdist_wheel import bdist_wheel
+except ImportError:  # before setuptools 70.1
+    try:
+        from wheel.bdist_wheel import bdist_wheel
+    except ImportError:  # what makes no wheel does not need it
+        bdist_wheel = object
+
 ROOT = pathlib.Path(__file__).resolve().parent
 SCRATCH = ROOT / "build" / "wheel"  # what setuptools leaves behind goes where everything built goes
+SYSTEM_LIBRARIES = os.environ.get("DELONE_SYSTEM_LIBRARIES", "0") not in ("", "0")
+
+sys.path.insert(0, str(ROOT / "tools"))
+import platform_tag  # noqa: E402
 
 
 def version():
@@ -38,21 +57,31 @@ class CMakeBuild(build_ext):
         build = pathlib.Path(build).resolve() if build else self.configure_and_build()
         prefix = pathlib.Path(self.build_temp).resolve() / "install"
         shutil.rmtree(prefix, ignore_errors=True)
-        subprocess.run(["cmake", "--install", str(build), "--component", "python", "--prefix", str(prefix)], check=True)
+        component = "python" if SYSTEM_LIBRARIES else "wheel"
+        subprocess.run(["cmake", "--install", str(build), "--component", component, "--prefix", str(prefix)], check=True)
         name = pathlib.Path(self.get_ext_filename(extension.name)).name
         found = list(prefix.rglob(name))
         if not found:
-            sys.exit(f"setup.py: {build} has no {name}; it was built for another Python, or without DELONE_BUILD_PYTHON")
-        target = pathlib.Path(self.get_ext_fullpath(extension.name))
-        target.parent.mkdir(parents=True, exist_ok=True)
+            sys.exit(f"setup.py: {build} has no {name}; it was built for another Python, without DELONE_BUILD_PYTHON, or as a shared library")
+        target = pathlib.Path(self.get_ext_fullpath(extension.name)).parent
+        target.mkdir(parents=True, exist_ok=True)
+        for old in target.glob("*.so*"):  # of a build with other libraries
+            old.unlink()
         shutil.copy2(found[0], target)
-        for library in prefix.rglob("libtbb.so*"):  # what the module needs beside it
-            shutil.copy2(library, target.parent)
+        # The libraries beside it, each by the name that the module asks for, which may be that of a link.
+        libraries = [path for path in prefix.rglob("*.so*") if path != found[0]]
+        named = {path.resolve() for path in libraries if path.is_symlink()}
+        for library in libraries:
+            if library not in named:
+                shutil.copy2(library, target / library.name)
 
     def configure_and_build(self):
         build = pathlib.Path(self.build_temp).resolve() / "cmake"
-        configure = ["cmake", "-S", str(ROOT), "-B", str(build), "-DCMAKE_BUILD_TYPE=Release", "-DDELONE_BUILD_PYTHON=ON",
-                     "-DDELONE_BUILD_CLI=OFF", "-DDELONE_BUILD_MPI=OFF", f"-DPython_EXECUTABLE={sys.executable}"]
+        configure = ["cmake", "-S", str(ROOT), "-B", str(build), "-DCMAKE_BUILD_TYPE=Release", "-DDELONE_BUILD_PYTHON=ON", "-DBUILD_SHARED_LIBS=OFF",
+                     "-DDELONE_BUILD_CLI=OFF", "-DDELONE_BUILD_C=OFF", "-DDELONE_BUILD_MPI=OFF", "-DDELONE_INSTALL=OFF",
+                     f"-DPython_EXECUTABLE={sys.executable}"]
+        if not SYSTEM_LIBRARIES:
+            configure += ["-DDELONE_FETCH_DEPENDENCIES=MISSING", "-DDELONE_WITH_HDF5=OFF"]
         if shutil.which("ninja"):
             configure += ["-G", "Ninja"]
         if shutil.which("ccache"):
@@ -64,8 +93,22 @@ class CMakeBuild(build_ext):
             pass  # CMake looks for a system-wide one
         subprocess.run(configure + shlex.split(os.environ.get("DELONE_CMAKE_ARGS", "")), check=True)
         jobs = [] if "CMAKE_BUILD_PARALLEL_LEVEL" in os.environ else ["--parallel", str(os.cpu_count() or 1)]
-        subprocess.run(["cmake", "--build", str(build), "--target", "delone_python", *jobs], check=True)
+        target = "delone_python" if SYSTEM_LIBRARIES else "delone_wheel"
+        subprocess.run(["cmake", "--build", str(build), "--target", target, *jobs], check=True)
         return build
+
+
+class TaggedWheel(bdist_wheel):
+    """A wheel for Linux is named by what its libraries need, if no --plat-name is given."""
+
+    def get_tag(self):
+        python, abi, system = super().get_tag()
+        libraries = sorted(pathlib.Path(self.bdist_dir).rglob("*.so*"))
+        if libraries and system.startswith("linux_") and not self.plat_name_supplied and not SYSTEM_LIBRARIES:
+            system, why = platform_tag.tag(libraries, system.partition("_")[2])
+            if why:
+                print(f"setup.py: this wheel is for systems like this one: {why}", file=sys.stderr)
+        return python, abi, system
 
 
 SCRATCH.mkdir(parents=True, exist_ok=True)
@@ -73,6 +116,6 @@ os.chdir(ROOT)
 setup(
     version=version(),
     ext_modules=[Extension("delone._core", sources=[])],
-    cmdclass={"build_ext": CMakeBuild},
+    cmdclass={"build_ext": CMakeBuild, **({} if bdist_wheel is object else {"bdist_wheel": TaggedWheel})},
     options={"build": {"build_base": "build/wheel"}, "egg_info": {"egg_base": "build/wheel"}},
 )

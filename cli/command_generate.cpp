@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // delone generate: named point sets, the same bits for the same arguments.
 #include "command.hpp"
+#include "numbers.hpp"
 #include "output.hpp"
-#include "whole_numbers.hpp"
 
 #include <fmt/format.h>
 

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // delone halfspaces: inequalities in, the polyhedron that they describe out.
 #include "interrupt.hpp"
+#include "numbers.hpp"
 #include "report.hpp"
 
 #include <fmt/format.h>
 
-#include <charconv>
 #include <limits>
 #include <memory>
 #include <optional>
@@ -25,10 +25,9 @@ std::optional<std::vector<double>> numbers_in(std::string_view text) {
   std::vector<double> numbers;
   for (;;) {
     const std::string_view field = text.substr(0, text.find(','));
-    double value = 0;
-    const auto [end, error] = std::from_chars(field.data(), field.data() + field.size(), value);
-    if (error != std::errc() || end != field.data() + field.size()) return std::nullopt;
-    numbers.push_back(value);
+    const std::optional<double> value = parse_real(field);
+    if (!value) return std::nullopt;
+    numbers.push_back(*value);
     if (field.size() == text.size()) return numbers;
     text.remove_prefix(field.size() + 1);
   }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "cost.hpp"
 
-#include <sys/resource.h>
+#include "system.hpp"
 
 namespace delone::cli {
 
@@ -11,13 +11,7 @@ double seconds_since(Clock::time_point start) {
 
 void Cost::close(Clock::time_point start) {
   total = seconds_since(start);
-  rusage usage{};
-  getrusage(RUSAGE_SELF, &usage);
-#ifdef __APPLE__
-  peak_rss_bytes = static_cast<std::size_t>(usage.ru_maxrss);
-#else
-  peak_rss_bytes = static_cast<std::size_t>(usage.ru_maxrss) * 1024;
-#endif
+  peak_rss_bytes = system::peak_memory();
 }
 
 }  // namespace delone::cli

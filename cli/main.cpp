@@ -5,12 +5,9 @@
 #include "interrupt.hpp"
 #include "memory_limit.hpp"
 #include "output.hpp"
+#include "system.hpp"
 
 #include <fmt/format.h>
-
-#ifdef __GLIBC__
-#include <malloc.h>
-#endif
 
 #include <cstdio>
 #include <exception>
@@ -65,6 +62,7 @@ int run(int argc, char** argv) {
   app.set_version_flag("--version", "delone " DELONE_VERSION);
   app.set_help_flag("-h,--help", "Print this help and exit");
   app.get_formatter()->column_width(34);
+  app.allow_windows_style_options(false);  // a path may begin with a slash there too
   app.require_subcommand(1);
   std::vector<std::pair<CLI::App*, Run>> commands;
   const auto add = [&](const char* name, const char* description, Run (*setup)(CLI::App&)) {
@@ -126,19 +124,11 @@ int run_and_report(int argc, char** argv) {
   }
 }
 
-/// Returns large blocks, such as the contents of files, to the system as soon as they are freed. By default
-/// glibc raises the threshold for this with the first large blocks and keeps later ones.
-void return_large_blocks() {
-#ifdef __GLIBC__
-  mallopt(M_MMAP_THRESHOLD, 1 << 20);
-#endif
-}
-
 }  // namespace
 }  // namespace delone::cli
 
 int main(int argc, char** argv) {
-  delone::cli::return_large_blocks();
+  delone::cli::system::prepare_process();
   delone::cli::install_interrupt_handlers();
   return delone::cli::run_and_report(argc, argv);
 }

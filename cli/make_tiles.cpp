@@ -4,13 +4,12 @@
 #include "cost.hpp"
 #include "interrupt.hpp"
 #include "report.hpp"
+#include "system.hpp"
 #include "tiles_folder.hpp"
 
 #include <delone/tiles.hpp>
 
 #include <fmt/format.h>
-
-#include <unistd.h>
 
 #include <algorithm>
 #include <array>
@@ -62,8 +61,8 @@ void check_folder(const std::string& folder) {
   int why = 0;
   if (!fs::is_directory(above, error))
     why = ENOTDIR;
-  else if (access(above.c_str(), W_OK | X_OK) != 0)
-    why = errno;
+  else
+    why = system::why_not_writable_folder(above.string());
   if (why != 0)
     throw Error(Errc::cannot_write, output_name(folder) + ": " + std::generic_category().message(why));
 }

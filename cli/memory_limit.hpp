@@ -12,8 +12,8 @@ namespace delone::cli {
 
 /// While it lives, the resident memory of the process stays within a limit. Progress callbacks ask
 /// memory_suffices(), so that work ends some megabytes below the limit. What may still be allocated is
-/// limited at the same time (RLIMIT_DATA) to what is left, so that no array between two such calls goes
-/// beyond it. Systems without that, or without /proc, have no limit.
+/// limited at the same time (RLIMIT_DATA, or by a job of Windows) to what is left, so that no array between
+/// two such calls goes beyond it. Systems that do not tell their memory have no limit.
 class MemoryLimit {
  public:
   /// 0: none.

@@ -4,10 +4,9 @@
 
 #include "command.hpp"
 #include "interrupt.hpp"
+#include "system.hpp"
 
 #include <fmt/format.h>
-#include <sys/stat.h>
-#include <unistd.h>
 
 #include <cerrno>
 #include <cstdio>
@@ -77,36 +76,36 @@ void check_writable(const std::string& path) {
   const std::string name = output_name(path);
   if (fs::is_directory(status)) fail_writing(name, EISDIR);
   if (fs::exists(status)) {
-    if (access(path.c_str(), W_OK) != 0) fail_writing(name, errno);
+    if (const int error = system::why_not_writable(path); error != 0) fail_writing(name, error);
     if (!fs::is_regular_file(status)) return;
   }
   const fs::path folder = fs::path(write_target(path)).parent_path();
-  if (access(folder.empty() ? "." : folder.c_str(), W_OK | X_OK) != 0) fail_writing(name, errno);
+  const int error = system::why_not_writable_folder(folder.empty() ? "." : folder.string());
+  if (error != 0) fail_writing(name, error);
 }
 
 namespace {
 
-/// A regular file by its numbers, or one that is not there yet by the path at which it will be.
+/// A regular file by its numbers, or one without numbers by its path: one that is not there yet, for example.
 struct Place {
-  bool exists = false;
-  dev_t device = 0;
-  ino_t number = 0;
+  std::optional<system::FileNumber> number;
   fs::path path;
+  bool exists = false;
   friend bool operator==(const Place&, const Place&) = default;
 };
 
-/// Nothing for pipes and devices. "-" is what the standard stream of that number is connected to.
-std::optional<Place> place_of(const std::string& path, int standard_stream) {
-  struct stat status {};
-  if ((path == "-" ? fstat(standard_stream, &status) : stat(path.c_str(), &status)) == 0) {
-    if (!S_ISREG(status.st_mode)) return std::nullopt;
-    return Place{true, status.st_dev, status.st_ino, {}};
-  }
+/// Nothing for pipes and devices. "-" is what the standard stream is connected to.
+std::optional<Place> place_of(const std::string& path, system::StandardStream stream) {
+  const system::FoundFile found = path == "-" ? system::find_file(stream) : system::find_file(path);
+  if (found.number) return Place{found.number, {}, true};
+  if (found.exists || path == "-") return std::nullopt;
   std::error_code error;
   const fs::path target = fs::absolute(write_target(path), error);
   const fs::path where = error ? fs::path() : fs::weakly_canonical(target, error);
-  if (path == "-" || error) return std::nullopt;
-  return Place{false, 0, 0, where};
+  if (error) return std::nullopt;
+  const fs::file_status status = fs::status(where, error);
+  if (fs::exists(status) && !fs::is_regular_file(status)) return std::nullopt;
+  return Place{std::nullopt, where, fs::is_regular_file(status)};
 }
 
 }  // namespace
@@ -115,16 +114,16 @@ void protect_files(const std::vector<std::string>& inputs, const std::vector<Out
                    std::optional<bool> force) {
   for (auto output = outputs.begin(); output != outputs.end(); ++output) {
     if (output->path.empty()) continue;
-    const std::optional<Place> place = place_of(output->path, STDOUT_FILENO);
+    const std::optional<Place> place = place_of(output->path, system::StandardStream::output);
     for (const std::string& input : inputs)
       if (!force.value_or(false) && place && place->exists && !input.empty() &&
-          place == place_of(input, STDIN_FILENO))
+          place == place_of(input, system::StandardStream::input))
         throw UsageError(fmt::format("{} is also an input{}", output_name(output->path),
                                      force ? "; --force overwrites it" : ""));
     for (auto other = outputs.begin(); other != output; ++other) {
       if (other->path == "-" && output->path == "-")
         throw UsageError(fmt::format("{} and {} both want standard output", other->name, output->name));
-      if (place && !other->path.empty() && place == place_of(other->path, STDOUT_FILENO))
+      if (place && !other->path.empty() && place == place_of(other->path, system::StandardStream::output))
         throw UsageError(
             fmt::format("{} and {} are one file: {}", other->name, output->name, output_name(output->path)));
     }

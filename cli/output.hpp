@@ -5,6 +5,7 @@
 
 #include "command.hpp"
 #include "interrupt.hpp"
+#include "system.hpp"
 
 #include <delone/delone.hpp>
 
@@ -66,11 +67,12 @@ void check_writable(const std::string& path);
 template <class WriteNothing>
 void check_output(const std::string& path, const std::string& format, WriteNothing write_nothing) {
   const std::string chosen = chosen_format(path, format);
+  const std::string nowhere = system::null_device();
   try {
-    write_nothing("/dev/null", chosen);
+    write_nothing(nowhere, chosen);
   } catch (const Error& e) {
     std::string message = e.what();
-    if (message.rfind("/dev/null", 0) == 0) message.replace(0, 9, output_name(path));
+    if (message.rfind(nowhere, 0) == 0) message.replace(0, nowhere.size(), output_name(path));
     throw Error(e.code(), message);
   }
   check_writable(path);

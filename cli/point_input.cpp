@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The options that say how to read points, and the formats by name.
 #include "command.hpp"
-#include "whole_numbers.hpp"
+#include "numbers.hpp"
 
 #include <algorithm>
 #include <charconv>

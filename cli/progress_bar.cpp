@@ -5,9 +5,9 @@
 #include "interrupt.hpp"
 #include "memory_limit.hpp"
 #include "output.hpp"
+#include "system.hpp"
 
 #include <fmt/format.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <string>
@@ -15,7 +15,7 @@
 namespace delone::cli {
 
 ProgressBar::ProgressBar(bool quiet)
-    : enabled_(!quiet && isatty(STDERR_FILENO) == 1), start_(Clock::now()), last_(start_) {}
+    : enabled_(!quiet && system::is_terminal()), start_(Clock::now()), last_(start_) {}
 
 std::function<bool(double)> ProgressBar::callback() {
   return [this](double fraction) {

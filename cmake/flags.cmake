@@ -3,9 +3,22 @@
 # Filters are proved for IEEE binary64 with round to nearest, each operation rounded by itself: no contraction, no fast-math.
 add_library(delone_flags INTERFACE)
 target_compile_features(delone_flags INTERFACE cxx_std_20)
-target_compile_options(delone_flags INTERFACE -ffp-contract=off -fno-fast-math -Wall -Wextra -Wpedantic -Wshadow)
+if(MSVC)
+  # /fp:precise is that contract, if nothing contracts: without /arch:AVX2 or later it does not. Pragmas and attributes of other
+  # compilers (4068, 5030) are meant to be ignored.
+  target_compile_options(delone_flags INTERFACE /fp:precise /W4 /utf-8 /bigobj /EHsc /Zc:__cplusplus /Zc:preprocessor /wd4068 /wd5030)
+  target_compile_definitions(delone_flags INTERFACE NOMINMAX _CRT_SECURE_NO_WARNINGS)
+else()
+  # Without -ffp-contract=off, GCC and Clang merge a product and a sum into one operation with one rounding where the processor has it.
+  target_compile_options(delone_flags INTERFACE -ffp-contract=off -fno-fast-math -Wall -Wextra -Wpedantic -Wshadow)
+endif()
+if(MINGW)
+  # GCC does not align AVX registers that it saves on the stack of Windows (https://gcc.gnu.org/bugzilla/show_bug.cgi?id=54412): the
+  # assembler replaces moves that need it. The format of object files has too few sections for templates without -mbig-obj.
+  target_compile_options(delone_flags INTERFACE -Wa,-muse-unaligned-vector-move -Wa,-mbig-obj)
+endif()
 if(DELONE_WERROR)
-  target_compile_options(delone_flags INTERFACE -Werror)
+  target_compile_options(delone_flags INTERFACE $<IF:$<CXX_COMPILER_ID:MSVC>,/WX,-Werror>)
 endif()
 if(DELONE_SANITIZE)
   target_compile_options(delone_flags INTERFACE -fsanitize=${DELONE_SANITIZE} -fno-sanitize-recover=all -fno-omit-frame-pointer)

@@ -1,13 +1,14 @@
 # SPDX-License-Identifier: BSD-3-Clause
 # Install rules: the library with its public headers, the command, and a CMake package that offers delone::delone, delone::c if it was built; and delone::mpi
 # with its header and command, if it was built.
-# The library's dependencies are private; users of a static library need what it links: Highway, fmt, oneTBB and HDF5.
+# The library's dependencies are private; users of a static library need what it links: Highway, fmt, oneTBB and HDF5. Those that were
+# built from sources are installed with it.
 include(GNUInstallDirs)
 include(CMakePackageConfigHelpers)
 
 set(delone_package_dir ${CMAKE_INSTALL_LIBDIR}/cmake/delone)
 
-install(TARGETS delone EXPORT delone-targets
+install(TARGETS delone ${delone_fetched_libraries} EXPORT delone-targets
   ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR}
   LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR}
   RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR}

@@ -2,6 +2,7 @@
 # Options of the build. A parent project that adds this one by add_subdirectory gets the library only.
 option(DELONE_64BIT_IDS "Use 64-bit ids for vertices and cells" OFF)
 option(DELONE_HARDENED "Check ids that are passed to the library: those out of range throw delone::Error" OFF)
+option(DELONE_PORTABLE "Standard C++ only: none of the extensions of GNU compilers, no calls of an operating system. Slower; same results" OFF)
 option(DELONE_BUILD_CLI "Build the command `delone`" ${PROJECT_IS_TOP_LEVEL})
 option(DELONE_BUILD_C "Build the C interface, a shared library" ${PROJECT_IS_TOP_LEVEL})
 option(DELONE_BUILD_PYTHON "Build the Python module `delone` (needs pybind11, and a Python with NumPy)" OFF)
@@ -15,6 +16,9 @@ set(DELONE_WITH_TBB AUTO CACHE STRING "Threads, by oneTBB: ON, OFF, or AUTO: if 
 set_property(CACHE DELONE_WITH_TBB PROPERTY STRINGS AUTO ON OFF)
 set(DELONE_WITH_HDF5 AUTO CACHE STRING "HDF5 files of tiles: ON, OFF, or AUTO: if its C library is found")
 set_property(CACHE DELONE_WITH_HDF5 PROPERTY STRINGS AUTO ON OFF)
+set(DELONE_FETCH_DEPENDENCIES OFF CACHE STRING
+  "Build libraries that delone needs from pinned sources: OFF: all must be installed, MISSING: those that are not found, ALL")
+set_property(CACHE DELONE_FETCH_DEPENDENCIES PROPERTY STRINGS OFF MISSING ALL)
 set(delone_build_mpi OFF)
 if(PROJECT_IS_TOP_LEVEL)
   set(delone_build_mpi AUTO)
@@ -24,13 +28,18 @@ set(DELONE_BUILD_MPI ${delone_build_mpi} CACHE STRING
 set_property(CACHE DELONE_BUILD_MPI PROPERTY STRINGS AUTO ON OFF)
 set(DELONE_LARGEST_COMPILED_DIMENSION 8 CACHE STRING
   "Engines are compiled for 1 … this dimension (8 at most); larger ones use the engine whose dimension is a variable")
+option(DELONE_HEADER_ONLY_FMT "Use fmt as headers only: where its library was built with another C++ standard library" OFF)
+set(DELONE_GOOGLETEST "" CACHE PATH "Sources of GoogleTest, to be built with the tests; if not given, the library that is installed is used")
 set(DELONE_SANITIZE "" CACHE STRING "Sanitizers for -fsanitize=, for example address,undefined")
 
 if(NOT DELONE_LARGEST_COMPILED_DIMENSION MATCHES "^[1-8]$")
   message(FATAL_ERROR "DELONE_LARGEST_COMPILED_DIMENSION is 1 to 8")
 endif()
+if(NOT DELONE_FETCH_DEPENDENCIES MATCHES "^(OFF|MISSING|ALL)$")
+  message(FATAL_ERROR "DELONE_FETCH_DEPENDENCIES is OFF, MISSING or ALL, and not ${DELONE_FETCH_DEPENDENCIES}")
+endif()
 set(DELONE_SHARED ${BUILD_SHARED_LIBS})
-foreach(option DELONE_64BIT_IDS DELONE_HARDENED DELONE_SHARED)
+foreach(option DELONE_64BIT_IDS DELONE_HARDENED DELONE_SHARED DELONE_PORTABLE)
   if(${option})
     set(${option}_VALUE 1)
   else()

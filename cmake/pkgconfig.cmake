@@ -24,7 +24,7 @@ set(delone_pkgconfig_requires)
 set(delone_pkgconfig_libraries)
 if(NOT DELONE_SHARED)
   get_target_property(libraries delone LINK_LIBRARIES)
-  foreach(target IN ITEMS hwy::hwy fmt::fmt TBB::tbb)
+  foreach(target IN ITEMS hwy::hwy fmt::fmt TBB::tbb)  # headers of fmt leave nothing to link
     if(NOT target IN_LIST libraries)
       continue()
     endif()

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The command `delone-mpi`: every process runs it with the same arguments. Rank 0 alone prints.
-#include "../cli/whole_numbers.hpp"
+#include "../cli/numbers.hpp"
 
 #include <delone/delone.hpp>
 #include <delone/mpi/tiles.hpp>

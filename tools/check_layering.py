@@ -13,7 +13,7 @@ import sys
 ROOT = pathlib.Path(__file__).resolve().parent.parent
 
 # The public headers that a room may include; its other rooms are listed beside them.
-BASICS = {"types", "error", "config"}
+BASICS = {"types", "error", "config", "prefetch"}
 PUBLIC = "all public headers"
 
 # room (longest matching path decides) -> (public headers, other rooms of the project)

@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: BSD-3-Clause
-# Installs the packages that are missing on Debian and Ubuntu:  tools/install_dependencies.sh [build] [python] [test] [nightly] [bench] [paper] [lint] [clang] [mpi] [site] [packages]
+# Installs the packages that are missing on Debian and Ubuntu:  tools/install_dependencies.sh [GROUP ...]
+# A group is a list below; build is the default.
 # Does nothing if all are there. On other systems it prints what is needed and leaves the rest to you.
 set -euo pipefail
 
@@ -15,7 +16,12 @@ paper=(python3 python3-numpy python3-scipy python3-matplotlib libqhull-dev libte
 lint=(clang-format clang-tidy python3)
 clang=(clang)
 site=(python3-sphinx python3-myst-parser furo doxygen)
+browser=(chromium chromium-driver python3-selenium)
 packages=(debhelper dpkg-dev dh-python fakeroot lintian mmdebstrap libhdf5-dev pkgconf)
+mingw=(g++-mingw-w64-x86-64-posix wine wine64 dpkg-dev googletest)
+aarch64=(g++-aarch64-linux-gnu qemu-user-static python3)
+s390x=(g++-s390x-linux-gnu qemu-user-static python3)
+libcxx=(clang libc++-dev libc++abi-dev googletest python3)
 mpi=(libopenmpi-dev openmpi-bin python3 python3-numpy python3-mpi4py)
 
 wanted=()
@@ -29,10 +35,15 @@ for group in "${@:-build}"; do
     paper) wanted+=("${build[@]}" "${bench[@]}" "${paper[@]}") ;;
     lint) wanted+=("${build[@]}" "${lint[@]}") ;;
     clang) wanted+=("${build[@]}" "${clang[@]}") ;;
+    mingw) wanted+=("${build[@]}" "${mingw[@]}") ;;
     mpi) wanted+=("${build[@]}" "${mpi[@]}") ;;
-    packages) wanted+=("${build[@]}" "${python[@]}" "${packages[@]}") ;;
+    aarch64) wanted+=("${build[@]}" "${aarch64[@]}") ;;
+    s390x) wanted+=("${build[@]}" "${s390x[@]}") ;;
+    libcxx) wanted+=("${build[@]}" "${libcxx[@]}") ;;
     site) wanted+=("${build[@]}" "${python[@]}" "${site[@]}") ;;
-    *) echo "usage: $0 [build] [python] [test] [nightly] [bench] [paper] [lint] [clang] [mpi] [site] [packages]" >&2; exit 64 ;;
+    packages) wanted+=("${build[@]}" "${python[@]}" "${packages[@]}") ;;
+    browser) wanted+=("${browser[@]}") ;;
+    *) echo "usage: $0 [GROUP ...]; the groups are the lists of this script: $(sed -n 's/^\([a-z0-9]*\)=([^)].*/\1/p' "$0" | xargs)" >&2; exit 64 ;;
   esac
 done
 

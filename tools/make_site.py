@@ -140,6 +140,37 @@ GENERATE_TAGFILE = "{scratch}/tags.xml"
     (stage / "cpp-reference.md").write_text(text, encoding="utf-8")
 
 
+def prose_of_comment(comment):
+    """A comment of C as Markdown: paragraphs, with names as code; indented lines are a block of code."""
+    lines = [re.sub(r"^(?:/\*| \*) ?", "", line) for line in re.sub(r" ?\*/$", "", comment).split("\n")]
+    text = ""
+    for block in re.split(r"\n{2,}", "\n".join(lines)):
+        for part in re.split(r"((?:^ {2,}.*\n?)+)", block, flags=re.M):
+            if part.startswith("  "):
+                text += f"\n```text\n{part.rstrip()}\n```\n"
+            elif part.strip():
+                pieces = re.split(r"(`[^`]*`)", re.sub(r"(?<![`\w])((?:delone|DELONE)_\w+(?:\(\)|::\w+)?\**)(?!`)", r"`\1`", part.strip()))
+                text += "\n" + "".join(p if p.startswith("`") else re.sub(r"([*<\[_])", r"\\\1", p) for p in pieces) + "\n"
+    return text
+
+
+def describe_c(stage):
+    """The page of the C interface: the sections of its header, comments as text and declarations as code."""
+    header = (ROOT / "include" / "delone" / "delone.h").read_text(encoding="utf-8")
+    opening, *sections = re.split(r"^/\* -+ (.*?) -+ \*/$", re.sub(r"^/\* clang-format o.*\n", "", header, flags=re.M), flags=re.M)
+    sections[-1] = sections[-1].partition("\n#ifdef __cplusplus")[0]
+    text = "# C reference\n\n[From other languages](c.md) shows how its parts work together.\n"
+    text += prose_of_comment(re.search(r"^/\* The C interface.*?\*/$", opening, re.M | re.S)[0])
+    for title, section in zip(sections[::2], sections[1::2]):
+        text += f"\n## {title}\n"
+        for part in re.split(r"(^/\*(?:.|\n)*?\*/$)", section, flags=re.M):
+            if part.startswith("/*"):
+                text += prose_of_comment(part)
+            elif part.strip():
+                text += f"\n```c\n{part.strip()}\n```\n"
+    (stage / "c-reference.md").write_text(text.replace("DELONE_C_API ", ""), encoding="utf-8")
+
+
 class Page(html.parser.HTMLParser):
     """The anchors of a page, and where it links to."""
 
@@ -154,6 +185,17 @@ class Page(html.parser.HTMLParser):
                 self.anchors.add(value)
             elif name in ("href", "src") and value and not urllib.parse.urlsplit(value).scheme and not value.startswith("//"):
                 self.links.append(value)
+
+
+def bundle_theme(site):
+    """Makes the site whole where the theme is packaged in parts, as on Debian: one script, and no styles of the server's."""
+    script, styles = site / "_static" / "scripts" / "furo.js", site / "_static" / "styles" / "furo.css"
+    text = script.read_text(encoding="utf-8")
+    if imported := re.match(r'import Gumshoe from "\./(.*)";\n', text):
+        script.write_text((script.parent / imported[1]).read_text(encoding="utf-8") + text[imported.end():], encoding="utf-8")
+    text = styles.read_text(encoding="utf-8")
+    if imported := re.match(r"@import url\(/(javascript/.*?)\);", text):
+        styles.write_text((pathlib.Path("/usr/share") / imported[1]).read_text(encoding="utf-8") + text[imported.end():], encoding="utf-8")
 
 
 def broken_links(site):
@@ -185,10 +227,12 @@ def main():
     try:
         describe_commands(build, stage)
         run_doxygen(build, stage, scratch)
+        describe_c(stage)
         environment = {**os.environ, "PYTHONPATH": str(build / "python"), "DELONE_SITE_CPP": str(scratch), "PYTHONDONTWRITEBYTECODE": "1"}
         (scratch / "tags.xml").unlink()
         subprocess.run([sys.executable, "-m", "sphinx", "-q", "-W", "--keep-going", "-b", "html", "-d", str(scratch.parent / "site-doctrees"),
                         "-c", str(ROOT / "docs" / "site"), str(stage), str(site)], check=True, env=environment)
+        bundle_theme(site)
     except (command_manual.HelpError, OSError, subprocess.CalledProcessError) as error:
         sys.exit(f"make_site.py: {error}")
     faults = list(broken_links(site))

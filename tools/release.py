@@ -227,11 +227,12 @@ def committed(tree, folder):
     return copy
 
 
-NEEDED_IN_SDIST = ("CMakeLists.txt", "LICENSE", "README.md", "pyproject.toml", "setup.py", "cmake/", "include/", "src/", "python/")
+NEEDED_IN_SDIST = ("CMakeLists.txt", "LICENSE", "README.md", "pyproject.toml", "setup.py", "cmake/", "data/", "docs/", "examples/", "include/", "src/",
+                   "python/", "tests/", "tools/")
 
 
 def check_sdist(tree):
-    """It can be made, and has every file that building the module takes."""
+    """It can be made, and has every file that building and testing the module takes, and its documentation."""
     with tempfile.TemporaryDirectory(prefix="delone_release_") as folder:
         copy = committed(tree, folder)
         done = tree.run(sys.executable, "setup.py", "-q", "sdist", "--formats=gztar", "-d", pathlib.Path(folder) / "dist", cwd=copy)
@@ -249,8 +250,18 @@ def check_sdist(tree):
 LARGEST_WHEEL = 12 * 10**6  # bytes
 
 
+def platform_faults(wheel):
+    """What is wrong with the platform that a wheel's name claims."""
+    if not any(re.search(r"\.so(\.\d+)*$", name) for name in zipfile.ZipFile(wheel).namelist()):
+        return []
+    done = subprocess.run([sys.executable, "-B", str(ROOT / "tools" / "platform_tag.py"), str(wheel)], capture_output=True, text=True)
+    if done.returncode:
+        return [f"{wheel.name}: {' '.join((done.stdout + done.stderr).splitlines()[-2:])}"]
+    return [f"{wheel.name} is for systems like this one only"] * ("-linux_" in wheel.name)
+
+
 def check_wheel(tree):
-    """It can be built, has the module, and is not too large."""
+    """It can be built, has the module, says truly which systems it is for, and is not too large."""
     with tempfile.TemporaryDirectory(prefix="delone_release_") as folder:
         copy = committed(tree, folder)
         environment = {**os.environ, **({"DELONE_BUILD_DIR": str(tree.build.resolve())} if tree.build else {})}
@@ -265,6 +276,7 @@ def check_wheel(tree):
                                                                          "py.typed": r"delone/py\.typed"}.items()
                    if not any(re.fullmatch(pattern, name) for name in names)]
         size = made[0].stat().st_size
+        faults += platform_faults(made[0])
         return faults + [f"{made[0].name} has {size} bytes, more than {LARGEST_WHEEL}"] * (size > LARGEST_WHEEL)
 
 

@@ -22,6 +22,7 @@ html_theme = "furo"
 html_title = f"delone {version}"
 html_static_path = [str(ROOT / "docs" / "site" / "static")]
 html_css_files = ["tables.css"]
+html_favicon = str(ROOT / "docs" / "site" / "static" / "favicon.svg")
 html_extra_path = [os.environ["DELONE_SITE_CPP"]] if "DELONE_SITE_CPP" in os.environ else []
 html_copy_source = False
 html_last_updated_fmt = None

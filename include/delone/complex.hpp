@@ -4,6 +4,7 @@
 
 #include <delone/error.hpp>
 #include <delone/export.hpp>
+#include <delone/prefetch.hpp>
 #include <delone/types.hpp>
 
 #include <compare>
@@ -184,7 +185,7 @@ class DELONE_EXPORT Complex {
   }
   /// Lets the processor fetch the vertices and neighbors of a cell into its caches, for use soon. No effect
   /// on results.
-  void prefetch(CellId c) const { __builtin_prefetch(row(c)); }
+  void prefetch(CellId c) const { internal::prefetch(row(c)); }
   /// The index, in neighbor i of c, of the vertex opposite the shared facet. O(k).
   int mirror_index(CellId c, int i) const {
     // Two cells of a simplicial sphere share at most one facet, so the neighbor that is c is found once.

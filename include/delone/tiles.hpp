@@ -28,8 +28,8 @@ struct TilesForecast {
 
 /// How a set is cut into tiles. The triangulation never depends on it; which part has a cell does.
 struct TilesOptions {
-  /// The most memory to use, in bytes, mapped pages included; 0: three quarters of what is free. The program
-  /// itself and the arrays of the caller count.
+  /// The most memory to use, in bytes, mapped pages included; 0: three quarters of what is free (2 GiB if the
+  /// system does not say). The program itself and the arrays of the caller count.
   std::uint64_t memory = 0;
   /// The number of tiles; 0: as few as the memory allows.
   std::size_t tiles = 0;

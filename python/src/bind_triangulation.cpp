@@ -336,12 +336,18 @@ py::array find_accepting(const Held& held, const py::object& object, const Reals
 
 /// |a − b| without intermediate overflow or underflow.
 double distance(const double* a, const double* b, std::size_t d) {
-  double squares = 0, length = 0;
+  double squares = 0, largest = 0;
   for (std::size_t j = 0; j < d; ++j) squares += (a[j] - b[j]) * (a[j] - b[j]);
   if (squares > 1e-280 && squares < 1e300) return std::sqrt(squares);
   const double scale = squares < 1 ? 1 : 0.5;  // where differences overflow, halves do not
-  for (std::size_t j = 0; j < d; ++j) length = std::hypot(length, scale * a[j] - scale * b[j]);
-  return length / scale;
+  for (std::size_t j = 0; j < d; ++j) largest = std::max(largest, std::fabs(scale * a[j] - scale * b[j]));
+  if (largest == 0) return 0;
+  squares = 0;
+  for (std::size_t j = 0; j < d; ++j) {
+    const double component = (scale * a[j] - scale * b[j]) / largest;
+    squares += component * component;
+  }
+  return largest * std::sqrt(squares) / scale;
 }
 
 /// The distance of a query from a vertex; for a regular triangulation the power.

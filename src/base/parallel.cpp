@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "base/parallel.hpp"
 
+#include "base/platform.hpp"
 #include "base/progress_meter.hpp"
 
 #include <charconv>
@@ -27,10 +28,10 @@
 #include <tbb/task_arena.h>
 #include <tbb/task_group.h>
 #endif
-#ifdef __linux__
+#if DELONE_LINUX
 #include <sched.h>
 #endif
-#if __has_include(<pthread.h>)
+#if DELONE_POSIX
 #include <pthread.h>
 #endif
 
@@ -38,7 +39,7 @@ namespace delone::internal {
 namespace {
 
 unsigned cores_of_affinity_mask() {
-#ifdef __linux__
+#if DELONE_LINUX
   cpu_set_t mask;
   if (sched_getaffinity(0, sizeof mask, &mask) == 0)
     return static_cast<unsigned>(std::max(CPU_COUNT(&mask), 1));
@@ -47,7 +48,7 @@ unsigned cores_of_affinity_mask() {
 }
 
 /// The first line of a file, or nothing.
-std::string first_line(const std::string& path) {
+[[maybe_unused]] std::string first_line(const std::string& path) {
   std::string line;
   std::ifstream file(path);
   std::getline(file, line);
@@ -58,10 +59,10 @@ std::string first_line(const std::string& path) {
 /// and of version 1 where its own group is mounted as the root, as it is in containers.
 std::optional<unsigned> cores_of_control_groups() {
   std::optional<unsigned> least;
-  const auto limit = [&](std::string_view cpu_max) {
+  [[maybe_unused]] const auto limit = [&](std::string_view cpu_max) {
     if (const auto cores = cores_of_quota(cpu_max)) least = std::min(least.value_or(*cores), *cores);
   };
-#ifdef __linux__
+#if DELONE_LINUX
   std::ifstream groups("/proc/self/cgroup");
   for (std::string line; std::getline(groups, line);) {
     if (!line.starts_with("0::")) continue;
@@ -80,7 +81,7 @@ std::atomic<bool> has_threads = false;       // of this process
 std::atomic<bool> has_lost_threads = false;  // in a child that was forked off
 
 void note_threads() {
-#if __has_include(<pthread.h>)
+#if DELONE_POSIX
   static std::once_flag once;
   std::call_once(once,
                  [] { pthread_atfork(nullptr, nullptr, [] { has_lost_threads = has_threads.load(); }); });

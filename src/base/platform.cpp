@@ -7,21 +7,22 @@
 #include <chrono>
 #include <cstdio>
 
-#ifdef __linux__
-#include <fcntl.h>
-#include <sys/file.h>
+#if DELONE_LINUX
 #include <sys/mman.h>
-
-#include <cerrno>
 #endif
-#if __has_include(<unistd.h>)
+#if DELONE_POSIX
 #include <time.h>
 #include <unistd.h>
+#endif
+#if DELONE_WINDOWS
+#include <windows.h>  // before psapi.h
+
+#include <psapi.h>
 #endif
 
 namespace delone::platform {
 
-#ifdef __linux__
+#if DELONE_LINUX
 
 void* map(std::size_t bytes) {
   void* const memory = mmap(nullptr, bytes, PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0);
@@ -65,7 +66,7 @@ double clock_seconds() {
 }
 
 double thread_seconds() {
-#ifdef CLOCK_THREAD_CPUTIME_ID
+#if DELONE_POSIX && defined(CLOCK_THREAD_CPUTIME_ID)
   timespec now{};
   if (clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now) == 0)
     return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
@@ -74,7 +75,7 @@ double thread_seconds() {
 }
 
 std::chrono::steady_clock::time_point coarse_now() {
-#if defined(__linux__) && defined(CLOCK_MONOTONIC_COARSE)
+#if DELONE_LINUX && defined(CLOCK_MONOTONIC_COARSE)
   timespec now{};  // of the same clock as steady_clock
   if (clock_gettime(CLOCK_MONOTONIC_COARSE, &now) == 0)
     return std::chrono::steady_clock::time_point(std::chrono::seconds(now.tv_sec) +
@@ -83,21 +84,8 @@ std::chrono::steady_clock::time_point coarse_now() {
   return std::chrono::steady_clock::now();
 }
 
-FileLock::FileLock([[maybe_unused]] const char* path) {
-#ifdef __linux__
-  file_ = open(path, O_RDWR | O_CREAT | O_CLOEXEC, 0666);
-  if (file_ >= 0) is_held_ = flock(file_, LOCK_EX | LOCK_NB) == 0 || errno != EWOULDBLOCK;
-#endif
-}
-
-FileLock::~FileLock() {
-#ifdef __linux__
-  if (file_ >= 0) close(file_);
-#endif
-}
-
 std::size_t resident_memory() {
-#ifdef __linux__
+#if DELONE_LINUX
   if (std::FILE* const file = std::fopen("/proc/self/statm", "r")) {
     unsigned long long all = 0, resident = 0;
     const int found = std::fscanf(file, "%llu %llu", &all, &resident);
@@ -105,13 +93,17 @@ std::size_t resident_memory() {
     if (found == 2)
       return static_cast<std::size_t>(resident) * static_cast<std::size_t>(sysconf(_SC_PAGESIZE));
   }
+#elif DELONE_WINDOWS
+  PROCESS_MEMORY_COUNTERS counters{};
+  if (K32GetProcessMemoryInfo(GetCurrentProcess(), &counters, sizeof counters) != 0)
+    return counters.WorkingSetSize;
 #endif
   return 0;
 }
 
 std::size_t available_memory() {
   std::size_t available = 0;
-#ifdef __linux__
+#if DELONE_LINUX
   if (std::FILE* const file = std::fopen("/proc/meminfo", "r")) {
     char line[128];
     unsigned long long kilobytes = 0;
@@ -127,27 +119,17 @@ std::size_t available_memory() {
       available = std::min(available, static_cast<std::size_t>(limit));
     std::fclose(file);
   }
+#elif DELONE_WINDOWS
+  MEMORYSTATUSEX status{};
+  status.dwLength = sizeof status;
+  if (GlobalMemoryStatusEx(&status) != 0)
+    available = static_cast<std::size_t>(std::min(status.ullAvailPhys, status.ullAvailPageFile));
 #endif
   return available;
 }
 
-int find_no_room([[maybe_unused]] const char* path, [[maybe_unused]] std::uint64_t bytes) {
-#ifdef __linux__
-  const int file = open(path, O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666);
-  if (file < 0) return errno;
-  const auto size = static_cast<off_t>(bytes);
-  int error = fallocate(file, 0, 0, size) == 0 ? 0 : errno;
-  if (error == EOPNOTSUPP || error == ENOSYS) error = ftruncate(file, size) == 0 ? 0 : errno;
-  close(file);
-  unlink(path);
-  return error;
-#else
-  return 0;
-#endif
-}
-
 std::size_t first_level_cache() {
-#ifdef _SC_LEVEL1_DCACHE_SIZE
+#if DELONE_POSIX && defined(_SC_LEVEL1_DCACHE_SIZE)
   if (const long bytes = sysconf(_SC_LEVEL1_DCACHE_SIZE); bytes > 0) return static_cast<std::size_t>(bytes);
 #endif
   return 0;

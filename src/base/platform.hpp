@@ -1,22 +1,36 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// All that depends on the operating system. Where a system does not offer something, the function does
-// nothing and says so.
+// All that depends on the operating system; files are in platform_files.hpp. Where a system does not offer
+// something, the function does nothing and says so. With DELONE_PORTABLE no system offers anything.
 #pragma once
+
+#include <delone/config.hpp>
 
 #include <algorithm>
 #include <atomic>
 #include <cstddef>
-#include <cstdint>
 #include <limits>
+
+/// Which calls there are: those of Linux, of POSIX, of Windows.
+#if !DELONE_PORTABLE && defined(__linux__)
+#define DELONE_LINUX 1
+#else
+#define DELONE_LINUX 0
+#endif
+#if !DELONE_PORTABLE && !defined(_WIN32) && __has_include(<unistd.h>)
+#define DELONE_POSIX 1
+#else
+#define DELONE_POSIX 0
+#endif
+#if !DELONE_PORTABLE && defined(_WIN32)
+#define DELONE_WINDOWS 1
+#else
+#define DELONE_WINDOWS 0
+#endif
 
 namespace delone::platform {
 
 /// Whether memory can be mapped and moved to other addresses without being copied.
-#ifdef __linux__
-inline constexpr bool maps_memory = true;
-#else
-inline constexpr bool maps_memory = false;
-#endif
+inline constexpr bool maps_memory = DELONE_LINUX != 0;
 
 /// The size of a large page where there are any.
 inline constexpr std::size_t large_page = std::size_t{2} << 20;
@@ -46,31 +60,10 @@ double clock_seconds();
 /// they are not known.
 double thread_seconds();
 
-/// A file that one process at a time may hold: given back at the end of this object, or of the process.
-class FileLock {
- public:
-  /// Creates the file if need be.
-  explicit FileLock(const char* path);
-  FileLock(const FileLock&) = delete;
-  FileLock& operator=(const FileLock&) = delete;
-  ~FileLock();
-  /// Whether this process holds it. True where the system has no such locks, or not for this file.
-  bool is_held() const { return is_held_; }
-
- private:
-  int file_ = -1;
-  bool is_held_ = true;
-};
-
 /// The memory that this process has in use, mapped files included, in bytes; 0 if it is not known.
 std::size_t resident_memory();
 /// The memory that programs can still get without swapping, in bytes; 0 if it is not known.
 std::size_t available_memory();
-
-/// Whether the file system has room for a file of so many bytes at this path, and such a file is allowed: 0,
-/// or the errno value that says why not. A file that is there is truncated; what is created is removed. 0
-/// where the system cannot tell.
-int find_no_room(const char* path, std::uint64_t bytes);
 
 /// The size of the L1 data cache in bytes, or 0 if it is not known.
 std::size_t first_level_cache();

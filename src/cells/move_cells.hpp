@@ -7,6 +7,7 @@
 // the processor fetches the cells of many at once.
 #pragma once
 
+#include "base/compiler.hpp"
 #include "base/growable_array.hpp"
 #include "base/parallel.hpp"
 #include "cells/cell_memory.hpp"
@@ -82,10 +83,10 @@ class CellMover {
     const CellRecords<K> records = memory_.records();
     const char* const first = reinterpret_cast<const char*>(records.functional(slot));
     for (std::size_t byte = 0; byte < (width() - 1) * sizeof(double); byte += 64)
-      __builtin_prefetch(first + byte, 1);
-    __builtin_prefetch(first + (width() - 1) * sizeof(double) - 1, 1);
-    if (memory_.layout().certificates_are_apart()) __builtin_prefetch(records.certificate(slot), 1);
-    if (slot < sources_.size()) __builtin_prefetch(sources_.data() + slot, 1);
+      delone::prefetch_for_writing(first + byte);
+    delone::prefetch_for_writing(first + (width() - 1) * sizeof(double) - 1);
+    if (memory_.layout().certificates_are_apart()) delone::prefetch_for_writing(records.certificate(slot));
+    if (slot < sources_.size()) delone::prefetch_for_writing(sources_.data() + slot);
   }
 
   void follow_chains(std::size_t first, std::size_t last) {

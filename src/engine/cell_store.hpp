@@ -3,6 +3,7 @@
 // a free list. Neighbor i is across the facet opposite vertex i. Cells are coherently oriented.
 #pragma once
 
+#include "base/compiler.hpp"
 #include "cells/cell_memory.hpp"
 #include "engine/link_kernel.hpp"
 
@@ -109,7 +110,7 @@ class CellStore {
     const CellLayout<K> layout = memory_.layout();
     const CellRecords<K> records = memory_.records();
     prefetch_bytes(records.functional(cell), layout.functional_stride() * sizeof(double));
-    if (layout.certificates_are_apart()) __builtin_prefetch(records.certificate(cell));
+    if (layout.certificates_are_apart()) delone::prefetch(records.certificate(cell));
     if (layout.links_are_apart()) prefetch_links(cell);
   }
 
@@ -264,8 +265,8 @@ class CellStore {
   /// From any start, not that of a line: a line that is prefetched twice costs less than a branch.
   [[gnu::always_inline]] static void prefetch_bytes(const void* first, std::size_t bytes) {
     for (std::size_t byte = 0; byte < bytes; byte += 64)
-      __builtin_prefetch(static_cast<const char*>(first) + byte);
-    if (bytes % 64 != 0) __builtin_prefetch(static_cast<const char*>(first) + bytes - 1);
+      delone::prefetch(static_cast<const char*>(first) + byte);
+    if (bytes % 64 != 0) delone::prefetch(static_cast<const char*>(first) + bytes - 1);
   }
 
   /// Without branches that depend on data.

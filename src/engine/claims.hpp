@@ -17,6 +17,8 @@
 // knows all that was written to it, or to its links, by those who held it before.
 #pragma once
 
+#include "base/atomic_ref.hpp"
+#include "base/compiler.hpp"
 #include "base/growable_array.hpp"
 #include "cells/cell_memory.hpp"
 
@@ -80,8 +82,8 @@ class ClaimTable {
     std::uint8_t* first;
     std::size_t stride;
     bool are_apart;  ///< from the records of cells
-    std::atomic_ref<std::uint8_t> of(Index cell, unsigned worker) const {
-      return std::atomic_ref<std::uint8_t>(first[cell * stride + worker]);
+    internal::AtomicRef<std::uint8_t> of(Index cell, unsigned worker) const {
+      return internal::AtomicRef<std::uint8_t>(first[cell * stride + worker]);
     }
   };
   View view() const { return view_; }
@@ -173,7 +175,7 @@ class Claims {
   /// Prefetches the bytes of a cell, unless they are in its record.
   [[gnu::always_inline]] void prefetch(Index cell) const {
     const ClaimTable::View bytes = table_.view();
-    if (bytes.are_apart) __builtin_prefetch(bytes.first + cell * bytes.stride, 1);
+    if (bytes.are_apart) delone::prefetch_for_writing(bytes.first + cell * bytes.stride);
   }
 
   /// Claims one cell that others may have, or that is no cell any more. Returns whether it was got.

@@ -6,6 +6,7 @@
 #include "engine/link_kernel.hpp"
 
 #include "base/compiled_dimension.hpp"
+#include "base/compiler.hpp"
 
 #include <algorithm>
 #include <bit>
@@ -133,8 +134,8 @@ void create_cells(const CellLinks& links, Index apex, const DeadCells& zone, std
         facets.size()) {  // what is side by side with its links too: the star's functionals are made from it
       const Index* const end = of(facets[f + ahead].survivor) + layout.num_link_ids();
       const Index* const begin = end - layout.num_link_ids() - ids_before_links;
-      for (const Index* line = begin; line < end; line += 16) __builtin_prefetch(line);
-      __builtin_prefetch(end - 1);
+      for (const Index* line = begin; line < end; line += 16) delone::prefetch(line);
+      delone::prefetch(end - 1);
     }
     const Index dead = zone.cells[facet.dead];
     const Index* const dead_links = of(dead);

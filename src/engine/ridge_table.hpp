@@ -14,6 +14,7 @@
 // ridges are hashed.
 #pragma once
 
+#include "base/compiler.hpp"
 #include "base/growable_array.hpp"
 #include "cells/horizon_facet.hpp"
 #include "engine/cell_store.hpp"
@@ -117,7 +118,7 @@ class RidgeTable {
   }
   /// The word whose lowest bits are those of the first byte.
   static std::uint64_t from_bytes(std::uint64_t bytes) {
-    return std::endian::native == std::endian::big ? __builtin_bswap64(bytes) : bytes;
+    return std::endian::native == std::endian::big ? byte_swap(bytes) : bytes;
   }
   static std::size_t num_words(std::size_t halves) { return halves / 64 + 1; }
 

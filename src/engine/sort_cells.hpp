@@ -11,6 +11,7 @@
 // all neighbors have numbers that are in the cache.
 #pragma once
 
+#include "base/atomic_ref.hpp"
 #include "base/growable_array.hpp"
 #include "base/parallel.hpp"
 #include "cells/cell_memory.hpp"
@@ -136,7 +137,7 @@ class CellSorter {
 
   /// Returns what was there before. No two threads meet often.
   Index add(Index& number, Index more) const {
-    if (threads_ > 1) return std::atomic_ref(number).fetch_add(more, std::memory_order_relaxed);
+    if (threads_ > 1) return internal::AtomicRef<Index>(number).fetch_add(more, std::memory_order_relaxed);
     return std::exchange(number, number + more);
   }
 

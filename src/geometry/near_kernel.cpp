@@ -12,8 +12,10 @@
 #include <bit>
 #include <cmath>
 
+#ifndef HWY_DISABLED_TARGETS  // On ARM CMake defines it.
 // Their vectors are as short as those of SSE2, and the unrolled minors are slow to compile.
 #define HWY_DISABLED_TARGETS (HWY_SSSE3 | HWY_SSE4)
+#endif
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "geometry/near_kernel.cpp"
 #include <hwy/foreach_target.h>

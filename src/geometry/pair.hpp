@@ -4,11 +4,13 @@
 // store-forwarding stall.
 #pragma once
 
+#include "base/compiler.hpp"
+
 #include <cstring>
 
 namespace delone::geometry {
 
-using Pair = double __attribute__((vector_size(16)));
+using Pair = Lanes<double, 2>;
 
 inline Pair load_pair(const double* from) {
   Pair pair;

@@ -2,6 +2,8 @@
 // The rows of vertices: read from memory, or computed from the points.
 #pragma once
 
+#include "base/compiler.hpp"
+
 #include <delone/types.hpp>
 
 #include <array>
@@ -52,8 +54,8 @@ class VertexRows {
     const bool computed = rows_ == nullptr;
     const double* const first = computed ? points_ : rows_;
     const std::size_t size = static_cast<std::size_t>(k) + !computed;
-    __builtin_prefetch(first + v * size);
-    __builtin_prefetch(first + v * size + size - 1);
+    delone::prefetch(first + v * size);
+    delone::prefetch(first + v * size + size - 1);
   }
 
  private:

@@ -3,6 +3,8 @@
 // numbered in the order in which they are added.
 #pragma once
 
+#include "base/compiler.hpp"
+
 #include <delone/types.hpp>
 
 #include <cstddef>
@@ -30,7 +32,7 @@ class SiteTable {
   }
   /// Prefetches the entry where find() and add() start.
   [[gnu::always_inline]] void prefetch(std::uint64_t tag) const {
-    if (!entries_.empty()) __builtin_prefetch(&entries_[tag & mask()], 1);
+    if (!entries_.empty()) delone::prefetch_for_writing(&entries_[tag & mask()]);
   }
 
   /// Strong guarantee: throws std::bad_alloc or succeeds.

@@ -2,6 +2,7 @@
 // Files that appear whole or not at all. See atomic_file.hpp.
 #include "io/atomic_file.hpp"
 
+#include "base/platform_files.hpp"
 #include "base/progress_meter.hpp"
 #include "io/file.hpp"
 
@@ -36,7 +37,7 @@ std::FILE* create_beside(const fs::path& target, std::string& name) {
     const std::uint64_t tag = (ticks + ++counter) * 0x9e3779b97f4a7c15u;
     name = (target.parent_path() / fmt::format(".delone-partial-{:016x}", tag)).string();
     errno = 0;
-    if (std::FILE* file = std::fopen(name.c_str(), "wbx")) return file;
+    if (std::FILE* file = platform::create_file(name)) return file;
     if (errno != EEXIST) break;
   }
   return nullptr;
@@ -47,6 +48,7 @@ std::FILE* create_beside(const fs::path& target, std::string& name) {
 AtomicFile::AtomicFile(const std::string& path) : name_(output_name(path)), target_(path) {
   if (path == "-") {
     file_ = stdout;
+    platform::pass_bytes(file_);
     return;
   }
   std::error_code error;
@@ -54,7 +56,7 @@ AtomicFile::AtomicFile(const std::string& path) : name_(output_name(path)), targ
   if (fs::is_directory(status)) fail_with(EISDIR);
   if (fs::exists(status) && !fs::is_regular_file(status)) {
     errno = 0;
-    file_ = std::fopen(path.c_str(), "wb");
+    file_ = platform::open_file(path, "wb");
   } else {
     target_ = write_target(path);
     if (fs::is_symlink(target_, error)) fail_with(ELOOP);
@@ -67,7 +69,7 @@ AtomicFile::AtomicFile(const std::string& path) : name_(output_name(path)), targ
 
 AtomicFile::~AtomicFile() {
   if (file_ != nullptr && file_ != stdout) std::fclose(file_);
-  if (!temporary_.empty()) std::remove(temporary_.c_str());  // std::filesystem would need memory
+  if (!temporary_.empty()) platform::remove_file(temporary_);
 }
 
 void AtomicFile::fail_with(int error) const { fail(Errc::cannot_write, "{}: {}", name_, error_text(error)); }

@@ -2,6 +2,8 @@
 // Whole files in memory, the choice of a format. See file.hpp.
 #include "io/file.hpp"
 
+#include "base/platform_files.hpp"
+
 #include <algorithm>
 #include <cerrno>
 #include <cstdint>
@@ -89,12 +91,15 @@ Bytes read_file(std::FILE* file, const std::string& name, std::size_t size, std:
 
 Bytes read_all(const std::string& path, std::uint64_t max_stream_bytes, const CheckOpening& check_opening) {
   const std::string name = input_name(path);
-  if (path == "-") return read_file(stdin, name, 0, max_stream_bytes, check_opening);
+  if (path == "-") {
+    platform::pass_bytes(stdin);
+    return read_file(stdin, name, 0, max_stream_bytes, check_opening);
+  }
   struct Close {
     void operator()(std::FILE* f) const { std::fclose(f); }
   };
   errno = 0;
-  std::unique_ptr<std::FILE, Close> file(std::fopen(path.c_str(), "rb"));
+  std::unique_ptr<std::FILE, Close> file(platform::open_file(path, "rb"));
   if (!file) fail(Errc::cannot_open, "{}: {}", name, error_text(errno));
   std::setvbuf(file.get(), nullptr, _IONBF, 0);
   return read_file(file.get(), name, size_hint(path), max_stream_bytes, check_opening);

@@ -4,12 +4,7 @@
 
 #include "io/file.hpp"
 
-#include <fcntl.h>
-#include <sys/stat.h>
-#include <unistd.h>
-
 #include <algorithm>
-#include <cerrno>
 #include <utility>
 
 namespace delone::io {
@@ -24,36 +19,27 @@ constexpr std::size_t largest_piece = std::size_t{1} << 24;
 PositionedFile::PositionedFile(const std::string& path, Mode mode, std::string name)
     : name_(name.empty() ? input_name(path) : std::move(name)) {
   const bool writes = mode == Mode::write;
-  do
-    file_ =
-        ::open(path.c_str(), writes ? O_RDWR | O_CREAT | O_TRUNC | O_CLOEXEC : O_RDONLY | O_CLOEXEC, 0666);
-  while (file_ < 0 && errno == EINTR);
-  if (file_ < 0) fail(writes ? Errc::cannot_write : Errc::cannot_open, "{}: {}", name_, error_text(errno));
-}
-
-PositionedFile::PositionedFile(PositionedFile&& other) noexcept
-    : name_(std::move(other.name_)), file_(std::exchange(other.file_, -1)) {}
-
-PositionedFile::~PositionedFile() {
-  if (file_ >= 0) ::close(file_);
+  if (const int error = file_.open(path, writes); error != 0)
+    fail(writes ? Errc::cannot_write : Errc::cannot_open, "{}: {}", name_, error_text(error));
 }
 
 std::uint64_t PositionedFile::size() const {
-  struct stat status {};
-  if (::fstat(file_, &status) != 0) fail(Errc::cannot_open, "{}: {}", name_, error_text(errno));
-  return static_cast<std::uint64_t>(status.st_size);
+  std::uint64_t size = 0;
+  if (const int error = file_.size(size); error != 0)
+    fail(Errc::cannot_open, "{}: {}", name_, error_text(error));
+  return size;
 }
 
 std::size_t PositionedFile::read_some(std::uint64_t offset, void* data, std::size_t size) const {
   std::size_t done = 0;
   while (done < size) {
-    const ssize_t got = ::pread(file_, static_cast<char*>(data) + done, std::min(size - done, largest_piece),
-                                static_cast<off_t>(offset + done));
+    std::size_t got = 0;
+    if (const int error = file_.read_some(offset + done, static_cast<char*>(data) + done,
+                                          std::min(size - done, largest_piece), got);
+        error != 0)
+      fail(Errc::cannot_open, "{}: {}", name_, error_text(error));
     if (got == 0) break;
-    if (got > 0)
-      done += static_cast<std::size_t>(got);
-    else if (errno != EINTR)
-      fail(Errc::cannot_open, "{}: {}", name_, error_text(errno));
+    done += got;
   }
   return done;
 }
@@ -66,18 +52,18 @@ void PositionedFile::read(std::uint64_t offset, void* data, std::size_t size) co
 
 void PositionedFile::write(std::uint64_t offset, const void* data, std::size_t size) {
   for (std::size_t done = 0; done < size;) {
-    const ssize_t put = ::pwrite(file_, static_cast<const char*>(data) + done,
-                                 std::min(size - done, largest_piece), static_cast<off_t>(offset + done));
-    if (put >= 0)
-      done += static_cast<std::size_t>(put);
-    else if (errno != EINTR)
-      fail(Errc::cannot_write, "{}: {}", name_, error_text(errno));
+    std::size_t put = 0;
+    if (const int error = file_.write_some(offset + done, static_cast<const char*>(data) + done,
+                                           std::min(size - done, largest_piece), put);
+        error != 0)
+      fail(Errc::cannot_write, "{}: {}", name_, error_text(error));
+    done += put;
   }
 }
 
 void PositionedFile::close() {
-  if (file_ >= 0 && ::close(std::exchange(file_, -1)) != 0)
-    fail(Errc::cannot_write, "{}: {}", name_, error_text(errno));
+  if (const int error = file_.close(); error != 0)
+    fail(Errc::cannot_write, "{}: {}", name_, error_text(error));
 }
 
 }  // namespace delone::io

@@ -2,6 +2,8 @@
 // A file that is read and written at any place, by several threads at once: what is too large for memory.
 #pragma once
 
+#include "base/platform_files.hpp"
+
 #include <cstddef>
 #include <cstdint>
 #include <string>
@@ -14,9 +16,9 @@ class PositionedFile {
   /// Opens a file for reading, or creates one for both; what it held before is lost. `name`: what messages
   /// call it, if that is not its path. Throws cannot_open, or cannot_write, with the system's reason.
   explicit PositionedFile(const std::string& path, Mode mode = Mode::read, std::string name = {});
-  PositionedFile(PositionedFile&& other) noexcept;
+  PositionedFile(PositionedFile&& other) noexcept = default;
   PositionedFile& operator=(PositionedFile&&) = delete;
-  ~PositionedFile();
+  ~PositionedFile() = default;
 
   /// As the system has it now.
   std::uint64_t size() const;
@@ -34,7 +36,7 @@ class PositionedFile {
 
  private:
   std::string name_;
-  int file_ = -1;
+  platform::RawFile file_;
 };
 
 }  // namespace delone::io

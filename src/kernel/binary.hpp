@@ -9,8 +9,6 @@
 
 namespace delone::kernel {
 
-__extension__ typedef __int128 Int128;  // NOLINT(modernize-use-using): the extension mark needs it
-
 /// A finite double as mantissa·2^exponent, |mantissa| < 2^53.
 struct Binary {
   std::int64_t mantissa;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "kernel/distance_bound.hpp"
 
+#include "base/length.hpp"
 #include "kernel/linear_bound.hpp"
 
 #include <algorithm>
@@ -12,19 +13,22 @@ namespace {
 
 constexpr double u = unit_roundoff, least = std::numeric_limits<double>::denorm_min();
 
-double enlarged(double length, std::size_t d) { return length * (1 + 4 * static_cast<double>(d) * u); }
+/// Above the length of the vector with these components, for any d ≥ 1.
+template <class Component>
+double length_above(std::size_t d, Component component) {
+  const double length = length_of(d, component);
+  const double enlarged = length * (1 + 4 * static_cast<double>(d) * u);
+  return length > 0 && length < std::numeric_limits<double>::min() ? enlarged + least : enlarged;
+}
 
 }  // namespace
 
 double distance_bound(const double* x, const double* y, std::size_t d, double slack) {
-  double length = 0;
-  for (std::size_t j = 0; j < d; ++j) {
+  return length_above(d, [&](std::size_t j) {
     const double difference = std::abs(x[j] - y[j]);
-    length = std::hypot(length, difference +
-                                    1.01 * (3 * u * difference + slack * (std::abs(x[j]) + std::abs(y[j]))) +
-                                    (slack > 0 ? 2 * least : 0));
-  }
-  return enlarged(length, d);
+    return difference + 1.01 * (3 * u * difference + slack * (std::abs(x[j]) + std::abs(y[j]))) +
+           (slack > 0 ? 2 * least : 0);
+  });
 }
 
 void FlatDistance::set_flat(std::span<const double* const> points, std::size_t d, double slack) {
@@ -84,9 +88,8 @@ double FlatDistance::bound_with(const double* x, bool is_segment) {
       for (std::size_t i = 0; i < m; ++i) rest_[j] -= factors_[i] * (points_[i + 1][j] - origin[j]);
     }
   }
-  double length = 0;
   const double terms = static_cast<double>(m) + 1;
-  for (std::size_t j = 0; j < d_; ++j) {
+  return length_above(d_, [&](std::size_t j) {
     double size = std::abs(x[j] - origin[j]), offset = std::abs(x[j]) + std::abs(origin[j]), tiny = 2 * terms;
     for (std::size_t i = 0; i < m; ++i) {
       const double a = std::abs(factors_[i]);
@@ -95,9 +98,8 @@ double FlatDistance::bound_with(const double* x, bool is_segment) {
       tiny += 2 * a;
     }
     const double error = 1.01 * ((terms + 2) * u * size + slack_ * offset) + tiny * least;
-    length = std::hypot(length, std::abs(rest_[j]) + error);
-  }
-  return enlarged(length, d_);
+    return std::abs(rest_[j]) + error;
+  });
 }
 
 }  // namespace delone::kernel

@@ -8,9 +8,10 @@
 // coordinate of x − y, computed from rounded differences, has m + 1 terms, each with two roundings, and m
 // sums: it is off by at most (m + 3)·u·S·1.01 with S = |x − p_0| + Σ|a_i|·|p_i − p_0|, by
 // slack·(|x| + |p_0| + Σ|a_i|·(|p_i| + |p_0|)), and by 2·(m + 1 + Σ|a_i|) times the smallest double where
-// products underflow or coordinates were rounded to multiples of it. The length of d such numbers, by d − 1
-// calls of std::hypot, each off by at most 2u in relative terms, is below the computed one times 1 + 4·d·u.
-// Overflow gives infinity or NaN, which is not within any tolerance: callers ask `bound <= tolerance`.
+// products underflow or coordinates were rounded to multiples of it. The length of d such numbers, computed
+// with a relative error of at most (d/2 + 2)·u (base/length.hpp), is below the computed one times 1 + 4·d·u,
+// plus the smallest double below the normal numbers. Overflow gives infinity, which is not within any
+// tolerance: callers ask `bound <= tolerance`.
 #pragma once
 
 #include <cstddef>

@@ -9,6 +9,7 @@
 #include "base/progress_meter.hpp"
 #include "kernel/binary.hpp"
 #include "kernel/grid.hpp"
+#include "kernel/int128.hpp"
 
 #include <boost/multiprecision/cpp_int.hpp>
 
@@ -24,7 +25,6 @@ namespace delone::kernel {
 namespace {
 
 namespace mp = boost::multiprecision;
-__extension__ using UInt128 = unsigned __int128;
 template <unsigned Bits>
 using FixedInteger =
     mp::number<mp::cpp_int_backend<Bits, Bits, mp::signed_magnitude, mp::unchecked, void>, mp::et_off>;
@@ -76,20 +76,24 @@ template <int Limbs>
 struct WideInteger {
   std::uint64_t limbs[Limbs] = {};
 
-  explicit WideInteger(Int128 x = 0) {
-    for (int i = 0; i < Limbs; ++i) limbs[i] = static_cast<std::uint64_t>(x >> std::min(64 * i, 127));
+  WideInteger() = default;
+  explicit WideInteger(const Int128& x) {
+    const TwoWords size = magnitude(x);
+    const std::uint64_t sign = x < 0 ? ~std::uint64_t{0} : 0;  // −size is the complement of size, plus 1
+    limbs[0] = (size.low ^ sign) - sign;
+    limbs[1] = (size.high ^ sign) + static_cast<std::uint64_t>(sign != 0 && size.low == 0);
+    for (int i = 2; i < Limbs; ++i) limbs[i] = x < 0 ? ~std::uint64_t{0} : 0;
   }
   /// Adds or subtracts factor·x·2^(64·shift).
   void add_product(std::uint64_t factor, const WideInteger& x, int shift, bool subtracts) {
     std::uint64_t high = 0, carry = 0;
     for (int i = 0; i + shift < Limbs; ++i) {
-      const UInt128 product = static_cast<UInt128>(x.limbs[i]) * factor + high;
-      high = static_cast<std::uint64_t>(product >> 64);
-      const auto low = static_cast<std::uint64_t>(product);
-      const UInt128 sum = subtracts ? static_cast<UInt128>(limbs[i + shift]) - low - carry
-                                    : static_cast<UInt128>(limbs[i + shift]) + low + carry;
-      limbs[i + shift] = static_cast<std::uint64_t>(sum);
-      carry = static_cast<std::uint64_t>(sum >> 64) & 1;
+      const TwoWords product = multiply_add(x.limbs[i], factor, high);
+      high = product.high;
+      const TwoWords sum = subtracts ? subtract(limbs[i + shift], product.low, carry)
+                                     : add(limbs[i + shift], product.low, carry);
+      limbs[i + shift] = sum.low;
+      carry = sum.high;
     }
   }
   Sign sign() const {
@@ -117,14 +121,12 @@ Sign sign_by_wide_minors(const std::vector<Int128>& a, int n) {
     bool negate = (row & 1) != 0;
     for (std::size_t rest = subset; rest != 0; rest &= rest - 1, negate = !negate) {
       const int c = std::countr_zero(rest);
-      const Int128 entry = entries[c];
+      const Int128& entry = entries[c];
       const bool subtracts = (entry < 0) != negate;
-      const UInt128 size = entry < 0 ? -static_cast<UInt128>(entry) : static_cast<UInt128>(entry);
+      const TwoWords size = magnitude(entry);
       const WideInteger<Limbs>& minor = minors[subset & ~(std::size_t{1} << c)];
-      if (const auto low = static_cast<std::uint64_t>(size); low != 0)
-        sum.add_product(low, minor, 0, subtracts);
-      if (const auto high = static_cast<std::uint64_t>(size >> 64); high != 0)
-        sum.add_product(high, minor, 1, subtracts);
+      if (size.low != 0) sum.add_product(size.low, minor, 0, subtracts);
+      if (size.high != 0) sum.add_product(size.high, minor, 1, subtracts);
     }
   }
   return minors[all].sign();

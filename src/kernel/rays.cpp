@@ -2,6 +2,7 @@
 #include "kernel/rays.hpp"
 
 #include "kernel/binary.hpp"
+#include "kernel/int128.hpp"
 
 #include <bit>
 #include <cmath>
@@ -19,15 +20,15 @@ struct Product {
 Product product(double x, double y) {
   const Binary a = decompose(x), b = decompose(y);
   const Int128 mantissa = static_cast<Int128>(a.mantissa) * b.mantissa;
-  return {mantissa < 0 ? -mantissa : mantissa, a.exponent + b.exponent,
+  return {mantissa < 0 ? Int128(-mantissa) : mantissa, a.exponent + b.exponent,
           mantissa < 0   ? -1
           : mantissa > 0 ? 1
                          : 0};
 }
 
 std::strong_ordering compare_magnitudes(Product a, Product b) {
-  const auto width = [](Int128 m) -> int {
-    const auto high = static_cast<std::uint64_t>(m >> 64), low = static_cast<std::uint64_t>(m);
+  const auto width = [](const Int128& m) -> int {
+    const auto [low, high] = magnitude(m);
     return 128 - (high != 0 ? std::countl_zero(high) : 64 + std::countl_zero(low));
   };
   if (const auto top = width(a.magnitude) + a.exponent <=> width(b.magnitude) + b.exponent; top != 0)

@@ -13,6 +13,7 @@
 //   (3) δ' = δ + 1 + (0 for i = 0; ctz(i) for even i; the number of trailing ones of i for odd i)  (mod d).
 // So of i only the length of its last run of equal bits is kept, and e is overwritten by the corner.
 #include "base/compiled_dimension.hpp"
+#include "base/compiler.hpp"
 #include "base/parallel.hpp"
 #include "base/progress_meter.hpp"
 #include "order/insertion_order.hpp"
@@ -276,7 +277,7 @@ void sort_by_cubes(const Position& start, PointsView points, std::span<Index> ro
   const std::size_t size = rows.size();
   // Holds the coordinates first, contiguous as they are read twice, and then the words to sort: memory that
   // is used twice has half of the page faults.
-  const auto memory = std::make_unique_for_overwrite<std::uint64_t[]>(D * size);
+  const std::unique_ptr<std::uint64_t[]> memory(new std::uint64_t[D * size]);
   const auto point = [&](std::size_t i) { return points.data() + std::size_t{rows[i]} * D; };
   std::array<double, D> low, high, scale;
   std::copy_n(point(0), D, low.begin());
@@ -290,8 +291,8 @@ void sort_by_cubes(const Position& start, PointsView points, std::span<Index> ro
     for (std::size_t i = first; i < last; ++i) {
       constexpr std::size_t ahead = 32;
       const double* next = point(std::min(i + ahead, size - 1));
-      __builtin_prefetch(next);
-      __builtin_prefetch(next + D - 1);  // often in the next cache line
+      delone::prefetch(next);
+      delone::prefetch(next + D - 1);  // often in the next cache line
       for (std::size_t j = 0; j < D; ++j) {
         const double x = point(i)[j];
         memory[i * D + j] = std::bit_cast<std::uint64_t>(x);
@@ -327,7 +328,7 @@ void sort_by_cubes(const Position& start, PointsView points, std::span<Index> ro
   if (threads == 1) {
     for (std::size_t i = 0; i < size; ++i) words[i] = word(i);
   } else {
-    apart = std::make_unique_for_overwrite<std::uint64_t[]>(size);
+    apart.reset(new std::uint64_t[size]);
     words = apart.get();
     other = memory.get();
     internal::parallel_for(threads, size, part, [&](std::size_t first, std::size_t last) {

@@ -21,6 +21,7 @@
 // the slack of 1 % covers even 2^20 such errors. Nothing overflows: K!·2^600.
 #pragma once
 
+#include "base/compiler.hpp"
 #include "kernel/determinant.hpp"
 
 #include <bit>
@@ -31,7 +32,7 @@
 namespace delone::internal {
 
 /// Two doubles that are computed with together, for two queries at once.
-using TwoNumbers = double __attribute__((vector_size(16)));
+using TwoNumbers = Lanes<double, 2>;
 
 /// T: double, or TwoNumbers for two queries, maybe in different cells.
 template <int K, class T = double>
@@ -52,12 +53,12 @@ class CellMinors {
         a_[j * K + c] = x;
         largest = larger(largest, larger(x, -x));
       }
-      least = least < largest ? least : largest;
+      least = select(least < largest, least, largest);
       most = larger(most, largest);
       bound *= largest;
     }
-    const T in_range = most <= T{} + 0x1p100 ? bound : infinite;
-    bound_ = least >= T{} + 0x1p-100 ? in_range : infinite;
+    const T in_range = select(most <= T{} + 0x1p100, bound, infinite);
+    bound_ = select(least >= T{} + 0x1p-100, in_range, infinite);
     minors_[0] = T{} + 1;
     [&]<unsigned... S>(std::integer_sequence<unsigned, S...>) { ((minors_[S + 1] = minor<S + 1>()), ...); }
     (std::make_integer_sequence<unsigned, (2u << K) - 2>{});
@@ -78,7 +79,7 @@ class CellMinors {
   static constexpr double factorial = K == 1 ? 1 : K == 2 ? 2 : K == 3 ? 6 : K == 4 ? 24 : K == 5 ? 120 : 720;
   static constexpr double slack = 1.01 * (K * (K + 3) / 2 - 1 + 3 * K) * kernel::unit_roundoff * factorial;
 
-  static T larger(T x, T y) { return x > y ? x : y; }
+  static T larger(T x, T y) { return select(x > y, x, y); }
 
   /// The minor of the rows in a bit set and of as many first columns.
   template <unsigned Rows>

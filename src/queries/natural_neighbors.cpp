@@ -11,6 +11,7 @@
 // quotients. All lengths are in units of the largest distance, rounded to a power of two.
 #include <delone/natural_neighbors.hpp>
 
+#include "base/length.hpp"
 #include "queries/barycentric.hpp"
 #include "queries/evaluation.hpp"
 #include "queries/natural_search.hpp"
@@ -77,12 +78,12 @@ class InnerPoint {
         start_[j] += where.barycentric[i] * edge;
         to_centroid[j] += edge / static_cast<double>(size);
       }
-    double length = 0, largest = 0;
+    double largest = 0;
     for (std::size_t j = 0; j < d; ++j) {
       to_centroid[j] -= start_[j] - corners_[0][j];
-      length = std::hypot(length, to_centroid[j]);
       largest = std::max(largest, std::fabs(start_[j]));
     }
+    const double length = length_of(d, [&](std::size_t j) { return to_centroid[j]; });
     double t = 0, farthest = 0x1p-20 * length;
     if (how_.tolerance > 0) {
       t = 0x1p-30;

@@ -3,6 +3,7 @@
 // once.
 #pragma once
 
+#include "base/compiler.hpp"
 #include "kernel/grid.hpp"
 #include "kernel/stages.hpp"
 #include "queries/barycentric.hpp"
@@ -148,7 +149,7 @@ class TableWalk {
       const VertexId v = vertices[i];
       is_finite = is_finite && v != infinite_vertex;
       walk.points[i] = where_.point(v);
-      __builtin_prefetch(walk.points[i]);
+      delone::prefetch(walk.points[i]);
     }
     return is_finite;
   }

@@ -37,21 +37,19 @@ void for_equal_records(std::span<const std::int64_t> words, std::size_t size, st
   const std::size_t count = words.size() / size;
   std::vector<Entry> entries(count);
   for (std::size_t i = 0; i < count; ++i) entries[i] = {hash_of_key(words.subspan(i * size, key_size)), i};
-  const auto compare = [&](const Entry& a, const Entry& b) {  // the keys
-    const auto first = words.subspan(a.record * size, key_size),
-               second = words.subspan(b.record * size, key_size);
-    return std::lexicographical_compare_three_way(first.begin(), first.end(), second.begin(), second.end());
-  };
+  const auto key = [&](const Entry& entry) { return words.begin() + entry.record * size; };
   std::sort(entries.begin(), entries.end(), [&](const Entry& a, const Entry& b) {
     if (a.hash != b.hash) return a.hash < b.hash;
-    const auto order = compare(a, b);
-    return order != 0 ? order < 0 : a.record < b.record;
+    const auto end = key(a) + key_size;
+    const auto [first, second] = std::mismatch(key(a), end, key(b));
+    return first != end ? *first < *second : a.record < b.record;
   });
   std::vector<std::size_t> equal;
   for (std::size_t i = 0; i < count;) {
     const std::size_t first = i;
     equal.clear();
-    while (i < count && entries[i].hash == entries[first].hash && compare(entries[first], entries[i]) == 0)
+    while (i < count && entries[i].hash == entries[first].hash &&
+           std::equal(key(entries[i]), key(entries[i]) + key_size, key(entries[first])))
       equal.push_back(entries[i++].record);
     each(std::span<const std::size_t>(equal));
   }

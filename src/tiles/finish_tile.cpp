@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // A tile whose questions are all answered becomes its part of the triangulation: the cells whose
 // lexicographically smallest vertex is its own.
+#include "base/atomic_ref.hpp"
 #include "base/parallel_parts.hpp"
 #include "tiles/tile_triangulation.hpp"
 #include "triangulation/stored_points.hpp"
@@ -113,7 +114,7 @@ class PartMaker {
             for (const VertexId v : complex_.vertices(cell)) {
               sum += tags_[index(v)];
               if (points_.weighted()) weighted_sum += weighted_tags_[index(v)];
-              std::atomic_ref(is_used_[index(v)]).store(1, std::memory_order_relaxed);
+              internal::AtomicRef<std::uint8_t>(is_used_[index(v)]).store(1, std::memory_order_relaxed);
             }
             hash.add_cell(sum);
             if (points_.weighted()) weighted_hash.add_cell(weighted_sum);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "tiles/hdf5_file.hpp"
 
-#include "base/platform.hpp"
+#include "base/platform_files.hpp"
 #include "io/file.hpp"
 #include "tiles/part_file.hpp"
 #include "tiles/record_buckets.hpp"
@@ -106,7 +106,7 @@ class Hdf5File {
   }
   ~Hdf5File() {
     if (file_.id() >= 0) file_.close();
-    if (!temporary_.empty()) std::remove(temporary_.c_str());
+    if (!temporary_.empty()) platform::remove_file(temporary_);
   }
 
   void require(bool success) const {

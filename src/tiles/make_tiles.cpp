@@ -37,6 +37,12 @@ struct TileTooLarge {
   std::size_t tile;
 };
 
+/// Three quarters of what is free, or 2 GiB where that is not known.
+std::uint64_t memory_to_use() {
+  const std::uint64_t available = platform::available_memory();
+  return available > 0 ? available / 4 * 3 : std::uint64_t{2} << 30;
+}
+
 /// One run, from the input to the index.
 class Run {
  public:
@@ -45,7 +51,7 @@ class Run {
         folder_(std::move(folder)),
         fingerprint_(std::move(fingerprint)),
         options_(options),
-        memory_(options.memory > 0 ? options.memory : platform::available_memory() / 4 * 3) {}
+        memory_(options.memory > 0 ? options.memory : memory_to_use()) {}
 
   TilesIndex run() {
     if (options_.vtu) require_vtu(folder_, points_.dimension() - (options_.weighted ? 1 : 0));

@@ -3,6 +3,7 @@
 // and then their rows, 64 bits each; pages follow each other without gaps.
 #include "tiles/page_file.hpp"
 
+#include "base/platform_files.hpp"
 #include "base/progress_meter.hpp"
 #include "io/file.hpp"
 #include "tiles/duplicates.hpp"
@@ -30,7 +31,7 @@ class Leftover {
   Leftover(const Leftover&) = delete;
   Leftover& operator=(const Leftover&) = delete;
   ~Leftover() {
-    if (!path_.empty()) std::remove(path_.c_str());
+    if (!path_.empty()) platform::remove_file(path_);
   }
   void keep() { path_.clear(); }
 

@@ -2,6 +2,7 @@
 // Rows of points in chunks. See point_stream.hpp.
 #include "tiles/point_stream.hpp"
 
+#include "base/platform_files.hpp"
 #include "base/progress_meter.hpp"
 #include "base/random.hpp"
 #include "io/collect.hpp"
@@ -41,7 +42,7 @@ class FileStream : public PointStream {
   explicit FileStream(const Source& source)
       : source_(source), file_(source.path, io::PositionedFile::Mode::read, source.name) {}
   ~FileStream() override {
-    if (source_.is_copy) std::remove(source_.path.c_str());
+    if (source_.is_copy) platform::remove_file(source_.path);
   }
 
  protected:
@@ -296,8 +297,9 @@ Source copied(const std::string& path, const StreamOptions& options) {
     }
   };
   errno = 0;
-  const std::unique_ptr<std::FILE, Close> from(path == "-" ? stdin : std::fopen(path.c_str(), "rb"));
+  const std::unique_ptr<std::FILE, Close> from(path == "-" ? stdin : platform::open_file(path, "rb"));
   if (!from) io::fail(Errc::cannot_open, "{}: {}", name, io::error_text(errno));
+  if (path == "-") platform::pass_bytes(stdin);
   const std::uint64_t tag =
       random::mix((std::uint64_t{std::random_device{}()} << 32) + std::random_device{}());
   Source copy{(fs::path(options.scratch_folder) / fmt::format(".delone-partial-{:016x}", tag)).string(), name,
@@ -316,7 +318,7 @@ Source copied(const std::string& path, const StreamOptions& options) {
     }
     to.close();
   } catch (...) {
-    std::remove(copy.path.c_str());
+    platform::remove_file(copy.path);
     throw;
   }
   return copy;
@@ -344,7 +346,7 @@ std::unique_ptr<PointStream> open_format(const std::string& format, const std::s
     if (format == "raw" || format == "bin") return open_raw(source, options.dimension);
     return std::make_unique<TextStream>(source, format, options);
   } catch (...) {
-    if (source.is_copy) std::remove(source.path.c_str());
+    if (source.is_copy) platform::remove_file(source.path);
     throw;
   }
 }

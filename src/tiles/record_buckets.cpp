@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "tiles/record_buckets.hpp"
 
+#include "base/platform_files.hpp"
 #include "base/progress_meter.hpp"
 #include "io/file.hpp"
 
@@ -35,7 +36,7 @@ RecordBuckets::RecordBuckets(std::string prefix, std::size_t buckets)
 
 RecordBuckets::~RecordBuckets() {
   for (std::size_t b = 0; b < written_.size(); ++b)
-    if (written_[b] > 0) std::remove(path(b).c_str());
+    if (written_[b] > 0) platform::remove_file(path(b));
 }
 
 std::string RecordBuckets::path(std::size_t bucket) const {
@@ -54,7 +55,7 @@ void RecordBuckets::flush(std::size_t bucket) {
   if (buffer.empty()) return;
   const std::string name = path(bucket);
   errno = 0;
-  File file(std::fopen(name.c_str(), written_[bucket] == 0 ? "wb" : "ab"));
+  File file(platform::open_file(name, written_[bucket] == 0 ? "wb" : "ab"));
   if (!file) io::fail(Errc::cannot_write, "{}: {}", io::output_name(name), io::error_text(errno));
   std::setvbuf(file.get(), nullptr, _IONBF, 0);
   const std::uint64_t before = std::exchange(written_[bucket], written_[bucket] + buffer.size());
@@ -73,13 +74,13 @@ std::vector<std::int64_t> RecordBuckets::take(std::size_t bucket) {
   const std::string name = path(bucket);
   std::vector<std::int64_t> words(static_cast<std::size_t>(written_[bucket]));
   errno = 0;
-  File file(std::fopen(name.c_str(), "rb"));
+  File file(platform::open_file(name, "rb"));
   if (!file) io::fail(Errc::cannot_open, "{}: {}", io::input_name(name), io::error_text(errno));
   std::setvbuf(file.get(), nullptr, _IONBF, 0);
   if (std::fread(words.data(), sizeof(std::int64_t), words.size(), file.get()) != words.size())
     io::fail(Errc::bad_format, "{}: truncated: expected {} numbers", io::input_name(name), words.size());
   file.reset();
-  std::remove(name.c_str());
+  platform::remove_file(name);
   written_[bucket] = 0;
   return words;
 }

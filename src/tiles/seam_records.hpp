@@ -2,6 +2,7 @@
 // Records of facets at seams: their files, and the pairs of equal facets.
 #pragma once
 
+#include "base/platform_files.hpp"
 #include "base/progress_meter.hpp"
 #include "io/file.hpp"
 #include "tiles/equal_records.hpp"
@@ -36,7 +37,7 @@ class SeamReader {
   SeamReader(const std::string& work, std::size_t tile)
       : path_(path_in(work, seam_records_name(tile))), file_(nullptr, &std::fclose) {
     errno = 0;
-    file_.reset(std::fopen(path_.c_str(), "rb"));
+    file_.reset(platform::open_file(path_, "rb"));
     if (!file_) io::fail(Errc::cannot_open, "{}: {}", io::input_name(path_), io::error_text(errno));
     std::array<std::int64_t, seam_header_words> header{};
     read(header.data(), header.size());

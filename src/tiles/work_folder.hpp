@@ -3,7 +3,7 @@
 // FOLDER/work/tile-0000.json what a tile has become whose part and seams are complete.
 #pragma once
 
-#include "base/platform.hpp"
+#include "base/platform_files.hpp"
 #include "tiles/finished_tile.hpp"
 
 #include <delone/tiles.hpp>

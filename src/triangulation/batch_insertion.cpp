@@ -2,10 +2,10 @@
 #include "triangulation/batch_insertion.hpp"
 
 #include "base/compiled_dimension.hpp"
+#include "base/compiler.hpp"
 #include "base/parallel.hpp"
 
 #include <algorithm>
-#include <compare>
 #include <new>
 #include <numeric>
 
@@ -24,7 +24,7 @@ void append_in_order(std::span<const double> rows, std::size_t width, std::span<
     for (std::size_t first = 0; first < order.size(); first += most_in_block) {
       const std::size_t count = std::min(most_in_block, order.size() - first);
       for (std::size_t i = 0; i < count; ++i) {
-        __builtin_prefetch(rows.data() + order[std::min(first + i + ahead, order.size() - 1)] * w);
+        delone::prefetch(rows.data() + order[std::min(first + i + ahead, order.size() - 1)] * w);
         std::copy_n(rows.data() + order[first + i] * w, w, block.data() + i * w);
       }
       to.insert(to.end(), block.begin(), block.begin() + static_cast<std::ptrdiff_t>(count * w));
@@ -110,7 +110,7 @@ Index Triangulation::Impl::BatchInsertion::next() {
   if (place_ == order_.size()) return invalid_index;
   // Where to write vertices has no order of its own: it is prefetched long before its turn.
   constexpr std::size_t ahead = 64;
-  __builtin_prefetch(impl_.vertex_of_row.data() + row(std::min(place_ + ahead, order_.size() - 1)), 1);
+  delone::prefetch_for_writing(impl_.vertex_of_row.data() + row(std::min(place_ + ahead, order_.size() - 1)));
   const double* const from = point_at(place_++);
   VertexPoints& vertices = impl_.points;
   --vertices.num_waiting;
@@ -217,19 +217,17 @@ bool Triangulation::Impl::BatchInsertion::wrap(std::span<const Index> simplex) {
 /// and noted. Returns the rows that stay.
 std::vector<Index> Triangulation::Impl::BatchInsertion::merge_duplicates() {
   const std::size_t width = impl_.row_size();
-  const auto compare = [&](std::size_t a, std::size_t b) {
-    return std::lexicographical_compare_three_way(point_at(a), point_at(a) + width, point_at(b),
-                                                  point_at(b) + width);
-  };
   std::vector<std::size_t> places(order_.size()), first(order_.size());
   std::iota(places.begin(), places.end(), std::size_t{0});
   std::sort(places.begin(), places.end(), [&](std::size_t a, std::size_t b) {
-    const auto by_coordinates = compare(a, b);
-    return by_coordinates != 0 ? by_coordinates < 0 : a < b;
+    const auto end = point_at(a) + width;
+    const auto [x, y] = std::mismatch(point_at(a), end, point_at(b));
+    return x != end ? *x < *y : a < b;
   });
   std::size_t num_distinct = 0;
   for (std::size_t i = 0; i < places.size(); ++i) {
-    const bool is_new = i == 0 || compare(places[i - 1], places[i]) != 0;
+    const bool is_new =
+        i == 0 || !std::equal(point_at(places[i]), point_at(places[i]) + width, point_at(places[i - 1]));
     first[places[i]] = is_new ? places[i] : first[places[i - 1]];
     num_distinct += is_new;
   }

@@ -2,6 +2,7 @@
 // Insertion: points to vertices, affine dimensions, duplicates, hidden points, rows.
 #include "triangulation/triangulation_impl.hpp"
 
+#include "base/atomic_ref.hpp"
 #include "base/parallel.hpp"
 #include "base/progress_meter.hpp"
 #include "base/require_finite.hpp"
@@ -336,7 +337,7 @@ void Triangulation::Impl::find_cells_of_vertices() {
         if (!now.is_cell(c)) continue;
         for (int i = 0; i <= now.affine_dimension(); ++i) {
           // The last one, as in one thread.
-          const std::atomic_ref last_cell(cell_of_vertex[index(now.vertex(c, i))]);
+          const internal::AtomicRef<CellId> last_cell(cell_of_vertex[index(now.vertex(c, i))]);
           CellId known = last_cell.load(std::memory_order_relaxed);
           while ((known == invalid_cell || known < c) &&
                  !last_cell.compare_exchange_weak(known, c, std::memory_order_relaxed)) {

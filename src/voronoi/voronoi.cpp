@@ -4,6 +4,7 @@
 
 #include "base/compensated_sum.hpp"
 #include "base/guarded.hpp"
+#include "base/length.hpp"
 #include "base/parallel_parts.hpp"
 #include "base/progress_meter.hpp"
 #include "base/require_tolerance.hpp"
@@ -24,28 +25,8 @@ namespace {
 constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr std::size_t ridges_in_part = 2048;
 
-/// The length of a vector of R^d, without overflow or underflow on the way; infinity if a component is not
-/// finite, as differences of vertices beyond the range of double precision.
-template <class Component>
-double length(std::size_t d, Component component) {
-  double largest = 0;
-  for (std::size_t j = 0; j < d; ++j) {
-    const double x = std::abs(component(j));
-    if (!std::isfinite(x)) return infinity;
-    largest = std::max(largest, x);
-  }
-  if (largest == 0) return 0;
-  const int exponent = std::ilogb(largest);
-  double square = 0;
-  for (std::size_t j = 0; j < d; ++j) {
-    const double x = std::ldexp(component(j), -exponent);
-    square += x * x;
-  }
-  return std::ldexp(std::sqrt(square), exponent);
-}
-
 double distance(const double* p, const double* q, std::size_t d) {
-  return length(d, [&](std::size_t j) { return q[j] - p[j]; });
+  return length_of(d, [&](std::size_t j) { return q[j] - p[j]; });
 }
 
 /// The area of the triangle o, p, q in R^d: half of base times height, the height by orthogonalisation.
@@ -55,7 +36,7 @@ double triangle_area(const double* o, const double* p, const double* q, std::siz
   double along = 0;
   for (std::size_t j = 0; j < d; ++j) along += (p[j] - o[j]) / base * (q[j] - o[j]);
   const double height =
-      length(d, [&](std::size_t j) { return (q[j] - o[j]) - along * ((p[j] - o[j]) / base); });
+      length_of(d, [&](std::size_t j) { return (q[j] - o[j]) - along * ((p[j] - o[j]) / base); });
   return base / 2 * height;
 }
 

@@ -2,6 +2,7 @@
 // Sites, vertices, regions and rays. Ridges are in voronoi_ridges.cpp.
 #include "voronoi/voronoi_builder.hpp"
 
+#include "base/compiler.hpp"
 #include "base/parallel_parts.hpp"
 #include "base/progress_meter.hpp"
 #include "kernel/predicates.hpp"
@@ -276,7 +277,7 @@ void VoronoiBuilder::collect_regions_in_plane() {
   out_.region_offsets_.reserve(num_regions + 1);
   for (std::size_t r = 0; r < num_regions; ++r) {
     constexpr std::size_t ahead = 16;
-    if (r + ahead < num_regions) __builtin_prefetch(lists.data() + begin[r + ahead]);
+    if (r + ahead < num_regions) delone::prefetch(lists.data() + begin[r + ahead]);
     const auto first = lists.begin() + static_cast<std::ptrdiff_t>(begin[r]);
     out_.region_vertices_.insert(out_.region_vertices_.end(), first,
                                  first + static_cast<std::ptrdiff_t>(size[r]));

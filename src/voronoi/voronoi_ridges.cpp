@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Ridges, the duals of edges. If no two cells share a sphere, every edge has a ridge; otherwise is_ridge()
 // decides.
+#include "base/compiler.hpp"
 #include "base/parallel_parts.hpp"
 #include "base/progress_meter.hpp"
 #include "voronoi/voronoi_builder.hpp"
@@ -265,7 +266,7 @@ void VoronoiBuilder::collect_ridges_by_region() {
         const auto for_each_later = [&](auto&& visit) {
           for (std::size_t e = 0; e < cells.size(); ++e) {
             constexpr std::size_t ahead = 12;
-            if (e + ahead < cells.size()) __builtin_prefetch(regions.data() + cells[e + ahead] * corners);
+            if (e + ahead < cells.size()) delone::prefetch(regions.data() + cells[e + ahead] * corners);
             const Index place = cells[e];
             const SignedIndex* const first = regions.data() + place * corners;
             std::size_t not_later = 0;  // counting avoids unpredictable branches

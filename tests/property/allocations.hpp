@@ -8,7 +8,8 @@
 
 namespace delone::test {
 
-/// How many allocations, of all threads together, there may be before one fails; none fails if it is negative.
+/// How many allocations, of all threads together, there may be before one fails; none fails if it is
+/// negative.
 extern std::atomic<long> left_for_all_threads;
 
 struct Allocations {

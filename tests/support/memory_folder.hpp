@@ -2,11 +2,10 @@
 // A folder for files that are written thousands of times.
 #pragma once
 
-#include <unistd.h>
-
 #include <filesystem>
 #include <fstream>
 #include <iterator>
+#include <random>
 #include <string>
 
 namespace delone::test {
@@ -17,7 +16,7 @@ class MemoryFolder {
   MemoryFolder() {
     const std::filesystem::path memory = "/dev/shm";
     path_ = (std::filesystem::is_directory(memory) ? memory : std::filesystem::temp_directory_path()) /
-            ("delone_test_" + std::to_string(getpid()));
+            ("delone_test_" + std::to_string(std::random_device{}()));
     std::filesystem::create_directory(path_);
   }
   MemoryFolder(const MemoryFolder&) = delete;
@@ -26,7 +25,7 @@ class MemoryFolder {
     std::error_code ignored;
     std::filesystem::remove_all(path_, ignored);
   }
-  std::string file(const std::string& name) const { return path_ / name; }
+  std::string file(const std::string& name) const { return (path_ / name).string(); }
 
  private:
   std::filesystem::path path_;

@@ -153,7 +153,7 @@ class Release(unittest.TestCase):
         (self.root / "src" / "a.cpp").write_text("")
         self.commit()
         self.assertRegex(" ".join(self.found(("sdist",))), r"delone-\S+\.tar\.gz: \d+ of \d+ files are missing, .*")
-        (self.root / "MANIFEST.in").write_text("graft src\ninclude CMakeLists.txt LICENSE README.md\n")
+        (self.root / "MANIFEST.in").write_text("graft src\ngraft docs\ninclude CMakeLists.txt LICENSE README.md\n")
         self.commit()
         self.assertEqual(self.found(("sdist",)), [])
         (self.root / "setup.py").write_text(self.SETUP.format("9.9.9"))

@@ -24,6 +24,10 @@ class Pages(unittest.TestCase):
                                "docs/decisions/0001-a.md": "decisions/0001-a.md", "data/README.md": "data/README.md"}.items():
             self.assertEqual(make_site.place(ROOT / name), expected)
 
+    def test_comments_of_c_become_prose(self):
+        text = make_site.prose_of_comment("/* Ends a delone_object* and `its` a_b[1].\n *\n *   integer  seed 0\n * The end. */")
+        self.assertEqual(text, "\nEnds a `delone_object*` and `its` a\\_b\\[1].\n\n```text\n  integer  seed 0\n```\n\nThe end.\n")
+
     def test_links_are_rewritten(self):
         pages = {}
         text = make_site.rewritten(ROOT / "README.md", pages)

@@ -3,6 +3,7 @@
 // table of keys that come and go in pairs.
 #pragma once
 
+#include "base/compiler.hpp"
 #include "base/growable_array.hpp"
 #include "engine/wrap/facet_table_kernel.hpp"
 
@@ -29,7 +30,7 @@ class FacetTable {
 
   std::size_t size() const { return size_; }
   [[gnu::always_inline]] void prefetch(std::uint64_t key) const {
-    __builtin_prefetch(&lines_[place(key)], 1);
+    delone::prefetch_for_writing(&lines_[place(key)]);
   }
 
   /// Prefetches the line beside that of a key, if the key may be there or may go there. The key's own line
@@ -38,7 +39,8 @@ class FacetTable {
     const std::size_t home = place(key);
     const Line& line = lines_[home];
     const std::uint64_t overflows = line.num_beside | line.keys[room - 1];  // 0, or not; no branch
-    __builtin_prefetch(&lines_[home ^ static_cast<std::size_t>((overflows | (0 - overflows)) >> 63)], 1);
+    delone::prefetch_for_writing(
+        &lines_[home ^ static_cast<std::size_t>((overflows | (0 - overflows)) >> 63)]);
   }
 
   /// For each of up to most_at_once keys, which are different: if it is there, removes it and writes its

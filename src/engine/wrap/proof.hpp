@@ -10,6 +10,7 @@
 // Functionals are made for some cells at a time and forgotten: most users of a triangulation never need them.
 #pragma once
 
+#include "base/compiler.hpp"
 #include "base/parallel_parts.hpp"
 #include "base/stage_counts.hpp"
 #include "engine/cell_store.hpp"
@@ -305,15 +306,16 @@ class Proof {
     FourIds same{}, next{};
     for (Index begin = 0; begin < K; begin += 4) {
       const FourIds number = FourIds{0, 1, 2, 3} + begin, bit = FourIds{1, 2, 4, 8} << begin;
-      const FourIds v = number < static_cast<Index>(slot) ? four_ids(a + begin) : four_ids(a + begin + 1);
-      same |= four_ids(b + begin) == v ? bit : FourIds{};
-      next |= four_ids(b + begin + 1) == v ? bit : FourIds{};
+      const FourIds v =
+          select(number < static_cast<Index>(slot), four_ids(a + begin), four_ids(a + begin + 1));
+      same |= select(four_ids(b + begin) == v, bit, FourIds{});
+      next |= select(four_ids(b + begin + 1) == v, bit, FourIds{});
     }
     const auto together = [](FourIds x) { return (x[0] | x[1] | x[2] | x[3]) & all; };
     const int mirror = std::countr_one(together(same));
     return together(next) >> mirror == all >> mirror ? mirror : -1;
   }
-  using FourIds = Index __attribute__((vector_size(16)));
+  using FourIds = Lanes<Index, 4>;
   static FourIds four_ids(const Index* from) {
     FourIds ids;
     std::memcpy(&ids, from, sizeof ids);

@@ -8,6 +8,7 @@
 // The search works with rounded numbers, so its result is a proposal; proof.hpp proves or refuses it.
 #pragma once
 
+#include "base/compiler.hpp"
 #include "cells/open_cell.hpp"
 #include "engine/cell_store.hpp"
 #include "engine/wrap/facet_table.hpp"
@@ -167,7 +168,7 @@ class Wrapping {
       // Without a branch, as open facets are unpredictable: an open facet is linked with itself.
       const std::uint32_t open = 0u - static_cast<std::uint32_t>(made.mirrors[i] == FacetTable::none);
       made.mirrors[i] = (facet(made.cell, i) & open) | (made.mirrors[i] & ~open);
-      __builtin_prefetch(cells_.neighbors(made.mirrors[i] / (K + 1)), 1);
+      delone::prefetch_for_writing(cells_.neighbors(made.mirrors[i] / (K + 1)));
     }
     return made.key % 256 != 0 || sample_.insert(made.key).second;
   }

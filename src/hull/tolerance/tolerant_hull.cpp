@@ -43,9 +43,7 @@ TolerantHull::TolerantHull(const HullState& exact, const Options& options, bool 
   if (k < 1) return;
   const std::function<bool(double)> nobody;
   ProgressMeter meter(shows_progress ? options.progress : nobody, 0);
-  const std::function<void()> alive = [&] {
-    meter(0);
-  };
+  const std::function<void()> alive = [&] { meter(0); };
   const HullAnalysis analysis(exact);
   const ExtremeSites extreme(exact.sites(), analysis.facet_sites());
   VertexChoice choice;

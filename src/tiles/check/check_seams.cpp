@@ -67,7 +67,6 @@ SeamChecker::SeamChecker(const TilesIndex& index, const Reference& reference, st
       ridge_size_((k_ == 0 ? 0 : k_ - 1) + 2 + (k_ + 1) * row_size_),
       reference_(reference),
       scratch_(std::move(scratch)),
-      memory_(memory),
       canonical_(canonical),
       facets_(std::make_unique<RecordBuckets>(scratch_ + "/facets",
                                               RecordBuckets::count_for(facets * facet_size_, memory))) {}

@@ -44,7 +44,6 @@ class SeamChecker {
   std::size_t k_, row_size_, facet_size_, ridge_size_;
   const Reference& reference_;
   std::string scratch_;
-  std::uint64_t memory_;
   bool canonical_;
   std::unique_ptr<RecordBuckets> facets_, ridges_;
   std::vector<std::int64_t> record_;

@@ -6,9 +6,6 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
-#include <filesystem>
-#include <random>
-#include <string>
 
 namespace delone {
 namespace {
@@ -84,18 +81,6 @@ TEST(PriceOfLargePages, DearPagesAreSoonTooMuchForAll) {
   EXPECT_EQ(accepted, 2);
   EXPECT_FALSE(PriceOfLargePages::are_worth_trying(-99.5));
   EXPECT_TRUE(PriceOfLargePages::are_worth_trying(-98));
-}
-
-TEST(Platform, TellsWhetherThereIsRoomForAFile) {
-  const std::string path =
-      (std::filesystem::temp_directory_path() / ("delone_room_" + std::to_string(std::random_device{}())))
-          .string();
-  EXPECT_EQ(platform::find_no_room(path.c_str(), 100000), 0);
-  EXPECT_FALSE(std::filesystem::exists(path));
-  if (!platform::maps_memory) GTEST_SKIP();
-  EXPECT_NE(platform::find_no_room(path.c_str(), std::uint64_t{1} << 62), 0);
-  EXPECT_FALSE(std::filesystem::exists(path));
-  EXPECT_NE(platform::find_no_room((path + "/nowhere").c_str(), 1), 0);
 }
 
 }  // namespace

@@ -74,6 +74,19 @@ TEST(DistanceBound, IsAboveAndSharp) {
   }
 }
 
+TEST(DistanceBound, IsAboveBelowTheNormalNumbers) {
+  const double least = std::numeric_limits<double>::denorm_min(), origin[] = {0, 0, 0};
+  std::mt19937_64 random(3);
+  std::uniform_int_distribution<int> multiple(0, 9);
+  for (int trial = 0; trial < 100; ++trial) {
+    const double p[] = {multiple(random) * least, multiple(random) * least, multiple(random) * least};
+    const double bound = distance_bound(origin, p, 3, 0);
+    EXPECT_GE(Rational(bound) * Rational(bound), squared_distance(exact(p, 3), {exact(origin, 3)}));
+    EXPECT_LE(bound, p[0] + p[1] + p[2] + least);
+  }
+  EXPECT_EQ(distance_bound(origin, origin, 3, 0), 0);
+}
+
 TEST(DistanceBound, OfWhatIsNotFiniteIsWithinNothing) {
   const double infinity = std::numeric_limits<double>::infinity();
   const double p[] = {infinity, 0}, q[] = {infinity, 0}, r[] = {1e308, 0}, s[] = {-1e308, 1e308};

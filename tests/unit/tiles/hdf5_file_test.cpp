@@ -3,6 +3,7 @@
 #include "tiles/hdf5_file.hpp"
 
 #include "../io/io_support.hpp"
+#include "file_size_limit.hpp"
 #include "tiles_support.hpp"
 
 #include <delone/delaunay.hpp>
@@ -10,10 +11,6 @@
 #include <delone/regular.hpp>
 
 #include <gtest/gtest.h>
-
-#include <sys/resource.h>
-
-#include <csignal>
 
 #if DELONE_WITH_HDF5
 #include <hdf5.h>
@@ -102,14 +99,11 @@ TEST_F(Hdf5Test, TinySetsAreWritten) {
 
 TEST_F(Hdf5Test, FullDiskIsAnError) {
   write_folder(folder(), Delaunay<>(make_point_set("uniform", 2, 3000), 2).to_data(), 2);
-  rlimit before{};
-  getrlimit(RLIMIT_FSIZE, &before);
-  const auto old_handler = std::signal(SIGXFSZ, SIG_IGN);
-  const rlimit small{20000, before.rlim_max};
-  setrlimit(RLIMIT_FSIZE, &small);
-  expect_error(Errc::cannot_write, {"tiles.h5"}, [&] { write(std::uint64_t{1} << 24); });
-  setrlimit(RLIMIT_FSIZE, &before);
-  std::signal(SIGXFSZ, old_handler);
+  if (!test::FileSizeLimit::exists) GTEST_SKIP();
+  {
+    const test::FileSizeLimit full(20000);
+    expect_error(Errc::cannot_write, {"tiles.h5"}, [&] { write(std::uint64_t{1} << 24); });
+  }
   EXPECT_FALSE(std::filesystem::exists(path("out/tiles.h5")));
   EXPECT_FALSE(std::filesystem::exists(path("out/.delone-partial-tiles.h5")));
 }

@@ -2,14 +2,12 @@
 #include "tiles/page_file.hpp"
 
 #include "../io/io_support.hpp"
+#include "file_size_limit.hpp"
 #include "tile_sets.hpp"
 
 #include <gtest/gtest.h>
 
-#include <sys/resource.h>
-
 #include <algorithm>
-#include <csignal>
 #include <filesystem>
 #include <map>
 #include <thread>
@@ -189,30 +187,23 @@ TEST_F(PageFiles, RefuseDamage) {
   expect_bad([&] { PageFile(path("points"), made.table); });
 }
 
-/// A full disk is played by a limit of the size of files.
 TEST_F(PageFiles, LeaveNothingOnAFullDisk) {
+  if (!test::FileSizeLimit::exists) GTEST_SKIP();
   const test::TileSet set = set_named("uniform3", 5000);
-  rlimit before{};
-  ASSERT_EQ(getrlimit(RLIMIT_FSIZE, &before), 0);
-  const auto handler = std::signal(SIGXFSZ, SIG_IGN);
-  rlimit small = before;
-  small.rlim_cur = 64 << 10;
   for (const std::uint64_t memory : {std::uint64_t{256} << 10, std::uint64_t{1} << 30}) {
-    ASSERT_EQ(setrlimit(RLIMIT_FSIZE, &small), 0);
     Errc code{};
     std::string message;
     try {
+      const test::FileSizeLimit full(64 << 10);
       make(set, 2, path("points"), {.memory = memory});
     } catch (const Error& error) {
       code = error.code();
       message = error.what();
     }
-    ASSERT_EQ(setrlimit(RLIMIT_FSIZE, &before), 0);
     EXPECT_EQ(code, Errc::cannot_write);
     EXPECT_NE(message.find(path("points")), std::string::npos) << message;
     EXPECT_EQ(num_files(), 0u);
   }
-  std::signal(SIGXFSZ, handler);
 }
 
 TEST_F(PageFiles, RefuseATileBeyondTheMemory) {

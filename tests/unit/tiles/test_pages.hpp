@@ -21,7 +21,7 @@ class TestPages final : public PageSource {
  public:
   /// `points`: rows of d numbers, and the weight if `weighted`.
   TestPages(std::vector<double> points, int dimension, std::size_t num_tiles, bool weighted = false,
-              std::size_t page_size = 8)
+            std::size_t page_size = 8)
       : points_(std::move(points)),
         width_(static_cast<std::size_t>(dimension) + (weighted ? 1 : 0)),
         page_size_(page_size) {

@@ -3,6 +3,7 @@
 #include "tiles/work_folder.hpp"
 
 #include "../io/io_support.hpp"
+#include "file_size_limit.hpp"
 #include "tiles/index_file.hpp"
 #include "tiles_support.hpp"
 
@@ -11,9 +12,6 @@
 
 #include <gtest/gtest.h>
 
-#include <sys/resource.h>
-
-#include <csignal>
 #include <memory>
 
 namespace {
@@ -145,18 +143,15 @@ TEST_F(WorkFolderTest, FinishedOfAnotherPlanIsAnError) {
 }
 
 TEST_F(WorkFolderTest, FullDiskLosesNoFinishedTile) {
+  if (!test::FileSizeLimit::exists) GTEST_SKIP();
   const tiles::Plan plan = plan_of(data_, 3);
   auto work = std::make_unique<WorkFolder>(folder_, plan, true);
   work->finish(0, tiles_[0]);
-  rlimit before{};
-  getrlimit(RLIMIT_FSIZE, &before);
-  const auto old_handler = std::signal(SIGXFSZ, SIG_IGN);
-  const rlimit small{1500, before.rlim_max};
-  setrlimit(RLIMIT_FSIZE, &small);
-  expect_error(Errc::cannot_write, {"part-0001.npz"}, [&] { work->finish(1, tiles_[1]); });
-  work.reset();
-  setrlimit(RLIMIT_FSIZE, &before);
-  std::signal(SIGXFSZ, old_handler);
+  {
+    const test::FileSizeLimit full(1500);
+    expect_error(Errc::cannot_write, {"part-0001.npz"}, [&] { work->finish(1, tiles_[1]); });
+    work.reset();
+  }
   EXPECT_EQ(WorkFolder(folder_, plan, true).num_finished(), 1u);
   EXPECT_FALSE(std::filesystem::exists(path("out/part-0001.npz")));
 }

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "whole_numbers.hpp"
+#include "numbers.hpp"
+
+#include <fast_float/fast_float.h>
 
 #include <charconv>
 #include <cmath>
@@ -19,11 +21,9 @@ std::optional<std::uint64_t> scaled(std::string_view number, std::uint64_t unit)
   std::uint64_t digits = 0;
   if (const auto [end, error] = std::from_chars(number.data(), all, digits); end == all)
     return error != std::errc() || digits > beyond_numbers / unit ? beyond_numbers : digits * unit;
-  double value = 0;
-  if (const auto [end, error] = std::from_chars(number.data(), all, value);
-      error != std::errc() || end != all)
-    return std::nullopt;
-  value *= static_cast<double>(unit);
+  const std::optional<double> real = parse_real(number);
+  if (!real) return std::nullopt;
+  const double value = *real * static_cast<double>(unit);
   if (value != std::trunc(value)) return std::nullopt;
   return value < 0x1p64 ? static_cast<std::uint64_t>(value) : beyond_numbers;
 }
@@ -43,6 +43,15 @@ std::optional<std::uint64_t> bytes_of(std::string unit) {
 }
 
 }  // namespace
+
+// std::from_chars of a double is missing in libc++ before version 20.
+std::optional<double> parse_real(std::string_view text) {
+  double value = 0;
+  const auto [end, error] = fast_float::from_chars(text.data(), text.data() + text.size(), value);
+  const bool is_number = error == std::errc() || error == std::errc::result_out_of_range;
+  if (!is_number || end != text.data() + text.size()) return std::nullopt;
+  return value;
+}
 
 std::optional<std::uint64_t> parse_count(std::string_view text) { return scaled(text, 1); }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Whole numbers as options have them: counts, as 1000 or 1e6, and sizes, as 500MB or 1.5GiB.
+// Numbers as options have them: counts, as 1000 or 1e6, sizes, as 500MB or 1.5GiB, and real numbers.
 #pragma once
 
 #include <cstdint>
@@ -18,5 +18,8 @@ std::optional<std::uint64_t> parse_count(std::string_view text);
 /// The same as a number of bytes, and with a unit after it, in letters of either case: B; KB, MB, GB, TB,
 /// powers of 1000; KiB, MiB, GiB, TiB and K, M, G, T, powers of 1024. The product must be whole.
 std::optional<std::uint64_t> parse_size(std::string_view text);
+
+/// The whole of `text` as a number, correctly rounded. Magnitudes beyond binary64 give an infinity or a zero.
+std::optional<double> parse_real(std::string_view text);
 
 }  // namespace delone::cli

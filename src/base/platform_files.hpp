@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Files as the operating system has them. Paths are as std::filesystem::path takes them: in UTF-8 on Linux
+// and under MinGW. Errors are errno values on every system.
+#pragma once
+
+#include "base/platform.hpp"
+
+#include <cstddef>
+#include <cstdint>
+#include <cstdio>
+#include <memory>
+#include <string>
+
+namespace delone::platform {
+
+/// std::fopen, for bytes: "rb", "wb" or "ab". Sets errno on failure.
+std::FILE* open_file(const std::string& path, const char* mode);
+/// Opens a new file for writing. Fails with EEXIST if there is one. Sets errno on failure.
+std::FILE* create_file(const std::string& path);
+/// Removes a file, if it is there. Outside Windows without memory, unlike std::filesystem.
+void remove_file(const std::string& path);
+/// Lets a standard stream pass bytes as they are; Windows would change line ends.
+void pass_bytes(std::FILE* stream);
+
+/// A file that is read and written at any place, by several threads at once. Functions return an errno value,
+/// 0 for success.
+class RawFile {
+ public:
+  RawFile();
+  RawFile(RawFile&& other) noexcept;
+  RawFile& operator=(RawFile&&) = delete;
+  ~RawFile();
+
+  /// Opens a file to be read or, created or emptied, to be written too.
+  [[nodiscard]] int open(const std::string& path, bool writes);
+  /// Once it was closed, or if it was never open, it is closed already.
+  [[nodiscard]] int close();
+  [[nodiscard]] int size(std::uint64_t& size) const;
+  /// At least one byte, unless the file ends at `offset`. Sets `done` to their number.
+  [[nodiscard]] int read_some(std::uint64_t offset, void* data, std::size_t size, std::size_t& done) const;
+  /// At least one byte.
+  [[nodiscard]] int write_some(std::uint64_t offset, const void* data, std::size_t size, std::size_t& done);
+
+ private:
+  struct Handle;
+  std::unique_ptr<Handle> handle_;
+};
+
+/// A file that one process at a time may hold: given back at the end of this object, or of the process.
+class FileLock {
+ public:
+  /// Creates the file if need be.
+  explicit FileLock(const char* path);
+  FileLock(const FileLock&) = delete;
+  FileLock& operator=(const FileLock&) = delete;
+  ~FileLock();
+  /// Whether this process holds it. True where the system has no such locks, or not for this file.
+  bool is_held() const { return is_held_; }
+
+ private:
+  std::intptr_t file_ = -1;
+  bool is_held_ = true;
+};
+
+/// Whether the file system has room for a file of so many bytes at this path, and such a file is allowed: 0,
+/// or the errno value that says why not. A file that is there is truncated; what is created is removed. 0
+/// where the system cannot tell.
+int find_no_room(const char* path, std::uint64_t bytes);
+
+}  // namespace delone::platform
