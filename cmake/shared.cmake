@@ -20,7 +20,9 @@ endfunction()
 
 # delone_from_objects(<target> <type>): a library of that type of the objects of delone.
 function(delone_from_objects target type)
-  file(WRITE ${CMAKE_CURRENT_BINARY_DIR}/none.cpp "")  # some generators want a source
+  if(NOT EXISTS ${CMAKE_CURRENT_BINARY_DIR}/none.cpp)  # some generators want a source
+    file(WRITE ${CMAKE_CURRENT_BINARY_DIR}/none.cpp "")
+  endif()
   add_library(${target} ${type} ${CMAKE_CURRENT_BINARY_DIR}/none.cpp $<TARGET_OBJECTS:delone>)
   target_compile_features(${target} PUBLIC cxx_std_20)
   get_target_property(libraries delone LINK_LIBRARIES)
