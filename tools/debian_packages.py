@@ -4,8 +4,8 @@
 
 Usage: debian_packages.py [--keep] [--build-only] [OUTPUT]
 
-In OUTPUT, build/packages if not given: the tree with packaging/debian as its folder debian, built by dpkg-buildpackage, by one compiler
-at a time, through ccache where that is installed; the packages, which lintian has to find clean; and a Debian of this machine's release,
+In OUTPUT, build/packages if not given: the tree with packaging/debian as its folder debian, built by dpkg-buildpackage,
+through ccache where that is installed; the packages, which lintian has to find clean; and a Debian of this machine's release,
 made by mmdebstrap, in which they are installed with what they depend on and the tests of packaging/debian/tests run. That system is
 deleted afterwards, if --keep is not given. Needs root, a Debian, and a mirror in /etc/apt.
 """
@@ -46,7 +46,7 @@ def copy_tree(folder):
 
 
 def build(tree):
-    environment = {**os.environ, "DEB_BUILD_OPTIONS": "parallel=1 noautodbgsym"}
+    environment = {**os.environ, "DEB_BUILD_OPTIONS": f"parallel={os.cpu_count()} noautodbgsym"}
     if shutil.which("ccache"):  # debhelper hides the home folder, in which ccache would look
         environment |= {"CCACHE_DIR": said("ccache", "--get-config", "cache_dir"), "CCACHE_BASEDIR": str(tree), "CCACHE_NOHASHDIR": "1"}
     with open(tree.parent / "build.log", "w", encoding="utf-8") as log:

@@ -19,8 +19,7 @@ import time
 ROOT = pathlib.Path(__file__).resolve().parent.parent
 
 KINDS = {
-    "portable": "without 128-bit integers, compiler's vectors and calls of Linux",
-    "without-tbb": "without threads",
+    "portable": "standard C++ only, without threads",
     "libcxx": "clang with libc++",
     "aarch64": "64-bit ARM, under QEMU",
     "mingw": "Windows by MinGW-w64, under Wine",
