@@ -30,10 +30,10 @@ void write(std::FILE* file) {
 
 TEST(PlatformFiles, KeepTheirBytesAndNames) {
   const test::MemoryFolder folder;
-  const std::string path = folder.file(name);
+  const std::string path = folder.file("") + name;
   write(platform::open_file(path, "wb"));
   write(platform::open_file(path, "ab"));
-  EXPECT_TRUE(std::filesystem::exists(std::filesystem::path(path)));
+  EXPECT_TRUE(std::filesystem::exists(platform::path_of(path)));
   std::FILE* const file = platform::open_file(path, "rb");
   ASSERT_NE(file, nullptr);
   char found[20];
@@ -42,21 +42,21 @@ TEST(PlatformFiles, KeepTheirBytesAndNames) {
   EXPECT_EQ(std::string_view(found, bytes.size()), bytes);
   EXPECT_EQ(std::string_view(found + bytes.size(), bytes.size()), bytes);
   platform::remove_file(path);
-  EXPECT_FALSE(std::filesystem::exists(std::filesystem::path(path)));
+  EXPECT_FALSE(std::filesystem::exists(platform::path_of(path)));
   EXPECT_EQ(platform::open_file(path, "rb"), nullptr);
   EXPECT_EQ(errno, ENOENT);
 }
 
 TEST(PlatformFiles, AreCreatedOnce) {
   const test::MemoryFolder folder;
-  write(platform::create_file(folder.file(name)));
-  EXPECT_EQ(platform::create_file(folder.file(name)), nullptr);
+  write(platform::create_file(folder.file("") + name));
+  EXPECT_EQ(platform::create_file(folder.file("") + name), nullptr);
   EXPECT_EQ(errno, EEXIST);
 }
 
 TEST(RawFile, ReadsAndWritesAnywhere) {
   const test::MemoryFolder folder;
-  const std::string path = folder.file(name);
+  const std::string path = folder.file("") + name;
   RawFile opened;
   ASSERT_EQ(opened.open(path, true), 0);
   RawFile file(std::move(opened));
