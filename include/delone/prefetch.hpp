@@ -7,7 +7,6 @@
 // The intrinsic of MSVC is declared in <xmmintrin.h>, which declares thousands of names; public headers do
 // without.
 
-
 namespace delone::internal {
 
 /// Lets the processor fetch the cache line of an address, to be read soon. Any address may be given. No

@@ -5,8 +5,8 @@
 // neighbors are cut off at the last neighbor: the next cell may be on a cache line that nothing else needs.
 #include "engine/link_kernel.hpp"
 
-#include "base/compiler.hpp"
 #include "base/compiled_dimension.hpp"
+#include "base/compiler.hpp"
 
 #include <algorithm>
 #include <bit>

@@ -12,8 +12,8 @@
 //   (2) e' = e for i = 0; otherwise the corner of i with bit 0 flipped, and bit ctz(i) flipped too if i is even;
 //   (3) δ' = δ + 1 + (0 for i = 0; ctz(i) for even i; the number of trailing ones of i for odd i)  (mod d).
 // So of i only the length of its last run of equal bits is kept, and e is overwritten by the corner.
-#include "base/compiler.hpp"
 #include "base/compiled_dimension.hpp"
+#include "base/compiler.hpp"
 #include "base/parallel.hpp"
 #include "base/progress_meter.hpp"
 #include "order/insertion_order.hpp"

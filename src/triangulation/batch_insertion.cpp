@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "triangulation/batch_insertion.hpp"
 
-#include "base/compiler.hpp"
 #include "base/compiled_dimension.hpp"
+#include "base/compiler.hpp"
 #include "base/parallel.hpp"
 
 #include <algorithm>

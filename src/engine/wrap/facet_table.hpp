@@ -39,7 +39,8 @@ class FacetTable {
     const std::size_t home = place(key);
     const Line& line = lines_[home];
     const std::uint64_t overflows = line.num_beside | line.keys[room - 1];  // 0, or not; no branch
-    delone::prefetch_for_writing(&lines_[home ^ static_cast<std::size_t>((overflows | (0 - overflows)) >> 63)]);
+    delone::prefetch_for_writing(
+        &lines_[home ^ static_cast<std::size_t>((overflows | (0 - overflows)) >> 63)]);
   }
 
   /// For each of up to most_at_once keys, which are different: if it is there, removes it and writes its
