@@ -223,6 +223,7 @@ int RawFile::open(const std::string& path, bool writes) {
 
 int RawFile::close() {
   if (handle_ == nullptr || !handle_->file.is_open()) return 0;
+  handle_->file.clear();  // of the end of the file
   errno = 0;
   handle_->file.close();
   return handle_->file.fail() ? errno != 0 ? errno : EIO : 0;
