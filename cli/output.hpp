@@ -70,6 +70,7 @@ void check_output(const std::string& path, const std::string& format, WriteNothi
   const std::string nowhere = system::null_device();
   try {
     write_nothing(nowhere, chosen);
+    system::remove_null(nowhere);
   } catch (const Error& e) {
     std::string message = e.what();
     if (message.rfind(nowhere, 0) == 0) message.replace(0, nowhere.size(), output_name(path));

@@ -23,8 +23,11 @@ bool is_terminal();
 int why_not_writable(const std::string& path);
 int why_not_writable_folder(const std::string& path);
 
-/// Where nothing is kept of what is written.
+/// Where nothing is kept of what is written: a device, or on Windows, whose NUL is no file that can be asked
+/// about, a file that is removed.
 std::string null_device();
+/// To be called after such a write.
+void remove_null(const std::string& path);
 
 /// A regular file, whatever its path.
 struct FileNumber {

@@ -38,11 +38,16 @@ int why_not_writable(const std::string& path) {
 }
 int why_not_writable_folder(const std::string& path) { return why_not_writable(path); }
 
-#ifdef _WIN32
-std::string null_device() { return "NUL"; }
-#else
-std::string null_device() { return "/dev/null"; }
-#endif
+std::string null_device() {
+  std::error_code ignored;
+  return fs::is_character_file("/dev/null", ignored)
+             ? "/dev/null"
+             : (fs::temp_directory_path() / "delone-nothing").string();
+}
+void remove_null(const std::string& path) {
+  std::error_code ignored;
+  if (path != "/dev/null") fs::remove(path, ignored);
+}
 
 /// Files have no numbers; protect_files() then compares paths.
 FoundFile find_file(const std::string&) { return {}; }

@@ -72,6 +72,7 @@ int why_not_writable_folder(const std::string& path) {
 }
 
 std::string null_device() { return "/dev/null"; }
+void remove_null(const std::string&) {}
 
 FoundFile find_file(const std::string& path) {
   struct stat status {};

@@ -14,9 +14,7 @@
 #include <psapi.h>
 
 #include <cerrno>
-#include <codecvt>
 #include <csignal>
-#include <locale>
 
 namespace delone::cli::system {
 namespace {
@@ -37,6 +35,9 @@ BOOL WINAPI handle_event(DWORD event) {
   on_grace_over();
   return TRUE;
 }
+
+/// Arguments are in UTF-8, by the manifest.
+fs::path wide(const std::string& path) { return fs::path(std::u8string(path.begin(), path.end())); }
 
 FoundFile found(HANDLE file) {
   BY_HANDLE_FILE_INFORMATION information{};
@@ -78,10 +79,6 @@ void set_limit(DWORD which, std::uint64_t bytes) {
 void prepare_process() {
   for (std::FILE* const stream : {stdin, stdout, stderr}) _setmode(_fileno(stream), _O_BINARY);
   SetConsoleOutputCP(CP_UTF8);
-#ifdef __GLIBCXX__
-  // Its std::filesystem::path converts by this facet. Arguments are in UTF-8 by the manifest.
-  std::locale::global(std::locale(std::locale::classic(), new std::codecvt_utf8_utf16<wchar_t>));
-#endif
 }
 
 bool is_terminal() {
@@ -94,15 +91,21 @@ bool is_terminal() {
 
 int why_not_writable(const std::string& path) {
   constexpr int for_writing = 2;
-  return _waccess(fs::path(path).c_str(), for_writing) == 0 ? 0 : errno;
+  return _waccess(wide(path).c_str(), for_writing) == 0 ? 0 : errno;
 }
 int why_not_writable_folder(const std::string& path) { return why_not_writable(path); }
 
-std::string null_device() { return "NUL"; }
+std::string null_device() {
+  return (fs::temp_directory_path() / ("delone-nothing-" + std::to_string(GetCurrentProcessId()))).string();
+}
+void remove_null(const std::string& path) {
+  std::error_code ignored;
+  fs::remove(path, ignored);
+}
 
 FoundFile find_file(const std::string& path) {
   const HANDLE file =
-      CreateFileW(fs::path(path).c_str(), 0, FILE_SHARE_READ | FILE_SHARE_WRITE | FILE_SHARE_DELETE, nullptr,
+      CreateFileW(wide(path).c_str(), 0, FILE_SHARE_READ | FILE_SHARE_WRITE | FILE_SHARE_DELETE, nullptr,
                   OPEN_EXISTING, FILE_FLAG_BACKUP_SEMANTICS, nullptr);
   const FoundFile result = found(file);
   if (file != INVALID_HANDLE_VALUE) CloseHandle(file);

@@ -54,7 +54,7 @@ int error_of(const fs::path& path, int error) {
 }  // namespace
 
 std::FILE* open_file(const std::string& path, const char* mode) {
-  const fs::path name(path);
+  const fs::path name = path_of(path);
   const std::wstring wide_mode(mode, mode + 2);
   std::FILE* const file = _wfopen(name.c_str(), wide_mode.c_str());
   if (file == nullptr) errno = error_of(name, errno);
@@ -62,12 +62,12 @@ std::FILE* open_file(const std::string& path, const char* mode) {
 }
 
 std::FILE* create_file(const std::string& path) {
-  const int file = _wopen(fs::path(path).c_str(), _O_CREAT | _O_EXCL | _O_WRONLY | _O_BINARY | _O_NOINHERIT,
+  const int file = _wopen(path_of(path).c_str(), _O_CREAT | _O_EXCL | _O_WRONLY | _O_BINARY | _O_NOINHERIT,
                           _S_IREAD | _S_IWRITE);
   return file < 0 ? nullptr : _fdopen(file, "wb");
 }
 
-void remove_file(const std::string& path) { _wremove(fs::path(path).c_str()); }
+void remove_file(const std::string& path) { _wremove(path_of(path).c_str()); }
 
 void pass_bytes(std::FILE* stream) { _setmode(_fileno(stream), _O_BINARY); }
 
@@ -77,7 +77,7 @@ struct RawFile::Handle {
 };
 
 int RawFile::open(const std::string& path, bool writes) {
-  const fs::path name(path);
+  const fs::path name = path_of(path);
   handle_->file = CreateFileW(name.c_str(), writes ? GENERIC_READ | GENERIC_WRITE : GENERIC_READ,
                               FILE_SHARE_READ | FILE_SHARE_WRITE | FILE_SHARE_DELETE, nullptr,
                               writes ? CREATE_ALWAYS : OPEN_EXISTING, FILE_ATTRIBUTE_NORMAL, nullptr);
@@ -128,7 +128,7 @@ int RawFile::write_some(std::uint64_t offset, const void* data, std::size_t size
 
 // The folder of the file can be emptied meanwhile, but nobody else can open the file.
 FileLock::FileLock(const char* path) {
-  const HANDLE file = CreateFileW(fs::path(path).c_str(), GENERIC_READ | GENERIC_WRITE, FILE_SHARE_DELETE,
+  const HANDLE file = CreateFileW(path_of(path).c_str(), GENERIC_READ | GENERIC_WRITE, FILE_SHARE_DELETE,
                                   nullptr, OPEN_ALWAYS, FILE_ATTRIBUTE_NORMAL, nullptr);
   if (file != INVALID_HANDLE_VALUE)
     file_ = reinterpret_cast<std::intptr_t>(file);
@@ -223,6 +223,7 @@ int RawFile::open(const std::string& path, bool writes) {
 
 int RawFile::close() {
   if (handle_ == nullptr || !handle_->file.is_open()) return 0;
+  handle_->file.clear();  // of the end of the file
   errno = 0;
   handle_->file.close();
   return handle_->file.fail() ? errno != 0 ? errno : EIO : 0;

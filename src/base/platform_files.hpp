@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Files as the operating system has them. Paths are as std::filesystem::path takes them: in UTF-8 on Linux
-// and under MinGW. Errors are errno values on every system.
+// Files as the operating system has them. Paths are in UTF-8. Errors are errno values on every system.
 #pragma once
 
 #include "base/platform.hpp"
@@ -8,10 +7,29 @@
 #include <cstddef>
 #include <cstdint>
 #include <cstdio>
+#include <filesystem>
 #include <memory>
 #include <string>
 
 namespace delone::platform {
+
+/// A path of a UTF-8 text. On Windows std::filesystem::path takes texts to be in another encoding.
+inline std::filesystem::path path_of(const std::string& text) {
+#if DELONE_WINDOWS
+  return std::filesystem::path(std::u8string(text.begin(), text.end()));
+#else
+  return text;
+#endif
+}
+/// The UTF-8 text of a path.
+inline std::string text_of(const std::filesystem::path& path) {
+#if DELONE_WINDOWS
+  const std::u8string text = path.u8string();
+  return std::string(text.begin(), text.end());
+#else
+  return path.string();
+#endif
+}
 
 /// std::fopen, for bytes: "rb", "wb" or "ab". Sets errno on failure.
 std::FILE* open_file(const std::string& path, const char* mode);

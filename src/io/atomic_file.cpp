@@ -35,7 +35,7 @@ std::FILE* create_beside(const fs::path& target, std::string& name) {
     const auto ticks =
         static_cast<std::uint64_t>(std::chrono::steady_clock::now().time_since_epoch().count());
     const std::uint64_t tag = (ticks + ++counter) * 0x9e3779b97f4a7c15u;
-    name = (target.parent_path() / fmt::format(".delone-partial-{:016x}", tag)).string();
+    name = platform::text_of(target.parent_path() / fmt::format(".delone-partial-{:016x}", tag));
     errno = 0;
     if (std::FILE* file = platform::create_file(name)) return file;
     if (errno != EEXIST) break;
@@ -52,15 +52,15 @@ AtomicFile::AtomicFile(const std::string& path) : name_(output_name(path)), targ
     return;
   }
   std::error_code error;
-  const fs::file_status status = fs::status(path, error);
+  const fs::file_status status = fs::status(platform::path_of(path), error);
   if (fs::is_directory(status)) fail_with(EISDIR);
   if (fs::exists(status) && !fs::is_regular_file(status)) {
     errno = 0;
     file_ = platform::open_file(path, "wb");
   } else {
     target_ = write_target(path);
-    if (fs::is_symlink(target_, error)) fail_with(ELOOP);
-    file_ = create_beside(target_, temporary_);
+    if (fs::is_symlink(platform::path_of(target_), error)) fail_with(ELOOP);
+    file_ = create_beside(platform::path_of(target_), temporary_);
     if (file_ == nullptr) temporary_.clear();
   }
   if (file_ == nullptr) fail_with(errno);
@@ -137,7 +137,7 @@ void AtomicFile::commit() {
   if (closed != 0) fail_with(errno);
   if (temporary_.empty()) return;
   std::error_code error;
-  fs::rename(temporary_, target_, error);
+  fs::rename(platform::path_of(temporary_), platform::path_of(target_), error);
   if (error) fail(Errc::cannot_write, "{}: {}", name_, error.message());
   temporary_.clear();
 }
@@ -149,14 +149,14 @@ namespace delone {
 std::string write_target(const std::string& path) {
   namespace fs = std::filesystem;
   constexpr int longest_chain = 40;  // as Linux has it
-  fs::path target = path;
+  fs::path target = platform::path_of(path);
   std::error_code error;
   for (int link = 0; path != "-" && fs::is_symlink(target, error); ++link) {
     const fs::path next = fs::read_symlink(target, error);
     if (error || link == longest_chain) return path;
     target = target.parent_path() / next;  // an absolute one replaces it
   }
-  return target.string();
+  return platform::text_of(target);
 }
 
 void write_text(const std::string& path, std::string_view text) {

@@ -45,7 +45,7 @@ constexpr std::size_t piece = std::size_t{4} << 20;
 /// The size of a regular file, as a hint only: pipes, /proc and files that grow have another.
 std::size_t size_hint(const std::string& path) {
   std::error_code ignored;
-  const auto size = std::filesystem::file_size(path, ignored);
+  const auto size = std::filesystem::file_size(platform::path_of(path), ignored);
   return ignored || size > SIZE_MAX / 2 ? 0 : static_cast<std::size_t>(size);
 }
 

@@ -203,6 +203,7 @@ void WorkFolder::open(bool resume, bool locked) {
     if (std::error_code none; locked && fs::is_directory(work_, none)) lock();
     if (!resume) {
       if (std::string input; finished) read_tiles_index(folder_, input);  // throws if it is not an index
+      if (DELONE_WINDOWS) lock_.reset();  // as in close()
       remove_parts(folder_);
     } else if (finished) {
       io::fail(Errc::invalid_argument, "{}: the folder holds finished tiles", name);
@@ -296,11 +297,12 @@ TilesIndex WorkFolder::summary() const {
   return index;
 }
 
-void WorkFolder::close(const TilesIndex& index, std::uint64_t memory, bool vtu, bool hdf5) const {
+void WorkFolder::close(const TilesIndex& index, std::uint64_t memory, bool vtu, bool hdf5) {
   if (vtu) write_vtu_parts(folder_, index);
   if (hdf5) write_hdf5(folder_, work_, index, memory);
   write_tiles_index(folder_, index, plan_.fingerprint);
   std::error_code error;
+  if (DELONE_WINDOWS) lock_.reset();  // where the file of the lock cannot be removed while it is open
   fs::remove_all(work_, error);
   if (error) cannot_write(work_, error);
 }

@@ -72,7 +72,7 @@ class WorkFolder {
   /// What the index will be. Facets of the hull that are seams of parts are not yet counted.
   TilesIndex summary() const;
   /// Writes what else is wanted, then index.json, and removes FOLDER/work.
-  void close(const TilesIndex& index, std::uint64_t memory, bool vtu = false, bool hdf5 = false) const;
+  void close(const TilesIndex& index, std::uint64_t memory, bool vtu = false, bool hdf5 = false);
 
  private:
   void open(bool resume, bool locked);

@@ -91,6 +91,9 @@ TEST_F(AtomicFiles, KeepTheOrderOfLargeAndSmallPieces) {
 }
 
 TEST_F(AtomicFiles, FollowSymbolicLinks) {
+#ifdef _WIN32
+  GTEST_SKIP() << "std::filesystem of MinGW creates no links";
+#endif
   file("target", "old");
   std::filesystem::create_symlink(path("target"), path("link"));
   AtomicFile out(path("link"));
@@ -101,6 +104,9 @@ TEST_F(AtomicFiles, FollowSymbolicLinks) {
 }
 
 TEST_F(AtomicFiles, AreWrittenThroughLinksThatDangle) {
+#ifdef _WIN32
+  GTEST_SKIP() << "std::filesystem of MinGW creates no links";
+#endif
   // Relative to the folder of each link, one after the other.
   std::filesystem::create_directory(path("folder"));
   std::filesystem::create_symlink("folder/second", path("first"));
@@ -116,6 +122,9 @@ TEST_F(AtomicFiles, AreWrittenThroughLinksThatDangle) {
 }
 
 TEST_F(AtomicFiles, DoNotReplaceLinksThatLeadNowhere) {
+#ifdef _WIN32
+  GTEST_SKIP() << "std::filesystem of MinGW creates no links";
+#endif
   std::filesystem::create_symlink("none/file", path("dangling"));
   expect_error(Errc::cannot_write, {path("dangling"), "No such file"},
                [&] { write_text(path("dangling"), "x"); });

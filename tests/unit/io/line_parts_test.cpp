@@ -3,6 +3,7 @@
 // threads, and errors, are those of one thread.
 #include "io/line_parts.hpp"
 
+#include "base/parallel.hpp"
 #include "base/random.hpp"
 #include "io/points/read_points.hpp"
 #include "scale.hpp"
@@ -32,6 +33,7 @@ TEST(CountLineEnds, CountsAllKinds) {
 }
 
 TEST(SplitLines, GivesWholeLinesWithTheirNumbers) {
+  if (internal::threads_to_use(2) < 2) GTEST_SKIP() << "a build without threads";
   const std::string text = "one\ntwo\r\n\r\nthree\rfour\r\r5\n\nsix";
   const std::vector<LinePart> parts = split_lines(text, 10, 0, tiny);
   ASSERT_GT(parts.size(), 3u);
@@ -51,6 +53,7 @@ TEST(SplitLines, GivesWholeLinesWithTheirNumbers) {
 }
 
 TEST(SplitLines, LeavesToOneThreadWhatItMust) {
+  if (internal::threads_to_use(2) < 2) GTEST_SKIP() << "a build without threads";
   const std::string text = "1,2\n3,4\n5,6\n\"7\",8\n";
   EXPECT_FALSE(split_lines(text, 1, 0, tiny).empty());
   EXPECT_TRUE(split_lines(text, 1, '"', tiny).empty());
