@@ -339,10 +339,9 @@ TEST(Wrap, LeavesWhatQueriesNeedToTheFirst) {
   const auto right = answers_of(inserted);
   const std::size_t bytes = wrapped.statistics().cell_bytes;
   std::vector<std::vector<std::vector<std::size_t>>> answers(4);
-  {
-    std::vector<std::jthread> threads;
-    for (auto& of_thread : answers) threads.emplace_back([&] { of_thread = answers_of(wrapped); });
-  }
+  std::vector<std::thread> threads;
+  for (auto& of_thread : answers) threads.emplace_back([&] { of_thread = answers_of(wrapped); });
+  for (std::thread& thread : threads) thread.join();
   for (const auto& of_thread : answers) EXPECT_EQ(of_thread, right);
   EXPECT_GT(wrapped.statistics().cell_bytes, bytes);
 
