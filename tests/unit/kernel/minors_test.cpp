@@ -63,6 +63,7 @@ TEST(Minors, MakeDeterminantsAndPermanents) {
 namespace hn = hwy::HWY_NAMESPACE;
 namespace in_lanes = HWY_NAMESPACE;
 
+HWY_BEFORE_NAMESPACE();
 template <int N>
 void expect_cofactors() {
   const hn::CappedTag<double, 8> d;
@@ -96,6 +97,7 @@ void expect_cofactors() {
     (std::make_integer_sequence<int, N>());
   }
 }
+HWY_AFTER_NAMESPACE();
 
 TEST(Minors, MakeCofactorsInLanes) {
   expect_cofactors<2>();
