@@ -36,6 +36,7 @@ struct ThreadState {
   const char* fixed = nullptr;  // in place of a message for which there was no memory
   delone_progress progress = nullptr;
   void* user_data = nullptr;
+  bool is_asking = false;  // the progress function is at work: calls that it makes do not ask it again
 };
 
 ThreadState& state() {
@@ -78,7 +79,12 @@ std::function<bool(double)> progress_of_thread() {
   const ThreadState& here = state();
   if (here.progress == nullptr) return {};
   return [progress = here.progress, user_data = here.user_data](double fraction) {
-    return progress(fraction, user_data) == 0;
+    ThreadState& asking = state();
+    if (asking.is_asking) return true;
+    asking.is_asking = true;
+    const bool go_on = progress(fraction, user_data) == 0;
+    asking.is_asking = false;
+    return go_on;
   };
 }
 

@@ -106,7 +106,7 @@ std::unique_ptr<delone_object> MadeIntersection::clone() const {
 void MadeIntersection::insert(const double* rows, std::size_t num_rows, const double* weights) {
   if (weights != nullptr) throw Error(Errc::invalid_argument, "halfspaces have no weights");
   const PointsView halfspaces = view_of(rows, num_rows, polyhedron_.dimension() + 1, "rows");
-  data_.reset();
+  const AtEnd changed([&] { data_.reset(); });  // the rows may be an array of this object
   polyhedron_.insert_range(halfspaces);
 }
 

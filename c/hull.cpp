@@ -103,9 +103,11 @@ std::unique_ptr<delone_object> MadeHull::clone() const { return std::make_unique
 void MadeHull::insert(const double* rows, std::size_t num_rows, const double* weights) {
   if (weights != nullptr) throw Error(Errc::invalid_argument, "points of a convex hull have no weights");
   const PointsView points = view_of(rows, num_rows, hull_.dimension(), "rows");
-  f_vector_.reset();
-  hash_.reset();
-  points_.reset();
+  const AtEnd changed([&] {  // the rows may be an array of this object
+    f_vector_.reset();
+    hash_.reset();
+    points_.reset();
+  });
   hull_.insert_range(points);
 }
 

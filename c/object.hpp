@@ -148,6 +148,19 @@ class Lazy {
   mutable std::optional<T> value_;
 };
 
+/// Does its work when a block ends, however it ends.
+template <class Work>
+class AtEnd {
+ public:
+  explicit AtEnd(Work work) : work_(std::move(work)) {}
+  AtEnd(const AtEnd&) = delete;
+  AtEnd& operator=(const AtEnd&) = delete;
+  ~AtEnd() { work_(); }
+
+ private:
+  Work work_;
+};
+
 /// An object that is nothing but its members: answers and reports.
 class Results final : public delone_object {
  public:

@@ -26,10 +26,10 @@ void TriangulationObject::write(const std::string& path, const std::string& form
 
 Members TriangulationObject::members_of_data() {
   return {
-      member<Object>("dimension", [](const Object& o) { return o.data().dimension; }),
-      member<Object>("affine_dimension", [](const Object& o) { return o.data().affine_dimension; }),
-      member<Object>("num_points", [](const Object& o) { return o.data().num_points(); }),
-      member<Object>("num_cells", [](const Object& o) { return o.data().num_cells(); }),
+      member<Object>("dimension", [](const Object& o) { return o.dimension(); }),
+      member<Object>("affine_dimension", [](const Object& o) { return o.affine_dimension(); }),
+      member<Object>("num_points", [](const Object& o) { return o.num_points(); }),
+      member<Object>("num_cells", [](const Object& o) { return o.num_cells(); }),
       member<Object>("points", [](const Object& o) { return table(o.data().points, o.data().dimension); }),
       member<Object>("weights", [](const Object& o) { return list(o.data().weights); }),
       member<Object>("cells", [](const Object& o) { return table(o.data().cells, width(o.data())); }),
@@ -127,14 +127,7 @@ CheckReport MadeTriangulation::check(const CheckOptions& options) const {
   return delone::check(data(), of_kind);
 }
 
-void MadeTriangulation::insert(const double* rows, std::size_t num_rows, const double* weights) {
-  const PointsView points = view_of(rows, num_rows, product_->common().dimension(), "rows");
-  const bool is_weighted = std::holds_alternative<Regular<>>(product_->any);
-  if (!is_weighted && weights != nullptr)
-    throw Error(Errc::invalid_argument, "only points of a regular triangulation have weights");
-  const std::span<const double> of_rows =
-      is_weighted ? matrix(weights, num_rows, 1, "weights") : std::span<const double>();
-  // Whatever happens, ids may have changed.
+void MadeTriangulation::forget() {
   ready_.reset();
   locator_.reset();
   hash_.reset();
@@ -142,6 +135,17 @@ void MadeTriangulation::insert(const double* rows, std::size_t num_rows, const d
   hull_facets_.reset();
   axes_.reset();
   ++product_->changes;
+}
+
+void MadeTriangulation::insert(const double* rows, std::size_t num_rows, const double* weights) {
+  const PointsView points = view_of(rows, num_rows, product_->common().dimension(), "rows");
+  const bool is_weighted = std::holds_alternative<Regular<>>(product_->any);
+  if (!is_weighted && weights != nullptr)
+    throw Error(Errc::invalid_argument, "only points of a regular triangulation have weights");
+  const std::span<const double> of_rows =
+      is_weighted ? matrix(weights, num_rows, 1, "weights") : std::span<const double>();
+  // Whatever happens, ids may have changed. The rows may be an array of this object.
+  const AtEnd changed([&] { forget(); });
   std::visit(
       [&](auto& one) {
         if constexpr (std::same_as<std::remove_cvref_t<decltype(one)>, Regular<>>) {

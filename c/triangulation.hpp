@@ -26,6 +26,11 @@ class TriangulationObject : public delone_object {
  public:
   virtual const ComplexData& data() const = 0;
   virtual const std::string& hash() const = 0;
+  // Of data(), without making it.
+  virtual int dimension() const { return data().dimension; }
+  virtual int affine_dimension() const { return data().affine_dimension; }
+  virtual std::size_t num_points() const { return data().num_points(); }
+  virtual std::size_t num_cells() const { return data().num_cells(); }
   CheckReport check(const CheckOptions& options) const override { return delone::check(data(), options); }
   void write(const std::string& path, const std::string& format) const override;
 
@@ -73,6 +78,10 @@ class MadeTriangulation final : public TriangulationObject {
   CheckReport check(const CheckOptions& options) const override;
   const ComplexData& data() const override { return ready().data; }
   const std::string& hash() const override;
+  int dimension() const override { return product_->common().dimension(); }
+  int affine_dimension() const override { return product_->common().affine_dimension(); }
+  std::size_t num_points() const override { return product_->common().num_points(); }
+  std::size_t num_cells() const override { return product_->common().num_finite_cells(); }
 
   /// The product once its cells have the numbers that they keep.
   const std::shared_ptr<Product>& product() const { return ready(), product_; }
@@ -90,6 +99,7 @@ class MadeTriangulation final : public TriangulationObject {
     std::vector<SignedIndex> number_of_slot;
   };
   const Ready& ready() const;
+  void forget();
   std::vector<SignedIndex> rows_of(const std::vector<VertexId>& vertices) const;
 
   std::shared_ptr<Product> product_;

@@ -180,6 +180,11 @@ def roff_option(option):
     return f".TP\n{tag}{repeated}\n{roff(option.sentence)}{choices if '-' in option.names[0] else ''}{excludes}\n"
 
 
+def heading(title):
+    """In capitals, but for options and names of files."""
+    return " ".join(word if "/" in word or word.lstrip("(").startswith("-") else word.upper() for word in title.split())
+
+
 def man_page(version, command, top, others):
     page = command.name.replace(" ", "-")
     synopsis = roff(command.usage.removeprefix(command.name).strip())
@@ -192,7 +197,7 @@ def man_page(version, command, top, others):
         out.append(".SH COMMANDS\n" + "".join(f".TP\n\\fB{roff(name)}\\fR\n{roff(text)}. See \\fB{roff(top.name)}\\-{roff(name)}\\fR(1).\n"
                                               for name, text in command.commands))
     for title, options in command.groups:
-        out.append(f".SH {roff(title.upper())}\n" + "".join(map(roff_option, options)))
+        out.append(f".SH {roff(heading(title))}\n" + "".join(map(roff_option, options)))
     notes = []
     for kind, *parts in blocks(command.footer):
         if kind == "term":

@@ -167,6 +167,8 @@ def describe_c(stage):
             if part.startswith("/*"):
                 text += prose_of_comment(part)
             elif part.strip():
+                for name in re.findall(r"^DELONE_C_API .*?(delone_\w+)\(", part, re.M):
+                    text += f"\n```{{index}} single: {name}\n```\n"
                 text += f"\n```c\n{part.strip()}\n```\n"
     (stage / "c-reference.md").write_text(text.replace("DELONE_C_API ", ""), encoding="utf-8")
 

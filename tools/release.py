@@ -3,7 +3,7 @@
 """Walks the checklist of a release, and tags it.
 
 Usage: release.py --dry-run [--build BUILD_DIR] [--skip STEP,...]    checks everything, says what it would do, changes nothing
-       release.py --build BUILD_DIR                                  the same, then makes the tag; publishing stays with a person
+       release.py --tag [--build BUILD_DIR]                          the same, then makes the tag; publishing stays with a person
        release.py --list                                             lists the steps
 
 Every step is walked, whatever the others found. The packages are built in a scratch folder from the committed files alone, the wheel
@@ -55,6 +55,8 @@ PLACES = {
     "CITATION.cff": r"^version: *[\"']?([^\s\"']+)",
     "README.md": r"find_package\(delone ([\d.]+)",
     "docs/guide.md": r"find_package\(delone ([\d.]+)",
+    "docs/install.md": r"GIT_TAG v([\d.]+)",
+    "docs/c.md": r"libdelone_c\.so\.(\d+\.\d+)",
     "debian/changelog": r"^delone \(([\d.]+)",
     "packaging/debian/changelog": r"^delone \(([\d.]+)",
     "packaging/conda/meta.yaml": r"set version = \"([^\"]+)\"",
@@ -72,7 +74,7 @@ def check_versions(tree):
         found = re.findall(pattern, tree.read(name), re.M)[:1]
         if not found:
             faults.append(f"{name}: no version was found")
-        elif found[0] not in (tree.version, tree.version.rpartition(".")[0] if "find_package" in pattern else None):
+        elif found[0] not in (tree.version, tree.version.rpartition(".")[0] if "find_package" in pattern or "so" in pattern else None):
             faults.append(f"{name}: {found[0]}, and not {tree.version}")
     project = tree.read("pyproject.toml").partition("[project]")[2].partition("\n[")[0]
     if not re.search(r"^dynamic *= *\[[^\]]*\"version\"", project, re.M):
@@ -227,8 +229,8 @@ def committed(tree, folder):
     return copy
 
 
-NEEDED_IN_SDIST = ("CMakeLists.txt", "LICENSE", "README.md", "pyproject.toml", "setup.py", "cmake/", "data/", "docs/", "examples/", "include/", "src/",
-                   "python/", "tests/", "tools/")
+NEEDED_IN_SDIST = ("CMakeLists.txt", "LICENSE", "THIRD_PARTY_LICENSES", "README.md", "pyproject.toml", "setup.py", "c/", "cli/", "cmake/", "data/", "docs/",
+                   "examples/", "include/", "mpi/", "packaging/", "src/", "python/", "tests/", "tools/")
 
 
 def check_sdist(tree):
@@ -322,10 +324,12 @@ def walk(tree, skipped=()):
 
 def main():
     parser = argparse.ArgumentParser(description="Walks the checklist of a release, and tags it.")
-    parser.add_argument("--dry-run", action="store_true", help="change nothing")
+    action = parser.add_mutually_exclusive_group(required=True)
+    action.add_argument("--dry-run", action="store_true", help="change nothing")
+    action.add_argument("--tag", action="store_true", help="make the tag if nothing is wrong")
+    action.add_argument("--list", action="store_true", help="list the steps")
     parser.add_argument("--build", type=pathlib.Path, help="a build directory with the command and the Python module")
     parser.add_argument("--skip", default="", help="steps to leave out, separated by commas; only with --dry-run")
-    parser.add_argument("--list", action="store_true", help="list the steps")
     parser.add_argument("--tree", type=pathlib.Path, default=ROOT, help=argparse.SUPPRESS)
     arguments = parser.parse_args()
     skipped = [name for name in arguments.skip.split(",") if name]

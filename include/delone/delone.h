@@ -3,14 +3,15 @@
  *
  * Objects. A product (a triangulation, a hull, a diagram), what a file holds, a report, a list of answers:
  * each is a delone_object, made by a function that takes a `delone_object**` last, and ended by
- * delone_free(). Objects keep what they need: they may be freed in any order, and arguments after the call.
+ * delone_free(). Objects keep what they need: they may be freed in any order. Arguments
+ * may be freed after the call.
  *
  * Members. What an object holds is read by name, with the names that docs/formats.md and the Python module
  * use: delone_get_array(t, "cells", &a). The list is below, at delone_object; delone_member() enumerates it.
  *
  * Rows. Points are named by input rows, cells by rows of the array "cells", both from 0; -1 is none. Numbers
- * in arguments and in the caller's arrays are always int64_t. Ids in borrowed arrays are 4 or 8 bytes wide,
- * as delone_array::type tells: 4, unless the library was built for more than 2^31 ids; see
+ * in arguments and the caller's arrays of rows and cells are always int64_t. Ids in borrowed arrays are 4 or
+ * 8 bytes wide, as delone_array::type tells: 4, unless the library was built for more than 2^31 ids; see
  * delone_index_bytes().
  *
  * Matrices, q x d for instance, are row-major and contiguous: one row after the other. All input is copied
@@ -20,7 +21,8 @@
  * delone_error_message() says what was wrong and where, `*object` is NULL, other output is unspecified, and
  * objects are as they were before the call. Unlucky input (flat, duplicate, empty) is a result, no error. No
  * exception leaves the library, and it prints nothing. Arguments that are NULL, or an object of another kind,
- * are DELONE_INVALID_ARGUMENT; an object that was freed, a pointer to too few elements, and rows out of range
+ * are DELONE_INVALID_ARGUMENT (DELONE_UNSUPPORTED from delone_insert(), delone_clone(), delone_check() and
+ * delone_write()); an object that was freed, a pointer to too few elements, and rows out of range
  * are not noticed: behavior is undefined.
  *
  * Threads. Different objects may be used in different threads. One object may be used by several at once as
@@ -83,8 +85,9 @@ DELONE_C_API size_t delone_error_rows(const size_t** rows);
 
 /* Called in the thread that calls the library, and no other, about every 20 ms, with the fraction done, 0 to
  * 1 and never decreasing, of constructions; 0 where it is not known. A result that is not 0 stops the call,
- * which then returns DELONE_CANCELLED. It must return: no exception, no longjmp. It may call the library, but
- * not with the object at work. */
+ * which then returns DELONE_CANCELLED; calls that compute little ask at least once. It must return: no
+ * exception, no longjmp. It may call the library, but not with the object at work; such calls do not ask it.
+ */
 typedef int (*delone_progress)(double fraction, void* user_data);
 
 /* From now on all calls of this thread that take long ask `progress`; none, if that is NULL (as at first). */

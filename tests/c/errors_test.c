@@ -131,9 +131,32 @@ static void progress_and_cancellation(void) {
   free(points);
 }
 
+/* A progress function may call the library; such calls do not ask it. */
+static int calls_again(double fraction, void* user_data) {
+  delone_object* inner;
+  (void)fraction;
+  ++*(int*)user_data;
+  OK(delone_convex_hull(square, 4, 2, NULL, &inner));
+  CHECK(get_real(inner, "volume") == 1);
+  delone_free(inner);
+  return *(int*)user_data == 3;
+}
+
+static void progress_functions_are_not_asked_by_their_own_calls(void) {
+  double* const points = random_points(5000, 3);
+  delone_object* t;
+  int calls = 2;
+  delone_set_progress(calls_again, &calls);
+  FAILS(DELONE_CANCELLED, delone_delaunay(points, 5000, 3, NULL, &t));
+  CHECK(calls == 3);
+  delone_set_progress(NULL, NULL);
+  free(points);
+}
+
 void errors_test(void) {
   bad_arguments();
   names();
   options_are_examined();
   progress_and_cancellation();
+  progress_functions_are_not_asked_by_their_own_calls();
 }

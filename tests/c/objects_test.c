@@ -132,6 +132,32 @@ static void members_are_listed(void) {
   delone_free(t);
 }
 
+/* The rows of an insertion may be an array of the object itself. */
+static void rows_of_the_same_object(void) {
+  const size_t n = 1000;
+  double* const points = random_points(n, 3);
+  const double* const weights = points; /* any numbers */
+  delone_object* made[4];
+  delone_array rows, own_weights;
+  int i;
+  OK(delone_delaunay(points, n, 3, NULL, &made[0]));
+  OK(delone_regular(points, weights, n, 3, NULL, &made[1]));
+  OK(delone_convex_hull(points, n, 3, NULL, &made[2]));
+  OK(delone_halfspace_intersection(square_halfspaces, 4, 2, NULL, NULL, &made[3]));
+  for (i = 0; i < 4; ++i) {
+    const char* const name = i == 3 ? "halfspaces" : "points";
+    const char* const number = i == 3 ? "num_halfspaces" : "num_points";
+    const int64_t before = get_integer(made[i], number);
+    rows = get_array(made[i], name);
+    if (i == 1) own_weights = get_array(made[i], "weights");
+    OK(delone_insert(made[i], rows.data, rows.shape[0], i == 1 ? own_weights.data : NULL));
+    CHECK(get_integer(made[i], number) == 2 * before);
+    if (i < 3) CHECK(get_integer(made[i], "num_duplicates") == before);
+    delone_free(made[i]);
+  }
+  free(points);
+}
+
 static void slivers_are_trimmed(void) {
   const double points[10] = {0, 0, 1, 1e-9, 2, 0, 2, 1, 0, 1};
   delone_object *t, *rest, *again;
@@ -155,5 +181,6 @@ void objects_test(void) {
   the_same_by_every_path();
   regular_and_furthest_site();
   members_are_listed();
+  rows_of_the_same_object();
   slivers_are_trimmed();
 }

@@ -188,8 +188,13 @@ class Release(unittest.TestCase):
         self.assertEqual((done.returncode, done.stderr), (1, "release.py: 1 fault(s); nothing was done\n"))
         self.assertIn("not committed: ?? new", done.stdout)
 
+    def test_the_tag_has_to_be_asked_for(self):
+        done = self.run_script("--skip", "docs,sdist,wheel")
+        self.assertEqual(done.returncode, 2)
+        self.assertIn("--tag", done.stderr)
+
     def test_steps_are_left_out_in_a_dry_run_only(self):
-        self.assertIn("only with --dry-run", self.run_script("--skip", "docs").stderr)
+        self.assertIn("only with --dry-run", self.run_script("--tag", "--skip", "docs").stderr)
         self.assertIn("there is no step dosc", self.run_script("--dry-run", "--skip", "dosc").stderr)
 
 
