@@ -166,16 +166,6 @@ TEST_F(AtomicFileTest, SmallAndLargePiecesKeepTheirOrder) {
   EXPECT_EQ(content("a"), expected);
 }
 
-TEST_F(AtomicFileTest, LinksAreFollowed) {
-  file("real", "old");
-  fs::create_symlink("real", path("link"));
-  io::AtomicFile out(path("link"));
-  out.write("new");
-  out.commit();
-  EXPECT_TRUE(fs::is_symlink(path("link")));
-  EXPECT_EQ(content("real"), "new");
-}
-
 TEST_F(AtomicFileTest, NamesOfAnyLength) {
   const std::string name(250, 'n');
   io::AtomicFile out(path(name));
