@@ -299,8 +299,9 @@ DELONE_C_API int delone_trim(const delone_object* triangulation, double toleranc
 
 /* Adds rows to a triangulation, a convex hull or an intersection of halfspaces that was made: all or, after
  * an error, none. `rows`: num_rows x d numbers, x (d+1) for halfspaces. `weights`: num_rows, for "regular"
- * only, otherwise NULL. Ends what was borrowed from the object, and the use of interpolators of it. Errors as
- * for the product. */
+ * only, otherwise NULL. Either may be an array of the object. Ends what was borrowed from the object, and the
+ * use of interpolators of it. The next query numbers the cells anew, which passes over all of them: insert in
+ * batches. Errors as for the product. */
 DELONE_C_API int delone_insert(delone_object* object, const double* rows, size_t num_rows,
                                const double* weights);
 
