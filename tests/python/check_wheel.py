@@ -89,7 +89,7 @@ def check_sdist(made, version):
     # What setuptools adds.
     more = {name for name in inside - needed if name not in ("MANIFEST.in", "PKG-INFO", "setup.cfg") and ".egg-info/" not in name}
     assert not needed - inside, f"{made.name} lacks {len(needed - inside)} files: {sorted(needed - inside)[:10]}"
-    assert not more, f"{made.name} has what is no source: {sorted(more)[:10]}"
+    assert not more, f"{made.name} contains files that git does not track: {sorted(more)[:10]}"
 
 
 def check_libraries(wheel, folder):
