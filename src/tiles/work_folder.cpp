@@ -203,7 +203,7 @@ void WorkFolder::open(bool resume, bool locked) {
     if (std::error_code none; locked && fs::is_directory(work_, none)) lock();
     if (!resume) {
       if (std::string input; finished) read_tiles_index(folder_, input);  // throws if it is not an index
-      if (DELONE_WINDOWS) lock_.reset();  // as in close()
+      if (DELONE_WINDOWS) lock_.reset();                                  // as in close()
       remove_parts(folder_);
     } else if (finished) {
       io::fail(Errc::invalid_argument, "{}: the folder holds finished tiles", name);
