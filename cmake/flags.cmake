@@ -10,7 +10,8 @@ if(MSVC)
   target_compile_definitions(delone_flags INTERFACE NOMINMAX _CRT_SECURE_NO_WARNINGS)
 else()
   # Without -ffp-contract=off, GCC and Clang merge a product and a sum into one operation with one rounding where the processor has it.
-  target_compile_options(delone_flags INTERFACE -ffp-contract=off -fno-fast-math -Wall -Wextra -Wpedantic -Wshadow)
+  target_compile_options(delone_flags INTERFACE -ffp-contract=off -fno-fast-math -Wall -Wextra -Wpedantic
+    $<$<NOT:$<BOOL:$<TARGET_PROPERTY:UNITY_BUILD>>>:-Wshadow>)  # not of names of another file (unite.cmake)
 endif()
 if(MINGW)
   # GCC does not align AVX registers that it saves on the stack of Windows (https://gcc.gnu.org/bugzilla/show_bug.cgi?id=54412): the

@@ -7,18 +7,17 @@
 // that underflow are far below the absolute term.
 #include "hull/growing_shell.hpp"
 
+#include "base/infinity.hpp"
 #include "kernel/determinant.hpp"
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <numeric>
 #include <utility>
 
 namespace delone::internal {
 namespace {
 
-constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr double unit = kernel::unit_roundoff;
 constexpr double absolute = 0x1p-500;
 

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "hull/hull_analysis.hpp"
 
+#include "base/infinity.hpp"
 #include "base/progress_meter.hpp"
 #include "hull/tolerance/facet_labels.hpp"
 
 #include <algorithm>
-#include <limits>
 #include <utility>
 
 namespace delone::internal {
@@ -66,7 +66,6 @@ std::vector<PointKind> HullAnalysis::find_kinds() const {
   std::vector<char> is_corner(sites.size(), 0);
   for (const Index site : state_.hull().cells) is_corner[site] = 1;
   // The least box around the hull: what is not strictly inside of it is not in the interior.
-  constexpr double infinity = std::numeric_limits<double>::infinity();
   const auto d = static_cast<std::size_t>(sites.ambient);
   std::vector<double> low(d, infinity), high(d, -infinity);
   for (Index site = 0; site < sites.size(); ++site)

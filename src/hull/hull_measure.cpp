@@ -2,6 +2,7 @@
 #include "hull/hull_measure.hpp"
 
 #include "base/compiled_dimension.hpp"
+#include "base/infinity.hpp"
 #include "base/parallel_parts.hpp"
 #include "base/progress_meter.hpp"
 #include "compiled/dispatch.hpp"
@@ -15,8 +16,6 @@
 
 namespace delone::internal {
 namespace {
-
-constexpr double infinity = std::numeric_limits<double>::infinity();
 
 /// Vectors, one after the other: on the stack if they are few.
 class Columns {

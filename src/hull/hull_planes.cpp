@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "hull/hull_planes.hpp"
 
+#include "base/infinity.hpp"
 #include "hull/hull_normal.hpp"
 
 #include <cmath>
-#include <limits>
 
 namespace delone::internal {
 
@@ -17,7 +17,6 @@ namespace delone::internal {
 /// the rounding of M, of the thresholds (their terms are at most M), and products that underflow.
 HullPlanes hull_planes(const HullSites& sites, const SimplicialHull& hull, std::span<const Index> cells,
                        const CenteredBox& box) {
-  constexpr double infinity = std::numeric_limits<double>::infinity();
   const std::size_t d = box.center.size();
   HullPlanes planes;
   planes.functions.origin = box.center;

@@ -8,8 +8,6 @@
 namespace delone::internal {
 namespace {
 
-constexpr std::size_t most_axes_with_diagonals = 5;
-
 /// The minimum and maximum of a function, and the first sites that attain them.
 struct Range {
   double low = std::numeric_limits<double>::infinity(), high = -std::numeric_limits<double>::infinity();

@@ -7,14 +7,18 @@
 
 #include <delone/types.hpp>
 
+#include <cstddef>
 #include <vector>
 
 namespace delone::internal {
 
+/// In higher dimensions the diagonals of a box are too many to be looked at.
+inline constexpr std::size_t most_axes_with_diagonals = 5;
+
 /// Among the sites from `first` on, those with the smallest and largest value along each axis and, in at most
-/// 5 dimensions, along each diagonal of the bounding box; without repetition. In higher dimensions so few
-/// sites span little of the volume, and diagonals are not used. The choice affects speed only. O(n·2^d) for d
-/// ≤ 5, else O(n·d).
+/// most_axes_with_diagonals dimensions, along each diagonal of the bounding box; without repetition. In
+/// higher dimensions so few sites span little of the volume, and diagonals are not used. The choice affects
+/// speed only. O(n·2^d) for d ≤ 5, else O(n·d).
 std::vector<Index> outermost_sites(const HullSites& sites, Index first);
 
 }  // namespace delone::internal

@@ -1,21 +1,19 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "hull/point_sieve.hpp"
 
+#include "base/infinity.hpp"
 #include "base/progress_meter.hpp"
 #include "base/random.hpp"
+#include "hull/outermost_sites.hpp"
 #include "hull/tolerance/growing_flat.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <functional>
-#include <limits>
 #include <numeric>
 
 namespace delone::internal {
 namespace {
-
-constexpr std::size_t most_axes_with_diagonals = 5;
-constexpr double infinity = std::numeric_limits<double>::infinity();
 
 /// Both directions of each axis.
 LinearFunctions axis_directions(std::size_t d) {

@@ -46,7 +46,8 @@ namespace delone::kernel {
 
 namespace {
 
-constexpr double least = 0x1p-500;
+/// At least what underflow changes in any of the sums.
+constexpr double underflow = 0x1p-500;
 
 /// An upper bound on the norm of a vector whose coordinates are at most 2^400.
 double norm_up(std::span<const double> x) {
@@ -57,7 +58,7 @@ double norm_up(std::span<const double> x) {
     zero = zero && c == 0;
   }
   const double rounding = static_cast<double>(x.size() + 4) * unit_roundoff;
-  return zero ? 0 : std::sqrt(sum) * (1 + rounding) + least;
+  return zero ? 0 : std::sqrt(sum) * (1 + rounding) + underflow;
 }
 
 double scale_up(double x, int exponent) {
@@ -107,7 +108,7 @@ void NearestInHull::set_differences(std::span<const double* const> points, const
   const double scale = has_scale ? std::ldexp(1.0, -exponent) : 0;
   for (double& x : differences_) {
     const double y = has_scale ? x * scale : std::ldexp(x, -exponent);
-    has_underflow_ = has_underflow_ || (x != 0 && std::fabs(y) < least);
+    has_underflow_ = has_underflow_ || (x != 0 && std::fabs(y) < underflow);
     x = y;
   }
   exponent_ = exponent + shift;
@@ -247,7 +248,7 @@ void NearestInHull::set_bounds() {
       parts += on_face_[i] * size;
       is_zero = is_zero && size == 0;
     }
-    const double error = is_zero ? 0 : rounding * parts + least;
+    const double error = is_zero ? 0 : rounding * parts + underflow;
     point_[j] = (std::fabs(point_[j]) + error) * (1 + 4 * unit_roundoff);
   }
   // point_ is |z| with its error now.
@@ -269,7 +270,7 @@ void NearestInHull::set_bounds() {
       product += normal_kept_[j] * v[j];
       parts += std::fabs(normal_kept_[j] * v[j]);
     }
-    smallest = std::min(smallest, product - dot_rounding * parts - least);
+    smallest = std::min(smallest, product - dot_rounding * parts - underflow);
   }
   if (!(smallest > 0)) return;
   const double lower = smallest / norm_up(normal_kept_) * (1 - 4 * unit_roundoff);
@@ -352,7 +353,7 @@ void NearestInHull::prove() {
   const double place = norm_up(place_) + place_error;
   const double rho = 1.01 * std::sqrt(rho_square) + (edges_norm_ + edges_error_) * place_error +
                      edges_error_ * place + 1.05 * (dimension + 3) * unit_roundoff * edges_norm_ * place +
-                     least;
+                     underflow;
   const double per_sigma = r == 0 ? 0 : inverse_norm_ / (1 - alpha_);
   const double weight_error = 1.05 * (1 + std::sqrt(static_cast<double>(r))) * rho * per_sigma * per_sigma +
                               4 * (count + 4) * unit_roundoff;
@@ -408,11 +409,11 @@ Sign NearestInHull::sign_of_product(const double* v) const {
     size += v[j] * v[j];
     place += place_[j] * place_[j];
   }
-  size = 1.01 * std::sqrt(size) + least;
-  place = 1.01 * std::sqrt(place) + place_error_ + least;
+  size = 1.01 * std::sqrt(size) + underflow;
+  place = 1.01 * std::sqrt(place) + place_error_ + underflow;
   const double error = 1.05 * (place_error_ * (size + 2 * place) +
                                (static_cast<double>(d_) + 5) * unit_roundoff * place * (size + place)) +
-                       least;
+                       underflow;
   return product > error ? Sign::positive : product < -error ? Sign::negative : Sign::zero;
 }
 
@@ -421,7 +422,7 @@ Sign NearestInHull::side(const double* p, const double* q) const {
   if (d_ > std::size(v)) return Sign::zero;
   for (std::size_t j = 0; j < d_; ++j) {
     v[j] = std::ldexp(p[j] - q[j], -exponent_);
-    if (!(std::fabs(v[j]) < 0x1p100) || (std::fabs(v[j]) < least && p[j] != q[j])) return Sign::zero;
+    if (!(std::fabs(v[j]) < 0x1p100) || (std::fabs(v[j]) < underflow && p[j] != q[j])) return Sign::zero;
   }
   return sign_of_product(v);
 }
@@ -448,7 +449,7 @@ double NearestInHull::flat_distance_up(std::span<const double* const> points, co
   for (std::size_t j = 0; j < d_; ++j) {
     double size = 0;
     for (std::size_t i = 0; i < m_; ++i) size += std::fabs(minimum_[i] * difference(static_cast<int>(i))[j]);
-    point_[j] = (std::fabs(point_[j]) + rounding * size + least) * (1 + 4 * unit_roundoff);
+    point_[j] = (std::fabs(point_[j]) + rounding * size + underflow) * (1 + 4 * unit_roundoff);
   }
   return scale_up(norm_up(point_) / least_sum * (1 + 4 * unit_roundoff), exponent_);
 }

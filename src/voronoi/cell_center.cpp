@@ -30,6 +30,7 @@
 #include "kernel/fractions.hpp"
 #include "kernel/grid.hpp"
 #include "kernel/linear_bound.hpp"
+#include "voronoi/roundoff.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -38,8 +39,6 @@
 
 namespace delone::internal {
 namespace {
-
-constexpr double u = kernel::unit_roundoff;
 
 using kernel::DoubleDouble;
 using kernel::two_product;

@@ -7,6 +7,7 @@
 
 #include "base/compiled_dimension.hpp"
 #include "kernel/linear_bound.hpp"
+#include "voronoi/roundoff.hpp"
 
 #include <algorithm>
 #include <cstdint>
@@ -37,7 +38,6 @@ void find(const double* HWY_RESTRICT corners, const double* HWY_RESTRICT weights
   const hn::CappedTag<double, center_block> d;
   const hn::RebindToUnsigned<decltype(d)> du;
   using V = hn::Vec<decltype(d)>;
-  constexpr double u = kernel::unit_roundoff;
   const V zero = hn::Zero(d), one = hn::Set(d, 1.0);
   const auto times = [&](double factor, V x) { return hn::Mul(hn::Set(d, factor), x); };
   for (std::size_t lane = 0; lane < center_block; lane += hn::Lanes(d)) {

@@ -5,6 +5,7 @@
 #include "kernel/linear_bound.hpp"
 #include "voronoi/clipper_limits.hpp"
 #include "voronoi/region_clipper.hpp"
+#include "voronoi/roundoff.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -18,7 +19,7 @@ using namespace clipper_limits;
 namespace {
 
 /// Corners with a larger radius than this, in units of the box, get their coordinates from integers.
-constexpr double coarse = 0x1p-44;
+constexpr double coarse_radius = 0x1p-44;
 /// Covers what underflows in a few products of pairs, 2⁻⁸⁹⁰ each.
 constexpr double underflow_of_pairs = 1e-260;
 
@@ -69,8 +70,8 @@ void RegionClipper::find_coordinates(Corner corner) {
     if (!(error <= radius)) radius = error;
   }
   radius *= 1.01 / (1 - alpha);
-  if (!(radius < coarse * extent_)) radius = refine(corner, alpha);
-  if (!(radius < coarse * extent_)) return find_coordinates_exactly(corner);
+  if (!(radius < coarse_radius * extent_)) radius = refine(corner, alpha);
+  if (!(radius < coarse_radius * extent_)) return find_coordinates_exactly(corner);
   radii_[corner] = radius;
 }
 

@@ -2,11 +2,8 @@
 // What the floating-point filters of RegionClipper assume.
 #pragma once
 
-#include "kernel/determinant.hpp"
-
 namespace delone::internal::clipper_limits {
 
-inline constexpr double u = kernel::unit_roundoff;
 /// The filter handles only boxes and planes in this range, where no product overflows and underflow stays
 /// below 10⁻²⁹⁰.
 inline constexpr double least_extent = 1e-80, largest_extent = 1e80, underflow = 1e-290;

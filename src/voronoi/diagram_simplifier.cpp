@@ -4,6 +4,7 @@
 
 #include "base/progress_meter.hpp"
 #include "kernel/linear_bound.hpp"
+#include "voronoi/roundoff.hpp"
 
 #include <delone/predicates.hpp>
 
@@ -12,11 +13,6 @@
 #include <numeric>
 
 namespace delone {
-namespace {
-
-constexpr double u = kernel::unit_roundoff;
-
-}  // namespace
 
 DiagramSimplifier::DiagramSimplifier(const Diagram& exact, double tolerance)
     : in_(exact),
@@ -44,7 +40,7 @@ bool DiagramSimplifier::comes_before(Index v, Index w) const {
 /// decide later are at least the computed differences.
 std::vector<std::pair<Index, Index>> DiagramSimplifier::short_edges() const {
   std::vector<std::pair<Index, Index>> edges;
-  const double most = 2 * tolerance_ * (1 + 8 * u);
+  const double most = 2 * tolerance_ * (1 + 8 * internal::u);
   const auto visit = [&](SignedIndex v, SignedIndex w) {
     if (v < 0 || w < 0) return;
     const double *p = at(v), *q = at(w);
@@ -110,7 +106,7 @@ void DiagramSimplifier::cluster_vertices() {
       for (std::size_t edge = starts[cluster[c]]; edge < starts[cluster[c] + 1]; ++edge) {
         const Index v = next[edge];
         if (has_one[v] != 0) continue;
-        const double moved = kernel::distance_bound(at(center), at(v), d_, u);
+        const double moved = kernel::distance_bound(at(center), at(v), d_, internal::u);
         if (!(moved <= tolerance_)) continue;
         max_displacement_ = std::max(max_displacement_, moved);
         has_one[v] = 1;

@@ -3,6 +3,7 @@
 
 #include "base/progress_meter.hpp"
 #include "base/random.hpp"
+#include "voronoi/roundoff.hpp"
 
 #include <algorithm>
 #include <bit>
@@ -13,7 +14,6 @@
 namespace delone::internal {
 namespace {
 
-constexpr double u = 0x1p-53;
 /// A volume is accurate if its error is `accurate` of it, or no more than errors of corners make inevitable
 /// and `coarse` of it.
 constexpr double accurate = 1e-11, coarse = 1e-6;

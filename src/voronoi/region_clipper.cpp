@@ -15,6 +15,7 @@
 #include "base/progress_meter.hpp"
 #include "kernel/grid.hpp"
 #include "voronoi/clipper_limits.hpp"
+#include "voronoi/roundoff.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -2,6 +2,7 @@
 #include "voronoi/ridge_width.hpp"
 
 #include "kernel/linear_bound.hpp"
+#include "voronoi/roundoff.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -10,7 +11,6 @@
 namespace delone::internal {
 
 double RidgeWidth::bound(std::span<const double* const> vertices) {
-  constexpr double u = kernel::unit_roundoff;
   double width = std::numeric_limits<double>::infinity();
   if (k_ == 2) return kernel::distance_bound(vertices[0], vertices[1], d_, u);
   for (std::size_t v = 0; v < vertices.size(); ++v) {

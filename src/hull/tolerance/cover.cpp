@@ -4,6 +4,7 @@
 // point. Once covered, a point stays covered until a point of its witness is dropped.
 #include "hull/tolerance/cover.hpp"
 
+#include "base/infinity.hpp"
 #include "kernel/determinant.hpp"
 
 #include <algorithm>
@@ -20,7 +21,6 @@ namespace {
 constexpr std::size_t most_neighbors = 256;  // more are not worth a look
 constexpr std::size_t most_rounds = 64;
 constexpr std::size_t never = std::numeric_limits<std::size_t>::max();
-constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr std::size_t most_first = 12;  // kept points to begin with when one is dropped
 
 }  // namespace

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "hull/tolerance/necessary_hull.hpp"
 
+#include "base/infinity.hpp"
 #include "base/progress_meter.hpp"
 #include "hull/growing_shell.hpp"
 #include "hull/point_sieve.hpp"
@@ -9,14 +10,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <numeric>
 #include <utility>
 
 namespace delone::internal {
 namespace {
 
-constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr double unit = kernel::unit_roundoff;
 constexpr double absolute = 0x1p-500;
 

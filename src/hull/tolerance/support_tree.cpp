@@ -9,12 +9,12 @@
 // A computed n·(q − w) is off by at most γ(d+1) of the sum of the absolute products.
 #include "hull/tolerance/support_tree.hpp"
 
+#include "base/infinity.hpp"
 #include "kernel/determinant.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
-#include <limits>
 #include <numeric>
 #include <tuple>
 #include <utility>
@@ -187,7 +187,6 @@ void SupportTree::list(Node& node) const {
 SupportTree::Support SupportTree::support(const double* q, std::span<const double> n,
                                           std::span<const Index> guess) const {
   const double rounding = 1.01 * static_cast<double>(d_ + 2) * kernel::unit_roundoff;
-  constexpr double infinity = std::numeric_limits<double>::infinity();
   Support result{infinity, infinity, invalid_index};
   const auto include = [&](Index w) {
     double product = 0, parts = 0;

@@ -15,19 +15,17 @@
 namespace delone::io {
 namespace {
 
-using Kind = JsonMember::Kind;
-
 std::string quoted(double x) { return fmt::format("'{}'", x); }
 
 /// What a member is, where another kind was expected.
 std::string description(const JsonMember& member) {
   if (member.fault && member.fault->depth == 0) return member.fault->found;
   switch (member.kind) {
-    case Kind::number:
+    case JsonMember::Kind::number:
       return quoted(member.items[0]);
-    case Kind::boolean:
+    case JsonMember::Kind::boolean:
       return "a boolean";
-    case Kind::text:
+    case JsonMember::Kind::text:
       return "the string " + in_quotes(member.text);
     default:
       return "an array";
@@ -36,7 +34,7 @@ std::string description(const JsonMember& member) {
 
 /// The row of an item.
 std::size_t row_of(const JsonMember& member, std::size_t item) {
-  if (member.kind != Kind::lists) return item;
+  if (member.kind != JsonMember::Kind::lists) return item;
   const auto end =
       std::upper_bound(member.offsets.begin(), member.offsets.end(), static_cast<std::int64_t>(item));
   return static_cast<std::size_t>(end - member.offsets.begin()) - 1;
@@ -71,13 +69,13 @@ class Handler : public nlohmann::json_sax<nlohmann::json> {
     if (skip_ > 0) return ++skip_, true;
     require_object("an array");
     const bool fits =
-        depth_ == 0 || (depth_ == 1 && (member_->kind == Kind::lists || member_->items.empty()));
+        depth_ == 0 || (depth_ == 1 && (member_->kind == JsonMember::Kind::lists || member_->items.empty()));
     if (!fits) {
       add_fault("an array");
       skip_ = 1;
       return true;
     }
-    member_->kind = depth_ == 0 ? Kind::list : Kind::lists;
+    member_->kind = depth_ == 0 ? JsonMember::Kind::list : JsonMember::Kind::lists;
     ++depth_;
     return true;
   }
@@ -99,14 +97,14 @@ class Handler : public nlohmann::json_sax<nlohmann::json> {
   bool boolean(bool value) override {
     if (skip_ > 0 || depth_ > 0) return other("a boolean");
     require_object("a boolean");
-    member_->kind = Kind::boolean;
+    member_->kind = JsonMember::Kind::boolean;
     member_->items = {value ? 1.0 : 0.0};
     return true;
   }
   bool string(std::string& text) override {
     if (skip_ > 0 || depth_ > 0) return other("the string " + in_quotes(text));
     require_object("a string");
-    member_->kind = Kind::text;
+    member_->kind = JsonMember::Kind::text;
     member_->text = text;
     return true;
   }
@@ -138,7 +136,7 @@ class Handler : public nlohmann::json_sax<nlohmann::json> {
 
  private:
   std::size_t row() const {
-    return member_->kind == Kind::lists ? member_->offsets.size() - 1 : member_->items.size();
+    return member_->kind == JsonMember::Kind::lists ? member_->offsets.size() - 1 : member_->items.size();
   }
   void require_object(std::string_view found) const {
     if (!in_object_) fail(Errc::bad_format, "{}: expected an object, found {}", name_, found);
@@ -155,8 +153,8 @@ class Handler : public nlohmann::json_sax<nlohmann::json> {
   bool number(double x) {
     if (skip_ > 0) return true;
     require_object(quoted(x));
-    if (depth_ == 0) member_->kind = Kind::number;
-    if (depth_ == 1 && member_->kind == Kind::lists)
+    if (depth_ == 0) member_->kind = JsonMember::Kind::number;
+    if (depth_ == 1 && member_->kind == JsonMember::Kind::lists)
       add_fault(quoted(x));
     else
       member_->items.push_back(x);
@@ -220,16 +218,16 @@ std::vector<T> JsonFile::read(const std::string& member, std::size_t rank, bool 
                               std::vector<std::size_t>& shape) {
   constexpr bool indices = std::is_same_v<T, SignedIndex>;
   JsonMember& found = members_.at(member);
-  if (found.kind != Kind::list && found.kind != Kind::lists)
+  if (found.kind != JsonMember::Kind::list && found.kind != JsonMember::Kind::lists)
     refuse(member, {0, 0, description(found)}, rank, indices);
-  if (rank == 1 && found.kind == Kind::lists) refuse(member, {0, 1, "an array"}, rank, indices);
-  if (rank == 2 && found.kind == Kind::list && !found.items.empty())
+  if (rank == 1 && found.kind == JsonMember::Kind::lists) refuse(member, {0, 1, "an array"}, rank, indices);
+  if (rank == 2 && found.kind == JsonMember::Kind::list && !found.items.empty())
     refuse(member, {0, 1, quoted(found.items[0])}, rank, indices);
   if (found.fault) refuse(member, *found.fault, rank, indices);
   if (!indices && !nullable && found.first_null != JsonMember::none)
     refuse(member, {row_of(found, found.first_null), static_cast<int>(rank), "null"}, rank, indices);
   shape = {found.items.size()};
-  if (found.kind == Kind::lists) {
+  if (found.kind == JsonMember::Kind::lists) {
     const std::size_t rows = found.offsets.size() - 1;
     const std::int64_t columns = found.offsets[1];
     for (std::size_t row = 0; row < rows; ++row)
@@ -249,9 +247,9 @@ template std::vector<SignedIndex> JsonFile::read(const std::string&, std::size_t
 
 std::vector<SignedIndex> JsonFile::read_lists(const std::string& member, std::vector<std::int64_t>& offsets) {
   JsonMember& found = members_.at(member);
-  if (found.kind != Kind::list && found.kind != Kind::lists)
+  if (found.kind != JsonMember::Kind::list && found.kind != JsonMember::Kind::lists)
     refuse(member, {0, 0, description(found)}, 2, true);
-  if (found.kind == Kind::list && !found.items.empty())
+  if (found.kind == JsonMember::Kind::list && !found.items.empty())
     refuse(member, {0, 1, quoted(found.items[0])}, 2, true);
   if (found.fault) refuse(member, *found.fault, 2, true);
   offsets = std::move(found.offsets);
@@ -268,7 +266,7 @@ std::optional<std::int64_t> JsonFile::find_number(const std::string& member) con
   const auto at = members_.find(member);
   if (at == members_.end()) return std::nullopt;
   constexpr double limit = 0x1p62;
-  if (at->second.kind != Kind::number || at->second.items[0] != std::floor(at->second.items[0]) ||
+  if (at->second.kind != JsonMember::Kind::number || at->second.items[0] != std::floor(at->second.items[0]) ||
       std::abs(at->second.items[0]) > limit)
     refuse_scalar(member, "an integer");
   return static_cast<std::int64_t>(at->second.items[0]);
@@ -277,7 +275,7 @@ std::optional<std::int64_t> JsonFile::find_number(const std::string& member) con
 std::optional<bool> JsonFile::find_flag(const std::string& member) const {
   const auto at = members_.find(member);
   if (at == members_.end()) return std::nullopt;
-  if (at->second.kind != Kind::boolean) refuse_scalar(member, "true or false");
+  if (at->second.kind != JsonMember::Kind::boolean) refuse_scalar(member, "true or false");
   return at->second.items[0] != 0;
 }
 
@@ -285,7 +283,7 @@ std::optional<std::size_t> JsonFile::find_choice(const std::string& member,
                                                  std::span<const char* const> choices) const {
   const auto at = members_.find(member);
   if (at == members_.end()) return std::nullopt;
-  if (at->second.kind != Kind::text) return choices.size();
+  if (at->second.kind != JsonMember::Kind::text) return choices.size();
   return static_cast<std::size_t>(std::find(choices.begin(), choices.end(), at->second.text) -
                                   choices.begin());
 }

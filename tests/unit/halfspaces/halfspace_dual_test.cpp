@@ -2,6 +2,7 @@
 // Dual points against exact rationals.
 #include "halfspaces/halfspace_dual.hpp"
 
+#include "base/infinity.hpp"
 #include "degenerate.hpp"
 
 #include <gmock/gmock.h>
@@ -10,7 +11,6 @@
 #include <boost/multiprecision/cpp_int.hpp>
 
 #include <cmath>
-#include <limits>
 #include <numeric>
 
 namespace delone::internal {
@@ -18,8 +18,6 @@ namespace {
 
 using Rational = boost::multiprecision::cpp_rational;
 using ::testing::ElementsAre;
-
-constexpr double infinity = std::numeric_limits<double>::infinity();
 
 Rational coordinate(const InteriorPoint& p, std::size_t j) {
   if (p.is_exact()) return Rational(p.rounded[j]);

@@ -2,6 +2,7 @@
 // Vertices against exact rationals; normals, directions and lines of known systems.
 #include "halfspaces/halfspace_vertex.hpp"
 
+#include "base/infinity.hpp"
 #include "degenerate.hpp"
 
 #include <gmock/gmock.h>
@@ -12,7 +13,6 @@
 #include <bit>
 #include <cmath>
 #include <cstdint>
-#include <limits>
 #include <numeric>
 
 namespace delone::internal {
@@ -23,8 +23,6 @@ using Rows = std::vector<std::vector<double>>;
 using ::testing::DoubleNear;
 using ::testing::ElementsAre;
 using ::testing::IsEmpty;
-
-constexpr double infinity = std::numeric_limits<double>::infinity();
 
 std::vector<const double*> pointers(const Rows& rows) {
   std::vector<const double*> result;

@@ -18,13 +18,6 @@
 namespace delone::kernel {
 namespace {
 
-double random_double(random::Generator& generator, int range) {
-  const double mantissa =
-      generator.below(4) == 0 ? static_cast<double>(generator.below(9)) - 4 : 2 * generator.uniform() - 1;
-  return std::ldexp(mantissa,
-                    static_cast<int>(generator.below(static_cast<std::uint64_t>(2 * range))) - range);
-}
-
 enum class Kind {
   uniform,
   lattice,

@@ -17,13 +17,6 @@ constexpr int lowest = -2200;  // exponents of the integers that sums and produc
 
 test::Integer exact(const DoubleDouble& x) { return integer_at(x.high, lowest) + integer_at(x.low, lowest); }
 
-double random_double(random::Generator& generator, int range) {
-  const double mantissa =
-      generator.below(4) == 0 ? static_cast<double>(generator.below(9)) - 4 : 2 * generator.uniform() - 1;
-  return std::ldexp(mantissa,
-                    static_cast<int>(generator.below(static_cast<std::uint64_t>(2 * range))) - range);
-}
-
 /// The second of two numbers may nearly cancel the first.
 DoubleDouble random_number(random::Generator& generator, const DoubleDouble& other) {
   const double high = random_double(generator, 80);

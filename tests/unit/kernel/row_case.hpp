@@ -45,6 +45,14 @@ struct RowCase {
   std::vector<const double*> rows;
 };
 
+/// Now and then a small integer times a power of two; |x| ≤ 4·2^range.
+inline double random_double(random::Generator& generator, int range) {
+  const double mantissa =
+      generator.below(4) == 0 ? static_cast<double>(generator.below(9)) - 4 : 2 * generator.uniform() - 1;
+  return std::ldexp(mantissa,
+                    static_cast<int>(generator.below(static_cast<std::uint64_t>(2 * range))) - range);
+}
+
 /// Numbers of one kind: 0 uniform, 1 small integers, 2 multiples of 0.1, 3 of many magnitudes, 4 of all
 /// magnitudes, 5 small multiples of the least denormal number.
 inline std::vector<double> random_numbers(std::size_t count, std::size_t kind, random::Generator& generator) {
