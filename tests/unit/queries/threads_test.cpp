@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Batches of queries have one result for every number of threads: byte for byte, errors included.
 #include "base/random.hpp"
+#include "scale.hpp"
 
 #include <delone/delaunay.hpp>
 #include <delone/error.hpp>
@@ -157,7 +158,7 @@ TEST(QueryThreads, NaturalNeighborsDoNotDependOnThem) {
     if (input.dimension == 5) continue;
     const auto d = static_cast<std::size_t>(input.dimension);
     const std::span<const double> queries =
-        std::span(input.queries).first(d * (input.name == "random 2" ? 400u : 200u));
+        std::span(input.queries).first(d * test::scaled_size(input.name == "random 2" ? 400 : 200, 100));
     const Delaunay<> t(input.points, input.dimension);
     const NaturalNeighborInterpolator f(t, random_rows(input.points.size() / d, 3), 1, d == 2);
     expect_one_result(input.name, [&](unsigned threads) {

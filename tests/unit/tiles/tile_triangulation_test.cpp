@@ -67,30 +67,37 @@ void compare(const test::PointSet& set, std::size_t num_tiles, const TileOptions
   expect_same(all_tiles(pages, options), Delaunay<>(set.points, set.dimension), false);
 }
 
+/// In a small run, that of the largest engine which is compiled for one dimension.
+int largest_dimension(int usual) {
+  return static_cast<int>(test::scaled_size(static_cast<std::size_t>(usual), 3));
+}
+
 TEST(TileTriangulation, Uniform) {
-  for (int d = 1; d <= 5; ++d)
+  const std::size_t n = test::scaled_size(300, 80);
+  for (int d = 1; d <= largest_dimension(5); ++d)
     for (const std::size_t tiles : {1, 2, 3, 8, 20})
-      compare(test::PointSet{"uniform", d, make_point_set("uniform", d, d < 5 ? 300 : 120, 7)}, tiles);
+      compare(test::PointSet{"uniform", d, make_point_set("uniform", d, d < 5 ? n : 120, 7)}, tiles);
 }
 
 TEST(TileTriangulation, Degenerate) {
-  for (int d = 1; d <= 4; ++d)
-    for (const test::PointSet& set : test::degenerate_sets(d, d < 4 ? 50 : 30, 5))
+  for (int d = 1; d <= largest_dimension(4); ++d)
+    for (const test::PointSet& set : test::degenerate_sets(d, d < 4 ? test::scaled_size(50, 20) : 30, 5))
       for (const std::size_t tiles : {d < 4 ? 2 : 3, 13}) compare(set, tiles);
 }
 
 TEST(TileTriangulation, AllPointsTried) {
   TileOptions options;
   options.try_all_points = true;
-  for (int d = 1; d <= 4; ++d)
-    for (const test::PointSet& set : test::degenerate_sets(d, 40, 6)) compare(set, 5, options);
+  for (int d = 1; d <= largest_dimension(4); ++d)
+    for (const test::PointSet& set : test::degenerate_sets(d, test::scaled_size(40, 16), 6))
+      compare(set, 5, options);
 }
 
 /// Not only the same cells, but the same arrays.
 TEST(TileTriangulation, Threads) {
   TileOptions options;
   options.threads = 3;
-  TestPages pages(make_point_set("uniform", 3, 30000, 1), 3, 3);
+  TestPages pages(make_point_set("uniform", 3, test::scaled_size(30000, 9000), 1), 3, 3);
   const std::vector<FinishedTile> by_one = all_tiles(pages), by_three = all_tiles(pages, options);
   for (std::size_t t = 0; t < by_one.size(); ++t) {
     EXPECT_EQ(by_one[t].data.rows, by_three[t].data.rows);
@@ -101,18 +108,18 @@ TEST(TileTriangulation, Threads) {
 
 TEST(TileTriangulation, Clusters) {
   for (const std::string kind : {"plummer", "clusters", "sphere", "manifold", "moment"})
-    for (int d = 2; d <= 4; ++d)
+    for (int d = 2; d <= largest_dimension(4); ++d)
       for (const std::size_t tiles : {2, 7})
-        compare(test::PointSet{kind, d, make_point_set(kind, d, 150, 3)}, tiles);
+        compare(test::PointSet{kind, d, make_point_set(kind, d, test::scaled_size(150, 50), 3)}, tiles);
 }
 
 TEST(TileTriangulation, Weights) {
-  for (int d = 1; d <= 4; ++d)
+  for (int d = 1; d <= largest_dimension(4); ++d)
     for (const double spread : {0.0, 1e-3, 0.05, 1.0, 100.0})
       for (const std::size_t num_tiles : {1, 2, 6, 15}) {
         SCOPED_TRACE(std::to_string(d) + "D, weights up to " + std::to_string(spread) + ", " +
                      std::to_string(num_tiles) + " tiles");
-        const std::vector<double> points = make_point_set("uniform", d, 150, 11);
+        const std::vector<double> points = make_point_set("uniform", d, test::scaled_size(150, 50), 11);
         std::vector<double> rows, weights;
         test::Random random(3);
         for (std::size_t row = 0; row < points.size() / static_cast<std::size_t>(d); ++row) {

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Clones of triangulations of all kinds are equal to what they are made from, and independent of it.
+#include "scale.hpp"
+
 #include <delone/delaunay.hpp>
 #include <delone/furthest_site.hpp>
 #include <delone/point_sets.hpp>
@@ -34,7 +36,7 @@ TEST(Clone, OfDelaunayTriangulations) {
       expect_independent_clone(t, make_point_set("uniform", d, 40, 2));
     }
   Delaunay<> compacted(make_point_set("uniform", 3, 60, 1), 3),
-      wrapped(make_point_set("uniform", 7, 210, 1), 7);
+      wrapped(make_point_set("uniform", 7, test::scaled_size(210, 40), 1), 7);
   compacted.compact();
   expect_independent_clone(compacted, make_point_set("uniform", 3, 10, 2));
   expect_independent_clone(wrapped, make_point_set("uniform", 7, 2, 2));

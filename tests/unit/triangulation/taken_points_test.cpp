@@ -21,7 +21,7 @@ TEST(TakenPoints, GiveTheSameTriangulation) {
   };
   // Some fit the heap, others are mapped and given back piece by piece; 200 points in 7D are wrapped.
   for (const Case& c : {Case{"uniform", 1, 300},
-                        {"uniform", 2, 100'000},
+                        {"uniform", 2, test::scaled_size(100'000, 20'000)},
                         {"grid", 3, 1000},
                         {"duplicates", 3, 2000},
                         {"flat", 4, 500},

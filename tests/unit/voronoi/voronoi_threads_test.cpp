@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Diagrams have the same arrays and volumes for every number of threads.
 #include "base/random.hpp"
+#include "scale.hpp"
 
 #include <delone/voronoi.hpp>
 
@@ -50,10 +51,11 @@ void expect_one_diagram(const Triangulation& triangulation, DiagramOptions optio
 }
 
 TEST(VoronoiThreads, RandomPoints) {
-  expect_one_diagram<Voronoi<2>>(Delaunay<2>(random_rows(2 * 1500)));
-  expect_one_diagram<Voronoi<2>>(Delaunay<2>(random_rows(2 * 1500)), {.parts = DiagramParts::regions});
-  expect_one_diagram<Voronoi<3>>(Delaunay<3>(random_rows(3 * 400)));
-  expect_one_diagram<Voronoi<4>>(Delaunay<4>(random_rows(4 * 300)));
+  const std::size_t n = test::scaled_size(1500, 300);
+  expect_one_diagram<Voronoi<2>>(Delaunay<2>(random_rows(2 * n)));
+  expect_one_diagram<Voronoi<2>>(Delaunay<2>(random_rows(2 * n)), {.parts = DiagramParts::regions});
+  expect_one_diagram<Voronoi<3>>(Delaunay<3>(random_rows(3 * test::scaled_size(400, 100))));
+  expect_one_diagram<Voronoi<4>>(Delaunay<4>(random_rows(4 * test::scaled_size(300, 40))));
 }
 
 TEST(VoronoiThreads, WeightsAndATolerance) {

@@ -4,6 +4,7 @@
 
 #include "hull/tolerance/tolerant_hull.hpp"
 #include "rounded_sets.hpp"
+#include "scale.hpp"
 
 #include <delone/convex_hull.hpp>
 
@@ -61,11 +62,12 @@ bool agrees_if_found(const std::vector<double>& points, int d, double tolerance)
 }
 
 TEST(NecessaryHull, OfTurnedShapes) {
+  const std::size_t seeds = test::scaled_size(3, 1);
   int found = 0;
   for (const auto& shape :
        {test::subdivided_box("box", {1, 2, 0.5}, 5, false),
         test::subdivided_box("4D", {1, 2, 0.5, 3}, 3, true), test::l_prism(), test::chamfered_hexagon()})
-    for (std::uint64_t seed = 0; seed < 3; ++seed)
+    for (std::uint64_t seed = 0; seed < seeds; ++seed)
       for (const double tolerance : {1e-14, 1e-13, 1e-3}) {
         const std::vector<double> points = test::turned(shape, seed);
         const bool agrees = agrees_if_found(points, shape.dimension, tolerance);
@@ -74,7 +76,7 @@ TEST(NecessaryHull, OfTurnedShapes) {
         }
         found += agrees;
       }
-  EXPECT_GT(found, 24);
+  EXPECT_GT(found, 8 * static_cast<int>(seeds));
 }
 
 TEST(NecessaryHull, OfRandomPointsAndLattices) {
