@@ -105,21 +105,19 @@ class TileTriangulation::Asking {
 
   /// Puts the question of a cell with a vertex of the tile: at once, or with the next block of centers.
   void gather(CellId cell) {
-    // The first vertex of the tile by its id: the order of vertices in a cell depends on threads.
-    VertexId first = invalid_vertex;
-    bool is_infinite = false;
-    for (const VertexId v : complex_.vertices(cell)) {
-      is_infinite = is_infinite || v == infinite_vertex;
-      if (is_own(v)) first = std::min(first, v);
-    }
-    if (first == invalid_vertex) return;
-    const double* const own = point(first);
-    if (is_infinite) {
+    // By their ids: the order of vertices in a cell depends on threads, and rounding on that order.
+    const VerticesOfCell vertices = complex_.vertices(cell);
+    sorted_.assign(vertices.begin(), vertices.end());
+    std::sort(sorted_.begin(), sorted_.end());
+    const auto first = std::find_if(sorted_.begin(), sorted_.end(), [&](VertexId v) { return is_own(v); });
+    if (first == sorted_.end()) return;
+    const double* const own = point(*first);
+    if (complex_.is_infinite(cell)) {
       ask_beyond(cell, own);
       return;
     }
     spokes_.push_back({cell, own});
-    for (const VertexId v : complex_.vertices(cell)) {
+    for (const VertexId v : sorted_) {
       corners_.push_back(point(v));
       if (points_.weighted()) weights_.push_back(corners_.back()[d_]);
     }
@@ -181,10 +179,8 @@ class TileTriangulation::Asking {
   /// finite cell behind the facet, which has the same vertices of the tile and asks for itself.
   void ask_beyond(CellId cell, const double* own) {
     const int infinite = complex_.infinite_index(cell);
-    std::vector<VertexId> vertices = complex_.vertices(cell);
-    std::sort(vertices.begin(), vertices.end());  // so that rounding does not depend on threads
     facet_.clear();
-    for (const VertexId v : vertices)
+    for (const VertexId v : sorted_)
       if (v != infinite_vertex) facet_.push_back(point(v));
     const CellId behind = complex_.neighbor(cell, infinite);
     const double* const inner = point(complex_.vertex(behind, complex_.mirror_index(cell, infinite)));
@@ -227,6 +223,7 @@ class TileTriangulation::Asking {
   std::vector<Spoke> spokes_;
   std::vector<const double*> corners_, facet_;
   std::vector<double> weights_, centers_;
+  std::vector<VertexId> sorted_;  // the vertices of the cell that is looked at
 };
 
 TileTriangulation::TileTriangulation(const Survey& survey, const PageTree& tree, PageSource& source,
@@ -321,9 +318,10 @@ void TileTriangulation::insert_found() {
     return;
   }
   num_foreign_ += found_.size();
-  // A batch goes through all cells several times, some 10 ns for each; a point by itself takes some 5 µs.
+  // A batch goes through all cells several times, some 10 ns for each; a point by itself takes some 5 µs. The
+  // number of cells does not depend on threads; that of their slots does.
   constexpr std::size_t cells_per_point = 512;
-  if (found_.size() < triangulation().complex().num_cell_slots() / cells_per_point) {
+  if (found_.size() < triangulation().num_all_cells() / cells_per_point) {
     insert_one_by_one();
     return;
   }
@@ -398,8 +396,8 @@ void TileTriangulation::ask() {
     const std::size_t slots = triangulation().complex().num_cell_slots(),
                       end = internal::StoredPoints::of(triangulation()).last_vertex() + std::size_t{1},
                       num_new = end - std::min<std::size_t>(first_new_vertex_, end);
-    constexpr std::size_t part_of_slots = 16384, part_of_stars = 256, slots_per_star = 256;
-    const bool has_few = num_new < slots / slots_per_star;
+    constexpr std::size_t part_of_slots = 16384, part_of_stars = 256, cells_per_star = 256;
+    const bool has_few = num_new < triangulation().num_all_cells() / cells_per_star;
     internal::for_parts(options_.threads, has_few ? num_new : slots, has_few ? part_of_stars : part_of_slots,
                         [&](std::size_t first, std::size_t last, const internal::StopPoint& stop) {
                           stop();

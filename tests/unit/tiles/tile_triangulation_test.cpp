@@ -97,12 +97,15 @@ TEST(TileTriangulation, AllPointsTried) {
 TEST(TileTriangulation, Threads) {
   TileOptions options;
   options.threads = 3;
-  TestPages pages(make_point_set("uniform", 3, test::scaled_size(30000, 9000), 1), 3, 3);
-  const std::vector<FinishedTile> by_one = all_tiles(pages), by_three = all_tiles(pages, options);
-  for (std::size_t t = 0; t < by_one.size(); ++t) {
-    EXPECT_EQ(by_one[t].data.rows, by_three[t].data.rows);
-    EXPECT_EQ(by_one[t].data.cells, by_three[t].data.cells);
-    EXPECT_EQ(by_one[t].data.neighbors, by_three[t].data.neighbors);
+  for (const std::size_t n : {std::size_t{5000}, test::scaled_size(30000, 9000)}) {
+    SCOPED_TRACE(n);
+    TestPages pages(make_point_set("uniform", 3, n, 1), 3, 3);
+    const std::vector<FinishedTile> by_one = all_tiles(pages), by_three = all_tiles(pages, options);
+    for (std::size_t t = 0; t < by_one.size(); ++t) {
+      EXPECT_EQ(by_one[t].data.rows, by_three[t].data.rows);
+      EXPECT_EQ(by_one[t].data.cells, by_three[t].data.cells);
+      EXPECT_EQ(by_one[t].data.neighbors, by_three[t].data.neighbors);
+    }
   }
 }
 
