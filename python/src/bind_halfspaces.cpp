@@ -33,6 +33,7 @@ class HeldIntersection {
       : arguments_(arguments) {
     const auto rows = as_rows(halfspaces);
     dimension_ = static_cast<int>(rows.shape(1)) - 1;
+    columns_ = columns_of(halfspaces);
     py::array_t<double> interior(0);
     has_interior_ = !interior_point.is_none();
     if (has_interior_) interior = as_doubles(interior_point, "interior_point");
@@ -51,6 +52,9 @@ class HeldIntersection {
   int dimension() const { return dimension_; }
   const BuildArguments& arguments() const { return arguments_; }
   bool has_interior_point() const { return has_interior_; }
+  /// The labels of the columns of the DataFrame of its halfspaces, a tuple, or None.
+  const py::object& columns() const { return columns_; }
+  void set_columns(py::object columns) { columns_ = std::move(columns); }
 
   template <class Question>
   auto ask(Question question) const {
@@ -59,6 +63,7 @@ class HeldIntersection {
 
   void add(const py::object& halfspaces, const py::object& progress) {
     const auto rows = as_rows(halfspaces);
+    require_columns(halfspaces, columns_, "halfspaces");
     if (rows.shape(1) != dimension_ + 1)
       throw py::value_error("halfspaces: " + std::to_string(rows.shape(1)) + " numbers per row, not " +
                             std::to_string(dimension_ + 1));
@@ -85,6 +90,7 @@ class HeldIntersection {
   }
 
   BuildArguments arguments_;
+  py::object columns_ = py::none();
   int dimension_ = 0;
   bool has_interior_ = false;
   Guard guard_;  // of all members below
@@ -143,15 +149,17 @@ py::tuple state(const HeldIntersection& held) {
   const BuildArguments& a = held.arguments();
   return py::make_tuple(rows_of<&IntersectionData::halfspaces, 1>(held),
                         held.has_interior_point() ? py::object(interior_point(held)) : py::none(), a.seed,
-                        a.order, a.threads);
+                        a.order, a.threads, held.columns());
 }
 
 std::unique_ptr<HeldIntersection> restored(const py::tuple& given) {
-  return from_state(given, 5, "an intersection", [](const py::tuple& state) {
-    return std::make_unique<HeldIntersection>(
+  return from_state(given, 6, "an intersection", [](const py::tuple& state) {
+    auto held = std::make_unique<HeldIntersection>(
         state[0], state[1],
         BuildArguments{state[2].cast<std::uint64_t>(), state[3].cast<std::string>(), state[4].cast<int>()},
         py::none());
+    held->set_columns(as_columns(state[5], held->dimension() + 1));
+    return held;
   });
 }
 
@@ -235,6 +243,8 @@ void bind_halfspaces(py::module_& module) {
       .def_property_readonly("num_facets", asking([](const Polyhedron& h) { return h.num_facets(); }),
                              "f, the facets; also len().")
       .def("__len__", asking([](const Polyhedron& h) { return h.num_facets(); }))
+      .def_property_readonly("columns", &HeldIntersection::columns,
+                             "As those of Delaunay, of the d+1 numbers of each halfspace.")
       .def_property_readonly("halfspaces", &rows_of<&Data::halfspaces, 1>,
                              "(m, d+1) float64: all rows of the input, in their order.")
       .def_property_readonly(
