@@ -44,7 +44,8 @@ class Picture:
 
     def __init__(self, low, high):
         self.low, self.high = np.asarray(low, dtype=float), np.asarray(high, dtype=float)
-        corners = self._flat(np.array(list(itertools.product(*zip(self.low[:3], self.high[:3])))))
+        seen = 3 if len(self.low) == 3 else 2
+        corners = self._flat(np.array(list(itertools.product(*zip(self.low[:seen], self.high[:seen])))))
         self.first, last = corners.min(axis=0), corners.max(axis=0)
         extent = (last - self.first).max()
         self.scale = (SIZE - 2 * MARGIN) / extent if extent > 0 else 1.0
@@ -94,7 +95,7 @@ DOTS = {"stroke": "#1f3a5f"}
 
 def _drawn(count, of, what):
     """Says so if only some are drawn."""
-    return f"{_shown(count)} of {_shown(of)} {what} drawn" if count < of else ""
+    return f"{_shown(count)} of {_shown(of)} {what} drawn" if count < of else f"all {what} drawn"
 
 
 def _common(self):
@@ -113,16 +114,20 @@ def triangulation(self):
     limit = LIMIT if self.affine_dimension < 3 else LIMIT // self.affine_dimension
     cells, facets, box = self._sample(limit)
     picture = Picture(*box)
-    if len(cells) and cells.shape[1] > 3:  # all edges of a cell in one line, if possible: that of five is one, of four nearly
+    are_points = cells.shape[1] == 1 < self.affine_dimension
+    if are_points:
+        picture.dots(cells[:, 0], **{**DOTS, "stroke_width": 2})
+    elif len(cells) and cells.shape[1] > 3:  # all edges of a cell in one line, if possible: that of five is one, of four nearly
         order = [0, 1, 2, 3, 0, 2] if cells.shape[1] == 4 else [*range(cells.shape[1]), 0]
         picture.shapes(cells[:, order], False, **EDGE)
     elif len(cells):
         picture.shapes(cells, True, **EDGE, **FACE)
     if len(facets) and facets.shape[1] > 1:
         picture.shapes(facets, facets.shape[1] > 2, **BORDER)
-    if 0 < len(cells) <= 60:
+    if 0 < len(cells) <= 60 and not are_points:
         picture.dots(cells.reshape(-1, self.dimension), **DOTS)
-    return page(type(self).__name__, figures, picture, _drawn(len(cells), self.num_cells, "cells") + _seen(self.dimension))
+    drawn = _drawn(len(cells), self.num_points, "points") if are_points else _drawn(len(cells), self.num_cells, "cells")
+    return page(type(self).__name__, figures, picture, drawn + _seen(self.dimension))
 
 
 @safely
@@ -152,7 +157,7 @@ def diagram(self):
     from . import _plot
     low, high = self.bounding_box()
     picture = Picture(low, high)
-    step = self.num_regions // (LIMIT // 2) + 1
+    step = self.num_regions // (LIMIT // 3) + 1
     sites = self.points[self.region_points[::step]]
     shown = ""
     k, d = self.affine_dimension, self.dimension
@@ -183,11 +188,12 @@ def intersection(self):
     figures += [("bounded", "yes" if self.is_bounded else "no"), ("vertices", self.num_vertices), ("facets", self.num_facets)]
     if self.is_bounded and self.dimension <= 3 and self.num_vertices <= 1000:
         figures.append(("volume", self.volume))
-    if not self.num_vertices or self.num_halfspaces > 100_000:
+    edges, num_edges = self._sample(LIMIT)
+    if not len(edges):
         return page("HalfspaceIntersection", figures, "", "")
-    vertices, edges = self.vertices, self.edges
-    picture = Picture(vertices.min(axis=0), vertices.max(axis=0))
-    step = len(edges) // LIMIT + 1
-    picture.shapes(vertices[edges[::step]], False, **EDGE)
-    picture.dots(vertices[::len(vertices) // 200 + 1], **DOTS)
-    return page("HalfspaceIntersection", figures, picture, _drawn(len(edges[::step]), len(edges), "edges") + _seen(self.dimension))
+    ends = edges.reshape(-1, self.dimension)
+    picture = Picture(ends.min(axis=0), ends.max(axis=0))
+    picture.shapes(edges, False, **EDGE)
+    if len(edges) <= 60:
+        picture.dots(ends, **DOTS)
+    return page("HalfspaceIntersection", figures, picture, _drawn(len(edges), num_edges, "edges") + _seen(self.dimension))

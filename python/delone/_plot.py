@@ -348,14 +348,10 @@ def convex_hull(self, ax=None, *, values=None, values_at=None, axes=None, points
             raise ValueError("values: one for each point, where facets are points")
         pairs = _pairs_of(corners) if k > 1 else corners.reshape(1, 2) if k == 1 else np.empty((0, 2), dtype=np.intp)
         return _projected(canvas, colors, x, pairs, rows, points, keywords)
-    of_cells = colors.values
-    if colors.place == "facets":
-        of_cells = colors.values[self.facet_of_cell]
-    elif colors.place == "points":
-        of_cells = np.ma.asarray(colors.values)[corners].mean(axis=1)
-    mappable = None
+    of_faces, mappable = colors.values, None
     if k == 2:
         if colors.place in ("facets", "cells"):
+            of_cells = colors.values if colors.place == "cells" else colors.values[self.facet_of_cell]
             mappable = colors.paint(canvas.lines(x[corners], **_with_defaults(keywords, linewidths=2, colors=None)), of_cells)
         else:
             following = dict(corners.tolist())
@@ -366,15 +362,17 @@ def convex_hull(self, ax=None, *, values=None, values_at=None, axes=None, points
         if colors.place == "points":
             mappable = canvas.colored_dots(x, colors.values, colors.keywords())
     else:
-        look = {"facecolors": _shaded(self.equations[self.facet_of_cell, :3])} if colors.values is None else {"edgecolors": "face"}
-        look = {"linewidths": 0.2, **look}
-        found = canvas.faces(x[corners], **_with_defaults(keywords, **look))
-        mappable = colors.paint(found, of_cells) if colors.values is not None else None
-        facet = self.facet_of_cell
-        cell, opposite = np.nonzero((facet[self.neighbors] < facet[:, None]))
-        ridges = corners[cell][np.arange(3) != opposite[:, None]].reshape(-1, 2)
-        if len(ridges) <= MANY:
-            canvas.lines(x[ridges])
+        by_cells = colors.place == "cells"
+        faces = x[corners] if by_cells else facets_of_hull(self)
+        if colors.place == "points":
+            offsets, rows_of_facets = self.facets
+            of_faces = np.add.reduceat(np.asarray(colors.values, dtype=float)[rows_of_facets], offsets[:-1]) / np.diff(offsets)
+        look = {"edgecolors": "none"} if by_cells else {"edgecolors": INK, "linewidths": 0.5 * _width(len(faces))}
+        if colors.values is None:
+            look["facecolors"] = _shaded(self.equations[:, :3])
+        found = canvas.faces(faces, **_with_defaults(keywords, **look))
+        if colors.values is not None:
+            mappable = colors.paint(found, of_faces)
     if colors.place != "points" or k > 2:
         dots = _dots_too(x, points, rows)
         if len(dots):
@@ -382,6 +380,20 @@ def convex_hull(self, ax=None, *, values=None, values_at=None, axes=None, points
     canvas.fit(*_box_of(x[self.vertices]))
     colors.finish(canvas, mappable)
     return canvas.ax
+
+
+def facets_of_hull(hull):
+    """The facets of a hull of k = 3 in space as polygons, their corners in cyclic order."""
+    offsets, rows = hull.facets
+    facet = np.repeat(np.arange(len(offsets) - 1), np.diff(offsets))
+    corners = hull.points[rows]
+    center = np.add.reduceat(corners, offsets[:-1]) / np.diff(offsets)[:, None]
+    normal = hull.equations[:, :3]
+    aside = np.cross(normal, corners[offsets[:-1]] - center)
+    along = np.cross(aside, normal)
+    spokes = corners - center[facet]
+    angle = np.arctan2((spokes * aside[facet]).sum(axis=1), (spokes * along[facet]).sum(axis=1))
+    return np.split(corners[np.lexsort((angle, facet))], offsets[1:-1])
 
 
 # Diagrams and intersections are cut off at a box.
@@ -670,7 +682,8 @@ def intersection(self, ax=None, *, values=None, values_at=None, axes=None, box=N
         outline = v[np.argsort(np.arctan2(*(v - center).T[::-1]))]
         look = {"facecolors": SOFT + "60", "edgecolors": "none"}
         canvas.faces([outline], **_with_defaults({} if colors.values is not None else keywords, **look))
-        lines = canvas.lines(np.array(drawn).reshape(-1, 2, 2), **_with_defaults(keywords if colors.values is not None else {}, linewidths=1.5))
+        look = {"linewidths": 1} if colors.values is None else _with_defaults(keywords, linewidths=2, colors=None)
+        lines = canvas.lines(np.array(drawn).reshape(-1, 2, 2), **look)
         if colors.values is not None:
             mappable = colors.paint(lines, of_facets[numbers])
     elif drawn:

@@ -10,6 +10,7 @@
 
 #include <delone/halfspaces.hpp>
 
+#include <algorithm>
 #include <memory>
 #include <mutex>
 #include <optional>
@@ -145,6 +146,24 @@ std::string repr(const HeldIntersection& held) {
   });
 }
 
+/// What pictures are drawn from, float64: the ends of up to `limit` edges, evenly chosen, (s, 2, d), and how
+/// many edges there are.
+py::tuple sample(const HeldIntersection& held, std::size_t limit) {
+  std::vector<double> ends;
+  const auto d = static_cast<std::size_t>(held.dimension());
+  const std::size_t num_edges = held.ask([&](const Polyhedron& intersection) {
+    const IntersectionData& data = intersection.data();
+    const std::size_t count = data.edges.size() / 2, step = count / std::max<std::size_t>(limit, 1) + 1;
+    for (std::size_t i = 0; i < 2 * count; i += (i % 2 == 0 ? 1 : 2 * step - 1)) {
+      const double* const x = data.vertices.data() + static_cast<std::size_t>(data.edges[i]) * d;
+      ends.insert(ends.end(), x, x + d);
+    }
+    return count;
+  });
+  const std::size_t count = ends.size() / (2 * d);
+  return py::make_tuple(rows_view(std::move(ends), 2 * count, d).attr("reshape")(count, 2, d), num_edges);
+}
+
 py::tuple state(const HeldIntersection& held) {
   const BuildArguments& a = held.arguments();
   return py::make_tuple(rows_of<&IntersectionData::halfspaces, 1>(held),
@@ -243,6 +262,7 @@ void bind_halfspaces(py::module_& module) {
       .def_property_readonly("num_facets", asking([](const Polyhedron& h) { return h.num_facets(); }),
                              "f, the facets; also len().")
       .def("__len__", asking([](const Polyhedron& h) { return h.num_facets(); }))
+      .def("_sample", &sample, "limit"_a)
       .def_property_readonly("columns", &HeldIntersection::columns,
                              "As those of Delaunay, of the d+1 numbers of each halfspace.")
       .def_property_readonly("halfspaces", &rows_of<&Data::halfspaces, 1>,

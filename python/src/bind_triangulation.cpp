@@ -409,16 +409,16 @@ py::tuple nearest(const Held& held, const py::object& object, std::optional<py::
 
 /// What pictures are drawn from, float64: the vertices of up to `limit` cells, (s, k+1, d), those of the
 /// facets of the hull, (h, k, d), if there are no more, and the bounding box of these, (2, d). Of many cells
-/// a sample: for every n-th row the incident cell of smallest rows. A function of the points. Cost: O(limit)
-/// stars.
+/// a sample: for every n-th row the incident cell of smallest rows, or for k > 3 the row alone, (s, 1, d). A
+/// function of the points. Cost: O(limit) stars.
 py::tuple sample(const Held& held, std::size_t limit) {
   std::vector<double> corners, facets, box;
-  std::size_t k = 0, num_cells = 0, num_facets = 0;
+  std::size_t k = 0, facet_size = 0, num_cells = 0, num_facets = 0;
   const auto d = static_cast<std::size_t>(held.dimension());
   count(held, [&](const Triangulation& t) {
     const Complex complex = t.complex();
     if (t.affine_dimension() < 0) return;
-    k = static_cast<std::size_t>(t.affine_dimension());
+    facet_size = k = static_cast<std::size_t>(t.affine_dimension());
     const auto append = [&](std::vector<double>& to, VertexId v) {
       const auto x = t.point(v);
       to.insert(to.end(), x.begin(), x.end());
@@ -444,9 +444,16 @@ py::tuple sample(const Held& held, std::size_t limit) {
       return;
     }
     std::vector<std::size_t> rows, smallest;
+    const bool are_stars_large = k > 3;
+    if (are_stars_large) k = 0;
     for (std::size_t i = 0; i < limit; ++i) {
-      const VertexId v = t.vertex_at(t.num_rows() / limit * i);
+      const VertexId v = t.vertex_at(i * t.num_rows() / limit);
       if (v == invalid_vertex) continue;
+      if (are_stars_large) {
+        append(corners, v);
+        ++num_cells;
+        continue;
+      }
       CellId chosen = invalid_cell;
       for (const CellId cell : complex.star(v)) {
         if (complex.is_infinite(cell)) continue;
@@ -463,7 +470,7 @@ py::tuple sample(const Held& held, std::size_t limit) {
   };
   box.resize(2 * d);
   return py::make_tuple(shaped(std::move(corners), num_cells, k + 1),
-                        shaped(std::move(facets), num_facets, k), rows_view(std::move(box), 2, d));
+                        shaped(std::move(facets), num_facets, facet_size), rows_view(std::move(box), 2, d));
 }
 
 py::dict statistics(const Held& held) {
