@@ -62,7 +62,7 @@ def _of_simplices(points, cells, point_data, cell_data) -> Mesh:
     return Mesh(SIMPLICES[cells.shape[1] - 1], points, np.arange(len(cells) + 1) * cells.shape[1], cells.ravel(), point_data, cell_data)
 
 
-def _triangulation(self, point_data, cell_data) -> Mesh:
+def triangulation(self, point_data, cell_data) -> Mesh:
     x, cells = _points(self, self.points), self.cells
     if not cells.shape[1]:
         cells = cells.reshape(0, 1)
@@ -70,7 +70,7 @@ def _triangulation(self, point_data, cell_data) -> Mesh:
                          _data(cell_data, "cell_data", [("cells", len(cells), None)]))
 
 
-def _convex_hull(self, point_data, cell_data) -> Mesh:
+def convex_hull(self, point_data, cell_data) -> Mesh:
     x, cells = _points(self, self.points), self.cells
     if not cells.shape[1]:
         cells = cells.reshape(-1, 1)[:0]
@@ -78,7 +78,7 @@ def _convex_hull(self, point_data, cell_data) -> Mesh:
     return _of_simplices(x, cells, _data(point_data, "point_data", [("points", len(x), None)]), _data(cell_data, "cell_data", counts))
 
 
-def _diagram(self, point_data, cell_data) -> Mesh:
+def diagram(self, point_data, cell_data) -> Mesh:
     x = _points(self, self.vertices)
     k = self.affine_dimension
     if k not in (2, 3):
@@ -183,11 +183,11 @@ SIMPLICIAL = """
         One entry for each cell"""
 
 CELLS = {
-    _triangulation: f"""the cells as vertices, lines, triangles or tetrahedra.
+    triangulation: f"""the cells as vertices, lines, triangles or tetrahedra.
 {SIMPLICIAL}.""",
-    _convex_hull: f"""the cells of the boundary as vertices, lines or triangles.
+    convex_hull: f"""the cells of the boundary as vertices, lines or triangles.
 {SIMPLICIAL}, or for each facet.""",
-    _diagram: """the bounded regions, of affine dimension 2 as polygons, of 3 as polyhedra.
+    diagram: """the bounded regions, of affine dimension 2 as polygons, of 3 as polyhedra.
 
     The points are those of `vertices`. Cell data `site` is the row of the site of each region; unbounded regions are left out. ValueError in
     other dimensions.

@@ -88,3 +88,38 @@ def _refuse_not_finite(frame, array: np.ndarray, name: str) -> None:
 
 def _listed(labels: Tuple) -> str:
     return ", ".join(_core._represented(label) for label in labels)
+
+
+def _frame(product, points, data) -> object:
+    """Points beside data: arrays, or (codes, names of kinds)."""
+    try:
+        import pandas
+    except ImportError as error:
+        raise ImportError("to_frame() needs pandas: install it, for example by `pip install pandas`, or as the package python3-pandas of Debian "
+                          "and Ubuntu") from error
+    labels = product.columns or [f"x{j}" for j in range(points.shape[1])]
+    data = {name: pandas.Categorical.from_codes(*values) if isinstance(values, tuple) else values for name, values in data.items()}
+    frame = pandas.concat([pandas.DataFrame(points), pandas.DataFrame(data)], axis=1)
+    frame.columns = pandas.Index([*labels, *data], tupleize_cols=False)
+    return frame
+
+
+def triangulation(self):
+    """A pandas DataFrame with a row for each point: its coordinates, with the labels of `columns` or x0, x1, …; `vertex`, the row that it
+    was merged into, itself, or -1 if it is hidden; `cell`, one that has it as a vertex, or -1; of Regular `weight`. ImportError without
+    pandas."""
+    weights = {"weight": self.weights} if isinstance(self, _core.Regular) else {}
+    return _frame(self, self.points, {**weights, "vertex": self.vertex_of_point, "cell": self.cell_of_point})
+
+
+def convex_hull(self):
+    """A pandas DataFrame with a row for each point: its coordinates, with the labels of `columns` or x0, x1, …, and its `kind`: extreme,
+    boundary, interior or duplicate, see `point_kinds`. ImportError without pandas."""
+    return _frame(self, self.points, {"kind": (self.point_kinds, ["extreme", "boundary", "interior", "duplicate"])})
+
+
+def diagram(self):
+    """A pandas DataFrame with a row for each point: its coordinates, with the labels of `columns` or x0, x1, …; `region`, its number or -1;
+    `bounded`, whether that region is. ImportError without pandas."""
+    region = self.point_region
+    return _frame(self, self.points, {"region": region, "bounded": np.append(self.is_bounded, False)[region]})

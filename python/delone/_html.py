@@ -7,7 +7,7 @@ import itertools
 
 import numpy as np
 
-LIMIT = 700  # shapes in a picture
+CORNERS = 2100  # of all shapes in a picture: about 15 kB
 SIZE, MARGIN = 260, 8  # of the picture, in pixels
 TURN = np.array([[0.82, -0.57, 0.0], [0.26, 0.38, 0.89]])  # a view from above: three coordinates to two
 
@@ -111,8 +111,8 @@ def _seen(d):
 def triangulation(self):
     hidden = self.num_points - self.num_duplicates - self.num_vertices
     figures = [*_common(self), ("vertices", self.num_vertices), ("duplicates", self.num_duplicates), ("hidden", hidden or None), ("cells", self.num_cells)]
-    limit = LIMIT if self.affine_dimension < 3 else LIMIT // self.affine_dimension
-    cells, facets, box = self._sample(limit)
+    k = self.affine_dimension
+    cells, facets, box = self._sample(CORNERS // (3 if k < 3 else 8 if k == 3 else k + 6))
     picture = Picture(*box)
     are_points = cells.shape[1] == 1 < self.affine_dimension
     if are_points:
@@ -136,7 +136,7 @@ def convex_hull(self):
                ("tolerance", self.tolerance or None)]
     if self.num_cells <= 10_000:
         figures += [("volume", self.volume), ("area", self.area)]
-    cells, _ = self._sample(LIMIT)
+    cells, _ = self._sample(CORNERS // max(3, self.affine_dimension))
     if not len(cells):
         return page("ConvexHull", figures, "", "")
     corners = cells.reshape(-1, self.dimension)
@@ -157,7 +157,7 @@ def diagram(self):
     from . import _plot
     low, high = self.bounding_box()
     picture = Picture(low, high)
-    step = self.num_regions // (LIMIT // 3) + 1
+    step = self.num_regions // (CORNERS // 9) + 1
     sites = self.points[self.region_points[::step]]
     shown = ""
     k, d = self.affine_dimension, self.dimension
@@ -168,13 +168,13 @@ def diagram(self):
         shown = _drawn(len(numbers), self.num_regions, "regions")
     elif d == 3 and k == 3:
         inside = ((self.vertices >= low) & (self.vertices <= high)).all(axis=1) if self.num_vertices < 200_000 else None
-        step_of_ridges = self.num_ridges // LIMIT + 1
+        step_of_ridges = self.num_ridges // (CORNERS // 3) + 1
         numbers = [i for i in range(0, self.num_ridges, step_of_ridges) if self.ridge_vertices[self.ridge_offsets[i]] >= 0]
         ridges = [self.ridge(i) for i in numbers]
         polygons = [self.vertices[ridge] for ridge in ridges if (inside[ridge].all() if inside is not None
                     else ((self.vertices[ridge] >= low) & (self.vertices[ridge] <= high)).all())]
-        picture.shapes(polygons[:LIMIT // 2], True, **EDGE)
-        shown = _drawn(min(len(polygons), LIMIT // 2), self.num_ridges, "ridges")
+        picture.shapes(polygons[:CORNERS // 6], True, **EDGE)
+        shown = _drawn(min(len(polygons), CORNERS // 6), self.num_ridges, "ridges")
     picture.dots(sites, **{**DOTS, "stroke_width": 3 if len(sites) < 100 else 2})
     return page(type(self).__name__, figures, picture, shown + _seen(self.dimension))
 
@@ -188,7 +188,7 @@ def intersection(self):
     figures += [("bounded", "yes" if self.is_bounded else "no"), ("vertices", self.num_vertices), ("facets", self.num_facets)]
     if self.is_bounded and self.dimension <= 3 and self.num_vertices <= 1000:
         figures.append(("volume", self.volume))
-    edges, num_edges = self._sample(LIMIT)
+    edges, num_edges = self._sample(CORNERS // 3)
     if not len(edges):
         return page("HalfspaceIntersection", figures, "", "")
     ends = edges.reshape(-1, self.dimension)

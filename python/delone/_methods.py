@@ -2,13 +2,14 @@
 """The methods that compiled classes have in Python: pictures, meshes of other programs, and what needs NumPy only."""
 from __future__ import annotations
 
-from . import _core, _export, _html, _plot
+from . import _core, _export, _frames, _html, _plot
 from ._transform import transform
 
 OF = {
-    _core.Triangulation: {"plot": _plot.triangulation, "_repr_html_": _html.triangulation, "mesh": _export._triangulation},
-    _core.ConvexHull: {"plot": _plot.convex_hull, "_repr_html_": _html.convex_hull, "mesh": _export._convex_hull},
-    _core.Diagram: {"plot": _plot.diagram, "_repr_html_": _html.diagram, "mesh": _export._diagram},
+    _core.Triangulation: {"plot": _plot.triangulation, "_repr_html_": _html.triangulation, "to_frame": _frames.triangulation,
+                          "mesh": _export.triangulation},
+    _core.ConvexHull: {"plot": _plot.convex_hull, "_repr_html_": _html.convex_hull, "to_frame": _frames.convex_hull, "mesh": _export.convex_hull},
+    _core.Diagram: {"plot": _plot.diagram, "_repr_html_": _html.diagram, "to_frame": _frames.diagram, "mesh": _export.diagram},
     _core.HalfspaceIntersection: {"plot": _plot.intersection, "_repr_html_": _html.intersection},
 }
 
