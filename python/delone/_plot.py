@@ -284,8 +284,12 @@ def triangulation(self, ax=None, *, values=None, values_at=None, cells=None, axe
     if k == 2 and not canvas.in_space:
         if colors.place == "points" and shading == "gouraud" and chosen.any():
             from matplotlib.tri import Triangulation
-            mappable = canvas.ax.tripcolor(Triangulation(*x.T, corners[chosen]), np.ma.filled(np.ma.asarray(colors.values, dtype=float), np.nan),
-                                           shading="gouraud", rasterized=len(corners) > MANY, **colors.keywords(), **keywords)
+            known = np.ma.filled(np.ma.asarray(colors.values, dtype=float), np.nan)
+            has_all = chosen & np.isfinite(known)[corners].all(axis=1)  # triangles with a missing value are left out
+            if has_all.any():
+                known = np.where(np.isfinite(known), known, known[corners[has_all][0, 0]])
+                mappable = canvas.ax.tripcolor(Triangulation(*x.T, corners[has_all]), known, shading="gouraud", rasterized=len(corners) > MANY,
+                                               **colors.keywords(), **keywords)
         elif colors.values is not None or cells is not None or any(name.startswith(("face", "fc")) for name in keywords):
             look = {} if colors.values is None else {"edgecolors": "face", "linewidths": 0.2}
             look = look or {"facecolors": SOFT, "edgecolors": INK, "linewidths": _width(3 * len(corners))}
@@ -308,7 +312,7 @@ def triangulation(self, ax=None, *, values=None, values_at=None, cells=None, axe
     if colors.values is None:
         mappable = None
     elif colors.place == "cells" or shading == "flat" or canvas.in_space:
-        if colors.place == "points":
+        if colors.place == "points" and mappable is not None:
             shown = facets if canvas.in_space else corners[chosen]
             colors.paint(mappable, np.ma.asarray(colors.values)[shown].mean(axis=1))
         else:

@@ -591,15 +591,16 @@ constexpr const char* nearest_doc =
 constexpr const char* delaunay_doc = R"(
 Delaunay(points, *, seed=0, order='automatic', threads=0, progress=None)
 
-The Delaunay triangulation of points, (n, d) numbers that are exact in float64, in any dimension.
+The Delaunay triangulation of points, (n, d) numbers that are exact in float64, or a pandas DataFrame, in any dimension.
 
 Exact, a function of the set of points: seed and order ('automatic', 'as_given', 'shuffled') only change the way there.
 Duplicates are merged, flat points are triangulated in their flat. At most `threads` threads build, and answer queries; 0:
 as many as there are cores for the process, where the work is large enough to gain by them. All arrays are the same,
-however many. `progress` is called ten times a second with the fraction done; what it returns stops the work
-(CancelledError) if it is false, but None. Ctrl-C stops with KeyboardInterrupt. Methods let go of the GIL; any number of threads may call them at
-once. Raises InputError, a ValueError, for NaN and infinities, and ValueError for other input that is no array of points;
-both name the row. Cost: O(n) cells and time in each dimension for evenly spread points.)";
+however many. `progress`: True for a bar, or a function that is called ten times a second with the fraction done; what
+it returns stops the work (CancelledError) if it is false, but None. Ctrl-C stops with KeyboardInterrupt. Methods let go
+of the GIL; any number of threads may call them at once. Raises InputError, a ValueError, for NaN and infinities, and
+ValueError for other input that is no array of points; both name the row, and of a DataFrame the column. Cost: O(n)
+cells and time in each dimension for evenly spread points.)";
 
 constexpr const char* regular_doc = R"(
 Regular(points, weights, *, seed=0, order='automatic', threads=0, progress=None)
