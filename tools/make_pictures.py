@@ -173,7 +173,7 @@ def look_curvature(path):
     angles = np.arccos(-(directions * np.roll(directions, 1, axis=1)).sum(axis=2))
     areas = np.linalg.norm(np.cross(sides[:, 0], sides[:, 1]), axis=1) / 2
     curvature = (2 * np.pi - np.bincount(tri.cells.ravel(), angles.ravel())) / (np.bincount(tri.cells.ravel(), np.repeat(areas, 3)) / 3)
-    curvature[tri.hull_facets.ravel()] = np.nan
+    curvature[np.abs(places).max(axis=1) > 1.9] = np.nan
     figure = plt.figure(figsize=(9, 3.6))
     colors = {"cmap": "RdBu_r", "vmin": -2, "vmax": 2}
     ax = figure.add_subplot(1, 2, 1, aspect="equal")

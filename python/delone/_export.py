@@ -106,6 +106,16 @@ def diagram(self, point_data, cell_data) -> Mesh:
     return Mesh("polyhedron", x, offsets, ridge[order], points, data, self.ridge_offsets, self.ridge_vertices)
 
 
+def intersection(self, point_data, cell_data) -> Mesh:
+    x, d = _points(self, self.vertices), self.dimension
+    if d < 2 or not self.is_bounded:
+        raise ValueError(f"dimension is {d}: meshes have intersections of 2 or 3" if d < 2 else "meshes have bounded intersections only")
+    rows = self.facet_halfspaces
+    counts = [("halfspaces", self.num_halfspaces, rows), ("facets", len(rows), None)]
+    return Mesh("line" if d == 2 else "polygon", x, np.array(self.facet_offsets), self.facet_vertices,
+                _data(point_data, "point_data", [("vertices", len(x), None)]), {"halfspace": rows, **_data(cell_data, "cell_data", counts)})
+
+
 def _to_meshio(mesh: Mesh) -> Any:
     try:
         import meshio
@@ -196,6 +206,15 @@ CELLS = {
         One entry for each vertex of the diagram.
     cell_data : {name: (n,) or (regions,) numbers, or rows of them}
         One entry for each point of the input, or for each region.""",
+    intersection: """the facets of a bounded intersection, as lines in the plane, as polygons in space.
+
+    The points are those of `vertices`. Cell data `halfspace` is the row of each facet. ValueError in other dimensions, and if it is unbounded,
+    flat or empty.
+
+    point_data : {name: (v,) or (v, c) numbers}
+        One entry for each vertex.
+    cell_data : {name: (m,) or (f,) numbers, or rows of them}
+        One entry for each halfspace, or for each facet.""",
 }
 TARGETS = {"to_meshio": ("A meshio.Mesh", "ImportError without meshio.", _to_meshio),
            "to_vtk": ("A vtkUnstructuredGrid", "ImportError without VTK.", _to_vtk),

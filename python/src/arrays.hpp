@@ -48,8 +48,11 @@ py::array_t<double> as_points(const py::object& object, const std::string& name)
 /// Queries of shape (…, d), and arrays with one answer for each.
 class Queries {
  public:
-  /// `held`: what is asked, with dimension() and columns(), which a DataFrame must have, too.
+  /// `columns`: the labels that a DataFrame must have, a tuple, or None.
+  Queries(const py::object& object, int dimension, const py::object& columns = py::none());
+  /// With dimension() and columns() of what is asked.
   template <class Held>
+  requires requires(const Held& held) { held.columns(); }
   Queries(const py::object& object, const Held& held) : Queries(object, held.dimension(), held.columns()) {}
   std::span<const double> coordinates() const { return numbers(array_); }
   std::size_t size() const { return size_; }
@@ -66,8 +69,6 @@ class Queries {
   }
 
  private:
-  Queries(const py::object& object, int dimension, const py::object& columns);
-
   py::array_t<double> array_;
   std::vector<py::ssize_t> shape_;  // without the last one
   std::size_t size_ = 0;

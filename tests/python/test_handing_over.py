@@ -164,9 +164,27 @@ def test_meshio_takes_regions():
     assert empty.cells == []
 
 
+def test_meshio_takes_intersections():
+    pytest.importorskip("meshio")
+    square = delone.HalfspaceIntersection(SQUARE_ROWS).to_meshio(cell_data={"side": [7, 8, 9, 10]})
+    assert square.cells[0].type == "line" and square.cell_data["side"][0].tolist() == [7, 8, 9, 10]
+    cube = delone.HalfspaceIntersection(np.c_[np.r_[np.eye(3), -np.eye(3)], -np.ones(6)])
+    block, = cube.to_meshio().cells
+    assert block.type == "polygon" and block.data.shape == (6, 4) and sorted(np.ravel(block.data)) == sorted(list(range(8)) * 3)
+
+
+def test_pyvista_wraps_what_vtk_has(monkeypatch):
+    pytest.importorskip("vtkmodules.vtkCommonDataModel")
+    monkeypatch.setitem(sys.modules, "pyvista", type(sys)("pyvista"))
+    sys.modules["pyvista"].wrap = lambda grid: ("wrapped", grid.GetNumberOfCells())
+    t = delone.Delaunay(SPACE)
+    assert t.to_pyvista() == ("wrapped", len(t))
+
+
 @pytest.mark.parametrize("call, text", [
     (lambda: delone.Delaunay(RANDOM.random((9, 4))).to_meshio(), "dimension is 4: meshes have at most 3"),
     (lambda: delone.Voronoi([[0, 0], [1, 1]]).to_meshio(), "affine_dimension is 1"),
+    (lambda: delone.HalfspaceIntersection(SQUARE_ROWS[:2]).to_meshio(), "meshes have bounded intersections only"),
     (lambda: delone.Delaunay(PLANE).to_meshio(point_data={"a": [1, 2]}), r"point_data\['a'\]: one entry for each of the points \(40\), not an array of shape \(2,\)"),
     (lambda: delone.ConvexHull(PLANE).to_meshio(cell_data={"a": ["x"] * 3}), r"cell_data\['a'\]: numbers, not <U1")])
 def test_meshes_refuse_what_they_cannot_have(call, text):
