@@ -132,8 +132,8 @@ def triangulation(self):
 
 @safely
 def convex_hull(self):
-    figures = [*_common(self), ("vertices", self.num_vertices), ("facets", self.num_facets), ("ridges", self.num_ridges), ("duplicates", self.num_duplicates or None),
-               ("tolerance", self.tolerance or None)]
+    figures = [*_common(self), ("vertices", self.num_vertices), ("facets", self.num_facets), ("ridges", self.num_ridges),
+               ("duplicates", self.num_duplicates or None), ("tolerance", self.tolerance or None)]
     if self.num_cells <= 10_000:
         figures += [("volume", self.volume), ("area", self.area)]
     cells, _ = self._sample(CORNERS // max(3, self.affine_dimension))

@@ -36,7 +36,7 @@ class Canvas:
                                  "coordinates, axes=(0, 1, 2) in three" if d > 1 else f"plot: dimension is {d}, and a picture has 2 or 3")
             self.axes = tuple(range(d))
         else:
-            self.axes = tuple(axes)
+            self.axes = tuple(axes) if np.iterable(axes) else ()
             if len(self.axes) not in (2, 3) or len(set(self.axes)) != len(self.axes) or not all(
                     isinstance(axis, (int, np.integer)) and 0 <= axis < d for axis in self.axes):
                 raise ValueError(f"axes: two or three different coordinates from 0 to {d - 1}, not {_core._represented(axes)}")
@@ -48,6 +48,8 @@ class Canvas:
             labels = product.columns or [f"x{axis}" if axes is not None else "" for axis in range(d)]
             for name, axis in zip("xyz", self.axes):
                 getattr(ax, f"set_{name}label")(str(labels[axis]))
+        elif not hasattr(ax, "add_collection"):
+            raise TypeError(f"ax: Axes of Matplotlib, not {type(ax).__name__}")
         elif self.in_space and ax.name != "3d":
             raise ValueError("ax: three dimensions need axes that have them, such as figure.add_subplot(projection='3d'); or choose two "
                              "coordinates by axes=(0, 1)")
@@ -123,8 +125,10 @@ class Colors:
         if values is None:
             return
         self.values = np.ma.asanyarray(values) if np.ma.isMaskedArray(values) else np.asarray(values)
+        if self.values.dtype.kind == "O":  # None, or numbers of Python
+            self.values = np.asarray(_core._doubles([np.nan if value is None else value for value in self.values.ravel()], "values"))
         if self.values.dtype.kind not in "fiub":
-            self.values = self.values.astype(float)
+            raise ValueError(f"values: numbers, not {self.values.dtype}")
         for name, count in places.items():
             if self.values.shape == (count,) and values_at in (None, name):
                 self.place = name

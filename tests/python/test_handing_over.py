@@ -83,9 +83,9 @@ def test_errors_name_the_column_and_the_row(pandas):
 
 
 def test_all_numeric_columns_are_taken(pandas):
-    numbers = {"i1": np.int8([1, 2, -3]), "u8": np.uint64([1, 2, 3]), "f4": np.float32([0.5, 2, 3]), "b": [True, False, True], "Int": pandas.array([1, 2, 3], dtype="Int64"),
-               "Float": pandas.array([0.25, 2, 3], dtype="Float64"), "object": np.array([1, 2.5, 3], dtype=object), "f8": [1.0, 2, 3],
-               "category": pandas.Categorical([3, 1, 3])}
+    numbers = {"i1": np.int8([1, 2, -3]), "u8": np.uint64([1, 2, 3]), "f4": np.float32([0.5, 2, 3]), "b": [True, False, True],
+               "Int": pandas.array([1, 2, 3], dtype="Int64"), "Float": pandas.array([0.25, 2, 3], dtype="Float64"), "object": np.array([1, 2.5, 3], dtype=object),
+               "f8": [1.0, 2, 3], "category": pandas.Categorical([3, 1, 3])}
     frame = pandas.DataFrame(numbers)
     expected = np.stack([np.array(list(values), dtype=float) for values in numbers.values()], axis=1)
     assert (delone.Delaunay(frame).points == expected).all()
@@ -98,7 +98,8 @@ def test_data_are_copied_once_at_most(pandas):
     array = RANDOM.random((1000, 3))
     shared = pandas.DataFrame(array, copy=False)
     assert np.shares_memory(_frames.numbers(shared, "points", True), array)
-    for frame in (pandas.DataFrame(np.asfortranarray(array)), shared[[2, 0, 1]], shared[::2], shared.iloc[:, :2], pandas.DataFrame({name: array[:, i].copy() for i, name in enumerate("abc")})):
+    by_columns = pandas.DataFrame({name: array[:, i].copy() for i, name in enumerate("abc")})
+    for frame in (pandas.DataFrame(np.asfortranarray(array)), shared[[2, 0, 1]], shared[::2], shared.iloc[:, :2], by_columns):
         result = _frames.numbers(frame, "points", True)
         assert result.flags.c_contiguous and (result == frame.to_numpy()).all()
 
@@ -108,7 +109,8 @@ def test_results_as_dataframes(pandas):
     frame = t.to_frame()
     assert list(frame.columns) == ["x", "y", "weight", "vertex", "cell"]
     assert frame["vertex"].tolist() == [0, 1, 2, -1, 1] and frame["weight"].tolist() == [0, 0, 0, -9, 0] and frame["x"].tolist() == [0, 4, 0, 1, 4]
-    assert delone.ConvexHull([[0, 0], [4, 0], [0, 4], [2, 0], [1, 1], [0, 0]]).to_frame()["kind"].tolist() == ["extreme"] * 3 + ["boundary", "interior", "duplicate"]
+    frame = delone.ConvexHull([[0, 0], [4, 0], [0, 4], [2, 0], [1, 1], [0, 0]]).to_frame()
+    assert frame["kind"].tolist() == ["extreme"] * 3 + ["boundary", "interior", "duplicate"]
     frame = delone.Voronoi(t.points[:4]).to_frame()
     assert list(frame.columns) == ["x0", "x1", "region", "bounded"] and frame["bounded"].tolist() == [False, False, False, True]
 
@@ -185,7 +187,8 @@ def test_pyvista_wraps_what_vtk_has(monkeypatch):
     (lambda: delone.Delaunay(RANDOM.random((9, 4))).to_meshio(), "dimension is 4: meshes have at most 3"),
     (lambda: delone.Voronoi([[0, 0], [1, 1]]).to_meshio(), "affine_dimension is 1"),
     (lambda: delone.HalfspaceIntersection(SQUARE_ROWS[:2]).to_meshio(), "meshes have bounded intersections only"),
-    (lambda: delone.Delaunay(PLANE).to_meshio(point_data={"a": [1, 2]}), r"point_data\['a'\]: one entry for each of the points \(40\), not an array of shape \(2,\)"),
+    (lambda: delone.Delaunay(PLANE).to_meshio(point_data={"a": [1, 2]}),
+     r"point_data\['a'\]: one entry for each of the points \(40\), not an array of shape \(2,\)"),
     (lambda: delone.ConvexHull(PLANE).to_meshio(cell_data={"a": ["x"] * 3}), r"cell_data\['a'\]: numbers, not <U1")])
 def test_meshes_refuse_what_they_cannot_have(call, text):
     with pytest.raises(ValueError, match=text):
@@ -246,8 +249,8 @@ def test_progress_is_a_bar(monkeypatch, is_there):
     monkeypatch.setattr(sys, "stderr", stderr)
     t = delone.Delaunay(RANDOM.random((5000, 3)), progress=True)
     assert "  0%|" in stderr.getvalue() and "100%|" in stderr.getvalue()
-    for call in (lambda: t.insert_range([[2, 2, 2]], progress=True), lambda: delone.ConvexHull(SPACE, progress=True), lambda: delone.convex_hulls([SPACE], progress=True),
-                 lambda: delone.HalfspaceIntersection(SQUARE_ROWS, progress=True)):
+    for call in (lambda: t.insert_range([[2, 2, 2]], progress=True), lambda: delone.ConvexHull(SPACE, progress=True),
+                 lambda: delone.convex_hulls([SPACE], progress=True), lambda: delone.HalfspaceIntersection(SQUARE_ROWS, progress=True)):
         stderr.seek(0), stderr.truncate()
         call()
         assert "100%|" in stderr.getvalue()
