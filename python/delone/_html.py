@@ -163,9 +163,12 @@ def diagram(self):
     k, d = self.affine_dimension, self.dimension
     if d == 2 and k == 2:
         numbers = np.arange(0, self.num_regions, step)
-        polygons = [polygon for polygon in _plot.polygons_of_regions(self, numbers, low, high) if len(polygon) > 2]
+        if step == 1:
+            polygons = [polygon for polygon in _plot.polygons_of_regions(self, numbers, low, high) if len(polygon) > 2]
+        else:
+            polygons = [polygon for polygon, is_inside in zip(*_plot.corners_of_regions(self, numbers, low, high)) if is_inside]
         picture.shapes(polygons, True, **EDGE, **FACE)
-        shown = _drawn(len(numbers), self.num_regions, "regions")
+        shown = _drawn(len(polygons) if step > 1 else len(numbers), self.num_regions, "regions")
     elif d == 3 and k == 3:
         inside = ((self.vertices >= low) & (self.vertices <= high)).all(axis=1) if self.num_vertices < 200_000 else None
         step_of_ridges = self.num_ridges // (CORNERS // 3) + 1

@@ -422,109 +422,118 @@ def cut(starts, directions, length, low, high):
     return np.stack([starts + first[kept, None] * directions, starts + last[kept, None] * directions], axis=1)
 
 
-def cut_polygon(polygon, low, high):
-    """The part of a convex polygon in the plane that is inside the box; no corners, if there is none."""
-    for axis, bound, side in ((0, low[0], 1), (0, high[0], -1), (1, low[1], 1), (1, high[1], -1)):
+def cut_polygon(polygon, points, normals, offsets):
+    """The part of a convex polygon in the plane where normal · (x − point) ≤ offset for all halfplanes; no corners, if there is none."""
+    for point, normal, offset in zip(points, normals, offsets):
         if not len(polygon):
             break
-        depth = side * (polygon[:, axis] - bound)
-        after, depth_after = np.roll(polygon, -1, axis=0), np.roll(depth, -1)
-        crosses = (depth >= 0) != (depth_after >= 0)
-        with np.errstate(all="ignore"):
-            crossing = polygon + (depth / (depth - depth_after))[:, None] * (after - polygon)
-        crossing[:, axis] = bound
-        polygon = np.stack([polygon, crossing], axis=1).reshape(-1, 2)[np.stack([depth >= 0, crosses], axis=1).ravel()]
+        depth = offset - (polygon - point) @ normal
+        inside, after = depth >= 0, np.roll(depth, -1)
+        crosses = inside != (after >= 0)
+        if not crosses.any():
+            polygon = polygon if inside.all() else polygon[:0]
+            continue
+        share = np.divide(depth, depth - after, out=np.zeros_like(depth), where=crosses)[:, None]
+        crossing = polygon + share * (np.roll(polygon, -1, axis=0) - polygon)
+        polygon = np.stack([polygon, crossing], axis=1).reshape(-1, 2)[np.stack([inside, crosses], axis=1).ravel()]
     return polygon
 
 
+class Bisectors:
+    """The halfplanes that regions of a diagram in the plane are the intersections of. They tell what is near the sites also where
+    vertices are so far away that their coordinates are rounded to much."""
+
+    def __init__(self, diagram):
+        sites = diagram.ridge_points
+        self.points = diagram.points
+        self.weights = diagram.weights if isinstance(diagram, _core.PowerDiagram) else None
+        self.sign = -1.0 if diagram.__reduce__()[1][1] is _core.FurthestSite else 1.0  # the type of its triangulation
+        both = np.concatenate([sites, sites[:, ::-1]])
+        regions = diagram.point_region[both[:, 0]]
+        self.pairs = both[np.argsort(regions, kind="stable")]
+        self.first = np.append(0, np.cumsum(np.bincount(regions, minlength=diagram.num_regions)))
+
+    def of_region(self, region):
+        """(points, normals, offsets), see cut_polygon."""
+        return self.of_pairs(self.pairs[self.first[region]:self.first[region + 1]])
+
+    def of_pairs(self, pairs):
+        """What is on the side of the first of two sites."""
+        here, there = self.points[pairs[:, 0]], self.points[pairs[:, 1]]
+        offsets = np.zeros(len(pairs)) if self.weights is None else (self.weights[pairs[:, 0]] - self.weights[pairs[:, 1]]) / 2
+        return here + (there - here) / 2, self.sign * (there - here), self.sign * offsets
+
+    def segment(self, pair, region, low, high):
+        """What is inside the box of the ridge between two sites, the first that of the region: its ends, or None."""
+        (point,), (normal,), (offset,) = self.of_pairs(pair[None])
+        along = np.array([-normal[1], normal[0]]) / np.linalg.norm(normal)
+        start = point + offset / (normal @ normal) * normal
+        others = self.pairs[self.first[region]:self.first[region + 1]]
+        points, normals, offsets = self.of_pairs(others[others[:, 1] != pair[1]])
+        box = np.concatenate([np.eye(2), -np.eye(2)])
+        slope = np.concatenate([normals, box]) @ along
+        room = np.concatenate([offsets - ((start - points) * normals).sum(axis=1), np.concatenate([high, np.negative(low)]) - box @ start])
+        if (room[slope == 0] < 0).any():
+            return None
+        with np.errstate(over="ignore"):
+            first, last = (room[slope < 0] / slope[slope < 0]).max(), (room[slope > 0] / slope[slope > 0]).min()
+        return np.stack([start + first * along, start + last * along]) if first < last else None
+
+
+def _are_far(vertices, low, high):
+    """Whether rounding has moved vertices by what one might see inside the box."""
+    middle = np.asarray(low) + np.subtract(high, low) / 2
+    return ~(np.abs(vertices - middle) < 1e4 * np.subtract(high, low).max()).all(axis=1)
+
+
 def edges_of_diagram(diagram, low, high):
-    """The edges of a diagram with k = 1 or 2 in the plane, or of the bounded ridges of one with k = 2 or 3 in space, cut off at the box:
-    (bounded ones, unbounded ones), each (s, 2, d)."""
+    """The edges of a diagram in the plane, or of one with k = 2 in space, cut off at the box: segments (s, 2, d)."""
     v, d, k = diagram.vertices, diagram.dimension, diagram.affine_dimension
-    none = np.empty((0, 2, d))
     if k < 1 or k == 1 and d == 3:
-        return none, none
+        return np.empty((0, 2, d))
+    far = np.append(_are_far(v, low, high) if d == 2 else np.zeros(len(v), dtype=bool), False)
     if k == 1:
-        along = np.subtract(*diagram.points[diagram.region_points[:2]])
-        normal = np.broadcast_to(np.array([-along[1], along[0]]) / np.linalg.norm(along), v.shape)
-        return none, np.concatenate([cut(v, normal, np.inf, low, high), cut(v, -normal, np.inf, low, high)])
-    if k == 2:
-        ends = diagram.ridge_vertices.reshape(-1, 2)
-        ends = ends[ends[:, 0] >= 0]
+        ends, by_bisectors = np.empty((0, 2), dtype=np.intp), np.arange(len(diagram.ridge_points))
     else:
-        items, offsets = diagram.ridge_vertices, diagram.ridge_offsets
-        following = np.roll(items, -1)
-        following[offsets[1:] - 1] = items[offsets[:-1]]  # ridges are cycles
-        ends = np.unique(np.sort(np.stack([items, following], axis=1)[(items >= 0) & (following >= 0)], axis=1), axis=0)
+        ends = diagram.ridge_vertices.reshape(-1, 2)
+        is_far = far[ends].any(axis=1)
+        by_bisectors = np.flatnonzero(is_far)
+        ends = ends[(ends[:, 0] >= 0) & ~is_far]
     start = v[ends[:, 0]]
-    return (cut(start, v[ends[:, 1]] - start, 1, low, high), cut(v[diagram.ray_vertices], diagram.ray_directions, np.inf, low, high))
+    rays = np.flatnonzero(~far[diagram.ray_vertices]) if k == 2 else np.empty(0, dtype=np.intp)
+    found = [cut(start, v[ends[:, 1]] - start, 1, low, high), cut(v[diagram.ray_vertices[rays]], diagram.ray_directions[rays], np.inf, low, high)]
+    if len(by_bisectors):
+        bisectors = Bisectors(diagram)
+        pairs = diagram.ridge_points[by_bisectors]
+        segments = [bisectors.segment(pair, region, low, high) for pair, region in zip(pairs, diagram.point_region[pairs[:, 0]])]
+        found.append(np.reshape([segment for segment in segments if segment is not None], (-1, 2, 2)))
+    return np.concatenate(found)
+
+
+def corners_of_regions(diagram, chosen, low, high):
+    """The vertices of the regions with the numbers `chosen` of a diagram in the plane, a list of arrays; which of them are polygons inside
+    the box. Cost: that of these regions only."""
+    if not len(chosen):
+        return [], np.zeros(0, dtype=bool)
+    offsets = diagram.region_offsets
+    counts = offsets[chosen + 1] - offsets[chosen]
+    ends = np.cumsum(counts)
+    ids = diagram.region_vertices[np.arange(ends[-1]) + np.repeat(offsets[chosen] - ends + counts, counts)]
+    corners = diagram.vertices[ids] if diagram.num_vertices else np.zeros((len(ids), 2))
+    inside = (ids >= 0) & ((corners >= low) & (corners <= high)).all(axis=1)
+    outside = np.append(0, np.cumsum(~inside))
+    return np.split(corners, ends[:-1]), (counts > 2) & (outside[ends] == outside[ends - counts])
 
 
 def polygons_of_regions(diagram, chosen, low, high):
     """The regions with the numbers `chosen` of a diagram in the plane, cut off at the box: a list of arrays, empty ones of regions
     outside."""
-    v, k = diagram.vertices, diagram.affine_dimension
-    whole = np.array([low, [high[0], low[1]], high, [low[0], high[1]]])
-    if k < 1:
-        return [whole for _ in chosen]
-    offsets = diagram.region_offsets
-    counts = np.diff(offsets)[chosen]
-    ids = diagram.region_vertices[np.repeat(offsets[chosen] - np.append(0, np.cumsum(counts)[:-1]), counts) + np.arange(counts.sum())] \
-        if len(chosen) else np.empty(0, dtype=np.intp)
-    ends = np.cumsum(counts)
-    inside = np.append(((v >= low) & (v <= high)).all(axis=1), False)[ids]
-    parts = np.split(ids, ends[:-1]) if len(chosen) else []
-    to_do = np.flatnonzero((counts < 3) | ~np.logical_and.reduceat(inside, ends - counts)) if inside.size and (counts > 0).all() else range(len(chosen))
-    is_simple = np.ones(len(chosen), dtype=bool)
-    is_simple[to_do] = False
-    corners = np.split(v[ids], ends[:-1]) if len(chosen) else []
-    polygons = [corners[i] if is_simple[i] else None for i in range(len(chosen))]
-    rays_of = {}
-    if k == 2:
-        for ray, sites in enumerate(diagram.point_region[diagram.ray_points].tolist()):
-            for region in sites:
-                rays_of.setdefault(region, []).append(ray)
-    for i in np.flatnonzero(~is_simple):
-        region = int(chosen[i])
-        outline = _strip if k == 1 else _outline
-        polygons[i] = cut_polygon(outline(diagram, region, parts[i], rays_of.get(region, ()), low, high), low, high)
+    polygons, is_inside = corners_of_regions(diagram, chosen, low, high)
+    whole = np.array([low, [high[0], low[1]], high, [low[0], high[1]]], dtype=float)
+    bisectors = None if is_inside.all() else Bisectors(diagram)
+    for i in np.flatnonzero(~is_inside):
+        polygons[i] = cut_polygon(whole, *bisectors.of_region(chosen[i]))
     return polygons
-
-
-def _outline(diagram, region, ids, rays, low, high):
-    """The corners of a region, with points far outside of the box on its rays and between them."""
-    ids = ids[ids >= 0]
-    corners = diagram.vertices[ids]
-    corners = corners[np.isfinite(corners).all(axis=1)]
-    if not len(rays) or not len(corners):
-        return corners
-    start, direction = diagram.ray_vertices[list(rays)], diagram.ray_directions[list(rays)]
-    if len(rays) != 2:
-        order = [0]
-    elif start[0] != start[1]:
-        order = [0, 1] if start[0] == ids[-1] else [1, 0]
-    else:  # the region is to the left of the ray that the outline leaves by
-        order = [0, 1] if direction[0, 0] * direction[1, 1] - direction[0, 1] * direction[1, 0] > 0 else [1, 0]
-    start, direction = diagram.vertices[start[order]], direction[order]
-    center = (np.asarray(low) + high) / 2
-    far = 4 * (np.linalg.norm(np.subtract(high, low)) + np.linalg.norm(start - center, axis=1).max())
-    between = direction.sum(axis=0)
-    length = np.linalg.norm(between)
-    between = between / length if length > 1e-9 else np.array([-direction[0, 1], direction[0, 0]])
-    return np.concatenate([corners, (start + far * direction)[:1], start[:1] + far * between, (start + far * direction)[1:]])
-
-
-def _strip(diagram, region, ids, rays, low, high):
-    """A region of points on a line, as a quadrilateral that reaches beyond the box."""
-    sites = diagram.points[diagram.region_points]
-    along = sites[1] - sites[0]
-    along = along / np.linalg.norm(along)
-    normal = np.array([-along[1], along[0]])
-    origin = sites[region]
-    far = 4 * (np.linalg.norm(np.subtract(high, low)) + np.linalg.norm(origin - low))
-    at = (diagram.vertices[ids[ids >= 0]] - origin) @ along
-    first, last = max(at[at < 0], default=-far), min(at[at > 0], default=far)
-    return np.array([origin + t * along + s * normal for t, s in ((first, -far), (last, -far), (last, far), (first, far))])
 
 
 def _as_box(box, product_box):
@@ -584,7 +593,7 @@ def diagram(self, ax=None, *, values=None, values_at=None, regions=None, axes=No
             if colors.values is not None:
                 mappable = colors.paint(found, of_regions[chosen[shown]])
         if not is_filled or regions is not None:
-            canvas.lines(np.concatenate(edges_of_diagram(self, low, high)), **({} if is_filled else keywords))
+            canvas.lines(edges_of_diagram(self, low, high), **({} if is_filled else keywords))
     else:
         inside = np.append(((self.vertices >= low) & (self.vertices <= high)).all(axis=1), False)
         counts = np.diff(self.region_offsets)
@@ -605,7 +614,7 @@ def diagram(self, ax=None, *, values=None, values_at=None, regions=None, axes=No
             if colors.values is not None:
                 mappable = colors.paint(found, of_regions[owners])
         elif k == 2:
-            canvas.lines(np.concatenate(edges_of_diagram(self, low, high)), **keywords)
+            canvas.lines(edges_of_diagram(self, low, high), **keywords)
     dots = _dots_too(x, points, sites) if mappable is None or points else x[:0]
     if len(dots):
         canvas.dots(dots)

@@ -143,16 +143,20 @@ def area(polygon):
 
 
 @pytest.mark.parametrize("points", [PLANE, PLANE[:3], PLANE[:2], PLANE[:1], [[0, 0], [1, 1], [2, 2], [4, 4]], [[0, 0], [1, 0], [0, 1], [1, 1]],
-                                    [[0, 0], [1, 0], [2, 0], [3, 0], [1, 5]]])
+                                    [[0, 0], [1, 0], [2, 0], [3, 0], [1, 5]], [[0, 0], [1, 1e-12], [2, 0]], [[0, 0], [1, -1e-16], [2, 0], [3, 0]],
+                                    [[0, 0], [1, 1e-320], [2, 0]]])
 def test_regions_fill_the_box(points):
     """The cut regions have the areas that the library computes exactly, whatever is unbounded."""
     v = delone.Voronoi(points)
     box = v.bounding_box(0.3)
     polygons = _plot.polygons_of_regions(v, np.arange(v.num_regions), *box)
     np.testing.assert_allclose([area(polygon) if len(polygon) else 0 for polygon in polygons], v.region_volumes(box), rtol=1e-9, atol=1e-12)
-    bounded, unbounded = _plot.edges_of_diagram(v, *box)
-    ends = np.concatenate([bounded, unbounded]).reshape(-1, 2)
-    assert ((ends >= box[0] - 1e-9) & (ends <= box[1] + 1e-9)).all()
+    sides = [np.stack([polygon, np.roll(polygon, -1, axis=0)], axis=1) for polygon in polygons if len(polygon)]
+    inner = [side for side in np.concatenate(sides) if not any((side[:, j] == bound).all() for j in range(2) for bound in (box[0][j], box[1][j]))]
+    edges = _plot.edges_of_diagram(v, *box)
+    lengths = [np.linalg.norm(ends[:, 1] - ends[:, 0], axis=1).sum() if len(ends) else 0 for ends in (np.reshape(inner, (-1, 2, 2)), edges)]
+    assert lengths[0] == pytest.approx(2 * lengths[1], rel=1e-9, abs=1e-12)
+    assert ((edges >= box[0] - 1e-9) & (edges <= box[1] + 1e-9)).all()
 
 
 @pytest.mark.parametrize("diagram", [delone.PowerDiagram(PLANE, RANDOM.random(40) * 0.02), delone.Voronoi(delone.FurthestSite(PLANE))])
@@ -166,13 +170,13 @@ def test_diagrams(plt):
     v = delone.Voronoi(PLANE)
     ax = v.plot(linestyle="dotted")
     lines, = ax.collections
-    bounded, unbounded = _plot.edges_of_diagram(v, *v.bounding_box())
-    assert len(lines.get_segments()) == len(bounded) + len(unbounded) <= v.num_ridges
+    edges = _plot.edges_of_diagram(v, *v.bounding_box())
+    assert len(lines.get_segments()) == len(edges) <= v.num_ridges
     assert ax.get_xlim() == tuple(np.transpose(v.bounding_box())[0])
     regions, = v.plot(values=np.arange(40.0), box=([0, 0], [0.5, 1])).collections
     assert set(regions.get_array()) < set(range(40)) and regions.get_array().max() > 20
     chosen, lines = v.plot(regions=[7, 3]).collections
-    assert len(chosen.get_paths()) == 2 and len(lines.get_segments()) == len(bounded) + len(unbounded)
+    assert len(chosen.get_paths()) == 2 and len(lines.get_segments()) == len(edges)
     with pytest.raises(ValueError, match=r"box: \(low, high\), each of 2 finite numbers"):
         v.plot(box=([0, 0], [0, 1]))
     assert len(delone.Voronoi(np.empty((0, 2))).plot().collections) == 0
