@@ -7,6 +7,8 @@ import itertools
 
 import numpy as np
 
+from ._clipping import corners_of_regions, polygons_of_regions
+
 CORNERS = 2100  # of all shapes in a picture: about 15 kB
 SIZE, MARGIN = 260, 8  # of the picture, in pixels
 TURN = np.array([[0.82, -0.57, 0.0], [0.26, 0.38, 0.89]])  # a view from above: three coordinates to two
@@ -154,7 +156,6 @@ def diagram(self):
                ("tolerance", self.tolerance or None)]
     if not self.num_regions:
         return page(type(self).__name__, figures, "", "")
-    from . import _plot
     low, high = self.bounding_box()
     picture = Picture(low, high)
     step = self.num_regions // (CORNERS // 9) + 1
@@ -164,9 +165,9 @@ def diagram(self):
     if d == 2 and k == 2:
         numbers = np.arange(0, self.num_regions, step)
         if step == 1:
-            polygons = [polygon for polygon in _plot.polygons_of_regions(self, numbers, low, high) if len(polygon) > 2]
+            polygons = [polygon for polygon in polygons_of_regions(self, numbers, low, high) if len(polygon) > 2]
         else:
-            polygons = [polygon for polygon, is_inside in zip(*_plot.corners_of_regions(self, numbers, low, high)) if is_inside]
+            polygons = [polygon for polygon, is_inside in zip(*corners_of_regions(self, numbers, low, high)) if is_inside]
         picture.shapes(polygons, True, **EDGE, **FACE)
         shown = _drawn(len(polygons) if step > 1 else len(numbers), self.num_regions, "regions")
     elif d == 3 and k == 3:

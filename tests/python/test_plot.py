@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 
 import delone
-from delone import _plot
+from delone import _clipping
 
 RANDOM = np.random.default_rng(1)
 PLANE, SPACE, FOUR = RANDOM.random((40, 2)), RANDOM.random((40, 3)), RANDOM.random((12, 4))
@@ -149,11 +149,11 @@ def test_regions_fill_the_box(points):
     """The cut regions have the areas that the library computes exactly, whatever is unbounded."""
     v = delone.Voronoi(points)
     box = v.bounding_box(0.3)
-    polygons = _plot.polygons_of_regions(v, np.arange(v.num_regions), *box)
+    polygons = _clipping.polygons_of_regions(v, np.arange(v.num_regions), *box)
     np.testing.assert_allclose([area(polygon) if len(polygon) else 0 for polygon in polygons], v.region_volumes(box), rtol=1e-9, atol=1e-12)
     sides = [np.stack([polygon, np.roll(polygon, -1, axis=0)], axis=1) for polygon in polygons if len(polygon)]
     inner = [side for side in np.concatenate(sides) if not any((side[:, j] == bound).all() for j in range(2) for bound in (box[0][j], box[1][j]))]
-    edges = _plot.edges_of_diagram(v, *box)
+    edges = _clipping.edges_of_diagram(v, *box)
     lengths = [np.linalg.norm(ends[:, 1] - ends[:, 0], axis=1).sum() if len(ends) else 0 for ends in (np.reshape(inner, (-1, 2, 2)), edges)]
     assert lengths[0] == pytest.approx(2 * lengths[1], rel=1e-9, abs=1e-12)
     assert ((edges >= box[0] - 1e-9) & (edges <= box[1] + 1e-9)).all()
@@ -162,7 +162,7 @@ def test_regions_fill_the_box(points):
 @pytest.mark.parametrize("diagram", [delone.PowerDiagram(PLANE, RANDOM.random(40) * 0.02), delone.Voronoi(delone.FurthestSite(PLANE))])
 def test_regions_of_other_diagrams_fill_the_box(diagram):
     box = diagram.bounding_box()
-    polygons = _plot.polygons_of_regions(diagram, np.arange(diagram.num_regions), *box)
+    polygons = _clipping.polygons_of_regions(diagram, np.arange(diagram.num_regions), *box)
     np.testing.assert_allclose(sum(area(polygon) for polygon in polygons if len(polygon)), np.prod(box[1] - box[0]))
 
 
@@ -170,7 +170,7 @@ def test_diagrams(plt):
     v = delone.Voronoi(PLANE)
     ax = v.plot(linestyle="dotted")
     lines, = ax.collections
-    edges = _plot.edges_of_diagram(v, *v.bounding_box())
+    edges = _clipping.edges_of_diagram(v, *v.bounding_box())
     assert len(lines.get_segments()) == len(edges) <= v.num_ridges
     assert ax.get_xlim() == tuple(np.transpose(v.bounding_box())[0])
     regions, = v.plot(values=np.arange(40.0), box=([0, 0], [0.5, 1])).collections
