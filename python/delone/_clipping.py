@@ -8,13 +8,14 @@ from . import _core
 
 
 def as_box(box, product_box):
+    """A box, (low, high), as it was given; product_box() for None. ValueError for anything else."""
+    low, high = product_box()
     if box is None:
-        return product_box()
-    low, high = (np.array(_core._doubles(corner, "box")) for corner in box)
-    wanted = np.shape(product_box()[0])
-    if low.shape != wanted or high.shape != wanted or not (low < high).all() or not np.isfinite([low, high]).all():
-        raise ValueError(f"box: (low, high), each of {wanted[0]} finite numbers, low < high")
-    return low, high
+        return low, high
+    corners = np.array(_core._doubles(box, "box"))
+    if corners.shape != (2, len(low)) or not np.isfinite(corners).all() or not (corners[0] < corners[1]).all():
+        raise ValueError(f"box: (low, high), each of {len(low)} finite numbers, low < high")
+    return corners[0], corners[1]
 
 
 def cut(starts, directions, length, low, high):

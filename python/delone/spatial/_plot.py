@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from .._plot import pyplot
+from .._canvas import pyplot
 
 
 def _axes(ax, points, what):
