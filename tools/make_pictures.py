@@ -146,6 +146,63 @@ def earthquakes(path):
     save(figure, path, tight=False)
 
 
+def look_values(path):
+    """Values at points and of regions: earthquakes."""
+    columns = read("earthquakes")
+    west = (columns["longitude"] > -126) & (columns["longitude"] < -112) & (columns["latitude"] > 31) & (columns["latitude"] < 45)
+    points = np.stack([columns["longitude"], columns["latitude"]], axis=1)[west]
+    figure, axes = plt.subplots(1, 2, figsize=(9.5, 3.9))
+    delone.Delaunay(points).plot(axes[0], values=columns["depth_km"][west], vmax=20, cmap="viridis_r", colorbar="depth in km")
+    diagram = delone.Voronoi(points)
+    box = [-125, 32], [-113, 44]
+    diagram.plot(axes[1], values=diagram.region_volumes(box), box=box, norm=matplotlib.colors.LogNorm(1e-4, 10), colorbar="square degrees")
+    for ax in axes:
+        ax.set(xlabel="longitude", ylabel="latitude", xlim=(-125, -113), ylim=(32, 44))
+    save(figure, path)
+
+
+def look_curvature(path):
+    """The Gaussian curvature of a bump, on the map and on the surface."""
+    grid = np.stack(np.meshgrid(*[np.linspace(-2, 2, 81)] * 2), axis=-1).reshape(-1, 2)
+    places = grid + np.random.default_rng(5).uniform(-0.01, 0.01, grid.shape)
+    scan = np.c_[places, np.exp(-(places**2).sum(axis=1))]
+    tri = delone.Delaunay(places)
+    corners = scan[tri.cells]
+    sides = np.roll(corners, -1, axis=1) - corners
+    directions = sides / np.linalg.norm(sides, axis=2, keepdims=True)
+    angles = np.arccos(-(directions * np.roll(directions, 1, axis=1)).sum(axis=2))
+    areas = np.linalg.norm(np.cross(sides[:, 0], sides[:, 1]), axis=1) / 2
+    curvature = (2 * np.pi - np.bincount(tri.cells.ravel(), angles.ravel())) / (np.bincount(tri.cells.ravel(), np.repeat(areas, 3)) / 3)
+    curvature[np.abs(places).max(axis=1) > 1.9] = np.nan
+    figure = plt.figure(figsize=(9, 3.6))
+    colors = {"cmap": "RdBu_r", "vmin": -2, "vmax": 2}
+    ax = figure.add_subplot(1, 2, 1, aspect="equal")
+    tri.plot(ax, values=curvature, colorbar="curvature", **colors)
+    ax = figure.add_subplot(1, 2, 2, projection="3d")
+    surface = ax.plot_trisurf(*scan.T, triangles=tri.cells, linewidth=0, antialiased=False, **colors)
+    surface.set_array(np.ma.masked_invalid(curvature[tri.cells].mean(axis=1)))
+    ax.set_box_aspect((4, 4, 1.6), zoom=1.3)
+    ax.set_axis_off()
+    save(figure, path)
+
+
+def look_protein(path):
+    """The surface of a protein in colors, and its convex hull."""
+    points = atoms()
+    tri = delone.Delaunay(points)
+    figure = plt.figure(figsize=(9, 3.4))
+    for i in range(2):
+        ax = figure.add_subplot(1, 2, i + 1, projection="3d")
+        if i == 0:
+            tri.plot(ax, cells=circumradii(tri) < 2.6, values=np.linalg.norm(points, axis=1), cmap="cividis", colorbar="Å from the center", linewidth=0.1)
+        else:
+            delone.ConvexHull(points).plot(ax, points=False)
+        ax.set_box_aspect(np.ptp(points, axis=0), zoom=1.5)
+        ax.view_init(40, -80)
+        ax.set_axis_off()
+    save(figure, path)
+
+
 def save(figure, path, tight=True):
     if tight:
         figure.tight_layout()
@@ -156,7 +213,7 @@ def save(figure, path, tight=True):
 def main():
     folder = pathlib.Path(sys.argv[1]) if len(sys.argv) > 1 else ROOT / "docs" / "pictures"
     folder.mkdir(parents=True, exist_ok=True)
-    for draw in (overview, plane, protein, earthquakes):
+    for draw in (overview, plane, protein, earthquakes, look_values, look_curvature, look_protein):
         draw(folder / f"{draw.__name__}.png")
 
 

@@ -54,7 +54,7 @@ def stub_signatures():
 
 
 STUB = stub_signatures()
-SHORT = {"npt.NDArray": "NDArray", "npt.": "", "np.": "", "_Reals": "ndarray", "_Rows": "ndarray", "_Order": "str", "_Progress": "Optional[Callable]",
+SHORT = {"npt.NDArray": "NDArray", "npt.": "", "np.": "", "_Reals": "ndarray", "_Rows": "ndarray", "_Order": "str", "_Progress": "Union[bool, Callable, None]", "_Columns": "Optional[tuple]", "_Data": "Optional[dict]",
          "_Box": "Optional[ArrayLike]"}
 
 

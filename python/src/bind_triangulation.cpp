@@ -4,6 +4,7 @@
 #include "docstring.hpp"
 #include "module.hpp"
 #include "pickling.hpp"
+#include "sample.hpp"
 #include "triangulation.hpp"
 
 #include <pybind11/stl.h>
@@ -50,6 +51,7 @@ py::array_t<double> as_weights(const py::object& object, py::ssize_t count) {
 
 void add(Held& held, const py::object& points, const py::object& weights, const py::object& progress) {
   const auto rows = as_points(points, "points");
+  require_columns(points, held.columns(), "points");
   if (rows.shape(1) != held.dimension())
     throw py::value_error("points: " + std::to_string(rows.shape(1)) + " coordinates per row, not " +
                           std::to_string(held.dimension()));
@@ -66,10 +68,17 @@ std::unique_ptr<T> construct(const py::object& points, const py::object& weights
   auto held =
       std::make_unique<T>(static_cast<int>(rows.shape(1)), BuildArguments{seed, std::move(order), threads});
   add(*held, rows, weights, progress);
+  held->set_columns(columns_of(points));
   return held;
 }
 
-/// Forwards a question without arguments to the engine.
+/// Forwards a question without arguments to the engine, one that does not depend on the numbers of cells.
+template <class Question>
+auto count(const Held& held, Question question) {
+  Supervisor supervisor;
+  return supervisor.run([&] { return held.with_unsorted(question); });
+}
+/// The same for other questions.
 template <class Question>
 auto ask(const Held& held, Question question) {
   Supervisor supervisor;
@@ -188,7 +197,7 @@ void locate_each(const Held& held, const Queries& queries, LocateOptions options
 }
 
 py::object find_simplex(const Held& held, const py::object& object, double tolerance) {
-  const Queries queries(object, held.dimension());
+  const Queries queries(object, held);
   auto cells = queries.answers<SignedIndex>();
   locate_each(held, queries, {.tolerance = tolerance, .coordinates = false},
               [out = cells.mutable_data()](std::size_t query, const LocatedPoint&, SignedIndex cell,
@@ -197,7 +206,7 @@ py::object find_simplex(const Held& held, const py::object& object, double toler
 }
 
 py::object locate(const Held& held, const py::object& object, double tolerance) {
-  const Queries queries(object, held.dimension());
+  const Queries queries(object, held);
   const std::size_t count = queries.size();
   std::vector<std::uint8_t> kinds(count);
   std::vector<SignedIndex> cells(count);
@@ -228,7 +237,7 @@ py::object locate(const Held& held, const py::object& object, double tolerance) 
 }
 
 py::tuple barycentric(const Held& held, const py::object& object, double tolerance) {
-  const Queries queries(object, held.dimension());
+  const Queries queries(object, held);
   const auto size =
       static_cast<std::size_t>(ask(held, [](const Triangulation& t) { return t.affine_dimension(); }) + 1);
   auto cells = queries.answers<SignedIndex>();
@@ -253,7 +262,7 @@ py::tuple barycentric(const Held& held, const py::object& object, double toleran
 /// roughly the nearest first. −1 if none accepts.
 py::array find_accepting(const Held& held, const py::object& object, const Reals& transform,
                          const Rows& neighbors, double tolerance, double broad, double radius) {
-  const Queries queries(object, held.dimension());
+  const Queries queries(object, held);
   const auto d = static_cast<std::size_t>(held.dimension());
   const auto count = static_cast<std::size_t>(neighbors.shape(0));
   if (transform.size() != static_cast<py::ssize_t>(count * d * (d + 1)) ||
@@ -379,7 +388,7 @@ void visit_nearest(const PointLocator& locator, std::span<const double> queries,
 
 py::tuple nearest(const Held& held, const py::object& object, std::optional<py::ssize_t> k) {
   if (k && *k < 1) throw py::value_error("k: at least 1, not " + std::to_string(*k));
-  const Queries queries(object, held.dimension());
+  const Queries queries(object, held);
   const auto width = static_cast<std::size_t>(k.value_or(1));
   auto rows = k ? queries.answers<SignedIndex>({width}) : queries.answers<SignedIndex>();
   auto distances = k ? queries.answers<double>({width}) : queries.answers<double>();
@@ -404,7 +413,7 @@ py::dict statistics(const Held& held) {
 }
 
 std::string repr(const Held& held) {
-  return ask(held, [&](const Triangulation& t) {
+  return count(held, [&](const Triangulation& t) {
     std::string text = std::string("<delone.") + name_of(held) + ": " + std::to_string(t.num_points()) +
                        " points in dimension " + std::to_string(t.dimension());
     if (t.affine_dimension() < t.dimension())
@@ -424,13 +433,13 @@ py::tuple state(const Held& held) {
     if (num_rows(batches) == static_cast<std::size_t>(rows.shape(0)) &&
         (numbers.is_none() || py::len(numbers) == static_cast<std::size_t>(rows.shape(0))))
       return py::make_tuple(held.dimension(), rows, numbers, batches_to_state(batches), a.seed, a.order,
-                            a.threads);
+                            a.threads, held.columns());
   }
 }
 
 template <class T>
 std::unique_ptr<T> restored(const py::tuple& given) {
-  return from_state(given, 7, "a triangulation", [](const py::tuple& state) {
+  return from_state(given, 8, "a triangulation", [](const py::tuple& state) {
     const auto points = as_points(state[1], "points");
     auto held = std::make_unique<T>(
         state[0].cast<int>(),
@@ -441,6 +450,7 @@ std::unique_ptr<T> restored(const py::tuple& given) {
     add_batches(state[3], points.shape(0), [&](const py::slice& rows) {
       add(*held, points[rows], weights.is_none() ? weights : py::object(weights[rows]), py::none());
     });
+    held->set_columns(as_columns(state[7], held->dimension()));
     return held;
   });
 }
@@ -495,6 +505,11 @@ constexpr const char* find_simplex_doc =
     "than the set. Cost: nothing for\n"
     "queries in thick cells; otherwise it depends on the number of cells within t.";
 
+constexpr const char* columns_doc =
+    "The labels of the columns of the pandas DataFrame that it was made of, a tuple; None if it was not. "
+    "DataFrames of further points, and of\n"
+    "queries, must have the same columns in the same order, or ValueError is raised.";
+
 constexpr const char* nearest_doc =
     "(rows, distances), each (...): the input row of the point nearest to each query (..., d), and its "
     "distance.\n\n"
@@ -509,15 +524,16 @@ constexpr const char* nearest_doc =
 constexpr const char* delaunay_doc = R"(
 Delaunay(points, *, seed=0, order='automatic', threads=0, progress=None)
 
-The Delaunay triangulation of points, (n, d) numbers that are exact in float64, in any dimension.
+The Delaunay triangulation of points, (n, d) numbers that are exact in float64, or a pandas DataFrame, in any dimension.
 
 Exact, a function of the set of points: seed and order ('automatic', 'as_given', 'shuffled') only change the way there.
 Duplicates are merged, flat points are triangulated in their flat. At most `threads` threads build, and answer queries; 0:
 as many as there are cores for the process, where the work is large enough to gain by them. All arrays are the same,
-however many. `progress` is called ten times a second with the fraction done; what it returns stops the work
-(CancelledError) if it is false, but None. Ctrl-C stops with KeyboardInterrupt. Methods let go of the GIL; any number of threads may call them at
-once. Raises InputError, a ValueError, for NaN and infinities, and ValueError for other input that is no array of points;
-both name the row. Cost: O(n) cells and time in each dimension for evenly spread points.)";
+however many. `progress`: True for a bar, or a function that is called ten times a second with the fraction done; what
+it returns stops the work (CancelledError) if it is false, but None. Ctrl-C stops with KeyboardInterrupt. Methods let go
+of the GIL; any number of threads may call them at once. Raises InputError, a ValueError, for NaN and infinities, and
+ValueError for other input that is no array of points; both name the row, and of a DataFrame the column. Cost: O(n)
+cells and time in each dimension for evenly spread points.)";
 
 constexpr const char* regular_doc = R"(
 Regular(points, weights, *, seed=0, order='automatic', threads=0, progress=None)
@@ -536,11 +552,12 @@ are the extreme points, all others are hidden. One thread builds it. All else as
 
 void bind_triangulations(py::module_& module) {
   py::class_<Held, std::shared_ptr<Held>> base(
-      module, "Triangulation", "What Delaunay, Regular and FurthestSite share. k is the affine dimension.");
+      module, "Triangulation",
+      "Triangulation()\n--\n\nWhat Delaunay, Regular and FurthestSite share. k is the affine dimension.");
   base.def_property_readonly("dimension", &Held::dimension, "d, the number of coordinates.")
       .def_property_readonly(
           "affine_dimension",
-          [](const Held& h) { return ask(h, [](const Triangulation& t) { return t.affine_dimension(); }); },
+          [](const Held& h) { return count(h, [](const Triangulation& t) { return t.affine_dimension(); }); },
           "k, the dimension of the smallest flat that contains all points: k <= d; 0 for one distinct point, "
           "-1 for none.")
       .def_property_readonly(
@@ -551,22 +568,23 @@ void bind_triangulations(py::module_& module) {
           "k coordinate axes onto which the flat of the points projects one-to-one, increasing.")
       .def_property_readonly(
           "num_points",
-          [](const Held& h) { return ask(h, [](const Triangulation& t) { return t.num_points(); }); },
+          [](const Held& h) { return count(h, [](const Triangulation& t) { return t.num_points(); }); },
           "n, the rows of the input.")
       .def_property_readonly(
           "num_vertices",
-          [](const Held& h) { return ask(h, [](const Triangulation& t) { return t.num_vertices(); }); },
+          [](const Held& h) { return count(h, [](const Triangulation& t) { return t.num_vertices(); }); },
           "Distinct points that are not hidden.")
       .def_property_readonly(
           "num_duplicates",
-          [](const Held& h) { return ask(h, [](const Triangulation& t) { return t.num_duplicates(); }); },
+          [](const Held& h) { return count(h, [](const Triangulation& t) { return t.num_duplicates(); }); },
           "Rows that are equal to an earlier one.")
       .def_property_readonly(
           "num_cells",
-          [](const Held& h) { return ask(h, [](const Triangulation& t) { return t.num_finite_cells(); }); },
+          [](const Held& h) { return count(h, [](const Triangulation& t) { return t.num_finite_cells(); }); },
           "m, the number of cells.")
-      .def("__len__",
-           [](const Held& h) { return ask(h, [](const Triangulation& t) { return t.num_finite_cells(); }); })
+      .def(
+          "__len__",
+          [](const Held& h) { return count(h, [](const Triangulation& t) { return t.num_finite_cells(); }); })
       .def_property_readonly("points", &points, "(n, d) float64, read-only. Made on first use.")
       .def_property_readonly(
           "cells",
@@ -625,6 +643,8 @@ void bind_triangulations(py::module_& module) {
            "A weight is 0 exactly if the query is on the facet opposite that vertex. -1 and NaN outside. "
            "With a tolerance, see\n"
            "find_simplex, they are those of the point x'.")
+      .def_property_readonly("columns", &Held::columns, columns_doc)
+      .def("_sample", &sample, "limit"_a)
       .def("_find_accepting", &find_accepting, "queries"_a, "transform"_a, "neighbors"_a, "tolerance"_a,
            "broad"_a, "radius"_a)
       .def("nearest", &nearest, "queries"_a, "k"_a = py::none(), nearest_doc)

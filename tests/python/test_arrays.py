@@ -225,9 +225,9 @@ def test_lists_with_objects():
     lambda progress: delone.HalfspaceIntersection([[1, -1], [-1, -1]], progress=progress),
     lambda progress: delone.Delaunay(SQUARE).insert_range(SQUARE, progress=progress),
 ])
-@pytest.mark.parametrize("progress, name", [(5, "int"), ("bar", "str"), (True, "bool")])
+@pytest.mark.parametrize("progress, name", [(5, "int"), ("bar", "str")])
 def test_progress_is_a_function(make, progress, name):
-    with pytest.raises(TypeError, match=f"progress: a function of the fraction done, or None, not {name}"):
+    with pytest.raises(TypeError, match=f"progress: True, a function of the fraction done, or None, not {name}"):
         make(progress)
 
 

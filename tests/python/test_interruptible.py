@@ -13,22 +13,25 @@ from hostile_support import MODULES, classes, is_large
 
 # Entries that return what is there, or make one pass over what they return: a second for some 10^8 numbers.
 QUICK = {
-    "delone.ConvexHull": "__repr__ affine_dimension axes dimension max_distance num_cells num_duplicates num_points statistics tolerance",
+    "delone.ConvexHull": "__repr__ affine_dimension axes columns dimension max_distance num_cells num_duplicates num_points plot statistics to_frame to_meshio "
+                         "to_pyvista to_vtk tolerance",
     "delone.ConvexHulls": "__getitem__ __init__ __iter__ __len__ __repr__",
     "delone.Delaunay": "__getstate__",
     "delone.FurthestSite": "__getstate__ hidden num_hidden",
     "delone.Regular": "__getstate__ hidden num_hidden weights",
-    "delone.HalfspaceIntersection": "__getstate__ dimension halfspaces num_halfspaces rank state statistics",
+    "delone.HalfspaceIntersection": "__getstate__ columns dimension halfspaces num_halfspaces plot rank state statistics to_meshio to_pyvista "
+                                    "to_vtk",
     "delone.LinearInterpolator": "__getstate__ __repr__ tolerance triangulation values",
     "delone.NaturalNeighborInterpolator": "__getstate__ __repr__ smooth tolerance triangulation values",
     "delone.PowerDiagram": "__repr__ weights",
     "delone.Voronoi": "__repr__",
     "delone.TrimResult": "__getstate__ __repr__ cells depth kept lost_volume neighbors num_removed orphans",
-    "delone._core.Diagram": "affine_dimension bounding_box dimension is_bounded max_displacement num_points num_rays num_regions num_ridges "
-                            "num_vertices point_region points ray_directions ray_points ray_vertices region region_offsets region_points "
-                            "region_vertices ridge ridge_offsets ridge_points ridge_vertices tolerance vertices",
-    "delone._core.Triangulation": "__len__ __repr__ affine_dimension axes cell_of_point cells dimension duplicates hash hull_facets neighbors "
-                                  "num_cells num_duplicates num_points num_vertices points statistics vertex_of_point",
+    "delone._core.Diagram": "affine_dimension bounding_box columns dimension is_bounded max_displacement num_points num_rays num_regions num_ridges "
+                            "num_vertices plot point_region points ray_directions ray_points ray_vertices region region_offsets region_points "
+                            "region_vertices ridge ridge_offsets ridge_points ridge_vertices to_frame to_meshio to_pyvista to_vtk tolerance vertices",
+    "delone._core.Triangulation": "__len__ __repr__ affine_dimension axes cell_of_point cells columns dimension duplicates hash hull_facets neighbors "
+                                  "num_cells num_duplicates num_points num_vertices plot points statistics to_frame to_meshio to_pyvista to_vtk "
+                                  "vertex_of_point",
     "delone._locations.Locations": "__getitem__ __init__ __iter__ __len__ __repr__",
     "delone.spatial._base.Incremental": "__copy__ __getstate__ close",
     "delone.spatial._base.OfPoints": "points",
