@@ -32,11 +32,11 @@ class Diagram;
 /// Points as read from a file.
 struct PointTable {
   int dimension = 0;
-  std::vector<double> coordinates;        ///< n×d, row-major
-  std::vector<std::string> column_names;  ///< of a CSV/TSV/PLY header, after selection; may be empty
-  int num_values = 0;                     ///< m, the columns that ReadOptions::values selects
-  std::vector<double> values;             ///< n×m, row-major
-  std::vector<std::string> value_names;   ///< as column_names
+  std::vector<double> coordinates;            ///< n×d, row-major
+  std::vector<std::string> column_names;      ///< of a CSV/TSV/PLY header, after selection; may be empty
+  int num_values = 0;                         ///< m, the columns that ReadOptions::values selects
+  std::vector<double> values = {};            ///< n×m, row-major
+  std::vector<std::string> value_names = {};  ///< as column_names
   std::size_t num_points() const {
     return dimension < 1 ? 0 : coordinates.size() / static_cast<std::size_t>(dimension);
   }
@@ -77,6 +77,17 @@ DELONE_EXPORT PointTable read_points(const std::string& path, const ReadOptions&
 /// not_finite, bad_dimension, invalid_argument.
 DELONE_EXPORT void write_points(const std::string& path, const PointTable& points,
                                 const std::string& format = {});
+
+/// Writes a table of numbers, which may be infinite or NaN, and its column names: `coordinates` and
+/// `column_names` of a PointTable, a row per line.
+///   npy          float64 (n,d)
+///   csv tsv txt  `nan`, `inf` and `-inf` among the numbers; csv and tsv with a header if there are names;
+///                csv is the format of standard output
+///   json         {"columns": names, "data": rows}, which pandas.read_json(…, orient="split") reads; null for
+///                what is not finite
+/// Errors: bad_dimension, invalid_argument.
+DELONE_EXPORT void write_table(const std::string& path, const PointTable& table,
+                               const std::string& format = {});
 
 /// What a file may hold.
 using AnyData = std::variant<ComplexData, HullData, IntersectionData, VoronoiData>;

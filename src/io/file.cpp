@@ -157,7 +157,8 @@ std::string choose_format(const std::string& path, const std::string& format,
   std::string chosen = format;
   if (chosen.empty() && path == "-") chosen = standard_stream;
   if (chosen.empty()) {
-    chosen = std::filesystem::path(path).extension().string();
+    const bool may_be_compressed = purpose.starts_with("reading");
+    chosen = std::filesystem::path(may_be_compressed ? without_gzip_name(path) : path).extension().string();
     if (chosen.size() > 1) chosen.erase(0, 1);
   }
   std::transform(chosen.begin(), chosen.end(), chosen.begin(),

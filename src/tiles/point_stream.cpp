@@ -33,7 +33,7 @@ constexpr std::size_t chunk_bytes = std::size_t{1} << 20;
 constexpr std::size_t longest_row = std::size_t{1} << 26;
 
 io::ColumnChoice choice_of(const StreamOptions& options) {
-  io::ColumnChoice choice{options.columns, {}};
+  io::ColumnChoice choice{.wanted = options.columns, .last = {}, .last_name = "weights"};
   if (!options.last_column.empty()) choice.last.push_back(options.last_column);
   return choice;
 }

@@ -15,6 +15,7 @@
 
 #include <array>
 #include <map>
+#include <numeric>
 #include <optional>
 #include <span>
 #include <string_view>
@@ -215,6 +216,11 @@ Data read_arrays(File& file) {
     set_dimensions(data, file, reader);
   }
   for_each_array(data, ShapeChecker(reader, file.name()));
+  if constexpr (std::is_same_v<Data, HullData>)
+    if (data.axes.empty() && data.affine_dimension == data.dimension) {  // the only ones there are
+      data.axes.resize(static_cast<std::size_t>(data.dimension));
+      std::iota(data.axes.begin(), data.axes.end(), 0);
+    }
   return data;
 }
 

@@ -11,8 +11,9 @@ namespace delone::io {
 /// Columns by their names, their numbers from 0, or ranges of numbers, as 2-5, both ends included. A text
 /// that is a name is that column and no other.
 struct ColumnChoice {
-  std::vector<std::string> wanted;  ///< empty: all, but for `last`
-  std::vector<std::string> last;    ///< columns that come after those
+  std::vector<std::string> wanted;   ///< empty: all, but for `last`
+  std::vector<std::string> last;     ///< columns that come after those
+  const char* last_name = "values";  ///< the member of options that names those
 };
 
 struct ChosenColumns {

@@ -90,7 +90,7 @@ PointTable read_points(const std::string& path, const ReadOptions& options) {
         [&](std::string_view opening, bool is_whole) { check_opening(format, opening, is_whole, name); });
     const std::string_view bytes = file.view();
     const io::ReadingInParts how{.threads = options.threads};
-    const io::ColumnChoice choice{options.columns, options.values};
+    const io::ColumnChoice choice{.wanted = options.columns, .last = options.values};
     if (format == "csv" || format == "tsv")
       return with_values(io::read_delimited(bytes, name, format == "csv" ? ',' : '\t', choice, how), name);
     if (format == "ply") return with_values(io::read_ply(bytes, name, choice), name);
