@@ -195,7 +195,8 @@ int run_interpolate(InterpolateOptions options) {
   PointTable queries = from.read(to.threads);
   if (queries.dimension != field.dimension)
     throw Error(Errc::bad_dimension,
-                fmt::format("{}: queries of dimension {} for points of dimension {}",
+                fmt::format("{}: queries of dimension {} for points of dimension {}; --columns "
+                            "says which columns are coordinates",
                             input_name(options.queries.path), queries.dimension, field.dimension));
   cost.read = seconds_since(start);
 
@@ -208,6 +209,7 @@ int run_interpolate(InterpolateOptions options) {
       return Delaunay<>(PointsView(field.coordinates, field.dimension), to.to_options(bar));
     }));
   }
+  t->sort_cells();  // in which order values are added does not depend on the threads
   cost.build = seconds_since(build_start);
   const auto interpolate_start = Clock::now();
   std::vector<double> values;

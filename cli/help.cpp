@@ -46,18 +46,20 @@ std::optional<std::string> likely_word(std::string_view given, const std::vector
   constexpr std::size_t longest = 40, shortest_beginning = 3;
   if (given.size() > longest) return std::nullopt;
   const std::string word = lower_case(given);
-  const std::size_t letters = word.size() - std::min(word.find_first_not_of('-'), word.size());
+  const std::size_t dashes = std::min(word.find_first_not_of('-'), word.size()),
+                    letters = word.size() - dashes;
+  const std::size_t most = std::max<std::size_t>(1, letters / 3),
+                    beginning =
+                        dashes + std::max(shortest_beginning, letters - std::min<std::size_t>(letters, 2));
   std::optional<std::string> best;
-  std::size_t best_distance = std::max<std::size_t>(1, letters / 3) + 1;
-  for (const std::string& candidate : words)
-    if (const std::size_t d = distance(word, candidate); d < best_distance)
-      best = candidate, best_distance = d;
-  if (best) return best;
-  for (const std::string& candidate : words)
-    if (letters >= shortest_beginning && (candidate.starts_with(word) || word.starts_with(candidate)) &&
-        candidate.find_first_not_of('-') + shortest_beginning <= candidate.size())
-      return candidate;
-  return std::nullopt;
+  std::size_t best_distance = longest;
+  for (const std::string& candidate : words) {
+    const std::size_t d = distance(word, candidate);
+    const bool begins_alike =
+        word.size() >= beginning && candidate.substr(0, beginning) == word.substr(0, beginning);
+    if ((d <= most || begins_alike) && d < best_distance) best = candidate, best_distance = d;
+  }
+  return best;
 }
 
 std::string suggestion(std::string_view given, const std::vector<std::string>& words) {

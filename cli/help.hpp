@@ -15,8 +15,8 @@ namespace delone::cli {
 /// Adds examples, lines for a shell, after what the help of a command ends with.
 void add_examples(CLI::App& command, std::initializer_list<std::string_view> lines);
 
-/// The word that was probably meant: one that is a beginning of it or the other way round, or that differs by
-/// few letters; of several the nearest. Nothing if none is like it.
+/// The word that was probably meant: one that begins like it, or differs by few letters; of several the
+/// nearest. Nothing if none is like it.
 std::optional<std::string> likely_word(std::string_view given, const std::vector<std::string>& words);
 
 /// "; did you mean 'hull'?", or nothing.

@@ -73,8 +73,8 @@ void refuse_folder(const std::string& path, std::string_view expected);
 void require_text(std::string_view opening, const std::string& name);
 
 /// The lower-case format to use: `format` if given, `standard_stream` for the path "-", else the extension of
-/// the path. Throws unsupported, listing `known`, unless the result is among them. `purpose`: "reading
-/// points".
+/// the path. Throws unsupported, listing `known`, unless the result is among them.
+/// `purpose`: "reading points", say; for reading, .gz after the extension does not count.
 std::string choose_format(const std::string& path, const std::string& format,
                           std::string_view standard_stream, std::initializer_list<std::string_view> known,
                           std::string_view purpose);

@@ -374,7 +374,7 @@ std::unique_ptr<PointStream> open_format(const std::string& format, const std::s
 std::unique_ptr<PointStream> open_point_stream(const std::string& path, const StreamOptions& options) {
   io::refuse_folder(path, "a file of points");
   const std::string format = io::choose_format(
-      io::without_gzip_name(path), options.format, "qhull",
+      path, options.format, "qhull",
       {"npy", "raw", "bin", "csv", "tsv", "txt", "xyz", "pts", "off", "ply", "qhull"}, "reading points");
   return io::guarded(io::input_name(path), [&] {
     std::unique_ptr<PointStream> points = open_format(format, path, options);

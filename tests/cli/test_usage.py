@@ -57,7 +57,7 @@ class Usage(Case):
         for arguments, meant in ((["hul"], "hull"), (["vornoi"], "voronoi"), (["Delaunay"], "delaunay"), (["dealunay"], "delaunay"),
                                  (["gen"], "generate"), (["help", "locat"], "locate"), (["hlep"], "help"), (["--verison"], "--version"),
                                  (["hull", "-", "--toleranse", "1"], "--tolerance"), (["hull", "--ouput=x.npz"], "--output"),
-                                 (["locate", "a", "--query", "b"], "--queries")):
+                                 (["locate", "a", "--query", "b"], "--queries"), (["locate", "a", "--queryformat", "b"], "--query-format")):
             text = self.complaint(*arguments, status=64)
             self.assertIn(f"; did you mean '{meant}'?", text, arguments)
         for arguments, said in ((["triangulate"], "there is no command 'triangulate' (see"), (["hull", "-", "--frob"], "there is no option '--frob' (see"),

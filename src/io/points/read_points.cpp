@@ -3,7 +3,6 @@
 #include "io/points/read_points.hpp"
 
 #include "io/file.hpp"
-#include "io/gzip.hpp"
 #include "io/npy.hpp"
 #include "io/points/hints.hpp"
 #include "io/text_cursor.hpp"
@@ -81,7 +80,7 @@ void check_opening(const std::string& format, std::string_view opening, bool is_
 PointTable read_points(const std::string& path, const ReadOptions& options) {
   io::refuse_folder(path, "a file of points");
   const std::string format =
-      io::choose_format(io::without_gzip_name(path), options.format, "qhull",
+      io::choose_format(path, options.format, "qhull",
                         {"npy", "csv", "tsv", "txt", "xyz", "pts", "off", "ply", "qhull"}, "reading points");
   const std::string name = io::input_name(path);
   return io::guarded(name, [&] {
