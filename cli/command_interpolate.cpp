@@ -62,8 +62,10 @@ void require_sense(const InterpolateOptions& options) {
 /// The points with their values, which are columns of theirs or another file.
 PointTable read_field(const InterpolateOptions& options) {
   PointInput from = options.input;
+  // A file may be a pipe; numbers are those of columns.
   std::error_code unused;
-  const bool is_file = options.values == "-" || std::filesystem::is_regular_file(options.values, unused);
+  const bool has_name = options.values.find_first_not_of("0123456789,-") != std::string::npos;
+  const bool is_file = options.values == "-" || (has_name && std::filesystem::exists(options.values, unused));
   if (!is_file) {
     from.options.values = split_list(options.values);
     return from.read(options.build.threads);

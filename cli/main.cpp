@@ -81,7 +81,8 @@ std::optional<int> answer_at_once(const CLI::App& app, const Commands& commands,
   const std::string& first = arguments[0];
   if (first.starts_with("-")) return std::nullopt;
   if (first == "help") {
-    if (arguments.size() == 1) return print_output(app.help()), exit_status::ok;
+    if (arguments.size() == 1 || arguments[1].starts_with("-"))
+      return print_output(app.help()), exit_status::ok;
     const CLI::App* command = find_command(commands, arguments[1]);
     if (command == nullptr) return complain_of_command(arguments[1], commands);
     return print_output(command->help("delone")), exit_status::ok;

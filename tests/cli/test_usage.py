@@ -43,6 +43,7 @@ class Usage(Case):
 
     def test_help_of_commands(self):
         self.assertEqual(self.output("help"), self.output("--help"))
+        self.assertEqual(self.output("help", "--help"), self.output("--help"))
         for command in COMMANDS:
             own = self.output(command, "--help")
             self.assertEqual(self.output("help", command), own)
