@@ -28,9 +28,7 @@ const std::vector<std::string>& point_output_formats() {
 
 std::size_t count_of(const std::string& text) {
   const std::optional<std::uint64_t> count = parse_count(text);
-  if (!count)
-    throw UsageError(
-        fmt::format("-n,--points: {} is no whole number of points, or beyond all numbers", in_quotes(text)));
+  if (!count) throw UsageError(fmt::format("-n wants a whole number of points, not {}", in_quotes(text)));
   if (*count > std::numeric_limits<std::size_t>::max() || *count == beyond_numbers)
     throw Error(Errc::out_of_memory, fmt::format("not enough memory for {} points", printable(text)));
   return static_cast<std::size_t>(*count);

@@ -72,7 +72,7 @@ class Usage(Case):
     def test_numbers_beyond_all_numbers(self):
         for number in ("1e400", "1e999999", "inf", "nan", "0x10"):
             text = self.complaint("generate", "uniform", "-d", "2", "-n", number, status=64)
-            self.assertIn(f"-n,--points: '{number}'", text)
+            self.assertIn(f"-n wants a whole number of points, not '{number}'", text)
         self.assertIn("--trim", self.complaint("delaunay", self.uniform(2, 5), "--trim", "1e400", status=64))
         self.assertIn("tolerance", self.complaint("hull", self.uniform(2, 5), "--tolerance", "1e400"))
         self.assertIn("1e400", self.complaint("halfspaces", self.uniform(3, 5), "--interior", "1e400,0"))
