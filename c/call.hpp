@@ -35,10 +35,10 @@ int run(Work work) noexcept {
   }
 }
 
-/// Throws invalid_argument: `what` is NULL.
+/// Throws invalid_argument if it is NULL, which `what` must not be.
 template <class T>
 T& required(T* pointer, const char* what) {
-  if (pointer == nullptr) throw Error(Errc::invalid_argument, std::string(what) + " is NULL");
+  if (pointer == nullptr) throw Error(Errc::invalid_argument, std::string(what) + " must not be NULL");
   return *pointer;
 }
 

@@ -6,6 +6,7 @@
 #include <delone/printable.hpp>
 
 #include <array>
+#include <charconv>
 #include <cstdint>
 #include <memory>
 #include <span>
@@ -24,6 +25,12 @@ struct Setter {
   std::string_view name;
   void (*set)(delone_options&, Value);
 };
+
+/// The shortest decimal number that is read as x.
+std::string shortest_text(double x) {
+  char text[32];
+  return {text, std::to_chars(text, text + sizeof text, x).ptr};
+}
 
 std::uint64_t at_least_0(std::string_view name, std::int64_t value) {
   if (value < 0) refuse(name, std::to_string(value) + " is less than 0");
@@ -99,7 +106,7 @@ constexpr std::array reals{
     Setter<double>{"tolerance",
                    [](delone_options& o, double v) {
                      if (!(v >= 0 && v < std::numeric_limits<double>::infinity()))
-                       refuse("tolerance", std::to_string(v) + " is no finite number of at least 0");
+                       refuse("tolerance", shortest_text(v) + " is no finite number of at least 0");
                      o.tolerance = v;
                    }},
     Setter<double>{"fill", [](delone_options& o, double v) { o.fill = v; }},

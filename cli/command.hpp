@@ -37,6 +37,7 @@ Run add_voronoi(CLI::App& app);
 Run add_regular(CLI::App& app);
 Run add_power(CLI::App& app);
 Run add_locate(CLI::App& app);
+Run add_interpolate(CLI::App& app);
 Run add_check(CLI::App& app);
 Run add_generate(CLI::App& app);
 Run add_info(CLI::App& app);
@@ -59,15 +60,27 @@ auto about(const std::string& name, Work&& work) {
   }
 }
 
+/// A message of the library, which names members of options, with the options of the command instead.
+std::string in_command_words(std::string message, const std::string& format_option = "--format",
+                             const std::string& columns_option = "--columns");
+
 /// The options of all commands that read points.
 struct PointInput {
   std::string path;
   ReadOptions options;
+  /// The options that say so, for messages.
+  std::string format_option = "--format", columns_option = "--columns";
 
   void add_to(CLI::App& command, const std::string& name, const std::string& description);
   /// By at most so many threads; 0: as many as gain.
   PointTable read(unsigned threads = 0) const;
 };
+
+/// --queries, --query-format and --query-columns.
+void add_queries(CLI::App& command, PointInput& queries, const std::string& description);
+
+/// The parts of a list with commas.
+std::vector<std::string> split_list(const std::string& list);
 
 /// Options shared by several commands: the limit of streams, sizes, a list of columns, leave to
 /// overwrite inputs, a seed.

@@ -22,7 +22,11 @@ struct InfoOptions {
 
 /// What the file holds, if its format can hold anything but points. An OFF file without faces holds points.
 std::optional<AnyData> try_read(const std::string& path, std::string format, std::uint64_t max_stream_bytes) {
-  if (format.empty()) format = std::filesystem::path(path).extension().string();
+  if (format.empty()) {
+    std::filesystem::path of_content = path;
+    if (of_content.extension() == ".gz") of_content.replace_extension();
+    format = of_content.extension().string();
+  }
   if (!format.empty() && format[0] == '.') format.erase(0, 1);
   if (path == "-" || std::find(readable_complex_formats().begin(), readable_complex_formats().end(),
                                format) == readable_complex_formats().end())

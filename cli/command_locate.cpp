@@ -118,13 +118,7 @@ int run_locate(const LocateOptions& options) {
 Run add_locate(CLI::App& app) {
   auto options = std::make_shared<LocateOptions>();
   options->input.add_to(app, "IN", "Points to triangulate: a file, or - for standard input");
-  app.add_option("--queries", options->queries.path, "Points to locate: a file, or -")
-      ->required()
-      ->type_name("FILE");
-  app.add_option("--query-format", options->queries.options.format,
-                 "Format of the queries, if not told by the extension")
-      ->check(CLI::IsMember(point_formats()));
-  add_columns(app, "--query-columns", options->queries.options.columns);
+  add_queries(app, options->queries, "Points to locate: a file, or -");
   app.add_option("-o,--output", options->output, "Answers: .csv or .json; standard output if not given")
       ->type_name("OUT");
   app.add_option("--output-format", options->output_format,

@@ -2,6 +2,7 @@
 // The command `delone`: runs the sub-command, and turns errors into one line on standard error and an exit
 // status.
 #include "command.hpp"
+#include "help.hpp"
 #include "interrupt.hpp"
 #include "memory_limit.hpp"
 #include "output.hpp"
@@ -9,8 +10,11 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cstdio>
 #include <exception>
+#include <initializer_list>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -51,7 +55,56 @@ int status_of(Errc code) {
 /// Whether the limit of memory may have led to it: to a refusal, or to a stop by the progress callback.
 bool was_memory(Errc code) { return code == Errc::out_of_memory || code == Errc::cancelled; }
 
-int run_parsed(const std::vector<std::pair<CLI::App*, Run>>& commands) {
+using Commands = std::vector<std::pair<CLI::App*, Run>>;
+
+std::vector<std::string> names_of(const Commands& commands) {
+  std::vector<std::string> names{"help"};
+  for (const auto& [command, unused] : commands) names.push_back(command->get_name());
+  return names;
+}
+
+CLI::App* find_command(const Commands& commands, const std::string& name) {
+  for (const auto& [command, unused] : commands)
+    if (command->get_name() == name) return command;
+  return nullptr;
+}
+
+int complain_of_command(const std::string& name, const Commands& commands) {
+  return complain(exit_status::usage, fmt::format("there is no command {}{} (see 'delone --help')",
+                                                  in_quotes(name), suggestion(name, names_of(commands))));
+}
+
+/// What is answered without a sub-command's options: help, and what is no sub-command. Nothing for all else.
+std::optional<int> answer_at_once(const CLI::App& app, const Commands& commands,
+                                  const std::vector<std::string>& arguments) {
+  if (arguments.empty()) return print_note(app.help()), exit_status::usage;
+  const std::string& first = arguments[0];
+  if (first.starts_with("-")) return std::nullopt;
+  if (first == "help") {
+    if (arguments.size() == 1 || arguments[1].starts_with("-"))
+      return print_output(app.help()), exit_status::ok;
+    const CLI::App* command = find_command(commands, arguments[1]);
+    if (command == nullptr) return complain_of_command(arguments[1], commands);
+    return print_output(command->help("delone")), exit_status::ok;
+  }
+  const CLI::App* command = find_command(commands, first);
+  if (command == nullptr) return complain_of_command(first, commands);
+  if (arguments.size() == 1) return print_note(command->help("delone")), exit_status::usage;
+  return std::nullopt;
+}
+
+/// A mistyped option comes before what the parser says, which is that another is missing, or that its value
+/// is too many.
+std::optional<std::string> message_of_option(const CLI::App& command,
+                                             const std::vector<std::string>& arguments) {
+  const std::optional<std::string> unknown = unknown_option(command, arguments);
+  if (!unknown) return std::nullopt;
+  const std::string given = unknown->starts_with("--") ? *unknown : "-" + *unknown;
+  return fmt::format("there is no option {}{}", in_quotes(*unknown),
+                     suggestion(given, option_names(command)));
+}
+
+int run_parsed(const Commands& commands) {
   for (const auto& [command, run] : commands)
     if (command->parsed()) return run();
   return exit_status::usage;  // not reached: the parser requires a sub-command
@@ -64,28 +117,53 @@ int run(int argc, char** argv) {
   app.get_formatter()->column_width(34);
   app.allow_windows_style_options(false);  // a path may begin with a slash there too
   app.require_subcommand(1);
-  std::vector<std::pair<CLI::App*, Run>> commands;
-  const auto add = [&](const char* name, const char* description, Run (*setup)(CLI::App&)) {
+  Commands commands;
+  using Lines = std::initializer_list<std::string_view>;
+  const auto add = [&](const char* name, const char* description, Run (*setup)(CLI::App&),
+                       Lines examples = {}) {
     CLI::App* command = app.add_subcommand(name, description);
     commands.emplace_back(command, setup(*command));
+    add_examples(*command, examples);
   };
-  add("delaunay", "Triangulate points", add_delaunay);
-  add("hull", "Compute the convex hull of points, or its lower or upper part", add_hull);
-  add("halfspaces", "Intersect halfspaces", add_halfspaces);
-  add("voronoi", "Make the Voronoi diagram of points", add_voronoi);
-  add("regular", "Triangulate weighted points", add_regular);
-  add("power", "Make the power diagram of weighted points", add_power);
-  add("locate", "Triangulate points, then say where query points lie", add_locate);
-  add("check", "Check a triangulation exactly, whoever made it", add_check);
-  add("generate", "Make a named set of points", add_generate);
-  add("info", "Say what a file of points or a triangulation holds", add_info);
+  add("delaunay", "Triangulate points", add_delaunay,
+      {"delone delaunay points.csv -o cells.npz", "delone delaunay table.csv --columns 0-1 --stats"});
+  add("hull", "Compute the convex hull of points, or its lower or upper part", add_hull,
+      {"delone hull points.csv -o hull.npz", "delone generate sphere -d 3 -n 100 | delone hull -"});
+  add("halfspaces", "Intersect halfspaces", add_halfspaces,
+      {"printf '1 0 -1\\n-1 0 -1\\n0 1 -1\\n0 -1 -1\\n' > square.txt",
+       "delone halfspaces square.txt -o square.json"});
+  add("voronoi", "Make the Voronoi diagram of points", add_voronoi,
+      {"delone voronoi points.csv -o regions.svg", "delone voronoi points.csv --volumes areas.csv"});
+  add("regular", "Triangulate weighted points", add_regular,
+      {"delone regular table.csv --columns x,y --weights w -o regular.npz"});
+  add("power", "Make the power diagram of weighted points", add_power,
+      {"delone power table.csv --columns x,y --weights w -o power.svg"});
+  add("locate", "Triangulate points, then say where query points lie", add_locate,
+      {"delone locate points.csv --queries places.csv -o answers.csv"});
+  add("interpolate", "Triangulate points with values, then say the values at query points", add_interpolate,
+      {"delone interpolate table.csv --values w --queries places.csv",
+       "delone interpolate table.csv --values w --queries places.csv \\",
+       "  --method natural -o values.npy"});
+  add("check", "Check a triangulation exactly, whoever made it", add_check,
+      {"delone check cells.npz", "delone check hull.npz --level 2"});
+  add("generate", "Make a named set of points", add_generate,
+      {"delone generate uniform -d 3 -n 1e4 --seed 7 -o uniform.npy"});
+  add("info", "Say what a file of points or a triangulation holds", add_info,
+      {"delone info cells.npz", "delone generate grid -d 2 -n 25 | delone info -"});
   app.footer(
       "Points are read from .npy .csv .tsv .txt .xyz .pts .off .ply files, or in Qhull's form from standard "
-      "input (-).\n"
+      "input (-);\n"
+      "any of them may be compressed (.csv.gz). 'delone help COMMAND' or 'delone COMMAND --help' shows the "
+      "options of a\n"
+      "command, with examples.\n"
       "Exit status: 0 success, 1 a check failed, 2 bad input or output, 3 too large for memory or a limit, "
       "64 "
       "wrong usage,\n130 or 143 interrupted.");
+  add_examples(app, {"delone generate uniform -d 2 -n 1000 -o random.csv",
+                     "delone delaunay random.csv -o random.svg", "delone help delaunay"});
 
+  const std::vector<std::string> arguments(argv + std::min(argc, 1), argv + argc);
+  if (const std::optional<int> answered = answer_at_once(app, commands, arguments)) return *answered;
   try {
     app.parse(argc, argv);
   } catch (const CLI::CallForHelp&) {
@@ -95,11 +173,11 @@ int run(int argc, char** argv) {
   } catch (const CLI::CallForVersion& e) {
     return print_output(std::string(e.what()) + "\n"), exit_status::ok;
   } catch (const CLI::ParseError& e) {
-    std::string command = "delone";
-    for (const auto& [sub, unused] : commands)
-      if (sub->parsed()) command += " " + sub->get_name();
-    return complain(exit_status::usage,
-                    fmt::format("{} (see '{} --help')", message_of(e, argc, argv), command));
+    const CLI::App* sub = find_command(commands, arguments[0]);
+    const std::string command = sub == nullptr ? "delone" : "delone " + sub->get_name();
+    const std::string message =
+        message_of_option(sub == nullptr ? app : *sub, arguments).value_or(message_of(e, argc, argv));
+    return complain(exit_status::usage, fmt::format("{} (see '{} --help')", message, command));
   }
   return run_parsed(commands);
 }
@@ -114,7 +192,7 @@ int run_and_report(int argc, char** argv) {
     if (const int signal = caught_signal(); signal != 0) return complain(128 + signal, "interrupted");
     if (const std::string text = memory_message(); !text.empty() && was_memory(e.code()))
       return complain(exit_status::out_of_memory, text);
-    return complain(status_of(e.code()), e.what());
+    return complain(status_of(e.code()), in_command_words(e.what()));
   } catch (const std::bad_alloc&) {
     if (const std::string text = memory_message(); !text.empty())
       return complain(exit_status::out_of_memory, text);

@@ -49,7 +49,7 @@ std::optional<double> parse_real(std::string_view text) {
   double value = 0;
   const auto [end, error] = fast_float::from_chars(text.data(), text.data() + text.size(), value);
   const bool is_number = error == std::errc() || error == std::errc::result_out_of_range;
-  if (!is_number || end != text.data() + text.size()) return std::nullopt;
+  if (!is_number || end != text.data() + text.size() || std::isinf(value)) return std::nullopt;
   return value;
 }
 

@@ -3,6 +3,8 @@
 #include "command.hpp"
 #include "numbers.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <charconv>
 #include <cstdint>
@@ -18,6 +20,24 @@ void PointInput::add_to(CLI::App& command, const std::string& name, const std::s
       ->check(CLI::IsMember(point_formats()));
   add_columns(command, "--columns", options.columns);
   add_max_stream(command, options.max_stream_bytes);
+}
+
+std::string in_command_words(std::string message, const std::string& format_option,
+                             const std::string& columns_option) {
+  const auto replace = [&](const std::string& words, const std::string& by) {
+    const std::size_t at = message.find(words);
+    if (at != std::string::npos) message.replace(at, words.size(), by);
+    return at;
+  };
+  replace("; raise max_stream_bytes or", "; raise --max-stream or");
+  replace(" with resume off", " with --no-resume");
+  replace(": columns: ", ": " + columns_option + ": ");
+  for (const char* const name : {"values", "weights"})
+    replace(fmt::format(": {}: there is no column", name), fmt::format(": --{}: there is no column", name));
+  const std::string words = ": format = \"";
+  if (const std::size_t at = replace(words, ": " + format_option + " "); at != std::string::npos)
+    if (const std::size_t quote = message.find('"', at); quote != std::string::npos) message.erase(quote, 1);
+  return message;
 }
 
 void add_max_stream(CLI::App& command, std::uint64_t& bytes) {
@@ -47,17 +67,30 @@ void add_size(CLI::App& command, const std::string& name, std::uint64_t& bytes,
 void add_columns(CLI::App& command, const std::string& name, std::vector<std::string>& columns) {
   command
       .add_option_function<std::string>(
-          name,
-          [&columns](const std::string& list) {
-            columns.clear();
-            for (std::size_t begin = 0; begin <= list.size();) {
-              const std::size_t end = std::min(list.find(',', begin), list.size());
-              columns.push_back(list.substr(begin, end - begin));
-              begin = end + 1;
-            }
-          },
-          "Columns with the coordinates: names, or numbers from 0")
+          name, [&columns](const std::string& list) { columns = split_list(list); },
+          "Columns with the coordinates: names, numbers from 0, or ranges as 2-5")
       ->type_name("A,B,...");
+}
+
+void add_queries(CLI::App& command, PointInput& queries, const std::string& description) {
+  queries.format_option = "--query-format";
+  queries.columns_option = "--query-columns";
+  command.add_option("--queries", queries.path, description)->required()->type_name("FILE");
+  command
+      .add_option("--query-format", queries.options.format,
+                  "Format of the queries, if not told by the extension")
+      ->check(CLI::IsMember(point_formats()));
+  add_columns(command, "--query-columns", queries.options.columns);
+}
+
+std::vector<std::string> split_list(const std::string& list) {
+  std::vector<std::string> parts;
+  for (std::size_t begin = 0; begin <= list.size();) {
+    const std::size_t end = std::min(list.find(',', begin), list.size());
+    parts.push_back(list.substr(begin, end - begin));
+    begin = end + 1;
+  }
+  return parts;
 }
 
 void add_force(CLI::App& command, bool& force) {
@@ -79,7 +112,15 @@ void add_seed(CLI::App& command, std::uint64_t& seed, const std::string& descrip
 PointTable PointInput::read(unsigned threads) const {
   ReadOptions read_options = options;
   read_options.threads = threads;
-  return about(input_name(path), [&] { return read_points(path, read_options); });
+  try {
+    return about(input_name(path), [&] { return read_points(path, read_options); });
+  } catch (const Error& e) {
+    std::string message = in_command_words(e.what(), format_option, columns_option);
+    const bool has_no_format = e.code() == Errc::unsupported && options.format.empty();
+    if (has_no_format && message.find("; available: ") != std::string::npos)
+      message += fmt::format("; name it with {}", format_option);
+    throw Error(e.code(), message, e.rows());
+  }
 }
 
 const std::vector<std::string>& point_formats() {

@@ -141,9 +141,10 @@ def describe(program):
 
 
 def blocks(lines):
-    """The footer: ("text", paragraph), ("term", tag, text) for rows of tables, ("title", heading) above these."""
+    """The footer: ("text", paragraph), ("term", tag, text) for rows of tables, ("title", heading) above these, ("code", lines) of the examples at its end."""
     paragraph = []
-    for i, line in enumerate(lines):
+    examples = lines.index("Examples:") if "Examples:" in lines else len(lines)
+    for i, line in enumerate(lines[:examples]):
         row = re.fullmatch(r"  (\S.*)\s{2,}(\S.*)", line)
         is_title = line.endswith(":") and i + 1 < len(lines) and lines[i + 1].startswith("  ")
         if (row or is_title or not line.strip()) and paragraph:
@@ -157,6 +158,9 @@ def blocks(lines):
             paragraph.append(line.strip())
     if paragraph:
         yield "text", " ".join(paragraph)
+    if lines[examples:]:
+        yield "title", "Examples"
+        yield "code", "\n".join(line.strip() for line in lines[examples + 1:])
 
 
 # ---- man pages
@@ -202,6 +206,8 @@ def man_page(version, command, top, others):
     for kind, *parts in blocks(command.footer):
         if kind == "term":
             notes.append(f".TP\n\\fB{roff(parts[0])}\\fR\n{roff(parts[1])}\n")
+        elif kind == "code":
+            notes.append(f".RS\n.nf\n{roff(parts[0])}\n.fi\n.RE\n")
         else:
             notes.append((f".SS {roff(parts[0])}\n" if kind == "title" else f".PP\n{roff(parts[0])}\n"))
     if notes:
@@ -360,8 +366,14 @@ def markdown_page(command, top):
         out.append("## Commands\n\n" + "".join(f"[`{top.name} {name}`]({top.name}-{name}.md)\n: {markdown(text)}.\n\n" for name, text in command.commands))
     for title, options in command.groups:
         out.append(f"## {markdown(title)}\n\n" + "".join(map(markdown_option, options)))
-    notes = [f"{markdown(parts[0])}\n: {markdown(parts[1])}\n\n" if kind == "term" else ("### " if kind == "title" else "") + markdown(parts[0]) + "\n\n"
-             for kind, *parts in blocks(command.footer)]
+    notes = []
+    for kind, *parts in blocks(command.footer):
+        if kind == "term":
+            notes.append(f"{markdown(parts[0])}\n: {markdown(parts[1])}\n\n")
+        elif kind == "code":
+            notes.append(f"```sh\n{parts[0]}\n```\n\n")
+        else:
+            notes.append(("### " if kind == "title" else "") + markdown(parts[0]) + "\n\n")
     if command.commands:
         notes.append("```{toctree}\n:hidden:\n\n" + "\n".join(f"{top.name}-{name}" for name, _ in command.commands) + "\n```\n")
     return "".join(out) + ("## Notes\n\n" if command.footer else "") + "".join(notes)

@@ -111,8 +111,8 @@ DELONE_C_API void delone_set_progress(delone_progress progress, void* user_data)
  *   integer  oriented 1         of checks: 0 takes cells as sets, as Qhull and SciPy have them
  *   integer  furthest_site 0    of checks: 1 asks for a furthest-site triangulation; known of those made here
  *   text     format ""          of files that are read; "": by the extension
- *   text     columns            of files of points: a name, or a number from 0. Each call adds one; NULL
- *                               removes all; none stands for all
+ *   text     columns            of files of points: a name, a number from 0, or a range as 2-5. Each call
+ *                               adds one; NULL removes all; none stands for all
  *   integer  max_stream_bytes   the most that is read of a pipe, 4 GiB at first
  *
  * Of tiles alone:

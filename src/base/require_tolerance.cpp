@@ -19,10 +19,10 @@ std::string shortest_text(double x) {
 
 }  // namespace
 
-void require_tolerance(double tolerance) {
+void require_tolerance(double tolerance, const std::string& name) {
   if (!(tolerance >= 0) || std::isinf(tolerance))
-    throw Error(Errc::invalid_argument,
-                "the tolerance is " + shortest_text(tolerance) + ", which is not a finite number from 0 on");
+    throw Error(Errc::invalid_argument, "the " + name + " is " + shortest_text(tolerance) +
+                                            ", which is not a finite number from 0 on");
 }
 
 void require_tolerance_within(double tolerance, double extent, const std::string& what) {

@@ -8,8 +8,8 @@
 
 namespace delone::internal {
 
-/// Throws unless a tolerance is finite and at least 0.
-void require_tolerance(double tolerance);
+/// Throws unless a tolerance is finite and at least 0. `name`: what it is called.
+void require_tolerance(double tolerance, const std::string& name = "tolerance");
 
 /// Throws if a tolerance is larger than the extent of what it is for, unless that is 0. `what`: "the set of
 /// points, whose longest side is".

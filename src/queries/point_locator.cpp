@@ -242,7 +242,7 @@ void PointLocator::Impl::locate(std::span<const double> queries, const LocateOpt
 void PointLocator::cells_within(std::span<const double> queries, double radius,
                                 const std::function<bool(std::size_t, CellId)>& visit,
                                 unsigned threads) const {
-  internal::require_tolerance(radius);
+  internal::require_tolerance(radius, "radius");
   const auto width = static_cast<std::size_t>(impl_->dimension);
   const auto make_visit = [&]() -> Visit {
     const auto near =

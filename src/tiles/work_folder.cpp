@@ -209,7 +209,7 @@ void WorkFolder::open(bool resume, bool locked) {
       io::fail(Errc::invalid_argument, "{}: the folder holds finished tiles", name);
     } else if (const Plan found = read_plan(work_); found != plan_) {
       io::fail(Errc::invalid_argument,
-               "{}: the folder holds unfinished tiles {}; begin again with resume off (--no-resume), or take "
+               "{}: the folder holds unfinished tiles {}; begin again with resume off, or take "
                "another folder",
                name, difference(found, plan_));
     }
@@ -331,13 +331,13 @@ std::optional<TilesIndex> find_finished(const std::string& folder, const Plan& p
   found.num_tiles = index.parts.size();
   if (found != plan)
     io::fail(Errc::invalid_argument,
-             "{}: the folder holds finished tiles {}; make them again with resume off (--no-resume), or take "
+             "{}: the folder holds finished tiles {}; make them again with resume off, or take "
              "another folder",
              io::output_name(folder), difference(found, plan));
   for (std::size_t i = 0; i < index.parts.size(); ++i)
     for (const std::string& file : {part_name(i), seams_name(i)})
       if (std::error_code error; !fs::exists(path_in(folder, file), error))
-        io::fail(Errc::bad_format, "{}: {} is missing; make the tiles again with resume off (--no-resume)",
+        io::fail(Errc::bad_format, "{}: {} is missing; make the tiles again with resume off",
                  io::output_name(folder), file);
   if (foreign_names(folder).empty()) {
     std::error_code error;

@@ -51,6 +51,7 @@ static void bad_arguments(void) {
   FAILS(DELONE_INVALID_ARGUMENT, delone_visible_facets(t, square, 1, &other));
   FAILS(DELONE_INVALID_ARGUMENT, delone_linear_interpolator(t, NULL, 1, &other));
   FAILS(DELONE_INVALID_ARGUMENT, delone_cells_within(t, square, 1, -1, NULL, &other));
+  CHECK(strstr(delone_error_message(), "the radius is -1,") != NULL);
   FAILS(DELONE_INVALID_ARGUMENT, delone_write(t, NULL, NULL));
   CHECK(other == NULL);
   delone_free(t);
@@ -75,13 +76,15 @@ static void options_are_examined(void) {
   FAILS(DELONE_INVALID_ARGUMENT, delone_set_integer(options, "threads", INT64_MAX));
   FAILS(DELONE_INVALID_ARGUMENT, delone_set_integer(options, "oriented", 2));
   FAILS(DELONE_INVALID_ARGUMENT, delone_set_real(options, "threads", 1));
-  FAILS(DELONE_INVALID_ARGUMENT, delone_set_real(options, "tolerance", -1));
+  FAILS(DELONE_INVALID_ARGUMENT, delone_set_real(options, "tolerance", -1e-30));
+  CHECK(strstr(delone_error_message(), "option tolerance: -1e-30 is no") != NULL);
   FAILS(DELONE_INVALID_ARGUMENT, delone_set_real(options, "tolerance", NAN));
   FAILS(DELONE_INVALID_ARGUMENT, delone_set_text(options, "order", "given"));
   CHECK(strstr(delone_error_message(), "as_given") != NULL);
   FAILS(DELONE_INVALID_ARGUMENT, delone_set_text(options, "order", NULL));
   FAILS(DELONE_INVALID_ARGUMENT, delone_set_text(options, NULL, "given"));
   FAILS(DELONE_INVALID_ARGUMENT, delone_set_text(NULL, "order", "shuffled"));
+  CHECK(strcmp(delone_error_message(), "the options must not be NULL") == 0);
   FAILS(DELONE_INVALID_ARGUMENT, delone_options_new(NULL));
   OK(delone_set_integer(options, "tolerance", 9));
   FAILS(DELONE_INVALID_ARGUMENT, delone_convex_hull(square, 4, 2, options, &hull));

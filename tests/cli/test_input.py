@@ -1,9 +1,13 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Points in every format; what is refused gives one line that says where."""
+import gzip
+import os
+import subprocess
+import tempfile
 import time
 import unittest
 
-from cli_support import Case, np
+from cli_support import DELONE, Case, np
 
 
 class Input(Case):
@@ -32,6 +36,39 @@ class Input(Case):
         self.assertEqual((stats["dimension"], stats["cells"]), (2, 2))
         self.assertEqual(self.stats(path, "--columns", "x,y,depth")["affine_dimension"], 3)
 
+    def test_ranges_of_columns(self):
+        text = "id,a,b,c,2-3\n" + "".join(f"{i},{i * i % 7},{i % 3},{i * i * i % 11},{-i}\n" for i in range(20))
+        files = {"h.csv": text, "n.csv": text.split("\n", 1)[1], "t.txt": text.split("\n", 1)[1].replace(",", " ")}
+        expected = self.stats(self.file("e.csv", text), "--columns", "a,b,c")["hash"]
+        for name, content in files.items():
+            path = self.file(name, content)
+            for columns in ("1-3", "1,2-3", "1-1,2,3-3") if name != "h.csv" else ("1-3", "a,2,3", "a-b,c", "a,2-2,c"):
+                if columns == "a-b,c":
+                    self.assertIn(f"{path}: --columns: there is no column 'a-b'; the columns are id, a, b, c, 2-3",
+                                  self.complaint("delaunay", path, "--columns", columns))
+                else:
+                    self.assertEqual(self.stats(path, "--columns", columns)["hash"], expected, (name, columns))
+        named = self.path("h.csv")  # a name comes before a range
+        self.assertEqual(self.stats(named, "--columns", "2-3")["dimension"], 1)
+        self.assertEqual(self.stats(self.path("n.csv"), "--columns", "2-3")["dimension"], 2)
+        for columns, said in (("3-1", "the range '3-1' runs backwards"), ("2-9", "there is no column '2-9'; the columns are 0 to 4"),
+                              ("1-", "there is no column '1-'"), ("0-18446744073709551615", "there is no column '0-18446744073709551615'")):
+            self.assertIn("n.csv: --columns: " + said, self.complaint("delaunay", self.path("n.csv"), "--columns", columns))
+        self.assertIn("n.csv: --query-columns: there is no column '9'",
+                      self.complaint("locate", self.path("n.csv"), "--columns", "0,1", "--queries", self.path("n.csv"), "--query-columns", "9,0"))
+
+    def test_saved_output_of_rbox(self):
+        rows = "0 0 0\n1 0 0\n0 1 0\n0 0 1\n"
+        for name, text in (("a.txt", "3 rbox 4 D3\n4\n" + rows), ("b.txt", "3\n4\n" + rows), ("c.xyz", "# saved\n3 rbox 4 D3\n4\n" + rows),
+                           ("d.txt", "3 rbox 4 D3\r\n4\r\n" + rows)):
+            stats = self.stats(self.file(name, text))
+            self.assertEqual((stats["dimension"], stats["points"]), (3, 4), name)
+        for text, dimension, points in (("1\n3\n0.5\n0.7\n", 1, 4), ("2 3\n4 5\n6 7\n", 2, 3), ("2 1\n3 2\n", 2, 2), ("3\n4\n", 1, 2)):
+            stats = self.stats(self.file("t.txt", text))  # rows that may look like it
+            self.assertEqual((stats["dimension"], stats["points"]), (dimension, points), text)
+        self.assertIn("expected 5 points", self.complaint("delaunay", self.file("e.txt", "3 rbox 5 D3\n5\n" + rows)))
+        self.assertIn("rbox's output: --format qhull", self.complaint("delaunay", self.file("f.csv", "3 rbox 4 D3\n4\n" + rows)))
+
     def test_unlucky_input_is_a_result(self):
         for content, affine, vertices, cells in (("1 2\n", 0, 1, 1), ("1 2\n1 2\n", 0, 1, 1), ("0 0\n1 1\n3 3\n", 1, 3, 2),
                                                  ("0 0\n1 0\n0 1\n0 0\n-0 1\n", 2, 3, 1)):
@@ -42,6 +79,74 @@ class Input(Case):
     def test_no_points_at_all(self):
         stats = self.stats("-", stdin="3\n0\n")
         self.assertEqual((stats["points"], stats["affine_dimension"], stats["cells"]), (0, -1, 0))
+
+
+def has_zlib():
+    with tempfile.TemporaryDirectory() as folder:
+        path = os.path.join(folder, "a.txt.gz")
+        with gzip.open(path, "wb") as f:
+            f.write(b"0 0\n")
+        return b"no zlib" not in subprocess.run([DELONE, "info", path], capture_output=True, timeout=60).stderr
+
+
+@unittest.skipUnless(has_zlib(), "built without zlib")
+class Compressed(Case):
+    def test_the_same_in_every_format(self):
+        points = np.random.default_rng(3).random((3000, 3))
+        plain = self.file("p.npy", points)
+        hashes = {self.stats(plain)["hash"]}
+        for name in ("c.csv", "t.txt", "o.off", "q.qhull"):
+            np.savetxt(self.path("rows"), points, fmt="%.17g", delimiter="," if name == "c.csv" else " ")
+            with open(self.path("rows"), "rb") as f:
+                rows = f.read()
+            head = {"o.off": b"OFF\n3000 0 0\n", "q.qhull": b"3\n3000\n"}.get(name, b"")
+            hashes.add(self.stats(self.file(name + ".gz", gzip.compress(head + rows)))["hash"])
+        hashes.add(self.stats("-", stdin=gzip.compress(b"3\n3000\n" + rows))["hash"])
+        with open(plain, "rb") as f:
+            content = f.read()
+        hashes.add(self.stats(self.file("p.npy.gz", gzip.compress(content)))["hash"])
+        hashes.add(self.stats(self.file("p.NPY.GZ", gzip.compress(content)))["hash"])
+        hashes.add(self.stats(self.file("hidden.npy", gzip.compress(content)))["hash"])  # without the name
+        members = b"".join(gzip.compress(content[i:i + 7001]) for i in range(0, len(content), 7001)) + gzip.compress(b"") + b"\0" * 512
+        hashes.add(self.stats(self.file("members.npy.gz", members))["hash"])
+        self.assertEqual(len(hashes), 1)
+
+    def test_results_and_tiles(self):
+        points = self.uniform(2, 500)
+        for name in ("t.npz", "t.json", "h.off"):
+            self.output("delaunay", points, "-o", self.path(name))
+            with open(self.path(name), "rb") as f:
+                self.file(name + ".gz", gzip.compress(f.read()))
+            self.assertIn("exactly", self.output("check", self.path(name + ".gz")))
+            self.assertIn("a triangulation", self.output("info", self.path(name + ".gz")))
+        with open(points, "rb") as f:
+            self.file("p.npy.gz", gzip.compress(f.read()))
+        self.run_delone("delaunay", self.path("p.npy.gz"), "-q", "-o", self.path("tiles/"), "--tiles", "2")
+        self.assertIn(self.stats(points)["hash"], self.output("info", self.path("tiles")))
+
+    def test_damage(self):
+        content = gzip.compress(b"3\n4000\n" + b"".join(b"%d %d %d\n" % (i, i * i % 97, i * i * i % 89) for i in range(4000)))
+        for name, damaged in (("cut", content[:-1]), ("header", content[:5]), ("half", content[:len(content) // 2]), ("nothing", content[:2]),
+                              ("crc", content[:-8] + bytes([content[-8] ^ 1]) + content[-7:]), ("length", content[:-1] + b"\1"),
+                              ("middle", content[:500] + bytes([content[500] ^ 0xff]) + content[501:]), ("after", content + b"text"),
+                              ("between", content + b"\0" + content), ("method", content[:2] + b"\7" + content[3:])):
+            path = self.file(name + ".qhull.gz", damaged)
+            text = self.complaint("delaunay", path)
+            self.assertIn(f"{path}: the compressed file ", text)
+        self.assertIn("not compressed by gzip, which its name says", self.complaint("delaunay", self.file("plain.csv.gz", "0,0\n1,1\n")))
+        self.assertIn("the file is empty", self.complaint("delaunay", self.file("empty.csv.gz", b"")))
+        self.assertIn("the file is empty", self.complaint("delaunay", self.file("nothing.csv.gz", gzip.compress(b""))))
+        self.assertIn(":2: ", self.complaint("delaunay", self.file("bad.csv.gz", gzip.compress(b"0,0\n0,x\n"))))
+        text = self.complaint("generate", "uniform", "-d", "2", "-n", "5", "-o", self.path("out.csv.gz"))
+        self.assertIn("files are not written compressed; write ", text)
+
+    def test_limits_are_of_what_is_decompressed(self):
+        path = self.file("bomb.txt.gz", gzip.compress(b"0 0\n" * 2_000_000))  # 8 MB of 8 kB
+        text = self.complaint("info", path, "--max-stream", "1MB", status=3)
+        self.assertIn("more than 1000000 bytes when decompressed; raise --max-stream", text)
+        self.complaint("info", path, "--max-stream", "7999999", status=3)
+        self.output("info", path, "--max-stream", "8000000")
+        self.assertIn("zero", self.complaint("info", self.file("zeros.txt.gz", gzip.compress(b"\0" * 100_000_000)), "--max-stream", "200MB"))
 
 
 class BadInput(Case):
@@ -59,6 +164,26 @@ class BadInput(Case):
             points = np.zeros((5, 2))
             points[3, 1] = value
             self.refused("a.npy", points, r"row 3")
+
+    def test_hints(self):
+        for name, text, *said in (
+                ("a.csv", "x;y\n0;0\n1;2\n", "separated by ';', which no format is: put ',' in its place"),
+                ("a.csv", "x;y\n0,5;0,25\n1,5;2,5\n", "separated by ';', and has decimal commas"),
+                ("a.csv", "x y\n0 0\n1 2\n", "white space: --format txt"), ("a.csv", "0\t1\n1\t2\n", "tabs: --format tsv"),
+                ("a.tsv", "x,y\n0,0\n1,2\n", "separated by ',': --format csv"), ("a.txt", "0,0\n1,2\n", "separated by ',': --format csv"),
+                ("a.txt", "x y\n0 0\n1 2\n", "the first line looks like a header: put '#' before it"),
+                ("a.xyz", "2\nwater\nO 0 0 0\nH 1 0 0\n", "the chemists' xyz format"),
+                ("a.txt", b"\x93NUMPY\x01\x00" + b"\0" * 100, "looks like an .npy file: --format npy"),
+                ("a.csv", b"\x89PNG\r\n\x1a\n" + b"\0" * 10, "looks like a picture"), ("a.txt", b"\1\2\0\3", "a binary file"),
+                ("a.csv", b"PK\x03\x04" + b"\0" * 200000, "looks like a zip archive"), ("a.npy", "OFF\n3 0 0\n", "an .off file: --format off"),
+                ("a.dat", "0 0\n", "'dat' cannot be used for reading points; available: npy, csv, .*; name it with --format"),
+                ("points", "0 0\n", "no extension tells the format")):
+            self.refused(name, text, *said)
+        for name, text in (("a.csv", "0,0\n1,zero\n"), ("a.csv", "x,y\n1,2\n3,four\n"), ("a.txt", "0 0\n0 1\n1 x\n"), ("a.csv", "a\nb\n")):
+            self.assertNotIn("looks like", self.complaint("delaunay", self.file(name, text)), text)  # right, but for one field
+        self.assertIn("--query-format csv", self.complaint("locate", self.file("p.csv", "0,0\n1,0\n0,1\n"), "--queries", self.file("q.txt", "0,0\n")))
+        self.assertIn("separated by ',': --format csv", self.complaint("delaunay", "-", stdin="0,0\n1,0\n"))
+        self.assertIn("this is a folder", self.complaint("delaunay", self.folder.name))
 
     def test_overflow_is_not_silently_infinite(self):
         self.refused("a.csv", "0,0\n1,0\n0,1e999\n", r":3: ")

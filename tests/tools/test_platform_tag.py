@@ -68,7 +68,8 @@ class PlatformTag(unittest.TestCase):
     def test_libraries(self):
         self.assertEqual(self.lowest(libraries=("libc.so.6", "ld-linux-aarch64.so.1", "libstdc++.so.6", "libgcc_s.so.1")), (2, 17))
         self.assertEqual(self.lowest(libraries=("libhwy.so.1",), bundled=("libhwy.so.1",)), (2, 17))
-        for name in ("libhwy.so.1", "libcurl.so.4", "libc.musl-x86_64.so.1", "libmagic.so.1"):
+        self.assertEqual(self.lowest(libraries=("libz.so.1",)), (2, 17))
+        for name in ("libhwy.so.1", "libzstd.so.1", "libcurl.so.4", "libc.musl-x86_64.so.1", "libmagic.so.1"):
             with self.assertRaisesRegex(ValueError, f"{name} is neither"):
                 self.lowest(libraries=(name,))
 

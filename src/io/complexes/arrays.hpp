@@ -81,8 +81,9 @@ void for_each_array(Data& data, Visitor&& visit) {
   visit(Array{"vertices"}, data.vertices, {data.vertices.size()});
   visit(Array{"vertex_of_point"}, data.vertex_of_point, {data.num_points()});
   visit(Array{"point_kinds"}, data.point_kinds, {data.num_points()});
+  if (!std::is_const_v<Data> || !data.axes.empty())
+    visit(Array{.name = "axes", .required = false}, data.axes, {k});
   if (std::is_const_v<Data> && data.tolerance == 0) return;
-  visit(Array{.name = "axes", .required = false}, data.axes, {k});
   std::vector<double> tolerance;
   if (data.tolerance > 0) tolerance = {data.tolerance, data.max_distance};
   visit(Array{.name = "tolerance", .required = false, .finite = true}, tolerance, {2});

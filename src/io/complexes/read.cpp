@@ -14,6 +14,7 @@
 
 #include <array>
 #include <map>
+#include <numeric>
 #include <optional>
 #include <span>
 #include <string_view>
@@ -214,6 +215,11 @@ Data read_arrays(File& file) {
     set_dimensions(data, file, reader);
   }
   for_each_array(data, ShapeChecker(reader, file.name()));
+  if constexpr (std::is_same_v<Data, HullData>)
+    if (data.axes.empty() && data.affine_dimension == data.dimension) {  // the only ones there are
+      data.axes.resize(static_cast<std::size_t>(data.dimension));
+      std::iota(data.axes.begin(), data.axes.end(), 0);
+    }
   return data;
 }
 
@@ -258,6 +264,7 @@ void check_opening(const std::string& format, std::string_view opening, bool is_
 
 AnyData read_any(const std::string& path, const std::string& format, std::optional<Kind> wanted,
                  std::uint64_t max_stream_bytes) {
+  refuse_folder(path, "a file");
   const std::string chosen =
       choose_format(path, format, "json", {"npz", "json", "off"}, "reading anything but points");
   const std::string name = input_name(path);

@@ -9,7 +9,10 @@
 
 #include <delone/io.hpp>
 
+#include <nlohmann/json.hpp>
+
 #include <algorithm>
+#include <cmath>
 
 namespace delone {
 
@@ -51,30 +54,90 @@ void write_rows(io::AtomicFile& file, const PointTable& points, char delimiter) 
 
 }  // namespace
 
+namespace {
+
+/// Throws unless the numbers fit the dimension, and the format the path.
+void require_table(const std::string& path, const PointTable& table, const std::string& chosen,
+                   const std::string& name) {
+  if (path == "-" && chosen == "npy")
+    io::fail(Errc::unsupported, "format 'npy' is binary and is not written to standard output");
+  if (table.dimension < 1)
+    io::fail(Errc::bad_dimension, "{}: cannot write: the dimension is {}", name, table.dimension);
+  if (table.coordinates.size() % static_cast<std::size_t>(table.dimension) != 0)
+    io::fail(Errc::invalid_argument, "{}: cannot write: the coordinates are no multiple of the dimension",
+             name);
+}
+
+void write_npy(io::AtomicFile& file, const PointTable& table) {
+  std::string storage;
+  file.write(io::npy_header("f8", {table.num_points(), static_cast<std::size_t>(table.dimension)}));
+  file.write(io::little_endian_bytes(std::span<const double>(table.coordinates), storage));
+}
+
+void write_delimited(io::AtomicFile& file, const PointTable& table, char delimiter) {
+  if (table.column_names.size() == static_cast<std::size_t>(table.dimension))
+    write_header(file, table.column_names, delimiter);
+  write_rows(file, table, delimiter);
+}
+
+/// A string of JSON; bytes that are not UTF-8 are replaced.
+void write_string(io::AtomicFile& file, const std::string& text) {
+  file.write(nlohmann::json(text).dump(-1, ' ', false, nlohmann::json::error_handler_t::replace));
+}
+
+void write_json(io::AtomicFile& file, const PointTable& table) {
+  const auto width = static_cast<std::size_t>(table.dimension);
+  file.write("{\"columns\": [");
+  for (std::size_t j = 0; j < width; ++j) {
+    file.write(j == 0 ? "" : ", ");
+    write_string(file, table.column_names.size() == width ? table.column_names[j] : std::to_string(j));
+  }
+  file.write("],\n\"data\": [");
+  for (std::size_t i = 0; i < table.coordinates.size(); ++i) {
+    file.write(i % width != 0 ? ", " : i == 0 ? "\n[" : "],\n[");
+    if (const double x = table.coordinates[i]; std::isfinite(x))
+      file.put(x);
+    else
+      file.write("null");
+  }
+  file.write(table.coordinates.empty() ? "]}\n" : "]\n]}\n");
+}
+
+}  // namespace
+
+void write_table(const std::string& path, const PointTable& table, const std::string& format) {
+  const std::string chosen =
+      io::choose_format(path, format, "csv", {"npy", "csv", "tsv", "txt", "json"}, "writing a table");
+  const std::string name = io::output_name(path);
+  io::guarded(name, [&] {
+    require_table(path, table, chosen, name);
+    io::AtomicFile file(path);
+    if (chosen == "npy")
+      write_npy(file, table);
+    else if (chosen == "json")
+      write_json(file, table);
+    else if (chosen == "txt")
+      write_rows(file, table, ' ');
+    else
+      write_delimited(file, table, chosen == "csv" ? ',' : '\t');
+    file.commit();
+  });
+}
+
 void write_points(const std::string& path, const PointTable& points, const std::string& format) {
   const std::string chosen = io::choose_format(
       path, format, "qhull", {"npy", "csv", "tsv", "txt", "xyz", "pts", "off", "qhull"}, "writing points");
   const std::string name = io::output_name(path);
   io::guarded(name, [&] {
-    if (path == "-" && chosen == "npy")
-      io::fail(Errc::unsupported, "format 'npy' is binary and is not written to standard output");
-    if (points.dimension < 1)
-      io::fail(Errc::bad_dimension, "{}: cannot write: the dimension is {}", name, points.dimension);
+    require_table(path, points, chosen, name);
     const auto dimension = static_cast<std::size_t>(points.dimension);
-    if (points.coordinates.size() % dimension != 0)
-      io::fail(Errc::invalid_argument, "{}: cannot write: the coordinates are no multiple of the dimension",
-               name);
     io::require_finite(points.coordinates, points.dimension, name);
     io::AtomicFile file(path);
     const std::size_t n = points.num_points();
     if (chosen == "npy") {
-      std::string storage;
-      file.write(io::npy_header("f8", {n, dimension}));
-      file.write(io::little_endian_bytes(std::span<const double>(points.coordinates), storage));
+      write_npy(file, points);
     } else if (chosen == "csv" || chosen == "tsv") {
-      const char delimiter = chosen == "csv" ? ',' : '\t';
-      if (points.column_names.size() == dimension) write_header(file, points.column_names, delimiter);
-      write_rows(file, points, delimiter);
+      write_delimited(file, points, chosen == "csv" ? ',' : '\t');
     } else {
       if (chosen == "qhull") file.print("{}\n{}\n", dimension, n);
       if (chosen == "off" && dimension == 3) file.print("OFF\n{} 0 0\n", n);

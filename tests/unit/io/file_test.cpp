@@ -84,7 +84,7 @@ TEST_F(Files, StreamsHaveALimit) {
     if (limit >= text.size())
       EXPECT_EQ(read_all(stream, limit), text);
     else
-      expect_error(Errc::out_of_memory, {stream, "more than " + std::to_string(limit), "--max-stream"},
+      expect_error(Errc::out_of_memory, {stream, "more than " + std::to_string(limit), "max_stream_bytes"},
                    [&] { read_all(stream, limit); });
     close(ends[0]);
     writer.join();

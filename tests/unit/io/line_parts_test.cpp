@@ -108,7 +108,7 @@ TEST(ReadingInParts, GivesThePointsAndErrorsOfOneThread) {
     const auto read = [&](const ReadingInParts& how) {
       return outcome([&] {
         return delimiter == ' ' ? read_white_space(text, "f", how)
-                                : read_delimited(text, "f", delimiter, columns, how);
+                                : read_delimited(text, "f", delimiter, {.wanted = columns, .last = {}}, how);
       });
     };
     const std::string expected = read({});

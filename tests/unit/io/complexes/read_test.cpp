@@ -7,6 +7,7 @@
 
 #include <cmath>
 #include <filesystem>
+#include <numeric>
 #include <string>
 #include <utility>
 #include <variant>
@@ -38,6 +39,22 @@ TEST_F(Read, EveryKindIsRecognised) {
   }
   write(path("a.off"), square());
   EXPECT_TRUE(std::holds_alternative<ComplexData>(delone::read(path("a.off"))));
+}
+
+TEST_F(Read, AxesOfHulls) {
+  HullData hull = test::small_hull();
+  ASSERT_EQ(hull.affine_dimension, hull.dimension);
+  for (const std::string format : {"npz", "json"}) {
+    hull.axes.clear();  // as other programs write it: there are no other axes
+    write(path("hull." + format), hull);
+    std::vector<int> all(static_cast<std::size_t>(hull.dimension));
+    std::iota(all.begin(), all.end(), 0);
+    EXPECT_EQ(read_as<HullData>(path("hull." + format)).axes, all);
+    HullData flat = hull;  // kept as they are
+    flat.axes.assign(all.rbegin(), all.rend());
+    write(path("hull." + format), flat);
+    EXPECT_EQ(read_as<HullData>(path("hull." + format)).axes, flat.axes);
+  }
 }
 
 TEST_F(Read, AnotherKindIsRefusedByName) {

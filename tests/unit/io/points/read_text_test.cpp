@@ -70,7 +70,8 @@ TEST_F(ReadCsv, DuplicateNamesMatterOnlyWhenChosen) {
   const std::string text = "x,y,x\n1,2,3\n";
   EXPECT_EQ(read("a.csv", text).coordinates, (Doubles{1, 2, 3}));
   EXPECT_EQ(read("a.csv", text, {"y", "2"}).coordinates, (Doubles{2, 3}));
-  expect_error(Errc::bad_format, {"a.csv", "columns 0 and 2", "'x'"}, [&] { read("a.csv", text, {"x"}); });
+  expect_error(Errc::bad_format, {"a.csv", "columns: 0 and 2 are both", "'x'"},
+               [&] { read("a.csv", text, {"x"}); });
 }
 
 TEST_F(ReadCsv, NumbersAreCorrectlyRounded) {
@@ -145,7 +146,8 @@ TEST_F(ReadCsv, WrongColumns) {
   });
   expect_error(Errc::bad_format, {"a.csv", "'3'", "x, y, z"},
                [&] { read("a.csv", "x,y,z\n1,2,3\n", {"3"}); });
-  expect_error(Errc::bad_format, {"'x'", "no header", "0 to 2"}, [&] { read("a.csv", "1,2,3\n", {"x"}); });
+  expect_error(Errc::bad_format, {"'x'", "the columns are 0 to 2", "0 to 2"},
+               [&] { read("a.csv", "1,2,3\n", {"x"}); });
 }
 
 TEST_F(ReadCsv, Quotes) {
@@ -266,7 +268,7 @@ TEST_F(ReadPath, FaultsQuoteForeignTextSafely) {
 TEST_F(ReadPath, FilesThatCannotBeOpened) {
   expect_error(Errc::cannot_open, {"none.csv", "No such file"}, [&] { read_points(path("none.csv")); });
   std::filesystem::create_directory(path("dir.csv"));
-  expect_error(Errc::cannot_open, {"dir.csv", "directory"}, [&] { read_points(path("dir.csv")); });
+  expect_error(Errc::cannot_open, {"dir.csv", "folder"}, [&] { read_points(path("dir.csv")); });
 }
 
 TEST_F(ReadPath, FormatByExtensionOrByName) {
