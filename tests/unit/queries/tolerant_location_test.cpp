@@ -279,6 +279,8 @@ TEST(TolerantLocation, TurnedGrids) {
         all.outside += seen.outside;
         all.moved += seen.moved;
       }
+  if (test::scale() == test::Scale::small)
+    return;  // too few for all kinds, with every library's distributions
   EXPECT_GT(all.thick, 20);
   EXPECT_GT(all.outside, 0);
   EXPECT_GT(all.moved, 4);
@@ -302,6 +304,7 @@ TEST(TolerantLocation, ToleranceOfTheSizeOfCells) {
         all.hull += seen.hull;
         all.outside += seen.outside;
       }
+  if (test::scale() == test::Scale::small) return;
   EXPECT_GT(all.thick, 20);
   EXPECT_GT(all.inside, 20);
   EXPECT_GT(all.hull, 5);
