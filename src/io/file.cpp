@@ -3,6 +3,7 @@
 #include "io/file.hpp"
 
 #include "base/platform_files.hpp"
+#include "base/progress_meter.hpp"
 #include "io/gzip.hpp"
 
 #include <algorithm>
@@ -72,6 +73,7 @@ bool read_up_to(std::size_t most, const ReadBytes& read, Bytes& bytes) {
     if (bytes.size() == bytes.capacity()) bytes.reserve(bytes.capacity() + bytes.capacity() / 2 + 4096);
     const std::size_t room = std::min({bytes.capacity() - bytes.size(), most - bytes.size(), piece});
     bytes.prepare(bytes.size() + room);
+    internal::cancellation_point();
     const std::size_t found = read(bytes.data() + bytes.size(), room);
     bytes.set_size(bytes.size() + found);
     if (found < room) return true;

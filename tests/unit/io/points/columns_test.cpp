@@ -10,10 +10,11 @@ namespace delone::io {
 namespace {
 
 using delone_test::expect_error;
-using Names = std::vector<std::string>;
-using Columns = std::vector<std::size_t>;
+using ColumnNames = std::vector<std::string>;
+using Positions = std::vector<std::size_t>;
 
-Columns chosen(const Names& wanted, const Names& last = {}, const Names& names = {}, std::size_t width = 6) {
+Positions chosen(const ColumnNames& wanted, const ColumnNames& last = {}, const ColumnNames& names = {},
+                 std::size_t width = 6) {
   const ChosenColumns found =
       choose_columns({.wanted = wanted, .last = last}, names, names.empty() ? width : names.size(), "f");
   EXPECT_LE(found.num_last, found.columns.size());
@@ -21,18 +22,18 @@ Columns chosen(const Names& wanted, const Names& last = {}, const Names& names =
 }
 
 TEST(Columns, NamesNumbersAndRanges) {
-  EXPECT_EQ(chosen({}), (Columns{0, 1, 2, 3, 4, 5}));
-  EXPECT_EQ(chosen({"2-4"}), (Columns{2, 3, 4}));
-  EXPECT_EQ(chosen({"5", "0-1", "3-3"}), (Columns{5, 0, 1, 3}));
-  EXPECT_EQ(chosen({}, {"1-2"}), (Columns{0, 3, 4, 5, 1, 2}));
-  EXPECT_EQ(chosen({"0"}, {"4", "0"}), (Columns{0, 4, 0}));
-  const Names names{"a", "2", "1-2", "b", "b"};
-  EXPECT_EQ(chosen({"a", "3-4", "2", "1-2"}, {}, names), (Columns{0, 3, 4, 1, 2}));  // names come first
+  EXPECT_EQ(chosen({}), (Positions{0, 1, 2, 3, 4, 5}));
+  EXPECT_EQ(chosen({"2-4"}), (Positions{2, 3, 4}));
+  EXPECT_EQ(chosen({"5", "0-1", "3-3"}), (Positions{5, 0, 1, 3}));
+  EXPECT_EQ(chosen({}, {"1-2"}), (Positions{0, 3, 4, 5, 1, 2}));
+  EXPECT_EQ(chosen({"0"}, {"4", "0"}), (Positions{0, 4, 0}));
+  const ColumnNames names{"a", "2", "1-2", "b", "b"};
+  EXPECT_EQ(chosen({"a", "3-4", "2", "1-2"}, {}, names), (Positions{0, 3, 4, 1, 2}));  // names come first
   EXPECT_EQ(choose_columns({.wanted = {}, .last = {"0-1"}}, {}, 3, "f").num_last, 2u);
 }
 
 TEST(Columns, Faults) {
-  const Names names{"a", "b", "b"};
+  const ColumnNames names{"a", "b", "b"};
   for (const std::string bad :
        {"6", "0-6", "x", "", "-", "1-", "-1", "1-2-3", "0-99999999999999999999", "0x1"})
     expect_error(Errc::bad_format, {"f: columns: there is no column '" + bad + "'; the columns are 0 to 5"},
@@ -45,9 +46,9 @@ TEST(Columns, Faults) {
   expect_error(Errc::bad_format, {"f: values: there is no column 'c'"}, [&] { chosen({}, {"c"}, names); });
 }
 
-class Values : public delone_test::TemporaryDirectory {};
+class ValueColumns : public delone_test::TemporaryDirectory {};
 
-TEST_F(Values, AreBesideTheCoordinates) {
+TEST_F(ValueColumns, AreBesideTheCoordinates) {
   const std::string text = "1 2 3 4\n5 6 7 8\n";
   for (const std::string name : {"a.txt", "a.csv"}) {
     std::string content = text;
@@ -60,8 +61,8 @@ TEST_F(Values, AreBesideTheCoordinates) {
   }
   const PointTable named =
       read_points(file("n.csv", "v,x,y\n1,2,3\n"), {.format = {}, .columns = {"y"}, .values = {"v"}});
-  EXPECT_EQ(named.column_names, (Names{"y"}));
-  EXPECT_EQ(named.value_names, (Names{"v"}));
+  EXPECT_EQ(named.column_names, (ColumnNames{"y"}));
+  EXPECT_EQ(named.value_names, (ColumnNames{"v"}));
   EXPECT_EQ(named.coordinates, (std::vector<double>{3}));
   const PointTable mesh = read_points(file("m.ply",
                                            "ply\nformat ascii 1.0\nelement vertex 1\nproperty float "
@@ -73,7 +74,7 @@ TEST_F(Values, AreBesideTheCoordinates) {
                [&] { read_points(path("a.txt"), {.format = {}, .columns = {}, .values = {"0-3"}}); });
 }
 
-TEST_F(Values, TablesMayHoldWhatIsNotFinite) {
+TEST_F(ValueColumns, TablesMayHoldWhatIsNotFinite) {
   PointTable table;
   table.dimension = 2;
   table.coordinates = {1, NAN, -INFINITY, 0.1};
