@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What cells can be coloured and filtered by: numbers of cells or of vertices, their range, and places within it.
+
+export class Quantity {
+  /** `values`: one for each cell, or each vertex (`ofVertices`); NaN for none. `robust`: outliers do not make the range. */
+  constructor(name, values, { ofVertices = false, log = false, robust = false } = {}) {
+    Object.assign(this, { name, values, ofVertices, log });
+    this.sorted = sampleOf(values);
+    this.low = this.quantile(0);
+    this.high = this.quantile(1);
+    [this.from, this.to] = robust ? [this.quantile(0.01), this.quantile(0.99)] : [this.low, this.high];
+    if (this.log && !(this.from > 0)) this.log = false;
+  }
+  /** The number below which a part of all numbers is; 0 and 1 are exact. */
+  quantile(part) {
+    const last = this.sorted.length - 1;
+    return last < 0 ? NaN : this.sorted[Math.round(part * last)];
+  }
+  /** Each number's place in the range, 0 … 1 and beyond it as far as −1 and 2; −3 for none. */
+  scalars() {
+    const place = this.log ? Math.log : (x) => x;
+    const low = place(this.from), scale = 1 / (place(this.to) - low || 1), result = new Float32Array(this.values.length);
+    for (let i = 0; i < result.length; ++i) {
+      const t = (place(this.values[i]) - low) * scale;
+      result[i] = Number.isNaN(t) ? -3 : Math.min(Math.max(t, -1), 2);
+    }
+    return result;
+  }
+  /** The number in the middle of the colours. */
+  middle() {
+    return this.log ? Math.sqrt(this.from) * Math.sqrt(this.to) : this.from / 2 + this.to / 2;
+  }
+}
+
+/** Up to 65536 numbers in order, the smallest and the largest among them. */
+function sampleOf(values) {
+  const step = Math.max(1, Math.floor(values.length / 65536)), chosen = [];
+  let low = Infinity, high = -Infinity;
+  for (let i = 0; i < values.length; ++i) {
+    const value = values[i];
+    if (Number.isNaN(value)) continue;
+    if (value < low) low = value;
+    if (value > high) high = value;
+    if (i % step === 0) chosen.push(value);
+  }
+  if (low <= high) chosen.push(low, high);
+  return Float32Array.from(chosen).sort();
+}
