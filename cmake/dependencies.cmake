@@ -2,7 +2,8 @@
 # The libraries that delone is made of: those that are installed, or built from pinned sources into the library itself.
 # DELONE_FETCH_DEPENDENCIES says which (cmake/options.cmake). To build without a network, unpack the sources and name their folders:
 # FETCHCONTENT_SOURCE_DIR_DELONE_HIGHWAY, …_FMT, …_TBB, …_JSON, …_FAST_FLOAT, …_CLI11, …_MULTIPRECISION, …_BOOST_CONFIG.
-# Offers hwy::hwy, DELONE_FMT, nlohmann_json::nlohmann_json, CLI11::CLI11, TBB::tbb, Boost_INCLUDE_DIRS and DELONE_FAST_FLOAT_INCLUDE.
+# Offers hwy::hwy, DELONE_FMT, nlohmann_json::nlohmann_json, CLI11::CLI11, Boost_INCLUDE_DIRS and DELONE_FAST_FLOAT_INCLUDE;
+# with DELONE_HAVE_TBB 1, TBB::tbb, and with DELONE_HAVE_ZLIB 1, ZLIB::ZLIB.
 include(FetchContent)
 
 set(delone_fetched_libraries "")  # those that a static library of delone needs beside it: installed with it
@@ -147,5 +148,18 @@ if(DELONE_WITH_TBB)
     set(DELONE_HAVE_TBB 1)
   elseif(TBB_FOUND)
     set(DELONE_HAVE_TBB 1)
+  endif()
+endif()
+
+# zlib is never fetched: every system has it.
+set(DELONE_HAVE_ZLIB 0)
+if(DELONE_WITH_ZLIB)
+  if(NOT DELONE_WITH_ZLIB STREQUAL "AUTO")
+    find_package(ZLIB REQUIRED)
+  else()
+    find_package(ZLIB QUIET)
+  endif()
+  if(ZLIB_FOUND)
+    set(DELONE_HAVE_ZLIB 1)
   endif()
 endif()

@@ -16,8 +16,8 @@ import sys
 import tempfile
 import zipfile
 
-# What every Linux has (PEP 600), as far as a C++ library may need it.
-PLATFORM = re.compile(r"ld-linux.*|ld64|lib(c|m|dl|rt|pthread|gcc_s|stdc\+\+)")
+# What every Linux has (PEP 600), as far as a C++ library may need it; zlib is among it.
+PLATFORM = re.compile(r"ld-linux.*|ld64|lib(c|m|dl|rt|pthread|gcc_s|stdc\+\+|z)")
 
 # The newest versions of symbols that systems with this glibc have: of glibc, libstdc++, its C++ runtime and libgcc. As in the policies of
 # auditwheel (6.8, MIT license), which are the common reading of PEP 600; where processors differ, the lower number.

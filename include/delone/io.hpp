@@ -7,9 +7,12 @@
 // through. Every function may throw unsupported (the format) and out_of_memory; readers cannot_open and
 // bad_format; writers cannot_write.
 //
+// Files that gzip has compressed are read as if they were not, and told by their first bytes: `.gz` may
+// follow the extension. Damaged ones are bad_format; a build without zlib throws unsupported.
+//
 // Input ends: a file whose first bytes do not suit its format is refused by them, and a stream that has more
-// bytes than a limit throws out_of_memory. A stream is what is not a regular file (a pipe, a device), and
-// what a regular file has beyond the size that it had when it was opened.
+// bytes than a limit throws out_of_memory. A stream is what is not a regular file (a pipe, a device), what a
+// compressed file holds, and what a regular file has beyond the size that it had when it was opened.
 #pragma once
 
 #include <delone/data.hpp>
@@ -31,6 +34,9 @@ struct PointTable {
   int dimension = 0;
   std::vector<double> coordinates;        ///< n×d, row-major
   std::vector<std::string> column_names;  ///< of a CSV/TSV/PLY header, after selection; may be empty
+  int num_values = 0;                     ///< m, the columns that ReadOptions::values selects
+  std::vector<double> values;             ///< n×m, row-major
+  std::vector<std::string> value_names;   ///< as column_names
   std::size_t num_points() const {
     return dimension < 1 ? 0 : coordinates.size() / static_cast<std::size_t>(dimension);
   }
@@ -41,12 +47,16 @@ inline constexpr std::uint64_t default_max_stream_bytes = std::uint64_t{1} << 32
 
 struct ReadOptions {
   std::string format;  ///< one of those of read_points(); empty: by extension, "-" is qhull
-  /// csv, tsv, txt, ply: names, or 0-based numbers where there are no names; empty: all.
+  /// The coordinates: names of a header, numbers from 0, or ranges of numbers, as "2-5", both ends included;
+  /// a name comes before a number. ply: names of properties. Empty: all columns (of ply: x, y and z), but for
+  /// `values`.
   std::vector<std::string> columns;
   std::uint64_t max_stream_bytes = default_max_stream_bytes;
   /// csv, tsv, txt: at most so many threads parse; 0: as many as there are cores for this process, where the
   /// file is large enough to gain by them. Points and errors do not depend on it.
   unsigned threads = 1;
+  /// Columns that are no coordinates, chosen in the same way: for PointTable::values.
+  std::vector<std::string> values = {};
 };
 
 /// Reads points. Values must be finite.

@@ -7,7 +7,8 @@ vcpkg_check_features(OUT_FEATURE_OPTIONS features
     c DELONE_BUILD_C
     hdf5 DELONE_WITH_HDF5
     threads DELONE_WITH_TBB
-    tools DELONE_BUILD_CLI)
+    tools DELONE_BUILD_CLI
+    zlib DELONE_WITH_ZLIB)
 
 vcpkg_cmake_configure(SOURCE_PATH "${SOURCE_PATH}"
   OPTIONS ${features} -DDELONE_BUILD_MPI=OFF -DDELONE_BUILD_PYTHON=OFF -DDELONE_INSTALL=ON)

@@ -61,15 +61,20 @@ class Bytes {
 /// The first bytes of a file: 64 KiB, unless it is shorter. May throw, so that the rest is not read.
 using CheckOpening = std::function<void(std::string_view opening, bool is_whole)>;
 
-/// All of a file, or of standard input when the path is "-". Throws cannot_open with the system's reason, and
-/// out_of_memory for a stream of more than `max_stream_bytes`.
+/// All of a file, or of standard input when the path is "-", decompressed if gzip has compressed it. Throws
+/// cannot_open with the system's reason, out_of_memory for a stream, or decompressed bytes, of more than
+/// `max_stream_bytes`, and as decompressed().
 Bytes read_all(const std::string& path, std::uint64_t max_stream_bytes, const CheckOpening& check_opening);
+
+/// Throws cannot_open if the path is that of a folder. `expected`: "a file of points".
+void refuse_folder(const std::string& path, std::string_view expected);
 
 /// Throws bad_format if a byte is zero, which no text has.
 void require_text(std::string_view opening, const std::string& name);
 
 /// The lower-case format to use: `format` if given, `standard_stream` for the path "-", else the extension of
-/// the path. Throws unsupported, listing `known`, unless the result is among them.
+/// the path. Throws unsupported, listing `known`, unless the result is among them. `purpose`: "reading
+/// points".
 std::string choose_format(const std::string& path, const std::string& format,
                           std::string_view standard_stream, std::initializer_list<std::string_view> known,
                           std::string_view purpose);

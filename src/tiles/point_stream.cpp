@@ -7,6 +7,7 @@
 #include "base/random.hpp"
 #include "io/collect.hpp"
 #include "io/file.hpp"
+#include "io/gzip.hpp"
 #include "io/npy.hpp"
 #include "io/points/read_points.hpp"
 #include "io/points/text_rows.hpp"
@@ -30,6 +31,12 @@ namespace {
 constexpr std::size_t chunk_bytes = std::size_t{1} << 20;
 /// The longest row of a text, and the line ends and comments around it.
 constexpr std::size_t longest_row = std::size_t{1} << 26;
+
+io::ColumnChoice choice_of(const StreamOptions& options) {
+  io::ColumnChoice choice{options.columns, {}};
+  if (!options.last_column.empty()) choice.last.push_back(options.last_column);
+  return choice;
+}
 
 /// A file under `path`, which messages call `name`, removed at the end if it is a copy.
 struct Source {
@@ -145,10 +152,7 @@ std::unique_ptr<PointStream> open_raw(const Source& source, int dimension) {
 class TextStream final : public FileStream {
  public:
   TextStream(const Source& source, std::string format, const StreamOptions& options)
-      : FileStream(source),
-        format_(std::move(format)),
-        columns_(options.columns),
-        last_column_(options.last_column) {
+      : FileStream(source), format_(std::move(format)), choice_(choice_of(options)) {
     // The width is that of the first row or header.
     begin();
     std::vector<double> rows;
@@ -185,7 +189,7 @@ class TextStream final : public FileStream {
 
  private:
   void begin() {
-    reader_ = io::open_text_rows(format_, name(), columns_, last_column_);
+    reader_ = io::open_text_rows(format_, name(), choice_);
     text_.clear();
     offset_ = 0;
     row_ = 0;
@@ -217,8 +221,7 @@ class TextStream final : public FileStream {
   }
 
   const std::string format_;
-  const std::vector<std::string> columns_;
-  const std::string last_column_;
+  const io::ColumnChoice choice_;
   std::unique_ptr<io::TextRows> reader_;
   std::string text_;  // read, and not yet parsed
   std::uint64_t offset_ = 0;
@@ -259,8 +262,7 @@ class MemoryStream final : public PointStream {
 class SelectedColumns final : public PointStream {
  public:
   SelectedColumns(std::unique_ptr<PointStream> all, const StreamOptions& options, const std::string& name)
-      : all_(std::move(all)),
-        columns_(io::column_numbers(options.columns, options.last_column, width(), name)) {}
+      : all_(std::move(all)), columns_(io::choose_columns(choice_of(options), {}, width(), name).columns) {}
   int dimension() const override { return static_cast<int>(columns_.size()); }
   std::optional<std::uint64_t> size_hint() const override { return all_->size_hint(); }
   void rewind() override { all_->rewind(); }
@@ -285,12 +287,19 @@ class SelectedColumns final : public PointStream {
   std::vector<double> whole_rows_;
 };
 
-/// Copies a stream to a file, as it cannot be read twice.
+/// Whether a regular file is compressed, so that it can be read from its beginning only.
+bool is_compressed(const std::string& path) {
+  const io::PositionedFile file(path);
+  char opening[2] = {};
+  return io::is_gzip({opening, file.read_some(0, opening, sizeof opening)});
+}
+
+/// Copies a stream to a file, decompressed, as it cannot be read twice.
 Source copied(const std::string& path, const StreamOptions& options) {
   namespace fs = std::filesystem;
   const std::string name = io::input_name(path);
   if (options.scratch_folder.empty())
-    io::fail(Errc::unsupported, "{}: a stream cannot be read twice; save it as a file", name);
+    io::fail(Errc::unsupported, "{}: a stream cannot be read twice; save it as a file, decompressed", name);
   struct Close {
     void operator()(std::FILE* file) const {
       if (file != stdin) std::fclose(file);
@@ -306,12 +315,19 @@ Source copied(const std::string& path, const StreamOptions& options) {
               true};
   try {
     io::PositionedFile to(copy.path, io::PositionedFile::Mode::write);
+    const io::ReadBytes read = io::maybe_decompressed(
+        [&](char* bytes, std::size_t size) {
+          errno = 0;
+          const std::size_t found = std::fread(bytes, 1, size, from.get());
+          if (std::ferror(from.get()) != 0)
+            io::fail(Errc::cannot_open, "{}: {}", name, io::error_text(errno));
+          return found;
+        },
+        name);
     std::string piece(chunk_bytes, '\0');
     for (std::uint64_t size = 0;;) {
       internal::cancellation_point();
-      errno = 0;
-      const std::size_t found = std::fread(piece.data(), 1, piece.size(), from.get());
-      if (std::ferror(from.get()) != 0) io::fail(Errc::cannot_open, "{}: {}", name, io::error_text(errno));
+      const std::size_t found = read(piece.data(), piece.size());
       if (found == 0) break;
       to.write(size, piece.data(), found);
       size += found;
@@ -338,8 +354,10 @@ std::unique_ptr<PointStream> open_format(const std::string& format, const std::s
     return std::make_unique<MemoryStream>(read_points(path, reading));
   }
   std::error_code ignored;
-  const bool is_stream = path == "-" || (fs::exists(path, ignored) && !fs::is_regular_file(path, ignored) &&
-                                         !fs::is_directory(path, ignored));
+  const bool is_stream = path == "-" ||
+                         (fs::exists(path, ignored) && !fs::is_regular_file(path, ignored) &&
+                          !fs::is_directory(path, ignored)) ||
+                         (fs::is_regular_file(path, ignored) && is_compressed(path));
   const Source source = is_stream ? copied(path, options) : Source{path, io::input_name(path)};
   try {
     if (format == "npy") return open_npy(source);
@@ -354,8 +372,9 @@ std::unique_ptr<PointStream> open_format(const std::string& format, const std::s
 }  // namespace
 
 std::unique_ptr<PointStream> open_point_stream(const std::string& path, const StreamOptions& options) {
+  io::refuse_folder(path, "a file of points");
   const std::string format = io::choose_format(
-      path, options.format, "qhull",
+      io::without_gzip_name(path), options.format, "qhull",
       {"npy", "raw", "bin", "csv", "tsv", "txt", "xyz", "pts", "off", "ply", "qhull"}, "reading points");
   return io::guarded(io::input_name(path), [&] {
     std::unique_ptr<PointStream> points = open_format(format, path, options);

@@ -40,6 +40,7 @@ DEPENDENCIES = {
     "find_package(hwy": ("libhwy-dev", "libhwy", "highway"),
     "find_package(nlohmann_json": ("nlohmann-json3-dev", "nlohmann_json", "nlohmann-json"),
     "find_package(TBB": ("libtbb-dev", "tbb-devel", "tbb"),
+    "find_package(ZLIB": ("zlib1g-dev", "zlib", "zlib"),
     "find_package(pybind11": ("pybind11-dev", "pybind11", None),
     "find_package(Python 3": ("python3-dev", "python", None),
     "import numpy": ("python3-numpy", "numpy", None),

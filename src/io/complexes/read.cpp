@@ -6,6 +6,7 @@
 #include "io/complexes/json_file.hpp"
 #include "io/complexes/npz_file.hpp"
 #include "io/file.hpp"
+#include "io/gzip.hpp"
 #include "io/npy.hpp"
 #include "io/points/off.hpp"
 #include "io/text_cursor.hpp"
@@ -258,8 +259,9 @@ void check_opening(const std::string& format, std::string_view opening, bool is_
 
 AnyData read_any(const std::string& path, const std::string& format, std::optional<Kind> wanted,
                  std::uint64_t max_stream_bytes) {
-  const std::string chosen =
-      choose_format(path, format, "json", {"npz", "json", "off"}, "reading anything but points");
+  refuse_folder(path, "a file");
+  const std::string chosen = choose_format(without_gzip_name(path), format, "json", {"npz", "json", "off"},
+                                           "reading anything but points");
   const std::string name = input_name(path);
   return guarded(name, [&]() -> AnyData {
     const Bytes bytes = read_all(path, max_stream_bytes, [&](std::string_view opening, bool is_whole) {

@@ -242,25 +242,28 @@ void skip_element(Source& source, const Element& element) {
 }
 
 /// The positions of the properties to read.
-std::vector<std::size_t> select(const Element& vertex, const std::vector<std::string>& wanted,
-                                const std::string& name) {
+std::vector<std::size_t> select(const Element& vertex, const ColumnChoice& choice, const std::string& name) {
   std::vector<std::string> available;
   for (const Property& property : vertex.properties)
     available.push_back(property.is_list ? std::string{} : property.name);
   const auto position = [&](const std::string& one) {
     return static_cast<std::size_t>(std::find(available.begin(), available.end(), one) - available.begin());
   };
-  std::vector<std::string> names = wanted;
+  std::vector<std::string> names = choice.wanted;
   if (names.empty()) {
     names = {"x", "y"};
     if (position("z") < available.size()) names.push_back("z");
+    std::erase_if(names, [&](const std::string& one) {
+      return std::find(choice.last.begin(), choice.last.end(), one) != choice.last.end();
+    });
   }
+  names.insert(names.end(), choice.last.begin(), choice.last.end());
   std::vector<std::size_t> columns;
   for (const std::string& one : names) {
     if (position(one) == available.size() || one.empty()) {
       std::erase(available, std::string{});
-      fail(Errc::bad_format, "{}: the vertices have no property {}; they have {}", name, in_quotes(one),
-           joined(available));
+      fail(Errc::bad_format, "{}: columns: the vertices have no property {}; they have {}", name,
+           in_quotes(one), joined(available));
     }
     columns.push_back(position(one));
   }
@@ -269,13 +272,14 @@ std::vector<std::size_t> select(const Element& vertex, const std::vector<std::st
 
 template <class Source>
 PointTable read_vertices(Source source, const Header& header, const std::string& name,
-                         const std::vector<std::string>& wanted) {
+                         const ColumnChoice& choice) {
   auto vertex = header.elements.begin();
   for (; vertex != header.elements.end() && vertex->name != "vertex"; ++vertex) skip_element(source, *vertex);
   if (vertex == header.elements.end()) fail(Errc::bad_format, "{}: the file has no element 'vertex'", name);
-  const std::vector<std::size_t> columns = select(*vertex, wanted, name);
+  const std::vector<std::size_t> columns = select(*vertex, choice, name);
   PointCollector points;
   points.table.dimension = static_cast<int>(columns.size());
+  points.table.num_values = static_cast<int>(choice.last.size());
   for (const std::size_t column : columns)
     points.table.column_names.push_back(vertex->properties[column].name);
   if (vertex->count <= source.most_values() / columns.size())
@@ -303,15 +307,14 @@ PointTable read_vertices(Source source, const Header& header, const std::string&
 
 }  // namespace
 
-PointTable read_ply(std::string_view bytes, const std::string& name,
-                    const std::vector<std::string>& columns) {
+PointTable read_ply(std::string_view bytes, const std::string& name, const ColumnChoice& choice) {
   if (bytes.empty()) fail(Errc::bad_format, "{}: the file is empty", name);
   TextCursor at(bytes, name);
   const Header header = parse_header(at);
-  if (header.encoding == Encoding::ascii) return read_vertices(AsciiSource(at), header, name, columns);
+  if (header.encoding == Encoding::ascii) return read_vertices(AsciiSource(at), header, name, choice);
   const std::string_view data = bytes.substr(static_cast<std::size_t>(at.position() - bytes.data()));
   return read_vertices(BinarySource(data, name, header.encoding == Encoding::big_endian), header, name,
-                       columns);
+                       choice);
 }
 
 }  // namespace delone::io

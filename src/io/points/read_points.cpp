@@ -3,19 +3,22 @@
 #include "io/points/read_points.hpp"
 
 #include "io/file.hpp"
+#include "io/gzip.hpp"
 #include "io/npy.hpp"
+#include "io/points/hints.hpp"
 #include "io/text_cursor.hpp"
 
 namespace delone {
 
 namespace {
 
-/// Keeps the columns with the given 0-based numbers, for formats without names.
-PointTable with_columns(PointTable table, const std::vector<std::string>& wanted, const std::string& name) {
-  if (wanted.empty()) return table;
+/// Keeps the columns that are chosen, for formats without names.
+PointTable with_columns(PointTable table, const io::ColumnChoice& choice, const std::string& name) {
+  if (choice.wanted.empty() && choice.last.empty()) return table;
   const auto width = static_cast<std::size_t>(table.dimension);
-  const std::vector<std::size_t> columns = io::column_numbers(wanted, {}, width, name);
+  const auto [columns, num_last] = io::choose_columns(choice, {}, width, name);
   PointTable out;
+  out.num_values = static_cast<int>(num_last);
   out.dimension = static_cast<int>(columns.size());
   const std::size_t rows = table.num_points();
   out.coordinates.reserve(rows * columns.size());
@@ -25,18 +28,45 @@ PointTable with_columns(PointTable table, const std::vector<std::string>& wanted
   return out;
 }
 
+/// Takes the last columns, of which there are num_values, for the values.
+PointTable with_values(PointTable table, const std::string& name) {
+  if (table.num_values == 0) return table;
+  if (table.num_values == table.dimension)
+    io::fail(Errc::bad_dimension, "{}: beside the values there is no column of coordinates", name);
+  const auto width = static_cast<std::size_t>(table.dimension),
+             num_values = static_cast<std::size_t>(table.num_values), num_coordinates = width - num_values;
+  const std::size_t n = table.num_points();
+  table.values.reserve(n * num_values);
+  for (std::size_t row = 0; row < n; ++row)
+    for (std::size_t j = 0; j < width; ++j) {
+      const double x = table.coordinates[row * width + j];
+      if (j < num_coordinates)
+        table.coordinates[row * num_coordinates + j] = x;
+      else
+        table.values.push_back(x);
+    }
+  table.coordinates.resize(n * num_coordinates);
+  table.dimension = static_cast<int>(num_coordinates);
+  if (table.column_names.size() == width) {
+    const auto first = table.column_names.begin() + static_cast<std::ptrdiff_t>(num_coordinates);
+    table.value_names.assign(first, table.column_names.end());
+    table.column_names.erase(first, table.column_names.end());
+  }
+  return table;
+}
+
 /// Refuses what cannot be of this format by its first bytes. Where the first word is wrong the reader says
 /// so.
 void check_opening(const std::string& format, std::string_view opening, bool is_whole,
                    const std::string& name) {
   if (is_whole) return;  // read at once
-  if (format == "npy") return io::require_npy(opening, name);
+  if (format == "npy") return io::with_hint(opening, format, [&] { io::require_npy(opening, name); });
   if (format == "ply") {
     if (!opening.starts_with("ply")) io::read_ply(opening, name, {});
     return;
   }
   const std::string_view text = io::text_of(opening, name);
-  io::require_text(text, name);
+  io::with_hint(opening, format, [&] { io::require_text(text, name); });
   io::TextCursor at(text, name);
   const std::string_view word = at.next_token();
   if (word.empty() || at.at_end()) return;  // there may be more of it
@@ -48,27 +78,10 @@ void check_opening(const std::string& format, std::string_view opening, bool is_
 
 }  // namespace
 
-std::vector<std::size_t> io::column_numbers(const std::vector<std::string>& wanted, const std::string& last,
-                                            std::size_t width, const std::string& name) {
-  const auto number_of = [&](const std::string& one) {
-    const auto number = to_count(one);
-    if (!number || *number >= width)
-      fail(Errc::bad_format, "{}: there is no column {}; the columns are 0 to {}", name, in_quotes(one),
-           width - 1);
-    return static_cast<std::size_t>(*number);
-  };
-  std::vector<std::size_t> columns;
-  for (const std::string& one : wanted) columns.push_back(number_of(one));
-  const std::size_t after = last.empty() ? width : number_of(last);
-  for (std::size_t i = 0; wanted.empty() && i < width; ++i)
-    if (i != after) columns.push_back(i);
-  if (!last.empty()) columns.push_back(after);
-  return columns;
-}
-
 PointTable read_points(const std::string& path, const ReadOptions& options) {
+  io::refuse_folder(path, "a file of points");
   const std::string format =
-      io::choose_format(path, options.format, "qhull",
+      io::choose_format(io::without_gzip_name(path), options.format, "qhull",
                         {"npy", "csv", "tsv", "txt", "xyz", "pts", "off", "ply", "qhull"}, "reading points");
   const std::string name = io::input_name(path);
   return io::guarded(name, [&] {
@@ -77,14 +90,16 @@ PointTable read_points(const std::string& path, const ReadOptions& options) {
         [&](std::string_view opening, bool is_whole) { check_opening(format, opening, is_whole, name); });
     const std::string_view bytes = file.view();
     const io::ReadingInParts how{.threads = options.threads};
+    const io::ColumnChoice choice{options.columns, options.values};
     if (format == "csv" || format == "tsv")
-      return io::read_delimited(bytes, name, format == "csv" ? ',' : '\t', options.columns, how);
-    if (format == "ply") return io::read_ply(bytes, name, options.columns);
-    PointTable table = format == "npy"     ? io::read_npy(bytes, name)
-                       : format == "off"   ? io::read_off(bytes, name)
-                       : format == "qhull" ? io::read_qhull(bytes, name)
-                                           : io::read_white_space(bytes, name, how);
-    return with_columns(std::move(table), options.columns, name);
+      return with_values(io::read_delimited(bytes, name, format == "csv" ? ',' : '\t', choice, how), name);
+    if (format == "ply") return with_values(io::read_ply(bytes, name, choice), name);
+    PointTable table =
+        format == "npy"     ? io::with_hint(bytes, format, [&] { return io::read_npy(bytes, name); })
+        : format == "off"   ? io::with_hint(bytes, format, [&] { return io::read_off(bytes, name); })
+        : format == "qhull" ? io::read_qhull(bytes, name)
+                            : io::read_white_space(bytes, name, how);
+    return with_values(with_columns(std::move(table), choice, name), name);
   });
 }
 

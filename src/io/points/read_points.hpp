@@ -4,26 +4,20 @@
 #pragma once
 
 #include "io/line_parts.hpp"
+#include "io/points/columns.hpp"
 
 #include <delone/io.hpp>
 
-#include <cstddef>
 #include <string>
 #include <string_view>
-#include <vector>
 
 namespace delone::io {
 
 struct NpyArray;
 
-/// The columns to read of a table with `width` of them and without names: `wanted`, all if it is empty; then,
-/// unless empty, `last`, which is not one of all then. Throws bad_format with the name of the file.
-std::vector<std::size_t> column_numbers(const std::vector<std::string>& wanted, const std::string& last,
-                                        std::size_t width, const std::string& name);
-
-/// csv (',') and tsv (tab). `columns`: names of a header or 0-based numbers; empty for all.
+/// csv (',') and tsv (tab).
 PointTable read_delimited(std::string_view bytes, const std::string& name, char delimiter,
-                          const std::vector<std::string>& columns, const ReadingInParts& how = {});
+                          const ColumnChoice& choice = {}, const ReadingInParts& how = {});
 /// txt, xyz, pts: rows of numbers, '#' comments.
 PointTable read_white_space(std::string_view bytes, const std::string& name, const ReadingInParts& how = {});
 /// Dimension, rest of the line ignored; count; that many rows, in any layout.
@@ -33,7 +27,7 @@ PointTable points_of(const NpyArray& array, const std::string& name);
 PointTable read_npy(std::string_view bytes, const std::string& name);
 /// The vertices of an OFF, COFF or nOFF file.
 PointTable read_off(std::string_view bytes, const std::string& name);
-/// `columns`: properties of the vertices; empty for x, y and, if there is one, z.
-PointTable read_ply(std::string_view bytes, const std::string& name, const std::vector<std::string>& columns);
+/// Chooses properties of the vertices, by their names: x, y and, if there is one, z, unless told otherwise.
+PointTable read_ply(std::string_view bytes, const std::string& name, const ColumnChoice& choice = {});
 
 }  // namespace delone::io

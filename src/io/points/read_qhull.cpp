@@ -2,6 +2,7 @@
 // Qhull's form of points: the dimension, the rest of its line ignored; the number of points; their
 // coordinates in any layout.
 #include "io/file.hpp"
+#include "io/points/hints.hpp"
 #include "io/points/read_points.hpp"
 #include "io/points/text_rows.hpp"
 
@@ -99,7 +100,7 @@ PointTable read_qhull(std::string_view bytes, const std::string& name) {
   TextCursor at(text_of(bytes, name), name);
   QhullReader reader;
   PointCollector points;
-  reader.read_head(at, true);
+  with_hint(bytes, "qhull", [&] { reader.read_head(at, true); });
   points.table.dimension = static_cast<int>(reader.dimension());
   // Each number takes two bytes at least: what the file cannot hold is never allocated.
   const std::size_t most = at.remaining() / 2 + 1;

@@ -3,6 +3,7 @@
 // over the text, numbers are parsed in place; only fields that are needed are read.
 #include "io/collect.hpp"
 #include "io/file.hpp"
+#include "io/points/hints.hpp"
 #include "io/points/read_points.hpp"
 #include "io/points/text_rows.hpp"
 #include "io/text_cursor.hpp"
@@ -14,35 +15,6 @@
 namespace delone::io {
 
 namespace {
-
-/// The columns to read, as positions. `names` is empty when there is no header.
-std::vector<std::size_t> select(const std::vector<std::string>& wanted, const std::vector<std::string>& names,
-                                std::size_t width, const std::string& name) {
-  std::vector<std::size_t> columns;
-  if (wanted.empty()) {
-    columns.resize(width);
-    for (std::size_t i = 0; i < width; ++i) columns[i] = i;
-  }
-  for (const std::string& one : wanted) {
-    const auto found = std::find(names.begin(), names.end(), one);
-    if (found != names.end()) {
-      const auto again = std::find(found + 1, names.end(), one);
-      if (again != names.end())
-        fail(Errc::bad_format, "{}: columns {} and {} are both named {}; choose by number", name,
-             found - names.begin(), again - names.begin(), in_quotes(one));
-      columns.push_back(static_cast<std::size_t>(found - names.begin()));
-    } else if (const auto number = to_count(one); number && *number < width) {
-      columns.push_back(static_cast<std::size_t>(*number));
-    } else if (names.empty()) {
-      fail(Errc::bad_format, "{}: there is no column {}; there is no header, the columns are 0 to {}", name,
-           in_quotes(one), width - 1);
-    } else {
-      fail(Errc::bad_format, "{}: there is no column {}; the columns are {}", name, in_quotes(one),
-           joined(names));
-    }
-  }
-  return columns;
-}
 
 std::string_view trimmed(std::string_view text) {
   const std::size_t first = text.find_first_not_of(" \t\n");
@@ -64,9 +36,8 @@ std::vector<LinePart> parts_of_rows(const TextCursor& at, char never, std::size_
 /// Reads csv and tsv.
 class DelimitedReader {
  public:
-  DelimitedReader(std::string_view text, const std::string& name, char delimiter,
-                  const std::vector<std::string>& wanted, std::string last = {})
-      : at_(text, name), delimiter_(delimiter), wanted_(wanted), last_(std::move(last)) {}
+  DelimitedReader(std::string_view text, const std::string& name, char delimiter, const ColumnChoice& choice)
+      : at_(text, name), delimiter_(delimiter), choice_(choice) {}
 
   PointTable read(const ReadingInParts& how) {
     if (!find_row()) fail(Errc::bad_format, "{}: no row and no header in the file", at_.name());
@@ -107,6 +78,7 @@ class DelimitedReader {
     }
     return static_cast<std::size_t>(at_.position() - begin);
   }
+  std::string_view format() const { return delimiter_ == ',' ? "csv" : "tsv"; }
   std::size_t num_selected() const { return columns_.size(); }
   std::size_t line() const { return at_.line(); }
 
@@ -212,12 +184,9 @@ class DelimitedReader {
     } else {
       at_ = start;
     }
-    columns_ = select(wanted_, names_, width_, at_.name());
-    if (!last_.empty()) {
-      const std::size_t last = select({last_}, names_, width_, at_.name())[0];
-      if (wanted_.empty()) columns_.erase(columns_.begin() + static_cast<std::ptrdiff_t>(last));
-      columns_.push_back(last);
-    }
+    ChosenColumns chosen = choose_columns(choice_, names_, width_, at_.name());
+    columns_ = std::move(chosen.columns);
+    table.num_values = static_cast<int>(chosen.num_last);
     selected_.assign(width_, false);
     for (std::size_t column : columns_) selected_[column] = true;
     table.dimension = static_cast<int>(columns_.size());
@@ -281,8 +250,7 @@ class DelimitedReader {
 
   TextCursor at_;
   char delimiter_;
-  const std::vector<std::string>& wanted_;
-  const std::string last_;  // the column that is put last; empty: none
+  const ColumnChoice& choice_;
   std::size_t width_ = 0;
   std::vector<std::string> names_;
   std::vector<std::size_t> columns_;
@@ -328,48 +296,55 @@ class WhiteSpaceRows final : public TextRowsInPieces {
  public:
   explicit WhiteSpaceRows(const std::string& name) : TextRowsInPieces(name) {}
   std::size_t read(std::string_view text, bool is_last, PointCollector& rows) override {
+    if (is_first_ && is_qhull_form(text)) qhull_ = open_qhull_rows(name_);
+    is_first_ = false;
+    if (qhull_) return qhull_->read(text, is_last, rows);
     TextCursor at = cursor(text);
     const char* const begin = at.position();
     if (width() > 0 || at.find_content()) {
-      if (width() == 0) reader_.read_first_row(at, rows);
+      if (width() == 0) with_hint(text, "txt", [&] { reader_.read_first_row(at, rows); });
       reader_.read_rows(at, rows);
     } else if (is_last) {
       fail(Errc::bad_format, "{}: no row in the file", name_);
     }
     return finish(static_cast<std::size_t>(at.position() - begin), at.line());
   }
-  std::size_t width() const override { return reader_.width(); }
+  std::size_t width() const override { return qhull_ ? qhull_->width() : reader_.width(); }
 
  private:
   WhiteSpaceReader reader_;
+  std::unique_ptr<TextRows> qhull_;  // where the text is in that form
+  bool is_first_ = true;
 };
 
 class DelimitedRows final : public TextRowsInPieces {
  public:
-  DelimitedRows(const std::string& name, char delimiter, std::vector<std::string> columns, std::string last)
-      : TextRowsInPieces(name),
-        columns_(std::move(columns)),
-        reader_({}, name, delimiter, columns_, std::move(last)) {}
+  DelimitedRows(const std::string& name, char delimiter, ColumnChoice choice)
+      : TextRowsInPieces(name), choice_(std::move(choice)), reader_({}, name, delimiter, choice_) {}
   std::size_t read(std::string_view text, bool is_last, PointCollector& rows) override {
-    const std::size_t size = reader_.read_piece(cursor(text), is_last, rows);
+    const auto read_piece = [&] { return reader_.read_piece(cursor(text), is_last, rows); };
+    const std::size_t size = width() > 0 ? read_piece() : with_hint(text, reader_.format(), read_piece);
     if (is_last && width() == 0) fail(Errc::bad_format, "{}: no row and no header in the file", name_);
     return finish(size, reader_.line());
   }
   std::size_t width() const override { return reader_.num_selected(); }
 
  private:
-  const std::vector<std::string> columns_;
+  const ColumnChoice choice_;
   DelimitedReader reader_;
 };
 
 }  // namespace
 
 PointTable read_delimited(std::string_view bytes, const std::string& name, char delimiter,
-                          const std::vector<std::string>& columns, const ReadingInParts& how) {
-  return DelimitedReader(text_of(bytes, name), name, delimiter, columns).read(how);
+                          const ColumnChoice& choice, const ReadingInParts& how) {
+  return with_hint(bytes, delimiter == ',' ? "csv" : "tsv",
+                   [&] { return DelimitedReader(text_of(bytes, name), name, delimiter, choice).read(how); });
 }
 
-PointTable read_white_space(std::string_view bytes, const std::string& name, const ReadingInParts& how) {
+namespace {
+
+PointTable read_rows(std::string_view bytes, const std::string& name, const ReadingInParts& how) {
   TextCursor at(text_of(bytes, name), name);
   if (!at.find_content()) fail(Errc::bad_format, "{}: no row in the file", name);
   WhiteSpaceReader reader;
@@ -386,11 +361,17 @@ PointTable read_white_space(std::string_view bytes, const std::string& name, con
   return points.finish();
 }
 
+}  // namespace
+
+PointTable read_white_space(std::string_view bytes, const std::string& name, const ReadingInParts& how) {
+  if (is_qhull_form(bytes)) return read_qhull(bytes, name);
+  return with_hint(bytes, "txt", [&] { return read_rows(bytes, name, how); });
+}
+
 std::unique_ptr<TextRows> open_text_rows(const std::string& format, const std::string& name,
-                                         std::vector<std::string> columns, std::string last) {
+                                         ColumnChoice choice) {
   if (format == "csv" || format == "tsv")
-    return std::make_unique<DelimitedRows>(name, format == "csv" ? ',' : '\t', std::move(columns),
-                                           std::move(last));
+    return std::make_unique<DelimitedRows>(name, format == "csv" ? ',' : '\t', std::move(choice));
   if (format == "qhull") return open_qhull_rows(name);
   return std::make_unique<WhiteSpaceRows>(name);
 }

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "io/collect.hpp"
+#include "io/points/columns.hpp"
 #include "io/text_cursor.hpp"
 
 #include <cstddef>
@@ -26,10 +27,10 @@ class TextRows {
   virtual std::size_t width() const = 0;
 };
 
-/// `format`: csv, tsv, txt, xyz, pts or qhull. Of csv and tsv `columns`, as read_delimited(), and one that is
-/// put last, if any; the other formats have all.
+/// `format`: csv, tsv, txt, xyz, pts or qhull. Of csv and tsv the columns that are chosen; the other formats
+/// have all.
 std::unique_ptr<TextRows> open_text_rows(const std::string& format, const std::string& name,
-                                         std::vector<std::string> columns = {}, std::string last = {});
+                                         ColumnChoice choice = {});
 std::unique_ptr<TextRows> open_qhull_rows(const std::string& name);
 
 /// Counts the lines of the pieces.
