@@ -79,6 +79,7 @@ int run(int argc, char** argv) {
   add("check", "Check a triangulation exactly, whoever made it", add_check);
   add("generate", "Make a named set of points", add_generate);
   add("info", "Say what a file of points or a triangulation holds", add_info);
+  add("view", "Make a page for a browser that shows a result", add_view);
   app.footer(
       "Points are read from .npy .csv .tsv .txt .xyz .pts .off .ply files, or in Qhull's form from standard "
       "input (-).\n"
