@@ -30,7 +30,8 @@ class Viewer {
     this.isFlat = scene.dimension <= 2;
     this.isSpatial = !this.isFlat;
     this.manyDimensions = scene.dimension > 3;
-    this.plane = { on: false, axis: 2, part: 0.5, flipped: false };
+    // Of a solid triangulation one wants to see the inside.
+    this.plane = { on: scene.kind === "triangulation" && scene.corners === 4 && scene.dimension === 3, axis: 1, part: 0.5, flipped: false };
     this.overlays = { points: null, hull: null, dual: null };
     this.hovered = null;
     this.picture = new Picture($("picture"), { flat: this.isFlat, antialias: scene.numCells < 400000 });
@@ -61,8 +62,8 @@ class Viewer {
     const k = scene.affineDimension;
     if (scene.value) result.set("value", new Quantity(scene.valueName, scene.value, { ofVertices: scene.valueOfVertices }));
     if (scene.radius) result.set("radius", new Quantity("circumradius", scene.radius, { log: true, robust: true }));
-    if (scene.quality) result.set("quality", new Quantity("quality", scene.quality));
-    if (scene.volume) result.set("volume", new Quantity(["", "length", "area", "volume"][Math.min(k, 3)], scene.volume, { robust: true }));
+    if (scene.quality) result.set("quality", new Quantity("quality", scene.quality, { limits: [0, 1] }));
+    if (scene.volume) result.set("volume", new Quantity(["", "length", "area", "volume"][Math.min(k, 3)], scene.volume, { log: true, robust: true }));
     const d = scene.dimension, vertices = this.space.unit.length / d;
     for (let axis = 0; axis < Math.min(d, 12); ++axis) {
       const values = new Float32Array(vertices);
@@ -84,7 +85,7 @@ class Viewer {
 
     panel.group("Colour");
     const first = quantities.has("value") ? "value" : quantities.has("volume") ? "volume"
-      : scene.kind === "hull" || scene.kind === "intersection" ? "axis" + (scene.dimension - 1)
+      : this.manyDimensions && scene.kind === "triangulation" ? "axis3" : scene.kind === "hull" || scene.kind === "intersection" ? "axis" + (scene.dimension - 1)
       : quantities.has("quality") ? "quality" : quantities.has("radius") ? "radius" : "axis0";
     panel.select("by", "color", [...[...quantities].map(([id, { name }]) => [id, name]), ["none", "one colour"]], first, (id) => this.colorBy(id));
     panel.select("map", "map", MAP_NAMES.map((name) => [name, name]), "viridis", (name) => {
@@ -113,11 +114,11 @@ class Viewer {
 
     if (this.isSpatial && scene.numCells > 0) {
       panel.group("Slice");
-      panel.check(`${this.cellWord}s behind a plane only, whole`, "slice", false, (on) => {
+      panel.check(`cut by a plane, ${this.cellWord}s left whole`, "slice", this.plane.on, (on) => {
         this.plane.on = on;
         this.choose();
       });
-      panel.select("across", "slice-axis", [0, 1, 2].map((j) => [j, this.space.names[j]]).concat([[3, "this view"]]), 2, (axis) => {
+      panel.select("across", "slice-axis", [0, 1, 2].map((j) => [j, this.space.names[j]]).concat([[3, "this view"]]), 1, (axis) => {
         this.plane.axis = Number(axis);
         this.plane.on = $("slice").checked = true;
         if (this.plane.axis === 3) this.plane.normal = picture.towardsCamera();
@@ -138,15 +139,9 @@ class Viewer {
     if (scene.numCells > 0 && scene.corners !== 2 && scene.corners !== 1)
       panel.select("faces", "faces", [["solid", "solid"], ["glass", "glass"], ["none", "none"]], this.manyDimensions ? "glass" : "solid",
                    (kind) => this.setFaces(kind));
-    panel.check("edges", "edges", true, (on) => {
-      picture.uniforms.edgeColor.value.setStyle(this.edgeColor);
-      this.edgesOn = on;
-      picture.resize();
-      if (!on) picture.uniforms.edgeWidth.value = 0;
-      picture.draw();
-    });
+    panel.check("edges", "edges", true, (on) => picture.setEdges(on));
     const few = this.space.unit.length / scene.dimension <= 3000;
-    panel.check(scene.sites ? "sites" : "points", "points", scene.sites ? few : few && this.isFlat || scene.corners <= 2 && scene.corners > 0,
+    panel.check(scene.kind === "diagram" ? "sites" : "points", "points", scene.sites ? few : few && this.isFlat || scene.corners <= 2 && scene.corners > 0,
                 (on) => this.toggle("points", on));
     if (scene.kind === "triangulation" && (scene.corners === 3 || scene.corners === 4) && !this.manyDimensions)
       panel.check("hull", "hull", this.isFlat, (on) => this.toggle("hull", on));
@@ -163,7 +158,7 @@ class Viewer {
     }
 
     panel.group("View");
-    panel.buttons(["Show all", "reset", () => picture.fit(this.space.box)], ["Save as PNG", "save", () => this.save()]);
+    panel.buttons(["Show all", "reset", () => picture.fit(this.space.box, this.space.positions)], ["Save as PNG", "save", () => this.save()]);
     panel.note((this.isFlat ? "Drag to move, scroll or pinch to zoom. " : "Drag to turn, right-drag or two fingers to move, scroll or pinch to zoom. ") +
                "Keys: arrows, Shift + arrows, + −, 0, Enter. " +
                (scene.positionError > 0 ? `Positions are rounded: by at most ${shown(scene.positionError)}.` : ""));
@@ -178,7 +173,6 @@ class Viewer {
 
   paint() {
     const dark = matchMedia("(prefers-color-scheme: dark)").matches, { uniforms, lineUniforms, renderer } = this.picture;
-    this.edgeColor = "#0b1118";
     renderer.setClearColor(dark ? 0x14171b : 0xffffff, 1);
     uniforms.plain.value.setRGB(...(dark ? [0.42, 0.58, 0.75] : [0.72, 0.82, 0.92]));
     uniforms.edgeColor.value.setRGB(...(dark ? [0.02, 0.03, 0.05] : [0.07, 0.1, 0.15]));
@@ -233,7 +227,8 @@ class Viewer {
   slicePlane() {
     const { plane, centroids } = this;
     if (!plane.on) return null;
-    let normal = plane.axis === 3 ? plane.normal : [0, 1, 2].map((j) => (j === plane.axis ? 1 : 0));
+    // Normals point to where the camera is in the beginning.
+    let normal = plane.axis === 3 ? plane.normal : [[1, 0, 0], [0, -1, 0], [0, 0, 1]][plane.axis];
     if (plane.flipped) normal = normal.map((x) => -x);
     let low = Infinity, high = -Infinity;
     for (let i = 0; i < centroids.length; i += 3) {
@@ -241,8 +236,8 @@ class Viewer {
       if (t < low) low = t;
       if (t > high) high = t;
     }
-    const part = plane.flipped ? 1 - plane.part : plane.part;
-    return { normal, offset: low + (high - low) * part };
+    const upward = (plane.axis === 1) === plane.flipped;  // whether the slider goes along the normal
+    return { normal, offset: low + (high - low) * (upward ? plane.part : 1 - plane.part) };
   }
 
   // What is drawn besides cells.
@@ -254,7 +249,7 @@ class Viewer {
     this.isStretched = on;
     const { low, high } = this.space.box;
     this.picture.setStretch(low.map((x, j) => (on && high[j] > x ? 1 / (high[j] - x) : 1)));
-    this.picture.fit(this.space.box);
+    this.picture.fit(this.space.box, this.space.positions);
   }
   toggle(name, on) {
     const { picture, space, model, scene } = this;
@@ -265,7 +260,7 @@ class Viewer {
     }
     if (name === "points") {
       const sites = scene.sites ? space.turned(space.unitOf(scene.sites, 2 ** (8 * scene.blocks.sites.bytes) - 1)) : null;
-      this.overlays.points = pointLines(sites ?? space.positions, sites ? KIND.site : KIND.point);
+      this.overlays.points = pointLines(sites ?? space.positions, scene.kind === "diagram" ? KIND.site : KIND.point);
       return this.combine();
     }
     const generator = name === "hull" ? hullLines(model, space.positions) : dualLines(model, space);
@@ -351,7 +346,7 @@ class Viewer {
       else picture.turn(0.09 * x, -0.09 * y);
     } else if (event.key === "+" || event.key === "=") picture.zoom(1.15);
     else if (event.key === "-") picture.zoom(1 / 1.15);
-    else if (event.key === "0" || event.key === "Home") picture.fit(this.space.box);
+    else if (event.key === "0" || event.key === "Home") picture.fit(this.space.box, this.space.positions);
     else if (event.key === "Enter") this.nameAt(picture.canvas.clientWidth / 2, picture.canvas.clientHeight / 2);
     else if (event.key === "Escape") this.setHovered(null);
     else return;

@@ -50,6 +50,7 @@ export class Picture {
     this.makeTriangles();
     this.makeLines();
     this.target = new WebGLRenderTarget(1, 1, { type: UnsignedByteType });
+    this.hasEdges = true;
     this.jobs = [];
     this.drawing = false;
     this.beforeFrame = () => {};
@@ -156,18 +157,28 @@ export class Picture {
     this.draw();
   }
 
+  setEdges(on) {
+    this.hasEdges = on;
+    this.resize();
+  }
+
   setStretch(stretch) {
     this.mesh.scale.set(...stretch);
     this.lines.scale.set(...stretch);
     this.draw();
   }
 
-  /** Looks at the whole box, {low, high}, after it was stretched. */
-  fit({ low, high }) {
+  /** Looks at all positions, whose box is {low, high}, after they were stretched. */
+  fit({ low, high }, positions) {
     const scale = this.mesh.scale.toArray();
     const middle = low.map((x, j) => scale[j] * (x + high[j]) / 2);
     this.size = low.map((x, j) => scale[j] * (high[j] - x));
-    this.radius = Math.hypot(...this.size) / 2 || 0.5;
+    let square = 0;
+    for (let i = 0; i < positions.length; i += 4) {
+      const x = scale[0] * positions[i] - middle[0], y = scale[1] * positions[i + 1] - middle[1], z = scale[2] * positions[i + 2] - middle[2];
+      square = Math.max(square, x * x + y * y + z * z);
+    }
+    this.radius = Math.sqrt(square) || 0.5;
     this.controls.target.set(...middle);
     if (this.flat) {
       this.camera.position.set(middle[0], middle[1], 10);
@@ -176,8 +187,8 @@ export class Picture {
       this.camera.up.set(0, 0, 1);
       const away = new Vector3(0.62, -1.15, 0.62).normalize().multiplyScalar(this.distance());
       this.camera.position.set(...middle).add(away);
-      this.camera.near = this.radius / 500;
-      this.camera.far = this.radius * 60;
+      this.camera.near = this.radius / 200;
+      this.camera.far = this.radius * 40;
     }
     this.resize();
     this.controls.update();
@@ -196,10 +207,12 @@ export class Picture {
     this.renderer.setSize(width, height, false);
     this.renderer.getDrawingBufferSize(this.lineUniforms.size.value);
     this.lineUniforms.pixelRatio.value = ratio;
-    this.uniforms.edgeWidth.value = 0.55 * Math.max(ratio, 1);
+    this.uniforms.edgeWidth.value = this.hasEdges ? 0.55 * Math.max(ratio, 1) : 0;
     if (this.flat && this.size) {
-      const half = 0.54 * Math.max(this.size[1], this.size[0] / aspect, 1e-9);
-      Object.assign(this.camera, { left: -half * aspect, right: half * aspect, top: half, bottom: -half });
+      // Below there is room for the legend.
+      const half = 0.5 * Math.max(this.size[1] / (1 - 112 / Math.max(height, 300)), this.size[0] / aspect * 1.06, 1e-9);
+      const lower = half * 68 / height;
+      Object.assign(this.camera, { left: -half * aspect, right: half * aspect, top: half - lower, bottom: -half - lower });
     }
     this.camera.aspect = aspect;
     this.camera.updateProjectionMatrix();

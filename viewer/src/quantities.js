@@ -2,13 +2,13 @@
 // What cells can be coloured and filtered by: numbers of cells or of vertices, their range, and places within it.
 
 export class Quantity {
-  /** `values`: one for each cell, or each vertex (`ofVertices`); NaN for none. `robust`: outliers do not make the range. */
-  constructor(name, values, { ofVertices = false, log = false, robust = false } = {}) {
+  /** `values`: one for each cell, or each vertex (`ofVertices`); NaN for none. `robust`: outliers do not make the range, which `limits` gives otherwise. */
+  constructor(name, values, { ofVertices = false, log = false, robust = false, limits = null } = {}) {
     Object.assign(this, { name, values, ofVertices, log });
     this.sorted = sampleOf(values);
     this.low = this.quantile(0);
     this.high = this.quantile(1);
-    [this.from, this.to] = robust ? [this.quantile(0.01), this.quantile(0.99)] : [this.low, this.high];
+    [this.from, this.to] = limits ?? (robust ? [this.quantile(0.01), this.quantile(0.99)] : [this.low, this.high]);
     if (this.log && !(this.from > 0)) this.log = false;
   }
   /** The number below which a part of all numbers is; 0 and 1 are exact. */

@@ -55,7 +55,7 @@ void main() {
   // A lamp beside the camera; of flat faces the normal is known from the picture itself.
   vec3 normal = normalize(cross(dFdx(place3), dFdy(place3)));
   float facing = abs(dot(normal, normalize(vec3(0.25, 0.45, 1.0))));
-  base *= mix(1.0, 0.42 + 0.62 * facing, light);
+  base *= mix(1.0, 0.5 + 0.56 * facing, light);
   // The distance from each side in pixels. Where triangles are smaller than lines, there are no lines.
   vec3 perPixel = max(fwidth(barycentric), vec3(1e-6));
   vec3 away = barycentric / perPixel;
@@ -103,6 +103,8 @@ void main() {
     if (a.z > nearest) a = mix(b, a, (nearest - b.z) / (a.z - b.z));
     if (b.z > nearest) b = mix(a, b, (nearest - a.z) / (b.z - a.z));
   }
+  // A little nearer than they are, so that they lie on the faces that they border.
+  if (perspective) { a.xyz *= 0.998; b.xyz *= 0.998; }
   vec4 p = projectionMatrix * a, q = projectionMatrix * b;
   vec2 from = p.xy / p.w * size * 0.5, to = q.xy / q.w * size * 0.5;
   float span = length(to - from);
@@ -114,8 +116,7 @@ void main() {
   vec4 here = end ? q : p;
   at = vec2(end ? reach + margin : -margin, up ? margin : -margin);
   vec2 pixel = from + along * at.x + across * at.y;
-  // A little nearer than it is, so that it lies on the faces that it borders.
-  gl_Position = vec4(pixel / (size * 0.5) * here.w, here.z - (perspective ? 2e-4 : 1e-3) * here.w, here.w);
+  gl_Position = vec4(pixel / (size * 0.5) * here.w, here.z - (perspective ? 0.0 : 1e-3) * here.w, here.w);
 }`;
 
 export const lineFragment = HEAD + `
