@@ -12,8 +12,8 @@ from ._core import (CancelledError, ConvexHull, Delaunay, Error, FurthestSite, H
                     natural_neighbors)
 from ._convex_hulls import ConvexHulls, convex_hulls
 from ._locations import Locations
+from ._methods import attach as _attach
 from ._patch import patch_scipy, scipy_is_patched, unpatch_scipy
-from ._transform import transform as _transform
 
 __all__ = ["CancelledError", "ConvexHull", "ConvexHulls", "Delaunay", "Error", "FurthestSite", "HalfspaceIntersection", "InputError",
            "LinearInterpolator", "Locations", "NaturalNeighborInterpolator", "OutOfMemoryError", "PowerDiagram", "Regular",
@@ -25,7 +25,7 @@ for _type in (ConvexHull, ConvexHulls, Delaunay, FurthestSite, HalfspaceIntersec
     _type.__module__ = "delone"
 del _type
 convex_hulls.__module__ = "delone"
-Delaunay.__base__.transform = property(_transform)
+_attach()
 
 
 def __getattr__(name):

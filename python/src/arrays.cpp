@@ -121,6 +121,18 @@ void refuse_rounded(const py::object& object, const py::array& converted, const 
     refuse_inexact(name, index, original);
 }
 
+/// pandas is never imported for this: whoever has a DataFrame has imported it.
+bool is_frame(const py::object& object) {
+  const py::object modules = py::module_::import("sys").attr("modules");
+  const py::object pandas = modules.attr("get")("pandas");
+  const py::object type = py::getattr(pandas, "DataFrame", py::none());
+  return !type.is_none() && py::isinstance(object, type);
+}
+
+py::array_t<double> frame_as_doubles(const py::object& frame, const std::string& name, bool is_finite) {
+  return py::array_t<double>(py::module_::import("delone._frames").attr("numbers")(frame, name, is_finite));
+}
+
 void refuse_masked(const py::object& object, const std::string& name) {
   const py::object ma = py::module_::import("numpy").attr("ma");
   if (py::isinstance(object, ma.attr("MaskedArray")) && py::bool_(ma.attr("is_masked")(object)))
@@ -129,9 +141,27 @@ void refuse_masked(const py::object& object, const std::string& name) {
 
 }  // namespace
 
+py::object columns_of(const py::object& object) {
+  return is_frame(object) ? py::object(py::module_::import("delone._frames").attr("columns")(object))
+                          : py::object(py::none());
+}
+
+py::object as_columns(const py::object& object, int count) {
+  if (!object.is_none() &&
+      (!py::isinstance<py::tuple>(object) || py::len(object) != static_cast<std::size_t>(count)))
+    throw py::value_error("columns: None, or a tuple of " + std::to_string(count));
+  return object;
+}
+
+void require_columns(const py::object& object, const py::object& columns, const std::string& name) {
+  if (!columns.is_none() && is_frame(object))
+    py::module_::import("delone._frames").attr("require_columns")(object, columns, name);
+}
+
 py::array as_numbers(const py::object& object, const std::string& name) {
   const py::module_ numpy = py::module_::import("numpy");
   refuse_masked(object, name);
+  if (is_frame(object)) return as_doubles(object, name);
   const py::array array = numpy.attr("asarray")(object);
   if (array.dtype().kind() != 'c') return as_doubles(object, name);
   const py::array numbers = numpy.attr("asarray")(array, "complex128", py::arg("order") = "C");
@@ -143,6 +173,7 @@ py::array as_numbers(const py::object& object, const std::string& name) {
 
 py::array_t<double> as_doubles(const py::object& object, const std::string& name) {
   if (is_plain(object)) return py::reinterpret_borrow<py::array_t<double>>(object);
+  if (is_frame(object)) return frame_as_doubles(object, name, false);
   const py::module_ numpy = py::module_::import("numpy");
   refuse_masked(object, name);
   const py::array array = numpy.attr("asarray")(object);
@@ -164,7 +195,7 @@ py::array_t<double> as_doubles(const py::object& object, const std::string& name
 }
 
 py::array_t<double> as_points(const py::object& object, const std::string& name) {
-  auto points = as_doubles(object, name);
+  auto points = is_frame(object) ? frame_as_doubles(object, name, true) : as_doubles(object, name);
   if (points.ndim() != 2 || points.shape(1) < 1)
     throw py::value_error(name + ": an array of shape (n, d), d at least 1, not " +
                           shown(points.attr("shape")));
@@ -173,7 +204,9 @@ py::array_t<double> as_points(const py::object& object, const std::string& name)
   return points;
 }
 
-Queries::Queries(const py::object& object, int dimension) : array_(as_doubles(object, "queries")) {
+Queries::Queries(const py::object& object, int dimension, const py::object& columns)
+    : array_(is_frame(object) ? frame_as_doubles(object, "queries", true) : as_doubles(object, "queries")) {
+  require_columns(object, columns, "queries");
   if (array_.ndim() < 1 || array_.shape(array_.ndim() - 1) != dimension)
     throw py::value_error("queries: an array of shape (..., " + std::to_string(dimension) + "), not " +
                           shown(array_.attr("shape")));

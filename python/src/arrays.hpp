@@ -19,11 +19,20 @@ namespace delone::python {
 
 namespace py = pybind11;
 
-/// Any array-like of real numbers as C-contiguous float64. Raises InputError for an integer, long double or
-/// other number that float64 cannot represent exactly, and for objects that are no numbers, naming the row;
-/// ValueError for masked, complex or ragged input. `name` is the name of the argument. Values may be NaN or
-/// infinite.
+/// Any array-like of real numbers, or a pandas DataFrame, as C-contiguous float64. Raises InputError for an
+/// integer, long double or other number that float64 cannot represent exactly, and for objects that are no
+/// numbers, naming the row; ValueError for masked, complex or ragged input. `name` is the name of the
+/// argument. Values may be NaN or infinite.
 py::array_t<double> as_doubles(const py::object& object, const std::string& name);
+
+/// The labels of the columns of a pandas DataFrame, a tuple; None of anything else.
+py::object columns_of(const py::object& object);
+
+/// What a pickle has for columns. Raises ValueError unless it is None, or a tuple of so many.
+py::object as_columns(const py::object& object, int count);
+
+/// Raises ValueError if the object is a DataFrame with other columns than `columns`, a tuple or None.
+void require_columns(const py::object& object, const py::object& columns, const std::string& name);
 
 /// The same; complex numbers as complex128.
 py::array as_numbers(const py::object& object, const std::string& name);
@@ -32,13 +41,16 @@ inline std::span<const double> numbers(const py::array_t<double>& array) {
   return {array.data(), static_cast<std::size_t>(array.size())};
 }
 
-/// An (n, d) array of points, d ≥ 1. Raises ValueError for any other shape.
+/// An (n, d) array of points, d ≥ 1. Raises ValueError for any other shape, InputError for numbers of a
+/// DataFrame that are not finite.
 py::array_t<double> as_points(const py::object& object, const std::string& name);
 
 /// Queries of shape (…, d), and arrays with one answer for each.
 class Queries {
  public:
-  Queries(const py::object& object, int dimension);
+  /// `held`: what is asked, with dimension() and columns(), which a DataFrame must have, too.
+  template <class Held>
+  Queries(const py::object& object, const Held& held) : Queries(object, held.dimension(), held.columns()) {}
   std::span<const double> coordinates() const { return numbers(array_); }
   std::size_t size() const { return size_; }
   /// A new array of shape (…, further).
@@ -54,6 +66,8 @@ class Queries {
   }
 
  private:
+  Queries(const py::object& object, int dimension, const py::object& columns);
+
   py::array_t<double> array_;
   std::vector<py::ssize_t> shape_;  // without the last one
   std::size_t size_ = 0;

@@ -29,6 +29,9 @@ class HeldHull {
 
   int dimension() const { return hull_.dimension(); }
   const BuildArguments& arguments() const { return arguments_; }
+  /// The labels of the columns of the DataFrame that it was made of, a tuple, or None.
+  const py::object& columns() const { return columns_; }
+  void set_columns(py::object columns) { columns_ = std::move(columns); }
 
   /// Returns question(hull).
   template <class Question>
@@ -38,6 +41,7 @@ class HeldHull {
 
   void add(const py::object& points, const py::object& progress) {
     const auto rows = as_points(points, "points");
+    require_columns(points, columns_, "points");
     if (rows.shape(1) != dimension())
       throw py::value_error("points: " + std::to_string(rows.shape(1)) + " coordinates per row, not " +
                             std::to_string(dimension()));
@@ -78,6 +82,7 @@ class HeldHull {
   }
 
   BuildArguments arguments_;
+  py::object columns_ = py::none();
   Guard guard_;  // of all members below
   ConvexHull<> hull_;
   std::vector<std::size_t> batches_;
@@ -91,6 +96,7 @@ std::unique_ptr<HeldHull> construct(const py::object& points, double tolerance, 
   auto held = std::make_unique<HeldHull>(static_cast<int>(rows.shape(1)),
                                          BuildArguments{seed, std::move(order), threads}, tolerance);
   held->add(rows, progress);
+  held->set_columns(columns_of(points));
   return held;
 }
 
@@ -100,6 +106,7 @@ py::tuple of_extreme_points(const py::object& points, double tolerance, std::uin
   auto held = std::make_unique<HeldHull>(static_cast<int>(rows.shape(1)),
                                          BuildArguments{seed, std::move(order), threads}, tolerance);
   py::array which = list_view(held->add_extreme(rows, progress));
+  held->set_columns(columns_of(points));
   return py::make_tuple(py::cast(std::move(held)), which);
 }
 
@@ -114,7 +121,7 @@ py::array list_of(const HeldHull& held) {
 }
 
 py::object locate(const HeldHull& held, const py::object& object) {
-  const Queries queries(object, held.dimension());
+  const Queries queries(object, held);
   const std::size_t count = queries.size(), d = static_cast<std::size_t>(held.dimension());
   std::vector<std::uint8_t> kinds(count);
   std::vector<SignedIndex> cells(count), rows;
@@ -137,7 +144,7 @@ py::object locate(const HeldHull& held, const py::object& object) {
 }
 
 py::object contains(const HeldHull& held, const py::object& object) {
-  const Queries queries(object, held.dimension());
+  const Queries queries(object, held);
   auto result = queries.answers<bool>();
   const std::size_t d = static_cast<std::size_t>(held.dimension());
   held.ask([&, x = queries.coordinates(), out = result.mutable_data()](const Polytope& hull) {
@@ -150,7 +157,7 @@ py::object contains(const HeldHull& held, const py::object& object) {
 }
 
 py::array plane_distance(const HeldHull& held, const py::object& object) {
-  const Queries queries(object, held.dimension());
+  const Queries queries(object, held);
   const auto data = held.data();
   const std::size_t facets = data->num_facets(), d = static_cast<std::size_t>(held.dimension());
   auto result = queries.answers<double>({facets});
@@ -172,7 +179,7 @@ py::array plane_distance(const HeldHull& held, const py::object& object) {
 }
 
 py::array visible_facets(const HeldHull& held, const py::object& point) {
-  const Queries query(point, held.dimension());
+  const Queries query(point, held);
   if (query.size() != 1) throw py::value_error("point: one point of shape (d,)");
   return list_view(
       held.ask([x = query.coordinates()](const Polytope& hull) { return hull.visible_facets(x); }));
@@ -198,6 +205,30 @@ py::array points(const HeldHull& held) {
   return rows_view(data->points, data->num_points(), static_cast<std::size_t>(data->dimension), data);
 }
 
+/// What pictures are drawn from: the vertices of up to `limit` cells, evenly chosen, (s, k, d) float64, and
+/// the facets that these belong to, (s,).
+py::tuple sample(const HeldHull& held, std::size_t limit) {
+  std::vector<double> corners;
+  std::vector<SignedIndex> facets;
+  std::size_t k = 0;
+  held.ask([&](const Polytope& hull) {
+    const HullData& data = hull.data();
+    k = width(data);
+    const std::size_t step = data.num_cells() / std::max<std::size_t>(limit, 1) + 1;
+    for (std::size_t cell = 0; cell < data.num_cells(); cell += step) {
+      facets.push_back(data.facet_of_cell[cell]);
+      for (std::size_t i = 0; i < k; ++i) {
+        const auto x = hull.point(static_cast<std::size_t>(data.cells[cell * k + i]));
+        corners.insert(corners.end(), x.begin(), x.end());
+      }
+    }
+  });
+  const auto d = static_cast<std::size_t>(held.dimension());
+  const std::size_t count = facets.size();
+  return py::make_tuple(rows_view(std::move(corners), count * k, d).attr("reshape")(count, k, d),
+                        list_view(std::move(facets)));
+}
+
 py::tuple state(const HeldHull& held) {
   const BuildArguments& a = held.arguments();
   const double tolerance = held.ask([](const Polytope& hull) { return hull.tolerance(); });
@@ -207,12 +238,12 @@ py::tuple state(const HeldHull& held) {
     // Other threads may have added rows meanwhile.
     if (num_rows(batches) == static_cast<std::size_t>(rows.shape(0)))
       return py::make_tuple(held.dimension(), rows, batches_to_state(batches), a.seed, a.order, a.threads,
-                            tolerance);
+                            tolerance, held.columns());
   }
 }
 
 std::unique_ptr<HeldHull> restored(const py::tuple& given) {
-  return from_state(given, 7, "a hull", [](const py::tuple& state) {
+  return from_state(given, 8, "a hull", [](const py::tuple& state) {
     const auto points = as_points(state[1], "points");
     auto held = std::make_unique<HeldHull>(
         state[0].cast<int>(),
@@ -220,6 +251,7 @@ std::unique_ptr<HeldHull> restored(const py::tuple& given) {
         state[6].cast<double>());
     add_batches(state[2], points.shape(0),
                 [&](const py::slice& rows) { held->add(points[rows], py::none()); });
+    held->set_columns(as_columns(state[7], held->dimension()));
     return held;
   });
 }
@@ -336,6 +368,8 @@ void bind_convex_hull(py::module_& module) {
       .def_property_readonly("num_ridges", asking([](const Polytope& h) { return h.num_ridges(); }),
                              "r, the ridges of the polytope: where two facets meet.")
       .def("__len__", asking([](const Polytope& h) { return h.num_facets(); }))
+      .def_property_readonly("columns", &HeldHull::columns, "As those of Delaunay.")
+      .def("_sample", &sample, "limit"_a)
       .def_property_readonly("points", &points, "(n, d) float64: all rows of the input, in their order.")
       .def_property_readonly(
           "cells",

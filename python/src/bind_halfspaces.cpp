@@ -10,6 +10,7 @@
 
 #include <delone/halfspaces.hpp>
 
+#include <algorithm>
 #include <memory>
 #include <mutex>
 #include <optional>
@@ -33,6 +34,7 @@ class HeldIntersection {
       : arguments_(arguments) {
     const auto rows = as_rows(halfspaces);
     dimension_ = static_cast<int>(rows.shape(1)) - 1;
+    columns_ = columns_of(halfspaces);
     py::array_t<double> interior(0);
     has_interior_ = !interior_point.is_none();
     if (has_interior_) interior = as_doubles(interior_point, "interior_point");
@@ -51,6 +53,9 @@ class HeldIntersection {
   int dimension() const { return dimension_; }
   const BuildArguments& arguments() const { return arguments_; }
   bool has_interior_point() const { return has_interior_; }
+  /// The labels of the columns of the DataFrame of its halfspaces, a tuple, or None.
+  const py::object& columns() const { return columns_; }
+  void set_columns(py::object columns) { columns_ = std::move(columns); }
 
   template <class Question>
   auto ask(Question question) const {
@@ -59,6 +64,7 @@ class HeldIntersection {
 
   void add(const py::object& halfspaces, const py::object& progress) {
     const auto rows = as_rows(halfspaces);
+    require_columns(halfspaces, columns_, "halfspaces");
     if (rows.shape(1) != dimension_ + 1)
       throw py::value_error("halfspaces: " + std::to_string(rows.shape(1)) + " numbers per row, not " +
                             std::to_string(dimension_ + 1));
@@ -85,6 +91,7 @@ class HeldIntersection {
   }
 
   BuildArguments arguments_;
+  py::object columns_ = py::none();
   int dimension_ = 0;
   bool has_interior_ = false;
   Guard guard_;  // of all members below
@@ -139,19 +146,39 @@ std::string repr(const HeldIntersection& held) {
   });
 }
 
+/// What pictures are drawn from, float64: the ends of up to `limit` edges, evenly chosen, (s, 2, d), and how
+/// many edges there are.
+py::tuple sample(const HeldIntersection& held, std::size_t limit) {
+  std::vector<double> ends;
+  const auto d = static_cast<std::size_t>(held.dimension());
+  const std::size_t num_edges = held.ask([&](const Polyhedron& intersection) {
+    const IntersectionData& data = intersection.data();
+    const std::size_t count = data.edges.size() / 2, step = count / std::max<std::size_t>(limit, 1) + 1;
+    for (std::size_t i = 0; i < 2 * count; i += (i % 2 == 0 ? 1 : 2 * step - 1)) {
+      const double* const x = data.vertices.data() + static_cast<std::size_t>(data.edges[i]) * d;
+      ends.insert(ends.end(), x, x + d);
+    }
+    return count;
+  });
+  const std::size_t count = ends.size() / (2 * d);
+  return py::make_tuple(rows_view(std::move(ends), 2 * count, d).attr("reshape")(count, 2, d), num_edges);
+}
+
 py::tuple state(const HeldIntersection& held) {
   const BuildArguments& a = held.arguments();
   return py::make_tuple(rows_of<&IntersectionData::halfspaces, 1>(held),
                         held.has_interior_point() ? py::object(interior_point(held)) : py::none(), a.seed,
-                        a.order, a.threads);
+                        a.order, a.threads, held.columns());
 }
 
 std::unique_ptr<HeldIntersection> restored(const py::tuple& given) {
-  return from_state(given, 5, "an intersection", [](const py::tuple& state) {
-    return std::make_unique<HeldIntersection>(
+  return from_state(given, 6, "an intersection", [](const py::tuple& state) {
+    auto held = std::make_unique<HeldIntersection>(
         state[0], state[1],
         BuildArguments{state[2].cast<std::uint64_t>(), state[3].cast<std::string>(), state[4].cast<int>()},
         py::none());
+    held->set_columns(as_columns(state[5], held->dimension() + 1));
+    return held;
   });
 }
 
@@ -235,6 +262,9 @@ void bind_halfspaces(py::module_& module) {
       .def_property_readonly("num_facets", asking([](const Polyhedron& h) { return h.num_facets(); }),
                              "f, the facets; also len().")
       .def("__len__", asking([](const Polyhedron& h) { return h.num_facets(); }))
+      .def("_sample", &sample, "limit"_a)
+      .def_property_readonly("columns", &HeldIntersection::columns,
+                             "As those of Delaunay, of the d+1 numbers of each halfspace.")
       .def_property_readonly("halfspaces", &rows_of<&Data::halfspaces, 1>,
                              "(m, d+1) float64: all rows of the input, in their order.")
       .def_property_readonly(

@@ -54,7 +54,7 @@ class NeighborLists {
 py::tuple natural_neighbors(const py::object& points, const py::object& object) {
   const py::object source = triangulation_of(points);
   const auto& held = source.cast<const HeldTriangulation&>();
-  const Queries queries(object, held.dimension());
+  const Queries queries(object, held);
   NeighborLists lists(queries.size());
   Supervisor supervisor;
   supervisor.run([&, x = queries.coordinates()] {
@@ -97,7 +97,7 @@ class HeldNaturalInterpolator : public HeldFunction<NaturalNeighborInterpolator>
   }
 
   py::tuple neighbors(const py::object& object) const {
-    const Queries queries(object, triangulation().dimension());
+    const Queries queries(object, triangulation());
     NeighborLists lists(queries.size());
     run([&, x = queries.coordinates()](const Triangulation& engine) {
       lists.find(function().coordinates(), engine, x, how_to_locate());

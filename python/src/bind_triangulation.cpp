@@ -50,6 +50,7 @@ py::array_t<double> as_weights(const py::object& object, py::ssize_t count) {
 
 void add(Held& held, const py::object& points, const py::object& weights, const py::object& progress) {
   const auto rows = as_points(points, "points");
+  require_columns(points, held.columns(), "points");
   if (rows.shape(1) != held.dimension())
     throw py::value_error("points: " + std::to_string(rows.shape(1)) + " coordinates per row, not " +
                           std::to_string(held.dimension()));
@@ -66,10 +67,17 @@ std::unique_ptr<T> construct(const py::object& points, const py::object& weights
   auto held =
       std::make_unique<T>(static_cast<int>(rows.shape(1)), BuildArguments{seed, std::move(order), threads});
   add(*held, rows, weights, progress);
+  held->set_columns(columns_of(points));
   return held;
 }
 
-/// Forwards a question without arguments to the engine.
+/// Forwards a question without arguments to the engine, one that does not depend on the numbers of cells.
+template <class Question>
+auto count(const Held& held, Question question) {
+  Supervisor supervisor;
+  return supervisor.run([&] { return held.with_unsorted(question); });
+}
+/// The same for other questions.
 template <class Question>
 auto ask(const Held& held, Question question) {
   Supervisor supervisor;
@@ -188,7 +196,7 @@ void locate_each(const Held& held, const Queries& queries, LocateOptions options
 }
 
 py::object find_simplex(const Held& held, const py::object& object, double tolerance) {
-  const Queries queries(object, held.dimension());
+  const Queries queries(object, held);
   auto cells = queries.answers<SignedIndex>();
   locate_each(held, queries, {.tolerance = tolerance, .coordinates = false},
               [out = cells.mutable_data()](std::size_t query, const LocatedPoint&, SignedIndex cell,
@@ -197,7 +205,7 @@ py::object find_simplex(const Held& held, const py::object& object, double toler
 }
 
 py::object locate(const Held& held, const py::object& object, double tolerance) {
-  const Queries queries(object, held.dimension());
+  const Queries queries(object, held);
   const std::size_t count = queries.size();
   std::vector<std::uint8_t> kinds(count);
   std::vector<SignedIndex> cells(count);
@@ -228,7 +236,7 @@ py::object locate(const Held& held, const py::object& object, double tolerance) 
 }
 
 py::tuple barycentric(const Held& held, const py::object& object, double tolerance) {
-  const Queries queries(object, held.dimension());
+  const Queries queries(object, held);
   const auto size =
       static_cast<std::size_t>(ask(held, [](const Triangulation& t) { return t.affine_dimension(); }) + 1);
   auto cells = queries.answers<SignedIndex>();
@@ -253,7 +261,7 @@ py::tuple barycentric(const Held& held, const py::object& object, double toleran
 /// roughly the nearest first. −1 if none accepts.
 py::array find_accepting(const Held& held, const py::object& object, const Reals& transform,
                          const Rows& neighbors, double tolerance, double broad, double radius) {
-  const Queries queries(object, held.dimension());
+  const Queries queries(object, held);
   const auto d = static_cast<std::size_t>(held.dimension());
   const auto count = static_cast<std::size_t>(neighbors.shape(0));
   if (transform.size() != static_cast<py::ssize_t>(count * d * (d + 1)) ||
@@ -379,7 +387,7 @@ void visit_nearest(const PointLocator& locator, std::span<const double> queries,
 
 py::tuple nearest(const Held& held, const py::object& object, std::optional<py::ssize_t> k) {
   if (k && *k < 1) throw py::value_error("k: at least 1, not " + std::to_string(*k));
-  const Queries queries(object, held.dimension());
+  const Queries queries(object, held);
   const auto width = static_cast<std::size_t>(k.value_or(1));
   auto rows = k ? queries.answers<SignedIndex>({width}) : queries.answers<SignedIndex>();
   auto distances = k ? queries.answers<double>({width}) : queries.answers<double>();
@@ -399,12 +407,80 @@ py::tuple nearest(const Held& held, const py::object& object, std::optional<py::
   return py::make_tuple(Queries::scalar_if_single(rows), Queries::scalar_if_single(distances));
 }
 
+/// What pictures are drawn from, float64: the vertices of up to `limit` cells, (s, k+1, d), those of the
+/// facets of the hull, (h, k, d), if there are no more, and the bounding box of these, (2, d). Of many cells
+/// a sample: for every n-th row the incident cell of smallest rows, or for k > 3 the row alone, (s, 1, d). A
+/// function of the points. Cost: O(limit) stars.
+py::tuple sample(const Held& held, std::size_t limit) {
+  using Simplices = std::vector<std::vector<std::size_t>>;  // rows, increasing
+  Simplices cells, facets;
+  std::size_t cell_size = 0, facet_size = 0;
+  std::vector<double> corners, ends, box(2 * static_cast<std::size_t>(held.dimension()));
+  count(held, [&](const Triangulation& t) {
+    const Complex complex = t.complex();
+    if (t.affine_dimension() < 0) return;
+    const auto k = static_cast<std::size_t>(t.affine_dimension());
+    cell_size = k + 1, facet_size = k;
+    const auto rows_of = [&](CellId cell) {
+      std::vector<std::size_t> rows;
+      for (const VertexId v : complex.vertices(cell))
+        if (!complex.is_infinite(v)) rows.push_back(t.row_of(v));
+      std::sort(rows.begin(), rows.end());
+      return rows;
+    };
+    if (k > 0 && complex.num_infinite_cells() <= limit)
+      for (const CellId cell : complex.star(infinite_vertex)) facets.push_back(rows_of(cell));
+    if (complex.num_finite_cells() <= limit) {
+      for (const CellId cell : complex.finite_cells()) cells.push_back(rows_of(cell));
+    } else {
+      if (k > 3) cell_size = 1;
+      for (std::size_t i = 0; i < limit; ++i) {
+        const std::size_t row = i * t.num_rows() / limit;
+        const VertexId v = t.vertex_at(row);
+        if (v == invalid_vertex) continue;
+        std::vector<std::size_t> smallest;
+        if (k > 3)
+          smallest = {row};
+        else
+          for (const CellId cell : complex.star(v))
+            if (!complex.is_infinite(cell))
+              if (auto rows = rows_of(cell); smallest.empty() || rows < smallest) smallest = std::move(rows);
+        cells.push_back(std::move(smallest));
+      }
+    }
+    const std::size_t d = box.size() / 2;
+    bool is_first = true;
+    const auto append = [&](Simplices& simplices, std::vector<double>& to) {
+      std::sort(simplices.begin(), simplices.end());
+      simplices.erase(std::unique(simplices.begin(), simplices.end()), simplices.end());
+      for (const auto& rows : simplices)
+        for (const std::size_t row : rows) {
+          const auto x = t.point(t.vertex_at(row));
+          to.insert(to.end(), x.begin(), x.end());
+          for (std::size_t j = 0; j < d; ++j) {
+            box[j] = is_first ? x[j] : std::min(box[j], x[j]);
+            box[d + j] = is_first ? x[j] : std::max(box[d + j], x[j]);
+          }
+          is_first = false;
+        }
+    };
+    append(cells, corners);
+    append(facets, ends);
+  });
+  const std::size_t d = box.size() / 2;
+  const auto shaped = [d](std::vector<double>&& items, std::size_t first, std::size_t second) {
+    return rows_view(std::move(items), first * second, d).attr("reshape")(first, second, d);
+  };
+  return py::make_tuple(shaped(std::move(corners), cells.size(), cell_size),
+                        shaped(std::move(ends), facets.size(), facet_size), rows_view(std::move(box), 2, d));
+}
+
 py::dict statistics(const Held& held) {
   return as_dict(ask(held, [](const Triangulation& t) { return t.statistics(); }));
 }
 
 std::string repr(const Held& held) {
-  return ask(held, [&](const Triangulation& t) {
+  return count(held, [&](const Triangulation& t) {
     std::string text = std::string("<delone.") + name_of(held) + ": " + std::to_string(t.num_points()) +
                        " points in dimension " + std::to_string(t.dimension());
     if (t.affine_dimension() < t.dimension())
@@ -424,13 +500,13 @@ py::tuple state(const Held& held) {
     if (num_rows(batches) == static_cast<std::size_t>(rows.shape(0)) &&
         (numbers.is_none() || py::len(numbers) == static_cast<std::size_t>(rows.shape(0))))
       return py::make_tuple(held.dimension(), rows, numbers, batches_to_state(batches), a.seed, a.order,
-                            a.threads);
+                            a.threads, held.columns());
   }
 }
 
 template <class T>
 std::unique_ptr<T> restored(const py::tuple& given) {
-  return from_state(given, 7, "a triangulation", [](const py::tuple& state) {
+  return from_state(given, 8, "a triangulation", [](const py::tuple& state) {
     const auto points = as_points(state[1], "points");
     auto held = std::make_unique<T>(
         state[0].cast<int>(),
@@ -441,6 +517,7 @@ std::unique_ptr<T> restored(const py::tuple& given) {
     add_batches(state[3], points.shape(0), [&](const py::slice& rows) {
       add(*held, points[rows], weights.is_none() ? weights : py::object(weights[rows]), py::none());
     });
+    held->set_columns(as_columns(state[7], held->dimension()));
     return held;
   });
 }
@@ -495,6 +572,11 @@ constexpr const char* find_simplex_doc =
     "than the set. Cost: nothing for\n"
     "queries in thick cells; otherwise it depends on the number of cells within t.";
 
+constexpr const char* columns_doc =
+    "The labels of the columns of the pandas DataFrame that it was made of, a tuple; None if it was not. "
+    "DataFrames of further points, and of\n"
+    "queries, must have the same columns in the same order, or ValueError is raised.";
+
 constexpr const char* nearest_doc =
     "(rows, distances), each (...): the input row of the point nearest to each query (..., d), and its "
     "distance.\n\n"
@@ -536,11 +618,12 @@ are the extreme points, all others are hidden. One thread builds it. All else as
 
 void bind_triangulations(py::module_& module) {
   py::class_<Held, std::shared_ptr<Held>> base(
-      module, "Triangulation", "What Delaunay, Regular and FurthestSite share. k is the affine dimension.");
+      module, "Triangulation",
+      "Triangulation()\n--\n\nWhat Delaunay, Regular and FurthestSite share. k is the affine dimension.");
   base.def_property_readonly("dimension", &Held::dimension, "d, the number of coordinates.")
       .def_property_readonly(
           "affine_dimension",
-          [](const Held& h) { return ask(h, [](const Triangulation& t) { return t.affine_dimension(); }); },
+          [](const Held& h) { return count(h, [](const Triangulation& t) { return t.affine_dimension(); }); },
           "k, the dimension of the smallest flat that contains all points: k <= d; 0 for one distinct point, "
           "-1 for none.")
       .def_property_readonly(
@@ -551,22 +634,23 @@ void bind_triangulations(py::module_& module) {
           "k coordinate axes onto which the flat of the points projects one-to-one, increasing.")
       .def_property_readonly(
           "num_points",
-          [](const Held& h) { return ask(h, [](const Triangulation& t) { return t.num_points(); }); },
+          [](const Held& h) { return count(h, [](const Triangulation& t) { return t.num_points(); }); },
           "n, the rows of the input.")
       .def_property_readonly(
           "num_vertices",
-          [](const Held& h) { return ask(h, [](const Triangulation& t) { return t.num_vertices(); }); },
+          [](const Held& h) { return count(h, [](const Triangulation& t) { return t.num_vertices(); }); },
           "Distinct points that are not hidden.")
       .def_property_readonly(
           "num_duplicates",
-          [](const Held& h) { return ask(h, [](const Triangulation& t) { return t.num_duplicates(); }); },
+          [](const Held& h) { return count(h, [](const Triangulation& t) { return t.num_duplicates(); }); },
           "Rows that are equal to an earlier one.")
       .def_property_readonly(
           "num_cells",
-          [](const Held& h) { return ask(h, [](const Triangulation& t) { return t.num_finite_cells(); }); },
+          [](const Held& h) { return count(h, [](const Triangulation& t) { return t.num_finite_cells(); }); },
           "m, the number of cells.")
-      .def("__len__",
-           [](const Held& h) { return ask(h, [](const Triangulation& t) { return t.num_finite_cells(); }); })
+      .def(
+          "__len__",
+          [](const Held& h) { return count(h, [](const Triangulation& t) { return t.num_finite_cells(); }); })
       .def_property_readonly("points", &points, "(n, d) float64, read-only. Made on first use.")
       .def_property_readonly(
           "cells",
@@ -625,6 +709,8 @@ void bind_triangulations(py::module_& module) {
            "A weight is 0 exactly if the query is on the facet opposite that vertex. -1 and NaN outside. "
            "With a tolerance, see\n"
            "find_simplex, they are those of the point x'.")
+      .def_property_readonly("columns", &Held::columns, columns_doc)
+      .def("_sample", &sample, "limit"_a)
       .def("_find_accepting", &find_accepting, "queries"_a, "transform"_a, "neighbors"_a, "tolerance"_a,
            "broad"_a, "radius"_a)
       .def("nearest", &nearest, "queries"_a, "k"_a = py::none(), nearest_doc)

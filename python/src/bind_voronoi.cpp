@@ -32,6 +32,7 @@ class HeldDiagram {
     const auto& source = triangulation.cast<const HeldTriangulation&>();
     is_furthest_ = source.form() == Form::furthest_site;
     threads_ = source.threads();
+    columns_ = source.columns();
     const DiagramOptions options{.tolerance = tolerance, .threads = threads_};
     Supervisor supervisor;
     for (std::uint64_t version = source.version() + 1;
@@ -64,6 +65,7 @@ class HeldDiagram {
   std::size_t dimension() const { return static_cast<std::size_t>(diagram_->dimension()); }
   unsigned threads() const { return threads_; }
   bool is_furthest() const { return is_furthest_; }
+  const py::object& columns() const { return columns_; }
   py::array ray_directions() const {
     const auto there = diagram_->ray_directions();
     if (!is_furthest_) return rows(there, diagram_->num_rays(), dimension());
@@ -86,7 +88,7 @@ class HeldDiagram {
   }
 
  private:
-  py::object source_type_, source_state_;
+  py::object source_type_, source_state_, columns_;
   unsigned threads_ = 1;  // those of the triangulation
   bool is_furthest_ = false;
   std::shared_ptr<const Diagram> diagram_;
@@ -137,6 +139,9 @@ std::string repr(const HeldDiagram& held, const char* name) {
 }
 
 constexpr const char* diagram_doc = R"(
+Diagram()
+--
+
 What Voronoi and PowerDiagram share.
 
 k is the affine dimension of the points: those of a k-flat have their diagram inside the flat. Which regions, ridges
@@ -226,6 +231,7 @@ void bind_voronoi(py::module_& module) {
       .def_property_readonly(
           "num_rays", [](const HeldDiagram& h) { return h.diagram().num_rays(); },
           "How many unbounded edges.")
+      .def_property_readonly("columns", &HeldDiagram::columns, "Those of the triangulation, see Delaunay.")
       .def_property_readonly("points", &HeldDiagram::points,
                              "(n, d) float64: all rows of the input, in their order.")
       .def_property_readonly(

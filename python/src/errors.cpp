@@ -21,11 +21,12 @@ Types& types() {
 
 py::object make(py::module_& module, const char* name, const py::tuple& bases, const char* doc) {
   py::dict members;
-  members["__doc__"] = doc;
+  members["__doc__"] = std::string(name) + "(*args)\n--\n\n" + doc;  // for inspect.signature()
   members["__module__"] = "delone";
   py::object type = py::reinterpret_steal<py::object>(PyObject_CallFunction(
       reinterpret_cast<PyObject*>(&PyType_Type), "sOO", name, bases.ptr(), members.ptr()));
   if (!type) throw py::error_already_set();
+  type.attr("__doc__") = doc;
   module.attr(name) = type;
   return type;
 }

@@ -48,12 +48,12 @@ template <class Function>
 class HeldFunction {
  public:
   py::object evaluate(const py::object& object) const {
-    const Queries queries(object, triangulation().dimension());
+    const Queries queries(object, triangulation());
     return is_complex_ ? evaluate_as<std::complex<double>>(queries) : evaluate_as<double>(queries);
   }
 
   py::array gradient(const py::object& object) const {
-    const Queries queries(object, triangulation().dimension());
+    const Queries queries(object, triangulation());
     auto shape = shape_of(queries);
     shape.push_back(triangulation().dimension());
     std::vector<double> parts(queries.coordinates().size() * parts_);

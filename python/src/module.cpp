@@ -95,4 +95,5 @@ PYBIND11_MODULE(_core, module) {
   require_initialized_objects(module);
   refuse_to_make_the_base();
   reduce_in_one_way(module);
+  python::give_signatures(module);
 }

@@ -19,6 +19,7 @@
 #include <shared_mutex>
 #include <stdexcept>
 #include <string>
+#include <type_traits>
 #include <utility>
 
 namespace delone::python {
@@ -30,11 +31,24 @@ namespace py = pybind11;
 /// the library.
 class Supervisor {
  public:
-  /// `progress`: None, or a function of the fraction done, which stops the work if it returns what counts as
-  /// false, but None. Otherwise raises TypeError.
+  /// `progress`: None or False; True, for a bar (delone._progress); or a function of the fraction done, which
+  /// stops the work if it returns what counts as false, but None. Otherwise raises TypeError.
   explicit Supervisor(py::object progress = py::none()) : progress_(std::move(progress)) {
+    if (progress_.ptr() == Py_False) progress_ = py::none();
+    if (progress_.ptr() == Py_True) bar_ = progress_ = py::module_::import("delone._progress").attr("Bar")();
     if (!progress_.is_none() && PyCallable_Check(progress_.ptr()) == 0)
-      throw py::type_error("progress: a function of the fraction done, or None, not " + type_name(progress_));
+      throw py::type_error("progress: True, a function of the fraction done, or None, not " +
+                           type_name(progress_));
+  }
+  Supervisor(const Supervisor&) = delete;
+  Supervisor& operator=(const Supervisor&) = delete;
+  ~Supervisor() {
+    if (bar_.is_none()) return;
+    try {
+      bar_.attr("close")(is_done_);
+    } catch (py::error_already_set& error) {
+      error.discard_as_unraisable("the progress bar");
+    }
   }
 
   /// For options of calls that say what is done by a function of their own; refers to this object.
@@ -56,7 +70,14 @@ class Supervisor {
     try {
       const py::gil_scoped_release no_gil;
       const ProgressScope scope([this](double fraction) { return go_on(fraction); });
-      return work();
+      if constexpr (std::is_void_v<decltype(work())>) {
+        work();
+        is_done_ = true;
+      } else {
+        auto result = work();
+        is_done_ = true;
+        return result;
+      }
     } catch (const Error& error) {
       if (error.code() == Errc::cancelled && raised_) throw *std::exchange(raised_, std::nullopt);
       throw;
@@ -95,7 +116,8 @@ class Supervisor {
     }
   }
 
-  py::object progress_;
+  py::object progress_, bar_ = py::none();
+  bool is_done_ = false;
   std::optional<py::error_already_set> raised_;
   Clock::time_point last_ = Clock::now();
   double fraction_ = 0;

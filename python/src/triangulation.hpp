@@ -44,6 +44,9 @@ class HeldTriangulation {
   const BuildArguments& arguments() const { return arguments_; }
   /// At most so many threads answer a batch of questions, as they build.
   unsigned threads() const { return static_cast<unsigned>(arguments_.threads); }
+  /// The labels of the columns of the DataFrame that it was made of, a tuple, or None. With the GIL.
+  const py::object& columns() const { return columns_; }
+  void set_columns(py::object columns) { columns_ = std::move(columns); }
 
   // Without the GIL, in Supervisor::run():
 
@@ -67,6 +70,20 @@ class HeldTriangulation {
   template <class Work>
   auto with_engine(Work work) const {
     return with_product([&](const Triangulation& engine) { return work(engine); });
+  }
+  /// Calls work(engine), for what does not depend on the numbers of cells: they may have none yet.
+  template <class Work>
+  auto with_unsorted(Work work) const {
+    const Use use(this, "used");
+    for (;;) {
+      {
+        const std::shared_lock lock(mutex_);
+        if (!is_stale_)
+          return std::visit([&](const Triangulation& engine) { return work(engine); },
+                            std::as_const(*engine_));
+      }
+      rebuild();
+    }
   }
   /// Calls work(engine, locator, cells).
   template <class Work>
@@ -98,6 +115,7 @@ class HeldTriangulation {
   Form form_;
   int dimension_;
   BuildArguments arguments_;
+  py::object columns_ = py::none();
 
   mutable std::shared_mutex mutex_;  // of all members below
   mutable std::unique_ptr<Engine> engine_;

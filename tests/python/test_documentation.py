@@ -37,20 +37,62 @@ def test_stub_has_the_members_of_the_class(name):
     assert stubbed == compiled
 
 
+def signature_of(node, is_method):
+    """(name, kind, default) of each argument that the stub has."""
+    arguments, kinds = node.args, inspect.Parameter
+    positional = arguments.posonlyargs + arguments.args
+    defaults = [None] * (len(positional) - len(arguments.defaults)) + arguments.defaults
+    found = [(argument.arg, kinds.POSITIONAL_OR_KEYWORD, default) for argument, default in zip(positional, defaults)][is_method:]
+    found += [(argument.arg, kinds.KEYWORD_ONLY, default) for argument, default in zip(arguments.kwonlyargs, arguments.kw_defaults)]
+    found += [(argument.arg, kinds.VAR_KEYWORD, None) for argument in [arguments.kwarg] if argument]
+    return [(name, kind, repr(eval(ast.unparse(default), {"nan": _core.nan})) if default else None) for name, kind, default in found]
+
+
+def compiled_signature(thing, is_method):
+    found = list(inspect.signature(thing).parameters.values())[is_method:]
+    return [(each.name, each.kind, None if each.default is each.empty else repr(each.default)) for each in found]
+
+
+def decorated(node, name):
+    return any(isinstance(decorator, ast.Name) and decorator.id == name for decorator in node.decorator_list)
+
+
 @pytest.mark.parametrize("name", sorted(STUBBED))
 def test_stub_has_the_arguments_of_methods(name):
     for member, node in members(STUBBED[name]).items():
-        is_property = any(isinstance(decorator, ast.Name) and decorator.id == "property" for decorator in node.decorator_list)
-        compiled = getattr(COMPILED[name], member)
+        is_property, compiled = decorated(node, "property"), getattr(COMPILED[name], member)
         assert is_property == isinstance(compiled, property), member
-        if is_property or (member.startswith("__") and member != "__init__"):
+        if is_property or (member.startswith("__") and member not in ("__init__", "__call__")):
             continue
-        signature = compiled.__doc__.splitlines()[0]
-        positional = [argument.arg for argument in node.args.args]
-        keyword_only = [argument.arg for argument in node.args.kwonlyargs]
-        before, _, after = signature.partition("*, ")
-        assert re.findall(r"(\w+): ", before) == positional, signature
-        assert re.findall(r"(\w+): ", after) == keyword_only, signature
+        is_method = not decorated(node, "staticmethod")
+        assert compiled_signature(compiled, is_method) == signature_of(node, is_method), member
+        if member == "__init__":
+            assert compiled_signature(COMPILED[name], False) == signature_of(node, True)
+        else:
+            assert not compiled.__doc__ or "(self" not in compiled.__doc__.split("\n")[0]
+
+
+def test_stub_has_the_arguments_of_functions():
+    functions = {node.name: node for node in STUB.body if isinstance(node, ast.FunctionDef)}
+    assert functions.keys() == {name for name, value in vars(_core).items() if inspect.isbuiltin(value)}
+    for name, node in functions.items():
+        assert compiled_signature(getattr(_core, name), False) == signature_of(node, False), name
+
+
+@pytest.mark.parametrize("module", [delone, spatial, interpolate, tiles])
+def test_everything_public_has_a_signature(module):
+    for name in module.__all__:
+        thing = getattr(module, name)
+        for each in [thing, *(value for member, value in inspect.getmembers(thing) if not member.startswith("_"))]:
+            if callable(each) and getattr(each, "__objclass__", None) not in (BaseException, tuple) and not inspect.isbuiltin(each):
+                assert inspect.signature(each) is not None
+
+
+def test_signatures_of_objects():
+    t = delone.Delaunay([[0, 0], [1, 0], [0, 1]])
+    assert str(inspect.signature(t.find_simplex)) == "(queries, *, tolerance=0.0)"
+    assert str(inspect.signature(delone.Delaunay.find_simplex)) == "(self, queries, *, tolerance=0.0)"
+    assert str(inspect.signature(delone.LinearInterpolator(t, [0, 1, 2]))) == "(queries)"
 
 
 @pytest.mark.parametrize("name", [name for name in delone.__all__ if not name.startswith("__")])

@@ -15,6 +15,9 @@ TOLERANCE = 100 * np.finfo(float).eps
 class GradientEstimationWarning(Warning):
     """The gradients of a CloughTocher2DInterpolator did not converge."""
 
+    def __init__(self, *args):  # for inspect.signature()
+        super().__init__(*args)
+
 
 def refuse_masked(name, *arrays) -> None:
     """ValueError for masked values, which are none."""

@@ -20,6 +20,9 @@ class QhullError(RuntimeError):
     Where scipy.spatial is loaded, what is raised is also an instance of its QhullError: either name catches it.
     """
 
+    def __init__(self, *args):  # for inspect.signature()
+        super().__init__(*args)
+
 
 @functools.lru_cache(maxsize=None)
 def _also(theirs: type) -> type:

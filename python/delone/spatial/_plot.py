@@ -4,14 +4,15 @@ from __future__ import annotations
 
 import numpy as np
 
+from .._plot import pyplot
+
 
 def _axes(ax, points, what):
     """The axes to draw on, new ones if there are none; their limits are the bounding box of the points and a tenth more."""
     if points.shape[1] != 2:
         raise ValueError(f"{what} is not 2-D")
     if ax is None:
-        import matplotlib.pyplot as plt
-        ax = plt.figure().gca()
+        ax = pyplot().figure().gca()
     low, high = points.min(axis=0), points.max(axis=0)
     margin = 0.1 * (high - low)
     if (margin > 0).all():

@@ -1,0 +1,125 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""pandas DataFrames as arguments. The compiled module calls this where it is given one, so that pandas is imported already."""
+from __future__ import annotations
+
+from typing import Optional, Tuple
+
+import numpy as np
+
+from . import _core
+
+
+def columns(frame) -> Optional[tuple]:
+    """The labels of the columns; None if they are the numbers that pandas gives to columns without names."""
+    labels = tuple(frame.columns)
+    return None if labels == tuple(range(len(labels))) else labels
+
+
+def require_columns(frame, wanted: tuple, name: str) -> None:
+    """Raises ValueError if the columns have names, and not the names `wanted`, in this order."""
+    found = columns(frame)
+    if found is not None and found != wanted:
+        raise ValueError(f"{name}: the columns {_listed(found)}, not {_listed(wanted)}, in this order")
+
+
+def numbers(frame, name: str, is_finite: bool) -> np.ndarray:
+    """The DataFrame as C-contiguous float64, (rows, columns): its own memory if it is that, otherwise copied once, column by column.
+
+    InputError names the column with anything but real numbers that are exact in float64, and the row by its position and its label; with
+    `is_finite` also for a number that is missing, NaN or infinite.
+    """
+    count, width = frame.shape
+    given = [_numbers_of(frame.iloc[:, j], f"{name}: column {_core._represented(frame.columns[j])}") for j in range(width)]
+    if _are_rows_of_one_array(given):
+        array = frame.to_numpy()
+    else:
+        array = np.empty((count, width))
+        for j, column in enumerate(given):
+            array[:, j] = column
+    if is_finite and not np.isfinite(array).all():
+        _refuse_not_finite(frame, array, name)
+    return array
+
+
+def _numbers_of(series, what: str) -> np.ndarray:
+    """A column as an array that float64 can take as it is, where possible without a copy."""
+    missing = None
+    if isinstance(series.dtype, np.dtype):
+        column = series.to_numpy()
+    elif getattr(getattr(series.dtype, "numpy_dtype", None), "kind", "O") in "fiub":  # numbers, some of which may be missing
+        missing = series.isna().to_numpy()
+        dtype = series.dtype.numpy_dtype
+        column = (series.dropna() if missing.any() else series).to_numpy(dtype=dtype)
+    else:
+        column = np.asarray(series)
+    kind = column.dtype.kind
+    if kind not in "fiubO":
+        raise _core.InputError(f"{what}: not real numbers, but {_core._represented(str(series.dtype))}")
+    is_large = kind in "iu" and column.itemsize == 8 and len(column) > 0 and not -2**53 <= int(column.min()) <= int(column.max()) <= 2**53
+    if kind == "O" or is_large or (kind == "f" and column.itemsize > 8):
+        column = _core._doubles(column, what)  # raises what there is to raise
+    if missing is None or not missing.any():
+        return column
+    with_gaps = np.full(len(missing), np.nan)
+    with_gaps[~missing] = column
+    return with_gaps
+
+
+def _are_rows_of_one_array(given) -> bool:
+    """Whether the columns are those of one C-contiguous array of float64, in their order."""
+    if not given or len(given[0]) < 2:
+        return False
+    step = 8 * len(given)
+    first = given[0].__array_interface__["data"][0]
+    return all(column.dtype == np.float64 and column.strides == (step,) and column.__array_interface__["data"][0] == first + 8 * j
+               for j, column in enumerate(given))
+
+
+def _refuse_not_finite(frame, array: np.ndarray, name: str) -> None:
+    row, column = np.argwhere(~np.isfinite(array))[0].tolist()
+    rows = np.flatnonzero(~np.isfinite(array).all(axis=1)).tolist()
+    label = frame.index[row]
+    which = f"row {row}" if label is row or label == row else f"row {row} (label {_core._represented(label)})"
+    more = f" (and {len(rows) - 1} more rows)" if len(rows) > 1 else ""
+    error = _core.InputError(f"{name}: {which}, column {_core._represented(frame.columns[column])}: {array[row, column]} is not finite{more}")
+    error.rows = rows
+    raise error
+
+
+def _listed(labels: Tuple) -> str:
+    return ", ".join(_core._represented(label) for label in labels)
+
+
+def _frame(product, points, data) -> object:
+    """Points beside data: arrays, or (codes, names of kinds)."""
+    try:
+        import pandas
+    except ImportError as error:
+        raise ImportError("to_frame() needs pandas: install it, for example by `pip install pandas`, or as the package python3-pandas of Debian "
+                          "and Ubuntu") from error
+    labels = product.columns or [f"x{j}" for j in range(points.shape[1])]
+    data = {name: pandas.Categorical.from_codes(*values) if isinstance(values, tuple) else values for name, values in data.items()}
+    frame = pandas.concat([pandas.DataFrame(points), pandas.DataFrame(data)], axis=1)
+    frame.columns = pandas.Index([*labels, *data], tupleize_cols=False)
+    return frame
+
+
+def triangulation(self):
+    """A pandas DataFrame with a row for each point: its coordinates, with the labels of `columns` or x0, x1, …; `vertex`, the row that it
+    was merged into, itself, or -1 if it is hidden; `cell`, one that has it as a vertex, or -1; of Regular `weight`. ImportError without
+    pandas."""
+    weights = {"weight": self.weights} if isinstance(self, _core.Regular) else {}
+    return _frame(self, self.points, {**weights, "vertex": self.vertex_of_point, "cell": self.cell_of_point})
+
+
+def convex_hull(self):
+    """A pandas DataFrame with a row for each point: its coordinates, with the labels of `columns` or x0, x1, …, and its `kind`: extreme,
+    boundary, interior or duplicate, see `point_kinds`. ImportError without pandas."""
+    return _frame(self, self.points, {"kind": (self.point_kinds, ["extreme", "boundary", "interior", "duplicate"])})
+
+
+def diagram(self):
+    """A pandas DataFrame with a row for each point: its coordinates, with the labels of `columns` or x0, x1, …; `region`, its number or -1;
+    `bounded`, whether that region is. ImportError without pandas."""
+    region = self.point_region
+    return _frame(self, self.points, {"region": region, "bounded": np.append(self.is_bounded, False)[region]})

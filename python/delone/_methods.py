@@ -1,0 +1,26 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""The methods that compiled classes have in Python: pictures, meshes of other programs, and what needs NumPy only."""
+from __future__ import annotations
+
+from . import _core, _export, _frames, _html, _plot
+from ._transform import transform
+
+OF = {
+    _core.Triangulation: {"plot": _plot.triangulation, "_repr_html_": _html.triangulation, "to_frame": _frames.triangulation,
+                          "mesh": _export.triangulation},
+    _core.ConvexHull: {"plot": _plot.convex_hull, "_repr_html_": _html.convex_hull, "to_frame": _frames.convex_hull, "mesh": _export.convex_hull},
+    _core.Diagram: {"plot": _plot.diagram, "_repr_html_": _html.diagram, "to_frame": _frames.diagram, "mesh": _export.diagram},
+    _core.HalfspaceIntersection: {"plot": _plot.intersection, "_repr_html_": _html.intersection},
+}
+
+
+def attach() -> None:
+    for owner, methods in OF.items():
+        mesh = methods.get("mesh")
+        methods = {name: method for name, method in methods.items() if name != "mesh"}
+        if mesh:
+            methods.update({name: _export.method(mesh, name) for name in _export.TARGETS})
+        for name, method in methods.items():
+            method.__name__, method.__qualname__, method.__module__ = name, f"{owner.__name__}.{name}", "delone"
+            setattr(owner, name, method)
+    _core.Triangulation.transform = property(transform)
