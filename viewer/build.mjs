@@ -19,7 +19,9 @@ const bundle = await build({
   legalComments: "none",
 });
 const style = await transform(read("src/page.css"), { loader: "css", minify: true });
+const license = read("node_modules/three/LICENSE").replace("\u00a9", "(c)").trim();
 const page = read("src/page.html")
+  .replace("LICENSE", () => license + "\n")
   .replace("SOURCES_HASH", () => hash.digest("hex"))
   .replace("STYLE", () => style.code)
   .replace("SCRIPT", () => bundle.outputFiles[0].text.trim());

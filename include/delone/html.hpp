@@ -18,12 +18,19 @@ namespace delone {
 
 class Diagram;
 
+/// What the values of a page belong to.
+enum class ValuesAt {
+  automatic,  ///< whichever there are as many of: of several in this order
+  points,     ///< rows, of points or halfspaces
+  cells,      ///< cells of triangulations and hulls, regions
+  facets,     ///< of hulls and intersections
+};
+
 struct HtmlOptions {
   std::string title{};                      ///< empty: what is shown
   std::vector<std::string> column_names{};  ///< d, of the coordinates; empty: x, y, z, or x0, x1, …
-  /// Numbers to colour by; NaN: none. One for each point (row, or halfspace), for each cell or region, or for
-  /// each facet of a hull; where two of these are equally many, in this order. Empty: no values.
-  std::vector<double> values{};
+  std::vector<double> values{};             ///< numbers to colour by; NaN: none. Empty: no values
+  ValuesAt values_at = ValuesAt::automatic;
   std::string value_name = "value";
 };
 

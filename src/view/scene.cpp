@@ -83,32 +83,30 @@ void take_vertices(Scene& scene, std::span<const double> points, bool merge) {
   for (auto* items : {&scene.cells, &scene.face_vertices, &scene.segments}) renumber(*items, number);
 }
 
-void take_values(Scene& scene, const HtmlOptions& options, std::size_t num_rows,
-                 std::span<const SignedIndex> group_of_cell) {
+void take_values(Scene& scene, const HtmlOptions& options, const ValuePlaces& places) {
   const std::vector<double>& values = options.values;
   if (values.empty()) return;
   for (std::size_t i = 0; i < values.size(); ++i)
     if (std::isinf(values[i])) io::fail(Errc::invalid_argument, "values: item {} is infinite", i);
-  const std::size_t groups =
-      group_of_cell.empty()
-          ? 0
-          : static_cast<std::size_t>(*std::max_element(group_of_cell.begin(), group_of_cell.end())) + 1;
-  if (values.size() == num_rows && !scene.rows.empty()) {
-    scene.values_of_vertices = true;
-    for (const SignedIndex row : scene.rows) scene.values.push_back(values[static_cast<std::size_t>(row)]);
-  } else if (values.size() == num_rows && !scene.site_rows.empty()) {
-    for (const SignedIndex row : scene.site_rows)
-      scene.values.push_back(values[static_cast<std::size_t>(row)]);
-  } else if (values.size() == num_rows && !scene.names.empty()) {
-    for (const SignedIndex row : scene.names) scene.values.push_back(values[static_cast<std::size_t>(row)]);
-  } else if (values.size() == scene.num_cells) {
+  const auto suits = [&](ValuesAt at, std::size_t count) {
+    return values.size() == count && (options.values_at == ValuesAt::automatic || options.values_at == at);
+  };
+  const auto take = [&](std::span<const SignedIndex> of) {
+    for (const SignedIndex i : of) scene.values.push_back(values[static_cast<std::size_t>(i)]);
+  };
+  if (suits(ValuesAt::points, places.num_rows)) {
+    take(places.row_of);
+    scene.values_of_vertices = places.of_vertices;
+  } else if (suits(ValuesAt::cells, scene.num_cells)) {
     scene.values = values;
-  } else if (groups > 0 && values.size() == groups) {
-    for (const SignedIndex group : group_of_cell)
-      scene.values.push_back(values[static_cast<std::size_t>(group)]);
-  } else if (values.size() != num_rows) {
-    io::fail(Errc::invalid_argument, "values: {} numbers for {} rows and {} {}s", values.size(), num_rows,
-             scene.num_cells, scene.cell_word);
+  } else if (suits(ValuesAt::facets, places.num_facets)) {
+    if (places.group_of_cell.empty())
+      scene.values = values;
+    else
+      take(places.group_of_cell);
+  } else {
+    io::fail(Errc::invalid_argument, "values: {} numbers for {} rows, {} {}s and {} facets", values.size(),
+             places.num_rows, scene.num_cells, scene.cell_word, places.num_facets);
   }
 }
 

@@ -48,10 +48,16 @@ Scene scene_of(const HtmlOptions& options, int dimension, const char* kind);
 /// `merge`, points at the same place after rounding become one.
 void take_vertices(Scene& scene, std::span<const double> points, bool merge = false);
 
-/// Values of the options: of `rows` (through scene.rows), or of one of the counts of the cells. REQUIRES
-/// vertices. `group_of_cell`: a third choice, the facet of each cell.
-void take_values(Scene& scene, const HtmlOptions& options, std::size_t num_rows,
-                 std::span<const SignedIndex> group_of_cell = {});
+/// The values of the options. `row_of`: the row of each vertex (`of_vertices`) or of each cell;
+/// `group_of_cell`: the facet of each cell, where these are not facets themselves.
+struct ValuePlaces {
+  std::size_t num_rows = 0;
+  std::span<const SignedIndex> row_of{};
+  bool of_vertices = false;
+  std::size_t num_facets = 0;
+  std::span<const SignedIndex> group_of_cell{};
+};
+void take_values(Scene& scene, const HtmlOptions& options, const ValuePlaces& places);
 
 /// The page.
 std::string page_of(const Scene& scene);

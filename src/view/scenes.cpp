@@ -146,7 +146,8 @@ std::string to_html(const ComplexData& data, const HtmlOptions& options) {
     view::take_vertices(scene, data.points);
     for (const SignedIndex row : scene.rows)
       if (!data.weights.empty()) scene.weights.push_back(data.weights[static_cast<std::size_t>(row)]);
-    view::take_values(scene, options, data.num_points());
+    view::take_values(scene, options,
+                      {.num_rows = data.num_points(), .row_of = scene.rows, .of_vertices = true});
     if (scene.title.empty()) scene.title = data.weights.empty() ? "Triangulation" : "Regular triangulation";
     scene.summary = fmt::format("{} and {}, dimension {}", view::counted(scene.num_cells, "cell"),
                                 view::vertices_of(scene.num_vertices()), data.dimension);
@@ -166,7 +167,12 @@ std::string to_html(const HullData& data, const HtmlOptions& options) {
     scene.groups = data.facet_of_cell;
     if (data.affine_dimension == 3) scene.cell_word = "triangle";
     view::take_vertices(scene, data.points);
-    view::take_values(scene, options, data.num_points(), scene.groups);
+    view::take_values(scene, options,
+                      {.num_rows = data.num_points(),
+                       .row_of = scene.rows,
+                       .of_vertices = true,
+                       .num_facets = data.num_facets(),
+                       .group_of_cell = scene.groups});
     if (data.num_points() <= view::most_points) scene.sites = data.points;
     if (scene.title.empty()) scene.title = "Convex hull";
     scene.summary = fmt::format("{}, {} and {}, dimension {}", view::counted(data.num_points(), "point"),
@@ -198,7 +204,9 @@ std::string to_html(const IntersectionData& data, const HtmlOptions& options) {
     view::take_vertices(scene, ends.points());
     scene.rows.clear();
     if (scene.num_cells > 0) scene.segments.clear();  // edges of faces are shown with them
-    view::take_values(scene, options, data.num_halfspaces());
+    view::take_values(
+        scene, options,
+        {.num_rows = data.num_halfspaces(), .row_of = scene.names, .num_facets = scene.num_cells});
     if (scene.title.empty()) scene.title = "Intersection of halfspaces";
     scene.summary =
         fmt::format("{}, {} and {}, dimension {}{}", view::counted(data.num_halfspaces(), "halfspace"),
@@ -229,7 +237,7 @@ std::string to_html(const Diagram& diagram, const HtmlOptions& options, const st
       is_weighted = is_weighted || diagram.weight(r) != 0;
     }
     scene.site_rows.assign(diagram.region_points().begin(), diagram.region_points().end());
-    view::take_values(scene, options, diagram.num_points());
+    view::take_values(scene, options, {.num_rows = diagram.num_points(), .row_of = scene.site_rows});
     if (scene.title.empty()) scene.title = is_weighted ? "Power diagram" : "Voronoi diagram";
     scene.summary = fmt::format("{} and {}, dimension {}", view::counted(scene.num_cells, "region"),
                                 view::vertices_of(diagram.num_vertices()), d);
