@@ -189,7 +189,7 @@ std::string to_html(const IntersectionData& data, const HtmlOptions& options) {
       io::fail(Errc::invalid_argument, "page: the intersection has no interior points");
     view::Scene scene = view::scene_of(options, data.dimension, "intersection");
     scene.affine_dimension = data.dimension;
-    scene.cell_word = "halfspace";
+    scene.cell_word = "facet";
     view::RayEnds ends(data);
     if (data.dimension == 3 && data.rank == 3) {
       scene.num_cells = data.num_facets();

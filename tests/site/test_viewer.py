@@ -97,7 +97,7 @@ class Viewer(unittest.TestCase):
         self.wait("return window.delone?.picture.stats.firstFrameMs > 0 || document.querySelector('#notice.failed') !== null", browser)
 
     def wait(self, script, browser=None):
-        end = time.time() + 60
+        end = time.time() + 240
         while not (browser or self.browser).execute_script(script):
             self.assertLess(time.time(), end, script)
             time.sleep(0.02)

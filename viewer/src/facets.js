@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Which facets of cells are the same: by their smallest vertices, in buckets, in linear time.
 
+const STEP = 65536;  // so many items between two yields
+
 /**
  * For each tuple of `size` increasing vertices (2 or 3) the number of the first equal one after it, or of the first of all
  * if there is none: equal tuples are linked in cycles. A tuple without an equal one links to itself.
@@ -8,11 +10,16 @@
 export function* linkEqual(tuples, size, numVertices) {
   const count = tuples.length / size;
   const start = new Uint32Array(numVertices + 1);
-  for (let t = 0; t < count; ++t) ++start[tuples[t * size] + 1];
+  for (let t = 0; t < count; ++t) {
+    ++start[tuples[t * size] + 1];
+    if (t % STEP === 0) yield;
+  }
   for (let v = 0; v < numVertices; ++v) start[v + 1] += start[v];
   const order = new Uint32Array(count), next = start.slice(0, numVertices);
-  for (let t = 0; t < count; ++t) order[next[tuples[t * size]]++] = t;
-  yield;
+  for (let t = 0; t < count; ++t) {
+    order[next[tuples[t * size]]++] = t;
+    if (t % STEP === 0) yield;
+  }
 
   const link = new Uint32Array(count);
   const done = new Uint8Array(count);
@@ -32,7 +39,7 @@ export function* linkEqual(tuples, size, numVertices) {
       }
       link[last] = first;
     }
-    if (v % 4096 === 0) yield;
+    if (v % 2048 === 0) yield;
   }
   return link;
 }
@@ -62,11 +69,12 @@ export function putSmallest(tuples, at, vertices, begin, end) {
 }
 
 /** The facets of simplices of 3 or 4 corners as increasing tuples; facet i of a cell is opposite corner i. */
-export function facetTuples(cells, corners) {
+export function* facetTuples(cells, corners) {
   const size = corners - 1;
   const tuples = new Uint32Array(cells.length * size);
   let at = 0;
-  for (let first = 0; first < cells.length; first += corners) {
+  for (let first = 0, cell = 0; first < cells.length; first += corners, ++cell) {
+    if (cell % STEP === 0) yield;
     if (corners === 3) {
       for (let i = 0; i < 3; ++i, at += 2) {
         const a = cells[first + (i + 1) % 3], b = cells[first + (i + 2) % 3];

@@ -65,6 +65,7 @@ export function* hullLines(model, positions) {
   } else if (model.scene.corners === 3) {
     const links = yield* model.facetLinks();
     for (let s = 0; s < links.length; ++s) {
+      if (s % 65536 === 0) yield;
       if (links[s] !== s) continue;
       const first = s - s % 3;
       lines.between(positions, triangles[first + (s + 1) % 3], triangles[first + (s + 2) % 3], KIND.hull);
@@ -127,7 +128,7 @@ export function* dualLines(model, space) {
     const corner = Array.from(cells.subarray(cell * corners, (cell + 1) * corners));
     const center = centerOf(corner.map(pointOf), corner.map(weightOf), d);
     centers.set(center ?? new Array(d).fill(NaN), d * cell);
-    if (cell % 4096 === 0) yield;
+    if (cell % 1024 === 0) yield;
   }
   const box = { low: space.extent.map((e) => -e / 2 - 0.1), high: space.extent.map((e) => e / 2 + 0.1) };
   const outward = furthest(cells, corners, links, centers, pointOf, d) ? -1 : 1;
@@ -143,7 +144,7 @@ export function* dualLines(model, space) {
       part = clipped(from, from.map((x, j) => x + outward * away[j]), 1e3, box);
     }
     if (part) lines.add(...part[0], ...flat, ...part[1], ...flat, KIND.dual);
-    if (f % 8192 === 0) yield;
+    if (f % 2048 === 0) yield;
   }
   return lines;
 }

@@ -10,6 +10,7 @@ import { Quantity } from "./quantities.js";
 import { select } from "./selection.js";
 import { Space } from "./space.js";
 
+const MANY_LINES = 20000;
 const $ = (id) => document.getElementById(id);
 
 /** Runs a generator to its end, giving way to the browser from time to time. */
@@ -52,6 +53,7 @@ class Viewer {
     this.setFaces($("faces")?.value ?? "solid");
     this.setStretch(this.isStretched);
     this.choose();
+    picture.finish("choose");
     for (const name of ["points", "hull", "dual"]) if ($(name)?.checked) this.toggle(name, true);
     if (scene.segments || scene.corners === 2 || scene.corners === 1) this.combine();
     this.listen();
@@ -112,7 +114,7 @@ class Viewer {
       panel.output("filter-range");
     }
 
-    if (this.isSpatial && scene.numCells > 0) {
+    if (this.isSpatial && scene.numCells > 1) {
       panel.group("Slice");
       panel.check(`cut by a plane, ${this.cellWord}s left whole`, "slice", this.plane.on, (on) => {
         this.plane.on = on;
@@ -230,12 +232,16 @@ class Viewer {
     // Normals point to where the camera is in the beginning.
     let normal = plane.axis === 3 ? plane.normal : [[1, 0, 0], [0, -1, 0], [0, 0, 1]][plane.axis];
     if (plane.flipped) normal = normal.map((x) => -x);
-    let low = Infinity, high = -Infinity;
-    for (let i = 0; i < centroids.length; i += 3) {
-      const t = normal[0] * centroids[i] + normal[1] * centroids[i + 1] + normal[2] * centroids[i + 2];
-      if (t < low) low = t;
-      if (t > high) high = t;
+    if (this.extent?.of !== centroids || this.extent.along !== String(normal)) {
+      let low = Infinity, high = -Infinity;
+      for (let i = 0; i < centroids.length; i += 3) {
+        const t = normal[0] * centroids[i] + normal[1] * centroids[i + 1] + normal[2] * centroids[i + 2];
+        if (t < low) low = t;
+        if (t > high) high = t;
+      }
+      this.extent = { of: centroids, along: String(normal), low, high };
     }
+    const { low, high } = this.extent;
     const upward = (plane.axis === 1) === plane.flipped;  // whether the slider goes along the normal
     return { normal, offset: low + (high - low) * (upward ? plane.part : 1 - plane.part) };
   }
@@ -283,7 +289,7 @@ class Viewer {
       lines.append(segmentLines(space.positions, cells, ofCells));
     }
     for (const overlay of Object.values(this.overlays)) if (overlay) lines.append(overlay);
-    if (this.hovered !== null)
+    if (this.hovered !== null && lines.count < MANY_LINES)  // among many its colour tells the cell
       for (const [a, b] of this.model.edgesOf(this.hovered)) lines.between(space.positions, a, b, KIND.hovered);
     this.picture.setLines(lines);
   }
@@ -296,7 +302,7 @@ class Viewer {
     for (let r = 0; r < 3; ++r) $("axis" + r).disabled = principal;
     picture.setItems("positions", space.positions, 4);
     this.centroids = await finished(space.centroidsOf(this.model));
-    for (const [j, option] of Array.from($("slice-axis").options).slice(0, 3).entries()) option.textContent = space.names[j];
+    if ($("slice-axis")) for (const [j, option] of Array.from($("slice-axis").options).slice(0, 3).entries()) option.textContent = space.names[j];
     this.choose();
     if (this.overlays.points) this.toggle("points", true);
     else this.combine();
@@ -373,14 +379,14 @@ class Viewer {
     if (cell === this.hovered) return;
     this.hovered = cell;
     this.picture.uniforms.hovered.value = cell ?? 0xffffffff;
-    this.combine();
+    if (this.picture.lines.geometry.drawRange.count < 6 * MANY_LINES) this.combine();
     this.picture.draw();
   }
   /** What is known of a cell. */
   describe(cell) {
     const { scene } = this, lines = [];
     const name = scene.names ? scene.names[cell] : cell;
-    const title = scene.groups ? `facet ${scene.groups[cell]}, cell ${cell}` : `${this.cellWord} ${name}`;
+    const title = scene.kind === "intersection" ? `facet of halfspace ${name}` : scene.groups ? `facet ${scene.groups[cell]}, cell ${cell}` : `${this.cellWord} ${name}`;
     if (scene.siteRows) {
       lines.push(`of row ${scene.siteRows[cell]}`);
     } else if (scene.rows && scene.corners > 0) {
@@ -418,10 +424,9 @@ async function start() {
   const viewer = new Viewer(scene);
   await viewer.make();
   window.delone = viewer;  // for scripts, and for the tests
-  viewer.picture.stats.firstFrameMs = await new Promise((resolve) => {
-    const wait = () => (viewer.picture.busy ? requestAnimationFrame(wait) : resolve(performance.now()));
-    wait();
-  });
+  viewer.picture.draw();
+  await new Promise((resolve) => requestAnimationFrame(() => requestAnimationFrame(resolve)));
+  viewer.picture.stats.firstFrameMs = performance.now();
   $("notice").hidden = true;
 }
 

@@ -43,7 +43,7 @@ export class Model {
   /** The cell across facet i of each cell of triangles or tetrahedra: a link from facet to facet. */
   *facetLinks() {
     const { cells, corners, numVertices } = this.scene;
-    this.links ??= yield* linkEqual(facetTuples(cells, corners), corners - 1, numVertices);
+    this.links ??= yield* linkEqual(yield* facetTuples(cells, corners), corners - 1, numVertices);
     return this.links;
   }
 
@@ -131,12 +131,38 @@ export class Model {
   /** Sides between triangles of one group (a facet of a hull) are no edges. */
   *joinGroups() {
     const { groups, corners } = this.scene;
+    if (corners === 4) return void (yield* this.joinTetrahedra());
     if (corners !== 3) return;
     const links = yield* this.facetLinks();
     this.edges = new Uint8Array(this.numTriangles);
     for (let s = 0; s < links.length; ++s) {
       const triangle = Math.floor(s / 3), other = Math.floor(links[s] / 3);
       if (links[s] === s || groups[triangle] !== groups[other]) this.edges[triangle] |= 1 << (s % 3);
+    }
+  }
+
+  /** The same for a hull in four dimensions: faces within a facet are not drawn, and of three facets or more is what is an edge. */
+  *joinTetrahedra() {
+    const { groups, cells, numVertices } = this.scene, [first, second] = this.cells;
+    const kept = [];
+    for (let t = 0; t < this.numTriangles; ++t) if (groups[first[t]] !== groups[second[t]]) kept.push(t);
+    this.triangles = Uint32Array.from({ length: 3 * kept.length }, (_, i) => this.triangles[3 * kept[Math.floor(i / 3)] + i % 3]);
+    this.cells = this.cells.map((items) => Uint32Array.from(kept, (t) => items[t]));
+    this.numTriangles = kept.length;
+    const around = new Map(), key = (a, b) => Math.min(a, b) * numVertices + Math.max(a, b);  // the facets at each edge, three at most
+    for (let i = 0; i < cells.length; i += 4) {
+      for (let a = 1; a < 4; ++a)
+        for (let b = 0; b < a; ++b) {
+          const name = key(cells[i + a], cells[i + b]), group = groups[i / 4], known = around.get(name);
+          if (!known) around.set(name, [group]);
+          else if (known.length < 3 && !known.includes(group)) known.push(group);
+        }
+      if (i % 65536 === 0) yield;
+    }
+    this.edges = new Uint8Array(this.numTriangles);
+    for (let s = 0; s < 3 * this.numTriangles; ++s) {
+      const t = s - s % 3, a = this.triangles[t + (s + 1) % 3], b = this.triangles[t + (s + 2) % 3];
+      if (around.get(key(a, b)).length > 2) this.edges[t / 3] |= 1 << (s % 3);
     }
   }
 

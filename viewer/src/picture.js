@@ -9,7 +9,7 @@ import { OrbitControls } from "three/addons/controls/OrbitControls.js";
 import { colorsOf } from "./colors.js";
 import { lineFragment, lineVertex, pickFragment, triangleFragment, triangleVertex } from "./shaders.js";
 
-const WIDTH = 2048;  // of textures that hold items
+const WIDTH = 2048;  // of textures that hold items; shaders.js has it, too
 const BUDGET = 3;  // milliseconds of a frame for work in steps
 
 /** A texture of `count` items, `channels` numbers each, whose rows are full; the last row is padded. */
@@ -52,7 +52,7 @@ export class Picture {
     this.target = new WebGLRenderTarget(1, 1, { type: UnsignedByteType });
     this.hasEdges = true;
     this.jobs = [];
-    this.drawing = false;
+    this.scheduled = this.changed = false;
     this.beforeFrame = () => {};
     this.stats = { frames: 0, scriptMs: [], frameMs: [], drawCalls: 0, triangles: 0, firstFrameMs: null };
     new ResizeObserver(() => this.resize()).observe(canvas);
@@ -223,7 +223,7 @@ export class Picture {
   start(name, generator, done) {
     this.jobs = this.jobs.filter((job) => job.name !== name);
     this.jobs.push({ name, generator, done });
-    this.draw();
+    this.schedule();
   }
   work(until) {
     while (this.jobs.length > 0 && performance.now() < until) {
@@ -233,31 +233,46 @@ export class Picture {
       job.done?.(value);
     }
   }
+  /** Does a job to its end now. */
+  finish(name) {
+    const job = this.jobs.find((other) => other.name === name);
+    this.jobs = this.jobs.filter((other) => other !== job);
+    let step;
+    do step = job.generator.next(); while (!step.done);
+    job.done?.(step.value);
+  }
   get busy() {
-    return this.jobs.length > 0 || this.drawing;
+    return this.jobs.length > 0 || this.scheduled;
   }
 
   /** Asks for a frame. */
   draw() {
-    if (this.drawing) return;
-    this.drawing = true;
+    this.changed = true;
+    this.schedule();
+  }
+  schedule() {
+    if (this.scheduled) return;
+    this.scheduled = true;
     requestAnimationFrame((time) => this.frame(time));
   }
   frame(time) {
     const start = performance.now();
-    this.drawing = false;
+    this.scheduled = false;
     this.work(start + BUDGET);
+    if (this.jobs.length > 0) this.schedule();
+    if (!this.changed) return;
+    this.changed = false;
     this.controls.update();  // asks for the next frame while the camera is slowing down
     this.beforeFrame();
     this.renderer.info.reset();
     this.renderer.render(this.scene, this.camera);
-    if (this.jobs.length > 0) this.draw();
     const { stats } = this;
     stats.drawCalls = this.renderer.info.render.calls;
     stats.triangles = this.renderer.info.render.triangles;
     stats.scriptMs.push(performance.now() - start);
-    if (this.lastTime) stats.frameMs.push(time - this.lastTime);
-    this.lastTime = this.drawing ? time : null;
+    // Frames that follow each other: the camera moves.
+    if (time - this.lastTime < 500) stats.frameMs.push(time - this.lastTime);
+    this.lastTime = time;
     if (stats.scriptMs.length > 600) stats.scriptMs.shift();
     if (stats.frameMs.length > 600) stats.frameMs.shift();
     ++stats.frames;
@@ -273,7 +288,7 @@ export class Picture {
       }, 250);
     }
     const last = stats.frameMs.slice(-3);
-    if (this.lastTime && last.length === 3 && Math.min(...last) > 60 && (this.coarse ?? 1) > 0.5) {
+    if (last.length === 3 && Math.min(...last) > 60 && (this.coarse ?? 1) > 0.5) {
       this.coarse = 0.5;
       this.resize();
     }

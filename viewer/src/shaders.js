@@ -4,8 +4,7 @@
 
 const HEAD = `precision highp float; precision highp int; precision highp sampler2D; precision highp usampler2D;\n`;
 const FETCH = `
-ivec2 place(sampler2D items, uint i) { uint w = uint(textureSize(items, 0).x); return ivec2(i % w, i / w); }
-ivec2 place(usampler2D items, uint i) { uint w = uint(textureSize(items, 0).x); return ivec2(i % w, i / w); }
+ivec2 place(uint i) { return ivec2(i & 2047u, i >> 11u); }  // of an item in a texture
 `;
 
 /** gl_VertexID is 6·triangle + 3·side + corner. */
@@ -18,21 +17,26 @@ uniform sampler2D scalars;     // of cells or vertices, 0 ... 1 within the range
 uniform bool ofVertices;
 out vec3 barycentric;
 out vec3 place3;
-out float scalar;
+out float smoothed;
+flat out float scalar;
 flat out uint edges, cell, triangle;
 ${FETCH}
 void main() {
   uint id = uint(gl_VertexID);
   triangle = id / 3u;
   uint corner = id % 3u;
-  uvec4 it = texelFetch(triangles, place(triangles, triangle / 2u), 0);
-  cell = triangle % 2u == 0u ? it.w : texelFetch(others, place(others, triangle / 2u), 0).r;
-  edges = (it.x >> 31u) | (it.y >> 31u << 1u) | (it.z >> 31u << 2u);
+  uvec4 it = texelFetch(triangles, place(triangle >> 1u), 0);
   uint vertex = it[corner] & 0x7fffffffu;
-  uint item = ofVertices ? vertex : cell;
-  scalar = texelFetch(scalars, place(scalars, item), 0).r;
+  scalar = smoothed = -3.0;
+  cell = edges = 0u;
+  if (corner == 2u) {  // flat numbers are those of the last corner
+    cell = (triangle & 1u) == 0u ? it.w : texelFetch(others, place(triangle >> 1u), 0).r;
+    edges = (it.x >> 31u) | (it.y >> 31u << 1u) | (it.z >> 31u << 2u);
+    if (!ofVertices) scalar = texelFetch(scalars, place(cell), 0).r;
+  }
+  if (ofVertices) smoothed = texelFetch(scalars, place(vertex), 0).r;
   barycentric = vec3(corner == 0u, corner == 1u, corner == 2u);
-  vec4 seen = modelViewMatrix * vec4(texelFetch(positions, place(positions, vertex), 0).xyz, 1.0);
+  vec4 seen = modelViewMatrix * vec4(texelFetch(positions, place(vertex), 0).xyz, 1.0);
   place3 = seen.xyz;
   gl_Position = projectionMatrix * seen;
 }`;
@@ -41,16 +45,18 @@ export const triangleFragment = HEAD + `
 uniform sampler2D colors;
 uniform vec3 plain, edgeColor, missing;
 uniform float opacity, edgeWidth, light;
-uniform bool colored;
+uniform bool colored, ofVertices;
 uniform uint hovered;
 in vec3 barycentric;
 in vec3 place3;
-in float scalar;
+in float smoothed;
+flat in float scalar;
 flat in uint edges, cell, triangle;
 layout(location = 0) out vec4 color;
 void main() {
   vec3 base = plain;
-  if (colored) base = scalar < -1.0 ? missing : texture(colors, vec2(clamp(scalar, 0.0, 1.0) * 255.0 / 256.0 + 0.5 / 256.0, 0.5)).rgb;
+  float value = ofVertices ? smoothed : scalar;
+  if (colored) base = value < -1.0 ? missing : texture(colors, vec2(clamp(value, 0.0, 1.0) * 255.0 / 256.0 + 0.5 / 256.0, 0.5)).rgb;
   if (cell == hovered) base = mix(base, vec3(1.0), 0.35);
   // A lamp beside the camera; of flat faces the normal is known from the picture itself.
   vec3 normal = normalize(cross(dFdx(place3), dFdy(place3)));
@@ -70,10 +76,7 @@ void main() {
 
 /** The number of what is under a pixel: triangle · 2 + side + 1, lowest byte first. */
 export const pickFragment = HEAD + `
-in vec3 barycentric;
-in vec3 place3;
-in float scalar;
-flat in uint edges, cell, triangle;
+flat in uint triangle;
 layout(location = 0) out vec4 color;
 void main() {
   uint name = triangle + 1u;
@@ -92,7 +95,7 @@ flat out int kind;
 ${FETCH}
 void main() {
   uint line = uint(gl_VertexID) / 6u, corner = uint(gl_VertexID) % 6u;
-  vec4 first = texelFetch(ends, place(ends, 2u * line), 0), second = texelFetch(ends, place(ends, 2u * line + 1u), 0);
+  vec4 first = texelFetch(ends, place(2u * line), 0), second = texelFetch(ends, place(2u * line + 1u), 0);
   kind = int(first.w);
   scalar = second.w;
   vec4 a = modelViewMatrix * vec4(first.xyz, 1.0), b = modelViewMatrix * vec4(second.xyz, 1.0);
