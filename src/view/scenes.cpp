@@ -15,6 +15,7 @@
 #include <cmath>
 #include <cstdint>
 #include <limits>
+#include <map>
 #include <utility>
 
 namespace delone {
@@ -94,16 +95,22 @@ class RayEnds {
     if (length_ == 0) length_ = 1;
   }
   SignedIndex end(SignedIndex vertex, SignedIndex direction) {
+    const auto [known, is_new] =
+        known_.try_emplace({vertex, direction}, static_cast<SignedIndex>(points_.size() / ambient()));
+    if (!is_new) return known->second;
     const auto from = data_.vertex(static_cast<std::size_t>(vertex));
     const auto to = data_.direction(static_cast<std::size_t>(direction));
     for (std::size_t j = 0; j < from.size(); ++j) points_.push_back(from[j] + length_ * to[j]);
-    return static_cast<SignedIndex>(points_.size() / from.size() - 1);
+    return known->second;
   }
   std::span<const double> points() const { return points_; }
 
  private:
+  std::size_t ambient() const { return static_cast<std::size_t>(data_.dimension); }
+
   const IntersectionData& data_;
   std::vector<double> points_;
+  std::map<std::pair<SignedIndex, SignedIndex>, SignedIndex> known_;  // the end of each ray
   double length_ = 0;
 };
 

@@ -70,7 +70,7 @@ TEST(ToHtml, OtherResults) {
   const HalfspaceIntersection<> corner(std::vector<double>{-1, 0, 0, 0, 0, -1, 0, 0, 0, 0, -1, 0}, 3);
   const auto polyhedron = description(to_html(corner.to_data()));
   EXPECT_EQ(polyhedron["numCells"], 3);
-  EXPECT_EQ(polyhedron["numVertices"], 7);
+  EXPECT_EQ(polyhedron["numVertices"], 4);
 }
 
 TEST(ToHtml, NothingAndOnePoint) {
