@@ -13,17 +13,19 @@ import time
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent
 sys.path.insert(0, str(ROOT / "tests" / "site"))
+from PIL import Image  # noqa: E402
+
 from chromium import WEBGL, start, stop  # noqa: E402
 
 DELONE = os.environ.get("DELONE", "build/release/delone")
 SET = "const e = document.getElementById(arguments[0]); e.value = arguments[1]; e.dispatchEvent(new Event(arguments[2]));"
 
-# name: (arguments of view, settings, turns by keys)
+# name: (arguments of view, settings; "off" is a click)
 PICTURES = {
-    "slice": (["uniform"], [], []),
-    "protein": (["data/protein.csv"], [("slice", "off"), ("filter-high", 905), ("color", "radius"), ("map", "magma")], []),
-    "values": (["data/earthquakes.csv", "--columns", "longitude,latitude", "--values", "depth_km", "--title", "Earthquakes of a week"], [], []),
-    "cars": (["data/cars.csv", "--columns", "Horsepower,Weight_in_lbs,Acceleration,Miles_per_Gallon", "--of", "hull", "--title", "Cars"], [], []),
+    "slice": (["uniform"], []),
+    "protein": (["data/protein.csv"], [("slice", "off"), ("filter-high", 640), ("color", "axis2")]),
+    "values": (["data/earthquakes.csv", "--columns", "longitude,latitude", "--values", "depth_km", "--title", "Earthquakes of a week"], [("scale", "rank")]),
+    "cars": (["data/cars.csv", "--columns", "Horsepower,Weight_in_lbs,Acceleration,Miles_per_Gallon", "--of", "hull", "--title", "Cars"], [("projection", "slanted")]),
 }
 
 
@@ -32,7 +34,7 @@ def main():
     browser, profile = start([*WEBGL, "--window-size=1200,760", "--force-device-scale-factor=1.25"])
     with tempfile.TemporaryDirectory() as folder:
         page, points = pathlib.Path(folder) / "page.html", pathlib.Path(folder) / "points.npy"
-        for name, (arguments, settings, _) in PICTURES.items():
+        for name, (arguments, settings) in PICTURES.items():
             if arguments[0] == "uniform":
                 subprocess.run([DELONE, "generate", "ball", "-n", "3000", "-d", "3", "-o", points], check=True)
                 arguments = [points, "--title", "Points in a ball"]
@@ -46,7 +48,9 @@ def main():
                     browser.execute_script(SET, element, value, "input" if isinstance(value, int) else "change")
             wait(browser, "return !delone.picture.busy")
             time.sleep(0.3)
-            browser.save_screenshot(str(target / f"view_{name}.png"))
+            picture = target / f"view_{name}.png"
+            browser.save_screenshot(str(picture))
+            Image.open(picture).convert("RGB").quantize(256, dither=Image.Dither.NONE).save(picture, optimize=True)
     stop(browser, profile)
 
 

@@ -231,6 +231,8 @@ class Viewer(unittest.TestCase):
         before = self.js("return Array.from(delone.space.positions.slice(0, 3))")
         self.choose("axis0", 3)
         self.assertNotEqual(self.js("return Array.from(delone.space.positions.slice(0, 3))"), before)
+        self.choose("projection", "slanted")
+        self.assertTrue(all(row[0] != 0 for row in self.js("return delone.space.rows")))  # coordinate 3 is shown in the place of 0
         self.choose("projection", "principal")
         rows = self.js("return delone.space.rows")
         for a in range(3):
@@ -261,6 +263,10 @@ class Viewer(unittest.TestCase):
         self.open("space")
         for color in ("radius", "axis2", "none", "quality"):
             self.choose("color", color)
+        self.choose("scale", "rank")
+        ranks = self.js("return Array.from(delone.color.scalars())")
+        self.assertAlmostEqual(statistics.mean(ranks), 0.5, delta=0.02)
+        self.choose("scale", "linear")
         self.choose("map", "cividis")
         self.check_picture("space, cividis")
         self.assertEqual(self.browser.find_element(By.CSS_SELECTOR, "#legend .name").text, "quality")

@@ -95,6 +95,11 @@ class Viewer {
       this.showLegend();
     });
 
+    panel.select("scale", "scale", [["linear", "linear"], ["log", "logarithmic"], ["rank", "by rank"]], "linear", (scale) => {
+      if (this.color) this.color.scale = scale;
+      this.colorBy($("color").value);
+    });
+
     const filters = [...quantities].filter(([, q]) => !q.ofVertices && scene.numCells > 1);
     if (filters.length > 0) {
       panel.group(`Show ${this.cellWord}s with`);
@@ -155,7 +160,7 @@ class Viewer {
     if (this.manyDimensions) {
       panel.group("Coordinates");
       const axes = scene.columns.map((name, j) => [j, name]);
-      panel.select("show", "projection", [["axes", "three coordinates"], ["principal", "principal axes"]], "axes", () => this.project());
+      panel.select("show", "projection", [["axes", "three coordinates"], ["slanted", "all, slanted"], ["principal", "principal axes"]], "axes", () => this.project());
       for (let r = 0; r < 3; ++r) panel.select(["right", "back", "up"][r], "axis" + r, axes, r, () => this.project());
     }
 
@@ -190,6 +195,9 @@ class Viewer {
     const { picture } = this;
     picture.uniforms.colored.value = this.color !== null;
     picture.uniforms.ofVertices.value = this.color?.ofVertices ?? false;
+    $("scale").disabled = this.color === null;
+    $("scale").options[1].disabled = !this.color?.canBeLog;
+    if (this.color) $("scale").value = this.color.scale;
     if (this.color) picture.setItems("scalars", this.color.scalars(), 1);
     if (this.scene.corners === 2 || this.scene.segments) this.combine();
     this.showLegend();
@@ -199,12 +207,13 @@ class Viewer {
     const { color } = this;
     $("legend").hidden = color === null || !(color.from <= color.to);
     if (color === null) return;
-    $("legend").querySelector(".name").textContent = color.name + (color.log ? " (logarithmic)" : "");
+    $("legend").querySelector(".name").textContent = color.name + { linear: "", log: " (logarithmic)", rank: " (by rank)" }[color.scale];
     $("legend").querySelector(".bar").style.background = gradientOf($("map").value);
     const [low, middle, high] = $("legend").querySelectorAll(".ends span");
-    low.textContent = (color.low < color.from ? "≤ " : "") + shown(color.from);
-    middle.textContent = color.from < color.to ? shown(color.middle()) : "";
-    high.textContent = (color.high > color.to ? "≥ " : "") + shown(color.to);
+    const [from, to] = color.ends;
+    low.textContent = (color.low < from ? "≤ " : "") + shown(from);
+    middle.textContent = from < to ? shown(color.middle()) : "";
+    high.textContent = (color.high > to ? "≥ " : "") + shown(to);
   }
 
   // Which cells.
@@ -296,10 +305,10 @@ class Viewer {
 
   async project() {
     const { space, picture } = this;
-    const principal = $("projection").value === "principal";
-    if (principal) space.usePrincipalAxes();
-    else space.useAxes([0, 1, 2].map((r) => Number($("axis" + r).value)));
-    for (let r = 0; r < 3; ++r) $("axis" + r).disabled = principal;
+    const kind = $("projection").value;
+    if (kind === "principal") space.usePrincipalAxes();
+    else space.useAxes([0, 1, 2].map((r) => Number($("axis" + r).value)), kind === "slanted");
+    for (let r = 0; r < 3; ++r) $("axis" + r).disabled = kind === "principal";
     picture.setItems("positions", space.positions, 4);
     this.centroids = await finished(space.centroidsOf(this.model));
     if ($("slice-axis")) for (const [j, option] of Array.from($("slice-axis").options).slice(0, 3).entries()) option.textContent = space.names[j];
@@ -315,7 +324,7 @@ class Viewer {
     const e = this.picture.camera.matrixWorldInverse.elements;
     $("axes").innerHTML = [0, 1, 2].map((j) => {
       const x = 34 * e[4 * j], y = -34 * e[4 * j + 1], away = 1 + 11 / Math.max(Math.hypot(x, y), 8);
-      const name = this.space.names[j].replace(/[<&]/g, "");
+      const full = this.space.names[j].replace(/[<&]/g, ""), name = full.length > 9 ? full.slice(0, 8) + "…" : full;
       return `<line x2="${x.toFixed(1)}" y2="${y.toFixed(1)}"/><text x="${(x * away).toFixed(1)}" y="${(y * away).toFixed(1)}">${name}</text>`;
     }).join("");
   }

@@ -4,12 +4,16 @@
 export class Quantity {
   /** `values`: one for each cell, or each vertex (`ofVertices`); NaN for none. `robust`: outliers do not make the range, which `limits` gives otherwise. */
   constructor(name, values, { ofVertices = false, log = false, robust = false, limits = null } = {}) {
-    Object.assign(this, { name, values, ofVertices, log });
+    Object.assign(this, { name, values, ofVertices, scale: log ? "log" : "linear" });
     this.sorted = sampleOf(values);
     this.low = this.quantile(0);
     this.high = this.quantile(1);
     [this.from, this.to] = limits ?? (robust ? [this.quantile(0.01), this.quantile(0.99)] : [this.low, this.high]);
-    if (this.log && !(this.from > 0)) this.log = false;
+    this.canBeLog = this.from > 0;
+    if (log && !this.canBeLog) this.scale = "linear";
+  }
+  get log() {
+    return this.scale === "log";
   }
   /** The number below which a part of all numbers is; 0 and 1 are exact. */
   quantile(part) {
@@ -18,6 +22,7 @@ export class Quantity {
   }
   /** Each number's place in the range, 0 … 1 and beyond it as far as −1 and 2; −3 for none. */
   scalars() {
+    if (this.scale === "rank") return this.ranks();
     const place = this.log ? Math.log : (x) => x;
     const low = place(this.from), scale = 1 / (place(this.to) - low || 1), result = new Float32Array(this.values.length);
     for (let i = 0; i < result.length; ++i) {
@@ -26,8 +31,27 @@ export class Quantity {
     }
     return result;
   }
+  /** The part of the (sampled) numbers that are not larger, so that each colour is used equally often. */
+  ranks() {
+    const { sorted } = this, last = Math.max(sorted.length - 1, 1);
+    return this.values.map((value) => {
+      if (Number.isNaN(value)) return -3;
+      let low = 0, high = sorted.length - 1;
+      while (low < high) {
+        const middle = (low + high + 1) >> 1;
+        if (sorted[middle] <= value) low = middle;
+        else high = middle - 1;
+      }
+      return low / last;
+    });
+  }
+  /** The numbers at both ends of the colours. */
+  get ends() {
+    return this.scale === "rank" ? [this.low, this.high] : [this.from, this.to];
+  }
   /** The number in the middle of the colours. */
   middle() {
+    if (this.scale === "rank") return this.quantile(0.5);
     return this.log ? Math.sqrt(this.from) * Math.sqrt(this.to) : this.from / 2 + this.to / 2;
   }
 }

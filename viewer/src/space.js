@@ -46,8 +46,10 @@ export class Space {
     return this.half[axis] === 0 ? this.low[axis] : this.low[axis] + (unit + this.extent[axis] / 2) * this.largest * 2;
   }
 
-  useAxes(axes) {
-    this.rows = axes.map((axis) => Array.from({ length: this.dimension }, (_, j) => (j === axis ? 1 : 0)));
+  /** With `slanted` the other coordinates are seen, too: each moves points in a direction of its own. */
+  useAxes(axes, slanted = false) {
+    const slant = (j, r) => (slanted && !axes.includes(j) ? 0.4 * Math.cos(2.4 * j + 2.1 * r) : 0);
+    this.rows = axes.map((axis, r) => Array.from({ length: this.dimension }, (_, j) => (j === axis ? 1 : slant(j, r))));
     this.names = axes.map((axis) => (axis < 0 ? "" : this.columns[axis]));
     this.project();
   }
