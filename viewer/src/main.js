@@ -225,9 +225,9 @@ class Viewer {
       const quantity = this.quantities.get(filter.id);
       range = { values: quantity.values, low: quantity.quantile(filter.low), high: quantity.quantile(filter.high) };
     }
-    const index = picture.spareIndex();
-    picture.start("choose", select(model, this.centroids, { plane: this.slicePlane(), range }, index.array), ({ count, numShown, shown: cells }) => {
-      picture.show(index, count);
+    const steps = select(model, this.centroids, { plane: this.slicePlane(), range }, picture.chosen);
+    picture.start("choose", steps, ({ count, numShown, shown: cells }) => {
+      picture.show(count);
       this.numShown = numShown;
       this.shownCells = cells;
       const output = $("filter-range");

@@ -123,14 +123,19 @@ export class Picture {
     }
     this.setItems("triangles", packed, 4, false);
     if (model.cells[1]) this.setItems("others", model.cells[1], 1, false);
-    this.indices = [0, 1].map(() => new BufferAttribute(new Uint32Array(3 * numTriangles), 1));
+    this.chosen = new Uint32Array(3 * numTriangles);  // room for the next choice of triangles
+    this.indices = [null, null];
   }
 
-  /** The room for the next choice of triangles; show() shows it. */
-  spareIndex() {
-    return this.indices[this.mesh.geometry.index === this.indices[0] ? 1 : 0];
-  }
-  show(index, count) {
+  /** Shows the first entries of `chosen`. Of two buffers in turn, which grow as they need to. */
+  show(count) {
+    const spare = this.mesh.geometry.index === this.indices[0] ? 1 : 0;
+    if (!this.indices[spare] || this.indices[spare].count < count) {
+      const size = Math.min(this.chosen.length, Math.max(2 * count, 4096));
+      this.indices[spare] = new BufferAttribute(new Uint32Array(size), 1);
+    }
+    const index = this.indices[spare];
+    index.array.set(this.chosen.subarray(0, count));
     index.needsUpdate = true;
     index.clearUpdateRanges();
     index.addUpdateRange(0, count);
