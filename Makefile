@@ -135,9 +135,13 @@ site: python          ## the documentation site, in build/site: pages, reference
 docs: python          ## run the programs and commands of the documentation, follow its links
 	tools/check_docs.py build/release --python $(python_of_build)
 
-browser: site         ## the site in Chromium, as on a phone
+browser: site         ## the site in Chromium, as on a phone, and the pages of `delone view`
 	tools/install_dependencies.sh browser
 	SITE=build/site /usr/bin/python3 -B tests/site/test_in_browser.py
+	DELONE=build/release/delone /usr/bin/python3 -B tests/site/test_viewer.py
+
+viewer:               ## src/view/viewer.html, the page that the library writes data into, from viewer/ (needs Node and npm)
+	cd viewer && npm ci --no-audit --no-fund && node build.mjs
 
 lint:                 ## formatting, layering, prose, clang-tidy
 	tools/install_dependencies.sh lint test

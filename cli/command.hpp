@@ -10,6 +10,7 @@
 #include <cstdint>
 #include <functional>
 #include <new>
+#include <optional>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -41,6 +42,7 @@ Run add_interpolate(CLI::App& app);
 Run add_check(CLI::App& app);
 Run add_generate(CLI::App& app);
 Run add_info(CLI::App& app);
+Run add_view(CLI::App& app);
 
 /// The name of a path in messages and reports.
 inline std::string input_name(const std::string& path) {
@@ -81,6 +83,8 @@ void add_queries(CLI::App& command, PointInput& queries, const std::string& desc
 
 /// The parts of a list with commas.
 std::vector<std::string> split_list(const std::string& list);
+/// What the file holds, if its format can hold anything but points. An OFF file without faces holds points.
+std::optional<AnyData> try_read(const std::string& path, std::string format, std::uint64_t max_stream_bytes);
 
 /// Options shared by several commands: the limit of streams, sizes, a list of columns, leave to
 /// overwrite inputs, a seed.

@@ -173,7 +173,7 @@ Run add_halfspaces(CLI::App& app) {
          "--interior", options->interior,
          "A point strictly inside all halfspaces: numbers, or a file with one point; found if not given")
       ->type_name("X,Y,...|FILE");
-  options->build.add_output(app, "the intersection", {"npz", "json", "off"});
+  options->build.add_output(app, "the intersection", {"npz", "json", "off", "html"});
   options->build.add_construction(app);
   add_threads(app, options->build.threads);
   return [options] { return run_halfspaces(*options); };

@@ -14,13 +14,7 @@
 #include <variant>
 
 namespace delone::cli {
-namespace {
 
-struct InfoOptions {
-  PointInput input;
-};
-
-/// What the file holds, if its format can hold anything but points. An OFF file without faces holds points.
 std::optional<AnyData> try_read(const std::string& path, std::string format, std::uint64_t max_stream_bytes) {
   if (format.empty()) {
     std::filesystem::path of_content = path;
@@ -41,6 +35,12 @@ std::optional<AnyData> try_read(const std::string& path, std::string format, std
     return std::nullopt;
   }
 }
+
+namespace {
+
+struct InfoOptions {
+  PointInput input;
+};
 
 /// A title, and a line for each number.
 class Description {

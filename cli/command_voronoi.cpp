@@ -24,7 +24,7 @@ struct VoronoiOptions {
 };
 
 const std::vector<std::string>& voronoi_formats() {
-  static const std::vector<std::string> formats{"npz", "json", "svg", "vtu"};
+  static const std::vector<std::string> formats{"npz", "json", "svg", "vtu", "html"};
   return formats;
 }
 

@@ -150,6 +150,8 @@ int run(int argc, char** argv) {
       {"delone generate uniform -d 3 -n 1e4 --seed 7 -o uniform.npy"});
   add("info", "Say what a file of points or a triangulation holds", add_info,
       {"delone info cells.npz", "delone generate grid -d 2 -n 25 | delone info -"});
+  add("view", "Make a page for a browser that shows a result", add_view,
+      {"delone view points.csv -o page.html", "delone view table.csv --columns x,y --values w -o page.html"});
   app.footer(
       "Points are read from .npy .csv .tsv .txt .xyz .pts .off .ply files, or in Qhull's form from standard "
       "input (-);\n"

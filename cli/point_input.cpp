@@ -130,7 +130,7 @@ const std::vector<std::string>& point_formats() {
 }
 
 const std::vector<std::string>& complex_formats() {
-  static const std::vector<std::string> formats{"npz", "vtu", "off", "json", "svg", "txt", "npy"};
+  static const std::vector<std::string> formats{"npz", "vtu", "off", "json", "svg", "txt", "npy", "html"};
   return formats;
 }
 

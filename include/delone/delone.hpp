@@ -12,6 +12,7 @@
 #include <delone/error.hpp>
 #include <delone/furthest_site.hpp>
 #include <delone/halfspaces.hpp>
+#include <delone/html.hpp>
 #include <delone/interpolation.hpp>
 #include <delone/io.hpp>
 #include <delone/lower_hull.hpp>

@@ -117,6 +117,7 @@ DELONE_EXPORT Data read_as(const std::string& path, const std::string& format = 
 ///   svg   d = 2: a picture
 ///   txt   Qhull's `i` form: number of cells, then one line of point rows per cell; standard output
 ///   npy   the cells array only
+///   html  a page for a browser: html.hpp
 /// Standard output takes the text formats. Errors: bad_dimension, not_finite; invalid_argument where the
 /// arrays disagree.
 DELONE_EXPORT void write(const std::string& path, const ComplexData& data, const std::string& format = {});
@@ -130,6 +131,7 @@ DELONE_EXPORT void write(const std::string& path, const HullData& data, const st
 ///   npz   its arrays
 ///   json  the same members; standard output
 ///   off   k = d = 3 and bounded: vertices, and facets as polygons
+///   html  a page for a browser: html.hpp; invalid_argument without interior points
 /// Errors: bad_dimension; invalid_argument where the arrays disagree.
 DELONE_EXPORT void write(const std::string& path, const IntersectionData& data,
                          const std::string& format = {});
@@ -143,6 +145,7 @@ DELONE_EXPORT void write(const std::string& path, const VoronoiData& data, const
 /// Writes a diagram, with its ridges, as its arrays (npz, json) or as a picture of what a box leaves of it:
 ///   svg   d = 2: a picture; the format of standard output is json
 ///   vtu   d = 2, 3: the regions as polygons or polyhedra, each with its `region` and `point`, for ParaView
+///   html  d ≤ 3: a page for a browser: html.hpp
 /// `box`: by default bounding_box(). Errors: invalid_argument for a bad box, and for a diagram without
 /// ridges.
 DELONE_EXPORT void write(const std::string& path, const Diagram& diagram, const std::optional<Box>& box = {},

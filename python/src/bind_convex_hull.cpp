@@ -2,6 +2,7 @@
 // delone.ConvexHull.
 #include "arrays.hpp"
 #include "docstring.hpp"
+#include "html.hpp"
 #include "module.hpp"
 #include "pickling.hpp"
 #include "running.hpp"
@@ -470,6 +471,8 @@ void bind_convex_hull(py::module_& module) {
       .def("visible_facets", &visible_facets, "point"_a, text(visible_facets_doc))
       .def("__repr__", &repr)
       .def(py::pickle(&state, &restored));
+  define_to_html(type,
+                 [](const HeldHull& h, const HtmlOptions& options) { return html_of(h.data(), options); });
 }
 
 }  // namespace delone::python

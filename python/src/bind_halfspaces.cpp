@@ -2,6 +2,7 @@
 // delone.HalfspaceIntersection.
 #include "arrays.hpp"
 #include "docstring.hpp"
+#include "html.hpp"
 #include "module.hpp"
 #include "pickling.hpp"
 #include "running.hpp"
@@ -325,6 +326,8 @@ void bind_halfspaces(py::module_& module) {
           text(statistics_doc))
       .def("__repr__", &repr)
       .def(py::pickle(&state, &restored));
+  define_to_html(
+      type, [](const HeldIntersection& h, const HtmlOptions& options) { return html_of(h.data(), options); });
 }
 
 }  // namespace delone::python

@@ -2,6 +2,7 @@
 // delone.Delaunay, Regular and FurthestSite.
 #include "arrays.hpp"
 #include "docstring.hpp"
+#include "html.hpp"
 #include "module.hpp"
 #include "pickling.hpp"
 #include "sample.hpp"
@@ -649,6 +650,14 @@ void bind_triangulations(py::module_& module) {
            "broad"_a, "radius"_a)
       .def("nearest", &nearest, "queries"_a, "k"_a = py::none(), nearest_doc)
       .def("__repr__", &repr);
+
+  define_to_html(base, [](const Held& held, const HtmlOptions& options) {
+    Supervisor supervisor;
+    return supervisor.run([&] {
+      return held.with_engine(
+          [&](const Triangulation& engine) { return to_html(engine.to_data(), options); });
+    });
+  });
 
   py::class_<HeldDelaunay, Held, std::shared_ptr<HeldDelaunay>> delaunay(module, "Delaunay",
                                                                          text(delaunay_doc));

@@ -2,6 +2,7 @@
 // delone.Voronoi and PowerDiagram.
 #include "arrays.hpp"
 #include "docstring.hpp"
+#include "html.hpp"
 #include "module.hpp"
 #include "triangulation.hpp"
 
@@ -122,6 +123,16 @@ py::array region_volumes(const HeldDiagram& held, const py::object& object) {
     return box ? held.diagram().region_volumes(*box, held.threads())
                : held.diagram().region_volumes(held.threads());
   }));
+}
+
+std::string html_of_diagram(const HeldDiagram& held, const std::string& title,
+                            std::vector<std::string> columns, const py::object& values, const std::string& at,
+                            const std::string& name, const py::object& object) {
+  const std::optional<Box> box = as_box(object);
+  if (held.is_furthest()) throw Error(Errc::unsupported, "furthest-site diagrams are not cut off at boxes");
+  const HtmlOptions options = html_options(title, std::move(columns), values, at, name);
+  Supervisor supervisor;
+  return supervisor.run([&] { return to_html(held.diagram(), options, box); });
 }
 
 std::size_t checked(const char* what, py::ssize_t i, std::size_t count) {
@@ -299,6 +310,8 @@ void bind_voronoi(py::module_& module) {
             return h.list(h.diagram().region(checked("region", i, h.diagram().num_regions())));
           },
           "i"_a, "The vertices of region i, see region_vertices. IndexError unless 0 <= i < num_regions.")
+      .def("_to_html", &html_of_diagram, "title"_a, "columns"_a, "values"_a, "values_at"_a, "value_name"_a,
+           "box"_a)
       .def("region_volumes", &region_volumes, "box"_a = py::none(), text(region_volumes_doc))
       .def(
           "ridge_volumes",

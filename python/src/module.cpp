@@ -5,6 +5,8 @@
 #include "messages.hpp"
 #include "running.hpp"
 
+#include <delone/io.hpp>
+
 #include <cstddef>
 #include <new>
 #include <string>
@@ -92,6 +94,8 @@ PYBIND11_MODULE(_core, module) {
   python::bind_lists(module);
   python::bind_tiles(module);
   module.def("_represented", &python::represented, py::arg("value"), "How messages show a foreign value.");
+  module.def("_write_text", &delone::write_text, py::arg("path"), py::arg("text"),
+             "Writes a file, whole or not at all.");
   require_initialized_objects(module);
   refuse_to_make_the_base();
   reduce_in_one_way(module);

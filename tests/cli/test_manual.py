@@ -117,7 +117,7 @@ class Manual(unittest.TestCase):
             ("delone", "hull", "--lo"): ["--lower"],
             ("delone", "hull", "--format", "x"): ["xyz"],
             ("delone", "hull", "--format", "=", "x"): ["xyz"],
-            ("delone", "voronoi", "--output-format", "="): ["npz", "json", "svg", "vtu"],
+            ("delone", "voronoi", "--output-format", "="): ["npz", "json", "svg", "vtu", "html"],
             ("delone", "generate", "g"): ["gaussian", "grid"],
             ("delone", "hull", "prot"): ["protein.csv"],
             ("delone", "hull", "-o", "prot"): ["protein.csv"],

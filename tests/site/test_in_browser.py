@@ -8,21 +8,15 @@ import functools
 import http.server
 import os
 import pathlib
-import shutil
-import tempfile
 import threading
 import unittest
 
-from selenium import webdriver
-from selenium.webdriver.chrome.service import Service
 from selenium.webdriver.common.by import By
 from selenium.webdriver.support.ui import WebDriverWait
 
+from chromium import PHONE, start, stop
+
 SITE = pathlib.Path(os.environ.get("SITE", "build/site")).resolve()
-PHONE = {"width": 390, "height": 844, "pixelRatio": 3, "touch": True}
-# As root Chromium has no sandbox; it also tries to reach other hosts if it is not told otherwise.
-FLAGS = ["--headless", "--no-sandbox", "--disable-gpu", "--disable-dev-shm-usage", "--no-first-run", "--disable-background-networking",
-         "--disable-component-update", "--disable-sync", "--disable-quic"]
 
 
 class QuietHandler(http.server.SimpleHTTPRequestHandler):
@@ -36,19 +30,12 @@ class Site(unittest.TestCase):
         cls.server = http.server.ThreadingHTTPServer(("127.0.0.1", 0), functools.partial(QuietHandler, directory=str(SITE)))
         threading.Thread(target=cls.server.serve_forever, daemon=True).start()
         cls.address = f"http://127.0.0.1:{cls.server.server_port}/"
-        cls.profile = tempfile.mkdtemp()
-        options = webdriver.ChromeOptions()
-        for flag in [*FLAGS, f"--user-data-dir={cls.profile}"]:
-            options.add_argument(flag)
-        options.add_experimental_option("mobileEmulation", {"deviceMetrics": PHONE})
-        options.set_capability("goog:loggingPrefs", {"browser": "SEVERE"})
-        cls.browser = webdriver.Chrome(service=Service(shutil.which("chromedriver")), options=options)
+        cls.browser, cls.profile = start(["--disable-gpu"], phone=True)
 
     @classmethod
     def tearDownClass(cls):
-        cls.browser.quit()
+        stop(cls.browser, cls.profile)
         cls.server.shutdown()
-        shutil.rmtree(cls.profile, ignore_errors=True)
 
     def open(self, page):
         self.browser.get(self.address + page)

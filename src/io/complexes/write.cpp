@@ -8,6 +8,7 @@
 #include "io/npy.hpp"
 #include "io/write_npy.hpp"
 
+#include <delone/html.hpp>
 #include <delone/io.hpp>
 #include <delone/voronoi.hpp>
 
@@ -55,7 +56,7 @@ void write_qhull_cells(AtomicFile& file, const ComplexData& data) {
 }
 
 const std::initializer_list<std::string_view> complex_formats{"npz", "vtu", "off", "json",
-                                                              "svg", "txt", "npy"};
+                                                              "svg", "txt", "npy", "html"};
 
 }  // namespace
 }  // namespace io
@@ -69,6 +70,7 @@ void write(const std::string& path, const ComplexData& data, const std::string& 
     io::require_finite(data.points, data.dimension, name);
     io::require_finite(data.weights, 1, name + ": weights");
     io::refuse_binary_output(path, chosen);
+    if (chosen == "html") return write_text(path, to_html(data));
     if (chosen == "vtu" || chosen == "svg" || chosen == "off") io::require_rows_in_range(data, name);
     io::AtomicFile file(path);
     if (chosen == "npz") io::write_npz(file, data);
@@ -88,6 +90,7 @@ void write(const std::string& path, const HullData& data, const std::string& for
   io::guarded(name, [&] {
     io::validate(data, name);
     io::require_finite(data.points, data.dimension, name);
+    if (chosen == "html") return write_text(path, to_html(data));
     if (chosen != "npz" && chosen != "json") {
       ComplexData boundary;
       boundary.dimension = data.dimension;
@@ -106,10 +109,11 @@ void write(const std::string& path, const HullData& data, const std::string& for
 
 void write(const std::string& path, const IntersectionData& data, const std::string& format) {
   const std::string chosen =
-      io::choose_format(path, format, "json", {"npz", "json", "off"}, "writing an intersection");
+      io::choose_format(path, format, "json", {"npz", "json", "off", "html"}, "writing an intersection");
   const std::string name = io::output_name(path);
   io::guarded(name, [&] {
     io::validate(data, name);
+    if (chosen == "html") return write_text(path, to_html(data));
     io::refuse_binary_output(path, chosen);
     io::AtomicFile file(path);
     if (chosen == "npz") io::write_npz(file, data);
@@ -135,12 +139,13 @@ void write(const std::string& path, const VoronoiData& data, const std::string& 
 
 void write(const std::string& path, const Diagram& diagram, const std::optional<Box>& box,
            const std::string& format) {
-  const std::string chosen =
-      io::choose_format(path, format, "json", {"npz", "json", "svg", "vtu"}, "writing a Voronoi diagram");
+  const std::string chosen = io::choose_format(path, format, "json", {"npz", "json", "svg", "vtu", "html"},
+                                               "writing a Voronoi diagram");
   const std::string name = io::output_name(path);
   io::guarded(name, [&] {
     if (!diagram.has_ridges()) io::fail(Errc::invalid_argument, "the diagram was made without ridges");
     if (chosen == "npz" || chosen == "json") return write(path, diagram.to_data(), chosen);
+    if (chosen == "html") return write_text(path, to_html(diagram, {}, box));
     io::refuse_binary_output(path, chosen);
     io::AtomicFile file(path);
     const Box shown = box ? *box : diagram.bounding_box();

@@ -1,0 +1,38 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""delone view, and the format html."""
+import json
+import re
+import unittest
+
+from cli_support import Case
+
+
+class View(Case):
+    def scene(self, *arguments):
+        page = self.output("view", "-q", *arguments)
+        return json.loads(re.search(r'id="delone-scene">(.*?)</script>', page).group(1))
+
+    def test_points_and_results(self):
+        points = self.file("p.csv", "lon,lat,depth\n0,0,1\n1,0,2\n0,1,3\n1,1,4\n0.5,0.25,5\n")
+        scene = self.scene(points, "--values", "depth")
+        self.assertEqual([scene[name] for name in ("kind", "title", "columns", "numCells", "valueName")], ["triangulation", "p", ["lon", "lat"], 4, "depth"])
+        self.assertEqual(self.scene(points, "--columns", "lon,lat", "--of", "hull")["kind"], "hull")
+        self.assertEqual(self.scene(points, "--columns", "lon,lat", "--of", "voronoi", "--box", "0,0,2,2")["high"], [2, 2])
+        for command in ("delaunay", "hull", "voronoi"):
+            result = self.path(command + ".npz")
+            self.run_delone(command, points, "--columns", "lon,lat", "-o", result)
+            self.assertEqual(self.scene(result, "--title", "T")["title"], "T")
+            self.run_delone(command, points, "--columns", "lon,lat", "-o", self.path("page.html"))
+        values = self.file("v.txt", "1\n2\n3\n4\n")
+        self.assertFalse(self.scene(self.path("delaunay.npz"), "--values", values)["valueOfVertices"])
+
+    def test_what_is_refused(self):
+        points = self.uniform(2, 10)
+        self.assertIn("3 numbers for 10 rows", self.complaint("view", points, "--values", self.file("v.txt", "1\n2\n3\n")))
+        self.run_delone("delaunay", points, "-o", self.path("t.npz"))
+        self.assertIn("there is no such file", self.complaint("view", self.path("t.npz"), "--values", "depth", status=64))
+        self.assertIn("--box takes 4 numbers", self.complaint("view", points, "--of", "voronoi", "--box", "0,1", status=64))
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,62 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""Pages for browsers: what is in them, and what is refused. What browsers make of them: tests/site/test_viewer.py."""
+import json
+import re
+
+import numpy as np
+import pytest
+
+import delone
+
+POINTS = np.random.default_rng(3).uniform(size=(40, 3))
+
+
+def scene(page):
+    return json.loads(re.search(r'id="delone-scene">(.*?)</script>', page).group(1))
+
+
+@pytest.mark.parametrize("product, kind, cells", [
+    (delone.Delaunay(POINTS), "triangulation", "num_cells"), (delone.Regular(POINTS, np.zeros(40)), "triangulation", "num_cells"),
+    (delone.ConvexHull(POINTS), "hull", "num_cells"), (delone.Voronoi(POINTS), "diagram", "num_regions"),
+    (delone.PowerDiagram(POINTS, np.zeros(40)), "diagram", "num_regions"),
+    (delone.HalfspaceIntersection(np.c_[np.vstack([np.eye(3), -np.eye(3)]), -np.ones(6)]), "intersection", "num_facets")])
+def test_pages(product, kind, cells, tmp_path):
+    page = product.to_html(title="A <title>")
+    assert scene(page)["kind"] == kind
+    assert scene(page)["title"] == "A <title>"
+    assert scene(page)["numCells"] == getattr(product, cells)
+    assert product.to_html(tmp_path / "page.html", title="A <title>") is None
+    assert (tmp_path / "page.html").read_text() == page
+
+
+def test_values():
+    t = delone.Delaunay(POINTS)
+    page = scene(t.to_html(values=np.arange(40.0), value_name="height"))
+    assert page["valueOfVertices"] and page["valueName"] == "height"
+    assert page["blocks"]["value"]["high"] == 39
+    assert not scene(t.to_html(values=np.arange(t.num_cells), values_at="cells"))["valueOfVertices"]
+    missing = np.arange(40.0)
+    missing[7] = np.nan
+    assert scene(t.to_html(values=missing))["blocks"]["value"]["high"] == 39
+    box = scene(delone.Voronoi(POINTS).to_html(box=[[-1] * 3, [2] * 3]))
+    assert box["low"] == [-1, -1, -1] and box["high"] == [2, 2, 2]
+
+
+def test_what_is_refused(tmp_path):
+    t = delone.Delaunay(POINTS)
+    with pytest.raises(ValueError, match="3 numbers for 40 rows"):
+        t.to_html(values=[1, 2, 3])
+    with pytest.raises(ValueError, match="values_at: one of 'points', 'cells'"):
+        t.to_html(values=np.zeros(40), values_at="facets")
+    with pytest.raises(ValueError, match="values"):
+        t.to_html(values=np.zeros((40, 1)))
+    with pytest.raises(delone.Error, match="item 0 is infinite"):
+        t.to_html(values=np.full(40, np.inf))
+    with pytest.raises(delone.Error, match="missing"):
+        t.to_html(tmp_path / "missing" / "page.html")
+    with pytest.raises(delone.Error, match="at most 3 dimensions"):
+        delone.Voronoi(np.random.default_rng(0).uniform(size=(9, 4))).to_html()
+    with pytest.raises(delone.Error, match="furthest"):
+        delone.Voronoi(delone.FurthestSite(POINTS)).to_html()
+    with pytest.raises(delone.Error, match="no interior points"):
+        delone.HalfspaceIntersection([[1.0, 0, 1], [-1, 0, 1]]).to_html()

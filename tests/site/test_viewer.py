@@ -1,0 +1,336 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: BSD-3-Clause
+"""The pages of `delone view` in Chromium, without a graphics card: pictures, what is under the pointer, filters, slices, keys, phones.
+
+  DELONE=build/release/delone python3 tests/site/test_viewer.py [unittest arguments]
+
+Pictures are compared with pictures.json, 24 by 16 colours each; RENEW=1 writes it anew (look at the pictures, in the folder that is
+printed, before you commit it). LARGE=1: a million triangles, and figures of speed.
+"""
+import json
+import os
+import pathlib
+import random
+import shutil
+import statistics
+import subprocess
+import tempfile
+import time
+import unittest
+
+from selenium.webdriver.common.action_chains import ActionChains
+from selenium.webdriver.common.by import By
+from selenium.webdriver.common.keys import Keys
+
+from chromium import WEBGL, start, stop
+
+DELONE = os.environ.get("DELONE", "build/release/delone")
+PICTURES = pathlib.Path(__file__).with_name("pictures.json")
+RENEW = bool(os.environ.get("RENEW"))
+
+# The colours of a small copy of the picture.
+THUMBNAIL = """const done = arguments[0]; (async () => {
+  const bitmap = await createImageBitmap(await delone.picture.image(), {resizeWidth: 24, resizeHeight: 16, resizeQuality: "high"});
+  const context = new OffscreenCanvas(24, 16).getContext("2d");
+  context.drawImage(bitmap, 0, 0);
+  const {data} = context.getImageData(0, 0, 24, 16);
+  done(Array.from(data).filter((_, i) => i % 4 < 3));
+})();"""
+
+# Which triangle of the plane has a place of the canvas in it, by looking at all.
+FIND_TRIANGLE = """const [x, y] = arguments, v = delone, c = v.picture.camera, w = v.picture.canvas;
+const px = c.position.x + (c.left + (c.right - c.left) * (x + 0.5) / w.clientWidth) / c.zoom;
+const py = c.position.y + (c.top - (c.top - c.bottom) * (y + 0.5) / w.clientHeight) / c.zoom;
+const p = v.space.positions, t = v.scene.cells;
+for (let i = 0; i < t.length; i += 3) {
+  const [a, b, d] = [0, 1, 2].map((j) => [p[4 * t[i + j]], p[4 * t[i + j] + 1]]);
+  const side = (s, e) => (e[0] - s[0]) * (py - s[1]) - (e[1] - s[1]) * (px - s[0]);
+  if (side(a, b) >= 0 && side(b, d) >= 0 && side(d, a) >= 0) return i / 3;
+}
+return null;"""
+
+
+class Viewer(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        cls.folder = pathlib.Path(tempfile.mkdtemp())
+        cls.browser, cls.profile = start([*WEBGL, "--window-size=1200,800"])
+        cls.browser.set_script_timeout(120)
+        cls.expected = {} if RENEW else json.loads(PICTURES.read_text())
+        cls.pages = {
+            "plane": cls.view("uniform", 300, 2), "space": cls.view("uniform", 400, 3), "four": cls.view("uniform", 40, 4),
+            "hull": cls.view("ball", 400, 3, "--of", "hull"), "hull4": cls.view("cube01", 16, 4, "--of", "hull"),
+            "diagram2": cls.view("uniform", 200, 2, "--of", "voronoi"), "diagram3": cls.view("uniform", 150, 3, "--of", "voronoi"),
+            "flat": cls.view("flat", 100, 3), "line": cls.view("collinear", 20, 2), "one": cls.view("equal", 3, 3),
+            "dodecahedron": cls.intersection(),
+        }
+
+    @classmethod
+    def tearDownClass(cls):
+        stop(cls.browser, cls.profile)
+        if RENEW:
+            PICTURES.write_text("{\n" + ",\n".join(f' "{name}": "{bytes(colors).hex()}"' for name, colors in cls.expected.items()) + "\n}\n")
+            print("pictures:", cls.folder)
+        else:
+            shutil.rmtree(cls.folder)
+
+    @classmethod
+    def view(cls, kind, n, d, *options):
+        points, page = cls.folder / "points.npy", cls.folder / f"{kind}{n}-{d}{len(options)}.html"
+        subprocess.run([DELONE, "generate", kind, "-n", str(n), "-d", str(d), "-o", points], check=True)
+        subprocess.run([DELONE, "view", "-q", points, "-o", page, "--title", kind, *options], check=True)
+        return page
+
+    @classmethod
+    def intersection(cls):
+        golden = (1 + 5 ** 0.5) / 2
+        normals = [(0, a, b * golden) for a in (1, -1) for b in (1, -1)]
+        rows = [(*row[shift:], *row[:shift], -1.0) for row in normals for shift in range(3)]
+        halfspaces, page = cls.folder / "halfspaces.txt", cls.folder / "dodecahedron.html"
+        halfspaces.write_text("\n".join(" ".join(map(str, row)) for row in rows))
+        subprocess.run([DELONE, "halfspaces", "-q", halfspaces, "-o", page], check=True)
+        return page
+
+    def open(self, name, browser=None):
+        browser = browser or self.browser
+        browser.get(self.pages[name].as_uri())
+        self.wait("return window.delone?.picture.stats.firstFrameMs > 0 || document.querySelector('#notice.failed') !== null", browser)
+
+    def wait(self, script, browser=None):
+        end = time.time() + 240
+        while not (browser or self.browser).execute_script(script):
+            self.assertLess(time.time(), end, script)
+            time.sleep(0.02)
+
+    def settle(self):
+        self.wait("return !delone.picture.busy")
+
+    def js(self, script, *arguments):
+        return self.browser.execute_script(script, *arguments)
+
+    def pick(self, x, y):
+        return self.browser.execute_async_script("delone.nameAt(arguments[0], arguments[1]).then(arguments[2])", x, y)
+
+    def choose(self, element, value, event="change"):
+        self.js("const e = document.getElementById(arguments[0]); e.value = arguments[1]; e.dispatchEvent(new Event(arguments[2]));",
+                element, value, event)
+        self.settle()
+
+    def slide(self, element, value):
+        self.choose(element, value, "input")
+
+    def check_box(self, element):
+        self.browser.find_element(By.ID, element).click()
+        self.settle()
+
+    def check_picture(self, name):
+        self.settle()
+        colors = self.browser.execute_async_script(THUMBNAIL)
+        if RENEW:
+            self.expected[name] = colors
+            self.browser.save_screenshot(str(self.folder / f"{name}.png"))
+            return
+        differences = [abs(a - b) for a, b in zip(colors, bytes.fromhex(self.expected[name]), strict=True)]
+        self.assertLess(statistics.mean(differences), 4, name)
+        self.assertLess(sorted(differences)[len(differences) * 97 // 100], 40, name)
+
+    def test_every_page_is_shown(self):
+        for name in self.pages:
+            with self.subTest(name=name):
+                self.open(name)
+                self.check_picture(name)
+                self.assertLessEqual(self.js("return delone.picture.stats.drawCalls"), 2)
+                self.assertEqual(self.browser.get_log("browser"), [])
+
+    def test_picks_in_the_plane(self):
+        self.open("plane")
+        width, height = self.js("const c = delone.picture.canvas; return [c.clientWidth, c.clientHeight]")
+        numbers, found = random.Random(1), 0
+        for _ in range(30):
+            x, y = numbers.randrange(width), numbers.randrange(height)
+            expected = self.js(FIND_TRIANGLE, x, y)
+            self.assertEqual(self.pick(x, y), expected, (x, y))
+            found += expected is not None
+        self.assertGreater(found, 8)
+
+    def test_pointer_names_cells(self):
+        self.open("plane")
+        canvas, tip = self.browser.find_element(By.ID, "picture"), self.browser.find_element(By.ID, "tip")
+        ActionChains(self.browser).move_to_element(canvas).perform()
+        self.wait("return !document.getElementById('tip').hidden")
+        text = tip.text.splitlines()
+        self.assertRegex(text[0], r"^cell \d+$")
+        cell = int(text[0].split()[1])
+        rows = self.js("const c = arguments[0]; return Array.from(delone.scene.cells.subarray(3 * c, 3 * c + 3)).map((v) => delone.scene.rows[v])", cell)
+        self.assertEqual(text[1], "rows " + ", ".join(map(str, rows)))
+        self.assertEqual([line.split()[0] for line in text[2:]], ["circumradius", "quality"])
+        self.assertLessEqual(self.js("return delone.picture.stats.drawCalls"), 2)
+        canvas.send_keys(Keys.ESCAPE)
+        self.assertFalse(tip.is_displayed())
+
+    def test_filters(self):
+        self.open("plane")
+        cells = self.js("return delone.scene.numCells")
+        self.slide("filter-high", 500)
+        half = self.js("return delone.numShown")
+        self.assertAlmostEqual(half / cells, 0.5, delta=0.02)
+        self.assertEqual(self.js("return delone.picture.mesh.geometry.drawRange.count"), 3 * half)
+        shown = self.js("const q = delone.quantities.get('radius'); let largest = 0; delone.shownCells.forEach((s, i) => { if (s) largest = Math.max(largest, q.values[i]); });"
+                        "return [largest, q.quantile(0.5)]")
+        self.assertLessEqual(*shown)
+        self.check_picture("plane, small cells")
+        self.choose("filter", "quality")
+        self.slide("filter-high", 1000)
+        self.assertEqual(self.js("return delone.numShown"), cells)
+
+    def test_slices(self):
+        self.open("space")
+        cells, first = self.js("return [delone.scene.numCells, delone.numShown]")
+        self.check_box("slice-flip")
+        self.assertEqual(self.js("return delone.numShown") + first, cells)
+        self.check_box("slice")
+        self.assertEqual(self.js("return delone.numShown"), cells)
+        self.check_picture("space, all")
+        faces = self.js("let n = 0; for (const c of delone.model.cells[1]) if (c === 0xffffffff) ++n; return n")
+        self.assertEqual(self.js("return delone.picture.mesh.geometry.drawRange.count"), 3 * faces)
+        self.check_box("slice-flip")
+        self.choose("slice-axis", 0)
+        self.slide("slice-at", 300)
+        beyond = self.js("const p = delone.slicePlane(); let n = 0; for (let i = 0; i < delone.centroids.length; i += 3) if (delone.centroids[i] <= p.offset) ++n; return n")
+        self.assertEqual(self.js("return delone.numShown"), beyond)
+        self.check_picture("space, sliced")
+
+    def test_hull_voronoi_and_faces(self):
+        self.open("plane")
+        hull = self.js("return delone.overlays.hull.count")
+        self.assertGreater(hull, 8)
+        self.check_box("dual")
+        edges = self.js("return delone.overlays.dual.count")
+        self.assertGreater(edges, 800)
+        self.check_picture("plane, Voronoi")
+        self.assertEqual(self.js("return delone.picture.stats.drawCalls"), 2)
+        self.choose("faces", "none")
+        self.assertEqual(self.js("return delone.picture.stats.drawCalls"), 1)
+        self.open("space")
+        self.check_box("hull")
+        self.check_box("dual")
+        self.choose("faces", "glass")
+        self.check_picture("space, glass")
+        self.assertEqual(self.browser.get_log("browser"), [])
+
+    def test_regions_know_their_rows(self):
+        self.open("diagram2")
+        x, y = self.js("const c = delone.picture.canvas; return [c.clientWidth / 2, c.clientHeight / 2]")
+        region = self.pick(x, y)
+        self.assertIn(f"of row {region}", self.browser.find_element(By.ID, "tip").text)
+        volumes = self.js("return Array.from(delone.scene.volume)")
+        self.assertAlmostEqual(sum(volumes), 1.44, delta=0.03)  # of the box
+
+    def test_more_than_three_dimensions(self):
+        self.open("four")
+        before = self.js("return Array.from(delone.space.positions.slice(0, 3))")
+        self.choose("axis0", 3)
+        self.assertNotEqual(self.js("return Array.from(delone.space.positions.slice(0, 3))"), before)
+        self.choose("projection", "slanted")
+        self.assertTrue(all(row[0] != 0 for row in self.js("return delone.space.rows")))  # coordinate 3 is shown in the place of 0
+        self.choose("projection", "principal")
+        rows = self.js("return delone.space.rows")
+        for a in range(3):
+            for b in range(3):
+                self.assertAlmostEqual(sum(x * y for x, y in zip(rows[a], rows[b])), a == b, places=9)
+        self.settle()
+        self.assertEqual(self.browser.get_log("browser"), [])
+
+    def test_keys(self):
+        self.open("space")
+        canvas = self.browser.find_element(By.ID, "picture")
+        camera = "return delone.picture.camera.position.toArray()"
+        before = self.js(camera)
+        canvas.send_keys(Keys.ARROW_LEFT)
+        turned = self.js(camera)
+        self.assertNotEqual(turned, before)
+        self.assertAlmostEqual(turned[2], before[2], places=9)
+        canvas.send_keys("+")
+        self.settle()
+        canvas.send_keys("0")
+        self.settle()
+        for a, b in zip(self.js(camera), before):
+            self.assertAlmostEqual(a, b, places=3)
+        canvas.send_keys(Keys.ENTER)
+        self.wait("return document.getElementById('named').textContent.startsWith('cell ')")
+
+    def test_colors(self):
+        self.open("space")
+        for color in ("radius", "axis2", "none", "quality"):
+            self.choose("color", color)
+        self.choose("scale", "rank")
+        ranks = self.js("return Array.from(delone.color.scalars())")
+        self.assertAlmostEqual(statistics.mean(ranks), 0.5, delta=0.02)
+        self.choose("scale", "linear")
+        self.choose("map", "cividis")
+        self.check_picture("space, cividis")
+        self.assertEqual(self.browser.find_element(By.CSS_SELECTOR, "#legend .name").text, "quality")
+
+    def test_dark(self):
+        self.browser.execute_cdp_cmd("Emulation.setEmulatedMedia", {"features": [{"name": "prefers-color-scheme", "value": "dark"}]})
+        try:
+            self.open("hull")
+            self.check_picture("hull, dark")
+        finally:
+            self.browser.execute_cdp_cmd("Emulation.setEmulatedMedia", {"features": []})
+
+    def test_on_a_phone(self):
+        browser, profile = start(WEBGL, phone=True)
+        try:
+            for name in ("plane", "space"):
+                self.open(name, browser)
+                self.assertLessEqual(browser.execute_script("return document.documentElement.scrollWidth"), 390)
+                self.assertGreater(browser.execute_script("return delone.picture.canvas.clientHeight"), 500)
+                browser.find_element(By.ID, "fold").click()
+                self.assertTrue(browser.find_element(By.ID, "color").is_displayed())
+                self.assertEqual(browser.get_log("browser"), [])
+        finally:
+            stop(browser, profile)
+
+    def test_without_webgl(self):
+        browser, profile = start(["--disable-3d-apis"])
+        try:
+            self.open("plane", browser)
+            self.assertIn("This page needs WebGL 2", browser.find_element(By.ID, "notice").text)
+        finally:
+            stop(browser, profile)
+
+    def test_values_are_named_and_missing_ones_grey(self):
+        points, page = self.folder / "named.csv", self.folder / "named.html"
+        points.write_text("lon,lat,depth\n0,0,1\n1,0,2\n1,1,3\n0,1,4\n0.5,0.4,5\n")
+        subprocess.run([DELONE, "view", "-q", points, "--values", "depth", "--title", "</script><b>", "-o", page], check=True)
+        self.pages["named"] = page
+        self.open("named")
+        self.assertEqual(self.js("return document.title"), "</script><b>")
+        self.assertEqual(self.js("return [delone.scene.columns, delone.scene.valueName]"), [["lon", "lat"], "depth"])
+        ends = [span.text for span in self.browser.find_elements(By.CSS_SELECTOR, "#legend .ends span")]
+        self.assertEqual(ends, ["1", "3", "5"])
+
+    def test_many_triangles(self):
+        large = bool(os.environ.get("LARGE"))
+        self.pages["many"] = self.view("uniform", 500_500 if large else 20_000, 2)
+        size = self.pages["many"].stat().st_size
+        self.open("many")
+        self.js("const s = delone.picture.stats; s.scriptMs.length = s.frameMs.length = 0;"
+                "window.turns = 0; (function step() { delone.picture.zoom(1.004); if (++turns < 60) requestAnimationFrame(step); })()")
+        self.wait("return turns >= 60")
+        self.slide("filter-high", 700)
+        stats = self.js("return delone.picture.stats")
+        scripts = sorted(stats["scriptMs"])
+        print(f"\n{self.js('return delone.scene.numCells')} triangles: page {size / 1e6:.1f} MB, first frame {stats['firstFrameMs']:.0f} ms, "
+              f"{1000 / statistics.median(stats['frameMs']):.1f} frames/s, script {statistics.median(scripts):.2f} ms per frame "
+              f"({scripts[len(scripts) * 95 // 100]:.2f} at the 95th percentile), {stats['drawCalls']} draw calls")
+        self.assertLessEqual(stats["drawCalls"], 2)
+        self.assertLess(statistics.median(scripts), 4)
+        if large:
+            self.assertGreaterEqual(self.js("return delone.scene.numCells"), 1_000_000)
+            self.assertLess(size, 25e6)
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// to_html(): the description in the page, the blocks it names, and what is refused. What browsers make of it:
+// tests/site/test_viewer.py.
+#include <delone/convex_hull.hpp>
+#include <delone/delaunay.hpp>
+#include <delone/halfspaces.hpp>
+#include <delone/html.hpp>
+#include <delone/voronoi.hpp>
+
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include <limits>
+#include <string>
+#include <vector>
+
+namespace {
+
+using namespace delone;
+
+nlohmann::json description(const std::string& page) {
+  const std::string opening = "<script type=\"application/json\" id=\"delone-scene\">";
+  const std::size_t begin = page.find(opening) + opening.size();
+  const auto scene = nlohmann::json::parse(page.substr(begin, page.find("</script>", begin) - begin));
+  for (const auto& [name, block] : scene["blocks"].items())
+    EXPECT_NE(page.find("id=\"delone-" + name + "\">"), std::string::npos) << name;
+  EXPECT_EQ(page.substr(0, 15), "<!doctype html>");
+  EXPECT_NE(page.rfind("</html>"), std::string::npos);
+  return scene;
+}
+
+const std::vector<double> square{0, 0, 1, 0, 0, 1, 1, 1, 0.5, 0.25, 1, 1};  // the last one is a duplicate
+
+Errc code_of(const auto& work) {
+  try {
+    work();
+  } catch (const Error& e) {
+    return e.code();
+  }
+  ADD_FAILURE() << "nothing was refused";
+  return Errc{};
+}
+
+TEST(ToHtml, Triangulations) {
+  const Delaunay<> t(square, 2);
+  HtmlOptions options{.title = "</script> & \"more\"", .values = {1, 2, 3, 4, 5, 6}, .value_name = "w"};
+  const auto scene = description(to_html(t.to_data(), options));
+  EXPECT_EQ(scene["title"], options.title);
+  EXPECT_EQ(scene["kind"], "triangulation");
+  EXPECT_EQ(scene["numCells"], 4);
+  EXPECT_EQ(scene["numVertices"], 5);
+  EXPECT_EQ(scene["columns"], (std::vector<std::string>{"x", "y"}));
+  EXPECT_EQ(scene["low"], (std::vector<double>{0, 0}));
+  EXPECT_EQ(scene["blocks"]["value"]["high"], 5);  // of the vertices; row 5 is none
+  EXPECT_TRUE(scene["dual"] && scene["valueOfVertices"]);
+  options.values = {1, 2, 3, 4};
+  EXPECT_FALSE(description(to_html(t.to_data(), options))["valueOfVertices"]);
+}
+
+TEST(ToHtml, OtherResults) {
+  const auto hull = description(to_html(ConvexHull<>(square, 2).to_data()));
+  EXPECT_EQ(hull["numCells"], 4);
+  EXPECT_EQ(hull["blocks"]["sites"]["items"], 12);
+  const Voronoi<> diagram{Delaunay<>(square, 2)};
+  const auto regions = description(to_html(diagram, {.values = {0, 1, 2, 3, 4, 5}}));
+  EXPECT_EQ(regions["numCells"], 5);
+  EXPECT_EQ(regions["blocks"]["cells"]["items"], 5);
+  EXPECT_FALSE(regions["valueOfVertices"]);
+  // A corner of space, unbounded: its three facets are cut off.
+  const HalfspaceIntersection<> corner(std::vector<double>{-1, 0, 0, 0, 0, -1, 0, 0, 0, 0, -1, 0}, 3);
+  const auto polyhedron = description(to_html(corner.to_data()));
+  EXPECT_EQ(polyhedron["numCells"], 3);
+  EXPECT_EQ(polyhedron["numVertices"], 4);
+}
+
+TEST(ToHtml, NothingAndOnePoint) {
+  EXPECT_EQ(description(to_html(Delaunay<>(3).to_data()))["numVertices"], 0);
+  const auto one = description(to_html(Delaunay<>(std::vector<double>{1, 2, 3}, 3).to_data()));
+  EXPECT_EQ(one["numVertices"], 1);
+  EXPECT_EQ(description(to_html(Voronoi{Delaunay<>(2)}))["numCells"], 0);
+  EXPECT_EQ(description(to_html(ConvexHull<>(2).to_data()))["numCells"], 0);
+}
+
+TEST(ToHtml, WhatIsRefused) {
+  const auto data = Delaunay<>(square, 2).to_data();
+  EXPECT_EQ(code_of([&] { to_html(data, {.values = {1, 2, 3}}); }), Errc::invalid_argument);
+  EXPECT_EQ(code_of([&] {
+              to_html(data, {.values = std::vector<double>(6, std::numeric_limits<double>::infinity())});
+            }),
+            Errc::invalid_argument);
+  EXPECT_EQ(code_of([&] { to_html(data, {.values = std::vector<double>(6), .values_at = ValuesAt::cells}); }),
+            Errc::invalid_argument);
+  EXPECT_EQ(code_of([&] { to_html(data, {.column_names = {"x"}}); }), Errc::invalid_argument);
+  auto wrong = data;
+  wrong.cells[0] = 99;
+  EXPECT_EQ(code_of([&] { to_html(wrong); }), Errc::invalid_argument);
+  const HalfspaceIntersection<> empty(std::vector<double>{1, 0, 1, -1, 0, 1}, 2);
+  EXPECT_EQ(code_of([&] { to_html(empty.to_data()); }), Errc::invalid_argument);
+  const Voronoi<> four{Delaunay<>(std::vector<double>{0, 0, 0, 0, 1, 0, 0, 0}, 4)};
+  EXPECT_EQ(code_of([&] { to_html(four); }), Errc::unsupported);
+}
+
+}  // namespace
