@@ -44,8 +44,9 @@ std::string message_of(const CLI::ParseError& error, int argc, char** argv) {
 }
 
 int status_of(Errc code) {
-  return code == Errc::out_of_memory || code == Errc::too_many ? exit_status::out_of_memory
-                                                               : exit_status::bad_input;
+  const bool is_too_large =
+      code == Errc::out_of_memory || code == Errc::too_many || code == Errc::time_limit;
+  return is_too_large ? exit_status::out_of_memory : exit_status::bad_input;
 }
 
 /// Whether the limit of memory may have led to it: to a refusal, or to a stop by the progress callback.
@@ -78,6 +79,7 @@ int run(int argc, char** argv) {
   add("locate", "Triangulate points, then say where query points lie", add_locate);
   add("check", "Check a triangulation exactly, whoever made it", add_check);
   add("generate", "Make a named set of points", add_generate);
+  add("forecast", "Say what a Delaunay triangulation will take: cells, memory, time", add_forecast);
   add("info", "Say what a file of points or a triangulation holds", add_info);
   app.footer(
       "Points are read from .npy .csv .tsv .txt .xyz .pts .off .ply files, or in Qhull's form from standard "
@@ -112,7 +114,7 @@ int run_and_report(int argc, char** argv) {
   } catch (const Error& e) {
     // Any failure after Ctrl-C is a consequence of it.
     if (const int signal = caught_signal(); signal != 0) return complain(128 + signal, "interrupted");
-    if (const std::string text = memory_message(); !text.empty() && was_memory(e.code()))
+    if (const std::string text = memory_message(e.what()); !text.empty() && was_memory(e.code()))
       return complain(exit_status::out_of_memory, text);
     return complain(status_of(e.code()), e.what());
   } catch (const std::bad_alloc&) {
