@@ -102,6 +102,13 @@ def family_of(kind, rows):
     return "spread" if kind in SPREAD else "free"
 
 
+NANOSECONDS_PER_POINT = 60  # to order points, and to meet duplicates (points_seconds in cost.cpp)
+
+
+def nanoseconds_per_cell(r):
+    return max(1e9 * r.seconds - NANOSECONDS_PER_POINT * r.n, 0.2e9 * r.seconds) / max(r.created, 1)
+
+
 def bytes_per_cell(dimension, rows):
     """Of the largest set: what is left without the points, whose share the forecast adds again (bytes_of_points in cost.cpp)."""
     rows = [r for r in rows if r.bytes > 4e6] or rows
@@ -154,20 +161,30 @@ class Curve:
         powers = [0, 1][:max(1, min(2, len(fine) - 1))]
         self.infinite = [*fit(log_v, [math.log(r.infinite / r.cells) for r in fine], weights, powers), 0][:2]
         timed = [i[2] for i in inserted if i[2].seconds > 0.02][-3:] or [inserted[-1][2]]
-        self.nanoseconds = min(1e9 * r.seconds / max(r.created, 1) for r in timed)
+        self.nanoseconds, self.slowdown = min(nanoseconds_per_cell(r) for r in timed), 0.0
         self.bytes = bytes_per_cell(dimension, [i[2] for i in inserted])
         self.wrapping = [0.0, 0.0]
         if wrapped:
-            self.wrapping = [min(1e9 * r.seconds / r.created for r in wrapped[-3:]), bytes_per_cell(dimension, wrapped)]
+            self.wrapping = [min(nanoseconds_per_cell(r) for r in wrapped[-3:]), bytes_per_cell(dimension, wrapped)]
 
     def take_times(self, rows):
         """Nanoseconds from measurements on a quiet machine, as far as there are some."""
         inserted = [r for r in rows if not (self.wrapping[0] and r.created < 1.2 * (r.cells + r.infinite))]
         wrapped = [r for r in rows if r not in inserted]
-        if inserted:
-            self.nanoseconds = statistics.median(1e9 * r.seconds / r.created for r in inserted)
+        # Of a size measured twice, the quicker; of the largest sizes, what they tell of the slowdown.
+        best = {}
+        for r in inserted:
+            best[r.v] = min(best.get(r.v, math.inf), nanoseconds_per_cell(r))
+        if len(best) > 1:
+            largest = sorted(best)[-4:]
+            line = fit([math.log(v / self.last) for v in largest], [math.log(best[v]) for v in largest], [1] * len(largest), [0, 1])
+            self.slowdown = min(max(line[1], 0.0), 0.8)
+            middle = statistics.fmean(math.log(best[v]) - self.slowdown * math.log(v / self.last) for v in largest)
+            self.nanoseconds = math.exp(middle)
+        elif best:
+            self.nanoseconds = min(best.values())
         if wrapped:
-            self.wrapping[0] = statistics.median(1e9 * r.seconds / r.created for r in wrapped)
+            self.wrapping[0] = statistics.median(nanoseconds_per_cell(r) for r in wrapped)
 
     def cells_of(self, n, v):
         s, log_v = v ** (-1 / self.k), math.log(v)
@@ -196,7 +213,7 @@ def as_cpp(curves, reference):
     lines = []
     for c in curves:
         lines.append(f'    {{"{c.kind}", {c.dimension}, {c.k}, Growth::{c.family}, {c.first}, {c.last},\n     {numbers(c.cells)}, {numbers(c.created)}, '
-                     f'{numbers(c.infinite)},\n     {c.nanoseconds:.4g}, {c.bytes:.4g}, {c.wrapping[0]:.4g}, {c.wrapping[1]:.4g}}},')
+                     f'{numbers(c.infinite)},\n     {c.nanoseconds:.4g}, {c.slowdown:.3g}, {c.bytes:.4g}, {c.wrapping[0]:.4g}, {c.wrapping[1]:.4g}}},')
     body = "\n".join(lines)
     return f"""// SPDX-License-Identifier: BSD-3-Clause
 // Written by benchmarks/fit_forecast.py.
@@ -243,7 +260,7 @@ def main():
     curves = []
     for (dimension, kind), rows in sorted(read(arguments.table).items()):
         rows = [r for r in rows if r.cells > 0 and r.k > 0]
-        if kind in ("equal", "cube01") or not rows:
+        if kind in ("equal", "cube01") or not any(r.v > r.k + 2 for r in rows):
             continue
         curve = Curve(kind, dimension, rows)
         curve.take_times(times[dimension, kind])
@@ -255,7 +272,7 @@ def main():
             early = Curve(kind, dimension, shorter)
             cells = early.cells_of(rows[-1].n, rows[-1].v)
             ahead = f"  8 times as many: {cells / rows[-1].cells:.2f} created {early.created_of(cells, rows[-1].v) / rows[-1].created:.2f}"
-        print(f"{kind:<13}{dimension}D k={curve.k} {curve.family:<8} {curve.first:>5}..{curve.last:<8} {curve.nanoseconds:8.0f} ns  "
+        print(f"{kind:<13}{dimension}D k={curve.k} {curve.family:<8} {curve.first:>5}..{curve.last:<8} {curve.nanoseconds:8.0f} ns * v^{curve.slowdown:.2f}  "
               f"fit {min(inside, default=1):.2f}..{max(inside, default=1):.2f}{ahead}")
     if arguments.write:
         reference = next((c.nanoseconds for c in curves if c.kind == "uniform" and c.dimension == 3), 60)

@@ -7,6 +7,7 @@
 
 #include <cstddef>
 #include <functional>
+#include <new>
 #include <optional>
 #include <string>
 #include <vector>
@@ -30,8 +31,8 @@ struct Passed {
 WholeCost extrapolated(const std::vector<Passed>& passed);
 
 /// While it lives, constructions in this thread end with an error at a limit: Errc::out_of_memory once the
-/// resident memory of the process comes near `memory` bytes, Errc::time_limit after `seconds`. 0 is no limit.
-/// Both are looked at where a progress function would be called.
+/// resident memory of the process comes near `memory` bytes, Errc::time_limit after `seconds`. 0 is no
+/// limit. Both are looked at where a progress function would be called.
 class BuildLimits {
  public:
   /// `items`: what is inserted, as "points". Throws Errc::invalid_argument for a bad number of seconds.

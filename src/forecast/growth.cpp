@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "forecast/growth.hpp"
 
-#include "engine/wrap/is_worth_wrapping.hpp"
 #include "forecast/model/cell_counts.hpp"
 
 #include <algorithm>
@@ -77,7 +76,7 @@ Grown grown(std::span<const SampleCost> samples, int d, double n, double vertice
   for (const Curve& curve : curves()) {
     if (curve.affine_dimension != k || curve.growth == Growth::lattice) continue;
     // Kinds that are not wrapped are those that take exact arithmetic.
-    const bool may_wrap = k == d && engine::is_worth_wrapping(k, static_cast<std::size_t>(std::min(n, 1e9)));
+    const bool may_wrap = k == d && is_worth_wrapping(k, n);
     if (may_wrap && (curve.wrapping_nanoseconds == 0) != last.is_hard) continue;
     candidates.push_back(adapted(curve, d));
   }

@@ -247,11 +247,11 @@ void Triangulation::Impl::insert_range(std::span<const double> coordinates, std:
   std::vector<std::size_t> rounds;
   std::vector<Index> order = order::insertion_order(view, options, &rounds);
   const double order_seconds = stopwatch.restart();
-  const double bytes_before = static_cast<double>(coordinates.size_bytes());
-  const std::size_t rows_before = points.last_vertex();
+  const std::size_t vertices_before = points.last_vertex();
   limits.set_model([&] {  // of a set spread evenly
-    const cost_model::Cost cost = cost_model::cost_of_spread(dimension, rows_before + n, 1);
-    return internal::WholeCost{cost.bytes - bytes_before, cost.seconds};
+    const cost_model::Cost cost =
+        cost_model::cost_of_spread(dimension, static_cast<double>(vertices_before + n), 1);
+    return internal::WholeCost{cost.bytes, cost.seconds};
   });
   limits.guard([&] {
     BatchInsertion batch(*this, std::move(order), std::move(rounds), limits);

@@ -78,15 +78,15 @@ Cost cost_of(const Curve& curve, int d, double points, double vertices, double h
   // The polynomial was fitted to what was measured.
   const double least_s = std::pow(std::max(vertices, curve.first), -1.0 / k);
   cost.created_cells = std::max(cost.cells * std::exp(polynomial(curve.created, std::min(s, least_s))), all);
-  const bool is_wrapped = curve.wrapping_nanoseconds > 0 &&
-                          engine::is_worth_wrapping(k, static_cast<std::size_t>(std::min(points, 1e9)));
+  const bool is_wrapped = curve.wrapping_nanoseconds > 0 && is_worth_wrapping(k, points);
   const double points_seconds = 1e-9 * points * 60;  // to order them, and to meet duplicates
   if (is_wrapped) {
     cost.created_cells = all;
     cost.seconds = points_seconds + 1e-9 * curve.wrapping_nanoseconds * all;
     cost.bytes = curve.wrapping_bytes * all;
   } else {
-    cost.seconds = points_seconds + 1e-9 * curve.nanoseconds * cost.created_cells;
+    const double slower = std::pow(vertices / curve.last, curve.slowdown);
+    cost.seconds = points_seconds + 1e-9 * curve.nanoseconds * slower * cost.created_cells;
     cost.bytes = curve.bytes * all;
   }
   cost.bytes += bytes_of_points(d, points, vertices);
@@ -118,10 +118,15 @@ Cost cost_of_spread(int d, double points, double speed) {
   return cost;
 }
 
+bool is_worth_wrapping(int k, double points) {
+  return engine::is_worth_wrapping(k, static_cast<std::size_t>(std::min(points, 1e9)));
+}
+
 double distinct_points(std::string_view kind, int d, double n) {
   const auto drawn_from = [&](double different) { return -different * std::expm1(-n / different); };
   if (kind == "equal") return std::min(n, 1.0);
   if (kind == "duplicates") return drawn_from(std::floor(n / 4) + 1);
+  if (kind == "sphere" && d == 1) return std::min(n, 2.0);
   if (kind == "cube01") return std::min(n, std::pow(2.0, d));
   if (kind == "offset" && d == 1) return drawn_from(1e6);
   return n;

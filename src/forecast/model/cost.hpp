@@ -27,6 +27,9 @@ Cost cost_of(const Curve& curve, int d, double points, double vertices, double h
 /// Points spread evenly in d dimensions, `speed` times as fast as the machine of the measurements.
 Cost cost_of_spread(int d, double points, double speed);
 
+/// Whether so many points of k dimensions are wrapped, unless that fails.
+bool is_worth_wrapping(int k, double points);
+
 /// The number of distinct points among n of a kind.
 double distinct_points(std::string_view kind, int d, double n);
 

@@ -27,8 +27,9 @@ struct Curve {
   std::array<double, 5> cells;    ///< see Growth
   std::array<double, 3> created;  ///< log(created/finite cells), a polynomial in s, where points are inserted
   std::array<double, 2> infinite;  ///< log(infinite/finite cells), a line in log(v)
-  /// Where points are inserted: nanoseconds per created cell and bytes per cell, infinite ones included.
-  double nanoseconds, bytes;
+  /// Where points are inserted: nanoseconds per created cell, at `last` vertices, which grow as a power of v,
+  /// and bytes per cell, infinite ones included.
+  double nanoseconds, slowdown, bytes;
   /// Where they are wrapped: both per cell, infinite ones included; 0 where they never are.
   double wrapping_nanoseconds, wrapping_bytes;
 };
