@@ -113,7 +113,8 @@ def bytes_per_cell(dimension, rows):
     """Of the largest set: what is left without the points, whose share the forecast adds again (bytes_of_points in cost.cpp)."""
     rows = [r for r in rows if r.bytes > 4e6] or rows
     r = rows[-1]
-    return max(r.bytes - r.n * (8 * dimension + 8) - 12 * r.v, 0.0) / (r.cells + r.infinite)
+    rest = r.bytes - r.n * (8 * dimension + 8) - 12 * r.v
+    return max(rest - min(rest / 2, 2.5e6), 0.0) / (r.cells + r.infinite)
 
 
 class Curve:
@@ -123,6 +124,7 @@ class Curve:
         self.kind, self.dimension = kind, dimension
         self.k = max(r.k for r in rows)
         self.family = family_of(kind, rows)
+        everything = rows
         rows = [r for r in rows if r.k == self.k and r.v > self.k + 2]
         wrapped = [r for r in rows if self.k >= 7 and r.created < 1.2 * (r.cells + r.infinite)]
         if self.family == "lattice":
@@ -141,7 +143,7 @@ class Curve:
             y = [math.log(r.cells / r.v / poisson_cells(self.k)) for r in fine]
             self.cells = [*fit(s, y, weights, powers), 0, 0, 0, 0][:5]
         elif self.family == "free":
-            powers = [0, 1, 2, 3][:max(1, min(4, len(fine) - 1))]
+            powers = [0, 1, 2, 3][:max(1, min(4, len(fine) - 1 if len(fine) > 3 else len(fine)))]
             c = fit(log_v, [math.log(r.cells / r.v) for r in fine], weights, powers)
             tail = fine[-3:] if len(fine) > 5 else fine[-2:]
             excess = 0.0
@@ -162,7 +164,7 @@ class Curve:
         self.infinite = [*fit(log_v, [math.log(r.infinite / r.cells) for r in fine], weights, powers), 0][:2]
         timed = [i[2] for i in inserted if i[2].seconds > 0.02][-3:] or [inserted[-1][2]]
         self.nanoseconds, self.slowdown = min(nanoseconds_per_cell(r) for r in timed), 0.0
-        self.bytes = bytes_per_cell(dimension, [i[2] for i in inserted])
+        self.bytes = bytes_per_cell(dimension, [r for r in everything if r not in wrapped])
         self.wrapping = [0.0, 0.0]
         if wrapped:
             self.wrapping = [min(nanoseconds_per_cell(r) for r in wrapped[-3:]), bytes_per_cell(dimension, wrapped)]
@@ -178,7 +180,7 @@ class Curve:
         if len(best) > 1:
             largest = sorted(best)[-4:]
             line = fit([math.log(v / self.last) for v in largest], [math.log(best[v]) for v in largest], [1] * len(largest), [0, 1])
-            self.slowdown = min(max(line[1], 0.0), 0.8)
+            self.slowdown = min(max(line[1], 0.0), 0.35)
             middle = statistics.fmean(math.log(best[v]) - self.slowdown * math.log(v / self.last) for v in largest)
             self.nanoseconds = math.exp(middle)
         elif best:
@@ -274,6 +276,17 @@ def main():
             ahead = f"  8 times as many: {cells / rows[-1].cells:.2f} created {early.created_of(cells, rows[-1].v) / rows[-1].created:.2f}"
         print(f"{kind:<13}{dimension}D k={curve.k} {curve.family:<8} {curve.first:>5}..{curve.last:<8} {curve.nanoseconds:8.0f} ns * v^{curve.slowdown:.2f}  "
               f"fit {min(inside, default=1):.2f}..{max(inside, default=1):.2f}{ahead}")
+    # Single measurements of times vary more than kinds that are spread evenly do.
+    for dimension in range(4, 9):
+        alike = [c for c in curves if c.dimension == dimension and c.family == "spread" and c.kind != "flat"]
+        if len(alike) < 3:
+            continue
+        middle = statistics.median(c.nanoseconds for c in alike)
+        wrapping = [c.wrapping[0] for c in alike if c.wrapping[0] > 0]
+        for c in alike:
+            c.nanoseconds = math.sqrt(c.nanoseconds * middle)
+            if c.wrapping[0] > 0:
+                c.wrapping[0] = math.sqrt(c.wrapping[0] * statistics.median(wrapping))
     if arguments.write:
         reference = next((c.nanoseconds for c in curves if c.kind == "uniform" and c.dimension == 3), 60)
         OUTPUT.write_text(as_cpp(curves, arguments.reference or reference), encoding="ascii")

@@ -114,8 +114,6 @@ class Estimate {
     }
     cost_model::Grown result = cost_model::grown(samples_, dimension_, n, sample_.num_distinct);
     if (lattice_.found && !is_complete()) result = of_lattice();
-    // Rows that are copied, ordered, and found to be there already.
-    result.cost.bytes += n * (8.0 * dimension_ + 8) + 12 * result.cost.vertices;
     return result;
   }
 
@@ -130,7 +128,6 @@ class Estimate {
     const SampleCost& last = samples_.back();
     const double nanoseconds = 1e9 * last.seconds / last.created_cells;
     result.cost.seconds *= nanoseconds / curve->nanoseconds;
-    result.cost.bytes = curve->bytes * (result.cost.cells + result.cost.infinite_cells);
     result.factor = 1.3;
     return result;
   }

@@ -46,9 +46,11 @@ double moment_curve_cells(int k, double n) {
 
 double most_cells(int k, double n) {
   const int dimension = k + 1;  // of the polytope
+  const double vertices = n + 1;
   const int half = dimension / 2;
-  if (n <= dimension) return 0;
-  return dimension % 2 == 0 ? n / (n - half) * binomial(n - half, half) : 2 * binomial(n - half - 1, half);
+  if (vertices < dimension + 1) return 0;
+  return dimension % 2 == 0 ? vertices / (vertices - half) * binomial(vertices - half, half)
+                            : 2 * binomial(vertices - half - 1, half);
 }
 
 double grid_side(int d, double n) {

@@ -44,6 +44,9 @@ double finite_cells(const Curve& curve, double v, double hull_volume) {
   return v * std::exp(ratio);
 }
 
+/// What arrays take beyond their entries, as memory comes in large pages.
+constexpr double page_bytes = 2.5e6;
+
 /// Bytes per row and vertex: coordinates in the order of insertion, ids, images of the points for geometry.
 double bytes_of_points(int d, double points, double vertices) {
   return points * (8.0 * d + 8) + vertices * 12;
@@ -89,7 +92,7 @@ Cost cost_of(const Curve& curve, int d, double points, double vertices, double h
     cost.seconds = points_seconds + 1e-9 * curve.nanoseconds * slower * cost.created_cells;
     cost.bytes = curve.bytes * all;
   }
-  cost.bytes += bytes_of_points(d, points, vertices);
+  cost.bytes += std::min(cost.bytes, page_bytes) + bytes_of_points(d, points, vertices);
   return cost;
 }
 

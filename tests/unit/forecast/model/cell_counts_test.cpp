@@ -37,10 +37,17 @@ TEST(CellCounts, OfTheMomentCurve) {
 }
 
 TEST(CellCounts, MostCellsAreThoseOfCyclicPolytopes) {
-  EXPECT_EQ(most_cells(2, 10), 2 * 10 - 4);           // triangles of a sphere
-  EXPECT_EQ(most_cells(3, 10), 10.0 * (10 - 3) / 2);  // facets of a neighborly polytope in 4D
-  EXPECT_EQ(most_cells(4, 7), 2 * (7 - 3.0) * (7 - 4) / 2);
-  for (int k = 2; k <= 5; ++k) EXPECT_EQ(most_cells(k, k + 2), k + 2);  // a simplex
+  EXPECT_EQ(most_cells(2, 10), 2 * 11 - 4);          // triangles of a sphere
+  EXPECT_EQ(most_cells(3, 9), 10.0 * (10 - 3) / 2);  // facets of a neighborly polytope in 4D
+  EXPECT_EQ(most_cells(4, 6), 12);
+  for (int k = 1; k <= 5; ++k) {
+    EXPECT_EQ(most_cells(k, k + 1), k + 2);  // a simplex
+    EXPECT_EQ(most_cells(k, k), 0);
+  }
+  // Points on the moment curve have that many, with their hull facets.
+  const Delaunay<> triangulation(make_point_set("moment", 3, 30), 3);
+  EXPECT_LE(static_cast<double>(triangulation.num_all_cells()), most_cells(3, 30));
+  EXPECT_GE(1.2 * static_cast<double>(triangulation.num_all_cells()), most_cells(3, 30));
 }
 
 TEST(CellCounts, OfLattices) {
