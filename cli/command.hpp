@@ -79,6 +79,8 @@ void add_size(CLI::App& command, const std::string& name, std::uint64_t& bytes,
 /// The same for a time, as 90, 10m or 2h; in seconds.
 void add_duration(CLI::App& command, const std::string& name, double& seconds,
                   const std::string& description);
+/// The value of -n, as 1000 or 1e6. Throws UsageError, and out_of_memory beyond all memory.
+std::size_t count_of(const std::string& text);
 void add_columns(CLI::App& command, const std::string& name, std::vector<std::string>& columns);
 void add_force(CLI::App& command, bool& force);
 void add_seed(CLI::App& command, std::uint64_t& seed, const std::string& description);

@@ -4,7 +4,6 @@
 #include "build_options.hpp"
 #include "command.hpp"
 #include "interrupt.hpp"
-#include "numbers.hpp"
 #include "output.hpp"
 #include "report.hpp"
 
@@ -12,10 +11,9 @@
 
 #include <fmt/format.h>
 
-#include <cstdint>
-#include <limits>
 #include <memory>
-#include <optional>
+#include <string>
+#include <vector>
 
 namespace delone::cli {
 namespace {
@@ -27,13 +25,6 @@ struct ForecastCommand {
   unsigned threads = 0;
   bool stats = false;
 };
-
-std::size_t count_of(const std::string& text) {
-  const std::optional<std::uint64_t> count = parse_count(text);
-  if (!count || *count > std::numeric_limits<std::size_t>::max())
-    throw UsageError(fmt::format("-n wants a whole number of points, not {}", in_quotes(text)));
-  return static_cast<std::size_t>(*count);
-}
 
 Forecast make_forecast(const ForecastCommand& options, const CLI::App& app) {
   const bool has_file = !options.input.path.empty();

@@ -37,7 +37,7 @@ the size of the samples, which is chosen by time: about a twentieth of the const
 at most. Reading the points is O(n d). Raises InputError for NaN and infinities, ValueError for bad
 arguments; progress: see Delaunay.)";
 
-constexpr const char* class_doc =
+constexpr const char* forecast_class_doc =
     "What a Delaunay triangulation will take: made by forecast and estimate.\n\n"
     "cells, bytes, seconds and vertices are expected values, and cells_range, bytes_range and seconds_range, "
     "(low, "
@@ -45,20 +45,20 @@ constexpr const char* class_doc =
     "nine of ten. bytes is the peak of memory on top of the points, seconds is wall-clock time on an idle "
     "machine.";
 
-py::tuple range_of(const ForecastQuantity& quantity) { return py::make_tuple(quantity.low, quantity.high); }
+py::tuple as_range(const ForecastQuantity& quantity) { return py::make_tuple(quantity.low, quantity.high); }
 
-std::string text_of(const Forecast& f) {
+std::string forecast_text(const Forecast& f) {
   return "<delone.Forecast: " + std::to_string(f.num_points) + " points in " + std::to_string(f.dimension) +
          "D, about " + shown(py::str("{:.3g}").format(f.cells.expected)) + " cells, " +
          readable_bytes(f.bytes.expected) + ", " + readable_seconds(f.seconds.expected) + ">";
 }
 
-unsigned as_threads(int threads) { return BuildArguments{.threads = threads}.to_options().threads; }
+unsigned threads_of(int threads) { return BuildArguments{.threads = threads}.to_options().threads; }
 
 }  // namespace
 
 void bind_forecast(py::module_& module) {
-  py::class_<Forecast>(module, "Forecast", class_doc)
+  py::class_<Forecast>(module, "Forecast", forecast_class_doc)
       .def_readonly("dimension", &Forecast::dimension, "d.")
       .def_readonly("affine_dimension", &Forecast::affine_dimension, "k, as far as the points tell.")
       .def_readonly("num_points", &Forecast::num_points, "n.")
@@ -75,16 +75,16 @@ void bind_forecast(py::module_& module) {
       .def_property_readonly(
           "seconds", [](const Forecast& f) { return f.seconds.expected; }, "Wall-clock time.")
       .def_property_readonly(
-          "cells_range", [](const Forecast& f) { return range_of(f.cells); }, "(low, high).")
+          "cells_range", [](const Forecast& f) { return as_range(f.cells); }, "(low, high).")
       .def_property_readonly(
-          "bytes_range", [](const Forecast& f) { return range_of(f.bytes); }, "(low, high).")
+          "bytes_range", [](const Forecast& f) { return as_range(f.bytes); }, "(low, high).")
       .def_property_readonly(
-          "seconds_range", [](const Forecast& f) { return range_of(f.seconds); }, "(low, high).")
-      .def("__repr__", &text_of);
+          "seconds_range", [](const Forecast& f) { return as_range(f.seconds); }, "(low, high).")
+      .def("__repr__", &forecast_text);
   module.def(
       "forecast",
       [](int dimension, std::size_t num_points, const std::string& kind, int threads) {
-        return forecast(dimension, num_points, kind, as_threads(threads));
+        return forecast(dimension, num_points, kind, threads_of(threads));
       },
       "dimension"_a, "num_points"_a, "kind"_a = "uniform", py::kw_only(), "threads"_a = 0,
       text(forecast_doc));
@@ -93,7 +93,7 @@ void bind_forecast(py::module_& module) {
       [](const py::object& points, int threads, double sample_seconds, const py::object& progress) {
         const auto rows = as_points(points, "points");
         EstimateOptions options;
-        options.threads = as_threads(threads);
+        options.threads = threads_of(threads);
         options.sample_seconds = sample_seconds;
         const int dimension = static_cast<int>(rows.shape(1));
         const PointsView view(numbers(rows), dimension);
