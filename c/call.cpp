@@ -12,7 +12,9 @@
 namespace delone::c {
 namespace {
 
-constexpr int status_of(Errc code) { return static_cast<int>(code) + 1; }
+constexpr int status_of(Errc code) {
+  return code == Errc::time_limit ? DELONE_TIME_LIMIT : static_cast<int>(code) + 1;
+}
 static_assert(status_of(Errc::not_finite) == DELONE_NOT_FINITE);
 static_assert(status_of(Errc::bad_dimension) == DELONE_BAD_DIMENSION);
 static_assert(status_of(Errc::too_many) == DELONE_TOO_MANY);
@@ -23,11 +25,12 @@ static_assert(status_of(Errc::cannot_open) == DELONE_CANNOT_OPEN);
 static_assert(status_of(Errc::bad_format) == DELONE_BAD_FORMAT);
 static_assert(status_of(Errc::cannot_write) == DELONE_CANNOT_WRITE);
 static_assert(status_of(Errc::unsupported) == DELONE_UNSUPPORTED);
+static_assert(status_of(Errc::time_limit) == DELONE_TIME_LIMIT);
 
-constexpr std::array<const char*, 12> names{
+constexpr std::array<const char*, 13> names{
     "ok",          "not_finite",       "bad_dimension", "too_many",   "out_of_memory",
     "cancelled",   "invalid_argument", "cannot_open",   "bad_format", "cannot_write",
-    "unsupported", "internal_error"};
+    "unsupported", "internal_error",   "time_limit"};
 
 /// What the calls of a thread leave behind.
 struct ThreadState {

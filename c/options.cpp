@@ -85,6 +85,10 @@ constexpr std::array integers{
                          [](delone_options& o, std::int64_t v) {
                            o.read.max_stream_bytes = at_least_0("max_stream_bytes", v);
                          }},
+    Setter<std::int64_t>{"memory_limit",
+                         [](delone_options& o, std::int64_t v) {
+                           o.build.memory_limit = static_cast<std::size_t>(at_least_0("memory_limit", v));
+                         }},
     Setter<std::int64_t>{"memory",
                          [](delone_options& o, std::int64_t v) { o.tiles.memory = at_least_0("memory", v); }},
     Setter<std::int64_t>{"tiles",
@@ -108,6 +112,12 @@ constexpr std::array reals{
                      if (!(v >= 0 && v < std::numeric_limits<double>::infinity()))
                        refuse("tolerance", shortest_text(v) + " is no finite number of at least 0");
                      o.tolerance = v;
+                   }},
+    Setter<double>{"time_limit",
+                   [](delone_options& o, double v) {
+                     if (!(v >= 0 && v < std::numeric_limits<double>::infinity()))
+                       refuse("time_limit", std::to_string(v) + " is no finite number of at least 0");
+                     o.build.time_limit = v;
                    }},
     Setter<double>{"fill", [](delone_options& o, double v) { o.fill = v; }},
 };

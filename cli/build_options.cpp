@@ -25,12 +25,15 @@ void BuildOptions::add_output(CLI::App& command, const std::string& what,
   add_force(command, force);
 }
 
-void BuildOptions::add_construction(CLI::App& command) {
+void BuildOptions::add_construction(CLI::App& command, const std::string& beyond) {
   std::vector<std::string> names;
   for (const auto& [name, unused] : insertion_orders) names.push_back(name);
   add_seed(command, seed, "Seed of the insertion order; the result does not depend on it");
   command.add_option("--order", order, "Insertion order; the result does not depend on it")
       ->check(CLI::IsMember(names));
+  add_size(command, "--memory", memory, "The most memory to use, as 2G: beyond it " + beyond);
+  add_duration(command, "--time", time,
+               "The most time to build, as 90 (seconds), 10m or 2h: beyond it the command ends");
   command.add_flag("--stats", stats, "Print one JSON object about the result and its cost, and nothing else");
   command.add_flag("-q,--quiet", quiet, "No progress bar, no notes");
 }
@@ -57,6 +60,8 @@ Options BuildOptions::to_options(ProgressBar& bar) const {
     if (order == name) options.order = value;
   options.threads = threads;
   options.progress = bar.callback();
+  options.memory_limit = memory;
+  options.time_limit = time;
   return options;
 }
 

@@ -18,11 +18,13 @@ struct BuildOptions {
   std::string order = "automatic";
   unsigned threads = 0;
   bool stats = false, quiet = false, force = false;
+  std::uint64_t memory = 0;  ///< 0: not given
+  double time = 0;           ///< seconds; 0: not given
 
   /// --output, --output-format and --force. `what` names the result, as in "the hull".
   void add_output(CLI::App& command, const std::string& what, const std::vector<std::string>& formats);
-  /// --seed, --order, --stats and --quiet.
-  void add_construction(CLI::App& command);
+  /// --seed, --order, --memory, --time, --stats and --quiet. `beyond`: what happens beyond the memory.
+  void add_construction(CLI::App& command, const std::string& beyond = "the command ends");
 
   /// Where the command writes: the result, `others`, and the report: with --stats, or if nothing else is
   /// written.

@@ -43,6 +43,7 @@ Run add_check(CLI::App& app);
 Run add_generate(CLI::App& app);
 Run add_info(CLI::App& app);
 Run add_view(CLI::App& app);
+Run add_forecast(CLI::App& app);
 
 /// The name of a path in messages and reports.
 inline std::string input_name(const std::string& path) {
@@ -92,6 +93,11 @@ void add_max_stream(CLI::App& command, std::uint64_t& bytes);
 /// An option whose value is a size, as 500MB or 2G.
 void add_size(CLI::App& command, const std::string& name, std::uint64_t& bytes,
               const std::string& description);
+/// The same for a time, as 90, 10m or 2h; in seconds.
+void add_duration(CLI::App& command, const std::string& name, double& seconds,
+                  const std::string& description);
+/// The value of -n, as 1000 or 1e6. Throws UsageError, and out_of_memory beyond all memory.
+std::size_t count_of(const std::string& text);
 void add_columns(CLI::App& command, const std::string& name, std::vector<std::string>& columns);
 void add_force(CLI::App& command, bool& force);
 void add_seed(CLI::App& command, std::uint64_t& seed, const std::string& description);

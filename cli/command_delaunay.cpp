@@ -101,7 +101,7 @@ int run_delaunay(const DelaunayOptions& options) {
   protect_files({options.input.path}, to.outputs(), to.force);
   if (options.trim && (!(*options.trim >= 0) || !std::isfinite(*options.trim)))
     throw UsageError("--trim: a finite distance of at least 0 was expected");
-  const MemoryLimit limit(options.tiles.memory);
+  const MemoryLimit limit(to.memory, true);
   const auto start = Clock::now();
   Cost cost;
   PointTable table = options.input.read(to.threads);
@@ -125,7 +125,7 @@ Run add_delaunay(CLI::App& app) {
                "The furthest-site triangulation: spheres that have all points inside, instead of none");
   app.add_flag("--runtime-dimension", options->runtime_dimension,
                "Use the engine that is not compiled for one dimension");
-  options->build.add_construction(app);
+  options->build.add_construction(app, TilesInput::beyond_memory);
   options->tiles.add_to(app);
   return [options, &app] {
     if (options->tiles.wanted(app, options->build.output))

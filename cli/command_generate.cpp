@@ -26,14 +26,6 @@ const std::vector<std::string>& point_output_formats() {
   return formats;
 }
 
-std::size_t count_of(const std::string& text) {
-  const std::optional<std::uint64_t> count = parse_count(text);
-  if (!count) throw UsageError(fmt::format("-n wants a whole number of points, not {}", in_quotes(text)));
-  if (*count > std::numeric_limits<std::size_t>::max() || *count == beyond_numbers)
-    throw Error(Errc::out_of_memory, fmt::format("not enough memory for {} points", printable(text)));
-  return static_cast<std::size_t>(*count);
-}
-
 int run_generate(const GenerateOptions& options) {
   const std::size_t n = count_of(options.count);
   check_writable(options.output);
@@ -50,6 +42,14 @@ int run_generate(const GenerateOptions& options) {
 }
 
 }  // namespace
+
+std::size_t count_of(const std::string& text) {
+  const std::optional<std::uint64_t> count = parse_count(text);
+  if (!count) throw UsageError(fmt::format("-n wants a whole number of points, not {}", in_quotes(text)));
+  if (*count > std::numeric_limits<std::size_t>::max() || *count == beyond_numbers)
+    throw Error(Errc::out_of_memory, fmt::format("not enough memory for {} points", printable(text)));
+  return static_cast<std::size_t>(*count);
+}
 
 Run add_generate(CLI::App& app) {
   auto options = std::make_shared<GenerateOptions>();

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // delone halfspaces: inequalities in, the polyhedron that they describe out.
 #include "interrupt.hpp"
+#include "memory_limit.hpp"
 #include "numbers.hpp"
 #include "report.hpp"
 
@@ -126,6 +127,7 @@ int run_halfspaces(const HalfspacesOptions& options) {
   const BuildOptions& build = options.build;
   protect_files({options.input.path, options.interior}, build.outputs(), build.force);
   const bool writes = !build.output.empty();
+  const MemoryLimit limit(build.memory);
   const auto start = Clock::now();
   Cost cost;
   const PointTable table = options.input.read();

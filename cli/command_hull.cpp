@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // delone hull: points in, convex hull out, or its lower or upper part with respect to the last coordinate.
 #include "interrupt.hpp"
+#include "memory_limit.hpp"
 #include "report.hpp"
 
 #include <fmt/format.h>
@@ -115,6 +116,7 @@ int run_hull(const HullOptions& options) {
   protect_files({options.input.path}, build.outputs({{"--distances", options.distances}}), build.force);
   const bool one_side = options.lower || options.upper;
   if (!options.distances.empty() && !one_side) throw UsageError("--distances needs --lower or --upper");
+  const MemoryLimit limit(build.memory);
   const auto start = Clock::now();
   Cost cost;
   const PointTable table = options.input.read();

@@ -30,7 +30,7 @@ Summary summary(const Regular<>& t, const Counts& counts, const Cost& cost, cons
 int run_regular(const RegularOptions& options) {
   const BuildOptions& build = options.build;
   protect_files({options.weighted.input.path, options.weighted.weights}, build.outputs(), build.force);
-  const MemoryLimit limit(options.tiles.memory);
+  const MemoryLimit limit(build.memory, true);
   const auto start = Clock::now();
   Cost cost;
   std::vector<double> weights;
@@ -69,7 +69,7 @@ Run add_regular(CLI::App& app) {
   options->weighted.add_to(app);
   options->build.add_output(app, "the triangulation", complex_formats());
   add_threads(app, options->build.threads);
-  options->build.add_construction(app);
+  options->build.add_construction(app, TilesInput::beyond_memory);
   options->tiles.add_to(app);
   return [options, &app] {
     if (options->tiles.wanted(app, options->build.output))

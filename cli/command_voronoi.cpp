@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // delone voronoi, delone power: points in, Voronoi or power diagram out, and what it cost.
 #include "interrupt.hpp"
+#include "memory_limit.hpp"
 #include "report.hpp"
 #include "weighted_input.hpp"
 
@@ -151,6 +152,7 @@ int run_voronoi(const VoronoiOptions& options) {
                 options.build.outputs({{"--volumes", options.volumes}}), options.build.force);
   if (!(options.tolerance >= 0) || !std::isfinite(options.tolerance))
     throw UsageError("--tolerance: a finite distance of at least 0 was expected");
+  const MemoryLimit limit(options.build.memory);
   const auto start = Clock::now();
   Cost cost;
   std::vector<double> weights;

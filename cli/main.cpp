@@ -48,8 +48,9 @@ std::string message_of(const CLI::ParseError& error, int argc, char** argv) {
 }
 
 int status_of(Errc code) {
-  return code == Errc::out_of_memory || code == Errc::too_many ? exit_status::out_of_memory
-                                                               : exit_status::bad_input;
+  const bool is_too_large =
+      code == Errc::out_of_memory || code == Errc::too_many || code == Errc::time_limit;
+  return is_too_large ? exit_status::out_of_memory : exit_status::bad_input;
 }
 
 /// Whether the limit of memory may have led to it: to a refusal, or to a stop by the progress callback.
@@ -148,6 +149,8 @@ int run(int argc, char** argv) {
       {"delone check cells.npz", "delone check hull.npz --level 2"});
   add("generate", "Make a named set of points", add_generate,
       {"delone generate uniform -d 3 -n 1e4 --seed 7 -o uniform.npy"});
+  add("forecast", "Say what a Delaunay triangulation will take: cells, memory, time", add_forecast,
+      {"delone forecast -d 6 -n 20000", "delone forecast points.csv"});
   add("info", "Say what a file of points or a triangulation holds", add_info,
       {"delone info cells.npz", "delone generate grid -d 2 -n 25 | delone info -"});
   add("view", "Make a page for a browser that shows a result", add_view,
@@ -192,7 +195,7 @@ int run_and_report(int argc, char** argv) {
   } catch (const Error& e) {
     // Any failure after Ctrl-C is a consequence of it.
     if (const int signal = caught_signal(); signal != 0) return complain(128 + signal, "interrupted");
-    if (const std::string text = memory_message(); !text.empty() && was_memory(e.code()))
+    if (const std::string text = memory_message(e.what()); !text.empty() && was_memory(e.code()))
       return complain(exit_status::out_of_memory, text);
     return complain(status_of(e.code()), in_command_words(e.what()));
   } catch (const std::bad_alloc&) {

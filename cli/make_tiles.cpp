@@ -22,7 +22,8 @@ namespace {
 
 constexpr std::array of_tiles{"--tiles", "--raw", "--vtu", "--hdf5", "--no-resume"};
 constexpr std::array of_files{"--output-format", "--force", "--max-stream",        "--trim",
-                              "--furthest-site", "--seed",  "--runtime-dimension", "--order"};
+                              "--furthest-site", "--seed",  "--runtime-dimension", "--order",
+                              "--time"};
 
 bool is_given(const CLI::App& command, const char* option) {
   const CLI::Option* const found = command.get_option_no_throw(option);
@@ -96,7 +97,7 @@ Json stats_of(const TilesCommand& command, const TilesIndex& index, const Cost& 
 
 TilesOptions options_of(const TilesCommand& command, ProgressBar& bar) {
   TilesOptions options;
-  options.memory = command.tiles.memory;
+  options.memory = command.build.memory;
   options.tiles = command.tiles.tiles;
   options.threads = command.build.threads;
   options.weighted = !command.weights.empty();
@@ -121,9 +122,6 @@ TilesOptions options_of(const TilesCommand& command, ProgressBar& bar) {
 }  // namespace
 
 void TilesInput::add_to(CLI::App& command) {
-  add_size(command, "--memory", memory,
-           "The most memory to use, as 2G: beyond it the command ends, or with a folder as output makes more "
-           "tiles (if not given: three quarters of what is free)");
   const char* const group = "With a folder as output (-o OUT/)";
   command.add_option("--tiles", tiles, "The number of tiles, instead of as few as the memory allows")
       ->check(CLI::Range(1, 1 << 20))

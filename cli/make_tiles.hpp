@@ -12,12 +12,17 @@
 
 namespace delone::cli {
 
-/// --memory, and the options of tiles.
+/// The options of tiles.
 struct TilesInput {
-  std::uint64_t memory = 0;  ///< 0: not given
   std::size_t tiles = 0;
   int raw_columns = 0;  ///< 0: IN is not raw
   bool vtu = false, hdf5 = false, no_resume = false;
+
+  /// What happens beyond the memory (BuildOptions::add_construction()).
+  static constexpr const char* beyond_memory =
+      "the command ends, or with a folder as output makes more tiles (if not given: three quarters of what "
+      "is "
+      "free)";
 
   void add_to(CLI::App& command);
   /// Whether the output is a folder: one that exists, or a path that ends with a slash. Throws UsageError for

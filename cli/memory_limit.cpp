@@ -14,11 +14,13 @@ namespace {
 
 /// The limit of this process. It stays after the object, for the message.
 std::uint64_t memory_limit = 0;
+bool may_tile = false;
 
 }  // namespace
 
-MemoryLimit::MemoryLimit(std::uint64_t bytes) {
+MemoryLimit::MemoryLimit(std::uint64_t bytes, bool can_tile) {
   memory_limit = bytes;
+  may_tile = can_tile;
   if (bytes == 0) return;
   scope_.emplace([](double) { return memory_suffices(); });
   if (!memory_suffices()) throw Error(Errc::out_of_memory, memory_message());
@@ -40,12 +42,14 @@ bool memory_suffices() {
   return true;
 }
 
-std::string memory_message() {
+std::string memory_message(const std::string& known) {
   if (memory_limit == 0) return {};
-  return fmt::format(
-      "more memory is needed than --memory allows, {} bytes; with a folder as output, as in -o OUT/, the "
-      "triangulation is made in tiles",
-      memory_limit);
+  // The library says how far it came and what the whole would have taken.
+  const bool says_all = known.find("stopped at the limit") != std::string::npos;
+  std::string text =
+      says_all ? known : fmt::format("more memory is needed than --memory allows, {} bytes", memory_limit);
+  if (may_tile) text += "; with a folder as output, as in -o OUT/, the triangulation is made in tiles";
+  return text;
 }
 
 }  // namespace delone::cli

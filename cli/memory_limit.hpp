@@ -16,8 +16,8 @@ namespace delone::cli {
 /// two such calls goes beyond it. Systems that do not tell their memory have no limit.
 class MemoryLimit {
  public:
-  /// 0: none.
-  explicit MemoryLimit(std::uint64_t bytes);
+  /// 0: none. `can_tile`: whether the same could be made in tiles.
+  explicit MemoryLimit(std::uint64_t bytes, bool can_tile = false);
   MemoryLimit(const MemoryLimit&) = delete;
   MemoryLimit& operator=(const MemoryLimit&) = delete;
   ~MemoryLimit();
@@ -29,7 +29,7 @@ class MemoryLimit {
 /// False once the limit of memory is reached.
 bool memory_suffices();
 
-/// What to say where memory was not enough; empty if there is no limit.
-std::string memory_message();
+/// What to say where memory was not enough; empty if there is no limit. `known`: what the library says.
+std::string memory_message(const std::string& known = {});
 
 }  // namespace delone::cli

@@ -63,4 +63,18 @@ std::optional<std::uint64_t> parse_size(std::string_view text) {
   return bytes ? scaled(text.substr(0, end), *bytes) : std::nullopt;
 }
 
+std::optional<double> parse_duration(std::string_view text) {
+  const std::size_t end = text.find_last_of("0123456789.") + 1;  // 0 if there is none
+  std::string_view unit = text.substr(end);
+  if (!unit.empty() && unit[0] == ' ') unit.remove_prefix(1);
+  const double seconds = unit.empty() || unit == "s" ? 1
+                         : unit == "m"               ? 60
+                         : unit == "h"               ? 3600
+                         : unit == "d"               ? 86400
+                                                     : 0;
+  const std::optional<double> number = parse_real(text.substr(0, end));
+  if (!number || !(*number * seconds > 0) || !std::isfinite(*number * seconds)) return std::nullopt;
+  return *number * seconds;
+}
+
 }  // namespace delone::cli

@@ -19,6 +19,9 @@ std::optional<std::uint64_t> parse_count(std::string_view text);
 /// powers of 1000; KiB, MiB, GiB, TiB and K, M, G, T, powers of 1024. The product must be whole.
 std::optional<std::uint64_t> parse_size(std::string_view text);
 
+/// A number above 0, and with a unit after it, s, m, h or d, of seconds, minutes, hours or days; in seconds.
+std::optional<double> parse_duration(std::string_view text);
+
 /// The whole of `text` as a number, correctly rounded. Nothing for other text, for infinities, and for
 /// magnitudes beyond binary64; small ones give a zero.
 std::optional<double> parse_real(std::string_view text);

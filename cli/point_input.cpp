@@ -64,6 +64,23 @@ void add_size(CLI::App& command, const std::string& name, std::uint64_t& bytes,
       ->type_name("SIZE");
 }
 
+void add_duration(CLI::App& command, const std::string& name, double& seconds,
+                  const std::string& description) {
+  command
+      .add_option_function<std::string>(
+          name,
+          [&seconds, name](const std::string& text) {
+            const std::optional<double> duration = parse_duration(text);
+            if (!duration)
+              throw CLI::ValidationError(name, in_quotes(text) +
+                                                   " is no time: a number of seconds above 0, or with a "
+                                                   "unit, s, m, h or d");
+            seconds = *duration;
+          },
+          description)
+      ->type_name("TIME");
+}
+
 void add_columns(CLI::App& command, const std::string& name, std::vector<std::string>& columns) {
   command
       .add_option_function<std::string>(

@@ -3,7 +3,6 @@
 #include "progress_bar.hpp"
 
 #include "interrupt.hpp"
-#include "memory_limit.hpp"
 #include "output.hpp"
 #include "system.hpp"
 
@@ -19,7 +18,7 @@ ProgressBar::ProgressBar(bool quiet)
 
 std::function<bool(double)> ProgressBar::callback() {
   return [this](double fraction) {
-    if (caught_signal() != 0 || !memory_suffices()) return false;
+    if (caught_signal() != 0) return false;
     if (enabled_) draw(fraction);
     return true;
   };

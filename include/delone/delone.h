@@ -53,7 +53,7 @@ extern "C" {
 
 /* ---- Status, errors, progress -------------------------------------------------------------------------- */
 
-/* What functions return. 1 to 10 are delone::Errc of the C++ interface. */
+/* What functions return. 1 to 10 and 12 are delone::Errc of the C++ interface. */
 typedef enum delone_status {
   DELONE_OK = 0,
   DELONE_NOT_FINITE = 1,       /* a number is NaN or infinite; delone_error_rows() names the rows */
@@ -66,7 +66,8 @@ typedef enum delone_status {
   DELONE_BAD_FORMAT = 8,       /* a file is not what its format promises; the message names line or row */
   DELONE_CANNOT_WRITE = 9,     /* a file could not be written completely */
   DELONE_UNSUPPORTED = 10,     /* a format, or an operation on this kind of object, that is not available */
-  DELONE_INTERNAL_ERROR = 11   /* a fault of the library; please report it */
+  DELONE_INTERNAL_ERROR = 11,  /* a fault of the library; please report it */
+  DELONE_TIME_LIMIT = 12       /* a construction took longer than the option "time_limit" allows */
 } delone_status;
 
 /* The version of the library, "0.1.0". */
@@ -103,6 +104,9 @@ DELONE_C_API void delone_set_progress(delone_progress progress, void* user_data)
  *   integer  threads 1          at most so many threads; 0: as many as there are cores
  *   integer  seed 0             of the insertion order
  *   text     order "automatic"  of insertion: also "as_given", "shuffled"
+ *   integer  memory_limit 0     of triangulations, hulls and intersections: bytes that the process may have in
+ *                               use, OUT_OF_MEMORY beyond; 0: no limit
+ *   real     time_limit 0       of the same: seconds for a call, TIME_LIMIT beyond; 0: no limit
  *   real     tolerance 0        a distance >= 0, with a meaning for hulls, diagrams and queries; 0 is exact
  *   text     outside "fill"     of queries outside the convex hull: also "nearest", "error", "project"
  *   real     fill NaN           the value of interpolations there, for "fill"

@@ -10,6 +10,7 @@
 #include <delone/data.hpp>
 #include <delone/delaunay.hpp>
 #include <delone/error.hpp>
+#include <delone/forecast.hpp>
 #include <delone/furthest_site.hpp>
 #include <delone/halfspaces.hpp>
 #include <delone/html.hpp>

@@ -24,6 +24,7 @@ enum class Errc {
   bad_format,        ///< a file is not what its format promises; the message names the line or row
   cannot_write,      ///< a file could not be written completely
   unsupported,       ///< a format, or a combination of format and content, that is not available
+  time_limit,        ///< a construction took longer than Options::time_limit
 };
 
 /// What went wrong (what()), its kind (code()) and the input rows concerned, if any (rows()): those of the

@@ -29,6 +29,14 @@ struct Options {
   /// which does not decrease; return false to cancel (Errc::cancelled). ProgressScope does the same for calls
   /// without options.
   std::function<bool(double)> progress = {};
+  /// The most memory that the process may have in use, in bytes; 0: no limit. A construction that comes near,
+  /// within 64 MB or an eighth, throws Errc::out_of_memory, says how far it came and about what the whole
+  /// would have taken, and leaves everything as it was. Where the system does not tell the memory in use
+  /// there is no limit. forecast() and estimate() tell beforehand.
+  std::size_t memory_limit = 0;
+  /// The most seconds for one call that builds; 0: no limit. Beyond it the call throws Errc::time_limit, as
+  /// above. Must be finite and ≥ 0; otherwise Errc::invalid_argument.
+  double time_limit = 0;
   /// Of hulls (ConvexHull, LowerHull), with the unit of the coordinates; see there. 0, the default, is exact.
   /// Must be finite and ≥ 0, and 0 for triangulations and halfspaces; otherwise Errc::invalid_argument.
   double tolerance = 0;

@@ -10,18 +10,19 @@ import importlib
 from ._core import (CancelledError, ConvexHull, Delaunay, Error, FurthestSite, HalfspaceIntersection, InputError, LinearInterpolator,
                     NaturalNeighborInterpolator, OutOfMemoryError, PowerDiagram, Regular, TrimResult, Voronoi, __version__,
                     natural_neighbors)
+from ._core import Forecast, TimeLimitError, estimate, forecast
 from ._convex_hulls import ConvexHulls, convex_hulls
 from ._locations import Locations
 from ._methods import attach as _attach
 from ._patch import patch_scipy, scipy_is_patched, unpatch_scipy
 
-__all__ = ["CancelledError", "ConvexHull", "ConvexHulls", "Delaunay", "Error", "FurthestSite", "HalfspaceIntersection", "InputError",
+__all__ = ["CancelledError", "ConvexHull", "ConvexHulls", "Delaunay", "Error", "Forecast", "FurthestSite", "HalfspaceIntersection", "InputError",
            "LinearInterpolator", "Locations", "NaturalNeighborInterpolator", "OutOfMemoryError", "PowerDiagram", "Regular",
-           "TrimResult", "Voronoi", "__version__", "convex_hulls", "natural_neighbors", "patch_scipy", "scipy_is_patched",
+           "TimeLimitError", "TrimResult", "Voronoi", "__version__", "convex_hulls", "estimate", "forecast", "natural_neighbors", "patch_scipy", "scipy_is_patched",
            "unpatch_scipy"]
 
 for _type in (ConvexHull, ConvexHulls, Delaunay, FurthestSite, HalfspaceIntersection, LinearInterpolator, NaturalNeighborInterpolator,
-              PowerDiagram, Regular, TrimResult, Voronoi, natural_neighbors):
+              PowerDiagram, Regular, TrimResult, Voronoi, natural_neighbors, Forecast, estimate, forecast):
     _type.__module__ = "delone"
 del _type
 convex_hulls.__module__ = "delone"

@@ -92,10 +92,14 @@ class HeldHull {
 };
 
 std::unique_ptr<HeldHull> construct(const py::object& points, double tolerance, std::uint64_t seed,
-                                    std::string order, int threads, const py::object& progress) {
+                                    std::string order, int threads, const py::object& progress,
+                                    const py::object& memory_limit, const py::object& time_limit) {
   const auto rows = as_points(points, "points");
-  auto held = std::make_unique<HeldHull>(static_cast<int>(rows.shape(1)),
-                                         BuildArguments{seed, std::move(order), threads}, tolerance);
+  auto held =
+      std::make_unique<HeldHull>(static_cast<int>(rows.shape(1)),
+                                 BuildArguments{seed, std::move(order), threads,
+                                                as_memory_limit(memory_limit), as_time_limit(time_limit)},
+                                 tolerance);
   held->add(rows, progress);
   held->set_columns(columns_of(points));
   return held;
@@ -263,7 +267,8 @@ auto asking(Question question) {
 }
 
 constexpr const char* class_doc = R"(
-ConvexHull(points, *, tolerance=0.0, seed=0, order='automatic', threads=0, progress=None)
+ConvexHull(points, *, tolerance=0.0, seed=0, order='automatic', threads=0, progress=None, memory_limit=None,
+           time_limit=None)
 
 The convex hull of points, (n, d) numbers that are exact in float64, in any dimension d >= 1.
 
@@ -333,7 +338,8 @@ the stages filter, direct, exact, perturbed), order_seconds, build_seconds and c
 void bind_convex_hull(py::module_& module) {
   py::class_<HeldHull> type(module, "ConvexHull", text(class_doc));
   type.def(py::init(&construct), "points"_a, py::kw_only(), "tolerance"_a = 0.0, "seed"_a = 0,
-           "order"_a = "automatic", "threads"_a = 0, "progress"_a = py::none());
+           "order"_a = "automatic", "threads"_a = 0, "progress"_a = py::none(), "memory_limit"_a = py::none(),
+           "time_limit"_a = py::none());
   type.def_static("of_extreme_points", &of_extreme_points, "points"_a, py::kw_only(), "tolerance"_a = 0.0,
                   "seed"_a = 0, "order"_a = "automatic", "threads"_a = 0, "progress"_a = py::none(),
                   text(of_extreme_points_doc));

@@ -189,7 +189,8 @@ auto asking(Question question) {
 }
 
 constexpr const char* class_doc = R"(
-HalfspaceIntersection(halfspaces, interior_point=None, *, seed=0, order='automatic', threads=0, progress=None)
+HalfspaceIntersection(halfspaces, interior_point=None, *, seed=0, order='automatic', threads=0, progress=None,
+                      memory_limit=None, time_limit=None)
 
 The points x with A x + b <= 0, for halfspaces (m, d+1) with the rows [A, b], d >= 1: the vertices, facets and
 edges of a polyhedron, exactly. interior_point: (d,), strictly inside all of them; without one it is found, by an
@@ -238,12 +239,17 @@ void bind_halfspaces(py::module_& module) {
   using Data = IntersectionData;
   py::class_<HeldIntersection> type(module, "HalfspaceIntersection", text(class_doc));
   type.def(py::init([](const py::object& halfspaces, const py::object& interior_point, std::uint64_t seed,
-                       std::string order, int threads, const py::object& progress) {
+                       std::string order, int threads, const py::object& progress,
+                       const py::object& memory_limit, const py::object& time_limit) {
              return std::make_unique<HeldIntersection>(
-                 halfspaces, interior_point, BuildArguments{seed, std::move(order), threads}, progress);
+                 halfspaces, interior_point,
+                 BuildArguments{seed, std::move(order), threads, as_memory_limit(memory_limit),
+                                as_time_limit(time_limit)},
+                 progress);
            }),
            "halfspaces"_a, "interior_point"_a = py::none(), py::kw_only(), "seed"_a = 0,
-           "order"_a = "automatic", "threads"_a = 0, "progress"_a = py::none());
+           "order"_a = "automatic", "threads"_a = 0, "progress"_a = py::none(), "memory_limit"_a = py::none(),
+           "time_limit"_a = py::none());
   type.def("insert_range", &HeldIntersection::add, "halfspaces"_a, py::kw_only(), "progress"_a = py::none(),
            text(insert_range_doc));
   type.def_property_readonly("dimension", &HeldIntersection::dimension,

@@ -64,10 +64,12 @@ void add(Held& held, const py::object& points, const py::object& weights, const 
 
 template <class T>
 std::unique_ptr<T> construct(const py::object& points, const py::object& weights, std::uint64_t seed,
-                             std::string order, int threads, const py::object& progress) {
+                             std::string order, int threads, const py::object& progress,
+                             const py::object& memory_limit, const py::object& time_limit) {
   const auto rows = as_points(points, "points");
-  auto held =
-      std::make_unique<T>(static_cast<int>(rows.shape(1)), BuildArguments{seed, std::move(order), threads});
+  auto held = std::make_unique<T>(static_cast<int>(rows.shape(1)),
+                                  BuildArguments{seed, std::move(order), threads,
+                                                 as_memory_limit(memory_limit), as_time_limit(time_limit)});
   add(*held, rows, weights, progress);
   held->set_columns(columns_of(points));
   return held;
@@ -464,12 +466,14 @@ void bind_pickle(py::class_<T, Held, std::shared_ptr<T>>& type) {
 
 template <class T>
 void bind_points_only(py::class_<T, Held, std::shared_ptr<T>>& type) {
-  type.def(py::init([](const py::object& points, std::uint64_t seed, std::string order, int threads,
-                       const py::object& progress) {
-             return construct<T>(points, py::none(), seed, std::move(order), threads, progress);
-           }),
-           "points"_a, py::kw_only(), "seed"_a = 0, "order"_a = "automatic", "threads"_a = 0,
-           "progress"_a = py::none());
+  type.def(
+      py::init([](const py::object& points, std::uint64_t seed, std::string order, int threads,
+                  const py::object& progress, const py::object& memory_limit, const py::object& time_limit) {
+        return construct<T>(points, py::none(), seed, std::move(order), threads, progress, memory_limit,
+                            time_limit);
+      }),
+      "points"_a, py::kw_only(), "seed"_a = 0, "order"_a = "automatic", "threads"_a = 0,
+      "progress"_a = py::none(), "memory_limit"_a = py::none(), "time_limit"_a = py::none());
   type.def(
       "insert_range",
       [](T& held, const py::object& points, const py::object& progress) {
@@ -523,7 +527,8 @@ constexpr const char* nearest_doc =
     "makes a table of all edges; then a query takes O(k log k) comparisons for evenly spread points.";
 
 constexpr const char* delaunay_doc = R"(
-Delaunay(points, *, seed=0, order='automatic', threads=0, progress=None)
+Delaunay(points, *, seed=0, order='automatic', threads=0, progress=None,
+         memory_limit=None, time_limit=None)
 
 The Delaunay triangulation of points, (n, d) numbers that are exact in float64, or a pandas DataFrame, in any dimension.
 
@@ -531,20 +536,24 @@ Exact, a function of the set of points: seed and order ('automatic', 'as_given',
 Duplicates are merged, flat points are triangulated in their flat. At most `threads` threads build, and answer queries; 0:
 as many as there are cores for the process, where the work is large enough to gain by them. All arrays are the same,
 however many. `progress`: True for a bar, or a function that is called ten times a second with the fraction done; what
-it returns stops the work (CancelledError) if it is false, but None. Ctrl-C stops with KeyboardInterrupt. Methods let go
-of the GIL; any number of threads may call them at once. Raises InputError, a ValueError, for NaN and infinities, and
-ValueError for other input that is no array of points; both name the row, and of a DataFrame the column. Cost: O(n)
-cells and time in each dimension for evenly spread points.)";
+it returns stops the work (CancelledError) if it is false, but None. Ctrl-C stops with KeyboardInterrupt. `memory_limit`,
+the bytes that the process may have in use, and `time_limit`, the seconds for this call or one of insert_range, end it with
+OutOfMemoryError and TimeLimitError, which say how far it came and what the whole would have taken (see delone.estimate).
+Methods let go of the GIL; any number of threads may call them at once. Raises InputError, a ValueError, for NaN and
+infinities, and ValueError for other input that is no array of points; both name the row, and of a DataFrame the column.
+Cost: O(n) cells and time in each dimension for evenly spread points.)";
 
 constexpr const char* regular_doc = R"(
-Regular(points, weights, *, seed=0, order='automatic', threads=0, progress=None)
+Regular(points, weights, *, seed=0, order='automatic', threads=0, progress=None,
+        memory_limit=None, time_limit=None)
 
 The regular triangulation (weighted Delaunay triangulation) of points, (n, d), with weights, (n,), which have the unit
 of squared lengths and may be negative. Points above the lower boundary of the lifted points (x, |x|² - weight) are
 hidden. All else as in Delaunay.)";
 
 constexpr const char* furthest_site_doc = R"(
-FurthestSite(points, *, seed=0, order='automatic', threads=0, progress=None)
+FurthestSite(points, *, seed=0, order='automatic', threads=0, progress=None,
+             memory_limit=None, time_limit=None)
 
 The furthest-site Delaunay triangulation of points, (n, d): the cells whose spheres have no point outside. Its vertices
 are the extreme points, all others are hidden. One thread builds it. All else as in Delaunay.)";
@@ -665,11 +674,13 @@ void bind_triangulations(py::module_& module) {
 
   py::class_<HeldRegular, Held, std::shared_ptr<HeldRegular>> regular(module, "Regular", text(regular_doc));
   regular.def(py::init([](const py::object& points, const py::object& weights, std::uint64_t seed,
-                          std::string order, int threads, const py::object& progress) {
-                return construct<HeldRegular>(points, weights, seed, std::move(order), threads, progress);
+                          std::string order, int threads, const py::object& progress,
+                          const py::object& memory_limit, const py::object& time_limit) {
+                return construct<HeldRegular>(points, weights, seed, std::move(order), threads, progress,
+                                              memory_limit, time_limit);
               }),
               "points"_a, "weights"_a, py::kw_only(), "seed"_a = 0, "order"_a = "automatic", "threads"_a = 0,
-              "progress"_a = py::none());
+              "progress"_a = py::none(), "memory_limit"_a = py::none(), "time_limit"_a = py::none());
   regular.def(
       "insert_range",
       [](HeldRegular& held, const py::object& points, const py::object& weights, const py::object& progress) {

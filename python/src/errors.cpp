@@ -4,13 +4,15 @@
 #include "messages.hpp"
 #include "running.hpp"
 
+#include <algorithm>
+#include <cmath>
 #include <new>
 
 namespace delone::python {
 namespace {
 
 struct Types {
-  py::object base, input, memory, cancelled;
+  py::object base, input, memory, cancelled, time_limit;
 };
 
 /// Lives as long as the interpreter, like the module itself.
@@ -42,6 +44,8 @@ const py::object& type_of(Errc code) {
       return types().memory;
     case Errc::cancelled:
       return types().cancelled;
+    case Errc::time_limit:
+      return types().time_limit;
     case Errc::too_many:
     case Errc::cannot_open:
     case Errc::cannot_write:
@@ -65,6 +69,18 @@ void translate(std::exception_ptr pointer) {
   }
 }
 
+/// A finite number above 0.
+double as_limit(const py::object& limit, const std::string& name, const std::string& unit) {
+  const double value = PyFloat_AsDouble(limit.ptr());
+  if (PyErr_Occurred() != nullptr) {
+    PyErr_Clear();
+    throw py::type_error(name + ": a number of " + unit + ", or None, not " + type_name(limit));
+  }
+  if (!(value > 0) || std::isinf(value))
+    throw py::value_error(name + ": a finite number of " + unit + " above 0, or None, not " + shown(limit));
+  return value;
+}
+
 }  // namespace
 
 Options BuildArguments::to_options() const {
@@ -78,7 +94,19 @@ Options BuildArguments::to_options() const {
     throw py::value_error("order: 'automatic', 'as_given' or 'shuffled', not " + in_quotes(order));
   if (threads < 0) throw py::value_error("threads: at least 0, not " + std::to_string(threads));
   options.threads = static_cast<unsigned>(threads);
+  options.memory_limit = memory_limit;
+  options.time_limit = time_limit;
   return options;
+}
+
+std::size_t as_memory_limit(const py::object& bytes) {
+  if (bytes.is_none()) return 0;
+  const double value = as_limit(bytes, "memory_limit", "bytes");
+  constexpr double most = 0x1p62;
+  return static_cast<std::size_t>(std::max(std::min(value, most), 1.0));
+}
+double as_time_limit(const py::object& seconds) {
+  return seconds.is_none() ? 0 : as_limit(seconds, "time_limit", "seconds");
 }
 
 py::dict as_dict(const Statistics& s) {
@@ -99,7 +127,9 @@ void bind_errors(py::module_& module) {
   t.input = make(module, "InputError", py::make_tuple(t.base, builtin(PyExc_ValueError)),
                  "Input or an argument that can have no result, such as NaN.");
   t.memory = make(module, "OutOfMemoryError", py::make_tuple(t.base, builtin(PyExc_MemoryError)),
-                  "Not enough memory.");
+                  "Not enough memory, or memory_limit was reached.");
+  t.time_limit = make(module, "TimeLimitError", py::make_tuple(t.base, builtin(PyExc_TimeoutError)),
+                      "time_limit was reached.");
   t.cancelled = make(module, "CancelledError", py::make_tuple(t.base),
                      "The progress function returned False, or what counts as false.");
   py::register_exception_translator(translate);

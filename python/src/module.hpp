@@ -18,6 +18,7 @@ void bind_cell_maps(pybind11::module_& module);
 void bind_clough_tocher(pybind11::module_& module);
 void bind_lists(pybind11::module_& module);
 void bind_tiles(pybind11::module_& module);
+void bind_forecast(pybind11::module_& module);
 
 /// After all of these: inspect.signature() works on everything.
 void give_signatures(pybind11::module_& module);

@@ -178,10 +178,16 @@ struct BuildArguments {
   std::uint64_t seed = 0;
   std::string order = "automatic";
   int threads = 0;
+  std::size_t memory_limit = 0;  ///< 0: none
+  double time_limit = 0;         ///< 0: none
 
   /// Raises ValueError for a bad argument.
   Options to_options() const;
 };
+
+/// The arguments memory_limit and time_limit: None, which is 0, or a number above 0. Raise ValueError.
+std::size_t as_memory_limit(const py::object& bytes);
+double as_time_limit(const py::object& seconds);
 
 /// Statistics with their names in Python.
 py::dict as_dict(const Statistics& statistics);

@@ -55,7 +55,13 @@ void ProgressMeter::look() {
   }
   current_meter = meter;
   if (!goes_on) throw Error(Errc::cancelled, "cancelled by the progress callback");
-  if (outer_ != nullptr) outer_->poll();
+  if (outer_ == nullptr) return;
+  if (!outer_->is_counted_) {  // it hears what is done here
+    outer_->done_ = done_;
+    outer_->total_ = total_;
+    outer_->fraction_ = fraction_;
+  }
+  outer_->poll();
 }
 
 }  // namespace internal

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Polyhedron: rows to distinct sites, rank, interior point; halfspace_cone.hpp makes the boundary,
 // intersection_arrays.hpp the arrays.
+#include "base/build_limits.hpp"
 #include "base/guarded.hpp"
 #include "base/progress_meter.hpp"
 #include "base/require_dimension.hpp"
@@ -241,8 +242,9 @@ Polyhedron::Polyhedron(const AnyPoints<>& halfspaces, int dimension, const Optio
   halfspaces.require_dimension(dimension + 1);
   internal::guarded("the intersection", [&] {
     impl_ = std::make_unique<Impl>(dimension, options);
+    internal::BuildLimits limits(options.memory_limit, options.time_limit, "halfspaces");
     const internal::ProgressMeter meter(impl_->options.progress);
-    impl_->start(halfspaces.coordinates(), nullptr);
+    limits.guard([&] { impl_->start(halfspaces.coordinates(), nullptr); });
   });
 }
 
@@ -257,10 +259,11 @@ Polyhedron::Polyhedron(const AnyPoints<>& halfspaces, int dimension, std::span<c
     if (!std::isfinite(x)) throw Error(Errc::not_finite, "a coordinate of the interior point is not finite");
   internal::guarded("the intersection", [&] {
     impl_ = std::make_unique<Impl>(dimension, options);
+    internal::BuildLimits limits(options.memory_limit, options.time_limit, "halfspaces");
     const internal::ProgressMeter meter(impl_->options.progress);
     InteriorPoint point;
     point.rounded.assign(interior_point.begin(), interior_point.end());
-    impl_->start(halfspaces.coordinates(), &point);
+    limits.guard([&] { impl_->start(halfspaces.coordinates(), &point); });
   });
 }
 
@@ -272,8 +275,9 @@ Polyhedron::~Polyhedron() = default;
 
 void Polyhedron::insert_rows(const AnyPoints<>& halfspaces) {
   halfspaces.require_dimension(dimension() + 1);
+  internal::BuildLimits limits(impl_->options.memory_limit, impl_->options.time_limit, "halfspaces");
   const internal::ProgressMeter meter(impl_->options.progress);
-  internal::guarded("the intersection", [&] { impl_->add(halfspaces.coordinates()); });
+  internal::guarded("the intersection", [&] { limits.guard([&] { impl_->add(halfspaces.coordinates()); }); });
 }
 
 int Polyhedron::dimension() const { return static_cast<int>(impl_->d); }

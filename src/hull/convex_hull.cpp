@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Polytope: the public members of what hull_state.hpp builds and hull_analysis.hpp derives from it.
+#include "base/build_limits.hpp"
 #include "base/guarded.hpp"
 #include "base/progress_meter.hpp"
 #include "base/require_dimension.hpp"
@@ -207,12 +208,15 @@ Polytope& Polytope::operator=(Polytope&&) noexcept = default;
 Polytope::~Polytope() = default;
 
 void Polytope::insert_coordinates(std::span<const double> coordinates) {
+  internal::BuildLimits limits(impl_->options.memory_limit, impl_->options.time_limit, "points");
   const internal::ProgressMeter meter(impl_->options.progress);
-  internal::guarded("the hull", [&] { impl_->insert_range(coordinates); });
+  internal::guarded("the hull", [&] { limits.guard([&] { impl_->insert_range(coordinates); }); });
 }
 std::vector<SignedIndex> Polytope::insert_extreme_coordinates(std::span<const double> coordinates) {
+  internal::BuildLimits limits(impl_->options.memory_limit, impl_->options.time_limit, "points");
   const internal::ProgressMeter meter(impl_->options.progress);
-  return internal::guarded("the hull", [&] { return impl_->insert_extreme(coordinates); });
+  return internal::guarded("the hull",
+                           [&] { return limits.guard([&] { return impl_->insert_extreme(coordinates); }); });
 }
 HullInsertResult Polytope::insert_point(std::span<const double> point) {
   return internal::guarded("the hull", [&] { return impl_->insert(point); });

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <delone/convex_hulls.hpp>
 
+#include "base/build_limits.hpp"
 #include "base/guarded.hpp"
 #include "base/progress_meter.hpp"
 #include "base/require_dimension.hpp"
@@ -91,6 +92,9 @@ ConvexHulls convex_hulls(const AnyPoints<>& points, int dimension, std::span<con
     all.vertex_offsets = all.cell_offsets = {0};
     Options of_each = options, of_small = options;
     of_each.progress = of_small.progress = {};
+    of_each.time_limit = of_small.time_limit = 0;
+    of_each.memory_limit = of_small.memory_limit = 0;
+    const internal::BuildLimits limits(options.memory_limit, options.time_limit, "sets");
     of_small.order = InsertionOrder::as_given;
     internal::ProgressMeter progress(options.progress, offsets.size() - 1);
     const auto d = static_cast<std::size_t>(dimension);

@@ -35,8 +35,10 @@ void append_in_order(std::span<const double> rows, std::size_t width, std::span<
 }  // namespace
 
 Triangulation::Impl::BatchInsertion::BatchInsertion(Impl& impl, std::vector<Index> order,
-                                                    std::vector<std::size_t> rounds)
+                                                    std::vector<std::size_t> rounds,
+                                                    internal::BuildLimits& limits)
     : impl_(impl),
+      limits_(limits),
       before_{impl.affine_hull,          impl.points.coordinates.size(),
               impl.vertex_of_row.size(), impl.row_of_vertex.size(),
               impl.num_rows_inserted,    impl.only_vertex(),
@@ -204,7 +206,9 @@ bool Triangulation::Impl::BatchInsertion::wrap(std::span<const Index> simplex) {
   };
   constexpr unsigned most = 64;  // more would find nothing to do
   const unsigned threads = std::min(internal::threads_to_use(impl_.options.threads), most);
+  limits_.count_items(false);  // but facets
   if (!impl_.engine->wrap(threads, tick)) {
+    limits_.count_items(true);
     vertices.num_waiting = order_.size() - place_;
     return false;
   }

@@ -6,6 +6,7 @@
 // finding them costs nothing. So that ids have no gaps, a vertex gets its id when its turn comes, in next().
 #pragma once
 
+#include "base/build_limits.hpp"
 #include "base/progress_meter.hpp"
 #include "triangulation/triangulation_impl.hpp"
 
@@ -21,7 +22,9 @@ namespace delone {
 class Triangulation::Impl::BatchInsertion final : public engine::Batch {
  public:
   /// `order`: in which rows are to be inserted; `rounds`: where its rounds end that cover the whole set.
-  BatchInsertion(Impl& impl, std::vector<Index> order, std::vector<std::size_t> rounds);
+  /// `limits` hears if cells are made in another way than by inserting points.
+  BatchInsertion(Impl& impl, std::vector<Index> order, std::vector<std::size_t> rounds,
+                 internal::BuildLimits& limits);
   /// Unless all rows have been inserted, everything is as it was.
   ~BatchInsertion();
   BatchInsertion(const BatchInsertion&) = delete;
@@ -61,6 +64,7 @@ class Triangulation::Impl::BatchInsertion final : public engine::Batch {
   const double* point_at(std::size_t place) const;
 
   Impl& impl_;
+  internal::BuildLimits& limits_;
   Before before_;
   std::vector<Index> order_;         // of rows, the places in which they are stored
   std::vector<std::size_t> rounds_;  // where rounds of the order end

@@ -3,10 +3,12 @@
 #include "triangulation/triangulation_impl.hpp"
 
 #include "base/atomic_ref.hpp"
+#include "base/build_limits.hpp"
 #include "base/parallel.hpp"
 #include "base/progress_meter.hpp"
 #include "base/require_finite.hpp"
 #include "base/stopwatch.hpp"
+#include "forecast/model/cost.hpp"
 #include "order/insertion_order.hpp"
 #include "triangulation/batch_insertion.hpp"
 
@@ -237,6 +239,7 @@ void Triangulation::Impl::insert_range(std::span<const double> coordinates, std:
                 std::to_string(weights.size()) + " weights for " + std::to_string(n) + " points");
   check_finite(coordinates, weights);
   if (n == 0) return;
+  internal::BuildLimits limits(options.memory_limit, options.time_limit, "points");
   const internal::ProgressMeter meter(options.progress);
   expand();
   internal::Stopwatch stopwatch;
@@ -244,10 +247,18 @@ void Triangulation::Impl::insert_range(std::span<const double> coordinates, std:
   std::vector<std::size_t> rounds;
   std::vector<Index> order = order::insertion_order(view, options, &rounds);
   const double order_seconds = stopwatch.restart();
-  BatchInsertion batch(*this, std::move(order), std::move(rounds));
-  batch.take(weighted() ? std::span<const double>(weighted_rows(view, weights)) : coordinates);
-  if (release) release();
-  batch.insert_all();
+  const std::size_t vertices_before = points.last_vertex();
+  limits.set_model([&] {  // of a set spread evenly
+    const cost_model::Cost cost =
+        cost_model::cost_of_spread(dimension, static_cast<double>(vertices_before + n), 1);
+    return internal::WholeCost{cost.bytes, cost.seconds};
+  });
+  limits.guard([&] {
+    BatchInsertion batch(*this, std::move(order), std::move(rounds), limits);
+    batch.take(weighted() ? std::span<const double>(weighted_rows(view, weights)) : coordinates);
+    if (release) release();
+    batch.insert_all();
+  });
   statistics.order_seconds += order_seconds;
   statistics.build_seconds += stopwatch.seconds();
 }

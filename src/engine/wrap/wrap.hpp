@@ -4,6 +4,7 @@
 // cells do not last (docs/decisions/0007-small-sets-in-high-dimensions-are-wrapped.md).
 #pragma once
 
+#include "engine/wrap/is_worth_wrapping.hpp"
 #include "engine/wrap/proof.hpp"
 #include "engine/wrap/wrapping.hpp"
 
@@ -15,11 +16,6 @@
 #include <vector>
 
 namespace delone::engine {
-
-/// Whether wrapping n points that span k dimensions costs less than inserting them.
-constexpr bool is_worth_wrapping(int k, std::size_t n) {
-  return (k == 7 && 200 <= n && n <= 4000) || (k == 8 && 100 <= n && n <= 4000);
-}
 
 /// Fills an empty store with all cells of the vertices 1 … points.last_vertex(); functionals are not
 /// computed. Returns how many are infinite, or nothing, and then there are no cells: where rounded numbers do

@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "base/build_limits.hpp"
+
+#include "base/platform.hpp"
+#include "base/readable.hpp"
+
+#include <delone/error.hpp>
+
+#include <algorithm>
+#include <cmath>
+
+namespace delone::internal {
+namespace {
+
+/// So close to the limit the construction ends: the memory that is written between two looks.
+std::size_t margin(std::size_t memory) { return std::min<std::size_t>(memory / 8, std::size_t{64} << 20); }
+
+/// The exponent with which a cost has grown.
+double exponent(double from, double to, double log_ratio) {
+  constexpr double least = 1, most = 5;  // ⌈d/2⌉ in 9D; the fraction is one of points
+  return from > 0 && to > from ? std::clamp(std::log(to / from) / log_ratio, least, most) : least;
+}
+
+}  // namespace
+
+WholeCost extrapolated(const std::vector<Passed>& passed) {
+  constexpr double least_fraction = 0.02;
+  if (passed.empty() || passed.back().fraction < least_fraction) return {};
+  const Passed& first = passed.front();
+  const Passed& last = passed.back();
+  const auto half = std::find_if(passed.begin(), passed.end(),
+                                 [&](const Passed& p) { return p.fraction >= last.fraction / 2; });
+  const double log_ratio = std::log(last.fraction / half->fraction), stretch = 1 / last.fraction;
+  if (!(log_ratio > 0.1)) return {first.bytes + (last.bytes - first.bytes) * stretch, last.seconds * stretch};
+  const auto grown = [&](double before, double from, double to) {
+    return before + (to - before) * std::pow(stretch, exponent(from - before, to - before, log_ratio));
+  };
+  return {grown(first.bytes, half->bytes, last.bytes), grown(first.seconds, half->seconds, last.seconds)};
+}
+
+BuildLimits::BuildLimits(std::size_t memory, double seconds, const char* items)
+    : memory_(memory), seconds_(seconds), items_(items) {
+  if (!(seconds >= 0) || std::isinf(seconds))
+    throw Error(Errc::invalid_argument, "the limit of time is " + std::to_string(seconds) +
+                                            ", which is not a finite number of seconds from 0 on");
+  if (memory == 0 && seconds == 0) return;
+  bytes_before_ = static_cast<double>(platform::resident_memory());
+  look_ = [this](double fraction) { return look(fraction); };
+  meter_.emplace(look_);
+}
+
+void BuildLimits::count_items(bool counts) {
+  counts_items_ = counts;
+  passed_.clear();
+}
+
+bool BuildLimits::look(double fraction) {
+  last_ = {fraction, stopwatch_.seconds(), static_cast<double>(platform::resident_memory())};
+  constexpr double step = 1.05;
+  if (fraction > 0 && (passed_.empty() || fraction >= step * passed_.back().fraction))
+    passed_.push_back(last_);
+  if (memory_ > 0 && last_.bytes > static_cast<double>(memory_ - margin(memory_))) throw_at_memory();
+  if (seconds_ > 0 && last_.seconds > seconds_)
+    throw Error(Errc::time_limit, message(readable_seconds(seconds_)));
+  return true;
+}
+
+void BuildLimits::throw_at_memory() {
+  throw Error(Errc::out_of_memory, message(readable_bytes(static_cast<double>(memory_))));
+}
+
+WholeCost BuildLimits::whole() const {
+  WholeCost whole;
+  if (counts_items_) {
+    std::vector<Passed> passed = passed_;
+    if (last_.fraction > 0) passed.push_back(last_);
+    whole = extrapolated(passed);
+  }
+  if (whole.seconds == 0 && model_) {
+    whole = model_();
+    whole.bytes += bytes_before_;
+  }
+  // Both are about what is only beyond the limit that was reached.
+  whole.bytes = std::max(whole.bytes, last_.bytes);
+  return whole;
+}
+
+std::string BuildLimits::message(const std::string& limit) const {
+  std::string text = "stopped at the limit of " + limit;
+  const double percent = 100 * last_.fraction;
+  if (!counts_items_)
+    text += " while cells were made";
+  else if (percent >= 1)
+    text += " with " + std::to_string(static_cast<int>(percent)) + " % of the " + items_ + " inserted";
+  else
+    text += std::string(" with less than 1 % of the ") + items_ + " inserted";
+  const WholeCost cost = whole();
+  if (cost.seconds > 0)
+    text += "; the whole would have taken about " + readable_bytes(cost.bytes) + " and " +
+            readable_seconds(cost.seconds);
+  return text;
+}
+
+}  // namespace delone::internal

@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "base/readable.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdio>
+#include <utility>
+
+namespace delone::internal {
+namespace {
+
+/// Below ten with one digit after the point, if it is not 0.
+std::string rounded(double x) {
+  char text[64];
+  if (x < 0.095)
+    std::snprintf(text, sizeof text, "%.1g", x);
+  else if (x < 0.95)
+    std::snprintf(text, sizeof text, "%.2g", x);
+  else if (x < 9.95 && std::round(10 * x) != 10 * std::round(x))
+    std::snprintf(text, sizeof text, "%.1f", x);
+  else
+    std::snprintf(text, sizeof text, "%.0f", x);
+  return text;
+}
+
+}  // namespace
+
+std::string readable_bytes(double bytes) {
+  constexpr std::array units{"bytes", "kB", "MB", "GB", "TB", "PB", "EB"};
+  std::size_t unit = 0;
+  for (; bytes >= 999.5 && unit + 1 < units.size(); bytes /= 1000) ++unit;
+  return (unit == 0 ? std::to_string(static_cast<int>(bytes)) : rounded(bytes)) + " " + units[unit];
+}
+
+std::string readable_seconds(double seconds) {
+  constexpr double year = 365.25 * 86400;
+  constexpr std::array<std::pair<double, const char*>, 5> units{
+      {{year, "year"}, {86400, "day"}, {3600, "hour"}, {60, "minute"}, {1, "second"}}};
+  if (seconds > 1000 * year) return "more than 1000 years";
+  // From one and a half of a unit on it is that unit.
+  const auto unit =
+      std::find_if(units.begin(), units.end() - 1, [&](const auto& u) { return seconds >= 1.5 * u.first; });
+  const std::string text = rounded(seconds / unit->first);
+  return text + " " + unit->second + (text == "1" ? "" : "s");
+}
+
+}  // namespace delone::internal

@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "forecast/quantities.hpp"
+
+#include "base/readable.hpp"
+#include "engine/batch.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace delone::cost_model {
+namespace {
+
+ForecastQuantity between(double expected, double factor) {
+  return {expected, expected / factor, expected * factor};
+}
+
+/// Counts are whole numbers.
+ForecastQuantity whole(double expected, double factor) {
+  return {std::round(expected), std::floor(expected / factor), std::ceil(expected * factor)};
+}
+
+}  // namespace
+
+double speedup(unsigned threads) {
+  constexpr double alone = 0.35;  // of the time, what threads do not share: 1.3 to 1.6 for two of them
+  return 1 / (alone + (1 - alone) / std::max(threads, 1u));
+}
+
+Forecast as_forecast(const Cost& cost, int dimension, std::size_t num_points, unsigned threads,
+                     const Uncertainty& about) {
+  Forecast forecast;
+  forecast.dimension = dimension;
+  forecast.affine_dimension = cost.affine_dimension;
+  forecast.num_points = num_points;
+  forecast.threads = engine::threads_for_batch(threads, num_points, cost.affine_dimension);
+  forecast.vertices = whole(cost.vertices, 1);
+  forecast.cells = whole(cost.cells, about.cells);
+  // Memory comes in pages, and in the arrays of threads.
+  constexpr double least_bytes = 1e6;
+  forecast.bytes = between(cost.bytes, 1.1 * about.cells);
+  forecast.bytes.high += least_bytes;
+  forecast.seconds = between(cost.seconds / speedup(forecast.threads), about.speed * about.cells);
+  forecast.seconds.low *= speedup(forecast.threads) / std::max(forecast.threads, 1u);
+  return forecast;
+}
+
+}  // namespace delone::cost_model
+
+namespace delone {
+
+std::string readable_bytes(double bytes) { return internal::readable_bytes(bytes); }
+std::string readable_seconds(double seconds) { return internal::readable_seconds(seconds); }
+
+}  // namespace delone

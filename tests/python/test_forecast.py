@@ -1,0 +1,92 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""Forecasts, and limits of memory and time that end a construction."""
+import math
+import re
+
+import numpy as np
+import pytest
+
+import delone
+
+WHOLE = r"; the whole would have taken about [\d.]+ [kMGTPE]?B and [\d.]+ \w+"
+
+
+def points_of(n, dimension):
+    return np.random.default_rng(1).random((n, dimension))
+
+
+def on_sphere(n, dimension):
+    points = np.random.default_rng(0).standard_normal((n, dimension))
+    return points / np.linalg.norm(points, axis=1, keepdims=True)
+
+
+@pytest.mark.parametrize("dimension, n", [(2, 3000), (3, 1500), (5, 400)])
+def test_forecasts_are_close(dimension, n):
+    points = points_of(n, dimension)
+    cells = delone.Delaunay(points).num_cells
+    for forecast in (delone.forecast(dimension, n), delone.estimate(points)):
+        assert abs(math.log(forecast.cells / cells)) < math.log(1.5)
+        assert (forecast.dimension, forecast.affine_dimension, forecast.num_points) == (dimension, dimension, n)
+        for name in ("cells", "bytes", "seconds"):
+            low, high = getattr(forecast, name + "_range")
+            assert low <= getattr(forecast, name) <= high
+        assert re.fullmatch(rf"<delone.Forecast: {n} points in {dimension}D, about \S+ cells, \S+ \w+, \S+ \w+>", repr(forecast))
+
+
+def test_bad_arguments():
+    with pytest.raises(ValueError, match="kind"):
+        delone.forecast(3, 10, "unknown")
+    with pytest.raises(ValueError, match="dimension"):
+        delone.forecast(0, 10)
+    with pytest.raises(ValueError, match="threads"):
+        delone.forecast(3, 10, threads=-1)
+    for bad in (0, -1, math.nan, math.inf):
+        with pytest.raises(ValueError, match="sample_seconds"):
+            delone.estimate(points_of(10, 2), sample_seconds=bad)
+        for limit in ("time_limit", "memory_limit"):
+            with pytest.raises(ValueError, match=limit):
+                delone.Delaunay(points_of(10, 2), **{limit: bad})
+    with pytest.raises(TypeError, match="time_limit"):
+        delone.Delaunay(points_of(10, 2), time_limit="long")
+    with pytest.raises(delone.InputError, match="point 1"):
+        delone.estimate([[0, 0], [0, math.nan]])
+
+
+@pytest.mark.parametrize("make", [
+    lambda **limits: delone.Delaunay(points_of(100_000, 5), **limits),
+    lambda **limits: delone.Regular(points_of(100_000, 5), np.zeros(100_000), **limits),
+    lambda **limits: delone.ConvexHull(on_sphere(50_000, 7), **limits),
+    lambda **limits: delone.HalfspaceIntersection(np.c_[on_sphere(50_000, 7), -np.ones(50_000)], [0] * 7, **limits),
+])
+def test_limits_end_constructions(make):
+    with pytest.raises(delone.TimeLimitError, match="stopped at the limit of 0.4 seconds") as caught:
+        make(time_limit=0.4)
+    assert isinstance(caught.value, (delone.Error, TimeoutError))
+    with pytest.raises(delone.OutOfMemoryError, match="stopped at the limit of 1 MB") as caught:
+        make(memory_limit=1e6)
+    assert isinstance(caught.value, MemoryError)
+
+
+def test_the_whole_is_told():
+    with pytest.raises(delone.TimeLimitError, match=r"with \d+ % of the points inserted" + WHOLE):
+        delone.Delaunay(points_of(20_000, 5), threads=1, time_limit=0.4)
+
+
+def test_a_wrapped_set_says_what_the_whole_takes():
+    with pytest.raises(delone.TimeLimitError, match="while cells were made" + WHOLE):
+        delone.Delaunay(points_of(3000, 7), time_limit=0.3)
+
+
+def test_what_was_there_stays():
+    triangulation = delone.Delaunay(points_of(100, 5), time_limit=0.4)
+    before = triangulation.hash
+    with pytest.raises(delone.TimeLimitError):
+        triangulation.insert_range(points_of(200_000, 5) + 2)
+    assert triangulation.num_points == 100
+    assert triangulation.hash == before
+
+
+def test_progress_is_heard_within_limits():
+    heard = []
+    delone.Delaunay(points_of(40_000, 3), progress=lambda fraction: heard.append(fraction), time_limit=100, memory_limit=1e12)
+    assert heard == sorted(heard)

@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "base/build_limits.hpp"
+
+#include "base/platform.hpp"
+
+#include <delone/error.hpp>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <chrono>
+#include <cmath>
+#include <limits>
+#include <new>
+#include <thread>
+
+namespace delone::internal {
+namespace {
+
+using ::testing::HasSubstr;
+
+/// Costs a·f^p from f = 0.01 on.
+std::vector<Passed> grown_like(double exponent, double last) {
+  std::vector<Passed> passed;
+  for (double f = 0.01; f < last; f *= 1.05)
+    passed.push_back({f, std::pow(f, exponent), 100 * std::pow(f, exponent)});
+  return passed;
+}
+
+TEST(BuildLimits, ThePowerOfTheGrowthIsContinued) {
+  for (const double exponent : {1.0, 1.5, 3.0}) {
+    const WholeCost whole = extrapolated(grown_like(exponent, 0.6));
+    EXPECT_NEAR(whole.seconds, 1, 0.05) << exponent;
+    EXPECT_NEAR(whole.bytes, 100, 5) << exponent;
+  }
+  EXPECT_EQ(extrapolated({}).seconds, 0);
+  EXPECT_EQ(extrapolated({{0.001, 1, 1}}).seconds, 0);
+}
+
+TEST(BuildLimits, BadTimesAreErrors) {
+  for (const double bad :
+       {-1.0, std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity()})
+    try {
+      const BuildLimits limits(0, bad, "points");
+      ADD_FAILURE() << bad;
+    } catch (const Error& error) {
+      EXPECT_EQ(error.code(), Errc::invalid_argument);
+      EXPECT_THAT(error.what(), HasSubstr("limit of time"));
+    }
+}
+
+/// What a loop of 100 rounds throws that takes some milliseconds a round.
+Error error_of(BuildLimits& limits) {
+  const std::function<bool(double)> nobody;
+  try {
+    limits.guard([&] {
+      ProgressMeter meter(nobody, 100);
+      for (std::size_t done = 1; done <= 100; ++done) {
+        std::this_thread::sleep_for(std::chrono::milliseconds(5));
+        meter(done);
+      }
+    });
+  } catch (const Error& error) {
+    return error;
+  }
+  return {Errc::unsupported, "nothing"};
+}
+
+TEST(BuildLimits, TheMessageSaysHowFarItCameAndWhatTheWholeTakes) {
+  BuildLimits limits(0, 0.1, "points");
+  const Error error = error_of(limits);
+  EXPECT_EQ(error.code(), Errc::time_limit);
+  EXPECT_THAT(error.what(), HasSubstr("stopped at the limit of 0.1 seconds with "));
+  EXPECT_THAT(error.what(), HasSubstr(" % of the points inserted; the whole would have taken about "));
+}
+
+TEST(BuildLimits, AModelTellsWhereTheFractionDoesNot) {
+  BuildLimits limits(0, 0.05, "points");
+  limits.set_model([] { return WholeCost{7e15, 240}; });
+  limits.count_items(false);
+  const Error error = error_of(limits);
+  EXPECT_THAT(error.what(),
+              HasSubstr("while cells were made; the whole would have taken about 7 PB and 4 minutes"));
+}
+
+TEST(BuildLimits, MemoryThatTheProcessHasAlreadyIsAnError) {
+  if (platform::resident_memory() == 0) GTEST_SKIP() << "the system does not tell the memory in use";
+  BuildLimits limits(1000, 0, "points");
+  const Error error = error_of(limits);
+  EXPECT_EQ(error.code(), Errc::out_of_memory);
+  EXPECT_THAT(error.what(), HasSubstr("stopped at the limit of 1 kB"));
+}
+
+TEST(BuildLimits, FailedAllocationsAreExplained) {
+  BuildLimits limits(std::size_t{1} << 50, 0, "points");
+  EXPECT_THROW(limits.guard([] { throw std::bad_alloc(); }), Error);
+  BuildLimits none(0, 0, "points");
+  EXPECT_THROW(none.guard([] { throw std::bad_alloc(); }), std::bad_alloc);
+}
+
+}  // namespace
+}  // namespace delone::internal

@@ -1,0 +1,118 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Forecasts and estimates against triangulations of all named point sets, at small sizes. Numbers of cells do
+// not depend on the machine; times are left to the benchmark.
+#include <delone/forecast.hpp>
+
+#include "forecast/speed.hpp"
+
+#include <delone/delaunay.hpp>
+#include <delone/error.hpp>
+#include <delone/point_sets.hpp>
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <string>
+#include <vector>
+
+namespace delone {
+namespace {
+
+/// What is promised, and some room for sets as small as these.
+constexpr double promised = 1.5;
+
+void expect_close(const ForecastQuantity& cells, double actual, const std::string& what) {
+  if (actual < 200) return;  // a few cells are not worth a forecast
+  EXPECT_LT(cells.expected, promised * actual) << what;
+  EXPECT_GT(cells.expected, actual / promised) << what;
+  EXPECT_LE(cells.low, cells.expected) << what;
+  EXPECT_GE(cells.high, cells.expected) << what;
+}
+
+std::vector<std::size_t> sizes(int d) {
+  if (d <= 3) return {700, 3000};
+  if (d <= 5) return {150, 500};
+  return {90};
+}
+
+TEST(Forecast, AllKinds) {
+  for (const PointSetKind& kind : point_set_kinds())
+    for (int d = 1; d <= 7; ++d) {
+      if (d == 1 && (kind.name == "flat" || kind.name == "cospherical" || kind.name == "ulp_sphere"))
+        continue;
+      for (const std::size_t n : sizes(d)) {
+        const std::string what = std::string(kind.name) + " " + std::to_string(d) + "D " + std::to_string(n);
+        if (kind.name == "mixed_scales" && d > 4) continue;  // slow
+        const std::vector<double> points = make_point_set(kind.name, d, n, 7);
+        const Delaunay<> t(points, d);
+        const auto cells = static_cast<double>(t.num_finite_cells());
+        const Forecast forecasted = forecast(d, n, kind.name);
+        expect_close(forecasted.cells, cells, "forecast " + what);
+        const Forecast estimated = estimate(points, d, {.sample_seconds = 1e-3});
+        expect_close(estimated.cells, cells, "estimate " + what);
+        EXPECT_EQ(estimated.num_points, t.num_points());
+        EXPECT_EQ(estimated.affine_dimension, t.affine_dimension()) << what;
+      }
+    }
+}
+
+TEST(Forecast, SamplesThatAreAllPointsGiveTheNumbersThemselves) {
+  for (const int d : {2, 3, 4}) {
+    std::vector<double> points = make_point_set("duplicates", d, 60, 3);
+    const Delaunay<> t(points, d);
+    const Forecast all = estimate(points, d, {.sample_seconds = 10});
+    EXPECT_EQ(all.cells.expected, static_cast<double>(t.num_finite_cells()));
+    EXPECT_EQ(all.vertices.expected, static_cast<double>(t.num_vertices()));
+  }
+}
+
+TEST(Forecast, EstimatesDependOnTheSetOfPointsAlone) {
+  std::vector<double> points = make_point_set("gaussian", 3, 4000, 3), turned;
+  for (std::size_t i = 4000; i-- > 0;) turned.insert(turned.end(), &points[3 * i], &points[3 * i] + 3);
+  // So little time that only the first sample is built.
+  const EstimateOptions options{.sample_seconds = 1e-9};
+  EXPECT_EQ(estimate(points, 3, options).cells.expected, estimate(turned, 3, options).cells.expected);
+}
+
+TEST(Forecast, FewPointsAndBadArguments) {
+  EXPECT_EQ(estimate(std::vector<double>{}, 3).cells.expected, 0);
+  EXPECT_EQ(estimate(std::vector<double>{1, 2, 3}, 3).cells.expected, 1);
+  EXPECT_EQ(forecast(3, 0).cells.expected, 0);
+  EXPECT_GT(forecast(12, 1000).cells.expected, forecast(12, 100).cells.expected);
+  const auto code = [](auto work) {
+    try {
+      work();
+    } catch (const Error& error) {
+      return error.code();
+    }
+    return Errc::unsupported;
+  };
+  EXPECT_EQ(code([] { forecast(0, 10); }), Errc::bad_dimension);
+  EXPECT_EQ(code([] { forecast(3, 10, "unknown"); }), Errc::invalid_argument);
+  const std::vector<double> points{1, 2, 3, std::numeric_limits<double>::quiet_NaN(), 2, 3};
+  EXPECT_EQ(code([&] { estimate(points, 3); }), Errc::not_finite);
+  for (const double bad : {0.0, -1.0, std::numeric_limits<double>::quiet_NaN()})
+    EXPECT_EQ(code([&] { estimate(std::vector<double>{1}, 1, {.sample_seconds = bad}); }),
+              Errc::invalid_argument);
+  EXPECT_EQ(code([] {
+              estimate(make_point_set("uniform", 3, 20000), 3, {.progress = [](double) { return false; }});
+            }),
+            Errc::cancelled);
+}
+
+TEST(Forecast, MoreThreadsTakeLessTime) {
+  const Forecast one = forecast(3, 10000000, "uniform", 1), two = forecast(3, 10000000, "uniform", 2);
+  EXPECT_EQ(one.threads, 1u);
+  EXPECT_LE(two.seconds.low, one.seconds.low);
+}
+
+TEST(Forecast, TheSpeedOfAMachineIsThatOfAComputer) {
+  const double nanoseconds = cost_model::measure_nanoseconds();
+  EXPECT_GT(nanoseconds, 5);
+  EXPECT_LT(nanoseconds, 1e5);
+}
+
+}  // namespace
+}  // namespace delone
