@@ -21,6 +21,7 @@
 #include "base/quick_rounds.hpp"
 #include "faces/face_rows.hpp"
 #include "faces/orthosphere.hpp"
+#include "faces/orthosphere_kernel.hpp"
 #include "kernel/grid.hpp"
 #include "triangulation/stored_points.hpp"
 
@@ -60,21 +61,70 @@ int unit_of(const Triangulation& triangulation) {
   return unit;
 }
 
-/// Calls work(orthospheres, face, points) for 0 ≤ face < count with the points of the faces of a level.
-template <class Work>
-void for_each_face(const Triangulation& triangulation, const FaceLevel& level, int unit, unsigned threads,
-                   const Work& work) {
-  const VertexPoints& points = StoredPoints::of(triangulation);
-  const std::size_t corners = level.corners();
-  work_in_parts(threads, level.size(), faces_in_part, [&] {
-    return [&, spheres = Orthospheres(points.ambient, points.weighted(), unit, corners),
-            of_face = std::vector<const double*>(corners)](std::size_t first, std::size_t last,
-                                                           const StopPoint& stop) mutable {
-      for (std::size_t face = first; face < last; ++face) {
-        if (face % 64 == 0) stop();
+/// The faces of a level, or some of them, in blocks of orthosphere_block.
+class FaceBlocks {
+ public:
+  FaceBlocks(const VertexPoints& points, int unit, const FaceLevel& level)
+      : points_(points),
+        level_(level),
+        spheres_(points.ambient, points.weighted(), unit, level.corners()),
+        of_block_(orthosphere_block * level.corners()) {}
+
+  /// Calls take(face, answer) for these faces.
+  template <class Take>
+  void find(std::span<const std::size_t> faces, Orthospheres::Want want, const Take& take) {
+    Orthospheres::Answer answers[orthosphere_block];
+    for_each_block(faces, [&](std::span<const std::size_t> block) {
+      spheres_.find_block(block.size(), of_block_.data(), want, answers);
+      for (std::size_t i = 0; i < block.size(); ++i) take(block[i], answers[i]);
+    });
+  }
+  /// Calls take(face) for those that are within the bound.
+  template <class Take>
+  void find_within(std::span<const std::size_t> faces, const SquareBound& bound, const Take& take) {
+    bool is_within[orthosphere_block];
+    for_each_block(faces, [&](std::span<const std::size_t> block) {
+      spheres_.is_within_block(block.size(), of_block_.data(), bound, is_within);
+      for (std::size_t i = 0; i < block.size(); ++i)
+        if (is_within[i]) take(block[i]);
+    });
+  }
+
+ private:
+  template <class Work>
+  void for_each_block(std::span<const std::size_t> faces, const Work& work) {
+    const std::size_t corners = level_.corners();
+    for (std::size_t first = 0; first < faces.size(); first += orthosphere_block) {
+      const auto block = faces.subspan(first, std::min(orthosphere_block, faces.size() - first));
+      const double** to = of_block_.data();
+      for (const std::size_t face : block)
         for (std::size_t i = 0; i < corners; ++i)
-          of_face[i] = points.point(level.vertices[face * corners + i]);
-        work(spheres, face, of_face.data());
+          *to++ = points_.point(static_cast<Index>(level_.vertices[face * corners + i]));
+      work(block);
+    }
+  }
+
+  const VertexPoints& points_;
+  const FaceLevel& level_;
+  Orthospheres spheres_;
+  std::vector<const double*> of_block_;
+};
+
+/// Calls work(blocks, faces) for parts of those faces of a level for which is_wanted(face).
+template <class IsWanted, class Work>
+void for_wanted_faces(const Triangulation& triangulation, const FaceLevel& level, int unit, unsigned threads,
+                      const IsWanted& is_wanted, const Work& work) {
+  const VertexPoints& points = StoredPoints::of(triangulation);
+  work_in_parts(threads, level.size(), faces_in_part, [&] {
+    return [&, blocks = FaceBlocks(points, unit, level), wanted = std::vector<std::size_t>()](
+               std::size_t first, std::size_t last, const StopPoint& stop) mutable {
+      constexpr std::size_t between_stops = 16 * orthosphere_block;
+      for (std::size_t begin = first; begin < last; begin += between_stops) {
+        stop();
+        wanted.clear();
+        for (std::size_t face = begin; face < std::min(last, begin + between_stops); ++face)
+          if (is_wanted(face)) wanted.push_back(face);
+        work(blocks, std::span<const std::size_t>(wanted));
       }
     };
   });
@@ -138,14 +188,26 @@ class Filtration {
   /// Of those that are not in conflict; and the masks of all.
   void find_values(const std::vector<unsigned char>& in_conflict) {
     masks_ = Masks(level_.size(), level_.corners());
-    for_each_face(triangulation_, level_, unit_, threads_,
-                  [&](Orthospheres& spheres, std::size_t face, const double* const* points) {
-                    const bool has_value = !in_conflict.empty() && in_conflict[face] != 0;
-                    const Orthospheres::Answer answer = spheres.find(
-                        points, has_value ? Orthospheres::Want::beyond : Orthospheres::Want::both);
-                    masks_.set(face, answer.beyond);
-                    if (!has_value) values_[face] = answer.square;
-                  });
+    using Want = Orthospheres::Want;
+    const bool has_beyond = level_.dimension > 1 || StoredPoints::of(triangulation_).weighted();
+    const auto has_value = [&](std::size_t face) { return !in_conflict.empty() && in_conflict[face] != 0; };
+    for_wanted_faces(
+        triangulation_, level_, unit_, threads_, [&](std::size_t face) { return !has_value(face); },
+        [&](FaceBlocks& blocks, std::span<const std::size_t> faces) {
+          blocks.find(faces, has_beyond ? Want::both : Want::square,
+                      [&](std::size_t face, const Orthospheres::Answer& answer) {
+                        masks_.set(face, has_beyond ? answer.beyond : 0);
+                        values_[face] = answer.square;
+                      });
+        });
+    if (!has_beyond || in_conflict.empty()) return;
+    for_wanted_faces(triangulation_, level_, unit_, threads_, has_value,
+                     [&](FaceBlocks& blocks, std::span<const std::size_t> faces) {
+                       blocks.find(faces, Want::beyond,
+                                   [&](std::size_t face, const Orthospheres::Answer& answer) {
+                                     masks_.set(face, answer.beyond);
+                                   });
+                     });
   }
 
   const Triangulation& triangulation_;
@@ -214,8 +276,7 @@ struct AlphaComplex::Impl {
 
   void find_cells(unsigned threads);
   void find_boundary(unsigned threads);
-  bool is_singular(internal::Orthospheres& of_facets, internal::Orthospheres& of_cells, CellId c,
-                   int i) const;
+  bool has_no_conflict(internal::Orthospheres& of_cells, CellId c, int i) const;
   Faces faces(int j, const FaceOptions& options) const;
 
   const Triangulation* triangulation;
@@ -226,41 +287,47 @@ struct AlphaComplex::Impl {
 };
 
 void AlphaComplex::Impl::find_cells(unsigned threads) {
+  constexpr std::size_t block = internal::orthosphere_block;
   const Complex complex = triangulation->complex();
   const VertexPoints& points = internal::StoredPoints::of(*triangulation);
   const auto corners = static_cast<std::size_t>(k) + 1;
   is_in.assign(complex.num_cell_slots(), 0);
   internal::work_in_parts(threads, is_in.size(), internal::faces_in_part, [&] {
     return [&, spheres = internal::Orthospheres(points.ambient, points.weighted(), unit, corners),
-            of_cell = std::vector<const double*>(corners)](std::size_t first, std::size_t last,
-                                                           const internal::StopPoint& stop) mutable {
+            of_block = std::vector<const double*>(block * corners)](
+               std::size_t first, std::size_t last, const internal::StopPoint& stop) mutable {
+      std::size_t slots[block], count = 0;
+      bool is_within[block];
+      const auto flush = [&] {
+        stop();
+        if (count == 0) return;
+        spheres.is_within_block(count, of_block.data(), bound, is_within);
+        for (std::size_t i = 0; i < count; ++i) is_in[slots[i]] = is_within[i] ? 1 : 0;
+        count = 0;
+      };
       for (std::size_t slot = first; slot < last; ++slot) {
-        if (slot % 64 == 0) stop();
         const CellId c{static_cast<Index>(slot)};
         if (!complex.is_cell(c)) continue;
         bool is_finite = true;
         for (std::size_t i = 0; i < corners; ++i) {
           const VertexId v = complex.vertex(c, static_cast<int>(i));
           is_finite = is_finite && v != infinite_vertex;
-          of_cell[i] = points.point(index(v));
+          of_block[count * corners + i] = points.point(index(v));
         }
-        if (is_finite && spheres.is_within(of_cell.data(), bound)) is_in[slot] = 1;
+        if (!is_finite) continue;
+        slots[count++] = slot;
+        if (count == block) flush();
       }
+      flush();
     };
   });
 }
 
-/// Whether facet i of c, which is no face of a cell of the complex, is in the complex: if its smallest
-/// orthosphere is small enough, and in conflict with no vertex of its cells.
-bool AlphaComplex::Impl::is_singular(internal::Orthospheres& of_facets, internal::Orthospheres& of_cells,
-                                     CellId c, int i) const {
+/// Whether facet i of c, which is no face of a cell of the complex, is in conflict with no vertex of its cells.
+bool AlphaComplex::Impl::has_no_conflict(internal::Orthospheres& of_cells, CellId c, int i) const {
   const Complex complex = triangulation->complex();
   const VertexPoints& points = internal::StoredPoints::of(*triangulation);
   const double* corners[64];
-  std::size_t count = 0;
-  for (int m = 0; m <= k; ++m)
-    if (m != i) corners[count++] = points.point(index(complex.vertex(c, m)));
-  if (!of_facets.is_within(corners, bound)) return false;
   const auto is_in_conflict = [&](CellId cell, int apex) {
     if (complex.is_infinite(cell)) return false;
     for (int m = 0; m <= k; ++m) corners[m] = points.point(index(complex.vertex(cell, m)));
@@ -287,9 +354,27 @@ void AlphaComplex::Impl::find_boundary(unsigned threads) {
             of_facets = internal::Orthospheres(points.ambient, points.weighted(), unit,
                                                static_cast<std::size_t>(std::max(k, 1))),
             of_cells = internal::Orthospheres(points.ambient, points.weighted(), unit,
-                                              static_cast<std::size_t>(k) + 1)](
-               std::size_t first, std::size_t last, const internal::StopPoint& stop) mutable {
+                                              static_cast<std::size_t>(k) + 1),
+            of_block = std::vector<const double*>()](std::size_t first, std::size_t last,
+                                                     const internal::StopPoint& stop) mutable {
       Found& to = found[first / part];
+      Facet facets[internal::orthosphere_block];  // that may be singular
+      bool is_within[internal::orthosphere_block];
+      std::size_t count = 0;
+      const auto flush = [&] {
+        if (count == 0) return;
+        of_facets.is_within_block(count, of_block.data(), bound, is_within);
+        for (std::size_t f = 0; f < count; ++f) {
+          const auto [c, i] = facets[f];
+          if (!is_within[f] || !has_no_conflict(of_cells, c, i)) continue;
+          const auto begin = static_cast<std::ptrdiff_t>(to.singular.size());
+          for (int m = 0; m <= k; ++m)
+            if (m != i) to.singular.push_back(row(c, m));
+          std::sort(to.singular.begin() + begin, to.singular.end());
+        }
+        count = 0;
+        of_block.clear();
+      };
       for (std::size_t slot = first; slot < last; ++slot) {
         if (slot % 64 == 0) stop();
         const CellId c{static_cast<Index>(slot)};
@@ -306,14 +391,15 @@ void AlphaComplex::Impl::find_boundary(unsigned threads) {
             // A point inside put first takes i transpositions to its place in the cell.
             if (i % 2 == 1 && k > 1) std::swap(to.boundary[begin], to.boundary[begin + 1]);
             to.boundary_cells.push_back(number);
-          } else if ((c < across || complex.is_infinite(across)) && is_singular(of_facets, of_cells, c, i)) {
-            const auto begin = static_cast<std::ptrdiff_t>(to.singular.size());
+          } else if (c < across || complex.is_infinite(across)) {
             for (int m = 0; m <= k; ++m)
-              if (m != i) to.singular.push_back(row(c, m));
-            std::sort(to.singular.begin() + begin, to.singular.end());
+              if (m != i) of_block.push_back(points.point(index(complex.vertex(c, m))));
+            facets[count++] = {c, i};
+            if (count == internal::orthosphere_block) flush();
           }
         }
       }
+      flush();
     };
   });
   SignedIndex before = 0;
@@ -338,11 +424,14 @@ Faces AlphaComplex::Impl::faces(int j, const FaceOptions& options) const {
     while (level.dimension > j) {
       const std::size_t corners = level.corners();
       Masks masks(level.size(), corners);
-      for_each_face(*triangulation, level, unit, options.threads,
-                    [&](Orthospheres& spheres, std::size_t face, const double* const* points) {
-                      if (marks[face] == 0)
-                        masks.set(face, spheres.find(points, Orthospheres::Want::beyond).beyond);
-                    });
+      for_wanted_faces(
+          *triangulation, level, unit, options.threads, [&](std::size_t face) { return marks[face] == 0; },
+          [&](FaceBlocks& blocks, std::span<const std::size_t> some) {
+            blocks.find(some, Orthospheres::Want::beyond,
+                        [&](std::size_t face, const Orthospheres::Answer& answer) {
+                          masks.set(face, answer.beyond);
+                        });
+          });
       FaceLevel below = facets_of(level, triangulation->complex().num_vertex_slots(), options.threads);
       enum : unsigned char { unknown, in, in_conflict };
       std::vector<unsigned char> next(below.size(), unknown);
@@ -358,10 +447,12 @@ Faces AlphaComplex::Impl::faces(int j, const FaceOptions& options) const {
         }
       }
       level = std::move(below);
-      for_each_face(*triangulation, level, unit, options.threads,
-                    [&](Orthospheres& spheres, std::size_t face, const double* const* points) {
-                      if (next[face] == unknown && spheres.is_within(points, bound)) next[face] = in;
-                    });
+      for_wanted_faces(
+          *triangulation, level, unit, options.threads,
+          [&](std::size_t face) { return next[face] == unknown; },
+          [&](FaceBlocks& blocks, std::span<const std::size_t> some) {
+            blocks.find_within(some, bound, [&](std::size_t face) { next[face] = in; });
+          });
       for (unsigned char& mark : next) mark = mark == in ? 1 : 0;
       marks = std::move(next);
     }

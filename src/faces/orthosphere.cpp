@@ -37,6 +37,7 @@
 // and the squared radius is a quotient of integers, whose rounding is settled by an exact product.
 #include "faces/orthosphere.hpp"
 
+#include "faces/orthosphere_kernel.hpp"
 #include "kernel/buffer.hpp"
 #include "kernel/double_double.hpp"
 #include "kernel/grid.hpp"
@@ -326,10 +327,64 @@ Orthospheres::Orthospheres(int dimension, bool weighted, int unit, std::size_t c
     n == 1 ? choose(one, two) : choose(two, two);
   else
     n == 1 ? choose(one, any) : n == 2 ? choose(two, any) : n == 3 ? choose(three, any) : choose(any, any);
+  if (n <= most_orthosphere_edges && dimension_ <= most_orthosphere_dimension)
+    lanes_.resize(corners * (dimension_ + 1) * orthosphere_block, 0.0);
   const int bits = bits_of_small_lattices(n, dimension_);
   if (bits == 0 || unit < -400 || unit > 400) return;
   small_ = std::ldexp(1.0, unit + bits);
   small_square_ = std::ldexp(1.0, 2 * (unit + bits));
+}
+
+/// Writes a block to its lanes, the last simplex also to those that are left. False if each simplex is better
+/// off alone: on small lattices, and where there is no such code.
+bool Orthospheres::fills_lanes(std::size_t count, const double* const* points) {
+  if (lanes_.empty()) return false;
+  if (small_ > 0) {
+    double largest = 0;
+    for (std::size_t i = 1; i < corners_; ++i)
+      for (std::size_t j = 0; j < dimension_; ++j)
+        largest = std::max(largest, std::fabs(points[i][j] - points[0][j]));
+    if (largest <= small_) return false;
+  }
+  const std::size_t width = dimension_ + (weighted_ ? 1 : 0);
+  for (std::size_t lane = 0; lane < orthosphere_block; ++lane) {
+    const double* const* const of_simplex = points + std::min(lane, count - 1) * corners_;
+    double* to = lanes_.data() + lane;
+    for (std::size_t i = 0; i < corners_; ++i, to += (dimension_ + 1) * orthosphere_block)
+      for (std::size_t j = 0; j < width; ++j) to[j * orthosphere_block] = of_simplex[i][j];
+  }
+  return true;
+}
+
+void Orthospheres::find_block(std::size_t count, const double* const* points, Want want, Answer* answers) {
+  if (!fills_lanes(count, points)) {
+    for (std::size_t i = 0; i < count; ++i) answers[i] = find(points + i * corners_, want);
+    return;
+  }
+  OrthosphereBlock found;
+  find_orthospheres_in_lanes(corners_ - 1, dimension_, weighted_, want != Want::beyond, lanes_.data(), found);
+  for (std::size_t i = 0; i < count; ++i) {
+    const bool is_certain = (want == Want::square || found.beyond_is_certain[i] != 0) &&
+                            (want == Want::beyond || found.square_is_certain[i] != 0);
+    answers[i] =
+        is_certain ? Answer{found.square[i], found.beyond[i]} : find(points + i * corners_, want);
+  }
+}
+
+void Orthospheres::is_within_block(std::size_t count, const double* const* points, const SquareBound& bound,
+                                   bool* is_within) {
+  if (!std::isfinite(bound.below()) || !fills_lanes(count, points)) {
+    for (std::size_t i = 0; i < count; ++i) is_within[i] = this->is_within(points + i * corners_, bound);
+    return;
+  }
+  OrthosphereBlock found;
+  find_orthospheres_in_lanes(corners_ - 1, dimension_, weighted_, false, lanes_.data(), found);
+  for (std::size_t i = 0; i < count; ++i) {
+    const bool is_certain = found.range_is_certain[i] != 0;
+    is_within[i] = is_certain && found.most[i] <= bound.below()  ? true
+                   : is_certain && found.least[i] > bound.above() ? false
+                                                                  : this->is_within(points + i * corners_, bound);
+  }
 }
 
 template <int N, int D>

@@ -58,6 +58,12 @@ class Orthospheres {
     return (this->*is_within_)(points, bound);
   }
 
+  /// The same for `count` ≤ orthosphere_block simplices, the vertices of one after those of the other: with up
+  /// to 6 vertices in up to 8 dimensions they share SIMD instructions.
+  void find_block(std::size_t count, const double* const* points, Want want, Answer* answers);
+  void is_within_block(std::size_t count, const double* const* points, const SquareBound& bound,
+                       bool* is_within);
+
   /// How many answers needed integers so far.
   std::uint64_t num_exact() const { return num_exact_; }
 
@@ -66,6 +72,7 @@ class Orthospheres {
   Answer find_by_stages(const double* const* points, Want want);
   template <int N, int D>
   bool is_within_by_stages(const double* const* points, const SquareBound& bound);
+  bool fills_lanes(std::size_t count, const double* const* points);
   Answer find_of_vertex(const double* const* points, Want want);
   bool is_within_of_vertex(const double* const* points, const SquareBound& bound);
 
@@ -75,6 +82,7 @@ class Orthospheres {
   Answer (Orthospheres::*find_)(const double* const*, Want);
   bool (Orthospheres::*is_within_)(const double* const*, const SquareBound&);
   std::uint64_t num_exact_ = 0;
+  std::vector<double> lanes_;  // coordinates of a block, empty if blocks are not for SIMD
 };
 
 /// The same in integers, for one simplex.
