@@ -17,6 +17,7 @@
 #include <delone/alpha.hpp>
 
 #include "base/guarded.hpp"
+#include "base/large_vector.hpp"
 #include "base/parallel_parts.hpp"
 #include "base/quick_rounds.hpp"
 #include "faces/face_rows.hpp"
@@ -29,6 +30,7 @@
 #include <cmath>
 #include <limits>
 #include <string>
+#include <tuple>
 #include <utility>
 
 namespace delone {
@@ -154,19 +156,26 @@ class Filtration {
       : triangulation_(triangulation),
         threads_(threads),
         unit_(unit_of(triangulation)),
-        level_(level_of_cells(triangulation)),
-        values_(level_.size()) {
+        level_(level_of_cells(triangulation)) {
+    resize_large(values_, level_.size());
     find_values({});
   }
 
   FaceLevel& level() { return level_; }
   std::vector<double>& values() { return values_; }
 
-  /// To the level of one dimension less. Returns the level before.
-  FaceLevel descend() {
-    FaceLevel below = facets_of(level_, triangulation_.complex().num_vertex_slots(), threads_);
+  /// To the level of one dimension less. Returns the level before, and its values.
+  std::pair<FaceLevel, std::vector<double>> descend() {
+    const Complex complex = triangulation_.complex();
+    sizes_.push_back(level_.size());
+    // Euler's formula for the edges in space: vertices − edges + triangles − cells = 1.
+    const std::size_t expected =
+        sizes_.size() == 2 && level_.dimension == 2 ? complex.num_vertices() + sizes_[1] - sizes_[0] - 1 : 0;
+    FaceLevel below = facets_of(level_, complex.num_vertex_slots(), threads_, expected);
     const std::size_t corners = level_.corners();
-    std::vector<double> values(below.size(), infinity);
+    std::vector<double> values;
+    reserve_large(values, below.size());
+    values.assign(below.size(), infinity);
     std::vector<unsigned char> in_conflict(below.size(), 0);
     QuickRounds round;
     for (std::size_t face = 0; face < level_.size(); ++face) {
@@ -178,10 +187,12 @@ class Filtration {
         values[facet] = std::min(values[facet], values_[face]);
       }
     }
-    values_ = std::move(values);
+    level_.facets = {};
+    level_.neighbors = {};
+    std::swap(values_, values);
     std::swap(level_, below);
     find_values(in_conflict);
-    return below;
+    return {std::move(below), std::move(values)};
   }
 
  private:
@@ -216,6 +227,7 @@ class Filtration {
   FaceLevel level_;
   std::vector<double> values_;
   Masks masks_{0, 1};
+  std::vector<std::size_t> sizes_;  // of the levels above
 };
 
 }  // namespace
@@ -248,13 +260,13 @@ std::vector<FaceValues> alpha_filtration(const Triangulation& triangulation, con
     internal::Filtration filtration(triangulation, options.threads);
     for (int j = k; j >= 0; --j) {
       FaceValues& to = result[static_cast<std::size_t>(j)];
-      to.values = filtration.values();
       internal::FaceLevel level;
-      if (j > 0)
-        level = filtration.descend();
-      else
+      if (j > 0) {
+        std::tie(level, to.values) = filtration.descend();
+      } else {
         std::swap(level, filtration.level());
-      level.facets = {};
+        std::swap(to.values, filtration.values());
+      }
       to.faces = internal::faces_by_rows(triangulation, std::move(level), j, options.threads, {}, &to.values);
     }
     return result;
@@ -282,7 +294,8 @@ struct AlphaComplex::Impl {
   const Triangulation* triangulation;
   internal::SquareBound bound;
   int k, unit = 0;
-  std::vector<unsigned char> is_in;  // by the slot of the cell: 1 for the cells of the complex
+  enum : unsigned char { none, out, in };
+  std::vector<unsigned char> states;  // by the slot of the cell; none for infinite cells and vacant slots
   std::vector<SignedIndex> cells, boundary, boundary_cells, singular;
 };
 
@@ -291,18 +304,18 @@ void AlphaComplex::Impl::find_cells(unsigned threads) {
   const Complex complex = triangulation->complex();
   const VertexPoints& points = internal::StoredPoints::of(*triangulation);
   const auto corners = static_cast<std::size_t>(k) + 1;
-  is_in.assign(complex.num_cell_slots(), 0);
-  internal::work_in_parts(threads, is_in.size(), internal::faces_in_part, [&] {
+  states.assign(complex.num_cell_slots(), none);
+  internal::work_in_parts(threads, states.size(), internal::faces_in_part, [&] {
     return [&, spheres = internal::Orthospheres(points.ambient, points.weighted(), unit, corners),
-            of_block = std::vector<const double*>(block * corners)](
-               std::size_t first, std::size_t last, const internal::StopPoint& stop) mutable {
+            of_block = std::vector<const double*>(block * corners)](std::size_t first, std::size_t last,
+                                                                    const internal::StopPoint& stop) mutable {
       std::size_t slots[block], count = 0;
       bool is_within[block];
       const auto flush = [&] {
         stop();
         if (count == 0) return;
         spheres.is_within_block(count, of_block.data(), bound, is_within);
-        for (std::size_t i = 0; i < count; ++i) is_in[slots[i]] = is_within[i] ? 1 : 0;
+        for (std::size_t i = 0; i < count; ++i) states[slots[i]] = is_within[i] ? in : out;
         count = 0;
       };
       for (std::size_t slot = first; slot < last; ++slot) {
@@ -323,7 +336,8 @@ void AlphaComplex::Impl::find_cells(unsigned threads) {
   });
 }
 
-/// Whether facet i of c, which is no face of a cell of the complex, is in conflict with no vertex of its cells.
+/// Whether facet i of c, which is no face of a cell of the complex, is in conflict with no vertex of its
+/// cells.
 bool AlphaComplex::Impl::has_no_conflict(internal::Orthospheres& of_cells, CellId c, int i) const {
   const Complex complex = triangulation->complex();
   const VertexPoints& points = internal::StoredPoints::of(*triangulation);
@@ -340,10 +354,9 @@ bool AlphaComplex::Impl::has_no_conflict(internal::Orthospheres& of_cells, CellI
 void AlphaComplex::Impl::find_boundary(unsigned threads) {
   const Complex complex = triangulation->complex();
   const VertexPoints& points = internal::StoredPoints::of(*triangulation);
-  const std::size_t slots = is_in.size(), part = internal::faces_in_part;
-  const auto row = [&](CellId c, int i) {
-    return static_cast<SignedIndex>(triangulation->row_of(complex.vertex(c, i)));
-  };
+  const std::size_t slots = states.size(), part = internal::faces_in_part;
+  const std::vector<SignedIndex> rows = internal::rows_of_vertices(*triangulation);
+  const auto row = [&](CellId c, int i) { return rows[index(complex.vertex(c, i))]; };
   struct Found {
     std::vector<SignedIndex> cells, boundary, boundary_cells, singular;  // cells by their place in the part
     SignedIndex num_cells = 0;
@@ -378,20 +391,21 @@ void AlphaComplex::Impl::find_boundary(unsigned threads) {
       for (std::size_t slot = first; slot < last; ++slot) {
         if (slot % 64 == 0) stop();
         const CellId c{static_cast<Index>(slot)};
-        if (!complex.is_cell(c) || complex.is_infinite(c)) continue;
+        if (states[slot] == none) continue;
         const SignedIndex number = to.num_cells++;
-        if (is_in[slot] != 0) to.cells.push_back(number);
+        if (states[slot] == in) to.cells.push_back(number);
         for (int i = 0; i <= k && k > 0; ++i) {
           const CellId across = complex.neighbor(c, i);
-          if (is_in[index(across)] != 0) continue;
-          if (is_in[slot] != 0) {
+          const unsigned char state = states[index(across)];
+          if (state == in) continue;
+          if (states[slot] == in) {
             const std::size_t begin = to.boundary.size();
             for (int m = 0; m <= k; ++m)
               if (m != i) to.boundary.push_back(row(c, m));
             // A point inside put first takes i transpositions to its place in the cell.
             if (i % 2 == 1 && k > 1) std::swap(to.boundary[begin], to.boundary[begin + 1]);
             to.boundary_cells.push_back(number);
-          } else if (c < across || complex.is_infinite(across)) {
+          } else if (c < across || state == none) {
             for (int m = 0; m <= k; ++m)
               if (m != i) of_block.push_back(points.point(index(complex.vertex(c, m))));
             facets[count++] = {c, i};
@@ -433,7 +447,7 @@ Faces AlphaComplex::Impl::faces(int j, const FaceOptions& options) const {
                         });
           });
       FaceLevel below = facets_of(level, triangulation->complex().num_vertex_slots(), options.threads);
-      enum : unsigned char { unknown, in, in_conflict };
+      enum : unsigned char { unknown, contained, in_conflict };
       std::vector<unsigned char> next(below.size(), unknown);
       QuickRounds round;
       for (std::size_t face = 0; face < level.size(); ++face) {
@@ -441,7 +455,7 @@ Faces AlphaComplex::Impl::faces(int j, const FaceOptions& options) const {
         for (std::size_t i = 0; i < corners; ++i) {
           unsigned char& facet = next[level.facets[face * corners + i]];
           if (marks[face] != 0)
-            facet = in;
+            facet = contained;
           else if (facet == unknown && masks.has(face, i))
             facet = in_conflict;
         }
@@ -451,9 +465,9 @@ Faces AlphaComplex::Impl::faces(int j, const FaceOptions& options) const {
           *triangulation, level, unit, options.threads,
           [&](std::size_t face) { return next[face] == unknown; },
           [&](FaceBlocks& blocks, std::span<const std::size_t> some) {
-            blocks.find_within(some, bound, [&](std::size_t face) { next[face] = in; });
+            blocks.find_within(some, bound, [&](std::size_t face) { next[face] = contained; });
           });
-      for (unsigned char& mark : next) mark = mark == in ? 1 : 0;
+      for (unsigned char& mark : next) mark = mark == contained ? 1 : 0;
       marks = std::move(next);
     }
     return faces_by_rows(*triangulation, std::move(level), j, options.threads, marks);

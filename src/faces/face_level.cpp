@@ -3,6 +3,7 @@
 // vertices; those of one vertex are few and close together in memory, and a small table tells equal ones.
 #include "faces/face_level.hpp"
 
+#include "base/large_vector.hpp"
 #include "base/parallel_parts.hpp"
 #include "base/quick_rounds.hpp"
 
@@ -42,7 +43,8 @@ struct FacesAtVertices {
   std::vector<Index> faces;
 
   FacesAtVertices(const FaceLevel& level, std::size_t first_corners, Index num_slots)
-      : offsets(static_cast<std::size_t>(num_slots) + 2, 0), faces(level.size() * first_corners) {
+      : offsets(static_cast<std::size_t>(num_slots) + 2, 0), faces() {
+    resize_large(faces, level.size() * first_corners);
     const std::size_t corners = level.corners(), count = level.size();
     QuickRounds round;
     for (std::size_t face = 0; face < count; ++face) {
@@ -63,7 +65,7 @@ struct FacesAtVertices {
 
 /// The faces whose lowest vertices are in one range.
 struct Piece {
-  std::vector<Index> vertices, cells;
+  std::vector<SignedIndex> vertices, cells;
   std::vector<unsigned char> on_hull;
 };
 
@@ -75,12 +77,16 @@ class FaceFinder {
         at_(at),
         facets_(facets),
         size_(static_cast<std::size_t>(j) + 1),
-        subsets_(subsets_by_first(level.corners(), size_)) {}
+        subsets_(subsets_by_first(level.corners(), size_)),
+        edge_to_(facets != nullptr && j == 1 ? at.offsets.size() : 0) {}
 
   void find(std::size_t first, std::size_t last, const StopPoint& stop, Piece& piece) {
     for (std::size_t v = first; v < last; ++v) {
       if (v % 64 == 0) stop();
-      find_at(v, piece);
+      if (facets_ != nullptr && size_ == 2 && level_.corners() == 3)
+        find_edges_at(v, piece);
+      else
+        find_at(v, piece);
     }
   }
 
@@ -95,7 +101,7 @@ class FaceFinder {
     table_.assign(slots, invalid_index);
     for (std::size_t e = first; e < last; ++e) {
       const std::size_t face = at_.faces[e];
-      const Index* const ids = level_.vertices.data() + face * corners;
+      const SignedIndex* const ids = level_.vertices.data() + face * corners;
       const std::uint64_t hull = hull_bits(face);
       for (const Subset& subset : subsets_[place_of(face, v)]) {
         const std::size_t number = number_of(ids, subset, begin, face, piece);
@@ -107,10 +113,36 @@ class FaceFinder {
       }
     }
   }
+  /// The same for edges of triangles.
+  void find_edges_at(std::size_t v, Piece& piece) {
+    const std::size_t begin = piece.cells.size();
+    const auto number_of_edge = [&](SignedIndex to, std::size_t face) {
+      Index& known = edge_to_[static_cast<std::size_t>(to)];
+      if (known < begin || known >= piece.cells.size() || piece.vertices[2 * known + 1] != to) {
+        known = static_cast<Index>(piece.cells.size());
+        piece.vertices.push_back(static_cast<SignedIndex>(v));
+        piece.vertices.push_back(to);
+        piece.cells.push_back(level_.cells.empty() ? static_cast<SignedIndex>(face) : level_.cells[face]);
+        piece.on_hull.push_back(0);
+      }
+      if (hull_bits(face) != 0) piece.on_hull[known] = 1;
+      return known;
+    };
+    for (std::size_t e = at_.offsets[v]; e < at_.offsets[v + 1]; ++e) {
+      const std::size_t face = at_.faces[e];
+      const SignedIndex* const ids = level_.vertices.data() + face * 3;
+      if (ids[0] == static_cast<SignedIndex>(v)) {
+        facets_[face * 3 + 2] = number_of_edge(ids[1], face);
+        facets_[face * 3 + 1] = number_of_edge(ids[2], face);
+      } else {
+        facets_[face * 3] = number_of_edge(ids[2], face);
+      }
+    }
+  }
   std::size_t place_of(std::size_t face, std::size_t v) const {
-    const Index* const ids = level_.vertices.data() + face * level_.corners();
+    const SignedIndex* const ids = level_.vertices.data() + face * level_.corners();
     std::size_t place = 0;
-    while (ids[place] != v) ++place;
+    while (ids[place] != static_cast<SignedIndex>(v)) ++place;
     return place;
   }
   /// Bit i: there is a hull facet that has all vertices of the face but perhaps vertex i.
@@ -121,15 +153,16 @@ class FaceFinder {
       if (level_.neighbors[face * level_.corners() + i] == invalid_index) bits |= std::uint64_t{1} << i;
     return bits;
   }
-  std::size_t number_of(const Index* ids, const Subset& subset, std::size_t begin, std::size_t face,
+  std::size_t number_of(const SignedIndex* ids, const Subset& subset, std::size_t begin, std::size_t face,
                         Piece& piece) {
     std::uint64_t hash = 0;
-    for (const unsigned char i : subset.rest) hash = (hash + ids[i] + 1) * 0x9e3779b97f4a7c15u;
+    for (const unsigned char i : subset.rest)
+      hash = (hash + static_cast<std::uint64_t>(ids[i]) + 1) * 0x9e3779b97f4a7c15u;
     const std::size_t mask = table_.size() - 1;
     std::size_t slot = (hash >> 32) & mask;
     for (; table_[slot] != invalid_index; slot = (slot + 1) & mask) {
       const std::size_t number = begin + table_[slot];
-      const Index* const known = piece.vertices.data() + number * size_ + 1;
+      const SignedIndex* const known = piece.vertices.data() + number * size_ + 1;
       bool is_same = true;
       for (std::size_t i = 0; i + 1 < size_; ++i) is_same = is_same && known[i] == ids[subset.rest[i]];
       if (is_same) return number;
@@ -140,7 +173,7 @@ class FaceFinder {
     while ((subset.bits >> lowest & 1) == 0) ++lowest;
     piece.vertices.push_back(ids[lowest]);
     for (const unsigned char i : subset.rest) piece.vertices.push_back(ids[i]);
-    piece.cells.push_back(level_.cells.empty() ? static_cast<Index>(face) : level_.cells[face]);
+    piece.cells.push_back(level_.cells.empty() ? static_cast<SignedIndex>(face) : level_.cells[face]);
     piece.on_hull.push_back(0);
     return number;
   }
@@ -151,19 +184,28 @@ class FaceFinder {
   std::size_t size_;
   std::vector<std::vector<Subset>> subsets_;
   std::vector<Index> table_;
+  std::vector<Index> edge_to_;  // by the second vertex: the last edge that was found with it
 };
 
-FaceLevel find_faces(const FaceLevel& level, int j, Index num_slots, unsigned threads,
+/// `expected`: how many there will be; 0 if that is not known.
+FaceLevel find_faces(const FaceLevel& level, int j, Index num_slots, unsigned threads, std::size_t expected,
                      std::vector<Index>* facets) {
-  if (level.dimension > 63) throw Error(Errc::unsupported, "faces of cells with more than 64 vertices");
   const std::size_t corners = level.corners(), chosen = static_cast<std::size_t>(j) + 1;
   const FacesAtVertices at(level, corners - chosen + 1, num_slots);
-  if (facets != nullptr) facets->resize(level.vertices.size());
-  std::vector<Piece> pieces((num_slots + vertices_in_part - 1) / vertices_in_part);
-  work_in_parts(threads, num_slots, vertices_in_part, [&] {
+  if (facets != nullptr) resize_large(*facets, level.vertices.size());
+  const std::size_t num_parts = (num_slots + vertices_in_part - 1) / vertices_in_part;
+  // One thread leaves everything where it belongs; otherwise pieces are put together.
+  const bool is_alone = threads_for_parts(threads, num_parts) == 1;
+  std::vector<Piece> pieces(is_alone ? 1 : num_parts);
+  if (is_alone && expected > 0) {
+    reserve_large(pieces[0].vertices, expected * chosen);
+    reserve_large(pieces[0].cells, expected);
+    reserve_large(pieces[0].on_hull, expected);
+  }
+  work_in_parts(is_alone ? 1 : threads, num_slots, vertices_in_part, [&] {
     return [&, finder = FaceFinder(level, j, at, facets == nullptr ? nullptr : facets->data())](
                std::size_t first, std::size_t last, const StopPoint& stop) mutable {
-      finder.find(first, last, stop, pieces[first / vertices_in_part]);
+      finder.find(first, last, stop, pieces[is_alone ? 0 : first / vertices_in_part]);
     };
   });
   std::vector<std::size_t> begin{0};
@@ -171,9 +213,15 @@ FaceLevel find_faces(const FaceLevel& level, int j, Index num_slots, unsigned th
   if (begin.back() > max_index) throw Error(Errc::too_many, "more faces than this build can number");
   FaceLevel result;
   result.dimension = j;
-  result.vertices.resize(begin.back() * chosen);
-  result.cells.resize(begin.back());
-  result.on_hull.resize(begin.back());
+  if (is_alone) {
+    result.vertices = std::move(pieces[0].vertices);
+    result.cells = std::move(pieces[0].cells);
+    result.on_hull = std::move(pieces[0].on_hull);
+    return result;
+  }
+  resize_large(result.vertices, begin.back() * chosen);
+  resize_large(result.cells, begin.back());
+  resize_large(result.on_hull, begin.back());
   for (std::size_t p = 0; p < pieces.size(); ++p) {
     cancellation_point();
     const auto to = static_cast<std::ptrdiff_t>(begin[p]);
@@ -184,31 +232,59 @@ FaceLevel find_faces(const FaceLevel& level, int j, Index num_slots, unsigned th
     pieces[p] = {};
   }
   if (facets == nullptr) return result;
-  for_parts(threads, level.size(), faces_in_part,
-            [&](std::size_t first, std::size_t last, const StopPoint& stop) {
-              stop();
-              for (std::size_t face = first; face < last; ++face)
-                for (std::size_t i = 0; i < corners; ++i) {
-                  const Index lowest = level.vertices[face * corners + (i == 0 ? 1 : 0)];
-                  (*facets)[face * corners + i] += static_cast<Index>(begin[lowest / vertices_in_part]);
-                }
-            });
+  for_parts(
+      threads, level.size(), faces_in_part, [&](std::size_t first, std::size_t last, const StopPoint& stop) {
+        stop();
+        for (std::size_t face = first; face < last; ++face)
+          for (std::size_t i = 0; i < corners; ++i) {
+            const auto lowest = static_cast<std::size_t>(level.vertices[face * corners + (i == 0 ? 1 : 0)]);
+            (*facets)[face * corners + i] += static_cast<Index>(begin[lowest / vertices_in_part]);
+          }
+      });
+  return result;
+}
+
+/// The vertices of edges, in the order of their ids.
+FaceLevel vertices_of_edges(FaceLevel& edges, Index num_slots) {
+  std::vector<Index> number(num_slots, invalid_index);
+  for (const SignedIndex v : edges.vertices) number[static_cast<std::size_t>(v)] = 0;
+  FaceLevel result;
+  result.dimension = 0;
+  for (std::size_t v = 0; v < number.size(); ++v) {
+    if (number[v] == invalid_index) continue;
+    number[v] = static_cast<Index>(result.vertices.size());
+    result.vertices.push_back(static_cast<SignedIndex>(v));
+  }
+  result.cells.assign(result.vertices.size(), -1);
+  result.on_hull.assign(result.vertices.size(), 0);
+  resize_large(edges.facets, edges.vertices.size());
+  QuickRounds round;
+  for (std::size_t edge = 0; edge < edges.size(); ++edge) {
+    round();
+    for (std::size_t i = 0; i < 2; ++i) {
+      const Index vertex = number[static_cast<std::size_t>(edges.vertices[2 * edge + i])];
+      edges.facets[2 * edge + 1 - i] = vertex;
+      if (result.cells[vertex] < 0)
+        result.cells[vertex] = edges.cells.empty() ? static_cast<SignedIndex>(edge) : edges.cells[edge];
+      if (!edges.on_hull.empty() && edges.on_hull[edge] != 0) result.on_hull[vertex] = 1;
+    }
+  }
   return result;
 }
 
 /// A facet is named by the lower one of its two cells.
 FaceLevel facets_of_cells(FaceLevel& cells) {
   const std::size_t corners = cells.corners(), count = cells.size();
-  cells.facets.resize(cells.vertices.size());
+  resize_large(cells.facets, cells.vertices.size());
   FaceLevel result;
   result.dimension = cells.dimension - 1;
   std::size_t hull_facets = 0;
   for (const Index neighbor : cells.neighbors) hull_facets += neighbor == invalid_index ? 1 : 0;
   const std::size_t total = (cells.vertices.size() + hull_facets) / 2;
   if (total > max_index) throw Error(Errc::too_many, "more faces than this build can number");
-  result.vertices.resize(total * (corners - 1));
-  result.cells.resize(total);
-  result.on_hull.resize(total);
+  resize_large(result.vertices, total * (corners - 1));
+  resize_large(result.cells, total);
+  resize_large(result.on_hull, total);
   Index number = 0;
   QuickRounds round;
   for (std::size_t cell = 0; cell < count; ++cell) {
@@ -217,15 +293,15 @@ FaceLevel facets_of_cells(FaceLevel& cells) {
       const Index across = cells.neighbors[cell * corners + i];
       Index& facet = cells.facets[cell * corners + i];
       if (across != invalid_index && across < cell) {
-        std::size_t mirror = across * corners;
+        std::size_t mirror = static_cast<std::size_t>(across) * corners;
         while (cells.neighbors[mirror] != cell) ++mirror;
         facet = cells.facets[mirror];
         continue;
       }
-      Index* to = result.vertices.data() + number * (corners - 1);
+      SignedIndex* to = result.vertices.data() + static_cast<std::size_t>(number) * (corners - 1);
       for (std::size_t m = 0; m < corners; ++m)
         if (m != i) *to++ = cells.vertices[cell * corners + m];
-      result.cells[number] = static_cast<Index>(cell);
+      result.cells[number] = static_cast<SignedIndex>(cell);
       result.on_hull[number] = across == invalid_index ? 1 : 0;
       facet = number++;
     }
@@ -239,41 +315,45 @@ FaceLevel level_of_cells(const Triangulation& triangulation) {
   const Complex complex = triangulation.complex();
   FaceLevel level;
   level.dimension = complex.affine_dimension();
+  if (level.dimension > 63) throw Error(Errc::unsupported, "faces of cells with more than 64 vertices");
   const int k = level.dimension;
   if (k < 0) return level;
   std::vector<Index> number(complex.num_cell_slots(), invalid_index);
   Index count = 0;
   for (const CellId c : complex.finite_cells()) number[index(c)] = count++;
-  level.vertices.reserve(count * level.corners());
-  level.neighbors.reserve(count * level.corners());
+  const std::size_t corners = level.corners();
+  resize_large(level.vertices, count * corners);
+  resize_large(level.neighbors, count * corners);
   QuickRounds round;
+  SignedIndex* ids = level.vertices.data();
+  Index* neighbors = level.neighbors.data();
   for (const CellId c : complex.finite_cells()) {
     round();
-    const std::size_t begin = level.vertices.size();
-    for (int i = 0; i <= k; ++i) {  // sorts by insertion
-      const Index v = index(complex.vertex(c, i)), neighbor = number[index(complex.neighbor(c, i))];
-      level.vertices.push_back(v);
-      level.neighbors.push_back(neighbor);
-      std::size_t at = level.vertices.size() - 1;
-      for (; at > begin && level.vertices[at - 1] > v; --at) {
-        level.vertices[at] = level.vertices[at - 1];
-        level.neighbors[at] = level.neighbors[at - 1];
+    for (std::size_t i = 0; i < corners; ++i) {  // sorts by insertion
+      const auto v = static_cast<SignedIndex>(index(complex.vertex(c, static_cast<int>(i))));
+      const Index neighbor = number[index(complex.neighbor(c, static_cast<int>(i)))];
+      std::size_t at = i;
+      for (; at > 0 && ids[at - 1] > v; --at) {
+        ids[at] = ids[at - 1];
+        neighbors[at] = neighbors[at - 1];
       }
-      level.vertices[at] = v;
-      level.neighbors[at] = neighbor;
+      ids[at] = v;
+      neighbors[at] = neighbor;
     }
+    ids += corners;
+    neighbors += corners;
   }
   return level;
 }
 
-FaceLevel facets_of(FaceLevel& level, Index num_vertex_slots, unsigned threads) {
-  return level.neighbors.empty()
-             ? find_faces(level, level.dimension - 1, num_vertex_slots, threads, &level.facets)
-             : facets_of_cells(level);
+FaceLevel facets_of(FaceLevel& level, Index num_vertex_slots, unsigned threads, std::size_t expected) {
+  if (!level.neighbors.empty()) return facets_of_cells(level);
+  if (level.dimension == 1) return vertices_of_edges(level, num_vertex_slots);
+  return find_faces(level, level.dimension - 1, num_vertex_slots, threads, expected, &level.facets);
 }
 
 FaceLevel faces_of(const FaceLevel& level, int j, Index num_vertex_slots, unsigned threads) {
-  return find_faces(level, j, num_vertex_slots, threads, nullptr);
+  return find_faces(level, j, num_vertex_slots, threads, 0, nullptr);
 }
 
 }  // namespace delone::internal

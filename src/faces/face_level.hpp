@@ -15,8 +15,8 @@ namespace delone::internal {
 /// else.
 struct FaceLevel {
   int dimension = -1;                  ///< j
-  std::vector<Index> vertices;         ///< n×(j+1) ids, increasing in each face
-  std::vector<Index> cells;            ///< n: the number of a finite cell that contains it; empty: its own
+  std::vector<SignedIndex> vertices;   ///< n×(j+1) ids, increasing in each face
+  std::vector<SignedIndex> cells;      ///< n: the number of a finite cell that contains it; empty: its own
   std::vector<unsigned char> on_hull;  ///< n: 1 if it lies in the boundary of the hull; empty: none does
   /// n×(j+1), for cells only: the cell across the facet opposite each vertex, invalid_index beyond the hull.
   std::vector<Index> neighbors;
@@ -32,8 +32,9 @@ struct FaceLevel {
 FaceLevel level_of_cells(const Triangulation& triangulation);
 
 /// The facets of all faces of a level, which learns their numbers. At most so many threads
-/// (Options::threads); the result does not depend on them. REQUIRES dimension ≥ 1.
-FaceLevel facets_of(FaceLevel& level, Index num_vertex_slots, unsigned threads);
+/// (Options::threads); the result does not depend on them. `expected`: how many there will be, 0 if that is
+/// not known. REQUIRES dimension ≥ 1.
+FaceLevel facets_of(FaceLevel& level, Index num_vertex_slots, unsigned threads, std::size_t expected = 0);
 
 /// The faces of dimension j < level.dimension of the faces of a level, without a way over the dimensions
 /// between.

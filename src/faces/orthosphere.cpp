@@ -366,8 +366,7 @@ void Orthospheres::find_block(std::size_t count, const double* const* points, Wa
   for (std::size_t i = 0; i < count; ++i) {
     const bool is_certain = (want == Want::square || found.beyond_is_certain[i] != 0) &&
                             (want == Want::beyond || found.square_is_certain[i] != 0);
-    answers[i] =
-        is_certain ? Answer{found.square[i], found.beyond[i]} : find(points + i * corners_, want);
+    answers[i] = is_certain ? Answer{found.square[i], found.beyond[i]} : find(points + i * corners_, want);
   }
 }
 
@@ -381,9 +380,10 @@ void Orthospheres::is_within_block(std::size_t count, const double* const* point
   find_orthospheres_in_lanes(corners_ - 1, dimension_, weighted_, false, lanes_.data(), found);
   for (std::size_t i = 0; i < count; ++i) {
     const bool is_certain = found.range_is_certain[i] != 0;
-    is_within[i] = is_certain && found.most[i] <= bound.below()  ? true
-                   : is_certain && found.least[i] > bound.above() ? false
-                                                                  : this->is_within(points + i * corners_, bound);
+    is_within[i] = is_certain && found.most[i] <= bound.below() ? true
+                   : is_certain && found.least[i] > bound.above()
+                       ? false
+                       : this->is_within(points + i * corners_, bound);
   }
 }
 

@@ -58,8 +58,8 @@ class Orthospheres {
     return (this->*is_within_)(points, bound);
   }
 
-  /// The same for `count` ≤ orthosphere_block simplices, the vertices of one after those of the other: with up
-  /// to 6 vertices in up to 8 dimensions they share SIMD instructions.
+  /// The same for `count` ≤ orthosphere_block simplices, the vertices of one after those of the other: with
+  /// up to 6 vertices in up to 8 dimensions they share SIMD instructions.
   void find_block(std::size_t count, const double* const* points, Want want, Answer* answers);
   void is_within_block(std::size_t count, const double* const* points, const SquareBound& bound,
                        bool* is_within);

@@ -101,8 +101,8 @@ void find(std::size_t size, bool weighted, bool want_square, const double* HWY_R
     const V error = times(1.01, hn::Add(e, hn::Mul(times(2, alpha), hn::Add(largest_lambda, e))));
     ok = hn::And(ok, hn::Lt(error, hn::Set(d, 1e300)));
 
-    const V error_of_first = times(
-        1.01, hn::Add(times(dn, error), times(dn * u, hn::Add(one, times(dn, largest_lambda)))));
+    const V error_of_first =
+        times(1.01, hn::Add(times(dn, error), times(dn * u, hn::Add(one, times(dn, largest_lambda)))));
     auto beyond = hn::IfThenElseZero(hn::RebindMask(du, hn::Lt(first, hn::Neg(error_of_first))),
                                      hn::Set(du, std::uint64_t{1}));
     auto is_certain = hn::And(ok, hn::Gt(hn::Abs(first), error_of_first));
@@ -154,11 +154,11 @@ void find(std::size_t size, bool weighted, bool want_square, const double* HWY_R
                                      hn::Add(hn::Mul(a, factor_low), hn::Mul(a_low, factor.high))));
       }
       const V residual = hn::Add(part, rest);
-      const V m = times(1.01, hn::Add(hn::Add(square, times(2, hn::Mul(length, length_of_x))),
-                                      hn::Abs(weight[i])));
+      const V m =
+          times(1.01, hn::Add(hn::Add(square, times(2, hn::Mul(length, length_of_x))), hn::Abs(weight[i])));
       correction = hn::Add(correction, hn::Mul(lambda[i], residual));
-      const V of_residual = hn::Add(hn::Add(times((dn + 2) * u, hn::Abs(residual)), times(second_order, m)),
-                                    little);
+      const V of_residual =
+          hn::Add(hn::Add(times((dn + 2) * u, hn::Abs(residual)), times(second_order, m)), little);
       rest_error = hn::Add(rest_error, hn::Mul(hn::Abs(lambda[i]), of_residual));
     }
     magnitude = hn::Add(magnitude, hn::Abs(correction));
@@ -178,9 +178,8 @@ void find(std::size_t size, bool weighted, bool want_square, const double* HWY_R
             previous = hn::IfThenElse(is_positive, smaller, larger);
     const V top = hn::Add(result.low, bound), bottom = hn::Sub(result.low, bound);
     const auto is_below = hn::Le(top, zero);
-    const auto settled =
-        hn::Or(hn::And(is_below, hn::Gt(bottom, hn::Sub(previous, result.high))),
-               hn::And(hn::Gt(bottom, zero), hn::Le(top, hn::Sub(next, result.high))));
+    const auto settled = hn::Or(hn::And(is_below, hn::Gt(bottom, hn::Sub(previous, result.high))),
+                                hn::And(hn::Gt(bottom, zero), hn::Le(top, hn::Sub(next, result.high))));
     ok = hn::And(ok, hn::And(settled, hn::Gt(hn::Abs(result.high), hn::Set(d, 1e-280))));
     hn::StoreU(hn::IfThenElse(is_below, result.high, next), d, found.square + lane);
     hn::StoreU(hn::IfThenElseZero(ok, one), d, found.square_is_certain + lane);
