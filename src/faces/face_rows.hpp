@@ -14,6 +14,9 @@ namespace delone::internal {
 /// Throws Errc::invalid_argument unless 0 ≤ j ≤ d.
 void require_face_dimension(const Triangulation& triangulation, int j);
 
+/// Throws Errc::unsupported for a triangulation without an alpha complex.
+void require_alpha(const Triangulation& triangulation);
+
 /// The first row at each vertex, by id; −1 where there is none.
 std::vector<SignedIndex> rows_of_vertices(const Triangulation& triangulation);
 

@@ -37,11 +37,10 @@
 // and the squared radius is a quotient of integers, whose rounding is settled by an exact product.
 #include "faces/orthosphere.hpp"
 
+#include "faces/certified_gram.hpp"
 #include "faces/orthosphere_kernel.hpp"
 #include "kernel/buffer.hpp"
 #include "kernel/double_double.hpp"
-#include "kernel/grid.hpp"
-#include "kernel/linear_bound.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -52,7 +51,6 @@ namespace delone::internal {
 namespace {
 
 using kernel::DoubleDouble;
-using kernel::Integer;
 using kernel::two_product;
 using kernel::two_sum;
 constexpr double u = kernel::unit_roundoff;
@@ -72,44 +70,23 @@ template <int N, int D>
 class Solver {
  public:
   Solver(const double* const* points, std::size_t corners, std::size_t dimension, bool weighted)
-      : n_(N > 0 ? static_cast<std::size_t>(N) : corners - 1),
-        d_(D > 0 ? static_cast<std::size_t>(D) : dimension),
-        high_(n_ * d_),
-        low_(n_ * d_),
-        gram_(n_ * n_),
-        right_(n_),
-        weight_(n_),
-        lambda_(n_) {
-    const double* const origin = points[0];
-    if (weighted) first_weight_ = origin[d_];
+      : edges_(points, corners, dimension), n_(edges_.n), d_(edges_.d), right_(n_), weight_(n_), lambda_(n_) {
+    if (weighted) first_weight_ = points[0][d_];
     for (std::size_t i = 0; i < n_; ++i) {
-      const double* const p = points[i + 1];
-      for (std::size_t j = 0; j < d_; ++j) {
-        const DoubleDouble edge = two_sum(p[j], -origin[j]);
-        high_[i * d_ + j] = edge.high;
-        low_[i * d_ + j] = edge.low;
-        largest_ = std::max(largest_, std::fabs(edge.high));
-      }
-      weight_[i] = weighted ? two_sum(p[d_], -first_weight_) : DoubleDouble{0, 0};
+      weight_[i] = weighted ? two_sum(points[i + 1][d_], -first_weight_) : DoubleDouble{0, 0};
       heaviest_ = std::max(heaviest_, std::fabs(weight_[i].high));
+      right_[i] = edges_.gram[i * n_ + i] - weight_[i].high;
     }
-    for (std::size_t i = 0; i < n_; ++i)
-      for (std::size_t m = 0; m <= i; ++m) {
-        double dot = 0;
-        for (std::size_t j = 0; j < d_; ++j) dot += high_[i * d_ + j] * high_[m * d_ + j];
-        gram_[i * n_ + m] = gram_[m * n_ + i] = dot;
-      }
-    for (std::size_t i = 0; i < n_; ++i) right_[i] = gram_[i * n_ + i] - weight_[i].high;
   }
 
   /// Whether nothing above was rounded, and nothing of the following will be.
   bool is_small(double small, double small_square) const {
-    return largest_ <= small && heaviest_ <= small_square && std::fabs(first_weight_) <= small_square;
+    return edges_.largest <= small && heaviest_ <= small_square && std::fabs(first_weight_) <= small_square;
   }
   /// Both answers. REQUIRES is_small() and N = 1, 2 or 3.
   Orthospheres::Answer find_small(double& quotient_numerator, double& quotient_denominator) const {
     double numerators[3] = {0, 0, 0}, determinant = 0;
-    const auto& G = gram_;
+    const auto& G = edges_.gram;
     if constexpr (N == 1) {
       determinant = G[0];
       numerators[0] = right_[0];
@@ -145,44 +122,20 @@ class Solver {
 
   /// Steps 1 and 2; false if no bound holds.
   bool solve() {
-    if (!(largest_ > 0x1p-150 && largest_ < 0x1p150 && heaviest_ < 0x1p300 &&
-          std::fabs(first_weight_) < 0x1p300))
-      return false;
+    if (!(heaviest_ < 0x1p300 && std::fabs(first_weight_) < 0x1p300) || !edges_.invert()) return false;
     const auto n = static_cast<double>(n_), d = static_cast<double>(d_);
-    kernel::Buffer<double, N * N> work(n_ * n_), inverse(n_ * n_);
     double largest_right = 0;
-    for (std::size_t i = 0; i < n_ * n_; ++i) work[i] = gram_[i];
-    for (std::size_t i = 0; i < n_; ++i) {
-      square_ = std::max(square_, gram_[i * n_ + i]);
-      largest_right = std::max(largest_right, gram_[i * n_ + i] + std::fabs(weight_[i].high));
-    }
-    if constexpr (N == 1) {
-      inverse[0] = 1 / gram_[0];
-    } else {
-      if (!kernel::approximate_inverse<N>(work.data(), inverse.data(), n_)) return false;
-    }
-    double norm = 0, defect = 0;
-    for (std::size_t i = 0; i < n_; ++i) {
-      double row = 0, rest = 0;
-      for (std::size_t j = 0; j < n_; ++j) {
-        row += std::fabs(inverse[i * n_ + j]);
-        double entry = i == j ? 1 : 0;
-        for (std::size_t m = 0; m < n_; ++m) entry -= inverse[i * n_ + m] * gram_[m * n_ + j];
-        rest += std::fabs(entry);
-      }
-      norm = std::max(norm, row);
-      if (!(rest <= defect)) defect = rest;  // NaN stays
-    }
-    const double alpha = defect + 1.1 * n * (n + d + 6) * u * (1 + norm * square_);
-    if (!(alpha <= 0.5)) return false;
+    for (std::size_t i = 0; i < n_; ++i)
+      largest_right = std::max(largest_right, edges_.gram[i * n_ + i] + std::fabs(weight_[i].high));
+    square_ = edges_.square;
     for (std::size_t i = 0; i < n_; ++i) {
       double sum = 0;
-      for (std::size_t m = 0; m < n_; ++m) sum += inverse[i * n_ + m] * right_[m];
+      for (std::size_t m = 0; m < n_; ++m) sum += edges_.inverse[i * n_ + m] * right_[m];
       lambda_[i] = 0.5 * sum;
       largest_lambda_ = std::max(largest_lambda_, std::fabs(lambda_[i]));
     }
-    const double e = 0.52 * (n + d + 6) * u * norm * largest_right + 1e-290;
-    error_ = 1.01 * (e + 2 * alpha * (largest_lambda_ + e));
+    const double e = 0.52 * (n + d + 6) * u * edges_.norm * largest_right + 1e-290;
+    error_ = 1.01 * (e + 2 * edges_.alpha * (largest_lambda_ + e));
     return std::isfinite(error_);
   }
   /// The signs of λ; false if they are not certain.
@@ -234,7 +187,7 @@ class Solver {
     for (std::size_t i = 0; i < n_; ++i) {
       double sum = -weight_[i].high, rest = -weight_[i].low;
       for (std::size_t j = 0; j < d_; ++j) {
-        const double a = high_[i * d_ + j], a_low = low_[i * d_ + j];
+        const double a = edges_.high[i * d_ + j], a_low = edges_.low[i * d_ + j];
         const DoubleDouble factor = two_sum(a, -2 * x[j]);
         const double factor_low = factor.low + a_low;
         const DoubleDouble product = two_product(a, factor.high), next = two_sum(sum, product.high);
@@ -257,17 +210,16 @@ class Solver {
  private:
   double center(std::size_t j) const {
     double x = 0;
-    for (std::size_t i = 0; i < n_; ++i) x += lambda_[i] * high_[i * d_ + j];
+    for (std::size_t i = 0; i < n_; ++i) x += lambda_[i] * edges_.high[i * d_ + j];
     return x;
   }
 
+  CertifiedGram<N, D> edges_;
   const std::size_t n_, d_;
-  kernel::Buffer<double, N * D> high_, low_;
-  kernel::Buffer<double, N * N> gram_;
   kernel::Buffer<double, N> right_;
   kernel::Buffer<DoubleDouble, N> weight_;  // w_i − w_0
   kernel::Buffer<double, N> lambda_;
-  double first_weight_ = 0, largest_ = 0, heaviest_ = 0;
+  double first_weight_ = 0, heaviest_ = 0;
   double square_ = 0, largest_lambda_ = 0, error_ = 0;           // g, ‖λ̃‖, E
   double rounding_of_x_ = 0, error_of_x_ = 0, length_of_x_ = 0;  // η̂, ε̂, and a bound on |x̃|
 };
@@ -278,32 +230,6 @@ int bits_of_small_lattices(std::size_t n, std::size_t d) {
 }
 
 }  // namespace
-
-SquareBound SquareBound::of_radius(double radius) {
-  if (radius == infinity) return of_square(radius);
-  SquareBound bound;
-  const int grid = radius == 0 ? 0 : kernel::trailing_exponent(radius);
-  const Integer root = kernel::scaled_integer(radius, grid);
-  bound.exact_ = root * root;
-  bound.exponent_ = 2 * grid;
-  bound.above_ = kernel::double_above(bound.exact_, 1, bound.exponent_);
-  bound.below_ = -kernel::double_above(-bound.exact_, 1, bound.exponent_) + 0.0;
-  return bound;
-}
-
-SquareBound SquareBound::of_square(double square) {
-  SquareBound bound;
-  bound.above_ = bound.below_ = square;
-  if (square == 0 || !std::isfinite(square)) return bound;
-  bound.exponent_ = kernel::trailing_exponent(square);
-  bound.exact_ = kernel::scaled_integer(square, bound.exponent_);
-  return bound;
-}
-
-bool SquareBound::admits(const Integer& numerator, const Integer& denominator, int exponent) const {
-  const int grid = std::min(exponent, exponent_);
-  return (numerator << (exponent - grid)) <= (exact_ << (exponent_ - grid)) * denominator;
-}
 
 Orthospheres::Orthospheres(int dimension, bool weighted, int unit, std::size_t corners)
     : dimension_(static_cast<std::size_t>(dimension)), corners_(corners), weighted_(weighted) {
@@ -441,66 +367,5 @@ Orthospheres::Answer Orthospheres::find_of_vertex(const double* const* points, W
 bool Orthospheres::is_within_of_vertex(const double* const* points, const SquareBound& bound) {
   return find_of_vertex(points, Want::square).square <= bound.below();
 }
-
-ExactOrthosphere::ExactOrthosphere(const double* const* points, std::size_t corners, std::size_t dimension,
-                                   bool weighted) {
-  const std::size_t n = corners - 1;
-  grid_ = std::numeric_limits<int>::max();
-  for (std::size_t i = 0; i < corners; ++i) {
-    for (std::size_t j = 0; j < dimension; ++j)
-      grid_ = std::min(grid_, kernel::trailing_exponent(points[i][j]));
-    if (weighted) grid_ = std::min(grid_, kernel::square_exponent(points[i][dimension]));
-  }
-  if (grid_ == std::numeric_limits<int>::max()) grid_ = 0;
-  std::vector<Integer> edges, rights;
-  const auto weight = [&](std::size_t i) {
-    return weighted ? kernel::scaled_integer(points[i][dimension], 2 * grid_) : Integer(0);
-  };
-  for (std::size_t i = 1; i <= n; ++i) {
-    Integer right = weight(0) - weight(i);
-    for (std::size_t j = 0; j < dimension; ++j) {
-      edges.push_back(kernel::scaled_integer(points[i][j], grid_) -
-                      kernel::scaled_integer(points[0][j], grid_));
-      right += edges.back() * edges.back();
-    }
-    rights.push_back(std::move(right));
-  }
-  std::vector<Integer> system;
-  for (std::size_t i = 0; i < n; ++i) {
-    for (std::size_t m = 0; m < n; ++m) {
-      Integer dot = 0;
-      for (std::size_t j = 0; j < dimension; ++j) dot += edges[i * dimension + j] * edges[m * dimension + j];
-      system.push_back(std::move(dot));
-    }
-    system.push_back(rights[i]);
-  }
-  kernel::Fractions solution = kernel::solve_exactly(std::move(system), n);
-  determinant_ = std::move(solution.denominator);
-  square_ = -4 * determinant_ * weight(0);
-  Integer rest = 2 * determinant_;
-  for (std::size_t i = 0; i < n; ++i) {
-    square_ += rights[i] * solution.numerators[i];
-    rest -= solution.numerators[i];
-  }
-  twice_.push_back(std::move(rest));
-  for (Integer& numerator : solution.numerators) twice_.push_back(std::move(numerator));
-}
-
-std::uint64_t ExactOrthosphere::beyond() const {
-  std::uint64_t result = 0;
-  for (std::size_t i = 0; i < twice_.size(); ++i)
-    if (twice_[i] < 0) result |= std::uint64_t{1} << i;
-  return result;
-}
-
-double ExactOrthosphere::square_above() const {
-  return kernel::double_above(square_, 4 * determinant_, 2 * grid_);
-}
-
-bool ExactOrthosphere::is_within(const SquareBound& bound) const {
-  return bound.admits(square_, 4 * determinant_, 2 * grid_);
-}
-
-double ExactOrthosphere::radius_above() const { return kernel::root_above(square_, 4 * determinant_, grid_); }
 
 }  // namespace delone::internal
