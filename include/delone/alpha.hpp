@@ -68,7 +68,7 @@ class DELONE_EXPORT AlphaComplex {
   int dimension() const;         ///< d
   int affine_dimension() const;  ///< k
   /// The cells that are in it, rows of Triangulation::to_data().cells, increasing.
-  std::span<const SignedIndex> cells() const;
+  std::span<const SignedIndex> cell_numbers() const;
   /// b×k point rows: the facets that belong to exactly one cell of the complex, in the order of these cells.
   /// They enclose the cells. With a point of the cell put first they are positively oriented when k = d > 1:
   /// counterclockwise as seen from outside in space.

@@ -14,8 +14,8 @@
 namespace delone {
 
 /// Faces of one dimension j: n of them, each once. Their order is the same for the same cells and vertices
-/// (Triangulation::sort_cells()), however many threads have found them; cells are in the order of
-/// Triangulation::to_data(), and vertices in that of their rows.
+/// (Triangulation::sort_cells()), however many threads have found them, and wherever faces of dimension j are
+/// listed. Cells are in the order of Triangulation::to_data(), vertices in that of their rows.
 struct DELONE_EXPORT_TYPE Faces {
   int dimension = 0;                   ///< j
   std::vector<SignedIndex> vertices;   ///< n×(j+1) point rows; cells as in to_data(), others increasing
@@ -40,7 +40,8 @@ struct FaceOptions {
 
 /// All finite faces of dimension j. j = 0: the vertices; j = k: the finite cells; none for k < j ≤ d, where
 /// the points are flat. Errors: invalid_argument (j < 0 or j > d), out_of_memory, too_many, unsupported (k >
-/// 63). Cost: O(m·C(k+1, j+1)·j) time and memory for m cells; O(m·k) for facets, j = k−1.
+/// 63). Cost: O(m·k) for facets of m cells, j = k−1; otherwise that of finding the faces of all dimensions
+/// from j on, O(Σ_i n_i·i²) if there are n_i of dimension i.
 DELONE_EXPORT Faces faces(const Triangulation& triangulation, int j, const FaceOptions& options = {});
 
 }  // namespace delone

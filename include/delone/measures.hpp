@@ -18,8 +18,8 @@ namespace delone {
 DELONE_EXPORT std::vector<double> circumradii(const Triangulation& triangulation,
                                               const FaceOptions& options = {});
 
-/// The centers of these spheres, m×d: each coordinate is the double nearest to the exact one (±infinity beyond
-/// the range of doubles). Cells with a common sphere have equal centers.
+/// The centers of these spheres, m×d: each coordinate is the double nearest to the exact one (±infinity
+/// beyond the range of doubles). Cells with a common sphere have equal centers.
 DELONE_EXPORT std::vector<double> circumcenters(const Triangulation& triangulation,
                                                 const FaceOptions& options = {});
 
@@ -33,14 +33,15 @@ enum class QualityMeasure : std::uint8_t {
   /// 4√3·V/Σl², for tetrahedra 12(3V)^(2/3)/Σl². 1 for the regular simplex, towards 0 for flat ones; in (0,
   /// 1]. Same source.
   mean_ratio,
-  /// R over the shortest edge; at least √(k/(2k+2)), that of the regular simplex. Slivers can have a good one.
+  /// R over the shortest edge; at least √(k/(2k+2)), that of the regular simplex. Slivers can have a good
+  /// one.
   /// Miller, Talmor, Teng and Walkington, "A Delaunay based numerical method for three dimensions",
   /// doi:10.1145/225058.225286.
   radius_edge_ratio,
 };
 
-/// The quality of each finite cell, in the order of to_data(); 1 for k = 0. The relative error is certified to
-/// be below 10⁻⁹, from bounds in binary64 or, for thin cells, from integers. Errors: out_of_memory. Cost:
+/// The quality of each finite cell, in the order of to_data(); 1 for k = 0. The relative error is certified
+/// to be below 10⁻⁹, from bounds in binary64 or, for thin cells, from integers. Errors: out_of_memory. Cost:
 /// O(m·k³) for m cells.
 DELONE_EXPORT std::vector<double> cell_qualities(const Triangulation& triangulation, QualityMeasure measure,
                                                  const FaceOptions& options = {});

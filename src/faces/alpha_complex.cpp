@@ -248,7 +248,7 @@ AlphaComplex::~AlphaComplex() = default;
 
 int AlphaComplex::dimension() const { return impl_->triangulation->dimension(); }
 int AlphaComplex::affine_dimension() const { return impl_->k; }
-std::span<const SignedIndex> AlphaComplex::cells() const { return impl_->cells; }
+std::span<const SignedIndex> AlphaComplex::cell_numbers() const { return impl_->cells; }
 std::span<const SignedIndex> AlphaComplex::boundary() const { return impl_->boundary; }
 std::span<const SignedIndex> AlphaComplex::boundary_cells() const { return impl_->boundary_cells; }
 std::span<const SignedIndex> AlphaComplex::singular_facets() const { return impl_->singular; }

@@ -4,9 +4,10 @@
 // G⁻¹| are at most α‖G⁻¹‖ ≤ δ = 2α‖R‖: no entry is off by more, and the sum of all by at most nδ.
 //
 // det G is the product of the pivots of G = LDLᵀ. Computed pivots are those of a matrix G + Δ with |Δ_ij| ≤
-// 1.1(n+1)u·√(G_ii·G_jj) (Higham, Accuracy and Stability of Numerical Algorithms, theorem 10.3), and computing
-// G adds 1.02(d+3)u·g, g = max G_ii. As det(G + Δ)/det G = det(I + G⁻¹Δ) and ‖G⁻¹Δ‖ ≤ β = 2.3‖R‖·n(n+d+5)u·g,
-// the relative error of the determinant is at most (1+β)ⁿ − 1, and that of its n-th root about β.
+// 1.1(n+1)u·√(G_ii·G_jj) (Higham, Accuracy and Stability of Numerical Algorithms, theorem 10.3), and
+// computing G adds 1.02(d+3)u·g, g = max G_ii. As det(G + Δ)/det G = det(I + G⁻¹Δ) and ‖G⁻¹Δ‖ ≤ β
+// = 2.3‖R‖·n(n+d+5)u·g, the relative error of the determinant is at most (1+β)ⁿ − 1, and that of its n-th
+// root about β.
 #include "faces/cell_shape.hpp"
 
 #include "base/length.hpp"
@@ -149,7 +150,8 @@ double shortest_edge(const double* const* points, std::size_t corners, std::size
   double shortest = std::numeric_limits<double>::infinity();
   for (std::size_t i = 0; i < corners; ++i)
     for (std::size_t m = 0; m < i; ++m)
-      shortest = std::min(shortest, length_of(dimension, [&](std::size_t j) { return points[i][j] - points[m][j]; }));
+      shortest = std::min(shortest,
+                          length_of(dimension, [&](std::size_t j) { return points[i][j] - points[m][j]; }));
   return shortest;
 }
 

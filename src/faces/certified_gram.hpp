@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The Gram matrix of the edges of a simplex from its first vertex, and an approximate inverse with a certified
-// bound; step 1 of the proof in faces/orthosphere.cpp.
+// The Gram matrix of the edges of a simplex from its first vertex, and an approximate inverse with a
+// certified bound; step 1 of the proof in faces/orthosphere.cpp.
 #pragma once
 
 #include "kernel/buffer.hpp"

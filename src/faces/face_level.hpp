@@ -36,8 +36,4 @@ FaceLevel level_of_cells(const Triangulation& triangulation);
 /// not known. REQUIRES dimension ≥ 1.
 FaceLevel facets_of(FaceLevel& level, Index num_vertex_slots, unsigned threads, std::size_t expected = 0);
 
-/// The faces of dimension j < level.dimension of the faces of a level, without a way over the dimensions
-/// between.
-FaceLevel faces_of(const FaceLevel& level, int j, Index num_vertex_slots, unsigned threads);
-
 }  // namespace delone::internal

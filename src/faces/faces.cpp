@@ -121,10 +121,7 @@ Faces faces(const Triangulation& triangulation, int j, const FaceOptions& option
     if (j > k) return internal::faces_by_rows(triangulation, {}, j, options.threads);
     internal::FaceLevel level = internal::level_of_cells(triangulation);
     const Index slots = triangulation.complex().num_vertex_slots();
-    if (j == k - 1)
-      level = internal::facets_of(level, slots, options.threads);
-    else if (j < k)
-      level = internal::faces_of(level, j, slots, options.threads);
+    while (level.dimension > j) level = internal::facets_of(level, slots, options.threads);
     return internal::faces_by_rows(triangulation, std::move(level), j, options.threads);
   });
 }

@@ -16,8 +16,8 @@ namespace {
 
 constexpr std::size_t cells_in_part = 4096;
 
-/// Calls work(first, count, points) for blocks of up to orthosphere_block cells, by number, with the points of
-/// all. `make_work` makes one for each thread.
+/// Calls work(first, count, points) for blocks of up to orthosphere_block cells, by number, with the points
+/// of all. `make_work` makes one for each thread.
 template <class MakeWork>
 void for_blocks_of_cells(const Triangulation& triangulation, unsigned threads, const MakeWork& make_work) {
   const Complex complex = triangulation.complex();

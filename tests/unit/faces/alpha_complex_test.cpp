@@ -62,7 +62,7 @@ void expect_complex(const Triangulation& t, const AlphaComplex& complex, const s
     std::set<Rows> cells;
     const ComplexData data = t.to_data(), part = complex.to_data();
     const std::size_t width = static_cast<std::size_t>(k) + 1;
-    for (const SignedIndex c : complex.cells())
+    for (const SignedIndex c : complex.cell_numbers())
       cells.insert(sorted(std::span(data.cells).subspan(static_cast<std::size_t>(c) * width, width)));
     EXPECT_EQ(cells, expected);
     EXPECT_EQ(part.num_cells(), expected.size());
@@ -188,12 +188,12 @@ TEST(AlphaComplex, FlatAndFewPoints) {
   EXPECT_TRUE(alpha_filtration(none).empty());
   EXPECT_EQ(alpha_values(none, 1).values.size(), 0u);
   const AlphaComplex empty(none, 1);
-  EXPECT_TRUE(empty.cells().empty() && empty.boundary().empty() && empty.singular_facets().empty());
+  EXPECT_TRUE(empty.cell_numbers().empty() && empty.boundary().empty() && empty.singular_facets().empty());
   EXPECT_EQ(empty.faces(2).size(), 0u);
   EXPECT_EQ(empty.to_data().num_cells(), 0u);
   EXPECT_EQ(empty.boundary_data().num_cells(), 0u);
   const Delaunay<3> segment(std::vector<std::array<double, 3>>{{0, 0, 0}, {0, 0, 2}, {0, 0, 0}});
-  EXPECT_EQ(AlphaComplex(segment, 1).cells().size(), 1u);
+  EXPECT_EQ(AlphaComplex(segment, 1).cell_numbers().size(), 1u);
   EXPECT_EQ(AlphaComplex(segment, 1).faces(2).size(), 0u);
   EXPECT_EQ(AlphaComplex(segment, 0.9).faces(0).size(), 2u);
 }
@@ -204,9 +204,9 @@ TEST(AlphaComplex, EqualRadiiComeTogether) {
   for (int i = 0; i < 4 * 4 * 4; ++i)
     points.insert(points.end(), {double(i % 4), double(i / 4 % 4), double(i / 16)});
   const Delaunay<> t(points, 3);
-  EXPECT_EQ(AlphaComplex::of_square(t, 0.75).cells().size(), t.num_finite_cells());
+  EXPECT_EQ(AlphaComplex::of_square(t, 0.75).cell_numbers().size(), t.num_finite_cells());
   const AlphaComplex below = AlphaComplex::of_square(t, std::nextafter(0.75, 0));
-  EXPECT_EQ(below.cells().size(), 0u);
+  EXPECT_EQ(below.cell_numbers().size(), 0u);
   EXPECT_EQ(below.faces(0).size(), 64u);
   EXPECT_EQ(AlphaComplex(t, 0.5).faces(1).size(), 3u * 4 * 4 * 3);
   EXPECT_EQ(AlphaComplex(t, std::nextafter(0.5, 0)).faces(1).size(), 0u);
@@ -214,8 +214,8 @@ TEST(AlphaComplex, EqualRadiiComeTogether) {
   for (const double scale : {1.0, 0x1p-500, 0x1p500}) {
     const Delaunay<> rectangle(std::vector<double>{0, 0, 3 * scale, 0, 3 * scale, 4 * scale, 0, 4 * scale},
                                2);
-    EXPECT_EQ(AlphaComplex(rectangle, 2.5 * scale).cells().size(), 2u);
-    EXPECT_EQ(AlphaComplex(rectangle, std::nextafter(2.5 * scale, 0)).cells().size(), 0u);
+    EXPECT_EQ(AlphaComplex(rectangle, 2.5 * scale).cell_numbers().size(), 2u);
+    EXPECT_EQ(AlphaComplex(rectangle, std::nextafter(2.5 * scale, 0)).cell_numbers().size(), 0u);
     EXPECT_EQ(AlphaComplex(rectangle, 2.5 * scale).boundary_cells().size(), 4u);
     EXPECT_EQ(AlphaComplex(rectangle, 2 * scale).singular_facets().size(), 8u);
   }
@@ -278,7 +278,7 @@ TEST(AlphaComplex, Errors) {
   for (const double radius : {-1.0, -infinity, std::nan("")})
     EXPECT_EQ(code_of([&] { AlphaComplex(t, radius); }), Errc::invalid_argument);
   EXPECT_EQ(code_of([&] { AlphaComplex::of_square(t, std::nan("")); }), Errc::invalid_argument);
-  EXPECT_EQ(AlphaComplex(t, infinity).cells().size(), t.num_finite_cells());
+  EXPECT_EQ(AlphaComplex(t, infinity).cell_numbers().size(), t.num_finite_cells());
   EXPECT_EQ(AlphaComplex::of_square(t, -infinity).faces(0).size(), 0u);
   for (const int j : {-1, 3}) {
     EXPECT_EQ(code_of([&] { alpha_values(t, j); }), Errc::invalid_argument);

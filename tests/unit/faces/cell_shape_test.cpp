@@ -17,7 +17,8 @@
 namespace delone {
 namespace {
 
-using Real = boost::multiprecision::number<boost::multiprecision::cpp_bin_float<200>, boost::multiprecision::et_off>;
+using Real =
+    boost::multiprecision::number<boost::multiprecision::cpp_bin_float<200>, boost::multiprecision::et_off>;
 
 struct Shape {
   Real radius, sum_of_inverse_heights, mean_ratio, radius_edge_ratio;
