@@ -75,6 +75,7 @@ int run(int argc, char** argv) {
   add("voronoi", "Make the Voronoi diagram of points", add_voronoi);
   add("regular", "Triangulate weighted points", add_regular);
   add("power", "Make the power diagram of weighted points", add_power);
+  add("alpha", "Find the alpha complex of points below a radius, or its boundary", add_alpha);
   add("locate", "Triangulate points, then say where query points lie", add_locate);
   add("check", "Check a triangulation exactly, whoever made it", add_check);
   add("generate", "Make a named set of points", add_generate);

@@ -35,8 +35,7 @@ enum class QualityMeasure : std::uint8_t {
   mean_ratio,
   /// R over the shortest edge; at least √(k/(2k+2)), that of the regular simplex. Slivers can have a good
   /// one.
-  /// Miller, Talmor, Teng and Walkington, "A Delaunay based numerical method for three dimensions",
-  /// doi:10.1145/225058.225286.
+  /// Shewchuk, "Tetrahedral mesh generation by Delaunay refinement", doi:10.1145/276884.276894.
   radius_edge_ratio,
 };
 

@@ -155,7 +155,7 @@ be below 1e-9. With the circumradius R, the inradius r, the volume V and the edg
 
 measure='radius_ratio': k r / R, from 0 (flat) to 1 (regular). 'mean_ratio': k(k+1)/2 (V/V1)^(2/k) / sum l^2, V1 the volume
 of the regular cell with edges of length 1; from 0 (flat) to 1 (regular). Both: Liu and Joe, doi:10.1007/BF01955874.
-'radius_edge_ratio': R over the shortest edge, at least sqrt(k/(2k+2)); Miller et al., doi:10.1145/225058.225286.
+'radius_edge_ratio': R over the shortest edge, at least sqrt(k/(2k+2)); Shewchuk, doi:10.1145/276884.276894.
 
 ValueError for another measure. Cost: O(m k^3).)";
 

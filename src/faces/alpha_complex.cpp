@@ -282,6 +282,7 @@ ComplexData AlphaComplex::boundary_data() const {
     data.cells = impl_->boundary;
     data.neighbors.clear();
     data.vertex_of_point.clear();
+    data.weights.clear();
     return data;
   });
 }
