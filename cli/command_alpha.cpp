@@ -24,7 +24,8 @@ struct AlphaCommandOptions {
 };
 
 template <class Product>
-int run_with(Product triangulation, const AlphaCommandOptions& options, Clock::time_point start, Cost cost) {
+int make_complex(Product triangulation, const AlphaCommandOptions& options, Clock::time_point start,
+                 Cost cost) {
   const BuildOptions& build = options.build;
   const std::string name = input_name(options.weighted.input.path);
   triangulation.sort_cells();  // what is written does not depend on the threads
@@ -103,12 +104,12 @@ int run_alpha(const AlphaCommandOptions& options) {
     auto t =
         make([&](const Options& o) { return Regular<>(table.coordinates, weights, table.dimension, o); });
     cost.build = seconds_since(build_start);
-    return run_with(std::move(t), options, start, cost);
+    return make_complex(std::move(t), options, start, cost);
   }
   auto t =
       make([&](const Options& o) { return Delaunay<>(std::move(table.coordinates), table.dimension, o); });
   cost.build = seconds_since(build_start);
-  return run_with(std::move(t), options, start, cost);
+  return make_complex(std::move(t), options, start, cost);
 }
 
 }  // namespace

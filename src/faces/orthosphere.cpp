@@ -84,7 +84,7 @@ class Solver {
     return edges_.largest <= small && heaviest_ <= small_square && std::fabs(first_weight_) <= small_square;
   }
   /// Both answers. REQUIRES is_small() and N = 1, 2 or 3.
-  Orthospheres::Answer find_small(double& quotient_numerator, double& quotient_denominator) const {
+  Orthospheres::Answer find_small() const {
     double numerators[3] = {0, 0, 0}, determinant = 0;
     const auto& G = edges_.gram;
     if constexpr (N == 1) {
@@ -111,11 +111,10 @@ class Solver {
       product += right_[i] * numerators[i];
     }
     if (rest < 0) answer.beyond |= 1;
-    quotient_numerator = product - 4 * determinant * first_weight_;
-    quotient_denominator = 4 * determinant;
-    answer.square = quotient_numerator / quotient_denominator;
-    const DoubleDouble back = two_product(answer.square, quotient_denominator);
-    if (back.high < quotient_numerator || (back.high == quotient_numerator && back.low < 0))
+    const double numerator = product - 4 * determinant * first_weight_, denominator = 4 * determinant;
+    answer.square = numerator / denominator;
+    const DoubleDouble back = two_product(answer.square, denominator);
+    if (back.high < numerator || (back.high == numerator && back.low < 0))
       answer.square = std::nextafter(answer.square, infinity) + 0.0;
     return answer;
   }
@@ -317,8 +316,7 @@ template <int N, int D>
 Orthospheres::Answer Orthospheres::find_by_stages(const double* const* points, Want want) {
   Solver<N, D> solver(points, corners_, dimension_, weighted_);
   if constexpr (N > 0) {
-    double numerator = 0, denominator = 0;
-    if (solver.is_small(small_, small_square_)) return solver.find_small(numerator, denominator);
+    if (solver.is_small(small_, small_square_)) return solver.find_small();
   }
   Answer answer;
   bool is_certain = solver.solve();
@@ -343,8 +341,7 @@ bool Orthospheres::is_within_by_stages(const double* const* points, const Square
   bool is_known = false;
   if constexpr (N > 0) {
     is_known = solver.is_small(small_, small_square_);
-    double numerator = 0, denominator = 0;
-    if (is_known) rounded = solver.find_small(numerator, denominator).square;
+    if (is_known) rounded = solver.find_small().square;
   }
   if (!is_known && solver.solve()) {
     const auto [square, error] = solver.approximate_square();
