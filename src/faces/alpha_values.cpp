@@ -21,7 +21,7 @@
 #include "faces/face_blocks.hpp"
 #include "faces/face_rows.hpp"
 
-#include <algorithm>
+#include <cmath>
 #include <limits>
 #include <tuple>
 #include <utility>
@@ -30,7 +30,7 @@ namespace delone {
 namespace internal {
 namespace {
 
-constexpr double infinity = std::numeric_limits<double>::infinity();
+constexpr double none = std::numeric_limits<double>::quiet_NaN();  // no value yet
 
 /// The levels from dimension k down, and the alpha values of their faces.
 class Filtration {
@@ -40,8 +40,9 @@ class Filtration {
         threads_(threads),
         unit_(unit_of(triangulation)),
         level_(level_of_cells(triangulation)) {
-    resize_large(values_, level_.size());
-    find_values({});
+    reserve_large(values_, level_.size());
+    values_.assign(level_.size(), none);
+    find_values();
   }
 
   FaceLevel& level() { return level_; }
@@ -58,50 +59,45 @@ class Filtration {
     const std::size_t corners = level_.corners();
     std::vector<double> values;
     reserve_large(values, below.size());
-    values.assign(below.size(), infinity);
-    std::vector<unsigned char> in_conflict(below.size(), 0);
+    values.assign(below.size(), none);
     QuickRounds round;
     for (std::size_t face = 0; face < level_.size(); ++face) {
       round();
       for (std::size_t i = 0; i < corners; ++i) {
         if (!masks_.has(face, i)) continue;
-        const Index facet = level_.facets[face * corners + i];
-        in_conflict[facet] = 1;
-        values[facet] = std::min(values[facet], values_[face]);
+        double& value = values[level_.facets[face * corners + i]];
+        if (!(value <= values_[face])) value = values_[face];
       }
     }
     level_.facets = {};
     level_.neighbors = {};
     std::swap(values_, values);
     std::swap(level_, below);
-    find_values(in_conflict);
+    find_values();
     return {std::move(below), std::move(values)};
   }
 
  private:
-  /// Of those that are not in conflict; and the masks of all.
-  void find_values(const std::vector<unsigned char>& in_conflict) {
+  /// The values of the faces without one, which are in no conflict, and the masks of all.
+  void find_values() {
     masks_ = Masks(level_.size(), level_.corners());
     using Want = Orthospheres::Want;
     const bool has_beyond = level_.dimension > 1 || StoredPoints::of(triangulation_).weighted();
-    const auto has_value = [&](std::size_t face) { return !in_conflict.empty() && in_conflict[face] != 0; };
     for_wanted_faces(
-        triangulation_, level_, unit_, threads_, [&](std::size_t face) { return !has_value(face); },
+        triangulation_, level_, unit_, threads_, [](std::size_t) { return true; },
         [&](FaceBlocks& blocks, std::span<const std::size_t> faces) {
-          blocks.find(faces, has_beyond ? Want::both : Want::square,
+          std::vector<std::size_t> with, without;
+          for (const std::size_t face : faces) (std::isnan(values_[face]) ? without : with).push_back(face);
+          blocks.find(without, has_beyond ? Want::both : Want::square,
                       [&](std::size_t face, const Orthospheres::Answer& answer) {
                         masks_.set(face, has_beyond ? answer.beyond : 0);
                         values_[face] = answer.square;
                       });
+          if (has_beyond)
+            blocks.find(with, Want::beyond, [&](std::size_t face, const Orthospheres::Answer& answer) {
+              masks_.set(face, answer.beyond);
+            });
         });
-    if (!has_beyond || in_conflict.empty()) return;
-    for_wanted_faces(triangulation_, level_, unit_, threads_, has_value,
-                     [&](FaceBlocks& blocks, std::span<const std::size_t> faces) {
-                       blocks.find(faces, Want::beyond,
-                                   [&](std::size_t face, const Orthospheres::Answer& answer) {
-                                     masks_.set(face, answer.beyond);
-                                   });
-                     });
   }
 
   const Triangulation& triangulation_;

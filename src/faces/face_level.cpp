@@ -20,8 +20,7 @@ constexpr std::size_t vertices_in_part = 4096, faces_in_part = 1 << 16;
 
 /// The level's faces that have each vertex as their first or second one.
 struct FacesAtVertices {
-  std::vector<std::size_t> offsets;
-  std::vector<Index> faces;
+  std::vector<Index> offsets, faces;
 
   FacesAtVertices(const FaceLevel& level, Index num_slots)
       : offsets(static_cast<std::size_t>(num_slots) + 2, 0) {

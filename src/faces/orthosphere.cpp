@@ -21,7 +21,8 @@
 //    radius with most numbers.
 // 4. To round it up, let ρ_i = a_i·(a_i − 2x̃) − (w_i − w_0) = b_i − 2a_i·x̃, so ρ = −2Aε. Then
 //    |x̃|² + Σλ̃_i·ρ_i = |x|² + 2x·ε + |ε|² − 2(Aᵀλ̃)·ε = |x|² − |ε|² − 2η·ε, as Aᵀλ̃ = x + ε − (x̃ − Aᵀλ̃).
-//    So an error of ε̂² + 2η̂ε̂ remains, which is of second order. ρ_i is computed as the residual in
+//    So an error of |ε|² + 2η̂|ε| remains, which is of second order. Besides |ε| ≤ ε̂, the part of ε in the flat
+//    is at most ½|ρ|·√‖G⁻¹‖ ≤ √(½n‖R‖)·max|ρ_i| as ‖G⁻¹‖ ≤ 2‖R‖, and the rest of it is a part of η. ρ_i is computed as the residual in
 //    voronoi/cell_center.cpp, with an error of e_i = u|ρ̃_i| + 5.1(d+3)²u²·M, where
 //    M = 1.01(g + 2ℓ|x̃| + |w_i − w_0|) ≥ Σ_j|h_ij|(|h_ij| + 2|x̃_j|) + |w_i − w_0| by Cauchy–Schwarz. |x̃|² is
 //    summed in pairs of doubles, with errors of 6u² per sum (kernel/double_double.hpp).
@@ -182,7 +183,7 @@ class Solver {
       magnitude += square.high;
     }
     const double length = 1.01 * std::sqrt(square_), second_order = 5.1 * (d + 3) * (d + 3) * u * u;
-    double correction = 0, error = 0;
+    double correction = 0, error = 0, largest_residual = 0;
     for (std::size_t i = 0; i < n_; ++i) {
       double sum = -weight_[i].high, rest = -weight_[i].low;
       for (std::size_t j = 0; j < d_; ++j) {
@@ -196,13 +197,16 @@ class Solver {
       const double residual = sum + rest;
       const double m = 1.01 * (square_ + 2 * length * length_of_x_ + std::fabs(weight_[i].high));
       correction += lambda_[i] * residual;
+      const double error_of_residual = u * std::fabs(residual) + second_order * m + 1e-290;
+      largest_residual = std::max(largest_residual, std::fabs(residual) + error_of_residual);
       // The last term: rounding of the correction, by n products and sums.
-      error += std::fabs(lambda_[i]) *
-               (u * std::fabs(residual) + second_order * m + 1e-290 + (n + 1) * u * std::fabs(residual));
+      error += std::fabs(lambda_[i]) * (error_of_residual + (n + 1) * u * std::fabs(residual));
     }
+    const double error_of_x =
+        std::min(error_of_x_, 1.01 * std::sqrt(0.5 * n * edges_.norm) * largest_residual + rounding_of_x_);
     magnitude += std::fabs(correction);
     result = (result + DoubleDouble{correction, 0}) - DoubleDouble{first_weight_, 0};
-    error += error_of_x_ * error_of_x_ + 2 * rounding_of_x_ * error_of_x_ + 8 * (d + 3) * u * u * magnitude;
+    error += error_of_x * (error_of_x + 2 * rounding_of_x_) + 8 * (d + 3) * u * u * magnitude;
     return round_up(result, 1.01 * error + 1e-290, rounded);
   }
 
@@ -275,8 +279,16 @@ bool Orthospheres::fills_lanes(std::size_t count, const double* const* points) {
   for (std::size_t lane = 0; lane < orthosphere_block; ++lane) {
     const double* const* const of_simplex = points + std::min(lane, count - 1) * corners_;
     double* to = lanes_.data() + lane;
-    for (std::size_t i = 0; i < corners_; ++i, to += (dimension_ + 1) * orthosphere_block)
-      for (std::size_t j = 0; j < width; ++j) to[j * orthosphere_block] = of_simplex[i][j];
+    for (std::size_t i = 0; i < corners_; ++i, to += (dimension_ + 1) * orthosphere_block) {
+      const double* const p = of_simplex[i];
+      if (width == 3) {
+        to[0] = p[0];
+        to[orthosphere_block] = p[1];
+        to[2 * orthosphere_block] = p[2];
+      } else {
+        for (std::size_t j = 0; j < width; ++j) to[j * orthosphere_block] = p[j];
+      }
+    }
   }
   return true;
 }

@@ -140,7 +140,7 @@ void find(std::size_t size, bool weighted, bool want_square, const double* HWY_R
       const Pair<V> product = two_product(d, x[j], x[j]), next = two_sum(result.high, product.high);
       result = {next.high, hn::Add(result.low, hn::Add(next.low, product.low))};
     }
-    V correction = zero, rest_error = zero;
+    V correction = zero, rest_error = zero, largest_residual = zero;
     const double second_order = 5.1 * (dd + 3) * (dd + 3) * u * u;
     for (std::size_t i = 0; i < n; ++i) {
       V part = hn::Neg(weight[i]), rest = hn::Neg(weight_low[i]);
@@ -157,17 +157,20 @@ void find(std::size_t size, bool weighted, bool want_square, const double* HWY_R
       const V m =
           times(1.01, hn::Add(hn::Add(square, times(2, hn::Mul(length, length_of_x))), hn::Abs(weight[i])));
       correction = hn::Add(correction, hn::Mul(lambda[i], residual));
-      const V of_residual =
-          hn::Add(hn::Add(times((dn + 2) * u, hn::Abs(residual)), times(second_order, m)), little);
-      rest_error = hn::Add(rest_error, hn::Mul(hn::Abs(lambda[i]), of_residual));
+      const V of_residual = hn::Add(hn::Add(times(u, hn::Abs(residual)), times(second_order, m)), little);
+      largest_residual = hn::Max(largest_residual, hn::Add(hn::Abs(residual), of_residual));
+      rest_error = hn::Add(rest_error, hn::Mul(hn::Abs(lambda[i]),
+                                               hn::Add(of_residual, times((dn + 1) * u, hn::Abs(residual)))));
     }
+    const V span = hn::Mul(hn::Sqrt(times(0.5 * dn, norm)), largest_residual);
+    const V sharper = hn::Min(error_of_x, hn::Add(times(1.01, span), rounding_of_x));
     magnitude = hn::Add(magnitude, hn::Abs(correction));
     for (const V term : {correction, hn::Neg(first_weight)}) {
       const Pair<V> next = two_sum(result.high, term);
       result = {next.high, hn::Add(result.low, next.low)};
     }
     result = two_sum(result.high, result.low);
-    V bound = hn::Add(hn::Mul(error_of_x, hn::Add(error_of_x, times(2, rounding_of_x))), rest_error);
+    V bound = hn::Add(hn::Mul(sharper, hn::Add(sharper, times(2, rounding_of_x))), rest_error);
     bound = hn::Add(bound, times(16 * (dd + 3) * (dd + 3) * u * u, magnitude));
     bound = hn::Add(times(1.01, bound), little);
     // The doubles beside result.high, which is normal and not 0.
