@@ -37,7 +37,9 @@ struct Shape {
 Shape shape_of(const double* const* points, std::size_t corners, std::size_t d) {
   const std::size_t n = corners - 1, width = 2 * n + 1;
   std::vector<Real> a(n * width, Real(0));
-  const auto edge = [&](std::size_t i, std::size_t j) { return Real(points[i + 1][j]) - Real(points[0][j]); };
+  const auto edge = [&](std::size_t i, std::size_t j) -> Real {
+    return Real(points[i + 1][j]) - Real(points[0][j]);
+  };
   for (std::size_t i = 0; i < n; ++i) {
     for (std::size_t m = 0; m < n; ++m)
       for (std::size_t j = 0; j < d; ++j) a[i * width + m] += edge(i, j) * edge(m, j);
