@@ -139,6 +139,8 @@ int run(int argc, char** argv) {
       {"delone regular table.csv --columns x,y --weights w -o regular.npz"});
   add("power", "Make the power diagram of weighted points", add_power,
       {"delone power table.csv --columns x,y --weights w -o power.svg"});
+  add("alpha", "Find the alpha complex of points below a radius, or its boundary", add_alpha,
+      {"delone alpha points.csv --radius 0.2 -o alpha.npz"});
   add("locate", "Triangulate points, then say where query points lie", add_locate,
       {"delone locate points.csv --queries places.csv -o answers.csv"});
   add("interpolate", "Triangulate points with values, then say the values at query points", add_interpolate,

@@ -49,12 +49,12 @@ std::vector<double> read_weights(const std::string& path, std::size_t expected,
 
 }  // namespace
 
-void WeightedInput::add_to(CLI::App& command) {
+void WeightedInput::add_to(CLI::App& command, bool required) {
   input.add_to(command, "IN", "Points: a file, or - for standard input");
   command
       .add_option("--weights", weights,
                   "The weights: a column of IN by its name or number from 0, or a file with one per row")
-      ->required()
+      ->required(required)
       ->type_name("COLUMN|FILE");
 }
 

@@ -13,7 +13,7 @@ struct WeightedInput {
   PointInput input;
   std::string weights;  ///< a column's name, a column's number, or a file
 
-  void add_to(CLI::App& command);
+  void add_to(CLI::App& command, bool required = true);
   /// Where only a column will do: throws UsageError for a file.
   std::string column() const;
   /// Reads the points and one finite weight for each. Errors name the file.

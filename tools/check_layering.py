@@ -39,6 +39,7 @@ RULES = {
     "src/hull/tolerance": (PUBLIC, {"src/hull", "src/compiled", "src/kernel", "src/base"}),
     "src/halfspaces": (PUBLIC, {"src/hull", "src/compiled", "src/order", "src/kernel", "src/base"}),
     "src/voronoi": (PUBLIC, {"src/triangulation", "src/kernel", "src/base"}),
+    "src/faces": (PUBLIC, {"src/triangulation", "src/voronoi", "src/kernel", "src/base"}),
     "src/check": (PUBLIC, {"src/hull", "src/hull/tolerance", "src/halfspaces", "src/compiled", "src/complex", "src/kernel", "src/base"}),
     "src/point_sets": (BASICS | {"point_sets"}, {"src/base"}),
     "src/io": (PUBLIC, {"src/base"}),

@@ -2,6 +2,7 @@
 // Everything: exact Delaunay triangulations in any dimension.
 #pragma once
 
+#include <delone/alpha.hpp>
 #include <delone/check.hpp>
 #include <delone/complex.hpp>
 #include <delone/config.hpp>
@@ -10,6 +11,7 @@
 #include <delone/data.hpp>
 #include <delone/delaunay.hpp>
 #include <delone/error.hpp>
+#include <delone/faces.hpp>
 #include <delone/forecast.hpp>
 #include <delone/furthest_site.hpp>
 #include <delone/halfspaces.hpp>
@@ -17,6 +19,7 @@
 #include <delone/interpolation.hpp>
 #include <delone/io.hpp>
 #include <delone/lower_hull.hpp>
+#include <delone/measures.hpp>
 #include <delone/natural_neighbors.hpp>
 #include <delone/options.hpp>
 #include <delone/point_locator.hpp>

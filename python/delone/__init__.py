@@ -7,6 +7,7 @@ arguments of those in scipy; `patch_scipy` makes existing programs use them. `de
 """
 import importlib
 
+from ._core import AlphaComplex, Faces
 from ._core import (CancelledError, ConvexHull, Delaunay, Error, FurthestSite, HalfspaceIntersection, InputError, LinearInterpolator,
                     NaturalNeighborInterpolator, OutOfMemoryError, PowerDiagram, Regular, TrimResult, Voronoi, __version__,
                     natural_neighbors)
@@ -16,12 +17,12 @@ from ._locations import Locations
 from ._methods import attach as _attach
 from ._patch import patch_scipy, scipy_is_patched, unpatch_scipy
 
-__all__ = ["CancelledError", "ConvexHull", "ConvexHulls", "Delaunay", "Error", "Forecast", "FurthestSite", "HalfspaceIntersection", "InputError",
+__all__ = ["AlphaComplex", "CancelledError", "ConvexHull", "ConvexHulls", "Delaunay", "Error", "Faces", "Forecast", "FurthestSite", "HalfspaceIntersection", "InputError",
            "LinearInterpolator", "Locations", "NaturalNeighborInterpolator", "OutOfMemoryError", "PowerDiagram", "Regular",
            "TimeLimitError", "TrimResult", "Voronoi", "__version__", "convex_hulls", "estimate", "forecast", "natural_neighbors", "patch_scipy", "scipy_is_patched",
            "unpatch_scipy"]
 
-for _type in (ConvexHull, ConvexHulls, Delaunay, FurthestSite, HalfspaceIntersection, LinearInterpolator, NaturalNeighborInterpolator,
+for _type in (AlphaComplex, Faces, ConvexHull, ConvexHulls, Delaunay, FurthestSite, HalfspaceIntersection, LinearInterpolator, NaturalNeighborInterpolator,
               PowerDiagram, Regular, TrimResult, Voronoi, natural_neighbors, Forecast, estimate, forecast):
     _type.__module__ = "delone"
 del _type

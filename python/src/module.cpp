@@ -83,6 +83,7 @@ PYBIND11_MODULE(_core, module) {
   python::bind_errors(module);
   python::bind_triangulations(module);
   python::bind_trim(module);
+  python::bind_faces(module);
   python::bind_interpolator(module);
   python::bind_natural_neighbors(module);
   python::bind_convex_hull(module);

@@ -8,6 +8,7 @@ namespace delone::python {
 
 void bind_triangulations(pybind11::module_& module);
 void bind_trim(pybind11::module_& module);
+void bind_faces(pybind11::module_& module);
 void bind_interpolator(pybind11::module_& module);
 void bind_natural_neighbors(pybind11::module_& module);
 void bind_convex_hull(pybind11::module_& module);

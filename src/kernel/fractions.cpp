@@ -50,6 +50,17 @@ double nearest_double(Integer numerator, Integer denominator, int exponent) {
   return magnitude == 0 ? 0 : negative ? -magnitude : magnitude;
 }
 
+double double_above(const Integer& numerator, const Integer& denominator, int exponent) {
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  const double nearest = nearest_double(numerator, denominator, exponent);
+  if (nearest == infinity) return nearest;
+  if (nearest == -infinity) return std::nextafter(nearest, infinity);
+  const int grid = std::min(exponent, nearest == 0 ? exponent : trailing_exponent(nearest));
+  const Integer scaled = scaled_integer(nearest, grid) * mp::abs(denominator);
+  const Integer exact = (denominator < 0 ? Integer(-numerator) : numerator) << (exponent - grid);
+  return scaled >= exact ? nearest : std::nextafter(nearest, infinity) + 0.0;
+}
+
 double root_above(Integer numerator, Integer denominator, int exponent) {
   if (numerator == 0) return 0;
   numerator = mp::abs(numerator);

@@ -23,6 +23,10 @@ Integer scaled_integer(double x, int grid);
 /// never −0. REQUIRES denominator ≠ 0.
 double nearest_double(Integer numerator, Integer denominator, int exponent);
 
+/// The least double that is not below numerator/denominator·2^exponent; +infinity beyond the largest, never
+/// −0. REQUIRES denominator ≠ 0.
+double double_above(const Integer& numerator, const Integer& denominator, int exponent);
+
 /// √(numerator/denominator)·2^exponent, rounded up: the least double that is not below, or, below the normal
 /// range, one that is larger by less than two smallest doubles; +infinity beyond the largest. REQUIRES a
 /// fraction of at least 0.

@@ -26,6 +26,8 @@ QUICK = {
     "delone.PowerDiagram": "__repr__ weights",
     "delone.Voronoi": "__repr__",
     "delone.TrimResult": "__getstate__ __repr__ cells depth kept lost_volume neighbors num_removed orphans",
+    "delone.Faces": "__len__ __repr__ cells dimension on_hull vertices",
+    "delone.AlphaComplex": "__len__ __repr__ boundary boundary_cells cell_numbers cells radius singular_facets",
     "delone._core.Diagram": "affine_dimension bounding_box columns dimension is_bounded max_displacement num_points num_rays num_regions num_ridges "
                             "num_vertices plot point_region points ray_directions ray_points ray_vertices region region_offsets region_points "
                             "region_vertices ridge ridge_offsets ridge_points ridge_vertices to_frame to_meshio to_pyvista to_vtk tolerance vertices",
@@ -82,6 +84,12 @@ LONG = {
     "delone._core.Triangulation.locate": ("t = delone.Delaunay(random.random((300, 7)))", "t.locate(random.random((1_000_000, 7)))"),
     "delone._core.Triangulation.barycentric": ("t = delone.Delaunay(random.random((2000, 2)))", "t.barycentric(wild(1_000_000, 2))"),
     "delone._core.Triangulation.nearest": ("t = delone.Delaunay(random.random((5000, 4)))", "t.nearest(random.random((20_000, 4)), k=500)"),
+    "delone._core.Triangulation.faces": ("t = delone.Delaunay(random.random((20_000, 5)))", "t.faces(1)"),
+    "delone._core.Triangulation.alpha_values": ("t = delone.Delaunay(random.random((20_000, 5)))", "t.alpha_values(0)", "alpha_filtration"),
+    "delone._core.Triangulation.alpha_complex": ("t = delone.Delaunay(random.random((20_000, 5)))", "t.alpha_complex(0.3)"),
+    "delone._core.Triangulation.circumradii": ("t = delone.Delaunay(random.random((10_000, 6)))", "t.circumradii", "circumcenters"),
+    "delone._core.Triangulation.quality": ("t = delone.Delaunay(random.random((10_000, 6)))", "t.quality()"),
+    "delone.AlphaComplex.faces": ("complex = delone.Delaunay(random.random((20_000, 5))).alpha_complex(0.3)", "complex.faces(1)"),
     "delone._core.Triangulation.trim": ("t = delone.Delaunay(random.random((20_000, 4)))", "t.trim(0.5)"),
     "delone._core.Triangulation.transform": ("t = delone.Delaunay(random.random((100_000, 4)))", "t.transform"),
     "delone._core.Triangulation.vertex_neighbors": ("t = delone.Delaunay(random.random((20_000, 5)))", "t.vertex_neighbors"),
@@ -218,7 +226,8 @@ def test_the_table_is_complete():
 
 def is_not_made(place):
     """Classes without a constructor of their own."""
-    return place in ("delone._core.Triangulation", "delone._core.Diagram", "delone.TrimResult", "delone.spatial._base.OfPoints")
+    return place in ("delone._core.Triangulation", "delone._core.Diagram", "delone.TrimResult", "delone.Faces", "delone.AlphaComplex",
+                     "delone.spatial._base.OfPoints")
 
 
 @pytest.mark.skipif(not hasattr(signal, "ITIMER_PROF"), reason="timers as POSIX has them")

@@ -24,6 +24,23 @@ TEST(Fractions, IntegersOfAGrid) {
   EXPECT_EQ(scaled_integer(Limits::max(), -1074), ((Integer(1) << 53) - 1) << (971 + 1074));
 }
 
+TEST(Fractions, RoundingUp) {
+  const double infinity = Limits::infinity();
+  for (const double x : {1.0, -1.0, 2.0, -0.75, 1e300, -1e-300, Limits::max(), -Limits::max(),
+                         Limits::denorm_min(), -Limits::denorm_min(), Limits::min(), 0.0}) {
+    SCOPED_TRACE(x);
+    const Integer exact = scaled_integer(x, -1074), little = 1;
+    EXPECT_EQ(double_above(exact, 1, -1074), x);
+    EXPECT_EQ(double_above(-exact, -1, -1074), x);
+    EXPECT_EQ(double_above(exact * 8 + little, 8, -1074), std::nextafter(x, infinity));
+    EXPECT_EQ(double_above(exact * 8 - little, 8, -1074), x);
+    EXPECT_EQ(double_above((exact * 8 + little) << 100, 8, -1174), std::nextafter(x, infinity));
+  }
+  EXPECT_FALSE(std::signbit(double_above(-1, 3, -1074)));
+  EXPECT_EQ(double_above(1, 3, 2000), infinity);
+  EXPECT_EQ(double_above(-1, 3, 2000), -Limits::max());
+}
+
 TEST(Fractions, SquareExponentsRoundDown) {
   EXPECT_EQ(square_exponent(12), 1);
   EXPECT_EQ(square_exponent(8), 1);

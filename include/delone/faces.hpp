@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The faces of a triangulation of one dimension, as arrays.
+#pragma once
+
+#include <delone/export.hpp>
+#include <delone/triangulation.hpp>
+#include <delone/types.hpp>
+
+#include <cstddef>
+#include <functional>
+#include <span>
+#include <vector>
+
+namespace delone {
+
+/// Faces of one dimension j: n of them, each once. Their order is the same for the same cells and vertices
+/// (Triangulation::sort_cells()), however many threads have found them, and wherever faces of dimension j are
+/// listed. Cells are in the order of Triangulation::to_data(), vertices in that of their rows.
+struct DELONE_EXPORT_TYPE Faces {
+  int dimension = 0;                   ///< j
+  std::vector<SignedIndex> vertices;   ///< n×(j+1) point rows; cells as in to_data(), others increasing
+  std::vector<SignedIndex> cells;      ///< n: a cell that contains the face, a row of to_data().cells
+  std::vector<unsigned char> on_hull;  ///< n: 1 if the face lies in the boundary of the hull
+
+  std::size_t size() const { return cells.size(); }
+  std::span<const SignedIndex> face(std::size_t i) const {
+    const std::size_t corners = static_cast<std::size_t>(dimension) + 1;
+    return std::span(vertices).subspan(i * corners, corners);
+  }
+};
+
+/// What enumerations of faces may use.
+struct FaceOptions {
+  /// At most so many threads; 0: as many as there are cores for this process, where the work is large enough
+  /// to gain by them. The arrays do not depend on it.
+  unsigned threads = 1;
+  /// As in Options; it stops the work (Errc::cancelled). The fraction is 0 throughout.
+  std::function<bool(double)> progress = {};
+};
+
+/// All finite faces of dimension j. j = 0: the vertices; j = k: the finite cells; none for k < j ≤ d, where
+/// the points are flat. Errors: invalid_argument (j < 0 or j > d), out_of_memory, too_many, unsupported (k >
+/// 63). Cost: O(m·k) for facets of m cells, j = k−1; otherwise that of finding the faces of all dimensions
+/// from j on, O(Σ_i n_i·i²) if there are n_i of dimension i.
+DELONE_EXPORT Faces faces(const Triangulation& triangulation, int j, const FaceOptions& options = {});
+
+}  // namespace delone

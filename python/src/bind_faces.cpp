@@ -1,0 +1,293 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Faces, alpha complexes and measures of cells of a Triangulation.
+#include "arrays.hpp"
+#include "docstring.hpp"
+#include "module.hpp"
+#include "triangulation.hpp"
+
+#include <delone/alpha.hpp>
+#include <delone/faces.hpp>
+#include <delone/measures.hpp>
+
+#include <algorithm>
+#include <limits>
+#include <memory>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace delone::python {
+namespace {
+
+using namespace py::literals;
+using Held = HeldTriangulation;
+
+FaceOptions options_of(const Held& held) { return {.threads = held.threads(), .progress = {}}; }
+
+py::array as_flags(const std::vector<unsigned char>& marks) {
+  py::array_t<bool> flags(static_cast<py::ssize_t>(marks.size()));
+  std::transform(marks.begin(), marks.end(), flags.mutable_data(), [](unsigned char m) { return m != 0; });
+  flags.attr("setflags")("write"_a = false);
+  return flags;
+}
+
+/// Faces, shared by the arrays that show them.
+class HeldFaces {
+ public:
+  explicit HeldFaces(Faces faces) : faces_(std::make_shared<const Faces>(std::move(faces))) {}
+  const Faces& faces() const { return *faces_; }
+  py::array vertices() const {
+    return rows_view(faces_->vertices, faces_->size(), static_cast<std::size_t>(faces_->dimension) + 1,
+                     faces_);
+  }
+  py::array cells() const { return list_view(faces_->cells, faces_); }
+  std::string repr() const {
+    return "<delone.Faces: " + std::to_string(faces_->size()) + " of dimension " +
+           std::to_string(faces_->dimension) + ">";
+  }
+
+ private:
+  std::shared_ptr<const Faces> faces_;
+};
+
+/// The arrays of an alpha complex, and how to make it again for its other faces.
+class HeldAlpha {
+ public:
+  HeldAlpha(std::shared_ptr<const Held> held, double radius, std::optional<double> squared)
+      : held_(std::move(held)), radius_(radius), squared_(squared) {
+    Supervisor supervisor;
+    arrays_ = supervisor.run([&] {
+      return held_->with_engine([&](const Triangulation& engine) {
+        version_ = held_->version();
+        const AlphaComplex complex = make(engine);
+        auto arrays = std::make_shared<Arrays>();
+        const auto copy = [](std::span<const SignedIndex> items) {
+          return std::vector<SignedIndex>(items.begin(), items.end());
+        };
+        arrays->width = static_cast<std::size_t>(complex.affine_dimension() + 1);
+        arrays->numbers = copy(complex.cell_numbers());
+        arrays->boundary = copy(complex.boundary());
+        arrays->boundary_cells = copy(complex.boundary_cells());
+        arrays->singular = copy(complex.singular_facets());
+        const ComplexData data = engine.to_data(false);
+        for (const SignedIndex number : arrays->numbers) {
+          const auto first = data.cells.begin() +
+                             static_cast<std::ptrdiff_t>(static_cast<std::size_t>(number) * arrays->width);
+          arrays->cells.insert(arrays->cells.end(), first,
+                               first + static_cast<std::ptrdiff_t>(arrays->width));
+        }
+        return std::shared_ptr<const Arrays>(std::move(arrays));
+      });
+    });
+  }
+
+  double radius() const { return radius_; }
+  std::size_t size() const { return arrays_->numbers.size(); }
+  py::array numbers() const { return list_view(arrays_->numbers, arrays_); }
+  py::array cells() const { return rows_view(arrays_->cells, size(), arrays_->width, arrays_); }
+  py::array boundary() const { return facets(arrays_->boundary); }
+  py::array boundary_cells() const { return list_view(arrays_->boundary_cells, arrays_); }
+  py::array singular() const { return facets(arrays_->singular); }
+
+  HeldFaces faces(int dimension) const {
+    Supervisor supervisor;
+    return supervisor.run([&] {
+      return held_->with_engine([&](const Triangulation& engine) {
+        if (held_->version() != version_)
+          throw std::runtime_error("points have been added to the triangulation of this alpha complex");
+        return HeldFaces(make(engine).faces(dimension, options_of(*held_)));
+      });
+    });
+  }
+  std::string repr() const {
+    return "<delone.AlphaComplex: " + std::to_string(size()) + " cells, " +
+           std::to_string(arrays_->boundary_cells.size()) + " boundary facets>";
+  }
+
+ private:
+  struct Arrays {
+    std::size_t width = 0;
+    std::vector<SignedIndex> numbers, cells, boundary, boundary_cells, singular;
+  };
+
+  AlphaComplex make(const Triangulation& engine) const {
+    return squared_ ? AlphaComplex::of_square(engine, *squared_, options_of(*held_))
+                    : AlphaComplex(engine, radius_, options_of(*held_));
+  }
+  py::array facets(const std::vector<SignedIndex>& rows) const {
+    const std::size_t width = arrays_->width < 2 ? 0 : arrays_->width - 1;
+    return rows_view(rows, width == 0 ? 0 : rows.size() / width, width, arrays_);
+  }
+
+  std::shared_ptr<const Held> held_;
+  double radius_;
+  std::optional<double> squared_;
+  std::uint64_t version_ = 0;
+  std::shared_ptr<const Arrays> arrays_;
+};
+
+QualityMeasure measure_of(const std::string& name) {
+  if (name == "radius_ratio") return QualityMeasure::radius_ratio;
+  if (name == "mean_ratio") return QualityMeasure::mean_ratio;
+  if (name == "radius_edge_ratio") return QualityMeasure::radius_edge_ratio;
+  throw py::value_error("measure: 'radius_ratio', 'mean_ratio' or 'radius_edge_ratio', not " +
+                        shown(py::str(name)));
+}
+
+/// Asks the engine without the GIL.
+template <class Question>
+auto ask(const Held& held, Question question) {
+  Supervisor supervisor;
+  return supervisor.run([&] { return held.with_engine(question); });
+}
+
+constexpr const char* faces_doc = R"(
+The faces of dimension 0 <= dimension <= d, each once: a delone.Faces. 0: the vertices; 1: the edges; k: the cells; none
+above k, where the points are flat.
+
+Which order they have depends on the triangulation only, and is that of alpha_values(dimension). ValueError for other
+dimensions. Cost: that of finding the faces of all dimensions from this one on.)";
+
+constexpr const char* quality_doc = R"(
+How good each cell is, (m,) float64, in the order of cells. None depends on the scale; the relative error is certified to
+be below 1e-9. With the circumradius R, the inradius r, the volume V and the edges l of a cell:
+
+measure='radius_ratio': k r / R, from 0 (flat) to 1 (regular). 'mean_ratio': k(k+1)/2 (V/V1)^(2/k) / sum l^2, V1 the volume
+of the regular cell with edges of length 1; from 0 (flat) to 1 (regular). Both: Liu and Joe, doi:10.1007/BF01955874.
+'radius_edge_ratio': R over the shortest edge, at least sqrt(k/(2k+2)); Shewchuk, doi:10.1145/276884.276894.
+
+ValueError for another measure. Cost: O(m k^3).)";
+
+constexpr const char* alpha_complex_doc = R"(
+The alpha complex below a radius: a delone.AlphaComplex, the faces with an alpha value of at most radius^2.
+
+Its union has the shape of the union of the balls of that radius about the points; for Regular, of the balls with the
+squared radii radius^2 + weight. Exact: in or out is never a matter of rounding, and cospherical cells come in together.
+radius: >= 0, in the units of the coordinates; infinity gives all faces. Instead of it, squared: any number, for Regular
+also below 0. ValueError for a negative radius, NaN, both or none of them. Not for FurthestSite. Edelsbrunner and Muecke,
+"Three-dimensional alpha shapes", doi:10.1145/174462.156635. Cost: O(m k^3).)";
+
+constexpr const char* alpha_values_doc = R"(
+The alpha values of the faces of one dimension, float64, in the order of faces(dimension).
+
+The alpha value of a face is the least squared radius of a sphere that passes through its vertices and has no point
+strictly inside (with weights: orthogonal to them, and to no point nearer than that). Each is the least double that is not
+below the exact value. So values <= s says exactly which faces are in alpha_complex(squared=s), equal exact values are
+equal, and no face has a greater value than one that contains it. Not for FurthestSite. ValueError unless 0 <= dimension
+<= d. Cost: that of faces(dimension), and small systems of equations for each face on the way.)";
+
+constexpr const char* alpha_filtration_doc = R"(
+[(faces, values) for dimension 0 ... k]: faces(dimension) and alpha_values(dimension) of all dimensions, made at once.)";
+
+}  // namespace
+
+void bind_faces(py::module_& module) {
+  py::class_<HeldFaces>(module, "Faces", "The faces of one dimension of a triangulation. Read-only.")
+      .def_property_readonly(
+          "dimension", [](const HeldFaces& f) { return f.faces().dimension; },
+          "j, the dimension of the faces.")
+      .def_property_readonly("vertices", &HeldFaces::vertices,
+                             "(n, j+1) input rows, increasing in each face; cells as in Triangulation.cells.")
+      .def_property_readonly("cells", &HeldFaces::cells, "(n,) a cell that contains each face.")
+      .def_property_readonly(
+          "on_hull", [](const HeldFaces& f) { return as_flags(f.faces().on_hull); },
+          "(n,) bool: whether each face lies in the boundary of the convex hull.")
+      .def("__len__", [](const HeldFaces& f) { return f.faces().size(); })
+      .def("__repr__", &HeldFaces::repr);
+
+  py::class_<HeldAlpha>(module, "AlphaComplex", "The faces of a triangulation below a radius. Read-only.")
+      .def_property_readonly("radius", &HeldAlpha::radius,
+                             "What it was made with; NaN if it was made with `squared`.")
+      .def_property_readonly("cells", &HeldAlpha::cells,
+                             "(m', k+1) input rows: the cells that are in it, in their order.")
+      .def_property_readonly("cell_numbers", &HeldAlpha::numbers,
+                             "(m',) rows of Triangulation.cells: the same cells.")
+      .def_property_readonly(
+          "boundary", &HeldAlpha::boundary,
+          "(b, k) input rows: the facets that belong to exactly one of its cells. With a point inside that "
+          "cell put first they\nare positively oriented when k = d > 1: counterclockwise as seen from "
+          "outside "
+          "in space.")
+      .def_property_readonly("boundary_cells", &HeldAlpha::boundary_cells,
+                             "(b,) rows of Triangulation.cells: the cell of each boundary facet.")
+      .def_property_readonly(
+          "singular_facets", &HeldAlpha::singular,
+          "(s, k) input rows: the facets that are in it while no cell that contains them is.")
+      .def("faces", &HeldAlpha::faces, "dimension"_a,
+           "Its faces of dimension 0 <= dimension <= d: a delone.Faces, in the order of "
+           "Triangulation.faces.\n\nRuntimeError if points have been added to the triangulation since.")
+      .def("__len__", &HeldAlpha::size)
+      .def("__repr__", &HeldAlpha::repr);
+
+  py::type triangulation = py::type::of<Held>();
+  const auto method = [&](const char* name, const char* doc, auto function, auto... arguments) {
+    triangulation.attr(name) = py::cpp_function(std::move(function), py::name(name),
+                                                py::is_method(triangulation), doc, arguments...);
+  };
+  const auto property = [&](const char* name, const char* doc, auto function) {
+    const py::object of_python = py::module_::import("builtins").attr("property");
+    triangulation.attr(name) =
+        of_python(py::cpp_function(std::move(function), py::name(name), py::is_method(triangulation), doc),
+                  py::none(), py::none(), doc);
+  };
+  method(
+      "faces", faces_doc + 1,
+      [](const Held& held, int dimension) {
+        return ask(held,
+                   [&](const Triangulation& t) { return HeldFaces(faces(t, dimension, options_of(held))); });
+      },
+      "dimension"_a);
+  property(
+      "circumradii",
+      "(m,) float64: the radius of the sphere through the vertices of each cell. The relative error is "
+      "certified to be at most 2^-52. Weights do not count. O(m k^3).",
+      [](const Held& held) {
+        return list_view(ask(held, [&](const Triangulation& t) { return circumradii(t, options_of(held)); }));
+      });
+  property(
+      "circumcenters",
+      "(m, d) float64: the centers of these spheres, each coordinate the double nearest to the exact one. "
+      "Weights do not count. O(m k^3).",
+      [](const Held& held) {
+        const auto d = static_cast<std::size_t>(held.dimension());
+        std::vector<double> centers =
+            ask(held, [&](const Triangulation& t) { return circumcenters(t, options_of(held)); });
+        const std::size_t count = centers.size() / d;
+        return rows_view(std::move(centers), count, d);
+      });
+  method(
+      "quality", quality_doc + 1,
+      [](const Held& held, const std::string& measure) {
+        const QualityMeasure chosen = measure_of(measure);
+        return list_view(
+            ask(held, [&](const Triangulation& t) { return cell_qualities(t, chosen, options_of(held)); }));
+      },
+      "measure"_a = "radius_ratio");
+  method(
+      "alpha_complex", alpha_complex_doc + 1,
+      [](const std::shared_ptr<Held>& held, std::optional<double> radius, std::optional<double> squared) {
+        if (radius.has_value() == squared.has_value())
+          throw py::value_error("alpha_complex: either radius or squared");
+        return HeldAlpha(held, radius.value_or(std::numeric_limits<double>::quiet_NaN()), squared);
+      },
+      "radius"_a = py::none(), py::kw_only(), "squared"_a = py::none());
+  method(
+      "alpha_values", alpha_values_doc + 1,
+      [](const Held& held, int dimension) {
+        return list_view(ask(held, [&](const Triangulation& t) {
+          return std::move(alpha_values(t, dimension, options_of(held)).values);
+        }));
+      },
+      "dimension"_a);
+  method("alpha_filtration", alpha_filtration_doc + 1, [](const Held& held) {
+    std::vector<FaceValues> levels =
+        ask(held, [&](const Triangulation& t) { return alpha_filtration(t, options_of(held)); });
+    py::list result;
+    for (FaceValues& level : levels)
+      result.append(py::make_tuple(HeldFaces(std::move(level.faces)), list_view(std::move(level.values))));
+    return result;
+  });
+}
+
+}  // namespace delone::python

@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Vectors of many megabytes that are written from one end to the other.
+#pragma once
+
+#include "base/platform.hpp"
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace delone::internal {
+
+/// Makes room for `size` entries, in large pages where the system has them: for vectors that are about to be
+/// filled. Throws std::bad_alloc.
+template <class T>
+void reserve_large(std::vector<T>& items, std::size_t size) {
+  if (size <= items.capacity()) return;
+  items.reserve(size);
+  if constexpr (platform::maps_memory) {
+    constexpr std::size_t page = platform::large_page;
+    const auto begin = reinterpret_cast<std::uintptr_t>(items.data() + items.size());
+    const auto end = reinterpret_cast<std::uintptr_t>(items.data() + items.capacity());
+    const std::uintptr_t first = (begin + page - 1) / page * page, last = end / page * page;
+    if (last > first + 4 * page)
+      platform::use_large_pages(reinterpret_cast<void*>(first), last - first, true);
+  }
+}
+
+/// The same, and new entries are zeros.
+template <class T>
+void resize_large(std::vector<T>& items, std::size_t size) {
+  reserve_large(items, size);
+  items.resize(size);
+}
+
+}  // namespace delone::internal

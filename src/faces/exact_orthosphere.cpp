@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "faces/exact_orthosphere.hpp"
+
+#include "kernel/grid.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+namespace delone::internal {
+
+using kernel::Integer;
+
+SquareBound SquareBound::of_radius(double radius) {
+  if (std::isinf(radius)) return of_square(radius);
+  SquareBound bound;
+  const int grid = radius == 0 ? 0 : kernel::trailing_exponent(radius);
+  const Integer root = kernel::scaled_integer(radius, grid);
+  bound.exact_ = root * root;
+  bound.exponent_ = 2 * grid;
+  bound.above_ = kernel::double_above(bound.exact_, 1, bound.exponent_);
+  bound.below_ = -kernel::double_above(-bound.exact_, 1, bound.exponent_) + 0.0;
+  return bound;
+}
+
+SquareBound SquareBound::of_square(double square) {
+  SquareBound bound;
+  bound.above_ = bound.below_ = square;
+  if (square == 0 || !std::isfinite(square)) return bound;
+  bound.exponent_ = kernel::trailing_exponent(square);
+  bound.exact_ = kernel::scaled_integer(square, bound.exponent_);
+  return bound;
+}
+
+bool SquareBound::admits(const Integer& numerator, const Integer& denominator, int exponent) const {
+  const int grid = std::min(exponent, exponent_);
+  return (numerator << (exponent - grid)) <= (exact_ << (exponent_ - grid)) * denominator;
+}
+
+ExactOrthosphere::ExactOrthosphere(const double* const* points, std::size_t corners, std::size_t dimension,
+                                   bool weighted) {
+  const std::size_t n = corners - 1;
+  grid_ = std::numeric_limits<int>::max();
+  for (std::size_t i = 0; i < corners; ++i) {
+    for (std::size_t j = 0; j < dimension; ++j)
+      grid_ = std::min(grid_, kernel::trailing_exponent(points[i][j]));
+    if (weighted) grid_ = std::min(grid_, kernel::square_exponent(points[i][dimension]));
+  }
+  if (grid_ == std::numeric_limits<int>::max()) grid_ = 0;
+  std::vector<Integer> edges, rights;
+  const auto weight = [&](std::size_t i) {
+    return weighted ? kernel::scaled_integer(points[i][dimension], 2 * grid_) : Integer(0);
+  };
+  for (std::size_t i = 1; i <= n; ++i) {
+    Integer right = weight(0) - weight(i);
+    for (std::size_t j = 0; j < dimension; ++j) {
+      edges.push_back(kernel::scaled_integer(points[i][j], grid_) -
+                      kernel::scaled_integer(points[0][j], grid_));
+      right += edges.back() * edges.back();
+    }
+    rights.push_back(std::move(right));
+  }
+  std::vector<Integer> system;
+  for (std::size_t i = 0; i < n; ++i) {
+    for (std::size_t m = 0; m < n; ++m) {
+      Integer dot = 0;
+      for (std::size_t j = 0; j < dimension; ++j) dot += edges[i * dimension + j] * edges[m * dimension + j];
+      system.push_back(std::move(dot));
+    }
+    system.push_back(rights[i]);
+  }
+  kernel::Fractions solution = kernel::solve_exactly(std::move(system), n);
+  determinant_ = std::move(solution.denominator);
+  square_ = -4 * determinant_ * weight(0);
+  Integer rest = 2 * determinant_;
+  for (std::size_t i = 0; i < n; ++i) {
+    square_ += rights[i] * solution.numerators[i];
+    rest -= solution.numerators[i];
+  }
+  twice_.push_back(std::move(rest));
+  for (Integer& numerator : solution.numerators) twice_.push_back(std::move(numerator));
+}
+
+std::uint64_t ExactOrthosphere::beyond() const {
+  std::uint64_t result = 0;
+  for (std::size_t i = 0; i < twice_.size(); ++i)
+    if (twice_[i] < 0) result |= std::uint64_t{1} << i;
+  return result;
+}
+
+double ExactOrthosphere::square_above() const {
+  return kernel::double_above(square_, 4 * determinant_, 2 * grid_);
+}
+
+bool ExactOrthosphere::is_within(const SquareBound& bound) const {
+  return bound.admits(square_, 4 * determinant_, 2 * grid_);
+}
+
+double ExactOrthosphere::radius_above() const { return kernel::root_above(square_, 4 * determinant_, grid_); }
+
+}  // namespace delone::internal

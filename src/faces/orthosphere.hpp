@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The smallest orthosphere of a simplex: of all spheres that are orthogonal to its vertices (for vertices
+// without weights: that pass through them) the one of least squared radius. Its center is in the flat of the
+// simplex. Squares of radii are rounded up, and signs are exact, in three stages: binary64 with a certified
+// bound, binary64 without any rounding on small lattices, integers.
+#pragma once
+
+#include "faces/exact_orthosphere.hpp"
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace delone::internal {
+
+/// What is asked of orthospheres of simplices with `corners` ≥ 1 vertices each, at most 64. A vertex is an
+/// array of d coordinates, followed by its weight if vertices have one. Has scratch memory: one for each
+/// thread. REQUIRES affinely independent vertices.
+class Orthospheres {
+ public:
+  /// All coordinates are multiples of 2^unit, all weights of 2^(2·unit); a small number if that is not known.
+  Orthospheres(int dimension, bool weighted, int unit, std::size_t corners);
+
+  struct Answer {
+    double square = 0;         ///< the least double that is not below the squared radius
+    std::uint64_t beyond = 0;  ///< bit i: the center is strictly beyond the facet opposite vertex i
+  };
+  enum class Want : unsigned char { beyond = 1, square = 2, both = 3 };
+  Answer find(const double* const* points, Want want) { return (this->*find_)(points, want); }
+  /// Whether the squared radius is at most the bound.
+  bool is_within(const double* const* points, const SquareBound& bound) {
+    return (this->*is_within_)(points, bound);
+  }
+
+  /// The same for `count` ≤ orthosphere_block simplices, the vertices of one after those of the other: with
+  /// up to 6 vertices in up to 8 dimensions they share SIMD instructions.
+  void find_block(std::size_t count, const double* const* points, Want want, Answer* answers);
+  void is_within_block(std::size_t count, const double* const* points, const SquareBound& bound,
+                       bool* is_within);
+
+  /// How many answers needed integers so far.
+  std::uint64_t num_exact() const { return num_exact_; }
+
+ private:
+  template <int N, int D>
+  Answer find_by_stages(const double* const* points, Want want);
+  template <int N, int D>
+  bool is_within_by_stages(const double* const* points, const SquareBound& bound);
+  bool fills_lanes(std::size_t count, const double* const* points);
+  Answer find_of_vertex(const double* const* points, Want want);
+  bool is_within_of_vertex(const double* const* points, const SquareBound& bound);
+
+  std::size_t dimension_, corners_;
+  bool weighted_;
+  double small_ = 0, small_square_ = 0;  // up to these nothing is rounded
+  Answer (Orthospheres::*find_)(const double* const*, Want);
+  bool (Orthospheres::*is_within_)(const double* const*, const SquareBound&);
+  std::uint64_t num_exact_ = 0;
+  std::vector<double> lanes_;  // coordinates of a block, empty if blocks are not for SIMD
+};
+
+}  // namespace delone::internal

@@ -1,0 +1,145 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Smallest orthospheres of simplices: squares rounded up and signs, against rationals; that bounds in
+// binary64 and small lattices need no integers.
+#include "faces/orthosphere.hpp"
+
+#include "orthosphere_brute_force.hpp"
+#include "scale.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numeric>
+#include <random>
+
+namespace delone::internal {
+namespace {
+
+using test::Rational;
+using test::WeightedPoints;
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+/// Compares all that is asked with rationals. Returns how many answers needed integers.
+std::uint64_t expect_exact(const WeightedPoints& points, bool weighted, int unit) {
+  const std::size_t d = points[0].size() - 1, corners = points.size();
+  std::vector<std::size_t> rows(corners);
+  std::iota(rows.begin(), rows.end(), std::size_t{0});
+  const auto exact = test::smallest_orthosphere(points, rows);
+  if (!exact) return 0;
+  std::vector<const double*> pointers;
+  for (const auto& p : points) pointers.push_back(p.data());
+  Orthospheres spheres(static_cast<int>(d), weighted, unit, corners);
+  const auto answer = spheres.find(pointers.data(), Orthospheres::Want::both);
+  EXPECT_TRUE(test::is_rounded_up(answer.square, exact->square)) << answer.square << " " << exact->square;
+  std::uint64_t beyond = 0;
+  for (std::size_t i = 0; i < corners; ++i)
+    if (exact->barycentric[i] < 0) beyond |= std::uint64_t{1} << i;
+  EXPECT_EQ(answer.beyond, corners > 1 ? beyond : 0);
+  const std::uint64_t used = spheres.num_exact();
+  for (const double bound : {answer.square, std::nextafter(answer.square, -infinity),
+                             std::nextafter(answer.square, infinity), 0.0, infinity, -infinity}) {
+    const bool expected = bound == infinity || (bound > -infinity && exact->square <= Rational(bound));
+    EXPECT_EQ(spheres.is_within(pointers.data(), SquareBound::of_square(bound)), expected) << bound;
+  }
+  const double root = std::sqrt(std::fabs(answer.square));
+  for (const double radius : {root, std::nextafter(root, 0.0), std::nextafter(root, infinity), root / 2, 0.0})
+    if (std::isfinite(radius)) {
+      EXPECT_EQ(spheres.is_within(pointers.data(), SquareBound::of_radius(radius)),
+                exact->square <= Rational(radius) * Rational(radius))
+          << radius;
+    }
+  EXPECT_TRUE(spheres.is_within(pointers.data(), SquareBound::of_radius(infinity)));
+  return used;
+}
+
+WeightedPoints random_points(std::size_t corners, std::size_t d, bool weighted, double scale,
+                             std::mt19937_64& random) {
+  std::uniform_real_distribution<double> uniform(-1, 1);
+  WeightedPoints points(corners, std::vector<double>(d + 1, 0.0));
+  for (auto& p : points) {
+    for (std::size_t j = 0; j < d; ++j) p[j] = scale * uniform(random);
+    if (weighted) p[d] = scale * scale * uniform(random);
+  }
+  return points;
+}
+
+TEST(Orthospheres, RandomSimplicesNeedNoIntegers) {
+  std::mt19937_64 random(1);
+  std::uint64_t exact = 0, count = 0;
+  for (std::size_t d = 1; d <= 6; ++d)
+    for (std::size_t corners = 1; corners <= d + 1; ++corners)
+      for (std::size_t round = 0; round < test::scaled_count(10); ++round) {
+        exact += expect_exact(random_points(corners, d, round % 2 == 1, 1, random), round % 2 == 1, -1100);
+        ++count;
+      }
+  EXPECT_LE(20 * exact, count);
+}
+
+TEST(Orthospheres, ExtremeScales) {
+  std::mt19937_64 random(2);
+  for (const double scale : {1e-300, 1e-150, 1e40, 1e160, 1e307})
+    for (std::size_t d = 1; d <= 4; ++d)
+      for (std::size_t corners = 2; corners <= d + 1; ++corners) {
+        expect_exact(random_points(corners, d, false, scale, random), false, -1100);
+        if (scale * scale > 0 && std::isfinite(scale * scale))
+          expect_exact(random_points(corners, d, true, scale, random), true, -1100);
+      }
+}
+
+TEST(Orthospheres, NearlyFlatSimplices) {
+  std::mt19937_64 random(3);
+  std::uniform_real_distribution<double> uniform(-1, 1);
+  for (int power = 1; power < 60; power += 4)
+    for (std::size_t d = 2; d <= 4; ++d) {
+      WeightedPoints points = random_points(d + 1, d, power % 8 == 1, 1, random);
+      for (std::size_t j = 0; j < d; ++j)  // moved to the middle of the others
+        points[d][j] = (points[0][j] + points[1][j]) / 2 + std::ldexp(uniform(random), -power);
+      expect_exact(points, power % 8 == 1, -1100);
+    }
+}
+
+TEST(Orthospheres, NothingIsRoundedOnSmallLattices) {
+  std::mt19937_64 random(4);
+  for (const int unit : {-7, 0, 3})
+    for (std::size_t d = 1; d <= 8; ++d)
+      for (std::size_t corners = 2; corners <= std::min<std::size_t>(d + 1, 4); ++corners)
+        for (std::size_t round = 0; round < test::scaled_count(8); ++round) {
+          const bool weighted = round % 2 == 1;
+          const int most = 1 << (corners == 2 ? 11 : corners == 3 ? 6 : 4), some = round % 4 < 2 ? most : 2;
+          WeightedPoints points(corners, std::vector<double>(d + 1, 0.0));
+          for (auto& p : points) {
+            for (std::size_t j = 0; j < d; ++j)
+              p[j] = std::ldexp(static_cast<double>(random() % static_cast<unsigned>(some + 1)) + 1000, unit);
+            if (weighted)
+              p[d] = std::ldexp(
+                  static_cast<double>(random() % static_cast<unsigned>(some * some / 2)) - some * some / 4,
+                  2 * unit);
+          }
+          EXPECT_EQ(expect_exact(points, weighted, unit), 0u);
+        }
+}
+
+TEST(Orthospheres, TiesOffTheLattice) {
+  // Right angles, and squares of radii that are doubles, among points with many digits.
+  const double x = 1.0 / 3, y = 0x1p-30;
+  expect_exact({{x, x, 0}, {x + y, x, 0}, {x, x + y, 0}}, false, -1100);
+  expect_exact({{x, x, x, 0}, {x + y, x, x, 0}, {x, x + y, x, 0}, {x, x, x + y, 0}}, false, -1100);
+  expect_exact({{0, 0, 0}, {3e10, 0, 0}, {0, 4e10, 0}}, false, -1100);
+  expect_exact({{0, 0, 0, 0, 0}, {2, 0, 0, 0, 0}, {0, 2, 0, 0, 0}, {0, 0, 2, 0, 0}, {0, 0, 0, 2, 0}}, false,
+               0);
+}
+
+TEST(SquareBound, OfRadii) {
+  for (const double radius : {0.0, 2.5, 1e-200, 1e200, 0.1, 1e-160, 5e-324, 1.7e308}) {
+    const SquareBound bound = SquareBound::of_radius(radius);
+    const Rational exact = Rational(radius) * Rational(radius);
+    EXPECT_TRUE(test::is_rounded_up(bound.above(), exact));
+    EXPECT_TRUE(test::is_rounded_up(-bound.below(), -exact));
+    EXPECT_FALSE(std::signbit(bound.below()));
+  }
+  EXPECT_EQ(SquareBound::of_radius(2.5).below(), 6.25);
+  EXPECT_EQ(SquareBound::of_radius(2.5).above(), 6.25);
+}
+
+}  // namespace
+}  // namespace delone::internal
