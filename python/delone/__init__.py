@@ -11,6 +11,9 @@ from ._core import (CancelledError, ConvexHull, Delaunay, Error, FurthestSite, H
                     NaturalNeighborInterpolator, OutOfMemoryError, PowerDiagram, Regular, TrimResult, Voronoi, __version__,
                     natural_neighbors)
 from ._convex_hulls import ConvexHulls, convex_hulls
+from ._core import LowerHull
+from ._data import ComplexData, Data, HullData, IntersectionData, VoronoiData
+from ._files import CheckReport, check, generate, lower_hull, read
 from ._locations import Locations
 from ._patch import patch_scipy, scipy_is_patched, unpatch_scipy
 from ._transform import transform as _transform
@@ -19,7 +22,11 @@ __all__ = ["CancelledError", "ConvexHull", "ConvexHulls", "Delaunay", "Error", "
            "LinearInterpolator", "Locations", "NaturalNeighborInterpolator", "OutOfMemoryError", "PowerDiagram", "Regular",
            "TrimResult", "Voronoi", "__version__", "convex_hulls", "natural_neighbors", "patch_scipy", "scipy_is_patched",
            "unpatch_scipy"]
+__all__ += ["CheckReport", "ComplexData", "Data", "HullData", "IntersectionData", "LowerHull", "VoronoiData", "check", "generate",
+            "lower_hull", "read"]
 
+for _type in (CheckReport, ComplexData, Data, HullData, IntersectionData, LowerHull, VoronoiData, check, generate, lower_hull, read):
+    _type.__module__ = "delone"
 for _type in (ConvexHull, ConvexHulls, Delaunay, FurthestSite, HalfspaceIntersection, LinearInterpolator, NaturalNeighborInterpolator,
               PowerDiagram, Regular, TrimResult, Voronoi, natural_neighbors):
     _type.__module__ = "delone"

@@ -91,6 +91,8 @@ PYBIND11_MODULE(_core, module) {
   python::bind_clough_tocher(module);
   python::bind_lists(module);
   python::bind_tiles(module);
+  python::bind_files(module);
+  python::bind_lower_hull(module);
   module.def("_represented", &python::represented, py::arg("value"), "How messages show a foreign value.");
   require_initialized_objects(module);
   refuse_to_make_the_base();

@@ -18,5 +18,7 @@ void bind_cell_maps(pybind11::module_& module);
 void bind_clough_tocher(pybind11::module_& module);
 void bind_lists(pybind11::module_& module);
 void bind_tiles(pybind11::module_& module);
+void bind_files(pybind11::module_& module);
+void bind_lower_hull(pybind11::module_& module);
 
 }  // namespace delone::python

@@ -45,9 +45,13 @@ def test_stub_has_the_arguments_of_methods(name):
         assert is_property == isinstance(compiled, property), member
         if is_property or (member.startswith("__") and member != "__init__"):
             continue
-        signature = compiled.__doc__.splitlines()[0]
         positional = [argument.arg for argument in node.args.args]
         keyword_only = [argument.arg for argument in node.args.kwonlyargs]
+        if inspect.isfunction(compiled):  # in Python
+            described = inspect.getfullargspec(compiled)
+            assert (described.args, described.kwonlyargs) == (positional, keyword_only), member
+            continue
+        signature = compiled.__doc__.splitlines()[0]
         before, _, after = signature.partition("*, ")
         assert re.findall(r"(\w+): ", before) == positional, signature
         assert re.findall(r"(\w+): ", after) == keyword_only, signature
