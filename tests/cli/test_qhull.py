@@ -261,7 +261,7 @@ class QhullOutputs(Case):
         self.assertIn("'q' is none of the outputs of a convex hull in the form of Qhull: o n p", self.complaint("hull", "-", "--qhull", "o q", stdin=text))
         self.assertIn("'n' is none", self.complaint("delaunay", "-", "--qhull", "n", stdin=text))
         self.assertIn("no output", self.complaint("delaunay", "-", "--qhull", ",", stdin=text))
-        self.assertIn("would add a point", self.complaint("hull", "-", "--qhull", "i", stdin=text))
+        self.assertIn("adds a point", self.complaint("hull", "-", "--qhull", "i", stdin=text))
         self.assertIn("bounded", self.complaint("halfspaces", "-", "--qhull", "Fp", stdin="3\n2\n-1 0 -1\n0 -1 -1\n"))
         for option in ("--lower", "--output-format=json"):
             self.complaint("hull", "-", "--qhull", "o", option, status=64, stdin=text)

@@ -13,10 +13,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdint>
-#include <iterator>
 #include <map>
-#include <numeric>
 #include <optional>
 #include <unordered_map>
 
@@ -55,7 +52,7 @@ void put_incident(AtomicFile& file, const QhullFacets& facets, int dimension) {
   for (std::size_t i = 0; dimension > 3 && i < facets.oriented.size(); ++i)
     if (facets.oriented[i].size() > static_cast<std::size_t>(dimension))
       fail(Errc::unsupported,
-           "output 'i': facet {} has {} vertices, and Qhull would add a point of its own in dimension {}; "
+           "output 'i': facet {} has {} vertices, for which Qhull adds a point of its own in dimension {}; "
            "take "
            "Fv, or the format txt for simplices",
            i, facets.oriented[i].size(), dimension);
