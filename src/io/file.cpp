@@ -3,6 +3,7 @@
 #include "io/file.hpp"
 
 #include "base/platform_files.hpp"
+#include "base/progress_meter.hpp"
 
 #include <algorithm>
 #include <cerrno>
@@ -55,6 +56,7 @@ bool read_up_to(std::size_t most, std::FILE* file, const std::string& name, Byte
     if (bytes.size() == bytes.capacity()) bytes.reserve(bytes.capacity() + bytes.capacity() / 2 + 4096);
     const std::size_t room = std::min({bytes.capacity() - bytes.size(), most - bytes.size(), piece});
     bytes.prepare(bytes.size() + room);
+    internal::cancellation_point();
     errno = 0;
     bytes.set_size(bytes.size() + std::fread(bytes.data() + bytes.size(), 1, room, file));
     if (std::ferror(file) != 0) {
