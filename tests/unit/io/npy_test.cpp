@@ -25,8 +25,9 @@ std::vector<SignedIndex> indices(const std::string& bytes) {
 }
 
 TEST(Npy, Texts) {
-  for (const std::vector<std::string>& texts :
-       {std::vector<std::string>{}, {""}, {"x", "", "h\xc3\xb6he", "\xf0\x9f\x98\x80!"}})
+  const std::vector<std::vector<std::string>> cases{
+      {}, {std::string{}}, {"x", "", "h\xc3\xb6he", "\xf0\x9f\x98\x80!"}};
+  for (const std::vector<std::string>& texts : cases)
     EXPECT_EQ(io::parse_npy_texts(io::npy_of_texts(texts), "a"), texts);
   EXPECT_EQ(io::parse_npy_texts(io::npy_of_texts({"a\xff"}), "a")[0], "a\xef\xbf\xbd");
   EXPECT_NE(io::npy_of_texts({"a", "bcd"}).find("'descr': '<U3'"), std::string::npos);

@@ -2,6 +2,7 @@
 // PLY, STL, OBJ and Gmsh's format, byte by byte; other programs read them in tests/python/test_files.py.
 #include "complex_support.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cstring>
 
