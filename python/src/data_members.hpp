@@ -186,6 +186,7 @@ class FromDict {
       if (!array || (array.dtype().kind() != 'i' && array.dtype().kind() != 'u' && array.size() > 0))
         throw py::type_error(std::string(name) + ": an array of integers");
       const auto numbers = py::array_t<std::int64_t, py::array::c_style | py::array::forcecast>(array);
+      items.clear();  // offsets begin with an entry
       items.reserve(static_cast<std::size_t>(numbers.size()));
       for (py::ssize_t i = 0; i < numbers.size(); ++i) {
         const std::int64_t number = numbers.data()[i];
