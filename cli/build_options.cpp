@@ -25,6 +25,17 @@ void BuildOptions::add_output(CLI::App& command, const std::string& what,
   add_force(command, force);
 }
 
+void BuildOptions::add_qhull(CLI::App& command, const std::string& program, const std::string& names) {
+  command
+      .add_option("--qhull", qhull,
+                  "Write what " + program + " prints for these options, to OUT or standard output: " + names)
+      ->type_name("o,Fv,...")
+      ->excludes("--output-format");
+  command.parse_complete_callback([this] {
+    if (!qhull.empty() && output.empty()) output = "-";
+  });
+}
+
 void BuildOptions::add_construction(CLI::App& command, const std::string& beyond) {
   std::vector<std::string> names;
   for (const auto& [name, unused] : insertion_orders) names.push_back(name);

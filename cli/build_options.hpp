@@ -14,6 +14,7 @@ namespace delone::cli {
 
 struct BuildOptions {
   std::string output, output_format;
+  std::string qhull;  ///< outputs in the form of Qhull, instead of a format
   std::uint64_t seed = 0;
   std::string order = "automatic";
   unsigned threads = 0;
@@ -23,6 +24,8 @@ struct BuildOptions {
 
   /// --output, --output-format and --force. `what` names the result, as in "the hull".
   void add_output(CLI::App& command, const std::string& what, const std::vector<std::string>& formats);
+  /// --qhull. `program` is the one of Qhull, `names` its outputs that there are. After add_output().
+  void add_qhull(CLI::App& command, const std::string& program, const std::string& names);
   /// --seed, --order, --memory, --time, --stats and --quiet. `beyond`: what happens beyond the memory.
   void add_construction(CLI::App& command, const std::string& beyond = "the command ends");
 

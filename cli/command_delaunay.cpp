@@ -68,12 +68,20 @@ int run_with(PointTable table, const DelaunayOptions& options, Clock::time_point
     trimmed = about(input_name(options.input.path), [&] { return trim(triangulation, *options.trim); });
   if (writes) {
     const auto write_start = Clock::now();
-    ComplexData data = trimmed ? std::move(trimmed->data) : triangulation.to_data(false);
-    data.points = std::move(table.coordinates);
-    write_output(to.output, data, to.output_format);
-    cost.write = sort_seconds + seconds_since(write_start);
-    cost.close(start);
-    if (to.stats) hash = trimmed ? triangulation.hash().hex() : canonical_hash(data).hex();
+    if (!to.qhull.empty()) {
+      write_qhull_output(to.output, triangulation, to.qhull);
+      cost.write = sort_seconds + seconds_since(write_start);
+      cost.close(start);
+      if (to.stats) hash = triangulation.hash().hex();
+    } else {
+      ComplexData data = trimmed ? std::move(trimmed->data) : triangulation.to_data(false);
+      data.points = std::move(table.coordinates);
+      data.column_names = table.column_names;
+      write_output(to.output, data, to.output_format);
+      cost.write = sort_seconds + seconds_since(write_start);
+      cost.close(start);
+      if (to.stats) hash = trimmed ? triangulation.hash().hex() : canonical_hash(data).hex();
+    }
   } else {
     table = {};
     cost.close(start);
@@ -106,7 +114,10 @@ int run_delaunay(const DelaunayOptions& options) {
   Cost cost;
   PointTable table = options.input.read(to.threads);
   cost.read = seconds_since(start);
-  if (!to.output.empty()) check_complex_output(to.output, to.output_format, table.dimension);
+  if (!to.qhull.empty())
+    check_qhull_output(to.output, Delaunay<>(table.dimension), to.qhull);
+  else if (!to.output.empty())
+    check_complex_output(to.output, to.output_format, table.dimension);
   return options.furthest_site ? run_with<FurthestSite<>>(std::move(table), options, start, cost)
                                : run_with<Delaunay<>>(std::move(table), options, start, cost);
 }
@@ -117,9 +128,11 @@ Run add_delaunay(CLI::App& app) {
   auto options = std::make_shared<DelaunayOptions>();
   options->input.add_to(app, "IN", "Points: a file, or - for standard input");
   options->build.add_output(app, "the triangulation", complex_formats());
+  options->build.add_qhull(app, "qdelaunay Qt", "o p i Fv Fx Fn FA FS");
   app.add_option("--trim", options->trim,
                  "Leave cells at the border out that are within this distance of what remains")
-      ->type_name("DISTANCE");
+      ->type_name("DISTANCE")
+      ->excludes("--qhull");
   add_threads(app, options->build.threads);
   app.add_flag("--furthest-site", options->furthest_site,
                "The furthest-site triangulation: spheres that have all points inside, instead of none");

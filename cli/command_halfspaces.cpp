@@ -53,6 +53,13 @@ std::vector<double> interior_point(const HalfspacesOptions& options, int dimensi
 
 /// Throws what the writing would throw in the end, as far as that is known before the work.
 void check_intersection_output(const BuildOptions& options, int dimension) {
+  if (!options.qhull.empty()) {
+    const auto d = static_cast<std::size_t>(dimension);
+    std::vector<double> simplex((d + 1) * (d + 1), 0);
+    for (std::size_t i = 0; i < d; ++i) simplex[i * (d + 1) + i] = -1, simplex[d * (d + 1) + i] = 1;
+    simplex.back() = -1;
+    return check_qhull_output(options.output, HalfspaceIntersection(simplex, dimension), options.qhull);
+  }
   check_output(options.output, options.output_format,
                [&](const std::string& nowhere, const std::string& format) {
                  IntersectionData nothing;
@@ -155,7 +162,10 @@ int run_halfspaces(const HalfspacesOptions& options) {
   bar.clear();
   if (writes) {
     const auto write_start = Clock::now();
-    write_output(build.output, found.to_data(), build.output_format);
+    if (build.qhull.empty())
+      write_output(build.output, found.to_data(), build.output_format);
+    else
+      write_qhull_output(build.output, found, build.qhull);
     cost.write = seconds_since(write_start);
   }
   cost.close(start);
@@ -176,6 +186,7 @@ Run add_halfspaces(CLI::App& app) {
          "A point strictly inside all halfspaces: numbers, or a file with one point; found if not given")
       ->type_name("X,Y,...|FILE");
   options->build.add_output(app, "the intersection", {"npz", "json", "off", "html"});
+  options->build.add_qhull(app, "qhalf", "o p i Fp Fv Fx Fn");
   options->build.add_construction(app);
   add_threads(app, options->build.threads);
   return [options] { return run_halfspaces(*options); };

@@ -121,8 +121,15 @@ int run_hull(const HullOptions& options) {
   Cost cost;
   const PointTable table = options.input.read();
   cost.read = seconds_since(start);
-  if (!build.output.empty()) check_complex_output(build.output, build.output_format, table.dimension);
+  if (!build.qhull.empty())
+    check_qhull_output(build.output, ConvexHull<>(table.dimension), build.qhull);
+  else if (!build.output.empty())
+    check_complex_output(build.output, build.output_format, table.dimension);
   if (!options.distances.empty()) check_writable(options.distances);
+  const auto write_data = [&](auto data) {
+    data.column_names = table.column_names;
+    write_output(build.output, data, build.output_format);
+  };
   ProgressBar bar(build.quiet);
   const auto build_start = Clock::now();
   const auto built = [&](auto make) {
@@ -138,8 +145,12 @@ int run_hull(const HullOptions& options) {
         built([&](const Options& how) { return ConvexHull(table.coordinates, table.dimension, how); });
     cost.build = seconds_since(build_start);
     bar.clear();
-    return finish(hull, options, cost, start,
-                  [&] { write_output(build.output, hull.to_data(), build.output_format); });
+    return finish(hull, options, cost, start, [&] {
+      if (build.qhull.empty())
+        write_data(hull.to_data());
+      else
+        write_qhull_output(build.output, hull, build.qhull);
+    });
   }
   const HullSide side = options.lower ? HullSide::lower : HullSide::upper;
   const LowerHull<> hull =
@@ -150,8 +161,7 @@ int run_hull(const HullOptions& options) {
     write_output(
         options.distances,
         PointTable{1, hull.height_above(table.coordinates, options.tolerance), {"height_above_hull"}}, "");
-  return finish(hull, options, cost, start,
-                [&] { write_output(build.output, hull.to_data(), build.output_format); });
+  return finish(hull, options, cost, start, [&] { write_data(hull.to_data()); });
 }
 
 }  // namespace
@@ -160,10 +170,13 @@ Run add_hull(CLI::App& app) {
   auto options = std::make_shared<HullOptions>();
   options->input.add_to(app, "IN", "Points: a file, or - for standard input");
   options->build.add_output(app, "the hull", complex_formats());
+  options->build.add_qhull(app, "qconvex", "o n p i Fv Fx Fn FA FS");
   CLI::Option* lower =
-      app.add_flag("--lower", options->lower, "Only the facets that look down along the last coordinate");
+      app.add_flag("--lower", options->lower, "Only the facets that look down along the last coordinate")
+          ->excludes("--qhull");
   app.add_flag("--upper", options->upper, "Only the facets that look up along the last coordinate")
-      ->excludes(lower);
+      ->excludes(lower)
+      ->excludes("--qhull");
   app.add_option("--distances", options->distances,
                  "With --lower or --upper: write how far each point is above the hull, along the last "
                  "coordinate; up to "

@@ -50,7 +50,9 @@ int run_regular(const RegularOptions& options) {
   stage_start = Clock::now();
   if (writes) {
     triangulation.sort_cells();
-    write_output(build.output, triangulation.to_data(), build.output_format);
+    ComplexData data = triangulation.to_data();
+    data.column_names = table.column_names;
+    write_output(build.output, data, build.output_format);
   }
   cost.write = seconds_since(stage_start);
   cost.close(start);

@@ -52,6 +52,8 @@ std::optional<Box> chosen_box(const VoronoiOptions& options, int dimension) {
 void check_outputs(const VoronoiOptions& options, int dimension) {
   if (!options.volumes.empty()) check_writable(options.volumes);
   if (options.build.output.empty()) return;
+  if (!options.build.qhull.empty())
+    return check_qhull_output(options.build.output, Voronoi(Delaunay<>(dimension)), options.build.qhull);
   check_output(options.build.output, options.build.output_format,
                [&](const std::string& nowhere, const std::string& format) {
                  write(nowhere, Voronoi(Delaunay<>(dimension)), std::nullopt, format);
@@ -113,8 +115,8 @@ PowerDiagram<> diagram_of(const Regular<>& triangulation, const DiagramOptions& 
 
 /// The triangulation by `build`, its diagram, and what was asked for.
 template <class Build>
-int run_with(Build build, const std::optional<Box>& box, Cost cost, Clock::time_point start,
-             const VoronoiOptions& options) {
+int run_with(Build build, const std::optional<Box>& box, const std::vector<std::string>& column_names,
+             Cost cost, Clock::time_point start, const VoronoiOptions& options) {
   const std::string name = input_name(options.weighted.input.path);
   auto stage_start = Clock::now();
   auto triangulation = about(name, [&] {
@@ -135,8 +137,10 @@ int run_with(Build build, const std::optional<Box>& box, Cost cost, Clock::time_
   cost.diagram = seconds_since(stage_start);
 
   stage_start = Clock::now();
-  if (!options.build.output.empty())
-    write_output(options.build.output, diagram, box, options.build.output_format);
+  if (!options.build.qhull.empty())
+    write_qhull_output(options.build.output, diagram, options.build.qhull);
+  else if (!options.build.output.empty())
+    write_output(options.build.output, diagram, box, options.build.output_format, column_names);
   if (!options.volumes.empty()) save_text(options.volumes, volumes);
   cost.write = seconds_since(stage_start);
   cost.close(start);
@@ -161,6 +165,7 @@ int run_voronoi(const VoronoiOptions& options) {
   cost.read = seconds_since(start);
   check_outputs(options, table.dimension);
   const std::optional<Box> box = chosen_box(options, table.dimension);
+  const std::vector<std::string> column_names = table.column_names;
   const auto taken = [&] { return std::exchange(table, PointTable{}); };  // freed after the triangulation
   if (options.power)
     return run_with(
@@ -168,13 +173,13 @@ int run_voronoi(const VoronoiOptions& options) {
           const PointTable points = taken();
           return Regular<>(points.coordinates, weights, points.dimension, build_options);
         },
-        box, cost, start, options);
+        box, column_names, cost, start, options);
   return run_with(
       [&](const Options& build_options) {
         const PointTable points = taken();
         return Delaunay<>(points.coordinates, points.dimension, build_options);
       },
-      box, cost, start, options);
+      box, column_names, cost, start, options);
 }
 
 Run add_diagram(CLI::App& app, bool power) {
@@ -185,6 +190,7 @@ Run add_diagram(CLI::App& app, bool power) {
   else
     options->weighted.input.add_to(app, "IN", "Points: a file, or - for standard input");
   options->build.add_output(app, "the diagram", voronoi_formats());
+  options->build.add_qhull(app, "qvoronoi", "o p Fv Fx Fn");
   app.add_option("--box", options->box,
                  "Clip pictures and volumes to this box: all lower limits, then all upper ones; pictures are "
                  "clipped to a "

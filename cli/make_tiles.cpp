@@ -21,7 +21,7 @@ namespace delone::cli {
 namespace {
 
 constexpr std::array of_tiles{"--tiles", "--raw", "--vtu", "--hdf5", "--no-resume"};
-constexpr std::array of_files{"--output-format", "--force", "--max-stream",        "--trim",
+constexpr std::array of_files{"--output-format", "--qhull", "--force", "--max-stream",        "--trim",
                               "--furthest-site", "--seed",  "--runtime-dimension", "--order",
                               "--time"};
 

@@ -79,6 +79,22 @@ void check_output(const std::string& path, const std::string& format, WriteNothi
   check_writable(path);
 }
 
+/// Writes a product in the form of Qhull, as write_output().
+template <class Product>
+void write_qhull_output(const std::string& path, const Product& product, const std::string& outputs) {
+  const StageGuard guard(stage_of_writing(path));
+  about(output_name(path), [&] { write_qhull(path, product, outputs); });
+}
+
+/// Throws what that would throw in the end, as far as a small product tells.
+template <class Product>
+void check_qhull_output(const std::string& path, const Product& small, const std::string& outputs) {
+  const std::string nowhere = system::null_device();
+  about(output_name(path), [&] { write_qhull(nowhere, small, outputs); });
+  system::remove_null(nowhere);
+  check_writable(path);
+}
+
 /// The same for a triangulation or a hull of points of this dimension.
 void check_complex_output(const std::string& path, const std::string& format, int dimension);
 

@@ -13,6 +13,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <span>
+#include <string>
 #include <vector>
 
 namespace delone {
@@ -27,7 +28,8 @@ struct DELONE_EXPORT_TYPE ComplexData {
   std::vector<SignedIndex> neighbors;
   /// n, the row each point was merged into (itself for a vertex; −1: hidden). May be empty: unknown.
   std::vector<SignedIndex> vertex_of_point;
-  std::vector<double> weights{};  ///< n, of a regular triangulation; empty: points have no weights
+  std::vector<double> weights{};            ///< n, of a regular triangulation; empty: points have no weights
+  std::vector<std::string> column_names{};  ///< d, what the coordinates are called; empty: unknown
 
   std::size_t num_points() const {
     return dimension < 1 ? 0 : points.size() / static_cast<std::size_t>(dimension);
@@ -67,9 +69,10 @@ struct DELONE_EXPORT_TYPE HullData {
   std::vector<SignedIndex> vertices;         ///< the extreme rows, increasing
   std::vector<SignedIndex> vertex_of_point;  ///< n, the first row that is equal to each row
   std::vector<PointKind> point_kinds;        ///< n
-  std::vector<int> axes;    ///< k coordinates on which the flat projects one-to-one, increasing
-  double tolerance = 0;     ///< 0: the hull is exact, otherwise see Polytope::tolerance()
-  double max_distance = 0;  ///< no point is farther outside of the hull than this
+  std::vector<int> axes;                  ///< k coordinates on which the flat projects one-to-one, increasing
+  double tolerance = 0;                   ///< 0: the hull is exact, otherwise see Polytope::tolerance()
+  double max_distance = 0;                ///< no point is farther outside of the hull than this
+  std::vector<std::string> column_names;  ///< d, what the coordinates are called; empty: unknown
 
   std::size_t num_points() const { return vertex_of_point.size(); }
   std::size_t num_cells() const {
@@ -173,7 +176,8 @@ struct DELONE_EXPORT_TYPE VoronoiData {
   std::vector<std::int64_t> ridge_offsets{0}, region_offsets{0};
   std::vector<SignedIndex> ray_vertices, ray_points;
   std::vector<double> ray_directions;
-  double tolerance = 0;  ///< what the diagram was made with
+  double tolerance = 0;                   ///< what the diagram was made with
+  std::vector<std::string> column_names;  ///< d, what the coordinates are called; empty: unknown
 
   std::size_t num_points() const { return point_region.size(); }
   std::size_t num_vertices() const {

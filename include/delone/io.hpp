@@ -28,6 +28,9 @@
 namespace delone {
 
 class Diagram;
+class Polyhedron;
+class Polytope;
+class Triangulation;
 
 /// Points as read from a file.
 struct PointTable {
@@ -113,6 +116,10 @@ DELONE_EXPORT Data read_as(const std::string& path, const std::string& format = 
 ///         stored, readable by numpy.load
 ///   vtu   k ≤ 3 and d ≤ 3 (padded with zeros): vertices, segments, triangles or tetrahedra, for ParaView
 ///   off   OFF for d = 3, nOFF otherwise; cells as index lists
+///   ply   binary; obj, text: d ≤ 3; points, segments or triangles; of tetrahedra the boundary, facets without
+///         a neighbor, counterclockwise from outside when k = d
+///   stl   binary, single precision: d ≤ 3; triangles, or the boundary of tetrahedra
+///   msh   Gmsh's format 2.2, text: d ≤ 3; points, segments, triangles or tetrahedra
 ///   json  the same members as npz
 ///   svg   d = 2: a picture
 ///   txt   Qhull's `i` form: number of cells, then one line of point rows per cell; standard output
@@ -146,10 +153,28 @@ DELONE_EXPORT void write(const std::string& path, const VoronoiData& data, const
 ///   svg   d = 2: a picture; the format of standard output is json
 ///   vtu   d = 2, 3: the regions as polygons or polyhedra, each with its `region` and `point`, for ParaView
 ///   html  d ≤ 3: a page for a browser: html.hpp
-/// `box`: by default bounding_box(). Errors: invalid_argument for a bad box, and for a diagram without
-/// ridges.
+/// `box`: by default bounding_box(). Unbounded regions end at it. `column_names` go into npz and json.
+/// Errors: invalid_argument for a bad box, and for a diagram without ridges.
 DELONE_EXPORT void write(const std::string& path, const Diagram& diagram, const std::optional<Box>& box = {},
-                         const std::string& format = {});
+                         const std::string& format = {}, const std::vector<std::string>& column_names = {});
+
+/// Writes what Qhull's programs print, for programs that parse it: `outputs` are the names of their output
+/// options, with commas or blanks between them, in the order to write them in. Numbers have as many digits as
+/// are needed to read the same double back. Facets are listed in an order of their own.
+///   triangulation  qdelaunay Qt (with Qu: furthest-site): o p i Fv Fx Fn FA FS; −1 in Fn is beyond the hull
+///   hull           qconvex: o n p i Fv Fx Fn FA FS
+///   diagram        qvoronoi: o p Fv Fx Fn; −1 in Fn is at infinity; Fv without ridges of fewer than k
+///                  vertices, infinity included, as in Qhull: they are unbounded in several directions
+///   intersection   qhalf: o p i Fp Fv Fx Fn; bounded, with interior points
+/// Errors: invalid_argument for another output; unsupported for regular triangulations, for an intersection
+/// that is unbounded, flat or empty, for `i` of facets that are no simplices in 4 dimensions or more, and for
+/// diagrams without ridges.
+DELONE_EXPORT void write_qhull(const std::string& path, const Triangulation& triangulation,
+                               const std::string& outputs);
+DELONE_EXPORT void write_qhull(const std::string& path, const Polytope& hull, const std::string& outputs);
+DELONE_EXPORT void write_qhull(const std::string& path, const Diagram& diagram, const std::string& outputs);
+DELONE_EXPORT void write_qhull(const std::string& path, const Polyhedron& intersection,
+                               const std::string& outputs);
 
 /// Writes text, as the other writers do.
 DELONE_EXPORT void write_text(const std::string& path, std::string_view text);

@@ -7,23 +7,25 @@ arguments of those in scipy; `patch_scipy` makes existing programs use them. `de
 """
 import importlib
 
-from ._core import AlphaComplex, Faces
-from ._core import (CancelledError, ConvexHull, Delaunay, Error, FurthestSite, HalfspaceIntersection, InputError, LinearInterpolator,
-                    NaturalNeighborInterpolator, OutOfMemoryError, PowerDiagram, Regular, TrimResult, Voronoi, __version__,
-                    natural_neighbors)
-from ._core import Forecast, TimeLimitError, estimate, forecast
+from ._core import (AlphaComplex, CancelledError, ConvexHull, Delaunay, Error, Faces, Forecast, FurthestSite, HalfspaceIntersection, InputError,
+                    LinearInterpolator, LowerHull, NaturalNeighborInterpolator, OutOfMemoryError, PowerDiagram, Regular, TimeLimitError,
+                    TrimResult, Voronoi, __version__, estimate, forecast, natural_neighbors)
 from ._convex_hulls import ConvexHulls, convex_hulls
+from ._data import ComplexData, Data, HullData, IntersectionData, VoronoiData
+from ._files import CheckReport, check, generate, lower_hull, read
 from ._locations import Locations
 from ._methods import attach as _attach
 from ._patch import patch_scipy, scipy_is_patched, unpatch_scipy
 
-__all__ = ["AlphaComplex", "CancelledError", "ConvexHull", "ConvexHulls", "Delaunay", "Error", "Faces", "Forecast", "FurthestSite", "HalfspaceIntersection", "InputError",
-           "LinearInterpolator", "Locations", "NaturalNeighborInterpolator", "OutOfMemoryError", "PowerDiagram", "Regular",
-           "TimeLimitError", "TrimResult", "Voronoi", "__version__", "convex_hulls", "estimate", "forecast", "natural_neighbors", "patch_scipy", "scipy_is_patched",
-           "unpatch_scipy"]
+__all__ = ["AlphaComplex", "CancelledError", "CheckReport", "ComplexData", "ConvexHull", "ConvexHulls", "Data", "Delaunay", "Error", "Faces",
+           "Forecast", "FurthestSite", "HalfspaceIntersection", "HullData", "InputError", "IntersectionData", "LinearInterpolator", "Locations",
+           "LowerHull", "NaturalNeighborInterpolator", "OutOfMemoryError", "PowerDiagram", "Regular", "TimeLimitError", "TrimResult", "Voronoi",
+           "VoronoiData", "__version__", "check", "convex_hulls", "estimate", "forecast", "generate", "lower_hull", "natural_neighbors",
+           "patch_scipy", "read", "scipy_is_patched", "unpatch_scipy"]
 
-for _type in (AlphaComplex, Faces, ConvexHull, ConvexHulls, Delaunay, FurthestSite, HalfspaceIntersection, LinearInterpolator, NaturalNeighborInterpolator,
-              PowerDiagram, Regular, TrimResult, Voronoi, natural_neighbors, Forecast, estimate, forecast):
+for _type in (AlphaComplex, CheckReport, ComplexData, ConvexHull, ConvexHulls, Data, Delaunay, Faces, Forecast, FurthestSite,
+              HalfspaceIntersection, HullData, IntersectionData, LinearInterpolator, LowerHull, NaturalNeighborInterpolator, PowerDiagram,
+              Regular, TrimResult, Voronoi, VoronoiData, check, estimate, forecast, generate, lower_hull, natural_neighbors, read):
     _type.__module__ = "delone"
 del _type
 convex_hulls.__module__ = "delone"

@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // delone.ConvexHull.
 #include "arrays.hpp"
+#include "data_members.hpp"
 #include "docstring.hpp"
 #include "html.hpp"
 #include "module.hpp"
 #include "pickling.hpp"
 #include "running.hpp"
+#include "saving.hpp"
 
 #include <pybind11/stl.h>
 
@@ -475,6 +477,16 @@ void bind_convex_hull(py::module_& module) {
       .def("locate", &locate, "queries"_a, text(locate_doc))
       .def("plane_distance", &plane_distance, "queries"_a, text(plane_distance_doc))
       .def("visible_facets", &visible_facets, "point"_a, text(visible_facets_doc))
+      .def("_data",
+           [](const HeldHull& h) { return to_python(h.ask([](const Polytope& p) { return p.to_data(); })); })
+      .def(
+          "_save",
+          [](const HeldHull& h, const std::string& path, const std::string& format,
+             std::optional<std::string> qhull, std::vector<std::string> columns) {
+            const SaveArguments to{path, format, std::move(qhull), std::move(columns)};
+            h.ask([&](const Polytope& p) { to.save(p, [&] { return p.to_data(); }); });
+          },
+          "path"_a, "format"_a, "qhull"_a, "columns"_a)
       .def("__repr__", &repr)
       .def(py::pickle(&state, &restored));
   define_to_html(type,

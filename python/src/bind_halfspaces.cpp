@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // delone.HalfspaceIntersection.
 #include "arrays.hpp"
+#include "data_members.hpp"
 #include "docstring.hpp"
 #include "html.hpp"
 #include "module.hpp"
 #include "pickling.hpp"
 #include "running.hpp"
+#include "saving.hpp"
 
 #include <pybind11/stl.h>
 
@@ -330,6 +332,18 @@ void bind_halfspaces(py::module_& module) {
             return as_dict(h.ask([](const Polyhedron& i) { return i.statistics(); }));
           },
           text(statistics_doc))
+      .def("_data",
+           [](const HeldIntersection& h) {
+             return to_python(h.ask([](const Polyhedron& p) { return p.to_data(); }));
+           })
+      .def(
+          "_save",
+          [](const HeldIntersection& h, const std::string& path, const std::string& format,
+             std::optional<std::string> qhull, std::vector<std::string> columns) {
+            const SaveArguments to{path, format, std::move(qhull), std::move(columns)};
+            h.ask([&](const Polyhedron& p) { to.save(p, [&] { return p.to_data(); }); });
+          },
+          "path"_a, "format"_a, "qhull"_a, "columns"_a)
       .def("__repr__", &repr)
       .def(py::pickle(&state, &restored));
   define_to_html(

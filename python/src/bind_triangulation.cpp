@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // delone.Delaunay, Regular and FurthestSite.
 #include "arrays.hpp"
+#include "data_members.hpp"
 #include "docstring.hpp"
 #include "html.hpp"
 #include "module.hpp"
 #include "pickling.hpp"
 #include "sample.hpp"
+#include "saving.hpp"
 #include "triangulation.hpp"
 
 #include <pybind11/stl.h>
@@ -658,6 +660,17 @@ void bind_triangulations(py::module_& module) {
       .def("_find_accepting", &find_accepting, "queries"_a, "transform"_a, "neighbors"_a, "tolerance"_a,
            "broad"_a, "radius"_a)
       .def("nearest", &nearest, "queries"_a, "k"_a = py::none(), nearest_doc)
+      .def(
+          "_data",
+          [](const Held& h) { return to_python(ask(h, [](const Triangulation& t) { return t.to_data(); })); })
+      .def(
+          "_save",
+          [](const Held& h, const std::string& path, const std::string& format,
+             std::optional<std::string> qhull, std::vector<std::string> columns) {
+            const SaveArguments to{path, format, std::move(qhull), std::move(columns)};
+            ask(h, [&](const Triangulation& t) { to.save(t, [&] { return t.to_data(); }); });
+          },
+          "path"_a, "format"_a, "qhull"_a, "columns"_a)
       .def("__repr__", &repr);
 
   define_to_html(base, [](const Held& held, const HtmlOptions& options) {

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // delone.Voronoi and PowerDiagram.
 #include "arrays.hpp"
+#include "data_members.hpp"
 #include "docstring.hpp"
 #include "html.hpp"
 #include "module.hpp"
+#include "saving.hpp"
 #include "triangulation.hpp"
 
 #include <delone/furthest_site.hpp>
@@ -63,6 +65,12 @@ class HeldDiagram {
   }
 
   const Diagram& diagram() const { return *diagram_; }
+  VoronoiData data() const {
+    VoronoiData data = diagram_->to_data();
+    if (is_furthest_)
+      for (double& x : data.ray_directions) x = 0 - x;
+    return data;
+  }
   std::size_t dimension() const { return static_cast<std::size_t>(diagram_->dimension()); }
   unsigned threads() const { return threads_; }
   bool is_furthest() const { return is_furthest_; }
@@ -133,6 +141,20 @@ std::string html_of_diagram(const HeldDiagram& held, const std::string& title,
   const HtmlOptions options = html_options(title, std::move(columns), values, at, name);
   Supervisor supervisor;
   return supervisor.run([&] { return to_html(held.diagram(), options, box); });
+}
+
+/// A diagram of furthest sites is not cut off at a box: there are no pictures of it.
+void save(const HeldDiagram& held, const std::string& path, const std::string& format,
+          std::optional<std::string> qhull, std::vector<std::string> columns, const py::object& object) {
+  const SaveArguments to{path, format, std::move(qhull), std::move(columns)};
+  const std::optional<Box> box = as_box(object);
+  Supervisor supervisor;
+  supervisor.run([&] {
+    if (to.qhull || held.is_furthest())
+      to.save(held.diagram(), [&] { return held.data(); });
+    else
+      write(to.path, held.diagram(), box, to.format, to.column_names);
+  });
 }
 
 std::size_t checked(const char* what, py::ssize_t i, std::size_t count) {
@@ -312,6 +334,12 @@ void bind_voronoi(py::module_& module) {
           "i"_a, "The vertices of region i, see region_vertices. IndexError unless 0 <= i < num_regions.")
       .def("_to_html", &html_of_diagram, "title"_a, "columns"_a, "values"_a, "values_at"_a, "value_name"_a,
            "box"_a)
+      .def("_data",
+           [](const HeldDiagram& h) {
+             Supervisor supervisor;
+             return to_python(supervisor.run([&] { return h.data(); }));
+           })
+      .def("_save", &save, "path"_a, "format"_a, "qhull"_a, "columns"_a, "box"_a)
       .def("region_volumes", &region_volumes, "box"_a = py::none(), text(region_volumes_doc))
       .def(
           "ridge_volumes",

@@ -4,7 +4,10 @@
 
 #include "io/file.hpp"
 #include "io/text_cursor.hpp"
+#include "io/utf8.hpp"
+#include "io/write_npy.hpp"
 
+#include <algorithm>
 #include <bit>
 #include <cstring>
 #include <limits>
@@ -300,6 +303,51 @@ std::vector<SignedIndex> to_indices(const NpyArray& array, const std::string& na
       return narrow;
     });
   });
+}
+
+std::vector<std::string> parse_npy_texts(std::string_view bytes, const std::string& name) {
+  require_npy(bytes, name);
+  if (bytes.size() < 12) fail(Errc::bad_format, "{}: truncated .npy header", name);
+  const std::size_t start = bytes[6] == 1 ? 10 : 12, length = little_endian(bytes.substr(8, start - 8));
+  if (length > bytes.size() - start) fail(Errc::bad_format, "{}: truncated .npy header", name);
+  const auto header = HeaderParser(bytes.substr(start, length), name).parse();
+  const std::string& type = header.descr;
+  const auto width = to_count(std::string_view(type).substr(std::min<std::size_t>(type.size(), 2)));
+  if (type.size() < 3 || type[1] != 'U' || !width || header.shape.size() != 1)
+    fail(Errc::bad_format, "{}: expected a 1-D array of Unicode strings, found type {} and shape {}", name,
+         in_quotes(type), shape_text(header.shape));
+  const std::string_view data = bytes.substr(start + length);
+  const std::size_t count = header.shape[0], characters = data.size() / 4;
+  if (data.size() % 4 != 0 ||
+      (*width == 0 ? characters != 0 : characters % *width != 0 || characters / *width != count) ||
+      (*width == 0 && count > 4096))
+    fail(Errc::bad_format, "{}: {} bytes of data for shape {} of type {}", name, data.size(),
+         shape_text(header.shape), in_quotes(type));
+  const bool swap = (type[0] == '>') != (std::endian::native == std::endian::big);
+  std::vector<std::string> texts(count);
+  for (std::size_t i = 0; i < characters; ++i)
+    if (const auto code = load<std::uint32_t>(data.data() + 4 * i, swap); code != 0)
+      append_utf8(texts[i / static_cast<std::size_t>(*width)], code);
+  return texts;
+}
+
+std::string npy_of_texts(const std::vector<std::string>& texts) {
+  std::vector<std::vector<std::uint32_t>> decoded;
+  std::size_t width = 1;
+  for (std::string_view text : texts) {
+    std::vector<std::uint32_t>& codes = decoded.emplace_back();
+    for (; !text.empty(); text.remove_prefix(first_character(text).size)) {
+      const Character c = first_character(text);
+      codes.push_back(c.is_valid ? c.code : 0xfffd);
+    }
+    width = std::max(width, codes.size());
+  }
+  std::string file = npy_header(fmt::format("U{}", width), {texts.size()}), storage;
+  for (std::vector<std::uint32_t>& codes : decoded) {
+    codes.resize(width, 0);
+    file += little_endian_bytes(std::span<const std::uint32_t>(codes), storage);
+  }
+  return file;
 }
 
 std::string npy_header(std::string_view type, std::initializer_list<std::size_t> shape) {

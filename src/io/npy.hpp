@@ -49,6 +49,11 @@ std::vector<double> to_doubles(const NpyArray& array, const std::string& name, s
 /// beyond SignedIndex.
 std::vector<SignedIndex> to_indices(const NpyArray& array, const std::string& name);
 
+/// The texts of an .npy file with an array of Unicode strings (type U), in UTF-8. Throws bad_format.
+std::vector<std::string> parse_npy_texts(std::string_view bytes, const std::string& name);
+/// A whole .npy file of texts in UTF-8; bytes that are none become U+FFFD.
+std::string npy_of_texts(const std::vector<std::string>& texts);
+
 /// "(3, 4)"
 std::string shape_text(const std::vector<std::size_t>& shape);
 

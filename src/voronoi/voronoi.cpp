@@ -277,7 +277,8 @@ VoronoiData Diagram::to_data() const {
                      ray_vertices_,
                      ray_points_,
                      ray_directions_,
-                     tolerance_};
+                     tolerance_,
+                     {}};
     const double* hidden = hidden_.data();
     for (const SignedIndex region : point_region_) {
       const double* point = region < 0 ? hidden : site(static_cast<std::size_t>(region)).data();

@@ -52,6 +52,7 @@ def makers():
         "HalfspaceIntersection": delone.HalfspaceIntersection(rows, [0.0, 0.0]), "TrimResult": delone.Delaunay(points).trim(0.05),
         "LinearInterpolator": delone.LinearInterpolator(points, points @ [1, 2j]),
         "NaturalNeighborInterpolator": delone.NaturalNeighborInterpolator(points, points[:, 0], smooth=True),
+        "LowerHull": delone.LowerHull(space), "ComplexData": delone.Delaunay(points).to_data(),
         "Locations": delone.Delaunay(points).locate(points + 0.1), "ConvexHulls": delone.convex_hulls([points, points[:5]]),
         "spatial.Delaunay": delone.spatial.Delaunay(points, incremental=True), "spatial.ConvexHull": delone.spatial.ConvexHull(space),
         "spatial.Voronoi": delone.spatial.Voronoi(points),

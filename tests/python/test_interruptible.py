@@ -14,7 +14,11 @@ from hostile_support import MODULES, classes, is_large
 # Entries that return what is there, or make one pass over what they return: a second for some 10^8 numbers.
 QUICK = {
     "delone.ConvexHull": "__repr__ affine_dimension axes columns dimension max_distance num_cells num_duplicates num_points plot statistics to_frame to_meshio "
-                         "to_pyvista to_vtk tolerance",
+                         "to_pyvista to_vtk tolerance to_data",
+    "delone.LowerHull": "__getstate__ __len__ __repr__ cells composition_axes composition_dimension dimension facet_of_cell max_distance neighbors "
+                        "num_cells num_facets num_points points side to_data tolerance vertices",
+    "delone.Data": "__init__ __reduce__ __repr__ columns members",
+    "delone.ComplexData": "__init__",
     "delone.ConvexHulls": "__getitem__ __init__ __iter__ __len__ __repr__",
     "delone.Delaunay": "__getstate__",
     "delone.FurthestSite": "__getstate__ hidden num_hidden",
@@ -30,9 +34,9 @@ QUICK = {
     "delone.AlphaComplex": "__len__ __repr__ boundary boundary_cells cell_numbers cells radius singular_facets",
     "delone._core.Diagram": "affine_dimension bounding_box columns dimension is_bounded max_displacement num_points num_rays num_regions num_ridges "
                             "num_vertices plot point_region points ray_directions ray_points ray_vertices region region_offsets region_points "
-                            "region_vertices ridge ridge_offsets ridge_points ridge_vertices to_frame to_meshio to_pyvista to_vtk tolerance vertices",
+                            "region_vertices ridge ridge_offsets ridge_points ridge_vertices to_data to_frame to_meshio to_pyvista to_vtk tolerance vertices",
     "delone._core.Triangulation": "__len__ __repr__ affine_dimension axes cell_of_point cells columns dimension duplicates hash hull_facets neighbors "
-                                  "num_cells num_duplicates num_points num_vertices plot points statistics to_frame to_meshio to_pyvista to_vtk "
+                                  "num_cells num_duplicates num_points num_vertices plot points statistics to_data to_frame to_meshio to_pyvista to_vtk "
                                   "vertex_of_point",
     "delone._locations.Locations": "__getitem__ __init__ __iter__ __len__ __repr__",
     "delone.spatial._base.Incremental": "__copy__ __getstate__ close",
@@ -47,7 +51,7 @@ QUICK = {
     "delone.interpolate._nearest.NearestNDInterpolator": "__init__",
     "delone.tiles.Tiles": "__getitem__ __init__ __iter__ __len__ __repr__ affine_dimension dimension folder hash num_cells num_duplicates num_hidden "
                           "num_hull_facets num_points num_vertices parts weighted",
-    "delone": "patch_scipy scipy_is_patched unpatch_scipy",
+    "delone": "generate patch_scipy read scipy_is_patched unpatch_scipy",
     "delone.spatial": "convex_hull_plot_2d delaunay_plot_2d distance_matrix geometric_slerp minkowski_distance minkowski_distance_p "
                       "procrustes voronoi_plot_2d",
 }
@@ -102,10 +106,21 @@ LONG = {
     "delone.ConvexHull.plane_distance": ("hull = delone.ConvexHull(sphere(300, 5)); hull.equations", "hull.plane_distance(random.random((30_000, 5)))"),
     "delone.ConvexHull.num_facets": ("hull = delone.ConvexHull(sphere(3000, 7))", "hull.num_facets",
                                      "__len__ num_vertices num_ridges cells neighbors facet_of_cell vertices vertex_of_point facets ridges "
-                                     "equations equation_errors point_kinds points __getstate__"),
+                                     "equations equation_errors point_kinds points to_data __getstate__"),
+    "delone.ConvexHull.save": ("hull = delone.ConvexHull(sphere(1000, 7))", "hull.save('/dev/null', 'json')"),
     "delone.ConvexHull.f_vector": ("hull = delone.ConvexHull(sphere(40, 7))", "hull.f_vector"),
     "delone.ConvexHull.volume": ("hull = delone.ConvexHull(sphere(1500, 7))", "hull.volume", "volume_error area area_error"),
     "delone.ConvexHull.hash": ("hull = delone.ConvexHull(sphere(2500, 7))", "[hull.hash for _ in range(100)]"),
+    "delone.LowerHull.__init__": ("", "delone.LowerHull(sphere(100_000, 8))"),
+    "delone.LowerHull.height_above": ("hull = delone.LowerHull(random.random((300, 6)))", "hull.height_above(random.random((1_000_000, 6)))",
+                                      "heights find_simplex"),
+    "delone.LowerHull.save": ("hull = delone.LowerHull(sphere(1000, 7))", "hull.save('/dev/null', 'json')"),
+    "delone.lower_hull": ("", "delone.lower_hull(sphere(100_000, 8))"),
+    "delone._core.Triangulation.save": ("t = delone.Delaunay(random.random((20_000, 5)))", "t.save('/dev/null', 'json')"),
+    "delone.Data.save": ("data = delone.Delaunay(random.random((20_000, 5))).to_data()", "data.save('/dev/null', 'json')"),
+    "delone.check": ("data = delone.Delaunay(random.random((20_000, 5))).to_data()", "delone.check(data)"),
+    "delone._core.Diagram.save": ("v = delone.Voronoi(random.random((3000, 5)))", "v.save('/dev/null', 'json')"),
+    "delone.HalfspaceIntersection.save": ("made = delone.HalfspaceIntersection(halfspaces(500, 7), [0] * 7)", "made.save('/dev/null', 'json')"),
     "delone.convex_hulls": ("", "delone.convex_hulls(random.random((300_000, 40, 3)))"),
     "delone.HalfspaceIntersection.__init__": ("", "delone.HalfspaceIntersection(halfspaces(100_000, 8), [0] * 8)"),
     "delone.HalfspaceIntersection.insert_range": ("made = delone.HalfspaceIntersection(np.r_[np.c_[np.eye(8), -np.ones(8)], np.c_[-np.eye(8), -np.ones(8)]])",
@@ -113,7 +128,7 @@ LONG = {
     "delone.HalfspaceIntersection.vertices": ("made = delone.HalfspaceIntersection(halfspaces(500, 7), [0] * 7)", "made.vertices",
                                               "__len__ __repr__ axes direction_halfspaces direction_offsets directions dual_equations dual_points edges "
                                               "facet_halfspaces facet_offsets facet_vertices first_of_halfspace interior_point is_bounded "
-                                              "kinds lineality num_facets num_vertices rays vertex_halfspaces vertex_offsets witness"),
+                                              "kinds lineality num_facets num_vertices rays to_data vertex_halfspaces vertex_offsets witness"),
     "delone.HalfspaceIntersection.volume": ("made = delone.HalfspaceIntersection(halfspaces(40, 7), [0] * 7)", "made.volume"),
     "delone.HalfspaceIntersection.dual_volume": ("made = delone.HalfspaceIntersection(halfspaces(2000, 7), [0] * 7)", "made.dual_volume",
                                                  "dual_area"),
@@ -195,7 +210,7 @@ def public():
     """All functions, constructors and members, by the class that has them."""
     called = {"__call__", "__copy__", "__getitem__", "__getstate__", "__init__", "__iter__", "__len__", "__reduce__", "__repr__"}
     for cls in classes():
-        if cls.__name__ not in ("Forecast", "HullOfSet", "Part", "PartIndex", "Report", "_Patched"):
+        if cls.__name__ not in ("Forecast", "HullOfSet", "Part", "PartIndex", "Report", "CheckReport", "_Patched"):
             plain = cls.__module__ == "delone" or cls.__module__.startswith("delone._c") and cls.__name__ == "ConvexHulls"
             place = f"delone.{cls.__name__}" if plain else f"{cls.__module__}.{cls.__name__}"
             for name, member in vars(cls).items():

@@ -102,6 +102,7 @@ class Handler : public nlohmann::json_sax<nlohmann::json> {
     return true;
   }
   bool string(std::string& text) override {
+    if (skip_ == 0 && depth_ == 1) member_->texts.push_back(text);
     if (skip_ > 0 || depth_ > 0) return other("the string " + in_quotes(text));
     require_object("a string");
     member_->kind = JsonMember::Kind::text;
@@ -260,6 +261,19 @@ std::vector<SignedIndex> JsonFile::read_lists(const std::string& member, std::ve
 void JsonFile::refuse_scalar(const std::string& member, std::string_view expected) const {
   fail(Errc::bad_format, "{}: {}: expected {}, found {}", name_, member, expected,
        description(members_.at(member)));
+}
+
+std::vector<std::string> JsonFile::find_texts(const std::string& member) const {
+  const auto at = members_.find(member);
+  if (at == members_.end()) return {};
+  if (at->second.kind != Kind::list || !at->second.items.empty() ||
+      (at->second.fault && at->second.texts.empty()))
+    fail(Errc::bad_format, "{}: {}: expected an array of strings", name_, member);
+  return at->second.texts;
+}
+
+std::string json_of_text(const std::string& text) {
+  return nlohmann::json(text).dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
 }
 
 std::optional<std::int64_t> JsonFile::find_number(const std::string& member) const {

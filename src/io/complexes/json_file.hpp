@@ -30,6 +30,7 @@ struct JsonMember {
 
   Kind kind = Kind::other;
   std::string text;                         ///< of a text
+  std::vector<std::string> texts;           ///< entries that are texts; each is a fault, too
   std::vector<double> items;                ///< a boolean is 0 or 1, null in an array infinity
   std::vector<std::int64_t> offsets = {0};  ///< of lists
   std::size_t first_null = none;            ///< the item that is null
@@ -55,6 +56,8 @@ class JsonFile {
   /// An array of arrays of indices.
   std::vector<SignedIndex> read_lists(const std::string& member, std::vector<std::int64_t>& offsets);
 
+  /// An array of texts; empty if there is no such member. Throws bad_format for anything else.
+  std::vector<std::string> find_texts(const std::string& member) const;
   std::optional<std::int64_t> find_number(const std::string& member) const;
   std::optional<bool> find_flag(const std::string& member) const;
   /// The index of a choice; the number of choices if it is none of them.
@@ -71,5 +74,8 @@ class JsonFile {
   std::string name_;
   std::map<std::string, JsonMember> members_;
 };
+
+/// The text as a JSON value; bytes that are no UTF-8 become U+FFFD.
+std::string json_of_text(const std::string& text);
 
 }  // namespace delone::io

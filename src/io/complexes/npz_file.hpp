@@ -49,6 +49,11 @@ class NpzFile {
       return to_indices(array, name_ + ": " + member);
   }
 
+  /// An array of texts; empty if there is no such member.
+  std::vector<std::string> find_texts(const std::string& member) const {
+    if (!has(member)) return {};
+    return parse_npy_texts(*zip_.find(member + ".npy"), name_ + ": " + member);
+  }
   std::optional<std::int64_t> find_number(const std::string& member) const {
     if (!has(member)) return std::nullopt;
     const NpyArray array = parse(member);

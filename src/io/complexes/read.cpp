@@ -213,6 +213,10 @@ Data read_arrays(File& file) {
   } else {
     for_each_array(data, reader);
     set_dimensions(data, file, reader);
+    data.column_names = file.find_texts("column_names");
+    if (!data.column_names.empty() && data.column_names.size() != static_cast<std::size_t>(data.dimension))
+      fail(Errc::bad_format, "{}: column_names: expected {} of them, found {}", file.name(), data.dimension,
+           data.column_names.size());
   }
   for_each_array(data, ShapeChecker(reader, file.name()));
   if constexpr (std::is_same_v<Data, HullData>)

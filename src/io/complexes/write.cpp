@@ -13,6 +13,7 @@
 #include <delone/voronoi.hpp>
 
 #include <algorithm>
+#include <array>
 #include <cstdint>
 #include <initializer_list>
 #include <span>
@@ -27,7 +28,8 @@ std::size_t num_corners(const ComplexData& data) {
 }
 
 void refuse_binary_output(const std::string& path, const std::string& format) {
-  if (path == "-" && (format == "npz" || format == "npy" || format == "vtu"))
+  constexpr std::array<std::string_view, 5> binary{"npz", "npy", "vtu", "ply", "stl"};
+  if (path == "-" && std::find(binary.begin(), binary.end(), format) != binary.end())
     fail(Errc::unsupported, "format '{}' is binary and is not written to standard output", format);
 }
 
@@ -55,8 +57,8 @@ void write_qhull_cells(AtomicFile& file, const ComplexData& data) {
   }
 }
 
-const std::initializer_list<std::string_view> complex_formats{"npz", "vtu", "off", "json",
-                                                              "svg", "txt", "npy", "html"};
+const std::initializer_list<std::string_view> complex_formats{"npz", "vtu",  "off", "ply", "stl", "obj",
+                                                              "msh", "json", "svg", "txt", "npy", "html"};
 
 }  // namespace
 }  // namespace io
@@ -71,11 +73,16 @@ void write(const std::string& path, const ComplexData& data, const std::string& 
     io::require_finite(data.weights, 1, name + ": weights");
     io::refuse_binary_output(path, chosen);
     if (chosen == "html") return write_text(path, to_html(data));
-    if (chosen == "vtu" || chosen == "svg" || chosen == "off") io::require_rows_in_range(data, name);
+    if (chosen != "npz" && chosen != "json" && chosen != "txt" && chosen != "npy")
+      io::require_rows_in_range(data, name);
     io::AtomicFile file(path);
     if (chosen == "npz") io::write_npz(file, data);
     if (chosen == "vtu") io::write_vtu(file, data);
     if (chosen == "off") io::write_off(file, data);
+    if (chosen == "ply") io::write_ply(file, data);
+    if (chosen == "stl") io::write_stl(file, data);
+    if (chosen == "obj") io::write_obj(file, data);
+    if (chosen == "msh") io::write_msh(file, data);
     if (chosen == "json") io::write_json(file, data);
     if (chosen == "svg") io::write_svg(file, data);
     if (chosen == "txt") io::write_qhull_cells(file, data);
@@ -138,13 +145,17 @@ void write(const std::string& path, const VoronoiData& data, const std::string& 
 }
 
 void write(const std::string& path, const Diagram& diagram, const std::optional<Box>& box,
-           const std::string& format) {
-  const std::string chosen = io::choose_format(path, format, "json", {"npz", "json", "svg", "vtu", "html"},
-                                               "writing a Voronoi diagram");
+           const std::string& format, const std::vector<std::string>& column_names) {
+  const std::string chosen =
+      io::choose_format(path, format, "json", {"npz", "json", "svg", "vtu", "html"}, "writing a Voronoi diagram");
   const std::string name = io::output_name(path);
   io::guarded(name, [&] {
     if (!diagram.has_ridges()) io::fail(Errc::invalid_argument, "the diagram was made without ridges");
-    if (chosen == "npz" || chosen == "json") return write(path, diagram.to_data(), chosen);
+    if (chosen == "npz" || chosen == "json") {
+      VoronoiData data = diagram.to_data();
+      data.column_names = column_names;
+      return write(path, data, chosen);
+    }
     if (chosen == "html") return write_text(path, to_html(diagram, {}, box));
     io::refuse_binary_output(path, chosen);
     io::AtomicFile file(path);

@@ -3,6 +3,7 @@
 
 #include "io/atomic_file.hpp"
 #include "io/complexes/arrays.hpp"
+#include "io/complexes/json_file.hpp"
 #include "io/file.hpp"
 #include "io/npy.hpp"
 #include "io/write_npy.hpp"
@@ -82,6 +83,9 @@ class NpzWriter {
   void number(const char* name, std::int64_t value) {
     add(name, std::span<const std::int64_t>(&value, 1), {});
   }
+  void texts(const char* name, const std::vector<std::string>& items) {
+    zip_.add(std::string(name) + ".npy", npy_of_texts(items), {});
+  }
   void finish() { zip_.finish(); }
 
  private:
@@ -127,6 +131,11 @@ class JsonWriter {
   void scalar(const char* name, std::string_view value) {
     member(name);
     file_.write(value);
+  }
+  void texts(const char* name, const std::vector<std::string>& items) {
+    std::string list = "[";
+    for (const std::string& item : items) list += (list.size() > 1 ? ", " : "") + json_of_text(item);
+    scalar(name, list + "]");
   }
   void finish() { file_.write("\n}\n"); }
 
@@ -182,6 +191,10 @@ void validate(const Data& data, const std::string& name) {
       fail(Errc::invalid_argument, "{}: cannot write: the affine dimension is {}, outside -1...{}", name,
            data.affine_dimension, data.dimension);
   for_each_array(data, Validator(name));
+  if constexpr (!std::is_same_v<Data, IntersectionData>)
+    if (!data.column_names.empty() && data.column_names.size() != static_cast<std::size_t>(data.dimension))
+      fail(Errc::invalid_argument, "{}: cannot write: {} column_names for dimension {}", name,
+           data.column_names.size(), data.dimension);
 }
 
 template <PlainData Data>
@@ -196,6 +209,7 @@ void write_npz(AtomicFile& file, const Data& data) {
     writer.number("interior_point_is_exact", data.interior_point_is_exact);
   } else {
     writer.number("affine_dimension", data.affine_dimension);
+    if (!data.column_names.empty()) writer.texts("column_names", data.column_names);
   }
   writer.finish();
 }
@@ -212,6 +226,7 @@ void write_json(AtomicFile& file, const Data& data) {
     writer.scalar("interior_point_is_exact", flag(data.interior_point_is_exact));
   } else {
     writer.scalar("affine_dimension", std::to_string(data.affine_dimension));
+    if (!data.column_names.empty()) writer.texts("column_names", data.column_names);
   }
   for_each_array(data, writer);
   writer.finish();

@@ -9,6 +9,7 @@
 
 #include <delone/voronoi.hpp>
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <span>
@@ -114,36 +115,48 @@ void write_vtu(AtomicFile& file, const Diagram& diagram, const Box& box) {
     fail(Errc::unsupported,
          "{}: a .vtu file of regions needs 2 or 3 dimensions, these points have {}; use npz", file.name(), d);
   constexpr std::uint8_t vtk_polygon = 7, vtk_polyhedron = 42;
-  std::string points, connectivity, offsets, types, faces, face_offsets, regions, rows;
-  std::int64_t num_points = 0, num_cells = 0, num_entries = 0, num_face_entries = 0;
+  struct Cell {
+    std::size_t region;
+    std::int64_t first_point, num_corners;
+    std::size_t begin, end;  // of its entries below
+  };
+  std::vector<Cell> cells;
+  std::vector<std::int64_t> entries;  // d = 2: the polygon; d = 3: number of faces, and each with its length
+  std::string points;
+  std::int64_t num_points = 0;
   diagram.for_each_clipped_region(box, [&](std::size_t r, const ClippedRegion& region) {
     if (region.empty()) return;
     const auto corners = static_cast<std::int64_t>(region.corners.size() / d);
     for (std::size_t i = 0; i < region.corners.size(); i += d)
       for (std::size_t j = 0; j < 3; ++j) append(points, j < d ? region.corners[i + j] : 0.0);
-    if (d == 2) {
-      for (const Index corner : region.faces.front())
-        append(connectivity, num_points + static_cast<std::int64_t>(corner));
-      num_entries += static_cast<std::int64_t>(region.faces.front().size());
-    } else {
-      for (std::int64_t corner = 0; corner < corners; ++corner) append(connectivity, num_points + corner);
-      num_entries += corners;
-      append(faces, static_cast<std::int64_t>(region.faces.size()));
-      ++num_face_entries;
-      for (const auto& face : region.faces) {
-        append(faces, static_cast<std::int64_t>(face.size()));
-        for (const Index corner : face) append(faces, num_points + static_cast<std::int64_t>(corner));
-        num_face_entries += 1 + static_cast<std::int64_t>(face.size());
-      }
-      append(face_offsets, num_face_entries);
+    const std::size_t begin = entries.size();
+    if (d == 3) entries.push_back(static_cast<std::int64_t>(region.faces.size()));
+    for (const auto& face : region.faces) {
+      if (d == 3) entries.push_back(static_cast<std::int64_t>(face.size()));
+      for (const Index corner : face) entries.push_back(num_points + static_cast<std::int64_t>(corner));
     }
+    const std::int64_t used = d == 2 ? static_cast<std::int64_t>(entries.size() - begin) : corners;
+    cells.push_back({r, num_points, used, begin, entries.size()});
+    num_points += corners;
+  });
+  // By numbers of corners: meshio, which makes a block of each number, wants its data in this order.
+  std::stable_sort(cells.begin(), cells.end(),
+                   [](const Cell& a, const Cell& b) { return a.num_corners < b.num_corners; });
+  std::string connectivity, offsets, types, faces, face_offsets, regions, rows;
+  std::int64_t num_entries = 0, num_face_entries = 0;
+  for (const Cell& cell : cells) {
+    for (std::int64_t i = 0; i < cell.num_corners; ++i)
+      append(connectivity, d == 2 ? entries[cell.begin + static_cast<std::size_t>(i)] : cell.first_point + i);
+    num_entries += cell.num_corners;
     append(offsets, num_entries);
     append(types, d == 2 ? vtk_polygon : vtk_polyhedron);
-    append(regions, static_cast<std::int64_t>(r));
-    append(rows, static_cast<std::int64_t>(diagram.region_points()[r]));
-    num_points += corners;
-    ++num_cells;
-  });
+    append(regions, static_cast<std::int64_t>(cell.region));
+    append(rows, static_cast<std::int64_t>(diagram.region_points()[cell.region]));
+    if (d == 2) continue;
+    for (std::size_t i = cell.begin; i < cell.end; ++i) append(faces, entries[i]);
+    num_face_entries += static_cast<std::int64_t>(cell.end - cell.begin);
+    append(face_offsets, num_face_entries);
+  }
 
   std::vector<const std::string*> appended;
   std::uint64_t offset = 0;
@@ -160,7 +173,7 @@ void write_vtu(AtomicFile& file, const Diagram& diagram, const Box& box) {
       "header_type=\"UInt64\">\n"
       "  <UnstructuredGrid>\n");
   file.print("    <Piece NumberOfPoints=\"{}\" NumberOfCells=\"{}\">\n      <CellData>\n", num_points,
-             num_cells);
+             cells.size());
   array("Int64", "region", "", regions);
   array("Int64", "point", "", rows);
   file.write("      </CellData>\n      <Points>\n");

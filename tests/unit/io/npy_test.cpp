@@ -24,6 +24,25 @@ std::vector<SignedIndex> indices(const std::string& bytes) {
   return io::to_indices(io::parse_npy(bytes, "a"), "a");
 }
 
+TEST(Npy, Texts) {
+  const std::vector<std::vector<std::string>> cases{
+      {}, {std::string{}}, {"x", "", "h\xc3\xb6he", "\xf0\x9f\x98\x80!"}};
+  for (const std::vector<std::string>& texts : cases)
+    EXPECT_EQ(io::parse_npy_texts(io::npy_of_texts(texts), "a"), texts);
+  EXPECT_EQ(io::parse_npy_texts(io::npy_of_texts({"a\xff"}), "a")[0], "a\xef\xbf\xbd");
+  EXPECT_NE(io::npy_of_texts({"a", "bcd"}).find("'descr': '<U3'"), std::string::npos);
+  std::string storage;
+  const std::vector<double> number{1};
+  const std::string good = io::npy_of_texts({"ab", "c"}),
+                    doubles = io::npy_header("f8", {1}) +
+                              std::string(io::little_endian_bytes(std::span(number), storage));
+  for (const std::string& bad :
+       {std::string{}, good.substr(0, 9), good.substr(0, 40), good + "1234", good.substr(0, good.size() - 4),
+        good.substr(0, good.size() - 1), doubles, io::npy_header("U0", {std::size_t{1} << 60}),
+        io::npy_header("U", {1}), io::npy_header("U2", {1, 1})})
+    expect_error(Errc::bad_format, {"a: "}, [&] { io::parse_npy_texts(bad, "a"); });
+}
+
 TEST(Npy, WhatIsWrittenIsReadAgain) {
   const std::vector<double> values{1, -0.5, 1e300, 4, 5, 6};
   std::string storage;

@@ -128,6 +128,23 @@ TEST_F(WriteArrays, DataWithoutPoints) {
   }
 }
 
+TEST_F(WriteArrays, NamesOfColumns) {
+  HullData data = test::small_hull();
+  data.column_names = {"a \"name\"", "\xc3\xa9\n"};
+  for (const char* name : {"a.npz", "a.json"}) {
+    write(path(name), data);
+    EXPECT_EQ(read_as<HullData>(path(name)).column_names, data.column_names);
+  }
+  data.column_names.emplace_back("z");
+  expect_error(Errc::invalid_argument, {"3 column_names for dimension 2"},
+               [&] { write(path("b.npz"), data); });
+  const std::string start = "{\"points\": [[0, 0]], \"cells\": [[0]], \"column_names\": ";
+  for (const char* names : {"[\"x\"]", "\"xy\"", "[1, 2]", "[\"x\", 2]", "[[\"x\", \"y\"]]", "null", "{}"})
+    expect_error(Errc::bad_format, {"b.json: column_names: expected"},
+                 [&] { delone::read(file("b.json", start + names + "}")); });
+  EXPECT_EQ(read_as<ComplexData>(file("b.json", start + "[\"x\", \"y\"]}")).column_names[1], "y");
+}
+
 TEST_F(WriteArrays, DataThatDisagreeAreNotWritten) {
   const auto refused = [&](auto data, const std::string& part, auto damage) {
     damage(data);

@@ -104,7 +104,7 @@ TEST_F(Write, WriteFaults) {
     expect_error(code, parts, [&] { write(path(name), data); });
   };
   expect(
-      Errc::unsupported, {"a.stl", "npz, vtu"}, [](ComplexData&) {}, "a.stl");
+      Errc::unsupported, {"a.xls", "npz, vtu"}, [](ComplexData&) {}, "a.xls");
   expect(Errc::bad_dimension, {"dimension is 0"}, [](ComplexData& c) { c.dimension = 0; });
   expect(Errc::invalid_argument, {"points: expected shape (4, 2)", "found 9 numbers"},
          [](ComplexData& c) { c.points.pop_back(); });

@@ -1,0 +1,211 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""Files, checks and point sets, as the command has them."""
+from __future__ import annotations
+
+import os
+from typing import Any, Dict, List, NamedTuple, Optional, Sequence, Tuple, Union
+
+import numpy as np
+import numpy.typing as npt
+
+from . import _core
+from ._data import ComplexData, Data, from_core
+
+_formats_of_results = ("npz", "json", "off")
+_max_stream_bytes = 1 << 32
+
+
+def read(path, *, format: Optional[str] = None, columns: Optional[Sequence[Union[str, int]]] = None, threads: int = 0) -> Any:
+    """Reads points or a result, by the readers of the command.
+
+    Of npz, json and off files whatever they hold: a `ComplexData`, `HullData`, `IntersectionData` or `VoronoiData` with its arrays; an
+    off file without faces holds points. Of npy, csv, tsv, txt, xyz, pts, ply and qhull files the points, an (n, d) float64 array. Of a
+    folder of tiles a `delone.tiles.Tiles`.
+
+    path : str or os.PathLike
+        "-" is standard input.
+    format : str
+        The format; by default the extension of the path.
+    columns : names, or numbers from 0
+        The columns of points to read, in this order; the file then holds points.
+    threads : int
+        At most so many read text; 0: as many as there are cores, where that pays.
+
+    Numbers are read as the nearest float64. Arrays of results have the shapes that they must have; `check` examines what they say.
+    Errors: Error for a file that cannot be read, InputError, a ValueError, for one that is no such file and for NaN and infinities in
+    points; both name the file, and the line, row or member. Cost: O(size of the file), in memory.
+    """
+    name = os.fspath(path)
+    if isinstance(name, bytes):
+        name = os.fsdecode(name)
+    if os.path.isdir(name):
+        from .tiles import Tiles
+        return Tiles(name)
+    wanted = format if format is not None else os.path.splitext(name)[1][1:]
+    if columns is None and wanted.lower() in _formats_of_results:
+        data = from_core(*_core._read(os.fsencode(name), wanted.lower(), _max_stream_bytes))
+        return data if wanted.lower() != "off" or len(data.cells) else np.array(data.points)
+    if isinstance(columns, (str, int)):
+        raise TypeError("columns: a sequence of names or numbers")
+    chosen = [] if columns is None else [str(column) for column in columns]
+    return _core._read_points(os.fsencode(name), format or "", chosen, threads, _max_stream_bytes)[0]
+
+
+def _names(self) -> List[str]:
+    """What the coordinates are called, "" where that is unknown; empty if none has a name."""
+    names = ["" if name is None else str(name) for name in getattr(self, "columns", None) or []]
+    return names if any(names) and len(names) == self.dimension else []
+
+
+def _save(self, path, format: Optional[str] = None, *, qhull: Optional[str] = None) -> None:
+    """Writes a file, as the option -o of the command: for `read`, or for other programs.
+
+    path : str or os.PathLike
+        The file; "-" is standard output, for formats that are text.
+    format : str
+        By default the extension of the path. Of triangulations and hulls: npz, json (all arrays), off, vtu (ParaView), ply, stl, obj
+        (surfaces), msh (Gmsh), svg (plane), txt (cells), npy (cells). Of diagrams: npz, json, svg, vtu. Of intersections: npz, json, off.
+    qhull : str
+        Writes what Qhull prints for these options instead, as "o Fv".
+
+    The file appears whole or not at all. npz and json keep the names of columns that the points came with. Errors: Error where the file
+    cannot be written, or the format cannot hold this dimension; ValueError for an unknown output of Qhull.
+    """
+    if qhull is not None and format is not None:
+        raise ValueError("format and qhull exclude each other")
+    self._save(os.fsencode(path), format or "", qhull, _names(self))
+
+
+def _save_diagram(self, path, format: Optional[str] = None, *, box: Optional[npt.ArrayLike] = None, qhull: Optional[str] = None) -> None:
+    if qhull is not None and format is not None:
+        raise ValueError("format and qhull exclude each other")
+    self._save(os.fsencode(path), format or "", qhull, _names(self), box)
+
+
+_save_diagram.__doc__ = _save.__doc__.replace("""    qhull : str
+""", """    box : (low, high), each of d numbers
+        svg and vtu hold what it leaves of the regions; by default `bounding_box()`. Unbounded regions end at it.
+    qhull : str
+""")
+
+
+def _to_data(self) -> Data:
+    """A copy as plain arrays, with the names that files have: a `ComplexData`, `HullData`, `IntersectionData` or `VoronoiData`."""
+    return from_core(*self._data(), _names(self) or None)
+
+
+class CheckReport(NamedTuple):
+    """What `check` has found. True if it is right.
+
+    ok : whether there is no violation. level, name : the highest level that was examined, by its number and name: the one that failed, or
+    the last that was wanted. violation : the first violation, as text that names rows of arrays; empty if there is none. cells, points,
+    vertices, halfspaces : the rows that it is about. ties : of triangulations the facets between two cells on one sphere (level 5), of
+    hulls the ridges between two cells in one hyperplane (level 3).
+    """
+
+    ok: bool
+    level: int
+    name: str
+    violation: str
+    cells: Tuple[int, ...]
+    points: Tuple[int, ...]
+    vertices: Tuple[int, ...]
+    halfspaces: Tuple[int, ...]
+    ties: int
+
+    def __bool__(self) -> bool:
+        return self.ok
+
+
+def _data_to_check(what: Any, cells: Optional[npt.ArrayLike], neighbors: Optional[npt.ArrayLike],
+                   weights: Optional[npt.ArrayLike]) -> Tuple[str, Dict[str, Any], bool, bool]:
+    """Kind and members; whether cells are sets of vertices, and whether they are furthest-site."""
+    if cells is not None:
+        data = ComplexData(what, cells, neighbors, weights=weights)
+        return data._kind, data._members, False, False
+    if neighbors is not None or weights is not None:
+        raise TypeError("neighbors and weights are those of cells")
+    if isinstance(what, Data):
+        return what._kind, what._members, False, False
+    if isinstance(what, _core.LowerHull):
+        raise TypeError("a LowerHull is part of a hull: check the ConvexHull of its points")
+    if hasattr(what, "_data") and type(what).__module__.split(".")[0] == "delone":
+        return (*what._data(), False, isinstance(what, _core.FurthestSite))
+    if hasattr(what, "points") and hasattr(what, "simplices"):  # as scipy.spatial.Delaunay has them
+        data = ComplexData(what.points, what.simplices, getattr(what, "neighbors", None))
+        return data._kind, data._members, True, bool(getattr(what, "furthest_site", False))
+    raise TypeError(f"a result of delone, one with points and simplices, or points and cells; not {type(what).__name__}")
+
+
+def check(what: Any, cells: Optional[npt.ArrayLike] = None, *, neighbors: Optional[npt.ArrayLike] = None,
+          weights: Optional[npt.ArrayLike] = None, level: Optional[int] = None, canonical: bool = False,
+          any_orientation: Optional[bool] = None, furthest_site: Optional[bool] = None, threads: int = 0) -> CheckReport:
+    """Examines a result exactly, level after level, whoever made it: a `CheckReport`, which is true if there is no violation.
+
+    what : a triangulation, hull, intersection or diagram of delone, what `read` has returned, or an object with `points` and `simplices`,
+        as scipy.spatial.Delaunay is. With `cells`: points, (n, d).
+    cells : (m, k+1) rows of points
+        The simplices of a triangulation, from anywhere. `neighbors`, (m, k+1), and `weights`, (n,), if there are any.
+    level : int
+        The highest level to examine, from 1; all by default. Triangulations: 1 storage, 2 incidence, 3 sphere, 4 volume, 5 local
+        convexity, 6 completeness. Hulls: 1 storage, 2 incidence, 3 convexity, 4 support, 5 completeness. Diagrams: 1 storage, 2 regions,
+        3 vertices, 4 ridges, 5 rays. Intersections: 1 storage, 2 support, 3 completeness.
+    canonical : bool
+        Of a triangulation: whether ties must be decided as delone decides them.
+    any_orientation : bool
+        Of a triangulation: take cells as sets of vertices. By default where `what` has simplices, whose order says nothing.
+    furthest_site : bool
+        Of a triangulation: require that no point is outside the sphere of a cell. By default what `what` says.
+    threads : int
+        At most so many; 0: as many as there are cores, where that pays.
+
+    No tolerance: all signs are exact. Errors: ValueError for a level below 1, for arrays of wrong shapes, and for options of
+    triangulations with something else; TypeError for what cannot be checked; InputError for NaN. Cost: O(m k^3) for a triangulation,
+    O(n m k) for a hull; a diagram is made anew.
+    """
+    if level is not None and level < 1:
+        raise ValueError(f"level: at least 1, not {level}")
+    kind, members, are_sets, is_furthest = _data_to_check(what, cells, neighbors, weights)
+    are_sets = are_sets if any_orientation is None else any_orientation
+    is_furthest = is_furthest if furthest_site is None else furthest_site
+    if kind != "complex" and (canonical or are_sets or is_furthest):
+        raise ValueError("canonical, any_orientation and furthest_site are for triangulations")
+    return CheckReport(**_core._check(kind, members, level, canonical, not are_sets, is_furthest, threads))
+
+
+def generate(kind: str, n: int, dimension: int, seed: int = 0) -> npt.NDArray[np.float64]:
+    """n points of a named kind in dimension d: an (n, d) float64 array, the same bits for the same arguments on every platform.
+
+    kind : str
+        {}
+    n : int
+        How many. Fewer are returned only by cube01, which has 2^d.
+    dimension : int
+        d >= 1.
+    seed : int
+        0 to 2^64 - 1.
+
+    Errors: ValueError for an unknown kind, and for a combination that does not exist. Cost: O(n d).
+    """
+    if n < 0:
+        raise ValueError(f"n: at least 0, not {n}")
+    if kind not in _core._point_set_kinds():
+        raise ValueError(f"kind: {', '.join(_core._point_set_kinds())}; not {_core._represented(kind)}")
+    return _core._generate(kind, n, dimension, seed)
+
+
+generate.__doc__ = generate.__doc__.replace("{}", ", ".join(f"{name} ({text})" for name, text in _core._point_set_kinds().items()))
+
+
+def lower_hull(points: npt.ArrayLike, side: str = "lower", *, tolerance: float = 0.0, seed: int = 0, order: str = "automatic",
+               threads: int = 0, progress: Any = None) -> "_core.LowerHull":
+    """The lower (or upper) hull of points, (n, d), with respect to the last coordinate: a `LowerHull`, which says all else."""
+    return _core.LowerHull(points, side, tolerance=tolerance, seed=seed, order=order, threads=threads, progress=progress)
+
+
+for _type in (_core.Triangulation, _core.ConvexHull, _core.HalfspaceIntersection, _core.LowerHull):
+    _type.save, _type.to_data = _save, _to_data
+_core.Diagram.save, _core.Diagram.to_data = _save_diagram, _to_data
+del _type
+for _function, _name in ((_save, "save"), (_save_diagram, "save"), (_to_data, "to_data")):
+    _function.__name__ = _function.__qualname__ = _name

@@ -1,0 +1,223 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// delone.LowerHull.
+#include "arrays.hpp"
+#include "data_members.hpp"
+#include "docstring.hpp"
+#include "module.hpp"
+#include "pickling.hpp"
+#include "running.hpp"
+#include "saving.hpp"
+
+#include <delone/lower_hull.hpp>
+
+#include <memory>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace delone::python {
+namespace {
+
+using namespace py::literals;
+
+HullSide side_of(const std::string& side) {
+  if (side == "lower") return HullSide::lower;
+  if (side == "upper") return HullSide::upper;
+  throw py::value_error("side: 'lower' or 'upper', not " + in_quotes(side));
+}
+
+/// A lower or upper hull, and its points; none of it changes.
+class HeldLowerHull {
+ public:
+  HeldLowerHull(const py::object& points, const std::string& side, double tolerance,
+                const BuildArguments& arguments, const py::object& progress) {
+    const auto rows = as_points(points, "points");
+    if (rows.shape(1) < 2) throw py::value_error("points: a composition and a height, 2 numbers at least");
+    Options options = arguments.to_options();
+    options.tolerance = tolerance;
+    const HullSide which = side_of(side);
+    Supervisor supervisor(progress);
+    supervisor.run([&, x = numbers(rows), d = static_cast<int>(rows.shape(1))] {
+      hull_ = std::make_shared<const LowerHull<>>(x, d, which, options);
+      points_ = std::make_shared<const std::vector<double>>(x.begin(), x.end());
+    });
+  }
+
+  const Envelope& hull() const { return *hull_; }
+  const std::shared_ptr<const LowerHull<>>& owner() const { return hull_; }
+  const std::shared_ptr<const std::vector<double>>& points() const { return points_; }
+  std::size_t dimension() const { return static_cast<std::size_t>(hull_->dimension()); }
+  std::size_t width() const { return static_cast<std::size_t>(hull_->composition_dimension() + 1); }
+
+ private:
+  std::shared_ptr<const LowerHull<>> hull_;
+  std::shared_ptr<const std::vector<double>> points_;
+};
+
+py::array list(const HeldLowerHull& held, std::span<const SignedIndex> items) {
+  return view(items, {static_cast<py::ssize_t>(items.size())}, held.owner());
+}
+py::array table(const HeldLowerHull& held, std::span<const SignedIndex> items) {
+  return view(items,
+              {static_cast<py::ssize_t>(held.hull().num_cells()), static_cast<py::ssize_t>(held.width())},
+              held.owner());
+}
+
+py::object heights(const HeldLowerHull& held, const py::object& object) {
+  const Queries queries(object, held.hull().dimension() - 1);
+  auto result = queries.answers<double>();
+  Supervisor supervisor;
+  const std::vector<double> found =
+      supervisor.run([&, x = queries.coordinates()] { return held.hull().heights(x); });
+  std::copy(found.begin(), found.end(), result.mutable_data());
+  return Queries::scalar_if_single(result);
+}
+
+py::object height_above(const HeldLowerHull& held, const py::object& object, double tolerance) {
+  const Queries queries(object, held.hull().dimension());
+  auto result = queries.answers<double>();
+  Supervisor supervisor;
+  const std::vector<double> found =
+      supervisor.run([&, x = queries.coordinates()] { return held.hull().height_above(x, tolerance); });
+  std::copy(found.begin(), found.end(), result.mutable_data());
+  return Queries::scalar_if_single(result);
+}
+
+py::object find_simplex(const HeldLowerHull& held, const py::object& object) {
+  const Queries queries(object, held.hull().dimension() - 1);
+  auto result = queries.answers<SignedIndex>();
+  const std::size_t width = held.dimension() - 1;
+  Supervisor supervisor;
+  supervisor.run([&, x = queries.coordinates(), out = result.mutable_data()] {
+    for (std::size_t i = 0; i < queries.size(); ++i) {
+      cancellation_point();
+      const auto found = held.hull().find_cell(x.subspan(i * width, width));
+      out[i] = found ? static_cast<SignedIndex>(*found) : -1;
+    }
+  });
+  return Queries::scalar_if_single(result);
+}
+
+constexpr const char* class_doc = R"(
+LowerHull(points, side='lower', *, tolerance=0.0, seed=0, order='automatic', threads=0, progress=None)
+
+The lower (or upper) part of the convex hull of points, (n, d), d >= 2, with respect to the last coordinate: the convex
+envelope of heights over compositions, as in phase diagrams. The first d-1 coordinates of a point are its composition,
+the last one is its height, an energy say.
+
+It consists of simplices of c+1 points, the cells, c the affine dimension of the compositions. Seen along the last axis
+they triangulate the domain, the hull of the compositions. Exact for all finite doubles; duplicates, flat compositions
+and points above the hull are ordinary input.
+
+tolerance, a height >= 0 with the unit of the last coordinate: if positive, the exact lower hull of so few of the points
+that none can be left out, over the same domain, such that no point is farther below it along the last axis. ValueError
+if it is negative, NaN, infinite, or larger than the range of the heights.
+
+Other arguments and errors as in Delaunay. Immutable; methods release the GIL. Cost: a convex hull of n+1 points.)";
+
+constexpr const char* height_above_doc = R"(
+The height of each point (..., d) above the hull along the last axis, (...): "energy above hull". The sign is exact: 0 only
+for points exactly on it, negative below it. The magnitude is rounded; magnitudes up to tolerance are 0. -inf (inf for an
+upper hull) outside the domain. InputError for NaN or infinity, ValueError for a tolerance that is negative or not finite.
+Cost: a walk over cells for each point.)";
+
+}  // namespace
+
+void bind_lower_hull(py::module_& module) {
+  using Held = HeldLowerHull;
+  py::class_<Held> type(module, "LowerHull", text(class_doc));
+  type.def(py::init([](const py::object& points, const std::string& side, double tolerance,
+                       std::uint64_t seed, std::string order, int threads, const py::object& progress) {
+             return std::make_unique<Held>(points, side, tolerance,
+                                           BuildArguments{seed, std::move(order), threads}, progress);
+           }),
+           "points"_a, "side"_a = "lower", py::kw_only(), "tolerance"_a = 0.0, "seed"_a = 0,
+           "order"_a = "automatic", "threads"_a = 0, "progress"_a = py::none());
+  type.def_property_readonly(
+          "dimension", [](const Held& h) { return h.hull().dimension(); },
+          "d >= 2, the number of coordinates of a point, its height included.")
+      .def_property_readonly(
+          "composition_dimension", [](const Held& h) { return h.hull().composition_dimension(); },
+          "c <= d-1, the affine dimension of the compositions; -1 without points.")
+      .def_property_readonly(
+          "composition_axes", [](const Held& h) { return py::tuple(py::cast(h.hull().composition_axes())); },
+          "c axes onto which the flat of the compositions projects one-to-one, increasing: a tuple.")
+      .def_property_readonly(
+          "side", [](const Held& h) { return h.hull().side() == HullSide::lower ? "lower" : "upper"; },
+          "'lower' or 'upper'.")
+      .def_property_readonly(
+          "tolerance", [](const Held& h) { return h.hull().tolerance(); },
+          "The argument of the constructor; 0.0: the hull is exact.")
+      .def_property_readonly(
+          "max_distance", [](const Held& h) { return h.hull().max_distance(); },
+          "No point is farther outside than this along the last axis: a bound, at most `tolerance`.")
+      .def_property_readonly(
+          "num_points", [](const Held& h) { return h.hull().num_points(); }, "n, the rows of the input.")
+      .def_property_readonly(
+          "num_cells", [](const Held& h) { return h.hull().num_cells(); }, "m, the simplices; also len().")
+      .def_property_readonly(
+          "num_facets", [](const Held& h) { return h.hull().num_facets(); },
+          "f: cells in one hyperplane belong to one facet.")
+      .def("__len__", [](const Held& h) { return h.hull().num_cells(); })
+      .def_property_readonly(
+          "points",
+          [](const Held& h) {
+            return rows_view(*h.points(), h.hull().num_points(), h.dimension(), h.points());
+          },
+          "(n, d) float64: all rows of the input, in their order.")
+      .def_property_readonly(
+          "cells", [](const Held& h) { return table(h, h.hull().cells()); },
+          "(m, c+1) input rows; positively oriented on `composition_axes`.")
+      .def_property_readonly(
+          "neighbors", [](const Held& h) { return table(h, h.hull().neighbors()); },
+          "(m, c+1) cells: neighbor j is across the facet opposite vertex j; -1 at the border of the domain.")
+      .def_property_readonly(
+          "facet_of_cell", [](const Held& h) { return list(h, h.hull().facet_of_cell()); },
+          "(m,) numbers 0 ... f-1: the facet each cell is part of.")
+      .def_property_readonly(
+          "vertices", [](const Held& h) { return list(h, h.hull().vertices()); },
+          "The rows of the extreme points of this side (stable phases), increasing; of equal rows the first.")
+      .def("find_simplex", &find_simplex, "compositions"_a,
+           "The cell whose domain contains each composition (..., d-1), exactly: (...); -1 outside the "
+           "domain. "
+           "InputError for NaN or infinity. Cost: a walk over cells for each.")
+      .def("heights", &heights, "compositions"_a,
+           "The height of the hull over each composition (..., d-1), (...), rounded; inf (-inf for an upper "
+           "hull) outside the domain. InputError for NaN or infinity. Cost: a walk over cells for each.")
+      .def("height_above", &height_above, "points"_a, py::kw_only(), "tolerance"_a = 0.0,
+           text(height_above_doc))
+      .def("_data", [](const Held& h) { return to_python(h.hull().to_data()); })
+      .def(
+          "_save",
+          [](const Held& h, const std::string& path, const std::string& format,
+             const std::optional<std::string>& qhull, std::vector<std::string> columns) {
+            if (qhull) throw py::value_error("qhull: Qhull has no output for lower hulls");
+            const SaveArguments to{path, format, {}, std::move(columns)};
+            Supervisor supervisor;
+            supervisor.run([&] { to.save_data(h.hull().to_data()); });
+          },
+          "path"_a, "format"_a, "qhull"_a, "columns"_a)
+      .def("__repr__",
+           [](const Held& h) {
+             const Envelope& hull = h.hull();
+             return std::string("<delone.LowerHull: the ") +
+                    (hull.side() == HullSide::lower ? "lower" : "upper") + " hull of " +
+                    std::to_string(hull.num_points()) + " points in dimension " +
+                    std::to_string(hull.dimension()) + ", " + std::to_string(hull.vertices().size()) +
+                    " vertices, " + std::to_string(hull.num_cells()) + " cells>";
+           })
+      .def(py::pickle(
+          [](const Held& h) {
+            return py::make_tuple(rows_view(*h.points(), h.hull().num_points(), h.dimension(), h.points()),
+                                  h.hull().side() == HullSide::lower ? "lower" : "upper",
+                                  h.hull().tolerance());
+          },
+          [](const py::tuple& given) {
+            return from_state(given, 3, "a lower hull", [](const py::tuple& state) {
+              return std::make_unique<Held>(state[0], state[1].cast<std::string>(), state[2].cast<double>(),
+                                            BuildArguments{}, py::none());
+            });
+          }));
+}
+
+}  // namespace delone::python

@@ -1,0 +1,276 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""read, save, to_data, check, generate and lower_hull; files for other programs as meshio and VTK read them."""
+import itertools
+import os
+import pickle
+
+import numpy as np
+import pytest
+
+import delone
+from delone import ComplexData, HullData, IntersectionData, VoronoiData
+
+POINTS = np.random.default_rng(1).random((30, 3))
+CUBE = np.array(list(itertools.product([0.0, 1.0], repeat=3)))
+SQUARE = [[-1, 0, 0], [0, -1, 0], [1, 0, -1], [0, 1, -1]]
+
+
+def products():
+    yield delone.Delaunay(POINTS), ComplexData
+    yield delone.Regular(POINTS, np.arange(30.0) / 100), ComplexData
+    yield delone.FurthestSite(POINTS), ComplexData
+    yield delone.ConvexHull(POINTS), HullData
+    yield delone.ConvexHull(POINTS[:3]), HullData
+    yield delone.ConvexHull(POINTS, tolerance=0.1), HullData
+    yield delone.HalfspaceIntersection(SQUARE), IntersectionData
+    yield delone.HalfspaceIntersection([[1, 0], [-1, 1]]), IntersectionData
+    yield delone.Voronoi(POINTS), VoronoiData
+    yield delone.PowerDiagram(POINTS, np.arange(30.0) / 100), VoronoiData
+    yield delone.LowerHull(POINTS), ComplexData
+    yield delone.Delaunay(np.empty((0, 2))), ComplexData
+    yield delone.Delaunay([[1.0, 2.0]]), ComplexData
+
+
+def same(a, b):
+    assert type(a) is type(b)
+    for name, value in a.members.items():
+        other = getattr(b, name)
+        if isinstance(value, np.ndarray) and name != "axes":
+            assert np.asarray(other).size == value.size and (np.asarray(other).ravel() == value.ravel()).all(), name
+        elif name != "axes":  # of hulls without a tolerance files have none
+            assert other == value or value is None, name
+
+
+@pytest.mark.parametrize("product, kind", products())
+def test_saved_and_read(product, kind, tmp_path):
+    data = product.to_data()
+    assert type(data) is kind and repr(data).startswith(f"<delone.{kind.__name__}: ")
+    for extension in ("npz", "json"):
+        product.save(tmp_path / f"a.{extension}")
+        same(data, delone.read(tmp_path / f"a.{extension}"))
+        data.save(os.fsencode(tmp_path / f"b.{extension}"))
+        assert (tmp_path / f"a.{extension}").read_bytes() == (tmp_path / f"b.{extension}").read_bytes()
+    product.save(tmp_path / "c.txt", "json")
+    same(data, delone.read(str(tmp_path / "c.txt"), format="json"))
+    same(data, pickle.loads(pickle.dumps(data)))
+    with pytest.raises(AttributeError):
+        data.points = None
+    with pytest.raises(AttributeError):
+        data.facets_of_a_triangulation
+    if not isinstance(product, delone.LowerHull):
+        for checked in (product, data):
+            report = delone.check(checked, furthest_site=True) if isinstance(product, delone.FurthestSite) else delone.check(checked)
+            assert report and report.ok and report.violation == ""
+
+
+def test_names_of_columns(tmp_path):
+    class Named(delone.Delaunay):  # has room for attributes
+        columns = ["x", None, "höhe \"z\""]
+
+    for extension in ("npz", "json"):
+        Named(POINTS).save(tmp_path / f"a.{extension}")
+        assert delone.read(tmp_path / f"a.{extension}").columns == ["x", "", "höhe \"z\""]
+        delone.Delaunay(POINTS).save(tmp_path / f"b.{extension}")
+        assert delone.read(tmp_path / f"b.{extension}").columns is None
+    assert np.load(tmp_path / "a.npz")["column_names"].tolist() == ["x", "", "höhe \"z\""]
+    Named(POINTS[:, :2]).save(tmp_path / "c.json")  # not as many as coordinates
+    assert delone.read(tmp_path / "c.json").columns is None
+
+
+def test_points(tmp_path):
+    (tmp_path / "a.csv").write_text("x,y,mass\n0,1,5\n2,3,6\n")
+    assert delone.read(tmp_path / "a.csv").tolist() == [[0, 1, 5], [2, 3, 6]]
+    assert delone.read(tmp_path / "a.csv", columns=["mass", "x"]).tolist() == [[5, 0], [6, 2]]
+    np.save(tmp_path / "a.npy", POINTS)
+    assert (delone.read(tmp_path / "a.npy") == POINTS).all()
+    assert delone.read(tmp_path / "a.npy", columns=[2, 0]).tolist() == POINTS[:, [2, 0]].tolist()
+    (tmp_path / "a.off").write_text("OFF\n2 0 0\n0 0 0\n1 2 3\n")
+    assert delone.read(tmp_path / "a.off").tolist() == [[0, 0, 0], [1, 2, 3]]
+    delone.Delaunay(POINTS).save(tmp_path / "b.off")
+    assert isinstance(delone.read(tmp_path / "b.off"), ComplexData)
+    with pytest.raises(delone.Error, match="missing.npy"):
+        delone.read(tmp_path / "missing.npy")
+    with pytest.raises(delone.InputError, match="a.csv:2"):
+        (tmp_path / "a.csv").write_text("x,y\n0,nan\n")
+        delone.read(tmp_path / "a.csv")
+    with pytest.raises(delone.Error, match="format 'doc'"):
+        delone.read(tmp_path / "a.doc")
+    with pytest.raises(TypeError, match="columns"):
+        delone.read(tmp_path / "a.npy", columns="x")
+
+
+def test_save_refuses(tmp_path):
+    t = delone.Delaunay(POINTS)
+    with pytest.raises(delone.Error, match="format 'xyz' cannot be used"):
+        t.save(tmp_path / "a.xyz")
+    with pytest.raises(ValueError, match="exclude"):
+        t.save(tmp_path / "a.txt", "txt", qhull="o")
+    with pytest.raises(ValueError, match="'q' is none of the outputs"):
+        t.save(tmp_path / "a.txt", qhull="q")
+    with pytest.raises(delone.Error, match="regular"):
+        delone.Regular(POINTS, np.zeros(30)).save(tmp_path / "a.txt", qhull="o")
+    with pytest.raises(ValueError, match="lower"):
+        delone.LowerHull(POINTS).save(tmp_path / "a.txt", qhull="o")
+    with pytest.raises(delone.Error, match="at most 3"):
+        delone.Delaunay(np.random.default_rng(1).random((9, 4))).save(tmp_path / "a.ply")
+    assert os.listdir(tmp_path) == []
+
+
+def test_qhull(tmp_path):
+    delone.ConvexHull(CUBE).save(tmp_path / "a.txt", qhull="Fx FS")
+    assert (tmp_path / "a.txt").read_text().split() == ["8", *"01234567", "0", "2", "6", "1"]
+    delone.Voronoi(CUBE).save(tmp_path / "b.txt", qhull="p")
+    assert (tmp_path / "b.txt").read_text() == "3\n1\n0.5 0.5 0.5\n"
+    delone.Delaunay(CUBE).save(tmp_path / "c.txt", qhull="Fx")
+    delone.HalfspaceIntersection(SQUARE).save(tmp_path / "d.txt", qhull="Fp")
+    assert sorted(np.loadtxt(tmp_path / "d.txt", skiprows=2).tolist()) == [[0, 0], [0, 1], [1, 0], [1, 1]]
+
+
+def test_check_of_anybodys_triangulation():
+    t = delone.Delaunay(POINTS)
+    assert delone.check(POINTS, t.cells) and delone.check(POINTS, t.cells, neighbors=t.neighbors)
+    report = delone.check(POINTS, t.cells[1:])
+    assert not report and report.level > 2 and report.name and report.violation
+    assert delone.check(POINTS, t.cells[1:], level=2)
+    mirrored = t.cells[:, [1, 0, 2, 3]]
+    assert not delone.check(POINTS, mirrored) and delone.check(POINTS, mirrored, any_orientation=True)
+    moved = POINTS.copy()
+    moved[0] = POINTS[1] + 0.25
+    assert not delone.check(moved, t.cells)
+    grid = np.array(list(itertools.product(range(3), repeat=2)), float)
+    assert delone.check(delone.Delaunay(grid), canonical=True).ties == 4
+    weights = np.arange(30.0) / 100
+    r = delone.Regular(POINTS, weights)
+    assert delone.check(POINTS, r.cells, weights=weights, level=5) and not delone.check(POINTS, r.cells)
+    for bad in (lambda: delone.check(POINTS, t.cells, level=0), lambda: delone.check(POINTS, t.cells[:, :1] * 1.5),
+                lambda: delone.check(POINTS, [0, 1, 2]), lambda: delone.check(POINTS[:, :2], t.cells),
+                lambda: delone.check(delone.ConvexHull(POINTS), canonical=True), lambda: delone.check(5),
+                lambda: delone.check(t, neighbors=t.neighbors), lambda: delone.check(delone.LowerHull(POINTS)),
+                lambda: delone.check(POINTS, t.cells + 2**40), lambda: delone.check(POINTS, t.cells, neighbors=t.neighbors[:, :2])):
+        with pytest.raises((ValueError, TypeError)):
+            bad()
+
+
+def test_check_of_scipy():
+    spatial = pytest.importorskip("scipy.spatial")
+    assert delone.check(spatial.Delaunay(POINTS))
+    assert delone.check(delone.spatial.Delaunay(POINTS))
+
+
+def test_check_of_broken_results():
+    hull = delone.ConvexHull(POINTS).to_data().members
+    hull["cells"] = hull["cells"][:, ::-1]
+    assert not delone.check(delone._data._restored(HullData, hull))
+    diagram = delone.Voronoi(POINTS).to_data().members
+    diagram["vertices"] = diagram["vertices"] + 1e-9
+    assert delone.check(delone._data._restored(VoronoiData, diagram)).name == "vertices"
+
+
+def test_generate():
+    a = delone.generate("uniform", 10, 3, seed=4)
+    assert a.shape == (10, 3) and a.dtype == float and (a == delone.generate("uniform", 10, 3, 4)).all() and a.flags.writeable
+    assert delone.generate("cube01", 100, 2).tolist() == [[0, 0], [0, 1], [1, 0], [1, 1]] or len(delone.generate("cube01", 100, 2)) == 4
+    assert delone.generate("sphere", 0, 3).shape == (0, 3)
+    assert "uniform" in delone.generate.__doc__
+    for arguments in (("nothing", 3, 2), ("uniform", -1, 2), ("uniform", 3, 0), ("flat", 3, 1)):
+        with pytest.raises(ValueError):
+            delone.generate(*arguments)
+
+
+def test_lower_hull():
+    x = np.linspace(-1, 1, 9)
+    points = np.column_stack([x, x**2])
+    points = np.vstack([points, [[0.1, 5.0]]])
+    hull = delone.lower_hull(points)
+    assert isinstance(hull, delone.LowerHull) and len(hull) == hull.num_cells == hull.num_facets == 8
+    assert hull.vertices.tolist() == list(range(9)) and hull.side == "lower" and hull.composition_dimension == 1
+    assert hull.composition_axes == (0,) and hull.dimension == 2 and hull.cells.shape == hull.neighbors.shape == (8, 2)
+    assert (hull.height_above(points)[:9] == 0).all() and hull.height_above(points[9]) > 4 and (hull.points == points).all()
+    assert hull.heights([[0.125]])[0] == pytest.approx(0.03125) and hull.heights([2.0]) == np.inf
+    assert hull.find_simplex([5.0]) == -1 and x[hull.cells[hull.find_simplex([0.3])]].tolist() in ([0.25, 0.5], [0.5, 0.25])
+    assert hull.facet_of_cell.shape == (8,) and "lower hull of 10 points" in repr(hull)
+    again = pickle.loads(pickle.dumps(hull))
+    assert (again.cells == hull.cells).all() and again.side == "lower"
+    upper = delone.lower_hull(points, "upper")
+    assert upper.vertices.tolist() == [0, 8, 9] and upper.side == "upper"
+    coarse = delone.lower_hull(points, tolerance=0.1)
+    assert 0 < coarse.max_distance <= coarse.tolerance == 0.1 and coarse.num_cells < 8
+    assert (delone.LowerHull(points, threads=2).cells == hull.cells).all()
+    for bad in (lambda: delone.lower_hull(points, "left"), lambda: delone.lower_hull(points[:, :1]),
+                lambda: delone.lower_hull(points, tolerance=-1), lambda: delone.lower_hull(points * np.nan),
+                lambda: hull.height_above(points, tolerance=np.nan), lambda: hull.heights([1.0, 2.0])):
+        with pytest.raises(ValueError):
+            bad()
+
+
+# As other programs read them.
+
+def volume(points, cells):
+    return abs(np.linalg.det(points[cells[:, 1:]] - points[cells[:, :1]])).sum() / 6
+
+
+def test_meshes_as_meshio_reads_them(tmp_path):
+    meshio = pytest.importorskip("meshio")
+    t, h = delone.Delaunay(POINTS), delone.ConvexHull(POINTS)
+    for extension in ("msh", "vtu"):
+        t.save(tmp_path / f"a.{extension}")
+        mesh = meshio.read(tmp_path / f"a.{extension}")
+        assert (mesh.points == POINTS).all() and (mesh.cells_dict["tetra"] == t.cells).all()
+    for product, extension in itertools.product((t, h), ("ply", "stl", "obj")):
+        product.save(tmp_path / f"b.{extension}")
+        mesh = meshio.read(tmp_path / f"b.{extension}")
+        corners = mesh.points[mesh.cells_dict["triangle"]].astype(float)
+        assert len(corners) == h.num_cells
+        # The divergence theorem: triangles are counterclockwise seen from outside.
+        assert np.linalg.det(corners).sum() / 6 == pytest.approx(h.volume, rel=1e-12 if extension != "stl" else 1e-5)
+    flat = delone.Delaunay(POINTS[:, :2])
+    for extension in ("ply", "stl", "obj", "msh", "vtu"):
+        flat.save(tmp_path / f"c.{extension}")
+        mesh = meshio.read(tmp_path / f"c.{extension}")
+        assert len(mesh.cells_dict["triangle"]) == len(flat) and (mesh.points[:, 2] == 0).all()
+    in_space = delone.Delaunay(np.column_stack([POINTS[:, :2], POINTS[:, 0]]))  # flat, in space
+    in_space.save(tmp_path / "d.stl")
+    assert len(meshio.read(tmp_path / "d.stl").cells_dict["triangle"]) == len(in_space)
+    for extension in ("ply", "stl", "obj", "msh", "vtu"):
+        delone.Delaunay(np.empty((0, 3))).save(tmp_path / f"e.{extension}")
+
+
+@pytest.mark.parametrize("dimension", (2, 3))
+def test_diagrams_as_meshio_reads_them(tmp_path, dimension):
+    meshio = pytest.importorskip("meshio")
+    points = POINTS[:, :dimension]
+    for diagram in (delone.Voronoi(points), delone.PowerDiagram(points, np.arange(30.0) / 300)):
+        diagram.save(tmp_path / "a.vtu", box=([0.0] * dimension, [1.0] * dimension))
+        mesh = meshio.read(tmp_path / "a.vtu")
+        volumes = dict(enumerate(diagram.region_volumes(([0.0] * dimension, [1.0] * dimension))))
+        seen = []
+        for block, regions, rows in zip(mesh.cells, mesh.cell_data["region"], mesh.cell_data["point"]):
+            assert (diagram.region_points[regions] == rows).all() and len(block.data) == len(regions)
+            for cell, region in zip(block.data, regions):
+                faces = [np.asarray(cell)] if dimension == 2 else cell
+                corners = mesh.points[np.unique(np.concatenate(faces))][:, :dimension]
+                assert delone.ConvexHull(corners).volume == pytest.approx(volumes[region], rel=1e-6)
+                seen.append(region)
+        assert sorted(seen) == sorted(region for region, size in volumes.items() if size > 0)
+
+
+def test_diagrams_as_vtk_reads_them(tmp_path):
+    vtk = pytest.importorskip("vtkmodules.vtkIOXML")
+    from vtkmodules.vtkFiltersVerdict import vtkCellSizeFilter
+
+    for dimension in (2, 3):
+        diagram = delone.Voronoi(POINTS[:, :dimension])
+        box = diagram.bounding_box()
+        diagram.save(tmp_path / "a.vtu")
+        reader = vtk.vtkXMLUnstructuredGridReader()
+        reader.SetFileName(str(tmp_path / "a.vtu"))
+        reader.Update()
+        grid = reader.GetOutput()
+        assert grid.GetNumberOfCells() == 30
+        sizes = vtkCellSizeFilter()
+        sizes.SetInputData(grid)
+        sizes.Update()
+        data = sizes.GetOutput().GetCellData()
+        size = data.GetArray("Area" if dimension == 2 else "Volume")
+        regions = [int(data.GetArray("region").GetValue(i)) for i in range(30)]
+        np.testing.assert_allclose([size.GetValue(i) for i in range(30)], diagram.region_volumes(box)[regions], rtol=1e-6)
