@@ -17,6 +17,9 @@
 
 namespace delone::io {
 
+/// A number of Qhull's, as an index of an array.
+inline std::size_t at(SignedIndex number) { return static_cast<std::size_t>(number); }
+
 /// Lists of numbers, stored back to back.
 class NumberLists {
  public:

@@ -23,8 +23,6 @@ namespace {
 
 using Rows = std::vector<SignedIndex>;
 
-std::size_t at(SignedIndex number) { return static_cast<std::size_t>(number); }
-
 void put_vertices(AtomicFile& file, const QhullFacets& facets) {
   file.print("{}\n", facets.vertices.size());
   put_counted(file, facets.vertices);

@@ -16,8 +16,6 @@ namespace {
 
 using Rows = std::vector<SignedIndex>;
 
-std::size_t at(SignedIndex number) { return static_cast<std::size_t>(number); }
-
 void put_vertices(AtomicFile& file, const Diagram& diagram, bool with_infinity) {
   const auto d = static_cast<std::size_t>(diagram.dimension());
   for (std::size_t j = 0; with_infinity && j < d; ++j) file.write(j + 1 < d ? "-10.101 " : "-10.101\n");
