@@ -266,7 +266,7 @@ void JsonFile::refuse_scalar(const std::string& member, std::string_view expecte
 std::vector<std::string> JsonFile::find_texts(const std::string& member) const {
   const auto at = members_.find(member);
   if (at == members_.end()) return {};
-  if (at->second.kind != Kind::list || !at->second.items.empty() ||
+  if (at->second.kind != JsonMember::Kind::list || !at->second.items.empty() ||
       (at->second.fault && at->second.texts.empty()))
     fail(Errc::bad_format, "{}: {}: expected an array of strings", name_, member);
   return at->second.texts;
