@@ -16,7 +16,7 @@
 namespace delone::internal {
 namespace {
 
-constexpr std::size_t vertices_in_part = 4096, faces_in_part = 1 << 16;
+constexpr std::size_t vertices_in_part = 4096, rows_in_part = 1 << 16;
 
 /// The level's faces that have each vertex as their first or second one.
 struct FacesAtVertices {
@@ -193,7 +193,7 @@ FaceLevel find_facets(FaceLevel& level, Index num_slots, unsigned threads, std::
     pieces[p] = {};
   }
   for_parts(
-      threads, level.size(), faces_in_part, [&](std::size_t first, std::size_t last, const StopPoint& stop) {
+      threads, level.size(), rows_in_part, [&](std::size_t first, std::size_t last, const StopPoint& stop) {
         stop();
         for (std::size_t face = first; face < last; ++face)
           for (std::size_t i = 0; i < corners; ++i) {

@@ -16,7 +16,7 @@ namespace delone {
 namespace internal {
 namespace {
 
-constexpr std::size_t faces_in_part = 1 << 15;
+constexpr std::size_t numbers_in_part = 1 << 15;
 
 /// Moves the entries of `items`, `width` each, to the order of `order`.
 template <class T>
@@ -71,7 +71,7 @@ Faces faces_by_rows(const Triangulation& triangulation, FaceLevel level, int j, 
       for (int i = 0; i <= j; ++i) *to++ = row_of[index(complex.vertex(c, i))];
     }
   } else {
-    for_parts(threads, result.size(), faces_in_part,
+    for_parts(threads, result.size(), numbers_in_part,
               [&](std::size_t first, std::size_t last, const StopPoint& stop) {
                 stop();
                 for (std::size_t i = first; i < last; ++i) {
