@@ -85,6 +85,8 @@ mingw:                ## for Windows: delone.exe by mingw-w64, and the unit test
 	tools/build_mingw_packages.sh $(jobs)
 	cmake --preset mingw $(launcher)
 	cmake --build --preset mingw -j $(jobs)
+	mkdir -p build/mingw-packages/wine
+	WINEPREFIX=$(CURDIR)/build/mingw-packages/wine PATH=$$PATH:/usr/lib/wine wineserver -p60  # one for all: to start and end it often fails at times
 	ctest --preset mingw
 
 aarch64:              ## unit tests and hashes of results, cross-compiled for 64-bit ARM and run by QEMU
