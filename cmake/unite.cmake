@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: BSD-3-Clause
 # delone_unite(<target> <files>): in builds with tests, compiles the sources of a folder together, up to so many at a time. What they
-# include is then parsed once, and templates that they share are compiled once: about a third of the time. A source with
+# include is then parsed once, and templates that they share are compiled once: a fifth of the time less. A source with
 # compile options of its own, and one that Highway compiles for several instruction sets, stays alone.
 # In the preset dev, and without tests, each source is compiled by itself, so that it includes what it uses.
 function(delone_unite target files)

@@ -3,6 +3,7 @@
 
     python -m delone program.py [arguments]
     python -m delone -m module [arguments]
+    python -m delone --version
 """
 import os
 import runpy
@@ -15,6 +16,11 @@ def main():
     arguments = sys.argv[1:]
     if not arguments or arguments[0] in ("-h", "--help") or arguments == ["-m"]:
         sys.exit(__doc__)
+    if arguments[0] == "--version":
+        print("delone", delone.__version__)
+        return
+    if arguments[0].startswith("-") and arguments[0] != "-m":
+        sys.exit(f"python -m delone: there is no option {arguments[0]}\n{__doc__}")
     delone.patch_scipy()
     if arguments[0] == "-m":
         sys.argv = arguments[1:]

@@ -223,7 +223,7 @@ class TileTriangulation::Asking {
   std::vector<Spoke> spokes_;
   std::vector<const double*> corners_, facet_;
   std::vector<double> weights_, centers_;
-  std::vector<VertexId> sorted_;  // the vertices of the cell that is looked at
+  std::vector<VertexId> sorted_;  // the vertices of the cell that gather() looks at, by their ids
 };
 
 TileTriangulation::TileTriangulation(const Survey& survey, const PageTree& tree, PageSource& source,

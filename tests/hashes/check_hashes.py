@@ -39,7 +39,7 @@ def hash_of(case, command, folder):
         out = folder / product.pop()
         subprocess.run([*command, *product[:-1], path, *options, "-q", "-o", out], check=True, stdout=subprocess.DEVNULL)
         return of_file(out)
-    done = subprocess.run([*command, *product, path, *options, "--stats"], check=True, capture_output=True)
+    done = subprocess.run([*command, *product, path, *options, "--stats"], check=True, stdout=subprocess.PIPE)
     return json.loads(done.stdout)["hash"]
 
 

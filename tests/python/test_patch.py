@@ -80,6 +80,10 @@ def test_the_command_runs_programs_patched(scipy_spatial, tmp_path):
     assert done.stdout == "delone.spatial._delaunay ['y'] __main__\n"
     done = subprocess.run([sys.executable, "-m", "delone"], capture_output=True, text=True)
     assert done.returncode == 1 and "python -m delone program.py" in done.stderr
+    done = subprocess.run([sys.executable, "-m", "delone", "--verson"], capture_output=True, text=True)
+    assert done.returncode == 1 and "there is no option --verson" in done.stderr
+    done = subprocess.run([sys.executable, "-m", "delone", "--version"], capture_output=True, text=True, check=True)
+    assert done.stdout == f"delone {delone.__version__}\n"
 
 
 def test_other_names_are_those_of_scipy(scipy_spatial):
