@@ -74,16 +74,9 @@ def overview(path):
         ax.set_frame_on(False)
     ax = figure.add_subplot(1, 3, 3, projection="3d")
     tri = delone.Delaunay(atoms())
-    draw_alpha_shape(ax, tri, circumradii(tri), 2.6)
+    draw_alpha_shape(ax, tri, tri.circumradii, 2.6)
     ax.set_title("alpha shape of a protein, in space", fontsize=10)
     save(figure, path)
-
-
-def circumradii(tri):
-    """The radius of the sphere of each cell."""
-    inverse = tri.transform[:, :-1]
-    edges = tri.points[tri.cells[:, :-1]] - tri.points[tri.cells[:, -1:]]
-    return np.linalg.norm(np.einsum("mij,mi->mj", inverse, (edges**2).sum(axis=2) / 2), axis=1)
 
 
 def draw_alpha_shape(ax, tri, radii, largest):
@@ -117,7 +110,7 @@ def atoms():
 def protein(path):
     """Alpha shapes of a protein at three radii."""
     tri = delone.Delaunay(atoms())
-    radii = circumradii(tri)
+    radii = tri.circumradii
     figure = plt.figure(figsize=(9, 2.7))
     for i, largest in enumerate([2.6, 6, np.inf]):
         ax = figure.add_subplot(1, 3, i + 1, projection="3d")
@@ -194,12 +187,45 @@ def look_protein(path):
     for i in range(2):
         ax = figure.add_subplot(1, 2, i + 1, projection="3d")
         if i == 0:
-            tri.plot(ax, cells=circumradii(tri) < 2.6, values=np.linalg.norm(points, axis=1), cmap="cividis", colorbar="Å from the center", linewidth=0.1)
+            tri.plot(ax, cells=tri.circumradii < 2.6, values=np.linalg.norm(points, axis=1), cmap="cividis", colorbar="Å from the center", linewidth=0.1)
         else:
             delone.ConvexHull(points).plot(ax, points=False)
         ax.set_box_aspect(np.ptp(points, axis=0), zoom=1.5)
         ax.view_init(40, -80)
         ax.set_axis_off()
+    save(figure, path)
+
+
+def ask_neighbors(path):
+    """Defects of a crystal: numbers of neighbors, and the triangulation."""
+    row, column = np.mgrid[:20, :20].reshape(2, -1)
+    crystal = np.stack([column + row % 2 / 2, row * 3**0.5 / 2], axis=1) + np.random.default_rng(3).normal(scale=0.13, size=(400, 2))
+    tri = delone.Delaunay(crystal)
+    degree = np.bincount(tri.faces(1).vertices.ravel(), minlength=400)
+    box = [1, 1], [18, 15]
+    figure, axes = plt.subplots(1, 2, figsize=(9.5, 3.7))
+    tri.plot(axes[0], points=False)
+    axes[0].plot(*crystal.T, "o", color=INK, ms=2)
+    delone.Voronoi(tri).plot(axes[1], values=degree, box=box, cmap="coolwarm", vmin=4, vmax=8, colorbar="neighbors")
+    for ax in axes:
+        ax.set(xlim=(1, 18), ylim=(1, 15), aspect="equal", xticks=[], yticks=[])
+    save(figure, path)
+
+
+def ask_phases(path):
+    """The phase diagram of three elements."""
+    names = ["A", "B", "C", "AB", "AC", "BC", "A2BC", "ABC2"]
+    phases = np.array([[0, 0, 0], [1, 0, 0], [0, 1, 0], [0.5, 0, -1], [0, 0.5, -0.5], [0.5, 0.5, 0.5], [0.25, 0.25, -0.625], [0.25, 0.5, -0.25]])
+    hull = delone.lower_hull(phases)
+    places = phases[:, :2] @ [[1, 0], [0.5, 0.75**0.5]]
+    figure, ax = plt.subplots(figsize=(5.2, 3.7))
+    ax.triplot(*places.T, hull.cells, color=INK, lw=1)
+    dots = ax.scatter(*places.T, c=hull.height_above(phases), cmap="viridis_r", edgecolors=INK, s=60, zorder=3)
+    for name, place in zip(names, places):
+        ax.annotate(name, place, xytext=(6, 6), textcoords="offset points")
+    figure.colorbar(dots, label="energy above the hull")
+    ax.set(aspect="equal", xlim=(-0.1, 1.2), ylim=(-0.1, 1))
+    ax.set_axis_off()
     save(figure, path)
 
 
@@ -213,7 +239,7 @@ def save(figure, path, tight=True):
 def main():
     folder = pathlib.Path(sys.argv[1]) if len(sys.argv) > 1 else ROOT / "docs" / "pictures"
     folder.mkdir(parents=True, exist_ok=True)
-    for draw in (overview, plane, protein, earthquakes, look_values, look_curvature, look_protein):
+    for draw in (overview, plane, protein, earthquakes, look_values, look_curvature, look_protein, ask_neighbors, ask_phases):
         draw(folder / f"{draw.__name__}.png")
 
 
