@@ -37,8 +37,8 @@ void require_rows(std::span<const SignedIndex> items, std::size_t count, const c
       io::fail(Errc::invalid_argument, "{}: item {} is {} of {}", what, i, items[i], count);
 }
 
-Scene simplices(const HtmlOptions& options, const char* kind, int dimension, std::span<const double> points,
-                const std::vector<SignedIndex>& cells, int corners) {
+Scene scene_of_cells(const HtmlOptions& options, const char* kind, int dimension,
+                     std::span<const double> points, const std::vector<SignedIndex>& cells, int corners) {
   Scene scene = scene_of(options, dimension, kind);
   scene.corners = corners;
   scene.cells = cells;
@@ -140,8 +140,8 @@ std::string to_html(const ComplexData& data, const HtmlOptions& options) {
     io::validate(data, "page");
     io::require_finite(data.points, data.dimension, "page");
     io::require_finite(data.weights, 1, "page: weights");
-    view::Scene scene = view::simplices(options, "triangulation", data.dimension, data.points, data.cells,
-                                        std::max(data.affine_dimension + 1, 0));
+    view::Scene scene = view::scene_of_cells(options, "triangulation", data.dimension, data.points,
+                                             data.cells, std::max(data.affine_dimension + 1, 0));
     const int k = data.affine_dimension;
     scene.affine_dimension = k;
     scene.dual = k == data.dimension && (k == 2 || k == 3);
@@ -168,8 +168,8 @@ std::string to_html(const HullData& data, const HtmlOptions& options) {
     io::require_finite(data.points, data.dimension, "page");
     if (data.points.empty() && data.num_points() > 0)
       io::fail(Errc::invalid_argument, "page: the hull was stored without its points");
-    view::Scene scene = view::simplices(options, "hull", data.dimension, data.points, data.cells,
-                                        std::max(data.affine_dimension, 0));
+    view::Scene scene = view::scene_of_cells(options, "hull", data.dimension, data.points, data.cells,
+                                             std::max(data.affine_dimension, 0));
     scene.affine_dimension = data.affine_dimension;
     scene.groups = data.facet_of_cell;
     if (data.affine_dimension == 3) scene.cell_word = "triangle";

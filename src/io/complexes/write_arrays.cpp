@@ -83,8 +83,8 @@ class NpzWriter {
   void number(const char* name, std::int64_t value) {
     add(name, std::span<const std::int64_t>(&value, 1), {});
   }
-  void texts(const char* name, const std::vector<std::string>& items) {
-    zip_.add(std::string(name) + ".npy", npy_of_texts(items), {});
+  void texts(const std::string& name, const std::vector<std::string>& items) {
+    zip_.add(name + ".npy", npy_of_texts(items), {});
   }
   void finish() { zip_.finish(); }
 
