@@ -8,6 +8,7 @@
 #include <array>
 #include <charconv>
 #include <cstdint>
+#include <limits>
 #include <memory>
 #include <span>
 #include <string_view>
@@ -26,10 +27,11 @@ struct Setter {
   void (*set)(delone_options&, Value);
 };
 
-/// The shortest decimal number that is read as x.
-std::string shortest_text(double x) {
+double finite_from_0(std::string_view name, double value) {
+  if (value >= 0 && value < std::numeric_limits<double>::infinity()) return value;
   char text[32];
-  return {text, std::to_chars(text, text + sizeof text, x).ptr};
+  const std::string shortest(text, std::to_chars(text, text + sizeof text, value).ptr);
+  refuse(name, shortest + " is no finite number of at least 0");
 }
 
 std::uint64_t at_least_0(std::string_view name, std::int64_t value) {
@@ -108,17 +110,9 @@ constexpr std::array integers{
 
 constexpr std::array reals{
     Setter<double>{"tolerance",
-                   [](delone_options& o, double v) {
-                     if (!(v >= 0 && v < std::numeric_limits<double>::infinity()))
-                       refuse("tolerance", shortest_text(v) + " is no finite number of at least 0");
-                     o.tolerance = v;
-                   }},
+                   [](delone_options& o, double v) { o.tolerance = finite_from_0("tolerance", v); }},
     Setter<double>{"time_limit",
-                   [](delone_options& o, double v) {
-                     if (!(v >= 0 && v < std::numeric_limits<double>::infinity()))
-                       refuse("time_limit", std::to_string(v) + " is no finite number of at least 0");
-                     o.build.time_limit = v;
-                   }},
+                   [](delone_options& o, double v) { o.build.time_limit = finite_from_0("time_limit", v); }},
     Setter<double>{"fill", [](delone_options& o, double v) { o.fill = v; }},
 };
 

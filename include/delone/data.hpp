@@ -69,10 +69,10 @@ struct DELONE_EXPORT_TYPE HullData {
   std::vector<SignedIndex> vertices;         ///< the extreme rows, increasing
   std::vector<SignedIndex> vertex_of_point;  ///< n, the first row that is equal to each row
   std::vector<PointKind> point_kinds;        ///< n
-  std::vector<int> axes;                  ///< k coordinates on which the flat projects one-to-one, increasing
-  double tolerance = 0;                   ///< 0: the hull is exact, otherwise see Polytope::tolerance()
-  double max_distance = 0;                ///< no point is farther outside of the hull than this
-  std::vector<std::string> column_names;  ///< d, what the coordinates are called; empty: unknown
+  std::vector<int> axes;    ///< k coordinates on which the flat projects one-to-one, increasing
+  double tolerance = 0;     ///< 0: the hull is exact, otherwise see Polytope::tolerance()
+  double max_distance = 0;  ///< no point is farther outside of the hull than this
+  std::vector<std::string> column_names{};  ///< d, what the coordinates are called; empty: unknown
 
   std::size_t num_points() const { return vertex_of_point.size(); }
   std::size_t num_cells() const {
@@ -176,8 +176,8 @@ struct DELONE_EXPORT_TYPE VoronoiData {
   std::vector<std::int64_t> ridge_offsets{0}, region_offsets{0};
   std::vector<SignedIndex> ray_vertices, ray_points;
   std::vector<double> ray_directions;
-  double tolerance = 0;                   ///< what the diagram was made with
-  std::vector<std::string> column_names;  ///< d, what the coordinates are called; empty: unknown
+  double tolerance = 0;                     ///< what the diagram was made with
+  std::vector<std::string> column_names{};  ///< d, what the coordinates are called; empty: unknown
 
   std::size_t num_points() const { return point_region.size(); }
   std::size_t num_vertices() const {

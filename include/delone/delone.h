@@ -106,7 +106,7 @@ DELONE_C_API void delone_set_progress(delone_progress progress, void* user_data)
  *   text     order "automatic"  of insertion: also "as_given", "shuffled"
  *   integer  memory_limit 0     of triangulations, hulls and intersections: bytes that the process may have in
  *                               use, OUT_OF_MEMORY beyond; 0: no limit
- *   real     time_limit 0       of the same: seconds for a call, TIME_LIMIT beyond; 0: no limit
+ *   real     time_limit 0       of the same: seconds for the call that builds it, TIME_LIMIT beyond; 0: none
  *   real     tolerance 0        a distance >= 0, with a meaning for hulls, diagrams and queries; 0 is exact
  *   text     outside "fill"     of queries outside the convex hull: also "nearest", "error", "project"
  *   real     fill NaN           the value of interpolations there, for "fill"

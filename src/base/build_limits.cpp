@@ -2,9 +2,10 @@
 #include "base/build_limits.hpp"
 
 #include "base/platform.hpp"
-#include "base/readable.hpp"
+#include "base/require_tolerance.hpp"
 
 #include <delone/error.hpp>
+#include <delone/forecast.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -40,9 +41,7 @@ WholeCost extrapolated(const std::vector<Passed>& passed) {
 
 BuildLimits::BuildLimits(std::size_t memory, double seconds, const char* items)
     : memory_(memory), seconds_(seconds), items_(items) {
-  if (!(seconds >= 0) || std::isinf(seconds))
-    throw Error(Errc::invalid_argument, "the limit of time is " + std::to_string(seconds) +
-                                            ", which is not a finite number of seconds from 0 on");
+  require_time_limit(seconds);
   if (memory == 0 && seconds == 0) return;
   bytes_before_ = static_cast<double>(platform::resident_memory());
   look_ = [this](double fraction) { return look(fraction); };

@@ -3,8 +3,8 @@
 //
 // Parts begin in the order of their numbers. When one throws, no further ones begin, those after it stop, and
 // those before it, which have all begun, go on: of several exceptions the one of the first part is passed on,
-// whatever the timing. Errc::cancelled from the calling thread, which is the only one that asks a progress
-// function, stops all parts.
+// whatever the timing. What the calling thread, the only one that asks progress functions and limits of time
+// and memory, hears from them ends all parts at once.
 #pragma once
 
 #include "base/parallel.hpp"
@@ -37,6 +37,12 @@ class StopPoint {
   const std::atomic<std::size_t>& end_;
   std::size_t part_;
 };
+
+/// Whether an error of the calling thread is that of a progress function or a limit, and not of a part.
+inline bool ends_all_parts(const Error& error) {
+  return error.code() == Errc::cancelled || error.code() == Errc::time_limit ||
+         error.code() == Errc::out_of_memory;
+}
 
 /// The state of such work.
 class PartsOfWork {
@@ -119,7 +125,7 @@ void work_in_parts(unsigned threads, std::size_t size, std::size_t part, MakeWor
       }
     } catch (const StopPoint::Stopped&) {
     } catch (const Error& error) {
-      parts.fail(is_caller && error.code() == Errc::cancelled ? 0 : end);
+      parts.fail(is_caller && ends_all_parts(error) ? 0 : end);
     } catch (...) {
       parts.fail(end);
     }

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "base/readable.hpp"
+// Rough quantities for messages.
+#include <delone/forecast.hpp>
 
 #include <algorithm>
 #include <array>
@@ -7,7 +8,7 @@
 #include <cstdio>
 #include <utility>
 
-namespace delone::internal {
+namespace delone {
 namespace {
 
 /// Below ten with one digit after the point, if it is not 0.
@@ -27,6 +28,8 @@ std::string rounded(double x) {
 }  // namespace
 
 std::string readable_bytes(double bytes) {
+  if (!(bytes >= 0)) return "an unknown number of bytes";
+  if (bytes > 1e21) return "more than 1000 EB";
   constexpr std::array units{"bytes", "kB", "MB", "GB", "TB", "PB", "EB"};
   std::size_t unit = 0;
   for (; bytes >= 999.5 && unit + 1 < units.size(); bytes /= 1000) ++unit;
@@ -37,6 +40,7 @@ std::string readable_seconds(double seconds) {
   constexpr double year = 365.25 * 86400;
   constexpr std::array<std::pair<double, const char*>, 5> units{
       {{year, "year"}, {86400, "day"}, {3600, "hour"}, {60, "minute"}, {1, "second"}}};
+  if (!(seconds >= 0)) return "an unknown time";
   if (seconds > 1000 * year) return "more than 1000 years";
   // From one and a half of a unit on it is that unit.
   const auto unit =
@@ -45,4 +49,4 @@ std::string readable_seconds(double seconds) {
   return text + " " + unit->second + (text == "1" ? "" : "s");
 }
 
-}  // namespace delone::internal
+}  // namespace delone

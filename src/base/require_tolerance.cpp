@@ -25,6 +25,8 @@ void require_tolerance(double tolerance, const std::string& name) {
                                             ", which is not a finite number from 0 on");
 }
 
+void require_time_limit(double seconds) { require_tolerance(seconds, "limit of time"); }
+
 void require_tolerance_within(double tolerance, double extent, const std::string& what) {
   if (extent > 0 && tolerance > extent)
     throw Error(Errc::invalid_argument, "the tolerance, " + shortest_text(tolerance) + ", is larger than " +

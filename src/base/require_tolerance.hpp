@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Refuses tolerances that mean nothing. All functions that throw throw Errc::invalid_argument.
+// Refuses tolerances, and limits of time, that mean nothing. All functions that throw throw
+// Errc::invalid_argument.
 #pragma once
 
 #include <cstddef>
@@ -10,6 +11,9 @@ namespace delone::internal {
 
 /// Throws unless a tolerance is finite and at least 0. `name`: what it is called.
 void require_tolerance(double tolerance, const std::string& name = "tolerance");
+
+/// The same for Options::time_limit.
+void require_time_limit(double seconds);
 
 /// Throws if a tolerance is larger than the extent of what it is for, unless that is 0. `what`: "the set of
 /// points, whose longest side is".

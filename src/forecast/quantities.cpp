@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "forecast/quantities.hpp"
 
-#include "base/readable.hpp"
 #include "engine/batch.hpp"
 
 #include <algorithm>
@@ -45,10 +44,3 @@ Forecast as_forecast(const Cost& cost, int dimension, std::size_t num_points, un
 }
 
 }  // namespace delone::cost_model
-
-namespace delone {
-
-std::string readable_bytes(double bytes) { return internal::readable_bytes(bytes); }
-std::string readable_seconds(double seconds) { return internal::readable_seconds(seconds); }
-
-}  // namespace delone

@@ -225,6 +225,13 @@ struct Polyhedron::Impl {
     return false;
   }
 
+  template <class Work>
+  void within_limits(Work&& work) const {
+    internal::BuildLimits limits(options.memory_limit, options.time_limit, "halfspaces");
+    const internal::ProgressMeter meter(options.progress);
+    limits.guard(std::forward<Work>(work));
+  }
+
   const IntersectionData& analyse() const {
     const std::lock_guard lock(mutex);
     if (!data) {
@@ -242,9 +249,7 @@ Polyhedron::Polyhedron(const AnyPoints<>& halfspaces, int dimension, const Optio
   halfspaces.require_dimension(dimension + 1);
   internal::guarded("the intersection", [&] {
     impl_ = std::make_unique<Impl>(dimension, options);
-    internal::BuildLimits limits(options.memory_limit, options.time_limit, "halfspaces");
-    const internal::ProgressMeter meter(impl_->options.progress);
-    limits.guard([&] { impl_->start(halfspaces.coordinates(), nullptr); });
+    impl_->within_limits([&] { impl_->start(halfspaces.coordinates(), nullptr); });
   });
 }
 
@@ -259,11 +264,9 @@ Polyhedron::Polyhedron(const AnyPoints<>& halfspaces, int dimension, std::span<c
     if (!std::isfinite(x)) throw Error(Errc::not_finite, "a coordinate of the interior point is not finite");
   internal::guarded("the intersection", [&] {
     impl_ = std::make_unique<Impl>(dimension, options);
-    internal::BuildLimits limits(options.memory_limit, options.time_limit, "halfspaces");
-    const internal::ProgressMeter meter(impl_->options.progress);
     InteriorPoint point;
     point.rounded.assign(interior_point.begin(), interior_point.end());
-    limits.guard([&] { impl_->start(halfspaces.coordinates(), &point); });
+    impl_->within_limits([&] { impl_->start(halfspaces.coordinates(), &point); });
   });
 }
 
@@ -275,9 +278,8 @@ Polyhedron::~Polyhedron() = default;
 
 void Polyhedron::insert_rows(const AnyPoints<>& halfspaces) {
   halfspaces.require_dimension(dimension() + 1);
-  internal::BuildLimits limits(impl_->options.memory_limit, impl_->options.time_limit, "halfspaces");
-  const internal::ProgressMeter meter(impl_->options.progress);
-  internal::guarded("the intersection", [&] { limits.guard([&] { impl_->add(halfspaces.coordinates()); }); });
+  internal::guarded("the intersection",
+                    [&] { impl_->within_limits([&] { impl_->add(halfspaces.coordinates()); }); });
 }
 
 int Polyhedron::dimension() const { return static_cast<int>(impl_->d); }
@@ -298,7 +300,10 @@ double Polyhedron::volume() const {
   const IntersectionData& found = data();
   if (found.state != IntersectionState::full) return 0;
   if (!found.bounded) return std::numeric_limits<double>::infinity();
-  return ConvexHull<>(found.vertices, dimension(), impl_->options).volume().value;
+  Options how = impl_->options;
+  how.memory_limit = 0;  // limits are those of insertions
+  how.time_limit = 0;
+  return ConvexHull<>(found.vertices, dimension(), how).volume().value;
 }
 double Polyhedron::dual_volume() const { return internal::dual_measure(*impl_->current, true); }
 double Polyhedron::dual_area() const { return internal::dual_measure(*impl_->current, false); }

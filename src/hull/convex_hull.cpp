@@ -95,6 +95,13 @@ struct Polytope::Impl {
     has_vertices_only = false;
   }
 
+  template <class Work>
+  decltype(auto) within_limits(Work&& work) const {
+    internal::BuildLimits limits(options.memory_limit, options.time_limit, "points");
+    const internal::ProgressMeter meter(options.progress);
+    return limits.guard(std::forward<Work>(work));
+  }
+
   /// Throws unless all is well with new points; false if there are none.
   bool check_points(std::span<const double> coordinates) const {
     if (coordinates.size() % ambient() != 0)
@@ -199,6 +206,7 @@ struct Polytope::Impl {
 Polytope::Polytope(int dimension, const Options& options) {
   internal::require_dimension(dimension);
   internal::require_tolerance(options.tolerance);
+  internal::require_time_limit(options.time_limit);
   impl_ = std::make_unique<Impl>(dimension, options);
 }
 Polytope::Polytope(detail::Clone, const Polytope& other)
@@ -208,15 +216,11 @@ Polytope& Polytope::operator=(Polytope&&) noexcept = default;
 Polytope::~Polytope() = default;
 
 void Polytope::insert_coordinates(std::span<const double> coordinates) {
-  internal::BuildLimits limits(impl_->options.memory_limit, impl_->options.time_limit, "points");
-  const internal::ProgressMeter meter(impl_->options.progress);
-  internal::guarded("the hull", [&] { limits.guard([&] { impl_->insert_range(coordinates); }); });
+  internal::guarded("the hull", [&] { impl_->within_limits([&] { impl_->insert_range(coordinates); }); });
 }
 std::vector<SignedIndex> Polytope::insert_extreme_coordinates(std::span<const double> coordinates) {
-  internal::BuildLimits limits(impl_->options.memory_limit, impl_->options.time_limit, "points");
-  const internal::ProgressMeter meter(impl_->options.progress);
-  return internal::guarded("the hull",
-                           [&] { return limits.guard([&] { return impl_->insert_extreme(coordinates); }); });
+  return internal::guarded(
+      "the hull", [&] { return impl_->within_limits([&] { return impl_->insert_extreme(coordinates); }); });
 }
 HullInsertResult Polytope::insert_point(std::span<const double> point) {
   return internal::guarded("the hull", [&] { return impl_->insert(point); });

@@ -94,17 +94,19 @@ ConvexHulls convex_hulls(const AnyPoints<>& points, int dimension, std::span<con
     of_each.progress = of_small.progress = {};
     of_each.time_limit = of_small.time_limit = 0;
     of_each.memory_limit = of_small.memory_limit = 0;
-    const internal::BuildLimits limits(options.memory_limit, options.time_limit, "sets");
+    internal::BuildLimits limits(options.memory_limit, options.time_limit, "sets");
     of_small.order = InsertionOrder::as_given;
     internal::ProgressMeter progress(options.progress, offsets.size() - 1);
     const auto d = static_cast<std::size_t>(dimension);
-    for (std::size_t i = 0; i + 1 < offsets.size(); ++i) {
-      const std::size_t n = offsets[i + 1] - offsets[i];
-      append(internal::find_extreme_hull(coordinates.subspan(offsets[i] * d, n * d), dimension,
-                                         n <= small ? of_small : of_each),
-             offsets[i], all);
-      progress(i + 1);
-    }
+    limits.guard([&] {
+      for (std::size_t i = 0; i + 1 < offsets.size(); ++i) {
+        const std::size_t n = offsets[i + 1] - offsets[i];
+        append(internal::find_extreme_hull(coordinates.subspan(offsets[i] * d, n * d), dimension,
+                                           n <= small ? of_small : of_each),
+               offsets[i], all);
+        progress(i + 1);
+      }
+    });
     return all;
   });
 }

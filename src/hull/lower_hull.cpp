@@ -5,6 +5,7 @@
 // lower facet is, over any composition of the domain, at most as high as the lower hull, so the new point is
 // strictly above all of them: no lower facet is lost or gained. But the hull is full-dimensional even when
 // all heights are an affine function of the compositions, and the upper side, of no interest, becomes simple.
+#include "base/build_limits.hpp"
 #include "base/guarded.hpp"
 #include "base/progress_meter.hpp"
 #include "base/require_dimension.hpp"
@@ -262,10 +263,15 @@ Envelope::Envelope(const AnyPoints<>& points, int dimension, HullSide side, cons
     throw Error(Errc::bad_dimension, "the number of coordinates is not a multiple of the dimension");
   internal::require_finite(coordinates, static_cast<std::size_t>(dimension), "a coordinate");
   internal::require_tolerance(options.tolerance);
+  internal::require_time_limit(options.time_limit);
   internal::guarded("the hull", [&] {
     impl_ = std::make_unique<Impl>(dimension, side);
     impl_->points.assign(coordinates.begin(), coordinates.end());
-    impl_->build(options);
+    internal::BuildLimits limits(options.memory_limit, options.time_limit, "points");
+    Options of_polytopes = options;  // within the limits of the whole
+    of_polytopes.memory_limit = 0;
+    of_polytopes.time_limit = 0;
+    limits.guard([&] { impl_->build(of_polytopes); });
   });
 }
 Envelope::Envelope(detail::Clone, const Envelope& other)

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "base/readable.hpp"
+#include <delone/forecast.hpp>
 
 #include <gtest/gtest.h>
 
-namespace delone::internal {
+#include <limits>
+
+namespace delone {
 namespace {
 
 TEST(Readable, Bytes) {
@@ -15,6 +17,11 @@ TEST(Readable, Bytes) {
   EXPECT_EQ(readable_bytes(9.97e9), "10 GB");
   EXPECT_EQ(readable_bytes(840.2e6), "840 MB");
   EXPECT_EQ(readable_bytes(999.7e6), "1 GB");
+  EXPECT_EQ(readable_bytes(1e20), "100 EB");
+  for (const double large : {1.1e21, std::numeric_limits<double>::infinity()})
+    EXPECT_EQ(readable_bytes(large), "more than 1000 EB");
+  for (const double bad : {-1.0, std::numeric_limits<double>::quiet_NaN()})
+    EXPECT_EQ(readable_bytes(bad), "an unknown number of bytes");
 }
 
 TEST(Readable, Seconds) {
@@ -26,7 +33,8 @@ TEST(Readable, Seconds) {
   EXPECT_EQ(readable_seconds(9000), "2.5 hours");
   EXPECT_EQ(readable_seconds(3 * 86400), "3 days");
   EXPECT_EQ(readable_seconds(1e12), "more than 1000 years");
+  EXPECT_EQ(readable_seconds(std::numeric_limits<double>::quiet_NaN()), "an unknown time");
 }
 
 }  // namespace
-}  // namespace delone::internal
+}  // namespace delone
