@@ -45,7 +45,7 @@ TEST(BuildLimits, BadTimesAreErrors) {
       ADD_FAILURE() << bad;
     } catch (const Error& error) {
       EXPECT_EQ(error.code(), Errc::invalid_argument);
-      EXPECT_THAT(error.what(), HasSubstr("limit of time"));
+      EXPECT_THAT(error.what(), HasSubstr("the limit of time is "));
     }
 }
 

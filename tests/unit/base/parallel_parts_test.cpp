@@ -116,19 +116,19 @@ TEST(ParallelParts, TheCallingThreadCancelsWhileItWaits) {
   EXPECT_LT(std::chrono::steady_clock::now() - begin, std::chrono::seconds(10));
 }
 
-TEST(ParallelParts, CancellationStopsEarlierPartsToo) {
+TEST(ParallelParts, CancellationAndLimitsStopEarlierPartsToo) {
   const std::thread::id caller = std::this_thread::get_id();
   const auto begin = std::chrono::steady_clock::now();
-  try {
-    for_parts(2, 200, 1, [&](std::size_t part, std::size_t, const StopPoint& stop) {
-      if (std::this_thread::get_id() == caller && part > 0) throw Error(Errc::cancelled, "enough");
-      if (std::this_thread::get_id() == caller) return;
-      while (std::chrono::steady_clock::now() - begin < std::chrono::seconds(20)) stop();
-    });
-    FAIL();
-  } catch (const Error& error) {
-    EXPECT_EQ(error.code(), Errc::cancelled);
-  }
+  for (const Errc code : {Errc::cancelled, Errc::time_limit, Errc::out_of_memory}) try {
+      for_parts(2, 200, 1, [&](std::size_t part, std::size_t, const StopPoint& stop) {
+        if (std::this_thread::get_id() == caller && part > 0) throw Error(code, "enough");
+        if (std::this_thread::get_id() == caller) return;
+        while (std::chrono::steady_clock::now() - begin < std::chrono::seconds(20)) stop();
+      });
+      FAIL();
+    } catch (const Error& error) {
+      EXPECT_EQ(error.code(), code);
+    }
   EXPECT_LT(std::chrono::steady_clock::now() - begin, std::chrono::seconds(10));
 }
 

@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Batches: duplicates within one and across several, rows that raise the dimension late, hidden points. Ids
 // have no gaps, and the result is that of one batch.
+#include <delone/convex_hull.hpp>
 #include <delone/delaunay.hpp>
+#include <delone/error.hpp>
+#include <delone/lower_hull.hpp>
 #include <delone/point_sets.hpp>
 #include <delone/regular.hpp>
 
@@ -9,6 +12,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <limits>
 #include <set>
 #include <span>
 #include <vector>
@@ -127,6 +131,47 @@ TEST(BatchInsertion, InOnePlaceTheHeaviestIsTheVertex) {
   regular.insert_range(Coordinates{1, 1}, Coordinates{6});
   EXPECT_EQ(regular.hidden_rows(), (std::vector<std::size_t>{0, 1, 2}));
   EXPECT_EQ(regular.weight(regular.vertex_at(3)), 6);
+}
+
+/// The code of what an insertion throws.
+Errc code_of_insertion(Delaunay<>& triangulation, const Coordinates& rows) {
+  try {
+    triangulation.insert_range(rows);
+  } catch (const Error& error) {
+    return error.code();
+  }
+  ADD_FAILURE() << "nothing was thrown";
+  return Errc::cancelled;
+}
+
+TEST(BatchInsertion, AtALimitEverythingIsAsBeforeAndPointsCanStillBeInserted) {
+  const Coordinates rows{0, 0, 4, 0, 0, 4, 4, 5, 1, 2}, more{9, 9, -3, 7, 2, 2};
+  for (const Errc limit : {Errc::time_limit, Errc::out_of_memory}) {
+    Options options;
+    if (limit == Errc::time_limit)
+      options.time_limit = 1e-9;
+    else
+      options.memory_limit = 1000;
+    Delaunay<> triangulation(2, options);
+    for (std::size_t row = 0; row < 4; ++row) triangulation.insert(row_of(rows, row, 2));
+    EXPECT_EQ(code_of_insertion(triangulation, more), limit);
+    expect_consistent(triangulation, Coordinates(rows.begin(), rows.begin() + 8));
+    EXPECT_EQ(triangulation.locate(row_of(rows, 4, 2)).kind, Location::Kind::in_cell);
+    triangulation.insert(row_of(rows, 4, 2));
+    expect_consistent(triangulation, rows);
+    EXPECT_EQ(code_of_insertion(triangulation, more), limit);
+    expect_consistent(triangulation, rows);
+  }
+}
+
+TEST(BatchInsertion, BadLimitsOfTimeAreErrorsAtOnce) {
+  for (const double bad : {-1.0, std::numeric_limits<double>::quiet_NaN()}) {
+    Options options;
+    options.time_limit = bad;
+    EXPECT_THROW(Delaunay<>(2, options), Error);
+    EXPECT_THROW(ConvexHull<>(2, options), Error);
+    EXPECT_THROW(LowerHull<>(Coordinates{}, 2, HullSide::lower, options), Error);
+  }
 }
 
 }  // namespace
