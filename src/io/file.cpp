@@ -155,12 +155,11 @@ void require_text(std::string_view opening, const std::string& name) {
 
 std::string choose_format(const std::string& path, const std::string& format,
                           std::string_view standard_stream, std::initializer_list<std::string_view> known,
-                          std::string_view purpose) {
+                          Use use, std::string_view what) {
   std::string chosen = format;
   if (chosen.empty() && path == "-") chosen = standard_stream;
   if (chosen.empty()) {
-    const bool may_be_compressed = purpose.starts_with("reading");
-    chosen = std::filesystem::path(may_be_compressed ? without_gzip_name(path) : path).extension().string();
+    chosen = std::filesystem::path(use == Use::reading ? without_gzip_name(path) : path).extension().string();
     if (chosen.size() > 1) chosen.erase(0, 1);
   }
   std::transform(chosen.begin(), chosen.end(), chosen.begin(),
@@ -169,6 +168,7 @@ std::string choose_format(const std::string& path, const std::string& format,
   if (chosen == "gz" && format.empty())
     fail(Errc::unsupported, "{}: files are not written compressed; write {} and compress it",
          printable(path, std::string::npos), printable(without_gzip_name(path), std::string::npos));
+  const std::string purpose = fmt::format("{} {}", use == Use::reading ? "reading" : "writing", what);
   if (!format.empty() || chosen.size() > 1)
     fail(Errc::unsupported, "{}: format {} cannot be used for {}; available: {}",
          printable(path, std::string::npos), in_quotes(chosen), purpose, fmt::join(known, ", "));

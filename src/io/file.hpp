@@ -72,12 +72,15 @@ void refuse_folder(const std::string& path, std::string_view expected);
 /// Throws bad_format if a byte is zero, which no text has.
 void require_text(std::string_view opening, const std::string& name);
 
+/// What a file is opened for.
+enum class Use { reading, writing };
+
 /// The lower-case format to use: `format` if given, `standard_stream` for the path "-", else the extension of
 /// the path. Throws unsupported, listing `known`, unless the result is among them.
-/// `purpose`: "reading points", say; for reading, .gz after the extension does not count.
+/// `what`: "points", say, for messages. For reading, .gz after the extension does not count.
 std::string choose_format(const std::string& path, const std::string& format,
                           std::string_view standard_stream, std::initializer_list<std::string_view> known,
-                          std::string_view purpose);
+                          Use use, std::string_view what);
 
 /// Runs a reader or writer, and turns exhausted memory into Error{out_of_memory}.
 template <class Work>

@@ -10,7 +10,8 @@
 
 namespace delone::io {
 
-/// Whether a file with this opening is compressed by gzip. No other format begins so.
+/// Whether a file with this opening is compressed by gzip. Nothing else that is read begins so but raw
+/// numbers, of which any bytes may be the first.
 bool is_gzip(std::string_view opening);
 
 /// Whether the last extension of a path is .gz.

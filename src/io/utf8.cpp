@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "io/utf8.hpp"
 
+#include <nlohmann/json.hpp>
+
 namespace delone::io {
 
 void append_utf8(std::string& text, std::uint32_t code) {
@@ -30,6 +32,10 @@ Character first_character(std::string_view text) {
   const std::uint32_t least = size == 2 ? 0x80 : size == 3 ? 0x800 : 0x10000;
   if (code < least || (code >= 0xd800 && code < 0xe000) || code > 0x10ffff) return invalid;
   return {code, size, true};
+}
+
+std::string json_of_text(const std::string& text) {
+  return nlohmann::json(text).dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
 }
 
 }  // namespace delone::io

@@ -23,4 +23,7 @@ void append_utf8(std::string& text, std::uint32_t code);
 /// REQUIRES a text that is not empty.
 Character first_character(std::string_view text);
 
+/// The text as a JSON value; bytes that are no UTF-8 become U+FFFD.
+std::string json_of_text(const std::string& text);
+
 }  // namespace delone::io

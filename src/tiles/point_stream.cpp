@@ -287,15 +287,19 @@ class SelectedColumns final : public PointStream {
   std::vector<double> whole_rows_;
 };
 
+/// Raw numbers may begin with any bytes: whether they are compressed is told by the name alone.
+bool is_raw(std::string_view format) { return format == "raw" || format == "bin"; }
+
 /// Whether a regular file is compressed, so that it can be read from its beginning only.
-bool is_compressed(const std::string& path) {
+bool is_compressed(const std::string& format, const std::string& path) {
+  if (is_raw(format)) return io::has_gzip_name(path);
   const io::PositionedFile file(path);
   char opening[2] = {};
   return io::is_gzip({opening, file.read_some(0, opening, sizeof opening)});
 }
 
 /// Copies a stream to a file, decompressed, as it cannot be read twice.
-Source copied(const std::string& path, const StreamOptions& options) {
+Source copied(const std::string& format, const std::string& path, const StreamOptions& options) {
   namespace fs = std::filesystem;
   const std::string name = io::input_name(path);
   if (options.scratch_folder.empty())
@@ -315,15 +319,15 @@ Source copied(const std::string& path, const StreamOptions& options) {
               true};
   try {
     io::PositionedFile to(copy.path, io::PositionedFile::Mode::write);
-    const io::ReadBytes read = io::maybe_decompressed(
-        [&](char* bytes, std::size_t size) {
-          errno = 0;
-          const std::size_t found = std::fread(bytes, 1, size, from.get());
-          if (std::ferror(from.get()) != 0)
-            io::fail(Errc::cannot_open, "{}: {}", name, io::error_text(errno));
-          return found;
-        },
-        name);
+    const io::ReadBytes as_it_is = [&](char* bytes, std::size_t size) {
+      errno = 0;
+      const std::size_t found = std::fread(bytes, 1, size, from.get());
+      if (std::ferror(from.get()) != 0) io::fail(Errc::cannot_open, "{}: {}", name, io::error_text(errno));
+      return found;
+    };
+    const io::ReadBytes read = !is_raw(format)           ? io::maybe_decompressed(as_it_is, name)
+                               : io::has_gzip_name(path) ? io::decompressed(as_it_is, name)
+                                                         : as_it_is;
     std::string piece(chunk_bytes, '\0');
     for (std::uint64_t size = 0;;) {
       internal::cancellation_point();
@@ -357,11 +361,11 @@ std::unique_ptr<PointStream> open_format(const std::string& format, const std::s
   const bool is_stream = path == "-" ||
                          (fs::exists(path, ignored) && !fs::is_regular_file(path, ignored) &&
                           !fs::is_directory(path, ignored)) ||
-                         (fs::is_regular_file(path, ignored) && is_compressed(path));
-  const Source source = is_stream ? copied(path, options) : Source{path, io::input_name(path)};
+                         (fs::is_regular_file(path, ignored) && is_compressed(format, path));
+  const Source source = is_stream ? copied(format, path, options) : Source{path, io::input_name(path)};
   try {
     if (format == "npy") return open_npy(source);
-    if (format == "raw" || format == "bin") return open_raw(source, options.dimension);
+    if (is_raw(format)) return open_raw(source, options.dimension);
     return std::make_unique<TextStream>(source, format, options);
   } catch (...) {
     if (source.is_copy) platform::remove_file(source.path);
@@ -373,9 +377,10 @@ std::unique_ptr<PointStream> open_format(const std::string& format, const std::s
 
 std::unique_ptr<PointStream> open_point_stream(const std::string& path, const StreamOptions& options) {
   io::refuse_folder(path, "a file of points");
-  const std::string format = io::choose_format(
-      path, options.format, "qhull",
-      {"npy", "raw", "bin", "csv", "tsv", "txt", "xyz", "pts", "off", "ply", "qhull"}, "reading points");
+  const std::string format =
+      io::choose_format(path, options.format, "qhull",
+                        {"npy", "raw", "bin", "csv", "tsv", "txt", "xyz", "pts", "off", "ply", "qhull"},
+                        io::Use::reading, "points");
   return io::guarded(io::input_name(path), [&] {
     std::unique_ptr<PointStream> points = open_format(format, path, options);
     // Of these formats the readers have selected columns, by their names.

@@ -51,8 +51,8 @@ struct StreamOptions {
 
 /// A file of points. npy, raw, csv, tsv, txt, xyz, pts and qhull are read in chunks, with memory for some
 /// megabytes; others at once, as by read_points(). What is not a regular file, as standard input, is copied
-/// to the scratch folder first, and a compressed file is decompressed there. Messages are those of
-/// read_points().
+/// to the scratch folder first, and a compressed file is decompressed there; a raw one is compressed if its
+/// name ends with .gz. Messages are those of read_points().
 std::unique_ptr<PointStream> open_point_stream(const std::string& path, const StreamOptions& options = {});
 /// Points in memory, which have to outlive the stream.
 std::unique_ptr<PointStream> stream_of(PointsView rows);

@@ -272,10 +272,6 @@ std::vector<std::string> JsonFile::find_texts(const std::string& member) const {
   return at->second.texts;
 }
 
-std::string json_of_text(const std::string& text) {
-  return nlohmann::json(text).dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
-}
-
 std::optional<std::int64_t> JsonFile::find_number(const std::string& member) const {
   const auto at = members_.find(member);
   if (at == members_.end()) return std::nullopt;

@@ -75,7 +75,4 @@ class JsonFile {
   std::map<std::string, JsonMember> members_;
 };
 
-/// The text as a JSON value; bytes that are no UTF-8 become U+FFFD.
-std::string json_of_text(const std::string& text);
-
 }  // namespace delone::io

@@ -270,7 +270,7 @@ AnyData read_any(const std::string& path, const std::string& format, std::option
                  std::uint64_t max_stream_bytes) {
   refuse_folder(path, "a file");
   const std::string chosen =
-      choose_format(path, format, "json", {"npz", "json", "off"}, "reading anything but points");
+      choose_format(path, format, "json", {"npz", "json", "off"}, Use::reading, "anything but points");
   const std::string name = input_name(path);
   return guarded(name, [&]() -> AnyData {
     const Bytes bytes = read_all(path, max_stream_bytes, [&](std::string_view opening, bool is_whole) {

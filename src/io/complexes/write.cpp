@@ -65,7 +65,7 @@ const std::initializer_list<std::string_view> complex_formats{"npz", "vtu",  "of
 
 void write(const std::string& path, const ComplexData& data, const std::string& format) {
   const std::string chosen =
-      io::choose_format(path, format, "txt", io::complex_formats, "writing a triangulation");
+      io::choose_format(path, format, "txt", io::complex_formats, io::Use::writing, "a triangulation");
   const std::string name = io::output_name(path);
   io::guarded(name, [&] {
     io::validate(data, name);
@@ -92,7 +92,8 @@ void write(const std::string& path, const ComplexData& data, const std::string& 
 }
 
 void write(const std::string& path, const HullData& data, const std::string& format) {
-  const std::string chosen = io::choose_format(path, format, "txt", io::complex_formats, "writing a hull");
+  const std::string chosen =
+      io::choose_format(path, format, "txt", io::complex_formats, io::Use::writing, "a hull");
   const std::string name = io::output_name(path);
   io::guarded(name, [&] {
     io::validate(data, name);
@@ -115,8 +116,8 @@ void write(const std::string& path, const HullData& data, const std::string& for
 }
 
 void write(const std::string& path, const IntersectionData& data, const std::string& format) {
-  const std::string chosen =
-      io::choose_format(path, format, "json", {"npz", "json", "off", "html"}, "writing an intersection");
+  const std::string chosen = io::choose_format(path, format, "json", {"npz", "json", "off", "html"},
+                                               io::Use::writing, "an intersection");
   const std::string name = io::output_name(path);
   io::guarded(name, [&] {
     io::validate(data, name);
@@ -131,8 +132,8 @@ void write(const std::string& path, const IntersectionData& data, const std::str
 }
 
 void write(const std::string& path, const VoronoiData& data, const std::string& format) {
-  const std::string chosen =
-      io::choose_format(path, format, "json", {"npz", "json"}, "writing the arrays of a Voronoi diagram");
+  const std::string chosen = io::choose_format(path, format, "json", {"npz", "json"}, io::Use::writing,
+                                               "the arrays of a Voronoi diagram");
   const std::string name = io::output_name(path);
   io::guarded(name, [&] {
     io::validate(data, name);
@@ -146,8 +147,8 @@ void write(const std::string& path, const VoronoiData& data, const std::string& 
 
 void write(const std::string& path, const Diagram& diagram, const std::optional<Box>& box,
            const std::string& format, const std::vector<std::string>& column_names) {
-  const std::string chosen =
-      io::choose_format(path, format, "json", {"npz", "json", "svg", "vtu", "html"}, "writing a Voronoi diagram");
+  const std::string chosen = io::choose_format(path, format, "json", {"npz", "json", "svg", "vtu", "html"},
+                                               io::Use::writing, "a Voronoi diagram");
   const std::string name = io::output_name(path);
   io::guarded(name, [&] {
     if (!diagram.has_ridges()) io::fail(Errc::invalid_argument, "the diagram was made without ridges");

@@ -6,6 +6,7 @@
 #include "io/complexes/json_file.hpp"
 #include "io/file.hpp"
 #include "io/npy.hpp"
+#include "io/utf8.hpp"
 #include "io/write_npy.hpp"
 #include "io/zip.hpp"
 

@@ -79,9 +79,9 @@ void check_opening(const std::string& format, std::string_view opening, bool is_
 
 PointTable read_points(const std::string& path, const ReadOptions& options) {
   io::refuse_folder(path, "a file of points");
-  const std::string format =
-      io::choose_format(path, options.format, "qhull",
-                        {"npy", "csv", "tsv", "txt", "xyz", "pts", "off", "ply", "qhull"}, "reading points");
+  const std::string format = io::choose_format(
+      path, options.format, "qhull", {"npy", "csv", "tsv", "txt", "xyz", "pts", "off", "ply", "qhull"},
+      io::Use::reading, "points");
   const std::string name = io::input_name(path);
   return io::guarded(name, [&] {
     const io::Bytes file = io::read_all(

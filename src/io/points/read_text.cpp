@@ -334,16 +334,6 @@ class DelimitedRows final : public TextRowsInPieces {
   DelimitedReader reader_;
 };
 
-}  // namespace
-
-PointTable read_delimited(std::string_view bytes, const std::string& name, char delimiter,
-                          const ColumnChoice& choice, const ReadingInParts& how) {
-  return with_hint(bytes, delimiter == ',' ? "csv" : "tsv",
-                   [&] { return DelimitedReader(text_of(bytes, name), name, delimiter, choice).read(how); });
-}
-
-namespace {
-
 PointTable read_rows(std::string_view bytes, const std::string& name, const ReadingInParts& how) {
   TextCursor at(text_of(bytes, name), name);
   if (!at.find_content()) fail(Errc::bad_format, "{}: no row in the file", name);
@@ -362,6 +352,12 @@ PointTable read_rows(std::string_view bytes, const std::string& name, const Read
 }
 
 }  // namespace
+
+PointTable read_delimited(std::string_view bytes, const std::string& name, char delimiter,
+                          const ColumnChoice& choice, const ReadingInParts& how) {
+  return with_hint(bytes, delimiter == ',' ? "csv" : "tsv",
+                   [&] { return DelimitedReader(text_of(bytes, name), name, delimiter, choice).read(how); });
+}
 
 PointTable read_white_space(std::string_view bytes, const std::string& name, const ReadingInParts& how) {
   if (is_qhull_form(bytes)) return read_qhull(bytes, name);

@@ -5,11 +5,10 @@
 #include "io/file.hpp"
 #include "io/npy.hpp"
 #include "io/text_cursor.hpp"
+#include "io/utf8.hpp"
 #include "io/write_npy.hpp"
 
 #include <delone/io.hpp>
-
-#include <nlohmann/json.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -52,10 +51,6 @@ void write_rows(io::AtomicFile& file, const PointTable& points, char delimiter) 
   }
 }
 
-}  // namespace
-
-namespace {
-
 /// Throws unless the numbers fit the dimension, and the format the path.
 void require_table(const std::string& path, const PointTable& table, const std::string& chosen,
                    const std::string& name) {
@@ -80,17 +75,13 @@ void write_delimited(io::AtomicFile& file, const PointTable& table, char delimit
   write_rows(file, table, delimiter);
 }
 
-/// A string of JSON; bytes that are not UTF-8 are replaced.
-void write_string(io::AtomicFile& file, const std::string& text) {
-  file.write(nlohmann::json(text).dump(-1, ' ', false, nlohmann::json::error_handler_t::replace));
-}
-
 void write_json(io::AtomicFile& file, const PointTable& table) {
   const auto width = static_cast<std::size_t>(table.dimension);
   file.write("{\"columns\": [");
   for (std::size_t j = 0; j < width; ++j) {
     file.write(j == 0 ? "" : ", ");
-    write_string(file, table.column_names.size() == width ? table.column_names[j] : std::to_string(j));
+    file.write(
+        io::json_of_text(table.column_names.size() == width ? table.column_names[j] : std::to_string(j)));
   }
   file.write("],\n\"data\": [");
   for (std::size_t i = 0; i < table.coordinates.size(); ++i) {
@@ -106,8 +97,8 @@ void write_json(io::AtomicFile& file, const PointTable& table) {
 }  // namespace
 
 void write_table(const std::string& path, const PointTable& table, const std::string& format) {
-  const std::string chosen =
-      io::choose_format(path, format, "csv", {"npy", "csv", "tsv", "txt", "json"}, "writing a table");
+  const std::string chosen = io::choose_format(path, format, "csv", {"npy", "csv", "tsv", "txt", "json"},
+                                               io::Use::writing, "a table");
   const std::string name = io::output_name(path);
   io::guarded(name, [&] {
     require_table(path, table, chosen, name);
@@ -125,8 +116,9 @@ void write_table(const std::string& path, const PointTable& table, const std::st
 }
 
 void write_points(const std::string& path, const PointTable& points, const std::string& format) {
-  const std::string chosen = io::choose_format(
-      path, format, "qhull", {"npy", "csv", "tsv", "txt", "xyz", "pts", "off", "qhull"}, "writing points");
+  const std::string chosen =
+      io::choose_format(path, format, "qhull", {"npy", "csv", "tsv", "txt", "xyz", "pts", "off", "qhull"},
+                        io::Use::writing, "points");
   const std::string name = io::output_name(path);
   io::guarded(name, [&] {
     require_table(path, points, chosen, name);

@@ -117,7 +117,7 @@ TEST(Text, HasNoZeroBytes) {
 }
 
 std::string chosen(const std::string& path, const std::string& format) {
-  return io::choose_format(path, format, "txt", {"txt", "npy"}, "points");
+  return io::choose_format(path, format, "txt", {"txt", "npy"}, io::Use::reading, "points");
 }
 
 TEST(ChooseFormat, ByNameThenStreamThenExtension) {
@@ -126,6 +126,10 @@ TEST(ChooseFormat, ByNameThenStreamThenExtension) {
   EXPECT_EQ(chosen("a.npy", "TXT"), "txt");
   EXPECT_EQ(chosen("-", ""), "txt");
   EXPECT_EQ(chosen("-", "npy"), "npy");
+  EXPECT_EQ(chosen("a.npy.gz", ""), "npy");
+  expect_error(Errc::unsupported, {"not written compressed", "a.npy"}, [] {
+    io::choose_format("a.npy.gz", "", "txt", {"txt", "npy"}, io::Use::writing, "points");
+  });
 }
 
 TEST(ChooseFormat, ListsWhatIsKnown) {

@@ -150,6 +150,13 @@ TEST_F(PointStreams, ReadRaw) {
   EXPECT_EQ(all(*stream), table.coordinates);
   EXPECT_EQ(stream->size_hint(), 70000u);
   EXPECT_THROW(open_point_stream(file("b.raw", bytes + "1234"), options), Error);
+  // Any bytes may be the first, those of gzip, too.
+  bytes.replace(0, 3, "\x1f\x8b\x08");
+  options.scratch_folder = path("");
+  const std::vector<double> rows = all(*open_point_stream(file("a.bin", bytes), options));
+  ASSERT_EQ(rows.size(), table.coordinates.size());
+  EXPECT_EQ(std::memcmp(rows.data(), bytes.data(), bytes.size()), 0);
+  EXPECT_THROW(open_point_stream(file("a.raw.gz", bytes), options), Error);  // it is not compressed
   write_points(path("flat.npy"), random_table(3, 2));
   EXPECT_THROW(open_point_stream(path("flat.npy"), options), Error);
 }
