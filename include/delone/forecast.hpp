@@ -60,7 +60,7 @@ struct EstimateOptions {
 /// the whole follow from its volume. Duplicates are counted.
 ///
 /// Cost: about a twentieth of the construction or 0.3 seconds, at most sample_seconds, and O(n·d) to read the
-/// points. Throws Errc::not_finite, bad_dimension, cancelled, invalid_argument.
+/// points, up to 15 times. Throws Errc::not_finite, bad_dimension, cancelled, invalid_argument.
 DELONE_EXPORT Forecast estimate(const AnyPoints<>& points, int dimension,
                                 const EstimateOptions& options = {});
 

@@ -59,6 +59,7 @@ class Estimate {
 
   void build(std::size_t m) {
     const auto d = static_cast<std::size_t>(dimension_);
+    const double begin = platform::thread_seconds();
     std::vector<double> points;
     if (lattice_.found && m < sample_.rows.size()) {
       points = cost_model::patch_around(coordinates_, dimension_, sample_.rows.front(), m);
@@ -70,8 +71,8 @@ class Estimate {
     }
     const double start = platform::thread_seconds();
     const Delaunay<> t(points, dimension_);
-    const double seconds = platform::thread_seconds() - start;
-    spent_ += seconds;
+    const double end = platform::thread_seconds(), seconds = end - start;
+    spent_ += end - begin;
     const Statistics statistics = t.statistics();
     const auto distinct = static_cast<double>(t.num_vertices());
     if (!samples_.empty() && samples_.back().affine_dimension < t.affine_dimension()) samples_.clear();

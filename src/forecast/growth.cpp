@@ -59,7 +59,8 @@ double generic_growth(std::span<const SampleCost> samples, double vertices) {
   const SampleCost& last = samples.back();
   double excess = 0;
   const double k = last.affine_dimension;
-  if (samples.size() > 1 && samples[samples.size() - 2].cells > 0) {
+  if (samples.size() > 1 && samples[samples.size() - 2].cells > 0 &&
+      samples[samples.size() - 2].points < last.points) {
     const SampleCost& before = samples[samples.size() - 2];
     excess = std::log(last.cells / before.cells) / std::log(last.points / before.points) - 1;
     excess *= std::pow(last.points / before.points, -0.5 / k);

@@ -7,7 +7,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numeric>
 
 namespace delone::cost_model {
 namespace {
@@ -21,6 +20,14 @@ double squared_distance(const double* a, const double* b, std::size_t d) {
   for (std::size_t j = 0; j < d; ++j) sum += (a[j] - b[j]) * (a[j] - b[j]);
   return sum;
 }
+
+struct RowAtDistance {
+  double distance;
+  std::size_t row;
+  friend bool operator<(const RowAtDistance& a, const RowAtDistance& b) {
+    return a.distance != b.distance ? a.distance < b.distance : a.row < b.row;
+  }
+};
 
 /// The squared distance to the nearest other point that is not equal.
 double nearest(std::span<const double> coordinates, std::size_t d, std::size_t row) {
@@ -114,19 +121,23 @@ std::vector<double> patch_around(std::span<const double> coordinates, int dimens
   const auto d = static_cast<std::size_t>(dimension);
   const std::size_t n = coordinates.size() / d;
   const double* const center = coordinates.data() + row * d;
-  std::vector<std::size_t> rows(n);
-  std::iota(rows.begin(), rows.end(), std::size_t{0});
-  std::vector<double> distances(n);
-  for (std::size_t i = 0; i < n; ++i) distances[i] = squared_distance(center, coordinates.data() + i * d, d);
-  m = std::min(m, n);
-  if (m < n)
-    std::nth_element(rows.begin(), rows.begin() + static_cast<std::ptrdiff_t>(m), rows.end(),
-                     [&](std::size_t a, std::size_t b) {
-                       return distances[a] != distances[b] ? distances[a] < distances[b] : a < b;
-                     });
+  std::vector<RowAtDistance> found;  // the nearest so far, as a heap: the farthest of them is the first
+  for (std::size_t i = 0; i < n; ++i) {
+    if (i % 1024 == 0) internal::cancellation_point();
+    const RowAtDistance next{squared_distance(center, coordinates.data() + i * d, d), i};
+    if (found.size() >= m) {
+      if (found.empty() || !(next < found.front())) continue;
+      std::pop_heap(found.begin(), found.end());
+      found.pop_back();
+    }
+    found.push_back(next);
+    std::push_heap(found.begin(), found.end());
+  }
+  std::sort_heap(found.begin(), found.end());
   std::vector<double> patch;
-  for (std::size_t i = 0; i < m; ++i) {
-    const double* const point = coordinates.data() + rows[i] * d;
+  patch.reserve(found.size() * d);
+  for (const RowAtDistance& near : found) {
+    const double* const point = coordinates.data() + near.row * d;
     patch.insert(patch.end(), point, point + d);
   }
   return patch;

@@ -21,7 +21,8 @@ struct LatticePoints {
 LatticePoints find_lattice(std::span<const double> coordinates, int dimension,
                            std::span<const std::size_t> rows, double num_distinct);
 
-/// The coordinates of the m points nearest to that of a row, the row itself included.
+/// The coordinates of the m points nearest to that of a row, the row itself included, by their distance and,
+/// of equal ones, by their rows. O(n·d) with memory for m points.
 std::vector<double> patch_around(std::span<const double> coordinates, int dimension, std::size_t row,
                                  std::size_t m);
 

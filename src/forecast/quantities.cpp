@@ -9,13 +9,22 @@
 namespace delone::cost_model {
 namespace {
 
+/// Cells in very many dimensions are more than there are numbers: such a quantity, and what follows from it,
+/// is so large instead.
+double finite(double x) {
+  constexpr double largest = 1e300;
+  return x < largest ? x : largest;  // also of NaN, from ∞ − ∞
+}
+
 ForecastQuantity between(double expected, double factor) {
-  return {expected, expected / factor, expected * factor};
+  const double x = finite(expected);
+  return {x, x / factor, finite(x * factor)};
 }
 
 /// Counts are whole numbers.
 ForecastQuantity whole(double expected, double factor) {
-  return {std::round(expected), std::floor(expected / factor), std::ceil(expected * factor)};
+  const ForecastQuantity x = between(expected, factor);
+  return {std::round(x.expected), std::floor(x.low), std::ceil(x.high)};
 }
 
 }  // namespace

@@ -3,6 +3,8 @@
 // not depend on the machine; times are left to the benchmark.
 #include <delone/forecast.hpp>
 
+#include "forecast/growth.hpp"
+#include "forecast/lattice_points.hpp"
 #include "forecast/speed.hpp"
 
 #include <delone/delaunay.hpp>
@@ -100,6 +102,31 @@ TEST(Forecast, FewPointsAndBadArguments) {
               estimate(make_point_set("uniform", 3, 20000), 3, {.progress = [](double) { return false; }});
             }),
             Errc::cancelled);
+}
+
+TEST(Forecast, NumbersBeyondAllNumbersAreFinite) {
+  for (const char* const kind : {"uniform", "grid", "flat"}) {
+    const Forecast huge = forecast(1000, std::size_t{1} << 60, kind);
+    for (const ForecastQuantity& quantity : {huge.vertices, huge.cells, huge.bytes, huge.seconds}) {
+      EXPECT_TRUE(std::isfinite(quantity.high)) << kind;
+      EXPECT_LE(quantity.low, quantity.expected) << kind;
+      EXPECT_LE(quantity.expected, quantity.high) << kind;
+    }
+    EXPECT_EQ(readable_bytes(huge.bytes.expected), "more than 1000 EB");
+  }
+}
+
+TEST(Forecast, SamplesOfEquallyManyDistinctPointsTellNoGrowth) {
+  const cost_model::SampleCost sample{20, 3, 70, 30, 150, 1e-3};
+  const std::vector<cost_model::SampleCost> samples{sample, sample};
+  EXPECT_TRUE(std::isfinite(cost_model::grown(samples, 3, 1000, 900).cost.cells));
+}
+
+TEST(Forecast, PatchesAreTheNearestPoints) {
+  const std::vector<double> line{5, 0, 3, 1, 4, 2, 3};
+  EXPECT_EQ(cost_model::patch_around(line, 1, 2, 4), (std::vector<double>{3, 3, 4, 2}));
+  EXPECT_EQ(cost_model::patch_around(line, 1, 1, 9), (std::vector<double>{0, 1, 2, 3, 3, 4, 5}));
+  EXPECT_TRUE(cost_model::patch_around(line, 1, 1, 0).empty());
 }
 
 TEST(Forecast, MoreThreadsTakeLessTime) {
