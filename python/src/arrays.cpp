@@ -204,11 +204,11 @@ py::array_t<double> as_points(const py::object& object, const std::string& name)
   return points;
 }
 
-Queries::Queries(const py::object& object, int dimension, const py::object& columns)
-    : array_(is_frame(object) ? frame_as_doubles(object, "queries", true) : as_doubles(object, "queries")) {
-  require_columns(object, columns, "queries");
+Queries::Queries(const py::object& object, int dimension, const py::object& columns, const std::string& name)
+    : array_(is_frame(object) ? frame_as_doubles(object, name, true) : as_doubles(object, name)) {
+  require_columns(object, columns, name);
   if (array_.ndim() < 1 || array_.shape(array_.ndim() - 1) != dimension)
-    throw py::value_error("queries: an array of shape (..., " + std::to_string(dimension) + "), not " +
+    throw py::value_error(name + ": an array of shape (..., " + std::to_string(dimension) + "), not " +
                           shown(array_.attr("shape")));
   shape_.assign(array_.shape(), array_.shape() + array_.ndim() - 1);
   size_ = static_cast<std::size_t>(array_.size()) / static_cast<std::size_t>(dimension);

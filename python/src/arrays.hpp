@@ -48,12 +48,15 @@ py::array_t<double> as_points(const py::object& object, const std::string& name)
 /// Queries of shape (…, d), and arrays with one answer for each.
 class Queries {
  public:
-  /// `columns`: the labels that a DataFrame must have, a tuple, or None.
-  Queries(const py::object& object, int dimension, const py::object& columns = py::none());
+  /// `columns`: the labels that a DataFrame must have, a tuple, or None; `name`: of the argument, for
+  /// messages.
+  Queries(const py::object& object, int dimension, const py::object& columns = py::none(),
+          const std::string& name = "queries");
   /// With dimension() and columns() of what is asked.
   template <class Held>
   requires requires(const Held& held) { held.columns(); }
-  Queries(const py::object& object, const Held& held) : Queries(object, held.dimension(), held.columns()) {}
+  Queries(const py::object& object, const Held& held, const std::string& name = "queries")
+      : Queries(object, held.dimension(), held.columns(), name) {}
   std::span<const double> coordinates() const { return numbers(array_); }
   std::size_t size() const { return size_; }
   /// A new array of shape (…, further).

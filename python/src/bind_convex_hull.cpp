@@ -108,10 +108,14 @@ std::unique_ptr<HeldHull> construct(const py::object& points, double tolerance, 
 }
 
 py::tuple of_extreme_points(const py::object& points, double tolerance, std::uint64_t seed, std::string order,
-                            int threads, const py::object& progress) {
+                            int threads, const py::object& progress, const py::object& memory_limit,
+                            const py::object& time_limit) {
   const auto rows = as_points(points, "points");
-  auto held = std::make_unique<HeldHull>(static_cast<int>(rows.shape(1)),
-                                         BuildArguments{seed, std::move(order), threads}, tolerance);
+  auto held =
+      std::make_unique<HeldHull>(static_cast<int>(rows.shape(1)),
+                                 BuildArguments{seed, std::move(order), threads,
+                                                as_memory_limit(memory_limit), as_time_limit(time_limit)},
+                                 tolerance);
   py::array which = list_view(held->add_extreme(rows, progress));
   held->set_columns(columns_of(points));
   return py::make_tuple(py::cast(std::move(held)), which);
@@ -186,7 +190,7 @@ py::array plane_distance(const HeldHull& held, const py::object& object) {
 }
 
 py::array visible_facets(const HeldHull& held, const py::object& point) {
-  const Queries query(point, held);
+  const Queries query(point, held, "point");
   if (query.size() != 1) throw py::value_error("point: one point of shape (d,)");
   return list_view(
       held.ask([x = query.coordinates()](const Polytope& hull) { return hull.visible_facets(x); }));
@@ -344,7 +348,7 @@ void bind_convex_hull(py::module_& module) {
            "time_limit"_a = py::none());
   type.def_static("of_extreme_points", &of_extreme_points, "points"_a, py::kw_only(), "tolerance"_a = 0.0,
                   "seed"_a = 0, "order"_a = "automatic", "threads"_a = 0, "progress"_a = py::none(),
-                  text(of_extreme_points_doc));
+                  "memory_limit"_a = py::none(), "time_limit"_a = py::none(), text(of_extreme_points_doc));
   type.def("insert_range", &HeldHull::add, "points"_a, py::kw_only(), "progress"_a = py::none(),
            text(insert_range_doc));
   type.def_property_readonly("dimension", &HeldHull::dimension,
@@ -479,16 +483,11 @@ void bind_convex_hull(py::module_& module) {
       .def("visible_facets", &visible_facets, "point"_a, text(visible_facets_doc))
       .def("_data",
            [](const HeldHull& h) { return to_python(h.ask([](const Polytope& p) { return p.to_data(); })); })
-      .def(
-          "_save",
-          [](const HeldHull& h, const std::string& path, const std::string& format,
-             std::optional<std::string> qhull, std::vector<std::string> columns) {
-            const SaveArguments to{path, format, std::move(qhull), std::move(columns)};
-            h.ask([&](const Polytope& p) { to.save(p, [&] { return p.to_data(); }); });
-          },
-          "path"_a, "format"_a, "qhull"_a, "columns"_a)
       .def("__repr__", &repr)
       .def(py::pickle(&state, &restored));
+  define_save(type, [](const HeldHull& held, const SaveArguments& to) {
+    held.ask([&](const Polytope& p) { to.save(p, [&] { return p.to_data(); }); });
+  });
   define_to_html(type,
                  [](const HeldHull& h, const HtmlOptions& options) { return html_of(h.data(), options); });
 }

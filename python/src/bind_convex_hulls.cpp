@@ -25,9 +25,11 @@ py::array offsets_view(const std::vector<std::size_t>& offsets) {
 }
 
 py::tuple convex_hulls_of(const py::object& points, const Offsets& offsets, std::uint64_t seed,
-                          std::string order, int threads, const py::object& progress) {
+                          std::string order, int threads, const py::object& progress,
+                          const py::object& memory_limit, const py::object& time_limit) {
   const auto rows = as_points(points, "points");
-  const BuildArguments arguments{seed, std::move(order), threads};
+  const BuildArguments arguments{seed, std::move(order), threads, as_memory_limit(memory_limit),
+                                 as_time_limit(time_limit)};
   std::vector<std::size_t> bounds(static_cast<std::size_t>(offsets.size()));
   for (std::size_t i = 0; i < bounds.size(); ++i) {
     if (offsets.data()[i] < 0) throw py::value_error("offsets: a negative number");
@@ -52,6 +54,7 @@ py::tuple convex_hulls_of(const py::object& points, const Offsets& offsets, std:
 void bind_convex_hulls(py::module_& module) {
   module.def("_convex_hulls", &convex_hulls_of, "points"_a, "offsets"_a, py::kw_only(), "seed"_a = 0,
              "order"_a = "automatic", "threads"_a = 0, "progress"_a = py::none(),
+             "memory_limit"_a = py::none(), "time_limit"_a = py::none(),
              "The arrays of delone.ConvexHulls, in the order of its arguments.");
   module.def(
       "_doubles", &as_doubles, "object"_a, "name"_a,

@@ -3,6 +3,7 @@
 #include "arrays.hpp"
 #include "docstring.hpp"
 #include "module.hpp"
+#include "pickling.hpp"
 #include "triangulation.hpp"
 
 #include <delone/alpha.hpp>
@@ -13,6 +14,8 @@
 #include <limits>
 #include <memory>
 #include <optional>
+#include <span>
+#include <stdexcept>
 #include <string>
 #include <utility>
 #include <vector>
@@ -37,6 +40,27 @@ class HeldFaces {
  public:
   explicit HeldFaces(Faces faces) : faces_(std::make_shared<const Faces>(std::move(faces))) {}
   const Faces& faces() const { return *faces_; }
+  py::tuple state() const {
+    return py::make_tuple(faces_->dimension, vertices(), cells(), as_flags(faces_->on_hull));
+  }
+  static HeldFaces restored(const py::tuple& given) {
+    return from_state(given, 4, "faces", [](const py::tuple& state) {
+      using Rows = py::array_t<SignedIndex, py::array::c_style | py::array::forcecast>;
+      using Flags = py::array_t<bool, py::array::c_style | py::array::forcecast>;
+      const auto vertices = state[1].cast<Rows>(), cells = state[2].cast<Rows>();
+      const auto on_hull = state[3].cast<Flags>();
+      Faces faces;
+      faces.dimension = state[0].cast<int>();
+      if (faces.dimension < 0 || vertices.ndim() != 2 || vertices.shape(1) - 1 != faces.dimension ||
+          cells.ndim() != 1 || cells.shape(0) != vertices.shape(0) || on_hull.ndim() != 1 ||
+          on_hull.shape(0) != vertices.shape(0))
+        throw py::value_error("not the state of faces");
+      faces.vertices.assign(vertices.data(), vertices.data() + vertices.size());
+      faces.cells.assign(cells.data(), cells.data() + cells.size());
+      faces.on_hull.assign(on_hull.data(), on_hull.data() + on_hull.size());
+      return HeldFaces(std::move(faces));
+    });
+  }
   py::array vertices() const {
     return rows_view(faces_->vertices, faces_->size(), static_cast<std::size_t>(faces_->dimension) + 1,
                      faces_);
@@ -51,44 +75,39 @@ class HeldFaces {
   std::shared_ptr<const Faces> faces_;
 };
 
-/// The arrays of an alpha complex, and how to make it again for its other faces.
+/// An alpha complex, shared by the arrays that show it, and what it is one of.
 class HeldAlpha {
  public:
   HeldAlpha(std::shared_ptr<const Held> held, double radius, std::optional<double> squared)
       : held_(std::move(held)), radius_(radius), squared_(squared) {
     Supervisor supervisor;
-    arrays_ = supervisor.run([&] {
-      return held_->with_engine([&](const Triangulation& engine) {
+    supervisor.run([&] {
+      held_->with_engine([&](const Triangulation& engine) {
         version_ = held_->version();
-        const AlphaComplex complex = make(engine);
-        auto arrays = std::make_shared<Arrays>();
-        const auto copy = [](std::span<const SignedIndex> items) {
-          return std::vector<SignedIndex>(items.begin(), items.end());
-        };
-        arrays->width = static_cast<std::size_t>(complex.affine_dimension() + 1);
-        arrays->numbers = copy(complex.cell_numbers());
-        arrays->boundary = copy(complex.boundary());
-        arrays->boundary_cells = copy(complex.boundary_cells());
-        arrays->singular = copy(complex.singular_facets());
-        const ComplexData data = engine.to_data(false);
-        for (const SignedIndex number : arrays->numbers) {
-          const auto first = data.cells.begin() +
-                             static_cast<std::ptrdiff_t>(static_cast<std::size_t>(number) * arrays->width);
-          arrays->cells.insert(arrays->cells.end(), first,
-                               first + static_cast<std::ptrdiff_t>(arrays->width));
-        }
-        return std::shared_ptr<const Arrays>(std::move(arrays));
+        generation_ = held_->generation();
+        complex_ = std::make_shared<const AlphaComplex>(make(engine));
+        cells_ = held_->cells_of(engine);
       });
     });
   }
 
   double radius() const { return radius_; }
-  std::size_t size() const { return arrays_->numbers.size(); }
-  py::array numbers() const { return list_view(arrays_->numbers, arrays_); }
-  py::array cells() const { return rows_view(arrays_->cells, size(), arrays_->width, arrays_); }
-  py::array boundary() const { return facets(arrays_->boundary); }
-  py::array boundary_cells() const { return list_view(arrays_->boundary_cells, arrays_); }
-  py::array singular() const { return facets(arrays_->singular); }
+  std::size_t size() const { return complex_->cell_numbers().size(); }
+  py::array numbers() const { return list(complex_->cell_numbers()); }
+  py::array cells() const {
+    const std::size_t width = corners();
+    std::vector<SignedIndex> rows;
+    rows.reserve(size() * width);
+    for (const SignedIndex number : complex_->cell_numbers()) {
+      const auto first =
+          cells_->data.cells.begin() + static_cast<std::ptrdiff_t>(static_cast<std::size_t>(number) * width);
+      rows.insert(rows.end(), first, first + static_cast<std::ptrdiff_t>(width));
+    }
+    return rows_view(std::move(rows), size(), width);
+  }
+  py::array boundary() const { return facets(complex_->boundary()); }
+  py::array boundary_cells() const { return list(complex_->boundary_cells()); }
+  py::array singular() const { return facets(complex_->singular_facets()); }
 
   HeldFaces faces(int dimension) const {
     Supervisor supervisor;
@@ -96,35 +115,41 @@ class HeldAlpha {
       return held_->with_engine([&](const Triangulation& engine) {
         if (held_->version() != version_)
           throw std::runtime_error("points have been added to the triangulation of this alpha complex");
-        return HeldFaces(make(engine).faces(dimension, options_of(*held_)));
+        // After an insertion that was broken off, another engine has the same cells.
+        return HeldFaces(held_->generation() == generation_
+                             ? complex_->faces(dimension, options_of(*held_))
+                             : make(engine).faces(dimension, options_of(*held_)));
       });
     });
   }
   std::string repr() const {
     return "<delone.AlphaComplex: " + std::to_string(size()) + " cells, " +
-           std::to_string(arrays_->boundary_cells.size()) + " boundary facets>";
+           std::to_string(complex_->boundary_cells().size()) + " boundary facets>";
   }
 
  private:
-  struct Arrays {
-    std::size_t width = 0;
-    std::vector<SignedIndex> numbers, cells, boundary, boundary_cells, singular;
-  };
-
   AlphaComplex make(const Triangulation& engine) const {
-    return squared_ ? AlphaComplex::of_square(engine, *squared_, options_of(*held_))
+    return squared_ ? AlphaComplex::of_squared_radius(engine, *squared_, options_of(*held_))
                     : AlphaComplex(engine, radius_, options_of(*held_));
   }
-  py::array facets(const std::vector<SignedIndex>& rows) const {
-    const std::size_t width = arrays_->width < 2 ? 0 : arrays_->width - 1;
-    return rows_view(rows, width == 0 ? 0 : rows.size() / width, width, arrays_);
+  std::size_t corners() const { return static_cast<std::size_t>(complex_->affine_dimension() + 1); }
+  py::array list(std::span<const SignedIndex> items) const {
+    return view(items, {static_cast<py::ssize_t>(items.size())}, complex_);
+  }
+  py::array facets(std::span<const SignedIndex> rows) const {
+    const std::size_t width = corners() < 2 ? 0 : corners() - 1;
+    return view(
+        rows,
+        {static_cast<py::ssize_t>(width == 0 ? 0 : rows.size() / width), static_cast<py::ssize_t>(width)},
+        complex_);
   }
 
   std::shared_ptr<const Held> held_;
   double radius_;
   std::optional<double> squared_;
-  std::uint64_t version_ = 0;
-  std::shared_ptr<const Arrays> arrays_;
+  std::uint64_t version_ = 0, generation_ = 0;
+  std::shared_ptr<const AlphaComplex> complex_;  // asks the engine of this generation
+  std::shared_ptr<const Cells> cells_;
 };
 
 QualityMeasure measure_of(const std::string& name) {
@@ -149,7 +174,7 @@ above k, where the points are flat.
 Which order they have depends on the triangulation only, and is that of alpha_values(dimension). ValueError for other
 dimensions. Cost: that of finding the faces of all dimensions from this one on.)";
 
-constexpr const char* quality_doc = R"(
+constexpr const char* qualities_doc = R"(
 How good each cell is, (m,) float64, in the order of cells. None depends on the scale; the relative error is certified to
 be below 1e-9. With the circumradius R, the inradius r, the volume V and the edges l of a cell:
 
@@ -164,16 +189,16 @@ The alpha complex below a radius: a delone.AlphaComplex, the faces with an alpha
 
 Its union has the shape of the union of the balls of that radius about the points; for Regular, of the balls with the
 squared radii radius^2 + weight. Exact: in or out is never a matter of rounding, and cospherical cells come in together.
-radius: >= 0, in the units of the coordinates; infinity gives all faces. Instead of it, squared: any number, for Regular
-also below 0. ValueError for a negative radius, NaN, both or none of them. Not for FurthestSite. Edelsbrunner and Muecke,
-"Three-dimensional alpha shapes", doi:10.1145/174462.156635. Cost: O(m k^3).)";
+radius: >= 0, in the units of the coordinates; infinity gives all faces. Instead of it, squared_radius: any number, for
+Regular also below 0. ValueError for a negative radius, NaN, both or none of them. Not for FurthestSite. Edelsbrunner and
+Muecke, "Three-dimensional alpha shapes", doi:10.1145/174462.156635. Cost: O(m k^3).)";
 
 constexpr const char* alpha_values_doc = R"(
 The alpha values of the faces of one dimension, float64, in the order of faces(dimension).
 
 The alpha value of a face is the least squared radius of a sphere that passes through its vertices and has no point
 strictly inside (with weights: orthogonal to them, and to no point nearer than that). Each is the least double that is not
-below the exact value. So values <= s says exactly which faces are in alpha_complex(squared=s), equal exact values are
+below the exact value. So values <= s says exactly which faces are in alpha_complex(squared_radius=s), equal exact values are
 equal, and no face has a greater value than one that contains it. Not for FurthestSite. ValueError unless 0 <= dimension
 <= d. Cost: that of faces(dimension), and small systems of equations for each face on the way.)";
 
@@ -194,11 +219,13 @@ void bind_faces(py::module_& module) {
           "on_hull", [](const HeldFaces& f) { return as_flags(f.faces().on_hull); },
           "(n,) bool: whether each face lies in the boundary of the convex hull.")
       .def("__len__", [](const HeldFaces& f) { return f.faces().size(); })
-      .def("__repr__", &HeldFaces::repr);
+      .def("__repr__", &HeldFaces::repr)
+      .def(py::pickle([](const HeldFaces& f) { return f.state(); },
+                      [](const py::tuple& state) { return HeldFaces::restored(state); }));
 
   py::class_<HeldAlpha>(module, "AlphaComplex", "The faces of a triangulation below a radius. Read-only.")
       .def_property_readonly("radius", &HeldAlpha::radius,
-                             "What it was made with; NaN if it was made with `squared`.")
+                             "What it was made with; NaN if it was made with `squared_radius`.")
       .def_property_readonly("cells", &HeldAlpha::cells,
                              "(m', k+1) input rows: the cells that are in it, in their order.")
       .def_property_readonly("cell_numbers", &HeldAlpha::numbers,
@@ -257,21 +284,22 @@ void bind_faces(py::module_& module) {
         return rows_view(std::move(centers), count, d);
       });
   method(
-      "quality", quality_doc + 1,
+      "qualities", qualities_doc + 1,
       [](const Held& held, const std::string& measure) {
         const QualityMeasure chosen = measure_of(measure);
         return list_view(
-            ask(held, [&](const Triangulation& t) { return cell_qualities(t, chosen, options_of(held)); }));
+            ask(held, [&](const Triangulation& t) { return qualities(t, chosen, options_of(held)); }));
       },
       "measure"_a = "radius_ratio");
   method(
       "alpha_complex", alpha_complex_doc + 1,
-      [](const std::shared_ptr<Held>& held, std::optional<double> radius, std::optional<double> squared) {
-        if (radius.has_value() == squared.has_value())
-          throw py::value_error("alpha_complex: either radius or squared");
-        return HeldAlpha(held, radius.value_or(std::numeric_limits<double>::quiet_NaN()), squared);
+      [](const std::shared_ptr<Held>& held, std::optional<double> radius,
+         std::optional<double> squared_radius) {
+        if (radius.has_value() == squared_radius.has_value())
+          throw py::value_error("alpha_complex: either radius or squared_radius");
+        return HeldAlpha(held, radius.value_or(std::numeric_limits<double>::quiet_NaN()), squared_radius);
       },
-      "radius"_a = py::none(), py::kw_only(), "squared"_a = py::none());
+      "radius"_a = py::none(), py::kw_only(), "squared_radius"_a = py::none());
   method(
       "alpha_values", alpha_values_doc + 1,
       [](const Held& held, int dimension) {

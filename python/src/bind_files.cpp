@@ -30,7 +30,7 @@ py::tuple read_table(const std::string& path, const std::string& format, std::ve
   options.format = format;
   options.columns = std::move(columns);
   options.max_stream_bytes = max_stream_bytes;
-  options.threads = BuildArguments{.threads = threads}.to_options().threads;
+  options.threads = as_threads(threads);
   Supervisor supervisor;
   PointTable table = supervisor.run([&] { return read_points(path, options); });
   const std::size_t n = table.num_points();
@@ -75,7 +75,7 @@ py::dict check_any(const std::string& kind, const py::dict& members, std::option
   options.canonical = canonical;
   options.oriented = oriented;
   options.furthest_site = furthest_site;
-  options.threads = BuildArguments{.threads = threads}.to_options().threads;
+  options.threads = as_threads(threads);
   return with_kind(kind, [&](auto empty) {
     const auto data = from_python<decltype(empty)>(members);
     Supervisor supervisor;

@@ -3,11 +3,14 @@
 #include "arrays.hpp"
 #include "docstring.hpp"
 #include "module.hpp"
+#include "pickling.hpp"
 #include "running.hpp"
+
+#include <pybind11/stl.h>
 
 #include <delone/forecast.hpp>
 
-#include <limits>
+#include <array>
 #include <string>
 
 namespace delone::python {
@@ -16,8 +19,6 @@ namespace {
 using namespace py::literals;
 
 constexpr const char* forecast_doc = R"(
-forecast(dimension, num_points, kind='uniform', *, threads=0)
-
 What delone.Delaunay will take for num_points points of a kind in `dimension` dimensions: a Forecast.
 
 kind: one that the command's `generate` makes ('uniform', 'ball', 'sphere', 'grid', ...). From closed forms and from
@@ -27,8 +28,6 @@ threads: as in Delaunay. Raises ValueError for a kind that there is not. Sources
 (Poisson-Delaunay constants), Dwyer 1991, doi:10.1007/BF02574694 (uniform points), McMullen 1970 (most cells).)";
 
 constexpr const char* estimate_doc = R"(
-estimate(points, *, threads=0, sample_seconds=1.0, progress=None)
-
 The same for points, (n, d): a forecast corrected by samples of them, random subsets of growing size.
 
 Beyond the largest sample they are taken to grow like those of the recorded kinds that have grown like the samples.
@@ -53,7 +52,31 @@ std::string forecast_text(const Forecast& f) {
          readable_bytes(f.bytes.expected) + ", " + readable_seconds(f.seconds.expected) + ">";
 }
 
-unsigned threads_of(int threads) { return BuildArguments{.threads = threads}.to_options().threads; }
+py::tuple state(const Forecast& f) {
+  const auto quantity = [](const ForecastQuantity& q) { return py::make_tuple(q.expected, q.low, q.high); };
+  return py::make_tuple(f.dimension, f.affine_dimension, f.num_points, f.threads, f.num_sampled,
+                        quantity(f.vertices), quantity(f.cells), quantity(f.bytes), quantity(f.seconds));
+}
+
+Forecast restored(const py::tuple& given) {
+  return from_state(given, 9, "a forecast", [](const py::tuple& state) {
+    const auto quantity = [&](std::size_t i) {
+      const auto numbers = state[i].cast<std::array<double, 3>>();
+      return ForecastQuantity{numbers[0], numbers[1], numbers[2]};
+    };
+    Forecast f;
+    f.dimension = state[0].cast<int>();
+    f.affine_dimension = state[1].cast<int>();
+    f.num_points = state[2].cast<std::size_t>();
+    f.threads = state[3].cast<unsigned>();
+    f.num_sampled = state[4].cast<std::size_t>();
+    f.vertices = quantity(5);
+    f.cells = quantity(6);
+    f.bytes = quantity(7);
+    f.seconds = quantity(8);
+    return f;
+  });
+}
 
 }  // namespace
 
@@ -80,11 +103,14 @@ void bind_forecast(py::module_& module) {
           "bytes_range", [](const Forecast& f) { return as_range(f.bytes); }, "(low, high).")
       .def_property_readonly(
           "seconds_range", [](const Forecast& f) { return as_range(f.seconds); }, "(low, high).")
-      .def("__repr__", &forecast_text);
+      .def("__repr__", &forecast_text)
+      .def(py::pickle(&state, &restored));
   module.def(
       "forecast",
       [](int dimension, std::size_t num_points, const std::string& kind, int threads) {
-        return forecast(dimension, num_points, kind, threads_of(threads));
+        const unsigned most = as_threads(threads);
+        Supervisor supervisor;
+        return supervisor.run([&] { return forecast(dimension, num_points, kind, most); });
       },
       "dimension"_a, "num_points"_a, "kind"_a = "uniform", py::kw_only(), "threads"_a = 0,
       text(forecast_doc));
@@ -93,7 +119,7 @@ void bind_forecast(py::module_& module) {
       [](const py::object& points, int threads, double sample_seconds, const py::object& progress) {
         const auto rows = as_points(points, "points");
         EstimateOptions options;
-        options.threads = threads_of(threads);
+        options.threads = as_threads(threads);
         options.sample_seconds = sample_seconds;
         const int dimension = static_cast<int>(rows.shape(1));
         const PointsView view(numbers(rows), dimension);

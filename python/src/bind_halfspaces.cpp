@@ -336,16 +336,11 @@ void bind_halfspaces(py::module_& module) {
            [](const HeldIntersection& h) {
              return to_python(h.ask([](const Polyhedron& p) { return p.to_data(); }));
            })
-      .def(
-          "_save",
-          [](const HeldIntersection& h, const std::string& path, const std::string& format,
-             std::optional<std::string> qhull, std::vector<std::string> columns) {
-            const SaveArguments to{path, format, std::move(qhull), std::move(columns)};
-            h.ask([&](const Polyhedron& p) { to.save(p, [&] { return p.to_data(); }); });
-          },
-          "path"_a, "format"_a, "qhull"_a, "columns"_a)
       .def("__repr__", &repr)
       .def(py::pickle(&state, &restored));
+  define_save(type, [](const HeldIntersection& held, const SaveArguments& to) {
+    held.ask([&](const Polyhedron& p) { to.save(p, [&] { return p.to_data(); }); });
+  });
   define_to_html(
       type, [](const HeldIntersection& h, const HtmlOptions& options) { return html_of(h.data(), options); });
 }

@@ -36,6 +36,7 @@ class HeldLowerHull {
     Options options = arguments.to_options();
     options.tolerance = tolerance;
     const HullSide which = side_of(side);
+    columns_ = columns_of(points);
     Supervisor supervisor(progress);
     supervisor.run([&, x = numbers(rows), d = static_cast<int>(rows.shape(1))] {
       hull_ = std::make_shared<const LowerHull<>>(x, d, which, options);
@@ -44,12 +45,20 @@ class HeldLowerHull {
   }
 
   const Envelope& hull() const { return *hull_; }
+  /// The labels of the columns of the DataFrame that it was made of, a tuple, or None.
+  const py::object& columns() const { return columns_; }
+  void set_columns(py::object columns) { columns_ = std::move(columns); }
+  /// Those of the compositions alone.
+  py::object composition_columns() const {
+    return columns_.is_none() ? columns_ : py::object(columns_[py::slice(0, -1, 1)]);
+  }
   const std::shared_ptr<const LowerHull<>>& owner() const { return hull_; }
   const std::shared_ptr<const std::vector<double>>& points() const { return points_; }
   std::size_t dimension() const { return static_cast<std::size_t>(hull_->dimension()); }
   std::size_t width() const { return static_cast<std::size_t>(hull_->composition_dimension() + 1); }
 
  private:
+  py::object columns_ = py::none();
   std::shared_ptr<const LowerHull<>> hull_;
   std::shared_ptr<const std::vector<double>> points_;
 };
@@ -63,8 +72,12 @@ py::array table(const HeldLowerHull& held, std::span<const SignedIndex> items) {
               held.owner());
 }
 
+Queries compositions(const HeldLowerHull& held, const py::object& object) {
+  return {object, held.hull().dimension() - 1, held.composition_columns(), "compositions"};
+}
+
 py::object heights(const HeldLowerHull& held, const py::object& object) {
-  const Queries queries(object, held.hull().dimension() - 1);
+  const Queries queries = compositions(held, object);
   auto result = queries.answers<double>();
   Supervisor supervisor;
   const std::vector<double> found =
@@ -74,7 +87,7 @@ py::object heights(const HeldLowerHull& held, const py::object& object) {
 }
 
 py::object height_above(const HeldLowerHull& held, const py::object& object, double tolerance) {
-  const Queries queries(object, held.hull().dimension());
+  const Queries queries(object, held.hull().dimension(), held.columns(), "points");
   auto result = queries.answers<double>();
   Supervisor supervisor;
   const std::vector<double> found =
@@ -84,7 +97,7 @@ py::object height_above(const HeldLowerHull& held, const py::object& object, dou
 }
 
 py::object find_simplex(const HeldLowerHull& held, const py::object& object) {
-  const Queries queries(object, held.hull().dimension() - 1);
+  const Queries queries = compositions(held, object);
   auto result = queries.answers<SignedIndex>();
   const std::size_t width = held.dimension() - 1;
   Supervisor supervisor;
@@ -99,7 +112,8 @@ py::object find_simplex(const HeldLowerHull& held, const py::object& object) {
 }
 
 constexpr const char* class_doc = R"(
-LowerHull(points, side='lower', *, tolerance=0.0, seed=0, order='automatic', threads=0, progress=None)
+LowerHull(points, side='lower', *, tolerance=0.0, seed=0, order='automatic', threads=0, progress=None,
+          memory_limit=None, time_limit=None)
 
 The lower (or upper) part of the convex hull of points, (n, d), d >= 2, with respect to the last coordinate: the convex
 envelope of heights over compositions, as in phase diagrams. The first d-1 coordinates of a point are its composition,
@@ -127,12 +141,17 @@ void bind_lower_hull(py::module_& module) {
   using Held = HeldLowerHull;
   py::class_<Held> type(module, "LowerHull", text(class_doc));
   type.def(py::init([](const py::object& points, const std::string& side, double tolerance,
-                       std::uint64_t seed, std::string order, int threads, const py::object& progress) {
-             return std::make_unique<Held>(points, side, tolerance,
-                                           BuildArguments{seed, std::move(order), threads}, progress);
+                       std::uint64_t seed, std::string order, int threads, const py::object& progress,
+                       const py::object& memory_limit, const py::object& time_limit) {
+             return std::make_unique<Held>(
+                 points, side, tolerance,
+                 BuildArguments{seed, std::move(order), threads, as_memory_limit(memory_limit),
+                                as_time_limit(time_limit)},
+                 progress);
            }),
            "points"_a, "side"_a = "lower", py::kw_only(), "tolerance"_a = 0.0, "seed"_a = 0,
-           "order"_a = "automatic", "threads"_a = 0, "progress"_a = py::none());
+           "order"_a = "automatic", "threads"_a = 0, "progress"_a = py::none(), "memory_limit"_a = py::none(),
+           "time_limit"_a = py::none());
   type.def_property_readonly(
           "dimension", [](const Held& h) { return h.hull().dimension(); },
           "d >= 2, the number of coordinates of a point, its height included.")
@@ -186,17 +205,12 @@ void bind_lower_hull(py::module_& module) {
            "hull) outside the domain. InputError for NaN or infinity. Cost: a walk over cells for each.")
       .def("height_above", &height_above, "points"_a, py::kw_only(), "tolerance"_a = 0.0,
            text(height_above_doc))
-      .def("_data", [](const Held& h) { return to_python(h.hull().to_data()); })
-      .def(
-          "_save",
-          [](const Held& h, const std::string& path, const std::string& format,
-             const std::optional<std::string>& qhull, std::vector<std::string> columns) {
-            if (qhull) throw py::value_error("qhull: Qhull has no output for lower hulls");
-            const SaveArguments to{path, format, {}, std::move(columns)};
-            Supervisor supervisor;
-            supervisor.run([&] { to.save_data(h.hull().to_data()); });
-          },
-          "path"_a, "format"_a, "qhull"_a, "columns"_a)
+      .def_property_readonly("columns", &Held::columns, "As those of Delaunay; queries have them, too.")
+      .def("_data",
+           [](const Held& h) {
+             Supervisor supervisor;
+             return to_python(supervisor.run([&] { return h.hull().to_data(); }));
+           })
       .def("__repr__",
            [](const Held& h) {
              const Envelope& hull = h.hull();
@@ -210,14 +224,21 @@ void bind_lower_hull(py::module_& module) {
           [](const Held& h) {
             return py::make_tuple(rows_view(*h.points(), h.hull().num_points(), h.dimension(), h.points()),
                                   h.hull().side() == HullSide::lower ? "lower" : "upper",
-                                  h.hull().tolerance());
+                                  h.hull().tolerance(), h.columns());
           },
           [](const py::tuple& given) {
-            return from_state(given, 3, "a lower hull", [](const py::tuple& state) {
-              return std::make_unique<Held>(state[0], state[1].cast<std::string>(), state[2].cast<double>(),
-                                            BuildArguments{}, py::none());
+            return from_state(given, 4, "a lower hull", [](const py::tuple& state) {
+              auto held = std::make_unique<Held>(state[0], state[1].cast<std::string>(),
+                                                 state[2].cast<double>(), BuildArguments{}, py::none());
+              held->set_columns(as_columns(state[3], held->hull().dimension()));
+              return held;
             });
           }));
+  define_save(type, [](const Held& held, const SaveArguments& to) {
+    if (to.qhull) throw py::value_error("qhull: Qhull has no output for lower hulls");
+    Supervisor supervisor;
+    supervisor.run([&] { to.save_data(held.hull().to_data()); });
+  });
 }
 
 }  // namespace delone::python

@@ -564,8 +564,7 @@ are the extreme points, all others are hidden. One thread builds it. All else as
 
 void bind_triangulations(py::module_& module) {
   py::class_<Held, std::shared_ptr<Held>> base(
-      module, "Triangulation",
-      "Triangulation()\n--\n\nWhat Delaunay, Regular and FurthestSite share. k is the affine dimension.");
+      module, "Triangulation", "What Delaunay, Regular and FurthestSite share. k is the affine dimension.");
   base.def_property_readonly("dimension", &Held::dimension, "d, the number of coordinates.")
       .def_property_readonly(
           "affine_dimension",
@@ -663,15 +662,11 @@ void bind_triangulations(py::module_& module) {
       .def(
           "_data",
           [](const Held& h) { return to_python(ask(h, [](const Triangulation& t) { return t.to_data(); })); })
-      .def(
-          "_save",
-          [](const Held& h, const std::string& path, const std::string& format,
-             std::optional<std::string> qhull, std::vector<std::string> columns) {
-            const SaveArguments to{path, format, std::move(qhull), std::move(columns)};
-            ask(h, [&](const Triangulation& t) { to.save(t, [&] { return t.to_data(); }); });
-          },
-          "path"_a, "format"_a, "qhull"_a, "columns"_a)
       .def("__repr__", &repr);
+
+  define_save(base, [](const Held& held, const SaveArguments& to) {
+    ask(held, [&](const Triangulation& t) { to.save(t, [&] { return t.to_data(); }); });
+  });
 
   define_to_html(base, [](const Held& held, const HtmlOptions& options) {
     Supervisor supervisor;

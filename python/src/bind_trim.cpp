@@ -106,8 +106,7 @@ O(m k d^2) for m cells, and integers for thin cells at the border.)";
 }  // namespace
 
 void bind_trim(py::module_& module) {
-  py::class_<HeldTrim>(module, "TrimResult",
-                       "TrimResult()\n--\n\nWhat trim() leaves of a triangulation. Read-only.")
+  py::class_<HeldTrim>(module, "TrimResult", "What trim() leaves of a triangulation. Read-only.")
       .def_property_readonly("cells", &HeldTrim::cells,
                              "(m', k+1) input rows: the remaining cells, in their order.")
       .def_property_readonly(

@@ -172,9 +172,6 @@ std::string repr(const HeldDiagram& held, const char* name) {
 }
 
 constexpr const char* diagram_doc = R"(
-Diagram()
---
-
 What Voronoi and PowerDiagram share.
 
 k is the affine dimension of the points: those of a k-flat have their diagram inside the flat. Which regions, ridges
@@ -334,6 +331,7 @@ void bind_voronoi(py::module_& module) {
           "i"_a, "The vertices of region i, see region_vertices. IndexError unless 0 <= i < num_regions.")
       .def("_to_html", &html_of_diagram, "title"_a, "columns"_a, "values"_a, "values_at"_a, "value_name"_a,
            "box"_a)
+      .def_property_readonly("_is_furthest", &HeldDiagram::is_furthest)
       .def("_data",
            [](const HeldDiagram& h) {
              Supervisor supervisor;

@@ -71,8 +71,9 @@ void translate(std::exception_ptr pointer) {
 
 /// A finite number above 0.
 double as_limit(const py::object& limit, const std::string& name, const std::string& unit) {
-  const double value = PyFloat_AsDouble(limit.ptr());
-  if (PyErr_Occurred() != nullptr) {
+  const bool is_bool = PyBool_Check(limit.ptr()) != 0;
+  const double value = is_bool ? 0 : PyFloat_AsDouble(limit.ptr());
+  if (is_bool || PyErr_Occurred() != nullptr) {
     PyErr_Clear();
     throw py::type_error(name + ": a number of " + unit + ", or None, not " + type_name(limit));
   }
@@ -92,11 +93,15 @@ Options BuildArguments::to_options() const {
     options.order = InsertionOrder::as_given;
   else if (order != "automatic")
     throw py::value_error("order: 'automatic', 'as_given' or 'shuffled', not " + in_quotes(order));
-  if (threads < 0) throw py::value_error("threads: at least 0, not " + std::to_string(threads));
-  options.threads = static_cast<unsigned>(threads);
+  options.threads = as_threads(threads);
   options.memory_limit = memory_limit;
   options.time_limit = time_limit;
   return options;
+}
+
+unsigned as_threads(int threads) {
+  if (threads < 0) throw py::value_error("threads: at least 0, not " + std::to_string(threads));
+  return static_cast<unsigned>(threads);
 }
 
 std::size_t as_memory_limit(const py::object& bytes) {

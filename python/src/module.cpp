@@ -99,7 +99,7 @@ PYBIND11_MODULE(_core, module) {
   python::bind_lower_hull(module);
   module.def("_represented", &python::represented, py::arg("value"), "How messages show a foreign value.");
   module.def("_write_text", &delone::write_text, py::arg("path"), py::arg("text"),
-             "Writes a file, whole or not at all.");
+             "Writes a file, whole or not at all.", py::call_guard<py::gil_scoped_release>());
   require_initialized_objects(module);
   refuse_to_make_the_base();
   reduce_in_one_way(module);

@@ -185,6 +185,9 @@ struct BuildArguments {
   Options to_options() const;
 };
 
+/// The argument threads of what builds nothing. Raises ValueError for a bad one.
+unsigned as_threads(int threads);
+
 /// The arguments memory_limit and time_limit: None, which is 0, or a number above 0. Raise ValueError.
 std::size_t as_memory_limit(const py::object& bytes);
 double as_time_limit(const py::object& seconds);

@@ -2,6 +2,9 @@
 // What the methods save() of all products have in common.
 #pragma once
 
+#include <pybind11/pybind11.h>
+#include <pybind11/stl.h>
+
 #include <delone/io.hpp>
 
 #include <optional>
@@ -32,5 +35,18 @@ struct SaveArguments {
     write(path, data, format);
   }
 };
+
+/// Defines _save(path, format, qhull, columns) by save(object, arguments).
+template <class Class, class Save>
+void define_save(Class& type, Save save) {
+  namespace py = pybind11;
+  type.def(
+      "_save",
+      [save](const typename Class::type& held, std::string path, std::string format,
+             std::optional<std::string> qhull, std::vector<std::string> columns) {
+        save(held, SaveArguments{std::move(path), std::move(format), std::move(qhull), std::move(columns)});
+      },
+      py::arg("path"), py::arg("format"), py::arg("qhull"), py::arg("columns"));
+}
 
 }  // namespace delone::python

@@ -82,6 +82,20 @@ void give_signature(py::handle callable) {
   definition->ml_doc = copy;
 }
 
+/// A class that cannot be made says so: Name(). Classes own their docstrings as functions do, but __doc__ of
+/// those that are there is a string of its own.
+void give_signature_to_class(py::handle type) {
+  auto* const object = reinterpret_cast<PyTypeObject*>(type.ptr());
+  if (py::dict(type.attr("__dict__")).contains("__init__")) return;
+  const std::string doc = type.attr("__name__").cast<std::string>() + "()\n--\n\n" +
+                          (object->tp_doc == nullptr ? "" : object->tp_doc);
+  char* const copy = static_cast<char*>(PyObject_Malloc(doc.size() + 1));
+  if (copy == nullptr) return;
+  std::memcpy(copy, doc.c_str(), doc.size() + 1);
+  PyObject_Free(const_cast<char*>(object->tp_doc));
+  object->tp_doc = copy;
+}
+
 }  // namespace
 
 void give_signatures(py::module_& module) {
@@ -89,6 +103,7 @@ void give_signatures(py::module_& module) {
   for (const auto& item : py::dict(module.attr("__dict__"))) {
     if (PyType_Check(item.second.ptr())) {
       if (py::detail::get_type_info(reinterpret_cast<PyTypeObject*>(item.second.ptr())) == nullptr) continue;
+      give_signature_to_class(item.second);
       for (const auto& member : py::dict(item.second.attr("__dict__"))) give_signature(member.second);
     } else {
       give_signature(item.second);

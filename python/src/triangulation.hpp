@@ -62,7 +62,7 @@ class HeldTriangulation {
         const std::shared_lock lock(mutex_);
         if (!is_stale_ && is_sorted_) return std::visit(work, std::as_const(*engine_));
       }
-      rebuild();
+      recover();
       sort_cells();
     }
   }
@@ -82,7 +82,7 @@ class HeldTriangulation {
           return std::visit([&](const Triangulation& engine) { return work(engine); },
                             std::as_const(*engine_));
       }
-      rebuild();
+      recover();
     }
   }
   /// Calls work(engine, locator, cells).
@@ -103,13 +103,20 @@ class HeldTriangulation {
 
   /// Changes with every insertion, but never during with_engine().
   std::uint64_t version() const { return version_; }
+  /// Changes whenever another engine takes the place of the one that there was, but never during
+  /// with_engine().
+  std::uint64_t generation() const { return generation_; }
+  /// The cells of the engine, within with_engine().
+  std::shared_ptr<const Cells> cells_of(const Triangulation& engine) const;
 
  private:
-  std::unique_ptr<Engine> make_engine() const;
-  void rebuild() const;
+  std::unique_ptr<Engine> make_engine(bool is_limited) const;
+  void recover() const;
+  /// Makes the engine anew of our rows, with the limits or without. Under mutex_, alone.
+  void rebuild(bool is_limited) const;
   void sort_cells() const;
-  std::shared_ptr<const Cells> cells_of(const Triangulation& engine) const;
   const PointLocator& locator_of(const Triangulation& engine) const;
+  /// Under mutex_. Of a stale engine, too.
   std::shared_ptr<const std::vector<double>> row_data(bool want_weights) const;
 
   Form form_;
@@ -121,12 +128,17 @@ class HeldTriangulation {
   mutable std::unique_ptr<Engine> engine_;
   std::size_t num_rows_ = 0;
   std::vector<std::size_t> batches_;
-  /// The last insertion was interrupted: the engine has rows that are not ours. It is rebuilt without them
-  /// before its next use.
+  /// The last insertion was broken off: the engine has rows that are not ours, or there is none. It is
+  /// rebuilt of our rows before its next use.
   mutable bool is_stale_ = false;
+  /// Whether the engine has the limits of memory and time, which are those of insertions. Where it is rebuilt
+  /// for a question, it has none: a question must not end at what the rows took that are there. The next
+  /// insertion then begins with one that has them.
+  mutable bool is_limited_ = true;
   /// Cells have numbers that do not depend on threads. They get them before they are first asked for.
   mutable bool is_sorted_ = true;
   std::atomic<std::uint64_t> version_{0};
+  mutable std::atomic<std::uint64_t> generation_{0};
 
   mutable std::mutex derived_mutex_;  // of all members below, under mutex_
   mutable std::shared_ptr<const Cells> cells_;
