@@ -1,17 +1,21 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // delone alpha: points in, the cells or the boundary of their alpha complex below a radius out.
 #include "interrupt.hpp"
+#include "memory_limit.hpp"
 #include "report.hpp"
 #include "weighted_input.hpp"
 
 #include <delone/alpha.hpp>
+#include <delone/data.hpp>
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <memory>
 #include <optional>
+#include <string>
 #include <utility>
+#include <vector>
 
 namespace delone::cli {
 namespace {
@@ -19,13 +23,13 @@ namespace {
 struct AlphaCommandOptions {
   WeightedInput weighted;
   BuildOptions build;
-  std::optional<double> radius, squared;
+  std::optional<double> radius, squared_radius;
   bool boundary = false;
 };
 
 template <class Product>
-int make_complex(Product triangulation, const AlphaCommandOptions& options, Clock::time_point start,
-                 Cost cost) {
+int make_complex(Product triangulation, const AlphaCommandOptions& options,
+                 const std::vector<std::string>& column_names, Clock::time_point start, Cost cost) {
   const BuildOptions& build = options.build;
   const std::string name = input_name(options.weighted.input.path);
   triangulation.sort_cells();  // what is written does not depend on the threads
@@ -34,15 +38,18 @@ int make_complex(Product triangulation, const AlphaCommandOptions& options, Cloc
     ProgressBar bar(build.quiet);
     const StageGuard guard(Stage::building);
     const FaceOptions face_options{.threads = build.threads, .progress = bar.callback()};
-    return options.squared ? AlphaComplex::of_square(triangulation, *options.squared, face_options)
-                           : AlphaComplex(triangulation, *options.radius, face_options);
+    return options.squared_radius
+               ? AlphaComplex::of_squared_radius(triangulation, *options.squared_radius, face_options)
+               : AlphaComplex(triangulation, *options.radius, face_options);
   });
   const double complex_seconds = seconds_since(stage_start);
   stage_start = Clock::now();
   const bool writes = !build.output.empty();
-  if (writes)
-    write_output(build.output, options.boundary ? complex.boundary_data() : complex.to_data(),
-                 build.output_format);
+  if (writes) {
+    ComplexData data = options.boundary ? complex.boundary_data() : complex.to_data();
+    data.column_names = column_names;
+    write_output(build.output, data, build.output_format);
+  }
   cost.write = seconds_since(stage_start);
   cost.close(start);
   const std::size_t k = static_cast<std::size_t>(std::max(complex.affine_dimension(), 1)),
@@ -53,7 +60,7 @@ int make_complex(Product triangulation, const AlphaCommandOptions& options, Cloc
       [&] {
         Json json = stats_of("alpha", counts());
         json["radius"] = options.radius ? number(*options.radius) : Json(nullptr);
-        json["squared"] = options.squared ? number(*options.squared) : Json(nullptr);
+        json["squared_radius"] = options.squared_radius ? number(*options.squared_radius) : Json(nullptr);
         json["alpha_cells"] = complex.cell_numbers().size();
         json["boundary_facets"] = complex.boundary_cells().size();
         json["singular_facets"] = singular;
@@ -66,7 +73,7 @@ int make_complex(Product triangulation, const AlphaCommandOptions& options, Cloc
         Summary text(options.weighted.input.path,
                      fmt::format("alpha complex of {} points in dimension {}", all.points, all.dimension));
         text.line(options.radius ? "radius" : "squared radius",
-                  fmt::format("{}", options.radius ? *options.radius : *options.squared));
+                  fmt::format("{}", options.radius ? *options.radius : *options.squared_radius));
         text.line("cells", fmt::format("{} of {}", complex.cell_numbers().size(), all.cells));
         text.line("boundary facets", fmt::format("{}", complex.boundary_cells().size()));
         text.line("singular facets", fmt::format("{}", singular));
@@ -77,13 +84,14 @@ int make_complex(Product triangulation, const AlphaCommandOptions& options, Cloc
 
 int run_alpha(const AlphaCommandOptions& options) {
   const BuildOptions& build = options.build;
-  if (options.radius.has_value() == options.squared.has_value())
-    throw UsageError("alpha: either --radius or --squared is needed");
+  if (options.radius.has_value() == options.squared_radius.has_value())
+    throw UsageError("alpha: either --radius or --squared-radius is needed");
   if (options.radius && !(*options.radius >= 0))
     throw UsageError("--radius: a number of at least 0 was expected");
-  if (options.squared && !(*options.squared == *options.squared))
-    throw UsageError("--squared: a number was expected");
+  if (options.squared_radius && !(*options.squared_radius == *options.squared_radius))
+    throw UsageError("--squared-radius: a number was expected");
   protect_files({options.weighted.input.path, options.weighted.weights}, build.outputs(), build.force);
+  const MemoryLimit limit(build.memory);
   const auto start = Clock::now();
   Cost cost;
   std::vector<double> weights;
@@ -104,12 +112,12 @@ int run_alpha(const AlphaCommandOptions& options) {
     auto t =
         make([&](const Options& o) { return Regular<>(table.coordinates, weights, table.dimension, o); });
     cost.build = seconds_since(build_start);
-    return make_complex(std::move(t), options, start, cost);
+    return make_complex(std::move(t), options, table.column_names, start, cost);
   }
   auto t =
       make([&](const Options& o) { return Delaunay<>(std::move(table.coordinates), table.dimension, o); });
   cost.build = seconds_since(build_start);
-  return make_complex(std::move(t), options, start, cost);
+  return make_complex(std::move(t), options, table.column_names, start, cost);
 }
 
 }  // namespace
@@ -120,7 +128,7 @@ Run add_alpha(CLI::App& app) {
   app.add_option("--radius", options->radius,
                  "Which faces: those with an empty sphere of at most this radius")
       ->type_name("R");
-  app.add_option("--squared", options->squared,
+  app.add_option("--squared-radius", options->squared_radius,
                  "Instead of --radius its square, which may be negative with weights")
       ->type_name("S");
   app.add_flag("--boundary", options->boundary,

@@ -3,6 +3,7 @@
 #include "build_options.hpp"
 #include "command.hpp"
 #include "interrupt.hpp"
+#include "memory_limit.hpp"
 #include "output.hpp"
 #include "progress_bar.hpp"
 
@@ -19,28 +20,14 @@ namespace {
 
 struct ViewOptions {
   PointInput input;
-  std::string output = "-", product = "delaunay", values, title;
-  bool quiet = false, force = false;
-  unsigned threads = 0;
+  BuildOptions build;
+  std::string product = "delaunay", values, title;
   std::vector<double> box;
-
-  /// What stands for a build, whose progress is shown.
-  Options construction(ProgressBar& bar) const {
-    Options made;
-    made.threads = threads;
-    made.progress = bar.callback();
-    return made;
-  }
 };
-
-bool is_file(const std::string& path) {
-  std::error_code unused;
-  return path == "-" || std::filesystem::exists(path, unused);
-}
 
 /// The numbers of a file with one column.
 std::vector<double> read_values(const ViewOptions& options) {
-  PointTable table = about(input_name(options.values), [&] { return read_points(options.values); });
+  PointTable table = options.input.read_beside(options.values, options.build.threads);
   if (table.num_points() > 0 && table.dimension != 1)
     throw Error(Errc::bad_format, fmt::format("{}: expected one value per row, found {} columns",
                                               input_name(options.values), table.dimension));
@@ -62,11 +49,12 @@ std::optional<Box> box_of(const ViewOptions& options, int dimension) {
 }
 
 /// The diagram of the points and weights of a file, made again: regions are cut at a box exactly.
-std::string page_of(const VoronoiData& data, const HtmlOptions& html, const ViewOptions& options) {
-  ProgressBar bar(options.quiet);
+std::string page_of(const VoronoiData& data, HtmlOptions html, const ViewOptions& options) {
+  html.column_names = data.column_names;
+  ProgressBar bar(options.build.quiet);
   const StageGuard guard(Stage::building);
-  const DiagramOptions how{.tolerance = data.tolerance, .threads = options.threads};
-  const Options build = options.construction(bar);
+  const DiagramOptions how{.tolerance = data.tolerance, .threads = options.build.threads};
+  const Options build = options.build.to_options(bar);
   if (data.weights.empty())
     return to_html(Voronoi(Delaunay<>(data.points, data.dimension, build), how), html,
                    box_of(options, data.dimension));
@@ -75,28 +63,35 @@ std::string page_of(const VoronoiData& data, const HtmlOptions& html, const View
 }
 
 std::string page_of(const PointTable& points, const HtmlOptions& html, const ViewOptions& options) {
-  ProgressBar bar(options.quiet);
+  ProgressBar bar(options.build.quiet);
   const StageGuard guard(Stage::building);
-  const Options build = options.construction(bar);
+  const Options build = options.build.to_options(bar);
   if (options.product == "hull")
     return to_html(ConvexHull<>(points.coordinates, points.dimension, build).to_data(), html);
   Delaunay<> triangulation(points.coordinates, points.dimension, build);
   triangulation.sort_cells();
   if (options.product == "voronoi")
-    return to_html(Voronoi(triangulation, {.threads = options.threads}), html,
+    return to_html(Voronoi(triangulation, {.threads = options.build.threads}), html,
                    box_of(options, points.dimension));
   return to_html(triangulation.to_data(), html);
 }
 
 int run_view(const ViewOptions& options) {
-  protect_files({options.input.path, options.values}, {{"--output", options.output}}, options.force);
-  check_writable(options.output);
+  if (options.input.path == "-" && options.values == "-")
+    throw UsageError("--values and the points are both standard input");
+  protect_files({options.input.path, options.values}, {{"--output", options.build.output}},
+                options.build.force);
+  check_writable(options.build.output);
+  const MemoryLimit limit(options.build.memory);
   const std::string name = input_name(options.input.path);
   HtmlOptions html;
   html.title = title_of(options);
   std::optional<AnyData> data =
       try_read(options.input.path, options.input.options.format, options.input.options.max_stream_bytes);
-  const bool values_are_file = is_file(options.values);
+  // Of results there are no columns.
+  std::error_code unused;
+  const bool values_are_file =
+      names_a_file(options.values) || (data && std::filesystem::exists(options.values, unused));
   if (values_are_file) html.values = read_values(options);
   if (!options.values.empty()) html.value_name = std::filesystem::path(options.values).stem().string();
   if (data && !options.values.empty() && !values_are_file)
@@ -116,13 +111,13 @@ int run_view(const ViewOptions& options) {
   } else {
     PointInput input = options.input;
     if (!options.values.empty() && !values_are_file) input.options.values = {options.values};
-    PointTable points = input.read(options.threads);
+    PointTable points = input.read(options.build.threads);
     if (points.num_values == 1) html.values = std::move(points.values);
     if (points.num_values == 1 && !points.value_names.empty()) html.value_name = points.value_names[0];
     html.column_names = points.column_names;
     page = about(name, [&] { return page_of(points, html, options); });
   }
-  save_text(options.output, page);
+  save_text(options.build.output, page);
   return exit_status::ok;
 }
 
@@ -130,6 +125,7 @@ int run_view(const ViewOptions& options) {
 
 Run add_view(CLI::App& app) {
   auto options = std::make_shared<ViewOptions>();
+  options->build.output = "-";
   app.add_option("FILE", options->input.path,
                  "Points, or whatever delone writes; - for points from standard input")
       ->required()
@@ -139,13 +135,13 @@ Run add_view(CLI::App& app) {
   app.add_option("--format", options->input.options.format, "Format of FILE, if not told by its extension")
       ->check(CLI::IsMember(formats));
   add_columns(app, "--columns", options->input.options.columns);
-  app.add_option("-o,--output", options->output, "The page, .html; standard output if not given")
+  app.add_option("-o,--output", options->build.output, "The page, .html; standard output if not given")
       ->type_name("OUT");
   app.add_option("--of", options->product, "What to make of points: delaunay, hull or voronoi")
       ->check(CLI::IsMember({"delaunay", "hull", "voronoi"}));
   app.add_option(
          "--values", options->values,
-         "Values to colour by: a column of points by its name or number from 0, or a file with one per row, "
+         "Values to color by: a column of points by its name or number from 0, or a file with one per row, "
          "cell, region or facet")
       ->type_name("COLUMN|FILE");
   app.add_option("--box", options->box,
@@ -155,15 +151,11 @@ Run add_view(CLI::App& app) {
       ->delimiter(',')
       ->type_name("LOW,...,HIGH,...");
   app.add_option("--title", options->title, "Of the page; the name of FILE if not given")->type_name("TEXT");
-  add_force(app, options->force);
-  app.add_flag("-q,--quiet", options->quiet, "No progress bar");
+  add_force(app, options->build.force);
+  options->build.add_limits(app, "what is shown");
   add_max_stream(app, options->input.options.max_stream_bytes);
-  add_threads(app, options->threads);
-  app.footer(
-      "The page needs nothing else, and no network. Examples:\n"
-      "  delone delaunay scan.ply -o scan.npz; delone view scan.npz -o scan.html\n"
-      "  delone view stations.csv --columns lon,lat --values depth -o stations.html\n"
-      "  delone view seeds.csv --of voronoi -o grains.html");
+  add_threads(app, options->build.threads);
+  app.footer("The page needs nothing else, and no network.");
   return [options] { return run_view(*options); };
 }
 

@@ -45,7 +45,7 @@ RULES = {
     "src/io": (PUBLIC, {"src/base"}),
     "src/io/points": (PUBLIC, {"src/io", "src/base"}),
     "src/io/complexes": (PUBLIC, {"src/io", "src/io/points", "src/base"}),
-    "src/view": (PUBLIC, {"src/io", "src/io/complexes", "src/base"}),
+    "src/view": (PUBLIC, {"src/faces", "src/io", "src/io/complexes", "src/base"}),
     "src/tiles": (PUBLIC, {"src/triangulation", "src/voronoi", "src/complex", "src/check", "src/io", "src/io/points",
                            "src/io/complexes", "src/compiled", "src/geometry", "src/order", "src/kernel", "src/base"}),
     "src/tiles/check": (PUBLIC, {"src/tiles", "src/check", "src/complex", "src/io", "src/kernel", "src/base"}),

@@ -59,8 +59,8 @@ class DELONE_EXPORT AlphaComplex {
  public:
   AlphaComplex(const Triangulation& triangulation, double radius, const FaceOptions& options = {});
   /// The faces with a value of at most `square`, of any sign: with weights there are some below 0.
-  static AlphaComplex of_square(const Triangulation& triangulation, double square,
-                                const FaceOptions& options = {});
+  static AlphaComplex of_squared_radius(const Triangulation& triangulation, double square,
+                                        const FaceOptions& options = {});
   AlphaComplex(AlphaComplex&&) noexcept;
   AlphaComplex& operator=(AlphaComplex&&) noexcept;
   ~AlphaComplex();
@@ -82,7 +82,8 @@ class DELONE_EXPORT AlphaComplex {
   /// all dimensions from j on.
   Faces faces(int j, const FaceOptions& options = {}) const;
 
-  /// The cells as a triangulation, with all points; neighbors are −1 beyond the boundary.
+  /// The cells as a triangulation, with all points; neighbors are −1 beyond the boundary. These and
+  /// boundary_data() do not know what the coordinates are called: column_names are empty.
   ComplexData to_data() const;
   /// The boundary as simplices of dimension k−1, with all points and without neighbors.
   ComplexData boundary_data() const;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Results as one page for a browser, which needs nothing else: to turn, slice, colour and ask.
+// Results as one page for a browser, which needs nothing else: to turn, slice, color and ask.
 //
 // Positions are rounded to 2^24 steps along each axis of the bounding box: by at most 3·10⁻⁸ of its side,
 // which is what graphics hardware works with; the page says by how much. Circumradii and qualities are
@@ -28,25 +28,28 @@ enum class ValuesAt {
 
 struct HtmlOptions {
   std::string title{};                      ///< empty: what is shown
-  std::vector<std::string> column_names{};  ///< d, of the coordinates; empty: x, y, z, or x0, x1, …
-  std::vector<double> values{};             ///< numbers to colour by; NaN: none. Empty: no values
+  /// d, of the coordinates; empty: those of the data, or x, y, z, or x0, x1, …
+  std::vector<std::string> column_names{};
+  std::vector<double> values{};             ///< numbers to color by; NaN: none. Empty: no values
   ValuesAt values_at = ValuesAt::automatic;
   std::string value_name = "value";
 };
 
-/// A page that shows a triangulation: its cells with circumradius and quality (k times the inradius over the
-/// circumradius: 1 for regular cells, 0 for flat ones), its hull, and for k = d = 2, 3 its Voronoi diagram.
-/// In more than three dimensions three coordinates or principal axes are chosen there.
+/// A page that shows a triangulation: its cells with their circumradii and qualities
+/// (QualityMeasure::radius_ratio; flat cells, which files can have, have neither), its hull, and for
+/// k = d = 2, 3 its Voronoi diagram. In more than three dimensions three coordinates or principal axes are
+/// chosen there.
 /// Errors: invalid_argument for options that do not suit the data, for infinite values, and where the arrays
-/// disagree; not_finite; out_of_memory. Cost: linear, and one sort of the vertices; about 20 bytes of page
-/// for each triangle of the plane.
+/// disagree; not_finite; too_many beyond 2^32 − 2 rows; out_of_memory. A ProgressScope can stop it. Cost:
+/// linear, and one sort of the vertices; about 20 bytes of page for each triangle of the plane.
 DELONE_EXPORT std::string to_html(const ComplexData& data, const HtmlOptions& options = {});
 
-/// A page that shows a convex hull, its facets and its points (up to 200 000 that are not extreme).
+/// A page that shows a convex hull: its facets, and all of its points if these are at most 200 000.
 DELONE_EXPORT std::string to_html(const HullData& data, const HtmlOptions& options = {});
 
 /// A page that shows an intersection of halfspaces: facets for d = 3, edges otherwise; unbounded ones are cut
-/// off. invalid_argument for one without interior points.
+/// off. invalid_argument for one without interior points; not_finite where vertices are beyond the range of
+/// doubles.
 DELONE_EXPORT std::string to_html(const IntersectionData& data, const HtmlOptions& options = {});
 
 /// A page that shows the regions of a Voronoi or power diagram within a box (by default bounding_box()), with

@@ -153,7 +153,7 @@ DELONE_EXPORT void write(const std::string& path, const VoronoiData& data, const
 ///   svg   d = 2: a picture; the format of standard output is json
 ///   vtu   d = 2, 3: the regions as polygons or polyhedra, each with its `region` and `point`, for ParaView
 ///   html  d ≤ 3: a page for a browser: html.hpp
-/// `box`: by default bounding_box(). Unbounded regions end at it. `column_names` go into npz and json.
+/// `box`: by default bounding_box(). Unbounded regions end at it. `column_names` go into npz, json and html.
 /// Errors: invalid_argument for a bad box, and for a diagram without ridges.
 DELONE_EXPORT void write(const std::string& path, const Diagram& diagram, const std::optional<Box>& box = {},
                          const std::string& format = {}, const std::vector<std::string>& column_names = {});

@@ -33,16 +33,16 @@ enum class QualityMeasure : std::uint8_t {
   /// 4√3·V/Σl², for tetrahedra 12(3V)^(2/3)/Σl². 1 for the regular simplex, towards 0 for flat ones; in (0,
   /// 1]. Same source.
   mean_ratio,
-  /// R over the shortest edge; at least √(k/(2k+2)), that of the regular simplex. Slivers can have a good
-  /// one.
-  /// Shewchuk, "Tetrahedral mesh generation by Delaunay refinement", doi:10.1145/276884.276894.
+  /// R over the shortest edge; at least √(k/(2k+2)), that of the regular simplex. Slivers, too, can be close
+  /// to that. Shewchuk, "Tetrahedral mesh generation by Delaunay refinement", doi:10.1145/276884.276894.
   radius_edge_ratio,
 };
 
 /// The quality of each finite cell, in the order of to_data(); 1 for k = 0. The relative error is certified
-/// to be below 10⁻⁹, from bounds in binary64 or, for thin cells, from integers. Errors: out_of_memory. Cost:
-/// O(m·k³) for m cells.
-DELONE_EXPORT std::vector<double> cell_qualities(const Triangulation& triangulation, QualityMeasure measure,
-                                                 const FaceOptions& options = {});
+/// to be below 10⁻⁹, from bounds in binary64 or, for thin cells, from integers, at any scale; a ratio that is
+/// itself below the normal numbers may be 0, one beyond the range of doubles is +infinity. Errors:
+/// out_of_memory. Cost: O(m·k³) for m cells.
+DELONE_EXPORT std::vector<double> qualities(const Triangulation& triangulation, QualityMeasure measure,
+                                            const FaceOptions& options = {});
 
 }  // namespace delone

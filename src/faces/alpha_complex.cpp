@@ -2,14 +2,17 @@
 // A face is in the complex if a face of one dimension more that contains it is, or if it is in conflict with
 // no vertex and its smallest orthosphere is small enough; why that is enough: alpha_values.cpp.
 #include <delone/alpha.hpp>
+#include <delone/error.hpp>
 
 #include "base/guarded.hpp"
 #include "base/parallel_parts.hpp"
+#include "base/quick_rounds.hpp"
 #include "faces/face_blocks.hpp"
 #include "faces/face_rows.hpp"
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <string>
 #include <utility>
 
@@ -180,14 +183,16 @@ Faces AlphaComplex::Impl::faces(int j, const FaceOptions& options) const {
     while (level.dimension > j) {
       const std::size_t corners = level.corners();
       Masks masks(level.size(), corners);
-      for_wanted_faces(
-          *triangulation, level, unit, options.threads, [&](std::size_t face) { return marks[face] == 0; },
-          [&](FaceBlocks& blocks, std::span<const std::size_t> some) {
-            blocks.find(some, Orthospheres::Want::beyond,
-                        [&](std::size_t face, const Orthospheres::Answer& answer) {
-                          masks.set(face, answer.beyond);
-                        });
-          });
+      // The center of an edge without weights is between its vertices.
+      if (level.dimension > 1 || StoredPoints::of(*triangulation).weighted())
+        for_wanted_faces(
+            *triangulation, level, unit, options.threads, [&](std::size_t face) { return marks[face] == 0; },
+            [&](FaceBlocks& blocks, std::span<const std::size_t> some) {
+              blocks.find(some, Orthospheres::Want::beyond,
+                          [&](std::size_t face, const Orthospheres::Answer& answer) {
+                            masks.set(face, answer.beyond);
+                          });
+            });
       FaceLevel below = facets_of(level, triangulation->complex().num_vertex_slots(), options.threads);
       enum : unsigned char { unknown, contained, in_conflict };
       std::vector<unsigned char> next(below.size(), unknown);
@@ -233,8 +238,8 @@ AlphaComplex::AlphaComplex(const Triangulation& triangulation, double radius, co
         return std::make_unique<Impl>(triangulation, bound_of_radius(radius), options);
       })) {}
 
-AlphaComplex AlphaComplex::of_square(const Triangulation& triangulation, double square,
-                                     const FaceOptions& options) {
+AlphaComplex AlphaComplex::of_squared_radius(const Triangulation& triangulation, double square,
+                                             const FaceOptions& options) {
   if (std::isnan(square)) throw Error(Errc::invalid_argument, "the squared radius is NaN");
   return AlphaComplex(internal::guarded("the alpha complex", [&] {
     return std::make_unique<Impl>(triangulation, internal::SquareBound::of_square(square), options);
@@ -277,12 +282,23 @@ ComplexData AlphaComplex::to_data() const {
 
 ComplexData AlphaComplex::boundary_data() const {
   return internal::guarded("the boundary of the alpha complex", [&] {
-    ComplexData data = impl_->triangulation->to_data();
+    const Triangulation& triangulation = *impl_->triangulation;
+    const auto d = static_cast<std::size_t>(dimension());
+    ComplexData data;
+    data.dimension = dimension();
     data.affine_dimension = std::max(impl_->k - 1, -1);
+    const std::size_t rows = internal::StoredPoints::vertices_of_rows(triangulation).size();
+    data.points.reserve(rows * d);
+    internal::QuickRounds round;
+    for (std::size_t row = 0; row < rows; ++row) {
+      round();
+      const double* const point = internal::StoredPoints::of_row(triangulation, row);
+      if (point == nullptr)
+        data.points.insert(data.points.end(), d, std::numeric_limits<double>::quiet_NaN());
+      else
+        data.points.insert(data.points.end(), point, point + d);
+    }
     data.cells = impl_->boundary;
-    data.neighbors.clear();
-    data.vertex_of_point.clear();
-    data.weights.clear();
     return data;
   });
 }

@@ -18,9 +18,11 @@
 
 #include "base/guarded.hpp"
 #include "base/large_vector.hpp"
+#include "base/quick_rounds.hpp"
 #include "faces/face_blocks.hpp"
 #include "faces/face_rows.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <tuple>
@@ -85,18 +87,19 @@ class Filtration {
     const bool has_beyond = level_.dimension > 1 || StoredPoints::of(triangulation_).weighted();
     for_wanted_faces(
         triangulation_, level_, unit_, threads_, [](std::size_t) { return true; },
-        [&](FaceBlocks& blocks, std::span<const std::size_t> faces) {
-          std::vector<std::size_t> with, without;
-          for (const std::size_t face : faces) (std::isnan(values_[face]) ? without : with).push_back(face);
-          blocks.find(without, has_beyond ? Want::both : Want::square,
+        [&](FaceBlocks& blocks, std::span<std::size_t> faces) {
+          const auto middle = std::partition(faces.begin(), faces.end(),
+                                             [&](std::size_t face) { return std::isnan(values_[face]); });
+          blocks.find({faces.begin(), middle}, has_beyond ? Want::both : Want::square,
                       [&](std::size_t face, const Orthospheres::Answer& answer) {
                         masks_.set(face, has_beyond ? answer.beyond : 0);
                         values_[face] = answer.square;
                       });
           if (has_beyond)
-            blocks.find(with, Want::beyond, [&](std::size_t face, const Orthospheres::Answer& answer) {
-              masks_.set(face, answer.beyond);
-            });
+            blocks.find({middle, faces.end()}, Want::beyond,
+                        [&](std::size_t face, const Orthospheres::Answer& answer) {
+                          masks_.set(face, answer.beyond);
+                        });
         });
   }
 

@@ -10,6 +10,7 @@
 // root about β.
 #include "faces/cell_shape.hpp"
 
+#include "base/infinity.hpp"
 #include "base/length.hpp"
 #include "faces/certified_gram.hpp"
 #include "kernel/fractions.hpp"
@@ -55,24 +56,63 @@ struct IntegerEdges {
         gram.push_back(std::move(dot));
       }
   }
+
+  /// From vertex i+1 to vertex m+1, or to the first one if i = m.
+  Integer square_of_edge(std::size_t i, std::size_t m) const {
+    const Integer& own = gram[i * n + i];
+    return m == i ? own : Integer(own + gram[m * n + m] - 2 * gram[i * n + m]);
+  }
 };
 
-double exact_sum_of_inverse_heights(const double* const* points, std::size_t corners, std::size_t d) {
+/// Whether a number, and quotients of two of them, are far from both ends of the range of doubles.
+bool is_moderate(double x) { return x > 1e-145 && x < 1e145; }
+
+/// The square of the radius is this over 4·det G squared units: bᵀ(adj G)b for the squared lengths b of the
+/// edges from the first vertex. Gives det G, too.
+Integer square_of_radius(const IntegerEdges& e, Integer& determinant) {
+  std::vector<Integer> system;
+  for (std::size_t a = 0; a < e.n; ++a) {
+    for (std::size_t b = 0; b < e.n; ++b) system.push_back(e.gram[a * e.n + b]);
+    system.push_back(e.gram[a * e.n + a]);
+  }
+  kernel::Fractions solution = kernel::solve_exactly(std::move(system), e.n);
+  determinant = std::move(solution.denominator);
+  Integer square = 0;
+  for (std::size_t i = 0; i < e.n; ++i) square += e.gram[i * e.n + i] * solution.numerators[i];
+  return square;
+}
+
+/// k over the sum of radius/h over the heights h, each of which is at least ½: 1/h² = c/det G for an entry c
+/// of adj G. Summed in units of 2^60, so that the sum is beyond the range of doubles only where the ratio is
+/// below all of them.
+double exact_radius_ratio(const double* const* points, std::size_t corners, std::size_t d) {
   const IntegerEdges e(points, corners, d);
+  Integer determinant, first = 0;
+  const Integer square = square_of_radius(e, determinant), denominator = 4 * determinant * determinant;
+  constexpr int exponent = 60;
   double sum = 0;
-  Integer first = 0, determinant = 1;
   for (std::size_t i = 0; i < e.n; ++i) {
     std::vector<Integer> system;
     for (std::size_t a = 0; a < e.n; ++a) {
       for (std::size_t b = 0; b < e.n; ++b) system.push_back(e.gram[a * e.n + b]);
       system.emplace_back(a == i ? 1 : 0);
     }
-    kernel::Fractions column = kernel::solve_exactly(std::move(system), e.n);
+    const kernel::Fractions column = kernel::solve_exactly(std::move(system), e.n);
     for (const Integer& entry : column.numerators) first += entry;
-    determinant = std::move(column.denominator);
-    sum += kernel::root_above(column.numerators[i], determinant, -e.grid);
+    sum += kernel::root_above(square * column.numerators[i], denominator, -exponent);
   }
-  return sum + kernel::root_above(first, determinant, -e.grid);
+  sum += kernel::root_above(square * first, denominator, -exponent);
+  return std::min(1.0, std::ldexp(static_cast<double>(e.n) / sum, -exponent));
+}
+
+double exact_radius_edge_ratio(const double* const* points, std::size_t corners, std::size_t d) {
+  const IntegerEdges e(points, corners, d);
+  Integer shortest = e.gram[0];
+  for (std::size_t i = 0; i < e.n; ++i)
+    for (std::size_t m = 0; m <= i; ++m) shortest = std::min(shortest, e.square_of_edge(i, m));
+  Integer determinant;
+  const Integer square = square_of_radius(e, determinant);
+  return kernel::root_above(square, 4 * determinant * shortest, 0);
 }
 
 double exact_mean_ratio(const double* const* points, std::size_t corners, std::size_t d) {
@@ -80,9 +120,7 @@ double exact_mean_ratio(const double* const* points, std::size_t corners, std::s
   const auto n = static_cast<int>(e.n);
   Integer squares = 0;
   for (std::size_t i = 0; i < e.n; ++i)
-    for (std::size_t m = 0; m <= i; ++m)
-      squares += m == i ? e.gram[i * e.n + i]
-                        : Integer(e.gram[i * e.n + i] + e.gram[m * e.n + m] - 2 * e.gram[i * e.n + m]);
+    for (std::size_t m = 0; m <= i; ++m) squares += e.square_of_edge(i, m);
   const Integer numerator = kernel::exact_determinant(e.gram, e.n);
   Integer denominator = n + 1;
   for (int i = 0; i < n; ++i) denominator *= squares;
@@ -94,9 +132,10 @@ double exact_mean_ratio(const double* const* points, std::size_t corners, std::s
 
 }  // namespace
 
-double sum_of_inverse_heights(const double* const* points, std::size_t corners, std::size_t dimension) {
+double radius_ratio(const double* const* points, std::size_t corners, std::size_t dimension, double radius) {
+  if (!is_moderate(radius)) return exact_radius_ratio(points, corners, dimension);
   return with_gram(points, corners, dimension, [&](auto&& gram) {
-    if (!gram.invert()) return exact_sum_of_inverse_heights(points, corners, dimension);
+    if (!gram.invert()) return exact_radius_ratio(points, corners, dimension);
     const auto n = static_cast<double>(gram.n);
     const double error = 2 * gram.alpha * gram.norm;
     double first = 0, magnitude = 0, sum = 0;
@@ -112,7 +151,8 @@ double sum_of_inverse_heights(const double* const* points, std::size_t corners, 
     }
     const double rounding = 2 * n * n * kernel::unit_roundoff * magnitude;
     is_enough = is_enough && n * error + rounding <= enough * first;
-    return is_enough ? sum + std::sqrt(first) : exact_sum_of_inverse_heights(points, corners, dimension);
+    if (!is_enough) return exact_radius_ratio(points, corners, dimension);
+    return std::min(1.0, n / ((sum + std::sqrt(first)) * radius));
   });
 }
 
@@ -146,13 +186,15 @@ double mean_ratio(const double* const* points, std::size_t corners, std::size_t 
   });
 }
 
-double shortest_edge(const double* const* points, std::size_t corners, std::size_t dimension) {
-  double shortest = std::numeric_limits<double>::infinity();
+double radius_edge_ratio(const double* const* points, std::size_t corners, std::size_t dimension,
+                         double radius) {
+  double shortest = infinity;
   for (std::size_t i = 0; i < corners; ++i)
     for (std::size_t m = 0; m < i; ++m)
       shortest = std::min(shortest,
                           length_of(dimension, [&](std::size_t j) { return points[i][j] - points[m][j]; }));
-  return shortest;
+  return is_moderate(radius) && is_moderate(shortest) ? radius / shortest
+                                                      : exact_radius_edge_ratio(points, corners, dimension);
 }
 
 }  // namespace delone::internal

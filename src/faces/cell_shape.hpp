@@ -1,19 +1,22 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Numbers that tell the shape of one simplex, with relative errors below 10⁻¹⁰.
+// The qualities of one simplex with `corners` ≥ 2 affinely independent vertices, with relative errors below
+// 10⁻⁹: from binary64 where bounds allow, otherwise from integers, in which the unit of the coordinates
+// cancels. So neither large nor small coordinates do harm; only a ratio that is itself below the normal
+// numbers may become 0, and one beyond the range of doubles is +infinity.
 #pragma once
 
 #include <cstddef>
 
 namespace delone::internal {
 
-/// The sum of 1/h over the heights h of a simplex with `corners` ≥ 2 affinely independent vertices: one over
-/// the radius of its inscribed sphere.
-double sum_of_inverse_heights(const double* const* points, std::size_t corners, std::size_t dimension);
+/// QualityMeasure::radius_ratio. `radius`: of the circumscribed sphere, as circumradii() has it.
+double radius_ratio(const double* const* points, std::size_t corners, std::size_t dimension, double radius);
 
 /// QualityMeasure::mean_ratio.
 double mean_ratio(const double* const* points, std::size_t corners, std::size_t dimension);
 
-/// The length of the shortest edge.
-double shortest_edge(const double* const* points, std::size_t corners, std::size_t dimension);
+/// QualityMeasure::radius_edge_ratio.
+double radius_edge_ratio(const double* const* points, std::size_t corners, std::size_t dimension,
+                         double radius);
 
 }  // namespace delone::internal

@@ -72,6 +72,7 @@ ExactOrthosphere::ExactOrthosphere(const double* const* points, std::size_t corn
   }
   kernel::Fractions solution = kernel::solve_exactly(std::move(system), n);
   determinant_ = std::move(solution.denominator);
+  if (determinant_ == 0) return;
   square_ = -4 * determinant_ * weight(0);
   Integer rest = 2 * determinant_;
   for (std::size_t i = 0; i < n; ++i) {
@@ -90,13 +91,17 @@ std::uint64_t ExactOrthosphere::beyond() const {
 }
 
 double ExactOrthosphere::square_above() const {
+  if (determinant_ == 0) return std::numeric_limits<double>::quiet_NaN();
   return kernel::double_above(square_, 4 * determinant_, 2 * grid_);
 }
 
 bool ExactOrthosphere::is_within(const SquareBound& bound) const {
-  return bound.admits(square_, 4 * determinant_, 2 * grid_);
+  return determinant_ != 0 && bound.admits(square_, 4 * determinant_, 2 * grid_);
 }
 
-double ExactOrthosphere::radius_above() const { return kernel::root_above(square_, 4 * determinant_, grid_); }
+double ExactOrthosphere::radius_above() const {
+  if (determinant_ == 0) return std::numeric_limits<double>::quiet_NaN();
+  return kernel::root_above(square_, 4 * determinant_, grid_);
+}
 
 }  // namespace delone::internal

@@ -36,7 +36,8 @@ class SquareBound {
   int exponent_ = 0;
 };
 
-/// The smallest orthosphere of one simplex; see Orthospheres.
+/// The smallest orthosphere of one simplex; see Orthospheres. Affinely dependent vertices have none: the
+/// square and the radius are NaN, and nothing is beyond a facet or within a bound.
 class ExactOrthosphere {
  public:
   ExactOrthosphere(const double* const* points, std::size_t corners, std::size_t dimension, bool weighted);
@@ -49,7 +50,7 @@ class ExactOrthosphere {
 
  private:
   std::vector<kernel::Integer> twice_;  // 2·barycentric coordinates of vertices 1 …, times the next
-  kernel::Integer determinant_;         // of the Gram matrix of the edges, > 0
+  kernel::Integer determinant_;         // of the Gram matrix of the edges; > 0, or 0: there is no sphere
   kernel::Integer square_;              // of the radius, times 4·determinant_, in units of 2^(2·grid_)
   int grid_ = 0;
 };

@@ -3,11 +3,9 @@
 #pragma once
 
 #include "base/parallel_parts.hpp"
-#include "base/quick_rounds.hpp"
 #include "faces/face_level.hpp"
 #include "faces/orthosphere.hpp"
 #include "faces/orthosphere_kernel.hpp"
-#include "kernel/grid.hpp"
 #include "triangulation/stored_points.hpp"
 
 #include <delone/triangulation.hpp>
@@ -15,7 +13,6 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
-#include <limits>
 #include <span>
 #include <vector>
 
@@ -26,17 +23,7 @@ inline constexpr std::size_t faces_in_part = 8192;
 /// The exponent of a unit that all coordinates are multiples of, and its square all weights.
 inline int unit_of(const Triangulation& triangulation) {
   const VertexPoints& points = StoredPoints::of(triangulation);
-  const auto d = static_cast<std::size_t>(points.ambient);
-  int unit = std::numeric_limits<int>::max();
-  QuickRounds round;
-  for (std::size_t i = 0; i < points.coordinates.size(); ++i) {
-    const bool is_weight = points.weighted() && i % (d + 1) == d;
-    const double x = points.coordinates[i];
-    unit = std::min(unit, is_weight ? kernel::square_exponent(x) : kernel::trailing_exponent(x));
-    if (unit < -400) return unit;
-    round();
-  }
-  return unit;
+  return unit_of(points.coordinates, points.weighted() ? static_cast<std::size_t>(points.ambient) : 0);
 }
 
 /// The faces of a level, or some of them, in blocks of orthosphere_block.
@@ -88,7 +75,8 @@ class FaceBlocks {
   std::vector<const double*> of_block_;
 };
 
-/// Calls work(blocks, faces) for parts of those faces of a level for which is_wanted(face).
+/// Calls work(blocks, faces) for parts of those faces of a level for which is_wanted(face); it may reorder
+/// these.
 template <class IsWanted, class Work>
 void for_wanted_faces(const Triangulation& triangulation, const FaceLevel& level, int unit, unsigned threads,
                       const IsWanted& is_wanted, const Work& work) {
@@ -102,7 +90,7 @@ void for_wanted_faces(const Triangulation& triangulation, const FaceLevel& level
         wanted.clear();
         for (std::size_t face = begin; face < std::min(last, begin + between_stops); ++face)
           if (is_wanted(face)) wanted.push_back(face);
-        work(blocks, std::span<const std::size_t>(wanted));
+        work(blocks, std::span<std::size_t>(wanted));
       }
     };
   });

@@ -8,6 +8,8 @@
 #include "base/parallel_parts.hpp"
 #include "base/quick_rounds.hpp"
 
+#include <delone/error.hpp>
+
 #include <algorithm>
 #include <cstdint>
 #include <numeric>

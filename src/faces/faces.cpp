@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include <delone/error.hpp>
 #include <delone/faces.hpp>
 
 #include "base/guarded.hpp"

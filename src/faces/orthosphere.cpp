@@ -22,8 +22,8 @@
 // 4. To round it up, let ρ_i = a_i·(a_i − 2x̃) − (w_i − w_0) = b_i − 2a_i·x̃, so ρ = −2Aε. Then
 //    |x̃|² + Σλ̃_i·ρ_i = |x|² + 2x·ε + |ε|² − 2(Aᵀλ̃)·ε = |x|² − |ε|² − 2η·ε, as Aᵀλ̃ = x + ε − (x̃ − Aᵀλ̃).
 //    So an error of |ε|² + 2η̂|ε| remains, which is of second order. Besides |ε| ≤ ε̂, the part of ε in the flat
-//    is at most ½|ρ|·√‖G⁻¹‖ ≤ √(½n‖R‖)·max|ρ_i| as ‖G⁻¹‖ ≤ 2‖R‖, and the rest of it is a part of η. ρ_i is computed as the residual in
-//    voronoi/cell_center.cpp, with an error of e_i = u|ρ̃_i| + 5.1(d+3)²u²·M, where
+//    is at most ½|ρ|·√‖G⁻¹‖ ≤ √(½n‖R‖)·max|ρ_i| as ‖G⁻¹‖ ≤ 2‖R‖, and the rest of it is a part of η. ρ_i is
+//    computed as the residual in voronoi/cell_center.cpp, with an error of e_i = u|ρ̃_i| + 5.1(d+3)²u²·M, where
 //    M = 1.01(g + 2ℓ|x̃| + |w_i − w_0|) ≥ Σ_j|h_ij|(|h_ij| + 2|x̃_j|) + |w_i − w_0| by Cauchy–Schwarz. |x̃|² is
 //    summed in pairs of doubles, with errors of 6u² per sum (kernel/double_double.hpp).
 //
@@ -31,20 +31,29 @@
 // terms that are smaller than the bounds by more than u can underflow; 10⁻²⁹⁰ covers them.
 //
 // Small lattices. Let all |h| be at most 2^m units, and weights at most 4^m squares of units. Then g, b_i and
-// w_0 are integers of at most γ = (d+2)·4^m squared units. For n ≤ 3 the entries of the adjugate adj G are at
-// most 2γ^(n−1), det G is at most n!·γⁿ, (adj G)·b at most 2nγⁿ, bᵀ(adj G)·b at most 2n²γ^(n+1) and
-// 4·det G·w_0 at most 4n!·γ^(n+1). For d ≤ 8 and m = 11, 6, 4 the last two together stay below 2⁵³ units to
-// the power n+1, so nothing is rounded: the signs of λ are those of (adj G)·b and 2·det G − Σ((adj G)·b)_i,
-// and the squared radius is a quotient of integers, whose rounding is settled by an exact product.
+// w_0 are integers of at most γ = (d+2)·4^m squared units. For n = 2, 3 the entries of the adjugate adj G are
+// at most 2γ^(n−1), det G is at most n!·γⁿ, (adj G)·b at most 2nγⁿ, bᵀ(adj G)·b at most 2n²γ^(n+1) and
+// 4·det G·w_0 at most 4n!·γ^(n+1); for n = 1, adj G = 1, the last two are at most γ² and 4γ². For d ≤ 8 and
+// m = 11, 6, 4 (n = 1, 2, 3) these two together stay below 2⁵³ squared units to the power n+1, so nothing is
+// rounded: the signs of λ are those of (adj G)·b and 2·det G − Σ((adj G)·b)_i, and the squared radius is a
+// quotient of integers, whose rounding is settled by an exact product. With units from 2⁻¹⁰⁰ to 2¹⁰⁰ all of
+// these are doubles: they are multiples of 2^(−200·4), and below 2^(200·4 + 53). So is the low part of the
+// product: the quotient, if not 0, is at least 2^(−200 − 53), so its last bit is at least 2^(−200 − 106), and
+// the denominator is a multiple of 2^(−200·3).
 #include "faces/orthosphere.hpp"
 
+#include "base/infinity.hpp"
+#include "base/quick_rounds.hpp"
 #include "faces/certified_gram.hpp"
 #include "faces/orthosphere_kernel.hpp"
 #include "kernel/buffer.hpp"
 #include "kernel/double_double.hpp"
+#include "kernel/fractions.hpp"
+#include "kernel/grid.hpp"
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <type_traits>
 #include <utility>
 
@@ -55,7 +64,6 @@ using kernel::DoubleDouble;
 using kernel::two_product;
 using kernel::two_sum;
 constexpr double u = kernel::unit_roundoff;
-constexpr double infinity = std::numeric_limits<double>::infinity();
 
 /// The least double that is not below a number within `error` of x, if that settles it.
 bool round_up(const DoubleDouble& x, double error, double& rounded) {
@@ -105,6 +113,10 @@ class Solver {
       numerators[2] = c02 * right_[0] + c12 * right_[1] + c22 * right_[2];
     }
     Orthospheres::Answer answer;
+    if (determinant == 0) {
+      answer.square = std::numeric_limits<double>::quiet_NaN();
+      return answer;
+    }
     double rest = 2 * determinant, product = 0;
     for (std::size_t i = 0; i < n_; ++i) {
       if (numerators[i] < 0) answer.beyond |= std::uint64_t{2} << i;
@@ -234,6 +246,18 @@ int bits_of_small_lattices(std::size_t n, std::size_t d) {
 
 }  // namespace
 
+int unit_of(std::span<const double> coordinates, std::size_t width) {
+  int unit = std::numeric_limits<int>::max();
+  QuickRounds round;
+  for (std::size_t i = 0; i < coordinates.size() && unit >= -largest_lattice_exponent; ++i) {
+    round();
+    const bool is_weight = width > 0 && i % (width + 1) == width;
+    const double x = coordinates[i];
+    unit = std::min(unit, is_weight ? kernel::square_exponent(x) : kernel::trailing_exponent(x));
+  }
+  return unit;
+}
+
 Orthospheres::Orthospheres(int dimension, bool weighted, int unit, std::size_t corners)
     : dimension_(static_cast<std::size_t>(dimension)), corners_(corners), weighted_(weighted) {
   if (corners == 1) {
@@ -259,7 +283,7 @@ Orthospheres::Orthospheres(int dimension, bool weighted, int unit, std::size_t c
   if (n <= most_orthosphere_edges && dimension_ <= most_orthosphere_dimension)
     lanes_.resize(corners * (dimension_ + 1) * orthosphere_block, 0.0);
   const int bits = bits_of_small_lattices(n, dimension_);
-  if (bits == 0 || unit < -400 || unit > 400) return;
+  if (bits == 0 || unit < -largest_lattice_exponent || unit > largest_lattice_exponent) return;
   small_ = std::ldexp(1.0, unit + bits);
   small_square_ = std::ldexp(1.0, 2 * (unit + bits));
 }
@@ -303,7 +327,8 @@ void Orthospheres::find_block(std::size_t count, const double* const* points, Wa
   for (std::size_t i = 0; i < count; ++i) {
     const bool is_certain = (want == Want::square || found.beyond_is_certain[i] != 0) &&
                             (want == Want::beyond || found.square_is_certain[i] != 0);
-    answers[i] = is_certain ? Answer{found.square[i], found.beyond[i]} : find(points + i * corners_, want);
+    answers[i] = is_certain ? Answer{want == Want::beyond ? 0.0 : found.square[i], found.beyond[i]}
+                            : find(points + i * corners_, want);
   }
 }
 

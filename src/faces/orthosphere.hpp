@@ -9,13 +9,22 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 namespace delone::internal {
 
+/// Small lattices are those of units from 2^−this to 2^this; see orthosphere.cpp.
+inline constexpr int largest_lattice_exponent = 100;
+
+/// The exponent of a unit that all coordinates are multiples of; with weights, each after `width` ones, also
+/// of its square all weights. Some exponent below those of small lattices, where the unit is smaller.
+int unit_of(std::span<const double> coordinates, std::size_t width = 0);
+
 /// What is asked of orthospheres of simplices with `corners` ≥ 1 vertices each, at most 64. A vertex is an
 /// array of d coordinates, followed by its weight if vertices have one. Has scratch memory: one for each
-/// thread. REQUIRES affinely independent vertices.
+/// thread. Affinely dependent vertices, which only files have, have no orthosphere: the square is NaN,
+/// nothing is beyond a facet, and no finite bound is kept.
 class Orthospheres {
  public:
   /// All coordinates are multiples of 2^unit, all weights of 2^(2·unit); a small number if that is not known.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "kernel/fractions.hpp"
 
+#include "base/infinity.hpp"
 #include "base/progress_meter.hpp"
 #include "kernel/grid.hpp"
 
@@ -51,7 +52,7 @@ double nearest_double(Integer numerator, Integer denominator, int exponent) {
 }
 
 double double_above(const Integer& numerator, const Integer& denominator, int exponent) {
-  constexpr double infinity = std::numeric_limits<double>::infinity();
+  using internal::infinity;
   const double nearest = nearest_double(numerator, denominator, exponent);
   if (nearest == infinity) return nearest;
   if (nearest == -infinity) return std::nextafter(nearest, infinity);
@@ -110,7 +111,8 @@ Fractions solve_exactly(std::vector<Integer> augmented, std::size_t n) {
   Integer previous(1);
   for (std::size_t s = 0; s < n; ++s) {
     std::size_t pivot = s;
-    while (a[pivot * width + s] == 0) ++pivot;
+    while (pivot < n && a[pivot * width + s] == 0) ++pivot;
+    if (pivot == n) return {.numerators = {}, .denominator = 0};
     if (pivot != s)
       for (std::size_t c = 0; c < width; ++c) {
         std::swap(a[pivot * width + c], a[s * width + c]);

@@ -36,8 +36,8 @@ double root_above(Integer numerator, Integer denominator, int exponent);
 /// doi:10.1090/S0025-5718-1968-0226829-0).
 Integer exact_determinant(std::vector<Integer> a, std::size_t n);
 
-/// The solution of A·x = b as x[j] = numerators[j]/denominator; `augmented` holds n rows of A and b. REQUIRES
-/// det A ≠ 0.
+/// The solution of A·x = b as x[j] = numerators[j]/denominator, where the denominator is det A; `augmented`
+/// holds n rows of A and b. For det A = 0: no numerators, and the denominator 0.
 struct Fractions {
   std::vector<Integer> numerators;
   Integer denominator;

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "view/encode.hpp"
 
+#include "base/infinity.hpp"
+#include "base/quick_rounds.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -41,11 +44,15 @@ std::vector<std::uint32_t> codes_of_positions(std::span<const double> points, co
   const std::size_t d = box.low.size();
   constexpr auto most = static_cast<double>(largest_code(position_bytes));
   std::vector<std::uint32_t> codes(points.size());
+  internal::QuickRounds round;
   for (std::size_t i = 0, axis = 0; i < points.size(); ++i, axis = axis + 1 == d ? 0 : axis + 1) {
+    round();
     // Differences of halved coordinates do not overflow.
     const double half = box.high[axis] / 2 - box.low[axis] / 2;
     const double place = half > 0 ? (points[i] / 2 - box.low[axis] / 2) / half : 0;
-    codes[i] = static_cast<std::uint32_t>(std::clamp(std::round(place * most), 0.0, most));
+    codes[i] = std::isfinite(place)
+                   ? static_cast<std::uint32_t>(std::clamp(std::round(place * most), 0.0, most))
+                   : 0;
   }
   return codes;
 }
@@ -64,8 +71,10 @@ Numbers codes_of_numbers(std::span<const double> numbers, int bytes, bool log) {
     if (!std::isfinite(x) || (log && !(x > 0))) return std::numeric_limits<double>::quiet_NaN();
     return log ? std::log(x) : x;
   };
-  result.low = std::numeric_limits<double>::infinity(), result.high = -result.low;
+  result.low = internal::infinity, result.high = -result.low;
+  internal::QuickRounds round;
   for (const double x : numbers) {
+    round();
     const double value = place(x);
     if (std::isnan(value)) continue;
     result.low = std::min(result.low, value);
@@ -75,6 +84,7 @@ Numbers codes_of_numbers(std::span<const double> numbers, int bytes, bool log) {
   const auto none = static_cast<std::uint32_t>(largest_code(bytes));
   const double half = result.high / 2 - result.low / 2;
   for (std::size_t i = 0; i < numbers.size(); ++i) {
+    round();
     const double value = place(numbers[i]);
     const double part = half > 0 ? (value / 2 - result.low / 2) / half : 0;
     result.codes[i] = std::isnan(value) ? none : static_cast<std::uint32_t>(std::lround(part * (none - 1)));
@@ -84,7 +94,9 @@ Numbers codes_of_numbers(std::span<const double> numbers, int bytes, bool log) {
 
 std::string planes(std::span<const std::uint32_t> items, int bytes, std::size_t stride) {
   std::string result(items.size() * static_cast<std::size_t>(bytes), '\0');
+  internal::QuickRounds round;
   for (std::size_t i = 0; i < items.size(); ++i) {
+    round();
     const std::uint32_t difference = items[i] - (i < stride ? 0 : items[i - stride]);
     for (int b = 0; b < bytes; ++b)
       result[static_cast<std::size_t>(b) * items.size() + i] =
@@ -103,7 +115,9 @@ std::string simplices(std::span<const SignedIndex> cells, int corners) {
   std::string bytes;
   bytes.reserve(cells.size() * 2);
   std::int64_t first = 0, before = 0;
+  internal::QuickRounds round;
   for (std::size_t i = 0; i < cells.size(); ++i) {
+    round();
     const std::int64_t vertex = cells[i];
     const bool opens = i % static_cast<std::size_t>(corners) == 0;
     put_difference(bytes, vertex - (opens ? first : before));
@@ -119,7 +133,9 @@ std::string polytopes(std::span<const SignedIndex> face_counts, std::span<const 
   bytes.reserve(face_vertices.size() * 2);
   std::int64_t before = 0;
   std::size_t face = 0, at = 0;
+  internal::QuickRounds round;
   for (const SignedIndex count : face_counts) {
+    round();
     put_number(bytes, static_cast<std::uint64_t>(count));
     for (SignedIndex f = 0; f < count; ++f, ++face) {
       put_number(bytes, static_cast<std::uint64_t>(face_sizes[face]));
@@ -139,7 +155,9 @@ void append_base64(std::string& text, std::string_view bytes) {
   const auto byte = [&](std::size_t i) {
     return i < bytes.size() ? static_cast<unsigned>(static_cast<unsigned char>(bytes[i])) : 0U;
   };
+  internal::QuickRounds round;
   for (std::size_t i = 0; i < bytes.size(); i += 3) {
+    round();
     const unsigned three = byte(i) << 16 | byte(i + 1) << 8 | byte(i + 2);
     text.push_back(digits[three >> 18]);
     text.push_back(digits[three >> 12 & 63]);

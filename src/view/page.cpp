@@ -1,12 +1,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The page: viewer.html with the description of the scene and its arrays in it.
+#include "io/file.hpp"
 #include "view/encode.hpp"
 #include "view/scene.hpp"
 #include "view/viewer_page.hpp"
 
+#include <delone/error.hpp>
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
+#include <cstdint>
+#include <span>
 #include <string>
 #include <utility>
 
@@ -75,9 +79,16 @@ class PageWriter {
   }
   void put_integers(const char* name, const std::vector<SignedIndex>& items) {
     if (items.empty()) return;
-    std::vector<std::uint32_t> unsigned_items(items.begin(), items.end());
-    const std::uint32_t largest = *std::max_element(unsigned_items.begin(), unsigned_items.end());
-    put_planes(name, unsigned_items, bytes_for(largest), 1);
+    // Of four bytes; the largest number is left to readers that need one for "none".
+    constexpr std::int64_t most = (std::int64_t{1} << 32) - 2;
+    const auto [least, greatest] = std::minmax_element(items.begin(), items.end());
+    if (*least < 0) io::fail(Errc::invalid_argument, "page: {}: {} is negative", name, *least);
+    const std::int64_t largest = *greatest;
+    if (largest > most) io::fail(Errc::too_many, "page: {}: a page numbers at most {} items", name, most + 1);
+    std::vector<std::uint32_t> unsigned_items;
+    unsigned_items.reserve(items.size());
+    for (const SignedIndex item : items) unsigned_items.push_back(static_cast<std::uint32_t>(item));
+    put_planes(name, unsigned_items, bytes_for(static_cast<std::uint64_t>(largest)), 1);
   }
   void put_numbers(const char* name, const std::vector<double>& numbers, int bytes, bool log) {
     if (numbers.empty()) return;

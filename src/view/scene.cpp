@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "view/scene.hpp"
 
+#include "base/quick_rounds.hpp"
 #include "io/file.hpp"
 #include "view/encode.hpp"
 
@@ -29,17 +30,22 @@ std::uint64_t place_of(std::span<const std::uint32_t> codes) {
 }
 
 void renumber(std::vector<SignedIndex>& items, const std::vector<SignedIndex>& number) {
-  for (SignedIndex& item : items) item = number[static_cast<std::size_t>(item)];
+  internal::QuickRounds round;
+  for (SignedIndex& item : items) {
+    round();
+    item = number[static_cast<std::size_t>(item)];
+  }
 }
 
 }  // namespace
 
-Scene scene_of(const HtmlOptions& options, int dimension, const char* kind) {
+Scene scene_of(const HtmlOptions& options, int dimension, const char* kind,
+               const std::vector<std::string>& column_names) {
   Scene scene;
   scene.kind = kind;
   scene.dimension = dimension;
   scene.title = options.title;
-  scene.columns = options.column_names;
+  scene.columns = options.column_names.empty() ? column_names : options.column_names;
   scene.value_name = options.value_name;
   const auto d = static_cast<std::size_t>(dimension);
   if (scene.columns.empty())
@@ -58,14 +64,21 @@ void take_vertices(Scene& scene, std::span<const double> points, bool merge) {
     for (const SignedIndex item : *items) used[static_cast<std::size_t>(item)] = 1;
   const auto codes = codes_of_positions(points, box_of(points, scene.dimension));
   std::vector<std::pair<std::uint64_t, SignedIndex>> order;
-  for (std::size_t i = 0; i < n; ++i)
+  internal::QuickRounds round;
+  for (std::size_t i = 0; i < n; ++i) {
+    round();
     if (used[i])
       order.emplace_back(place_of(std::span(codes).subspan(i * d, d)), static_cast<SignedIndex>(i));
-  std::sort(order.begin(), order.end());
+  }
+  std::sort(order.begin(), order.end(), [&round](const auto& a, const auto& b) {
+    round();
+    return a < b;
+  });
 
   std::vector<SignedIndex> number(n, 0);
   scene.rows.clear();
   for (std::size_t at = 0; at < order.size(); ++at) {
+    round();
     const auto i = static_cast<std::size_t>(order[at].second);
     const bool is_first =
         !merge || scene.rows.empty() ||
@@ -86,8 +99,11 @@ void take_vertices(Scene& scene, std::span<const double> points, bool merge) {
 void take_values(Scene& scene, const HtmlOptions& options, const ValuePlaces& places) {
   const std::vector<double>& values = options.values;
   if (values.empty()) return;
-  for (std::size_t i = 0; i < values.size(); ++i)
+  internal::QuickRounds round;
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    round();
     if (std::isinf(values[i])) io::fail(Errc::invalid_argument, "values: item {} is infinite", i);
+  }
   const auto suits = [&](ValuesAt at, std::size_t count) {
     return values.size() == count && (options.values_at == ValuesAt::automatic || options.values_at == at);
   };

@@ -40,11 +40,13 @@ struct Scene {
   std::size_t num_vertices() const { return vertices.size() / static_cast<std::size_t>(dimension); }
 };
 
-/// A scene of these options. Throws invalid_argument for names that are not d.
-Scene scene_of(const HtmlOptions& options, int dimension, const char* kind);
+/// A scene of these options; `column_names` are those of the data. Throws invalid_argument for names that are
+/// not d.
+Scene scene_of(const HtmlOptions& options, int dimension, const char* kind,
+               const std::vector<std::string>& column_names = {});
 
 /// Keeps of `points`, d coordinates each, those that cells and segments refer to, as vertices in an order in
-/// which neighbours are close to each other, and renumbers. `rows` becomes the numbers that points had. With
+/// which neighbors are close to each other, and renumbers. `rows` becomes the numbers that points had. With
 /// `merge`, points at the same place after rounding become one.
 void take_vertices(Scene& scene, std::span<const double> points, bool merge = false);
 

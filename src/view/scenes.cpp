@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // to_html(): a scene of each kind of result.
+#include "base/quick_rounds.hpp"
+#include "faces/shapes_of_cells.hpp"
 #include "io/collect.hpp"
 #include "io/complexes/write_arrays.hpp"
 #include "io/file.hpp"
-#include "view/cell_shapes.hpp"
 #include "view/scene.hpp"
 
+#include <delone/error.hpp>
 #include <delone/html.hpp>
 #include <delone/voronoi.hpp>
 
@@ -32,19 +34,38 @@ std::string vertices_of(std::size_t count) {
 }
 
 void require_rows(std::span<const SignedIndex> items, std::size_t count, const char* what) {
-  for (std::size_t i = 0; i < items.size(); ++i)
+  internal::QuickRounds round;
+  for (std::size_t i = 0; i < items.size(); ++i) {
+    round();
     if (items[i] < 0 || static_cast<std::uint64_t>(items[i]) >= count)
       io::fail(Errc::invalid_argument, "{}: item {} is {} of {}", what, i, items[i], count);
+  }
 }
 
-Scene scene_of_cells(const HtmlOptions& options, const char* kind, int dimension,
-                     std::span<const double> points, const std::vector<SignedIndex>& cells, int corners) {
-  Scene scene = scene_of(options, dimension, kind);
+/// Of a ComplexData or HullData.
+template <class Data>
+Scene scene_of_cells(const HtmlOptions& options, const char* kind, const Data& data, int corners) {
+  const int dimension = data.dimension;
+  const std::vector<double>& points = data.points;
+  const std::vector<SignedIndex>& cells = data.cells;
+  Scene scene = scene_of(options, dimension, kind, data.column_names);
   scene.corners = corners;
   scene.cells = cells;
   scene.num_cells = corners == 0 ? 0 : cells.size() / static_cast<std::size_t>(corners);
   require_rows(cells, points.size() / static_cast<std::size_t>(dimension), "cells");
   return scene;
+}
+
+/// That what is shown of an intersection refers to what there is.
+void require_numbers_of(const IntersectionData& data) {
+  require_rows(data.facet_halfspaces, data.num_halfspaces(), "facet_halfspaces");
+  require_rows(data.facet_vertices, data.num_vertices(), "facet_vertices");
+  require_rows(data.facet_directions, data.num_directions(), "facet_directions");
+  require_rows(data.edges, data.num_vertices(), "edges");
+  for (std::size_t r = 0; r < data.num_rays(); ++r) {
+    require_rows(std::span(data.rays).subspan(2 * r, 1), data.num_vertices(), "rays");
+    require_rows(std::span(data.rays).subspan(2 * r + 1, 1), data.num_directions(), "rays");
+  }
 }
 
 /// The corners and faces of the regions in the box. A face that rounding has left with fewer than three
@@ -100,7 +121,9 @@ class RayEnds {
     if (!is_new) return known->second;
     const auto from = data_.vertex(static_cast<std::size_t>(vertex));
     const auto to = data_.direction(static_cast<std::size_t>(direction));
-    for (std::size_t j = 0; j < from.size(); ++j) points_.push_back(from[j] + length_ * to[j]);
+    constexpr double most = std::numeric_limits<double>::max();
+    for (std::size_t j = 0; j < from.size(); ++j)
+      points_.push_back(std::clamp(from[j] + length_ * to[j], -most, most));
     return known->second;
   }
   std::span<const double> points() const { return points_; }
@@ -140,15 +163,15 @@ std::string to_html(const ComplexData& data, const HtmlOptions& options) {
     io::validate(data, "page");
     io::require_finite(data.points, data.dimension, "page");
     io::require_finite(data.weights, 1, "page: weights");
-    view::Scene scene = view::scene_of_cells(options, "triangulation", data.dimension, data.points,
-                                             data.cells, std::max(data.affine_dimension + 1, 0));
+    view::Scene scene =
+        view::scene_of_cells(options, "triangulation", data, std::max(data.affine_dimension + 1, 0));
     const int k = data.affine_dimension;
     scene.affine_dimension = k;
     scene.dual = k == data.dimension && (k == 2 || k == 3);
     if (k >= 1) {
-      auto shapes = view::cell_shapes(data.points, data.dimension, data.cells, k + 1);
+      auto shapes = internal::shapes_of_cells(data.points, data.dimension, data.cells, k + 1);
       scene.radius = std::move(shapes.radius);
-      if (k >= 2) scene.quality = std::move(shapes.quality);
+      if (k >= 2) scene.quality = std::move(shapes.ratio);
     }
     view::take_vertices(scene, data.points);
     for (const SignedIndex row : scene.rows)
@@ -168,9 +191,9 @@ std::string to_html(const HullData& data, const HtmlOptions& options) {
     io::require_finite(data.points, data.dimension, "page");
     if (data.points.empty() && data.num_points() > 0)
       io::fail(Errc::invalid_argument, "page: the hull was stored without its points");
-    view::Scene scene = view::scene_of_cells(options, "hull", data.dimension, data.points, data.cells,
-                                             std::max(data.affine_dimension, 0));
+    view::Scene scene = view::scene_of_cells(options, "hull", data, std::max(data.affine_dimension, 0));
     scene.affine_dimension = data.affine_dimension;
+    view::require_rows(data.facet_of_cell, data.num_facets(), "facet_of_cell");
     scene.groups = data.facet_of_cell;
     if (data.affine_dimension == 3) scene.cell_word = "triangle";
     view::take_vertices(scene, data.points);
@@ -194,6 +217,9 @@ std::string to_html(const IntersectionData& data, const HtmlOptions& options) {
     io::validate(data, "page");
     if (data.state != IntersectionState::full)
       io::fail(Errc::invalid_argument, "page: the intersection has no interior points");
+    io::require_finite(data.vertices, data.dimension, "page: vertices");
+    io::require_finite(data.directions, data.dimension, "page: directions");
+    view::require_numbers_of(data);
     view::Scene scene = view::scene_of(options, data.dimension, "intersection");
     scene.affine_dimension = data.dimension;
     scene.cell_word = "facet";

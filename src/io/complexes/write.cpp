@@ -157,7 +157,7 @@ void write(const std::string& path, const Diagram& diagram, const std::optional<
       data.column_names = column_names;
       return write(path, data, chosen);
     }
-    if (chosen == "html") return write_text(path, to_html(diagram, {}, box));
+    if (chosen == "html") return write_text(path, to_html(diagram, {.column_names = column_names}, box));
     io::refuse_binary_output(path, chosen);
     io::AtomicFile file(path);
     const Box shown = box ? *box : diagram.bounding_box();

@@ -112,7 +112,7 @@ void expect_by_definition(const Triangulation& t, const WeightedPoints& points) 
   for (const double square : squares) {
     if (left-- == 0) break;
     for (const double bound : {square, std::nextafter(square, -infinity)})
-      expect_complex(t, AlphaComplex::of_square(t, bound), all,
+      expect_complex(t, AlphaComplex::of_squared_radius(t, bound), all,
                      [&](const Rows& face) { return exact.at(as_key(face)) <= Rational(bound); });
     const double root = std::sqrt(std::max(square, 0.0));
     for (const double radius : {root, std::nextafter(root, 0.0)})
@@ -204,8 +204,8 @@ TEST(AlphaComplex, EqualRadiiComeTogether) {
   for (int i = 0; i < 4 * 4 * 4; ++i)
     points.insert(points.end(), {double(i % 4), double(i / 4 % 4), double(i / 16)});
   const Delaunay<> t(points, 3);
-  EXPECT_EQ(AlphaComplex::of_square(t, 0.75).cell_numbers().size(), t.num_finite_cells());
-  const AlphaComplex below = AlphaComplex::of_square(t, std::nextafter(0.75, 0));
+  EXPECT_EQ(AlphaComplex::of_squared_radius(t, 0.75).cell_numbers().size(), t.num_finite_cells());
+  const AlphaComplex below = AlphaComplex::of_squared_radius(t, std::nextafter(0.75, 0));
   EXPECT_EQ(below.cell_numbers().size(), 0u);
   EXPECT_EQ(below.faces(0).size(), 64u);
   EXPECT_EQ(AlphaComplex(t, 0.5).faces(1).size(), 3u * 4 * 4 * 3);
@@ -277,9 +277,9 @@ TEST(AlphaComplex, Errors) {
   const Delaunay<2> t(points);
   for (const double radius : {-1.0, -infinity, std::nan("")})
     EXPECT_EQ(code_of([&] { AlphaComplex(t, radius); }), Errc::invalid_argument);
-  EXPECT_EQ(code_of([&] { AlphaComplex::of_square(t, std::nan("")); }), Errc::invalid_argument);
+  EXPECT_EQ(code_of([&] { AlphaComplex::of_squared_radius(t, std::nan("")); }), Errc::invalid_argument);
   EXPECT_EQ(AlphaComplex(t, infinity).cell_numbers().size(), t.num_finite_cells());
-  EXPECT_EQ(AlphaComplex::of_square(t, -infinity).faces(0).size(), 0u);
+  EXPECT_EQ(AlphaComplex::of_squared_radius(t, -infinity).faces(0).size(), 0u);
   for (const int j : {-1, 3}) {
     EXPECT_EQ(code_of([&] { alpha_values(t, j); }), Errc::invalid_argument);
     EXPECT_EQ(code_of([&] { faces(t, j); }), Errc::invalid_argument);

@@ -12,7 +12,9 @@
 #include <boost/multiprecision/cpp_int.hpp>
 
 #include <cmath>
-#include <random>
+#include <cstddef>
+#include <limits>
+#include <vector>
 
 namespace delone {
 namespace {
@@ -90,9 +92,9 @@ void expect_shapes(const Triangulation& t) {
   const auto d = static_cast<std::size_t>(data.dimension),
              corners = static_cast<std::size_t>(data.affine_dimension + 1);
   const std::vector<double> radii = circumradii(t), centers = circumcenters(t),
-                            radius = cell_qualities(t, QualityMeasure::radius_ratio),
-                            mean = cell_qualities(t, QualityMeasure::mean_ratio),
-                            edge = cell_qualities(t, QualityMeasure::radius_edge_ratio);
+                            radius = qualities(t, QualityMeasure::radius_ratio),
+                            mean = qualities(t, QualityMeasure::mean_ratio),
+                            edge = qualities(t, QualityMeasure::radius_edge_ratio);
   ASSERT_EQ(radii.size(), data.num_cells());
   for (std::size_t cell = 0; cell < data.num_cells(); ++cell) {
     std::vector<const double*> points;
@@ -127,6 +129,31 @@ TEST(Measures, OfRandomCells) {
   }
 }
 
+TEST(Measures, NoneDependsOnTheScale) {
+  // Powers of two change no digit, so long as all coordinates stay normal.
+  const double sliver = 0x1p-20;
+  for (const std::vector<double>& points : {std::vector<double>{0, 0, 0, 1, 0, 0, 0, 1, 0, 1, 1, sliver},
+                                            {0.75, 0, 0, 1, 0, 0, 0.5, 1, 0, 1, 1, 1}})
+    for (const int power : {-1000, -600, -500, -200, -140, 140, 200, 500, 600, 1000}) {
+      std::vector<double> scaled = points;
+      for (double& x : scaled) x = std::ldexp(x, power);
+      const Delaunay<> t(points, 3), large(scaled, 3);
+      expect_shapes(large);
+      for (const auto measure :
+           {QualityMeasure::radius_ratio, QualityMeasure::mean_ratio, QualityMeasure::radius_edge_ratio})
+        EXPECT_NEAR(qualities(t, measure)[0] / qualities(large, measure)[0], 1, 2e-9);
+    }
+  // The radius is beyond the range of doubles; edges are, too; heights are below the normal numbers.
+  const Delaunay<> flat(std::vector<double>{-1e308, 0, 1e308, 0, 0, 1e290}, 2);
+  EXPECT_EQ(circumradii(flat)[0], std::numeric_limits<double>::infinity());
+  EXPECT_NEAR(qualities(flat, QualityMeasure::radius_edge_ratio)[0], 0.5e18, 1e9);
+  EXPECT_NEAR(qualities(flat, QualityMeasure::radius_ratio)[0], 2e-36, 1e-44);
+  const Delaunay<> little(std::vector<double>{0, 0, 3 * 0x1p-1070, 0, 0, 4 * 0x1p-1070}, 2);
+  EXPECT_NEAR(qualities(little, QualityMeasure::radius_ratio)[0], 0.8, 1e-9);
+  EXPECT_NEAR(qualities(little, QualityMeasure::radius_edge_ratio)[0], 2.5 / 3, 1e-9);
+  expect_shapes(Delaunay<>(std::vector<double>{0, 0, 1e-160, 0, 0.5e-160, 1e-310}, 2));
+}
+
 TEST(Measures, OfThinCells) {
   for (int power = 4; power < 300; power += 37) {
     const double little = std::ldexp(1.0, -power);
@@ -140,19 +167,19 @@ TEST(Measures, OfKnownShapes) {
   const Delaunay<> regular(std::vector<double>{1, 1, 1, 1, -1, -1, -1, 1, -1, -1, -1, 1}, 3);
   EXPECT_NEAR(circumradii(regular)[0], std::sqrt(3.0), 1e-15);
   EXPECT_EQ(circumcenters(regular), (std::vector<double>{0, 0, 0}));
-  EXPECT_NEAR(cell_qualities(regular, QualityMeasure::radius_ratio)[0], 1, 1e-9);
-  EXPECT_NEAR(cell_qualities(regular, QualityMeasure::mean_ratio)[0], 1, 1e-9);
-  EXPECT_NEAR(cell_qualities(regular, QualityMeasure::radius_edge_ratio)[0], std::sqrt(3.0 / 8), 1e-9);
+  EXPECT_NEAR(qualities(regular, QualityMeasure::radius_ratio)[0], 1, 1e-9);
+  EXPECT_NEAR(qualities(regular, QualityMeasure::mean_ratio)[0], 1, 1e-9);
+  EXPECT_NEAR(qualities(regular, QualityMeasure::radius_edge_ratio)[0], std::sqrt(3.0 / 8), 1e-9);
   const Delaunay<> right(std::vector<double>{0, 0, 3, 0, 0, 4}, 2);
   EXPECT_EQ(circumradii(right)[0], 2.5);
-  EXPECT_NEAR(cell_qualities(right, QualityMeasure::radius_ratio)[0], 0.8, 1e-9);
-  EXPECT_NEAR(cell_qualities(right, QualityMeasure::mean_ratio)[0], 4 * std::sqrt(3.0) * 6 / 50, 1e-9);
+  EXPECT_NEAR(qualities(right, QualityMeasure::radius_ratio)[0], 0.8, 1e-9);
+  EXPECT_NEAR(qualities(right, QualityMeasure::mean_ratio)[0], 4 * std::sqrt(3.0) * 6 / 50, 1e-9);
   const Delaunay<> point(std::vector<double>{3, 4, 3, 4}, 2), none(2);
   EXPECT_EQ(circumradii(point), std::vector<double>{0});
   EXPECT_EQ(circumcenters(point), (std::vector<double>{3, 4}));
-  EXPECT_EQ(cell_qualities(point, QualityMeasure::mean_ratio), std::vector<double>{1});
+  EXPECT_EQ(qualities(point, QualityMeasure::mean_ratio), std::vector<double>{1});
   EXPECT_TRUE(circumradii(none).empty() && circumcenters(none).empty());
-  EXPECT_TRUE(cell_qualities(none, QualityMeasure::radius_ratio).empty());
+  EXPECT_TRUE(qualities(none, QualityMeasure::radius_ratio).empty());
   // Weights do not count.
   const Regular<> weighted(std::vector<double>{0, 0, 3, 0, 0, 4}, std::vector<double>{0, 1, 2}, 2);
   EXPECT_EQ(circumradii(weighted), circumradii(right));

@@ -9,6 +9,8 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <cstdlib>
+#include <limits>
 #include <numeric>
 #include <random>
 
@@ -100,10 +102,11 @@ TEST(Orthospheres, NearlyFlatSimplices) {
 
 TEST(Orthospheres, NothingIsRoundedOnSmallLattices) {
   std::mt19937_64 random(4);
-  for (const int unit : {-7, 0, 3})
+  // Units from 2^-100 to 2^100 count as small lattices; all others are exact, too.
+  for (const int unit : {-7, 0, 3, -100, 100, -101, 101, -200, 200, -400, 400})
     for (std::size_t d = 1; d <= 8; ++d)
       for (std::size_t corners = 2; corners <= std::min<std::size_t>(d + 1, 4); ++corners)
-        for (std::size_t round = 0; round < test::scaled_count(8); ++round) {
+        for (std::size_t round = 0; round < test::scaled_count(std::abs(unit) < 10 ? 8 : 2); ++round) {
           const bool weighted = round % 2 == 1;
           const int most = 1 << (corners == 2 ? 11 : corners == 3 ? 6 : 4), some = round % 4 < 2 ? most : 2;
           WeightedPoints points(corners, std::vector<double>(d + 1, 0.0));
@@ -115,8 +118,41 @@ TEST(Orthospheres, NothingIsRoundedOnSmallLattices) {
                   static_cast<double>(random() % static_cast<unsigned>(some * some / 2)) - some * some / 4,
                   2 * unit);
           }
-          EXPECT_EQ(expect_exact(points, weighted, unit), 0u);
+          const std::uint64_t exact = expect_exact(points, weighted, unit);
+          EXPECT_TRUE(exact == 0 || std::abs(unit) > largest_lattice_exponent);
         }
+}
+
+TEST(Orthospheres, UnitsCancel) {
+  // A corner of a cube: its center is that of the cube, on a lattice of which products leave the range.
+  for (const int unit : {-500, -400, -200, -130, -101, -100, 0, 100, 101, 130, 200, 400}) {
+    const double s = std::ldexp(1.0, unit);
+    const double points[4][3] = {{0, 0, 0}, {s, 0, 0}, {0, s, 0}, {0, 0, s}};
+    const double* const pointers[4] = {points[0], points[1], points[2], points[3]};
+    const auto answer = Orthospheres(3, false, unit, 4).find(pointers, Orthospheres::Want::both);
+    EXPECT_EQ(answer.square, 0.75 * s * s) << unit;
+    EXPECT_EQ(answer.beyond, 1u) << unit;
+  }
+}
+
+TEST(Orthospheres, DependentVerticesHaveNone) {
+  const double x = 1.0 / 3;
+  for (const int unit : {0, -1100})
+    for (const double step : {1.0, x}) {
+      if (unit == 0 && step == x) continue;
+      const double points[4][3] = {{0, 0, 0}, {step, step, 0}, {2 * step, 2 * step, 0}, {0, 0, 0}};
+      for (const std::size_t corners : {3, 4}) {
+        const double* const pointers[4] = {points[0], points[1], points[2], points[3]};
+        Orthospheres spheres(3, false, unit, corners);
+        const auto answer = spheres.find(pointers, Orthospheres::Want::both);
+        EXPECT_TRUE(std::isnan(answer.square));
+        EXPECT_EQ(answer.beyond, 0u);
+        EXPECT_FALSE(spheres.is_within(pointers, SquareBound::of_square(100)));
+        Orthospheres::Answer block;
+        spheres.find_block(1, pointers, Orthospheres::Want::square, &block);
+        EXPECT_TRUE(std::isnan(block.square));
+      }
+    }
 }
 
 TEST(Orthospheres, TiesOffTheLattice) {

@@ -104,6 +104,30 @@ TEST(ViewEncode, PositionsAreRoundedByAtMostTheirError) {
             (std::vector<std::uint32_t>{0, 8388608, 16777215}));
   EXPECT_EQ(view::codes_of_positions(std::vector<double>{3, 3}, view::box_of(std::vector<double>{3, 3}, 2)),
             (std::vector<std::uint32_t>{0, 0}));
+  // What is no place within the box has the lowest one.
+  const double infinity = std::numeric_limits<double>::infinity();
+  EXPECT_EQ(view::codes_of_positions(std::vector<double>{infinity, -infinity, std::nan(""), 2}, {{1}, {2}}),
+            (std::vector<std::uint32_t>{0, 0, 0, 16777215}));
+}
+
+TEST(ViewEncode, DeflateOfAllSizes) {
+  std::string random, text;
+  std::uint64_t state = 1;
+  for (int i = 0; i < 300000; ++i) {
+    state = state * 6364136223846793005u + 1442695040888963407u;
+    random.push_back(static_cast<char>(state >> 56));
+    text += i % 7 == 0 ? "abc" : "de";
+  }
+  for (std::string bytes : {std::string(), std::string("x"), random}) {
+    const std::string before = bytes;
+    EXPECT_FALSE(view::deflate(bytes));
+    EXPECT_EQ(bytes, before);
+  }
+  const std::string before = text;
+  if (view::deflate(text)) {
+    EXPECT_LT(text.size(), before.size() / 20);
+    EXPECT_EQ(text[0], 'x');  // the header of zlib
+  }
 }
 
 TEST(ViewEncode, Numbers) {

@@ -5,6 +5,7 @@
 #include <delone/delaunay.hpp>
 #include <delone/halfspaces.hpp>
 #include <delone/html.hpp>
+#include <delone/progress.hpp>
 #include <delone/voronoi.hpp>
 
 #include <gtest/gtest.h>
@@ -73,6 +74,51 @@ TEST(ToHtml, OtherResults) {
   EXPECT_EQ(polyhedron["numVertices"], 4);
 }
 
+TEST(ToHtml, NamesOfCoordinates) {
+  const std::vector<std::string> names{"lon", "lat"}, others{"a", "b"};
+  auto cells = Delaunay<>(square, 2).to_data();
+  auto hull = ConvexHull<>(square, 2).to_data();
+  cells.column_names = hull.column_names = names;
+  EXPECT_EQ(description(to_html(cells))["columns"], names);
+  EXPECT_EQ(description(to_html(hull))["columns"], names);
+  EXPECT_EQ(description(to_html(cells, {.column_names = others}))["columns"], others);
+}
+
+TEST(ToHtml, FlatCellsOfFiles) {
+  ComplexData data;
+  data.dimension = data.affine_dimension = 2;
+  data.points = {0, 0, 1, 1, 2, 2, 1, 0};
+  data.cells = {0, 1, 2, 0, 3, 1, 2, 0, 2};
+  const auto scene = description(to_html(data));
+  EXPECT_EQ(scene["numCells"], 3);
+  EXPECT_EQ(scene["blocks"]["radius"]["low"], scene["blocks"]["radius"]["high"]);  // of the one good cell
+}
+
+TEST(ToHtml, CoordinatesAtTheEndOfTheRange) {
+  auto wide = square;
+  for (double& x : wide) x = (2 * x - 1) * 1.7e308;
+  EXPECT_EQ(description(to_html(Delaunay<>(wide, 2).to_data()))["numCells"], 4);
+  // The corner of a quadrant, and rays from there that end where doubles do.
+  auto corner = HalfspaceIntersection<>(std::vector<double>{-1, 0, 0, 0, -1, 0}, 2).to_data();
+  ASSERT_EQ(corner.num_rays(), 2u);
+  corner.vertices = {1.5e308, -1.7e308};
+  EXPECT_EQ(description(to_html(corner))["numVertices"], 3);
+  corner.vertices[0] = std::numeric_limits<double>::infinity();
+  EXPECT_EQ(code_of([&] { to_html(corner); }), Errc::not_finite);
+  corner.vertices[0] = 0;
+  corner.rays[1] = 7;
+  EXPECT_EQ(code_of([&] { to_html(corner); }), Errc::invalid_argument);
+}
+
+TEST(ToHtml, CanBeStopped) {
+  std::vector<double> points;
+  for (int i = 0; i < 20000; ++i) points.push_back(i * i % 4999), points.push_back(i);
+  const ComplexData data = Delaunay<>(points, 2).to_data();
+  int calls = 0;
+  const ProgressScope scope([&](double) { return ++calls < 2; });
+  EXPECT_EQ(code_of([&] { to_html(data); }), Errc::cancelled);
+}
+
 TEST(ToHtml, NothingAndOnePoint) {
   EXPECT_EQ(description(to_html(Delaunay<>(3).to_data()))["numVertices"], 0);
   const auto one = description(to_html(Delaunay<>(std::vector<double>{1, 2, 3}, 3).to_data()));
@@ -94,6 +140,9 @@ TEST(ToHtml, WhatIsRefused) {
   auto wrong = data;
   wrong.cells[0] = 99;
   EXPECT_EQ(code_of([&] { to_html(wrong); }), Errc::invalid_argument);
+  auto hull = ConvexHull<>(square, 2).to_data();
+  hull.facet_of_cell[0] = 99;
+  EXPECT_EQ(code_of([&] { to_html(hull, {.values = {1, 2, 3, 4}}); }), Errc::invalid_argument);
   const HalfspaceIntersection<> empty(std::vector<double>{1, 0, 1, -1, 0, 1}, 2);
   EXPECT_EQ(code_of([&] { to_html(empty.to_data()); }), Errc::invalid_argument);
   const Voronoi<> four{Delaunay<>(std::vector<double>{0, 0, 0, 0, 1, 0, 0, 0}, 4)};
