@@ -36,17 +36,21 @@ void BuildOptions::add_qhull(CLI::App& command, const std::string& program, cons
   });
 }
 
-void BuildOptions::add_construction(CLI::App& command, const std::string& beyond) {
+void BuildOptions::add_limits(CLI::App& command, const std::string& what, const std::string& beyond) {
+  add_size(command, "--memory", memory, "The most memory to use, as 2G: beyond it " + beyond);
+  add_duration(command, "--time", time,
+               "The most time to build " + what + ", as 90 (seconds), 10m or 2h: beyond it the command ends");
+  command.add_flag("-q,--quiet", quiet, "No progress bar, no notes");
+}
+
+void BuildOptions::add_construction(CLI::App& command, const std::string& what, const std::string& beyond) {
   std::vector<std::string> names;
   for (const auto& [name, unused] : insertion_orders) names.push_back(name);
   add_seed(command, seed, "Seed of the insertion order; the result does not depend on it");
   command.add_option("--order", order, "Insertion order; the result does not depend on it")
       ->check(CLI::IsMember(names));
-  add_size(command, "--memory", memory, "The most memory to use, as 2G: beyond it " + beyond);
-  add_duration(command, "--time", time,
-               "The most time to build, as 90 (seconds), 10m or 2h: beyond it the command ends");
   command.add_flag("--stats", stats, "Print one JSON object about the result and its cost, and nothing else");
-  command.add_flag("-q,--quiet", quiet, "No progress bar, no notes");
+  add_limits(command, what, beyond);
 }
 
 void add_threads(CLI::App& command, unsigned& threads) {

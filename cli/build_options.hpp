@@ -26,8 +26,12 @@ struct BuildOptions {
   void add_output(CLI::App& command, const std::string& what, const std::vector<std::string>& formats);
   /// --qhull. `program` is the one of Qhull, `names` its outputs that there are. After add_output().
   void add_qhull(CLI::App& command, const std::string& program, const std::string& names);
-  /// --seed, --order, --memory, --time, --stats and --quiet. `beyond`: what happens beyond the memory.
-  void add_construction(CLI::App& command, const std::string& beyond = "the command ends");
+  /// --seed, --order, --memory, --time, --stats and --quiet. `what` is built; `beyond`: what happens beyond
+  /// the memory.
+  void add_construction(CLI::App& command, const std::string& what = "the triangulation",
+                        const std::string& beyond = "the command ends");
+  /// --memory, --time and --quiet.
+  void add_limits(CLI::App& command, const std::string& what, const std::string& beyond = "the command ends");
 
   /// Where the command writes: the result, `others`, and the report: with --stats, or if nothing else is
   /// written.

@@ -78,7 +78,13 @@ struct PointInput {
   void add_to(CLI::App& command, const std::string& name, const std::string& description);
   /// By at most so many threads; 0: as many as gain.
   PointTable read(unsigned threads = 0) const;
+  /// Another file with a row per point: its format is told by its extension.
+  PointTable read_beside(const std::string& other_path, unsigned threads = 0) const;
 };
+
+/// Whether an argument that is columns of points or else a file, which may be a pipe or -, is the file:
+/// numbers are those of columns.
+bool names_a_file(const std::string& columns_or_file);
 
 /// --queries, --query-format and --query-columns.
 void add_queries(CLI::App& command, PointInput& queries, const std::string& description);

@@ -138,7 +138,7 @@ Run add_delaunay(CLI::App& app) {
                "The furthest-site triangulation: spheres that have all points inside, instead of none");
   app.add_flag("--runtime-dimension", options->runtime_dimension,
                "Use the engine that is not compiled for one dimension");
-  options->build.add_construction(app, TilesInput::beyond_memory);
+  options->build.add_construction(app, "the triangulation", TilesInput::beyond_memory);
   options->tiles.add_to(app);
   return [options, &app] {
     if (options->tiles.wanted(app, options->build.output))

@@ -187,7 +187,7 @@ Run add_halfspaces(CLI::App& app) {
       ->type_name("X,Y,...|FILE");
   options->build.add_output(app, "the intersection", {"npz", "json", "off", "html"});
   options->build.add_qhull(app, "qhalf", "o p i Fp Fv Fx Fn");
-  options->build.add_construction(app);
+  options->build.add_construction(app, "the intersection");
   add_threads(app, options->build.threads);
   return [options] { return run_halfspaces(*options); };
 }

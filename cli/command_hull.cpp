@@ -186,7 +186,7 @@ Run add_hull(CLI::App& app) {
       "--tolerance", options->tolerance,
       "Keep so few points that no other is farther outside of their hull than this (with --lower or "
       "--upper: along the last coordinate)");
-  options->build.add_construction(app);
+  options->build.add_construction(app, "the hull");
   add_threads(app, options->build.threads);
   return [options] { return run_hull(*options); };
 }

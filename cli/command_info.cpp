@@ -18,10 +18,12 @@ namespace delone::cli {
 std::optional<AnyData> try_read(const std::string& path, std::string format, std::uint64_t max_stream_bytes) {
   if (format.empty()) {
     std::filesystem::path of_content = path;
-    if (of_content.extension() == ".gz") of_content.replace_extension();
+    if (of_content.extension() == ".gz" || of_content.extension() == ".GZ") of_content.replace_extension();
     format = of_content.extension().string();
+    if (!format.empty()) format.erase(0, 1);
   }
-  if (!format.empty() && format[0] == '.') format.erase(0, 1);
+  std::transform(format.begin(), format.end(), format.begin(),
+                 [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; });
   if (path == "-" || std::find(readable_complex_formats().begin(), readable_complex_formats().end(),
                                format) == readable_complex_formats().end())
     return std::nullopt;

@@ -2,6 +2,7 @@
 // delone interpolate: values that are known at points, at other places.
 #include "command.hpp"
 #include "interrupt.hpp"
+#include "memory_limit.hpp"
 #include "report.hpp"
 
 #include <delone/natural_neighbors.hpp>
@@ -10,7 +11,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <filesystem>
 #include <limits>
 #include <memory>
 #include <optional>
@@ -62,21 +62,14 @@ void require_sense(const InterpolateOptions& options) {
 /// The points with their values, which are columns of theirs or another file.
 PointTable read_field(const InterpolateOptions& options) {
   PointInput from = options.input;
-  // A file may be a pipe; numbers are those of columns.
-  std::error_code unused;
-  const bool has_name = options.values.find_first_not_of("0123456789,-") != std::string::npos;
-  const bool is_file = options.values == "-" || (has_name && std::filesystem::exists(options.values, unused));
-  if (!is_file) {
+  if (!names_a_file(options.values)) {
     from.options.values = split_list(options.values);
     return from.read(options.build.threads);
   }
   if (options.values == "-" && (options.input.path == "-" || options.queries.path == "-"))
     throw UsageError("--values and another input are both standard input");
   PointTable field = from.read(options.build.threads);
-  PointInput of_values;
-  of_values.path = options.values;
-  of_values.options.max_stream_bytes = from.options.max_stream_bytes;
-  PointTable values = of_values.read(options.build.threads);
+  PointTable values = from.read_beside(options.values, options.build.threads);
   if (values.num_points() != field.num_points())
     throw Error(Errc::bad_format,
                 fmt::format("{}: expected {} rows of values, one per point, found {}",
@@ -189,6 +182,7 @@ int run_interpolate(InterpolateOptions options) {
       write_table(nowhere, nothing, format);
     });
 
+  const MemoryLimit limit(to.memory);
   const auto start = Clock::now();
   Cost cost;
   const PointTable field = read_field(options);

@@ -71,7 +71,7 @@ Run add_regular(CLI::App& app) {
   options->weighted.add_to(app);
   options->build.add_output(app, "the triangulation", complex_formats());
   add_threads(app, options->build.threads);
-  options->build.add_construction(app, TilesInput::beyond_memory);
+  options->build.add_construction(app, "the triangulation", TilesInput::beyond_memory);
   options->tiles.add_to(app);
   return [options, &app] {
     if (options->tiles.wanted(app, options->build.output))

@@ -48,8 +48,7 @@ std::string message_of(const CLI::ParseError& error, int argc, char** argv) {
 }
 
 int status_of(Errc code) {
-  const bool is_too_large =
-      code == Errc::out_of_memory || code == Errc::too_many || code == Errc::time_limit;
+  const bool is_too_large = code == Errc::out_of_memory || code == Errc::too_many || code == Errc::time_limit;
   return is_too_large ? exit_status::out_of_memory : exit_status::bad_input;
 }
 
@@ -156,7 +155,8 @@ int run(int argc, char** argv) {
   add("info", "Say what a file of points or a triangulation holds", add_info,
       {"delone info cells.npz", "delone generate grid -d 2 -n 25 | delone info -"});
   add("view", "Make a page for a browser that shows a result", add_view,
-      {"delone view points.csv -o page.html", "delone view table.csv --columns x,y --values w -o page.html"});
+      {"delone view points.csv -o page.html", "delone view cells.npz --title Cells -o cells.html",
+       "delone view table.csv --values w --of voronoi -o areas.html"});
   app.footer(
       "Points are read from .npy .csv .tsv .txt .xyz .pts .off .ply files, or in Qhull's form from standard "
       "input (-);\n"

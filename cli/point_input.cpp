@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <charconv>
 #include <cstdint>
+#include <filesystem>
 #include <limits>
 #include <optional>
 #include <system_error>
@@ -134,10 +135,25 @@ PointTable PointInput::read(unsigned threads) const {
   } catch (const Error& e) {
     std::string message = in_command_words(e.what(), format_option, columns_option);
     const bool has_no_format = e.code() == Errc::unsupported && options.format.empty();
-    if (has_no_format && message.find("; available: ") != std::string::npos)
+    if (has_no_format && !format_option.empty() && message.find("; available: ") != std::string::npos)
       message += fmt::format("; name it with {}", format_option);
     throw Error(e.code(), message, e.rows());
   }
+}
+
+PointTable PointInput::read_beside(const std::string& other_path, unsigned threads) const {
+  PointInput other;
+  other.path = other_path;
+  other.options.max_stream_bytes = options.max_stream_bytes;
+  other.format_option.clear();  // it is that of the points
+  return other.read(threads);
+}
+
+bool names_a_file(const std::string& columns_or_file) {
+  if (columns_or_file == "-") return true;
+  std::error_code unused;
+  return columns_or_file.find_first_not_of("0123456789,-") != std::string::npos &&
+         std::filesystem::exists(columns_or_file, unused);
 }
 
 const std::vector<std::string>& point_formats() {

@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <charconv>
-#include <filesystem>
 #include <optional>
 #include <utility>
 
@@ -33,11 +32,8 @@ std::vector<double> take_column(PointTable& table, std::size_t column) {
 }
 
 /// Reads weights from a file with one column.
-std::vector<double> read_weights(const std::string& path, std::size_t expected,
-                                 std::uint64_t max_stream_bytes) {
-  PointTable table = about(input_name(path), [&] {
-    return read_points(path, {.format = {}, .columns = {}, .max_stream_bytes = max_stream_bytes});
-  });
+std::vector<double> read_weights(const std::string& path, std::size_t expected, const PointInput& points) {
+  PointTable table = points.read_beside(path);
   if (table.num_points() > 0 && table.dimension != 1)
     throw Error(Errc::bad_format, fmt::format("{}: expected one weight per row, found {} columns",
                                               input_name(path), table.dimension));
@@ -59,8 +55,7 @@ void WeightedInput::add_to(CLI::App& command, bool required) {
 }
 
 std::string WeightedInput::column() const {
-  std::error_code unused;
-  if (!as_number(weights) && (weights == "-" || std::filesystem::exists(weights, unused)))
+  if (names_a_file(weights))
     throw UsageError(
         fmt::format("--weights {}: the weights of tiles are a column of the points", input_name(weights)));
   return weights;
@@ -69,8 +64,7 @@ std::string WeightedInput::column() const {
 PointTable WeightedInput::read(std::vector<double>& weights_read, unsigned threads) const {
   const std::optional<std::size_t> number = as_number(weights);
   const std::string name = input_name(input.path);
-  std::error_code unused;
-  const bool is_file = !number && (weights == "-" || std::filesystem::exists(weights, unused));
+  const bool is_file = names_a_file(weights);
   if (is_file && weights == "-" && input.path == "-")
     throw UsageError("points and weights cannot both come from standard input");
   PointInput all = input;
@@ -79,7 +73,7 @@ PointTable WeightedInput::read(std::vector<double>& weights_read, unsigned threa
   if (appended) all.options.columns.push_back(weights);
   PointTable table = all.read(threads);
   if (is_file) {
-    weights_read = read_weights(weights, table.num_points(), input.options.max_stream_bytes);
+    weights_read = read_weights(weights, table.num_points(), input);
     return table;
   }
   std::size_t column = static_cast<std::size_t>(table.dimension) - 1;
