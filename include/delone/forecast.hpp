@@ -47,14 +47,14 @@ DELONE_EXPORT Forecast forecast(int dimension, std::size_t num_points, std::stri
 
 struct EstimateOptions {
   unsigned threads = 1;  ///< of the construction, as in Options; samples are built by one
-  /// At most about so long samples are built; less if that is more than a twentieth of the construction. Must
-  /// be finite and > 0.
+  /// At most about so long samples are built, once they have 20 000 cells; less if that is more than a
+  /// twentieth of the construction. Must be finite and > 0.
   double sample_seconds = 1;
   std::function<bool(double)> progress = {};  ///< as in Options
 };
 
 /// The same for points, of which samples are triangulated: random subsets of growing size, from a hash of
-/// coordinates, so that the result, but for the times, depends on the set of points alone. The growth beyond
+/// coordinates. How large they become is a question of time, all else depends on the set of points alone. The growth beyond
 /// the largest is that of the recorded kinds that have grown like the samples. Where the points are those of
 /// a lattice, which no subset tells, it is noticed by the distances of nearest neighbors, and the cells of
 /// the whole follow from its volume. Duplicates are counted.

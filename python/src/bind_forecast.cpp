@@ -32,8 +32,8 @@ The same for points, (n, d): a forecast corrected by samples of them, random sub
 
 Beyond the largest sample they are taken to grow like those of the recorded kinds that have grown like the samples.
 Points of a lattice are noticed, and duplicates counted. Numbers of cells depend on the set of points alone, but for
-the size of the samples, which is chosen by time: about a twentieth of the construction or 0.3 seconds, and sample_seconds
-at most. Reading the points is O(n d). Raises InputError for NaN and infinities, ValueError for bad
+the size of the samples, which is chosen by time: at least 20 000 cells, then about a twentieth of the construction or
+0.3 seconds, and sample_seconds at most. Reading the points is O(n d). Raises InputError for NaN and infinities, ValueError for bad
 arguments; progress: see Delaunay.)";
 
 constexpr const char* forecast_class_doc =

@@ -47,7 +47,8 @@ class Estimate {
       if (is_complete()) return finish(grown.cost, {1, 1.25});
       const double budget =
           std::min(std::max(grown.cost.seconds / 20, least_budget), options_.sample_seconds);
-      if (m == sample_.rows.size() || spent_ + next_seconds(stretch) > budget)
+      const bool is_enough = samples_.back().created_cells >= least_created;
+      if (m == sample_.rows.size() || (is_enough && spent_ + next_seconds(stretch) > budget))
         return finish(grown.cost, {grown.factor, seconds_are_rough() ? 1.5 : 1.3});
       m = static_cast<std::size_t>(stretch * static_cast<double>(m)) + 1;
     }
@@ -56,6 +57,8 @@ class Estimate {
  private:
   static constexpr std::size_t most_sampled = 1 << 18;
   static constexpr double least_budget = 0.3;
+  /// A sample with fewer cells tells too little, however long it took.
+  static constexpr double least_created = 20000;
 
   void build(std::size_t m) {
     const auto d = static_cast<std::size_t>(dimension_);

@@ -27,7 +27,7 @@ import platform_tag  # noqa: E402
 
 LARGEST_WHEEL = 12 * 10**6  # bytes
 NOT_IN_SDIST = (".ci/*", ".gitignore", "*/.gitignore", ".git*", "MANIFEST.in", "benchmarks/history/*.json")
-PLATFORM = {"libc.so.6", "libm.so.6", "libdl.so.2", "librt.so.1", "libpthread.so.0", "libgcc_s.so.1", "libstdc++.so.6"}
+PLATFORM = {"libz.so.1", "libc.so.6", "libm.so.6", "libdl.so.2", "librt.so.1", "libpthread.so.0", "libgcc_s.so.1", "libstdc++.so.6"}
 
 USE = """
 import importlib.metadata, pathlib, pickle, re, sys

@@ -9,10 +9,10 @@
 namespace delone::cost_model {
 namespace {
 
-/// C(n, m) for real n ≥ m − 1.
+/// C(n, m) for real n ≥ m − 1; exact for whole numbers as long as the products are below 2⁵³.
 double binomial(double n, int m) {
   double result = 1;
-  for (int i = 0; i < m; ++i) result *= std::max(n - i, 0.0) / (i + 1);
+  for (int i = 0; i < m; ++i) result = result * std::max(n - i, 0.0) / (i + 1);
   return result;
 }
 
@@ -49,7 +49,7 @@ double most_cells(int k, double n) {
   const double vertices = n + 1;
   const int half = dimension / 2;
   if (vertices < dimension + 1) return 0;
-  return dimension % 2 == 0 ? vertices / (vertices - half) * binomial(vertices - half, half)
+  return dimension % 2 == 0 ? vertices * binomial(vertices - half, half) / (vertices - half)
                             : 2 * binomial(vertices - half - 1, half);
 }
 
