@@ -36,7 +36,9 @@ class Estimate {
   Forecast run() {
     if (n_ == 0) return finish({}, {1, 1});
     sample_ = cost_model::sample_of(coordinates_, dimension_, most_sampled);
+    const double start = platform::thread_seconds();
     lattice_ = cost_model::find_lattice(coordinates_, dimension_, sample_.rows, sample_.num_distinct);
+    spent_ = platform::thread_seconds() - start;
     // The cost of sets in many dimensions grows fast.
     const double stretch = dimension_ <= 5 ? 2 : 1.5;
     auto m = static_cast<std::size_t>(dimension_ <= 5 ? 8 * (dimension_ + 1) : 2 * dimension_ + 4);
