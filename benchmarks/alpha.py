@@ -40,7 +40,7 @@ def measure(n, dimension, seed, with_gudhi):
     times["alpha complex"], complex = seconds(lambda: t.alpha_complex(radius))
     times["all faces and values"], levels = seconds(t.alpha_filtration)
     times["circumradii"], _ = seconds(lambda: t.circumradii)
-    times["quality"], _ = seconds(t.quality)
+    times["qualities"], _ = seconds(t.qualities)
     counts = {"cells": len(t), "cells of the complex": len(complex), "boundary facets": len(complex.boundary),
               "faces": sum(len(values) for _, values in levels)}
     if with_gudhi:

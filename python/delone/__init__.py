@@ -12,7 +12,7 @@ from ._core import (AlphaComplex, CancelledError, ConvexHull, Delaunay, Error, F
                     TrimResult, Voronoi, __version__, estimate, forecast, natural_neighbors)
 from ._convex_hulls import ConvexHulls, convex_hulls
 from ._data import ComplexData, Data, HullData, IntersectionData, VoronoiData
-from ._files import CheckReport, check, generate, lower_hull, read
+from ._files import CheckReport, check, generate, lower_hull, read, write_points
 from ._locations import Locations
 from ._methods import attach as _attach
 from ._patch import patch_scipy, scipy_is_patched, unpatch_scipy
@@ -21,14 +21,12 @@ __all__ = ["AlphaComplex", "CancelledError", "CheckReport", "ComplexData", "Conv
            "Forecast", "FurthestSite", "HalfspaceIntersection", "HullData", "InputError", "IntersectionData", "LinearInterpolator", "Locations",
            "LowerHull", "NaturalNeighborInterpolator", "OutOfMemoryError", "PowerDiagram", "Regular", "TimeLimitError", "TrimResult", "Voronoi",
            "VoronoiData", "__version__", "check", "convex_hulls", "estimate", "forecast", "generate", "lower_hull", "natural_neighbors",
-           "patch_scipy", "read", "scipy_is_patched", "unpatch_scipy"]
+           "patch_scipy", "read", "scipy_is_patched", "unpatch_scipy", "write_points"]
 
-for _type in (AlphaComplex, CheckReport, ComplexData, ConvexHull, ConvexHulls, Data, Delaunay, Faces, Forecast, FurthestSite,
-              HalfspaceIntersection, HullData, IntersectionData, LinearInterpolator, LowerHull, NaturalNeighborInterpolator, PowerDiagram,
-              Regular, TrimResult, Voronoi, VoronoiData, check, estimate, forecast, generate, lower_hull, natural_neighbors, read):
-    _type.__module__ = "delone"
-del _type
-convex_hulls.__module__ = "delone"
+for _name in __all__:
+    if getattr(globals()[_name], "__module__", "").startswith(("delone._core", "delone._convex_hulls", "delone._data", "delone._files")):
+        globals()[_name].__module__ = "delone"
+del _name
 _attach()
 
 

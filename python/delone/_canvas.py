@@ -5,6 +5,7 @@ from __future__ import annotations
 import numpy as np
 
 from . import _core
+from ._data import values_of
 
 INK, SOFT = "#1f3a5f", "#9fb4c7"  # of lines and points; of faces
 FEW = 1000  # so many points are drawn as dots, if nobody says otherwise
@@ -120,11 +121,7 @@ class Colors:
             raise ValueError(f"values_at: {' or '.join(map(repr, places))}, not {_core._represented(values_at)}")
         if values is None:
             return
-        self.values = np.ma.asanyarray(values) if np.ma.isMaskedArray(values) else np.asarray(values)
-        if self.values.dtype.kind == "O":  # None, or numbers of Python
-            self.values = np.asarray(_core._doubles([np.nan if value is None else value for value in self.values.ravel()], "values"))
-        if self.values.dtype.kind not in "fiub":
-            raise ValueError(f"values: numbers, not {self.values.dtype}")
+        self.values = values_of(values, "values")
         for name, count in places.items():
             if self.values.shape == (count,) and values_at in (None, name):
                 self.place = name

@@ -7,15 +7,20 @@ import numpy as np
 from . import _core
 
 
-def as_box(box, product_box):
-    """A box, (low, high), as it was given; product_box() for None. ValueError for anything else."""
-    low, high = product_box()
+def checked_box(box, dimension):
+    """A box, (low, high), as it was given, or None. ValueError for anything else."""
     if box is None:
-        return low, high
+        return None
     corners = np.array(_core._doubles(box, "box"))
-    if corners.shape != (2, len(low)) or not np.isfinite(corners).all() or not (corners[0] < corners[1]).all():
-        raise ValueError(f"box: (low, high), each of {len(low)} finite numbers, low < high")
+    if corners.shape != (2, dimension) or not np.isfinite(corners).all() or not (corners[0] < corners[1]).all():
+        raise ValueError(f"box: (low, high), each of {dimension} finite numbers, low < high")
     return corners[0], corners[1]
+
+
+def as_box(box, product_box):
+    """The same; product_box() for None."""
+    low, high = product_box()
+    return (low, high) if box is None else checked_box(box, len(low))
 
 
 def cut(starts, directions, length, low, high):
@@ -59,7 +64,7 @@ class Bisectors:
         sites = diagram.ridge_points
         self.points = diagram.points
         self.weights = diagram.weights if isinstance(diagram, _core.PowerDiagram) else None
-        self.sign = -1.0 if diagram.__reduce__()[1][1] is _core.FurthestSite else 1.0  # the type of its triangulation
+        self.sign = -1.0 if diagram._is_furthest else 1.0
         both = np.concatenate([sites, sites[:, ::-1]])
         regions = diagram.point_region[both[:, 0]]
         self.pairs = both[np.argsort(regions, kind="stable")]

@@ -76,7 +76,8 @@ class ConvexHulls:
         return f"<delone.ConvexHulls: {len(self)} hulls, {len(self.vertices)} vertices, {len(self.cells)} cells>"
 
 
-def convex_hulls(points, offsets=None, *, seed=0, order="automatic", threads=0, progress=None) -> ConvexHulls:
+def convex_hulls(points, offsets=None, *, seed=0, order="automatic", threads=0, progress=None, memory_limit=None,
+                 time_limit=None) -> ConvexHulls:
     """The convex hulls of many sets of points: a ConvexHulls.
 
     `points` is a sequence of arrays (n_i, d), or an array (h, n, d); or, with `offsets`, one array (n, d) of which set i has the
@@ -103,4 +104,5 @@ def convex_hulls(points, offsets=None, *, seed=0, order="automatic", threads=0, 
             raise ValueError("offsets: a list of whole numbers")
     offsets = np.array(offsets, dtype=np.int64)
     offsets.flags.writeable = False
-    return ConvexHulls(offsets, *_core._convex_hulls(points, offsets, seed=seed, order=order, threads=threads, progress=progress))
+    return ConvexHulls(offsets, *_core._convex_hulls(points, offsets, seed=seed, order=order, threads=threads, progress=progress,
+                                                     memory_limit=memory_limit, time_limit=time_limit))

@@ -2,8 +2,10 @@
 """Results as plain arrays: what files hold, `check` examines and `to_data` gives."""
 from __future__ import annotations
 
+import functools
+import operator
 import os
-from typing import Any, Dict, List, Optional
+from typing import Any, Dict, List, Optional, Tuple
 
 import numpy as np
 import numpy.typing as npt
@@ -17,7 +19,7 @@ class Data:
     """A result as plain arrays, with the names that files have: each member is an attribute, and `members` is a dict of all.
 
     What the members are is said by the tables of docs/formats.md. Members that are not known are None. Immutable; equal to nothing but
-    itself. Index arrays are int32, and read-only as all arrays.
+    itself. Index arrays are int32 (int64 in a build with 64-bit ids), and read-only as all arrays.
     """
 
     __slots__ = ("_members",)
@@ -25,7 +27,7 @@ class Data:
     _members: Dict[str, Any]
 
     def __init__(self, members: Dict[str, Any]):
-        object.__setattr__(self, "_members", dict(members))
+        object.__setattr__(self, "_members", {name: _read_only(value) if isinstance(value, np.ndarray) else value for name, value in members.items()})
 
     @property
     def members(self) -> Dict[str, Any]:
@@ -33,9 +35,10 @@ class Data:
         return dict(self._members)
 
     @property
-    def columns(self) -> Optional[List[str]]:
+    def columns(self) -> Optional[Tuple[str, ...]]:
         """What the coordinates are called; None if that is not known."""
-        return self._members.get("column_names")
+        names = self._members.get("column_names")
+        return None if names is None else tuple(names)
 
     def __getattr__(self, name: str) -> Any:
         if not name.startswith("_") and name in self._members:
@@ -58,7 +61,10 @@ class Data:
 
     def save(self, path, format: Optional[str] = None) -> None:
         """Writes a file that `read` reads, or that other programs do: see docs/formats.md. The format is that of the extension unless it
-        is named. The file appears whole or not at all. Errors: Error, ValueError for arrays that do not fit each other."""
+        is named. The file appears whole or not at all. Errors: Error, ValueError for arrays that do not fit each other, and for a diagram
+        of furthest sites, which no file can hold."""
+        if self._members.get("furthest_site"):
+            raise ValueError("a diagram of furthest sites, which no file can hold: save the FurthestSite triangulation")
         _core._write(self._kind, self._members, os.fsencode(path), format or "")
 
 
@@ -68,11 +74,89 @@ def _restored(kind, members):
     return made
 
 
-def _rows(array: Any, name: str) -> np.ndarray:
-    array = np.asarray(array)
-    if array.ndim != 2:
-        raise ValueError(f"{name}: an array of two dimensions, not of shape {array.shape}")
+def _read_only(array: np.ndarray) -> np.ndarray:
+    """The array, or a view of it that nobody writes to."""
+    if array.flags.writeable:
+        array = array.view()
+        array.flags.writeable = False
     return array
+
+
+def _owned(array: np.ndarray, given: Any) -> np.ndarray:
+    """The array made of what was given; a copy if somebody can still write to it."""
+    return array.copy() if array.flags.writeable and np.may_share_memory(array, np.asarray(given)) else array
+
+
+@functools.lru_cache(maxsize=None)
+def _index_type() -> np.dtype:
+    return _core.Delaunay(np.empty((0, 1))).cells.dtype
+
+
+def _indices(given: Any, name: str, shape: Tuple[Optional[int], ...]) -> np.ndarray:
+    """Whole numbers as indices, of this shape, in which None stands for any length. ValueError for others."""
+    array = np.asarray(given)
+    _require_shape(array, name, shape)
+    if np.ma.is_masked(given) or (array.dtype.kind not in "iu" and array.size):
+        raise ValueError(f"{name}: whole numbers, not {'masked values' if np.ma.is_masked(given) else array.dtype}")
+    limits = np.iinfo(_index_type())
+    for extreme in (array.min(), array.max()) if array.size else ():
+        if not limits.min <= extreme <= limits.max:
+            raise ValueError(f"{name}: {extreme} is beyond the range of {_index_type()}")
+    return _owned(np.ascontiguousarray(array, dtype=_index_type()), given)
+
+
+def _reals(given: Any, name: str, shape: Tuple[Optional[int], ...]) -> np.ndarray:
+    array = _core._doubles(given, name)
+    _require_shape(array, name, shape)
+    return _owned(array, given)
+
+
+def _require_shape(array: np.ndarray, name: str, shape: Tuple[Optional[int], ...]) -> None:
+    if array.ndim != len(shape) or any(wanted not in (None, length) for wanted, length in zip(shape, array.shape)):
+        wanted = ", ".join("…" if length is None else str(length) for length in shape)
+        raise ValueError(f"{name}: an array of shape ({wanted}{',' if len(shape) == 1 else ''}), not {array.shape}")
+
+
+def whole(value: Any, name: str, least: int = 0, most: int = 2**31 - 1) -> int:
+    """An argument that is a whole number. TypeError, ValueError."""
+    try:
+        number = operator.index(value)
+    except TypeError:
+        raise TypeError(f"{name}: a whole number, not {type(value).__name__}") from None
+    if not least <= number <= most:
+        raise ValueError(f"{name}: at {f'least {least}' if number < least else f'most {most}'}, not {number}")
+    return number
+
+
+def text(value: Any, name: str) -> str:
+    """An argument that is a str. TypeError."""
+    if not isinstance(value, str):
+        raise TypeError(f"{name}: a str, not {type(value).__name__}")
+    return value
+
+
+def names(product: Any) -> List[str]:
+    """What the coordinates of a product are called, "" where that is unknown; empty if none has a name. The rows of halfspaces have one
+    number more than there are coordinates."""
+    found = ["" if name is None else str(name) for name in getattr(product, "columns", None) or ()]
+    if isinstance(product, _core.HalfspaceIntersection):
+        found = found[:product.dimension]
+    return found if any(found) and len(found) == product.dimension else []
+
+
+def values_of(given: Any, name: str) -> np.ndarray:
+    """Numbers that belong to parts of a product, as an array of bool, integers, float32 or float64 in the byte order of the machine; None
+    and masked entries are NaN. ValueError for anything else."""
+    array = np.asarray(given)
+    if array.dtype.kind == "O":
+        flat = [np.nan if value is None else value for value in array.ravel()]
+        array = np.asarray(_core._doubles(flat, name)).reshape(array.shape)
+    if array.dtype.kind not in "fiub":
+        raise ValueError(f"{name}: numbers, not {array.dtype}")
+    if np.ma.is_masked(given):
+        array = np.where(np.ma.getmaskarray(given), np.nan, array)
+    dtype = array.dtype if array.dtype.kind != "f" or array.itemsize in (4, 8) else np.dtype(float)
+    return array.astype(dtype.newbyteorder("="), copy=False)
 
 
 class ComplexData(Data):
@@ -90,7 +174,10 @@ class ComplexData(Data):
     affine_dimension : int
         k; that of the cells unless it is given.
 
-    Raises ValueError for arrays of other shapes.
+    column_names : d str
+        What the coordinates are called, "" where that is unknown.
+
+    Copies of what can still be changed. Raises ValueError for arrays of other shapes and of other numbers.
     """
 
     __slots__ = ()
@@ -99,17 +186,21 @@ class ComplexData(Data):
     def __init__(self, points: npt.ArrayLike, cells: npt.ArrayLike, neighbors: Optional[npt.ArrayLike] = None,
                  vertex_of_point: Optional[npt.ArrayLike] = None, weights: Optional[npt.ArrayLike] = None,
                  affine_dimension: Optional[int] = None, column_names: Optional[List[str]] = None):
-        points, cells = _rows(_core._doubles(points, "points"), "points"), _rows(cells, "cells")
-        if points.shape[1] < 1:
+        points, cells = _reals(points, "points", (None, None)), _indices(cells, "cells", (None, None))
+        n, d = points.shape
+        if d < 1:
             raise ValueError("points: of one coordinate at least")
-        members = {"dimension": points.shape[1], "affine_dimension": cells.shape[1] - 1 if affine_dimension is None else affine_dimension,
-                   "points": points, "cells": cells,
-                   "neighbors": None if neighbors is None else _rows(neighbors, "neighbors"),
-                   "vertex_of_point": vertex_of_point, "weights": weights}
-        if not -1 <= members["affine_dimension"] <= points.shape[1]:
-            raise ValueError(f"cells: {cells.shape[1]} vertices each, of points of dimension {points.shape[1]}")
+        if cells.shape[1] > d + 1:
+            raise ValueError(f"cells: {cells.shape[1]} vertices each, of points of dimension {d}")
+        k = cells.shape[1] - 1 if affine_dimension is None else whole(affine_dimension, "affine_dimension", -1, d)
+        members = {"dimension": d, "affine_dimension": k, "points": points, "cells": cells,
+                   "neighbors": None if neighbors is None else _indices(neighbors, "neighbors", cells.shape),
+                   "vertex_of_point": None if vertex_of_point is None else _indices(vertex_of_point, "vertex_of_point", (n,)),
+                   "weights": None if weights is None else _reals(weights, "weights", (n,))}
         if column_names is not None:
-            members["column_names"] = list(column_names)
+            members["column_names"] = [text(name, "column_names") for name in column_names]
+            if len(members["column_names"]) != d:
+                raise ValueError(f"column_names: {d}, not {len(members['column_names'])}")
         super().__init__(members)
 
 
@@ -137,7 +228,7 @@ class VoronoiData(Data):
 _kinds = {kind._kind: kind for kind in (ComplexData, HullData, IntersectionData, VoronoiData)}
 
 
-def from_core(kind: str, members: Dict[str, Any], columns: Optional[List[Any]] = None) -> Data:
+def from_core(kind: str, members: Dict[str, Any], columns: Optional[List[str]] = None) -> Data:
     """Members of the compiled module; what is empty because it is unknown becomes None."""
     if kind == "complex":
         for name, count in (("neighbors", len(members["cells"])), ("vertex_of_point", len(members["points"])),
@@ -148,6 +239,6 @@ def from_core(kind: str, members: Dict[str, Any], columns: Optional[List[Any]] =
             members["weights"] = None
     if kind == "diagram" and not members["weights"].size:
         members["weights"] = None
-    if columns is not None:
-        members["column_names"] = ["" if name is None else str(name) for name in columns]
+    if columns:
+        members["column_names"] = columns
     return _restored(_kinds[kind], members)

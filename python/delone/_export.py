@@ -7,6 +7,7 @@ from typing import Any, Dict, List, NamedTuple, Optional
 import numpy as np
 
 from . import _core
+from ._data import values_of
 
 SIMPLICES = ("vertex", "line", "triangle", "tetra")
 VTK_TYPES = {"vertex": 1, "line": 3, "triangle": 5, "tetra": 10, "polygon": 7, "polyhedron": 42}
@@ -39,9 +40,7 @@ def _data(given, name, counts, rows=None) -> Dict[str, np.ndarray]:
     """Arrays by their names, with one entry for each of what is counted; of `counts`, (what, number, which entries cells have)."""
     found = {}
     for key, values in ({} if given is None else dict(given)).items():
-        array = np.asarray(values)
-        if array.dtype.kind not in "fiub":
-            raise ValueError(f"{name}[{_core._represented(key)}]: numbers, not {array.dtype}")
+        array = values_of(values, f"{name}[{_core._represented(key)}]")
         for _, count, which in counts:
             if array.ndim in (1, 2) and len(array) == count:
                 found[str(key)] = array if which is None else array[which]
@@ -91,7 +90,7 @@ def diagram(self, point_data, cell_data) -> Mesh:
     regions = np.flatnonzero(kept)
     sites = self.region_points[regions]
     points = _data(point_data, "point_data", [("vertices", len(x), None)])
-    data = {"site": sites, **_data(cell_data, "cell_data", [("points", self.num_points, sites), ("regions", self.num_regions, regions)])}
+    data = {"region": regions, "point": sites, **_data(cell_data, "cell_data", [("points", self.num_points, sites), ("regions", self.num_regions, regions)])}
     if k == 2:
         offsets = np.append(0, np.cumsum(counts[regions]))
         return Mesh("polygon", x, offsets, self.region_vertices[np.repeat(kept, counts)], points, data)
@@ -199,8 +198,8 @@ CELLS = {
 {SIMPLICIAL}, or for each facet.""",
     diagram: """the bounded regions, of affine dimension 2 as polygons, of 3 as polyhedra.
 
-    The points are those of `vertices`. Cell data `site` is the row of the site of each region; unbounded regions are left out. ValueError in
-    other dimensions.
+    The points are those of `vertices`. Cell data are, as in files, `region`, the number of each, and `point`, the row of its site;
+    unbounded regions are left out. ValueError in other dimensions.
 
     point_data : {name: (v,) or (v, c) numbers}
         One entry for each vertex of the diagram.
@@ -221,12 +220,15 @@ TARGETS = {"to_meshio": ("A meshio.Mesh", "ImportError without meshio.", _to_mes
            "to_pyvista": ("A pyvista.UnstructuredGrid", "ImportError without PyVista.", _to_pyvista)}
 
 
-def method(make_mesh, name: str):
-    """The method of this name, of the products that make_mesh(product, point_data, cell_data) takes."""
+def methods(make_mesh) -> Dict[str, Any]:
+    """The methods of the products that make_mesh(product, point_data, cell_data) takes."""
+    return {name: _method(make_mesh, name) for name in TARGETS}
+
+
+def _method(make_mesh, name: str):
     result, errors, convert = TARGETS[name]
 
     def export(self, *, point_data=None, cell_data=None):
         return convert(make_mesh(self, point_data, cell_data))
-    export.__name__ = name
     export.__doc__ = f"{result}: {CELLS[make_mesh]}\n\n    {errors} Cost: a copy, and of polyhedra a loop over all faces."
     return export

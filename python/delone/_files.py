@@ -3,19 +3,23 @@
 from __future__ import annotations
 
 import os
+from collections.abc import Iterable
 from typing import Any, Dict, List, NamedTuple, Optional, Sequence, Tuple, Union
 
 import numpy as np
 import numpy.typing as npt
 
 from . import _core
-from ._data import ComplexData, Data, from_core
+from ._clipping import checked_box
+from ._data import ComplexData, Data, from_core, names, text, whole
+from ._frames import columns_of, framed
 
 _formats_of_results = ("npz", "json", "off")
 _max_stream_bytes = 1 << 32
 
 
-def read(path, *, format: Optional[str] = None, columns: Optional[Sequence[Union[str, int]]] = None, threads: int = 0) -> Any:
+def read(path, *, format: Optional[str] = None, columns: Optional[Sequence[Union[str, int]]] = None, threads: int = 0,
+         frame: bool = False) -> Any:
     """Reads points or a result, by the readers of the command.
 
     Of npz, json and off files whatever they hold: a `ComplexData`, `HullData`, `IntersectionData` or `VoronoiData` with its arrays; an
@@ -23,13 +27,15 @@ def read(path, *, format: Optional[str] = None, columns: Optional[Sequence[Union
     folder of tiles a `delone.tiles.Tiles`.
 
     path : str or os.PathLike
-        "-" is standard input.
+        "-" is standard input. What gzip has compressed is read as if it were not, as in "a.csv.gz".
     format : str
         The format; by default the extension of the path.
-    columns : names, or numbers from 0
-        The columns of points to read, in this order; the file then holds points.
+    columns : names, numbers from 0, or ranges as "2-5", both ends included
+        The columns of points to read, in this order; the file then holds points. A str is a name before it is a number.
     threads : int
         At most so many read text; 0: as many as there are cores, where that pays.
+    frame : bool
+        Points as a pandas DataFrame, with the names of their columns. ImportError without pandas; TypeError for what is no set of points.
 
     Numbers are read as the nearest float64. Arrays of results have the shapes that they must have; `check` examines what they say.
     Errors: Error for a file that cannot be read, InputError, a ValueError, for one that is no such file and for NaN and infinities in
@@ -41,23 +47,64 @@ def read(path, *, format: Optional[str] = None, columns: Optional[Sequence[Union
     if os.path.isdir(name):
         from .tiles import Tiles
         return Tiles(name)
-    wanted = format if format is not None else os.path.splitext(name)[1][1:]
-    if columns is None and wanted.lower() in _formats_of_results:
-        data = from_core(*_core._read(os.fsencode(name), wanted.lower(), _max_stream_bytes))
-        return data if wanted.lower() != "off" or len(data.cells) else np.array(data.points)
-    if isinstance(columns, (str, int)):
+    threads = whole(threads, "threads")
+    wanted = _format_of(name, format)
+    chosen = None if columns is None else _columns(columns)
+    if chosen is None and wanted in _formats_of_results:
+        data = from_core(*_core._read(os.fsencode(name), wanted, _max_stream_bytes))
+        if wanted != "off" or len(data.cells):
+            if frame:
+                raise TypeError(f"frame: {name} holds no points, but {type(data).__name__}")
+            return data
+        points, found = np.array(data.points), data.columns
+    else:
+        points, found = _core._read_points(os.fsencode(name), format or "", chosen or [], threads, _max_stream_bytes)
+    return framed(points, found) if frame else points
+
+
+def _format_of(name: str, format: Optional[str]) -> str:
+    """The format in lower case: that of the extension, without .gz, if it is not named."""
+    if format is not None:
+        return text(format, "format").lower()
+    stem, extension = os.path.splitext(name)
+    return (os.path.splitext(stem)[1] if extension.lower() == ".gz" else extension)[1:].lower()
+
+
+def _columns(columns: Any) -> List[str]:
+    """Names as they are, numbers as ranges, which name nothing else."""
+    if isinstance(columns, (str, bytes)) or not isinstance(columns, Iterable):
         raise TypeError("columns: a sequence of names or numbers")
-    chosen = [] if columns is None else [str(column) for column in columns]
-    return _core._read_points(os.fsencode(name), format or "", chosen, threads, _max_stream_bytes)[0]
+    chosen = []
+    for column in columns:
+        number = None if isinstance(column, str) else whole(column, "columns")
+        chosen.append(column if number is None else f"{number}-{number}")
+    if not chosen:
+        raise ValueError("columns: at least one")
+    return chosen
 
 
-def _names(self) -> List[str]:
-    """What the coordinates are called, "" where that is unknown; empty if none has a name."""
-    names = ["" if name is None else str(name) for name in getattr(self, "columns", None) or []]
-    return names if any(names) and len(names) == self.dimension else []
+def write_points(points: npt.ArrayLike, path, format: Optional[str] = None, *, columns: Optional[Sequence[str]] = None) -> None:
+    """Writes points, (n, d) or a pandas DataFrame, for `read`, or for other programs.
+
+    path : str or os.PathLike
+        The file; "-" is standard output.
+    format : str
+        npy, csv, tsv, txt, xyz, pts, off or qhull; by default the extension of the path.
+    columns : d str
+        The names of the coordinates, for csv and tsv; by default those of the DataFrame.
+
+    The file appears whole or not at all, and numbers are read as the same ones. Errors: InputError for NaN and infinities, Error where the
+    file cannot be written, ValueError for another number of names. Cost: O(n d).
+    """
+    if isinstance(columns, str):
+        raise TypeError("columns: a sequence of names")
+    labels = list(columns if columns is not None else columns_of(points) or ())
+    if labels and len(labels) != np.shape(points)[-1]:
+        raise ValueError(f"columns: {len(labels)} names for {np.shape(points)[-1]} coordinates")
+    _core._write_points(points, ["" if label is None else str(label) for label in labels], os.fsencode(path), text(format or "", "format"))
 
 
-def _save(self, path, format: Optional[str] = None, *, qhull: Optional[str] = None) -> None:
+def save(self, path, format: Optional[str] = None, *, qhull: Optional[str] = None) -> None:
     """Writes a file, as the option -o of the command: for `read`, or for other programs.
 
     path : str or os.PathLike
@@ -71,27 +118,37 @@ def _save(self, path, format: Optional[str] = None, *, qhull: Optional[str] = No
     The file appears whole or not at all. npz and json keep the names of columns that the points came with. Errors: Error where the file
     cannot be written, or the format cannot hold this dimension; ValueError for an unknown output of Qhull.
     """
+    self._save(*_destination(path, format, qhull), names(self))
+
+
+def save_diagram(self, path, format: Optional[str] = None, *, box: Optional[npt.ArrayLike] = None, qhull: Optional[str] = None) -> None:
+    to = _destination(path, format, qhull)
+    if box is not None and (qhull is not None or _format_of(os.fsdecode(path), format) not in ("svg", "vtu")):
+        raise ValueError("box: only svg and vtu hold what is cut off at a box")
+    if self._is_furthest and qhull is None:
+        raise ValueError("a diagram of furthest sites, which no file can hold: save the FurthestSite triangulation")
+    self._save(*to, names(self), checked_box(box, self.dimension))
+
+
+def _destination(path, format: Optional[str], qhull: Optional[str]) -> Tuple[bytes, str, Optional[str]]:
     if qhull is not None and format is not None:
         raise ValueError("format and qhull exclude each other")
-    self._save(os.fsencode(path), format or "", qhull, _names(self))
+    return os.fsencode(path), text(format or "", "format"), None if qhull is None else text(qhull, "qhull")
 
 
-def _save_diagram(self, path, format: Optional[str] = None, *, box: Optional[npt.ArrayLike] = None, qhull: Optional[str] = None) -> None:
-    if qhull is not None and format is not None:
-        raise ValueError("format and qhull exclude each other")
-    self._save(os.fsencode(path), format or "", qhull, _names(self), box)
-
-
-_save_diagram.__doc__ = _save.__doc__.replace("""    qhull : str
+save_diagram.__doc__ = save.__doc__.replace("""    qhull : str
 """, """    box : (low, high), each of d numbers
         svg and vtu hold what it leaves of the regions; by default `bounding_box()`. Unbounded regions end at it.
     qhull : str
-""")
+""").replace("for an unknown output of Qhull.", "for an unknown output of Qhull, a box that another format\n    would not hold, and a diagram of furthest sites.")
 
 
-def _to_data(self) -> Data:
+def to_data(self) -> Data:
     """A copy as plain arrays, with the names that files have: a `ComplexData`, `HullData`, `IntersectionData` or `VoronoiData`."""
-    return from_core(*self._data(), _names(self) or None)
+    kind, members = self._data()
+    if kind == "diagram" and self._is_furthest:
+        members["furthest_site"] = True
+    return from_core(kind, members, None if kind == "intersection" else names(self))
 
 
 class CheckReport(NamedTuple):
@@ -125,13 +182,17 @@ def _data_to_check(what: Any, cells: Optional[npt.ArrayLike], neighbors: Optiona
         return data._kind, data._members, False, False
     if neighbors is not None or weights is not None:
         raise TypeError("neighbors and weights are those of cells")
-    if isinstance(what, Data):
-        return what._kind, what._members, False, False
     if isinstance(what, _core.LowerHull):
         raise TypeError("a LowerHull is part of a hull: check the ConvexHull of its points")
-    if hasattr(what, "_data") and type(what).__module__.split(".")[0] == "delone":
+    if isinstance(what, Data) and what._members.get("furthest_site") or isinstance(what, _core.Diagram) and what._is_furthest:
+        raise TypeError("a diagram of furthest sites: check its FurthestSite triangulation")
+    if isinstance(what, Data):
+        return what._kind, what._members, False, False
+    if isinstance(what, (_core.Triangulation, _core.ConvexHull, _core.HalfspaceIntersection, _core.Diagram)):
         return (*what._data(), False, isinstance(what, _core.FurthestSite))
     if hasattr(what, "points") and hasattr(what, "simplices"):  # as scipy.spatial.Delaunay has them
+        if np.shape(what.simplices)[1:] != (np.shape(what.points)[-1] + 1,):
+            raise TypeError(f"a {type(what).__name__} whose simplices are no cells of a triangulation; check a delone.ConvexHull of its points")
         data = ComplexData(what.points, what.simplices, getattr(what, "neighbors", None))
         return data._kind, data._members, True, bool(getattr(what, "furthest_site", False))
     raise TypeError(f"a result of delone, one with points and simplices, or points and cells; not {type(what).__name__}")
@@ -163,14 +224,14 @@ def check(what: Any, cells: Optional[npt.ArrayLike] = None, *, neighbors: Option
     triangulations with something else; TypeError for what cannot be checked; InputError for NaN. Cost: O(m k^3) for a triangulation,
     O(n m k) for a hull; a diagram is made anew.
     """
-    if level is not None and level < 1:
-        raise ValueError(f"level: at least 1, not {level}")
+    level = None if level is None else whole(level, "level", 1)
+    threads = whole(threads, "threads")
     kind, members, are_sets, is_furthest = _data_to_check(what, cells, neighbors, weights)
     are_sets = are_sets if any_orientation is None else any_orientation
     is_furthest = is_furthest if furthest_site is None else furthest_site
     if kind != "complex" and (canonical or are_sets or is_furthest):
         raise ValueError("canonical, any_orientation and furthest_site are for triangulations")
-    return CheckReport(**_core._check(kind, members, level, canonical, not are_sets, is_furthest, threads))
+    return CheckReport(**_core._check(kind, members, level, bool(canonical), not are_sets, bool(is_furthest), threads))
 
 
 def generate(kind: str, n: int, dimension: int, seed: int = 0) -> npt.NDArray[np.float64]:
@@ -187,9 +248,8 @@ def generate(kind: str, n: int, dimension: int, seed: int = 0) -> npt.NDArray[np
 
     Errors: ValueError for an unknown kind, and for a combination that does not exist. Cost: O(n d).
     """
-    if n < 0:
-        raise ValueError(f"n: at least 0, not {n}")
-    if kind not in _core._point_set_kinds():
+    n, dimension, seed = whole(n, "n", most=2**63 - 1), whole(dimension, "dimension", 1), whole(seed, "seed", most=2**64 - 1)
+    if text(kind, "kind") not in _core._point_set_kinds():
         raise ValueError(f"kind: {', '.join(_core._point_set_kinds())}; not {_core._represented(kind)}")
     return _core._generate(kind, n, dimension, seed)
 
@@ -198,14 +258,8 @@ generate.__doc__ = generate.__doc__.replace("{}", ", ".join(f"{name} ({text})" f
 
 
 def lower_hull(points: npt.ArrayLike, side: str = "lower", *, tolerance: float = 0.0, seed: int = 0, order: str = "automatic",
-               threads: int = 0, progress: Any = None) -> "_core.LowerHull":
+               threads: int = 0, progress: Any = None, memory_limit: Optional[float] = None,
+               time_limit: Optional[float] = None) -> "_core.LowerHull":
     """The lower (or upper) hull of points, (n, d), with respect to the last coordinate: a `LowerHull`, which says all else."""
-    return _core.LowerHull(points, side, tolerance=tolerance, seed=seed, order=order, threads=threads, progress=progress)
-
-
-for _type in (_core.Triangulation, _core.ConvexHull, _core.HalfspaceIntersection, _core.LowerHull):
-    _type.save, _type.to_data = _save, _to_data
-_core.Diagram.save, _core.Diagram.to_data = _save_diagram, _to_data
-del _type
-for _function, _name in ((_save, "save"), (_save_diagram, "save"), (_to_data, "to_data")):
-    _function.__name__ = _function.__qualname__ = _name
+    return _core.LowerHull(points, side, tolerance=tolerance, seed=seed, order=order, threads=threads, progress=progress,
+                           memory_limit=memory_limit, time_limit=time_limit)

@@ -2,6 +2,7 @@
 """pandas DataFrames as arguments. The compiled module calls this where it is given one, so that pandas is imported already."""
 from __future__ import annotations
 
+import sys
 from typing import Optional, Tuple
 
 import numpy as np
@@ -13,6 +14,12 @@ def columns(frame) -> Optional[tuple]:
     """The labels of the columns; None if they are the numbers that pandas gives to columns without names."""
     labels = tuple(frame.columns)
     return None if labels == tuple(range(len(labels))) else labels
+
+
+def columns_of(points) -> Optional[tuple]:
+    """The same of anything; None of what is no DataFrame. pandas is never imported for this."""
+    pandas = sys.modules.get("pandas")
+    return columns(points) if pandas is not None and isinstance(points, pandas.DataFrame) else None
 
 
 def require_columns(frame, wanted: tuple, name: str) -> None:
@@ -90,14 +97,25 @@ def _listed(labels: Tuple) -> str:
     return ", ".join(_core._represented(label) for label in labels)
 
 
-def _frame(product, points, data) -> object:
-    """Points beside data: arrays, or (codes, names of kinds)."""
+def _pandas(what):
     try:
         import pandas
     except ImportError as error:
-        raise ImportError("to_frame() needs pandas: install it, for example by `pip install pandas`, or as the package python3-pandas of Debian "
+        raise ImportError(f"{what} needs pandas: install it, for example by `pip install pandas`, or as the package python3-pandas of Debian "
                           "and Ubuntu") from error
-    labels = product.columns or [f"x{j}" for j in range(points.shape[1])]
+    return pandas
+
+
+def framed(points, names) -> object:
+    """Points as a DataFrame, whose columns have these names, if there are any."""
+    pandas = _pandas("frame=True")
+    return pandas.DataFrame(points, columns=pandas.Index(names, tupleize_cols=False) if names else None)
+
+
+def _frame(product, points, data, labels=None) -> object:
+    """Points beside data: arrays, or (codes, names of kinds). `labels`: of the columns of points if these have no names."""
+    pandas = _pandas("to_frame()")
+    labels = product.columns or labels or [f"x{j}" for j in range(points.shape[1])]
     data = {name: pandas.Categorical.from_codes(*values) if isinstance(values, tuple) else values for name, values in data.items()}
     frame = pandas.concat([pandas.DataFrame(points), pandas.DataFrame(data)], axis=1)
     frame.columns = pandas.Index([*labels, *data], tupleize_cols=False)
@@ -123,3 +141,19 @@ def diagram(self):
     `bounded`, whether that region is. ImportError without pandas."""
     region = self.point_region
     return _frame(self, self.points, {"region": region, "bounded": np.append(self.is_bounded, False)[region]})
+
+
+def lower_hull(self):
+    """A pandas DataFrame with a row for each point: its coordinates, with the labels of `columns` or x0, x1, …; `height_above`, how far it
+    is above the hull, 0 for points exactly on it; `is_vertex`, whether it is an extreme point of this side (of equal rows the first).
+    ImportError without pandas."""
+    is_vertex = np.zeros(self.num_points, dtype=bool)
+    is_vertex[self.vertices] = True
+    return _frame(self, self.points, {"height_above": self.height_above(self.points), "is_vertex": is_vertex})
+
+
+def intersection(self):
+    """A pandas DataFrame with a row for each halfspace: its numbers, with the labels of `columns` or a0, a1, … and b, and its `kind`: facet,
+    touching, redundant, duplicate or trivial, see `kinds`. ImportError without pandas."""
+    labels = [*(f"a{j}" for j in range(self.dimension)), "b"]
+    return _frame(self, self.halfspaces, {"kind": (self.kinds, ["facet", "touching", "redundant", "duplicate", "trivial"])}, labels)

@@ -36,6 +36,13 @@ def _shaded(normals, color=SOFT):
     return np.clip(np.array(to_rgb(color)) * (0.75 + 0.35 * lit)[:, None], 0, 1)
 
 
+def _not_with_axes(**arguments):
+    """Raises ValueError for one that is given: with axes nothing is drawn that it could be about."""
+    for name, value in arguments.items():
+        if value is not None:
+            raise ValueError(f"{name}: not together with axes")
+
+
 def _box_of(points):
     finite = points[np.isfinite(points).all(axis=1)]
     return (finite.min(axis=0), finite.max(axis=0)) if len(finite) else (np.full(points.shape[1], np.nan),) * 2
@@ -132,7 +139,7 @@ def triangulation(self, ax=None, *, values=None, values_at=None, cells=None, axe
     if k == 2 and not canvas.in_space:
         if colors.place == "points" and shading == "gouraud" and chosen.any():
             from matplotlib.tri import Triangulation
-            known = np.ma.filled(np.ma.asarray(colors.values, dtype=float), np.nan)
+            known = np.asarray(colors.values, dtype=float)
             has_all = chosen & np.isfinite(known)[corners].all(axis=1)  # triangles with a missing value are left out
             if has_all.any():
                 known = np.where(np.isfinite(known), known, known[corners[has_all][0, 0]])
@@ -162,7 +169,7 @@ def triangulation(self, ax=None, *, values=None, values_at=None, cells=None, axe
     elif colors.place == "cells" or shading == "flat" or canvas.in_space:
         if colors.place == "points" and mappable is not None:
             shown = facets if canvas.in_space else corners[chosen]
-            colors.paint(mappable, np.ma.asarray(colors.values)[shown].mean(axis=1))
+            colors.paint(mappable, colors.values[shown].mean(axis=1))
         else:
             colors.paint(mappable, colors.values[owners] if canvas.in_space else colors.values[chosen])
     dots = _dots_too(x, points, rows) if mappable is None or points else x[:0]
@@ -262,7 +269,8 @@ def diagram(self, ax=None, *, values=None, values_at=None, regions=None, axes=No
     regions : (regions,) bool, or numbers of regions
         Fills only these.
     axes : two or three coordinates
-        Draws the points and, between sites with a common ridge, lines, in these coordinates; values are those of the points.
+        Draws the points and, between sites with a common ridge, lines, in these coordinates; values are those of the points. Not together
+        with `regions` and `box`.
     box : (low, high), each (d,)
         By default ``bounding_box()``.
     points : bool
@@ -277,6 +285,7 @@ def diagram(self, ax=None, *, values=None, values_at=None, regions=None, axes=No
     colors = Colors(values, values_at, places, cmap, norm, vmin, vmax, colorbar)
     sites = self.region_points
     if axes is not None:
+        _not_with_axes(regions=regions, box=box)
         return _projected(canvas, colors, x, self.ridge_points, sites, points, keywords)
     mask = _chosen(regions, self.num_regions, "regions")
     of_regions = colors.values[sites] if colors.place == "points" else colors.values
@@ -337,7 +346,7 @@ def intersection(self, ax=None, *, values=None, values_at=None, axes=None, box=N
     values_at : "halfspaces" or "facets"
         Which of both, if all halfspaces are facets; both agree then.
     axes : two or three coordinates
-        Draws vertices and bounded edges in these coordinates.
+        Draws vertices and bounded edges in these coordinates. Not together with `values` and `box`.
     box : (low, high), each (d,)
         By default somewhat larger than that of the vertices, if the intersection is unbounded.
     keywords : of the collection that is drawn: PolyCollection, LineCollection for values in 2D, or Poly3DCollection
@@ -347,8 +356,7 @@ def intersection(self, ax=None, *, values=None, values_at=None, axes=None, box=N
     canvas = Canvas(ax, self, axes, "vertices and edges")
     rows = self.facet_halfspaces
     if axes is not None:
-        if values is not None:
-            raise ValueError("values: not together with axes, which draws no facets")
+        _not_with_axes(values=values, values_at=values_at, box=box, cmap=cmap, norm=norm, vmin=vmin, vmax=vmax, colorbar=colorbar)
         v = self.vertices
         return _projected(canvas, Colors(None, None, {}, *[None] * 5), v, self.edges, np.arange(len(v)), None, keywords)
     colors = Colors(values, values_at, {"halfspaces": self.num_halfspaces, "facets": len(rows)}, cmap, norm, vmin, vmax, colorbar)

@@ -5,11 +5,13 @@ from __future__ import annotations
 import os
 
 from . import _core
+from ._clipping import checked_box
+from ._data import names, values_of
 
-DOC = """One HTML page that shows {what} in a browser and needs nothing else, no network either: it turns, zooms, is cut by a plane, coloured,
+DOC = """One HTML page that shows {what} in a browser and needs nothing else, no network either: it turns, zooms, is cut by a plane, colored,
 and names what is under the pointer. Returned as a str; with `path`, it is written there, whole or not at all.
 
-values: numbers to colour by, NaN for none, for each of `values_at`: {places}; None: of whichever there are as many. title: the
+values: numbers to color by, NaN for none, for each of `values_at`: {places}; None: of whichever there are as many. title: the
 headline, and the name of pictures that are saved there. Columns with names keep them. {more}Positions are rounded to 2^24 steps along
 each axis, and the page says by how much. ValueError for values or a place that do not suit. Cost: linear; about 20 bytes of page for each
 triangle of the plane."""
@@ -25,14 +27,14 @@ def _method(what, places, more=""):
 def _options(product, places, values, values_at, value_name, title):
     if values_at is not None and values_at not in places:
         raise ValueError(f"values_at: one of {', '.join(map(repr, places))} was expected, not {_core._represented(values_at)}")
-    columns = [str(name) for name in product.columns or ()]
-    return str(title), columns, values, values_at or "", str(value_name)
+    values = None if values is None else values_of(values, "values")
+    return str(title), names(product), values, values_at or "", str(value_name)
 
 
 def _written(path, page):
     if path is None:
         return page
-    _core._write_text(os.fspath(path), page)
+    _core._write_text(os.fsencode(path), page)
     return None
 
 
@@ -43,7 +45,7 @@ intersection = _method("the intersection", ("halfspaces", "facets"), "Unbounded 
 
 
 def diagram(self, path=None, *, values=None, values_at=None, value_name="value", title="", box=None):
-    return _written(path, self._to_html(*_options(self, ("points", "regions"), values, values_at, value_name, title), box))
+    return _written(path, self._to_html(*_options(self, ("points", "regions"), values, values_at, value_name, title), checked_box(box, self.dimension)))
 
 
 diagram.__doc__ = DOC.format(what="the regions", places='"points", "regions"',

@@ -2,6 +2,7 @@
 """Faces, circumscribed spheres, quality, alpha values and complexes."""
 import fractions
 import itertools
+import pickle
 
 import numpy as np
 import pytest
@@ -30,6 +31,8 @@ def test_faces_are_all_subsets_of_cells(d):
         for face, cell in zip(faces.vertices.tolist(), faces.cells.tolist()):
             assert set(face) <= set(t.cells[cell].tolist())
     assert "of dimension" in repr(faces) and not faces.vertices.flags.writeable
+    again = pickle.loads(pickle.dumps(faces))
+    assert again.dimension == d and all((getattr(again, name) == getattr(faces, name)).all() for name in ("vertices", "cells", "on_hull"))
 
 
 def test_circumscribed_spheres_and_quality():
@@ -39,13 +42,13 @@ def test_circumscribed_spheres_and_quality():
     distances = np.linalg.norm(t.points[t.cells] - centers[:, None], axis=2)
     np.testing.assert_allclose(distances, np.broadcast_to(radii[:, None], distances.shape), rtol=1e-6)
     edges = np.linalg.norm(t.points[t.cells][:, :, None] - t.points[t.cells][:, None], axis=3)
-    np.testing.assert_allclose(t.quality("radius_edge_ratio"), radii / np.where(edges > 0, edges, np.inf).min(axis=(1, 2)), rtol=1e-9)
+    np.testing.assert_allclose(t.qualities("radius_edge_ratio"), radii / np.where(edges > 0, edges, np.inf).min(axis=(1, 2)), rtol=1e-9)
     volumes = np.abs(np.linalg.det(t.points[t.cells][:, 1:] - t.points[t.cells][:, :1])) / 6
     squares = (edges**2).sum(axis=(1, 2)) / 2
-    np.testing.assert_allclose(t.quality("mean_ratio"), 12 * (3 * volumes) ** (2 / 3) / squares, rtol=1e-6, atol=1e-12)
-    assert ((t.quality() > 0) & (t.quality() <= 1)).all() and (t.quality() == t.quality(measure="radius_ratio")).all()
+    np.testing.assert_allclose(t.qualities("mean_ratio"), 12 * (3 * volumes) ** (2 / 3) / squares, rtol=1e-6, atol=1e-12)
+    assert ((t.qualities() > 0) & (t.qualities() <= 1)).all() and (t.qualities() == t.qualities(measure="radius_ratio")).all()
     with pytest.raises(ValueError, match="measure: .*not beauty"):
-        t.quality("beauty")
+        t.qualities("beauty")
 
 
 def test_alpha_values_tell_the_complex_exactly():
@@ -64,7 +67,7 @@ def test_alpha_values_tell_the_complex_exactly():
                     assert own[facet] <= value
             above = own
         for squared in np.quantile(levels[-1][1], [0, 0.5]):
-            complex = t.alpha_complex(squared=squared)
+            complex = t.alpha_complex(squared_radius=squared)
             for j, (faces, values) in enumerate(levels):
                 np.testing.assert_array_equal(complex.faces(j).vertices, faces.vertices[values <= squared])
             np.testing.assert_array_equal(complex.cell_numbers, np.flatnonzero(levels[-1][1] <= squared))
@@ -76,7 +79,7 @@ def test_radius_is_exact():
     t = delone.Delaunay([[0, 0], [3, 0], [3, 4], [0, 4]])
     assert len(t.alpha_complex(2.5)) == 2 and t.alpha_complex(2.5).radius == 2.5
     assert len(t.alpha_complex(np.nextafter(2.5, 0))) == 0
-    assert len(t.alpha_complex(float("inf"))) == 2 and np.isnan(t.alpha_complex(squared=1).radius)
+    assert len(t.alpha_complex(float("inf"))) == 2 and np.isnan(t.alpha_complex(squared_radius=1).radius)
     complex = t.alpha_complex(2.5)
     assert {tuple(edge) for edge in complex.boundary.tolist()} == {(0, 1), (1, 2), (2, 3), (3, 0)}
     assert len(complex.boundary_cells) == 4 and complex.singular_facets.shape == (0, 2)
@@ -103,13 +106,18 @@ def test_few_points_and_wrong_arguments():
     assert flat.alpha_values(1).tolist() == [0.75] and flat.alpha_values(2).shape == (0,) and flat.circumradii.shape == (1,)
     t = delone.Delaunay(uniform(20, 2))
     for wrong in (lambda: t.alpha_complex(-1), lambda: t.alpha_complex(float("nan")), lambda: t.alpha_complex(), lambda: t.faces(3),
-                  lambda: t.alpha_complex(1, squared=1), lambda: t.alpha_complex(squared=float("nan")), lambda: t.alpha_values(-1)):
+                  lambda: t.alpha_complex(1, squared_radius=1), lambda: t.alpha_complex(squared_radius=float("nan")), lambda: t.alpha_values(-1)):
         with pytest.raises(ValueError):
             wrong()
     with pytest.raises(delone.Error):
         delone.FurthestSite(uniform(20, 2)).alpha_complex(1)
     complex = t.alpha_complex(0.1)
+    boundary = complex.boundary.copy()
+    with pytest.raises(delone.CancelledError):  # another engine has the same cells
+        t.insert_range(uniform(100_000, 2), progress=lambda fraction: False)
+    np.testing.assert_array_equal(complex.faces(2).cells, complex.cell_numbers)
     t.insert_range([[5, 5]])
+    np.testing.assert_array_equal(complex.boundary, boundary)
     with pytest.raises(RuntimeError, match="added"):
         complex.faces(1)
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""read, save, to_data, check, generate and lower_hull; files for other programs as meshio and VTK read them."""
+"""read, write_points, save, to_data, check, generate and lower_hull; files for other programs as meshio and VTK read them."""
 import itertools
 import os
 import pickle
@@ -15,20 +15,21 @@ CUBE = np.array(list(itertools.product([0.0, 1.0], repeat=3)))
 SQUARE = [[-1, 0, 0], [0, -1, 0], [1, 0, -1], [0, 1, -1]]
 
 
-def products():
-    yield delone.Delaunay(POINTS), ComplexData
-    yield delone.Regular(POINTS, np.arange(30.0) / 100), ComplexData
-    yield delone.FurthestSite(POINTS), ComplexData
-    yield delone.ConvexHull(POINTS), HullData
-    yield delone.ConvexHull(POINTS[:3]), HullData
-    yield delone.ConvexHull(POINTS, tolerance=0.1), HullData
-    yield delone.HalfspaceIntersection(SQUARE), IntersectionData
-    yield delone.HalfspaceIntersection([[1, 0], [-1, 1]]), IntersectionData
-    yield delone.Voronoi(POINTS), VoronoiData
-    yield delone.PowerDiagram(POINTS, np.arange(30.0) / 100), VoronoiData
-    yield delone.LowerHull(POINTS), ComplexData
-    yield delone.Delaunay(np.empty((0, 2))), ComplexData
-    yield delone.Delaunay([[1.0, 2.0]]), ComplexData
+PRODUCTS = [
+    (lambda: delone.Delaunay(POINTS), ComplexData),
+    (lambda: delone.Regular(POINTS, np.arange(30.0) / 100), ComplexData),
+    (lambda: delone.FurthestSite(POINTS), ComplexData),
+    (lambda: delone.ConvexHull(POINTS), HullData),
+    (lambda: delone.ConvexHull(POINTS[:3]), HullData),
+    (lambda: delone.ConvexHull(POINTS, tolerance=0.1), HullData),
+    (lambda: delone.HalfspaceIntersection(SQUARE), IntersectionData),
+    (lambda: delone.HalfspaceIntersection([[1, 0], [-1, 1]]), IntersectionData),
+    (lambda: delone.Voronoi(POINTS), VoronoiData),
+    (lambda: delone.PowerDiagram(POINTS, np.arange(30.0) / 100), VoronoiData),
+    (lambda: delone.LowerHull(POINTS), ComplexData),
+    (lambda: delone.Delaunay(np.empty((0, 2))), ComplexData),
+    (lambda: delone.Delaunay([[1.0, 2.0]]), ComplexData),
+]
 
 
 def same(a, b):
@@ -41,8 +42,9 @@ def same(a, b):
             assert other == value or value is None, name
 
 
-@pytest.mark.parametrize("product, kind", products())
-def test_saved_and_read(product, kind, tmp_path):
+@pytest.mark.parametrize("make, kind", PRODUCTS)
+def test_saved_and_read(make, kind, tmp_path):
+    product = make()
     data = product.to_data()
     assert type(data) is kind and repr(data).startswith(f"<delone.{kind.__name__}: ")
     for extension in ("npz", "json"):
@@ -69,7 +71,7 @@ def test_names_of_columns(tmp_path):
 
     for extension in ("npz", "json"):
         Named(POINTS).save(tmp_path / f"a.{extension}")
-        assert delone.read(tmp_path / f"a.{extension}").columns == ["x", "", "höhe \"z\""]
+        assert delone.read(tmp_path / f"a.{extension}").columns == ("x", "", "höhe \"z\"")
         delone.Delaunay(POINTS).save(tmp_path / f"b.{extension}")
         assert delone.read(tmp_path / f"b.{extension}").columns is None
     assert np.load(tmp_path / "a.npz")["column_names"].tolist() == ["x", "", "höhe \"z\""]
@@ -95,8 +97,77 @@ def test_points(tmp_path):
         delone.read(tmp_path / "a.csv")
     with pytest.raises(delone.Error, match="format 'doc'"):
         delone.read(tmp_path / "a.doc")
-    with pytest.raises(TypeError, match="columns"):
-        delone.read(tmp_path / "a.npy", columns="x")
+    for bad, text in (("x", "a sequence of names"), ([1.5], "a whole number, not float")):
+        with pytest.raises(TypeError, match="columns: " + text):
+            delone.read(tmp_path / "a.npy", columns=bad)
+    for bad in ([], [-1]):
+        with pytest.raises(ValueError, match="columns: at least"):
+            delone.read(tmp_path / "a.npy", columns=bad)
+    delone.Delaunay(POINTS).save(tmp_path / "c.npz")
+    for threads, error in ((-1, ValueError), (1.5, TypeError)):
+        for name in ("a.npy", "c.npz"):
+            with pytest.raises(error, match="threads: "):
+                delone.read(tmp_path / name, threads=threads)
+
+
+def test_numbers_of_columns_are_no_names(tmp_path):
+    (tmp_path / "a.csv").write_text("2,1,0,more\n10,20,30,40\n")
+    assert delone.read(tmp_path / "a.csv", columns=[0, 3]).tolist() == [[10, 40]]
+    assert delone.read(tmp_path / "a.csv", columns=["0"]).tolist() == [[30]]
+    assert delone.read(tmp_path / "a.csv", columns=["1-3"]).tolist() == [[20, 30, 40]]
+
+
+def test_points_written_and_read(tmp_path):
+    for format in ("npy", "csv", "tsv", "txt", "xyz", "pts", "off", "qhull"):
+        delone.write_points(POINTS, tmp_path / "a", format)
+        assert (delone.read(tmp_path / "a", format=format) == POINTS).all()
+    delone.write_points(POINTS, tmp_path / "a.csv", columns=["x", "y", "z"])
+    assert (tmp_path / "a.csv").read_text().startswith("x,y,z\n")
+    for bad, error, text in ((["x"], ValueError, "columns: 1 names for 3 coordinates"), ("xyz", TypeError, "columns")):
+        with pytest.raises(error, match=text):
+            delone.write_points(POINTS, tmp_path / "b.csv", columns=bad)
+    with pytest.raises(ValueError):
+        delone.write_points([[np.nan]], tmp_path / "b.csv")
+    assert not (tmp_path / "b.csv").exists()
+    pandas = pytest.importorskip("pandas")
+    delone.write_points(pandas.DataFrame(POINTS, columns=["a", "b", "c"]), tmp_path / "a.csv")
+    frame = delone.read(tmp_path / "a.csv", columns=["c", 0], frame=True)
+    assert list(frame.columns) == ["c", "a"] and (frame.to_numpy() == POINTS[:, [2, 0]]).all()
+    assert list(delone.read(tmp_path / "a", format="qhull", frame=True).columns) == [0, 1, 2]
+    delone.Delaunay(POINTS).save(tmp_path / "b.npz")
+    with pytest.raises(TypeError, match="frame: .*ComplexData"):
+        delone.read(tmp_path / "b.npz", frame=True)
+
+
+def test_furthest_sites_have_no_files(tmp_path):
+    diagram = delone.Voronoi(delone.FurthestSite(POINTS))
+    data = pickle.loads(pickle.dumps(diagram.to_data()))
+    for product in (diagram, data):
+        with pytest.raises(ValueError, match="save the FurthestSite triangulation"):
+            product.save(tmp_path / "a.npz")
+        with pytest.raises(TypeError, match="check its FurthestSite triangulation"):
+            delone.check(product)
+    diagram.save(tmp_path / "a.txt", qhull="p")
+    assert os.listdir(tmp_path) == ["a.txt"]
+
+
+def test_complex_data():
+    t = delone.Delaunay(POINTS)
+    points, cells = POINTS.copy(), t.cells.astype(np.int64)
+    data = ComplexData(points, cells, t.neighbors, np.arange(30), np.zeros(30), column_names=["x", "y", "z"])
+    points[:], cells[:] = 0, 0
+    assert (data.points == POINTS).all() and (data.cells == t.cells).all() and data.cells.dtype == t.cells.dtype and data.columns == ("x", "y", "z")
+    for each in (data, pickle.loads(pickle.dumps(data))):
+        arrays = [value for value in each.members.values() if isinstance(value, np.ndarray)]
+        assert len(arrays) == 5 and not any(array.flags.writeable for array in arrays)
+    for arguments, text in (((POINTS, t.cells * 1.5), "cells: whole numbers, not float64"), ((POINTS, t.cells + 2**40), r"cells: \d+ is beyond the range of int32"),
+                            ((POINTS[:, :2], t.cells), "cells: 4 vertices each"), ((POINTS[0], t.cells), r"points: an array of shape \(…, …\), not \(3,\)"),
+                            ((POINTS, t.cells, t.neighbors[1:]), "neighbors: an array of shape"), ((POINTS, t.cells, None, [0]), r"vertex_of_point: an array of shape \(30,\)"),
+                            ((POINTS, t.cells, None, None, [0]), r"weights: an array of shape \(30,\), not \(1,\)"),
+                            ((POINTS, t.cells, None, None, None, 4), "affine_dimension: at most 3, not 4"),
+                            ((POINTS, t.cells, None, None, None, None, ["x"]), "column_names: 3, not 1")):
+        with pytest.raises(ValueError, match=text):
+            ComplexData(*arguments)
 
 
 def test_save_refuses(tmp_path):
@@ -111,6 +182,16 @@ def test_save_refuses(tmp_path):
         delone.Regular(POINTS, np.zeros(30)).save(tmp_path / "a.txt", qhull="o")
     with pytest.raises(ValueError, match="lower"):
         delone.LowerHull(POINTS).save(tmp_path / "a.txt", qhull="o")
+    v = delone.Voronoi(POINTS)
+    for arguments in (["a.npz"], ["a.svg", "json"]):
+        with pytest.raises(ValueError, match="box: only svg and vtu"):
+            v.save(tmp_path / arguments[0], *arguments[1:], box=([0] * 3, [1] * 3))
+    with pytest.raises(ValueError, match="box: only svg and vtu"):
+        v.save(tmp_path / "a.txt", qhull="p", box=([0] * 3, [1] * 3))
+    with pytest.raises(ValueError, match=r"box: \(low, high\), each of 3 finite numbers"):
+        v.save(tmp_path / "a.vtu", box=([0] * 2, [1] * 2))
+    with pytest.raises(TypeError, match="format: a str, not int"):
+        t.save(tmp_path / "a.txt", 5)
     with pytest.raises(delone.Error, match="at most 3"):
         delone.Delaunay(np.random.default_rng(1).random((9, 4))).save(tmp_path / "a.ply")
     assert os.listdir(tmp_path) == []
@@ -151,10 +232,25 @@ def test_check_of_anybodys_triangulation():
             bad()
 
 
+def test_check_of_subclasses():
+    class Mine(delone.Delaunay):
+        pass
+
+    class MyHull(delone.ConvexHull):
+        pass
+
+    assert delone.check(Mine(POINTS)) and delone.check(MyHull(POINTS))
+    for arguments in ({"level": 1.5}, {"threads": 0.5}, {"threads": "2"}):
+        with pytest.raises(TypeError, match="a whole number, not "):
+            delone.check(Mine(POINTS), **arguments)
+
+
 def test_check_of_scipy():
     spatial = pytest.importorskip("scipy.spatial")
-    assert delone.check(spatial.Delaunay(POINTS))
-    assert delone.check(delone.spatial.Delaunay(POINTS))
+    for module in (spatial, delone.spatial):
+        assert delone.check(module.Delaunay(POINTS))
+        with pytest.raises(TypeError, match="a ConvexHull whose simplices are no cells of a triangulation"):
+            delone.check(module.ConvexHull(POINTS))
 
 
 def test_check_of_broken_results():
@@ -169,11 +265,15 @@ def test_check_of_broken_results():
 def test_generate():
     a = delone.generate("uniform", 10, 3, seed=4)
     assert a.shape == (10, 3) and a.dtype == float and (a == delone.generate("uniform", 10, 3, 4)).all() and a.flags.writeable
-    assert delone.generate("cube01", 100, 2).tolist() == [[0, 0], [0, 1], [1, 0], [1, 1]] or len(delone.generate("cube01", 100, 2)) == 4
+    assert sorted(delone.generate("cube01", 100, 2).tolist()) == [[0, 0], [0, 1], [1, 0], [1, 1]]
     assert delone.generate("sphere", 0, 3).shape == (0, 3)
     assert "uniform" in delone.generate.__doc__
     for arguments in (("nothing", 3, 2), ("uniform", -1, 2), ("uniform", 3, 0), ("flat", 3, 1)):
         with pytest.raises(ValueError):
+            delone.generate(*arguments)
+    for arguments, text in ((("uniform", 1.5, 3), "n: a whole number, not float"), (("uniform", 3, "2"), "dimension: a whole number, not str"),
+                            ((5, 3, 2), "kind: a str, not int"), (("uniform", 3, 2, None), "seed: a whole number, not NoneType")):
+        with pytest.raises(TypeError, match=text):
             delone.generate(*arguments)
 
 
@@ -201,6 +301,26 @@ def test_lower_hull():
                 lambda: hull.height_above(points, tolerance=np.nan), lambda: hull.heights([1.0, 2.0])):
         with pytest.raises(ValueError):
             bad()
+    for call, text in ((lambda: hull.heights([[1.0, 2.0]]), "compositions: an array of shape"), (lambda: hull.find_simplex([1.0, 2.0]), "compositions: "),
+                       (lambda: hull.height_above([1.0]), "points: an array of shape"),
+                       (lambda: delone.ConvexHull(points).visible_facets([1.0]), "point: an array of shape")):
+        with pytest.raises(ValueError, match=text):
+            call()
+
+
+def test_lower_hulls_of_dataframes(tmp_path):
+    pandas = pytest.importorskip("pandas")
+    phases = pandas.DataFrame([[0.0, 0], [0.5, -1], [0.75, 0], [1, 0]], columns=["x", "energy"])
+    hull = delone.lower_hull(phases)
+    assert hull.columns == ("x", "energy") == pickle.loads(pickle.dumps(hull)).columns
+    frame = hull.to_frame()
+    assert list(frame.columns) == ["x", "energy", "height_above", "is_vertex"]
+    assert frame["height_above"].tolist() == [0, 0, 0.5, 0] and frame["is_vertex"].tolist() == [True, True, False, True]
+    assert hull.heights(phases[["x"]]).tolist() == [0, -1, -0.5, 0]
+    with pytest.raises(ValueError, match="points: the columns 'energy', 'x', not 'x', 'energy'"):
+        hull.height_above(phases[["energy", "x"]])
+    hull.save(tmp_path / "a.json")
+    assert delone.read(tmp_path / "a.json").columns == ("x", "energy")
 
 
 # As other programs read them.

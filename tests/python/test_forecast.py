@@ -1,7 +1,9 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Forecasts, and limits of memory and time that end a construction."""
 import math
+import pickle
 import re
+import sys
 
 import numpy as np
 import pytest
@@ -30,6 +32,8 @@ def test_forecasts_are_close(dimension, n):
         for name in ("cells", "bytes", "seconds"):
             low, high = getattr(forecast, name + "_range")
             assert low <= getattr(forecast, name) <= high
+        again = pickle.loads(pickle.dumps(forecast))
+        assert repr(again) == repr(forecast) and again.seconds_range == forecast.seconds_range and again.num_sampled == forecast.num_sampled
         assert re.fullmatch(rf"<delone.Forecast: {n} points in {dimension}D, about \S+ cells, \S+ \w+, \S+ \w+>", repr(forecast))
 
 
@@ -46,24 +50,36 @@ def test_bad_arguments():
         for limit in ("time_limit", "memory_limit"):
             with pytest.raises(ValueError, match=limit):
                 delone.Delaunay(points_of(10, 2), **{limit: bad})
-    with pytest.raises(TypeError, match="time_limit"):
-        delone.Delaunay(points_of(10, 2), time_limit="long")
+    for bad in ("long", True):
+        with pytest.raises(TypeError, match="time_limit"):
+            delone.Delaunay(points_of(10, 2), time_limit=bad)
     with pytest.raises(delone.InputError, match="point 1"):
         delone.estimate([[0, 0], [0, math.nan]])
 
 
-@pytest.mark.parametrize("make", [
-    lambda **limits: delone.Delaunay(points_of(100_000, 5), **limits),
-    lambda **limits: delone.Regular(points_of(100_000, 5), np.zeros(100_000), **limits),
-    lambda **limits: delone.ConvexHull(on_sphere(50_000, 7), **limits),
-    lambda **limits: delone.HalfspaceIntersection(np.c_[on_sphere(50_000, 7), -np.ones(50_000)], [0] * 7, **limits),
-])
-def test_limits_end_constructions(make):
-    with pytest.raises(delone.TimeLimitError, match="stopped at the limit of 0.4 seconds") as caught:
-        make(time_limit=0.4)
+MANY, SPHERE = points_of(100_000, 5), on_sphere(50_000, 7)
+MAKERS = {
+    "Delaunay": lambda **limits: delone.Delaunay(MANY, **limits),
+    "Regular": lambda **limits: delone.Regular(MANY, np.zeros(len(MANY)), **limits),
+    "ConvexHull": lambda **limits: delone.ConvexHull(SPHERE, **limits),
+    "of_extreme_points": lambda **limits: delone.ConvexHull.of_extreme_points(SPHERE, **limits),
+    "lower_hull": lambda **limits: delone.lower_hull(SPHERE, **limits),
+    "convex_hulls": lambda **limits: delone.convex_hulls([SPHERE], **limits),
+    "HalfspaceIntersection": lambda **limits: delone.HalfspaceIntersection(np.c_[SPHERE, -np.ones(len(SPHERE))], [0] * 7, **limits),
+}
+
+
+@pytest.mark.parametrize("name", MAKERS)
+def test_a_limit_of_time_ends_constructions(name):
+    with pytest.raises(delone.TimeLimitError, match="stopped at the limit of 0.2 seconds") as caught:
+        MAKERS[name](time_limit=0.2)
     assert isinstance(caught.value, (delone.Error, TimeoutError))
+
+
+@pytest.mark.parametrize("name", ["Delaunay", "lower_hull"])
+def test_a_limit_of_memory_ends_constructions(name):
     with pytest.raises(delone.OutOfMemoryError, match="stopped at the limit of 1 MB") as caught:
-        make(memory_limit=1e6)
+        MAKERS[name](memory_limit=1e6)
     assert isinstance(caught.value, MemoryError)
 
 
@@ -80,10 +96,27 @@ def test_a_wrapped_set_says_what_the_whole_takes():
 def test_what_was_there_stays():
     triangulation = delone.Delaunay(points_of(100, 5), time_limit=0.4)
     before = triangulation.hash
-    with pytest.raises(delone.TimeLimitError):
-        triangulation.insert_range(points_of(200_000, 5) + 2)
-    assert triangulation.num_points == 100
-    assert triangulation.hash == before
+    for _ in range(2):  # the limit stays, whatever has been asked meanwhile
+        with pytest.raises(delone.TimeLimitError):
+            triangulation.insert_range(MANY + 2)
+        assert triangulation.num_points == 100
+        assert triangulation.hash == before
+    triangulation.insert_range(points_of(10, 5) + 2)
+    assert triangulation.num_points == 110
+
+
+@pytest.mark.skipif(sys.platform != "linux", reason="needs the resident memory of the process")
+def test_what_was_there_stays_where_memory_is_short():
+    """Questions have no limit: they are answered by what has room beside what the process has in use."""
+    points = points_of(3000, 4)
+    with open("/proc/self/statm", encoding="ascii") as statm:
+        resident = int(statm.read().split()[1]) * 4096
+    t = delone.Delaunay(points, threads=1, memory_limit=(resident + 60e6) * 8 / 7)
+    kept = np.zeros(12_000_000)  # also while these are in use
+    with pytest.raises(delone.OutOfMemoryError):
+        kept += 1
+        t.insert_range(points_of(200_000, 4) + 2)
+    assert t.num_points == len(points) and t.hash == delone.Delaunay(points).hash and (t.points == points).all()
 
 
 def test_progress_is_heard_within_limits():

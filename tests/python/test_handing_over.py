@@ -111,13 +111,17 @@ def test_results_as_dataframes(pandas):
     assert frame["vertex"].tolist() == [0, 1, 2, -1, 1] and frame["weight"].tolist() == [0, 0, 0, -9, 0] and frame["x"].tolist() == [0, 4, 0, 1, 4]
     frame = delone.ConvexHull([[0, 0], [4, 0], [0, 4], [2, 0], [1, 1], [0, 0]]).to_frame()
     assert frame["kind"].tolist() == ["extreme"] * 3 + ["boundary", "interior", "duplicate"]
+    frame = delone.HalfspaceIntersection([*SQUARE_ROWS, [1, 0, -1], [1, 0, -5], [1, 1, -2], [0, 0, -1]]).to_frame()
+    assert list(frame.columns) == ["a0", "a1", "b", "kind"]
+    assert frame["kind"].tolist() == ["facet"] * 4 + ["duplicate", "redundant", "touching", "trivial"]
+    assert list(delone.HalfspaceIntersection(frame[["a0", "a1", "b"]]).to_frame().columns) == ["a0", "a1", "b", "kind"]
     frame = delone.Voronoi(t.points[:4]).to_frame()
     assert list(frame.columns) == ["x0", "x1", "region", "bounded"] and frame["bounded"].tolist() == [False, False, False, True]
 
 
 @pytest.mark.parametrize("points", [PLANE, SPACE, PLANE[:1], [[0, 0, 0], [1, 1, 1]], np.empty((0, 2)), np.c_[PLANE, np.ones(40)]])
 def test_meshio_takes_simplices(points):
-    meshio = pytest.importorskip("meshio")
+    pytest.importorskip("meshio")
     for product in (delone.Delaunay(points), delone.ConvexHull(points)):
         height = np.arange(product.num_points)
         mesh = product.to_meshio(point_data={"height": height}, cell_data={"number": np.arange(product.num_cells)})
@@ -127,7 +131,6 @@ def test_meshio_takes_simplices(points):
             block, = mesh.cells
             assert block.type == ["vertex", "line", "triangle", "tetra"][product.cells.shape[1] - 1] and (block.data == product.cells).all()
             assert (mesh.cell_data["number"][0] == np.arange(product.num_cells)).all()
-    assert meshio.__name__
 
 
 def written(mesh, extension, folder):
@@ -152,14 +155,15 @@ def test_meshio_takes_regions():
     pytest.importorskip("meshio")
     v = delone.Voronoi(PLANE)
     mesh = v.to_meshio(cell_data={"x": PLANE[:, 0]})
-    sites = np.concatenate(mesh.cell_data["site"])
+    sites = np.concatenate(mesh.cell_data["point"])
+    assert (v.region_points[np.concatenate(mesh.cell_data["region"])] == sites).all()
     assert sorted(sites) == v.region_points[v.is_bounded].tolist() and {block.type for block in mesh.cells} == {"polygon"}
     assert (np.concatenate(mesh.cell_data["x"]) == PLANE[sites, 0]).all()
-    for block, rows in zip(mesh.cells, mesh.cell_data["site"]):
+    for block, rows in zip(mesh.cells, mesh.cell_data["point"]):
         for polygon, row in zip(block.data, rows):
             assert polygon.tolist() == v.region(v.point_region[row]).tolist()
     v = delone.Voronoi(SPACE)
-    for block, rows in zip(v.to_meshio().cells, v.to_meshio().cell_data["site"]):
+    for block, rows in zip(v.to_meshio().cells, v.to_meshio().cell_data["point"]):
         for faces, row in zip(block.data, rows):
             assert set(np.concatenate(faces)) == set(v.region(v.point_region[row]))
     empty = delone.Voronoi(PLANE[:3]).to_meshio()
@@ -204,6 +208,10 @@ def test_vtk_takes_everything():
         assert (vtk_to_numpy(grid.GetPoints().GetData())[:, :product.dimension] == product.points).all()
         assert (vtk_to_numpy(grid.GetCells().GetConnectivityArray()) == product.cells.ravel()).all()
         assert (vtk_to_numpy(grid.GetPointData().GetArray("p")) == product.points).all()
+        for given in (np.arange(40, dtype=">f8"), np.arange(40, dtype=np.float16), np.arange(40, dtype=np.longdouble)):
+            assert (vtk_to_numpy(product.to_vtk(point_data={"p": given}).GetPointData().GetArray("p")) == np.arange(40)).all()
+        masked = product.to_vtk(point_data={"p": np.ma.masked_equal(np.arange(40), 7)}).GetPointData().GetArray("p")
+        assert np.flatnonzero(np.isnan(vtk_to_numpy(masked))).tolist() == [7]
         assert vtk_to_numpy(grid.GetCellData().GetArray("odd")).tolist() == [i % 2 for i in range(product.num_cells)]
 
 
@@ -219,7 +227,7 @@ def test_vtk_has_the_volumes_of_regions():
     for points in (SPACE, PLANE):
         v = delone.Voronoi(points)
         grid = v.to_vtk()
-        sites = vtk_to_numpy(grid.GetCellData().GetArray("site"))
+        sites = vtk_to_numpy(grid.GetCellData().GetArray("point"))
         assert sorted(sites) == v.region_points[v.is_bounded].tolist()
         for i, volume in enumerate(v.region_volumes()[v.point_region[sites]]):
             cell = grid.GetCell(i)

@@ -14,8 +14,8 @@ from hostile_support import MODULES, classes, is_large
 # Entries that return what is there, or make one pass over what they return: a second for some 10^8 numbers.
 QUICK = {
     "delone.ConvexHull": "__repr__ affine_dimension axes columns dimension max_distance num_cells num_duplicates num_points plot statistics to_frame to_meshio "
-                         "to_pyvista to_vtk tolerance to_data",
-    "delone.LowerHull": "__getstate__ __len__ __repr__ cells composition_axes composition_dimension dimension facet_of_cell max_distance neighbors "
+                         "to_pyvista to_vtk tolerance",
+    "delone.LowerHull": "__getstate__ __len__ __repr__ cells columns composition_axes composition_dimension dimension facet_of_cell max_distance neighbors "
                         "num_cells num_facets num_points points side to_data tolerance vertices",
     "delone.Data": "__init__ __reduce__ __repr__ columns members",
     "delone.ComplexData": "__init__",
@@ -30,7 +30,7 @@ QUICK = {
     "delone.PowerDiagram": "__repr__ weights",
     "delone.Voronoi": "__repr__",
     "delone.TrimResult": "__getstate__ __repr__ cells depth kept lost_volume neighbors num_removed orphans",
-    "delone.Faces": "__len__ __repr__ cells dimension on_hull vertices",
+    "delone.Faces": "__getstate__ __len__ __repr__ cells dimension on_hull vertices",
     "delone.AlphaComplex": "__len__ __repr__ boundary boundary_cells cell_numbers cells radius singular_facets",
     "delone._core.Diagram": "affine_dimension bounding_box columns dimension is_bounded max_displacement num_points num_rays num_regions num_ridges "
                             "num_vertices plot point_region points ray_directions ray_points ray_vertices region region_offsets region_points "
@@ -51,7 +51,7 @@ QUICK = {
     "delone.interpolate._nearest.NearestNDInterpolator": "__init__",
     "delone.tiles.Tiles": "__getitem__ __init__ __iter__ __len__ __repr__ affine_dimension dimension folder hash num_cells num_duplicates num_hidden "
                           "num_hull_facets num_points num_vertices parts weighted",
-    "delone": "generate patch_scipy read scipy_is_patched unpatch_scipy",
+    "delone": "forecast generate patch_scipy read scipy_is_patched unpatch_scipy write_points",
     "delone.spatial": "convex_hull_plot_2d delaunay_plot_2d distance_matrix geometric_slerp minkowski_distance minkowski_distance_p "
                       "procrustes voronoi_plot_2d",
 }
@@ -92,7 +92,8 @@ LONG = {
     "delone._core.Triangulation.alpha_values": ("t = delone.Delaunay(random.random((20_000, 5)))", "t.alpha_values(0)", "alpha_filtration"),
     "delone._core.Triangulation.alpha_complex": ("t = delone.Delaunay(random.random((20_000, 5)))", "t.alpha_complex(0.3)"),
     "delone._core.Triangulation.circumradii": ("t = delone.Delaunay(random.random((10_000, 6)))", "t.circumradii", "circumcenters"),
-    "delone._core.Triangulation.quality": ("t = delone.Delaunay(random.random((10_000, 6)))", "t.quality()"),
+    "delone._core.Triangulation.qualities": ("t = delone.Delaunay(random.random((10_000, 6)))", "t.qualities()"),
+    "delone._core.Triangulation.to_html": ("t = delone.Delaunay(random.random((300_000, 3)))", "t.to_html()"),
     "delone.AlphaComplex.faces": ("complex = delone.Delaunay(random.random((20_000, 5))).alpha_complex(0.3)", "complex.faces(1)"),
     "delone._core.Triangulation.trim": ("t = delone.Delaunay(random.random((20_000, 4)))", "t.trim(0.5)"),
     "delone._core.Triangulation.transform": ("t = delone.Delaunay(random.random((100_000, 4)))", "t.transform"),
@@ -107,19 +108,23 @@ LONG = {
     "delone.ConvexHull.num_facets": ("hull = delone.ConvexHull(sphere(3000, 7))", "hull.num_facets",
                                      "__len__ num_vertices num_ridges cells neighbors facet_of_cell vertices vertex_of_point facets ridges "
                                      "equations equation_errors point_kinds points to_data __getstate__"),
+    "delone.ConvexHull.to_html": ("hull = delone.ConvexHull(sphere(300_000, 3))", "hull.to_html()"),
     "delone.ConvexHull.save": ("hull = delone.ConvexHull(sphere(1000, 7))", "hull.save('/dev/null', 'json')"),
     "delone.ConvexHull.f_vector": ("hull = delone.ConvexHull(sphere(40, 7))", "hull.f_vector"),
     "delone.ConvexHull.volume": ("hull = delone.ConvexHull(sphere(1500, 7))", "hull.volume", "volume_error area area_error"),
     "delone.ConvexHull.hash": ("hull = delone.ConvexHull(sphere(2500, 7))", "[hull.hash for _ in range(100)]"),
     "delone.LowerHull.__init__": ("", "delone.LowerHull(sphere(100_000, 8))"),
     "delone.LowerHull.height_above": ("hull = delone.LowerHull(random.random((300, 6)))", "hull.height_above(random.random((1_000_000, 6)))",
-                                      "heights find_simplex"),
+                                      "heights find_simplex to_frame"),
     "delone.LowerHull.save": ("hull = delone.LowerHull(sphere(1000, 7))", "hull.save('/dev/null', 'json')"),
+    "delone.estimate": ("points = random.random((1_000_000, 6))", "delone.estimate(points, sample_seconds=60)"),
     "delone.lower_hull": ("", "delone.lower_hull(sphere(100_000, 8))"),
     "delone._core.Triangulation.save": ("t = delone.Delaunay(random.random((20_000, 5)))", "t.save('/dev/null', 'json')"),
     "delone.Data.save": ("data = delone.Delaunay(random.random((20_000, 5))).to_data()", "data.save('/dev/null', 'json')"),
     "delone.check": ("data = delone.Delaunay(random.random((20_000, 5))).to_data()", "delone.check(data)"),
     "delone._core.Diagram.save": ("v = delone.Voronoi(random.random((3000, 5)))", "v.save('/dev/null', 'json')"),
+    "delone._core.Diagram.to_html": ("v = delone.Voronoi(random.random((100_000, 3)))", "v.to_html()"),
+    "delone.HalfspaceIntersection.to_html": ("made = delone.HalfspaceIntersection(halfspaces(200_000, 3), [0] * 3)", "made.to_html()"),
     "delone.HalfspaceIntersection.save": ("made = delone.HalfspaceIntersection(halfspaces(500, 7), [0] * 7)", "made.save('/dev/null', 'json')"),
     "delone.convex_hulls": ("", "delone.convex_hulls(random.random((300_000, 40, 3)))"),
     "delone.HalfspaceIntersection.__init__": ("", "delone.HalfspaceIntersection(halfspaces(100_000, 8), [0] * 8)"),
@@ -128,7 +133,7 @@ LONG = {
     "delone.HalfspaceIntersection.vertices": ("made = delone.HalfspaceIntersection(halfspaces(500, 7), [0] * 7)", "made.vertices",
                                               "__len__ __repr__ axes direction_halfspaces direction_offsets directions dual_equations dual_points edges "
                                               "facet_halfspaces facet_offsets facet_vertices first_of_halfspace interior_point is_bounded "
-                                              "kinds lineality num_facets num_vertices rays to_data vertex_halfspaces vertex_offsets witness"),
+                                              "kinds lineality num_facets num_vertices rays to_data to_frame vertex_halfspaces vertex_offsets witness"),
     "delone.HalfspaceIntersection.volume": ("made = delone.HalfspaceIntersection(halfspaces(40, 7), [0] * 7)", "made.volume"),
     "delone.HalfspaceIntersection.dual_volume": ("made = delone.HalfspaceIntersection(halfspaces(2000, 7), [0] * 7)", "made.dual_volume",
                                                  "dual_area"),

@@ -66,6 +66,10 @@ def test_values_are_colors(plt):
     assert len(t.plot(values=of_cells, colorbar=False).figure.axes) == 1
     masked, = t.plot(values=np.where(of_cells > 9, np.nan, of_cells)).collections
     assert masked.get_array().mask.sum() == (of_cells > 9).sum()
+    masked, = t.plot(values=np.ma.masked_greater(of_cells, 9)).collections
+    assert masked.get_array().mask.sum() == (of_cells > 9).sum()
+    masked, = t.plot(values=np.ma.masked_equal(np.arange(40), 7), shading="flat").collections
+    assert masked.get_array().mask.sum() == (t.cells == 7).any(axis=1).sum()
     with_a_gap = np.where(np.arange(40) == 7, np.nan, of_points)  # triangles at a point without a value are left out
     assert len(t.plot(values=with_a_gap).collections[0]._triangulation.triangles) == (t.cells != 7).all(axis=1).sum()
     kept = t.cells.max(axis=1) < 30
@@ -116,6 +120,10 @@ def test_projections_of_all_dimensions(plt):
     assert len(edges.get_segments()) == len(t.vertex_neighbors[1]) // 2
     assert (dots.get_offsets() == FOUR[:, [3, 1]]).all() and (ax.get_xlabel(), ax.get_ylabel()) == ("x3", "x1")
     box = delone.HalfspaceIntersection(np.c_[np.r_[np.eye(4), -np.eye(4)], -np.ones(8)])
+    for product, names in ((delone.Voronoi(FOUR), ["regions", "box"]), (box, ["values", "box", "cmap", "colorbar"])):
+        for name in names:
+            with pytest.raises(ValueError, match=name + ": not together with axes"):
+                product.plot(axes=(0, 1), **{name: [0]})
     for product in (delone.ConvexHull(FOUR), delone.Voronoi(FOUR), delone.Delaunay(SPACE), box):
         assert product.plot(axes=(0, 1)).name == "rectilinear" and product.plot(axes=(2, 0, 1)).name == "3d"
 
@@ -159,8 +167,9 @@ def test_regions_fill_the_box(points):
     assert ((edges >= box[0] - 1e-9) & (edges <= box[1] + 1e-9)).all()
 
 
-@pytest.mark.parametrize("diagram", [delone.PowerDiagram(PLANE, RANDOM.random(40) * 0.02), delone.Voronoi(delone.FurthestSite(PLANE))])
-def test_regions_of_other_diagrams_fill_the_box(diagram):
+@pytest.mark.parametrize("make", [lambda: delone.PowerDiagram(PLANE, np.arange(40) * 0.0005), lambda: delone.Voronoi(delone.FurthestSite(PLANE))])
+def test_regions_of_other_diagrams_fill_the_box(make):
+    diagram = make()
     box = diagram.bounding_box()
     polygons = _clipping.polygons_of_regions(diagram, np.arange(diagram.num_regions), *box)
     np.testing.assert_allclose(sum(area(polygon) for polygon in polygons if len(polygon)), np.prod(box[1] - box[0]))

@@ -15,12 +15,16 @@ def scene(page):
     return json.loads(re.search(r'id="delone-scene">(.*?)</script>', page).group(1))
 
 
-@pytest.mark.parametrize("product, kind, cells", [
-    (delone.Delaunay(POINTS), "triangulation", "num_cells"), (delone.Regular(POINTS, np.zeros(40)), "triangulation", "num_cells"),
-    (delone.ConvexHull(POINTS), "hull", "num_cells"), (delone.Voronoi(POINTS), "diagram", "num_regions"),
-    (delone.PowerDiagram(POINTS, np.zeros(40)), "diagram", "num_regions"),
-    (delone.HalfspaceIntersection(np.c_[np.vstack([np.eye(3), -np.eye(3)]), -np.ones(6)]), "intersection", "num_facets")])
-def test_pages(product, kind, cells, tmp_path):
+CUBE = np.c_[np.vstack([np.eye(3), -np.eye(3)]), -np.ones(6)]
+
+
+@pytest.mark.parametrize("make, kind, cells", [
+    (lambda: delone.Delaunay(POINTS), "triangulation", "num_cells"), (lambda: delone.Regular(POINTS, np.zeros(40)), "triangulation", "num_cells"),
+    (lambda: delone.ConvexHull(POINTS), "hull", "num_cells"), (lambda: delone.Voronoi(POINTS), "diagram", "num_regions"),
+    (lambda: delone.PowerDiagram(POINTS, np.zeros(40)), "diagram", "num_regions"),
+    (lambda: delone.HalfspaceIntersection(CUBE), "intersection", "num_facets")])
+def test_pages(make, kind, cells, tmp_path):
+    product = make()
     page = product.to_html(title="A <title>")
     assert scene(page)["kind"] == kind
     assert scene(page)["title"] == "A <title>"
@@ -38,8 +42,17 @@ def test_values():
     missing = np.arange(40.0)
     missing[7] = np.nan
     assert scene(t.to_html(values=missing))["blocks"]["value"]["high"] == 39
+    for given in (np.ma.masked_equal(np.arange(40), 7), np.arange(40, dtype=">f4"), np.arange(40, dtype=np.float16), [*range(39), None]):
+        assert scene(t.to_html(values=given))["blocks"]["value"]["high"] == (38 if isinstance(given, list) else 39)
     box = scene(delone.Voronoi(POINTS).to_html(box=[[-1] * 3, [2] * 3]))
     assert box["low"] == [-1, -1, -1] and box["high"] == [2, 2, 2]
+
+
+def test_columns_have_names():
+    pandas = pytest.importorskip("pandas")
+    frame = pandas.DataFrame(CUBE, columns=["x", "y", "z", "offset"])
+    for product in (delone.HalfspaceIntersection(frame), delone.Delaunay(pandas.DataFrame(POINTS, columns=["x", "y", "z"]))):
+        assert '"x","y","z"' in product.to_html()
 
 
 def test_what_is_refused(tmp_path):
