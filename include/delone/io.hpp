@@ -51,8 +51,8 @@ inline constexpr std::uint64_t default_max_stream_bytes = std::uint64_t{1} << 32
 struct ReadOptions {
   std::string format;  ///< one of those of read_points(); empty: by extension, "-" is qhull
   /// The coordinates: names of a header, numbers from 0, or ranges of numbers, as "2-5", both ends included;
-  /// a name comes before a number. ply: names of properties. Empty: all columns (of ply: x, y and z), but for
-  /// `values`.
+  /// a name comes before a number, and "5-5" is the number 5 for certain. ply: names of properties. Empty:
+  /// all columns (of ply: x, y and z), but for `values`.
   std::vector<std::string> columns;
   std::uint64_t max_stream_bytes = default_max_stream_bytes;
   /// csv, tsv, txt: at most so many threads parse; 0: as many as there are cores for this process, where the

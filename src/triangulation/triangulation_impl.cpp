@@ -240,6 +240,12 @@ void Triangulation::Impl::insert_range(std::span<const double> coordinates, std:
   check_finite(coordinates, weights);
   if (n == 0) return;
   internal::BuildLimits limits(options.memory_limit, options.time_limit, "points");
+  const std::size_t vertices_before = points.last_vertex();
+  limits.set_model([&] {  // of a set spread evenly
+    const cost_model::Cost cost =
+        cost_model::cost_of_spread(dimension, static_cast<double>(vertices_before + n), 1);
+    return internal::WholeCost{cost.bytes, cost.seconds};
+  });
   const internal::ProgressMeter meter(options.progress);
   expand();
   internal::Stopwatch stopwatch;
@@ -247,12 +253,6 @@ void Triangulation::Impl::insert_range(std::span<const double> coordinates, std:
   std::vector<std::size_t> rounds;
   std::vector<Index> order = order::insertion_order(view, options, &rounds);
   const double order_seconds = stopwatch.restart();
-  const std::size_t vertices_before = points.last_vertex();
-  limits.set_model([&] {  // of a set spread evenly
-    const cost_model::Cost cost =
-        cost_model::cost_of_spread(dimension, static_cast<double>(vertices_before + n), 1);
-    return internal::WholeCost{cost.bytes, cost.seconds};
-  });
   limits.guard([&] {
     BatchInsertion batch(*this, std::move(order), std::move(rounds), limits);
     batch.take(weighted() ? std::span<const double>(weighted_rows(view, weights)) : coordinates);

@@ -2,7 +2,7 @@
 """delone forecast, and --memory and --time, which end a build before the machine does."""
 import json
 import os
-import re
+import tempfile
 import unittest
 
 import numpy as np
@@ -45,41 +45,56 @@ class Forecasts(Case):
         self.assertRegex(text, r"memory +[\d.]+ GB \([\d.]+ GB to [\d.]+ GB\)")
         self.assertRegex(text, r"time .*, 1 thread\n")
 
+    def test_numbers_beyond_all_numbers(self):
+        stats = self.stats_of("-d", "1000", "-n", "1000000")
+        self.assertTrue(all(np.isfinite(list(stats[name].values())).all() for name in QUANTITIES))
+        self.assertRegex(self.output("forecast", "-d", "1000", "-n", "1e6"), "memory +more than 1000 EB")
+
     def test_bad_arguments(self):
         points = self.uniform(2, 10)
-        self.assertIn("-d and -n", self.complaint("forecast", status=64))
+        self.assertIn("-d and -n", self.complaint("forecast", "--stats", status=64))
         self.assertIn("-d, -n and --kind", self.complaint("forecast", points, "-n", "5", status=64))
         self.assertIn("-n wants", self.complaint("forecast", "-d", "2", "-n", "x", status=64))
         self.assertIn("--kind", self.complaint("forecast", "-d", "2", "-n", "5", "--kind", "x", status=64))
 
 
 class Limits(Case):
+    REACHED = r"stopped at the limit of {} (with (less than )?\d+ % of the points inserted|while cells were made)"
     WHOLE = r"; the whole would have taken about [\d.]+ [kMGTPE]?B and [\d.]+ (seconds?|minutes?|hours?|days?|years?)"
 
+    @classmethod
+    def setUpClass(cls):
+        """Points that no machine is done with soon."""
+        super().setUpClass()
+        folder = tempfile.TemporaryDirectory()
+        cls.addClassCleanup(folder.cleanup)
+        random = np.random.default_rng(0)
+        on_sphere = random.standard_normal((20000, 7))
+        cls.points, cls.sphere = os.path.join(folder.name, "points.npy"), os.path.join(folder.name, "sphere.npy")
+        np.save(cls.points, random.random((100000, 6)))
+        np.save(cls.sphere, on_sphere / np.linalg.norm(on_sphere, axis=1, keepdims=True))
+
     def test_time(self):
-        points = self.uniform(5, 60000)
-        for command in (["delaunay"], ["voronoi"], ["hull"]):
-            if command == ["hull"]:
-                points = self.file("sphere.npy", on_sphere(20000, 7))
-            out = self.path("out.npz")
-            text = self.complaint(*command, points, "--time", "0.3", "-o", out, status=3)
-            self.assertRegex(text, "stopped at the limit of 0.3 seconds with (less than )?[0-9]+ % of the points inserted")
+        out = self.path("out.npz")
+        for command, points in (("delaunay", self.points), ("voronoi", self.points), ("hull", self.sphere)):
+            text = self.complaint(command, points, "--time", "0.05", "-o", out, status=3)
+            self.assertRegex(text, self.REACHED.format("0.05 seconds"))
             self.assertFalse(os.path.exists(out))
-        self.assertIn("0.3", text)
+        points = self.uniform(3, 20000)
+        self.assertRegex(self.complaint("hull", points, "--lower", "--time", "1e-6", status=3), self.REACHED.format("1e-06 seconds"))
 
     def test_the_whole_is_told(self):
-        text = self.complaint("delaunay", self.uniform(5, 20000), "--threads", "1", "--time", "0.4", status=3)
+        text = self.complaint("delaunay", self.points, "--threads", "1", "--time", "0.1", status=3)
         self.assertRegex(text, self.WHOLE)
 
     def test_memory(self):
-        points = self.uniform(6, 30000)
         out = self.path("out.npz")
-        text = self.complaint("delaunay", points, "--memory", "150MB", "-o", out, status=3)
-        self.assertRegex(text, "stopped at the limit of 150 MB with ")
+        text = self.complaint("delaunay", self.points, "--memory", "100MB", "-o", out, status=3)
+        self.assertRegex(text, self.REACHED.format("100 MB"))
         self.assertIn("with a folder as output", text)
         self.assertFalse(os.path.exists(out))
-        text = self.complaint("hull", self.file("sphere.npy", on_sphere(30000, 7)), "--memory", "150MB", status=3)
-        self.assertRegex(text, "stopped at the limit of 150 MB with ")
+        text = self.complaint("hull", self.sphere, "--memory", "100MB", status=3)
+        self.assertRegex(text, self.REACHED.format("100 MB"))
         self.assertNotIn("folder", text)
 
     def test_enough(self):
@@ -90,11 +105,6 @@ class Limits(Case):
         points = self.uniform(2, 10)
         for bad in ("0", "-1", "nan", "1y", "x", ""):
             self.assertIn("--time", self.complaint("delaunay", points, f"--time={bad}", status=64))
-
-
-def on_sphere(n, dimension):
-    points = np.random.default_rng(0).standard_normal((n, dimension))
-    return points / np.linalg.norm(points, axis=1, keepdims=True)
 
 
 if __name__ == "__main__":

@@ -117,6 +117,7 @@ class Interpolate(Case):
                                 ([self.field, "--values", self.queries, "--queries", self.queries], "expected 64 rows of values, one per point, found 20")):
             self.assertIn(said, self.complaint("interpolate", *arguments))
         self.complaint("interpolate", "-", "--values", "t", "--queries", "-", status=64)
+        self.assertIn("--memory", self.complaint("interpolate", self.field, "--values", "t,s", "--queries", self.queries, "--memory", "1M", status=3))
 
     def test_flat_points_and_none(self):
         line = self.file("line.csv", "x,y,v\n0,0,0\n1,1,10\n2,2,40\n")

@@ -262,7 +262,7 @@ class Memory(Case):
         for command in commands:
             peak, text = self.peak(*command, "--memory", "100M", status=3)
             self.assertLess(peak, limit)
-            self.assertRegex(text, r"\Adelone: (\S+: stopped at the limit of 105 MB with \S+[^\n]+|more memory is needed than "
+            self.assertRegex(text, r"\Adelone: (\S+: stopped at the limit of 105 MB (with|while) [^\n]+|more memory is needed than "
                              r"--memory allows, 104857600 bytes); with a folder as output[^\n]+\n\Z")
         self.assertFalse(os.path.exists(self.path("out.npz")))
         self.output("delaunay", points, "--memory", "1G")

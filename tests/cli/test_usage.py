@@ -9,7 +9,8 @@ import unittest
 from cli_support import DELONE, Case
 
 # In an order in which each may read what others have written.
-COMMANDS = ["delaunay", "hull", "halfspaces", "voronoi", "regular", "power", "locate", "interpolate", "check", "generate", "info"]
+COMMANDS = ["delaunay", "hull", "halfspaces", "voronoi", "regular", "power", "alpha", "locate", "interpolate", "check", "generate", "forecast",
+            "info", "view"]
 
 
 class Usage(Case):
@@ -35,7 +36,7 @@ class Usage(Case):
 
     def test_help_and_version(self):
         self.assertRegex(self.output("--version"), r"\Adelone \d+\.\d+\.\d+\n\Z")
-        for command in ("delaunay", "locate", "check", "generate", "info"):
+        for command in COMMANDS:
             self.assertIn(command, self.output("--help"))
             self.assertIn(f"delone {command}", self.output(command, "--help"))
         for kind in ("uniform", "cospherical", "mixed_scales"):

@@ -8,8 +8,8 @@ from cli_support import Case
 
 
 class View(Case):
-    def scene(self, *arguments):
-        page = self.output("view", "-q", *arguments)
+    def scene(self, *arguments, **options):
+        page = self.output("view", "-q", *arguments, **options)
         return json.loads(re.search(r'id="delone-scene">(.*?)</script>', page).group(1))
 
     def test_points_and_results(self):
@@ -24,6 +24,10 @@ class View(Case):
             self.assertEqual(self.scene(result, "--title", "T")["title"], "T")
             self.run_delone(command, points, "--columns", "lon,lat", "-o", self.path("page.html"))
         values = self.file("v.txt", "1\n2\n3\n4\n")
+        self.assertEqual(self.scene(points, "--columns", "lon,lat", "--values", "-", stdin="1\n5\n1\n2\n3\n4\n5\n")["valueName"], "-")
+        self.file("2", "7\n" * 4)  # of points the number is that of a column, of results there are none
+        self.assertEqual(self.scene(points, "--values", "2", cwd=self.folder.name)["valueName"], "depth")
+        self.assertEqual(self.scene(self.path("delaunay.npz"), "--values", "2", cwd=self.folder.name)["valueName"], "2")
         self.assertFalse(self.scene(self.path("delaunay.npz"), "--values", values)["valueOfVertices"])
 
     def test_what_is_refused(self):
@@ -31,6 +35,11 @@ class View(Case):
         self.assertIn("3 numbers for 10 rows", self.complaint("view", points, "--values", self.file("v.txt", "1\n2\n3\n")))
         self.run_delone("delaunay", points, "-o", self.path("t.npz"))
         self.assertIn("there is no such file", self.complaint("view", self.path("t.npz"), "--values", "depth", status=64))
+        self.assertIn("both standard input", self.complaint("view", "-", "--values", "-", status=64, stdin="1 2\n"))
+        text = self.complaint("view", points, "--values", "-", "--max-stream", "5", status=3, stdin="1\n5\n1\n2\n3\n4\n5\n")
+        self.assertIn("standard input: a stream of more than 5 bytes; raise --max-stream", text)
+        self.assertIn("limit of 1e-06 seconds", self.complaint("view", points, "--time", "1e-6", status=3))
+        self.assertIn("--memory", self.complaint("view", points, "--memory", "1M", status=3))
         self.assertIn("--box takes 4 numbers", self.complaint("view", points, "--of", "voronoi", "--box", "0,1", status=64))
 
 

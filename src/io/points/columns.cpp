@@ -52,7 +52,10 @@ class Chooser {
     return true;
   }
 
-  [[noreturn]] void fail_missing(const std::string& one) const {
+  [[noreturn]] void fail_missing(std::string_view one) const {
+    if (const std::size_t dash = one.find('-');
+        dash != std::string_view::npos && dash > 0 && one.substr(0, dash) == one.substr(dash + 1))
+      one = one.substr(0, dash);  // a range of one number
     if (names_.empty())
       fail(Errc::bad_format, "{}: there is no column {}; the columns are 0 to {}", name_, in_quotes(one),
            width_ - 1);

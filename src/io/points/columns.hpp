@@ -9,7 +9,7 @@
 namespace delone::io {
 
 /// Columns by their names, their numbers from 0, or ranges of numbers, as 2-5, both ends included. A text
-/// that is a name is that column and no other.
+/// that is a name is that column and no other: the number 5 as the range 5-5 is a number for certain.
 struct ColumnChoice {
   std::vector<std::string> wanted;   ///< empty: all, but for `last`
   std::vector<std::string> last;     ///< columns that come after those

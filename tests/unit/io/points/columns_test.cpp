@@ -29,6 +29,7 @@ TEST(Columns, NamesNumbersAndRanges) {
   EXPECT_EQ(chosen({"0"}, {"4", "0"}), (Positions{0, 4, 0}));
   const ColumnNames names{"a", "2", "1-2", "b", "b"};
   EXPECT_EQ(chosen({"a", "3-4", "2", "1-2"}, {}, names), (Positions{0, 3, 4, 1, 2}));  // names come first
+  EXPECT_EQ(chosen({"2-2"}, {}, names), Positions{2});                                 // a number for certain
   EXPECT_EQ(choose_columns({.wanted = {}, .last = {"0-1"}}, {}, 3, "f").num_last, 2u);
 }
 
@@ -38,6 +39,7 @@ TEST(Columns, Faults) {
        {"6", "0-6", "x", "", "-", "1-", "-1", "1-2-3", "0-99999999999999999999", "0x1"})
     expect_error(Errc::bad_format, {"f: columns: there is no column '" + bad + "'; the columns are 0 to 5"},
                  [&] { chosen({bad}); });
+  expect_error(Errc::bad_format, {"f: columns: there is no column '6';"}, [&] { chosen({"6-6"}); });
   expect_error(Errc::bad_format, {"f: columns: the range '4-2' runs backwards"}, [&] { chosen({"4-2"}); });
   expect_error(Errc::bad_format, {"f: columns: there is no column 'c'; the columns are a, b, b"},
                [&] { chosen({"c"}, {}, names); });
