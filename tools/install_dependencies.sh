@@ -10,7 +10,7 @@ python=(python3 python3-dev python3-numpy pybind11-dev python3-pybind11 python3-
 test=(libgtest-dev libgmock-dev librapidcheck-dev libqhull-dev libcdd-dev lrslib libcgal-dev libeigen3-dev libgmp-dev
       libmpfr-dev python3-scipy python3-pytest python3-hypothesis python3-matplotlib python3-pandas python3-tqdm python3-meshio qhull-bin
       python3-yaml python3-jinja2 pkgconf groff man-db zsh fish)
-nightly=(python3-skimage python3-libpysal python3-ase python3-pymatgen python3-xarray python3-vtk9)
+nightly=(python3-skimage python3-libpysal python3-ase python3-pymatgen python3-xarray python3-vtk9 python3-gudhi)
 bench=(python3 python3-scipy libbenchmark-dev)
 paper=(python3 python3-numpy python3-scipy python3-matplotlib libqhull-dev libtet1.5-dev libcdd-dev lrslib libcgal-dev libeigen3-dev
        libgmp-dev libmpfr-dev)

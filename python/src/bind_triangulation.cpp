@@ -540,7 +540,8 @@ as many as there are cores for the process, where the work is large enough to ga
 however many. `progress`: True for a bar, or a function that is called ten times a second with the fraction done; what
 it returns stops the work (CancelledError) if it is false, but None. Ctrl-C stops with KeyboardInterrupt. `memory_limit`,
 the bytes that the process may have in use, and `time_limit`, the seconds for this call or one of insert_range, end it with
-OutOfMemoryError and TimeLimitError, which say how far it came and what the whole would have taken (see delone.estimate).
+OutOfMemoryError and TimeLimitError, which say how far it came and what the whole would have taken (see delone.estimate);
+a copy by pickling has no limits.
 Methods let go of the GIL; any number of threads may call them at once. Raises InputError, a ValueError, for NaN and
 infinities, and ValueError for other input that is no array of points; both name the row, and of a DataFrame the column.
 Cost: O(n) cells and time in each dimension for evenly spread points.)";
