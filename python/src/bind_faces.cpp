@@ -79,13 +79,14 @@ class HeldFaces {
 class HeldAlpha {
  public:
   HeldAlpha(std::shared_ptr<const Held> held, double radius, std::optional<double> squared)
-      : held_(std::move(held)), radius_(radius), squared_(squared) {
+      : held_(std::move(held)), radius_(radius) {
     Supervisor supervisor;
     supervisor.run([&] {
       held_->with_engine([&](const Triangulation& engine) {
         version_ = held_->version();
-        generation_ = held_->generation();
-        complex_ = std::make_shared<const AlphaComplex>(make(engine));
+        complex_ = std::make_shared<const AlphaComplex>(
+            squared ? AlphaComplex::of_squared_radius(engine, *squared, options_of(*held_))
+                    : AlphaComplex(engine, radius_, options_of(*held_)));
         cells_ = held_->cells_of(engine);
       });
     });
@@ -112,13 +113,10 @@ class HeldAlpha {
   HeldFaces faces(int dimension) const {
     Supervisor supervisor;
     return supervisor.run([&] {
-      return held_->with_engine([&](const Triangulation& engine) {
+      return held_->with_engine([&](const Triangulation&) {
         if (held_->version() != version_)
           throw std::runtime_error("points have been added to the triangulation of this alpha complex");
-        // After an insertion that was broken off, another engine has the same cells.
-        return HeldFaces(held_->generation() == generation_
-                             ? complex_->faces(dimension, options_of(*held_))
-                             : make(engine).faces(dimension, options_of(*held_)));
+        return HeldFaces(complex_->faces(dimension, options_of(*held_)));
       });
     });
   }
@@ -128,10 +126,6 @@ class HeldAlpha {
   }
 
  private:
-  AlphaComplex make(const Triangulation& engine) const {
-    return squared_ ? AlphaComplex::of_squared_radius(engine, *squared_, options_of(*held_))
-                    : AlphaComplex(engine, radius_, options_of(*held_));
-  }
   std::size_t corners() const { return static_cast<std::size_t>(complex_->affine_dimension() + 1); }
   py::array list(std::span<const SignedIndex> items) const {
     return view(items, {static_cast<py::ssize_t>(items.size())}, complex_);
@@ -146,9 +140,8 @@ class HeldAlpha {
 
   std::shared_ptr<const Held> held_;
   double radius_;
-  std::optional<double> squared_;
-  std::uint64_t version_ = 0, generation_ = 0;
-  std::shared_ptr<const AlphaComplex> complex_;  // asks the engine of this generation
+  std::uint64_t version_ = 0;
+  std::shared_ptr<const AlphaComplex> complex_;  // asks the engine, while it has this version
   std::shared_ptr<const Cells> cells_;
 };
 

@@ -483,9 +483,7 @@ void bind_points_only(py::class_<T, Held, std::shared_ptr<T>>& type) {
       },
       "points"_a, py::kw_only(), "progress"_a = py::none(),
       "Adds points, (n, d), as the next rows: all of them, or none if it raises.\n\n"
-      "Arrays that were taken before stay as they are; cells are numbered anew. If it is interrupted, the "
-      "next use builds the\n"
-      "triangulation again from the points that it had before.");
+      "Arrays that were taken before stay as they are; cells are numbered anew.");
   bind_pickle(type);
 }
 

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Insertion, derived data, and recovery from interrupted insertions; see triangulation.hpp.
+// Insertion and derived data; see triangulation.hpp.
 #include "triangulation.hpp"
 
-#include <algorithm>
 #include <utility>
 
 namespace delone::python {
@@ -26,11 +25,10 @@ std::size_t num_rows(const Engine& engine) {
 }  // namespace
 
 HeldTriangulation::HeldTriangulation(Form form, int dimension, const BuildArguments& arguments)
-    : form_(form), dimension_(dimension), arguments_(arguments), engine_(make_engine(true)) {}
+    : form_(form), dimension_(dimension), arguments_(arguments), engine_(make_engine()) {}
 
-std::unique_ptr<Engine> HeldTriangulation::make_engine(bool is_limited) const {
-  Options options = arguments_.to_options();
-  if (!is_limited) options.memory_limit = 0, options.time_limit = 0;
+std::unique_ptr<Engine> HeldTriangulation::make_engine() const {
+  const Options options = arguments_.to_options();
   switch (form_) {
     case Form::regular:
       return std::make_unique<Engine>(std::in_place_type<Regular<>>, dimension_, options);
@@ -42,22 +40,16 @@ std::unique_ptr<Engine> HeldTriangulation::make_engine(bool is_limited) const {
   return std::make_unique<Engine>(std::in_place_type<Delaunay<>>, dimension_, options);
 }
 
+/// If the insertion is broken off, the engine is as it was, with the same cells in the same slots.
 void HeldTriangulation::add(std::span<const double> coordinates, std::span<const double> weights) {
   const Use use(this, "changed");
   const std::unique_lock lock(mutex_);
-  const bool has_limits = arguments_.memory_limit > 0 || arguments_.time_limit > 0;
-  if (is_stale_ || (has_limits && !is_limited_)) rebuild(true);
   batches_.reserve(batches_.size() + 1);
+  const std::size_t before = num_rows(*engine_);
+  insert(*engine_, coordinates, weights);
+  if (num_rows(*engine_) == before) return;
+  batches_.push_back(num_rows(*engine_) - before);
   is_sorted_ = false;
-  try {
-    insert(*engine_, coordinates, weights);
-  } catch (...) {
-    is_stale_ = num_rows(*engine_) != num_rows_;
-    throw;
-  }
-  if (num_rows(*engine_) == num_rows_) return;
-  batches_.push_back(num_rows(*engine_) - num_rows_);
-  num_rows_ = num_rows(*engine_);
   ++version_;
   const std::lock_guard derived(derived_mutex_);
   cells_.reset();
@@ -66,39 +58,9 @@ void HeldTriangulation::add(std::span<const double> coordinates, std::span<const
   locator_.reset();
 }
 
-void HeldTriangulation::recover() const {
-  const std::unique_lock lock(mutex_);
-  if (is_stale_) rebuild(false);
-}
-
-/// The old engine goes first: there may be no memory for both. Until the new one is there, our rows are kept
-/// aside, so that what breaks this off loses nothing. Rows are inserted batch by batch, so that cells keep
-/// their numbers.
-void HeldTriangulation::rebuild(bool is_limited) const {
-  const auto points = row_data(false), weights = row_data(true);
-  is_stale_ = true;
-  {
-    const std::lock_guard derived(derived_mutex_);
-    locator_.reset();
-  }
-  engine_.reset();
-  auto engine = make_engine(is_limited);
-  std::size_t first = 0;
-  const auto d = static_cast<std::size_t>(dimension_);
-  for (const std::size_t rows : batches_) {
-    insert(*engine, std::span(*points).subspan(first * d, rows * d),
-           form_ == Form::regular ? std::span(*weights).subspan(first, rows) : std::span<const double>());
-    first += rows;
-  }
-  engine_ = std::move(engine);
-  is_limited_ = is_limited;
-  is_stale_ = is_sorted_ = false;
-  ++generation_;
-}
-
 void HeldTriangulation::sort_cells() const {
   const std::unique_lock lock(mutex_);
-  if (is_stale_ || is_sorted_) return;
+  if (is_sorted_) return;
   std::visit([](auto& product) { product.sort_cells(); }, *engine_);
   is_sorted_ = true;
 }
@@ -123,24 +85,18 @@ const PointLocator& HeldTriangulation::locator_of(const Triangulation& engine) c
 }
 
 std::shared_ptr<const std::vector<double>> HeldTriangulation::row_data(bool want_weights) const {
-  const std::lock_guard lock(derived_mutex_);
-  if (!points_) {
-    ComplexData data =
-        std::visit([](const Triangulation& engine) { return engine.to_data(); }, std::as_const(*engine_));
-    data.points.resize(num_rows_ * static_cast<std::size_t>(dimension_));
-    data.weights.resize(std::min(data.weights.size(), num_rows_));
-    auto points = std::make_shared<const std::vector<double>>(std::move(data.points));
-    weights_ = std::make_shared<const std::vector<double>>(std::move(data.weights));
-    points_ = std::move(points);
-  }
-  return want_weights ? weights_ : points_;
+  return with_unsorted([&](const Triangulation& engine) {
+    const std::lock_guard lock(derived_mutex_);
+    if (!points_) {
+      ComplexData data = engine.to_data();
+      weights_ = std::make_shared<const std::vector<double>>(std::move(data.weights));
+      points_ = std::make_shared<const std::vector<double>>(std::move(data.points));
+    }
+    return want_weights ? weights_ : points_;
+  });
 }
-std::shared_ptr<const std::vector<double>> HeldTriangulation::points() const {
-  return with_unsorted([&](const Triangulation&) { return row_data(false); });
-}
-std::shared_ptr<const std::vector<double>> HeldTriangulation::weights() const {
-  return with_unsorted([&](const Triangulation&) { return row_data(true); });
-}
+std::shared_ptr<const std::vector<double>> HeldTriangulation::points() const { return row_data(false); }
+std::shared_ptr<const std::vector<double>> HeldTriangulation::weights() const { return row_data(true); }
 
 std::vector<std::size_t> HeldTriangulation::batches() const {
   const Use use(this, "used");

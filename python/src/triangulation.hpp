@@ -53,16 +53,15 @@ class HeldTriangulation {
   /// Adds all points or none. REQUIRES one weight per point for a regular triangulation, otherwise none.
   void add(std::span<const double> coordinates, std::span<const double> weights);
 
-  /// Calls work(product) after recovering the engine if necessary, a Delaunay<>, Regular<> or FurthestSite<>.
+  /// Calls work(product), a Delaunay<>, Regular<> or FurthestSite<>.
   template <class Work>
   auto with_product(Work work) const {
     const Use use(this, "used");
     for (;;) {
       {
         const std::shared_lock lock(mutex_);
-        if (!is_stale_ && is_sorted_) return std::visit(work, std::as_const(*engine_));
+        if (is_sorted_) return std::visit(work, std::as_const(*engine_));
       }
-      recover();
       sort_cells();
     }
   }
@@ -75,15 +74,8 @@ class HeldTriangulation {
   template <class Work>
   auto with_unsorted(Work work) const {
     const Use use(this, "used");
-    for (;;) {
-      {
-        const std::shared_lock lock(mutex_);
-        if (!is_stale_)
-          return std::visit([&](const Triangulation& engine) { return work(engine); },
-                            std::as_const(*engine_));
-      }
-      recover();
-    }
+    const std::shared_lock lock(mutex_);
+    return std::visit([&](const Triangulation& engine) { return work(engine); }, std::as_const(*engine_));
   }
   /// Calls work(engine, locator, cells).
   template <class Work>
@@ -103,20 +95,13 @@ class HeldTriangulation {
 
   /// Changes with every insertion, but never during with_engine().
   std::uint64_t version() const { return version_; }
-  /// Changes whenever another engine takes the place of the one that there was, but never during
-  /// with_engine().
-  std::uint64_t generation() const { return generation_; }
   /// The cells of the engine, within with_engine().
   std::shared_ptr<const Cells> cells_of(const Triangulation& engine) const;
 
  private:
-  std::unique_ptr<Engine> make_engine(bool is_limited) const;
-  void recover() const;
-  /// Makes the engine anew of our rows, with the limits or without. Under mutex_, alone.
-  void rebuild(bool is_limited) const;
+  std::unique_ptr<Engine> make_engine() const;
   void sort_cells() const;
   const PointLocator& locator_of(const Triangulation& engine) const;
-  /// Under mutex_. Of a stale engine, too.
   std::shared_ptr<const std::vector<double>> row_data(bool want_weights) const;
 
   Form form_;
@@ -125,20 +110,11 @@ class HeldTriangulation {
   py::object columns_ = py::none();
 
   mutable std::shared_mutex mutex_;  // of all members below
-  mutable std::unique_ptr<Engine> engine_;
-  std::size_t num_rows_ = 0;
+  const std::unique_ptr<Engine> engine_;
   std::vector<std::size_t> batches_;
-  /// The last insertion was broken off: the engine has rows that are not ours, or there is none. It is
-  /// rebuilt of our rows before its next use.
-  mutable bool is_stale_ = false;
-  /// Whether the engine has the limits of memory and time, which are those of insertions. Where it is rebuilt
-  /// for a question, it has none: a question must not end at what the rows took that are there. The next
-  /// insertion then begins with one that has them.
-  mutable bool is_limited_ = true;
   /// Cells have numbers that do not depend on threads. They get them before they are first asked for.
   mutable bool is_sorted_ = true;
   std::atomic<std::uint64_t> version_{0};
-  mutable std::atomic<std::uint64_t> generation_{0};
 
   mutable std::mutex derived_mutex_;  // of all members below, under mutex_
   mutable std::shared_ptr<const Cells> cells_;
