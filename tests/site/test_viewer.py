@@ -4,7 +4,7 @@
 
   DELONE=build/release/delone python3 tests/site/test_viewer.py [unittest arguments]
 
-Pictures are compared with pictures.json, 24 by 16 colours each; RENEW=1 writes it anew (look at the pictures, in the folder that is
+Pictures are compared with pictures.json, 24 by 16 colors each; RENEW=1 writes it anew (look at the pictures, in the folder that is
 printed, before you commit it). LARGE=1: a million triangles, and figures of speed.
 """
 import json
@@ -28,7 +28,7 @@ DELONE = os.environ.get("DELONE", "build/release/delone")
 PICTURES = pathlib.Path(__file__).with_name("pictures.json")
 RENEW = bool(os.environ.get("RENEW"))
 
-# The colours of a small copy of the picture.
+# The colors of a small copy of the picture.
 THUMBNAIL = """const done = arguments[0]; (async () => {
   const bitmap = await createImageBitmap(await delone.picture.image(), {resizeWidth: 24, resizeHeight: 16, resizeQuality: "high"});
   const context = new OffscreenCanvas(24, 16).getContext("2d");

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Colour maps, as 33 colours that are interpolated linearly. viridis, magma and cividis are perceptually uniform; viridis and magma
+// Color maps, as 33 colors that are interpolated linearly. viridis, magma and cividis are perceptually uniform; viridis and magma
 // are by N. Smith, S. van der Walt and E. Firing, cividis by J. Nuñez, C. Anderton and R. Renslow, all released as CC0; coolwarm is
 // by K. Moreland (doi:10.1007/978-3-642-10520-3_9).
 const MAPS = {
@@ -15,7 +15,7 @@ const MAPS = {
 
 export const MAP_NAMES = Object.keys(MAPS);
 
-/** 256 colours of four bytes each. */
+/** 256 colors of four bytes each. */
 export function colorsOf(name) {
   const text = MAPS[name], last = text.length / 6 - 1, result = new Uint8Array(4 * 256);
   for (let i = 0; i < 256; ++i) {

@@ -85,11 +85,11 @@ class Viewer {
     $("title").textContent = scene.title;
     $("summary").textContent = scene.summary;
 
-    panel.group("Colour");
+    panel.group("Color");
     const first = quantities.has("value") ? "value" : quantities.has("volume") ? "volume"
       : this.manyDimensions && scene.kind === "triangulation" ? "axis3" : scene.kind === "hull" || scene.kind === "intersection" ? "axis" + (scene.dimension - 1)
       : quantities.has("quality") ? "quality" : quantities.has("radius") ? "radius" : "axis0";
-    panel.select("by", "color", [...[...quantities].map(([id, { name }]) => [id, name]), ["none", "one colour"]], first, (id) => this.colorBy(id));
+    panel.select("by", "color", [...[...quantities].map(([id, { name }]) => [id, name]), ["none", "one color"]], first, (id) => this.colorBy(id));
     panel.select("map", "map", MAP_NAMES.map((name) => [name, name]), "viridis", (name) => {
       picture.setMap(name);
       this.showLegend();
@@ -176,7 +176,7 @@ class Viewer {
     if (matchMedia("(max-width: 720px)").matches) $("fold").click();
   }
 
-  // Colours.
+  // Colors.
 
   paint() {
     const dark = matchMedia("(prefers-color-scheme: dark)").matches, { uniforms, lineUniforms, renderer } = this.picture;
@@ -298,7 +298,7 @@ class Viewer {
       lines.append(segmentLines(space.positions, cells, ofCells));
     }
     for (const overlay of Object.values(this.overlays)) if (overlay) lines.append(overlay);
-    if (this.hovered !== null && lines.count < MANY_LINES)  // among many its colour tells the cell
+    if (this.hovered !== null && lines.count < MANY_LINES)  // among many its color tells the cell
       for (const [a, b] of this.model.edgesOf(this.hovered)) lines.between(space.positions, a, b, KIND.hovered);
     this.picture.setLines(lines);
   }

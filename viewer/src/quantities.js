@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What cells can be coloured and filtered by: numbers of cells or of vertices, their range, and places within it.
+// What cells can be colored and filtered by: numbers of cells or of vertices, their range, and places within it.
 
 export class Quantity {
   /** `values`: one for each cell, or each vertex (`ofVertices`); NaN for none. `robust`: outliers do not make the range, which `limits` gives otherwise. */
@@ -31,7 +31,7 @@ export class Quantity {
     }
     return result;
   }
-  /** The part of the (sampled) numbers that are not larger, so that each colour is used equally often. */
+  /** The part of the (sampled) numbers that are not larger, so that each color is used equally often. */
   ranks() {
     const { sorted } = this, last = Math.max(sorted.length - 1, 1);
     return this.values.map((value) => {
@@ -45,11 +45,11 @@ export class Quantity {
       return low / last;
     });
   }
-  /** The numbers at both ends of the colours. */
+  /** The numbers at both ends of the colors. */
   get ends() {
     return this.scale === "rank" ? [this.low, this.high] : [this.from, this.to];
   }
-  /** The number in the middle of the colours. */
+  /** The number in the middle of the colors. */
   middle() {
     if (this.scale === "rank") return this.quantile(0.5);
     return this.log ? Math.sqrt(this.from) * Math.sqrt(this.to) : this.from / 2 + this.to / 2;
