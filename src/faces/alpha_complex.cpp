@@ -5,6 +5,7 @@
 #include <delone/error.hpp>
 
 #include "base/guarded.hpp"
+#include "base/large_vector.hpp"
 #include "base/parallel_parts.hpp"
 #include "base/quick_rounds.hpp"
 #include "faces/face_blocks.hpp"
@@ -12,6 +13,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <limits>
 #include <string>
 #include <utility>
@@ -33,14 +35,20 @@ struct AlphaComplex::Impl {
 
   void find_cells(unsigned threads);
   void find_boundary(unsigned threads);
+  enum class Conflict : unsigned char { no, yes, unknown };
+  Conflict known_conflict(CellId cell, int apex) const;
   bool has_no_conflict(internal::Orthospheres& of_cells, CellId c, int i) const;
   Faces faces(int j, const FaceOptions& options) const;
 
   const Triangulation* triangulation;
   internal::SquareBound bound;
   int k, unit = 0;
-  enum : unsigned char { none, out, in };
-  std::vector<unsigned char> states;  // by the slot of the cell; none for infinite cells and vacant slots
+  // By the slot of the cell; none for infinite cells and vacant slots. A cell that is out may have the bits
+  // of Orthospheres::Answer::beyond above those of its state, which then is `out_with_bits`.
+  enum : unsigned char { none, out, in, out_with_bits };
+  static constexpr int bits_of_state = 2;
+  static_assert(internal::most_orthosphere_edges + 1 + bits_of_state <= 8);
+  std::vector<unsigned char> states;
   std::vector<SignedIndex> cells, boundary, boundary_cells, singular;
 };
 
@@ -55,12 +63,17 @@ void AlphaComplex::Impl::find_cells(unsigned threads) {
             of_block = std::vector<const double*>(block * corners)](std::size_t first, std::size_t last,
                                                                     const internal::StopPoint& stop) mutable {
       std::size_t slots[block], count = 0;
-      bool is_within[block];
+      bool is_within[block], beyond_is_known[block];
+      std::uint64_t beyond[block];
       const auto flush = [&] {
         stop();
         if (count == 0) return;
-        spheres.is_within_block(count, of_block.data(), bound, is_within);
-        for (std::size_t i = 0; i < count; ++i) states[slots[i]] = is_within[i] ? in : out;
+        spheres.is_within_block(count, of_block.data(), bound, is_within, beyond, beyond_is_known);
+        for (std::size_t i = 0; i < count; ++i)
+          states[slots[i]] = is_within[i] ? static_cast<unsigned char>(in)
+                             : beyond_is_known[i]
+                                 ? static_cast<unsigned char>(beyond[i] << bits_of_state | out_with_bits)
+                                 : static_cast<unsigned char>(out);
         count = 0;
       };
       for (std::size_t slot = first; slot < last; ++slot) {
@@ -81,6 +94,15 @@ void AlphaComplex::Impl::find_cells(unsigned threads) {
   });
 }
 
+/// Whether a cell that is not in the complex has its center beyond the facet opposite its vertex `apex`: that
+/// vertex is in conflict with the facet then.
+AlphaComplex::Impl::Conflict AlphaComplex::Impl::known_conflict(CellId cell, int apex) const {
+  const unsigned state = states[index(cell)];
+  if (state == none) return Conflict::no;
+  if ((state & ((1U << bits_of_state) - 1)) != out_with_bits) return Conflict::unknown;
+  return (state >> (apex + bits_of_state) & 1) != 0 ? Conflict::yes : Conflict::no;
+}
+
 /// Whether facet i of c, which is no face of a cell of the complex, is in conflict with no vertex of its
 /// cells.
 bool AlphaComplex::Impl::has_no_conflict(internal::Orthospheres& of_cells, CellId c, int i) const {
@@ -88,7 +110,8 @@ bool AlphaComplex::Impl::has_no_conflict(internal::Orthospheres& of_cells, CellI
   const VertexPoints& points = internal::StoredPoints::of(*triangulation);
   const double* corners[64];
   const auto is_in_conflict = [&](CellId cell, int apex) {
-    if (complex.is_infinite(cell)) return false;
+    if (const Conflict known = known_conflict(cell, apex); known != Conflict::unknown)
+      return known == Conflict::yes;
     for (int m = 0; m <= k; ++m) corners[m] = points.point(index(complex.vertex(cell, m)));
     const auto answer = of_cells.find(corners, internal::Orthospheres::Want::beyond);
     return (answer.beyond >> apex & 1) != 0;
@@ -151,6 +174,7 @@ void AlphaComplex::Impl::find_boundary(unsigned threads) {
             if (i % 2 == 1 && k > 1) std::swap(to.boundary[begin], to.boundary[begin + 1]);
             to.boundary_cells.push_back(number);
           } else if (c < across || state == none) {
+            if (known_conflict(c, i) == Conflict::yes) continue;
             for (int m = 0; m <= k; ++m)
               if (m != i) of_block.push_back(points.point(index(complex.vertex(c, m))));
             facets[count++] = {c, i};
@@ -161,8 +185,18 @@ void AlphaComplex::Impl::find_boundary(unsigned threads) {
       flush();
     };
   });
+  std::size_t num_boundary = 0, num_singular = 0;
+  for (const Found& some : found) {
+    num_boundary += some.boundary_cells.size();
+    num_singular += some.singular.size();
+  }
+  internal::reserve_large(cells, static_cast<std::size_t>(std::count(states.begin(), states.end(), in)));
+  internal::reserve_large(boundary_cells, num_boundary);
+  internal::reserve_large(boundary, num_boundary * static_cast<std::size_t>(std::max(k, 0)));
+  internal::reserve_large(singular, num_singular);
   SignedIndex before = 0;
   for (const Found& some : found) {
+    internal::cancellation_point();
     for (const SignedIndex c : some.cells) cells.push_back(before + c);
     for (const SignedIndex c : some.boundary_cells) boundary_cells.push_back(before + c);
     boundary.insert(boundary.end(), some.boundary.begin(), some.boundary.end());

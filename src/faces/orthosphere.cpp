@@ -334,6 +334,14 @@ void Orthospheres::find_block(std::size_t count, const double* const* points, Wa
 
 void Orthospheres::is_within_block(std::size_t count, const double* const* points, const SquareBound& bound,
                                    bool* is_within) {
+  std::uint64_t beyond[orthosphere_block];
+  bool beyond_is_known[orthosphere_block];
+  is_within_block(count, points, bound, is_within, beyond, beyond_is_known);
+}
+
+void Orthospheres::is_within_block(std::size_t count, const double* const* points, const SquareBound& bound,
+                                   bool* is_within, std::uint64_t* beyond, bool* beyond_is_known) {
+  std::fill_n(beyond_is_known, count, false);
   if (!std::isfinite(bound.below()) || !fills_lanes(count, points)) {
     for (std::size_t i = 0; i < count; ++i) is_within[i] = this->is_within(points + i * corners_, bound);
     return;
@@ -341,6 +349,8 @@ void Orthospheres::is_within_block(std::size_t count, const double* const* point
   OrthosphereBlock found;
   find_orthospheres_in_lanes(corners_ - 1, dimension_, weighted_, false, lanes_.data(), found);
   for (std::size_t i = 0; i < count; ++i) {
+    beyond[i] = found.beyond[i];
+    beyond_is_known[i] = found.beyond_is_certain[i] != 0;
     const bool is_certain = found.range_is_certain[i] != 0;
     is_within[i] = is_certain && found.most[i] <= bound.below() ? true
                    : is_certain && found.least[i] > bound.above()

@@ -46,6 +46,9 @@ class Orthospheres {
   void find_block(std::size_t count, const double* const* points, Want want, Answer* answers);
   void is_within_block(std::size_t count, const double* const* points, const SquareBound& bound,
                        bool* is_within);
+  /// The same, and what costs nothing of Answer::beyond: `beyond_is_known` where that is known.
+  void is_within_block(std::size_t count, const double* const* points, const SquareBound& bound,
+                       bool* is_within, std::uint64_t* beyond, bool* beyond_is_known);
 
   /// How many answers needed integers so far.
   std::uint64_t num_exact() const { return num_exact_; }
