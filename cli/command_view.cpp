@@ -88,10 +88,7 @@ int run_view(const ViewOptions& options) {
   html.title = title_of(options);
   std::optional<AnyData> data =
       try_read(options.input.path, options.input.options.format, options.input.options.max_stream_bytes);
-  // Of results there are no columns.
-  std::error_code unused;
-  const bool values_are_file =
-      names_a_file(options.values) || (data && std::filesystem::exists(options.values, unused));
+  const bool values_are_file = names_a_file(options.values);
   if (values_are_file) html.values = read_values(options);
   if (!options.values.empty()) html.value_name = std::filesystem::path(options.values).stem().string();
   if (data && !options.values.empty() && !values_are_file)
