@@ -118,16 +118,17 @@ def save(self, path, format: Optional[str] = None, *, qhull: Optional[str] = Non
     The file appears whole or not at all. npz and json keep the names of columns that the points came with. Errors: Error where the file
     cannot be written, or the format cannot hold this dimension; ValueError for an unknown output of Qhull.
     """
-    self._save(*_destination(path, format, qhull), names(self))
+    called = names(self)
+    self._save(*_destination(path, format, qhull), called)
 
 
 def save_diagram(self, path, format: Optional[str] = None, *, box: Optional[npt.ArrayLike] = None, qhull: Optional[str] = None) -> None:
-    to = _destination(path, format, qhull)
+    called, to = names(self), _destination(path, format, qhull)
     if box is not None and (qhull is not None or _format_of(os.fsdecode(path), format) not in ("svg", "vtu")):
         raise ValueError("box: only svg and vtu hold what is cut off at a box")
     if self._is_furthest and qhull is None:
         raise ValueError("a diagram of furthest sites, which no file can hold: save the FurthestSite triangulation")
-    self._save(*to, names(self), checked_box(box, self.dimension))
+    self._save(*to, called, checked_box(box, self.dimension))
 
 
 def _destination(path, format: Optional[str], qhull: Optional[str]) -> Tuple[bytes, str, Optional[str]]:

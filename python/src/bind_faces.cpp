@@ -286,11 +286,15 @@ void bind_faces(py::module_& module) {
       "measure"_a = "radius_ratio");
   method(
       "alpha_complex", alpha_complex_doc + 1,
-      [](const std::shared_ptr<Held>& held, std::optional<double> radius,
-         std::optional<double> squared_radius) {
+      [](const py::object& self, std::optional<double> radius, std::optional<double> squared_radius) {
+        if (!py::isinstance<Held>(self))
+          throw py::type_error("alpha_complex: of a triangulation, not of " + type_name(self));
+        static_cast<void>(
+            self.cast<const Held&>());  // refuses what is not initialized; casts to holders do not
         if (radius.has_value() == squared_radius.has_value())
           throw py::value_error("alpha_complex: either radius or squared_radius");
-        return HeldAlpha(held, radius.value_or(std::numeric_limits<double>::quiet_NaN()), squared_radius);
+        return HeldAlpha(self.cast<std::shared_ptr<Held>>(),
+                         radius.value_or(std::numeric_limits<double>::quiet_NaN()), squared_radius);
       },
       "radius"_a = py::none(), py::kw_only(), "squared_radius"_a = py::none());
   method(

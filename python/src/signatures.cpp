@@ -82,11 +82,11 @@ void give_signature(py::handle callable) {
   definition->ml_doc = copy;
 }
 
-/// A class that cannot be made says so: Name(). Classes own their docstrings as functions do, but __doc__ of
-/// those that are there is a string of its own.
+/// A class without a constructor of its own (pybind11 has one that raises) says so: Name(). Classes own their
+/// docstrings as functions do, but __doc__ of those that are there is a string of its own.
 void give_signature_to_class(py::handle type) {
   auto* const object = reinterpret_cast<PyTypeObject*>(type.ptr());
-  if (py::dict(type.attr("__dict__")).contains("__init__")) return;
+  if (Py_TYPE(py::object(type.attr("__init__")).ptr()) != &PyWrapperDescr_Type) return;
   const std::string doc = type.attr("__name__").cast<std::string>() + "()\n--\n\n" +
                           (object->tp_doc == nullptr ? "" : object->tp_doc);
   char* const copy = static_cast<char*>(PyObject_Malloc(doc.size() + 1));

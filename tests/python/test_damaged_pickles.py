@@ -53,6 +53,7 @@ def makers():
         "LinearInterpolator": delone.LinearInterpolator(points, points @ [1, 2j]),
         "NaturalNeighborInterpolator": delone.NaturalNeighborInterpolator(points, points[:, 0], smooth=True),
         "LowerHull": delone.LowerHull(space), "ComplexData": delone.Delaunay(points).to_data(),
+        "Faces": delone.Delaunay(points).faces(1), "Forecast": delone.forecast(2, 12),
         "Locations": delone.Delaunay(points).locate(points + 0.1), "ConvexHulls": delone.convex_hulls([points, points[:5]]),
         "spatial.Delaunay": delone.spatial.Delaunay(points, incremental=True), "spatial.ConvexHull": delone.spatial.ConvexHull(space),
         "spatial.Voronoi": delone.spatial.Voronoi(points),

@@ -114,7 +114,7 @@ def test_few_points_and_wrong_arguments():
     complex = t.alpha_complex(0.1)
     boundary = complex.boundary.copy()
     with pytest.raises(delone.CancelledError):  # which changes nothing
-        t.insert_range(uniform(100_000, 2), progress=lambda fraction: False)
+        t.insert_range(uniform(1_000_000, 2), progress=lambda fraction: False)
     np.testing.assert_array_equal(complex.faces(2).cells, complex.cell_numbers)
     t.insert_range([[5, 5]])
     np.testing.assert_array_equal(complex.boundary, boundary)
