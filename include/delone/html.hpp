@@ -27,10 +27,10 @@ enum class ValuesAt {
 };
 
 struct HtmlOptions {
-  std::string title{};                      ///< empty: what is shown
+  std::string title{};  ///< empty: what is shown
   /// d, of the coordinates; empty: those of the data, or x, y, z, or x0, x1, …
   std::vector<std::string> column_names{};
-  std::vector<double> values{};             ///< numbers to color by; NaN: none. Empty: no values
+  std::vector<double> values{};  ///< numbers to color by; NaN: none. Empty: no values
   ValuesAt values_at = ValuesAt::automatic;
   std::string value_name = "value";
 };
