@@ -10,7 +10,10 @@
 
 #include <delone/lower_hull.hpp>
 
+#include <algorithm>
+#include <cmath>
 #include <memory>
+#include <span>
 #include <string>
 #include <utility>
 #include <vector>
@@ -76,24 +79,35 @@ Queries compositions(const HeldLowerHull& held, const py::object& object) {
   return {object, held.hull().dimension() - 1, held.composition_columns(), "compositions"};
 }
 
-py::object heights(const HeldLowerHull& held, const py::object& object) {
-  const Queries queries = compositions(held, object);
+/// Asks in parts, between which the work can be stopped: answer(coordinates of some queries).
+template <class Answer>
+py::object in_parts(const Queries& queries, std::size_t width, Answer answer) {
   auto result = queries.answers<double>();
   Supervisor supervisor;
-  const std::vector<double> found =
-      supervisor.run([&, x = queries.coordinates()] { return held.hull().heights(x); });
-  std::copy(found.begin(), found.end(), result.mutable_data());
+  supervisor.run([&, x = queries.coordinates(), out = result.mutable_data()] {
+    // What is not finite is refused at once, with its place among all queries.
+    const bool is_finite = std::all_of(x.begin(), x.end(), [](double c) { return std::isfinite(c); });
+    const std::size_t most = is_finite ? 256 : queries.size();
+    for (std::size_t first = 0; first < queries.size(); first += most) {
+      cancellation_point();
+      const std::size_t count = std::min(most, queries.size() - first);
+      const std::vector<double> found = answer(x.subspan(first * width, count * width));
+      std::copy(found.begin(), found.end(), out + first);
+    }
+  });
   return Queries::scalar_if_single(result);
+}
+
+py::object heights(const HeldLowerHull& held, const py::object& object) {
+  return in_parts(compositions(held, object), held.dimension() - 1,
+                  [&](std::span<const double> x) { return held.hull().heights(x); });
 }
 
 py::object height_above(const HeldLowerHull& held, const py::object& object, double tolerance) {
   const Queries queries(object, held.hull().dimension(), held.columns(), "points");
-  auto result = queries.answers<double>();
-  Supervisor supervisor;
-  const std::vector<double> found =
-      supervisor.run([&, x = queries.coordinates()] { return held.hull().height_above(x, tolerance); });
-  std::copy(found.begin(), found.end(), result.mutable_data());
-  return Queries::scalar_if_single(result);
+  static_cast<void>(held.hull().height_above(std::span<const double>(), tolerance));  // of a bad tolerance
+  return in_parts(queries, held.dimension(),
+                  [&](std::span<const double> x) { return held.hull().height_above(x, tolerance); });
 }
 
 py::object find_simplex(const HeldLowerHull& held, const py::object& object) {
