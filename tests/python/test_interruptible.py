@@ -124,7 +124,6 @@ LONG = {
     "delone.check": ("data = delone.Delaunay(random.random((20_000, 5))).to_data()", "delone.check(data)"),
     "delone._core.Diagram.save": ("v = delone.Voronoi(random.random((3000, 5)))", "v.save('/dev/null', 'json')"),
     "delone._core.Diagram.to_html": ("v = delone.Voronoi(random.random((100_000, 3)))", "v.to_html()"),
-    "delone.HalfspaceIntersection.to_html": ("made = delone.HalfspaceIntersection(halfspaces(200_000, 3), [0] * 3)", "made.to_html()"),
     "delone.HalfspaceIntersection.save": ("made = delone.HalfspaceIntersection(halfspaces(500, 7), [0] * 7)", "made.save('/dev/null', 'json')"),
     "delone.convex_hulls": ("", "delone.convex_hulls(random.random((300_000, 40, 3)))"),
     "delone.HalfspaceIntersection.__init__": ("", "delone.HalfspaceIntersection(halfspaces(100_000, 8), [0] * 8)"),
@@ -133,7 +132,7 @@ LONG = {
     "delone.HalfspaceIntersection.vertices": ("made = delone.HalfspaceIntersection(halfspaces(500, 7), [0] * 7)", "made.vertices",
                                               "__len__ __repr__ axes direction_halfspaces direction_offsets directions dual_equations dual_points edges "
                                               "facet_halfspaces facet_offsets facet_vertices first_of_halfspace interior_point is_bounded "
-                                              "kinds lineality num_facets num_vertices rays to_data to_frame vertex_halfspaces vertex_offsets witness"),
+                                              "kinds lineality num_facets num_vertices rays to_data to_frame to_html vertex_halfspaces vertex_offsets witness"),
     "delone.HalfspaceIntersection.volume": ("made = delone.HalfspaceIntersection(halfspaces(40, 7), [0] * 7)", "made.volume"),
     "delone.HalfspaceIntersection.dual_volume": ("made = delone.HalfspaceIntersection(halfspaces(2000, 7), [0] * 7)", "made.dual_volume",
                                                  "dual_area"),
