@@ -141,7 +141,8 @@ save_diagram.__doc__ = save.__doc__.replace("""    qhull : str
 """, """    box : (low, high), each of d numbers
         svg and vtu hold what it leaves of the regions; by default `bounding_box()`. Unbounded regions end at it.
     qhull : str
-""").replace("for an unknown output of Qhull.", "for an unknown output of Qhull, a box that another format\n    would not hold, and a diagram of furthest sites.")
+""").replace("for an unknown output of Qhull.", "for an unknown output of Qhull, a box that another format\n"
+                                                        "    would not hold, and a diagram of furthest sites.")
 
 
 def to_data(self) -> Data:

@@ -160,9 +160,11 @@ def test_complex_data():
     for each in (data, pickle.loads(pickle.dumps(data))):
         arrays = [value for value in each.members.values() if isinstance(value, np.ndarray)]
         assert len(arrays) == 5 and not any(array.flags.writeable for array in arrays)
-    for arguments, text in (((POINTS, t.cells * 1.5), "cells: whole numbers, not float64"), ((POINTS, t.cells + 2**40), r"cells: \d+ is beyond the range of int32"),
+    for arguments, text in (((POINTS, t.cells * 1.5), "cells: whole numbers, not float64"),
+                            ((POINTS, t.cells + 2**40), r"cells: \d+ is beyond the range of int32"),
                             ((POINTS[:, :2], t.cells), "cells: 4 vertices each"), ((POINTS[0], t.cells), r"points: an array of shape \(…, …\), not \(3,\)"),
-                            ((POINTS, t.cells, t.neighbors[1:]), "neighbors: an array of shape"), ((POINTS, t.cells, None, [0]), r"vertex_of_point: an array of shape \(30,\)"),
+                            ((POINTS, t.cells, t.neighbors[1:]), "neighbors: an array of shape"),
+                            ((POINTS, t.cells, None, [0]), r"vertex_of_point: an array of shape \(30,\)"),
                             ((POINTS, t.cells, None, None, [0]), r"weights: an array of shape \(30,\), not \(1,\)"),
                             ((POINTS, t.cells, None, None, None, 4), "affine_dimension: at most 3, not 4"),
                             ((POINTS, t.cells, None, None, None, None, ["x"]), "column_names: 3, not 1")):
