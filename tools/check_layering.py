@@ -19,7 +19,7 @@ PUBLIC = "all public headers"
 # room (longest matching path decides) -> (public headers, other rooms of the project)
 RULES = {
     "include/delone": (PUBLIC, set()),
-    "src/base": (BASICS | {"progress"}, set()),
+    "src/base": (BASICS | {"progress", "readable"}, set()),
     "src/kernel": (BASICS | {"predicates"}, {"src/base"}),
     "src/order": (BASICS | {"options"}, {"src/base"}),
     "src/cells": (BASICS, {"src/base"}),

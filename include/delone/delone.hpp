@@ -28,6 +28,7 @@
 #include <delone/predicates.hpp>
 #include <delone/printable.hpp>
 #include <delone/progress.hpp>
+#include <delone/readable.hpp>
 #include <delone/regular.hpp>
 #include <delone/triangulation.hpp>
 #include <delone/trim.hpp>

@@ -4,6 +4,7 @@
 
 #include <delone/export.hpp>
 #include <delone/points.hpp>
+#include <delone/readable.hpp>
 
 #include <cstddef>
 #include <cstdint>
@@ -63,10 +64,5 @@ struct EstimateOptions {
 /// points, up to 15 times. Throws Errc::not_finite, bad_dimension, cancelled, invalid_argument.
 DELONE_EXPORT Forecast estimate(const AnyPoints<>& points, int dimension,
                                 const EstimateOptions& options = {});
-
-/// "840 MB", "1.4 GB": powers of 1000, two or three digits; "more than 1000 EB".
-DELONE_EXPORT std::string readable_bytes(double bytes);
-/// "0.25 seconds", "4 minutes", "2.5 hours"; two digits; "more than 1000 years".
-DELONE_EXPORT std::string readable_seconds(double seconds);
 
 }  // namespace delone

@@ -5,7 +5,7 @@
 #include "base/require_tolerance.hpp"
 
 #include <delone/error.hpp>
-#include <delone/forecast.hpp>
+#include <delone/readable.hpp>
 
 #include <algorithm>
 #include <cmath>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Rough quantities for messages.
-#include <delone/forecast.hpp>
+#include <delone/readable.hpp>
 
 #include <algorithm>
 #include <array>

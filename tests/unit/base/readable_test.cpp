@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include <delone/forecast.hpp>
+#include <delone/readable.hpp>
 
 #include <gtest/gtest.h>
 
