@@ -199,7 +199,7 @@ def look_protein(path):
 def ask_neighbors(path):
     """Defects of a crystal: numbers of neighbors, and the triangulation."""
     row, column = np.mgrid[:20, :20].reshape(2, -1)
-    crystal = np.stack([column + row % 2 / 2, row * 3**0.5 / 2], axis=1) + np.random.default_rng(3).normal(scale=0.13, size=(400, 2))
+    crystal = np.stack([column + row % 2 / 2, row * 3**0.5 / 2], axis=1) + np.random.default_rng(3).normal(scale=0.2, size=(400, 2))
     tri = delone.Delaunay(crystal)
     degree = np.bincount(tri.faces(1).vertices.ravel(), minlength=400)
     box = [1, 1], [18, 15]
