@@ -240,7 +240,7 @@ py::tuple sample(const HeldHull& held, std::size_t limit) {
                         list_view(std::move(facets)));
 }
 
-py::tuple state(const HeldHull& held) {
+py::tuple state_of_hull(const HeldHull& held) {
   const BuildArguments& a = held.arguments();
   const double tolerance = held.ask([](const Polytope& hull) { return hull.tolerance(); });
   for (;;) {
@@ -253,7 +253,7 @@ py::tuple state(const HeldHull& held) {
   }
 }
 
-std::unique_ptr<HeldHull> restored(const py::tuple& given) {
+std::unique_ptr<HeldHull> restored_hull(const py::tuple& given) {
   return from_state(given, 8, "a hull", [](const py::tuple& state) {
     const auto points = as_points(state[1], "points");
     auto held = std::make_unique<HeldHull>(
@@ -272,7 +272,7 @@ auto asking(Question question) {
   return [question](const HeldHull& held) { return held.ask(question); };
 }
 
-constexpr const char* class_doc = R"(
+constexpr const char* hull_doc = R"(
 ConvexHull(points, *, tolerance=0.0, seed=0, order='automatic', threads=0, progress=None, memory_limit=None,
            time_limit=None)
 
@@ -342,7 +342,7 @@ the stages filter, direct, exact, perturbed), order_seconds, build_seconds and c
 }  // namespace
 
 void bind_convex_hull(py::module_& module) {
-  py::class_<HeldHull> type(module, "ConvexHull", text(class_doc));
+  py::class_<HeldHull> type(module, "ConvexHull", text(hull_doc));
   type.def(py::init(&construct), "points"_a, py::kw_only(), "tolerance"_a = 0.0, "seed"_a = 0,
            "order"_a = "automatic", "threads"_a = 0, "progress"_a = py::none(), "memory_limit"_a = py::none(),
            "time_limit"_a = py::none());
@@ -484,7 +484,7 @@ void bind_convex_hull(py::module_& module) {
       .def("_data",
            [](const HeldHull& h) { return to_python(h.ask([](const Polytope& p) { return p.to_data(); })); })
       .def("__repr__", &repr)
-      .def(py::pickle(&state, &restored));
+      .def(py::pickle(&state_of_hull, &restored_hull));
   define_save(type, [](const HeldHull& held, const SaveArguments& to) {
     held.ask([&](const Polytope& p) { to.save(p, [&] { return p.to_data(); }); });
   });

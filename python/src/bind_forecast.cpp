@@ -52,13 +52,13 @@ std::string forecast_text(const Forecast& f) {
          readable_bytes(f.bytes.expected) + ", " + readable_seconds(f.seconds.expected) + ">";
 }
 
-py::tuple state(const Forecast& f) {
+py::tuple state_of_forecast(const Forecast& f) {
   const auto quantity = [](const ForecastQuantity& q) { return py::make_tuple(q.expected, q.low, q.high); };
   return py::make_tuple(f.dimension, f.affine_dimension, f.num_points, f.threads, f.num_sampled,
                         quantity(f.vertices), quantity(f.cells), quantity(f.bytes), quantity(f.seconds));
 }
 
-Forecast restored(const py::tuple& given) {
+Forecast restored_forecast(const py::tuple& given) {
   return from_state(given, 9, "a forecast", [](const py::tuple& state) {
     const auto quantity = [&](std::size_t i) {
       const auto numbers = state[i].cast<std::array<double, 3>>();
@@ -104,7 +104,7 @@ void bind_forecast(py::module_& module) {
       .def_property_readonly(
           "seconds_range", [](const Forecast& f) { return as_range(f.seconds); }, "(low, high).")
       .def("__repr__", &forecast_text)
-      .def(py::pickle(&state, &restored));
+      .def(py::pickle(&state_of_forecast, &restored_forecast));
   module.def(
       "forecast",
       [](int dimension, std::size_t num_points, const std::string& kind, int threads) {

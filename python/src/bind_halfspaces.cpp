@@ -167,14 +167,14 @@ py::tuple sample(const HeldIntersection& held, std::size_t limit) {
   return py::make_tuple(rows_view(std::move(ends), 2 * count, d).attr("reshape")(count, 2, d), num_edges);
 }
 
-py::tuple state(const HeldIntersection& held) {
+py::tuple state_of_intersection(const HeldIntersection& held) {
   const BuildArguments& a = held.arguments();
   return py::make_tuple(rows_of<&IntersectionData::halfspaces, 1>(held),
                         held.has_interior_point() ? py::object(interior_point(held)) : py::none(), a.seed,
                         a.order, a.threads, held.columns());
 }
 
-std::unique_ptr<HeldIntersection> restored(const py::tuple& given) {
+std::unique_ptr<HeldIntersection> restored_intersection(const py::tuple& given) {
   return from_state(given, 6, "an intersection", [](const py::tuple& state) {
     auto held = std::make_unique<HeldIntersection>(
         state[0], state[1],
@@ -190,7 +190,7 @@ auto asking(Question question) {
   return [question](const HeldIntersection& held) { return held.ask(question); };
 }
 
-constexpr const char* class_doc = R"(
+constexpr const char* intersection_doc = R"(
 HalfspaceIntersection(halfspaces, interior_point=None, *, seed=0, order='automatic', threads=0, progress=None,
                       memory_limit=None, time_limit=None)
 
@@ -239,7 +239,7 @@ the stages filter, direct, exact, perturbed), order_seconds, build_seconds and c
 
 void bind_halfspaces(py::module_& module) {
   using Data = IntersectionData;
-  py::class_<HeldIntersection> type(module, "HalfspaceIntersection", text(class_doc));
+  py::class_<HeldIntersection> type(module, "HalfspaceIntersection", text(intersection_doc));
   type.def(py::init([](const py::object& halfspaces, const py::object& interior_point, std::uint64_t seed,
                        std::string order, int threads, const py::object& progress,
                        const py::object& memory_limit, const py::object& time_limit) {
@@ -337,7 +337,7 @@ void bind_halfspaces(py::module_& module) {
              return to_python(h.ask([](const Polyhedron& p) { return p.to_data(); }));
            })
       .def("__repr__", &repr)
-      .def(py::pickle(&state, &restored));
+      .def(py::pickle(&state_of_intersection, &restored_intersection));
   define_save(type, [](const HeldIntersection& held, const SaveArguments& to) {
     held.ask([&](const Polyhedron& p) { to.save(p, [&] { return p.to_data(); }); });
   });

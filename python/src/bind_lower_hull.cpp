@@ -125,7 +125,7 @@ py::object find_simplex(const HeldLowerHull& held, const py::object& object) {
   return Queries::scalar_if_single(result);
 }
 
-constexpr const char* class_doc = R"(
+constexpr const char* lower_hull_class_doc = R"(
 LowerHull(points, side='lower', *, tolerance=0.0, seed=0, order='automatic', threads=0, progress=None,
           memory_limit=None, time_limit=None)
 
@@ -153,7 +153,7 @@ Cost: a walk over cells for each point.)";
 
 void bind_lower_hull(py::module_& module) {
   using Held = HeldLowerHull;
-  py::class_<Held> type(module, "LowerHull", text(class_doc));
+  py::class_<Held> type(module, "LowerHull", text(lower_hull_class_doc));
   type.def(py::init([](const py::object& points, const std::string& side, double tolerance,
                        std::uint64_t seed, std::string order, int threads, const py::object& progress,
                        const py::object& memory_limit, const py::object& time_limit) {

@@ -18,7 +18,7 @@ namespace {
 using namespace py::literals;
 
 /// The members of index.json with their names; `hash` in hexadecimal, `parts` one after the other.
-py::dict as_dict(const TilesIndex& index) {
+py::dict index_as_dict(const TilesIndex& index) {
   py::list parts;
   for (const TilePart& part : index.parts)
     parts.append(py::dict("file"_a = part.file, "first_cell"_a = part.first_cell,
@@ -61,16 +61,16 @@ py::dict make(const py::object& input, const std::string& folder, std::uint64_t 
     };
   if (py::isinstance<py::bytes>(input)) {
     const auto path = input.cast<std::string>();
-    return as_dict(supervisor.run([&] { return make_tiles(path, folder, options); }));
+    return index_as_dict(supervisor.run([&] { return make_tiles(path, folder, options); }));
   }
   const auto rows = as_points(input, "points");
   const PointsView view(numbers(rows), static_cast<int>(rows.shape(1)));
-  return as_dict(supervisor.run([&] { return make_tiles(view, folder, options); }));
+  return index_as_dict(supervisor.run([&] { return make_tiles(view, folder, options); }));
 }
 
 py::dict read_index(const std::string& folder) {
   Supervisor supervisor;
-  return as_dict(supervisor.run([&] { return read_tiles_index(folder); }));
+  return index_as_dict(supervisor.run([&] { return read_tiles_index(folder); }));
 }
 
 /// The arrays of a part; neighbors are global, `first_cell` that of the part.

@@ -67,7 +67,7 @@ std::vector<SignedIndex> checked(const py::object& object, const std::vector<py:
   return {first, last};
 }
 
-HeldTrim restored(const py::tuple& given) {
+HeldTrim restored_trim(const py::tuple& given) {
   return from_state(given, 7, "a trimmed triangulation", [](const py::tuple& state) {
     TrimResult result;
     result.data.affine_dimension = state[0].cast<int>();
@@ -130,7 +130,7 @@ void bind_trim(py::module_& module) {
           "lost_volume", [](const HeldTrim& r) { return r.result().lost_volume; },
           "The k-volume of the removed cells, rounded up.")
       .def("__repr__", &HeldTrim::repr)
-      .def(py::pickle([](const HeldTrim& held) { return held.state(); }, &restored));
+      .def(py::pickle([](const HeldTrim& held) { return held.state(); }, &restored_trim));
   py::type triangulation = py::type::of<HeldTriangulation>();
   triangulation.attr("trim") = py::cpp_function(
       [](const HeldTriangulation& held, double tolerance) {
