@@ -9,6 +9,7 @@
 #include <pybind11/stl.h>
 
 #include <delone/forecast.hpp>
+#include <delone/point_sets.hpp>
 
 #include <array>
 #include <string>
@@ -22,7 +23,7 @@ constexpr const char* forecast_doc = R"(
 What delone.Delaunay will take for num_points points of a kind in `dimension` dimensions: a Forecast.
 
 kind: one that the command's `generate` makes ('uniform', 'ball', 'sphere', 'grid', ...). From closed forms and from
-recorded constructions, with times adapted to this machine, which takes some 50 milliseconds. For these kinds the
+recorded constructions, with times adapted to this machine, which takes some 50 milliseconds once. For these kinds the
 cells, bytes and seconds are within a factor of 1.5 of what comes, in up to 8 dimensions; beyond they are rough.
 threads: as in Delaunay. Raises ValueError for a kind that there is not. Sources: Miles 1974 and Møller 1994
 (Poisson-Delaunay constants), Dwyer 1991, doi:10.1007/BF02574694 (uniform points), McMullen 1970 (most cells).)";
@@ -45,6 +46,15 @@ constexpr const char* forecast_class_doc =
     "machine.";
 
 py::tuple as_range(const ForecastQuantity& quantity) { return py::make_tuple(quantity.low, quantity.high); }
+
+void require_kind(const std::string& kind) {
+  std::string names;
+  for (const PointSetKind& known : point_set_kinds()) {
+    if (known.name == kind) return;
+    names += (names.empty() ? "" : ", ") + std::string(known.name);
+  }
+  throw py::value_error("kind: " + names + "; not " + in_quotes(kind));
+}
 
 std::string forecast_text(const Forecast& f) {
   return "<delone.Forecast: " + std::to_string(f.num_points) + " points in " + std::to_string(f.dimension) +
@@ -109,6 +119,7 @@ void bind_forecast(py::module_& module) {
       "forecast",
       [](int dimension, std::size_t num_points, const std::string& kind, int threads) {
         const unsigned most = as_threads(threads);
+        require_kind(kind);
         Supervisor supervisor;
         return supervisor.run([&] { return forecast(dimension, num_points, kind, most); });
       },

@@ -23,8 +23,12 @@ std::string_view curve_name(std::string_view kind) { return kind == "cube01" ? "
 
 void require_kind(std::string_view kind) {
   const auto& kinds = point_set_kinds();
-  if (std::none_of(kinds.begin(), kinds.end(), [&](const PointSetKind& k) { return k.name == kind; }))
-    throw Error(Errc::invalid_argument, "kind: there are no point sets of the kind " + in_quotes(kind));
+  if (std::none_of(kinds.begin(), kinds.end(), [&](const PointSetKind& k) { return k.name == kind; })) {
+    std::string names;
+    for (const PointSetKind& k : kinds) names += (names.empty() ? "" : ", ") + std::string(k.name);
+    throw Error(Errc::invalid_argument,
+                "kind: there are no point sets of the kind " + in_quotes(kind) + "; the kinds are " + names);
+  }
 }
 
 cost_model::Cost cost_of_kind(std::string_view kind, int d, double n) {
@@ -42,7 +46,7 @@ Forecast forecast(int dimension, std::size_t num_points, std::string_view kind, 
   require_kind(kind);
   const auto n = static_cast<double>(num_points);
   cost_model::Cost cost = cost_of_kind(kind, dimension, n);
-  cost.seconds *= cost_model::measure_nanoseconds() / cost_model::reference_nanoseconds();
+  cost.seconds *= cost_model::machine_nanoseconds() / cost_model::reference_nanoseconds();
   const cost_model::Curve* const curve = cost_model::find_curve(curve_name(kind), dimension);
   const double beyond = curve == nullptr ? 64 : std::max(cost.vertices / curve->last, 1.0);
   cost_model::Uncertainty about{1 + 0.07 * std::log2(2 * beyond), 1.4};

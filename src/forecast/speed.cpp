@@ -11,6 +11,7 @@
 #include <vector>
 
 namespace delone::cost_model {
+namespace {
 
 double measure_nanoseconds() {
   constexpr std::size_t num_points = 5000;
@@ -26,6 +27,13 @@ double measure_nanoseconds() {
     least = std::min(least, 1e9 * seconds / static_cast<double>(triangulation.statistics().created_cells));
   }
   return least;
+}
+
+}  // namespace
+
+double machine_nanoseconds() {
+  static const double measured = measure_nanoseconds();
+  return measured;
 }
 
 }  // namespace delone::cost_model
