@@ -72,6 +72,19 @@ class GrowableArray {
     capacity_ = new_bytes / sizeof(T);
   }
 
+  /// Gives back memory beyond the first `size` entries, and keeps those. Small arrays stay as they are.
+  void shrink(std::size_t size) noexcept {
+    if (bytes() < mapped_from || size >= capacity_) return;
+    const std::size_t new_bytes = rounded_up(std::max(size * sizeof(T), mapped_from));
+    if (new_bytes >= bytes()) return;
+    void* const moved =
+        is_mapped() ? platform::remap(entries_, bytes(), new_bytes) : std::realloc(entries_, new_bytes);
+    if (moved == nullptr) return;
+    entries_ = static_cast<T*>(moved);
+    capacity_ = new_bytes / sizeof(T);
+    prepared_ = std::min(prepared_, capacity_);
+  }
+
   /// Says that the entries before `size`, for which there is room, will soon be written. Pages that were
   /// never touched are fetched many at a time, as a page fault for each would be slower.
   void prepare(std::size_t size) {

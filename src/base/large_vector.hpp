@@ -6,6 +6,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <new>
 #include <vector>
 
 namespace delone::internal {
@@ -26,7 +27,17 @@ void reserve_large(std::vector<T>& items, std::size_t size) {
   }
 }
 
-/// The same, and new entries are zeros.
+/// Gives back most of the memory that entries took that are not there any more.
+template <class T>
+void shrink_large(std::vector<T>& items) noexcept {
+  if (items.capacity() <= 2 * items.size() + 4096) return;
+  try {
+    items.shrink_to_fit();
+  } catch (const std::bad_alloc&) {  // it stays
+  }
+}
+
+/// The same as reserve_large(), and new entries are zeros.
 template <class T>
 void resize_large(std::vector<T>& items, std::size_t size) {
   reserve_large(items, size);

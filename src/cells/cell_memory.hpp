@@ -184,6 +184,14 @@ class CellMemory {
     links_.reserve(cells * layout_.link_stride() + spare * CellLayout<K>::ids_per_word);
     link_capacity_ = std::max(link_capacity_, cells);
   }
+  /// Gives back the memory beyond the first `cells` cells, and keeps those.
+  void shrink(std::size_t cells) noexcept {
+    words_.shrink(cells * layout_.functional_stride() + spare);
+    certificates_.shrink(cells);
+    links_.shrink(cells * layout_.link_stride() + spare * CellLayout<K>::ids_per_word);
+    capacity_ = std::min(capacity_, cells);
+    link_capacity_ = std::min(link_capacity_, cells);
+  }
   /// Announces that cells before `cells` will now be written. REQUIRES room for them.
   void prepare(std::size_t cells) {
     words_.prepare(cells * layout_.functional_stride());

@@ -15,6 +15,7 @@
 #include <bit>
 #include <cstddef>
 #include <cstdint>
+#include <new>
 #include <span>
 #include <utility>
 #include <vector>
@@ -143,6 +144,20 @@ class CellStore {
     num_vacant_ = 0;
     for (Index cell = 0; cell < num_slots; ++cell)
       if (!is_cell(cell)) release(cell);
+    shrink();
+  }
+  /// Gives back the memory of slots and vacancies that are not there any more, but for as many as a growth
+  /// would add to those that are.
+  void shrink() noexcept {
+    memory_.shrink(with_slack(num_slots_, num_slots_));
+    const std::size_t vacancies = 2 * num_vacant_ + 4096;
+    if (vacant_.size() <= vacancies) return;
+    try {
+      std::vector<Index> fewer(vacancies);
+      std::copy_n(vacant_.begin(), num_vacant_, fewer.begin());
+      vacant_ = std::move(fewer);
+    } catch (const std::bad_alloc&) {  // all stay
+    }
   }
 
   /// Takes over the vacant slots of another store on the same memory, in which there are `num_slots` in all.

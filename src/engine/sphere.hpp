@@ -64,7 +64,8 @@ class Sphere {
     before_ = {num_infinite_, work_.last_cell, effort_};
   }
   void keep_batch() noexcept { log_.end(); }
-  /// Makes the cells those that they were, in their slots. Memory stays, and vertices stay wide.
+  /// Makes the cells those that they were, in their slots, and gives back most of the memory that others
+  /// took. Vertices stay wide.
   void undo_batch() noexcept {
     if (!log_.is_on()) return;
     log_.undo(cells_, geometry_);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "hull/hull_state.hpp"
 
+#include "base/large_vector.hpp"
 #include "base/stopwatch.hpp"
 #include "complex/canonical_hash.hpp"
 #include "hull/insert_in_threads.hpp"
@@ -132,6 +133,10 @@ class HullState::Rollback {
     state_.row_of_site_.resize(num_sites_);
     state_.is_surely_interior_.resize(num_sites_);
     state_.site_of_row_.resize(num_rows_);
+    internal::shrink_large(state_.sites_.coordinates);
+    internal::shrink_large(state_.row_of_site_);
+    internal::shrink_large(state_.is_surely_interior_);
+    internal::shrink_large(state_.site_of_row_);
     if (!had_sieved_rows_) state_.sieved_ = SievedRows();
     state_.earlier_ = earlier_;
   }

@@ -3,6 +3,7 @@
 
 #include "base/compiled_dimension.hpp"
 #include "base/compiler.hpp"
+#include "base/large_vector.hpp"
 #include "base/parallel.hpp"
 
 #include <algorithm>
@@ -62,6 +63,10 @@ Triangulation::Impl::BatchInsertion::~BatchInsertion() {
   impl_.row_of_vertex.resize(before_.num_row_of_vertex);
   impl_.num_rows_inserted = before_.num_rows_inserted;
   impl_.only_vertex() = before_.only_vertex;
+  internal::shrink_large(impl_.points.coordinates);
+  internal::shrink_large(impl_.vertex_of_row);
+  internal::shrink_large(impl_.row_of_vertex);
+  internal::shrink_large(impl_.cell_of_vertex);
 }
 
 void Triangulation::Impl::BatchInsertion::take(std::span<const double> rows) {

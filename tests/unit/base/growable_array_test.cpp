@@ -52,6 +52,29 @@ TEST(GrowableArray, HoldsEntriesOfAnySize) {
   }
 }
 
+TEST(GrowableArray, ShrinksAndGrowsAgain) {
+  for (const Pages pages : {Pages::usual, Pages::large}) {
+    GrowableArray<std::uint32_t> array(pages);
+    array.shrink(0);
+    EXPECT_EQ(array.capacity(), 0u);
+    array.reserve(6'000'000);
+    array.prepare(6'000'000);
+    for (std::uint32_t i = 0; i < 6'000'000; ++i) array[i] = i;
+    array.shrink(7'000'000);
+    EXPECT_GE(array.capacity(), 6'000'000u);
+    for (const std::size_t size : {std::size_t{3'000'000}, std::size_t{1000}}) {
+      array.shrink(size);
+      EXPECT_GE(array.capacity(), size);
+      EXPECT_LE(array.capacity(), size + 1'048'576);
+      for (std::size_t i = 0; i < size; ++i) ASSERT_EQ(array[i], i);
+    }
+    array.reserve(2'000'000);
+    array.prepare(2'000'000);
+    array[1'999'999] = 5;
+    for (std::size_t i = 0; i < 1000; ++i) ASSERT_EQ(array[i], i);
+  }
+}
+
 TEST(GrowableArray, DiscardsNothingBesides) {
   for (const std::size_t size : {std::size_t{1000}, std::size_t{1'000'000}}) {
     GrowableArray<std::uint32_t> array;

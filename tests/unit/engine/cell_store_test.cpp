@@ -139,6 +139,28 @@ TEST(CellStore, VerticesThatAreMadeWideStayTheSame) {
   expect_widening_keeps_all<6>();
 }
 
+TEST(CellStore, GivesBackTheMemoryOfSlotsThatAreNoMore) {
+  constexpr Index kept = 100, most = 60'000;
+  CellMemory<7> memory(7);
+  CellStore<7> cells(memory);
+  const auto grow = [&](Index count) {
+    cells.reserve(count);
+    cells.reserve_vacancies(count);
+    for (Index i = 0; i < count; ++i) fill(memory, cells, cells.allocate());
+  };
+  for (int round = 0; round < 2; ++round) {
+    grow(most);
+    const std::size_t bytes = cells.bytes();
+    cells.restore_slots(kept, [](Index cell) { return cell % 7 != 3; });
+    EXPECT_LT(cells.bytes(), bytes / 2);
+    EXPECT_EQ(cells.num_vacant(), 14u);
+    for (Index cell = 0; cell < kept; ++cell)
+      if (!cells.is_vacant(cell)) {
+        ASSERT_NO_FATAL_FAILURE(expect_filled(memory, cells, cell));
+      }
+  }
+}
+
 TEST(CellMemory, PartsOfCellsAreApartFromThoseOfOthersAndStayAsMemoryGrowsAndIsCopied) {
   for (int k = 1; k <= 10; ++k) {
     SCOPED_TRACE(testing::Message() << "dimension " << k);
@@ -168,6 +190,9 @@ TEST(CellMemory, PartsOfCellsAreApartFromThoseOfOthersAndStayAsMemoryGrowsAndIsC
     EXPECT_GE(memory.capacity(), 100'000u);
     EXPECT_GE(memory.link_capacity(), 100'000u);
     memory.prepare(100'000);
+    expect_all(memory);
+    memory.shrink(count);
+    EXPECT_EQ(memory.capacity(), count);
     expect_all(memory);
     CellMemory<0> other(k);
     other.copy(memory, count);
