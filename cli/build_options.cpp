@@ -21,7 +21,8 @@ void BuildOptions::add_output(CLI::App& command, const std::string& what,
   command.add_option("-o,--output", output, "Write " + what + " there; without it a summary is printed")
       ->type_name("OUT");
   command.add_option("--output-format", output_format, "Format of OUT, if not told by its extension")
-      ->check(CLI::IsMember(formats));
+      ->check(CLI::IsMember(formats))
+      ->needs("--output");
   add_force(command, force);
 }
 

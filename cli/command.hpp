@@ -7,6 +7,7 @@
 
 #include <CLI/CLI.hpp>
 
+#include <cstddef>
 #include <cstdint>
 #include <functional>
 #include <new>
@@ -51,6 +52,11 @@ inline std::string input_name(const std::string& path) {
   return path == "-" ? "standard input" : printable(path, std::string::npos);
 }
 
+/// "1 point", "2 points".
+inline std::string counted(std::size_t count, const std::string& what) {
+  return std::to_string(count) + " " + what + (count == 1 ? "" : "s");
+}
+
 /// Runs `work`. Puts the name of the file in front of error messages that do not begin with it.
 template <class Work>
 auto about(const std::string& name, Work&& work) {
@@ -85,6 +91,10 @@ struct PointInput {
 /// Whether an argument that is columns of points or else a file, which may be a pipe or -, is the file:
 /// numbers are those of columns.
 bool names_a_file(const std::string& columns_or_file);
+
+/// Throws unless queries have as many coordinates as the points and, where both have names of columns and
+/// --query-columns did not choose, the same names in the same order.
+void require_fitting(const PointTable& queries, const PointTable& points, const PointInput& from);
 
 /// --queries, --query-format and --query-columns.
 void add_queries(CLI::App& command, PointInput& queries, const std::string& description);

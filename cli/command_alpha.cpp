@@ -70,8 +70,8 @@ int make_complex(Product triangulation, const AlphaCommandOptions& options,
       },
       [&] {
         const Counts all = counts();
-        Summary text(options.weighted.input.path,
-                     fmt::format("alpha complex of {} points in dimension {}", all.points, all.dimension));
+        Summary text(options.weighted.input.path, fmt::format("alpha complex of {} in dimension {}",
+                                                              counted(all.points, "point"), all.dimension));
         text.line(options.radius ? "radius" : "squared radius",
                   fmt::format("{}", options.radius ? *options.radius : *options.squared_radius));
         text.line("cells", fmt::format("{} of {}", complex.cell_numbers().size(), all.cells));
@@ -91,7 +91,7 @@ int run_alpha(const AlphaCommandOptions& options) {
   if (options.squared_radius && !(*options.squared_radius == *options.squared_radius))
     throw UsageError("--squared-radius: a number was expected");
   protect_files({options.weighted.input.path, options.weighted.weights}, build.outputs(), build.force);
-  const MemoryLimit limit(build.memory);
+  const MemoryLimit limit(input_name(options.weighted.input.path), build.memory);
   const auto start = Clock::now();
   Cost cost;
   std::vector<double> weights;

@@ -34,13 +34,13 @@ const char* kind_of(const VoronoiData& data) { return data.weights.empty() ? "Vo
 
 /// What the file holds, with its numbers.
 std::string contents(const ComplexData& data) {
-  return fmt::format("{} points in dimension {}, affine dimension {}, {} cells", data.num_points(),
-                     data.dimension, data.affine_dimension, data.num_cells());
+  return fmt::format("{} in dimension {}, affine dimension {}, {}", counted(data.num_points(), "point"),
+                     data.dimension, data.affine_dimension, counted(data.num_cells(), "cell"));
 }
 std::string contents(const HullData& data) {
-  return fmt::format("the hull of {} points in dimension {}, affine dimension {}, {} facets, {} cells",
-                     data.num_points(), data.dimension, data.affine_dimension, data.num_facets(),
-                     data.num_cells());
+  return fmt::format("the hull of {} in dimension {}, affine dimension {}, {}, {}",
+                     counted(data.num_points(), "point"), data.dimension, data.affine_dimension,
+                     counted(data.num_facets(), "facet"), counted(data.num_cells(), "cell"));
 }
 std::string contents(const IntersectionData& data) {
   const std::string text = fmt::format("the intersection of {} halfspaces in dimension {}, ",
@@ -51,10 +51,9 @@ std::string contents(const IntersectionData& data) {
                             data.num_directions(), data.num_facets());
 }
 std::string contents(const VoronoiData& data) {
-  return fmt::format(
-      "the {} diagram of {} points in dimension {}, affine dimension {}, {} regions, {} vertices",
-      kind_of(data), data.num_points(), data.dimension, data.affine_dimension, data.num_regions(),
-      data.num_vertices());
+  return fmt::format("the {} diagram of {} in dimension {}, affine dimension {}, {}, {} vertices",
+                     kind_of(data), counted(data.num_points(), "point"), data.dimension,
+                     data.affine_dimension, counted(data.num_regions(), "region"), data.num_vertices());
 }
 
 /// What has been proved once all levels are passed.
@@ -173,8 +172,10 @@ int run_check_tiles(const CheckCommandOptions& options) {
   });
   return print_report<ComplexData>(
       options,
-      fmt::format("{} points in dimension {}, affine dimension {}, {} cells in {} parts", index.num_points,
-                  index.dimension, index.affine_dimension, index.num_cells, index.parts.size()),
+      fmt::format("{} in dimension {}, affine dimension {}, {} in {}",
+                  counted(static_cast<std::size_t>(index.num_points), "point"), index.dimension,
+                  index.affine_dimension, counted(static_cast<std::size_t>(index.num_cells), "cell"),
+                  counted(index.parts.size(), "part")),
       report, ties(ComplexData{}, report),
       fmt::format("a {} triangulation of {}, each point in one part", index.weighted ? "regular" : "Delaunay",
                   !input            ? "its vertices"

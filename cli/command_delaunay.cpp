@@ -27,8 +27,8 @@ struct DelaunayOptions {
 Summary summary(const Triangulation& t, const Counts& counts, const Cost& cost,
                 const std::optional<TrimResult>& trimmed, const DelaunayOptions& options) {
   const char* kind = options.furthest_site ? "furthest-site Delaunay" : "Delaunay";
-  Summary text(options.input.path, fmt::format("{} triangulation of {} points in dimension {}", kind,
-                                               counts.points, counts.dimension));
+  Summary text(options.input.path, fmt::format("{} triangulation of {} in dimension {}", kind,
+                                               counted(counts.points, "point"), counts.dimension));
   text.triangulation(counts);
   if (trimmed)
     text.line("trimmed",
@@ -109,7 +109,7 @@ int run_delaunay(const DelaunayOptions& options) {
   protect_files({options.input.path}, to.outputs(), to.force);
   if (options.trim && (!(*options.trim >= 0) || !std::isfinite(*options.trim)))
     throw UsageError("--trim: a finite distance of at least 0 was expected");
-  const MemoryLimit limit(to.memory, true);
+  const MemoryLimit limit(input_name(options.input.path), to.memory, true);
   const auto start = Clock::now();
   Cost cost;
   PointTable table = options.input.read(to.threads);

@@ -71,7 +71,8 @@ int run_forecast(const ForecastCommand& options, const CLI::App& app) {
     return exit_status::ok;
   }
   const bool has_file = !options.input.path.empty();
-  const std::string points = fmt::format("{} points in dimension {}", found.num_points, found.dimension);
+  const std::string points =
+      fmt::format("{} in dimension {}", counted(found.num_points, "point"), found.dimension);
   Summary summary(has_file ? options.input.path : options.kind,
                   "a Delaunay triangulation of " + points + " will take about");
   if (found.affine_dimension < found.dimension)
@@ -82,7 +83,7 @@ int run_forecast(const ForecastCommand& options, const CLI::App& app) {
   summary.line("memory", in_words(found.bytes, readable_bytes));
   summary.line("time", in_words(found.seconds, readable_seconds) +
                            fmt::format(", {} thread{}", found.threads, found.threads == 1 ? "" : "s"));
-  if (has_file) summary.line("sample", fmt::format("{} points", found.num_sampled));
+  if (has_file) summary.line("sample", counted(found.num_sampled, "point"));
   print_output(summary.text());
   return exit_status::ok;
 }

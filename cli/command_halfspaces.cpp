@@ -134,7 +134,7 @@ int run_halfspaces(const HalfspacesOptions& options) {
   const BuildOptions& build = options.build;
   protect_files({options.input.path, options.interior}, build.outputs(), build.force);
   const bool writes = !build.output.empty();
-  const MemoryLimit limit(build.memory);
+  const MemoryLimit limit(input_name(options.input.path), build.memory);
   const auto start = Clock::now();
   Cost cost;
   const PointTable table = options.input.read();

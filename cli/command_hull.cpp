@@ -6,7 +6,11 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <limits>
 #include <memory>
+#include <string>
+#include <vector>
 
 namespace delone::cli {
 namespace {
@@ -64,7 +68,7 @@ std::string measure_text(const Measure& measure) {
 
 std::string title(const Polytope& hull) {
   const std::string title =
-      fmt::format("convex hull of {} points in dimension {}", hull.num_points(), hull.dimension());
+      fmt::format("convex hull of {} in dimension {}", counted(hull.num_points(), "point"), hull.dimension());
   if (hull.tolerance() == 0) return title;
   return fmt::format("{}; none is farther outside than {} (tolerance {})", title, hull.max_distance(),
                      hull.tolerance());
@@ -86,9 +90,9 @@ Summary summary(const Polytope& hull, const Cost& cost, const HullOptions& optio
 }
 
 Summary summary(const Envelope& hull, const Cost& cost, const HullOptions& options) {
-  return Summary(options.input.path, fmt::format("{} hull of {} points in dimension {}",
+  return Summary(options.input.path, fmt::format("{} hull of {} in dimension {}",
                                                  hull.side() == HullSide::lower ? "lower" : "upper",
-                                                 hull.num_points(), hull.dimension()))
+                                                 counted(hull.num_points(), "point"), hull.dimension()))
       .line("compositions", fmt::format("of affine dimension {}", hull.composition_dimension()))
       .line("vertices", fmt::format("{} extreme points", hull.vertices().size()))
       .line("facets", fmt::format("{}, of {} simplices", hull.num_facets(), hull.num_cells()))
@@ -111,12 +115,45 @@ int finish(const Hull& hull, const HullOptions& options, Cost cost, Clock::time_
   return exit_status::ok;
 }
 
+/// What to say of compositions of which every row has about the same sum, as fractions have that were
+/// rounded: they are not flat, and so too many points are extreme. Empty where there is nothing to say.
+std::string note_on_sums(const PointTable& table, const Envelope& hull) {
+  const auto d = static_cast<std::size_t>(table.dimension), c = d - 1;
+  if (c < 2 || table.coordinates.empty() || hull.composition_dimension() < static_cast<int>(c)) return {};
+  constexpr double rounding = 5e-3;  // fractions may have three decimals only
+  const double infinity = std::numeric_limits<double>::infinity();
+  double low = infinity, high = -infinity;
+  std::vector<double> least(c, infinity), most(c, -infinity);
+  for (std::size_t i = 0; i < table.num_points(); ++i) {
+    double sum = 0;
+    for (std::size_t j = 0; j < c; ++j) {
+      const double x = table.coordinates[i * d + j];
+      sum += x;
+      least[j] = std::min(least[j], x);
+      most[j] = std::max(most[j], x);
+    }
+    low = std::min(low, sum);
+    high = std::max(high, sum);
+  }
+  double range = infinity;
+  for (std::size_t j = 0; j < c; ++j) range = std::min(range, most[j] - least[j]);
+  if (!(high - low <= rounding * range)) return {};
+  std::string names;
+  for (std::size_t j = 0; j < c; ++j)
+    names += (j == 0 ? "" : ", ") +
+             (table.column_names.size() == d ? printable(table.column_names[j]) : std::to_string(j));
+  return fmt::format(
+      "delone: note: the columns {} sum to {:.4g} but for rounding, so that too many points are on the "
+      "hull: leave one of them out (--columns)\n",
+      names, (low + high) / 2);
+}
+
 int run_hull(const HullOptions& options) {
   const BuildOptions& build = options.build;
   protect_files({options.input.path}, build.outputs({{"--distances", options.distances}}), build.force);
   const bool one_side = options.lower || options.upper;
   if (!options.distances.empty() && !one_side) throw UsageError("--distances needs --lower or --upper");
-  const MemoryLimit limit(build.memory);
+  const MemoryLimit limit(input_name(options.input.path), build.memory);
   const auto start = Clock::now();
   Cost cost;
   const PointTable table = options.input.read();
@@ -157,6 +194,7 @@ int run_hull(const HullOptions& options) {
       built([&](const Options& how) { return LowerHull(table.coordinates, table.dimension, side, how); });
   cost.build = seconds_since(build_start);
   bar.clear();
+  if (!build.quiet) print_note(note_on_sums(table, hull));
   if (!options.distances.empty())
     write_output(
         options.distances,
@@ -172,7 +210,9 @@ Run add_hull(CLI::App& app) {
   options->build.add_output(app, "the hull", complex_formats());
   options->build.add_qhull(app, "qconvex", "o n p i Fv Fx Fn FA FS");
   CLI::Option* lower =
-      app.add_flag("--lower", options->lower, "Only the facets that look down along the last coordinate")
+      app.add_flag("--lower", options->lower,
+                   "Only the facets that look down along the last coordinate, which may be the energy of a "
+                   "composition; leave one out of fractions that sum to 1")
           ->excludes("--qhull");
   app.add_flag("--upper", options->upper, "Only the facets that look up along the last coordinate")
       ->excludes(lower)

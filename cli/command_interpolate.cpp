@@ -182,18 +182,14 @@ int run_interpolate(InterpolateOptions options) {
       write_table(nowhere, nothing, format);
     });
 
-  const MemoryLimit limit(to.memory);
+  const MemoryLimit limit(input_name(options.input.path), to.memory);
   const auto start = Clock::now();
   Cost cost;
   const PointTable field = read_field(options);
   PointInput from = options.queries;
   from.options.max_stream_bytes = options.input.options.max_stream_bytes;
   PointTable queries = from.read(to.threads);
-  if (queries.dimension != field.dimension)
-    throw Error(Errc::bad_dimension,
-                fmt::format("{}: queries of dimension {} for points of dimension {}; --columns "
-                            "says which columns are coordinates",
-                            input_name(options.queries.path), queries.dimension, field.dimension));
+  require_fitting(queries, field, options.queries);
   cost.read = seconds_since(start);
 
   ProgressBar bar(to.quiet);
@@ -232,7 +228,7 @@ int run_interpolate(InterpolateOptions options) {
   json["outside"] = outside;
   add_cost(json, t->statistics(), static_cast<std::size_t>(t->num_all_cells()), cost, to.seed);
   json["seconds"]["interpolate"] = interpolate_seconds;
-  print_output(json.dump(2) + "\n");
+  print_output(as_text(json));
   return exit_status::ok;
 }
 
@@ -277,7 +273,7 @@ Run add_interpolate(CLI::App& app) {
       "nearest\n"
       "point of the hull; error, exit status 2. Which cell a query is in is decided exactly. `nan` is null "
       "in "
-      "json.");
+      "json.\nOf rows with equal coordinates the first one counts; values must be finite.");
   return [options] { return run_interpolate(*options); };
 }
 

@@ -12,7 +12,6 @@
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
-#include <filesystem>
 #include <memory>
 
 namespace delone::cli {
@@ -96,18 +95,16 @@ std::string as_json(const std::vector<Answer>& answers) {
 
 int run_locate(const LocateOptions& options) {
   std::string format = options.output_format;
-  if (format.empty()) format = std::filesystem::path(options.output).extension() == ".json" ? "json" : "csv";
   protect_files({options.input.path, options.queries.path}, {{"--output", options.output}}, options.force);
+  if (format.empty()) format = options.output == "-" ? "csv" : chosen_format(options.output, format);
+  require_format(options.output, format, {"csv", "json"}, "answers");
   check_writable(options.output);
   if (options.input.path == "-" && options.queries.path == "-")
     throw UsageError("points and queries both from standard input");
   PointInput from = options.queries;
   from.options.max_stream_bytes = options.input.options.max_stream_bytes;
   const PointTable points = options.input.read(options.threads), queries = from.read(options.threads);
-  if (queries.dimension != points.dimension)
-    throw Error(Errc::bad_dimension,
-                fmt::format("{}: queries of dimension {} for points of dimension {}",
-                            input_name(options.queries.path), queries.dimension, points.dimension));
+  require_fitting(queries, points, options.queries);
   const std::vector<Answer> answers = locate_all(points, queries, options);
   save_text(options.output, format == "json" ? as_json(answers) : as_csv(answers));
   return exit_status::ok;

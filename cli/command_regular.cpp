@@ -21,8 +21,8 @@ struct RegularOptions {
 
 Summary summary(const Regular<>& t, const Counts& counts, const Cost& cost, const RegularOptions& options) {
   return Summary(options.weighted.input.path,
-                 fmt::format("regular triangulation of {} weighted points in dimension {}", counts.points,
-                             counts.dimension))
+                 fmt::format("regular triangulation of {} in dimension {}",
+                             counted(counts.points, "weighted point"), counts.dimension))
       .triangulation(counts)
       .cost(t.statistics(), cost);
 }
@@ -30,7 +30,7 @@ Summary summary(const Regular<>& t, const Counts& counts, const Cost& cost, cons
 int run_regular(const RegularOptions& options) {
   const BuildOptions& build = options.build;
   protect_files({options.weighted.input.path, options.weighted.weights}, build.outputs(), build.force);
-  const MemoryLimit limit(build.memory, true);
+  const MemoryLimit limit(input_name(options.weighted.input.path), build.memory, true);
   const auto start = Clock::now();
   Cost cost;
   std::vector<double> weights;

@@ -21,7 +21,7 @@ namespace {
 struct ViewOptions {
   PointInput input;
   BuildOptions build;
-  std::string product = "delaunay", values, title;
+  std::string product, values, title;
   std::vector<double> box;
 };
 
@@ -37,6 +37,17 @@ std::vector<double> read_values(const ViewOptions& options) {
 std::string title_of(const ViewOptions& options) {
   if (!options.title.empty()) return options.title;
   return options.input.path == "-" ? "" : std::filesystem::path(options.input.path).stem().string();
+}
+
+/// Throws UsageError for options that have no effect on what the file holds.
+void require_use(const ViewOptions& options, bool is_points, bool is_diagram) {
+  const std::string name = input_name(options.input.path);
+  if (!is_points && !options.product.empty())
+    throw UsageError("--of says what to make of points, and " + name + " holds a result");
+  if (!is_points && !options.input.options.columns.empty())
+    throw UsageError("--columns is for points, and " + name + " holds a result");
+  if (!is_diagram && !options.box.empty())
+    throw UsageError("--box cuts Voronoi and power diagrams, and none is shown");
 }
 
 std::optional<Box> box_of(const ViewOptions& options, int dimension) {
@@ -81,13 +92,16 @@ int run_view(const ViewOptions& options) {
     throw UsageError("--values and the points are both standard input");
   protect_files({options.input.path, options.values}, {{"--output", options.build.output}},
                 options.build.force);
+  require_extension(options.build.output, {"html", "htm"}, "a page");
   check_writable(options.build.output);
-  const MemoryLimit limit(options.build.memory);
+  const MemoryLimit limit(input_name(options.input.path), options.build.memory);
   const std::string name = input_name(options.input.path);
   HtmlOptions html;
   html.title = title_of(options);
   std::optional<AnyData> data =
       try_read(options.input.path, options.input.options.format, options.input.options.max_stream_bytes);
+  require_use(options, !data,
+              data ? std::holds_alternative<VoronoiData>(*data) : options.product == "voronoi");
   const bool values_are_file = names_a_file(options.values);
   if (values_are_file) html.values = read_values(options);
   if (!options.values.empty()) html.value_name = std::filesystem::path(options.values).stem().string();
@@ -124,7 +138,7 @@ Run add_view(CLI::App& app) {
   auto options = std::make_shared<ViewOptions>();
   options->build.output = "-";
   app.add_option("FILE", options->input.path,
-                 "Points, or whatever delone writes; - for points from standard input")
+                 "Points, or whatever delone writes but a folder of tiles; - for points from standard input")
       ->required()
       ->type_name("");
   std::vector<std::string> formats = point_formats();
@@ -134,7 +148,8 @@ Run add_view(CLI::App& app) {
   add_columns(app, "--columns", options->input.options.columns);
   app.add_option("-o,--output", options->build.output, "The page, .html; standard output if not given")
       ->type_name("OUT");
-  app.add_option("--of", options->product, "What to make of points: delaunay, hull or voronoi")
+  app.add_option("--of", options->product,
+                 "What to make of points: delaunay, hull or voronoi; delaunay if not given")
       ->check(CLI::IsMember({"delaunay", "hull", "voronoi"}));
   app.add_option(
          "--values", options->values,
@@ -142,7 +157,8 @@ Run add_view(CLI::App& app) {
          "cell, region or facet")
       ->type_name("COLUMN|FILE");
   app.add_option("--box", options->box,
-                 "Cut a diagram off at this box: all lower limits, then all upper ones; a box around the "
+                 "Cut a Voronoi or power diagram off at this box: all lower limits, then all upper ones; a "
+                 "box around the "
                  "points if not "
                  "given")
       ->delimiter(',')

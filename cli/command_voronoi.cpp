@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <filesystem>
 #include <memory>
 #include <optional>
 #include <utility>
@@ -27,6 +28,18 @@ struct VoronoiOptions {
 const std::vector<std::string>& voronoi_formats() {
   static const std::vector<std::string> formats{"npz", "json", "svg", "vtu", "html"};
   return formats;
+}
+
+/// Throws UsageError if there is nothing that --box would cut.
+void require_use_of_box(const VoronoiOptions& options) {
+  if (options.box.empty() || !options.volumes.empty()) return;
+  const BuildOptions& to = options.build;
+  std::string format = to.output_format;
+  if (format.empty() && !to.output.empty() && to.output != "-")
+    format = std::filesystem::path(to.output).extension().string();
+  if (to.output.empty() || !to.qhull.empty() || format.ends_with("npz") || format.ends_with("json"))
+    throw UsageError(
+        "--box cuts pictures and volumes: it is for an output as svg, vtu or html, and for --volumes");
 }
 
 /// The box of --box; none if it was not given. Checked before the work.
@@ -50,7 +63,10 @@ std::optional<Box> chosen_box(const VoronoiOptions& options, int dimension) {
 
 /// Throws what the writing would throw in the end, before the work.
 void check_outputs(const VoronoiOptions& options, int dimension) {
-  if (!options.volumes.empty()) check_writable(options.volumes);
+  if (!options.volumes.empty()) {
+    require_extension(options.volumes, {"csv"}, "volumes");
+    check_writable(options.volumes);
+  }
   if (options.build.output.empty()) return;
   if (!options.build.qhull.empty())
     return check_qhull_output(options.build.output, Voronoi(Delaunay<>(dimension)), options.build.qhull);
@@ -84,8 +100,8 @@ Summary summary(const Triangulation& t, const Diagram& diagram, const Cost& cost
                                     ? fmt::format("; with tolerance {}, none moved further than {}",
                                                   diagram.tolerance(), diagram.max_displacement())
                                     : "";
-  return Summary(options.weighted.input.path, fmt::format("{} diagram of {} points in dimension {}", kind,
-                                                          counts.points, counts.dimension))
+  return Summary(options.weighted.input.path, fmt::format("{} diagram of {} in dimension {}", kind,
+                                                          counted(counts.points, "point"), counts.dimension))
       .affine_dimension(counts.affine_dimension, counts.dimension, "the diagram inside the flat")
       .line("regions",
             fmt::format("{}, {} of them unbounded ({} hidden, {} duplicate points)", diagram.num_regions(),
@@ -156,7 +172,8 @@ int run_voronoi(const VoronoiOptions& options) {
                 options.build.outputs({{"--volumes", options.volumes}}), options.build.force);
   if (!(options.tolerance >= 0) || !std::isfinite(options.tolerance))
     throw UsageError("--tolerance: a finite distance of at least 0 was expected");
-  const MemoryLimit limit(options.build.memory);
+  require_use_of_box(options);
+  const MemoryLimit limit(input_name(options.weighted.input.path), options.build.memory);
   const auto start = Clock::now();
   Cost cost;
   std::vector<double> weights;

@@ -5,10 +5,12 @@
 #include "help.hpp"
 #include "interrupt.hpp"
 #include "memory_limit.hpp"
+#include "numbers.hpp"
 #include "output.hpp"
 #include "system.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cstdio>
@@ -23,8 +25,19 @@
 namespace delone::cli {
 namespace {
 
+/// A message without what parts of the program put before their own: their names are nothing to a user.
+std::string without_origins(std::string message) {
+  constexpr std::string_view json = "[json.exception.", hash = "delone::canonical_hash: ";
+  if (const std::size_t at = message.find(json); at != std::string::npos)
+    if (const std::size_t end = message.find("] ", at); end != std::string::npos)
+      message.erase(at, end + 2 - at);
+  if (const std::size_t at = message.find(hash); at != std::string::npos) message.erase(at, hash.size());
+  return message;
+}
+
 /// Joins the lines of a message. It may quote anything, and arguments of any length.
 int complain(int status, std::string message) {
+  message = without_origins(std::move(message));
   constexpr std::size_t longest = 2000;
   for (char& c : message)
     if (c == '\n' || c == '\r') c = ' ';
@@ -32,9 +45,50 @@ int complain(int status, std::string message) {
   return status;
 }
 
+/// "--box: 'a' is not a number (item 3 of 4)" for the parser's "Could not convert: --box = 0,0,a,1".
+std::optional<std::string> message_of_conversion(const std::string& message) {
+  constexpr std::string_view beginning = "Could not convert: ", between = " = ";
+  const std::size_t equal = message.find(between);
+  if (!message.starts_with(beginning) || equal == std::string::npos) return std::nullopt;
+  const std::string name = message.substr(beginning.size(), equal - beginning.size());
+  const std::vector<std::string> items = split_list(message.substr(equal + between.size()));
+  const auto wrong =
+      std::find_if(items.begin(), items.end(), [](const auto& item) { return !parse_real(item); });
+  if (wrong == items.end())
+    return fmt::format("{}: {} is not a whole number that is possible here", name, in_quotes(items[0]));
+  return fmt::format(
+      "{}: {} is not a number{}", name, in_quotes(*wrong),
+      items.size() == 1 ? "" : fmt::format(" (item {} of {})", wrong - items.begin() + 1, items.size()));
+}
+
+/// "KIND: 'unifrom' is none of ball, …; did you mean 'uniform'?" for "KIND: unifrom not in {ball,…}", and
+/// "-d: 'two' is no whole number from 1 to 9" for "-d: Value two not in range 1 to 9".
+std::optional<std::string> message_of_choice(const std::string& message) {
+  constexpr std::string_view range = " not in range ", set = " not in {", value = "Value ";
+  const std::size_t colon = message.find(": ");
+  if (colon == std::string::npos) return std::nullopt;
+  const std::string name = message.substr(0, colon + 2);
+  if (const std::size_t at = message.rfind(set); at != std::string::npos && message.ends_with('}')) {
+    const std::string given = message.substr(colon + 2, at - colon - 2),
+                      list = message.substr(at + set.size(), message.size() - at - set.size() - 1);
+    const std::vector<std::string> words = split_list(list);
+    return fmt::format("{}{} is none of {}{}", name, in_quotes(given), fmt::join(words, ", "),
+                       suggestion(given, words));
+  }
+  if (const std::size_t at = message.rfind(range);
+      at != std::string::npos && message.compare(colon + 2, value.size(), value) == 0) {
+    const std::size_t begin = colon + 2 + value.size();
+    return fmt::format("{}{} is no whole number from {}", name, in_quotes(message.substr(begin, at - begin)),
+                       message.substr(at + range.size()));
+  }
+  return std::nullopt;
+}
+
 /// What the parser says, with the arguments that it repeats made short and printable.
 std::string message_of(const CLI::ParseError& error, int argc, char** argv) {
   std::string message = error.what();
+  if (auto better = message_of_conversion(message)) return *better;
+  if (auto better = message_of_choice(message)) return *better;
   for (int i = 1; i < argc; ++i) {
     const std::string_view argument = argv[i];
     const std::string_view value = argument.substr(argument.starts_with("--") ? argument.find('=') + 1 : 0);
@@ -83,13 +137,23 @@ std::optional<int> answer_at_once(const CLI::App& app, const Commands& commands,
   if (first == "help") {
     if (arguments.size() == 1 || arguments[1].starts_with("-"))
       return print_output(app.help()), exit_status::ok;
-    const CLI::App* command = find_command(commands, arguments[1]);
-    if (command == nullptr) return complain_of_command(arguments[1], commands);
-    return print_output(command->help("delone")), exit_status::ok;
+    std::string text;
+    for (std::size_t i = 1; i < arguments.size(); ++i) {
+      const CLI::App* command = find_command(commands, arguments[i]);
+      if (command == nullptr && arguments[i] != "help") return complain_of_command(arguments[i], commands);
+      text += (text.empty() ? "" : "\n") + (command == nullptr ? app.help() : command->help("delone"));
+    }
+    return print_output(text), exit_status::ok;
   }
   const CLI::App* command = find_command(commands, first);
   if (command == nullptr) return complain_of_command(first, commands);
-  if (arguments.size() == 1) return print_note(command->help("delone")), exit_status::usage;
+  if (arguments.size() == 1) {
+    print_note(command->help("delone"));
+    for (const CLI::Option* option : command->get_options())
+      if (option->get_positional() && option->get_required())
+        return complain(exit_status::usage, option->get_name(true) + " is missing");
+    return exit_status::usage;
+  }
   return std::nullopt;
 }
 
@@ -165,7 +229,7 @@ int run(int argc, char** argv) {
       "command, with examples.\n"
       "Exit status: 0 success, 1 a check failed, 2 bad input or output, 3 too large for memory or a limit, "
       "64 "
-      "wrong usage,\n130 or 143 interrupted.");
+      "wrong usage,\n130 or 143 interrupted, 141 standard output closed.");
   add_examples(app, {"delone generate uniform -d 2 -n 1000 -o random.csv",
                      "delone delaunay random.csv -o random.svg", "delone help delaunay"});
 

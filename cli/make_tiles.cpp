@@ -21,9 +21,9 @@ namespace delone::cli {
 namespace {
 
 constexpr std::array of_tiles{"--tiles", "--raw", "--vtu", "--hdf5", "--no-resume"};
-constexpr std::array of_files{"--output-format", "--qhull", "--force", "--max-stream",        "--trim",
-                              "--furthest-site", "--seed",  "--runtime-dimension", "--order",
-                              "--time"};
+constexpr std::array of_files{"--output-format", "--qhull",         "--force", "--max-stream",
+                              "--trim",          "--furthest-site", "--seed",  "--runtime-dimension",
+                              "--order",         "--time"};
 
 bool is_given(const CLI::App& command, const char* option) {
   const CLI::Option* const found = command.get_option_no_throw(option);
@@ -39,9 +39,10 @@ std::string size_text(std::uint64_t bytes) {
 
 /// What it will cost, before it starts.
 std::string text_of(const TilesForecast& forecast) {
-  std::string text =
-      fmt::format("{} points in {} tile{}, each with about {} of memory", forecast.num_points,
-                  forecast.num_tiles, forecast.num_tiles == 1 ? "" : "s", size_text(forecast.bytes_per_tile));
+  std::string text = fmt::format("{} in {}, each with about {} of memory",
+                                 counted(static_cast<std::size_t>(forecast.num_points), "point"),
+                                 counted(static_cast<std::size_t>(forecast.num_tiles), "tile"),
+                                 size_text(forecast.bytes_per_tile));
   if (forecast.num_tiles > 1)
     text += fmt::format(" and {:.2g} % of points of other tiles", 100 * forecast.foreign_share);
   text += ".\n";

@@ -15,10 +15,12 @@ namespace {
 /// The limit of this process. It stays after the object, for the message.
 std::uint64_t memory_limit = 0;
 bool may_tile = false;
+std::string input;
 
 }  // namespace
 
-MemoryLimit::MemoryLimit(std::uint64_t bytes, bool can_tile) {
+MemoryLimit::MemoryLimit(const std::string& name, std::uint64_t bytes, bool can_tile) {
+  input = name;
   memory_limit = bytes;
   may_tile = can_tile;
   if (bytes == 0) return;
@@ -46,8 +48,9 @@ std::string memory_message(const std::string& known) {
   if (memory_limit == 0) return {};
   // The library says how far it came and what the whole would have taken.
   const bool says_all = known.find("stopped at the limit") != std::string::npos;
-  std::string text =
-      says_all ? known : fmt::format("more memory is needed than --memory allows, {} bytes", memory_limit);
+  std::string text = says_all ? known
+                              : fmt::format("{}: more memory is needed than --memory allows, {} byte{}",
+                                            input, memory_limit, memory_limit == 1 ? "" : "s");
   if (may_tile) text += "; with a folder as output, as in -o OUT/, the triangulation is made in tiles";
   return text;
 }

@@ -16,8 +16,8 @@ namespace delone::cli {
 /// two such calls goes beyond it. Systems that do not tell their memory have no limit.
 class MemoryLimit {
  public:
-  /// 0: none. `can_tile`: whether the same could be made in tiles.
-  explicit MemoryLimit(std::uint64_t bytes, bool can_tile = false);
+  /// 0: none. `name`: of the input, for messages. `can_tile`: whether the same could be made in tiles.
+  MemoryLimit(const std::string& name, std::uint64_t bytes, bool can_tile = false);
   MemoryLimit(const MemoryLimit&) = delete;
   MemoryLimit& operator=(const MemoryLimit&) = delete;
   ~MemoryLimit();

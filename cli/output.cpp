@@ -7,7 +7,9 @@
 #include "system.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <cstdio>
 #include <filesystem>
@@ -48,6 +50,24 @@ std::string chosen_format(const std::string& path, const std::string& format) {
   return extension.substr(1);
 }
 
+void require_format(const std::string& path, std::string& format,
+                    std::initializer_list<std::string_view> known, const char* what) {
+  std::transform(format.begin(), format.end(), format.begin(),
+                 [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; });
+  if (std::find(known.begin(), known.end(), format) == known.end())
+    throw Error(Errc::unsupported,
+                fmt::format("{}: format {} cannot be used for writing {}; available: {}", output_name(path),
+                            in_quotes(format), what, fmt::join(known, ", ")));
+}
+
+void require_extension(const std::string& path, std::initializer_list<std::string_view> known,
+                       const char* what) {
+  std::string extension = fs::path(path).extension().string();
+  if (path == "-" || extension.size() < 2) return;
+  extension.erase(0, 1);
+  require_format(path, extension, known, what);
+}
+
 // Only regular files can be left behind half written.
 Stage stage_of_writing(const std::string& path) {
   std::error_code ignored;
@@ -81,7 +101,10 @@ void check_writable(const std::string& path) {
   }
   const fs::path folder = fs::path(write_target(path)).parent_path();
   const int error = system::why_not_writable_folder(folder.empty() ? "." : folder.string());
-  if (error != 0) fail_writing(name, error);
+  if (error == 0) return;
+  const bool is_missing = !folder.empty() && !fs::is_directory(folder, ignored);
+  fail_writing(is_missing ? fmt::format("{}: the folder {}", name, output_name(folder.string())) : name,
+               error);
 }
 
 namespace {

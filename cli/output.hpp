@@ -9,6 +9,7 @@
 
 #include <delone/delone.hpp>
 
+#include <initializer_list>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -31,6 +32,15 @@ std::string output_name(const std::string& path);
 
 /// The format that was chosen, or else the extension of the path. Throws unsupported if there is neither.
 std::string chosen_format(const std::string& path, const std::string& format);
+
+/// Throws unsupported, as the library does, if the format, in letters of either case, is not one of `known`
+/// for writing `what`.
+void require_format(const std::string& path, std::string& format,
+                    std::initializer_list<std::string_view> known, const char* what);
+
+/// The same where there is one kind of output, by the extension of the path; without one all is well.
+void require_extension(const std::string& path, std::initializer_list<std::string_view> known,
+                       const char* what);
 
 /// Whether Ctrl-C has a partial file to remove while this path is written to.
 Stage stage_of_writing(const std::string& path);

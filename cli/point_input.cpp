@@ -101,6 +101,31 @@ void add_queries(CLI::App& command, PointInput& queries, const std::string& desc
   add_columns(command, "--query-columns", queries.options.columns);
 }
 
+namespace {
+
+std::string listed(const std::vector<std::string>& names) {
+  std::string text;
+  for (const std::string& name : names) text += (text.empty() ? "" : ", ") + printable(name);
+  return text;
+}
+
+}  // namespace
+
+void require_fitting(const PointTable& queries, const PointTable& points, const PointInput& from) {
+  if (queries.dimension != points.dimension)
+    throw Error(
+        Errc::bad_dimension,
+        fmt::format("{}: queries of dimension {} for points of dimension {}; --query-columns and --columns "
+                    "say which columns are coordinates",
+                    input_name(from.path), queries.dimension, points.dimension));
+  if (from.options.columns.empty() && !queries.column_names.empty() && !points.column_names.empty() &&
+      queries.column_names != points.column_names)
+    throw Error(
+        Errc::bad_format,
+        fmt::format("{}: the columns {}, not {}, in this order; --query-columns chooses them",
+                    input_name(from.path), listed(queries.column_names), listed(points.column_names)));
+}
+
 std::vector<std::string> split_list(const std::string& list) {
   std::vector<std::string> parts;
   for (std::size_t begin = 0; begin <= list.size();) {
@@ -157,8 +182,8 @@ bool names_a_file(const std::string& columns_or_file) {
 }
 
 const std::vector<std::string>& point_formats() {
-  static const std::vector<std::string> formats{"npy", "csv", "tsv", "txt",  "xyz",
-                                                "pts", "off", "ply", "qhull"};
+  static const std::vector<std::string> formats{"npy", "csv", "tsv", "txt", "xyz",
+                                                "pts", "dat", "off", "ply", "qhull"};
   return formats;
 }
 

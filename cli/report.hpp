@@ -21,6 +21,11 @@ using Json = nlohmann::ordered_json;
 /// The number, or null if it is not finite, which JSON cannot express.
 Json number(double x);
 
+/// Lines of text; names of columns need not be UTF-8.
+inline std::string as_text(const Json& json) {
+  return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
 /// The members of --stats about points and cells, in this order.
 struct Counts {
   int dimension = 0, affine_dimension = -1;
@@ -70,7 +75,7 @@ class Summary {
 template <class MakeStats, class MakeSummary>
 void print_report(const BuildOptions& options, bool has_written, MakeStats stats, MakeSummary summary) {
   if (options.stats)
-    print_output(Json(stats()).dump(2) + "\n");
+    print_output(as_text(stats()));
   else if (!has_written)
     print_output(Summary(summary()).text());
 }

@@ -197,6 +197,37 @@ void check_completeness(const Examined& examined, const Volumes& volumes, bool c
   check_hidden(examined, volumes, hidden, canonical);
 }
 
+namespace {
+
+/// The dimension that the points of the cells span, as far as it is needed: not beyond `most`.
+int spanned_dimension(const ComplexData& data, int most) {
+  kernel::AffineHull hull(data.dimension);
+  for (const SignedIndex row : data.cells) {
+    if (hull.dimension() >= most) break;
+    hull.add(data.points.data() + static_cast<std::size_t>(row) * static_cast<std::size_t>(data.dimension));
+  }
+  return hull.dimension();
+}
+
+/// What data may be that are no triangulation of their points, though delone wrote them; empty if the
+/// violation is none of those that they have. REQUIRES that level 1 is passed.
+std::string other_meaning(const ComplexData& data, const CheckReport& report) {
+  const int k = data.affine_dimension, level = report.reached.number;
+  if (k < data.dimension && spanned_dimension(data, k + 1) > k)
+    return fmt::format(
+        "; these cells of dimension {} do not lie in one flat: they are a surface, as the lower hull of "
+        "points "
+        "or the boundary of an alpha complex, which has to pass level 1 only",
+        k);
+  const bool is_border = level == 3 || report.violation.starts_with("the hull is not convex");
+  if (!is_border) return {};
+  return fmt::format(
+      "; if the cells are a part of a triangulation, as those of an alpha complex are, this is no fault: a "
+      "part has to pass the levels up to {} only",
+      level - 1);
+}
+
+}  // namespace
 }  // namespace internal
 
 CheckReport check(const ComplexData& data, const CheckOptions& options) {
@@ -206,7 +237,7 @@ CheckReport check(const ComplexData& data, const CheckOptions& options) {
   Volumes volumes;
   // No points, no cells: the empty complex is a sphere of dimension −1, and nothing else is left to hold.
   const bool is_empty = data.affine_dimension < 0;
-  return run_levels<ComplexData>(
+  CheckReport found = run_levels<ComplexData>(
       options,
       [&](CheckReport&) {
         check_storage(data, options.furthest_site, options.threads);
@@ -225,6 +256,8 @@ CheckReport check(const ComplexData& data, const CheckOptions& options) {
         if (!is_empty) report.ties = check_local_convexity(examined, volumes, options.canonical);
       },
       [&](CheckReport&) { check_completeness(examined, volumes, options.canonical); });
+  if (!found.ok && found.reached.number > 1 && !is_empty) found.violation += other_meaning(data, found);
+  return found;
 }
 
 }  // namespace delone

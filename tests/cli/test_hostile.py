@@ -137,7 +137,7 @@ class Overwriting(Case):
         weights = self.file("weights.txt", "0\n0\n0\n")
         self.complaint("power", self.points, "--weights", weights, "-o", "b.json", "--volumes", "./b.json", status=64, cwd=self.folder.name)
         self.assertFalse(os.path.exists(new))
-        self.output("voronoi", self.points, "-o", "new.json", "--volumes", "other/new.json", cwd=self.folder.name)
+        self.output("voronoi", self.points, "-o", "new", "--output-format", "json", "--volumes", "other/new", cwd=self.folder.name)
 
     def test_two_outputs_do_not_share_standard_output(self):
         for arguments in (["voronoi", "-o", "-", "--output-format", "json", "--volumes", "-"], ["voronoi", "--volumes", "-", "--stats"],

@@ -98,6 +98,15 @@ class Hull(Case):
         self.complaint("hull", phases, "--distances", distances, status=64)
         self.complaint("hull", self.file("one.csv", "1\n2\n"), "--lower")
 
+    def test_fractions_that_sum_to_1(self):
+        shares = np.random.default_rng(1).dirichlet([1, 1, 1], 40).round(4)
+        rows = "\n".join(",".join(map(str, [*row, i * i % 7])) for i, row in enumerate(shares))
+        path = self.file("f.csv", "xA,xB,xC,e\n" + rows + "\n")
+        done = self.run_delone("hull", "--lower", path)
+        self.assertIn("the columns xA, xB, xC sum to 1 but for rounding", done.stderr.decode())
+        self.output("hull", "--lower", path, "--quiet")
+        self.output("hull", "--lower", path, "--columns", "xA,xB,e")
+
     def test_threads_change_nothing(self):
         points = self.path("points.npy")
         self.output("generate", "sphere", "-d", 3, "-n", 1000, "-o", points)

@@ -51,8 +51,8 @@ class Input(Case):
         named = self.path("h.csv")  # a name comes before a range
         self.assertEqual(self.stats(named, "--columns", "2-3")["dimension"], 1)
         self.assertEqual(self.stats(self.path("n.csv"), "--columns", "2-3")["dimension"], 2)
-        for columns, said in (("3-1", "the range '3-1' runs backwards"), ("2-9", "there is no column '2-9'; the columns are 0 to 4"),
-                              ("1-", "there is no column '1-'"), ("0-18446744073709551615", "there is no column '0-18446744073709551615'")):
+        for columns, said in (("3-1", "the range '3-1' runs backwards"), ("2-9", "the range '2-9' ends beyond column 4"),
+                              ("1-", "there is no column '1-'"), ("0-18446744073709551615", "the range '0-18446744073709551615' ends beyond column 4")):
             self.assertIn("n.csv: --columns: " + said, self.complaint("delaunay", self.path("n.csv"), "--columns", columns))
         self.assertIn("n.csv: --query-columns: there is no column '9'",
                       self.complaint("locate", self.path("n.csv"), "--columns", "0,1", "--queries", self.path("n.csv"), "--query-columns", "9,0"))
@@ -176,7 +176,7 @@ class BadInput(Case):
                 ("a.txt", b"\x93NUMPY\x01\x00" + b"\0" * 100, "looks like an .npy file: --format npy"),
                 ("a.csv", b"\x89PNG\r\n\x1a\n" + b"\0" * 10, "looks like a picture"), ("a.txt", b"\1\2\0\3", "a binary file"),
                 ("a.csv", b"PK\x03\x04" + b"\0" * 200000, "looks like a zip archive"), ("a.npy", "OFF\n3 0 0\n", "an .off file: --format off"),
-                ("a.dat", "0 0\n", "'dat' cannot be used for reading points; available: npy, csv, .*; name it with --format"),
+                ("a.asc", "0 0\n", "'asc' cannot be used for reading points; available: npy, csv, .*; name it with --format"),
                 ("points", "0 0\n", "no extension tells the format")):
             self.refused(name, text, *said)
         for name, text in (("a.csv", "0,0\n1,zero\n"), ("a.csv", "x,y\n1,2\n3,four\n"), ("a.txt", "0 0\n0 1\n1 x\n"), ("a.csv", "a\nb\n")):

@@ -32,7 +32,7 @@ class Memory(Case):
         def limited():
             resource.setrlimit(resource.RLIMIT_AS, (limit, limit))
 
-        self.assertIn("1 points in dimension 1000000", self.output("delaunay", line, preexec_fn=limited))
+        self.assertIn("1 point in dimension 1000000", self.output("delaunay", line, preexec_fn=limited))
 
 
 class Interrupts(Case):

@@ -32,6 +32,17 @@ class Locate(Case):
         self.assertEqual(answers[0], {"query": 0, "kind": "in_cell", "cell": 0, "face": [0, 1, 2]})
         self.assertEqual((answers[1]["kind"], answers[1]["cell"]), ("outside_hull", -1))
 
+    def test_what_does_not_fit(self):
+        points = self.file("p.csv", "x,y\n0,0\n1,0\n0,1\n")
+        turned = self.file("q.csv", "y,x\n0.25,0.5\n")
+        for arguments in (["locate", points], ["interpolate", points, "--values", self.file("v.txt", "1\n2\n3\n")]):
+            self.assertIn("q.csv: the columns y, x, not x, y, in this order; --query-columns", self.complaint(*arguments, "--queries", turned))
+            self.output(*arguments, "--queries", turned, "--query-columns", "1,0")
+            self.assertIn("--query-columns", self.complaint(*arguments, "--queries", self.file("r.txt", "1 2 3\n")))
+        for name in ("a.npz", "a.vtu"):
+            self.assertIn("available: csv, json", self.complaint("locate", points, "--queries", points, "-o", self.path(name)))
+        self.assertIn("--output-format", self.complaint("locate", points, "--queries", points, "-o", self.path("a")))
+
     def test_outside_the_affine_hull(self):
         points = self.file("p.txt", "0 0 0\n1 0 0\n0 1 0\n")
         queries = self.file("q.txt", "0.1 0.1 0\n0.1 0.1 1e-300\n")

@@ -51,7 +51,10 @@ class Usage(Case):
             self.assertIn(f"Usage: delone {command} ", own)
             self.assertNotIn("Exit status: 0 success", own)
             done = self.run_delone(command, status=64)  # without arguments
-            self.assertEqual((done.stdout, done.stderr.decode()), (b"", own))
+            self.assertEqual(done.stdout, b"")
+            self.assertRegex(done.stderr.decode(), r"\A" + re.escape(own) + (r"\Z" if command == "forecast" else r"delone: [A-Z]+ is missing\n\Z"))
+        self.assertEqual(self.output("help", "help"), self.output("--help"))
+        self.assertEqual(self.output("help", "hull", "info"), self.output("help", "hull") + "\n" + self.output("help", "info"))
         done = self.run_delone(status=64)
         self.assertEqual((done.stdout, done.stderr.decode()), (b"", self.output("--help")))
 
@@ -69,6 +72,21 @@ class Usage(Case):
             self.assertIn(said, text)
             self.assertNotIn("did you mean", text)
             self.assertLess(len(text), 300)
+
+    def test_bad_values(self):
+        points = self.uniform(2, 5)
+        for arguments, said in ((["voronoi", points, "--box", "0,0,a,1"], "--box: 'a' is not a number (item 3 of 4)"),
+                                (["generate", "uniform", "-d", "two", "-n", "5"], "'two' is no whole number from 1 to 1000000"),
+                                (["generate", "unifrom", "-d", "2", "-n", "5"], "did you mean 'uniform'?"),
+                                (["voronoi", points, "--box", "0,0,1,1"], "--box cuts pictures and volumes"),
+                                (["delaunay", points, "--output-format", "npz"], "--output-format requires --output"),
+                                (["view", points, "--box", "0,0,1,1"], "--box cuts Voronoi")):
+            self.assertIn(said, self.complaint(*arguments, status=64))
+        for arguments, said in ((["delaunay", points, "-o", self.path("none/a.npz")], ": the folder " + self.path("none") + ": "),
+                                (["delaunay", points, "--columns", "0-5"], "the range '0-5' ends beyond column 1"),
+                                (["view", points, "-o", self.path("a.png")], "available: html, htm"),
+                                (["voronoi", points, "--volumes", self.path("a.npy")], "available: csv")):
+            self.assertIn(said, self.complaint(*arguments))
 
     def test_numbers_beyond_all_numbers(self):
         for number in ("1e400", "1e999999", "inf", "nan", "0x10"):
@@ -97,7 +115,7 @@ class Usage(Case):
         with open(os.path.join(os.path.dirname(__file__), "../../docs/guide.md"), encoding="utf-8") as file:
             table = file.read().split("| status | meaning |\n")[1].split("\n\n")[0]
         documented = re.findall(r"\d+", " ".join(row.split("|")[1] for row in table.splitlines()))
-        self.assertEqual(documented, ["0", "1", "2", "3", "64", "130", "143"])
+        self.assertEqual(documented, ["0", "1", "2", "3", "64", "130", "143", "141"])
         listed = self.output("--help").split("Exit status:")[1].split("\n\n")[0]
         self.assertEqual(re.findall(r"\b\d+\b", listed), documented)
 

@@ -47,6 +47,9 @@ class Chooser {
                                                                              : to_count(one.substr(dash + 1));
     if (!first || !last) return false;
     if (*first > *last) fail(Errc::bad_format, "{}: the range {} runs backwards", name_, in_quotes(one));
+    if (*last >= width_ && *first < width_)
+      fail(Errc::bad_format, "{}: the range {} ends beyond column {}, the last one", name_, in_quotes(one),
+           width_ - 1);
     if (*last >= width_) return false;
     for (std::uint64_t i = *first; i <= *last; ++i) columns.push_back(static_cast<std::size_t>(i));
     return true;

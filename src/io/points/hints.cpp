@@ -76,7 +76,7 @@ Table table_of(const std::vector<std::string_view>& lines, char separator) {
 char separator_of(std::string_view format) {
   if (format == "csv") return ',';
   if (format == "tsv") return '\t';
-  return format == "txt" || format == "xyz" || format == "pts" ? ' ' : '\0';
+  return format == "txt" || format == "xyz" || format == "pts" || format == "dat" ? ' ' : '\0';
 }
 
 std::string separator_hint(const std::vector<std::string_view>& lines, std::string_view format) {
@@ -172,6 +172,7 @@ bool is_qhull_form(std::string_view text) {
 
 std::string hint_for(std::string_view bytes, std::string_view format) {
   if (std::string hint = signature_hint(bytes, format); !hint.empty()) return hint;
+  if (bytes.starts_with("\xff\xfe") || bytes.starts_with("\xfe\xff")) return {};  // UTF-16, as was said
   const bool is_text = bytes.substr(0, sample_bytes).find('\0') == std::string_view::npos;
   if (format == "npy" || format == "ply" || format == "off") return {};
   if (!is_text) return "this is a binary file";

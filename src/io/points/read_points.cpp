@@ -71,7 +71,7 @@ void check_opening(const std::string& format, std::string_view opening, bool is_
   if (word.empty() || at.at_end()) return;  // there may be more of it
   if (format == "off" && !word.ends_with("OFF")) io::read_off(text, name);
   if (format == "qhull" && !io::to_count(word)) io::read_qhull(text, name);
-  if ((format == "txt" || format == "xyz" || format == "pts") && !io::to_number(word))
+  if ((format == "txt" || format == "xyz" || format == "pts" || format == "dat") && !io::to_number(word))
     io::read_white_space(text, name);
 }
 
@@ -80,7 +80,7 @@ void check_opening(const std::string& format, std::string_view opening, bool is_
 PointTable read_points(const std::string& path, const ReadOptions& options) {
   io::refuse_folder(path, "a file of points");
   const std::string format = io::choose_format(
-      path, options.format, "qhull", {"npy", "csv", "tsv", "txt", "xyz", "pts", "off", "ply", "qhull"},
+      path, options.format, "qhull", {"npy", "csv", "tsv", "txt", "xyz", "pts", "dat", "off", "ply", "qhull"},
       io::Use::reading, "points");
   const std::string name = io::input_name(path);
   return io::guarded(name, [&] {

@@ -166,20 +166,47 @@ class DelimitedReader {
     return true;
   }
 
-  /// The first line gives the number of columns, and their names if any field is text. A line of numbers with
-  /// empty fields is a faulty row rather than a header.
+  /// A field of the first line.
+  struct FirstField {
+    std::string text;
+    bool quoted = false;
+    bool is_number() const { return to_number(trimmed(text)).has_value(); }
+    bool is_name() const { return !trimmed(text).empty() && !is_number(); }
+  };
+
+  /// Whether the first line has names. A line of numbers and empty fields has not: it is a row, perhaps a
+  /// faulty one. Beside a name, a number in quotes is one, too; any other number there is refused, as the
+  /// line may be a damaged row, unless a name of the line is among the columns that are chosen.
+  bool is_header(const std::vector<FirstField>& fields, std::size_t line) const {
+    const auto name = std::find_if(fields.begin(), fields.end(), [](const auto& f) { return f.is_name(); });
+    if (name == fields.end()) return false;
+    const auto is_chosen = [&](const FirstField& f) {
+      const auto in = [&](const std::vector<std::string>& list) {
+        return std::find(list.begin(), list.end(), f.text) != list.end();
+      };
+      return f.is_name() && (in(choice_.wanted) || in(choice_.last));
+    };
+    if (std::none_of(fields.begin(), fields.end(),
+                     [](const auto& f) { return f.is_number() && !f.quoted; }) ||
+        std::any_of(fields.begin(), fields.end(), is_chosen))
+      return true;
+    fail(Errc::bad_format, "{}: {} is not a number; a header has names only, or numbers in quotes",
+         field_place(static_cast<std::size_t>(name - fields.begin()), line), in_quotes(name->text));
+  }
+
+  /// The first line gives the number of columns, and their names if it has names.
   void read_header(PointTable& table) {
     const TextCursor start = at_;
-    std::vector<std::string> fields;
-    do fields.push_back(field());
-    while (next_field());
+    std::vector<FirstField> fields;
+    do {
+      skip_spaces();
+      const bool quoted = !at_.at_end() && *at_.position() == '"';
+      fields.push_back({field(), quoted});
+    } while (next_field());
     width_ = fields.size();
-    const bool header = std::any_of(fields.begin(), fields.end(), [](const auto& f) {
-      const std::string_view text = trimmed(f);
-      return !text.empty() && !to_number(text);
-    });
+    const bool header = is_header(fields, start.line());
     if (header) {
-      names_ = std::move(fields);
+      for (FirstField& f : fields) names_.push_back(std::move(f.text));
       at_.take_line_end();
     } else {
       at_ = start;

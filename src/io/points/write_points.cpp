@@ -18,7 +18,7 @@ namespace delone {
 namespace {
 
 /// The names as a header line. Left out when every one of them is a number or empty: the line would be read
-/// as a point.
+/// as a point. Beside others such a name is in quotes.
 void write_header(io::AtomicFile& file, const std::vector<std::string>& names, char delimiter) {
   if (std::all_of(names.begin(), names.end(),
                   [](const auto& n) { return n.empty() || io::to_number(n).has_value(); }))
@@ -27,7 +27,7 @@ void write_header(io::AtomicFile& file, const std::vector<std::string>& names, c
     if (i > 0) file.put(delimiter);
     const std::string& name = names[i];
     const bool is_mark = name.starts_with("\xEF\xBB\xBF");  // a byte order mark, which readers skip
-    if (!is_mark && name.find_first_of(" ,\t\"\r\n#") == std::string::npos) {
+    if (!is_mark && !io::to_number(name) && name.find_first_of(" ,\t\"\r\n#") == std::string::npos) {
       file.write(name);
       continue;
     }

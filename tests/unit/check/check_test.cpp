@@ -45,6 +45,19 @@ ComplexData square() {
   return {2, 2, {0, 0, 2, 0, 2, 2, 0, 2, 1, 1}, {0, 1, 4, 1, 2, 4, 2, 3, 4, 3, 0, 4}, {}, {}};
 }
 
+TEST(Check, SaysWhatIsNoTriangulationOfItsPoints) {
+  // two triangles of a lower hull, and a square without one of its triangles
+  const ComplexData surface{3, 2, {0, 0, 0, 1, 0, 1, 0, 1, 1, 1, 1, 0}, {0, 1, 2, 2, 1, 3}, {}, {}};
+  expect_failure(surface, "volume", "these cells of dimension 2 do not lie in one flat: they are a surface");
+  ComplexData part = square();
+  part.cells.resize(9);
+  expect_failure(part, "local convexity", "if the cells are a part of a triangulation");
+  ComplexData flat = surface;
+  flat.points = {0, 0, 0, 1, 0, 0, 0, 1, 0, 1, 1, 0};
+  std::swap(flat.cells[0], flat.cells[1]);
+  EXPECT_THAT(check_all(flat).violation, ::testing::Not(HasSubstr("surface")));
+}
+
 // The neighbors of the cells, by comparing all pairs.
 void add_neighbors(ComplexData& data) {
   const auto corners = static_cast<std::size_t>(data.affine_dimension + 1);

@@ -53,6 +53,18 @@ TEST_F(ReadCsv, HeaderAndColumns) {
   EXPECT_EQ(read("b.csv", "1,2,3\n4,5,6\n", {"2", "0"}).coordinates, (Doubles{3, 1, 6, 4}));
 }
 
+TEST_F(ReadCsv, DamagedFirstRowIsNoHeader) {
+  for (const std::string row : {"1.O,2", "1.0D0,2", "NA,1", "1_000,2", "0x10,2"})
+    expect_error(Errc::bad_format,
+                 {"a.csv:1: column 0: '" + row.substr(0, row.find(',')) + "' is not a number; a header has"},
+                 [&] { read("a.csv", row + "\n1,2\n"); });
+  const std::string years = "x,y,2010\n1,2,3\n";
+  expect_error(Errc::bad_format, {"a.csv:1: column 0: 'x'"}, [&] { read("a.csv", years, {"0", "1"}); });
+  EXPECT_EQ(read("a.csv", years, {"x", "2010"}).coordinates, (Doubles{1, 3}));
+  EXPECT_EQ(read("a.csv", "x,\"2010\"\n1,2\n").column_names, (Names{"x", "2010"}));
+  EXPECT_EQ(read("a.csv", "\"1\",\"2010\"\n1,2\n").num_points(), 2u);
+}
+
 TEST_F(ReadCsv, HeaderAloneGivesNoPoints) {
   const auto t = read("a.csv", "x,y\n");
   EXPECT_EQ(t.dimension, 2);
