@@ -16,27 +16,37 @@ namespace {
 /// So close to the limit the construction ends: the memory that is written between two looks.
 std::size_t margin(std::size_t memory) { return std::min<std::size_t>(memory / 8, std::size_t{64} << 20); }
 
-/// The exponent with which a cost has grown.
-double exponent(double from, double to, double log_ratio) {
+/// The least limit under which so much memory is no error.
+double limit_for(double memory) {
+  constexpr double most = std::size_t{64} << 20;  // of margin()
+  return std::min(memory * 8 / 7, memory + most);
+}
+
+/// The exponent with which a cost has grown. Where it has grown by less than `least_growth`, that is noise.
+double exponent(double from, double to, double log_ratio, double least_growth) {
   constexpr double least = 1, most = 5;  // ⌈d/2⌉ in 9D; the fraction is one of points
-  return from > 0 && to > from ? std::clamp(std::log(to / from) / log_ratio, least, most) : least;
+  if (!(from > 0 && to - from >= least_growth)) return least;
+  return std::clamp(std::log(to / from) / log_ratio, least, most);
 }
 
 }  // namespace
 
-WholeCost extrapolated(const std::vector<Passed>& passed) {
-  constexpr double least_fraction = 0.02;
+WholeCost extrapolated(const std::vector<Passed>& passed, bool may_grow) {
+  constexpr double least_fraction = 0.02, least_seconds = 0.02, least_bytes = std::size_t{4} << 20;
   if (passed.empty() || passed.back().fraction < least_fraction) return {};
   const Passed& first = passed.front();
   const Passed& last = passed.back();
   const auto half = std::find_if(passed.begin(), passed.end(),
                                  [&](const Passed& p) { return p.fraction >= last.fraction / 2; });
   const double log_ratio = std::log(last.fraction / half->fraction), stretch = 1 / last.fraction;
-  if (!(log_ratio > 0.1)) return {first.bytes + (last.bytes - first.bytes) * stretch, last.seconds * stretch};
-  const auto grown = [&](double before, double from, double to) {
-    return before + (to - before) * std::pow(stretch, exponent(from - before, to - before, log_ratio));
+  if (!may_grow || !(log_ratio > 0.1))
+    return {first.bytes + (last.bytes - first.bytes) * stretch, last.seconds * stretch};
+  const auto grown = [&](double before, double from, double to, double least_growth) {
+    const double power = exponent(from - before, to - before, log_ratio, least_growth);
+    return before + (to - before) * std::pow(stretch, power);
   };
-  return {grown(first.bytes, half->bytes, last.bytes), grown(first.seconds, half->seconds, last.seconds)};
+  return {grown(first.bytes, half->bytes, last.bytes, least_bytes),
+          grown(first.seconds, half->seconds, last.seconds, least_seconds)};
 }
 
 BuildLimits::BuildLimits(std::size_t memory, double seconds, const char* items)
@@ -58,11 +68,13 @@ bool BuildLimits::look(double fraction) {
   constexpr double step = 1.05;
   if (fraction > 0 && (passed_.empty() || fraction >= step * passed_.back().fraction))
     passed_.push_back(last_);
-  if (memory_ > 0 && last_.bytes > static_cast<double>(memory_ - margin(memory_))) throw_at_memory();
+  if (memory_ > 0 && last_.bytes > near_limit()) throw_at_memory();
   if (seconds_ > 0 && last_.seconds > seconds_)
     throw Error(Errc::time_limit, message(readable_seconds(seconds_)));
   return true;
 }
+
+double BuildLimits::near_limit() const { return static_cast<double>(memory_ - margin(memory_)); }
 
 void BuildLimits::throw_at_memory() {
   throw Error(Errc::out_of_memory, message(readable_bytes(static_cast<double>(memory_))));
@@ -73,7 +85,7 @@ WholeCost BuildLimits::whole() const {
   if (counts_items_) {
     std::vector<Passed> passed = passed_;
     if (last_.fraction > 0) passed.push_back(last_);
-    whole = extrapolated(passed);
+    whole = extrapolated(passed, !independent_);
   }
   if (whole.seconds == 0 && model_) {
     whole = model_();
@@ -97,6 +109,12 @@ std::string BuildLimits::message(const std::string& limit) const {
   if (cost.seconds > 0)
     text += "; the whole would have taken about " + readable_bytes(cost.bytes) + " and " +
             readable_seconds(cost.seconds);
+  if (cost.seconds > 0 && memory_ > 0) {
+    // Not below the limit that was too low, and so rough that it has to differ from it in its words.
+    const double least = last_.bytes > near_limit() ? 1.1 * static_cast<double>(memory_) : 0;
+    text += ", for which a limit of memory of " + readable_bytes(std::max(limit_for(cost.bytes), least)) +
+            " would do";
+  }
   return text;
 }
 

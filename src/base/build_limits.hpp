@@ -27,8 +27,9 @@ struct Passed {
 
 /// What the whole takes, from what has passed so far, the earliest first. Cost is taken to grow as a power of
 /// the fraction, the same from half of the last fraction to it as from there to the end: points are inserted
-/// so that those of any stretch cover the whole set. Zeros where that says nothing.
-WholeCost extrapolated(const std::vector<Passed>& passed);
+/// so that those of any stretch cover the whole set. Where it may not grow, or has hardly changed in that
+/// time (by less than 20 ms, 4 MB), it goes on as it was. Zeros where that says nothing.
+WholeCost extrapolated(const std::vector<Passed>& passed, bool may_grow = true);
 
 /// While it lives, constructions in this thread end with an error at a limit: Errc::out_of_memory once the
 /// resident memory of the process comes near `memory` bytes, Errc::time_limit after `seconds`. 0 is no
@@ -45,6 +46,8 @@ class BuildLimits {
   void set_model(std::function<WholeCost()> model) { model_ = std::move(model); }
   /// Whether the fraction done is one of items from now on. At first it is.
   void count_items(bool counts);
+  /// Says that no item costs more because of others, so that the cost is proportional to their number.
+  void set_independent() { independent_ = true; }
 
   /// Runs `work`; std::bad_alloc becomes Errc::out_of_memory with the message of the limit, if there is one.
   template <class Work>
@@ -59,6 +62,7 @@ class BuildLimits {
 
  private:
   bool look(double fraction);
+  double near_limit() const;
   [[noreturn]] void throw_at_memory();
   std::string message(const std::string& limit) const;
   WholeCost whole() const;
@@ -66,7 +70,7 @@ class BuildLimits {
   std::size_t memory_;
   double seconds_;
   const char* items_;
-  bool counts_items_ = true;
+  bool counts_items_ = true, independent_ = false;
   std::function<WholeCost()> model_;
   double bytes_before_ = 0;
   Stopwatch stopwatch_;

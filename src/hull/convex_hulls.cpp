@@ -95,6 +95,7 @@ ConvexHulls convex_hulls(const AnyPoints<>& points, int dimension, std::span<con
     of_each.time_limit = of_small.time_limit = 0;
     of_each.memory_limit = of_small.memory_limit = 0;
     internal::BuildLimits limits(options.memory_limit, options.time_limit, "sets");
+    limits.set_independent();
     of_small.order = InsertionOrder::as_given;
     internal::ProgressMeter progress(options.progress, offsets.size() - 1);
     const auto d = static_cast<std::size_t>(dimension);

@@ -12,6 +12,7 @@
 #include <cmath>
 #include <limits>
 #include <new>
+#include <string>
 #include <thread>
 
 namespace delone::internal {
@@ -19,11 +20,11 @@ namespace {
 
 using ::testing::HasSubstr;
 
-/// Costs a·f^p from f = 0.01 on.
+/// Costs f^p seconds and 1e9·f^p bytes, from f = 0.01 on.
 std::vector<Passed> grown_like(double exponent, double last) {
   std::vector<Passed> passed;
   for (double f = 0.01; f < last; f *= 1.05)
-    passed.push_back({f, std::pow(f, exponent), 100 * std::pow(f, exponent)});
+    passed.push_back({f, std::pow(f, exponent), 1e9 * std::pow(f, exponent)});
   return passed;
 }
 
@@ -31,10 +32,20 @@ TEST(BuildLimits, ThePowerOfTheGrowthIsContinued) {
   for (const double exponent : {1.0, 1.5, 3.0}) {
     const WholeCost whole = extrapolated(grown_like(exponent, 0.6));
     EXPECT_NEAR(whole.seconds, 1, 0.05) << exponent;
-    EXPECT_NEAR(whole.bytes, 100, 5) << exponent;
+    EXPECT_NEAR(whole.bytes, 1e9, 5e7) << exponent;
   }
+  EXPECT_LT(extrapolated(grown_like(3, 0.5), false).bytes, 0.3e9);
   EXPECT_EQ(extrapolated({}).seconds, 0);
   EXPECT_EQ(extrapolated({{0.001, 1, 1}}).seconds, 0);
+}
+
+TEST(BuildLimits, WhatHasHardlyChangedGoesOnAsItWas) {
+  std::vector<Passed> passed;
+  for (double f = 0.01; f < 0.1; f *= 1.05)
+    passed.push_back({f, 0.01 * std::pow(f / 0.1, 4), 1e8 + 1e6 * std::pow(f / 0.1, 4)});
+  const WholeCost whole = extrapolated(passed);
+  EXPECT_LT(whole.seconds, 0.11);
+  EXPECT_LT(whole.bytes, 1.12e8);
 }
 
 TEST(BuildLimits, BadTimesAreErrors) {
@@ -89,6 +100,22 @@ TEST(BuildLimits, MemoryThatTheProcessHasAlreadyIsAnError) {
   const Error error = error_of(limits);
   EXPECT_EQ(error.code(), Errc::out_of_memory);
   EXPECT_THAT(error.what(), HasSubstr("stopped at the limit of 1 kB"));
+}
+
+// Such a limit is one that would not have been reached.
+TEST(BuildLimits, TheMessageTellsALimitOfMemoryThatWouldDo) {
+  BuildLimits limits(std::size_t{1} << 40, 0.03, "points");
+  limits.set_model([] { return WholeCost{1e12, 240}; });
+  limits.count_items(false);
+  EXPECT_THAT(error_of(limits).what(), HasSubstr(" TB and 4 minutes, for which a limit of memory of 1"));
+  if (platform::resident_memory() == 0) GTEST_SKIP() << "the system does not tell the memory in use";
+  BuildLimits low(3'000'000, 0, "points");
+  low.set_model([] { return WholeCost{0, 1}; });
+  low.count_items(false);
+  const std::string text = error_of(low).what();
+  EXPECT_THAT(text, HasSubstr("stopped at the limit of 3 MB while cells were made"));
+  const double whole = std::stod(text.substr(text.find("about ") + 6));
+  EXPECT_GT(std::stod(text.substr(text.find("limit of memory of ") + 19)), 8 * whole / 7 - 1) << text;
 }
 
 TEST(BuildLimits, FailedAllocationsAreExplained) {
