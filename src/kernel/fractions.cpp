@@ -8,7 +8,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
-#include <limits>
 #include <utility>
 
 namespace delone::kernel {
@@ -77,9 +76,12 @@ double root_above(Integer numerator, Integer denominator, int exponent) {
     const Integer scaled = scaled_integer(root, grid);
     if (scaled * scaled * denominator >= numerator) break;
   }
-  const double result = std::ldexp(root, shift / 2 + exponent);
-  constexpr double least_normal = std::numeric_limits<double>::min();  // below it ldexp() rounds
-  return result < least_normal ? std::nextafter(result, 1.0) : result;
+  // Below the normal range ldexp() rounds; a double of that range that is not below the root is not below
+  // this one, either.
+  const int scale = shift / 2 + exponent;
+  const double result = std::ldexp(root, scale);
+  const bool is_below = result == 0 || std::ldexp(result, -scale) < root;
+  return is_below ? std::nextafter(result, 1.0) : result;
 }
 
 Integer exact_determinant(std::vector<Integer> a, std::size_t n) {

@@ -27,9 +27,8 @@ double nearest_double(Integer numerator, Integer denominator, int exponent);
 /// −0. REQUIRES denominator ≠ 0.
 double double_above(const Integer& numerator, const Integer& denominator, int exponent);
 
-/// √(numerator/denominator)·2^exponent, rounded up: the least double that is not below, or, below the normal
-/// range, one that is larger by less than two smallest doubles; +infinity beyond the largest. REQUIRES a
-/// fraction of at least 0.
+/// √(numerator/denominator)·2^exponent, rounded up: the least double that is not below; +infinity beyond the
+/// largest. REQUIRES a fraction of at least 0.
 double root_above(Integer numerator, Integer denominator, int exponent);
 
 /// The determinant of an n×n matrix, row by row, by fraction-free elimination (Bareiss 1968,

@@ -171,7 +171,19 @@ TEST(RootAbove, IsTheLeastDoubleNotBelow) {
   EXPECT_EQ(root_above(1, 1, 1023), 0x1p1023);
   EXPECT_EQ(root_above(4, 1, 1023), INFINITY);
   EXPECT_EQ(root_above((Integer(1) << 106) + 1, Integer(1) << 106, 0), std::nextafter(1.0, 2.0));
-  EXPECT_GE(root_above(2, 1, -1074), 2 * Limits::denorm_min());
+  EXPECT_EQ(root_above(2, 1, -1074), 2 * Limits::denorm_min());
+  EXPECT_EQ(root_above(9, 1, -1074), 3 * Limits::denorm_min());
+  EXPECT_EQ(root_above(10, 1, -1074), 4 * Limits::denorm_min());
+  EXPECT_EQ(root_above(1, 16, -1074), Limits::denorm_min());
+  EXPECT_EQ(root_above(1, 1, -3000), Limits::denorm_min());
+  EXPECT_EQ(root_above(Integer(1) << 2000, 1, -2074), Limits::denorm_min());
+  for (const std::int64_t units : {1LL, 5LL, 123456789LL, (1LL << 52) - 1, 1LL << 52, (1LL << 53) - 1}) {
+    const double x = std::ldexp(static_cast<double>(units), -1074);
+    const Integer square = Integer(units) * units;
+    EXPECT_EQ(root_above(square, 1, -1074), x);
+    EXPECT_EQ(root_above(square * 9 - 1, 9, -1074), x);
+    EXPECT_EQ(root_above(square * 9 + 1, 9, -1074), std::nextafter(x, 1.0));
+  }
   random::Generator generator(5);
   for (int i = 0; i < 5000; ++i) {
     const Integer a = Integer(generator.below(1'000'000'000) + 1) << generator.below(200),
