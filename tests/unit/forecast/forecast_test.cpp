@@ -54,7 +54,7 @@ TEST(Forecast, FewPointsAreOneFlatCell) {
 
 TEST(Forecast, AllKinds) {
   for (const PointSetKind& kind : point_set_kinds())
-    for (int d = 1; d <= (test::scale() == test::Scale::small ? 3 : 7); ++d) {
+    for (int d = 1; d <= (test::scale() == test::Scale::small ? 2 : 7); ++d) {
       if (d == 1 && (kind.name == "flat" || kind.name == "cospherical" || kind.name == "ulp_sphere"))
         continue;
       for (const std::size_t n : sizes(kind.name, d)) {
