@@ -1,18 +1,30 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// With the Gram matrix G of the edges from p_0, 1/h_i² = (G⁻¹)_ii for i ≥ 1, and Σ(G⁻¹)_ij for i = 0. R is an
-// approximate inverse with ‖I − RG‖ ≤ α ≤ 1/2 in the norm of row sums. So ‖G⁻¹‖ ≤ 2‖R‖, and row sums of |R −
-// G⁻¹| are at most α‖G⁻¹‖ ≤ δ = 2α‖R‖: no entry is off by more, and the sum of all by at most nδ.
+// Stages: binary64, pairs of doubles, integers. The first two have an inverse X with |M⁻¹ − X|_ij ≤ 2·r_i·ρ_j
+// (faces/edge_inverse.hpp, with the names); s_i and w_j are the entries of S and W.
 //
-// det G is the product of the pivots of G = LDLᵀ. Computed pivots are those of a matrix G + Δ with |Δ_ij| ≤
-// 1.1(n+1)u·√(G_ii·G_jj) (Higham, Accuracy and Stability of Numerical Algorithms, theorem 10.3), and
-// computing G adds 1.02(d+3)u·g, g = max G_ii. As det(G + Δ)/det G = det(I + G⁻¹Δ) and ‖G⁻¹Δ‖ ≤ β
-// = 2.3‖R‖·n(n+d+5)u·g, the relative error of the determinant is at most (1+β)ⁿ − 1, and that of its n-th
-// root about β.
+// Heights. 1/h_i is the length of the gradient of barycentric coordinate i. With as many edges as dimensions
+// the gradients of vertices 1 … n are the columns of A⁻¹ = W·M⁻¹·S, and that of vertex 0 is minus their sum.
+// Column i of W·X·S is off by a vector of length at most 2·s_i·ρ_i·t, t = √Σ(w_j·r_j)². The sum is off by at
+// most 2t·Σs_i·ρ_i and by what is rounded in n sums, at most 1.01n·ε·Σ_i s_i|X_ji| in row j. Otherwise, with
+// the Gram matrix G of the edges, 1/h_i² = (G⁻¹)_ii for i ≥ 1, and Σ(G⁻¹)_ij for i = 0, and G⁻¹ = S·M⁻¹·S.
+// Sums of entries of S·X·S are off by those of 2·s_i·r_i·ρ_j·s_j, and by roundings of at
+// most 1.01n²·ε·Σs_i|X_ij|s_j.
+//
+// det M is the product of the pivots of M. Multipliers are at most 1.01 in magnitude, no entry that occurs
+// exceeds g, so each step changes an entry by at most 5ε·g more or less than it should: the products and
+// differences by at most 2.1ε·g + 1.01ε·g, and a multiplier times the pivot is off the entry that it removes
+// by at most 4.5ε·g. (Of pairs: the first quotient leaves a rest of at most 3.1u of the entry, known up to
+// 22u², of which the second leaves at most 13u²; 35u² < 4.5ε.) So computed pivots are those of M + Δ with
+// |Δ_ij| ≤ 5n·ε·g + 1.02·ι·ε·μ. As det(M + Δ)/det M = det(I + M⁻¹Δ) and ‖M⁻¹Δ‖ ≤ β = 2.1·max r_i·n·ε(5n·g
+// + 1.02·ι·μ), the relative error of the determinant is at most (1 + β)ⁿ − 1, and that of the n-th root of
+// its square about 2β.
 #include "faces/cell_shape.hpp"
 
+#include "base/compiled_dimension.hpp"
 #include "base/infinity.hpp"
 #include "base/length.hpp"
-#include "faces/certified_gram.hpp"
+#include "base/progress_meter.hpp"
+#include "faces/edge_inverse.hpp"
 #include "kernel/fractions.hpp"
 #include "kernel/grid.hpp"
 
@@ -28,12 +40,132 @@ namespace {
 using kernel::Integer;
 constexpr double enough = 1e-10;
 
-/// Calls work(gram) with a CertifiedGram.
-template <class Work>
-double with_gram(const double* const* points, std::size_t corners, std::size_t dimension, const Work& work) {
-  if (corners == 4 && dimension == 3) return work(CertifiedGram<3, 3>(points, corners, dimension));
-  if (corners == 3 && dimension == 2) return work(CertifiedGram<2, 2>(points, corners, dimension));
-  return work(CertifiedGram<0, 0>(points, corners, dimension));
+/// Calls work with an EdgeInverse in binary64, then with one of pairs, until that returns a number of at
+/// least 0; otherwise returns exact().
+template <class Work, class Exact>
+double by_stages(const double* const* points, std::size_t corners, std::size_t dimension, ShapeStage* stage,
+                 const Work& work, const Exact& exact) {
+  return with_compiled_dimension<2, 4>(corners - 1, [&](auto size) {
+    ShapeStage unused;
+    ShapeStage& by = stage != nullptr ? *stage : unused;
+    by = ShapeStage::binary64;
+    EdgeInverse<size(), double> quick(points, corners, dimension);
+    if (quick.invert())
+      if (const double found = work(quick); found >= 0) return found;
+    by = ShapeStage::pairs;
+    EdgeInverse<size(), DoubleDouble> pairs(points, corners, dimension);
+    if (pairs.invert()) do
+        if (const double found = work(pairs); found >= 0) return found;
+      while (pairs.improve());
+    by = ShapeStage::integers;
+    return exact();
+  });
+}
+
+/// −1 if it is not certain.
+template <int N, class T>
+double sum_of_gradients(const EdgeInverse<N, T>& e) {
+  const std::size_t n = e.n;
+  const auto& s = e.edge_scale;
+  const auto& w = e.axis_scale;
+  double spread = 0, defect = 0;  // t, Σ s_i·ρ_i
+  for (std::size_t j = 0; j < n; ++j) {
+    spread += w[j] * e.row_sum[j] * (w[j] * e.row_sum[j]);
+    defect += s[j] * e.defect[j];
+  }
+  spread = 2.02 * std::sqrt(spread);
+  double sum = 0, first = 0, rounding = 0;
+  for (std::size_t i = 0; i < n; ++i) {
+    double square = 0;
+    for (std::size_t j = 0; j < n; ++j) {
+      const double x = w[j] * high_of(e.inverse[j * n + i]);
+      square += x * x;
+    }
+    const double length = std::sqrt(square);
+    if (!(spread * e.defect[i] <= enough * length)) return -1;
+    sum += s[i] * length;
+  }
+  for (std::size_t j = 0; j < n; ++j) {
+    T total = e.number(0);
+    double magnitude = 0;
+    for (std::size_t i = 0; i < n; ++i) {
+      total = total + scaled(e.inverse[j * n + i], s[i]);
+      magnitude += s[i] * std::fabs(high_of(e.inverse[j * n + i]));
+    }
+    const double x = w[j] * high_of(total), error = w[j] * magnitude;
+    first += x * x;
+    rounding += error * error;
+  }
+  first = std::sqrt(first);
+  rounding = 1.02 * static_cast<double>(n) * e.epsilon * std::sqrt(rounding);
+  return spread * defect + rounding <= enough * first ? sum + first : -1;
+}
+
+template <int N, class T>
+double sum_of_gram_roots(const EdgeInverse<N, T>& e) {
+  const std::size_t n = e.n;
+  const auto& s = e.edge_scale;
+  double sum = 0, defect = 0, rows = 0, magnitude = 0;
+  T first = e.number(0);
+  for (std::size_t i = 0; i < n; ++i) {
+    const double own = high_of(e.inverse[i * n + i]);
+    if (!(2.02 * e.row_sum[i] * e.defect[i] <= enough * own)) return -1;
+    sum += s[i] * std::sqrt(own);
+    defect += s[i] * e.defect[i];
+    rows += s[i] * e.row_sum[i];
+    for (std::size_t j = 0; j < n; ++j) {
+      first = first + scaled(e.inverse[i * n + j], s[i] * s[j]);
+      magnitude += s[i] * s[j] * std::fabs(high_of(e.inverse[i * n + j]));
+    }
+  }
+  const auto dn = static_cast<double>(n);
+  const double error = 2.02 * rows * defect + 1.02 * dn * dn * e.epsilon * magnitude, square = high_of(first);
+  return error <= enough * square ? sum + std::sqrt(square) : -1;
+}
+
+/// x/y, off by less than an entry may be after a step of elimination.
+double quotient(double x, double y) { return x / y; }
+DoubleDouble quotient(const DoubleDouble& x, const DoubleDouble& y) {
+  const double first = x.high / y.high;
+  const DoubleDouble rest = x - DoubleDouble{first, 0} * y;
+  return kernel::two_sum(first, rest.high / y.high);
+}
+
+/// The n-th root of the determinant of the Gram matrix; −1 if it is not certain.
+template <int N, class T>
+double root_of_determinant(const EdgeInverse<N, T>& e) {
+  const std::size_t n = e.n;
+  const auto dn = static_cast<double>(n);
+  auto a = e.matrix;
+  double largest = 0, norm = 0, product = 1, powers = 0;
+  for (std::size_t i = 0; i < n * n; ++i) largest = std::max(largest, std::fabs(high_of(a[i])));
+  for (std::size_t i = 0; i < n; ++i) {
+    norm = std::max(norm, e.row_sum[i]);
+    powers -= std::log2(e.edge_scale[i]) + (e.is_square() ? std::log2(e.axis_scale[i]) : 0);
+  }
+  for (std::size_t s = 0; s < n; ++s) {
+    std::size_t pivot = s;
+    for (std::size_t r = s + 1; r < n; ++r)
+      if (std::fabs(high_of(a[r * n + s])) > std::fabs(high_of(a[pivot * n + s]))) pivot = r;
+    if (pivot != s)
+      for (std::size_t c = s; c < n; ++c) std::swap(a[pivot * n + c], a[s * n + c]);
+    const double p = std::fabs(high_of(a[s * n + s]));
+    if (!(p > 1e-30)) return -1;
+    product *= p;
+    if (!(product > 1e-290)) return -1;
+    for (std::size_t r = s + 1; r < n; ++r) {
+      const T factor = quotient(a[r * n + s], a[s * n + s]);
+      for (std::size_t c = s + 1; c < n; ++c) {
+        a[r * n + c] = a[r * n + c] - factor * a[s * n + c];
+        largest = std::max(largest, std::fabs(high_of(a[r * n + c])));
+      }
+    }
+  }
+  const double beta =
+      2.1 * norm * dn * e.epsilon * (5 * dn * largest + 1.02 * e.input_error * e.largest_entry);
+  if (!(2 * beta <= enough)) return -1;
+  // det M is det A times scales, or det G times their squares.
+  return std::pow(product, (e.is_square() ? 2 : 1) / dn) * std::exp2(2 * powers / dn);
 }
 
 /// The edges from the first vertex in integers.
@@ -67,18 +199,35 @@ struct IntegerEdges {
 /// Whether a number, and quotients of two of them, are far from both ends of the range of doubles.
 bool is_moderate(double x) { return x > 1e-145 && x < 1e145; }
 
-/// The square of the radius is this over 4·det G squared units: bᵀ(adj G)b for the squared lengths b of the
-/// edges from the first vertex. Gives det G, too.
-Integer square_of_radius(const IntegerEdges& e, Integer& determinant) {
-  std::vector<Integer> system;
-  for (std::size_t a = 0; a < e.n; ++a) {
-    for (std::size_t b = 0; b < e.n; ++b) system.push_back(e.gram[a * e.n + b]);
-    system.push_back(e.gram[a * e.n + a]);
+/// det G, and adj G in place of G: elimination without fractions in place, all entries of which are minors
+/// (Bareiss 1968, doi:10.1090/S0025-5718-1968-0226829-0). No pivot is 0, as G is positive definite.
+Integer make_adjugate(std::vector<Integer>& a, std::size_t n) {
+  Integer previous = 1;
+  for (std::size_t s = 0; s < n; ++s) {
+    const Integer pivot = a[s * n + s];
+    for (std::size_t r = 0; r < n; ++r) {
+      if (r == s) continue;
+      cancellation_point();
+      const Integer factor = a[r * n + s];
+      for (std::size_t c = 0; c < n; ++c)
+        if (c != s) a[r * n + c] = (a[r * n + c] * pivot - factor * a[s * n + c]) / previous;
+      a[r * n + s] = -factor;
+    }
+    a[s * n + s] = previous;
+    previous = pivot;
   }
-  kernel::Fractions solution = kernel::solve_exactly(std::move(system), e.n);
-  determinant = std::move(solution.denominator);
+  return previous;
+}
+
+/// The square of the radius is this over 4·det G squared units: bᵀ(adj G)b for the squared lengths b of the
+/// edges from the first vertex.
+Integer square_of_radius(const IntegerEdges& e, const std::vector<Integer>& adjugate) {
   Integer square = 0;
-  for (std::size_t i = 0; i < e.n; ++i) square += e.gram[i * e.n + i] * solution.numerators[i];
+  for (std::size_t i = 0; i < e.n; ++i) {
+    Integer row = 0;
+    for (std::size_t j = 0; j < e.n; ++j) row += adjugate[i * e.n + j] * e.gram[j * e.n + j];
+    square += e.gram[i * e.n + i] * row;
+  }
   return square;
 }
 
@@ -87,20 +236,15 @@ Integer square_of_radius(const IntegerEdges& e, Integer& determinant) {
 /// below all of them.
 double exact_radius_ratio(const double* const* points, std::size_t corners, std::size_t d) {
   const IntegerEdges e(points, corners, d);
-  Integer determinant, first = 0;
-  const Integer square = square_of_radius(e, determinant), denominator = 4 * determinant * determinant;
+  std::vector<Integer> adjugate = e.gram;
+  const Integer determinant = make_adjugate(adjugate, e.n), square = square_of_radius(e, adjugate),
+                denominator = 4 * determinant * determinant;
   constexpr int exponent = 60;
   double sum = 0;
-  for (std::size_t i = 0; i < e.n; ++i) {
-    std::vector<Integer> system;
-    for (std::size_t a = 0; a < e.n; ++a) {
-      for (std::size_t b = 0; b < e.n; ++b) system.push_back(e.gram[a * e.n + b]);
-      system.emplace_back(a == i ? 1 : 0);
-    }
-    const kernel::Fractions column = kernel::solve_exactly(std::move(system), e.n);
-    for (const Integer& entry : column.numerators) first += entry;
-    sum += kernel::root_above(square * column.numerators[i], denominator, -exponent);
-  }
+  for (std::size_t i = 0; i < e.n; ++i)
+    sum += kernel::root_above(square * adjugate[i * e.n + i], denominator, -exponent);
+  Integer first = 0;
+  for (const Integer& entry : adjugate) first += entry;
   sum += kernel::root_above(square * first, denominator, -exponent);
   return std::min(1.0, std::ldexp(static_cast<double>(e.n) / sum, -exponent));
 }
@@ -110,8 +254,8 @@ double exact_radius_edge_ratio(const double* const* points, std::size_t corners,
   Integer shortest = e.gram[0];
   for (std::size_t i = 0; i < e.n; ++i)
     for (std::size_t m = 0; m <= i; ++m) shortest = std::min(shortest, e.square_of_edge(i, m));
-  Integer determinant;
-  const Integer square = square_of_radius(e, determinant);
+  std::vector<Integer> adjugate = e.gram;
+  const Integer determinant = make_adjugate(adjugate, e.n), square = square_of_radius(e, adjugate);
   return kernel::root_above(square, 4 * determinant * shortest, 0);
 }
 
@@ -132,37 +276,26 @@ double exact_mean_ratio(const double* const* points, std::size_t corners, std::s
 
 }  // namespace
 
-double radius_ratio(const double* const* points, std::size_t corners, std::size_t dimension, double radius) {
-  if (!is_moderate(radius)) return exact_radius_ratio(points, corners, dimension);
-  return with_gram(points, corners, dimension, [&](auto&& gram) {
-    if (!gram.invert()) return exact_radius_ratio(points, corners, dimension);
-    const auto n = static_cast<double>(gram.n);
-    const double error = 2 * gram.alpha * gram.norm;
-    double first = 0, magnitude = 0, sum = 0;
-    bool is_enough = true;
-    for (std::size_t i = 0; i < gram.n; ++i) {
-      for (std::size_t j = 0; j < gram.n; ++j) {
-        first += gram.inverse[i * gram.n + j];
-        magnitude += std::fabs(gram.inverse[i * gram.n + j]);
-      }
-      const double own = gram.inverse[i * gram.n + i];
-      is_enough = is_enough && error <= enough * own;
-      sum += std::sqrt(own);
-    }
-    const double rounding = 2 * n * n * kernel::unit_roundoff * magnitude;
-    is_enough = is_enough && n * error + rounding <= enough * first;
-    if (!is_enough) return exact_radius_ratio(points, corners, dimension);
-    return std::min(1.0, n / ((sum + std::sqrt(first)) * radius));
-  });
+double radius_ratio(const double* const* points, std::size_t corners, std::size_t dimension, double radius,
+                    ShapeStage* stage) {
+  const auto exact = [&] { return exact_radius_ratio(points, corners, dimension); };
+  if (!is_moderate(radius)) {
+    if (stage != nullptr) *stage = ShapeStage::integers;
+    return exact();
+  }
+  const auto from_inverse = [&](const auto& e) {
+    const double sum = e.is_square() ? sum_of_gradients(e) : sum_of_gram_roots(e);
+    return sum > 0 ? std::min(1.0, static_cast<double>(e.n) / (sum * radius)) : -1.0;
+  };
+  return by_stages(points, corners, dimension, stage, from_inverse, exact);
 }
 
-double mean_ratio(const double* const* points, std::size_t corners, std::size_t dimension) {
-  return with_gram(points, corners, dimension, [&](auto&& gram) {
-    if (!gram.invert()) return exact_mean_ratio(points, corners, dimension);
-    const std::size_t size = gram.n;
-    const auto n = static_cast<double>(size), d = static_cast<double>(dimension);
-    const double beta = 2.3 * gram.norm * n * (n + d + 5) * kernel::unit_roundoff * gram.square;
-    if (!(beta <= enough)) return exact_mean_ratio(points, corners, dimension);
+double mean_ratio(const double* const* points, std::size_t corners, std::size_t dimension,
+                  ShapeStage* stage) {
+  const auto from_inverse = [&](const auto& e) {
+    const auto n = static_cast<double>(e.n);
+    const double root = root_of_determinant(e);
+    if (!(root >= 0)) return -1.0;
     double squares = 0;
     for (std::size_t i = 0; i < corners; ++i)
       for (std::size_t m = 0; m < i; ++m)
@@ -170,20 +303,10 @@ double mean_ratio(const double* const* points, std::size_t corners, std::size_t 
           const double difference = points[i][j] - points[m][j];
           squares += difference * difference;
         }
-    double product = 1 / (n + 1);  // of the pivots, each over the sum of squares
-    auto& pivots = gram.gram;
-    for (std::size_t s = 0; s < size; ++s) {
-      const double pivot = pivots[s * size + s];
-      if (!(pivot > 0)) return exact_mean_ratio(points, corners, dimension);
-      product *= pivot / squares;
-      for (std::size_t i = s + 1; i < size; ++i) {
-        const double factor = pivots[i * size + s] / pivot;
-        for (std::size_t j = s + 1; j < size; ++j) pivots[i * size + j] -= factor * pivots[s * size + j];
-      }
-    }
-    if (!(product > 1e-290)) return exact_mean_ratio(points, corners, dimension);
-    return std::min(1.0, n * (n + 1) * std::pow(product, 1 / n));
-  });
+    return std::min(1.0, n * (n + 1) * std::pow(n + 1, -1 / n) * root / squares);
+  };
+  return by_stages(points, corners, dimension, stage, from_inverse,
+                   [&] { return exact_mean_ratio(points, corners, dimension); });
 }
 
 double radius_edge_ratio(const double* const* points, std::size_t corners, std::size_t dimension,

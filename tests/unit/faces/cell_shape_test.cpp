@@ -11,9 +11,11 @@
 #include <gtest/gtest.h>
 #include <boost/multiprecision/cpp_int.hpp>
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <limits>
+#include <random>
 #include <vector>
 
 namespace delone {
@@ -184,6 +186,70 @@ TEST(Measures, OfKnownShapes) {
   const Regular<> weighted(std::vector<double>{0, 0, 3, 0, 0, 4}, std::vector<double>{0, 1, 2}, 2);
   EXPECT_EQ(circumradii(weighted), circumradii(right));
   EXPECT_EQ(circumcenters(weighted), circumcenters(right));
+}
+
+/// Random points, the last one moved to within `height` of the flat of the others, each axis in its own unit.
+std::vector<double> random_cell(std::size_t corners, std::size_t d, double height, double units,
+                                std::mt19937_64& random) {
+  std::uniform_real_distribution<double> uniform(-1, 1);
+  std::vector<double> points(corners * d);
+  for (double& x : points) x = uniform(random);
+  double* const last = points.data() + (corners - 1) * d;
+  for (std::size_t j = 0; j < d; ++j) {
+    double middle = 0;
+    for (std::size_t i = 0; i + 1 < corners; ++i)
+      middle += points[i * d + j] / static_cast<double>(corners - 1);
+    last[j] = middle + height * last[j];
+  }
+  for (std::size_t i = 0; i < corners; ++i)
+    for (std::size_t j = 0; j < d; ++j) points[i * d + j] *= j % 3 == 1 ? units : j % 3 == 2 ? 1 / units : 1;
+  return points;
+}
+
+TEST(Measures, StagesAgreeWithRationals) {
+  using internal::ShapeStage;
+  std::mt19937_64 random(5);
+  std::size_t count[3] = {0, 0, 0};
+  for (std::size_t d = 2; d <= 8; ++d)
+    for (std::size_t corners = std::max<std::size_t>(d, 3); corners <= d + 1; ++corners)
+      for (const double height : {1.0, 1e-4, 1e-8, 1e-13, 1e-15})
+        for (const double units : {1.0, 1e6}) {
+          if (d > 5 && (height == 1e-8 || units == 1)) continue;  // rationals are slow
+          const std::vector<double> cell = random_cell(corners, d, height, units, random);
+          std::vector<const double*> points;
+          for (std::size_t i = 0; i < corners; ++i) points.push_back(cell.data() + i * d);
+
+          const Shape shape = shape_of(points.data(), corners, d);
+          const auto radius = static_cast<double>(shape.radius);
+          ShapeStage stage{};
+          expect_near(internal::radius_ratio(points.data(), corners, d, radius, &stage),
+                      Real(corners - 1) / (shape.radius * shape.sum_of_inverse_heights), 1e-9);
+          ++count[static_cast<std::size_t>(stage)];
+          const double mean = internal::mean_ratio(points.data(), corners, d, &stage);
+          ++count[static_cast<std::size_t>(stage)];
+          Real power = 1;
+          for (std::size_t i = 1; i < corners; ++i) power *= Real(mean);
+          EXPECT_LE(abs(Real(power - shape.power_of_mean_ratio)),
+                    Real(1e-9) * Real(corners - 1) * shape.power_of_mean_ratio);
+        }
+  for (const std::size_t decided : count) EXPECT_GE(decided, 10u);
+}
+
+TEST(Measures, RandomCellsNeedNoIntegers) {
+  using internal::ShapeStage;
+  std::mt19937_64 random(6);
+  for (std::size_t d = 2; d <= 8; ++d)
+    for (const double units : {1.0, 1e6})
+      for (int round = 0; round < 30; ++round) {
+        const std::vector<double> cell = random_cell(d + 1, d, 1, units, random);
+        std::vector<const double*> points;
+        for (std::size_t i = 0; i <= d; ++i) points.push_back(cell.data() + i * d);
+        ShapeStage stage{};
+        internal::radius_ratio(points.data(), d + 1, d, 1, &stage);
+        EXPECT_NE(stage, ShapeStage::integers);
+        internal::mean_ratio(points.data(), d + 1, d, &stage);
+        EXPECT_NE(stage, ShapeStage::integers);
+      }
 }
 
 }  // namespace
