@@ -5,7 +5,7 @@ Arrays go in and come out as NumPy arrays. Results are exact functions of the in
 ordinary input, and no tolerance decides anything unless one is given. `delone.spatial` and `delone.interpolate` have the names and
 arguments of those in scipy; `patch_scipy` makes existing programs use them. `delone.tiles` is for more points than memory holds.
 """
-import importlib
+import importlib as _importlib
 
 from ._core import (AlphaComplex, CancelledError, ConvexHull, Delaunay, Error, Faces, Forecast, FurthestSite, HalfspaceIntersection, InputError,
                     LinearInterpolator, LowerHull, NaturalNeighborInterpolator, OutOfMemoryError, PowerDiagram, Regular, TimeLimitError,
@@ -32,5 +32,5 @@ _attach()
 
 def __getattr__(name):
     if name in ("interpolate", "spatial", "tiles"):
-        return importlib.import_module("." + name, __name__)
+        return _importlib.import_module("." + name, __name__)
     raise AttributeError(f"module {__name__!r} has no attribute {name!r}")

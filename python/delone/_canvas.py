@@ -6,6 +6,7 @@ import numpy as np
 
 from . import _core
 from ._data import values_of
+from ._frames import require_index
 
 INK, SOFT = "#1f3a5f", "#9fb4c7"  # of lines and points; of faces
 FEW = 1000  # so many points are drawn as dots, if nobody says otherwise
@@ -111,8 +112,9 @@ class Canvas:
 class Colors:
     """Values and how Matplotlib is to color by them."""
 
-    def __init__(self, values, values_at, places, cmap, norm, vmin, vmax, colorbar):
-        """`places`: names and numbers of what values can belong to; of equal numbers the first one counts, unless `values_at` says."""
+    def __init__(self, values, values_at, places, cmap, norm, vmin, vmax, colorbar, index=None):
+        """`places`: names and numbers of what values can belong to; of equal numbers the first one counts, unless `values_at` says.
+        `index`: that of the points, see _frames.index()."""
         if norm is not None and (vmin is not None or vmax is not None):
             raise ValueError("norm: has limits of its own; leave out vmin and vmax")
         self.cmap, self.norm, self.vmin, self.vmax, self.colorbar = cmap, norm, vmin, vmax, colorbar
@@ -125,6 +127,8 @@ class Colors:
         for name, count in places.items():
             if self.values.shape == (count,) and values_at in (None, name):
                 self.place = name
+                if name == "points":
+                    require_index(values, index, "values")
                 return
         wanted = " or ".join(f"{name} ({count})" for name, count in places.items() if values_at in (None, name))
         raise ValueError(f"values: one number for each of the {wanted}, not an array of shape {self.values.shape}")

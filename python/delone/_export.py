@@ -8,6 +8,7 @@ import numpy as np
 
 from . import _core
 from ._data import values_of
+from ._frames import require_index
 
 SIMPLICES = ("vertex", "line", "triangle", "tetra")
 VTK_TYPES = {"vertex": 1, "line": 3, "triangle": 5, "tetra": 10, "polygon": 7, "polyhedron": 42}
@@ -36,13 +37,16 @@ class Mesh(NamedTuple):
         return [self.face(i) for i in self.items[self.offsets[cell]:self.offsets[cell + 1]]]
 
 
-def _data(given, name, counts, rows=None) -> Dict[str, np.ndarray]:
-    """Arrays by their names, with one entry for each of what is counted; of `counts`, (what, number, which entries cells have)."""
+def _data(given, name, counts, index=None) -> Dict[str, np.ndarray]:
+    """Arrays by their names, with one entry for each of what is counted; of `counts`, (what, number, which entries cells have).
+    `index`: that of the points, see _frames.index()."""
     found = {}
     for key, values in ({} if given is None else dict(given)).items():
         array = values_of(values, f"{name}[{_core._represented(key)}]")
-        for _, count, which in counts:
+        for what, count, which in counts:
             if array.ndim in (1, 2) and len(array) == count:
+                if what == "points":
+                    require_index(values, index, f"{name}[{_core._represented(key)}]")
                 found[str(key)] = array if which is None else array[which]
                 break
         else:
@@ -65,8 +69,25 @@ def triangulation(self, point_data, cell_data) -> Mesh:
     x, cells = _points(self, self.points), self.cells
     if not cells.shape[1]:
         cells = cells.reshape(0, 1)
-    return _of_simplices(x, cells, _data(point_data, "point_data", [("points", len(x), None)]),
+    return _of_simplices(x, cells, _data(point_data, "point_data", [("points", len(x), None)], self._index),
                          _data(cell_data, "cell_data", [("cells", len(cells), None)]))
+
+
+def alpha_complex(self, point_data, cell_data) -> Mesh:
+    whole = self.triangulation
+    x, cells = _points(whole, whole.points), self.cells
+    if not cells.shape[1]:
+        cells = cells.reshape(0, 1)
+    counts = [("cells", len(cells), None), ("cells of the triangulation", whole.num_cells, self.cell_numbers)]
+    return _of_simplices(x, cells, _data(point_data, "point_data", [("points", len(x), None)], whole._index), _data(cell_data, "cell_data", counts))
+
+
+def lower_hull(self, point_data, cell_data) -> Mesh:
+    x, cells = _points(self, self.points), self.cells
+    if not cells.shape[1]:
+        cells = cells.reshape(0, 1)
+    counts = [("cells", len(cells), None), ("facets", self.num_facets, self.facet_of_cell)]
+    return _of_simplices(x, cells, _data(point_data, "point_data", [("points", len(x), None)], self._index), _data(cell_data, "cell_data", counts))
 
 
 def convex_hull(self, point_data, cell_data) -> Mesh:
@@ -74,7 +95,7 @@ def convex_hull(self, point_data, cell_data) -> Mesh:
     if not cells.shape[1]:
         cells = cells.reshape(-1, 1)[:0]
     counts = [("cells", self.num_cells, None), ("facets", self.num_facets, self.facet_of_cell)]
-    return _of_simplices(x, cells, _data(point_data, "point_data", [("points", len(x), None)]), _data(cell_data, "cell_data", counts))
+    return _of_simplices(x, cells, _data(point_data, "point_data", [("points", len(x), None)], self._index), _data(cell_data, "cell_data", counts))
 
 
 def diagram(self, point_data, cell_data) -> Mesh:
@@ -90,7 +111,8 @@ def diagram(self, point_data, cell_data) -> Mesh:
     regions = np.flatnonzero(kept)
     sites = self.region_points[regions]
     points = _data(point_data, "point_data", [("vertices", len(x), None)])
-    data = {"region": regions, "point": sites, **_data(cell_data, "cell_data", [("points", self.num_points, sites), ("regions", self.num_regions, regions)])}
+    of_cells = [("points", self.num_points, sites), ("regions", self.num_regions, regions)]
+    data = {"region": regions, "point": sites, **_data(cell_data, "cell_data", of_cells, self._index)}
     if k == 2:
         offsets = np.append(0, np.cumsum(counts[regions]))
         return Mesh("polygon", x, offsets, self.region_vertices[np.repeat(kept, counts)], points, data)
@@ -194,6 +216,10 @@ SIMPLICIAL = """
 CELLS = {
     triangulation: f"""the cells as vertices, lines, triangles or tetrahedra.
 {SIMPLICIAL}.""",
+    alpha_complex: f"""the cells of the complex as vertices, lines, triangles or tetrahedra.
+{SIMPLICIAL}, or for each one of the triangulation. RuntimeError if points have been added to that.""",
+    lower_hull: f"""the cells as vertices, lines or triangles, with the height as the last coordinate.
+{SIMPLICIAL}, or for each facet.""",
     convex_hull: f"""the cells of the boundary as vertices, lines or triangles.
 {SIMPLICIAL}, or for each facet.""",
     diagram: """the bounded regions, of affine dimension 2 as polygons, of 3 as polyhedra.

@@ -16,6 +16,7 @@ from ._frames import columns_of, framed
 
 _formats_of_results = ("npz", "json", "off")
 _max_stream_bytes = 1 << 32
+_levels = {"complex": 6, "hull": 5, "diagram": 5, "intersection": 3}
 
 
 def read(path, *, format: Optional[str] = None, columns: Optional[Sequence[Union[str, int]]] = None, threads: int = 0,
@@ -98,6 +99,10 @@ def write_points(points: npt.ArrayLike, path, format: Optional[str] = None, *, c
     """
     if isinstance(columns, str):
         raise TypeError("columns: a sequence of names")
+    if isinstance(points, (str, bytes, os.PathLike)):
+        raise TypeError(f"points: an array or a DataFrame, not {type(points).__name__}; write_points(points, path)")
+    if not isinstance(path, (str, bytes, os.PathLike)):
+        raise TypeError(f"path: a str or an os.PathLike, not {type(path).__name__}; write_points(points, path)")
     labels = list(columns if columns is not None else columns_of(points) or ())
     if labels and len(labels) != np.shape(points)[-1]:
         raise ValueError(f"columns: {len(labels)} names for {np.shape(points)[-1]} coordinates")
@@ -111,7 +116,8 @@ def save(self, path, format: Optional[str] = None, *, qhull: Optional[str] = Non
         The file; "-" is standard output, for formats that are text.
     format : str
         By default the extension of the path. Of triangulations and hulls: npz, json (all arrays), off, vtu (ParaView), ply, stl, obj
-        (surfaces), msh (Gmsh), svg (plane), txt (cells), npy (cells). Of diagrams: npz, json, svg, vtu. Of intersections: npz, json, off.
+        (surfaces), msh (Gmsh), svg (plane), txt (cells), npy (cells), html (as `to_html`). Of diagrams: npz, json, svg, vtu, html. Of intersections: npz,
+        json, off, html.
     qhull : str
         Writes what Qhull prints for these options instead, as "o Fv".
 
@@ -151,6 +157,30 @@ def to_data(self) -> Data:
     if kind == "diagram" and self._is_furthest:
         members["furthest_site"] = True
     return from_core(kind, members, None if kind == "intersection" else names(self))
+
+
+def alpha_to_data(self) -> ComplexData:
+    """A copy as plain arrays, with the names that files have: a `ComplexData` of all points and the cells of the complex. RuntimeError if
+    points have been added to the triangulation since."""
+    whole = self.triangulation
+    weights = whole.weights if isinstance(whole, _core.Regular) else None
+    number = np.full(whole.num_cells + 1, -1, dtype=self.cells.dtype)  # of each cell within the complex; the last entry is beyond the hull
+    number[self.cell_numbers] = np.arange(len(self))
+    return ComplexData(whole.points, self.cells, number[whole.neighbors[self.cell_numbers]], weights=weights, column_names=names(whole) or None)
+
+
+def save_alpha(self, path, format: Optional[str] = None) -> None:
+    """Writes a file of all points and the cells of the complex: for `read`, or for other programs.
+
+    path : str or os.PathLike
+        The file; "-" is standard output, for formats that are text.
+    format : str
+        By default the extension of the path: those of `Delaunay.save` but html.
+
+    The file appears whole or not at all. Errors: Error where the file cannot be written, or the format cannot hold this dimension;
+    RuntimeError if points have been added to the triangulation since.
+    """
+    self.to_data().save(path, None if format is None else text(format, "format"))
 
 
 class CheckReport(NamedTuple):
@@ -222,13 +252,15 @@ def check(what: Any, cells: Optional[npt.ArrayLike] = None, *, neighbors: Option
     threads : int
         At most so many; 0: as many as there are cores, where that pays.
 
-    No tolerance: all signs are exact. Errors: ValueError for a level below 1, for arrays of wrong shapes, and for options of
+    No tolerance: all signs are exact. Errors: ValueError for a level that there is not, for arrays of wrong shapes, and for options of
     triangulations with something else; TypeError for what cannot be checked; InputError for NaN. Cost: O(m k^3) for a triangulation,
     O(n m k) for a hull; a diagram is made anew.
     """
     level = None if level is None else whole(level, "level", 1)
     threads = whole(threads, "threads")
     kind, members, are_sets, is_furthest = _data_to_check(what, cells, neighbors, weights)
+    if level is not None and level > _levels[kind]:
+        raise ValueError(f"level: 1 to {_levels[kind]}, not {level}")
     are_sets = are_sets if any_orientation is None else any_orientation
     is_furthest = is_furthest if furthest_site is None else furthest_site
     if kind != "complex" and (canonical or are_sets or is_furthest):

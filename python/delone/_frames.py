@@ -22,9 +22,38 @@ def columns_of(points) -> Optional[tuple]:
     return columns(points) if pandas is not None and isinstance(points, pandas.DataFrame) else None
 
 
+def index(frame):
+    """The index of a DataFrame."""
+    return frame.index
+
+
+def _counts(labels) -> bool:
+    """Whether this is the index that pandas gives to rows without labels: 0, 1, 2, …"""
+    return type(labels).__name__ == "RangeIndex" and labels.start == 0 and labels.step == 1
+
+
+def require_index(given, wanted, name: str) -> None:
+    """Raises ValueError if this is a Series or DataFrame whose rows have other labels than `wanted`, an index or None, or have them in
+    another order. An index that counts the rows says nothing, unless the other one has the same numbers. One of another length is left to
+    who counts entries."""
+    pandas = sys.modules.get("pandas")
+    if wanted is None or pandas is None or not isinstance(given, (pandas.Series, pandas.DataFrame)):
+        return
+    found = given.index
+    if len(found) != len(wanted) or found.equals(wanted):
+        return
+    is_reordered = wanted.is_unique and len(wanted.difference(found)) == 0
+    if is_reordered or not (_counts(found) or _counts(wanted)):
+        which = "the labels are in another order" if is_reordered else "other labels"
+        raise ValueError(f"{name}: the index is not that of the points: {which}; take {name}.loc[points.index], or to_numpy() to go by position")
+
+
 def require_columns(frame, wanted: tuple, name: str) -> None:
-    """Raises ValueError if the columns have names, and not the names `wanted`, in this order."""
-    found = columns(frame)
+    """Raises ValueError if the columns have names, and not the names `wanted`, in this order. A Series is one row."""
+    if frame.ndim == 1:
+        found = None if _counts(frame.index) else tuple(frame.index)
+    else:
+        found = columns(frame)
     if found is not None and found != wanted:
         raise ValueError(f"{name}: the columns {_listed(found)}, not {_listed(wanted)}, in this order")
 

@@ -151,6 +151,24 @@ def convex_hull(self):
 
 
 @safely
+def lower_hull(self):
+    """The cells over the compositions; of one number the hull itself."""
+    figures = [("points", self.num_points), ("dimension", self.dimension), ("side", self.side), ("vertices", len(self.vertices)),
+               ("cells", self.num_cells), ("tolerance", self.tolerance or None)]
+    seen = self.points[:, :max(2, self.dimension - 1)]
+    width = self.cells.shape[1]
+    if not self.num_cells or width < 2:
+        return page("LowerHull", figures, "", "")
+    cells = seen[self.cells[::self.num_cells // (CORNERS // width) + 1]]
+    corners = cells.reshape(-1, seen.shape[1])
+    picture = Picture(corners.min(axis=0), corners.max(axis=0))
+    picture.shapes(cells if width < 4 else cells[:, [*range(width), 0]], width == 3, **EDGE, **(FACE if width == 3 else {}))
+    if len(cells) <= 60:
+        picture.dots(corners, **DOTS)
+    return page("LowerHull", figures, picture, _drawn(len(cells), self.num_cells, "cells") + _seen(seen.shape[1]))
+
+
+@safely
 def diagram(self):
     figures = [*_common(self), ("regions", self.num_regions), ("vertices", self.num_vertices), ("ridges", self.num_ridges), ("rays", self.num_rays),
                ("tolerance", self.tolerance or None)]

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Pictures with Matplotlib, which is imported when the first one is drawn: the methods `plot` of triangulations, hulls, intersections
-and diagrams."""
+"""Pictures with Matplotlib, which is imported when the first one is drawn: the methods `plot` of triangulations, alpha complexes, hulls,
+intersections and diagrams."""
 from __future__ import annotations
 
 import itertools
@@ -124,7 +124,7 @@ def triangulation(self, ax=None, *, values=None, values_at=None, cells=None, axe
     canvas = Canvas(ax, self, axes)
     x, corners, k = self.points, self.cells, self.affine_dimension
     places = {"points": len(x), "cells": len(corners)} if axes is None else {"points": len(x)}
-    colors = Colors(values, values_at, places, cmap, norm, vmin, vmax, colorbar)
+    colors = Colors(values, values_at, places, cmap, norm, vmin, vmax, colorbar, self._index)
     if shading not in ("gouraud", "flat"):
         raise ValueError(f"shading: 'gouraud' or 'flat', not {_core._represented(shading)}")
     chosen = _chosen(cells, len(corners), "cells")
@@ -200,7 +200,7 @@ def convex_hull(self, ax=None, *, values=None, values_at=None, axes=None, points
     canvas = Canvas(ax, self, axes)
     x, corners, k = self.points, self.cells, self.affine_dimension
     places = {"points": len(x)} if axes is not None else {"points": len(x), "facets": self.num_facets, "cells": len(corners)}
-    colors = Colors(values, values_at, places, cmap, norm, vmin, vmax, colorbar)
+    colors = Colors(values, values_at, places, cmap, norm, vmin, vmax, colorbar, self._index)
     rows = np.arange(len(x))
     if axes is not None or k < 2:
         if colors.place not in (None, "points"):
@@ -239,6 +239,44 @@ def convex_hull(self, ax=None, *, values=None, values_at=None, axes=None, points
     canvas.fit(*_box_of(x[self.vertices]))
     colors.finish(canvas, mappable)
     return canvas.ax
+
+
+def lower_hull(self, ax=None, *, values=None, axes=None, points=None, cmap=None, norm=None, vmin=None, vmax=None, colorbar=None, **keywords):
+    """Draws the cells over the compositions with Matplotlib, the phase diagram, and returns the Axes.
+
+    Of compositions in the plane or in space the edges of the cells; of one number the hull itself, heights over compositions.
+
+    ax, cmap, norm, vmin, vmax, colorbar : as for `Delaunay.plot`
+    values : (n,) numbers
+        One for each point, such as ``height_above(points)``: points are dots in these colors.
+    axes : two or three coordinates
+        Draws others than those of the compositions; the last one of all is the height.
+    points : bool
+        Whether the points are dots; by default they are.
+    keywords : of the LineCollection, or Line3DCollection
+
+    ValueError for compositions of more than three numbers, without `axes`. ImportError without Matplotlib.
+    """
+    if axes is None:
+        if self.dimension > 4:
+            raise ValueError(f"plot: compositions of {self.dimension - 1} numbers, and a picture has 2 or 3; axes=(0, 1) draws points and edges in "
+                             "two of the coordinates, axes=(0, 1, 2) in three")
+        axes = tuple(range(max(2, self.dimension - 1)))
+    canvas = Canvas(ax, self, axes)
+    x = self.points
+    colors = Colors(values, None, {"points": len(x)}, cmap, norm, vmin, vmax, colorbar, self._index)
+    return _projected(canvas, colors, x, _pairs_of(self.cells), np.arange(len(x)), points, keywords)
+
+
+def alpha_complex(self, ax=None, *, values=None, values_at=None, points=None, shading="gouraud", cmap=None, norm=None, vmin=None, vmax=None,
+                  colorbar=None, **keywords):
+    """Draws the cells of the complex with Matplotlib, in 3D their surface, and returns the Axes: ``triangulation.plot(cells=cell_numbers)``.
+
+    All arguments are those of `Delaunay.plot`: values are for each point, or for each cell of the triangulation. RuntimeError if points
+    have been added to the triangulation since.
+    """
+    return self.triangulation.plot(ax, values=values, values_at=values_at, cells=self.cell_numbers, points=points, shading=shading, cmap=cmap,
+                                   norm=norm, vmin=vmin, vmax=vmax, colorbar=colorbar, **keywords)
 
 
 def facets_of_hull(hull):
@@ -282,7 +320,7 @@ def diagram(self, ax=None, *, values=None, values_at=None, regions=None, axes=No
     canvas = Canvas(ax, self, axes, "points and lines between neighbors")
     x, k = self.points, self.affine_dimension
     places = {"points": len(x)} if axes is not None else {"points": len(x), "regions": self.num_regions}
-    colors = Colors(values, values_at, places, cmap, norm, vmin, vmax, colorbar)
+    colors = Colors(values, values_at, places, cmap, norm, vmin, vmax, colorbar, self._index)
     sites = self.region_points
     if axes is not None:
         _not_with_axes(regions=regions, box=box)

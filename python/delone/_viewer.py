@@ -7,13 +7,15 @@ import os
 from . import _core
 from ._clipping import checked_box
 from ._data import names, values_of
+from ._frames import require_index
 
 DOC = """One HTML page that shows {what} in a browser and needs nothing else, no network either: it turns, zooms, is cut by a plane, colored,
 and names what is under the pointer. Returned as a str; with `path`, it is written there, whole or not at all.
 
 values: numbers to color by, NaN for none, for each of `values_at`: {places}; None: of whichever there are as many. title: the
 headline, and the name of pictures that are saved there. Columns with names keep them. {more}Positions are rounded to 2^24 steps along
-each axis, and the page says by how much. ValueError for values or a place that do not suit. Cost: linear; about 20 bytes of page for each
+each axis, and the page says by how much. ValueError for values or a place that do not suit, and for another
+extension of `path` than .html or .htm. Cost: linear; about 20 bytes of page for each
 triangle of the plane."""
 
 
@@ -27,13 +29,19 @@ def _method(what, places, more=""):
 def _options(product, places, values, values_at, value_name, title):
     if values_at is not None and values_at not in places:
         raise ValueError(f"values_at: one of {', '.join(map(repr, places))} was expected, not {_core._represented(values_at)}")
-    values = None if values is None else values_of(values, "values")
+    if values is not None:
+        given, values = values, values_of(values, "values")
+        if values_at == "points" or values_at is None and places[0] == "points" and values.shape == (product.num_points,):
+            require_index(given, product._index, "values")
     return str(title), names(product), values, values_at or "", str(value_name)
 
 
 def _written(path, page):
     if path is None:
         return page
+    extension = os.path.splitext(os.fsdecode(path))[1]
+    if extension.lower() not in ("", ".html", ".htm"):
+        raise ValueError(f"path: a page is HTML, in a file .html or .htm, not {_core._represented(extension)}; plot() draws pictures")
     _core._write_text(os.fsencode(path), page)
     return None
 

@@ -6,6 +6,8 @@
 
 #include <delone/error.hpp>
 
+#include <algorithm>
+#include <cmath>
 #include <cstdint>
 #include <limits>
 
@@ -40,6 +42,7 @@ void refuse_objects(const std::string& name, const py::array& array) {
     PyErr_Clear();
     if (value.is_none()) refuse_entry(name, i, array, "None is not a number");
     if (is_large) refuse_entry(name, i, array, shown(value) + " is beyond the range of double precision");
+    if (is_text) refuse_entry(name, i, array, represented(value) + " is not a number");
     refuse_entry(name, i, array, "a " + type_name(value) + " is not a number");
   }
 }
@@ -121,13 +124,15 @@ void refuse_rounded(const py::object& object, const py::array& converted, const 
     refuse_inexact(name, index, original);
 }
 
-/// pandas is never imported for this: whoever has a DataFrame has imported it.
-bool is_frame(const py::object& object) {
+/// pandas is never imported for this: whoever has a DataFrame or a Series has imported it.
+bool is_of_pandas(const py::object& object, const char* type_name) {
   const py::object modules = py::module_::import("sys").attr("modules");
   const py::object pandas = modules.attr("get")("pandas");
-  const py::object type = py::getattr(pandas, "DataFrame", py::none());
+  const py::object type = py::getattr(pandas, type_name, py::none());
   return !type.is_none() && py::isinstance(object, type);
 }
+bool is_frame(const py::object& object) { return is_of_pandas(object, "DataFrame"); }
+bool is_series(const py::object& object) { return is_of_pandas(object, "Series"); }
 
 py::array_t<double> frame_as_doubles(const py::object& frame, const std::string& name, bool is_finite) {
   return py::array_t<double>(py::module_::import("delone._frames").attr("numbers")(frame, name, is_finite));
@@ -137,6 +142,39 @@ void refuse_masked(const py::object& object, const std::string& name) {
   const py::object ma = py::module_::import("numpy").attr("ma");
   if (py::isinstance(object, ma.attr("MaskedArray")) && py::bool_(ma.attr("is_masked")(object)))
     throw py::value_error(name + ": masked values are not numbers");
+}
+
+/// numpy.asarray(), whose own errors name no argument.
+py::array as_array(const py::object& object, const std::string& name) {
+  if (PyUnicode_Check(object.ptr()) != 0 || PyBytes_Check(object.ptr()) != 0 ||
+      py::hasattr(object, "__fspath__"))
+    throw py::type_error(name + ": an array, not a " + type_name(object) + "; delone.read() reads files");
+  try {
+    return py::module_::import("numpy").attr("asarray")(object);
+  } catch (py::error_already_set& error) {
+    if (!error.matches(PyExc_ValueError)) throw;
+    const std::string text = shown(error.value());
+    throw py::value_error(
+        name + ": " +
+        (text.find("with a sequence") != std::string::npos ? "rows of different lengths" : text));
+  }
+}
+
+/// Raises InputError if a number is not finite, naming its row and its column.
+void require_finite(const py::array_t<double>& points, const std::string& name) {
+  const std::span<const double> all = numbers(points);
+  const auto is_bad = [](double x) { return !std::isfinite(x); };
+  const auto first = std::find_if(all.begin(), all.end(), is_bad);
+  if (first == all.end()) return;
+  const auto width = static_cast<std::size_t>(points.shape(1));
+  std::vector<std::size_t> rows;
+  for (std::size_t i = static_cast<std::size_t>(first - all.begin()); i < all.size(); ++i)
+    if (is_bad(all[i]) && (rows.empty() || rows.back() != i / width)) rows.push_back(i / width);
+  const std::size_t column = static_cast<std::size_t>(first - all.begin()) % width, more = rows.size() - 1;
+  const std::string text = name + ": row " + std::to_string(rows[0]) + ", column " + std::to_string(column) +
+                           ": " + shown(py::float_(*first)) + " is not finite" +
+                           (more == 0 ? "" : " (and " + std::to_string(more) + " more rows)");
+  throw Error(Errc::not_finite, text, std::move(rows));
 }
 
 }  // namespace
@@ -154,15 +192,25 @@ py::object as_columns(const py::object& object, int count) {
 }
 
 void require_columns(const py::object& object, const py::object& columns, const std::string& name) {
-  if (!columns.is_none() && is_frame(object))
+  if (!columns.is_none() && (is_frame(object) || is_series(object)))
     py::module_::import("delone._frames").attr("require_columns")(object, columns, name);
+}
+
+py::object index_of(const py::object& object) {
+  return is_frame(object) ? py::object(py::module_::import("delone._frames").attr("index")(object))
+                          : py::object(py::none());
+}
+
+void require_index(const py::object& object, const py::object& index, const std::string& name) {
+  if (!index.is_none() && (is_frame(object) || is_series(object)))
+    py::module_::import("delone._frames").attr("require_index")(object, index, name);
 }
 
 py::array as_numbers(const py::object& object, const std::string& name) {
   const py::module_ numpy = py::module_::import("numpy");
   refuse_masked(object, name);
   if (is_frame(object)) return as_doubles(object, name);
-  const py::array array = numpy.attr("asarray")(object);
+  const py::array array = as_array(object, name);
   if (array.dtype().kind() != 'c') return as_doubles(object, name);
   const py::array numbers = numpy.attr("asarray")(array, "complex128", py::arg("order") = "C");
   refuse_rounded(object, numbers, name);
@@ -176,7 +224,7 @@ py::array_t<double> as_doubles(const py::object& object, const std::string& name
   if (is_frame(object)) return frame_as_doubles(object, name, false);
   const py::module_ numpy = py::module_::import("numpy");
   refuse_masked(object, name);
-  const py::array array = numpy.attr("asarray")(object);
+  const py::array array = as_array(object, name);
   const char kind = array.dtype().kind();
   if (kind == 'c') throw py::value_error(name + ": complex numbers are not real");
   if (kind != 'f' && kind != 'i' && kind != 'u' && kind != 'b' && kind != 'O')
@@ -201,6 +249,7 @@ py::array_t<double> as_points(const py::object& object, const std::string& name)
                           shown(points.attr("shape")));
   if (points.shape(1) > std::numeric_limits<int>::max() - 1)
     throw Error(Errc::bad_dimension, name + ": " + std::to_string(points.shape(1)) + " columns are too many");
+  require_finite(points, name);
   return points;
 }
 

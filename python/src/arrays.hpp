@@ -31,18 +31,26 @@ py::object columns_of(const py::object& object);
 /// What a pickle has for columns. Raises ValueError unless it is None, or a tuple of so many.
 py::object as_columns(const py::object& object, int count);
 
-/// Raises ValueError if the object is a DataFrame with other columns than `columns`, a tuple or None.
+/// Raises ValueError if the object is a DataFrame with other columns than `columns`, a tuple or None, or a
+/// Series, one row of such a one, with other labels.
 void require_columns(const py::object& object, const py::object& columns, const std::string& name);
 
-/// The same; complex numbers as complex128.
+/// The index of a pandas DataFrame, the labels of its rows; None of anything else.
+py::object index_of(const py::object& object);
+
+/// Raises ValueError if the object is a Series or DataFrame that has another index than `index`, which is one
+/// or None, and both tell rows apart.
+void require_index(const py::object& object, const py::object& index, const std::string& name);
+
+/// As as_doubles(); complex numbers as complex128.
 py::array as_numbers(const py::object& object, const std::string& name);
 
 inline std::span<const double> numbers(const py::array_t<double>& array) {
   return {array.data(), static_cast<std::size_t>(array.size())};
 }
 
-/// An (n, d) array of points, d ≥ 1. Raises ValueError for any other shape, InputError for numbers of a
-/// DataFrame that are not finite.
+/// An (n, d) array of points, d ≥ 1. Raises ValueError for any other shape, InputError for numbers that are
+/// not finite.
 py::array_t<double> as_points(const py::object& object, const std::string& name);
 
 /// Queries of shape (…, d), and arrays with one answer for each.

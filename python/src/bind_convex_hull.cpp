@@ -35,6 +35,9 @@ class HeldHull {
   /// The labels of the columns of the DataFrame that it was made of, a tuple, or None.
   const py::object& columns() const { return columns_; }
   void set_columns(py::object columns) { columns_ = std::move(columns); }
+  /// The index of the DataFrame, see index_of(); None once rows were added.
+  const py::object& row_index() const { return index_; }
+  void set_row_index(py::object index) { index_ = std::move(index); }
 
   /// Returns question(hull).
   template <class Question>
@@ -46,8 +49,9 @@ class HeldHull {
     const auto rows = as_points(points, "points");
     require_columns(points, columns_, "points");
     if (rows.shape(1) != dimension())
-      throw py::value_error("points: " + std::to_string(rows.shape(1)) + " coordinates per row, not " +
-                            std::to_string(dimension()));
+      throw py::value_error("points: an array of shape (n, " + std::to_string(dimension()) + "), not " +
+                            shown(rows.attr("shape")));
+    if (rows.shape(0) > 0) index_ = py::none();
     guard_.change(progress, [&, x = numbers(rows)] {
       batches_.reserve(batches_.size() + 1);
       hull_.insert_range(x);
@@ -85,7 +89,7 @@ class HeldHull {
   }
 
   BuildArguments arguments_;
-  py::object columns_ = py::none();
+  py::object columns_ = py::none(), index_ = py::none();
   Guard guard_;  // of all members below
   ConvexHull<> hull_;
   std::vector<std::size_t> batches_;
@@ -104,6 +108,7 @@ std::unique_ptr<HeldHull> construct(const py::object& points, double tolerance, 
                                  tolerance);
   held->add(rows, progress);
   held->set_columns(columns_of(points));
+  held->set_row_index(index_of(points));
   return held;
 }
 
@@ -118,6 +123,7 @@ py::tuple of_extreme_points(const py::object& points, double tolerance, std::uin
                                  tolerance);
   py::array which = list_view(held->add_extreme(rows, progress));
   held->set_columns(columns_of(points));
+  if (const py::object index = index_of(points); !index.is_none()) held->set_row_index(index[which]);
   return py::make_tuple(py::cast(std::move(held)), which);
 }
 
@@ -382,6 +388,7 @@ void bind_convex_hull(py::module_& module) {
                              "r, the ridges of the polytope: where two facets meet.")
       .def("__len__", asking([](const Polytope& h) { return h.num_facets(); }))
       .def_property_readonly("columns", &HeldHull::columns, "As those of Delaunay.")
+      .def_property_readonly("_index", &HeldHull::row_index)
       .def("_sample", &sample, "limit"_a)
       .def_property_readonly("points", &points, "(n, d) float64: all rows of the input, in their order.")
       .def_property_readonly(

@@ -78,8 +78,10 @@ class HeldFaces {
 /// An alpha complex, shared by the arrays that show it, and what it is one of.
 class HeldAlpha {
  public:
-  HeldAlpha(std::shared_ptr<const Held> held, double radius, std::optional<double> squared)
-      : held_(std::move(held)), radius_(radius) {
+  HeldAlpha(py::object triangulation, double radius, std::optional<double> squared)
+      : triangulation_(std::move(triangulation)),
+        held_(triangulation_.cast<std::shared_ptr<Held>>()),
+        radius_(radius) {
     Supervisor supervisor;
     supervisor.run([&] {
       held_->with_engine([&](const Triangulation& engine) {
@@ -93,6 +95,11 @@ class HeldAlpha {
   }
 
   double radius() const { return radius_; }
+  /// The triangulation, as long as it has the cells that the complex is made of.
+  const py::object& triangulation() const {
+    if (held_->version() != version_) throw has_changed();
+    return triangulation_;
+  }
   std::size_t size() const { return complex_->cell_numbers().size(); }
   py::array numbers() const { return list(complex_->cell_numbers()); }
   py::array cells() const {
@@ -114,8 +121,7 @@ class HeldAlpha {
     Supervisor supervisor;
     return supervisor.run([&] {
       return held_->with_engine([&](const Triangulation&) {
-        if (held_->version() != version_)
-          throw std::runtime_error("points have been added to the triangulation of this alpha complex");
+        if (held_->version() != version_) throw has_changed();
         return HeldFaces(complex_->faces(dimension, options_of(*held_)));
       });
     });
@@ -126,6 +132,9 @@ class HeldAlpha {
   }
 
  private:
+  static std::runtime_error has_changed() {
+    return std::runtime_error("points have been added to the triangulation of this alpha complex");
+  }
   std::size_t corners() const { return static_cast<std::size_t>(complex_->affine_dimension() + 1); }
   py::array list(std::span<const SignedIndex> items) const {
     return view(items, {static_cast<py::ssize_t>(items.size())}, complex_);
@@ -138,7 +147,8 @@ class HeldAlpha {
         complex_);
   }
 
-  std::shared_ptr<const Held> held_;
+  py::object triangulation_;
+  std::shared_ptr<const Held> held_;  // the same
   double radius_;
   std::uint64_t version_ = 0;
   std::shared_ptr<const AlphaComplex> complex_;  // asks the engine, while it has this version
@@ -219,6 +229,9 @@ void bind_faces(py::module_& module) {
   py::class_<HeldAlpha>(module, "AlphaComplex", "The faces of a triangulation below a radius. Read-only.")
       .def_property_readonly("radius", &HeldAlpha::radius,
                              "What it was made with; NaN if it was made with `squared_radius`.")
+      .def_property_readonly(
+          "triangulation", &HeldAlpha::triangulation,
+          "What it is a part of. RuntimeError if points have been added to the triangulation since.")
       .def_property_readonly("cells", &HeldAlpha::cells,
                              "(m', k+1) input rows: the cells that are in it, in their order.")
       .def_property_readonly("cell_numbers", &HeldAlpha::numbers,
@@ -293,8 +306,7 @@ void bind_faces(py::module_& module) {
             self.cast<const Held&>());  // refuses what is not initialized; casts to holders do not
         if (radius.has_value() == squared_radius.has_value())
           throw py::value_error("alpha_complex: either radius or squared_radius");
-        return HeldAlpha(self.cast<std::shared_ptr<Held>>(),
-                         radius.value_or(std::numeric_limits<double>::quiet_NaN()), squared_radius);
+        return HeldAlpha(self, radius.value_or(std::numeric_limits<double>::quiet_NaN()), squared_radius);
       },
       "radius"_a = py::none(), py::kw_only(), "squared_radius"_a = py::none());
   method(

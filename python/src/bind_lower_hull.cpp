@@ -40,6 +40,7 @@ class HeldLowerHull {
     options.tolerance = tolerance;
     const HullSide which = side_of(side);
     columns_ = columns_of(points);
+    row_index_ = index_of(points);
     Supervisor supervisor(progress);
     supervisor.run([&, x = numbers(rows), d = static_cast<int>(rows.shape(1))] {
       hull_ = std::make_shared<const LowerHull<>>(x, d, which, options);
@@ -51,6 +52,8 @@ class HeldLowerHull {
   /// The labels of the columns of the DataFrame that it was made of, a tuple, or None.
   const py::object& columns() const { return columns_; }
   void set_columns(py::object columns) { columns_ = std::move(columns); }
+  /// The index of the DataFrame, see index_of().
+  const py::object& row_index() const { return row_index_; }
   /// Those of the compositions alone.
   py::object composition_columns() const {
     return columns_.is_none() ? columns_ : py::object(columns_[py::slice(0, -1, 1)]);
@@ -61,7 +64,7 @@ class HeldLowerHull {
   std::size_t width() const { return static_cast<std::size_t>(hull_->composition_dimension() + 1); }
 
  private:
-  py::object columns_ = py::none();
+  py::object columns_ = py::none(), row_index_ = py::none();
   std::shared_ptr<const LowerHull<>> hull_;
   std::shared_ptr<const std::vector<double>> points_;
 };
@@ -220,6 +223,7 @@ void bind_lower_hull(py::module_& module) {
       .def("height_above", &height_above, "points"_a, py::kw_only(), "tolerance"_a = 0.0,
            text(height_above_doc))
       .def_property_readonly("columns", &Held::columns, "As those of Delaunay; queries have them, too.")
+      .def_property_readonly("_index", &Held::row_index)
       .def("_data",
            [](const Held& h) {
              Supervisor supervisor;

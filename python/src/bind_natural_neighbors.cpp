@@ -127,6 +127,7 @@ class HeldNaturalInterpolator : public HeldFunction<NaturalNeighborInterpolator>
   std::vector<double> parts_of_gradients() {
     if (given_gradients_.is_none()) return {};
     const auto d = static_cast<std::size_t>(triangulation().dimension());
+    require_index(given_gradients_, triangulation().row_index(), "gradients");
     const py::array array = own_copy(as_numbers(given_gradients_, "gradients"), "gradients");
     given_gradients_ = array;
     if (std::vector<py::ssize_t>(array.shape(), array.shape() + array.ndim()) != shape_at_points())

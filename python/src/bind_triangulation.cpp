@@ -56,12 +56,14 @@ void add(Held& held, const py::object& points, const py::object& weights, const 
   const auto rows = as_points(points, "points");
   require_columns(points, held.columns(), "points");
   if (rows.shape(1) != held.dimension())
-    throw py::value_error("points: " + std::to_string(rows.shape(1)) + " coordinates per row, not " +
-                          std::to_string(held.dimension()));
+    throw py::value_error("points: an array of shape (n, " + std::to_string(held.dimension()) + "), not " +
+                          shown(rows.attr("shape")));
+  require_index(weights, index_of(points), "weights");
   const auto their_weights =
       held.form() == Form::regular ? as_weights(weights, rows.shape(0)) : py::array_t<double>(0);
   Supervisor supervisor(progress);
   supervisor.run([&, x = numbers(rows), w = numbers(their_weights)] { held.add(x, w); });
+  if (rows.shape(0) > 0) held.set_row_index(py::none());
 }
 
 template <class T>
@@ -72,8 +74,11 @@ std::unique_ptr<T> construct(const py::object& points, const py::object& weights
   auto held = std::make_unique<T>(static_cast<int>(rows.shape(1)),
                                   BuildArguments{seed, std::move(order), threads,
                                                  as_memory_limit(memory_limit), as_time_limit(time_limit)});
+  const py::object index = index_of(points);
+  require_index(weights, index, "weights");
   add(*held, rows, weights, progress);
   held->set_columns(columns_of(points));
+  held->set_row_index(index);
   return held;
 }
 
@@ -654,6 +659,7 @@ void bind_triangulations(py::module_& module) {
            "With a tolerance, see\n"
            "find_simplex, they are those of the point x'.")
       .def_property_readonly("columns", &Held::columns, columns_doc)
+      .def_property_readonly("_index", &Held::row_index)
       .def("_sample", &sample, "limit"_a)
       .def("_find_accepting", &find_accepting, "queries"_a, "transform"_a, "neighbors"_a, "tolerance"_a,
            "broad"_a, "radius"_a)

@@ -36,6 +36,7 @@ class HeldDiagram {
     is_furthest_ = source.form() == Form::furthest_site;
     threads_ = source.threads();
     columns_ = source.columns();
+    index_ = source.row_index();
     const DiagramOptions options{.tolerance = tolerance, .threads = threads_};
     Supervisor supervisor;
     for (std::uint64_t version = source.version() + 1;
@@ -75,6 +76,7 @@ class HeldDiagram {
   unsigned threads() const { return threads_; }
   bool is_furthest() const { return is_furthest_; }
   const py::object& columns() const { return columns_; }
+  const py::object& row_index() const { return index_; }
   py::array ray_directions() const {
     const auto there = diagram_->ray_directions();
     if (!is_furthest_) return rows(there, diagram_->num_rays(), dimension());
@@ -97,7 +99,7 @@ class HeldDiagram {
   }
 
  private:
-  py::object source_type_, source_state_, columns_;
+  py::object source_type_, source_state_, columns_, index_;
   unsigned threads_ = 1;  // those of the triangulation
   bool is_furthest_ = false;
   std::shared_ptr<const Diagram> diagram_;
@@ -262,6 +264,7 @@ void bind_voronoi(py::module_& module) {
           "num_rays", [](const HeldDiagram& h) { return h.diagram().num_rays(); },
           "How many unbounded edges.")
       .def_property_readonly("columns", &HeldDiagram::columns, "Those of the triangulation, see Delaunay.")
+      .def_property_readonly("_index", &HeldDiagram::row_index)
       .def_property_readonly("points", &HeldDiagram::points,
                              "(n, d) float64: all rows of the input, in their order.")
       .def_property_readonly(

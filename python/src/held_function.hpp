@@ -77,8 +77,10 @@ class HeldFunction {
                const py::object& fill, double tolerance)
       : outside_(outside_of(outside)), fill_(fill), tolerance_(checked_tolerance(tolerance)) {
     source_ = triangulation_of(points);
+    require_index(values, triangulation().row_index(), "values");
     values_ = as_numbers(values, "values");
     is_complex_ = values_.dtype().kind() == 'c';
+    require_fill();
     values_ = own_copy(values_, "values");
     if (values_.ndim() < 1) throw py::value_error("values: an array of shape (n, ...)");
     parts_ = is_complex_ ? 2 : 1;
@@ -95,8 +97,9 @@ class HeldFunction {
     supervisor.run([&] {
       triangulation().with_engine([&](const Triangulation& engine) {
         if (numbers.size() != engine.num_rows() * parts_)
-          throw Error(Errc::bad_dimension,
-                      "values: not one row for each of " + std::to_string(engine.num_rows()) + " points");
+          throw Error(Errc::bad_dimension, "values: " + std::to_string(numbers.size() / parts_) +
+                                               " rows, not one for each of " +
+                                               std::to_string(engine.num_rows()) + " points");
         function_ = make(engine, numbers, parts_);
         version_ = triangulation().version();
       });
@@ -150,6 +153,20 @@ class HeldFunction {
   }
 
  private:
+  /// Raises TypeError if the constant is no number of the kind of the values, ValueError if it is given where
+  /// nothing gets it.
+  void require_fill() const {
+    const Py_complex number = PyComplex_AsCComplex(fill_.ptr());
+    if (PyErr_Occurred() != nullptr || (!is_complex_ && PyComplex_Check(fill_.ptr()) != 0)) {
+      PyErr_Clear();
+      throw py::type_error("fill_value: a " + std::string(is_complex_ ? "" : "real ") + "number, not " +
+                           represented(fill_));
+    }
+    if (outside_ != Outside::fill && !std::isnan(number.real))
+      throw py::value_error("fill_value: only with outside='fill', not with " +
+                            in_quotes(outside_names[static_cast<int>(outside_)]));
+  }
+
   EvaluateOptions options(std::span<const double> fill = {}) const {
     return {.outside = outside_, .fill = fill, .tolerance = tolerance_, .threads = triangulation().threads()};
   }

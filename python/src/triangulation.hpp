@@ -47,6 +47,9 @@ class HeldTriangulation {
   /// The labels of the columns of the DataFrame that it was made of, a tuple, or None. With the GIL.
   const py::object& columns() const { return columns_; }
   void set_columns(py::object columns) { columns_ = std::move(columns); }
+  /// The index of the DataFrame, see index_of(); None once rows were added. With the GIL.
+  const py::object& row_index() const { return index_; }
+  void set_row_index(py::object index) { index_ = std::move(index); }
 
   // Without the GIL, in Supervisor::run():
 
@@ -107,7 +110,7 @@ class HeldTriangulation {
   Form form_;
   int dimension_;
   BuildArguments arguments_;
-  py::object columns_ = py::none();
+  py::object columns_ = py::none(), index_ = py::none();
 
   mutable std::shared_mutex mutex_;  // of all members below
   const std::unique_ptr<Engine> engine_;

@@ -225,13 +225,36 @@ def test_check_of_anybodys_triangulation():
     weights = np.arange(30.0) / 100
     r = delone.Regular(POINTS, weights)
     assert delone.check(POINTS, r.cells, weights=weights, level=5) and not delone.check(POINTS, r.cells)
-    for bad in (lambda: delone.check(POINTS, t.cells, level=0), lambda: delone.check(POINTS, t.cells[:, :1] * 1.5),
+    for bad in (lambda: delone.check(POINTS, t.cells, level=0), lambda: delone.check(t, level=7),
+                lambda: delone.check(delone.ConvexHull(POINTS), level=6), lambda: delone.check(POINTS, t.cells[:, :1] * 1.5),
                 lambda: delone.check(POINTS, [0, 1, 2]), lambda: delone.check(POINTS[:, :2], t.cells),
                 lambda: delone.check(delone.ConvexHull(POINTS), canonical=True), lambda: delone.check(5),
                 lambda: delone.check(t, neighbors=t.neighbors), lambda: delone.check(delone.LowerHull(POINTS)),
                 lambda: delone.check(POINTS, t.cells + 2**40), lambda: delone.check(POINTS, t.cells, neighbors=t.neighbors[:, :2])):
         with pytest.raises((ValueError, TypeError)):
             bad()
+
+
+def test_write_points_names_what_is_wrong(tmp_path):
+    for arguments, text in (((tmp_path / "w.csv", POINTS), "points: an array or a DataFrame, not PosixPath"), (("w.csv", POINTS), "points: .*, not str"),
+                            ((POINTS, POINTS), "path: a str or an os.PathLike, not ndarray")):
+        with pytest.raises(TypeError, match=text + "; write_points\\(points, path\\)" if os.name == "posix" else "write_points"):
+            delone.write_points(*arguments)
+
+
+@pytest.mark.parametrize("format", ["npz", "json", "off", "vtu", "ply", "stl", "msh"])
+def test_alpha_complexes_are_saved(tmp_path, format):
+    t = delone.Delaunay(POINTS)
+    shape = t.alpha_complex(np.median(t.circumradii))
+    assert shape.triangulation is t
+    data = shape.to_data()
+    assert (data.cells == shape.cells).all() and (data.neighbors < 0).sum() == len(shape.boundary) and delone.check(data, level=2)
+    shape.save(tmp_path / f"a.{format}")
+    if format in ("npz", "json", "off"):
+        assert (delone.read(tmp_path / f"a.{format}").cells == shape.cells).all()
+    t.insert_range(POINTS + 1)
+    with pytest.raises(RuntimeError, match="points have been added"):
+        shape.save(tmp_path / f"b.{format}")
 
 
 def test_check_of_subclasses():

@@ -64,7 +64,7 @@ def test_queries_are_dataframes(pandas):
 def test_errors_name_the_column_and_the_row(pandas):
     frame = pandas.DataFrame({"depth": [1.0, 2, 3], "n": [1, 2, 2**53 + 1], "site": ["a", "b", "c"], "when": pandas.to_datetime(["2020-01-01"] * 3)},
                              index=["r1", "r2", "r3"])
-    for columns, text, rows in [(["depth", "site"], "points: column 'site': row 0: a str is not a number", [0]),
+    for columns, text, rows in [(["depth", "site"], "points: column 'site': row 0: 'a' is not a number", [0]),
                                 (["depth", "when"], r"points: column 'when': not real numbers, but 'datetime64\[ns\]'", []),
                                 (["depth", "n"], "points: column 'n': row 2: 9007199254740993 is not exact in double precision", [2])]:
         with pytest.raises(delone.InputError, match=text) as caught:
@@ -92,6 +92,37 @@ def test_all_numeric_columns_are_taken(pandas):
     frame["Int"] = pandas.array([1, None, 3], dtype="Int64")
     with pytest.raises(delone.InputError, match="points: row 1, column 'Int': nan is not finite"):
         delone.Delaunay(frame)
+
+
+def test_values_have_the_index_of_the_points(pandas):
+    frame = pandas.DataFrame(PLANE, columns=["east", "north"], index=[f"p{i}" for i in range(40)])
+    values, some = frame["east"], frame[frame["north"] > 0.5]
+    t, h, v = delone.Delaunay(frame), delone.ConvexHull(frame), delone.Voronoi(frame)
+    for right in (values, values.to_numpy(), values.reset_index(drop=True), frame):
+        delone.LinearInterpolator(frame, right), delone.NaturalNeighborInterpolator(t, right)
+    for wrong in (values[::-1], values.rename(dict(p3="q"))):
+        for use in (lambda: delone.LinearInterpolator(frame, wrong), lambda: delone.NaturalNeighborInterpolator(t, wrong), lambda: t.to_html(values=wrong),
+                    lambda: h.to_html(values=wrong), lambda: v.to_html(values=wrong)):
+            with pytest.raises(ValueError, match="values: the index is not that of the points"):
+                use()
+        for use in (lambda: delone.Regular(frame, wrong), lambda: delone.Regular(PLANE[:1], [0]).insert_range(frame, wrong),
+                    lambda: delone.PowerDiagram(frame, wrong)):
+            with pytest.raises(ValueError, match="weights: the index is not that of the points"):
+                use()
+    counted = frame.reset_index(drop=True)
+    delone.LinearInterpolator(counted, values[::-1])  # labels against none
+    for points, given in ((counted, counted["east"].sort_values()), (counted[::-1], counted["east"])):
+        with pytest.raises(ValueError, match="in another order"):
+            delone.LinearInterpolator(points, given)
+    with pytest.raises(ValueError, match="values: 40 rows"):
+        delone.LinearInterpolator(some, values)
+    assert t.find_simplex(frame.iloc[0]) == t.find_simplex(PLANE[0])
+    with pytest.raises(ValueError, match="queries: the columns 'north', 'east', not 'east', 'north'"):
+        t.find_simplex(frame[["north", "east"]].iloc[0])
+    corners, rows = delone.ConvexHull.of_extreme_points(frame)
+    corners.to_html(values=values.iloc[rows])
+    t.insert_range(frame + 1)
+    t.to_html(values=pandas.concat([values, values]), values_at="points")
 
 
 def test_data_are_copied_once_at_most(pandas):

@@ -109,7 +109,7 @@ def test_nan_spreads_to_its_cells():
 
 
 @pytest.mark.parametrize("values, message", [
-    ([1.0, 2.0], "values: not one row for each of 3 points"),
+    ([1.0, 2.0], "values: 2 rows, not one for each of 3 points"),
     (1.0, "values"),
     (["a", "b", "c"], "values: not numbers"),
     ([1, 2**60 + 1, 3], "values: row 1: 1152921504606846977 is not exact"),

@@ -16,7 +16,7 @@ QUICK = {
     "delone.ConvexHull": "__repr__ affine_dimension axes columns dimension max_distance num_cells num_duplicates num_points plot statistics to_frame to_meshio "
                          "to_pyvista to_vtk tolerance",
     "delone.LowerHull": "__getstate__ __len__ __repr__ cells columns composition_axes composition_dimension dimension facet_of_cell max_distance neighbors "
-                        "num_cells num_facets num_points points side to_data tolerance vertices",
+                        "num_cells num_facets num_points plot points side to_data to_meshio to_pyvista to_vtk tolerance vertices",
     "delone.Data": "__init__ __reduce__ __repr__ columns members",
     "delone.ComplexData": "__init__",
     "delone.ConvexHulls": "__getitem__ __init__ __iter__ __len__ __repr__",
@@ -31,7 +31,8 @@ QUICK = {
     "delone.Voronoi": "__repr__",
     "delone.TrimResult": "__getstate__ __repr__ cells depth kept lost_volume neighbors num_removed orphans",
     "delone.Faces": "__getstate__ __len__ __repr__ cells dimension on_hull vertices",
-    "delone.AlphaComplex": "__len__ __repr__ boundary boundary_cells cell_numbers cells radius singular_facets",
+    "delone.AlphaComplex": "__len__ __repr__ boundary boundary_cells cell_numbers cells plot radius singular_facets to_data to_meshio to_pyvista to_vtk "
+                           "triangulation",
     "delone._core.Diagram": "affine_dimension bounding_box columns dimension is_bounded max_displacement num_points num_rays num_regions num_ridges "
                             "num_vertices plot point_region points ray_directions ray_points ray_vertices region region_offsets region_points "
                             "region_vertices ridge ridge_offsets ridge_points ridge_vertices to_data to_frame to_meshio to_pyvista to_vtk tolerance vertices",
@@ -94,7 +95,7 @@ LONG = {
     "delone._core.Triangulation.circumradii": ("t = delone.Delaunay(random.random((10_000, 6)))", "t.circumradii", "circumcenters"),
     "delone._core.Triangulation.qualities": ("t = delone.Delaunay(random.random((10_000, 6)))", "t.qualities()"),
     "delone._core.Triangulation.to_html": ("t = delone.Delaunay(random.random((300_000, 3)))", "t.to_html()"),
-    "delone.AlphaComplex.faces": ("complex = delone.Delaunay(random.random((20_000, 5))).alpha_complex(0.3)", "complex.faces(1)"),
+    "delone.AlphaComplex.faces": ("complex = delone.Delaunay(random.random((20_000, 5))).alpha_complex(0.3)", "complex.faces(1)", "save"),
     "delone._core.Triangulation.trim": ("t = delone.Delaunay(random.random((20_000, 4)))", "t.trim(0.5)"),
     "delone._core.Triangulation.transform": ("t = delone.Delaunay(random.random((100_000, 4)))", "t.transform"),
     "delone._core.Triangulation.vertex_neighbors": ("t = delone.Delaunay(random.random((20_000, 5)))", "t.vertex_neighbors"),

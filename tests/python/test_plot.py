@@ -263,3 +263,19 @@ def test_notebooks_show_intersections(rows):
 def test_what_notebooks_show_never_raises():
     broken = delone.Delaunay.__new__(delone.Delaunay)
     assert broken._repr_html_() is None
+
+
+def test_lower_hulls_and_alpha_complexes(plt):
+    for d, name in ((2, "rectilinear"), (3, "rectilinear"), (4, "3d")):
+        hull = delone.lower_hull(RANDOM.random((30, d)))
+        ax = hull.plot(values=hull.height_above(hull.points), colorbar="above")
+        assert ax.name == name and len(ax.collections) == 2 and len(ax.collections[1].get_offsets()) == 30
+        assert hull._repr_html_().count("<path") >= 1
+    with pytest.raises(ValueError, match="plot: compositions of 4 numbers"):
+        delone.lower_hull(RANDOM.random((30, 5))).plot()
+    t = delone.Delaunay(PLANE)
+    shape = t.alpha_complex(np.median(t.circumradii))
+    assert len(shape.plot(points=False).collections[0].get_paths()) == len(shape)
+    t.insert_range(PLANE + 2)
+    with pytest.raises(RuntimeError, match="points have been added"):
+        shape.plot()

@@ -57,6 +57,9 @@ def test_columns_have_names():
 
 def test_what_is_refused(tmp_path):
     t = delone.Delaunay(POINTS)
+    with pytest.raises(ValueError, match="path: a page is HTML, in a file .html or .htm, not '.png'"):
+        t.to_html(tmp_path / "a.png")
+    assert not any(tmp_path.iterdir())
     with pytest.raises(ValueError, match="3 numbers for 40 rows"):
         t.to_html(values=[1, 2, 3])
     with pytest.raises(ValueError, match="values_at: one of 'points', 'cells'"):

@@ -58,8 +58,9 @@ def check(made, name, use):
     try:
         use(made)
     except REFUSED if compiled else Exception as error:
-        # By the class itself, before anything else is looked at; a wrong number of arguments is seen even before.
-        assert len(str(error)) > 0 and (any(part in str(error) for part in ("initialized", "incompatible", "cannot pickle", "positional argument")) or not compiled), (type(made), name, error)
+        # By the class itself, before anything else is looked at; arguments of a wrong number or type are seen even before.
+        known = ("initialized", "needs the argument", "by position", "was expected", "incompatible", "cannot pickle", "positional argument")
+        assert len(str(error)) > 0 and (any(part in str(error) for part in known) or not compiled), (type(made), name, error)
         return
     # Objects of Python have no memory of C++: they may have copies and names as empty as they are.
     assert not compiled and (name.startswith(("copy", "deepcopy", "pickle", "__", "close")) or "Patched" in type(made).__name__), (type(made), name)

@@ -1,0 +1,85 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""What calls of the compiled module raise whose arguments do not fit, in place of what pybind11 says. Data are never shown."""
+from __future__ import annotations
+
+import difflib
+import operator
+from typing import Any, Dict, List, Optional, Tuple
+
+from . import _core
+
+
+def explained(function: str, arguments: List[Tuple[str, str, str]], given: tuple, named: Dict[str, Any]) -> Exception:
+    """`arguments`: (name, type, default) as pybind11 has them, with "*" before those that must be named."""
+    names = [name for name, _, _ in arguments if name != "*"]
+    star = next((i for i, (name, _, _) in enumerate(arguments) if name == "*"), len(names))
+    is_method = names[:1] == ["self"]
+    title = type(given[0]).__name__ if function == "__init__" and given else function
+    callers = names[is_method:]
+    for name in named:
+        if name not in callers:
+            close = difflib.get_close_matches(name, callers, 1)
+            more = f"did you mean {close[0]!r}?" if close else f"it has {', '.join(callers)}" if callers else "it has none"
+            return TypeError(f"{title}() has no argument {_core._represented(name)}; {more}")
+    if len(given) > star:
+        rest = f"; {', '.join(names[star:])} only by name" if names[star:] else ""
+        return TypeError(f"{title}() takes at most {star - is_method} argument{'s' * (star - is_method != 1)} by position, not {len(given) - is_method}{rest}")
+    values = dict(zip(names, given))
+    for name in named:
+        if name in values:
+            return TypeError(f"{title}(): {name!r} is given twice")
+    values.update(named)
+    for name, kind, default in arguments:
+        if name == "*":
+            continue
+        if name not in values:
+            if not default:
+                return TypeError(f"{title}() needs an object that it is a method of" if name == "self" else f"{title}() needs the argument {name!r}")
+            continue
+        refusal = _refusal(title, name, kind, values[name])
+        if refusal is not None:
+            return refusal
+    return TypeError(f"{title}({', '.join(names)}): incompatible arguments, of the types "
+                     f"{', '.join(f'{name}: {type(value).__name__}' for name, value in values.items())}")
+
+
+def _refusal(title: str, name: str, kind: str, value: Any) -> Optional[Exception]:
+    """What is wrong with one value; None if nothing is known to be."""
+    low = kind.lower()
+    is_optional = "optional" in low or "none" in low
+    if value is None and is_optional:
+        return None
+    if name == "self" or kind.startswith("delone."):
+        wanted = kind.rsplit(".", 1)[-1]
+        if kind == "object" or any(base.__name__ == wanted for base in type(value).__mro__):
+            return None
+        return TypeError(f"{title}(): of a {wanted}, not of {_shown(value)}" if name == "self" else f"{name}: a {wanted}, not {_shown(value)}")
+    or_none = ", or None," if is_optional else ""
+    if "float" in low:
+        try:
+            if not isinstance(value, (str, bytes)):
+                float(value)
+                return None
+        except (TypeError, ValueError, OverflowError):
+            pass
+        return TypeError(f"{name}: a number{or_none} was expected, not {_shown(value)}")
+    if "int" in low:
+        try:
+            number = operator.index(value)
+        except TypeError:
+            return TypeError(f"{name}: an integer{or_none} was expected, not {_shown(value)}")
+        if number < 0:
+            return ValueError(f"{name}: at least 0, not {_shown(number)}")
+        return ValueError(f"{name}: {_shown(number)} is too large") if number >= 2**31 else None
+    if low in ("str", "optional[str]") and not isinstance(value, (str, bytes)):
+        return TypeError(f"{name}: a str{or_none} was expected, not {_shown(value)}")
+    if low in ("bool", "optional[bool]") and not isinstance(value, bool):
+        return TypeError(f"{name}: True or False was expected, not {_shown(value)}")
+    return None
+
+
+def _shown(value: Any) -> str:
+    """Numbers and text as they are, of anything else its type."""
+    if value is None or isinstance(value, (bool, int, float, complex, str)):
+        return _core._represented(value)
+    return f"a {type(value).__name__}"
