@@ -51,13 +51,13 @@ class HeldHull {
     if (rows.shape(1) != dimension())
       throw py::value_error("points: an array of shape (n, " + std::to_string(dimension()) + "), not " +
                             shown(rows.attr("shape")));
-    if (rows.shape(0) > 0) index_ = py::none();
     guard_.change(progress, [&, x = numbers(rows)] {
       batches_.reserve(batches_.size() + 1);
       hull_.insert_range(x);
       if (!x.empty()) batches_.push_back(x.size() / static_cast<std::size_t>(dimension()));
       data_.reset();
     });
+    if (rows.shape(0) > 0) index_ = py::none();
   }
 
   /// The extreme ones of points, into a hull without rows; which of the points its rows are.
