@@ -11,6 +11,7 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
+#include <utility>
 #include <vector>
 
 namespace delone::internal {
@@ -47,8 +48,10 @@ inline double radius_of(double square, const double* const* points, std::size_t 
 template <class Take>
 auto radii_of_blocks(int dimension, std::size_t corners, int unit, const Take& take) {
   return [dimension, corners, unit, &take] {
-    return [&take, dimension, corners, spheres = Orthospheres(dimension, false, unit, corners)](
-               std::size_t first, std::size_t count, const double* const* points) mutable {
+    Orthospheres finder(dimension, false, unit, corners);
+    finder.let_nearest_be_enough();  // the root of a rounded square is off by at most 2⁻⁵²
+    return [&take, dimension, corners, spheres = std::move(finder)](std::size_t first, std::size_t count,
+                                                                    const double* const* points) mutable {
       Orthospheres::Answer answers[orthosphere_block];
       spheres.find_block(count, points, Orthospheres::Want::square, answers);
       for (std::size_t i = 0; i < count; ++i) {

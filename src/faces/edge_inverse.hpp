@@ -12,11 +12,10 @@
 // = d + 3 and μ = d.
 //
 // X is an approximate inverse, R = I − M·X, C_j the sum of |X_mj| in column j. Entry (i, j) of R is computed
-// by n products and n differences of partial sums of at most 1.01(1 + μC_j), so it is off by at most ε_j
-// = 1.05·ε(n + 1
-// + ι)(1 + μC_j); 10⁻²⁷⁵ covers what underflows, as X is at most 10⁴⁰. Let ρ_j be the largest |R_mj| plus
-// ε_j, and the row sums of |R| with their errors at most 1/2. As M⁻¹ − X = X·R·(I − R)⁻¹, and the largest
-// entry of R·(I − R)⁻¹e_j is at most 2ρ_j,
+// by n products and n differences of partial sums of at most 1.01(1 + μC_j), so it is off by at most
+// ε_j = 1.05·ε(n + 1 + ι)(1 + μC_j); 10⁻²⁷⁵ covers what underflows, as X is at most 10⁴⁰. Let ρ_j be the
+// largest |R_mj| plus ε_j, and the row sums of |R| with their errors at most 1/2. As M⁻¹ − X = X·R·(I − R)⁻¹,
+// and the largest entry of R·(I − R)⁻¹e_j is at most 2ρ_j,
 //     |M⁻¹ − X|_ij ≤ 2·r_i·ρ_j,   r_i = Σ_m |X_im|,   and ‖M⁻¹‖ ≤ 2·max r_i in the norm of row sums.
 // Newton's step X + X·R squares R, up to roundings.
 #pragma once
@@ -170,7 +169,7 @@ class EdgeInverse {
     if constexpr (!is_double)
       if (residual_.size() < n * n) residual_.resize(n * n);
     const auto dn = static_cast<double>(n);
-    Vector<double> sum_of_row(n), row_errors(n);
+    Vector<double> sum_of_row(n);
     for (std::size_t i = 0; i < n; ++i) sum_of_row[i] = row_sum[i] = 0;
     double total_error = 0, largest_sum = 0;
     largest_defect_ = 0;

@@ -46,6 +46,7 @@
 #include "base/quick_rounds.hpp"
 #include "faces/certified_gram.hpp"
 #include "faces/orthosphere_kernel.hpp"
+#include "faces/square_in_pairs.hpp"
 #include "kernel/buffer.hpp"
 #include "kernel/double_double.hpp"
 #include "kernel/fractions.hpp"
@@ -373,6 +374,13 @@ Orthospheres::Answer Orthospheres::find_by_stages(const double* const* points, W
     is_certain = solver.find_square_above(answer.square);
   }
   if (is_certain) return answer;
+  if (want == Want::square && !weighted_)
+    if (const auto square = square_in_pairs(points, corners_, dimension_)) {
+      if (round_up(square->value, square->error, answer.square)) return answer;
+      // Within 2⁻⁸⁰ of a double.
+      answer.square = square->value.high + square->value.low;
+      if (is_nearest_enough_) return answer;
+    }
   ++num_exact_;
   const ExactOrthosphere exact(points, corners_, dimension_, weighted_);
   if (want != Want::square) answer.beyond = exact.beyond();

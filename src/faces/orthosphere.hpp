@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The smallest orthosphere of a simplex: of all spheres that are orthogonal to its vertices (for vertices
 // without weights: that pass through them) the one of least squared radius. Its center is in the flat of the
-// simplex. Squares of radii are rounded up, and signs are exact, in three stages: binary64 with a certified
-// bound, binary64 without any rounding on small lattices, integers.
+// simplex. Squares of radii are rounded up, and signs are exact, in stages: binary64 with a certified bound,
+// binary64 without any rounding on small lattices, pairs of doubles (squares alone), integers.
 #pragma once
 
 #include "faces/exact_orthosphere.hpp"
@@ -50,6 +50,11 @@ class Orthospheres {
   void is_within_block(std::size_t count, const double* const* points, const SquareBound& bound,
                        bool* is_within, std::uint64_t* beyond, bool* beyond_is_known);
 
+  /// From now on, without weights, Want::square may also give a double that a relative error of 2⁻⁷⁹
+  /// separates from the squared radius, from below, too. So no integers are needed where the square is a
+  /// double.
+  void let_nearest_be_enough() { is_nearest_enough_ = true; }
+
   /// How many answers needed integers so far.
   std::uint64_t num_exact() const { return num_exact_; }
 
@@ -67,6 +72,7 @@ class Orthospheres {
   double small_ = 0, small_square_ = 0;  // up to these nothing is rounded
   Answer (Orthospheres::*find_)(const double* const*, Want);
   bool (Orthospheres::*is_within_)(const double* const*, const SquareBound&);
+  bool is_nearest_enough_ = false;
   std::uint64_t num_exact_ = 0;
   std::vector<double> lanes_;  // coordinates of a block, empty if blocks are not for SIMD
 };

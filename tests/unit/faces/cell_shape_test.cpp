@@ -214,7 +214,7 @@ TEST(Measures, StagesAgreeWithRationals) {
     for (std::size_t corners = std::max<std::size_t>(d, 3); corners <= d + 1; ++corners)
       for (const double height : {1.0, 1e-4, 1e-8, 1e-13, 1e-15})
         for (const double units : {1.0, 1e6}) {
-          if (d > 5 && (height == 1e-8 || units == 1)) continue;  // rationals are slow
+          if (d > 5 && (height == 1e-8 || height == 1e-4 || units == 1)) continue;  // rationals are slow
           const std::vector<double> cell = random_cell(corners, d, height, units, random);
           std::vector<const double*> points;
           for (std::size_t i = 0; i < corners; ++i) points.push_back(cell.data() + i * d);

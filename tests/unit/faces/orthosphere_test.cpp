@@ -8,6 +8,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdlib>
 #include <limits>
@@ -163,6 +164,41 @@ TEST(Orthospheres, TiesOffTheLattice) {
   expect_exact({{0, 0, 0}, {3e10, 0, 0}, {0, 4e10, 0}}, false, -1100);
   expect_exact({{0, 0, 0, 0, 0}, {2, 0, 0, 0, 0}, {0, 2, 0, 0, 0}, {0, 0, 2, 0, 0}, {0, 0, 0, 2, 0}}, false,
                0);
+}
+
+TEST(Orthospheres, SquaresInPairsNeedNoIntegers) {
+  // Thin simplices, and axes in different units; corners of boxes have squares that are doubles.
+  std::mt19937_64 random(6);
+  for (std::size_t d = 2; d <= 7; ++d)
+    for (std::size_t corners = std::max<std::size_t>(d, 3); corners <= d + 1; ++corners)
+      for (const double units : {1.0, 1e4}) {
+        WeightedPoints points = random_points(corners, d, false, 1, random);
+        for (auto& p : points)
+          for (std::size_t j = 0; j < d; ++j) {
+            if (corners <= d) p[j] = points[0][j] + 0.001 * (p[j] - points[0][j]);
+            if (j % 2 == 1) p[j] *= units;
+          }
+        std::vector<std::size_t> rows(corners);
+        std::iota(rows.begin(), rows.end(), std::size_t{0});
+        std::vector<const double*> pointers;
+        for (const auto& p : points) pointers.push_back(p.data());
+        Orthospheres spheres(static_cast<int>(d), false, -1100, corners);
+        const auto answer = spheres.find(pointers.data(), Orthospheres::Want::square);
+        EXPECT_TRUE(test::is_rounded_up(answer.square, test::smallest_orthosphere(points, rows)->square));
+        if (corners > d) {
+          EXPECT_EQ(spheres.num_exact(), 0u) << d;
+        }
+      }
+  const std::vector<double> box{0, 0, 0,   0, 0, 3e6, 0, 0, 0, 0, 0, 5, 0, 0, 0,
+                                0, 0, 0.5, 0, 0, 0,   0, 0, 7, 0, 0, 0, 0, 0, 1};
+  const double* const corners[6] = {box.data(),      box.data() + 5,  box.data() + 10,
+                                    box.data() + 15, box.data() + 20, box.data() + 25};
+  for (const bool nearest : {false, true}) {
+    Orthospheres spheres(5, false, -1100, 6);
+    if (nearest) spheres.let_nearest_be_enough();
+    EXPECT_EQ(spheres.find(corners, Orthospheres::Want::square).square, 0.25 * (9e12 + 25 + 0.25 + 49 + 1));
+    EXPECT_TRUE(spheres.num_exact() == 0 || !nearest);
+  }
 }
 
 TEST(SquareBound, OfRadii) {
