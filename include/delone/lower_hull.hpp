@@ -56,14 +56,17 @@ class DELONE_EXPORT Envelope {
   /// walk.
   std::optional<std::size_t> find_cell(const AnyPoint<>& composition) const;
 
-  /// The height of the envelope over each of q compositions (q×(d−1)): an interpolation in the cell, rounded.
-  /// Outside the domain +∞ for the lower hull, −∞ for the upper.
+  /// The height of the envelope over each of q compositions (q×(d−1)). Off by no more than a rounding and
+  /// 2⁻³⁶ times the range of the heights of the vertices of the smallest face there, and within that range,
+  /// however thin the cell: where binary64 cannot promise that, exact arithmetic computes it. Outside the
+  /// domain +∞ for the lower hull, −∞ for the upper.
   std::vector<double> heights(const AnyPoints<>& compositions) const;
 
   /// The height of each of q points (q×d) above the envelope ("energy above hull"). The sign is exact: 0 only
-  /// for points exactly on the envelope, negative below it. The magnitude is rounded, as in heights(). −∞
-  /// (+∞ for the upper hull) outside the domain. Heights of a magnitude up to `tolerance` are 0. Throws
-  /// invalid_argument for one that is negative, NaN or infinite.
+  /// for points exactly on the envelope, negative below it. The magnitude is off by no more than a relative
+  /// 2⁻³⁶, or the smallest double. −∞ (+∞ for the upper hull) outside the domain. Heights of a magnitude up
+  /// to `tolerance` are 0, decided exactly. Throws invalid_argument for a tolerance that is negative, NaN or
+  /// infinite.
   std::vector<double> height_above(const AnyPoints<>& points, double tolerance = 0) const;
 
   /// Options::tolerance; 0 for an exact envelope.

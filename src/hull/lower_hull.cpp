@@ -11,6 +11,7 @@
 #include "base/require_dimension.hpp"
 #include "base/require_finite.hpp"
 #include "base/require_tolerance.hpp"
+#include "hull/cell_height.hpp"
 #include "hull/tolerance/envelope_choice.hpp"
 #include "kernel/predicates.hpp"
 #include "kernel/stages.hpp"
@@ -21,6 +22,7 @@
 #include <cmath>
 #include <limits>
 #include <numeric>
+#include <utility>
 
 namespace delone {
 
@@ -171,65 +173,45 @@ struct Envelope::Impl {
     return std::span(cells).subspan(c * corners(), corners());
   }
 
+  /// The points of a cell.
+  std::vector<const double*> simplex_of(std::size_t c) const {
+    std::vector<const double*> points;
+    for (const SignedIndex row : cell(c)) points.push_back(place(row));
+    return points;
+  }
+
+  /// A cell that contains a composition, and which of its vertices are those of the smallest face that does.
+  struct Found {
+    std::size_t cell = 0;
+    std::vector<unsigned char> on_face{1};
+  };
+
   /// The walk: leave a cell by a facet that has the composition on its other side. It ends, as the cells are
   /// the projection of a convex boundary (Edelsbrunner 1990, doi:10.1007/BF02122779).
-  std::optional<std::size_t> find_cell(const double* q, std::size_t start, const kernel::Grid& with_q) const {
+  std::optional<Found> find_cell(const double* q, std::size_t start, const kernel::Grid& with_q) const {
     if (num_cells() == 0) return std::nullopt;
-    if (corners() == 1) return 0;
-    std::vector<const double*> simplex(corners());
+    if (corners() == 1) return Found();
+    std::vector<unsigned char> on_face(corners());
     for (std::size_t c = start;;) {
-      for (std::size_t i = 0; i < corners(); ++i) simplex[i] = place(cell(c)[i]);
+      std::vector<const double*> simplex = simplex_of(c);
       std::size_t out = corners();
       for (std::size_t i = 0; i < corners() && out == corners(); ++i) {
         const double* vertex = simplex[i];
         simplex[i] = q;
-        if (kernel::orientation<0>(composition_flat(), simplex.data(), with_q) == Sign::negative) out = i;
+        const Sign side = kernel::orientation<0>(composition_flat(), simplex.data(), with_q);
+        if (side == Sign::negative) out = i;
+        on_face[i] = side == Sign::positive ? 1 : 0;
         simplex[i] = vertex;
       }
-      if (out == corners()) return c;
+      if (out == corners()) return Found{c, std::move(on_face)};
       const SignedIndex across = neighbors[c * corners() + out];
       if (across < 0) return std::nullopt;
       c = static_cast<std::size_t>(across);
     }
   }
 
-  /// The height of the cell's hyperplane over q: barycentric coordinates by elimination with pivoting.
-  double interpolate(std::size_t c, const double* q) const {
-    const std::size_t n = corners() - 1;
-    const double* base = place(cell(c)[0]);
-    std::vector<double> a((n + 1) * n);  // columns: edges, then the query; scaled per axis
-    for (std::size_t r = 0; r < n; ++r) {
-      double largest = 0;
-      for (std::size_t i = 0; i <= n; ++i) {
-        const double* p = i < n ? place(cell(c)[i + 1]) : q;
-        a[i * n + r] = p[r] / 2 - base[r] / 2;
-        largest = std::max(largest, std::fabs(a[i * n + r]));
-      }
-      if (largest > 0)
-        for (std::size_t i = 0; i <= n; ++i) a[i * n + r] = std::ldexp(a[i * n + r], -std::ilogb(largest));
-    }
-    for (std::size_t s = 0; s < n; ++s) {
-      std::size_t pivot = s;
-      for (std::size_t r = s + 1; r < n; ++r)
-        if (std::fabs(a[s * n + r]) > std::fabs(a[s * n + pivot])) pivot = r;
-      for (std::size_t i = 0; i <= n; ++i) std::swap(a[i * n + s], a[i * n + pivot]);
-      if (a[s * n + s] == 0) continue;
-      for (std::size_t r = 0; r < n; ++r) {
-        if (r == s) continue;
-        const double factor = a[s * n + r] / a[s * n + s];
-        for (std::size_t i = s; i <= n; ++i) a[i * n + r] -= factor * a[i * n + s];
-      }
-    }
-    double rest = 1, height = 0;
-    for (std::size_t i = 0; i < n; ++i) {
-      const double weight = a[i * n + i] == 0 ? 0 : std::clamp(a[n * n + i] / a[i * n + i], 0.0, 1.0);
-      rest -= weight;
-      height += weight * place(cell(c)[i + 1])[n];
-    }
-    return height + rest * base[n];
-  }
-
-  /// Calls visit(query number, projected query, its cell or nullopt) for rows of `width` ≥ d−1 numbers.
+  /// Calls visit(projected query, where it was found or nullopt, a grid that includes it) for rows of `width`
+  /// ≥ d−1 numbers.
   template <class Visit>
   void for_each_query(std::span<const double> queries, std::size_t width, Visit visit) const {
     if (queries.size() % width != 0)
@@ -240,15 +222,15 @@ struct Envelope::Impl {
     for (std::size_t i = 0; i < queries.size() / width; ++i) {
       const double* row = queries.data() + i * width;
       q.clear();
-      std::optional<std::size_t> found;
+      std::optional<Found> found;
       kernel::Grid with_q = grid;
       if (compositions.dimension() == dimension - 1 || compositions.contains(row)) {
         project(row, width == ambient() ? height_sign() * row[width - 1] : place(0)[corners() - 1], q);
         with_q.include(q.data());
         found = find_cell(q.data(), hint, with_q);
-        if (found) hint = *found;
+        if (found) hint = found->cell;
       }
-      visit(i, q.data(), found, with_q);
+      visit(q.data(), found, with_q);
     }
   }
 };
@@ -298,20 +280,24 @@ std::optional<std::size_t> Envelope::find_cell(const AnyPoint<>& composition) co
   if (composition.coordinates().size() != impl_->ambient() - 1)
     throw Error(Errc::bad_dimension, "the composition has not as many coordinates as those of the points");
   std::optional<std::size_t> result;
-  impl_->for_each_query(composition, impl_->ambient() - 1,
-                        [&](auto, auto, const auto& cell, const auto&) { result = cell; });
+  impl_->for_each_query(composition, impl_->ambient() - 1, [&](auto, const auto& found, const auto&) {
+    if (found) result = found->cell;
+  });
   return result;
 }
 
 std::vector<double> Envelope::heights(const AnyPoints<>& compositions) const {
   compositions.require_dimension(dimension() - 1);
-  const double outside = impl_->height_sign() * std::numeric_limits<double>::infinity();
+  const Impl& hull = *impl_;
+  const int width = static_cast<int>(hull.corners());
   std::vector<double> result;
-  impl_->for_each_query(
-      compositions.coordinates(), impl_->ambient() - 1,
-      [&](auto, const double* q, const std::optional<std::size_t>& cell, const auto&) {
-        result.push_back(cell ? impl_->height_sign() * impl_->interpolate(*cell, q) : outside);
-      });
+  hull.for_each_query(compositions.coordinates(), hull.ambient() - 1,
+                      [&](const double* q, const std::optional<Impl::Found>& found, const auto&) {
+                        const double height = found ? internal::height_over_cell(hull.simplex_of(found->cell),
+                                                                                 found->on_face, q, width)
+                                                    : std::numeric_limits<double>::infinity();
+                        result.push_back(hull.height_sign() * height + 0.0);
+                      });
   return result;
 }
 
@@ -320,23 +306,20 @@ std::vector<double> Envelope::height_above(const AnyPoints<>& points, double tol
   points.require_dimension(dimension());
   std::vector<double> result;
   const Impl& hull = *impl_;
-  const auto above = [&](const double* q, const std::optional<std::size_t>& cell, const kernel::Grid& grid) {
-    if (!cell) return -std::numeric_limits<double>::infinity();
-    const double difference = q[hull.corners() - 1] - hull.interpolate(*cell, q);
-    std::vector<const double*> simplex{q};
-    for (const SignedIndex row : hull.cell(*cell)) simplex.push_back(hull.place(row));
+  const int width = static_cast<int>(hull.corners());
+  const auto above = [&](const double* q, const std::optional<Impl::Found>& found, const kernel::Grid& grid) {
+    if (!found) return -std::numeric_limits<double>::infinity();
+    std::vector<const double*> simplex = hull.simplex_of(found->cell);
+    simplex.insert(simplex.begin(), q);
     Sign sign = kernel::orientation<0>(hull.flat(), simplex.data(), grid);
     if (hull.reversed || hull.corners() == 1) sign = -sign;  // of one vertex, the cell is the lower end
-    constexpr double least = std::numeric_limits<double>::denorm_min();
-    return sign == Sign::zero       ? 0.0
-           : sign == Sign::positive ? std::max(difference, least)
-                                    : std::min(difference, -least);
+    return internal::height_above_cell(std::span(simplex).subspan(1), found->on_face, q, width, sign,
+                                       tolerance);
   };
   hull.for_each_query(
       points.coordinates(), hull.ambient(),
-      [&](auto, const double* q, const auto& cell, const kernel::Grid& grid) {
-        const double height = above(q, cell, grid);
-        result.push_back(std::fabs(height) <= tolerance ? 0.0 : hull.height_sign() * height + 0.0);
+      [&](const double* q, const std::optional<Impl::Found>& found, const kernel::Grid& grid) {
+        result.push_back(hull.height_sign() * above(q, found, grid) + 0.0);
       });
   return result;
 }

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "hull/tolerance/envelope_choice.hpp"
 
-#include "kernel/fractions.hpp"
-#include "kernel/grid.hpp"
+#include "hull/cell_height.hpp"
 
 #include <delone/convex_hull.hpp>
 #include <delone/lower_hull.hpp>
@@ -15,36 +14,6 @@
 #include <utility>
 
 namespace delone::internal {
-
-HeightOfPlane::HeightOfPlane(std::span<const double* const> points, const double* q, int width,
-                             double tolerance) {
-  using kernel::Integer;
-  const auto n = static_cast<std::size_t>(width);
-  int grid = kernel::trailing_exponent(tolerance);
-  for (std::size_t j = 0; j < n; ++j) {
-    grid = std::min(grid, kernel::trailing_exponent(q[j]));
-    for (const double* p : points) grid = std::min(grid, kernel::trailing_exponent(p[j]));
-  }
-  // Weights with sum 1 that combine the compositions to that of q.
-  std::vector<Integer> augmented;
-  for (std::size_t r = 0; r < n; ++r) {
-    for (const double* p : points)
-      augmented.push_back(r == 0 ? Integer(1) : kernel::scaled_integer(p[r - 1], grid));
-    augmented.push_back(r == 0 ? Integer(1) : kernel::scaled_integer(q[r - 1], grid));
-  }
-  kernel::Fractions weights = kernel::solve_exactly(std::move(augmented), n);
-  Integer height = -weights.denominator * kernel::scaled_integer(q[n - 1], grid);
-  for (std::size_t i = 0; i < n; ++i)
-    height += weights.numerators[i] * kernel::scaled_integer(points[i][n - 1], grid);
-  if (weights.denominator < 0) {
-    height = -height;
-    weights.denominator = -weights.denominator;
-  }
-  exceeds_ = height > kernel::scaled_integer(tolerance, grid) * weights.denominator;
-  if (height > 0)
-    upper_ = std::nextafter(kernel::nearest_double(height, weights.denominator, grid),
-                            std::numeric_limits<double>::infinity());
-}
 
 namespace {
 
@@ -120,8 +89,8 @@ class Choice {
         alive_();
         const std::size_t c = part.find(points_[v], width_).value();
         const HeightOfPlane height = height_over(part, c, v);
-        if (!height.exceeds_tolerance()) return true;
-        farthest.push_back({c, height.upper(), v});
+        if (!height.exceeds(tolerance_)) return true;
+        farthest.push_back({c, height.above(), v});
         return false;
       });
       std::stable_sort(farthest.begin(), farthest.end(), [](const Farthest& a, const Farthest& b) {
@@ -151,7 +120,7 @@ class Choice {
       }
       const std::size_t c = part.find(points_[v], width_).value();
       choice.max_distance = std::max(
-          choice.max_distance, std::min(tolerance_, height_over(part, c, static_cast<Index>(v)).upper()));
+          choice.max_distance, std::min(tolerance_, height_over(part, c, static_cast<Index>(v)).above()));
     }
     return choice;
   }
@@ -170,7 +139,7 @@ class Choice {
   HeightOfPlane height_over(const Part& part, std::size_t c, Index v) const {
     std::vector<const double*> cell;
     for (const Index corner : part.cell(c)) cell.push_back(points_[corner]);
-    return {cell, points_[v], width_, tolerance_};
+    return {cell, points_[v], width_};
   }
 
   /// Drops vertices, no two of them neighbors. Returns false if none can be dropped; then none ever can.
@@ -223,7 +192,7 @@ class Choice {
     return std::all_of(concerned.begin(), concerned.end(), [&](Index v) {
       alive_();
       const std::optional<std::size_t> c = part.find(points_[v], width_);
-      return c && !height_over(part, *c, v).exceeds_tolerance();
+      return c && !height_over(part, *c, v).exceeds(tolerance_);
     });
   }
 

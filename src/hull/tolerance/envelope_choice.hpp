@@ -35,18 +35,4 @@ EnvelopeChoice choose_envelope(std::span<const double> points, int width,
                                std::span<const SignedIndex> vertices, double tolerance,
                                const std::function<void()>& alive);
 
-/// The height over the composition of q of the plane through affinely independent points, less that of q.
-class HeightOfPlane {
- public:
-  /// `width` points of as many numbers; their compositions span all dimensions.
-  HeightOfPlane(std::span<const double* const> points, const double* q, int width, double tolerance);
-
-  bool exceeds_tolerance() const { return exceeds_; }  ///< exactly
-  double upper() const { return upper_; }              ///< a bound, rounded up
-
- private:
-  bool exceeds_ = false;
-  double upper_ = 0;
-};
-
 }  // namespace delone::internal

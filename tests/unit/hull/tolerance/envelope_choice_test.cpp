@@ -17,15 +17,6 @@ namespace {
 
 using ::testing::ElementsAre;
 
-TEST(HeightOfPlane, IsDecidedAtTheLastBit) {
-  const std::vector<double> a{0, 0}, b{3, 3}, q{1, 0.75};
-  const std::vector<const double*> line{a.data(), b.data()};
-  EXPECT_FALSE(HeightOfPlane(line, q.data(), 2, 0.25).exceeds_tolerance());
-  EXPECT_TRUE(HeightOfPlane(line, q.data(), 2, std::nextafter(0.25, 0)).exceeds_tolerance());
-  EXPECT_GE(HeightOfPlane(line, q.data(), 2, 1).upper(), 0.25);
-  EXPECT_LT(HeightOfPlane(line, q.data(), 2, 1).upper(), 0.2500001);
-}
-
 TEST(EnvelopeChoice, KeepsTheDomainAndWhatIsFarBelow) {
   const std::vector<double> points{0, 0, 1, -0.125, 2, -1, 3, -0.5, 4, 0};
   const std::vector<SignedIndex> all{0, 1, 2, 3, 4};
