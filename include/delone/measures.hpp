@@ -39,9 +39,9 @@ enum class QualityMeasure : std::uint8_t {
 };
 
 /// The quality of each finite cell, in the order of to_data(); 1 for k = 0. The relative error is certified
-/// to be below 10⁻⁹, from bounds in binary64 or, for thin cells, from integers, at any scale; a ratio that is
-/// itself below the normal numbers may be 0, one beyond the range of doubles is +infinity. Errors:
-/// out_of_memory. Cost: O(m·k³) for m cells.
+/// to be below 10⁻⁹ at any scale, from bounds in binary64, in pairs of doubles or, for the thinnest cells,
+/// from integers; a ratio that is itself below the normal numbers may be 0, one beyond the range of doubles
+/// is +infinity. Errors: out_of_memory. Cost: O(m·k³) for m cells.
 DELONE_EXPORT std::vector<double> qualities(const Triangulation& triangulation, QualityMeasure measure,
                                             const FaceOptions& options = {});
 

@@ -377,10 +377,10 @@ std::unique_ptr<PointStream> open_format(const std::string& format, const std::s
 
 std::unique_ptr<PointStream> open_point_stream(const std::string& path, const StreamOptions& options) {
   io::refuse_folder(path, "a file of points");
-  const std::string format =
-      io::choose_format(path, options.format, "qhull",
-                        {"npy", "raw", "bin", "csv", "tsv", "txt", "xyz", "pts", "off", "ply", "qhull"},
-                        io::Use::reading, "points");
+  const std::string format = io::choose_format(
+      path, options.format, "qhull",
+      {"npy", "raw", "bin", "csv", "tsv", "txt", "xyz", "pts", "dat", "off", "ply", "qhull"},
+      io::Use::reading, "points");
   return io::guarded(io::input_name(path), [&] {
     std::unique_ptr<PointStream> points = open_format(format, path, options);
     // Of these formats the readers have selected columns, by their names.
