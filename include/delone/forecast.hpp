@@ -55,10 +55,10 @@ struct EstimateOptions {
 };
 
 /// The same for points, of which samples are triangulated: random subsets of growing size, from a hash of
-/// coordinates. How large they become is a question of time, all else depends on the set of points alone. The growth beyond
-/// the largest is that of the recorded kinds that have grown like the samples. Where the points are those of
-/// a lattice, which no subset tells, it is noticed by the distances of nearest neighbors, and the cells of
-/// the whole follow from its volume. Duplicates are counted.
+/// coordinates. How large they become is a question of time, all else depends on the set of points alone. The
+/// growth beyond the largest is that of the recorded kinds that have grown like the samples. Where the points
+/// are those of a lattice, which no subset tells, it is noticed by the distances of nearest neighbors, and
+/// the cells of the whole follow from its volume. Duplicates are counted.
 ///
 /// Cost: about a twentieth of the construction or 0.3 seconds, at most sample_seconds, and O(n·d) to read the
 /// points, up to 15 times. Throws Errc::not_finite, bad_dimension, cancelled, invalid_argument.

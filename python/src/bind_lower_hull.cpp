@@ -148,8 +148,8 @@ Other arguments and errors as in Delaunay. Immutable; methods release the GIL. C
 
 constexpr const char* height_above_doc = R"(
 The height of each point (..., d) above the hull along the last axis, (...): "energy above hull". The sign is exact: 0 only
-for points exactly on it, negative below it. The magnitude is rounded; magnitudes up to tolerance are 0. -inf (inf for an
-upper hull) outside the domain. InputError for NaN or infinity, ValueError for a tolerance that is negative or not finite.
+for points exactly on it, negative below it. The magnitude is off by no more than a relative 2^-36; magnitudes up to
+tolerance are 0, decided exactly. -inf (inf for an upper hull) outside the domain. InputError for NaN or infinity, ValueError for a tolerance that is negative or not finite.
 Cost: a walk over cells for each point.)";
 
 }  // namespace
@@ -218,8 +218,10 @@ void bind_lower_hull(py::module_& module) {
            "domain. "
            "InputError for NaN or infinity. Cost: a walk over cells for each.")
       .def("heights", &heights, "compositions"_a,
-           "The height of the hull over each composition (..., d-1), (...), rounded; inf (-inf for an upper "
-           "hull) outside the domain. InputError for NaN or infinity. Cost: a walk over cells for each.")
+           "The height of the hull over each composition (..., d-1), (...): off by no more than a rounding "
+           "and 2^-36 "
+           "of the range of the heights of the smallest face there. inf (-inf for an upper hull) outside the "
+           "domain. InputError for NaN or infinity. Cost: a walk over cells for each.")
       .def("height_above", &height_above, "points"_a, py::kw_only(), "tolerance"_a = 0.0,
            text(height_above_doc))
       .def_property_readonly("columns", &Held::columns, "As those of Delaunay; queries have them, too.")

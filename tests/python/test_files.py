@@ -111,7 +111,7 @@ def test_points(tmp_path):
 
 
 def test_numbers_of_columns_are_no_names(tmp_path):
-    (tmp_path / "a.csv").write_text("2,1,0,more\n10,20,30,40\n")
+    (tmp_path / "a.csv").write_text('"2","1","0",more\n10,20,30,40\n')
     assert delone.read(tmp_path / "a.csv", columns=[0, 3]).tolist() == [[10, 40]]
     assert delone.read(tmp_path / "a.csv", columns=["0"]).tolist() == [[30]]
     assert delone.read(tmp_path / "a.csv", columns=["1-3"]).tolist() == [[20, 30, 40]]

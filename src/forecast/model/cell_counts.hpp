@@ -18,8 +18,8 @@ double poisson_cells_per_point(int k);
 double moment_curve_cells(int k, double n);
 
 /// The most cells, finite and infinite, that n points in k dimensions can have. With the infinite vertex they
-/// are a simplicial sphere of n+1 vertices, which has no more than a cyclic polytope in k+1 dimensions, by the
-/// upper bound theorem (McMullen 1970, doi:10.1112/S0025579300002850; Stanley 1975 for spheres).
+/// are a simplicial sphere of n+1 vertices, which has no more than a cyclic polytope in k+1 dimensions, by
+/// the upper bound theorem (McMullen 1970, doi:10.1112/S0025579300002850; Stanley 1975 for spheres).
 double most_cells(int k, double n);
 
 /// The convex hull of points of a lattice, in units of its elementary box.

@@ -35,11 +35,12 @@ TEST(Columns, NamesNumbersAndRanges) {
 
 TEST(Columns, Faults) {
   const ColumnNames names{"a", "b", "b"};
-  for (const std::string bad :
-       {"6", "0-6", "x", "", "-", "1-", "-1", "1-2-3", "0-99999999999999999999", "0x1"})
+  for (const std::string bad : {"6", "x", "", "-", "1-", "-1", "1-2-3", "0-99999999999999999999", "0x1"})
     expect_error(Errc::bad_format, {"f: columns: there is no column '" + bad + "'; the columns are 0 to 5"},
                  [&] { chosen({bad}); });
   expect_error(Errc::bad_format, {"f: columns: there is no column '6';"}, [&] { chosen({"6-6"}); });
+  expect_error(Errc::bad_format, {"f: columns: the range '0-6' ends beyond column 5, the last one"},
+               [&] { chosen({"0-6"}); });
   expect_error(Errc::bad_format, {"f: columns: the range '4-2' runs backwards"}, [&] { chosen({"4-2"}); });
   expect_error(Errc::bad_format, {"f: columns: there is no column 'c'; the columns are a, b, b"},
                [&] { chosen({"c"}, {}, names); });
