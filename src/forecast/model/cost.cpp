@@ -63,6 +63,9 @@ Cost cost_of(const Curve& curve, int d, double points, double vertices, double h
     cost.affine_dimension = hull.affine_dimension;
     hull_volume = hull.volume;
   }
+  // So few points span less: they are one simplex in their flat.
+  if (vertices < cost.affine_dimension + 1)
+    cost.affine_dimension = std::max(static_cast<int>(vertices), 1) - 1;
   const int k = cost.affine_dimension;
   if (vertices <= 1) {
     cost.affine_dimension = vertices < 1 ? -1 : 0;
