@@ -41,7 +41,7 @@ RULES = {
     "src/voronoi": (PUBLIC, {"src/triangulation", "src/kernel", "src/base"}),
     "src/faces": (PUBLIC, {"src/triangulation", "src/voronoi", "src/kernel", "src/base"}),
     "src/check": (PUBLIC, {"src/hull", "src/hull/tolerance", "src/halfspaces", "src/compiled", "src/complex", "src/kernel", "src/base"}),
-    "src/point_sets": (BASICS | {"point_sets"}, {"src/base"}),
+    "src/point_sets": (BASICS | {"point_sets", "progress"}, {"src/base"}),
     "src/io": (PUBLIC, {"src/base"}),
     "src/io/points": (PUBLIC, {"src/io", "src/base"}),
     "src/io/complexes": (PUBLIC, {"src/io", "src/io/points", "src/base"}),

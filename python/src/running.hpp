@@ -3,6 +3,7 @@
 // exceptions.
 #pragma once
 
+#include "fair_mutex.hpp"
 #include "messages.hpp"
 
 #include <pybind11/pybind11.h>
@@ -170,7 +171,7 @@ class Guard {
   }
 
  private:
-  mutable std::shared_mutex mutex_;
+  mutable FairMutex mutex_;
 };
 
 /// The keyword arguments of all constructors.

@@ -112,7 +112,7 @@ class HeldTriangulation {
   BuildArguments arguments_;
   py::object columns_ = py::none(), index_ = py::none();
 
-  mutable std::shared_mutex mutex_;  // of all members below
+  mutable FairMutex mutex_;  // of all members below
   const std::unique_ptr<Engine> engine_;
   std::vector<std::size_t> batches_;
   /// Cells have numbers that do not depend on threads. They get them before they are first asked for.

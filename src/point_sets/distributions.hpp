@@ -4,13 +4,11 @@
 // platform.
 #pragma once
 
-#include "base/random.hpp"
+#include "point_sets/generator.hpp"
 
 #include <span>
 
 namespace delone::point_sets {
-
-using random::Generator;
 
 /// True with probability exp(−t). REQUIRES 0 ≤ t ≤ 1. (von Neumann 1951: the parity of a decreasing run below
 /// t.)

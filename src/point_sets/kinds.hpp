@@ -3,14 +3,13 @@
 // and a representable n·d.
 #pragma once
 
-#include "base/random.hpp"
+#include "point_sets/generator.hpp"
 
 #include <cstddef>
 #include <vector>
 
 namespace delone::point_sets {
 
-using random::Generator;
 using Coordinates = std::vector<double>;
 using Maker = Coordinates (*)(std::size_t d, std::size_t n, Generator& generator);
 

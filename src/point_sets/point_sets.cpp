@@ -3,6 +3,7 @@
 #include <delone/error.hpp>
 #include <delone/point_sets.hpp>
 
+#include "point_sets/generator.hpp"
 #include "point_sets/kinds.hpp"
 
 #include <array>
@@ -66,7 +67,7 @@ std::vector<double> make_point_set(std::string_view kind, int dimension, std::si
                                     std::to_string(dimension));
   for (const Entry& entry : entries) {
     if (entry.name != kind) continue;
-    random::Generator generator(seed);
+    point_sets::Generator generator(seed);
     try {
       return entry.make(d, n, generator);
     } catch (const std::bad_alloc&) {

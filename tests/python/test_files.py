@@ -117,6 +117,12 @@ def test_numbers_of_columns_are_no_names(tmp_path):
     assert delone.read(tmp_path / "a.csv", columns=["1-3"]).tolist() == [[20, 30, 40]]
 
 
+def test_names_of_columns_in_any_encoding(tmp_path):
+    (tmp_path / "a.csv").write_bytes(b"L\xe4nge,y\n0,1\n2,3\n")
+    assert delone.read(tmp_path / "a.csv").tolist() == [[0, 1], [2, 3]]
+    assert delone.read(tmp_path / "a.csv", columns=["y"]).tolist() == [[1], [3]]
+
+
 def test_points_written_and_read(tmp_path):
     for format in ("npy", "csv", "tsv", "txt", "xyz", "pts", "off", "qhull"):
         delone.write_points(POINTS, tmp_path / "a", format)

@@ -84,6 +84,26 @@ def test_two_threads_may_insert():
     assert t.num_points == 1000 and t.hash == delone.Delaunay(points).hash
 
 
+def test_questions_without_end_do_not_hold_up_insertions():
+    points = np.random.default_rng(5).random((4000, 3))
+    t = delone.Delaunay(points[:3000])
+    done, late = threading.Event(), time.monotonic() + 30
+
+    def ask():
+        while not done.is_set() and time.monotonic() < late:
+            t.alpha_values(1)
+
+    threads = [threading.Thread(target=ask) for _ in range(4)]
+    for thread in threads:
+        thread.start()
+    for i in range(3000, 4000, 250):
+        t.insert_range(points[i:i + 250])
+    done.set()
+    assert time.monotonic() < late
+    for thread in threads:
+        thread.join()
+
+
 def test_other_threads_run_during_construction():
     points = np.random.default_rng(4).random((2000, 5))
     ticks = []

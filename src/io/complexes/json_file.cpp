@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "io/complexes/json_file.hpp"
 
+#include "base/quick_rounds.hpp"
 #include "io/collect.hpp"
 #include "io/file.hpp"
 #include "io/text_cursor.hpp"
@@ -152,6 +153,7 @@ class Handler : public nlohmann::json_sax<nlohmann::json> {
     return true;
   }
   bool number(double x) {
+    rounds_();
     if (skip_ > 0) return true;
     require_object(quoted(x));
     if (depth_ == 0) member_->kind = JsonMember::Kind::number;
@@ -169,6 +171,7 @@ class Handler : public nlohmann::json_sax<nlohmann::json> {
   JsonMember* member_ = nullptr;
   int depth_ = 0;  ///< of arrays, within the member
   int skip_ = 0;   ///< of what nobody can read
+  internal::QuickRounds rounds_;
 };
 
 }  // namespace

@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <delone/progress.hpp>
+
+#include <chrono>
+#include <mutex>
+#include <shared_mutex>
+
+namespace delone::python {
+
+/// A mutex that many threads share or one has alone, as std::shared_mutex. A thread that waits for it alone
+/// comes before those that ask to share it after that: questions without end do not hold up a change. A wait
+/// is a sequence of short ones with a cancellation_point() after each, so that Ctrl-C ends it.
+class FairMutex {
+ public:
+  void lock() {
+    wait([&] { return turn_.try_lock_for(pause); });
+    const std::lock_guard turn(turn_, std::adopt_lock);
+    wait([&] { return mutex_.try_lock_for(pause); });
+  }
+  void unlock() { mutex_.unlock(); }
+
+  void lock_shared() {
+    wait([&] { return turn_.try_lock_for(pause); });
+    const std::lock_guard turn(turn_, std::adopt_lock);
+    wait([&] { return mutex_.try_lock_shared_for(pause); });
+  }
+  void unlock_shared() { mutex_.unlock_shared(); }
+
+ private:
+  static constexpr std::chrono::milliseconds pause{100};
+
+  template <class Try>
+  static void wait(Try try_once) {
+    while (!try_once()) cancellation_point();
+  }
+
+  std::timed_mutex turn_;  // held by the thread that is next
+  std::shared_timed_mutex mutex_;
+};
+
+}  // namespace delone::python
