@@ -8,6 +8,8 @@ from typing import Any, Dict, List, Optional, Tuple
 
 from . import _core
 
+_LARGE = {"seed", "n", "num_points"}  # integers of 64 bits
+
 
 def explained(function: str, arguments: List[Tuple[str, str, str]], given: tuple, named: Dict[str, Any]) -> Exception:
     """`arguments`: (name, type, default) as pybind11 has them, with "*" before those that must be named."""
@@ -29,16 +31,15 @@ def explained(function: str, arguments: List[Tuple[str, str, str]], given: tuple
         if name in values:
             return TypeError(f"{title}(): {name!r} is given twice")
     values.update(named)
+    refusals = []
     for name, kind, default in arguments:
-        if name == "*":
-            continue
-        if name not in values:
-            if not default:
-                return TypeError(f"{title}() needs an object that it is a method of" if name == "self" else f"{title}() needs the argument {name!r}")
-            continue
-        refusal = _refusal(title, name, kind, values[name])
-        if refusal is not None:
-            return refusal
+        if name in values:
+            refusals.append(_refusal(title, name, kind, values[name]))
+        elif name != "*" and not default:
+            return TypeError(f"{title}() needs an object that it is a method of" if name == "self" else f"{title}() needs the argument {name!r}")
+    refusals = [refusal for refusal in refusals if refusal is not None]
+    if refusals:  # a number may be large enough for what it is: another type cannot be right
+        return next((refusal for refusal in refusals if isinstance(refusal, TypeError)), refusals[0])
     return TypeError(f"{title}({', '.join(names)}): incompatible arguments, of the types "
                      f"{', '.join(f'{name}: {type(value).__name__}' for name, value in values.items())}")
 
@@ -55,7 +56,8 @@ def _refusal(title: str, name: str, kind: str, value: Any) -> Optional[Exception
             return None
         return TypeError(f"{title}(): of a {wanted}, not of {_shown(value)}" if name == "self" else f"{name}: a {wanted}, not {_shown(value)}")
     or_none = ", or None," if is_optional else ""
-    if "float" in low:
+    plain = low.removeprefix("optional[").removesuffix("]")
+    if plain in ("float", "supportsfloat"):
         try:
             if not isinstance(value, (str, bytes)):
                 float(value)
@@ -63,17 +65,17 @@ def _refusal(title: str, name: str, kind: str, value: Any) -> Optional[Exception
         except (TypeError, ValueError, OverflowError):
             pass
         return TypeError(f"{name}: a number{or_none} was expected, not {_shown(value)}")
-    if "int" in low:
+    if plain in ("int", "supportsint"):
         try:
             number = operator.index(value)
         except TypeError:
             return TypeError(f"{name}: an integer{or_none} was expected, not {_shown(value)}")
         if number < 0:
             return ValueError(f"{name}: at least 0, not {_shown(number)}")
-        return ValueError(f"{name}: {_shown(number)} is too large") if number >= 2**31 else None
-    if low in ("str", "optional[str]") and not isinstance(value, (str, bytes)):
+        return ValueError(f"{name}: {_shown(number)} is too large") if number >= (2**64 if name in _LARGE else 2**31) else None
+    if plain == "str" and not isinstance(value, (str, bytes)):
         return TypeError(f"{name}: a str{or_none} was expected, not {_shown(value)}")
-    if low in ("bool", "optional[bool]") and not isinstance(value, bool):
+    if plain == "bool" and value is not None and not hasattr(type(value), "__bool__"):
         return TypeError(f"{name}: True or False was expected, not {_shown(value)}")
     return None
 

@@ -36,7 +36,7 @@ py::tuple read_table(const std::string& path, const std::string& format, std::ve
   const std::size_t n = table.num_points();
   py::array_t<double> points({static_cast<py::ssize_t>(n), static_cast<py::ssize_t>(table.dimension)});
   std::copy(table.coordinates.begin(), table.coordinates.end(), points.mutable_data());
-  py::list names;  // whatever the encoding of the file
+  py::list names;  // bytes that are not UTF-8 become U+FFFD
   for (const std::string& name : table.column_names)
     names.append(py::reinterpret_steal<py::str>(
         PyUnicode_DecodeUTF8(name.data(), static_cast<py::ssize_t>(name.size()), "replace")));

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+// The lock of an object that threads share.
 #pragma once
 
 #include <delone/progress.hpp>
@@ -9,9 +10,10 @@
 
 namespace delone::python {
 
-/// A mutex that many threads share or one has alone, as std::shared_mutex. A thread that waits for it alone
-/// comes before those that ask to share it after that: questions without end do not hold up a change. A wait
-/// is a sequence of short ones with a cancellation_point() after each, so that Ctrl-C ends it.
+/// A mutex that many threads share or one has alone, as std::shared_mutex. Threads get it by turns: while the
+/// one whose turn it is waits to have it alone, no other begins to share it, so questions without end do not
+/// hold up a change. A wait is a sequence of short ones with a cancellation_point() after each, so that
+/// Ctrl-C ends it. A thread must not share it twice: a change may wait in between.
 class FairMutex {
  public:
   void lock() {

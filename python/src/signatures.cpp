@@ -135,6 +135,8 @@ PyObject* call_and_explain(PyObject* self, PyObject* arguments, PyObject* keywor
       explain_refusal(self, arguments, keywords);
     } catch (const std::bad_alloc&) {
       PyErr_NoMemory();
+    } catch (const std::exception& error) {
+      if (PyErr_Occurred() == nullptr) PyErr_SetString(PyExc_TypeError, error.what());
     }
   }
   return result;

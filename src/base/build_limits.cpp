@@ -14,12 +14,12 @@ namespace delone::internal {
 namespace {
 
 /// So close to the limit the construction ends: the memory that is written between two looks.
-std::size_t margin(std::size_t memory) { return std::min<std::size_t>(memory / 8, std::size_t{64} << 20); }
+constexpr std::size_t most_margin = std::size_t{64} << 20;
+std::size_t margin(std::size_t memory) { return std::min(memory / 8, most_margin); }
 
 /// The least limit under which so much memory is no error.
 double limit_for(double memory) {
-  constexpr double most = std::size_t{64} << 20;  // of margin()
-  return std::min(memory * 8 / 7, memory + most);
+  return std::min(memory * 8 / 7, memory + static_cast<double>(most_margin));
 }
 
 /// The exponent with which a cost has grown. Where it has grown by less than `least_growth`, that is noise.

@@ -54,9 +54,8 @@ double by_stages(const double* const* points, std::size_t corners, std::size_t d
       if (const double found = work(quick); found >= 0) return found;
     by = ShapeStage::pairs;
     EdgeInverse<size(), DoubleDouble> pairs(points, corners, dimension);
-    if (pairs.invert()) do
-        if (const double found = work(pairs); found >= 0) return found;
-      while (pairs.improve());
+    for (bool is_certified = pairs.invert(); is_certified; is_certified = pairs.improve())
+      if (const double found = work(pairs); found >= 0) return found;
     by = ShapeStage::integers;
     return exact();
   });
@@ -152,7 +151,7 @@ double root_of_determinant(const EdgeInverse<N, T>& e) {
     const double p = std::fabs(high_of(a[s * n + s]));
     if (!(p > 1e-30)) return -1;
     product *= p;
-    if (!(product > 1e-290)) return -1;
+    if (!(product > 1e-290 && product < 1e290)) return -1;
     for (std::size_t r = s + 1; r < n; ++r) {
       const T factor = quotient(a[r * n + s], a[s * n + s]);
       for (std::size_t c = s + 1; c < n; ++c) {

@@ -80,8 +80,7 @@ double root_above(Integer numerator, Integer denominator, int exponent) {
   // this one, either.
   const int scale = shift / 2 + exponent;
   const double result = std::ldexp(root, scale);
-  const bool is_below = result == 0 || std::ldexp(result, -scale) < root;
-  return is_below ? std::nextafter(result, 1.0) : result;
+  return std::ldexp(result, -scale) < root ? std::nextafter(result, 1.0) : result;
 }
 
 Integer exact_determinant(std::vector<Integer> a, std::size_t n) {

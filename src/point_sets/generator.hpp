@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+// Random numbers that can be interrupted.
 #pragma once
 
 #include "base/random.hpp"
@@ -14,6 +15,7 @@ class Generator : public random::Generator {
  public:
   using random::Generator::Generator;
 
+  std::uint64_t bits() { return count(), random::Generator::bits(); }
   std::uint64_t below(std::uint64_t bound) { return count(), random::Generator::below(bound); }
   double uniform() { return count(), random::Generator::uniform(); }
   bool coin() { return count(), random::Generator::coin(); }

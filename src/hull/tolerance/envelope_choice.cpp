@@ -7,8 +7,6 @@
 #include <delone/lower_hull.hpp>
 
 #include <algorithm>
-#include <cmath>
-#include <limits>
 #include <numeric>
 #include <optional>
 #include <utility>
