@@ -138,14 +138,15 @@ std::string note_on_sums(const PointTable& table, const Envelope& hull) {
   double range = infinity;
   for (std::size_t j = 0; j < c; ++j) range = std::min(range, most[j] - least[j]);
   if (!(high - low <= rounding * range)) return {};
-  std::string names;
-  for (std::size_t j = 0; j < c; ++j)
-    names += (j == 0 ? "" : ", ") +
-             (table.column_names.size() == d ? printable(table.column_names[j]) : std::to_string(j));
+  std::string which = fmt::format("first {} coordinates", c);
+  if (table.column_names.size() == d) {
+    which = "columns ";
+    for (std::size_t j = 0; j < c; ++j) which += (j == 0 ? "" : ", ") + printable(table.column_names[j]);
+  }
   return fmt::format(
-      "delone: note: the columns {} sum to {:.4g} but for rounding, so that too many points are on the "
-      "hull: leave one of them out (--columns)\n",
-      names, (low + high) / 2);
+      "delone: note: the {} sum to {:.4g} but for rounding, so that too many points are on the hull: leave "
+      "one of them out (--columns)\n",
+      which, (low + high) / 2);
 }
 
 int run_hull(const HullOptions& options) {

@@ -27,11 +27,10 @@ namespace {
 
 /// A message without what parts of the program put before their own: their names are nothing to a user.
 std::string without_origins(std::string message) {
-  constexpr std::string_view json = "[json.exception.", hash = "delone::canonical_hash: ";
+  constexpr std::string_view json = "[json.exception.";
   if (const std::size_t at = message.find(json); at != std::string::npos)
     if (const std::size_t end = message.find("] ", at); end != std::string::npos)
       message.erase(at, end + 2 - at);
-  if (const std::size_t at = message.find(hash); at != std::string::npos) message.erase(at, hash.size());
   return message;
 }
 

@@ -65,35 +65,33 @@ def _of_simplices(points, cells, point_data, cell_data) -> Mesh:
     return Mesh(SIMPLICES[cells.shape[1] - 1], points, np.arange(len(cells) + 1) * cells.shape[1], cells.ravel(), point_data, cell_data)
 
 
+def _cells(product):
+    """The cells as rows of vertices; of no point at all, whose cells have no corner, (0, 1)."""
+    cells = product.cells
+    return cells if cells.shape[1] else cells.reshape(0, 1)
+
+
 def triangulation(self, point_data, cell_data) -> Mesh:
-    x, cells = _points(self, self.points), self.cells
-    if not cells.shape[1]:
-        cells = cells.reshape(0, 1)
+    x, cells = _points(self, self.points), _cells(self)
     return _of_simplices(x, cells, _data(point_data, "point_data", [("points", len(x), None)], self._index),
                          _data(cell_data, "cell_data", [("cells", len(cells), None)]))
 
 
 def alpha_complex(self, point_data, cell_data) -> Mesh:
     whole = self.triangulation
-    x, cells = _points(whole, whole.points), self.cells
-    if not cells.shape[1]:
-        cells = cells.reshape(0, 1)
+    x, cells = _points(whole, whole.points), _cells(self)
     counts = [("cells", len(cells), None), ("cells of the triangulation", whole.num_cells, self.cell_numbers)]
     return _of_simplices(x, cells, _data(point_data, "point_data", [("points", len(x), None)], whole._index), _data(cell_data, "cell_data", counts))
 
 
 def lower_hull(self, point_data, cell_data) -> Mesh:
-    x, cells = _points(self, self.points), self.cells
-    if not cells.shape[1]:
-        cells = cells.reshape(0, 1)
+    x, cells = _points(self, self.points), _cells(self)
     counts = [("cells", len(cells), None), ("facets", self.num_facets, self.facet_of_cell)]
     return _of_simplices(x, cells, _data(point_data, "point_data", [("points", len(x), None)], self._index), _data(cell_data, "cell_data", counts))
 
 
 def convex_hull(self, point_data, cell_data) -> Mesh:
-    x, cells = _points(self, self.points), self.cells
-    if not cells.shape[1]:
-        cells = cells.reshape(-1, 1)[:0]
+    x, cells = _points(self, self.points), _cells(self)
     counts = [("cells", self.num_cells, None), ("facets", self.num_facets, self.facet_of_cell)]
     return _of_simplices(x, cells, _data(point_data, "point_data", [("points", len(x), None)], self._index), _data(cell_data, "cell_data", counts))
 

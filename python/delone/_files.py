@@ -36,7 +36,8 @@ def read(path, *, format: Optional[str] = None, columns: Optional[Sequence[Union
     threads : int
         At most so many read text; 0: as many as there are cores, where that pays.
     frame : bool
-        Points as a pandas DataFrame, with the names of their columns. ImportError without pandas; TypeError for what is no set of points.
+        Return points as a pandas DataFrame with the column names of the file. Raises ImportError without pandas, and
+        TypeError if the file holds a result instead of points.
 
     Numbers are read as the nearest float64. Arrays of results have the shapes that they must have; `check` examines what they say.
     Errors: Error for a file that cannot be read, InputError, a ValueError, for one that is no such file and for NaN and infinities in

@@ -17,7 +17,7 @@ def columns(frame) -> Optional[tuple]:
 
 
 def columns_of(points) -> Optional[tuple]:
-    """The same of anything; None of what is no DataFrame. pandas is never imported for this."""
+    """columns(points) if points is a DataFrame, else None. Does not import pandas."""
     pandas = sys.modules.get("pandas")
     return columns(points) if pandas is not None and isinstance(points, pandas.DataFrame) else None
 

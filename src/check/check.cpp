@@ -197,6 +197,13 @@ void check_completeness(const Examined& examined, const Volumes& volumes, bool c
   check_hidden(examined, volumes, hidden, canonical);
 }
 
+std::string no_fault_of_a_part(int level) {
+  return fmt::format(
+      "; if the cells are a part of a triangulation, as those of an alpha complex are, this is no fault: a "
+      "part has to pass the levels up to {} only",
+      level - 1);
+}
+
 namespace {
 
 /// The dimension that the points of the cells span, as far as it is needed: not beyond `most`.
@@ -212,19 +219,13 @@ int spanned_dimension(const ComplexData& data, int most) {
 /// What data may be that are no triangulation of their points, though delone wrote them; empty if the
 /// violation is none of those that they have. REQUIRES that level 1 is passed.
 std::string other_meaning(const ComplexData& data, const CheckReport& report) {
-  const int k = data.affine_dimension, level = report.reached.number;
+  const int k = data.affine_dimension;
   if (k < data.dimension && spanned_dimension(data, k + 1) > k)
     return fmt::format(
         "; these cells of dimension {} do not lie in one flat: they are a surface, as the lower hull of "
-        "points "
-        "or the boundary of an alpha complex, which has to pass level 1 only",
+        "points or the boundary of an alpha complex, which has to pass level 1 only",
         k);
-  const bool is_border = level == 3 || report.violation.starts_with("the hull is not convex");
-  if (!is_border) return {};
-  return fmt::format(
-      "; if the cells are a part of a triangulation, as those of an alpha complex are, this is no fault: a "
-      "part has to pass the levels up to {} only",
-      level - 1);
+  return report.reached.number == 3 ? no_fault_of_a_part(3) : "";
 }
 
 }  // namespace

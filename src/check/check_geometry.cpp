@@ -209,8 +209,8 @@ void check_hull_ridges(const Examined& examined, const Volumes& volumes) {
     if (geometry.orientation(c, opposite, apex) == -volumes.orientation[c])
       throw Violation{
           fmt::format(
-              "the hull is not convex: the vertex {} of cell {} is beyond the hull facet {} of cell {}", apex,
-              examined.hull[next].first, braces(a), c),
+              "the hull is not convex: the vertex {} of cell {} is beyond the hull facet {} of cell {}{}",
+              apex, examined.hull[next].first, braces(a), c, no_fault_of_a_part(5)),
           {c, examined.hull[next].first},
           {static_cast<std::size_t>(apex)}};
   });
@@ -233,8 +233,9 @@ void check_covered_once(const Examined& examined, const Volumes& volumes) {
     const auto [c, i] = examined.hull[h];
     if (side_of_reference(examined, volumes, geometry, c, i) != Sign::positive)
       throw Violation{
-          fmt::format("the hull is not convex: cell 0 {} is not behind the hull facet {} of cell {}",
-                      braces(examined.cell(0)), braces(facet_vertices(examined.cell(c), i)), c),
+          fmt::format("the hull is not convex: cell 0 {} is not behind the hull facet {} of cell {}{}",
+                      braces(examined.cell(0)), braces(facet_vertices(examined.cell(c), i)), c,
+                      no_fault_of_a_part(5)),
           {0, c}};
   });
 

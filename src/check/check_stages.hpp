@@ -62,6 +62,9 @@ std::string braces(std::span<const SignedIndex> rows);
 /// A facet for a message: the vertices of a cell but one.
 std::vector<SignedIndex> facet_vertices(std::span<const SignedIndex> cell, std::size_t opposite);
 
+/// For the message of a violation that a part of a triangulation has at this level though nothing is wrong.
+std::string no_fault_of_a_part(int level);
+
 /// Pairs equal facets: for each of the m·corners facets (cell, opposite vertex) the cell on its other side,
 /// or −1. Vertex sets are hashed, then compared exactly; expected O(m·corners²). Throws Violation when three
 /// cells share a facet. For the facets of a hull, which share ridges, `hull` translates them into cells for

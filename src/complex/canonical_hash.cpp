@@ -44,8 +44,8 @@ void add_distinct(const std::vector<internal::PointTag>& tags, internal::HashAcc
 std::vector<internal::PointTag> weighted_tags(const ComplexData& data, internal::HashAccumulator& hash) {
   const std::size_t n = data.num_points(), d = static_cast<std::size_t>(data.dimension);
   if (data.weights.size() != n)
-    throw Error(Errc::invalid_argument, "delone::canonical_hash: " + std::to_string(data.weights.size()) +
-                                            " weights for " + std::to_string(n) + " points");
+    throw Error(Errc::invalid_argument,
+                std::to_string(data.weights.size()) + " weights for " + std::to_string(n) + " points");
   std::vector<std::size_t> vertices;
   for (const SignedIndex row : data.cells)
     if (row >= 0 && static_cast<std::size_t>(row) < n) vertices.push_back(static_cast<std::size_t>(row));
@@ -100,9 +100,9 @@ CanonicalHash canonical_hash(const ComplexData& data, unsigned threads) {
       for (std::size_t i = 0; i < corners; ++i) {
         const SignedIndex row = data.cells[cell * corners + i];
         if (row < 0 || static_cast<std::size_t>(row) >= n)
-          throw Error(Errc::invalid_argument, "delone::canonical_hash: cell " + std::to_string(cell) +
-                                                  " has the vertex " + std::to_string(row) +
-                                                  ", but there are " + std::to_string(n) + " points");
+          throw Error(Errc::invalid_argument, "cell " + std::to_string(cell) + " has the vertex " +
+                                                  std::to_string(row) + ", but there are " +
+                                                  std::to_string(n) + " points");
         sum += tags[static_cast<std::size_t>(row)];
       }
       some.add_cell(sum);

@@ -47,8 +47,7 @@ class CellInBinary64 {
     double largest = std::fabs(top);
     for (std::size_t i = 0; i <= n; ++i)
       if (on_face[i] != 0) largest = std::max(largest, std::fabs(points[i][n]));
-    std::frexp(largest, &exponent_);
-    exponent_ = -exponent_ - 2;
+    exponent_ = kernel::exponent_to_a_quarter(largest);
     weight_error_ = kernel::certified_barycentric(points, first_axes(n), q, weights_);
     if (!(weight_error_ < 1)) return;
     heights_.assign(n + 1, 0.0);

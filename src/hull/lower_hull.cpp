@@ -175,9 +175,13 @@ struct Envelope::Impl {
 
   /// The points of a cell.
   std::vector<const double*> simplex_of(std::size_t c) const {
-    std::vector<const double*> points;
-    for (const SignedIndex row : cell(c)) points.push_back(place(row));
+    std::vector<const double*> points(corners());
+    fill_simplex(c, points);
     return points;
+  }
+  void fill_simplex(std::size_t c, std::span<const double*> points) const {
+    std::size_t i = 0;
+    for (const SignedIndex row : cell(c)) points[i++] = place(row);
   }
 
   /// A cell that contains a composition, and which of its vertices are those of the smallest face that does.
@@ -192,8 +196,9 @@ struct Envelope::Impl {
     if (num_cells() == 0) return std::nullopt;
     if (corners() == 1) return Found();
     std::vector<unsigned char> on_face(corners());
+    std::vector<const double*> simplex(corners());
     for (std::size_t c = start;;) {
-      std::vector<const double*> simplex = simplex_of(c);
+      fill_simplex(c, simplex);
       std::size_t out = corners();
       for (std::size_t i = 0; i < corners() && out == corners(); ++i) {
         const double* vertex = simplex[i];

@@ -23,16 +23,15 @@
 namespace delone::kernel {
 namespace {
 
-/// The exponent of a power of two that scales all numbers of an axis to at most 1/4.
+using Points = std::span<const double* const>;
+
+}  // namespace
+
 int exponent_to_a_quarter(double largest) {
   int exponent = 0;
   std::frexp(largest, &exponent);
   return -exponent - 2;
 }
-
-using Points = std::span<const double* const>;
-
-}  // namespace
 
 double certified_barycentric(Points points, std::span<const int> axes, const double* q,
                              std::vector<double>& weights) {

@@ -9,6 +9,9 @@
 
 namespace delone::kernel {
 
+/// e such that 2^e scales a number of this magnitude to between 1/8 and 1/4.
+int exponent_to_a_quarter(double largest);
+
 /// The barycentric coordinates of q in the simplex of k+1 points, on the k axes. Returns a bound on the error
 /// of each of them; infinity if binary64 does not prove one, and then `weights` is unspecified. REQUIRES
 /// points that are affinely independent on these axes, and a q in their convex hull. O(k³).

@@ -9,17 +9,6 @@
 #include <limits>
 
 namespace delone::internal {
-namespace {
-
-/// The exponent of a power of two that scales all numbers of an axis to at most 1/4.
-int scale_exponent(double largest) {
-  int exponent = 0;
-  std::frexp(largest, &exponent);
-  return -exponent - 2;
-}
-
-}  // namespace
-
 void barycentric(std::span<const double* const> points, std::span<const unsigned char> on_face,
                  std::span<const int> axes, const double* q, std::vector<double>& weights) {
   // If no coordinate is off by more than ε, the sum of all n+1 is off by at most (n+1)·ε, and their quotients
@@ -51,7 +40,7 @@ void gradients(std::span<const double* const> points, std::span<const double> va
   double largest = 0;
   for (const double* p : points)
     for (std::size_t j = 0; j < d; ++j) largest = std::max(largest, std::fabs(p[j]));
-  const int exponent = scale_exponent(largest);
+  const int exponent = kernel::exponent_to_a_quarter(largest);
   std::vector<double> edges(k * d), differences(k * m);
   for (std::size_t i = 0; i < k; ++i) {
     double longest = 0;
