@@ -8,6 +8,7 @@
 #include <cstddef>
 #include <optional>
 #include <span>
+#include <utility>
 #include <vector>
 
 namespace delone {
@@ -18,9 +19,8 @@ namespace delone {
 /// is the dual of the diagram that assigns to each point of space the site furthest from it.
 ///
 /// Its cells tile the convex hull of the points, and its vertices are the extreme points. All others are
-/// *hidden*: points inside the hull, and those within its facets and edges. A point that is hidden stays so;
-/// a vertex may become hidden by later insertions: its id is not used again, and the ids of vertices then
-/// have gaps (Complex::finite_vertices()).
+/// *hidden*: points inside the hull, and those within its facets and edges. Edits may make them vertices, and
+/// vertices hidden; insertions may hide vertices. Both keep their ids.
 ///
 /// Exact for all finite doubles. Ties are perturbed as in Triangulation, with lifts −|x|² in place of |x|²,
 /// so that the result is a function of the set of points. Input that spans only a k-flat is triangulated
@@ -64,7 +64,20 @@ class FurthestSite : public Triangulation {
     return insert_point(point, 0.0, hint);
   }
 
-  /// A deep copy, with cells and vertices of the same ids. Throws Errc::out_of_memory. O(cells·k + points·d).
+  using Triangulation::remove;
+  /// Moves a row to another place, or many to as many. Cost of a small step, after which the cells around are
+  /// still those of the result: a quarter of an insertion; else about that of a removal and an insertion.
+  /// Errors as for remove(), and as for insert_range().
+  void move(std::size_t row, const AnyPoint<D>& to) {
+    apply(RowEdits{.move = std::span(&row, 1), .to = to.coordinates()});
+  }
+  void move(std::span<const std::size_t> rows, AnyPoints<D> to) { edit({.move = rows, .to = std::move(to)}); }
+  /// All of it or nothing. Where much changes, cells may be built anew. Uses up to Options::threads threads,
+  /// and tells Options::progress.
+  void edit(const Edit<D>& edit) { apply(edit); }
+
+  /// A deep copy, with cells and vertices of the same ids: a snapshot that readers may keep while this one is
+  /// edited. Nothing of it can be undone. Throws Errc::out_of_memory. O(cells·k + points·d).
   FurthestSite clone() const { return FurthestSite(detail::Clone{}, *this); }
 
   /// The coordinates of a finite vertex.

@@ -23,9 +23,8 @@ namespace delone {
 ///
 /// *Hidden points.* A point whose lifted image lies above that boundary has no cell of the power diagram, and
 /// is no vertex. The heaviest of several points in one place counts, the others are hidden; points with equal
-/// coordinates and weight are duplicates of one vertex, or hidden with it. A point that is hidden stays so,
-/// whatever is inserted later; a vertex may become hidden: its id is not used again, and the ids of vertices
-/// then have gaps (Complex::finite_vertices()).
+/// coordinates and weight are duplicates of one vertex, or hidden with it. What is hidden may become a vertex
+/// by edits, and a vertex hidden by edits and insertions; both keep their ids.
 ///
 /// Exact for all finite doubles, ties perturbed as in Triangulation (Devillers and Teillaud,
 /// doi:10.1016/j.comgeo.2010.09.010): the result, with its hidden points, is a function of the set of
@@ -70,7 +69,27 @@ class Regular : public Triangulation {
     return insert_point(point, weight, hint);
   }
 
-  /// A deep copy, with cells and vertices of the same ids. Throws Errc::out_of_memory. O(cells·k + points·d).
+  using Triangulation::remove;
+  /// Moves a row to another place, or many to as many. Cost of a small step, after which the cells around are
+  /// still those of the result: a quarter of an insertion; else about that of a removal and an insertion.
+  /// Errors as for remove(), and as for insert_range().
+  void move(std::size_t row, const AnyPoint<D>& to) {
+    apply(RowEdits{.move = std::span(&row, 1), .to = to.coordinates()});
+  }
+  void move(std::span<const std::size_t> rows, AnyPoints<D> to) { edit({.move = rows, .to = std::move(to)}); }
+  /// All of it or nothing. Where much changes, cells may be built anew. Uses up to Options::threads threads,
+  /// and tells Options::progress.
+  void edit(const Edit<D>& edit) { apply(edit); }
+  /// Gives a row another weight, or many. Cost as for move().
+  void set_weight(std::size_t row, double weight) {
+    apply(RowEdits{.weigh = std::span(&row, 1), .weights = std::span(&weight, 1)});
+  }
+  void set_weights(std::span<const std::size_t> rows, std::span<const double> weights) {
+    apply(RowEdits{.weigh = rows, .weights = weights});
+  }
+
+  /// A deep copy, with cells and vertices of the same ids: a snapshot that readers may keep while this one is
+  /// edited. Nothing of it can be undone. Throws Errc::out_of_memory. O(cells·k + points·d).
   Regular clone() const { return Regular(detail::Clone{}, *this); }
 
   /// The coordinates of a finite vertex, and its weight. O(1).

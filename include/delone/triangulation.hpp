@@ -4,6 +4,7 @@
 
 #include <delone/complex.hpp>
 #include <delone/data.hpp>
+#include <delone/edit.hpp>
 #include <delone/error.hpp>
 #include <delone/export.hpp>
 #include <delone/options.hpp>
@@ -63,9 +64,18 @@ struct InsertResult {
 /// An object that was moved from may be assigned to and destroyed, and nothing else. The same holds for all
 /// products.
 ///
-/// *Hidden points.* In a regular or furthest-site triangulation some points are no vertices. A hidden point
-/// stays hidden, whatever is inserted later; a vertex may become hidden: its id is not used again, and the
-/// ids of vertices then have gaps (Complex::finite_vertices()). A Delaunay triangulation hides no point.
+/// *Hidden points.* In a regular or furthest-site triangulation some points are no vertices. A vertex may
+/// become hidden by insertions and edits, and a hidden point may become a vertex when others are removed,
+/// moved or weighed anew. A Delaunay triangulation hides no point.
+///
+/// *Edits.* Points can be removed, moved, given other weights and inserted, one by one or many at once:
+/// remove(), move(), edit(). Whatever the history, the result is that of all rows that are left, inserted at
+/// once. An edit takes place whole or not at all: after any error (a row that is not there, not_finite,
+/// cancelled, out_of_memory) everything is as it was.
+///
+/// Ids are stable. A row keeps its number, and a vertex its id, as long as it is there, hidden or not; both
+/// are not used again, so that they get gaps (has_row(), Complex::finite_vertices()), until compact_ids(). A
+/// vertex stays as long as a row is left at its place, and a row that moves alone takes its vertex along.
 class DELONE_EXPORT Triangulation {
  public:
   Triangulation(const Triangulation&) = delete;
@@ -88,15 +98,16 @@ class DELONE_EXPORT Triangulation {
 
   int dimension() const;           ///< d
   int affine_dimension() const;    ///< k ≤ d; 0 for one distinct point, −1 for none
-  std::size_t num_points() const;  ///< rows inserted, duplicates and hidden points included
-  std::size_t num_rows() const;    ///< the same
-  Index num_vertices() const;      ///< distinct points that are not hidden
+  std::size_t num_points() const;  ///< rows that are there, duplicates and hidden points included
+  std::size_t num_rows() const;    ///< rows that were ever inserted: one more than the number of the last
+  bool has_row(std::size_t row) const;  ///< whether a row, row < num_rows(), is there: not if it was removed
+  Index num_vertices() const;           ///< distinct points that are not hidden
   std::size_t num_duplicates() const;
   Index num_finite_cells() const { return complex().num_finite_cells(); }
   Index num_infinite_cells() const { return complex().num_infinite_cells(); }
   Index num_all_cells() const { return complex().num_all_cells(); }
 
-  /// The combinatorial structure; valid until the next insertion.
+  /// The combinatorial structure; valid until the next insertion or edit.
   Complex complex() const;
   Complex::CellRange finite_cells() const { return complex().finite_cells(); }
   Complex::CellRange infinite_cells() const { return complex().infinite_cells(); }
@@ -109,8 +120,7 @@ class DELONE_EXPORT Triangulation {
   std::span<const double> point(VertexId v) const;
   /// The first input row at a finite vertex.
   std::size_t row_of(VertexId v) const;
-  /// The vertex at an input row, row < num_rows(); invalid_vertex for a row that was not inserted, or is
-  /// hidden.
+  /// The vertex at an input row, row < num_rows(); invalid_vertex for a row that was removed, or is hidden.
   VertexId vertex_at(std::size_t row) const;
   /// The k coordinate axes onto which the affine hull projects one-to-one, increasing; all d axes when k = d.
   std::vector<int> axes() const;
@@ -121,6 +131,32 @@ class DELONE_EXPORT Triangulation {
   std::size_t num_hidden() const;
   /// The rows that are hidden, increasing. O(rows).
   std::vector<std::size_t> hidden_rows() const;
+
+  /// Removes a row, or many. Cost of one that is the only one at its place: about that of two insertions
+  /// there. Throws Errc::invalid_argument, naming the rows, if one is not there or is given twice.
+  void remove(std::size_t row) { remove(std::span(&row, 1)); }
+  void remove(std::span<const std::size_t> rows);
+
+  /// Has changes() tell from now on what every call that changes something does. It costs a few per cent of
+  /// the time of such a call, and the memory of the lists.
+  void record_changes(bool wanted = true);
+  /// What the last call that changed something did: an edit, insertion or undo(). Throws
+  /// Errc::invalid_argument unless record_changes() is on.
+  const Changes& changes() const;
+
+  /// Has undo() take back the last edit or insertion from now on. Until the next one, memory for the cells
+  /// that it killed is kept, 8(k+1) + 4 bytes each, and for every row and vertex that it changed, some 16
+  /// bytes and its point; the cells themselves where it raised or lowered the affine dimension, or built
+  /// anew.
+  void record_undo(bool wanted = true);
+  bool can_undo() const;
+  /// Takes back the last edit or insertion: everything that members tell is as it was, ids included. Cannot
+  /// be taken back itself. Cost: that of the change. Throws Errc::invalid_argument unless can_undo().
+  void undo();
+
+  /// Gives rows and vertices numbers without gaps, in their present order, and tells what they have become.
+  /// After it nothing can be undone. O(cells·k + rows). Throws Errc::out_of_memory, and then changes nothing.
+  CompactedIds compact_ids();
 
   /// Where q lies, exactly. Cost: a walk from the hint. REQUIRES d finite coordinates.
   Location locate(const AnyPoint<>& query, std::optional<CellId> hint = std::nullopt) const;
@@ -147,6 +183,19 @@ class DELONE_EXPORT Triangulation {
     insert_points(points.coordinates(), weights, [&points] { points.release(); });
   }
   InsertResult insert_point(std::span<const double> point, double weight, std::optional<CellId> hint);
+  /// An edit whose lists are not of a type of their own; the coordinates of points one after the other.
+  struct RowEdits {
+    std::span<const std::size_t> remove = {}, move = {}, weigh = {};
+    std::span<const double> to = {}, weights = {}, insert = {}, insert_weights = {};
+  };
+  void apply(const RowEdits& edits);
+  template <int D>
+  void apply(const Edit<D>& edit) {
+    edit.to.require_dimension(dimension());
+    edit.insert.require_dimension(dimension());
+    apply(RowEdits{edit.remove, edit.move, edit.weigh, edit.to.coordinates(), edit.weights,
+                   edit.insert.coordinates(), edit.insert_weights});
+  }
   std::vector<CellId> conflict_zone_of(std::span<const double> query, double weight,
                                        std::optional<CellId> hint) const;
   Side side_of_sphere(CellId cell, std::span<const double> query, double weight) const;

@@ -33,6 +33,10 @@ class StampedTable {
     return entry.stamp == stamp_ ? &entry.value : nullptr;
   }
 
+  /// Makes room for `count` more keys. Throws std::bad_alloc, and then changes nothing.
+  void reserve(std::size_t count) {
+    while (2 * (size_ + count) > entries_.size()) grow();
+  }
   /// The number of `key`, and whether it was inserted just now, with `value`.
   std::pair<std::uint32_t, bool> insert(std::uint64_t key, std::uint32_t value) {
     if (2 * (size_ + 1) > entries_.size()) grow();

@@ -105,6 +105,9 @@ class TriangulationEngine : public TriangulationQueries {
   virtual Index insert(Index v, Index start) = 0;
   /// Inserts all vertices of a batch, each as insert() does.
   virtual void insert_all(engine::Batch& batch) = 0;
+  /// Removes vertex v, one of whose cells is `cell`. Returns false, and changes nothing, if all others span a
+  /// flat of k−1 dimensions.
+  virtual bool remove(Index v, Index cell) = 0;
   /// Whether several threads can insert a batch of so many vertices.
   virtual bool shares_batches_of(std::size_t num_vertices) const = 0;
   /// The same in several threads. REQUIRES that they can.
@@ -115,14 +118,22 @@ class TriangulationEngine : public TriangulationQueries {
   /// Gives cells ids that depend on the ids of their vertices alone, without gaps, where several threads may
   /// have inserted a batch. Throws std::bad_alloc, and then changes nothing.
   virtual void sort_cells(unsigned threads) = 0;
-  /// What follows can be undone, until it is, or kept. Throws, and then changes nothing.
-  virtual void begin_batch() = 0;
+  /// What follows can be undone, until it is, or kept. `is_small`: it changes few of the cells, and does not
+  /// use several threads. Throws, and then changes nothing.
+  virtual void begin_batch(bool is_small = false) = 0;
   virtual void keep_batch() noexcept = 0;
-  /// Cells are what they were, in their slots. A frame or box that has become larger stays so.
-  virtual void undo_batch() noexcept = 0;
+  /// Cells are what they were, in their slots. A frame or box that has become larger stays so. `put_back` is
+  /// called with each cell that had gone, and must not throw.
+  virtual void undo_batch(const std::function<void(Index)>& put_back = [](Index) {}) noexcept = 0;
+  /// The cells that have gone and come since the beginning of the batch. A cell that has gone may have come
+  /// back.
+  virtual void changed_cells(std::vector<CellId>& gone, std::vector<CellId>& come) const = 0;
 
   /// The facets that the cells of the last insertion were made from.
   virtual std::span<const HorizonFacet> star() const = 0;
+  /// The cells that gave way at the last insertion or removal, and those that the last removal has made.
+  virtual std::span<const Index> replaced() const = 0;
+  virtual std::span<const Index> made_by_removal() const = 0;
   /// Whether insertions find out which vertices lose all their cells. At first they do not: it costs.
   virtual void track_swallowed(bool wanted) = 0;
   /// The vertices that the last insertion took all cells from, if that was tracked.

@@ -12,6 +12,7 @@
 
 #include <array>
 #include <atomic>
+#include <memory>
 #include <mutex>
 #include <new>
 #include <utility>
@@ -87,6 +88,11 @@ class TriangulationEngineOfDimension final : public TriangulationEngine {
     need_functionals();
     build_.insert_all(batch);
   }
+  bool remove(Index v, Index cell) override {
+    need_functionals();
+    if (!filler_) filler_ = std::make_unique<engine::HoleFiller<K, Geometry>>(build_.cells(), geometry());
+    return build_.remove(v, cell, *filler_);
+  }
   bool shares_batches_of(std::size_t num_vertices) const override {
     if constexpr (is_shared)
       return points_.form != kernel::RowForm::furthest_point && num_vertices > decltype(build_)::few_vertices;
@@ -105,14 +111,24 @@ class TriangulationEngineOfDimension final : public TriangulationEngine {
   void sort_cells([[maybe_unused]] unsigned threads) override {
     if constexpr (is_shared) build_.sort_cells({points_.last_vertex() + 1, points_.weighted()}, threads);
   }
-  void begin_batch() override {
+  void begin_batch(bool is_small) override {
     need_functionals();
-    build_.begin_batch();
+    build_.begin_batch(is_small);
+  }
+  void changed_cells(std::vector<CellId>& gone, std::vector<CellId>& come) const override {
+    build_.changed_cells(gone, come);
   }
   void keep_batch() noexcept override { build_.keep_batch(); }
-  void undo_batch() noexcept override { build_.undo_batch(); }
+  void undo_batch(const std::function<void(Index)>& put_back) noexcept override {
+    build_.undo_batch(put_back);
+  }
 
   std::span<const HorizonFacet> star() const override { return build_.star(); }
+  std::span<const Index> replaced() const override {
+    const engine::ConflictZone& zone = build_.workspace().zone;
+    return {zone.cells.data(), zone.num_cells};
+  }
+  std::span<const Index> made_by_removal() const override { return filler_->created(); }
   void track_swallowed(bool wanted) override { build_.workspace().tracks_swallowed = wanted; }
   std::span<const Index> swallowed() const override { return build_.workspace().swallowed; }
 
@@ -198,7 +214,8 @@ class TriangulationEngineOfDimension final : public TriangulationEngine {
   static constexpr bool is_shared = K >= 2 && K <= 6;
 
   const VertexPoints& points_;
-  mutable engine::Build<K, Geometry> build_;  // mutable for need_functionals() alone
+  std::unique_ptr<engine::HoleFiller<K, Geometry>> filler_;  // from the first removal on
+  mutable engine::Build<K, Geometry> build_;                 // mutable for need_functionals() alone
   mutable std::atomic<bool> lacks_functionals_ = false;
   mutable std::mutex creating_functionals_;
 };

@@ -9,6 +9,7 @@
 #pragma once
 
 #include "engine/dimension_jump.hpp"
+#include "engine/hole/hole_filler.hpp"
 #include "engine/locate.hpp"
 #include "engine/parallel_insertion.hpp"
 #include "engine/restore.hpp"
@@ -108,12 +109,43 @@ class Build : public Sphere<K, G> {
     if (found.vertex != invalid_index || found.hidden) return found.vertex;
     try {
       find_conflict_zone(cells_, geometry_, q, found.cell, cells_.marks(), work_.zone, effort_.stages);
-      replace_zone([&] { return retriangulate(cells_, geometry_, v, q, work_); });
+      replace_zone([&] {
+        if (!log_.is_on()) return retriangulate(cells_, geometry_, v, q, work_);
+        log_.reserve_new(work_.zone.num_facets);
+        const Filling made = retriangulate(cells_, geometry_, v, q, work_);
+        for (const HorizonFacet& facet : work_.star()) log_.note_new(facet.created);
+        return made;
+      });
     } catch (...) {
       abandon_zone();
       throw;
     }
     return v;
+  }
+
+  /// Removes vertex v, one of whose cells is `cell`. `filler`: of these cells and this geometry. Returns
+  /// false, and nothing has changed, if all other vertices lie in a hyperplane. Strong guarantee.
+  bool remove(Index v, Index cell, HoleFiller<K, G>& filler) {
+    work_.clear();
+    try {
+      filler.open_star(v, cell, work_.zone);
+      if (filler.is_flat_without_center(work_.zone, cells_.num_cells() - num_infinite_)) {
+        abandon_zone();
+        return false;
+      }
+      replace_zone([&] {
+        const Filling made = filler.fill(work_.zone, effort_.stages, [&](std::size_t count) {
+          if (log_.is_on()) log_.reserve_new(count);
+        });
+        if (log_.is_on())
+          for (const Index created : filler.created()) log_.note_new(created);
+        return made;
+      });
+    } catch (...) {
+      abandon_zone();
+      throw;
+    }
+    return true;
   }
 
   /// Whether v is in conflict with no cell for certain, by cached functionals alone; false says nothing.

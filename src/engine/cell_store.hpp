@@ -146,6 +146,17 @@ class CellStore {
       if (!is_cell(cell)) release(cell);
     shrink();
   }
+  /// The same where only some slots have changed: `fresh` are those that were vacant and may not be; all
+  /// others that were vacant still are or have cells again. Cost O(vacant + fresh).
+  void restore_changed_slots(Index num_slots, std::span<const Index> fresh) noexcept {
+    const auto first = vacant_.begin();
+    const auto last = std::remove_if(first, first + static_cast<std::ptrdiff_t>(num_vacant_),
+                                     [&](Index cell) { return cell >= num_slots || !is_vacant(cell); });
+    num_vacant_ = static_cast<std::size_t>(last - first);
+    for (const Index cell : fresh)
+      if (cell < num_slots && !is_vacant(cell)) release(cell);
+    num_slots_ = num_slots;
+  }
   /// Gives back the memory of slots and vacancies that are not there any more, but for as many as a growth
   /// would add to those that are.
   void shrink() noexcept {

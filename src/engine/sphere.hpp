@@ -16,6 +16,7 @@
 
 #include <span>
 #include <utility>
+#include <vector>
 
 namespace delone::engine {
 
@@ -58,21 +59,33 @@ class Sphere {
     effort_ = other.effort_;
   }
 
-  /// What follows can be undone, until it is. Throws std::bad_alloc, and then changes nothing.
-  void begin_batch() {
-    log_.begin(cells_);
+  /// What follows can be undone, until it is. `is_small`: it changes few of the cells. Throws std::bad_alloc,
+  /// and then changes nothing.
+  void begin_batch(bool is_small = false) {
+    log_.begin(cells_, is_small);
     before_ = {num_infinite_, work_.last_cell, effort_};
   }
   void keep_batch() noexcept { log_.end(); }
   /// Makes the cells those that they were, in their slots, and gives back most of the memory that others
-  /// took. Vertices stay wide.
-  void undo_batch() noexcept {
+  /// took. Vertices stay wide. `put_back` is called with each cell that had gone.
+  template <class PutBack>
+  void undo_batch(PutBack&& put_back) noexcept {
     if (!log_.is_on()) return;
-    log_.undo(cells_, geometry_);
+    log_.undo(cells_, geometry_, put_back);
     num_infinite_ = before_.num_infinite;
     work_.clear();
     work_.last_cell = before_.last_cell;
     effort_ = before_.effort;
+  }
+  void undo_batch() noexcept {
+    undo_batch([](Index) {});
+  }
+
+  /// Since the beginning of the batch: the cells that have gone, and those that have come. A cell that has gone
+  /// may have come back.
+  void changed_cells(std::vector<CellId>& gone, std::vector<CellId>& come) const {
+    log_.for_each_noted(cells_, [&](Index cell) { gone.push_back(CellId{cell}); });
+    log_.for_each_new(cells_, [&](Index cell) { come.push_back(CellId{cell}); });
   }
 
   /// Vertex v becomes new_ids[v]. REQUIRES that new ids are no larger than old ones.

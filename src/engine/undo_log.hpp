@@ -7,9 +7,13 @@
 // B, and B is in its slot when A is put back, as it survives or has died, and so has been put back, after A
 // did; there it is linked with A. What a note says of neighbors that the batch has made is written over when
 // what was before in the slots of those, and died earlier, is put back.
+//
+// Which cells existed before the batch, a bit for each slot tells; of small batches, a table of the slots
+// that these have changed, so that they cost nothing that grows with the number of cells.
 #pragma once
 
 #include "base/growable_array.hpp"
+#include "base/stamped_table.hpp"
 #include "engine/cell_store.hpp"
 #include "engine/create_functionals.hpp"
 
@@ -29,17 +33,24 @@ class UndoLog {
     return notes_.capacity() * sizeof(Index) + was_there_.capacity() * sizeof(std::uint64_t);
   }
 
-  /// Begins to note. Throws std::bad_alloc, and then changes nothing.
-  void begin(const CellStore<K>& cells) {
-    was_there_.assign((std::size_t{cells.num_slots()} + 63) / 64, 0);
-    for (Index cell = 0; cell < cells.num_slots(); ++cell)
-      was_there_[cell / 64] |= std::uint64_t{!cells.is_vacant(cell)} << cell % 64;
+  /// Begins to note. `is_small`: the batch changes few of the cells, and note_new() will be called. Throws
+  /// std::bad_alloc, and then changes nothing.
+  void begin(const CellStore<K>& cells, bool is_small = false) {
+    if (!is_small) {
+      was_there_.assign((std::size_t{cells.num_slots()} + 63) / 64, 0);
+      for (Index cell = 0; cell < cells.num_slots(); ++cell)
+        was_there_[cell / 64] |= std::uint64_t{!cells.is_vacant(cell)} << cell % 64;
+    }
+    changed_.clear();
+    fresh_.clear();
     num_slots_ = cells.num_slots();
     num_notes_ = 0;
+    is_small_ = is_small;
     is_on_ = true;
   }
   void end() noexcept {
     is_on_ = false;
+    if (is_small_) return;  // what there is serves the next small batch
     notes_ = GrowableArray<Index>();
     was_there_ = std::vector<std::uint64_t>();
   }
@@ -49,9 +60,13 @@ class UndoLog {
   void note(const CellStore<K>& cells, std::span<const Index> dying) {
     const std::size_t size = size_of_note(cells), needed = (num_notes_ + dying.size()) * size;
     if (needed > notes_.capacity()) notes_.reserve(needed + needed / 2);
+    if (is_small_) changed_.reserve(dying.size());
     for (const Index cell : dying) {
       if (!was_there(cell)) continue;
-      was_there_[cell / 64] &= ~(std::uint64_t{1} << cell % 64);
+      if (is_small_)
+        changed_.insert(cell, 1);
+      else
+        was_there_[cell / 64] &= ~(std::uint64_t{1} << cell % 64);
       Index* note = notes_.data() + size * num_notes_++;
       *note++ = cell;
       for (int i = 0; i <= cells.dimension(); ++i) *note++ = cells.vertex(cell, i);
@@ -59,13 +74,52 @@ class UndoLog {
     }
   }
 
-  /// Makes the cells those that were there in the beginning, in their slots.
-  template <Geometry G>
-  void undo(CellStore<K>& cells, G& geometry) noexcept {
+  /// Makes room for so many new cells. Throws std::bad_alloc.
+  void reserve_new(std::size_t count) {
+    if (!is_small_) return;
+    changed_.reserve(count);
+    if (fresh_.capacity() < fresh_.size() + count) fresh_.reserve(2 * (fresh_.size() + count));
+  }
+  /// Notes that a cell is new, perhaps in the slot of one that has been noted. REQUIRES a reserve_new() that
+  /// covers it.
+  void note_new(Index cell) {
+    if (is_small_ && changed_.insert(cell, 0).second) fresh_.push_back(cell);
+  }
+
+  /// Calls f with the id of every cell that was there in the beginning and has been noted.
+  template <class F>
+  void for_each_noted(const CellStore<K>& cells, F&& f) const {
+    for (std::size_t n = 0; n < num_notes_; ++n) f(notes_[n * size_of_note(cells)]);
+  }
+  /// Calls f with the id of every cell that is there and was not in the beginning, or has been noted.
+  template <class F>
+  void for_each_new(const CellStore<K>& cells, F&& f) const {
+    if (!is_small_) {
+      for (Index cell = 0; cell < cells.num_slots(); ++cell)
+        if (!was_there(cell) && !cells.is_vacant(cell)) f(cell);
+      return;
+    }
+    const auto visit = [&](Index cell) {
+      if (cell < cells.num_slots() && !cells.is_vacant(cell)) f(cell);
+    };
+    for (const Index cell : fresh_) visit(cell);
+    for_each_noted(cells, visit);
+  }
+
+  /// Makes the cells those that were there in the beginning, in their slots. In the end `put_back` is called
+  /// with each that was noted.
+  template <Geometry G, class PutBack>
+  void undo(CellStore<K>& cells, G& geometry, PutBack&& put_back) noexcept {
     const std::size_t size = size_of_note(cells);
-    for (std::size_t n = num_notes_; n-- > 0;) put_back(cells, notes_.data() + n * size);
-    cells.restore_slots(num_slots_, [&](Index cell) { return was_there(cell); });
-    for (std::size_t n = 0; n < num_notes_; ++n) create_functional(cells, geometry, notes_[n * size]);
+    for (std::size_t n = num_notes_; n-- > 0;) restore(cells, notes_.data() + n * size);
+    if (is_small_)
+      cells.restore_changed_slots(num_slots_, fresh_);
+    else
+      cells.restore_slots(num_slots_, [&](Index cell) { return was_there(cell); });
+    for (std::size_t n = 0; n < num_notes_; ++n) {
+      create_functional(cells, geometry, notes_[n * size]);
+      put_back(notes_[n * size]);
+    }
     end();
   }
 
@@ -73,15 +127,17 @@ class UndoLog {
   static std::size_t size_of_note(const CellStore<K>& cells) {
     return 1 + 2 * (static_cast<std::size_t>(cells.dimension()) + 1);
   }
+  /// Whether it was, and has not been noted.
   bool was_there(Index cell) const {
+    if (is_small_) return !changed_.contains(cell);
     return cell < num_slots_ && (was_there_[cell / 64] >> cell % 64 & 1) != 0;
   }
 
-  void put_back(CellStore<K>& cells, const Index* note) noexcept {
+  void restore(CellStore<K>& cells, const Index* note) noexcept {
     const int k = cells.dimension();
     const Index cell = note[0];
     const Index *const vertices = note + 1, *const end = vertices + k + 1, *const neighbors = end;
-    was_there_[cell / 64] |= std::uint64_t{1} << cell % 64;
+    if (!is_small_) was_there_[cell / 64] |= std::uint64_t{1} << cell % 64;
     for (int i = 0; i <= k; ++i) cells.set_vertex(cell, i, vertices[i]);
     std::copy_n(neighbors, k + 1, cells.neighbors(cell));
     for (int i = 0; i <= k; ++i) {
@@ -91,11 +147,14 @@ class UndoLog {
     }
   }
 
-  bool is_on_ = false;
+  bool is_on_ = false, is_small_ = false;
   Index num_slots_ = 0;
   std::size_t num_notes_ = 0;
   GrowableArray<Index> notes_;            // id, vertices, neighbors
   std::vector<std::uint64_t> was_there_;  // a bit for each slot: a cell was there, and is there
+  internal::StampedTable
+      changed_;               // of a small batch: slots whose cells have been noted, and those of new cells
+  std::vector<Index> fresh_;  // the latter: they were vacant
 };
 
 }  // namespace delone::engine

@@ -3,12 +3,16 @@
 // given by their vertices. Knows points, but no cached functionals.
 #pragma once
 
+#include "geometry/hole_search/hole_search.hpp"
 #include "kernel/buffer.hpp"
 #include "kernel/stages.hpp"
 #include "kernel/tie_kernel.hpp"
 
 #include <delone/types.hpp>
 
+#include <algorithm>
+#include <cmath>
+#include <limits>
 #include <optional>
 #include <span>
 #include <utility>
@@ -108,28 +112,50 @@ class PointPredicates {
   std::optional<Index> first_beyond(const Index* cell, int slot, std::span<const Index> vertices,
                                     const kernel::Grid& grid) const {
     std::vector<Index> simplex(cell, cell + dimension() + 1);
-    const auto orientation = [&] {
-      return kernel::orientation<K>(flat(), gather(simplex.data()).data(), grid);
-    };
-    const Sign inner = orientation();
-    Index first = index(infinite_vertex);
-    Index& apex = simplex[static_cast<std::size_t>(slot)];
-    Index& other = simplex[slot == 0 ? 1 : 0];
-    Index& another = simplex[slot <= 1 ? 2 : 1];
-    if (inner == Sign::positive) std::swap(other, another);  // apexes beyond make positive simplices now
-    for (const Index v : vertices) {
-      apex = v;
-      if (orientation() != Sign::positive) continue;
-      Sign side = Sign::negative;
-      if (first != index(infinite_vertex)) {
-        apex = first;
-        StageCounts uncounted;
-        side = exact_side(simplex.data(), -1, {point(v), &grid, flat().row_size()}, uncounted);
-      }
-      if (side == Sign::zero) return std::nullopt;
-      if (side == Sign::negative) first = v;
+    const Sign inner = kernel::orientation<K>(flat(), gather(simplex.data()).data(), grid);
+    StageCounts uncounted;
+    return first_in_pencil(simplex.data(), slot, -inner, vertices, grid, false, uncounted);
+  }
+  /// The same where vertices beyond make simplices of a given orientation in the slot. What is in the slot
+  /// may be anything, and the simplex is something else afterwards. Ties are perturbed.
+  Index first_in_pencil(Index* simplex, int slot, Sign orientation, std::span<const Index> vertices,
+                        const kernel::Grid& grid, StageCounts& counts) const {
+    return *first_in_pencil(simplex, slot, orientation, vertices, grid, true, counts);
+  }
+
+  /// Writes rows of the vertices, which have numbers from 1 on, and of the center, which has the number after
+  /// theirs unless it is one of them, to be searched with rounded numbers: relative to the center, and scaled
+  /// to magnitudes of at most 1.
+  void place(std::span<const Index> vertices, Index center, HoleSearch& search) {
+    const auto ambient = static_cast<std::size_t>(ambient_);
+    const double* const origin = point(center);
+    scales_.assign(ambient, 0.0);
+    for (const Index v : vertices)
+      for (std::size_t j = 0; j < ambient; ++j)
+        scales_[j] = std::max(scales_[j], std::fabs(point(v)[j] - origin[j]));
+    double scale_of_lift = std::numeric_limits<double>::infinity();
+    for (double& scale : scales_) {
+      scale = std::ldexp(1.0, -std::clamp(scale > 0 ? std::ilogb(scale) + 1 : -1000, -1000, 1000));
+      scale_of_lift = std::min(scale_of_lift, scale);
     }
-    return first;
+    const auto write = [&](const double* x, double* row) {
+      double lift = 0;
+      for (std::size_t j = 0; j < ambient; ++j) {
+        const double t = (x[j] - origin[j]) * scale_of_lift;
+        lift += t * t;
+      }
+      if (form_ == kernel::RowForm::furthest_point) lift = -lift;
+      if (form_ == kernel::RowForm::weighted_point)
+        lift -= (x[ambient] - origin[ambient]) * scale_of_lift * scale_of_lift;
+      for (const int axis : axes_) {
+        const auto j = static_cast<std::size_t>(axis);
+        *row++ = (x[j] - origin[j]) * scales_[j];
+      }
+      *row = lift;
+    };
+    for (std::size_t i = 0; i < vertices.size(); ++i) write(point(vertices[i]), search.row(i + 1));
+    write(origin, search.row(vertices.size() + 1));
+    search.arrange();
   }
 
  protected:
@@ -144,9 +170,39 @@ class PointPredicates {
   std::vector<int> axes_;
 
  private:
+  /// Of vertices that make a simplex of that orientation in the slot, the one whose sphere has no other of
+  /// them inside. Ties are perturbed, or else nothing is returned.
+  std::optional<Index> first_in_pencil(Index* simplex, int slot, Sign orientation,
+                                       std::span<const Index> vertices, const kernel::Grid& grid,
+                                       bool perturbs, StageCounts& counts) const {
+    Index first = index(infinite_vertex);
+    int place = slot;
+    if (orientation == Sign::negative) {  // so that the simplices are positive
+      place = slot == 0 ? 1 : 0;
+      simplex[slot] = simplex[place];
+    }
+    Index& apex = simplex[place];
+    for (const Index v : vertices) {
+      apex = v;
+      if (kernel::orientation<K>(flat(), gather(simplex).data(), grid) != Sign::positive) continue;
+      if (first == index(infinite_vertex)) {
+        first = v;
+        continue;
+      }
+      apex = first;
+      const PointQuery q{point(v), &grid, flat().row_size()};
+      Sign side = exact_side(simplex, -1, q, counts);
+      if (side == Sign::zero && !perturbs) return std::nullopt;
+      if (side == Sign::zero) side = perturbed_side(simplex, q, counts);
+      if (side == Sign::negative) first = v;
+    }
+    return first;
+  }
+
   int ambient_;
   kernel::RowForm form_;
   const std::vector<double>& coordinates_;
+  std::vector<double> scales_;  // of place()
 };
 
 }  // namespace delone::geometry

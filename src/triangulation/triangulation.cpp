@@ -64,6 +64,35 @@ InsertResult Triangulation::insert_point(std::span<const double> point, double w
   return internal::guarded("the triangulation", [&] { return impl_->insert(point, weight, hint); });
 }
 
+void Triangulation::apply(const RowEdits& edits) {
+  internal::guarded("the edit", [&] { impl_->edit(edits); });
+}
+
+void Triangulation::remove(std::span<const std::size_t> rows) { apply({.remove = rows}); }
+
+void Triangulation::record_changes(bool wanted) {
+  impl_->records_changes = wanted;
+  impl_->changes = {};
+}
+
+const Changes& Triangulation::changes() const {
+  if (!impl_->records_changes)
+    throw Error(Errc::invalid_argument, "changes are not recorded: record_changes() was not called");
+  return impl_->changes;
+}
+
+void Triangulation::record_undo(bool wanted) {
+  impl_->records_undo = wanted;
+  if (!wanted) impl_->forget_undo();
+}
+
+bool Triangulation::can_undo() const { return impl_->last_edit != nullptr; }
+void Triangulation::undo() { impl_->undo(); }
+
+CompactedIds Triangulation::compact_ids() {
+  return internal::guarded("other ids", [&] { return impl_->compact_ids(); });
+}
+
 void Triangulation::sort_cells() {
   internal::guarded("the cells in order", [&] { impl_->sort_cells(); });
 }
@@ -93,6 +122,10 @@ VertexId Triangulation::vertex_at(std::size_t row) const {
   return v != invalid_vertex && impl_->is_visible(index(v)) ? v : invalid_vertex;
 }
 
+bool Triangulation::has_row(std::size_t row) const {
+  if (row >= impl_->vertex_of_row.size()) throw Error(Errc::invalid_argument, "not a row of the input");
+  return impl_->vertex_of_row[row] != invalid_vertex;
+}
 bool Triangulation::is_hidden(std::size_t row) const { return impl_->is_hidden(row); }
 std::size_t Triangulation::num_hidden() const { return impl_->num_hidden(); }
 std::vector<std::size_t> Triangulation::hidden_rows() const { return impl_->hidden_rows(); }

@@ -60,6 +60,9 @@ std::unique_ptr<Triangulation::Impl> Triangulation::Impl::clone() const {
   copy->num_vertices = num_vertices;
   copy->has_ids_of_threads = has_ids_of_threads;
   copy->statistics = statistics;
+  copy->records_changes = records_changes;
+  copy->records_undo = records_undo;
+  copy->changes = changes;
   if (landmarks) copy->landmarks = std::make_unique<internal::Landmarks>(*landmarks);
   std::copy(std::begin(single_links), std::end(single_links), copy->single_links);
   return copy;
@@ -89,35 +92,87 @@ void Triangulation::Impl::drop_last_vertex() {
   points.coordinates.resize(points.coordinates.size() - row_size());
 }
 
+/// The row is one at vertex v. Throws std::bad_alloc where rows at vertices are known, and then changes
+/// nothing.
 void Triangulation::Impl::assign(std::size_t row, Index v) {
+  const auto r = static_cast<Index>(row);
+  if (v >= row_of_vertex.size()) row_of_vertex.resize(std::size_t{v} + 1, invalid_index);
+  Index& first = row_of_vertex[v];
+  if (record != nullptr) record->rows.push_back({row, invalid_vertex, VertexId{v}, invalid_index, first});
+  if (shared_rows && first != invalid_index) shared_rows->add(v, std::max(first, r));
+  first = std::min(first, r);
   vertex_of_row[row] = VertexId{v};
   ++num_rows_inserted;
-  if (v < row_of_vertex.size())
-    row_of_vertex[v] = std::min(row_of_vertex[v], static_cast<Index>(row));
-  else
-    row_of_vertex.push_back(static_cast<Index>(row));
 }
 
-/// Inserts the point of a row; points outside the affine hull raise the dimension. `track`: keep
-/// cell_of_vertex up to date. Returns the vertex at the point, invalid_index if the point is hidden. If it
+/// The row is at no vertex any more.
+void Triangulation::Impl::detach(std::size_t row) {
+  const VertexId v = vertex_of_row[row];
+  Index& first = row_of_vertex[index(v)];
+  if (record != nullptr) record->rows.push_back({row, v, invalid_vertex, first, invalid_index});
+  internal::SharedRows& shared = known_shared_rows();
+  Index next = invalid_index;  // the one to be taken out of the others
+  if (first != row)
+    next = static_cast<Index>(row);
+  else if (shared.has_several(index(v)))
+    next = shared.others(index(v)).front();
+  if (first == row) first = next;
+  if (next != invalid_index) shared.remove(index(v), next);
+  vertex_of_row[row] = invalid_vertex;
+  --num_rows_inserted;
+}
+
+internal::SharedRows& Triangulation::Impl::known_shared_rows() {
+  if (!shared_rows) shared_rows = std::make_unique<internal::SharedRows>(vertex_of_row, row_of_vertex);
+  return *shared_rows;
+}
+
+/// Of rows and hidden points: batches of insertions do not keep them up to date.
+void Triangulation::Impl::forget_indexes() {
+  shared_rows.reset();
+  hidden_points.reset();
+}
+
+/// Before the vertex gets its first cells or loses all.
+void Triangulation::Impl::note_visibility(Index v) {
+  if (record != nullptr) record->were_visible.emplace_back(v, is_visible(v));
+}
+
+void Triangulation::Impl::replace_engine(std::unique_ptr<TriangulationEngine> next) {
+  if (record != nullptr && !record->has_other_engine) {
+    record->engine = std::move(engine);
+    record->has_other_engine = true;
+  }
+  engine = std::move(next);
+  landmarks.reset();
+  hidden_points.reset();
+}
+
+/// Puts a hidden vertex where it belongs, if that is known of all others; walks from a cell.
+void Triangulation::Impl::hide(Index v, Index start) {
+  if (!hidden_points) return;
+  hidden_points->reserve(std::size_t{points.last_vertex()} + 1, complex().num_cell_slots());
+  hidden_points->add(v, engine->locate(points.point(v), start).cell);
+}
+
+/// The same for those of the cells that the last insertion has replaced, and for the vertices that it has
+/// hidden.
+void Triangulation::Impl::rehome_hidden_points() {
+  if (!hidden_points) return;
+  std::vector<Index> homeless(engine->swallowed().begin(), engine->swallowed().end());
+  for (const Index cell : engine->replaced()) hidden_points->take(cell, homeless);
+  for (const Index v : homeless) hide(v, engine->star().front().created);
+}
+
+/// Inserts the point of a row. Returns the vertex at the point, invalid_index if the point is hidden. If it
 /// throws, nothing has changed.
-Index Triangulation::Impl::insert_row(std::size_t row, const double* point, Index start, bool track) {
+Index Triangulation::Impl::insert_row(std::size_t row, const double* point, Index start) {
   reserve_one_more(row_of_vertex);
   reserve_one_more(cell_of_vertex);
-  if (affine_hull.dimension() < dimension) {
-    kernel::AffineHull grown = affine_hull;
-    if (grown.add(point)) return raise(row, point, std::move(grown));
-  }
-  if (!engine) return insert_at_only_vertex(row, point);
   const Index v = append(point);
   Index at = v;
   try {
-    if (!engine->frame().contains(point)) {
-      engine->set_frame(frame_with(point, point, 1.0));
-      landmarks.reset();
-    }
-    engine->track_swallowed(may_hide() && track);
-    at = engine->insert(v, start);
+    at = place(v, start);
   } catch (...) {
     drop_last_vertex();
     throw;
@@ -125,35 +180,62 @@ Index Triangulation::Impl::insert_row(std::size_t row, const double* point, Inde
   const bool is_duplicate = at != v && at != invalid_index;
   if (is_duplicate) drop_last_vertex();
   assign(row, is_duplicate ? at : v);
-  if (track && !is_duplicate) {
-    cell_of_vertex.resize(v + 1, invalid_cell);  // one more: cannot fail
-    if (at == v) update_cells_of_vertices();
+  return at;
+}
+
+/// Makes vertex v, which has a point, part of the triangulation; outside the affine hull it raises the
+/// dimension. Keeps cell_of_vertex up to date, which has room for v. Returns the vertex at the point,
+/// invalid_index if v is hidden. If it throws, nothing has changed.
+Index Triangulation::Impl::place(Index v, Index start) {
+  if (affine_hull.dimension() < dimension) {
+    kernel::AffineHull grown = affine_hull;
+    if (grown.add(points.point(v))) {
+      raise(v, std::move(grown));
+      return v;
+    }
+  }
+  if (!engine) return place_at_only_vertex(v);
+  if (!engine->frame().contains(points.point(v))) {
+    engine->set_frame(frame_with(points.point(v), points.point(v), 1.0));
+    landmarks.reset();
+  }
+  engine->track_swallowed(may_hide());
+  const Index at = engine->insert(v, start);
+  if (cell_of_vertex.size() <= v) cell_of_vertex.resize(std::size_t{v} + 1, invalid_cell);
+  if (at == v) update_cells_of_vertices(v);
+  try {
+    if (at == v) rehome_hidden_points();
+    if (at == invalid_index) hide(v, invalid_index);
+  } catch (...) {
+    hidden_points.reset();
+    if (record != nullptr) throw;
   }
   return at;
 }
 
-/// Brings the cells of the vertices of the new star up to date.
-void Triangulation::Impl::update_cells_of_vertices() {
+/// Brings the cells of the vertices of the new star of v up to date.
+void Triangulation::Impl::update_cells_of_vertices(Index v) {
   const Complex now = complex();
+  note_visibility(v);
   for (const HorizonFacet& facet : engine->star())
     for (int i = 0; i <= now.affine_dimension(); ++i)
       cell_of_vertex[index(now.vertex(CellId{facet.created}, i))] = CellId{facet.created};
-  for (const Index swallowed : engine->swallowed()) cell_of_vertex[swallowed] = invalid_cell;
+  for (const Index swallowed : engine->swallowed()) {
+    note_visibility(swallowed);
+    cell_of_vertex[swallowed] = invalid_cell;
+  }
   num_vertices += 1 - static_cast<Index>(engine->swallowed().size());
 }
 
 /// All points are in one place: the heaviest is the vertex, equal ones are duplicates, lighter ones hidden.
-Index Triangulation::Impl::insert_at_only_vertex(std::size_t row, const double* point) {
+Index Triangulation::Impl::place_at_only_vertex(Index v) {
   const Index only = only_vertex();
-  const int heavier = compare_with_only_vertex(point);
-  if (heavier == 0) {
-    assign(row, only);
-    return only;
-  }
-  const Index v = append(point);
-  assign(row, v);
-  cell_of_vertex.resize(v + 1, invalid_cell);  // one more: cannot fail
+  const int heavier = compare_with_only_vertex(points.point(v));
+  if (heavier == 0) return only;
+  if (cell_of_vertex.size() <= v) cell_of_vertex.resize(std::size_t{v} + 1, invalid_cell);
   if (heavier < 0) return invalid_index;
+  note_visibility(v);
+  note_visibility(only);
   cell_of_vertex[v] = std::exchange(cell_of_vertex[only], invalid_cell);
   only_vertex() = v;
   return v;
@@ -166,32 +248,25 @@ int Triangulation::Impl::compare_with_only_vertex(const double* point) const {
   return weight > of_vertex ? 1 : weight < of_vertex ? -1 : 0;
 }
 
-/// A point outside the affine hull, which has `grown` by it.
-Index Triangulation::Impl::raise(std::size_t row, const double* point, kernel::AffineHull grown) {
-  const Index v = append(point);
-  try {
-    cell_of_vertex.reserve(static_cast<std::size_t>(v) + 1);
-    if (grown.dimension() > 0) {
-      auto next = make_triangulation_engine(grown.axes(), points, frame_with(point, point, 1.0),
-                                            engine ? engine->effort() : engine::Effort{},
-                                            options.force_runtime_dimension);
-      if (engine)
-        next->jump(complex(), v);
-      else
-        next->seed(std::vector<Index>{only_vertex(), v});
-      engine = std::move(next);
-      landmarks.reset();
-    } else {
-      only_vertex() = v;
-    }
-  } catch (...) {
-    drop_last_vertex();
-    throw;
+/// Vertex v is outside the affine hull, which has `grown` by it.
+void Triangulation::Impl::raise(Index v, kernel::AffineHull grown) {
+  cell_of_vertex.reserve(std::size_t{points.last_vertex()} + 1);
+  note_visibility(v);
+  if (grown.dimension() > 0) {
+    const double* const point = points.point(v);
+    auto next = make_triangulation_engine(grown.axes(), points, frame_with(point, point, 1.0),
+                                          engine ? engine->effort() : engine::Effort{},
+                                          options.force_runtime_dimension);
+    if (engine)
+      next->jump(complex(), v);
+    else
+      next->seed(std::vector<Index>{only_vertex(), v});
+    replace_engine(std::move(next));
+  } else {
+    only_vertex() = v;
   }
   affine_hull = std::move(grown);
-  assign(row, v);
   find_cells_of_vertices();
-  return v;
 }
 
 /// A frame for the present one, all vertices and the box [low, high]; `margin` times its size is added on
@@ -238,7 +313,9 @@ void Triangulation::Impl::insert_range(std::span<const double> coordinates, std:
     throw Error(Errc::bad_dimension,
                 std::to_string(weights.size()) + " weights for " + std::to_string(n) + " points");
   check_finite(coordinates, weights);
+  if (records_changes || records_undo) return edit({.insert = coordinates, .insert_weights = weights});
   if (n == 0) return;
+  forget_indexes();
   internal::BuildLimits limits(options.memory_limit, options.time_limit, "points");
   const std::size_t vertices_before = points.last_vertex();
   limits.set_model([&] {  // of a set spread evenly
@@ -268,6 +345,7 @@ InsertResult Triangulation::Impl::insert(std::span<const double> point, double w
   std::vector<double> storage;
   const double* row_of_point = checked_query(point, weight, storage);
   Index start = checked_hint(hint);
+  if (records_changes || records_undo) return insert_on_record(point, weight);
   expand();
   const Index before = points.last_vertex();
   // Functionals of furthest points lead nowhere.
@@ -277,7 +355,7 @@ InsertResult Triangulation::Impl::insert(std::span<const double> point, double w
   }
   const std::size_t row = add_rows(1);
   try {
-    const Index v = insert_row(row, row_of_point, start, true);
+    const Index v = insert_row(row, row_of_point, start);
     const bool is_new = v != invalid_index && v > before;
     if (is_new && landmarks) add_landmarks(v, v);
     return {VertexId{v}, is_new};
@@ -288,6 +366,7 @@ InsertResult Triangulation::Impl::insert(std::span<const double> point, double w
 }
 
 void Triangulation::Impl::compact() {
+  forget_undo();
   landmarks.reset();
   if (engine) {
     compacted = make_compact_triangulation(affine_hull.axes(), points, *engine, complex());
@@ -303,6 +382,8 @@ void Triangulation::Impl::compact() {
 /// Of what compact() has left, too: insertions are possible then.
 void Triangulation::Impl::sort_cells() {
   if (!has_ids_of_threads) return;
+  forget_undo();
+  hidden_points.reset();
   expand();
   if (!engine) return;
   engine->sort_cells(internal::threads_to_use(options.threads));

@@ -2,15 +2,19 @@
 // What all kinds of triangulations share: points to vertices, affine dimensions, duplicates, hidden points,
 // rows; the engine does the rest.
 //
-// Every row that was inserted has a vertex id, its own or that of an earlier equal row. Points with weights,
-// and those for which vertices are furthest, may be hidden, at once or by later insertions: their ids keep
-// their points and have no cell. Hidden points stay hidden, as more points only lower the lifted surface.
+// Every row that is there has a vertex id, its own or that of an equal row. Points with weights, and those
+// for which vertices are furthest, may be hidden, at once or by later insertions: their ids keep their points
+// and have no cell. Insertions leave hidden points hidden, as more points only lower the lifted surface;
+// edits may bring them back. Ids of vertices without rows are not used again.
 #pragma once
 
 #include "compiled/compact_triangulation.hpp"
 #include "compiled/dispatch.hpp"
 #include "kernel/predicates.hpp"
+#include "triangulation/edit_record.hpp"
+#include "triangulation/hidden_points.hpp"
 #include "triangulation/landmarks.hpp"
+#include "triangulation/shared_rows.hpp"
 
 #include <delone/triangulation.hpp>
 
@@ -35,14 +39,22 @@ struct Triangulation::Impl {
       engine;  // none while the affine dimension is below 1, and after compact()
   std::unique_ptr<CompactTriangulation> compacted;  // after compact(), until the next insertion
   std::vector<CellId> cell_of_vertex;               // by vertex id; invalid_cell for hidden points
-  std::vector<Index> row_of_vertex{0};              // the first row at each vertex
-  std::vector<VertexId> vertex_of_row;  // invalid_vertex for a row that was not inserted (cancelled)
+  std::vector<Index> row_of_vertex{0};              // the first row at each vertex; invalid_index without any
+  std::vector<VertexId> vertex_of_row;              // invalid_vertex for a row that was removed
   std::size_t num_rows_inserted = 0;
   Index num_vertices = 0;           // those that have cells
   bool has_ids_of_threads = false;  // a batch was large enough for several threads: ids of cells may tell
   Statistics statistics;
   std::unique_ptr<internal::Landmarks>
       landmarks;  // from an insertion without hint on, until the frame changes
+
+  // For edits. The indexes are made by the first edit that needs them.
+  std::unique_ptr<internal::SharedRows> shared_rows;
+  std::unique_ptr<internal::HiddenPoints> hidden_points;
+  bool records_changes = false, records_undo = false;
+  Changes changes;
+  std::unique_ptr<internal::EditRecord> last_edit;  // if it can be undone
+  internal::EditRecord* record = nullptr;           // of the edit that is going on
 
   /// The links of the complex of one point, a finite and an infinite cell of one vertex each.
   Index single_links[4] = {0, 1, 0, 0};
@@ -60,6 +72,10 @@ struct Triangulation::Impl {
   void insert_range(std::span<const double> coordinates, std::span<const double> weights,
                     const std::function<void()>& release = {});
   InsertResult insert(std::span<const double> point, double weight, std::optional<CellId> hint);
+  void edit(const RowEdits& edits);
+  void undo();
+  void forget_undo();
+  CompactedIds compact_ids();
   void compact();
   void sort_cells();
   /// The triangulation, if the affine dimension is at least 1.
@@ -89,12 +105,22 @@ struct Triangulation::Impl {
   Index append(const double* point);
   void drop_last_vertex();
   void assign(std::size_t row, Index v);
-  Index insert_row(std::size_t row, const double* point, Index start, bool track);
-  Index insert_at_only_vertex(std::size_t row, const double* point);
-  Index raise(std::size_t row, const double* point, kernel::AffineHull grown);
+  void detach(std::size_t row);
+  internal::SharedRows& known_shared_rows();
+  Index insert_row(std::size_t row, const double* point, Index start);
+  Index place(Index v, Index start);
+  Index place_at_only_vertex(Index v);
+  void raise(Index v, kernel::AffineHull grown);
   void expand();
   void add_landmarks(Index first, Index last);
-  void update_cells_of_vertices();
+  InsertResult insert_on_record(std::span<const double> point, double weight);
+  void update_cells_of_vertices(Index v);
+  void forget_indexes();
+  void note_visibility(Index v);
+  void replace_engine(std::unique_ptr<TriangulationEngine> next);
+  void hide(Index v, Index start);
+  void rehome_hidden_points();
+  void roll_back(internal::EditRecord& record) noexcept;
   void find_cells_of_vertices();
   geometry::Frame frame_with(const double* low, const double* high, double margin) const;
   std::unique_ptr<TriangulationEngine> new_engine(const double* low, const double* high,
@@ -102,6 +128,7 @@ struct Triangulation::Impl {
   int compare_with_only_vertex(const double* point) const;
 
   class BatchInsertion;
+  class Editing;
 };
 
 }  // namespace delone

@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The two loops of a search for the cells of a hole: from the functions of a cell to those of a neighbor, and
+// over all vertices that may be beyond a facet. Compiled for several instruction sets; the best one of the
+// machine is chosen at run time.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+
+namespace delone::geometry {
+
+/// The k + 2 functions of a cell are affine functions of images: its barycentric coordinates, and its
+/// functional without the lift. Their coefficients are stored by image coordinate: coefficient r of function
+/// f is entry r·width + f, and the constants come last, r = k.
+constexpr std::size_t width_of_functions(int k) {
+  const auto count = static_cast<std::size_t>(k) + 2;
+  return count <= 4 ? 4 : (count + 7) / 8 * 8;
+}
+constexpr std::size_t size_of_functions(int k) {
+  return (static_cast<std::size_t>(k) + 1) * width_of_functions(k);
+}
+
+/// The functions of the cell that has another vertex in a slot. `row`: the image and lift of that vertex. Not
+/// finite where the vertex is on the facet opposite the slot. Cost O(k²).
+void replace_vertex(int k, const double* functions, int slot, const double* row, double* replaced);
+
+/// A search of the vertex that comes first in the pencil of a facet.
+struct PencilTask {
+  int k;
+  const double* functions;
+  int slot;     ///< of the vertex opposite the facet
+  double side;  ///< −1: beyond the facet; 1: on the side of the cell
+  /// Coordinate r of candidate i is entry r·stride + i, and the lifts come last, infinite for what must not
+  /// be found. The stride is a multiple of 8.
+  const double* rows;
+  std::size_t stride;
+  double* heights;           ///< scratch memory, stride doubles
+  double* distances;         ///< the same
+  const std::uint32_t* own;  ///< the candidates that are vertices of the cell: these are not found
+  std::size_t num_own;
+  double height_error, distance_error;  ///< bounds on the errors of a value
+};
+
+/// Writes all candidates that may be first to `found`, which has room for all, and returns how many: those
+/// whose least possible ratio of height and distance from the facet is at most the least possible one of all
+/// that are certainly on the side.
+std::size_t find_first(const PencilTask& task, std::uint32_t* found);
+
+}  // namespace delone::geometry

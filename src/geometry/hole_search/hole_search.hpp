@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What is beyond a facet at the border of a hole or within it: of the vertices around the hole, the one whose
+// sphere through the facet comes first. Works with rounded numbers, and names all vertices that may be the
+// one; nothing is proved here.
+//
+// With the barycentric coordinates λ_i of a cell and its functional h, the spheres through facet i are the
+// members h + t·λ_i of a pencil. Of the vertices beyond, where λ_i < 0, the first has the least h/−λ_i. A
+// cell and its neighbor share all vertices but one, so the functions of one are those of the other after one
+// step of elimination.
+#pragma once
+
+#include "geometry/hole_search/hole_kernel.hpp"
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace delone::geometry {
+
+/// Vertices have numbers of their own, from 1 on: first the candidates, then others. Infinite vertices have
+/// the number 0, and no row.
+class HoleSearch {
+ public:
+  /// Begins with other vertices. Their rows, k images and the lift each, are to be written next, close to the
+  /// origin and of magnitude 1 at most. Throws std::bad_alloc.
+  void begin(int k, std::size_t num_candidates, std::size_t num_vertices);
+  double* row(std::size_t vertex) { return rows_.data() + vertex * (static_cast<std::size_t>(k_) + 1); }
+  /// After all rows have been written.
+  void arrange();
+
+  int dimension() const { return k_; }
+  std::size_t num_candidates() const { return num_candidates_; }
+
+  /// The functions of a cell of k + 1 vertices, by elimination. Cost O(k³).
+  void solve(const std::uint32_t* vertices, double* functions);
+  /// Those of the cell that has another vertex in a slot.
+  void replace(const double* functions, int slot, std::uint32_t vertex, double* replaced) {
+    replace_vertex(k_, functions, slot, row(vertex), replaced);
+  }
+  /// The candidates that may come first beyond facet `slot` of the cell of these k + 1 vertices, or on the
+  /// side of the cell. None if no candidate is there.
+  std::span<const std::uint32_t> first(const double* functions, int slot, bool beyond,
+                                       const std::uint32_t* vertices);
+
+ private:
+  int k_ = 0;
+  std::size_t num_candidates_ = 0, stride_ = 0;
+  double largest_lift_ = 0;
+  std::vector<double> rows_, lanes_, values_, matrix_;
+  std::vector<std::uint32_t> own_, found_;
+};
+
+}  // namespace delone::geometry

@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// An edit, whole or not at all: rows that are removed, moved, weighed anew and inserted.
+//
+// Rows become vertices first. A vertex that is left without rows goes; a row that is alone at its vertex
+// takes it along to its new point; a row that is not alone leaves its vertex behind, and is inserted as a new
+// one. Then either all vertices that go or move are taken out, one by one, and those that come or move are
+// inserted, or everything is built anew (rebuilding.cpp), whichever costs less. Hidden points that were taken
+// out of the lists on the way are inserted last.
+#pragma once
+
+#include "base/progress_meter.hpp"
+#include "triangulation/triangulation_impl.hpp"
+
+#include <cstddef>
+#include <functional>
+#include <memory>
+#include <span>
+#include <vector>
+
+namespace delone {
+
+class Triangulation::Impl::Editing {
+ public:
+  /// Throws for rows that are not there or are given twice, and for numbers that are not finite.
+  Editing(Impl& impl, const RowEdits& edits);
+  /// Unless the edit has been completed, everything is as it was.
+  ~Editing();
+  Editing(const Editing&) = delete;
+  Editing& operator=(const Editing&) = delete;
+
+  void run();
+
+ private:
+  /// A vertex that is to be placed at a point: with a new id and row, or with the id that it has.
+  struct Placement {
+    Index vertex;       ///< invalid_index for one that gets its id when its turn comes
+    std::size_t row;    ///< if it does
+    std::size_t point;  ///< number in points_
+    Index near;         ///< a vertex that was a neighbor, or invalid_index
+  };
+
+  /// A vertex that was visible and goes or moves.
+  struct Leaving {
+    Index vertex;
+    std::size_t placement;  ///< where it goes, or none
+  };
+  static constexpr std::size_t none = static_cast<std::size_t>(-1);
+
+  void require_rows(std::span<const std::size_t> rows, const char* verb) const;
+  void require_disjoint() const;
+  void plan();
+  void plan_moves();
+  void add_point(std::span<const double> coordinates, double weight);
+  const double* point(const Placement& placement) const {
+    return points_.data() + placement.point * impl_.row_size();
+  }
+  bool is_worth_building_anew() const;
+  void begin();
+  void take_all_out();
+  Index take_out(Index v);
+  void take_out_only_vertex();
+  void lower(Index v);
+  void find_hidden_points();
+  void place_all();
+  Index start_near(const double* point, Index near);
+  void place(const Placement& placement);
+  void place_again(Index v);
+  void set_point(Index v, const double* point);
+  void merge(Index v, Index into);
+  void build_anew();
+  void insert_others(std::span<const Index> others, std::span<const std::size_t> rounds_of_all,
+                     const std::function<void(Index v, Index at)>& on_placed);
+  void finish();
+  Changes changes() const;
+  std::vector<CellId> cells_before() const;
+
+  bool is_dying(Index v) const { return impl_.row_of_vertex[v] == invalid_index; }
+
+  Impl& impl_;
+  const RowEdits& edits_;
+  std::unique_ptr<internal::EditRecord> record_;
+  std::vector<double> points_;  // new ones, with weights where points have weights
+  std::vector<Leaving> leaving_;
+  std::vector<Placement> placements_;  // of those that come or move
+  std::vector<Index> freed_;           // hidden vertices that may come back
+  std::vector<Index> dead_;            // vertices without rows
+  internal::ProgressMeter progress_;
+  std::size_t done_ = 0;
+  bool is_done_ = false;
+};
+
+}  // namespace delone
