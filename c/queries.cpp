@@ -211,7 +211,7 @@ int delone_linear_interpolator(const delone_object* triangulation, const double*
                                delone_object** interpolator) {
   return make(interpolator, [&] {
     const MadeTriangulation& of = as_made(triangulation);
-    const std::span<const double> given = matrix(values, of.triangulation().num_points(), columns, "values");
+    const std::span<const double> given = matrix(values, of.triangulation().num_rows(), columns, "values");
     return std::make_unique<Interpolator>(
         of, [&](const Triangulation& t) { return LinearInterpolator(t, given, columns); });
   });
@@ -222,7 +222,7 @@ int delone_natural_neighbor_interpolator(const delone_object* triangulation, con
                                          delone_object** interpolator) {
   return make(interpolator, [&] {
     const MadeTriangulation& of = as_made(triangulation);
-    const std::size_t n = of.triangulation().num_points();
+    const std::size_t n = of.triangulation().num_rows();
     const auto d = static_cast<std::size_t>(of.triangulation().dimension());
     const std::span<const double> given = matrix(values, n, columns, "values");
     const std::span<const double> slopes = gradients == nullptr

@@ -26,13 +26,20 @@ struct DELONE_EXPORT_TYPE ComplexData {
   std::vector<SignedIndex> cells;  ///< m×(k+1), point rows; positively oriented when k = d
   /// m×(k+1), neighbor i is opposite vertex i; −1 beyond the hull. May be empty: unknown.
   std::vector<SignedIndex> neighbors;
-  /// n, the row each point was merged into (itself for a vertex; −1: hidden). May be empty: unknown.
+  /// n, the row each point was merged into (itself for a vertex; −1: hidden, or removed). May be empty:
+  /// unknown. The coordinates of a row that was removed are NaN, and so is its weight.
   std::vector<SignedIndex> vertex_of_point;
   std::vector<double> weights{};            ///< n, of a regular triangulation; empty: points have no weights
   std::vector<std::string> column_names{};  ///< d, what the coordinates are called; empty: unknown
 
   std::size_t num_points() const {
     return dimension < 1 ? 0 : points.size() / static_cast<std::size_t>(dimension);
+  }
+  /// Whether a row of the points was removed from the triangulation that this is a copy of.
+  bool is_removed(std::size_t row) const {
+    if (vertex_of_point.size() <= row || vertex_of_point[row] >= 0 || points.empty()) return false;
+    const double first = points[row * static_cast<std::size_t>(dimension)];
+    return first != first;
   }
   std::size_t num_cells() const {
     return affine_dimension < 0 ? 0 : cells.size() / (static_cast<std::size_t>(affine_dimension) + 1);
@@ -180,6 +187,12 @@ struct DELONE_EXPORT_TYPE VoronoiData {
   std::vector<std::string> column_names{};  ///< d, what the coordinates are called; empty: unknown
 
   std::size_t num_points() const { return point_region.size(); }
+  /// Whether a row of the points was removed from the triangulation: its coordinates are NaN.
+  bool is_removed(std::size_t row) const {
+    if (point_region.size() <= row || point_region[row] >= 0 || points.empty()) return false;
+    const double first = points[row * static_cast<std::size_t>(dimension)];
+    return first != first;
+  }
   std::size_t num_vertices() const {
     return dimension < 1 ? 0 : vertices.size() / static_cast<std::size_t>(dimension);
   }

@@ -187,6 +187,7 @@ class DELONE_EXPORT Triangulation {
   struct RowEdits {
     std::span<const std::size_t> remove = {}, move = {}, weigh = {};
     std::span<const double> to = {}, weights = {}, insert = {}, insert_weights = {};
+    bool is_empty() const { return remove.empty() && move.empty() && weigh.empty() && insert.empty(); }
   };
   void apply(const RowEdits& edits);
   template <int D>

@@ -54,12 +54,12 @@ void check_storage(const ComplexData& data, bool furthest, unsigned threads) {
     throw Violation{fmt::format("{} weights for {} points", data.weights.size(), n)};
 
   for (std::size_t i = 0; i < data.points.size(); ++i)
-    if (!std::isfinite(data.points[i])) {
+    if (!std::isfinite(data.points[i]) && !data.is_removed(i / static_cast<std::size_t>(d))) {
       const std::size_t row = i / static_cast<std::size_t>(d);
       throw Violation{fmt::format("point {} has a coordinate that is not finite", row), {}, {row}};
     }
   for (std::size_t row = 0; row < data.weights.size(); ++row)
-    if (!std::isfinite(data.weights[row]))
+    if (!std::isfinite(data.weights[row]) && !data.is_removed(row))
       throw Violation{fmt::format("the weight of point {} is not finite", row), {}, {row}};
   const std::size_t m = data.num_cells();
   for_parts(threads, m, part_of_check, [&](std::size_t first, std::size_t last, const StopPoint& stop) {
@@ -72,6 +72,10 @@ void check_storage(const ComplexData& data, bool furthest, unsigned threads) {
       for (const SignedIndex row : {sorted.front(), sorted.back()})
         if (row < 0 || static_cast<std::size_t>(row) >= n)
           throw Violation{fmt::format("cell {} has the vertex {}, but there are {} points", c, row, n), {c}};
+      for (const SignedIndex row : sorted)
+        if (data.is_removed(static_cast<std::size_t>(row)))
+          throw Violation{fmt::format("cell {} has the vertex {}, whose coordinates are missing", c, row),
+                          {c}};
       const auto twice = std::adjacent_find(sorted.begin(), sorted.end());
       if (twice != sorted.end())
         throw Violation{fmt::format("cell {} has the vertex {} twice", c, *twice),
@@ -86,7 +90,7 @@ void check_storage(const ComplexData& data, bool furthest, unsigned threads) {
                                   i / corners, data.neighbors[i], m),
                       {i / corners}};
   for (std::size_t row = 0; row < data.vertex_of_point.size(); ++row)
-    if (data.vertex_of_point[row] < (data.weights.empty() && !furthest ? 0 : -1) ||
+    if (data.vertex_of_point[row] < (data.weights.empty() && !furthest && !data.is_removed(row) ? 0 : -1) ||
         (data.vertex_of_point[row] >= 0 && static_cast<std::size_t>(data.vertex_of_point[row]) >= n))
       throw Violation{fmt::format("vertex_of_point sends point {} to row {}, but there are {} points", row,
                                   data.vertex_of_point[row], n),
@@ -159,6 +163,7 @@ void check_completeness(const Examined& examined, const Volumes& volumes, bool c
   std::vector<std::size_t> hidden;
   for (std::size_t row = 0; row < n; ++row) {
     cancellation_point();
+    if (data.is_removed(row)) continue;
     const SignedIndex vertex = vertex_of_point[row];
     if (vertex < 0 && examined.may_hide()) {
       if (is_vertex[row])
@@ -186,7 +191,8 @@ void check_completeness(const Examined& examined, const Volumes& volumes, bool c
 
   kernel::AffineHull hull(data.dimension);
   for (std::size_t row = 0; row < n && hull.dimension() < data.dimension; ++row)
-    if (hull.add(examined.point(static_cast<SignedIndex>(row))) && hull.dimension() > data.affine_dimension)
+    if (!data.is_removed(row) && hull.add(examined.point(static_cast<SignedIndex>(row))) &&
+        hull.dimension() > data.affine_dimension)
       throw Violation{fmt::format("the affine dimension is given as {}, but the points up to {} span {}",
                                   data.affine_dimension, row, hull.dimension()),
                       {},

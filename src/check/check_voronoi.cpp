@@ -142,10 +142,10 @@ void DiagramChecker::check_storage() const {
   size("points", a.points.size(), n * d_);
   size("weights", a.weights.size(), a.weights.empty() ? 0 : n);
   for (std::size_t i = 0; i < a.points.size(); ++i)
-    if (!std::isfinite(a.points[i]))
+    if (!std::isfinite(a.points[i]) && !a.is_removed(i / d_))
       throw Violation{text_of("point", i / d_) + " has a coordinate that is not finite"};
   for (std::size_t row = 0; row < a.weights.size(); ++row)
-    if (!std::isfinite(a.weights[row]))
+    if (!std::isfinite(a.weights[row]) && !a.is_removed(row))
       throw Violation{"the weight of " + text_of("point", row) + " is not finite"};
   size("vertices", a.vertices.size(), a.num_vertices() * d_);
   size("ridge_points", a.ridge_points.size(), 2 * a.num_ridges());
@@ -178,12 +178,23 @@ void DiagramChecker::make_diagram() {
       throw Error(Errc::unsupported,
                   "the triangulation of the points is wrong, a fault of delone: " + report.violation);
   };
-  if (data_.weights.empty()) {
-    const Delaunay<> triangulation(data_.points, data_.dimension);
+  // Rows that were removed get some point, and are removed.
+  std::vector<double> points = data_.points, weights = data_.weights;
+  std::vector<std::size_t> removed;
+  for (std::size_t row = 0; row < data_.num_points(); ++row) {
+    if (!data_.is_removed(row)) continue;
+    removed.push_back(row);
+    std::fill_n(points.begin() + static_cast<std::ptrdiff_t>(row * d_), d_, 0.0);
+    if (!weights.empty()) weights[row] = 0;
+  }
+  if (weights.empty()) {
+    Delaunay<> triangulation(points, data_.dimension);
+    triangulation.remove(removed);
     examined(triangulation);
     diagram_ = &voronoi_.emplace(triangulation, DiagramOptions{.tolerance = data_.tolerance});
   } else {
-    const Regular<> triangulation(data_.points, data_.weights, data_.dimension);
+    Regular<> triangulation(points, weights, data_.dimension);
+    triangulation.remove(removed);
     examined(triangulation);
     diagram_ = &power_.emplace(triangulation, DiagramOptions{.tolerance = data_.tolerance});
   }

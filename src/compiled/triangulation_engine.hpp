@@ -15,6 +15,7 @@
 
 #include <functional>
 #include <memory>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -118,6 +119,21 @@ class TriangulationEngine : public TriangulationQueries {
   /// Gives cells ids that depend on the ids of their vertices alone, without gaps, where several threads may
   /// have inserted a batch. Throws std::bad_alloc, and then changes nothing.
   virtual void sort_cells(unsigned threads) = 0;
+  /// After vertex v, one of whose cells is `cell`, has got another point in the frame: makes the cells those
+  /// of the new point, if they change little. Returns false if they do not; then renew() has to be called as
+  /// soon as the point is the old one, and cells have changed only as the batch tells, which must have begun.
+  virtual bool settle(Index v, Index cell) = 0;
+  /// The same after any vertices have moved, in another frame if there is one. If it returns false,
+  /// renew_all() has to be called.
+  virtual bool settle_all(std::optional<geometry::Frame> frame) = 0;
+  /// The cells that settle() has made; some of them may have gone again.
+  virtual std::span<const Index> made_by_settling() const = 0;
+  /// Says that a vertex that is in no cell, or whose cells will be renewed, has got another point.
+  virtual void rewrite_row(Index v) noexcept = 0;
+  /// Computes anew what is cached for the cells of vertex v; or for all. REQUIRES an earlier settle().
+  virtual void renew(Index v, Index cell) noexcept = 0;
+  virtual void renew_all() noexcept = 0;
+
   /// What follows can be undone, until it is, or kept. `is_small`: it changes few of the cells, and does not
   /// use several threads. Throws, and then changes nothing.
   virtual void begin_batch(bool is_small = false) = 0;

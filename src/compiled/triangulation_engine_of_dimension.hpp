@@ -6,6 +6,7 @@
 #include "compiled/queries.hpp"
 #include "compiled/triangulation_engine.hpp"
 #include "engine/build.hpp"
+#include "engine/hole/settling.hpp"
 #include "geometry/delaunay_geometry.hpp"
 
 #include <delone/error.hpp>
@@ -15,6 +16,7 @@
 #include <memory>
 #include <mutex>
 #include <new>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -90,8 +92,31 @@ class TriangulationEngineOfDimension final : public TriangulationEngine {
   }
   bool remove(Index v, Index cell) override {
     need_functionals();
-    if (!filler_) filler_ = std::make_unique<engine::HoleFiller<K, Geometry>>(build_.cells(), geometry());
-    return build_.remove(v, cell, *filler_);
+    return build_.remove(v, cell, edits().filler);
+  }
+  bool settle(Index v, Index cell) override {
+    need_functionals();
+    geometry().rewrite_row(v);
+    return edits().settling.settle(v, cell);
+  }
+  bool settle_all(std::optional<geometry::Frame> frame) override {
+    need_functionals();
+    auto& settling = edits().settling;
+    if (frame)
+      geometry().set_frame(std::move(*frame), points_.last_vertex());
+    else
+      geometry().rewrite_rows(points_.last_vertex());
+    return settling.settle_all([this] { return query_inside(); });
+  }
+  std::span<const Index> made_by_settling() const override { return edits_->settling.created(); }
+  void rewrite_row(Index v) noexcept override { geometry().rewrite_row(v); }
+  void renew(Index v, Index cell) noexcept override {
+    geometry().rewrite_row(v);
+    if (edits_) edits_->settling.renew(v, cell);  // else nothing has been computed
+  }
+  void renew_all() noexcept override {
+    geometry().rewrite_rows(points_.last_vertex());
+    build_.create_functionals();
   }
   bool shares_batches_of(std::size_t num_vertices) const override {
     if constexpr (is_shared)
@@ -128,7 +153,7 @@ class TriangulationEngineOfDimension final : public TriangulationEngine {
     const engine::ConflictZone& zone = build_.workspace().zone;
     return {zone.cells.data(), zone.num_cells};
   }
-  std::span<const Index> made_by_removal() const override { return filler_->created(); }
+  std::span<const Index> made_by_removal() const override { return edits_->filler.created(); }
   void track_swallowed(bool wanted) override { build_.workspace().tracks_swallowed = wanted; }
   std::span<const Index> swallowed() const override { return build_.workspace().swallowed; }
 
@@ -210,12 +235,48 @@ class TriangulationEngineOfDimension final : public TriangulationEngine {
     }
   }
 
+  /// What edits keep from one to the next.
+  struct Edits {
+    explicit Edits(engine::Build<K, Geometry>& build)
+        : filler(build.cells(), build.geometry()), settling(build, filler) {}
+    engine::HoleFiller<K, Geometry> filler;
+    engine::Settling<K, Geometry> settling;
+  };
+  Edits& edits() {
+    if (!edits_) edits_ = std::make_unique<Edits>(build_);
+    return *edits_;
+  }
+  /// A query at a point in the interior of a finite cell. Valid until the next.
+  std::optional<Query> query_inside() {
+    inside_.assign(static_cast<std::size_t>(points_.ambient) + 1, 0.0);
+    for (Index cell = 0, tries = 0; cell < cells().num_slots() && tries < 64; ++cell) {
+      if (cells().is_vacant(cell) || cells().infinite_slot(cell) >= 0) continue;
+      ++tries;
+      const int k = cells().dimension();
+      for (std::size_t j = 0; j < static_cast<std::size_t>(points_.ambient); ++j) {
+        inside_[j] = 0;
+        for (int i = 0; i <= k; ++i) inside_[j] += points_.point(cells().vertex(cell, i))[j] / (k + 1);
+      }
+      if (!frame().contains(inside_.data())) continue;
+      grid_inside_ = points_.grid_with(inside_.data());
+      const Query q = geometry().make_query(inside_.data(), grid_inside_);
+      const auto vertices = cells().vertices(cell);
+      bool is_inside = true;
+      for (int i = 0; i <= k && is_inside; ++i)
+        is_inside = geometry().side_of_facet(vertices, i, q) == Sign::positive;
+      if (is_inside) return q;
+    }
+    return std::nullopt;
+  }
+
   /// Whether several threads may insert at once.
   static constexpr bool is_shared = K >= 2 && K <= 6;
 
   const VertexPoints& points_;
-  std::unique_ptr<engine::HoleFiller<K, Geometry>> filler_;  // from the first removal on
-  mutable engine::Build<K, Geometry> build_;                 // mutable for need_functionals() alone
+  std::unique_ptr<Edits> edits_;  // from the first edit on
+  std::vector<double> inside_;    // the point of query_inside()
+  kernel::Grid grid_inside_ = points_.grid;
+  mutable engine::Build<K, Geometry> build_;  // mutable for need_functionals() alone
   mutable std::atomic<bool> lacks_functionals_ = false;
   mutable std::mutex creating_functionals_;
 };

@@ -128,24 +128,38 @@ class Build : public Sphere<K, G> {
   bool remove(Index v, Index cell, HoleFiller<K, G>& filler) {
     work_.clear();
     try {
-      filler.open_star(v, cell, work_.zone);
-      if (filler.is_flat_without_center(work_.zone, cells_.num_cells() - num_infinite_)) {
+      filler.hole().open_star(cells_, geometry_, v, cell, work_.zone);
+      if (filler.is_flat_without_leaving(work_.zone, cells_.num_cells() - num_infinite_)) {
         abandon_zone();
         return false;
       }
-      replace_zone([&] {
-        const Filling made = filler.fill(work_.zone, effort_.stages, [&](std::size_t count) {
-          if (log_.is_on()) log_.reserve_new(count);
-        });
-        if (log_.is_on())
-          for (const Index created : filler.created()) log_.note_new(created);
-        return made;
-      });
+      replace_zone([&] { return *fill_hole(filler); });
     } catch (...) {
       abandon_zone();
       throw;
     }
     return true;
+  }
+
+  /// Replaces cells, which are different, by the Delaunay cells of their vertices, after these have moved.
+  /// Returns false, and nothing has changed, if no such cells fit their place (HoleFiller::fill()). Strong
+  /// guarantee.
+  bool refill(std::span<const Index> dead, HoleFiller<K, G>& filler) {
+    work_.clear();
+    bool is_filled = false;
+    try {
+      filler.hole().open_cells(cells_, geometry_, dead, work_.zone);
+      if (log_.is_on()) log_.note(cells_, dead);
+      if (const std::optional<Filling> made = fill_hole(filler)) {
+        adopt(*made);
+        is_filled = true;
+      }
+    } catch (...) {
+      abandon_zone();
+      throw;
+    }
+    if (!is_filled) abandon_zone();
+    return is_filled;
   }
 
   /// Whether v is in conflict with no cell for certain, by cached functionals alone; false says nothing.
@@ -164,10 +178,7 @@ class Build : public Sphere<K, G> {
   template <class Fill>
   void replace_zone(Fill&& fill) {
     if (log_.is_on()) log_.note(cells_, {work_.zone.cells.data(), work_.zone.num_cells});
-    const Filling made = fill();
-    effort_.created_cells += made.num_cells;
-    num_infinite_ += made.num_infinite - static_cast<Index>(work_.zone.num_infinite);
-    work_.last_cell = made.cell;
+    adopt(fill());
   }
 
   /// Instead of the loop, for few vertices in many dimensions: each cell is created once (wrap/wrap.hpp).
@@ -183,6 +194,21 @@ class Build : public Sphere<K, G> {
   using Sphere<K, G>::memory_;
   using Sphere<K, G>::cells_, Sphere<K, G>::geometry_, Sphere<K, G>::work_, Sphere<K, G>::effort_,
       Sphere<K, G>::num_infinite_, Sphere<K, G>::log_;
+  void adopt(const Filling& made) {
+    effort_.created_cells += made.num_cells;
+    num_infinite_ += made.num_infinite - static_cast<Index>(work_.zone.num_infinite);
+    work_.last_cell = made.cell;
+  }
+  /// Fills the hole that is the zone, on record.
+  std::optional<Filling> fill_hole(HoleFiller<K, G>& filler) {
+    const std::optional<Filling> made = filler.fill(work_.zone, effort_.stages, [&](std::size_t count) {
+      if (log_.is_on()) log_.reserve_new(count);
+    });
+    if (log_.is_on() && made)
+      for (const Index created : filler.created()) log_.note_new(created);
+    return made;
+  }
+
   using Sphere<K, G>::start_near, Sphere<K, G>::starts_with, Sphere<K, G>::count_infinite,
       Sphere<K, G>::abandon_zone;
 };

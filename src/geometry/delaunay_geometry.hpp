@@ -16,6 +16,7 @@
 #include <cstring>
 #include <limits>
 #include <span>
+#include <type_traits>
 #include <vector>
 
 namespace delone::geometry {
@@ -90,6 +91,15 @@ class DelaunayGeometry : public PointPredicates<K> {
     for (Index v = 1; v <= vertices; ++v) write_row(point(v), rows_.data() + v * row_size());
   }
 
+  /// Computes the row of a vertex that has moved, if there is one; or of all up to one.
+  void rewrite_row(Index v) {
+    if (!computes_rows_ && (static_cast<std::size_t>(v) + 1) * row_size() <= rows_.capacity())
+      write_rows(v, v);
+  }
+  void rewrite_rows(Index last) {
+    for (Index v = 1; v <= last; ++v) rewrite_row(v);
+  }
+
   /// Makes room for the rows of vertices up to `last` and what the first star of one thread would find out.
   /// Throws std::bad_alloc, and then changes nothing.
   void prepare_rows(Index last) { reserve_star(last, 1); }
@@ -152,6 +162,28 @@ class DelaunayGeometry : public PointPredicates<K> {
 
   /// The same for finite cells, many at once, apexes in slot 0. REQUIRES keep_rows().
   void create(std::span<const Index> cells, std::span<const Index* const> vertices, Sign* orientations);
+
+  /// The same for vertices that have numbers, by which `rows` has their rows; where an orientation is zero,
+  /// the cell must be created by itself.
+  void create_from_rows(std::span<const Index> cells, std::span<const Index* const> vertices,
+                        const double* rows, Sign* orientations) {
+    for (std::size_t first = 0; first < cells.size(); first += simplex_lanes) {
+      const std::size_t count = std::min(simplex_lanes, cells.size() - first);
+      functionals_.solve(cells.subspan(first, count), vertices.subspan(first, count), rows,
+                         orientations + first);
+    }
+  }
+  /// The row of a vertex: k images and the lift.
+  void write_row_of(Index v, double* row) const { write_row(point(v), row); }
+  /// The functional of a cell at a vertex.
+  double value_at(Index cell, Index v) const {
+    const auto row = rows().template row<K>(v, dimension());
+    if constexpr (std::is_pointer_v<std::remove_cv_t<decltype(row)>>)
+      return functionals_.evaluator(row).value(cell);
+    else
+      return functionals_.evaluator(row.data()).value(cell);
+  }
+  auto evaluator_of_row(const double* row) const { return functionals_.evaluator(row); }
 
   /// Makes room for a star of vertex v. Throws std::bad_alloc, and then changes nothing.
   void reserve_star(Index v, std::size_t facets) {

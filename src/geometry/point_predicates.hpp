@@ -133,29 +133,33 @@ class PointPredicates {
     for (const Index v : vertices)
       for (std::size_t j = 0; j < ambient; ++j)
         scales_[j] = std::max(scales_[j], std::fabs(point(v)[j] - origin[j]));
-    double scale_of_lift = std::numeric_limits<double>::infinity();
+    scale_of_lift_ = std::numeric_limits<double>::infinity();
     for (double& scale : scales_) {
       scale = std::ldexp(1.0, -std::clamp(scale > 0 ? std::ilogb(scale) + 1 : -1000, -1000, 1000));
-      scale_of_lift = std::min(scale_of_lift, scale);
+      scale_of_lift_ = std::min(scale_of_lift_, scale);
     }
-    const auto write = [&](const double* x, double* row) {
-      double lift = 0;
-      for (std::size_t j = 0; j < ambient; ++j) {
-        const double t = (x[j] - origin[j]) * scale_of_lift;
-        lift += t * t;
-      }
-      if (form_ == kernel::RowForm::furthest_point) lift = -lift;
-      if (form_ == kernel::RowForm::weighted_point)
-        lift -= (x[ambient] - origin[ambient]) * scale_of_lift * scale_of_lift;
-      for (const int axis : axes_) {
-        const auto j = static_cast<std::size_t>(axis);
-        *row++ = (x[j] - origin[j]) * scales_[j];
-      }
-      *row = lift;
-    };
-    for (std::size_t i = 0; i < vertices.size(); ++i) write(point(vertices[i]), search.row(i + 1));
-    write(origin, search.row(vertices.size() + 1));
+    center_ = center;
+    for (std::size_t i = 0; i < vertices.size(); ++i) place_one(vertices[i], search.row(i + 1));
+    place_one(center, search.row(vertices.size() + 1));
     search.arrange();
+  }
+  /// The row of one more vertex near that center.
+  void place_one(Index v, double* row) const {
+    const auto ambient = static_cast<std::size_t>(ambient_);
+    const double *const x = point(v), *const origin = point(center_);
+    double lift = 0;
+    for (std::size_t j = 0; j < ambient; ++j) {
+      const double t = (x[j] - origin[j]) * scale_of_lift_;
+      lift += t * t;
+    }
+    if (form_ == kernel::RowForm::furthest_point) lift = -lift;
+    if (form_ == kernel::RowForm::weighted_point)
+      lift -= (x[ambient] - origin[ambient]) * scale_of_lift_ * scale_of_lift_;
+    for (const int axis : axes_) {
+      const auto j = static_cast<std::size_t>(axis);
+      *row++ = (x[j] - origin[j]) * scales_[j];
+    }
+    *row = lift;
   }
 
  protected:
@@ -202,7 +206,10 @@ class PointPredicates {
   int ambient_;
   kernel::RowForm form_;
   const std::vector<double>& coordinates_;
-  std::vector<double> scales_;  // of place()
+  // Of place().
+  Index center_ = index(infinite_vertex);
+  std::vector<double> scales_;
+  double scale_of_lift_ = 1;
 };
 
 }  // namespace delone::geometry

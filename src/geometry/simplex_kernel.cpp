@@ -250,6 +250,16 @@ void solve(const SimplexTask& task) {
 
 void solve_here(const SimplexTask& task) {
   switch (task.k) {
+    case 2:
+      return solve<2>(task);
+    case 3:
+      return solve<3>(task);
+    case 4:
+      return solve<4>(task);
+    case 5:
+      return solve<5>(task);
+    case 6:
+      return solve<6>(task);
     case 7:
       return solve<7>(task);
     case 8:
@@ -307,6 +317,16 @@ void certify(const SimplexTask& task) {
 
 void certify_here(const SimplexTask& task) {
   switch (task.k) {
+    case 2:
+      return certify<2>(task);
+    case 3:
+      return certify<3>(task);
+    case 4:
+      return certify<4>(task);
+    case 5:
+      return certify<5>(task);
+    case 6:
+      return certify<6>(task);
     case 7:
       return certify<7>(task);
     case 8:

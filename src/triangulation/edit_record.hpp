@@ -31,6 +31,8 @@ struct EditRecord {
   std::vector<std::pair<Index, bool>> were_visible;  // vertices that have come to have cells or lost them
   std::vector<Index> moved;                          // vertices with other points …
   std::vector<double> points;                        // … theirs before
+  bool has_ids_of_threads = false;
+  bool has_settled = false;  // vertices have moved without being taken out
   bool engine_has_log = false;
   bool has_other_engine = false;                // the engine is not the one of the beginning
   std::unique_ptr<TriangulationEngine> engine;  // that one, if there was one

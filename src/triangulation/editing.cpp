@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <functional>
+#include <optional>
 #include <string>
 #include <utility>
 
@@ -72,6 +73,14 @@ void Triangulation::Impl::Editing::require_rows(std::span<const std::size_t> row
     if (impl_.vertex_of_row[rows[i]] == invalid_vertex) throw_for_row(rows[i], "was removed", i);
   }
   if (rows.size() < 2) return;
+  if (rows.size() > impl_.vertex_of_row.size() / 16) {
+    std::vector<bool> is_known(impl_.vertex_of_row.size());
+    for (std::size_t i = 0; i < rows.size(); ++i) {
+      if (is_known[rows[i]]) throw_for_row(rows[i], std::string("is ") + verb + " twice", i);
+      is_known[rows[i]] = true;
+    }
+    return;
+  }
   std::vector<std::pair<std::size_t, std::size_t>> sorted;
   for (std::size_t i = 0; i < rows.size(); ++i) sorted.emplace_back(rows[i], i);
   std::sort(sorted.begin(), sorted.end());
@@ -96,6 +105,8 @@ void Triangulation::Impl::Editing::require_disjoint() const {
 void Triangulation::Impl::Editing::run() {
   begin();
   plan();
+  settle_all();
+  settle_some();
   if (is_worth_building_anew()) {
     build_anew();
   } else {
@@ -121,6 +132,7 @@ void Triangulation::Impl::Editing::begin() {
   record->num_rows_inserted = impl_.num_rows_inserted;
   record->num_vertices = impl_.num_vertices;
   record->only_vertex = impl_.only_vertex();
+  record->has_ids_of_threads = impl_.has_ids_of_threads;
   impl_.known_shared_rows();
   record_ = std::move(record);
   impl_.record = record_.get();
@@ -197,13 +209,124 @@ bool Triangulation::Impl::Editing::is_worth_building_anew() const {
   return left >= 16 && 2 * leaving_.size() + placements_.size() > left / 2;
 }
 
-void Triangulation::Impl::Editing::take_all_out() {
-  if (impl_.engine) {
-    const std::size_t changes = leaving_.size() + placements_.size();
-    impl_.engine->begin_batch(changes < impl_.num_vertices / 64 + 16);
-    record_->engine_has_log = true;
-    if (impl_.may_hide() && !impl_.hidden_points && !leaving_.empty()) find_hidden_points();
+void Triangulation::Impl::Editing::begin_batch() {
+  if (!impl_.engine || record_->engine_has_log) return;
+  const std::size_t changes = leaving_.size() + placements_.size();
+  impl_.engine->begin_batch(changes < impl_.num_vertices / 64 + 16);
+  record_->engine_has_log = true;
+}
+
+/// Whether a vertex may stay where it is in the cells: it has some, and gets a point that neither the
+/// dimension nor the frame has to change for. Where points may be hidden, a move may hide them and set them
+/// free.
+bool Triangulation::Impl::Editing::can_settle(const Placement& placement) const {
+  return placement.vertex != invalid_index && impl_.engine->frame().contains(point(placement)) &&
+         (impl_.affine_hull.dimension() == impl_.dimension || impl_.affine_hull.contains(point(placement)));
+}
+
+/// Where many vertices move, all at once. If that fails, the cells of the engine are of no use before they
+/// are rolled back.
+void Triangulation::Impl::Editing::settle_all() {
+  const auto moves = [](const Leaving& leaving) { return leaving.placement != none; };
+  const auto num_moving = static_cast<std::size_t>(std::count_if(leaving_.begin(), leaving_.end(), moves));
+  if (!impl_.engine || impl_.may_hide() || num_moving < 64 || num_moving < impl_.num_vertices / 4) return;
+  std::vector<double> low(impl_.engine->frame().low()), high(impl_.engine->frame().high());
+  for (const Leaving& leaving : leaving_) {
+    if (!moves(leaving)) continue;
+    const double* const x = point(placements_[leaving.placement]);
+    if (impl_.affine_hull.dimension() < impl_.dimension && !impl_.affine_hull.contains(x)) return;
+    for (std::size_t j = 0; j < low.size(); ++j) {
+      low[j] = std::min(low[j], x[j]);
+      high[j] = std::max(high[j], x[j]);
+    }
   }
+  // With a margin, so that steps that follow stay inside.
+  std::optional<geometry::Frame> frame;
+  if (!impl_.engine->frame().contains(low.data()) || !impl_.engine->frame().contains(high.data()))
+    frame = impl_.frame_with(low.data(), high.data(), 0.0625);
+  impl_.engine->begin_batch(true);
+  record_->engine_has_log = true;
+  record_->has_settled = true;
+  const std::size_t first = record_->moved.size();
+  for (const Leaving& leaving : leaving_)
+    if (moves(leaving)) set_point(leaving.vertex, point(placements_[leaving.placement]));
+  if (!impl_.engine->settle_all(std::move(frame))) {  // so much moves that all will be built anew
+    restore_points(first);
+    return;
+  }
+  impl_.update_cells(impl_.engine->made_by_settling());
+  impl_.landmarks.reset();
+  std::vector<Placement> others;
+  for (const Placement& placement : placements_)
+    if (placement.vertex == invalid_index) others.push_back(placement);
+  placements_ = std::move(others);
+  std::erase_if(leaving_, moves);
+}
+
+/// One by one. Those that cannot stay where they are move in another way.
+void Triangulation::Impl::Editing::settle_some() {
+  if (!impl_.engine || impl_.may_hide() || is_worth_building_anew()) return;
+  const auto moves = [](const Leaving& leaving) { return leaving.placement != none; };
+  std::vector<std::uint8_t> is_settled(placements_.size(), 0);
+  std::size_t failures = 0;
+  for (const Leaving& leaving : leaving_) {
+    // Where one in two does not stay, trying costs more than it saves.
+    if (!moves(leaving) || failures > 16 + done_) continue;
+    const Placement& placement = placements_[leaving.placement];
+    if (!can_settle(placement)) continue;
+    begin_batch();
+    record_->has_settled = true;
+    const std::size_t first = record_->moved.size();
+    set_point(leaving.vertex, point(placement));
+    const Index cell = index(impl_.cell_of_vertex[leaving.vertex]);
+    if (!impl_.engine->settle(leaving.vertex, cell)) {
+      restore_points(first);
+      impl_.engine->renew(leaving.vertex, cell);
+      ++failures;
+      continue;
+    }
+    impl_.update_cells(impl_.engine->made_by_settling());
+    is_settled[leaving.placement] = 1;
+    progress_(done_++);
+  }
+  if (done_ == 0) return;
+  std::vector<std::size_t> new_places(placements_.size(), none);
+  std::size_t count = 0;
+  for (std::size_t i = 0; i < placements_.size(); ++i) {
+    if (is_settled[i] != 0) continue;
+    new_places[i] = count;
+    placements_[count++] = placements_[i];
+  }
+  placements_.resize(count);
+  std::erase_if(leaving_,
+                [&](const Leaving& leaving) { return moves(leaving) && is_settled[leaving.placement] != 0; });
+  for (Leaving& leaving : leaving_)
+    if (moves(leaving)) leaving.placement = new_places[leaving.placement];
+}
+
+/// Takes back the points that were set last.
+void Triangulation::Impl::Editing::restore_points(std::size_t first) {
+  const std::size_t size = impl_.row_size();
+  for (std::size_t i = first; i < record_->moved.size(); ++i)
+    std::copy_n(record_->points.begin() + static_cast<std::ptrdiff_t>(i * size), size,
+                impl_.points.coordinates.begin() + static_cast<std::ptrdiff_t>(record_->moved[i] * size));
+  record_->moved.resize(first);
+  record_->points.resize(first * size);
+}
+
+/// Of vertices of new cells.
+void Triangulation::Impl::update_cells(std::span<const Index> made) {
+  const Complex now = complex();
+  for (const Index cell : made) {
+    if (!now.is_cell(CellId{cell})) continue;
+    for (int i = 0; i <= now.affine_dimension(); ++i)
+      cell_of_vertex[index(now.vertex(CellId{cell}, i))] = CellId{cell};
+  }
+}
+
+void Triangulation::Impl::Editing::take_all_out() {
+  begin_batch();
+  if (impl_.engine && impl_.may_hide() && !impl_.hidden_points && !leaving_.empty()) find_hidden_points();
   if (impl_.hidden_points) {
     const auto take_from_list = [&](Index v) {
       if (impl_.hidden_points->contains(v)) impl_.hidden_points->remove(v);
@@ -253,14 +376,11 @@ Index Triangulation::Impl::Editing::take_out(Index v) {
   }
   if (impl_.hidden_points)
     for (const Index cell : impl_.engine->replaced()) impl_.hidden_points->take(cell, freed_);
+  impl_.update_cells(impl_.engine->made_by_removal());
   const Complex now = impl_.complex();
-  Index near = invalid_index;
-  for (const Index cell : impl_.engine->made_by_removal())
-    for (int i = 0; i <= now.affine_dimension(); ++i) {
-      const VertexId around = now.vertex(CellId{cell}, i);
-      impl_.cell_of_vertex[index(around)] = CellId{cell};
-      if (around != infinite_vertex) near = index(around);
-    }
+  const CellId any{impl_.engine->made_by_removal().front()};
+  const VertexId first = now.vertex(any, 0);
+  const Index near = index(first != infinite_vertex ? first : now.vertex(any, 1));
   impl_.cell_of_vertex[v] = invalid_cell;
   --impl_.num_vertices;
   return near;
@@ -361,13 +481,15 @@ void Triangulation::Impl::Editing::place_all() {
     const std::vector<Index> order = order::insertion_order({edits_.insert, impl_.dimension}, impl_.options);
     std::transform(order.begin(), order.end(), first, [&](Index i) { return given[i]; });
   }
-  for (const Placement& placement : placements_) {
-    progress_(done_++);
-    place(placement);
-  }
+  // In the order of their ids, and before others: of equal points, the oldest keeps its id.
+  std::sort(freed_.begin(), freed_.end());
   for (const Index v : freed_) {
     internal::cancellation_point();
     place_again(v);
+  }
+  for (const Placement& placement : placements_) {
+    progress_(done_++);
+    place(placement);
   }
 }
 
@@ -425,7 +547,7 @@ void Triangulation::Impl::Editing::merge(Index v, Index into) {
 }
 
 void Triangulation::Impl::Editing::finish() {
-  if (impl_.records_changes) impl_.changes = changes();
+  if (impl_.records_changes) impl_.changes = impl_.changes_since(*record_);
   impl_.record = nullptr;
   is_done_ = true;
   if (impl_.records_undo)
@@ -434,48 +556,108 @@ void Triangulation::Impl::Editing::finish() {
     impl_.engine->keep_batch();
 }
 
-Changes Triangulation::Impl::Editing::changes() const {
+Changes Triangulation::Impl::changes_since(const internal::EditRecord& before) const {
   Changes made;
-  if (!record_->has_other_engine) {
-    if (record_->engine_has_log) impl_.engine->changed_cells(made.killed, made.born);
-  } else {
-    made.killed = cells_before();
-    for (const CellId c : impl_.complex().all_cells()) made.born.push_back(c);
+  if (engine && !before.has_other_engine) {
+    if (before.engine_has_log) engine->changed_cells(made.killed, made.born);
+  } else if (engine || before.engine || affine_hull.dimension() != before.affine_hull.dimension() ||
+             single_links[0] != before.only_vertex || !before.moved.empty()) {
+    made.killed = cells_before(before);
+    for (const CellId c : complex().all_cells()) made.born.push_back(c);
   }
-  const auto was_new = [&](Index v) { return v >= record_->num_row_of_vertex; };
-  for (Index v = static_cast<Index>(record_->num_row_of_vertex); v < impl_.row_of_vertex.size(); ++v)
-    if (!is_dying(v)) made.came.push_back(VertexId{v});
-  for (const Index v : dead_)
-    if (!was_new(v)) made.gone.push_back(VertexId{v});
-  std::vector<std::pair<Index, bool>> seen = record_->were_visible;
+  const auto is_gone = [&](Index v) { return row_of_vertex[v] == invalid_index; };
+  const auto was_there = [&](Index v) { return v < before.num_row_of_vertex; };
+  for (Index v = static_cast<Index>(before.num_row_of_vertex); v < row_of_vertex.size(); ++v)
+    if (!is_gone(v)) made.came.push_back(VertexId{v});
+  for (const internal::EditRecord::MovedRow& moved : before.rows)
+    if (moved.before != invalid_vertex && was_there(index(moved.before)) && is_gone(index(moved.before)))
+      made.gone.push_back(moved.before);
+  std::vector<std::pair<Index, bool>> seen = before.were_visible;
   std::stable_sort(seen.begin(), seen.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
   for (std::size_t i = 0; i < seen.size(); ++i) {
     const auto [v, was_visible] = seen[i];
-    if ((i > 0 && seen[i - 1].first == v) || was_new(v) || is_dying(v) || was_visible == impl_.is_visible(v))
-      continue;
-    (was_visible ? made.hid : made.reappeared).push_back(VertexId{v});
+    const bool is_first = i == 0 || seen[i - 1].first != v;
+    if (is_first && was_there(v) && !is_gone(v) && was_visible != is_visible(v))
+      (was_visible ? made.hid : made.reappeared).push_back(VertexId{v});
   }
-  for (const Index v : record_->moved)
-    if (!is_dying(v)) made.moved.push_back(VertexId{v});
-  for (auto* cells : {&made.killed, &made.born}) std::sort(cells->begin(), cells->end());
-  for (auto* vertices : {&made.gone, &made.moved}) std::sort(vertices->begin(), vertices->end());
+  for (const Index v : before.moved)
+    if (!is_gone(v)) made.moved.push_back(VertexId{v});
+  const auto sort = [](auto& ids) {
+    std::sort(ids.begin(), ids.end());
+    ids.erase(std::unique(ids.begin(), ids.end()), ids.end());
+  };
+  sort(made.killed);
+  sort(made.born);
+  sort(made.gone);
+  sort(made.moved);
   return made;
 }
 
-/// Those of the beginning, where the engine is another one now.
-std::vector<CellId> Triangulation::Impl::Editing::cells_before() const {
-  if (!record_->engine)
-    return record_->affine_hull.dimension() == 0 ? std::vector{CellId{0}, CellId{1}} : std::vector<CellId>{};
+/// The cells of before, where the engine is another one now.
+std::vector<CellId> Triangulation::Impl::cells_before(const internal::EditRecord& before) {
+  if (!before.engine)
+    return before.affine_hull.dimension() == 0 ? std::vector{CellId{0}, CellId{1}} : std::vector<CellId>{};
   std::vector<CellId> gone, come, cells;
-  if (record_->engine_has_log) record_->engine->changed_cells(gone, come);
+  if (before.engine_has_log) before.engine->changed_cells(gone, come);
   std::sort(come.begin(), come.end());
-  for (const CellId c : record_->engine->complex(0, {}).all_cells())
+  for (const CellId c : before.engine->complex(0, {}).all_cells())
     if (!std::binary_search(come.begin(), come.end(), c)) cells.push_back(c);
   cells.insert(cells.end(), gone.begin(), gone.end());
   return cells;
 }
 
+/// The only row of a vertex, where nothing else can come of it. Returns false, and has done nothing, if it is
+/// not so.
+bool Triangulation::Impl::remove_at_once(std::size_t row) {
+  if (records_changes || records_undo || last_edit || may_hide() || !engine) return false;
+  if (row >= vertex_of_row.size() || vertex_of_row[row] == invalid_vertex) return false;
+  const Index v = index(vertex_of_row[row]);
+  if (known_shared_rows().has_several(v) || !engine->remove(v, index(cell_of_vertex[v]))) return false;
+  update_cells(engine->made_by_removal());
+  cell_of_vertex[v] = invalid_cell;
+  --num_vertices;
+  detach(row);
+  return true;
+}
+
+/// The same for a row that moves a little.
+bool Triangulation::Impl::move_at_once(std::size_t row, std::span<const double> to) {
+  if (records_changes || records_undo || last_edit || may_hide() || !engine) return false;
+  if (row >= vertex_of_row.size() || vertex_of_row[row] == invalid_vertex || to.size() != ambient())
+    return false;
+  const Index v = index(vertex_of_row[row]);
+  if (known_shared_rows().has_several(v) || !engine->frame().contains(to.data())) return false;
+  if (affine_hull.dimension() < dimension && !affine_hull.contains(to.data())) return false;
+  double* const point = points.coordinates.data() + v * ambient();
+  const std::vector<double> before(point, point + ambient());
+  points.grid.include(to.data());
+  std::copy(to.begin(), to.end(), point);
+  bool is_settled = false;
+  const auto take_back = [&] {
+    std::copy(before.begin(), before.end(), point);
+    engine->renew(v, index(cell_of_vertex[v]));
+  };
+  try {
+    is_settled = engine->settle(v, index(cell_of_vertex[v]));
+  } catch (...) {
+    take_back();
+    throw;
+  }
+  if (is_settled)
+    update_cells(engine->made_by_settling());
+  else
+    take_back();
+  return is_settled;
+}
+
 void Triangulation::Impl::edit(const RowEdits& edits) {
+  if (edits.is_empty()) return;
+  if (edits.remove.size() == 1 && edits.move.empty() && edits.weigh.empty() && edits.insert.empty() &&
+      remove_at_once(edits.remove[0]))
+    return;
+  if (edits.move.size() == 1 && edits.remove.empty() && edits.weigh.empty() && edits.insert.empty() &&
+      move_at_once(edits.move[0], edits.to))
+    return;
   internal::BuildLimits limits(options.memory_limit, options.time_limit, "changes");
   limits.guard([&] { Editing(*this, edits).run(); });
 }
@@ -497,11 +679,16 @@ void Triangulation::Impl::forget_undo() {
 
 void Triangulation::Impl::undo() {
   if (!last_edit) throw Error(Errc::invalid_argument, "there is no edit that can be undone");
+  Changes made;
+  if (records_changes) {
+    made = changes_since(*last_edit);
+    std::swap(made.killed, made.born);
+    std::swap(made.came, made.gone);
+    std::swap(made.hid, made.reappeared);
+  }
   const std::unique_ptr<internal::EditRecord> taken = std::move(last_edit);
   roll_back(*taken);
-  std::swap(changes.killed, changes.born);
-  std::swap(changes.came, changes.gone);
-  std::swap(changes.hid, changes.reappeared);
+  changes = std::move(made);
 }
 
 void Triangulation::Impl::roll_back(internal::EditRecord& before) noexcept {
@@ -521,6 +708,7 @@ void Triangulation::Impl::roll_back(internal::EditRecord& before) noexcept {
   vertex_of_row.resize(before.num_rows);
   row_of_vertex.resize(before.num_row_of_vertex);
   num_rows_inserted = before.num_rows_inserted;
+  has_ids_of_threads = before.has_ids_of_threads;
   for (std::size_t i = before.moved.size(); i-- > 0;)
     std::copy_n(before.points.begin() + static_cast<std::ptrdiff_t>(i * row_size()), row_size(),
                 points.coordinates.begin() + static_cast<std::ptrdiff_t>(before.moved[i] * row_size()));
@@ -545,6 +733,15 @@ void Triangulation::Impl::roll_back(internal::EditRecord& before) noexcept {
   if (before.has_other_engine || !engine) {
     std::fill(cell_of_vertex.begin(), cell_of_vertex.end(), invalid_cell);
     find_cells_of_vertices();
+  }
+  if (engine)
+    for (const Index v : before.moved) engine->rewrite_row(v);
+  if (engine && before.has_settled) {
+    if (before.moved.size() >= before.num_vertices / 4)
+      engine->renew_all();
+    else
+      for (const Index v : before.moved)
+        if (is_visible(v)) engine->renew(v, index(cell_of_vertex[v]));
   }
   cell_of_vertex.resize(before.num_cell_of_vertex, invalid_cell);
   num_vertices = before.num_vertices;

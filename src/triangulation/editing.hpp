@@ -15,6 +15,7 @@
 #include <functional>
 #include <memory>
 #include <span>
+#include <utility>
 #include <vector>
 
 namespace delone {
@@ -55,7 +56,12 @@ class Triangulation::Impl::Editing {
     return points_.data() + placement.point * impl_.row_size();
   }
   bool is_worth_building_anew() const;
+  void begin_batch();
   void begin();
+  void settle_all();
+  void settle_some();
+  bool can_settle(const Placement& placement) const;
+  void restore_points(std::size_t first);
   void take_all_out();
   Index take_out(Index v);
   void take_out_only_vertex();
@@ -68,11 +74,10 @@ class Triangulation::Impl::Editing {
   void set_point(Index v, const double* point);
   void merge(Index v, Index into);
   void build_anew();
+  void merge_equal(std::vector<std::pair<Index, Index>>& equal);
   void insert_others(std::span<const Index> others, std::span<const std::size_t> rounds_of_all,
                      const std::function<void(Index v, Index at)>& on_placed);
   void finish();
-  Changes changes() const;
-  std::vector<CellId> cells_before() const;
 
   bool is_dying(Index v) const { return impl_.row_of_vertex[v] == invalid_index; }
 

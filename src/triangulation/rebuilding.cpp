@@ -7,6 +7,7 @@
 #include "base/parallel.hpp"
 
 #include <algorithm>
+#include <numeric>
 #include <utility>
 #include <vector>
 
@@ -70,11 +71,12 @@ void Triangulation::Impl::Editing::build_anew() {
                 sorted.begin() + static_cast<std::ptrdiff_t>(i) + 1);
     ++num_spanning;
   }
+  std::vector<std::pair<Index, Index>> equal;  // vertices, and those at their points that came before them
   const std::span<const Index> spanning(sorted.data(), num_spanning);
   const std::span<const Index> others(sorted.data() + num_spanning, sorted.size() - num_spanning);
   const auto on_placed = [&](Index v, Index at) {
     progress_(std::min(++done_, placements_.size()));
-    if (at != v && at != invalid_index) merge(v, at);
+    if (at != v && at != invalid_index) equal.emplace_back(v, at);
   };
   if (impl_.affine_hull.dimension() == 0) {
     impl_.only_vertex() = spanning.front();
@@ -94,9 +96,46 @@ void Triangulation::Impl::Editing::build_anew() {
     impl_.cell_of_vertex.assign(impl_.row_of_vertex.size(), invalid_cell);
     impl_.num_vertices = 0;
   }
+  merge_equal(equal);
   for (Index v = 1; v < cells_before.size(); ++v)
     if ((cells_before[v] != invalid_cell) != impl_.is_visible(v))
       record_->were_visible.emplace_back(v, cells_before[v] != invalid_cell);
+}
+
+/// Of equal points, one that has neither come nor moved keeps its id, and else the oldest.
+void Triangulation::Impl::Editing::merge_equal(std::vector<std::pair<Index, Index>>& equal) {
+  if (equal.empty()) return;
+  std::vector<Index> changed(record_->moved);
+  std::sort(changed.begin(), changed.end());
+  const auto rank = [&](Index v) {
+    const bool is_untouched =
+        v < record_->num_row_of_vertex && !std::binary_search(changed.begin(), changed.end(), v);
+    return std::pair(!is_untouched, v);
+  };
+  std::sort(equal.begin(), equal.end(), [&](const auto& a, const auto& b) {
+    return std::pair(a.second, rank(a.first)) < std::pair(b.second, rank(b.first));
+  });
+  std::vector<Index> new_ids;
+  for (std::size_t i = 0; i < equal.size();) {
+    const Index at = equal[i].second;
+    const Index kept = rank(equal[i].first) < rank(at) ? equal[i].first : at;
+    if (kept != at) {
+      if (new_ids.empty()) {
+        new_ids.resize(impl_.row_of_vertex.size());
+        std::iota(new_ids.begin(), new_ids.end(), Index{0});
+      }
+      new_ids[at] = kept;
+    }
+    for (; i < equal.size() && equal[i].second == at; ++i)
+      if (equal[i].first != kept) merge(equal[i].first, kept);
+    if (kept != at) merge(at, kept);
+  }
+  if (new_ids.empty()) return;
+  if (impl_.engine)
+    impl_.engine->renumber_vertices(new_ids);
+  else
+    impl_.only_vertex() = new_ids[impl_.only_vertex()];
+  impl_.find_cells_of_vertices();
 }
 
 void Triangulation::Impl::Editing::insert_others(std::span<const Index> others,
@@ -120,9 +159,10 @@ void Triangulation::Impl::Editing::insert_others(std::span<const Index> others,
   batch.steps = others;
   batch.num_before = num_spanning;
   batch.tick = [&](std::size_t done) { progress_(std::min(done, placements_.size())); };
-  impl_.has_ids_of_threads = true;
   impl_.engine->insert_all(batch);
   for (std::size_t i = 0; i < others.size(); ++i) on_placed(others[i], at[i]);
+  // Now, as what follows the edit must not change ids.
+  impl_.engine->sort_cells(threads);
   impl_.statistics.threads = std::max(impl_.statistics.threads, threads);
 }
 

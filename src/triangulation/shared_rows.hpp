@@ -22,7 +22,7 @@ class SharedRows {
     }
   }
 
-  bool has_several(Index vertex) const { return others_.contains(vertex); }
+  bool has_several(Index vertex) const { return !others_.empty() && others_.contains(vertex); }
   std::span<const Index> others(Index vertex) const {
     const auto found = others_.find(vertex);
     return found == others_.end() ? std::span<const Index>() : found->second;

@@ -87,7 +87,9 @@ void Triangulation::record_undo(bool wanted) {
 }
 
 bool Triangulation::can_undo() const { return impl_->last_edit != nullptr; }
-void Triangulation::undo() { impl_->undo(); }
+void Triangulation::undo() {
+  internal::guarded("what has changed", [&] { impl_->undo(); });
+}
 
 CompactedIds Triangulation::compact_ids() {
   return internal::guarded("other ids", [&] { return impl_->compact_ids(); });

@@ -98,8 +98,9 @@ void Triangulation::Impl::assign(std::size_t row, Index v) {
   const auto r = static_cast<Index>(row);
   if (v >= row_of_vertex.size()) row_of_vertex.resize(std::size_t{v} + 1, invalid_index);
   Index& first = row_of_vertex[v];
-  if (record != nullptr) record->rows.push_back({row, invalid_vertex, VertexId{v}, invalid_index, first});
+  if (record != nullptr) reserve_one_more(record->rows);
   if (shared_rows && first != invalid_index) shared_rows->add(v, std::max(first, r));
+  if (record != nullptr) record->rows.push_back({row, invalid_vertex, VertexId{v}, invalid_index, first});
   first = std::min(first, r);
   vertex_of_row[row] = VertexId{v};
   ++num_rows_inserted;
@@ -109,8 +110,8 @@ void Triangulation::Impl::assign(std::size_t row, Index v) {
 void Triangulation::Impl::detach(std::size_t row) {
   const VertexId v = vertex_of_row[row];
   Index& first = row_of_vertex[index(v)];
-  if (record != nullptr) record->rows.push_back({row, v, invalid_vertex, first, invalid_index});
   internal::SharedRows& shared = known_shared_rows();
+  if (record != nullptr) record->rows.push_back({row, v, invalid_vertex, first, invalid_index});
   Index next = invalid_index;  // the one to be taken out of the others
   if (first != row)
     next = static_cast<Index>(row);
@@ -313,8 +314,8 @@ void Triangulation::Impl::insert_range(std::span<const double> coordinates, std:
     throw Error(Errc::bad_dimension,
                 std::to_string(weights.size()) + " weights for " + std::to_string(n) + " points");
   check_finite(coordinates, weights);
-  if (records_changes || records_undo) return edit({.insert = coordinates, .insert_weights = weights});
   if (n == 0) return;
+  if (records_changes || records_undo) return edit({.insert = coordinates, .insert_weights = weights});
   forget_indexes();
   internal::BuildLimits limits(options.memory_limit, options.time_limit, "points");
   const std::size_t vertices_before = points.last_vertex();
@@ -367,6 +368,7 @@ InsertResult Triangulation::Impl::insert(std::span<const double> point, double w
 
 void Triangulation::Impl::compact() {
   forget_undo();
+  hidden_points.reset();
   landmarks.reset();
   if (engine) {
     compacted = make_compact_triangulation(affine_hull.axes(), points, *engine, complex());

@@ -115,12 +115,17 @@ struct Triangulation::Impl {
   void add_landmarks(Index first, Index last);
   InsertResult insert_on_record(std::span<const double> point, double weight);
   void update_cells_of_vertices(Index v);
+  void update_cells(std::span<const Index> made);
+  bool remove_at_once(std::size_t row);
+  bool move_at_once(std::size_t row, std::span<const double> to);
   void forget_indexes();
   void note_visibility(Index v);
   void replace_engine(std::unique_ptr<TriangulationEngine> next);
   void hide(Index v, Index start);
   void rehome_hidden_points();
-  void roll_back(internal::EditRecord& record) noexcept;
+  void roll_back(internal::EditRecord& before) noexcept;
+  Changes changes_since(const internal::EditRecord& before) const;
+  static std::vector<CellId> cells_before(const internal::EditRecord& before);
   void find_cells_of_vertices();
   geometry::Frame frame_with(const double* low, const double* high, double margin) const;
   std::unique_ptr<TriangulationEngine> new_engine(const double* low, const double* high,

@@ -65,7 +65,7 @@ void VoronoiBuilder::collect_sites() {
   region_of_vertex_.assign(row_of_vertex_.size(), -1);
   coordinates_.resize(row_of_vertex_.size() * d_);
   if (weight_) weights_.resize(row_of_vertex_.size());
-  std::vector<VertexId> site_of_row(triangulation_.num_points(), infinite_vertex);
+  std::vector<VertexId> site_of_row(triangulation_.num_rows(), infinite_vertex);
   for (Index v = 1; v < row_of_vertex_.size(); ++v) {
     if (row_of_vertex_[v] < 0) continue;
     round_();

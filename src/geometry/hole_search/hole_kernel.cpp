@@ -59,40 +59,52 @@ std::size_t find(const PencilTask& task, std::uint32_t* found) {
   using V = hn::Vec<decltype(d)>;
   const int k = K > 0 ? K : task.k;
   const std::size_t width = width_of_functions(k), lanes = hn::Lanes(d), stride = task.stride;
-  const auto of_height = [&](int r) {
-    return hn::Set(d, task.functions[static_cast<std::size_t>(r) * width + static_cast<std::size_t>(k) + 1]);
+  // Held in registers where the dimension is known: writing to memory would have them loaded again.
+  const auto coefficient = [&](std::size_t r, std::size_t f) {
+    return hn::Set(d, task.functions[r * width + f]);
   };
-  const auto of_distance = [&](int r) {
-    return hn::Set(
-        d, task.side *
-               task.functions[static_cast<std::size_t>(r) * width + static_cast<std::size_t>(task.slot)]);
-  };
-  for (std::size_t i = 0; i < stride; i += lanes) {
-    V height = hn::Add(of_height(k), hn::LoadU(d, task.rows + static_cast<std::size_t>(k) * stride + i));
-    V distance = of_distance(k);
-    for (int r = 0; r < k; ++r) {
-      const V x = hn::LoadU(d, task.rows + static_cast<std::size_t>(r) * stride + i);
-      height = hn::MulAdd(of_height(r), x, height);
-      distance = hn::MulAdd(of_distance(r), x, distance);
+  V of_height[K > 0 ? K + 1 : 1], of_distance[K > 0 ? K + 1 : 1];
+  if constexpr (K > 0)
+    for (std::size_t r = 0; r <= K; ++r) {
+      of_height[r] = coefficient(r, K + 1);
+      of_distance[r] = hn::Mul(hn::Set(d, task.side), coefficient(r, static_cast<std::size_t>(task.slot)));
     }
-    hn::StoreU(height, d, task.heights + i);
-    hn::StoreU(distance, d, task.distances + i);
-  }
+  const auto height_at = [&](std::size_t r) {
+    if constexpr (K > 0)
+      return of_height[r];
+    else
+      return coefficient(r, static_cast<std::size_t>(k) + 1);
+  };
+  const auto distance_at = [&](std::size_t r) {
+    if constexpr (K > 0)
+      return of_distance[r];
+    else
+      return hn::Mul(hn::Set(d, task.side), coefficient(r, static_cast<std::size_t>(task.slot)));
+  };
+  const auto last = static_cast<std::size_t>(k);
   constexpr double infinity = std::numeric_limits<double>::infinity();
-  for (std::size_t i = 0; i < task.num_own; ++i) task.heights[task.own[i]] = infinity;
-
-  // The least of the largest possible ratios, in each lane, without division.
+  // The least of the largest possible ratios, in each lane, without division. The vertices of the facet are
+  // too near to count.
   const V height_error = hn::Set(d, task.height_error), distance_error = hn::Set(d, task.distance_error);
   const V least_distance = hn::Add(distance_error, distance_error);
   V best_height = hn::Set(d, infinity), best_distance = hn::Set(d, 1.0);
   for (std::size_t i = 0; i < stride; i += lanes) {
-    const V height = hn::Add(hn::LoadU(d, task.heights + i), height_error);
-    const V distance = hn::LoadU(d, task.distances + i), nearest = hn::Sub(distance, distance_error);
+    V height = hn::Add(height_at(last), hn::LoadU(d, task.rows + last * stride + i));
+    V distance = distance_at(last);
+    for (std::size_t r = 0; r < last; ++r) {
+      const V x = hn::LoadU(d, task.rows + r * stride + i);
+      height = hn::MulAdd(height_at(r), x, height);
+      distance = hn::MulAdd(distance_at(r), x, distance);
+    }
+    hn::StoreU(height, d, task.heights + i);
+    hn::StoreU(distance, d, task.distances + i);
+    const V highest = hn::Add(height, height_error), nearest = hn::Sub(distance, distance_error);
     const auto better = hn::And(hn::Gt(distance, least_distance),
-                                hn::Lt(hn::Mul(height, best_distance), hn::Mul(best_height, nearest)));
-    best_height = hn::IfThenElse(better, height, best_height);
+                                hn::Lt(hn::Mul(highest, best_distance), hn::Mul(best_height, nearest)));
+    best_height = hn::IfThenElse(better, highest, best_height);
     best_distance = hn::IfThenElse(better, nearest, best_distance);
   }
+  for (std::size_t i = 0; i < task.num_own; ++i) task.heights[task.own[i]] = infinity;
   const V least = hn::MinOfLanes(d, hn::Div(best_height, best_distance));
   std::size_t num_found = 0;
   const V none = hn::Set(d, infinity), too_near = hn::Neg(distance_error);
@@ -101,6 +113,7 @@ std::size_t find(const PencilTask& task, std::uint32_t* found) {
     const auto may_be_first =
         hn::And(hn::And(hn::Gt(distance, too_near), hn::Lt(height, none)),
                 hn::Le(hn::Sub(height, height_error), hn::Mul(least, hn::Add(distance, distance_error))));
+    if (hn::AllFalse(d, may_be_first)) continue;
     std::uint8_t bits[8] = {};
     hn::StoreMaskBits(d, may_be_first, bits);
     for (unsigned mask = bits[0]; mask != 0; mask &= mask - 1)

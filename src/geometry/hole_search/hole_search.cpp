@@ -15,10 +15,8 @@ void HoleSearch::begin(int k, std::size_t num_candidates, std::size_t num_vertic
   const auto width = static_cast<std::size_t>(k) + 1;
   if (rows_.size() < (num_vertices + 1) * width) rows_.resize(2 * (num_vertices + 1) * width);
   if (lanes_.size() < stride_ * width) lanes_.resize(2 * stride_ * width);
-  if (values_.size() < 2 * stride_) {
-    values_.resize(4 * stride_);
-    found_.resize(2 * stride_);
-  }
+  if (found_.size() < stride_) found_.resize(2 * stride_);
+  if (values_.size() < 2 * stride_) values_.resize(4 * stride_);
   own_.resize(width);
   matrix_.resize(2 * width * width);
 }
@@ -38,7 +36,7 @@ void HoleSearch::arrange() {
 
 /// Inverts the matrix whose rows are (image, 1) by Gauss-Jordan elimination with row exchanges. Column i of
 /// the inverse is barycentric coordinate i.
-void HoleSearch::solve(const std::uint32_t* vertices, double* functions) {
+void HoleSearch::solve(const Index* vertices, double* functions) {
   const auto k = static_cast<std::size_t>(k_), n = k + 1, stride = 2 * n;
   double* const m = matrix_.data();
   for (std::size_t i = 0; i < n; ++i) {
@@ -73,12 +71,14 @@ void HoleSearch::solve(const std::uint32_t* vertices, double* functions) {
 }
 
 std::span<const std::uint32_t> HoleSearch::first(const double* functions, int slot, bool beyond,
-                                                 const std::uint32_t* vertices) {
+                                                 bool may_stay, const Index* vertices) {
   const auto k = static_cast<std::size_t>(k_);
   const std::size_t width = width_of_functions(k_);
   std::size_t num_own = 0;
   for (std::size_t i = 0; i <= k; ++i)
-    if (vertices[i] != 0 && vertices[i] <= num_candidates_) own_[num_own++] = vertices[i] - 1;
+    if (vertices[i] != 0 && vertices[i] <= num_candidates_ &&
+        !(may_stay && i == static_cast<std::size_t>(slot)))
+      own_[num_own++] = static_cast<std::uint32_t>(vertices[i] - 1);
   // Images and lifts are off by a few roundings, and so are functions relative to the magnitudes of their
   // coefficients, which a handful of steps of elimination has magnified.
   constexpr double unit = 0x1p-42;

@@ -11,6 +11,8 @@
 
 #include "geometry/hole_search/hole_kernel.hpp"
 
+#include <delone/types.hpp>
+
 #include <cstddef>
 #include <cstdint>
 #include <span>
@@ -33,15 +35,16 @@ class HoleSearch {
   std::size_t num_candidates() const { return num_candidates_; }
 
   /// The functions of a cell of k + 1 vertices, by elimination. Cost O(k³).
-  void solve(const std::uint32_t* vertices, double* functions);
+  void solve(const Index* vertices, double* functions);
   /// Those of the cell that has another vertex in a slot.
-  void replace(const double* functions, int slot, std::uint32_t vertex, double* replaced) {
+  void replace(const double* functions, int slot, Index vertex, double* replaced) {
     replace_vertex(k_, functions, slot, row(vertex), replaced);
   }
   /// The candidates that may come first beyond facet `slot` of the cell of these k + 1 vertices, or on the
-  /// side of the cell. None if no candidate is there.
-  std::span<const std::uint32_t> first(const double* functions, int slot, bool beyond,
-                                       const std::uint32_t* vertices);
+  /// side of the cell; its own vertices are not among them, but for the one in the slot if that may stay.
+  /// None if no candidate is there.
+  std::span<const std::uint32_t> first(const double* functions, int slot, bool beyond, bool may_stay,
+                                       const Index* vertices);
 
  private:
   int k_ = 0;

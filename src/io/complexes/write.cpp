@@ -57,6 +57,17 @@ void write_qhull_cells(AtomicFile& file, const ComplexData& data) {
   }
 }
 
+/// Files have a point for every row.
+template <class Data>
+void require_all_rows(const Data& data, const std::string& name) {
+  for (std::size_t row = 0; row < data.num_points(); ++row)
+    if (data.is_removed(row))
+      throw Error(Errc::not_finite,
+                  name + ": row " + std::to_string(row) +
+                      " was removed, and files need a point for every row: compact_ids() closes the gaps",
+                  {row});
+}
+
 const std::initializer_list<std::string_view> complex_formats{"npz", "vtu",  "off", "ply", "stl", "obj",
                                                               "msh", "json", "svg", "txt", "npy", "html"};
 
@@ -69,6 +80,7 @@ void write(const std::string& path, const ComplexData& data, const std::string& 
   const std::string name = io::output_name(path);
   io::guarded(name, [&] {
     io::validate(data, name);
+    io::require_all_rows(data, name);
     io::require_finite(data.points, data.dimension, name);
     io::require_finite(data.weights, 1, name + ": weights");
     io::refuse_binary_output(path, chosen);
@@ -137,6 +149,7 @@ void write(const std::string& path, const VoronoiData& data, const std::string& 
   const std::string name = io::output_name(path);
   io::guarded(name, [&] {
     io::validate(data, name);
+    io::require_all_rows(data, name);
     io::refuse_binary_output(path, chosen);
     io::AtomicFile file(path);
     if (chosen == "npz") io::write_npz(file, data);
