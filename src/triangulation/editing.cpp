@@ -147,8 +147,14 @@ void Triangulation::Impl::Editing::plan() {
   }
   for (const Index v : dead_)
     if (impl_.is_visible(v)) leaving_.push_back({v, none});
-  plan_moves();
   const std::size_t d = impl_.ambient(), num_inserted = edits_.insert.size() / d;
+  const std::size_t num_placed = edits_.move.size() + edits_.weigh.size() + num_inserted;
+  placements_.reserve(num_placed);
+  points_.reserve(num_placed * impl_.row_size());
+  leaving_.reserve(leaving_.size() + edits_.move.size() + edits_.weigh.size());
+  record_->moved.reserve(edits_.move.size() + edits_.weigh.size());
+  record_->points.reserve((edits_.move.size() + edits_.weigh.size()) * impl_.row_size());
+  plan_moves();
   const std::size_t first_row = impl_.vertex_of_row.size();
   impl_.vertex_of_row.resize(first_row + num_inserted, invalid_vertex);
   for (std::size_t i = 0; i < num_inserted; ++i) {
@@ -256,10 +262,7 @@ void Triangulation::Impl::Editing::settle_all() {
   }
   impl_.update_cells(impl_.engine->made_by_settling());
   impl_.landmarks.reset();
-  std::vector<Placement> others;
-  for (const Placement& placement : placements_)
-    if (placement.vertex == invalid_index) others.push_back(placement);
-  placements_ = std::move(others);
+  std::erase_if(placements_, [](const Placement& placement) { return placement.vertex != invalid_index; });
   std::erase_if(leaving_, moves);
 }
 

@@ -42,6 +42,8 @@ void Triangulation::Impl::Editing::build_anew() {
   }
   std::vector<Index> vertices;
   std::vector<double> coordinates;
+  vertices.reserve(impl_.row_of_vertex.size());
+  coordinates.reserve(impl_.row_of_vertex.size() * impl_.ambient());
   std::vector<double> low, high;
   for (Index v = 1; v < impl_.row_of_vertex.size(); ++v) {
     if (is_dying(v)) continue;
