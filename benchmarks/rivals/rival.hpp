@@ -78,6 +78,20 @@ inline double cpu_seconds() {
   return seconds(usage.ru_utime) + seconds(usage.ru_stime);
 }
 
+/// How long something took: by the clock, and as processor time of all threads.
+struct Seconds {
+  double clock = 0, cpu = 0;
+};
+
+template <std::invocable Action>
+Seconds time(Action&& action) {
+  const double cpu = cpu_seconds();
+  const auto start = std::chrono::steady_clock::now();
+  action();
+  const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start;
+  return {elapsed.count(), cpu_seconds() - cpu};
+}
+
 /// The largest resident size of this process so far. Linux hands ru_maxrss of the parent down through exec,
 /// so that a small program started by a large one would report the size of its parent; VmHWM starts afresh.
 inline std::size_t peak_bytes() {
@@ -152,12 +166,9 @@ int run(int argc, char** argv) {
     report["input_bytes"] = peak_bytes();
     for (int round = 0; round < arguments.repeat; ++round) {
       if (round > 0) adapter.reset();
-      const double cpu = cpu_seconds();
-      const auto start = std::chrono::steady_clock::now();
-      adapter.construct();
-      const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start;
-      report["seconds"].push_back(elapsed.count());
-      report["cpu_seconds"].push_back(cpu_seconds() - cpu);
+      const Seconds seconds = time([&] { adapter.construct(); });
+      report["seconds"].push_back(seconds.clock);
+      report["cpu_seconds"].push_back(seconds.cpu);
     }
     report["peak_bytes"] = peak_bytes();
     report["cells"] = adapter.num_cells();
