@@ -10,6 +10,7 @@ import importlib as _importlib
 from ._core import (AlphaComplex, CancelledError, ConvexHull, Delaunay, Error, Faces, Forecast, FurthestSite, HalfspaceIntersection, InputError,
                     LinearInterpolator, LowerHull, NaturalNeighborInterpolator, OutOfMemoryError, PowerDiagram, Regular, TimeLimitError,
                     TrimResult, Voronoi, __version__, estimate, forecast, natural_neighbors)
+from ._changes import Changes
 from ._convex_hulls import ConvexHulls, convex_hulls
 from ._data import ComplexData, Data, HullData, IntersectionData, VoronoiData
 from ._files import CheckReport, check, generate, lower_hull, read, write_points
@@ -17,14 +18,14 @@ from ._locations import Locations
 from ._methods import attach as _attach
 from ._patch import patch_scipy, scipy_is_patched, unpatch_scipy
 
-__all__ = ["AlphaComplex", "CancelledError", "CheckReport", "ComplexData", "ConvexHull", "ConvexHulls", "Data", "Delaunay", "Error", "Faces",
+__all__ = ["AlphaComplex", "CancelledError", "Changes", "CheckReport", "ComplexData", "ConvexHull", "ConvexHulls", "Data", "Delaunay", "Error", "Faces",
            "Forecast", "FurthestSite", "HalfspaceIntersection", "HullData", "InputError", "IntersectionData", "LinearInterpolator", "Locations",
            "LowerHull", "NaturalNeighborInterpolator", "OutOfMemoryError", "PowerDiagram", "Regular", "TimeLimitError", "TrimResult", "Voronoi",
            "VoronoiData", "__version__", "check", "convex_hulls", "estimate", "forecast", "generate", "lower_hull", "natural_neighbors",
            "patch_scipy", "read", "scipy_is_patched", "unpatch_scipy", "write_points"]
 
 for _name in __all__:
-    if getattr(globals()[_name], "__module__", "").startswith(("delone._core", "delone._convex_hulls", "delone._data", "delone._files")):
+    if getattr(globals()[_name], "__module__", "").startswith(("delone._core", "delone._changes", "delone._convex_hulls", "delone._data", "delone._files")):
         globals()[_name].__module__ = "delone"
 del _name
 _attach()

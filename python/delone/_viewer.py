@@ -31,7 +31,7 @@ def _options(product, places, values, values_at, value_name, title):
         raise ValueError(f"values_at: one of {', '.join(map(repr, places))} was expected, not {_core._represented(values_at)}")
     if values is not None:
         given, values = values, values_of(values, "values")
-        if values_at == "points" or values_at is None and places[0] == "points" and values.shape == (product.num_points,):
+        if values_at == "points" or values_at is None and places[0] == "points" and values.shape == (getattr(product, "num_rows", product.num_points),):
             require_index(given, product._index, "values")
     return str(title), names(product), values, values_at or "", str(value_name)
 

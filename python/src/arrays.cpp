@@ -253,6 +253,34 @@ py::array_t<double> as_points(const py::object& object, const std::string& name)
   return points;
 }
 
+RowNumbers as_rows(const py::object& object, const std::string& name) {
+  refuse_masked(object, name);
+  const py::array array = as_array(object, name);
+  if (array.ndim() > 1)
+    throw py::value_error(name + ": a row, or an array of shape (m,), not " + shown(array.attr("shape")));
+  RowNumbers result{{}, array.ndim() == 0};
+  if (array.size() == 0) return result;  // of any type, as NumPy makes an array of floats of []
+  const char kind = array.dtype().kind();
+  if (kind != 'i' && kind != 'u') throw py::type_error(name + ": integers, not " + shown(array.dtype()));
+  const auto append =
+      [&]<class T>(const py::array_t<T, py::array::c_style | py::array::forcecast>& integers) {
+        const T* const first = integers.data();
+        const auto count = static_cast<std::size_t>(integers.size());
+        for (std::size_t i = 0; i < count; ++i)
+          if (first[i] < T{0})
+            throw Error(Errc::invalid_argument,
+                        "row " + std::to_string(first[i]) + " is not a row of the input", {i});
+        result.rows.assign(first, first + count);
+      };
+  using Integers = py::array_t<std::int64_t, py::array::c_style | py::array::forcecast>;
+  using Naturals = py::array_t<std::uint64_t, py::array::c_style | py::array::forcecast>;
+  if (kind == 'i')
+    append(Integers(array));
+  else
+    append(Naturals(array));
+  return result;
+}
+
 Queries::Queries(const py::object& object, int dimension, const py::object& columns, const std::string& name)
     : array_(is_frame(object) ? frame_as_doubles(object, name, true) : as_doubles(object, name)) {
   require_columns(object, columns, name);

@@ -53,6 +53,16 @@ inline std::span<const double> numbers(const py::array_t<double>& array) {
 /// not finite.
 py::array_t<double> as_points(const py::object& object, const std::string& name);
 
+/// Rows of the input: one, or a list.
+struct RowNumbers {
+  std::vector<std::size_t> rows;
+  bool is_single = false;
+};
+
+/// An integer, or an array of shape (m,) of integers of any type. Raises TypeError and ValueError for
+/// anything else, InputError for negative numbers.
+RowNumbers as_rows(const py::object& object, const std::string& name);
+
 /// Queries of shape (…, d), and arrays with one answer for each.
 class Queries {
  public:

@@ -163,13 +163,6 @@ QualityMeasure measure_of(const std::string& name) {
                         shown(py::str(name)));
 }
 
-/// Asks the engine without the GIL.
-template <class Question>
-auto ask(const Held& held, Question question) {
-  Supervisor supervisor;
-  return supervisor.run([&] { return held.with_engine(question); });
-}
-
 constexpr const char* faces_doc = R"(
 The faces of dimension 0 <= dimension <= d, each once: a delone.Faces. 0: the vertices; 1: the edges; k: the cells; none
 above k, where the points are flat.

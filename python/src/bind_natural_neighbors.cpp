@@ -85,9 +85,11 @@ class HeldNaturalInterpolator : public HeldFunction<NaturalNeighborInterpolator>
       for (std::size_t row = 0; row < engine.num_rows(); ++row) {
         cancellation_point();
         const VertexId v = engine.vertex_at(row);
-        const std::size_t first = engine.row_of(v);
+        const std::size_t first = v == invalid_vertex ? row : engine.row_of(v);
         double* const out = numbers.data() + row * width;
-        if (first == row)
+        if (v == invalid_vertex)
+          std::fill_n(out, width, std::numeric_limits<double>::quiet_NaN());
+        else if (first == row)
           function().site_gradient(v, {out, width});
         else
           std::copy_n(numbers.data() + first * width, width, out);

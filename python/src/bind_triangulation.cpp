@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// delone.Delaunay, Regular and FurthestSite.
+// delone.Triangulation: the arrays of Delaunay, Regular and FurthestSite, and their answers. What makes and
+// changes them is in bind_edits.cpp.
 #include "arrays.hpp"
+#include "bind_edits.hpp"
 #include "data_members.hpp"
-#include "docstring.hpp"
 #include "html.hpp"
 #include "module.hpp"
-#include "pickling.hpp"
 #include "sample.hpp"
 #include "saving.hpp"
 #include "triangulation.hpp"
@@ -28,71 +28,10 @@ using Reals = py::array_t<double, py::array::c_style | py::array::forcecast>;
 using Held = HeldTriangulation;
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
-// One C++ class for each Python class.
-template <Form F>
-class HeldForm : public Held {
- public:
-  HeldForm(int dimension, const BuildArguments& arguments) : Held(F, dimension, arguments) {}
-};
-using HeldDelaunay = HeldForm<Form::delaunay>;
-using HeldRegular = HeldForm<Form::regular>;
-using HeldFurthestSite = HeldForm<Form::furthest_site>;
-
 const char* name_of(const Held& held) {
   return held.form() == Form::regular         ? "Regular"
          : held.form() == Form::furthest_site ? "FurthestSite"
                                               : "Delaunay";
-}
-
-py::array_t<double> as_weights(const py::object& object, py::ssize_t count) {
-  auto weights = as_doubles(object, "weights");
-  if (weights.ndim() != 1 || weights.shape(0) != count)
-    throw py::value_error("weights: an array of shape (" + std::to_string(count) + ",), not " +
-                          shown(weights.attr("shape")));
-  return weights;
-}
-
-void add(Held& held, const py::object& points, const py::object& weights, const py::object& progress) {
-  const auto rows = as_points(points, "points");
-  require_columns(points, held.columns(), "points");
-  if (rows.shape(1) != held.dimension())
-    throw py::value_error("points: an array of shape (n, " + std::to_string(held.dimension()) + "), not " +
-                          shown(rows.attr("shape")));
-  require_index(weights, index_of(points), "weights");
-  const auto their_weights =
-      held.form() == Form::regular ? as_weights(weights, rows.shape(0)) : py::array_t<double>(0);
-  Supervisor supervisor(progress);
-  supervisor.run([&, x = numbers(rows), w = numbers(their_weights)] { held.add(x, w); });
-  if (rows.shape(0) > 0) held.set_row_index(py::none());
-}
-
-template <class T>
-std::unique_ptr<T> construct(const py::object& points, const py::object& weights, std::uint64_t seed,
-                             std::string order, int threads, const py::object& progress,
-                             const py::object& memory_limit, const py::object& time_limit) {
-  const auto rows = as_points(points, "points");
-  auto held = std::make_unique<T>(static_cast<int>(rows.shape(1)),
-                                  BuildArguments{seed, std::move(order), threads,
-                                                 as_memory_limit(memory_limit), as_time_limit(time_limit)});
-  const py::object index = index_of(points);
-  require_index(weights, index, "weights");
-  add(*held, rows, weights, progress);
-  held->set_columns(columns_of(points));
-  held->set_row_index(index);
-  return held;
-}
-
-/// Forwards a question without arguments to the engine, one that does not depend on the numbers of cells.
-template <class Question>
-auto count(const Held& held, Question question) {
-  Supervisor supervisor;
-  return supervisor.run([&] { return held.with_unsorted(question); });
-}
-/// The same for other questions.
-template <class Question>
-auto ask(const Held& held, Question question) {
-  Supervisor supervisor;
-  return supervisor.run([&] { return held.with_engine(question); });
 }
 
 std::shared_ptr<const Cells> cells_of(const Held& held) {
@@ -105,18 +44,6 @@ std::shared_ptr<const ComplexData> data_of(const Held& held) {
 }
 std::size_t width(const ComplexData& data) { return static_cast<std::size_t>(data.affine_dimension + 1); }
 
-py::array points(const Held& held) {
-  Supervisor supervisor;
-  const auto points = supervisor.run([&] { return held.points(); });
-  const auto d = static_cast<std::size_t>(held.dimension());
-  return rows_view(*points, points->size() / d, d, points);
-}
-py::array weights(const Held& held) {
-  Supervisor supervisor;
-  const auto weights = supervisor.run([&] { return held.weights(); });
-  return list_view(*weights, weights);
-}
-
 py::array duplicates(const Held& held) {
   const auto data = data_of(held);
   std::vector<SignedIndex> pairs;
@@ -127,14 +54,6 @@ py::array duplicates(const Held& held) {
   }
   const std::size_t count = pairs.size() / 2;
   return rows_view(std::move(pairs), count, 2);
-}
-
-py::array hidden(const Held& held) {
-  const auto data = data_of(held);
-  std::vector<SignedIndex> rows;
-  for (std::size_t row = 0; row < data->vertex_of_point.size(); ++row)
-    if (data->vertex_of_point[row] < 0) rows.push_back(static_cast<SignedIndex>(row));
-  return list_view(std::move(rows));
 }
 
 py::array cell_of_point(const Held& held) {
@@ -206,7 +125,7 @@ void locate_each(const Held& held, const Queries& queries, LocateOptions options
   });
 }
 
-py::object find_simplex(const Held& held, const py::object& object, double tolerance) {
+py::object find_simplices(const Held& held, const py::object& object, double tolerance) {
   const Queries queries(object, held);
   auto cells = queries.answers<SignedIndex>();
   locate_each(held, queries, {.tolerance = tolerance, .coordinates = false},
@@ -432,66 +351,6 @@ std::string repr(const Held& held) {
   });
 }
 
-py::tuple state(const Held& held) {
-  const BuildArguments& a = held.arguments();
-  for (;;) {
-    Supervisor supervisor;
-    const std::vector<std::size_t> batches = supervisor.run([&] { return held.batches(); });
-    const py::array rows = points(held);
-    const py::object numbers = held.form() == Form::regular ? py::object(weights(held)) : py::none();
-    // Other threads may have added rows meanwhile.
-    if (num_rows(batches) == static_cast<std::size_t>(rows.shape(0)) &&
-        (numbers.is_none() || py::len(numbers) == static_cast<std::size_t>(rows.shape(0))))
-      return py::make_tuple(held.dimension(), rows, numbers, batches_to_state(batches), a.seed, a.order,
-                            a.threads, held.columns());
-  }
-}
-
-template <class T>
-std::unique_ptr<T> restored(const py::tuple& given) {
-  return from_state(given, 8, "a triangulation", [](const py::tuple& state) {
-    const auto points = as_points(state[1], "points");
-    auto held = std::make_unique<T>(
-        state[0].cast<int>(),
-        BuildArguments{state[4].cast<std::uint64_t>(), state[5].cast<std::string>(), state[6].cast<int>()});
-    const py::object weights = held->form() == Form::regular
-                                   ? py::object(as_weights(state[2], points.shape(0)))
-                                   : py::object(py::none());
-    add_batches(state[3], points.shape(0), [&](const py::slice& rows) {
-      add(*held, points[rows], weights.is_none() ? weights : py::object(weights[rows]), py::none());
-    });
-    held->set_columns(as_columns(state[7], held->dimension()));
-    return held;
-  });
-}
-
-template <class T>
-void bind_pickle(py::class_<T, Held, std::shared_ptr<T>>& type) {
-  type.def(py::pickle([](const T& held) { return state(held); },
-                      [](const py::tuple& state) { return restored<T>(state); }));
-}
-
-template <class T>
-void bind_points_only(py::class_<T, Held, std::shared_ptr<T>>& type) {
-  type.def(
-      py::init([](const py::object& points, std::uint64_t seed, std::string order, int threads,
-                  const py::object& progress, const py::object& memory_limit, const py::object& time_limit) {
-        return construct<T>(points, py::none(), seed, std::move(order), threads, progress, memory_limit,
-                            time_limit);
-      }),
-      "points"_a, py::kw_only(), "seed"_a = 0, "order"_a = "automatic", "threads"_a = 0,
-      "progress"_a = py::none(), "memory_limit"_a = py::none(), "time_limit"_a = py::none());
-  type.def(
-      "insert_range",
-      [](T& held, const py::object& points, const py::object& progress) {
-        add(held, points, py::none(), progress);
-      },
-      "points"_a, py::kw_only(), "progress"_a = py::none(),
-      "Adds points, (n, d), as the next rows: all of them, or none if it raises.\n\n"
-      "Arrays that were taken before stay as they are; cells are numbered anew.");
-  bind_pickle(type);
-}
-
 constexpr const char* find_simplex_doc =
     "The cell that contains each query: (...) for queries of shape (..., d); -1 outside.\n\n"
     "Exact. A query on a face of several cells gets one of them. InputError for NaN or infinity. Cost: "
@@ -531,39 +390,6 @@ constexpr const char* nearest_doc =
     "first call\n"
     "makes a table of all edges; then a query takes O(k log k) comparisons for evenly spread points.";
 
-constexpr const char* delaunay_doc = R"(
-Delaunay(points, *, seed=0, order='automatic', threads=0, progress=None,
-         memory_limit=None, time_limit=None)
-
-The Delaunay triangulation of points, (n, d) numbers that are exact in float64, or a pandas DataFrame, in any dimension.
-
-Exact, a function of the set of points: seed and order ('automatic', 'as_given', 'shuffled') only change the way there.
-Duplicates are merged, flat points are triangulated in their flat. At most `threads` threads build, and answer queries; 0:
-as many as there are cores for the process, where the work is large enough to gain by them. All arrays are the same,
-however many. `progress`: True for a bar, or a function that is called ten times a second with the fraction done; what
-it returns stops the work (CancelledError) if it is false, but None. Ctrl-C stops with KeyboardInterrupt. `memory_limit`,
-the bytes that the process may have in use, and `time_limit`, the seconds for this call or one of insert_range, end it with
-OutOfMemoryError and TimeLimitError, which say how far it came and what the whole would have taken (see delone.estimate);
-a copy by pickling has no limits.
-Methods let go of the GIL; any number of threads may call them at once. Raises InputError, a ValueError, for NaN and
-infinities, and ValueError for other input that is no array of points; both name the row, and of a DataFrame the column.
-Cost: O(n) cells and time in each dimension for evenly spread points.)";
-
-constexpr const char* regular_doc = R"(
-Regular(points, weights, *, seed=0, order='automatic', threads=0, progress=None,
-        memory_limit=None, time_limit=None)
-
-The regular triangulation (weighted Delaunay triangulation) of points, (n, d), with weights, (n,), which have the unit
-of squared lengths and may be negative. Points above the lower boundary of the lifted points (x, |x|² - weight) are
-hidden. All else as in Delaunay.)";
-
-constexpr const char* furthest_site_doc = R"(
-FurthestSite(points, *, seed=0, order='automatic', threads=0, progress=None,
-             memory_limit=None, time_limit=None)
-
-The furthest-site Delaunay triangulation of points, (n, d): the cells whose spheres have no point outside. Its vertices
-are the extreme points, all others are hidden. One thread builds it. All else as in Delaunay.)";
-
 }  // namespace
 
 void bind_triangulations(py::module_& module) {
@@ -584,7 +410,12 @@ void bind_triangulations(py::module_& module) {
       .def_property_readonly(
           "num_points",
           [](const Held& h) { return count(h, [](const Triangulation& t) { return t.num_points(); }); },
-          "n, the rows of the input.")
+          "The rows that are there.")
+      .def_property_readonly(
+          "num_rows",
+          [](const Held& h) { return count(h, [](const Triangulation& t) { return t.num_rows(); }); },
+          "n, the rows that were ever inserted. More than num_points if rows were removed: a row keeps its "
+          "number.")
       .def_property_readonly(
           "num_vertices",
           [](const Held& h) { return count(h, [](const Triangulation& t) { return t.num_vertices(); }); },
@@ -600,7 +431,8 @@ void bind_triangulations(py::module_& module) {
       .def(
           "__len__",
           [](const Held& h) { return count(h, [](const Triangulation& t) { return t.num_finite_cells(); }); })
-      .def_property_readonly("points", &points, "(n, d) float64, read-only. Made on first use.")
+      .def_property_readonly("points", &points_of,
+                             "(n, d) float64, read-only; NaN for rows that were removed. Made on first use.")
       .def_property_readonly(
           "cells",
           [](const Held& h) {
@@ -622,11 +454,11 @@ void bind_triangulations(py::module_& module) {
             return list_view(data->vertex_of_point, data);
           },
           "(n,) the row each row was merged into: itself, or an earlier one that is equal; -1 if it is "
-          "hidden.")
+          "hidden or was removed.")
       .def_property_readonly("duplicates", &duplicates,
                              "(r, 2) rows that are equal to an earlier one, and that one.")
       .def_property_readonly("cell_of_point", &cell_of_point,
-                             "(n,) a cell that has each row as a vertex; -1 if hidden.")
+                             "(n,) a cell that has each row as a vertex; -1 if it is hidden or was removed.")
       .def_property_readonly(
           "hull_facets", &hull_facets,
           "(h, k) input rows: the facets of cells without a neighbor. With a point inside put first they are "
@@ -645,7 +477,7 @@ void bind_triangulations(py::module_& module) {
           "the same. O(n d + m k).")
       .def_property_readonly("statistics", &statistics,
                              "What the construction has cost: a dict of counts, seconds and bytes.")
-      .def("find_simplex", &find_simplex, "queries"_a, py::kw_only(), "tolerance"_a = 0.0, find_simplex_doc)
+      .def("find_simplex", &find_simplices, "queries"_a, py::kw_only(), "tolerance"_a = 0.0, find_simplex_doc)
       .def("locate", &locate, "queries"_a, py::kw_only(), "tolerance"_a = 0.0,
            "Where each query (..., d) lies, exactly: delone.Locations, with the kind, the cell, and the rows "
            "of the points "
@@ -681,44 +513,7 @@ void bind_triangulations(py::module_& module) {
     });
   });
 
-  py::class_<HeldDelaunay, Held, std::shared_ptr<HeldDelaunay>> delaunay(module, "Delaunay",
-                                                                         text(delaunay_doc));
-  bind_points_only(delaunay);
-
-  py::class_<HeldRegular, Held, std::shared_ptr<HeldRegular>> regular(module, "Regular", text(regular_doc));
-  regular.def(py::init([](const py::object& points, const py::object& weights, std::uint64_t seed,
-                          std::string order, int threads, const py::object& progress,
-                          const py::object& memory_limit, const py::object& time_limit) {
-                return construct<HeldRegular>(points, weights, seed, std::move(order), threads, progress,
-                                              memory_limit, time_limit);
-              }),
-              "points"_a, "weights"_a, py::kw_only(), "seed"_a = 0, "order"_a = "automatic", "threads"_a = 0,
-              "progress"_a = py::none(), "memory_limit"_a = py::none(), "time_limit"_a = py::none());
-  regular.def(
-      "insert_range",
-      [](HeldRegular& held, const py::object& points, const py::object& weights, const py::object& progress) {
-        add(held, points, weights, progress);
-      },
-      "points"_a, "weights"_a, py::kw_only(), "progress"_a = py::none(),
-      "Adds points, (n, d), with weights, (n,), as the next rows: all of them, or none if it raises.");
-  const auto bind_hidden = [](auto& type) {
-    type.def_property_readonly("hidden", &hidden, "The rows that are hidden, increasing.")
-        .def_property_readonly(
-            "num_hidden",
-            [](const Held& held) {
-              const auto data = data_of(held);
-              return std::count(data->vertex_of_point.begin(), data->vertex_of_point.end(), -1);
-            },
-            "How many rows are hidden.");
-  };
-  regular.def_property_readonly("weights", &weights, "(n,) float64, read-only.");
-  bind_hidden(regular);
-  bind_pickle(regular);
-
-  py::class_<HeldFurthestSite, Held, std::shared_ptr<HeldFurthestSite>> furthest(module, "FurthestSite",
-                                                                                 text(furthest_site_doc));
-  bind_points_only(furthest);
-  bind_hidden(furthest);
+  bind_edits(module, base);
 }
 
 }  // namespace delone::python

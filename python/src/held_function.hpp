@@ -120,7 +120,7 @@ class HeldFunction {
     supervisor.run([&] {
       held.with_engine([&](const Triangulation& engine) {
         if (held.version() != version_)
-          throw std::runtime_error("points were added to the triangulation since the interpolator was made");
+          throw std::runtime_error("the triangulation has changed since the interpolator was made");
         work(engine);
       });
     });

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Insertion and derived data; see triangulation.hpp.
+// Insertion, edits and derived data; see triangulation.hpp.
 #include "triangulation.hpp"
 
+#include <algorithm>
+#include <new>
 #include <utility>
 
 namespace delone::python {
@@ -18,8 +20,8 @@ void insert(Engine& engine, std::span<const double> coordinates, std::span<const
       engine);
 }
 
-std::size_t num_rows(const Engine& engine) {
-  return std::visit([](const Triangulation& product) { return product.num_rows(); }, engine);
+Triangulation& common(Engine& engine) {
+  return std::visit([](Triangulation& product) -> Triangulation& { return product; }, engine);
 }
 
 }  // namespace
@@ -44,12 +46,131 @@ std::unique_ptr<Engine> HeldTriangulation::make_engine() const {
 void HeldTriangulation::add(std::span<const double> coordinates, std::span<const double> weights) {
   const Use use(this, "changed");
   const std::unique_lock lock(mutex_);
-  batches_.reserve(batches_.size() + 1);
-  const std::size_t before = num_rows(*engine_);
+  if (coordinates.empty()) return;
+  prepare_change();
   insert(*engine_, coordinates, weights);
-  if (num_rows(*engine_) == before) return;
-  batches_.push_back(num_rows(*engine_) - before);
+  if (records_changes_ || records_undo_)
+    forget_batches();
+  else
+    batches_.push_back(coordinates.size() / static_cast<std::size_t>(dimension_));
+  complete_change();
+}
+
+/// The same holds for edits.
+void HeldTriangulation::edit(const Edit<>& edit) {
+  const Use use(this, "changed");
+  const std::unique_lock lock(mutex_);
+  if (edit.remove.empty() && edit.move.empty() && edit.weigh.empty() && edit.insert.coordinates().empty())
+    return;
+  prepare_change();
+  std::visit([&](auto& product) { product.edit(edit); }, *engine_);
+  forget_batches();
+  complete_change();
+}
+
+void HeldTriangulation::undo() {
+  const Use use(this, "changed");
+  const std::unique_lock lock(mutex_);
+  batches_.reserve(1);
+  prepare_record();
+  common(*engine_).undo();
+  forget_batches();
+  complete_change();
+}
+
+CompactedIds HeldTriangulation::compact_ids() {
+  const Use use(this, "changed");
+  const std::unique_lock lock(mutex_);
+  batches_.reserve(1);
+  CompactedIds ids = common(*engine_).compact_ids();
+  forget_batches();
+  forget_derived();
+  return ids;
+}
+
+void HeldTriangulation::record_changes(bool wanted) {
+  const Use use(this, "changed");
+  const std::unique_lock lock(mutex_);
+  auto none = wanted ? std::make_shared<const Changes>() : nullptr;
+  common(*engine_).record_changes(wanted);
+  records_changes_ = wanted;
+  changes_ = std::move(none);
+  is_infinite_.reset();
+}
+
+void HeldTriangulation::record_undo(bool wanted) {
+  const Use use(this, "changed");
+  const std::unique_lock lock(mutex_);
+  common(*engine_).record_undo(wanted);
+  records_undo_ = wanted;
+}
+
+std::shared_ptr<const Changes> HeldTriangulation::changes() const {
+  const Use use(this, "used");
+  const std::shared_lock lock(mutex_);
+  return changes_;
+}
+
+void HeldTriangulation::become_copy_of(const HeldTriangulation& other) {
+  const std::unique_lock lock(mutex_);
+  other.with_product([&](const auto& product) {
+    *engine_ = product.clone();
+    batches_ = other.batches_;
+    records_changes_ = other.records_changes_;
+    records_undo_ = other.records_undo_;
+    changes_ = other.changes_;
+    is_infinite_ = other.is_infinite_;
+  });
+  forget_derived();
+}
+
+/// Before an insertion or an edit. Cells whose ids are told must not be sorted later.
+void HeldTriangulation::prepare_change() {
+  batches_.reserve(batches_.size() + 1);
+  if (!is_sorted_ && (records_changes_ || records_undo_)) sort_cells_alone();
+  prepare_record();
+}
+
+void HeldTriangulation::prepare_record() {
+  if (!records_changes_ || is_infinite_) return;
+  const Complex complex = common(*engine_).complex();
+  std::vector<bool> is_infinite(complex.num_cell_slots());
+  for (const CellId c : complex.infinite_cells()) is_infinite[index(c)] = true;
+  is_infinite_ = std::move(is_infinite);
+}
+
+void HeldTriangulation::complete_change() {
+  if (records_changes_) keep_changes();
   is_sorted_ = false;
+  forget_derived();
+}
+
+/// Without memory for them, the changes are not known.
+void HeldTriangulation::keep_changes() noexcept {
+  try {
+    const Complex complex = common(*engine_).complex();
+    auto changes = std::make_shared<Changes>(common(*engine_).changes());
+    std::vector<bool>& is_infinite = *is_infinite_;
+    is_infinite.resize(std::max<std::size_t>(is_infinite.size(), complex.num_cell_slots()));
+    const auto of_infinite_cell = [&](CellId c) { return is_infinite[index(c)]; };
+    std::erase_if(changes->killed, of_infinite_cell);
+    for (const CellId c : common(*engine_).changes().killed) is_infinite[index(c)] = false;
+    for (const CellId c : changes->born) is_infinite[index(c)] = complex.is_infinite(c);
+    std::erase_if(changes->born, of_infinite_cell);
+    changes_ = std::move(changes);
+  } catch (const std::bad_alloc&) {
+    changes_.reset();
+    is_infinite_.reset();
+  }
+}
+
+/// The same cells would not come of the same insertions again. REQUIRES memory for one batch.
+void HeldTriangulation::forget_batches() {
+  batches_.clear();
+  if (const std::size_t rows = common(*engine_).num_rows(); rows > 0) batches_.push_back(rows);
+}
+
+void HeldTriangulation::forget_derived() {
   ++version_;
   const std::lock_guard derived(derived_mutex_);
   cells_.reset();
@@ -60,8 +181,12 @@ void HeldTriangulation::add(std::span<const double> coordinates, std::span<const
 
 void HeldTriangulation::sort_cells() const {
   const std::unique_lock lock(mutex_);
-  if (is_sorted_) return;
-  std::visit([](auto& product) { product.sort_cells(); }, *engine_);
+  if (!is_sorted_) sort_cells_alone();
+}
+
+/// With the lock.
+void HeldTriangulation::sort_cells_alone() const {
+  common(*engine_).sort_cells();
   is_sorted_ = true;
 }
 
@@ -102,6 +227,18 @@ std::vector<std::size_t> HeldTriangulation::batches() const {
   const Use use(this, "used");
   const std::shared_lock lock(mutex_);
   return batches_;
+}
+
+py::array points_of(const HeldTriangulation& held) {
+  Supervisor supervisor;
+  const auto points = supervisor.run([&] { return held.points(); });
+  const auto d = static_cast<std::size_t>(held.dimension());
+  return rows_view(*points, points->size() / d, d, points);
+}
+py::array weights_of(const HeldTriangulation& held) {
+  Supervisor supervisor;
+  const auto weights = supervisor.run([&] { return held.weights(); });
+  return list_view(*weights, weights);
 }
 
 }  // namespace delone::python

@@ -7,6 +7,7 @@
 // safe because threads that wait for that lock have released the GIL.
 #pragma once
 
+#include "arrays.hpp"
 #include "running.hpp"
 
 #include <delone/delaunay.hpp>
@@ -17,6 +18,7 @@
 #include <atomic>
 #include <memory>
 #include <mutex>
+#include <optional>
 #include <shared_mutex>
 #include <span>
 #include <stdexcept>
@@ -29,7 +31,7 @@ namespace delone::python {
 using Form = TriangulationKind;
 using Engine = std::variant<Delaunay<>, Regular<>, FurthestSite<>>;
 
-/// A plain copy of the combinatorics, which arrays are views of. Later insertions do not change it.
+/// A plain copy of the combinatorics, which arrays are views of. Later insertions and edits do not change it.
 struct Cells {
   ComplexData data;                         // without points
   std::vector<SignedIndex> number_of_slot;  // the row in data.cells of each CellId, −1 for infinite cells
@@ -55,6 +57,16 @@ class HeldTriangulation {
 
   /// Adds all points or none. REQUIRES one weight per point for a regular triangulation, otherwise none.
   void add(std::span<const double> coordinates, std::span<const double> weights);
+  /// Makes all of the edit or nothing.
+  void edit(const Edit<>& edit);
+  void undo();
+  CompactedIds compact_ids();
+  void record_changes(bool wanted);
+  void record_undo(bool wanted);
+  /// What the last change did, with the cells that have numbers only; nullptr unless it was to be recorded.
+  std::shared_ptr<const Changes> changes() const;
+  /// Takes over the points, cells and ids of another one of the same form and dimension.
+  void become_copy_of(const HeldTriangulation& other);
 
   /// Calls work(product), a Delaunay<>, Regular<> or FurthestSite<>.
   template <class Work>
@@ -96,7 +108,7 @@ class HeldTriangulation {
   std::shared_ptr<const std::vector<double>> weights() const;
   std::vector<std::size_t> batches() const;
 
-  /// Changes with every insertion, but never during with_engine().
+  /// Changes with every insertion and edit, but never during with_engine().
   std::uint64_t version() const { return version_; }
   /// The cells of the engine, within with_engine().
   std::shared_ptr<const Cells> cells_of(const Triangulation& engine) const;
@@ -104,6 +116,13 @@ class HeldTriangulation {
  private:
   std::unique_ptr<Engine> make_engine() const;
   void sort_cells() const;
+  void sort_cells_alone() const;
+  void prepare_change();
+  void prepare_record();
+  void complete_change();
+  void keep_changes() noexcept;
+  void forget_batches();
+  void forget_derived();
   const PointLocator& locator_of(const Triangulation& engine) const;
   std::shared_ptr<const std::vector<double>> row_data(bool want_weights) const;
 
@@ -114,7 +133,11 @@ class HeldTriangulation {
 
   mutable FairMutex mutex_;  // of all members below
   const std::unique_ptr<Engine> engine_;
-  std::vector<std::size_t> batches_;
+  std::vector<std::size_t> batches_;  // the sizes of insertions that make these rows; one, after edits
+  bool records_changes_ = false, records_undo_ = false;
+  std::shared_ptr<const Changes> changes_;
+  /// By id of a cell, whether it is infinite. Known, while changes are recorded, from the first one on.
+  std::optional<std::vector<bool>> is_infinite_;
   /// Cells have numbers that do not depend on threads. They get them before they are first asked for.
   mutable bool is_sorted_ = true;
   std::atomic<std::uint64_t> version_{0};
@@ -124,5 +147,24 @@ class HeldTriangulation {
   mutable std::shared_ptr<const std::vector<double>> points_, weights_;
   mutable std::unique_ptr<PointLocator> locator_;
 };
+
+// With the GIL:
+
+/// Forwards a question without arguments to the engine, one that does not depend on the numbers of cells.
+template <class Question>
+auto count(const HeldTriangulation& held, Question question) {
+  Supervisor supervisor;
+  return supervisor.run([&] { return held.with_unsorted(question); });
+}
+/// The same for other questions.
+template <class Question>
+auto ask(const HeldTriangulation& held, Question question) {
+  Supervisor supervisor;
+  return supervisor.run([&] { return held.with_engine(question); });
+}
+
+/// (n, d), and (n,).
+py::array points_of(const HeldTriangulation& held);
+py::array weights_of(const HeldTriangulation& held);
 
 }  // namespace delone::python

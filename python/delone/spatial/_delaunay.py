@@ -90,6 +90,8 @@ class Delaunay(OfPoints):
     @classmethod
     def _of(cls, core):
         """The `delone.Delaunay` core with these attributes; the object refers to it."""
+        if core.num_points != core.num_rows:
+            raise ValueError("points: rows were removed from the triangulation; compact_ids() makes one without gaps")
         self = cls.__new__(cls)
         self._options, self._flat, self._core = _options.parse(None, kind="delaunay"), "result", core
         self._set(furthest_site=False)

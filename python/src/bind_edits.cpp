@@ -1,0 +1,547 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// delone.Delaunay, Regular and FurthestSite: how they are made, changed, copied and pickled.
+#include "bind_edits.hpp"
+
+#include "arrays.hpp"
+#include "docstring.hpp"
+#include "pickling.hpp"
+
+#include <pybind11/stl.h>
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace delone::python {
+namespace {
+
+using namespace py::literals;
+using Held = HeldTriangulation;
+
+// One C++ class for each Python class.
+template <Form F>
+class HeldForm : public Held {
+ public:
+  HeldForm(int dimension, const BuildArguments& arguments) : Held(F, dimension, arguments) {}
+};
+using HeldDelaunay = HeldForm<Form::delaunay>;
+using HeldRegular = HeldForm<Form::regular>;
+using HeldFurthestSite = HeldForm<Form::furthest_site>;
+
+/// One weight for each of so many points or rows.
+py::array_t<double> as_weights(const py::object& object, py::ssize_t count, const std::string& name) {
+  auto weights = as_doubles(object, name);
+  if (weights.ndim() != 1 || weights.shape(0) != count)
+    throw py::value_error(name + ": an array of shape (" + std::to_string(count) + ",), not " +
+                          shown(weights.attr("shape")));
+  return weights;
+}
+
+/// Points of the dimension and with the columns of the triangulation.
+py::array_t<double> as_more_points(const Held& held, const py::object& object, const std::string& name) {
+  auto points = as_points(object, name);
+  require_columns(object, held.columns(), name);
+  if (points.shape(1) != held.dimension())
+    throw py::value_error(name + ": an array of shape (n, " + std::to_string(held.dimension()) + "), not " +
+                          shown(points.attr("shape")));
+  return points;
+}
+
+void add(Held& held, const py::object& points, const py::object& weights, const py::object& progress) {
+  const auto rows = as_more_points(held, points, "points");
+  require_index(weights, index_of(points), "weights");
+  const auto their_weights =
+      held.form() == Form::regular ? as_weights(weights, rows.shape(0), "weights") : py::array_t<double>(0);
+  Supervisor supervisor(progress);
+  supervisor.run([&, x = numbers(rows), w = numbers(their_weights)] { held.add(x, w); });
+  if (rows.shape(0) > 0) held.set_row_index(py::none());
+}
+
+template <class T>
+std::unique_ptr<T> construct(const py::object& points, const py::object& weights, std::uint64_t seed,
+                             std::string order, int threads, const py::object& progress,
+                             const py::object& memory_limit, const py::object& time_limit) {
+  const auto rows = as_points(points, "points");
+  auto held = std::make_unique<T>(static_cast<int>(rows.shape(1)),
+                                  BuildArguments{seed, std::move(order), threads,
+                                                 as_memory_limit(memory_limit), as_time_limit(time_limit)});
+  const py::object index = index_of(points);
+  require_index(weights, index, "weights");
+  add(*held, rows, weights, progress);
+  held->set_columns(columns_of(points));
+  held->set_row_index(index);
+  return held;
+}
+
+/// What an edit is asked for.
+struct Edits {
+  std::vector<std::size_t> remove = {}, move = {}, weigh = {};
+  py::array_t<double> to = {}, weights = {}, insert = {}, insert_weights = {};
+};
+
+void make(Held& held, const Edits& edits, const py::object& progress) {
+  Supervisor supervisor(progress);
+  supervisor.run([&, to = numbers(edits.to), weights = numbers(edits.weights), insert = numbers(edits.insert),
+                  insert_weights = numbers(edits.insert_weights)] {
+    held.edit({.remove = edits.remove,
+               .move = edits.move,
+               .to = PointsView(to, held.dimension()),
+               .weigh = edits.weigh,
+               .weights = weights,
+               .insert = PointsView(insert, held.dimension()),
+               .insert_weights = insert_weights});
+  });
+  if (edits.insert.size() > 0) held.set_row_index(py::none());
+}
+
+/// Puts rows and their new points into an edit: a row and a point, (d,), or as many of both.
+void put_moves(Edits& edits, const Held& held, const py::object& rows, const py::object& points,
+               const std::string& name) {
+  RowNumbers numbers = as_rows(rows, "rows");
+  const auto d = static_cast<py::ssize_t>(held.dimension());
+  if (numbers.is_single) {
+    require_columns(points, held.columns(), name);
+    const auto point = as_doubles(points, name);
+    if (point.ndim() != 1 || point.shape(0) != d)
+      throw py::value_error(name + ": an array of shape (" + std::to_string(d) + ",), not " +
+                            shown(point.attr("shape")));
+    edits.to = as_points(point.attr("reshape")(1, d), name);
+  } else {
+    edits.to = as_more_points(held, points, name);
+    if (static_cast<std::size_t>(edits.to.shape(0)) != numbers.rows.size())
+      throw py::value_error(name + ": an array of shape (" + std::to_string(numbers.rows.size()) + ", " +
+                            std::to_string(d) + "), not " + shown(edits.to.attr("shape")));
+  }
+  edits.move = std::move(numbers.rows);
+}
+
+/// The same for weights.
+void put_weights(Edits& edits, const py::object& rows, const py::object& weights) {
+  RowNumbers numbers = as_rows(rows, "rows");
+  if (numbers.is_single) {
+    const auto weight = as_doubles(weights, "weights");
+    if (weight.ndim() != 0) throw py::value_error("weights: a number, not " + shown(weight.attr("shape")));
+    edits.weights = as_weights(weight.attr("reshape")(1), 1, "weights");
+  } else {
+    edits.weights = as_weights(weights, static_cast<py::ssize_t>(numbers.rows.size()), "weights");
+  }
+  edits.weigh = std::move(numbers.rows);
+}
+
+std::pair<py::object, py::object> as_pair(const py::object& object, const char* text) {
+  if ((PyTuple_Check(object.ptr()) == 0 && PyList_Check(object.ptr()) == 0) || py::len(object) != 2)
+    throw py::type_error(text);
+  return {object[py::int_(0)], object[py::int_(1)]};
+}
+
+void remove(Held& held, const py::object& rows, const py::object& progress) {
+  make(held, {.remove = as_rows(rows, "rows").rows}, progress);
+}
+
+void move(Held& held, const py::object& rows, const py::object& points, const py::object& progress) {
+  Edits edits;
+  put_moves(edits, held, rows, points, "points");
+  make(held, edits, progress);
+}
+
+void set_weights(Held& held, const py::object& rows, const py::object& weights, const py::object& progress) {
+  Edits edits;
+  put_weights(edits, rows, weights);
+  make(held, edits, progress);
+}
+
+void edit(Held& held, const py::object& insert, const py::object& insert_weights, const py::object& remove,
+          const py::object& move, const py::object& weights, const py::object& progress) {
+  Edits edits;
+  if (!insert.is_none()) {
+    edits.insert = as_more_points(held, insert, "insert");
+    require_index(insert_weights, index_of(insert), "insert_weights");
+  }
+  const py::ssize_t num_inserted = insert.is_none() ? 0 : edits.insert.shape(0);
+  if (!insert_weights.is_none())
+    edits.insert_weights = as_weights(insert_weights, num_inserted, "insert_weights");
+  else if (held.form() == Form::regular && num_inserted > 0)
+    throw py::value_error("insert_weights: an array of shape (" + std::to_string(num_inserted) +
+                          ",), not None");
+  if (!remove.is_none()) edits.remove = as_rows(remove, "remove").rows;
+  if (!move.is_none()) {
+    const auto [rows, points] = as_pair(move, "move: a pair (rows, points), or None");
+    put_moves(edits, held, rows, points, "points");
+  }
+  if (!weights.is_none()) {
+    const auto [rows, numbers] = as_pair(weights, "weights: a pair (rows, weights), or None");
+    put_weights(edits, rows, numbers);
+  }
+  make(held, edits, progress);
+}
+
+py::object has_row(const Held& held, const py::object& object) {
+  const RowNumbers rows = as_rows(object, "rows");
+  py::array_t<bool> answers(static_cast<py::ssize_t>(rows.rows.size()));
+  Supervisor supervisor;
+  supervisor.run([&, out = answers.mutable_data()] {
+    held.with_unsorted([&](const Triangulation& engine) {
+      for (std::size_t i = 0; i < rows.rows.size(); ++i) {
+        if (rows.rows[i] >= engine.num_rows())
+          throw Error(Errc::invalid_argument,
+                      "row " + std::to_string(rows.rows[i]) + " is not a row of the input", {i});
+        out[i] = engine.has_row(rows.rows[i]);
+      }
+    });
+  });
+  return rows.is_single ? py::object(answers[py::int_(0)]) : answers;
+}
+
+/// Ids as the arrays of indices have them.
+template <class Id>
+py::array id_view(const std::vector<Id>& ids, const std::shared_ptr<const void>& owner) {
+  static_assert(sizeof(Id) == sizeof(SignedIndex));
+  return view<SignedIndex>({reinterpret_cast<const SignedIndex*>(ids.data()), ids.size()},
+                           {static_cast<py::ssize_t>(ids.size())}, owner);
+}
+
+py::object changes(const Held& held) {
+  Supervisor supervisor;
+  const auto all = supervisor.run([&] { return held.changes(); });
+  if (!all) return py::none();
+  return py::module_::import("delone._changes")
+      .attr("Changes")(id_view(all->killed, all), id_view(all->born, all), id_view(all->came, all),
+                       id_view(all->gone, all), id_view(all->hid, all), id_view(all->reappeared, all),
+                       id_view(all->moved, all));
+}
+
+py::array cell_ids(const Held& held) {
+  return list_view(ask(held, [](const Triangulation& t) {
+    std::vector<SignedIndex> ids;
+    ids.reserve(t.num_finite_cells());
+    for (const CellId c : t.finite_cells()) ids.push_back(static_cast<SignedIndex>(index(c)));
+    return ids;
+  }));
+}
+
+py::array vertex_ids(const Held& held) {
+  return list_view(count(held, [](const Triangulation& t) {
+    std::vector<SignedIndex> ids(t.num_rows());
+    for (std::size_t row = 0; row < ids.size(); ++row)
+      ids[row] = static_cast<SignedIndex>(index(t.vertex_at(row)));  // -1 for invalid_vertex
+    return ids;
+  }));
+}
+
+py::tuple compact_ids(Held& held) {
+  Supervisor supervisor;
+  const CompactedIds ids = supervisor.run([&] { return held.compact_ids(); });
+  held.set_row_index(py::none());
+  const auto signed_ids = [](const auto& from, auto number) {
+    std::vector<SignedIndex> to(from.size());
+    std::transform(from.begin(), from.end(), to.begin(), number);
+    return list_view(std::move(to));
+  };
+  return py::make_tuple(
+      signed_ids(ids.vertices, [](VertexId v) { return static_cast<SignedIndex>(index(v)); }),
+      signed_ids(ids.rows, [](std::size_t row) { return static_cast<SignedIndex>(row); }));
+}
+
+template <class T>
+std::shared_ptr<T> clone(const T& held) {
+  auto copy = std::make_shared<T>(held.dimension(), held.arguments());
+  Supervisor supervisor;
+  supervisor.run([&] { copy->become_copy_of(held); });
+  copy->set_columns(held.columns());
+  copy->set_row_index(held.row_index());
+  return copy;
+}
+
+/// For copy.copy() and copy.deepcopy(): a clone; of a class derived in Python what its pickle makes.
+template <class T>
+py::object copy(const py::object& self) {
+  const T& held = self.cast<const T&>();
+  const py::type type = py::type::of(self);
+  if (type.is(py::type::of<T>())) return py::cast(clone(held));
+  const py::object made = type.attr("__new__")(type);
+  made.attr("__setstate__")(self.attr("__getstate__")());
+  return made;
+}
+
+py::array hidden(const Held& held) {
+  return list_view(count(held, [](const Triangulation& t) {
+    const std::vector<std::size_t> rows = t.hidden_rows();
+    return std::vector<SignedIndex>(rows.begin(), rows.end());
+  }));
+}
+
+template <class... Arguments>
+void change(Held& held, void (Held::*member)(Arguments...), Arguments... arguments) {
+  Supervisor supervisor;
+  supervisor.run([&] { (held.*member)(arguments...); });
+}
+
+constexpr const char* remove_doc = R"(
+Removes rows, one or an array: all of them, or none if it raises.
+
+The result is that of the rows that are left. They keep their numbers, and those removed are not used again: see has_row,
+num_rows and compact_ids. Arrays that were taken before stay as they are. InputError for a row that is not there or is
+given twice: it is named. Cost of one row that is the only one at its place: about that of two insertions there.)";
+
+constexpr const char* move_doc = R"(
+Gives a row another point, (d,), or many rows as many, (m, d): all of them, or none if it raises.
+
+Cost of a small step, after which the cells around are still those of the result: a quarter of an insertion; otherwise
+about that of a removal and an insertion. Errors as for remove and insert_range.)";
+
+constexpr const char* set_weights_doc = R"(
+Gives a row another weight, or many rows as many, (m,): all of them, or none if it raises. Cost and errors as for move.)";
+
+constexpr const char* edit_doc = R"(
+Inserts, removes and moves points at once: all of it, or nothing if it raises.
+
+insert: points, (n, d), the next rows. remove: a row, or an array. move: a pair (rows, points) as for move. A row that is
+removed is in no other list. Where much changes, cells are built anew, by several threads.)";
+
+constexpr const char* edit_regular_doc = R"(
+Inserts, removes, moves points and changes weights at once: all of it, or nothing if it raises.
+
+insert: points, (n, d), the next rows, with insert_weights, (n,). remove: a row, or an array. move: a pair (rows, points) as
+for move. weights: a pair (rows, weights) as for set_weights. A row that is removed is in no other list; one may be both
+moved and weighed. Where much changes, cells are built anew, by several threads.)";
+
+constexpr const char* clone_doc =
+    "A copy with the same ids of cells and vertices, and limits; nothing of it can be undone. O(n d + m k).";
+
+constexpr const char* record_changes_doc = R"(
+Has changes tell from now on what every call that changes something does; it costs a few per cent of the time of such a
+call. record_changes(False) ends that.)";
+
+constexpr const char* changes_doc = R"(
+What the last insertion, edit or undo did, delone.Changes: ids of cells and vertices, see cell_ids and vertex_ids. None
+unless record_changes() was called.)";
+
+constexpr const char* record_undo_doc = R"(
+Has undo take back the last insertion or edit from now on. Until the next one, memory for the cells that it has changed is
+kept. record_undo(False) ends that.)";
+
+constexpr const char* undo_doc = R"(
+Takes back the last insertion or edit: all arrays and ids are as they were. It cannot be taken back itself. InputError
+unless can_undo.)";
+
+constexpr const char* compact_ids_doc = R"(
+Gives rows and vertices numbers without gaps, in their present order. Returns (vertices, rows): by old id and by old number
+the new one, or -1. Then nothing can be undone. O(m k + n).)";
+
+py::tuple state(const Held& held) {
+  const BuildArguments& a = held.arguments();
+  for (;;) {
+    const std::uint64_t version = held.version();
+    Supervisor supervisor;
+    const std::vector<std::size_t> batches = supervisor.run([&] { return held.batches(); });
+    const py::array rows = points_of(held);
+    const py::object numbers = held.form() == Form::regular ? py::object(weights_of(held)) : py::none();
+    if (version == held.version())  // no other thread has changed it meanwhile
+      return py::make_tuple(held.dimension(), rows, numbers, batches_to_state(batches), a.seed, a.order,
+                            a.threads, held.columns());
+  }
+}
+
+/// The rows that were removed: all their coordinates are NaN.
+std::vector<std::size_t> removed_rows(const py::array_t<double>& points) {
+  std::vector<std::size_t> removed;
+  if (points.ndim() != 2 || points.shape(1) == 0) return removed;
+  const auto d = static_cast<std::size_t>(points.shape(1));
+  const double* const first = points.data();
+  for (std::size_t row = 0; row < static_cast<std::size_t>(points.shape(0)); ++row)
+    if (std::all_of(first + row * d, first + (row + 1) * d, [](double x) { return std::isnan(x); }))
+      removed.push_back(row);
+  return removed;
+}
+
+/// The array with the first row that was not removed, or 0, in the places of those that were.
+py::array_t<double> with_rows_filled(const py::array_t<double>& array,
+                                     const std::vector<std::size_t>& removed) {
+  const auto rows = static_cast<std::size_t>(array.shape(0));
+  const std::size_t width = rows == 0 ? 0 : static_cast<std::size_t>(array.size()) / rows;
+  py::array_t<double> filled(array.attr("copy")("C"));
+  double* const first = filled.mutable_data();
+  std::size_t kept = 0;
+  while (kept < removed.size() && removed[kept] == kept) ++kept;
+  for (const std::size_t row : removed)
+    if (kept < rows)
+      std::copy_n(first + kept * width, width, first + row * width);
+    else
+      std::fill_n(first + row * width, width, 0.0);
+  return filled;
+}
+
+/// Rows that were removed come as duplicates, which cost nothing, and are removed again.
+template <class T>
+std::unique_ptr<T> restored(const py::tuple& given) {
+  return from_state(given, 8, "a triangulation", [](const py::tuple& state) {
+    const auto numbers = as_doubles(state[1], "points");
+    const std::vector<std::size_t> removed = removed_rows(numbers);
+    const auto points = as_points(removed.empty() ? numbers : with_rows_filled(numbers, removed), "points");
+    auto held = std::make_unique<T>(
+        state[0].cast<int>(),
+        BuildArguments{state[4].cast<std::uint64_t>(), state[5].cast<std::string>(), state[6].cast<int>()});
+    py::object weights = py::none();
+    if (held->form() == Form::regular) {
+      const auto all = as_weights(state[2], points.shape(0), "weights");
+      weights = removed.empty() ? all : with_rows_filled(all, removed);
+    }
+    add_batches(state[3], points.shape(0), [&](const py::slice& rows) {
+      add(*held, points[rows], weights.is_none() ? weights : py::object(weights[rows]), py::none());
+    });
+    if (!removed.empty()) make(*held, {.remove = removed}, py::none());
+    held->set_columns(as_columns(state[7], held->dimension()));
+    return held;
+  });
+}
+
+template <class T>
+using Class = py::class_<T, Held, std::shared_ptr<T>>;
+
+template <class T>
+void bind_copies(Class<T>& type) {
+  type.def(py::pickle([](const T& held) { return state(held); },
+                      [](const py::tuple& state) { return restored<T>(state); }))
+      .def("clone", &clone<T>, clone_doc)
+      .def("__copy__", &copy<T>)
+      .def(
+          "__deepcopy__", [](const py::object& self, const py::object&) { return copy<T>(self); }, "memo"_a);
+}
+
+template <class T>
+void bind_points_only(Class<T>& type) {
+  type.def(
+      py::init([](const py::object& points, std::uint64_t seed, std::string order, int threads,
+                  const py::object& progress, const py::object& memory_limit, const py::object& time_limit) {
+        return construct<T>(points, py::none(), seed, std::move(order), threads, progress, memory_limit,
+                            time_limit);
+      }),
+      "points"_a, py::kw_only(), "seed"_a = 0, "order"_a = "automatic", "threads"_a = 0,
+      "progress"_a = py::none(), "memory_limit"_a = py::none(), "time_limit"_a = py::none());
+  type.def(
+      "insert_range",
+      [](T& held, const py::object& points, const py::object& progress) {
+        add(held, points, py::none(), progress);
+      },
+      "points"_a, py::kw_only(), "progress"_a = py::none(),
+      "Adds points, (n, d), as the next rows: all of them, or none if it raises.\n\n"
+      "Arrays that were taken before stay as they are; cells are numbered anew.");
+  type.def(
+      "edit",
+      [](T& held, const py::object& insert, const py::object& remove, const py::object& move,
+         const py::object& progress) { edit(held, insert, py::none(), remove, move, py::none(), progress); },
+      py::kw_only(), "insert"_a = py::none(), "remove"_a = py::none(), "move"_a = py::none(),
+      "progress"_a = py::none(), text(edit_doc));
+  bind_copies(type);
+}
+
+constexpr const char* delaunay_doc = R"(
+Delaunay(points, *, seed=0, order='automatic', threads=0, progress=None,
+         memory_limit=None, time_limit=None)
+
+The Delaunay triangulation of points, (n, d) numbers that are exact in float64, or a pandas DataFrame, in any dimension.
+
+Exact, a function of the set of points: seed and order ('automatic', 'as_given', 'shuffled') only change the way there.
+Duplicates are merged, flat points are triangulated in their flat. At most `threads` threads build, and answer queries; 0:
+as many as there are cores for the process, where the work is large enough to gain by them. All arrays are the same,
+however many. `progress`: True for a bar, or a function that is called ten times a second with the fraction done; what
+it returns stops the work (CancelledError) if it is false, but None. Ctrl-C stops with KeyboardInterrupt. `memory_limit`,
+the bytes that the process may have in use, and `time_limit`, the seconds for this call or one of insert_range, end it with
+OutOfMemoryError and TimeLimitError, which say how far it came and what the whole would have taken (see delone.estimate);
+a copy by pickling has no limits.
+Methods let go of the GIL; any number of threads may call them at once. Raises InputError, a ValueError, for NaN and
+infinities, and ValueError for other input that is no array of points; both name the row, and of a DataFrame the column.
+Cost: O(n) cells and time in each dimension for evenly spread points.)";
+
+constexpr const char* regular_doc = R"(
+Regular(points, weights, *, seed=0, order='automatic', threads=0, progress=None,
+        memory_limit=None, time_limit=None)
+
+The regular triangulation (weighted Delaunay triangulation) of points, (n, d), with weights, (n,), which have the unit
+of squared lengths and may be negative. Points above the lower boundary of the lifted points (x, |x|² - weight) are
+hidden. All else as in Delaunay.)";
+
+constexpr const char* furthest_site_doc = R"(
+FurthestSite(points, *, seed=0, order='automatic', threads=0, progress=None,
+             memory_limit=None, time_limit=None)
+
+The furthest-site Delaunay triangulation of points, (n, d): the cells whose spheres have no point outside. Its vertices
+are the extreme points, all others are hidden. One thread builds it. All else as in Delaunay.)";
+
+}  // namespace
+
+void bind_edits(py::module_& module, py::class_<Held, std::shared_ptr<Held>>& base) {
+  base.def("remove", &remove, "rows"_a, py::kw_only(), "progress"_a = py::none(), text(remove_doc))
+      .def("move", &move, "rows"_a, "points"_a, py::kw_only(), "progress"_a = py::none(), text(move_doc))
+      .def("has_row", &has_row, "rows"_a,
+           "Whether a row, or each of an array, is there: False if it was removed. InputError for one that "
+           "never was.")
+      .def(
+          "record_changes", [](Held& held, bool wanted) { change(held, &Held::record_changes, wanted); },
+          "wanted"_a = true, text(record_changes_doc))
+      .def_property_readonly("changes", &changes, text(changes_doc))
+      .def_property_readonly(
+          "cell_ids", &cell_ids,
+          "(m,) the id of each cell, increasing. A cell has its id as long as it is there.")
+      .def_property_readonly(
+          "vertex_ids", &vertex_ids,
+          "(n,) the id, 1 or more, of the vertex at each row; -1 if it is hidden or was removed. A vertex "
+          "has "
+          "its id as long as a row is left at its place, also while it is hidden; no other ever gets it.")
+      .def(
+          "record_undo", [](Held& held, bool wanted) { change(held, &Held::record_undo, wanted); },
+          "wanted"_a = true, text(record_undo_doc))
+      .def_property_readonly(
+          "can_undo",
+          [](const Held& h) { return count(h, [](const Triangulation& t) { return t.can_undo(); }); },
+          "Whether undo has something to take back: an insertion or edit since record_undo().")
+      .def(
+          "undo", [](Held& held) { change(held, &Held::undo); }, text(undo_doc))
+      .def("compact_ids", &compact_ids, text(compact_ids_doc));
+
+  py::class_<HeldDelaunay, Held, std::shared_ptr<HeldDelaunay>> delaunay(module, "Delaunay",
+                                                                         text(delaunay_doc));
+  bind_points_only(delaunay);
+
+  py::class_<HeldRegular, Held, std::shared_ptr<HeldRegular>> regular(module, "Regular", text(regular_doc));
+  regular.def(py::init([](const py::object& points, const py::object& weights, std::uint64_t seed,
+                          std::string order, int threads, const py::object& progress,
+                          const py::object& memory_limit, const py::object& time_limit) {
+                return construct<HeldRegular>(points, weights, seed, std::move(order), threads, progress,
+                                              memory_limit, time_limit);
+              }),
+              "points"_a, "weights"_a, py::kw_only(), "seed"_a = 0, "order"_a = "automatic", "threads"_a = 0,
+              "progress"_a = py::none(), "memory_limit"_a = py::none(), "time_limit"_a = py::none());
+  regular.def(
+      "insert_range",
+      [](HeldRegular& held, const py::object& points, const py::object& weights, const py::object& progress) {
+        add(held, points, weights, progress);
+      },
+      "points"_a, "weights"_a, py::kw_only(), "progress"_a = py::none(),
+      "Adds points, (n, d), with weights, (n,), as the next rows: all of them, or none if it raises.");
+  regular.def("set_weights", &set_weights, "rows"_a, "weights"_a, py::kw_only(), "progress"_a = py::none(),
+              text(set_weights_doc));
+  regular.def("edit", &edit, py::kw_only(), "insert"_a = py::none(), "insert_weights"_a = py::none(),
+              "remove"_a = py::none(), "move"_a = py::none(), "weights"_a = py::none(),
+              "progress"_a = py::none(), text(edit_regular_doc));
+  const auto bind_hidden = [](auto& type) {
+    type.def_property_readonly("hidden", &hidden, "The rows that are hidden, increasing.")
+        .def_property_readonly(
+            "num_hidden",
+            [](const Held& h) { return count(h, [](const Triangulation& t) { return t.num_hidden(); }); },
+            "How many rows are hidden.");
+  };
+  regular.def_property_readonly("weights", &weights_of,
+                                "(n,) float64, read-only; NaN for rows that were removed.");
+  bind_hidden(regular);
+  bind_copies(regular);
+
+  py::class_<HeldFurthestSite, Held, std::shared_ptr<HeldFurthestSite>> furthest(module, "FurthestSite",
+                                                                                 text(furthest_site_doc));
+  bind_points_only(furthest);
+  bind_hidden(furthest);
+}
+
+}  // namespace delone::python
