@@ -9,6 +9,7 @@
 // vertices. Then every cell is right because the one beside it is.
 #pragma once
 
+#include "base/progress_meter.hpp"
 #include "base/random.hpp"
 #include "engine/conflict.hpp"
 #include "engine/hole/hole.hpp"
@@ -34,7 +35,8 @@ class HoleFiller {
   using BorderFacet = typename Hole<K>::BorderFacet;
 
  public:
-  HoleFiller(CellStore<K>& cells, G& geometry) : cells_(cells), geometry_(geometry) {}
+  HoleFiller(CellStore<K>& cells, G& geometry)
+      : cells_(cells), geometry_(geometry), functions_size_(geometry::size_of_functions(cells.dimension())) {}
 
   /// The hole that is filled next.
   Hole<K>& hole() { return hole_; }
@@ -60,6 +62,12 @@ class HoleFiller {
   template <class OnSize>
   std::optional<Filling> fill(ConflictZone& zone, StageCounts& counts, OnSize&& on_size) {
     const bool is_star = hole_.leaving() != invalid_index;
+    if constexpr (K == 2)
+      if (is_star && hole_.num_finite() == hole_.num_cells()) {
+        find_triangles(counts);
+        on_size(num_cells_);
+        return create(zone, true, counts);
+      }
     const std::span<const Index> vertices = hole_.vertices();
     while (keys_.size() <= vertices.size() + 1)
       keys_.push_back(random::mix(0x9e3779b97f4a7c15u * (keys_.size() + 1)));
@@ -84,6 +92,61 @@ class HoleFiller {
   int dimension() const { return cells_.dimension(); }
   std::size_t width() const { return static_cast<std::size_t>(dimension()) + 1; }
 
+  /// In the plane, around a vertex inside: the hole is a polygon. A triangle at one of its edges, whose apex exact
+  /// predicates choose, leaves a polygon on each side.
+  void find_triangles(StageCounts& counts) requires(K == 2) {
+    const std::span<const BorderFacet> border = hole_.border();
+    first_facet_ = static_cast<std::uint32_t>(border.size());
+    beyond_border_.assign(border.size(), none);
+    num_cells_ = 0;
+    // The cycle of edges: seen from the vertex that goes, one leads from the vertex in the next slot to the other.
+    edge_at_.assign(hole_.vertices().size() + 1, none);
+    const auto end_of = [&](std::uint32_t f, int steps) {
+      return hole_.numbers_of_cell(border[f].inner)[(border[f].slot + steps) % 3];
+    };
+    for (std::uint32_t f = 0; f < border.size(); ++f) edge_at_[end_of(f, 1)] = f;
+    cycle_.clear();
+    for (std::uint32_t f = 0; cycle_.size() < border.size(); f = edge_at_[end_of(f, 2)]) cycle_.push_back(f);
+    const auto number = [&](std::size_t i) { return end_of(cycle_[i], 1); };
+    polygons_.assign(1, {0, static_cast<std::uint32_t>(cycle_.size()) - 1, cycle_.back()});
+    while (!polygons_.empty()) {
+      const Polygon polygon = polygons_.back();
+      polygons_.pop_back();
+      std::uint32_t apex = polygon.first + 1;
+      if (polygon.last - polygon.first > 2) {
+        contenders_.clear();
+        for (std::uint32_t i = polygon.first + 1; i < polygon.last; ++i)
+          contenders_.push_back(hole_.id(number(i)));
+        std::array<Index, 3> triangle{hole_.id(number(polygon.first)), 0, hole_.id(number(polygon.last))};
+        const Index first = geometry_.first_in_pencil(triangle.data(), 1, Sign::positive, contenders_,
+                                                      geometry_.grid(), counts);
+        while (hole_.id(number(apex)) != first) ++apex;
+      }
+      reserve_cell();
+      const auto cell = static_cast<std::uint32_t>(num_cells_++), facet = 3 * cell;
+      is_odd_[cell] = 0;
+      vertices_[facet] = number(polygon.first);
+      vertices_[facet + 1] = number(apex);
+      vertices_[facet + 2] = number(polygon.last);
+      const auto link = [&](std::uint32_t here, std::uint32_t other) {
+        beside_[here] = other;
+        if (other < first_facet_)
+          beyond_border_[other] = here;
+        else
+          beside_[other - first_facet_] = first_facet_ + here;
+      };
+      link(facet + 1, polygon.beyond);
+      const auto go_on = [&](std::uint32_t first, std::uint32_t last, std::uint32_t here) {
+        if (last == first + 1)
+          link(here, cycle_[first]);
+        else
+          polygons_.push_back({first, last, first_facet_ + here});
+      };
+      go_on(polygon.first, apex, facet + 2);
+      go_on(apex, polygon.last, facet);
+    }
+  }
+
   /// Finds all cells of the hole. Returns whether every facet has two in the end.
   bool find_cells(bool exact, StageCounts& counts) {
     const std::span<const BorderFacet> border = hole_.border();
@@ -102,7 +165,6 @@ class HoleFiller {
       std::uint32_t other;
       facets_.match({&key, 1}, f, &other);
     }
-    functions_size_ = geometry::size_of_functions(dimension());
     start_.resize(functions_size_);
     // After a wrong apex a search may never end. Around a vertex that goes, exact ones are right.
     const bool is_safe = exact && hole_.leaving() != invalid_index;
@@ -120,6 +182,7 @@ class HoleFiller {
         const std::uint32_t facet = open_[next];
         if (beside_[facet] != none) continue;
         if (num_cells_ > most) return false;
+        if (num_cells_ % 512 == 511) internal::cancellation_point();
         reserve_cell();
         const std::size_t cell = facet / width();
         add_cell(vertices_.data() + cell * width(), functions_.data() + cell * functions_size_,
@@ -241,7 +304,7 @@ class HoleFiller {
     cells_.reserve(num_cells_);
     cells_.reserve_vacancies(std::max(num_cells_, zone.num_cells));
     created_.resize(num_cells_);
-    prepare_rows();
+    prepare(is_known);
     for (Index& cell : created_) cell = cells_.allocate();
     bool is_right = false;
     Index num_infinite = 0;
@@ -272,11 +335,12 @@ class HoleFiller {
     return Filling{num_cells_, num_infinite, created_.front()};
   }
 
-  /// Of all vertices of the hole, by number.
-  void prepare_rows() {
-    rows_.resize((hole_.vertices().size() + 1) * width());
-    double* row = rows_.data();
-    for (const Index v : hole_.vertices()) geometry_.write_row_of(v, row += width());
+  void prepare(bool is_known) {
+    if (K != 2 || !is_known) {
+      rows_.resize((hole_.vertices().size() + 1) * width());
+      double* row = rows_.data();
+      for (const Index v : hole_.vertices()) geometry_.write_row_of(v, row += width());
+    }
     written_.resize(num_cells_ * width());
     finite_.clear();
     finite_.reserve(num_cells_);
@@ -402,13 +466,14 @@ class HoleFiller {
 
   CellStore<K>& cells_;
   G& geometry_;
+  const std::size_t functions_size_;  // of one cell
   Hole<K> hole_;
   geometry::HoleSearch search_;
   std::vector<std::uint64_t> keys_;  // of vertices, by number; that of a facet is the sum of theirs
   FacetTable facets_;                // those with one cell
   // The cells that have been found.
   bool is_exact_ = false;
-  std::size_t num_cells_ = 0, functions_size_ = 0;
+  std::size_t num_cells_ = 0;
   std::uint32_t first_facet_ = 0;
   std::vector<Index> vertices_;               // numbers
   std::vector<std::uint32_t> beside_;         // for each facet the same one of another cell, or of the border
@@ -417,6 +482,13 @@ class HoleFiller {
   std::vector<std::uint32_t> beyond_border_;  // for each facet of the border, that of the cell in the hole
   std::vector<std::uint32_t> open_;
   std::vector<double> start_;
+  /// In the plane: the vertices first, …, last of the cycle, and the facet beyond the edge from the last to the
+  /// first.
+  struct Polygon {
+    std::uint32_t first, last, beyond;
+  };
+  std::vector<Polygon> polygons_;
+  std::vector<std::uint32_t> edge_at_, cycle_;  // the facet of the border that begins at a vertex; all in order
   std::vector<Index> source_, simplex_, contenders_;
   // The cells that have been created.
   std::vector<Index> created_, written_;
