@@ -6,6 +6,7 @@
 """
 import pathlib
 import sys
+import time
 
 import matplotlib
 import numpy as np
@@ -229,6 +230,42 @@ def ask_phases(path):
     save(figure, path)
 
 
+def edit_window(path):
+    """A stream of earthquakes in a window of two days: the distance of each from the nearest one, and the time that it takes."""
+    columns = read("earthquakes")
+    columns = {name: column[np.argsort(columns["time_ms"])] for name, column in columns.items()}
+    longitude, latitude = np.radians(columns["longitude"]), np.radians(columns["latitude"])
+    radius, hours = 6371 - columns["depth_km"], columns["time_ms"] / 3_600_000
+    events = np.stack([radius * np.cos(latitude) * np.cos(longitude), radius * np.cos(latitude) * np.sin(longitude),
+                       radius * np.sin(latitude), hours], axis=1)
+    window, first = delone.Delaunay(events[:1]), 0
+    nearest, by_editing, anew = np.full((3, len(events)), np.nan)
+    for i in range(1, len(events)):
+        start = time.perf_counter()
+        end = first + np.searchsorted(events[first:i, 3], hours[i] - 48)
+        window.edit(insert=events[i:i + 1], remove=np.arange(first, end))
+        by_editing[i] = time.perf_counter() - start
+        first = end
+        start = time.perf_counter()
+        delone.Delaunay(events[first:i + 1])
+        anew[i] = time.perf_counter() - start
+        nearest[i] = np.linalg.norm(events[first:i] - events[i], axis=1).min()
+    days = (hours - hours[0]) / 24
+    figure, axes = plt.subplots(2, 1, figsize=(9, 5.6), sharex=True, height_ratios=[3, 2])
+    axes[0].plot(days, nearest, ".", color=SOFT, ms=3)
+    swarms = [("The Geysers", 38.8, -122.8, "#2a9d8f"), ("Mammoth Lakes", 37.6, -118.8, "#8a5fbf"), ("Hualien, Taiwan", 24.1, 121.7, ACCENT)]
+    for name, north, east, color in swarms:
+        here = np.hypot(columns["latitude"] - north, (columns["longitude"] - east) * np.cos(np.radians(north))) < 0.5
+        axes[0].plot(days[here], nearest[here], "o", color=color, ms=4, label=name)
+    axes[0].set(yscale="log", ylabel="distance from the\nnearest event, km")
+    axes[0].legend(loc="upper right", ncol=3, fontsize=9)
+    for times, label, color in [(anew, "triangulated anew", SOFT), (by_editing, "edited", INK)]:
+        axes[1].plot(days, 1000 * times, ".", color=color, ms=2, label=f"{label}: {1000 * np.nanmean(times):.2f} ms per event")
+    axes[1].set(yscale="log", ylabel="milliseconds", xlabel="day", xlim=(0, days[-1]), ylim=(0.004, 20))
+    axes[1].legend(loc="lower right", ncol=2, markerscale=4, fontsize=9)
+    save(figure, path)
+
+
 def save(figure, path, tight=True):
     if tight:
         figure.tight_layout()
@@ -239,7 +276,7 @@ def save(figure, path, tight=True):
 def main():
     folder = pathlib.Path(sys.argv[1]) if len(sys.argv) > 1 else ROOT / "docs" / "pictures"
     folder.mkdir(parents=True, exist_ok=True)
-    for draw in (overview, plane, protein, earthquakes, look_values, look_curvature, look_protein, ask_neighbors, ask_phases):
+    for draw in (overview, plane, protein, earthquakes, look_values, look_curvature, look_protein, ask_neighbors, ask_phases, edit_window):
         draw(folder / f"{draw.__name__}.png")
 
 
