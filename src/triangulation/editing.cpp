@@ -37,8 +37,9 @@ void exchange_first_two(Index* links, std::size_t corners) {
 Triangulation::Impl::Editing::Editing(Impl& impl, const RowEdits& edits)
     : impl_(impl),
       edits_(edits),
-      progress_(impl.options.progress, edits.remove.size() + edits.move.size() + edits.weigh.size() +
-                                           edits.insert.size() / impl.ambient()) {
+      total_(edits.remove.size() + 2 * (edits.move.size() + edits.weigh.size()) +
+             edits.insert.size() / impl.ambient()),
+      progress_(impl.options.progress, total_) {
   const std::size_t d = impl.ambient();
   if (edits.to.size() % d != 0 || edits.insert.size() % d != 0)
     throw Error(Errc::bad_dimension, "the number of coordinates is not a multiple of the dimension");
@@ -101,6 +102,9 @@ void Triangulation::Impl::Editing::require_disjoint() const {
                       rows.data() == edits_.move.data() ? "is removed and moved" : "is removed and weighed",
                       i);
 }
+
+/// One step more; a move is two, and may be none.
+void Triangulation::Impl::Editing::tick() { progress_(std::min(++done_, total_)); }
 
 void Triangulation::Impl::Editing::run() {
   begin();
@@ -290,7 +294,7 @@ void Triangulation::Impl::Editing::settle_some() {
     }
     impl_.update_cells(impl_.engine->made_by_settling());
     is_settled[leaving.placement] = 1;
-    progress_(done_++);
+    tick();
   }
   if (done_ == 0) return;
   std::vector<std::size_t> new_places(placements_.size(), none);
@@ -339,7 +343,7 @@ void Triangulation::Impl::Editing::take_all_out() {
       if (placement.vertex != invalid_index) take_from_list(placement.vertex);
   }
   for (const Leaving& leaving : leaving_) {
-    progress_(done_++);
+    tick();
     const Index near = take_out(leaving.vertex);
     if (leaving.placement != none) placements_[leaving.placement].near = near;
   }
@@ -491,7 +495,7 @@ void Triangulation::Impl::Editing::place_all() {
     place_again(v);
   }
   for (const Placement& placement : placements_) {
-    progress_(done_++);
+    tick();
     place(placement);
   }
 }

@@ -49,6 +49,7 @@ class Triangulation::Impl::Editing {
 
   void require_rows(std::span<const std::size_t> rows, const char* verb) const;
   void require_disjoint() const;
+  void tick();
   void plan();
   void plan_moves();
   void add_point(std::span<const double> coordinates, double weight);
@@ -89,6 +90,7 @@ class Triangulation::Impl::Editing {
   std::vector<Placement> placements_;  // of those that come or move
   std::vector<Index> freed_;           // hidden vertices that may come back
   std::vector<Index> dead_;            // vertices without rows
+  const std::size_t total_;
   internal::ProgressMeter progress_;
   std::size_t done_ = 0;
   bool is_done_ = false;

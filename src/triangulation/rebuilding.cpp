@@ -76,8 +76,9 @@ void Triangulation::Impl::Editing::build_anew() {
   std::vector<std::pair<Index, Index>> equal;  // vertices, and those at their points that came before them
   const std::span<const Index> spanning(sorted.data(), num_spanning);
   const std::span<const Index> others(sorted.data() + num_spanning, sorted.size() - num_spanning);
+  std::size_t num_placed = num_spanning;
   const auto on_placed = [&](Index v, Index at) {
-    progress_(std::min(++done_, placements_.size()));
+    progress_(total_ * ++num_placed / sorted.size());
     if (at != v && at != invalid_index) equal.emplace_back(v, at);
   };
   if (impl_.affine_hull.dimension() == 0) {
@@ -160,7 +161,7 @@ void Triangulation::Impl::Editing::insert_others(std::span<const Index> others,
   engine::ParallelBatch batch{threads, 0, at, rounds};
   batch.steps = others;
   batch.num_before = num_spanning;
-  batch.tick = [&](std::size_t done) { progress_(std::min(done, placements_.size())); };
+  batch.tick = [&](std::size_t done) { progress_(total_ * done / others.size()); };
   impl_.engine->insert_all(batch);
   for (std::size_t i = 0; i < others.size(); ++i) on_placed(others[i], at[i]);
   // Now, as what follows the edit must not change ids.

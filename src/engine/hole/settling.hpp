@@ -235,10 +235,12 @@ class Settling {
     }
     return true;
   }
-  /// Where no cells fit, the hole is made larger.
+  /// Where no cells fit, the hole is made larger. A large hole costs more than its vertices one by one.
   bool fill_hole(bool may_reach_hull) {
     constexpr int most_rounds = 4;
+    const std::size_t most_cells = 64 * (static_cast<std::size_t>(dimension()) + 1);
     for (int round = 0;; ++round) {
+      if (hole_.size() > most_cells << std::max(dimension() - 3, 0)) return false;
       if (!may_reach_hull &&
           std::any_of(hole_.begin(), hole_.end(), [&](Index cell) { return geometry_.is_infinite(cell); }))
         return false;

@@ -86,7 +86,7 @@ std::size_t find(const PencilTask& task, std::uint32_t* found) {
   // The least of the largest possible ratios, in each lane, without division. The vertices of the facet are
   // too near to count.
   const V height_error = hn::Set(d, task.height_error), distance_error = hn::Set(d, task.distance_error);
-  const V least_distance = hn::Add(distance_error, distance_error);
+  const V least_distance = hn::Add(distance_error, distance_error), zero = hn::Zero(d);
   V best_height = hn::Set(d, infinity), best_distance = hn::Set(d, 1.0);
   for (std::size_t i = 0; i < stride; i += lanes) {
     V height = hn::Add(height_at(last), hn::LoadU(d, task.rows + last * stride + i));
@@ -98,11 +98,14 @@ std::size_t find(const PencilTask& task, std::uint32_t* found) {
     }
     hn::StoreU(height, d, task.heights + i);
     hn::StoreU(distance, d, task.distances + i);
-    const V highest = hn::Add(height, height_error), nearest = hn::Sub(distance, distance_error);
+    // The largest possible ratio has the least distance if the height is positive, and else the largest.
+    const V highest = hn::Add(height, height_error);
+    const V divisor = hn::IfThenElse(hn::Lt(highest, zero), hn::Add(distance, distance_error),
+                                     hn::Sub(distance, distance_error));
     const auto better = hn::And(hn::Gt(distance, least_distance),
-                                hn::Lt(hn::Mul(highest, best_distance), hn::Mul(best_height, nearest)));
+                                hn::Lt(hn::Mul(highest, best_distance), hn::Mul(best_height, divisor)));
     best_height = hn::IfThenElse(better, highest, best_height);
-    best_distance = hn::IfThenElse(better, nearest, best_distance);
+    best_distance = hn::IfThenElse(better, divisor, best_distance);
   }
   for (std::size_t i = 0; i < task.num_own; ++i) task.heights[task.own[i]] = infinity;
   const V least = hn::MinOfLanes(d, hn::Div(best_height, best_distance));
@@ -110,9 +113,13 @@ std::size_t find(const PencilTask& task, std::uint32_t* found) {
   const V none = hn::Set(d, infinity), too_near = hn::Neg(distance_error);
   for (std::size_t i = 0; i < stride; i += lanes) {
     const V height = hn::LoadU(d, task.heights + i), distance = hn::LoadU(d, task.distances + i);
+    const V lowest = hn::Sub(height, height_error);
+    const auto is_below = hn::Lt(lowest, zero);
+    const V divisor = hn::IfThenElse(is_below, hn::Sub(distance, distance_error), hn::Add(distance, distance_error));
+    const auto is_uncertain = hn::And(is_below, hn::Le(divisor, zero));
     const auto may_be_first =
         hn::And(hn::And(hn::Gt(distance, too_near), hn::Lt(height, none)),
-                hn::Le(hn::Sub(height, height_error), hn::Mul(least, hn::Add(distance, distance_error))));
+                hn::Or(is_uncertain, hn::Le(lowest, hn::Mul(least, divisor))));
     if (hn::AllFalse(d, may_be_first)) continue;
     std::uint8_t bits[8] = {};
     hn::StoreMaskBits(d, may_be_first, bits);
