@@ -336,7 +336,7 @@ void expect_all_to_go_and_come(int d, const std::string& kind, std::size_t n, un
     ASSERT_EQ(t.hash(), batch.hash()) << gone << " points are gone";
   };
   std::size_t gone = 0;
-  for (const std::size_t batch : {n / 50, n / 3, n / 10, n}) {  // some by removals, some by building anew
+  for (const std::size_t batch : {n / 50 + 1, n / 3, n / 10, n}) {  // some by removals, some by building anew
     const std::vector<std::size_t> rows(
         order.begin() + static_cast<std::ptrdiff_t>(gone),
         order.begin() + static_cast<std::ptrdiff_t>(std::min(n, gone + batch)));
