@@ -180,7 +180,7 @@ EditLists changes_of(int d, std::size_t n, std::size_t every, bool moves) {
 }
 
 TYPED_TEST(Edits, AreCancelled) {
-  const std::size_t n = test::scaled_size(20'000, 4000);
+  const std::size_t n = test::scaled_size(6000, 2000);
   for (const std::size_t every : {std::size_t{50}, std::size_t{2}}) {
     SCOPED_TRACE(testing::Message() << "every row in " << every);
     std::size_t left = static_cast<std::size_t>(-1), num_calls = 0;
