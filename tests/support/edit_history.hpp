@@ -108,6 +108,7 @@ class EditHistory {
   /// An edit that may fail, and then changes nothing; it is taken back if it does not. Returns whether it has
   /// failed.
   bool try_in_vain(const EditLists& lists) {
+    if (lists.is_empty()) return false;
     const Seen before(product_);
     product_.record_undo(true);
     bool has_failed = false;
