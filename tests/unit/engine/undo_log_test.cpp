@@ -9,6 +9,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numeric>
 #include <utility>
@@ -99,6 +100,103 @@ TEST(UndoLog, PutsCellsBackIntoTheirSlots) {
     expect_undone<2>(grid_size, VertexIds::wide);
     expect_undone<3>(grid_size, VertexIds::wide);
     expect_undone<5>(grid_size, VertexIds::narrow);
+  }
+}
+
+/// A small batch that removes vertices and inserts them again, in two turns.
+template <int K>
+void expect_small_batch_undone(double grid_size, VertexIds ids) {
+  SCOPED_TRACE(testing::Message() << K << "D, grid " << grid_size);
+  constexpr Index n = K < 4 ? 120 : 40;
+  Growing<K> growing(n, grid_size, ids);
+  growing.insert(0, growing.others.size() - 10);
+  HoleFiller<K, typename Growing<K>::Geometry> filler(growing.build.cells(), growing.build.geometry());
+  const auto cell_of = [&](Index v) {
+    const auto& cells = growing.build.cells();
+    for (Index cell = 0; cell < cells.num_slots(); ++cell)
+      for (int i = 0; i <= K && !cells.is_vacant(cell); ++i)
+        if (cells.vertex(cell, i) == v) return cell;
+    return invalid_index;
+  };
+  const auto before = growing.cells();
+  const Index num_infinite = growing.build.num_infinite();
+  for (std::size_t turn = 0; turn < 4; ++turn) {
+    growing.build.begin_batch(true);
+    std::vector<CellId> gone, come;
+    growing.build.changed_cells(gone, come);
+    EXPECT_TRUE(gone.empty() && come.empty());
+    if (turn > 0)
+      for (std::size_t i = 0; i < 5 * turn; ++i) {
+        const Index v = growing.others[i], cell = cell_of(v);
+        EXPECT_TRUE(cell == invalid_index || growing.build.remove(v, cell, filler));
+      }
+    if (turn != 1) growing.insert(growing.others.size() - 10, growing.others.size());
+    if (turn == 3) growing.insert(0, 5);
+    growing.build.changed_cells(gone, come);
+    std::sort(gone.begin(), gone.end());
+    std::sort(come.begin(), come.end());
+    EXPECT_EQ(std::adjacent_find(gone.begin(), gone.end()), gone.end());
+    EXPECT_EQ(std::adjacent_find(come.begin(), come.end()), come.end());
+    const auto after = growing.cells();
+    for (Index cell = 0; cell < std::max(before.size(), after.size()); ++cell) {
+      const bool was = cell < before.size() && !before[cell].empty(),
+                 is = cell < after.size() && !after[cell].empty(),
+                 has_gone = std::binary_search(gone.begin(), gone.end(), CellId{cell}),
+                 has_come = std::binary_search(come.begin(), come.end(), CellId{cell});
+      EXPECT_LE(has_gone, was);
+      EXPECT_LE(has_come, is);
+      EXPECT_EQ(was && !has_gone, is && !has_come) << cell;
+      for (std::size_t i = 0; was && !has_gone && i < before[cell].size(); i += 2)
+        EXPECT_EQ(before[cell][i], after[cell][i]) << "a vertex of cell " << cell;
+    }
+    std::vector<Index> put_back;
+    growing.build.undo_batch([&](Index cell) { put_back.push_back(cell); });
+    std::sort(put_back.begin(), put_back.end());
+    ASSERT_EQ(put_back.size(), gone.size());
+    for (std::size_t i = 0; i < gone.size(); ++i) EXPECT_EQ(put_back[i], index(gone[i]));
+    ASSERT_EQ(growing.cells(), before);
+    EXPECT_EQ(growing.build.num_infinite(), num_infinite);
+  }
+}
+
+TEST(UndoLog, OfSmallBatchesPutsCellsBackIntoTheirSlots) {
+  for (const double grid_size : {0.0, 4.0}) {
+    expect_small_batch_undone<2>(grid_size, VertexIds::wide);
+    expect_small_batch_undone<3>(grid_size, VertexIds::wide);
+    expect_small_batch_undone<5>(grid_size, VertexIds::narrow);
+  }
+}
+
+TEST(UndoLog, OfASmallBatchKnowsNewCellsFromOldOnes) {
+  Growing<3> growing(300, 0, VertexIds::wide);
+  growing.insert(0, 20);
+  const auto& cells = growing.build.cells();
+  UndoLog<3> log;
+  for (int turn = 0; turn < 2; ++turn) {
+    log.begin(cells, true);
+    std::vector<Index> noted, fresh;
+    const auto look = [&] {
+      noted.clear();
+      fresh.clear();
+      log.for_each_noted(cells, [&](Index cell) { noted.push_back(cell); });
+      log.for_each_new(cells, [&](Index cell) { fresh.push_back(cell); });
+    };
+    look();
+    EXPECT_TRUE(noted.empty() && fresh.empty());
+    const std::vector<Index> dying{2, 5};
+    log.reserve_new(2);
+    log.note_new(7);  // as if its slot had been vacant
+    log.note(cells, dying);
+    log.note(cells, dying);
+    log.note(cells, std::vector<Index>{7});  // new: not noted
+    log.note_new(5);                         // again in the slot of one that has been noted
+    log.note_new(7);
+    look();
+    EXPECT_EQ(noted, dying);
+    std::sort(fresh.begin(), fresh.end());
+    EXPECT_EQ(fresh, (std::vector<Index>{2, 5, 7}));  // slot 2 is not vacant here
+    log.end();
+    EXPECT_FALSE(log.is_on());
   }
 }
 
