@@ -105,7 +105,7 @@ using NeighborsOfCell = CellLinks<CellId>;
 /// triangulation of affine dimension k, and one infinite cell per hull facet, which joins the facet to the
 /// infinite vertex. Topology only: no coordinates. Cheap to copy; valid until its owner changes or dies.
 ///
-/// Cells live in slots; a slot may be vacant after an insertion. The ranges skip vacant slots. Functions that
+/// Cells live in slots; a slot may be vacant after insertions and edits. The ranges skip vacant slots. Functions that
 /// take a cell REQUIRE is_cell(c), those that take a vertex is_vertex(v), and indices in a cell are 0 … k. A
 /// hardened build (the CMake option DELONE_HARDENED) checks this and throws Errc::invalid_argument.
 class DELONE_EXPORT Complex {
@@ -141,8 +141,8 @@ class DELONE_EXPORT Complex {
 
   /// k, the dimension of the cells; −1 for the complex of no points.
   int affine_dimension() const { return dimension_; }
-  /// Finite vertices. Their ids are 1 … num_vertices(), unless points are hidden: these leave gaps among the
-  /// ids.
+  /// Finite vertices. Their ids are 1 … num_vertices(), unless points are hidden or were removed: these leave
+  /// gaps among the ids.
   Index num_vertices() const { return num_finite_vertices_; }
   Index num_vertex_slots() const { return num_vertex_slots_; }  ///< size for payload arrays indexed by vertex
   Index num_finite_cells() const { return num_finite_cells_; }

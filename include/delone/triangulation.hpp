@@ -144,7 +144,8 @@ class DELONE_EXPORT Triangulation {
   /// Errc::invalid_argument unless record_changes() is on.
   const Changes& changes() const;
 
-  /// Has undo() take back the last edit or insertion from now on. Until the next one, memory for the cells
+  /// Has undo() take back the last edit or insertion from now on; after one that fails, nothing can be taken
+  /// back. Until the next one, memory for the cells
   /// that it killed is kept, 8(k+1) + 4 bytes each, and for every row and vertex that it changed, some 16
   /// bytes and its point; the cells themselves where it raised or lowered the affine dimension, or built
   /// anew.
@@ -187,7 +188,10 @@ class DELONE_EXPORT Triangulation {
   struct RowEdits {
     std::span<const std::size_t> remove = {}, move = {}, weigh = {};
     std::span<const double> to = {}, weights = {}, insert = {}, insert_weights = {};
-    bool is_empty() const { return remove.empty() && move.empty() && weigh.empty() && insert.empty(); }
+    bool is_empty() const {
+      return remove.empty() && move.empty() && weigh.empty() && to.empty() && weights.empty() &&
+             insert.empty() && insert_weights.empty();
+    }
   };
   void apply(const RowEdits& edits);
   template <int D>

@@ -92,23 +92,15 @@ class HoleFiller {
   int dimension() const { return cells_.dimension(); }
   std::size_t width() const { return static_cast<std::size_t>(dimension()) + 1; }
 
-  /// In the plane, around a vertex inside: the hole is a polygon. A triangle at one of its edges, whose apex exact
-  /// predicates choose, leaves a polygon on each side.
+  /// In the plane, around a vertex inside: the hole is a polygon. A triangle at one of its edges, whose apex
+  /// exact predicates choose, leaves a polygon on each side.
   void find_triangles(StageCounts& counts) requires(K == 2) {
-    const std::span<const BorderFacet> border = hole_.border();
-    first_facet_ = static_cast<std::uint32_t>(border.size());
-    beyond_border_.assign(border.size(), none);
+    first_facet_ = static_cast<std::uint32_t>(hole_.border().size());
+    beyond_border_.assign(first_facet_, none);
     num_cells_ = 0;
-    // The cycle of edges: seen from the vertex that goes, one leads from the vertex in the next slot to the other.
-    edge_at_.assign(hole_.vertices().size() + 1, none);
-    const auto end_of = [&](std::uint32_t f, int steps) {
-      return hole_.numbers_of_cell(border[f].inner)[(border[f].slot + steps) % 3];
-    };
-    for (std::uint32_t f = 0; f < border.size(); ++f) edge_at_[end_of(f, 1)] = f;
-    cycle_.clear();
-    for (std::uint32_t f = 0; cycle_.size() < border.size(); f = edge_at_[end_of(f, 2)]) cycle_.push_back(f);
-    const auto number = [&](std::size_t i) { return end_of(cycle_[i], 1); };
-    polygons_.assign(1, {0, static_cast<std::uint32_t>(cycle_.size()) - 1, cycle_.back()});
+    const std::span<const std::uint32_t> cycle = hole_.cycle();
+    const auto number = [&](std::size_t i) { return hole_.beginning(cycle[i]); };
+    polygons_.assign(1, {0, static_cast<std::uint32_t>(cycle.size()) - 1, cycle.back()});
     while (!polygons_.empty()) {
       const Polygon polygon = polygons_.back();
       polygons_.pop_back();
@@ -138,7 +130,7 @@ class HoleFiller {
       link(facet + 1, polygon.beyond);
       const auto go_on = [&](std::uint32_t first, std::uint32_t last, std::uint32_t here) {
         if (last == first + 1)
-          link(here, cycle_[first]);
+          link(here, cycle[first]);
         else
           polygons_.push_back({first, last, first_facet_ + here});
       };
@@ -313,7 +305,8 @@ class HoleFiller {
       created_.clear();
     };
     try {
-      for (std::size_t c = 0; c < num_cells_; ++c) num_infinite += write_cell(c) ? 1 : 0;
+      for (std::size_t c = 0; c < num_cells_; ++c)
+        num_infinite += write_cell(c) ? 1 : 0;  // those are infinite
       is_right =
           create_functionals() && (is_known || (has_all_vertices() && is_delaunay(num_infinite > 0, counts)));
     } catch (...) {
@@ -349,7 +342,6 @@ class HoleFiller {
     orientations_.resize(num_cells_);
   }
 
-  /// Returns whether it is infinite.
   bool write_cell(std::size_t c) {
     const Index cell = created_[c];
     const Index* const numbers = vertices_.data() + c * width();
@@ -482,13 +474,14 @@ class HoleFiller {
   std::vector<std::uint32_t> beyond_border_;  // for each facet of the border, that of the cell in the hole
   std::vector<std::uint32_t> open_;
   std::vector<double> start_;
-  /// In the plane: the vertices first, …, last of the cycle, and the facet beyond the edge from the last to the
-  /// first.
+  /// In the plane: the vertices first, …, last of the cycle, and the facet beyond the edge from the last to
+  /// the first.
   struct Polygon {
     std::uint32_t first, last, beyond;
   };
   std::vector<Polygon> polygons_;
-  std::vector<std::uint32_t> edge_at_, cycle_;  // the facet of the border that begins at a vertex; all in order
+  std::vector<std::uint32_t> edge_at_,
+      cycle_;  // the facet of the border that begins at a vertex; all in order
   std::vector<Index> source_, simplex_, contenders_;
   // The cells that have been created.
   std::vector<Index> created_, written_;

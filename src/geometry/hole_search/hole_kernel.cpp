@@ -115,11 +115,11 @@ std::size_t find(const PencilTask& task, std::uint32_t* found) {
     const V height = hn::LoadU(d, task.heights + i), distance = hn::LoadU(d, task.distances + i);
     const V lowest = hn::Sub(height, height_error);
     const auto is_below = hn::Lt(lowest, zero);
-    const V divisor = hn::IfThenElse(is_below, hn::Sub(distance, distance_error), hn::Add(distance, distance_error));
+    const V divisor =
+        hn::IfThenElse(is_below, hn::Sub(distance, distance_error), hn::Add(distance, distance_error));
     const auto is_uncertain = hn::And(is_below, hn::Le(divisor, zero));
-    const auto may_be_first =
-        hn::And(hn::And(hn::Gt(distance, too_near), hn::Lt(height, none)),
-                hn::Or(is_uncertain, hn::Le(lowest, hn::Mul(least, divisor))));
+    const auto may_be_first = hn::And(hn::And(hn::Gt(distance, too_near), hn::Lt(height, none)),
+                                      hn::Or(is_uncertain, hn::Le(lowest, hn::Mul(least, divisor))));
     if (hn::AllFalse(d, may_be_first)) continue;
     std::uint8_t bits[8] = {};
     hn::StoreMaskBits(d, may_be_first, bits);

@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The part of an edit that leaves vertices where they are in the cells: they move little.
+#include "triangulation/editing.hpp"
+
+#include <algorithm>
+#include <cstdint>
+#include <optional>
+#include <utility>
+#include <vector>
+
+namespace delone {
+
+/// Whether a vertex may stay where it is in the cells: it has some, and gets a point that neither the
+/// dimension nor the frame has to change for. Where points may be hidden, a move may hide them and set them
+/// free.
+bool Triangulation::Impl::Editing::can_settle(const Placement& placement) const {
+  return placement.vertex != invalid_index && impl_.engine->frame().contains(point(placement)) &&
+         (impl_.affine_hull.dimension() == impl_.dimension || impl_.affine_hull.contains(point(placement)));
+}
+
+/// Where many vertices move, all at once. If that fails, the cells of the engine are of no use before they
+/// are rolled back.
+void Triangulation::Impl::Editing::settle_all() {
+  const auto moves = [](const Leaving& leaving) { return leaving.placement != none; };
+  const auto num_moving = static_cast<std::size_t>(std::count_if(leaving_.begin(), leaving_.end(), moves));
+  if (!impl_.engine || impl_.may_hide() || num_moving < 64 || num_moving < impl_.num_vertices / 4) return;
+  std::vector<double> low(impl_.engine->frame().low()), high(impl_.engine->frame().high());
+  for (const Leaving& leaving : leaving_) {
+    if (!moves(leaving)) continue;
+    const double* const x = point(placements_[leaving.placement]);
+    if (impl_.affine_hull.dimension() < impl_.dimension && !impl_.affine_hull.contains(x)) return;
+    for (std::size_t j = 0; j < low.size(); ++j) {
+      low[j] = std::min(low[j], x[j]);
+      high[j] = std::max(high[j], x[j]);
+    }
+  }
+  // With a margin, so that steps that follow stay inside.
+  std::optional<geometry::Frame> frame;
+  if (!impl_.engine->frame().contains(low.data()) || !impl_.engine->frame().contains(high.data()))
+    frame = impl_.frame_with(low.data(), high.data(), 0.0625);
+  impl_.engine->begin_batch(true);
+  record_->engine_has_log = true;
+  record_->has_settled = true;
+  const std::size_t first = record_->moved.size();
+  for (const Leaving& leaving : leaving_)
+    if (moves(leaving)) set_point(leaving.vertex, point(placements_[leaving.placement]));
+  if (!impl_.engine->settle_all(std::move(frame))) {  // so much moves that all will be built anew
+    restore_points(first);
+    return;
+  }
+  impl_.update_cells(impl_.engine->made_by_settling());
+  impl_.landmarks.reset();
+  std::erase_if(placements_, [](const Placement& placement) { return placement.vertex != invalid_index; });
+  std::erase_if(leaving_, moves);
+}
+
+/// One by one. Those that cannot stay where they are move in another way.
+void Triangulation::Impl::Editing::settle_some() {
+  if (!impl_.engine || impl_.may_hide() || is_worth_building_anew()) return;
+  const auto moves = [](const Leaving& leaving) { return leaving.placement != none; };
+  std::vector<std::uint8_t> is_settled(placements_.size(), 0);
+  std::size_t failures = 0;
+  for (const Leaving& leaving : leaving_) {
+    // Where one in two does not stay, trying costs more than it saves.
+    if (!moves(leaving) || failures > 16 + done_) continue;
+    const Placement& placement = placements_[leaving.placement];
+    if (!can_settle(placement)) continue;
+    begin_batch();
+    record_->has_settled = true;
+    const std::size_t first = record_->moved.size();
+    set_point(leaving.vertex, point(placement));
+    const Index cell = index(impl_.cell_of_vertex[leaving.vertex]);
+    if (!impl_.engine->settle(leaving.vertex, cell)) {
+      restore_points(first);
+      impl_.engine->renew(leaving.vertex, cell);
+      ++failures;
+      continue;
+    }
+    impl_.update_cells(impl_.engine->made_by_settling());
+    is_settled[leaving.placement] = 1;
+    tick();
+  }
+  if (done_ == 0) return;
+  std::vector<std::size_t> new_places(placements_.size(), none);
+  std::size_t count = 0;
+  for (std::size_t i = 0; i < placements_.size(); ++i) {
+    if (is_settled[i] != 0) continue;
+    new_places[i] = count;
+    placements_[count++] = placements_[i];
+  }
+  placements_.resize(count);
+  std::erase_if(leaving_,
+                [&](const Leaving& leaving) { return moves(leaving) && is_settled[leaving.placement] != 0; });
+  for (Leaving& leaving : leaving_)
+    if (moves(leaving)) leaving.placement = new_places[leaving.placement];
+}
+
+/// Takes back the points that were set last.
+void Triangulation::Impl::Editing::restore_points(std::size_t first) {
+  const std::size_t size = impl_.row_size();
+  for (std::size_t i = first; i < record_->moved.size(); ++i)
+    std::copy_n(record_->points.begin() + static_cast<std::ptrdiff_t>(i * size), size,
+                impl_.points.coordinates.begin() + static_cast<std::ptrdiff_t>(record_->moved[i] * size));
+  record_->moved.resize(first);
+  record_->points.resize(first * size);
+}
+
+}  // namespace delone
