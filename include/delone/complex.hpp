@@ -105,9 +105,10 @@ using NeighborsOfCell = CellLinks<CellId>;
 /// triangulation of affine dimension k, and one infinite cell per hull facet, which joins the facet to the
 /// infinite vertex. Topology only: no coordinates. Cheap to copy; valid until its owner changes or dies.
 ///
-/// Cells live in slots; a slot may be vacant after insertions and edits. The ranges skip vacant slots. Functions that
-/// take a cell REQUIRE is_cell(c), those that take a vertex is_vertex(v), and indices in a cell are 0 … k. A
-/// hardened build (the CMake option DELONE_HARDENED) checks this and throws Errc::invalid_argument.
+/// Cells live in slots; a slot may be vacant after insertions and edits. The ranges skip vacant slots.
+/// Functions that take a cell REQUIRE is_cell(c), those that take a vertex is_vertex(v), and indices in a
+/// cell are 0 … k. A hardened build (the CMake option DELONE_HARDENED) checks this and throws
+/// Errc::invalid_argument.
 class DELONE_EXPORT Complex {
  public:
   /// Which cells a range visits.

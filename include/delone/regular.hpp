@@ -70,15 +70,14 @@ class Regular : public Triangulation {
   }
 
   using Triangulation::remove;
-  /// Moves a row to another place, or many to as many. Cost of a small step, after which the cells around are
-  /// still those of the result: a quarter of an insertion; else about that of a removal and an insertion.
-  /// Errors as for remove(), and as for insert_range().
+  /// Moves a row to another place, or many to as many. Cost: that of a removal and an insertion. Errors as
+  /// for remove(), and as for insert_range().
   void move(std::size_t row, const AnyPoint<D>& to) {
     apply(RowEdits{.move = std::span(&row, 1), .to = to.coordinates()});
   }
   void move(std::span<const std::size_t> rows, AnyPoints<D> to) { edit({.move = rows, .to = std::move(to)}); }
-  /// All of it or nothing. Where much changes, cells may be built anew. Uses up to Options::threads threads,
-  /// and tells Options::progress.
+  /// All of it or nothing. Where much changes, cells are built anew, with up to Options::threads threads.
+  /// Tells Options::progress.
   void edit(const Edit<D>& edit) { apply(edit); }
   /// Gives a row another weight, or many. Cost as for move().
   void set_weight(std::size_t row, double weight) {

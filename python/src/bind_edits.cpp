@@ -283,12 +283,13 @@ Removes rows, one or an array: all of them, or none if it raises.
 
 The result is that of the rows that are left. They keep their numbers, and those removed are not used again: see has_row,
 num_rows and compact_ids. Arrays that were taken before stay as they are. InputError for a row that is not there or is
-given twice: it is named. Cost of one row that is the only one at its place: about that of two insertions there.)";
+given twice: it is named. Cost of one row that is the only one at its place: that of one and a half
+insertions there in 2D, and of up to five in 6D.)";
 
 constexpr const char* move_doc = R"(
 Gives a row another point, (d,), or many rows as many, (m, d): all of them, or none if it raises.
 
-Cost of a small step, after which the cells around are still those of the result: a quarter of an insertion; otherwise
+Cost of a small step, after which the cells around are still those of the result: about that of an insertion; otherwise
 about that of a removal and an insertion. Errors as for remove and insert_range.)";
 
 constexpr const char* set_weights_doc = R"(
