@@ -48,6 +48,9 @@ class PointPredicates {
     return coordinates_.data() +
            static_cast<std::size_t>(vertex) * static_cast<std::size_t>(flat().row_size());
   }
+  /// Whether a point is outside of a finite cell where the functional is positive: outside of its sphere. With
+  /// weights, and for furthest points, it may be anywhere.
+  bool is_outside_where_positive() const { return form_ == kernel::RowForm::point; }
   bool is_at(Index vertex, const PointQuery& q) const {
     return kernel::equal_points(point(vertex), q.point, q.compared);
   }

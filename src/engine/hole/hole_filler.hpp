@@ -401,10 +401,9 @@ class HoleFiller {
 
   /// Whether the new cells are Delaunay, given that the finite ones are positively oriented and every facet
   /// has two cells: if no vertex opposite a facet of the hole is in conflict with the cell beyond. Old and
-  /// new cells have the same border, so new less old ones cover every point of the sphere equally often. If
-  /// there is no infinite cell among them, that is 0 times, as it is near infinity; else a vertex that is
-  /// strictly outside of the spheres of all new cells shows it. So all cells are a triangulation, and one
-  /// that is locally Delaunay is Delaunay everywhere.
+  /// new cells have the same border, so new less old ones cover every point of the sphere equally often:
+  /// never if none is infinite, as near infinity; else a vertex outside of all new cells shows it. So all
+  /// cells are a triangulation, and one that is locally Delaunay is Delaunay everywhere.
   bool is_delaunay(bool has_infinite, StageCounts& counts) {
     for (std::uint32_t at = 0; at < num_cells_ * width(); ++at) {
       const std::uint32_t other = beside_[at], there = other - first_facet_;
@@ -437,7 +436,7 @@ class HoleFiller {
     return !in_conflict_exactly(cells_, geometry_, cell, q, geometry_.evaluator(q), counts);
   }
 
-  /// Whether a vertex is found that is strictly outside of the spheres of all new cells.
+  /// Whether a vertex is found that is strictly outside of all new cells.
   bool is_outside_of_all(StageCounts& counts) {
     int tries = 8;
     for (const BorderFacet& facet : hole_.border()) {
@@ -446,12 +445,17 @@ class HoleFiller {
       const Query q = geometry_.query_at(v);
       const auto functional = geometry_.evaluator(q);
       const bool is_outside = std::all_of(created_.begin(), created_.end(), [&](Index cell) {
-        if (functional.value(cell) > functional.threshold(cell)) return true;
+        const bool is_infinite = geometry_.is_infinite(cell);
+        const bool decides = is_infinite || geometry_.is_outside_where_positive();
+        if (decides && functional.value(cell) > functional.threshold(cell)) return true;
         const auto vertices = cells_.vertices(cell);
-        return geometry_.exact_side(vertices, cells_.infinite_slot(cell), q, counts) == Sign::positive;
+        if (decides)
+          return geometry_.exact_side(vertices, cells_.infinite_slot(cell), q, counts) == Sign::positive;
+        int slot = 0;
+        while (slot <= dimension() && geometry_.side_of_facet(vertices, slot, q) != Sign::negative) ++slot;
+        return slot <= dimension();
       });
-      if (is_outside) return true;
-      if (--tries == 0) break;
+      if (is_outside || --tries == 0) return is_outside;
     }
     return false;
   }
