@@ -80,6 +80,7 @@ class Settling {
   static constexpr std::size_t batch_size = 64;
 
   int dimension() const { return cells_.dimension(); }
+  std::size_t width() const { return static_cast<std::size_t>(dimension()) + 1; }
 
   /// Returns false as soon as a cell of the star is infinite, if none may be.
   bool find_star(Index v, Index cell, bool may_be_infinite) {
@@ -116,7 +117,7 @@ class Settling {
       add_bad(cell);
       return false;
     };
-    const std::size_t width = static_cast<std::size_t>(dimension()) + 1;
+    const std::size_t width = this->width();
     std::array<Index, batch_size> batch;
     std::array<Sign, batch_size> orientations;
     rows_.resize(batch_size * width * width);
@@ -219,7 +220,7 @@ class Settling {
   bool fill_one_hole() {
     hole_.clear();
     for (const Index cell : seeds_) take(cell);
-    return hole_.empty() || fill_hole(false);
+    return hole_.empty() || fill_hole(8 * width(), 1, false);
   }
   /// Bad cells that are neighbors make a hole.
   bool fill_holes() {
@@ -229,18 +230,17 @@ class Settling {
       hole_.clear();
       take(seed);
       collect();
-      if (!fill_hole(true)) return false;
+      if (!fill_hole(64 * width(), 4, true)) return false;
       for (const Index cell : filler_.created())  // some in the slots of bad ones
         if (bad_.contains(cell)) bad_.set(cell, is_new);
     }
     return true;
   }
-  /// Where no cells fit, the hole is made larger. A large hole costs more than its vertices one by one.
-  bool fill_hole(bool may_reach_hull) {
-    constexpr int most_rounds = 4;
-    const std::size_t most_cells = 64 * (static_cast<std::size_t>(dimension()) + 1);
+  /// Where no cells fit, the hole is made larger so many times. A large hole costs more than its vertices one
+  /// by one.
+  bool fill_hole(std::size_t most_cells, int most_rounds, bool may_reach_hull) {
     for (int round = 0;; ++round) {
-      if (hole_.size() > most_cells << std::max(dimension() - 3, 0)) return false;
+      if (hole_.size() > most_cells) return false;
       if (!may_reach_hull &&
           std::any_of(hole_.begin(), hole_.end(), [&](Index cell) { return geometry_.is_infinite(cell); }))
         return false;
