@@ -29,8 +29,8 @@ struct Edit {
 /// What the last call that changed a triangulation did to it. Every list is in ascending order.
 struct Changes {
   /// Cells that are no more, and new ones. The id of a cell that is no more may be that of a new one, and is
-  /// then in both lists. A cell in neither has its vertices, neighbors and id still, but its neighbors may be
-  /// new, and its vertices may have moved.
+  /// then in both lists. A cell in neither list has the same id and vertices; but these may have moved, and
+  /// cells next to it may be new.
   std::vector<CellId> killed, born;
   std::vector<VertexId> came;        ///< vertices with new ids, visible or hidden
   std::vector<VertexId> gone;        ///< vertices that have no row any more: their ids are not used again

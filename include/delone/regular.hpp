@@ -76,10 +76,11 @@ class Regular : public Triangulation {
     apply(RowEdits{.move = std::span(&row, 1), .to = to.coordinates()});
   }
   void move(std::span<const std::size_t> rows, AnyPoints<D> to) { edit({.move = rows, .to = std::move(to)}); }
-  /// All of it or nothing. Where much changes, cells are built anew, with up to Options::threads threads.
-  /// Tells Options::progress.
+  /// Removes, moves, weighs anew and inserts rows, all or none. Throws as remove() and insert_range() do, and
+  /// Errc::bad_dimension where lists do not match. Where much changes, cells are built anew, with up to
+  /// Options::threads threads. Tells Options::progress.
   void edit(const Edit<D>& edit) { apply(edit); }
-  /// Gives a row another weight, or many. Cost as for move().
+  /// Gives a row another weight, or many. Cost and errors as for move().
   void set_weight(std::size_t row, double weight) {
     apply(RowEdits{.weigh = std::span(&row, 1), .weights = std::span(&weight, 1)});
   }

@@ -73,9 +73,9 @@ struct InsertResult {
 /// once. An edit takes place whole or not at all: after any error (a row that is not there, not_finite,
 /// cancelled, out_of_memory) everything is as it was.
 ///
-/// Ids are stable. A row keeps its number, and a vertex its id, as long as it is there, hidden or not; both
-/// are not used again, so that they get gaps (has_row(), Complex::finite_vertices()), until compact_ids(). A
-/// vertex stays as long as a row is left at its place, and a row that moves alone takes its vertex along.
+/// Ids are stable. A row keeps its number, and a vertex its id, as long as it is there, hidden or not; edits
+/// do not use them again, so that they get gaps (has_row(), Complex::finite_vertices()), until compact_ids().
+/// A vertex stays as long as a row is left at its place, and a row that moves alone takes its vertex along.
 class DELONE_EXPORT Triangulation {
  public:
   Triangulation(const Triangulation&) = delete;
@@ -99,7 +99,7 @@ class DELONE_EXPORT Triangulation {
   int dimension() const;           ///< d
   int affine_dimension() const;    ///< k ≤ d; 0 for one distinct point, −1 for none
   std::size_t num_points() const;  ///< rows that are there, duplicates and hidden points included
-  std::size_t num_rows() const;    ///< rows that were ever inserted: one more than the number of the last
+  std::size_t num_rows() const;    ///< one more than the number of the last row, with those that were removed
   bool has_row(std::size_t row) const;  ///< whether a row, row < num_rows(), is there: not if it was removed
   Index num_vertices() const;           ///< distinct points that are not hidden
   std::size_t num_duplicates() const;
@@ -133,7 +133,8 @@ class DELONE_EXPORT Triangulation {
   std::vector<std::size_t> hidden_rows() const;
 
   /// Removes a row, or many. Cost of one that is the only one at its place: that of some insertions there,
-  /// from one and a half in 2D to five in 6D, if no points are hidden around it. Throws
+  /// from one and a half in 2D to five in 6D, if no points are hidden around it. The first edit also looks at
+  /// all rows, and in a regular or furthest-site triangulation finds a cell for each hidden point. Throws
   /// Errc::invalid_argument, naming the rows, if one is not there or is given twice.
   void remove(std::size_t row) { remove(std::span(&row, 1)); }
   void remove(std::span<const std::size_t> rows);
@@ -141,15 +142,14 @@ class DELONE_EXPORT Triangulation {
   /// Has changes() tell from now on what every call that changes something does. It costs a few per cent of
   /// the time of such a call, and the memory of the lists.
   void record_changes(bool wanted = true);
-  /// What the last call that changed something did: an edit, insertion or undo(). Throws
-  /// Errc::invalid_argument unless record_changes() is on.
+  /// What the last call that changed something did: an edit, insertion or undo(). After compact_ids(),
+  /// compact() and sort_cells() nothing. Throws Errc::invalid_argument unless record_changes() is on.
   const Changes& changes() const;
 
-  /// Has undo() take back the last edit or insertion from now on; after one that fails, nothing can be taken
-  /// back. Until the next one, memory for the cells
+  /// Has undo() take back the last edit or insertion from now on. Until the next one, memory for the cells
   /// that it killed is kept, 8(k+1) + 4 bytes each, and for every row and vertex that it changed, some 16
   /// bytes and its point; the cells themselves where it raised or lowered the affine dimension, or built
-  /// anew.
+  /// anew. After an edit that has begun and fails, nothing can be taken back.
   void record_undo(bool wanted = true);
   bool can_undo() const;
   /// Takes back the last edit or insertion: everything that members tell is as it was, ids included. Cannot
@@ -185,7 +185,7 @@ class DELONE_EXPORT Triangulation {
     insert_points(points.coordinates(), weights, [&points] { points.release(); });
   }
   InsertResult insert_point(std::span<const double> point, double weight, std::optional<CellId> hint);
-  /// An edit whose lists are not of a type of their own; the coordinates of points one after the other.
+  /// An Edit of any D: coordinates one after the other.
   struct RowEdits {
     std::span<const std::size_t> remove = {}, move = {}, weigh = {};
     std::span<const double> to = {}, weights = {}, insert = {}, insert_weights = {};

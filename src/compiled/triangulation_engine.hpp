@@ -76,7 +76,7 @@ class TriangulationQueries {
   virtual std::size_t bytes() const = 0;
 };
 
-/// The same, while points are inserted.
+/// The same, while points are inserted, removed and moved.
 class TriangulationEngine : public TriangulationQueries {
  public:
   /// Starts from k+1 affinely independent vertices.
@@ -113,8 +113,9 @@ class TriangulationEngine : public TriangulationQueries {
   virtual bool shares_batches_of(std::size_t num_vertices) const = 0;
   /// The same in several threads. REQUIRES that they can.
   virtual void insert_all(const engine::ParallelBatch& batch) = 0;
-  /// Gives vertices other ids: vertex v becomes new_ids[v], which is invalid_index for those that have no
-  /// cell. The points of the vertices have been moved by then.
+  /// Gives vertices other ids: vertex v becomes new_ids[v], which may be invalid_index for those that have no
+  /// cell. The points of the vertices have been moved by then. Throws std::bad_alloc, and then changes
+  /// nothing.
   virtual void renumber_vertices(std::span<const Index> new_ids) = 0;
   /// Gives cells ids that depend on the ids of their vertices alone, without gaps, where several threads may
   /// have inserted a batch. Throws std::bad_alloc, and then changes nothing.
@@ -130,7 +131,8 @@ class TriangulationEngine : public TriangulationQueries {
   virtual std::span<const Index> made_by_settling() const = 0;
   /// Says that a vertex that is in no cell, or whose cells will be renewed, has got another point.
   virtual void rewrite_row(Index v) noexcept = 0;
-  /// Computes anew what is cached for the cells of vertex v; or for all. REQUIRES an earlier settle().
+  /// Computes anew what is cached for the cells of vertex v, unless settle() was never called; or for all
+  /// cells.
   virtual void renew(Index v, Index cell) noexcept = 0;
   virtual void renew_all() noexcept = 0;
 
@@ -141,8 +143,8 @@ class TriangulationEngine : public TriangulationQueries {
   /// Cells are what they were, in their slots. A frame or box that has become larger stays so. `put_back` is
   /// called with each cell that had gone, and must not throw.
   virtual void undo_batch(const std::function<void(Index)>& put_back = [](Index) {}) noexcept = 0;
-  /// The cells that have gone and come since the beginning of the batch. A cell that has gone may have come
-  /// back.
+  /// The cells that have gone and come since the beginning of the batch. A cell that has come may have the id
+  /// of one that has gone.
   virtual void changed_cells(std::vector<CellId>& gone, std::vector<CellId>& come) const = 0;
 
   /// The facets that the cells of the last insertion were made from.

@@ -130,6 +130,7 @@ class TriangulationEngineOfDimension final : public TriangulationEngine {
     }
   }
   void renumber_vertices(std::span<const Index> new_ids) override {
+    geometry().prepare_rows(points_.last_vertex());
     build_.renumber_vertices(new_ids);
     geometry().set_rows(points_.last_vertex());
   }

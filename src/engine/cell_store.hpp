@@ -146,8 +146,8 @@ class CellStore {
       if (!is_cell(cell)) release(cell);
     shrink();
   }
-  /// The same where only some slots have changed: `fresh` are those that were vacant and may not be; all
-  /// others that were vacant still are or have cells again. Cost O(vacant + fresh).
+  /// The same where few slots have changed. `fresh`: all that were vacant at that time and have had a cell
+  /// since. Slots that had a cell then have it again. Cost O(vacant + fresh).
   void restore_changed_slots(Index num_slots, std::span<const Index> fresh) noexcept {
     const auto first = vacant_.begin();
     const auto last = std::remove_if(first, first + static_cast<std::ptrdiff_t>(num_vacant_),

@@ -14,6 +14,7 @@
 
 #include <delone/types.hpp>
 
+#include <algorithm>
 #include <span>
 #include <utility>
 #include <vector>
@@ -81,17 +82,19 @@ class Sphere {
     undo_batch([](Index) {});
   }
 
-  /// Since the beginning of the batch: the cells that have gone, and those that have come. A cell that has
-  /// gone may have come back.
+  /// Since the beginning of the batch: the cells that have gone, and those that have come, perhaps in their
+  /// slots.
   void changed_cells(std::vector<CellId>& gone, std::vector<CellId>& come) const {
-    log_.for_each_noted(cells_, [&](Index cell) { gone.push_back(CellId{cell}); });
+    log_.for_each_gone(cells_, [&](Index cell) { gone.push_back(CellId{cell}); });
     log_.for_each_new(cells_, [&](Index cell) { come.push_back(CellId{cell}); });
   }
 
   /// Vertex v becomes new_ids[v]; of vertices that are in no cell the entry does not matter. Throws
   /// std::bad_alloc, and then changes nothing.
   void renumber_vertices(std::span<const Index> new_ids) {
-    cells_.admit_vertices(static_cast<Index>(new_ids.size()) - 1);
+    Index last = 0;
+    for (const Index id : new_ids) last = id == invalid_index ? last : std::max(last, id);
+    cells_.admit_vertices(last);
     for (Index cell = 0; cell < cells_.num_slots(); ++cell)
       if (!cells_.is_vacant(cell))
         for (int i = 0; i <= cells_.dimension(); ++i)

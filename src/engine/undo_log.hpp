@@ -50,7 +50,9 @@ class UndoLog {
   }
   void end() noexcept {
     is_on_ = false;
-    if (is_small_) return;  // what there is serves the next small batch
+    if (is_small_ && notes_.capacity() < most_kept) return;  // what there is serves the next small batch
+    changed_ = {};
+    fresh_ = {};
     notes_ = GrowableArray<Index>();
     was_there_ = std::vector<std::uint64_t>();
   }
@@ -86,24 +88,27 @@ class UndoLog {
     if (is_small_ && changed_.insert(cell, 0).second) fresh_.push_back(cell);
   }
 
-  /// Calls f with the id of every cell that was there in the beginning and has been noted.
+  /// Calls f with the id of every cell that was there in the beginning and is not any more. One that was
+  /// noted may not have died, or have been made again in its slot.
   template <class F>
-  void for_each_noted(const CellStore<K>& cells, F&& f) const {
-    for (std::size_t n = 0; n < num_notes_; ++n) f(notes_[n * size_of_note(cells)]);
+  void for_each_gone(const CellStore<K>& cells, F&& f) const {
+    for (std::size_t n = 0; n < num_notes_; ++n)
+      if (const Index* const note = notes_.data() + n * size_of_note(cells); !is_there(cells, note)) f(*note);
   }
-  /// Calls f with the id of every cell that is there and was not in the beginning, or has been noted.
+  /// Calls f with the id of every cell that is there and was not in the beginning.
   template <class F>
   void for_each_new(const CellStore<K>& cells, F&& f) const {
-    if (!is_small_) {
-      for (Index cell = 0; cell < cells.num_slots(); ++cell)
-        if (!was_there(cell) && !cells.is_vacant(cell)) f(cell);
-      return;
-    }
-    const auto visit = [&](Index cell) {
-      if (cell < cells.num_slots() && !cells.is_vacant(cell)) f(cell);
-    };
-    for (const Index cell : fresh_) visit(cell);
-    for_each_noted(cells, visit);
+    const auto is_cell = [&](Index cell) { return cell < cells.num_slots() && !cells.is_vacant(cell); };
+    for (const Index cell : fresh_)
+      if (is_cell(cell)) f(cell);
+    for_each_gone(cells, [&](Index cell) {
+      if (is_cell(cell)) f(cell);
+    });
+    if (is_small_) return;
+    internal::StampedTable noted;
+    for (std::size_t n = 0; n < num_notes_; ++n) noted.insert(notes_[n * size_of_note(cells)], 0);
+    for (Index cell = 0; cell < cells.num_slots(); ++cell)
+      if (!was_there(cell) && is_cell(cell) && !noted.contains(cell)) f(cell);
   }
 
   /// Makes the cells those that were there in the beginning, in their slots. In the end `put_back` is called
@@ -124,8 +129,17 @@ class UndoLog {
   }
 
  private:
+  static constexpr std::size_t most_kept = std::size_t{1} << 20;
+
   static std::size_t size_of_note(const CellStore<K>& cells) {
     return 1 + 2 * (static_cast<std::size_t>(cells.dimension()) + 1);
+  }
+  /// Whether the cell of a note is in its slot, with its vertices in their order.
+  static bool is_there(const CellStore<K>& cells, const Index* note) {
+    if (note[0] >= cells.num_slots()) return false;
+    for (int i = 0; i <= cells.dimension(); ++i)
+      if (cells.vertex(note[0], i) != note[1 + i]) return false;
+    return true;
   }
   /// Whether it was, and has not been noted.
   bool was_there(Index cell) const {
@@ -152,9 +166,9 @@ class UndoLog {
   std::size_t num_notes_ = 0;
   GrowableArray<Index> notes_;            // id, vertices, neighbors
   std::vector<std::uint64_t> was_there_;  // a bit for each slot: a cell was there, and is there
-  internal::StampedTable
-      changed_;               // of a small batch: slots whose cells have been noted, and those of new cells
-  std::vector<Index> fresh_;  // the latter: they were vacant
+  // Of a small batch: slots whose cells have been noted, and those of new cells that were vacant; the latter.
+  internal::StampedTable changed_;
+  std::vector<Index> fresh_;
 };
 
 }  // namespace delone::engine

@@ -48,8 +48,8 @@ class PointPredicates {
     return coordinates_.data() +
            static_cast<std::size_t>(vertex) * static_cast<std::size_t>(flat().row_size());
   }
-  /// Whether a point is outside of a finite cell where the functional is positive: outside of its sphere. With
-  /// weights, and for furthest points, it may be anywhere.
+  /// Whether a point is outside of a finite cell where the functional is positive: outside of its sphere.
+  /// With weights, and for furthest points, it may be anywhere.
   bool is_outside_where_positive() const { return form_ == kernel::RowForm::point; }
   bool is_at(Index vertex, const PointQuery& q) const {
     return kernel::equal_points(point(vertex), q.point, q.compared);
@@ -138,7 +138,7 @@ class PointPredicates {
         scales_[j] = std::max(scales_[j], std::fabs(point(v)[j] - origin[j]));
     scale_of_lift_ = std::numeric_limits<double>::infinity();
     for (double& scale : scales_) {
-      scale = std::ldexp(1.0, -std::clamp(scale > 0 ? std::ilogb(scale) + 1 : -1000, -1000, 1000));
+      scale = std::ldexp(1.0, -scale > 0 ? std::clamp(std::ilogb(scale), -1000, 1000) + 1 : -1000);
       scale_of_lift_ = std::min(scale_of_lift_, scale);
     }
     center_ = center;

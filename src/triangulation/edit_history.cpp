@@ -97,7 +97,7 @@ void Triangulation::Impl::roll_back(internal::EditRecord& before) noexcept {
   vertex_of_row.resize(before.num_rows);
   row_of_vertex.resize(before.num_row_of_vertex);
   num_rows_inserted = before.num_rows_inserted;
-  has_ids_of_threads = before.has_ids_of_threads;
+  has_ids_of_threads = before.had_ids_of_threads;
   for (std::size_t i = before.moved.size(); i-- > 0;)
     std::copy_n(before.points.begin() + static_cast<std::ptrdiff_t>(i * row_size()), row_size(),
                 points.coordinates.begin() + static_cast<std::ptrdiff_t>(before.moved[i] * row_size()));
@@ -126,7 +126,7 @@ void Triangulation::Impl::roll_back(internal::EditRecord& before) noexcept {
   if (engine)
     for (const Index v : before.moved) engine->rewrite_row(v);
   if (engine && before.has_settled) {
-    if (before.moved.size() >= before.num_vertices / 4)
+    if (before.needs_all_renewed)
       engine->renew_all();
     else
       for (const Index v : before.moved)
@@ -137,40 +137,45 @@ void Triangulation::Impl::roll_back(internal::EditRecord& before) noexcept {
 }
 
 CompactedIds Triangulation::Impl::compact_ids() {
+  expand();
   CompactedIds ids;
-  std::vector<Index> new_ids(row_of_vertex.size(), invalid_index);
   ids.vertices.assign(row_of_vertex.size(), invalid_vertex);
   ids.rows.assign(vertex_of_row.size(), CompactedIds::no_row);
-  expand();
-  forget_undo();
-  forget_indexes();
-  landmarks.reset();
-  new_ids[0] = 0;
-  Index next = 1;
-  for (Index v = 1; v < new_ids.size(); ++v)
-    if (row_of_vertex[v] != invalid_index) new_ids[v] = next++;
+  std::vector<Index> new_ids(row_of_vertex.size(), invalid_index);
+  std::vector<Index> rows_of_vertices;
+  std::vector<double> coordinates;
+  std::vector<VertexId> vertices_of_rows;
   const std::size_t size = row_size();
   for (Index v = 0; v < new_ids.size(); ++v) {
-    if (new_ids[v] == invalid_index) continue;
+    if (v > 0 && row_of_vertex[v] == invalid_index) continue;
+    new_ids[v] = static_cast<Index>(rows_of_vertices.size());
     ids.vertices[v] = VertexId{new_ids[v]};
+    rows_of_vertices.push_back(v > 0 ? invalid_index : 0);
     const auto from = points.coordinates.begin() + static_cast<std::ptrdiff_t>(v * size);
-    std::copy_n(from, size, points.coordinates.begin() + static_cast<std::ptrdiff_t>(new_ids[v] * size));
+    coordinates.insert(coordinates.end(), from, from + static_cast<std::ptrdiff_t>(size));
   }
-  points.coordinates.resize(next * size);
-  std::size_t next_row = 0;
-  row_of_vertex.assign(next, invalid_index);
-  row_of_vertex[0] = 0;
   for (std::size_t row = 0; row < vertex_of_row.size(); ++row) {
     if (vertex_of_row[row] == invalid_vertex) continue;
     const Index v = new_ids[index(vertex_of_row[row])];
-    ids.rows[row] = next_row;
-    row_of_vertex[v] = std::min(row_of_vertex[v], static_cast<Index>(next_row));
-    vertex_of_row[next_row++] = VertexId{v};
+    ids.rows[row] = vertices_of_rows.size();
+    rows_of_vertices[v] = std::min(rows_of_vertices[v], static_cast<Index>(vertices_of_rows.size()));
+    vertices_of_rows.push_back(VertexId{v});
   }
-  vertex_of_row.resize(next_row);
-  if (engine) engine->renumber_vertices(new_ids);
+  cell_of_vertex.reserve(rows_of_vertices.size());
+  points.coordinates.swap(coordinates);
+  try {
+    if (engine) engine->renumber_vertices(new_ids);
+  } catch (...) {
+    points.coordinates.swap(coordinates);
+    throw;
+  }
+  row_of_vertex.swap(rows_of_vertices);
+  vertex_of_row.swap(vertices_of_rows);
+  forget_undo();
+  forget_indexes();
+  landmarks.reset();
+  changes = {};
   if (affine_hull.dimension() == 0) only_vertex() = new_ids[only_vertex()];
-  cell_of_vertex.resize(std::min<std::size_t>(cell_of_vertex.size(), next));
   find_cells_of_vertices();
   return ids;
 }

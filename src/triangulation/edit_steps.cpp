@@ -203,16 +203,16 @@ void Triangulation::Impl::Editing::place(const Placement& placement) {
     set_point(v, point(placement));
     const Index at = impl_.place(v, start_near(point(placement), placement.near));
     if (at != v && at != invalid_index) merge(v, at);
+    if (at == v && impl_.landmarks) impl_.add_landmarks(v, v);
     return;
   }
-  const Index start = start_near(point(placement), placement.near);
+  const bool is_at_start = start_ != invalid_index && leaving_.empty();
+  const Index start = is_at_start ? start_ : start_near(point(placement), placement.near);
   const Index v = impl_.append(point(placement));
   const Index at = impl_.place(v, start);
   const bool is_duplicate = at != v && at != invalid_index;
   if (is_duplicate) impl_.drop_last_vertex();
   impl_.assign(placement.row, is_duplicate ? at : v);
-  if (impl_.cell_of_vertex.size() <= v && !is_duplicate)
-    impl_.cell_of_vertex.resize(std::size_t{v} + 1, invalid_cell);
   if (at == v && impl_.landmarks) impl_.add_landmarks(v, v);
 }
 
@@ -239,7 +239,6 @@ void Triangulation::Impl::Editing::merge(Index v, Index into) {
     impl_.detach(row);
     impl_.assign(row, into);
   }
-  dead_.push_back(v);
 }
 
 }  // namespace delone

@@ -24,9 +24,10 @@ void require_as_many(std::size_t rows, std::size_t found, const char* what) {
 
 }  // namespace
 
-Triangulation::Impl::Editing::Editing(Impl& impl, const RowEdits& edits)
+Triangulation::Impl::Editing::Editing(Impl& impl, const RowEdits& edits, Index start)
     : impl_(impl),
       edits_(edits),
+      start_(start),
       total_(edits.remove.size() + 2 * (edits.move.size() + edits.weigh.size()) +
              edits.insert.size() / impl.ambient()),
       progress_(impl.options.progress, total_) {
@@ -113,10 +114,7 @@ void Triangulation::Impl::Editing::run() {
 /// From here on everything that changes is noted.
 void Triangulation::Impl::Editing::begin() {
   impl_.expand();
-  if (impl_.last_edit) {
-    if (impl_.engine) impl_.engine->keep_batch();
-    impl_.last_edit.reset();
-  }
+  impl_.forget_undo();
   auto record = std::make_unique<internal::EditRecord>();
   record->affine_hull = impl_.affine_hull;
   record->num_coordinates = impl_.points.coordinates.size();
@@ -126,7 +124,7 @@ void Triangulation::Impl::Editing::begin() {
   record->num_rows_inserted = impl_.num_rows_inserted;
   record->num_vertices = impl_.num_vertices;
   record->only_vertex = impl_.only_vertex();
-  record->has_ids_of_threads = impl_.has_ids_of_threads;
+  record->had_ids_of_threads = impl_.has_ids_of_threads;
   impl_.known_shared_rows();
   record_ = std::move(record);
   impl_.record = record_.get();
@@ -226,13 +224,19 @@ void Triangulation::Impl::Editing::finish() {
     impl_.engine->keep_batch();
 }
 
-/// The only row of a vertex, where nothing else can come of it. Returns false, and has done nothing, if it is
-/// not so.
-bool Triangulation::Impl::remove_at_once(std::size_t row) {
-  if (records_changes || records_undo || last_edit || may_hide() || !engine) return false;
-  if (row >= vertex_of_row.size() || vertex_of_row[row] == invalid_vertex) return false;
+/// The vertex of a row that is alone at it and may go or move without anything that a record or hidden points
+/// have to know; invalid_index for others.
+Index Triangulation::Impl::lone_vertex_of(std::size_t row) {
+  if (records_changes || records_undo || may_hide() || !engine) return invalid_index;
+  if (row >= vertex_of_row.size() || vertex_of_row[row] == invalid_vertex) return invalid_index;
   const Index v = index(vertex_of_row[row]);
-  if (known_shared_rows().has_several(v) || !engine->remove(v, index(cell_of_vertex[v]))) return false;
+  return known_shared_rows().has_several(v) ? invalid_index : v;
+}
+
+/// Returns false, and has done nothing, where it takes the long way.
+bool Triangulation::Impl::remove_at_once(std::size_t row) {
+  const Index v = lone_vertex_of(row);
+  if (v == invalid_index || !engine->remove(v, index(cell_of_vertex[v]))) return false;
   update_cells(engine->made_by_removal());
   cell_of_vertex[v] = invalid_cell;
   --num_vertices;
@@ -242,11 +246,8 @@ bool Triangulation::Impl::remove_at_once(std::size_t row) {
 
 /// The same for a row that moves a little.
 bool Triangulation::Impl::move_at_once(std::size_t row, std::span<const double> to) {
-  if (records_changes || records_undo || last_edit || may_hide() || !engine) return false;
-  if (row >= vertex_of_row.size() || vertex_of_row[row] == invalid_vertex || to.size() != ambient())
-    return false;
-  const Index v = index(vertex_of_row[row]);
-  if (known_shared_rows().has_several(v) || !engine->frame().contains(to.data())) return false;
+  const Index v = lone_vertex_of(row);
+  if (v == invalid_index || to.size() != ambient() || !engine->frame().contains(to.data())) return false;
   if (affine_hull.dimension() < dimension && !affine_hull.contains(to.data())) return false;
   double* const point = points.coordinates.data() + v * ambient();
   const std::vector<double> before(point, point + ambient());
@@ -270,7 +271,7 @@ bool Triangulation::Impl::move_at_once(std::size_t row, std::span<const double> 
   return is_settled;
 }
 
-void Triangulation::Impl::edit(const RowEdits& edits) {
+void Triangulation::Impl::edit(const RowEdits& edits, Index start) {
   if (edits.is_empty()) return;
   if (edits.remove.size() == 1 && edits.move.empty() && edits.weigh.empty() && edits.insert.empty() &&
       remove_at_once(edits.remove[0]))
@@ -279,13 +280,14 @@ void Triangulation::Impl::edit(const RowEdits& edits) {
       move_at_once(edits.move[0], edits.to))
     return;
   internal::BuildLimits limits(options.memory_limit, options.time_limit, "changes");
-  limits.guard([&] { Editing(*this, edits).run(); });
+  limits.guard([&] { Editing(*this, edits, start).run(); });
 }
 
-InsertResult Triangulation::Impl::insert_on_record(std::span<const double> point, double weight) {
+InsertResult Triangulation::Impl::insert_on_record(std::span<const double> point, double weight,
+                                                   Index start) {
   const std::size_t row = vertex_of_row.size();
   const std::size_t num_ids = row_of_vertex.size();
-  edit({.insert = point, .insert_weights = {&weight, weighted() ? std::size_t{1} : std::size_t{0}}});
+  edit({.insert = point, .insert_weights = {&weight, weighted() ? std::size_t{1} : std::size_t{0}}}, start);
   const VertexId v = vertex_of_row[row];
   if (!is_visible(index(v))) return {};
   return {v, index(v) >= num_ids};

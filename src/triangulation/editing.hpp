@@ -3,9 +3,10 @@
 //
 // Rows become vertices first. A vertex that is left without rows goes; a row that is alone at its vertex
 // takes it along to its new point; a row that is not alone leaves its vertex behind, and is inserted as a new
-// one. Then either all vertices that go or move are taken out, one by one, and those that come or move are
-// inserted, or everything is built anew (rebuilding.cpp), whichever costs less. Hidden points that were taken
-// out of the lists on the way are inserted last.
+// one. Vertices that move little stay where they are in the cells (engine/hole/settling.hpp). Then either all
+// others that go or move are taken out, one by one, and those that come or move are inserted, or everything
+// is built anew (rebuilding.cpp), whichever costs less. Hidden points that may come back are inserted before
+// those.
 #pragma once
 
 #include "base/progress_meter.hpp"
@@ -23,7 +24,9 @@ namespace delone {
 class Triangulation::Impl::Editing {
  public:
   /// Throws for rows that are not there or are given twice, and for numbers that are not finite.
-  Editing(Impl& impl, const RowEdits& edits);
+  /// `start`: a cell to walk from to the first point that is inserted, if nothing is taken out; or
+  /// invalid_index.
+  Editing(Impl& impl, const RowEdits& edits, Index start);
   /// Unless the edit has been completed, everything is as it was.
   ~Editing();
   Editing(const Editing&) = delete;
@@ -84,6 +87,7 @@ class Triangulation::Impl::Editing {
 
   Impl& impl_;
   const RowEdits& edits_;
+  const Index start_;
   std::unique_ptr<internal::EditRecord> record_;
   std::vector<double> points_;  // new ones, with weights where points have weights
   std::vector<Leaving> leaving_;

@@ -93,13 +93,14 @@ void Triangulation::Impl::Editing::build_anew() {
     impl_.engine->seed(spanning);
     insert_others(others, rounds, on_placed);
   }
-  if (impl_.affine_hull.dimension() >= 0) {
-    impl_.find_cells_of_vertices();
-  } else {
-    impl_.cell_of_vertex.assign(impl_.row_of_vertex.size(), invalid_cell);
-    impl_.num_vertices = 0;
-  }
   merge_equal(equal);
+  // Cells where several threads might have made them are sorted now, as sort_cells() must not change ids
+  // later.
+  if (impl_.engine && impl_.engine->shares_batches_of(others.size())) {
+    impl_.engine->sort_cells(internal::threads_to_use(impl_.options.threads));
+    impl_.has_ids_of_threads = false;
+  }
+  if (impl_.affine_hull.dimension() > 0) impl_.find_cells_of_vertices();
   for (Index v = 1; v < cells_before.size(); ++v)
     if ((cells_before[v] != invalid_cell) != impl_.is_visible(v))
       record_->were_visible.emplace_back(v, cells_before[v] != invalid_cell);
@@ -134,10 +135,8 @@ void Triangulation::Impl::Editing::merge_equal(std::vector<std::pair<Index, Inde
     if (kept != at) merge(at, kept);
   }
   if (new_ids.empty()) return;
-  if (impl_.engine)
-    impl_.engine->renumber_vertices(new_ids);
-  else
-    impl_.only_vertex() = new_ids[impl_.only_vertex()];
+  if (impl_.engine) return impl_.engine->renumber_vertices(new_ids);
+  impl_.only_vertex() = new_ids[impl_.only_vertex()];
   impl_.find_cells_of_vertices();
 }
 
@@ -164,8 +163,6 @@ void Triangulation::Impl::Editing::insert_others(std::span<const Index> others,
   batch.tick = [&](std::size_t done) { progress_(total_ * done / others.size()); };
   impl_.engine->insert_all(batch);
   for (std::size_t i = 0; i < others.size(); ++i) on_placed(others[i], at[i]);
-  // Now, as what follows the edit must not change ids.
-  impl_.engine->sort_cells(threads);
   impl_.statistics.threads = std::max(impl_.statistics.threads, threads);
 }
 

@@ -11,8 +11,7 @@
 namespace delone {
 
 /// Whether a vertex may stay where it is in the cells: it has some, and gets a point that neither the
-/// dimension nor the frame has to change for. Where points may be hidden, a move may hide them and set them
-/// free.
+/// dimension nor the frame has to change for.
 bool Triangulation::Impl::Editing::can_settle(const Placement& placement) const {
   return placement.vertex != invalid_index && impl_.engine->frame().contains(point(placement)) &&
          (impl_.affine_hull.dimension() == impl_.dimension || impl_.affine_hull.contains(point(placement)));
@@ -40,7 +39,7 @@ void Triangulation::Impl::Editing::settle_all() {
     frame = impl_.frame_with(low.data(), high.data(), 0.0625);
   impl_.engine->begin_batch(true);
   record_->engine_has_log = true;
-  record_->has_settled = true;
+  record_->has_settled = record_->needs_all_renewed = true;
   const std::size_t first = record_->moved.size();
   for (const Leaving& leaving : leaving_)
     if (moves(leaving)) set_point(leaving.vertex, point(placements_[leaving.placement]));

@@ -182,7 +182,7 @@ InsertResult Triangulation::Impl::insert(std::span<const double> point, double w
   std::vector<double> storage;
   const double* row_of_point = checked_query(point, weight, storage);
   Index start = checked_hint(hint);
-  if (records_changes || records_undo) return insert_on_record(point, weight);
+  if (records_changes || records_undo) return insert_on_record(point, weight, start);
   expand();
   const Index before = points.last_vertex();
   // Functionals of furthest points lead nowhere.
@@ -204,6 +204,7 @@ InsertResult Triangulation::Impl::insert(std::span<const double> point, double w
 
 void Triangulation::Impl::compact() {
   forget_undo();
+  changes = {};
   hidden_points.reset();
   landmarks.reset();
   if (engine) {
@@ -221,6 +222,7 @@ void Triangulation::Impl::compact() {
 void Triangulation::Impl::sort_cells() {
   if (!has_ids_of_threads) return;
   forget_undo();
+  changes = {};
   hidden_points.reset();
   expand();
   if (!engine) return;
@@ -260,25 +262,28 @@ void Triangulation::Impl::find_cells_of_vertices() {
   cell_of_vertex.assign(points.last_vertex() + 1, invalid_cell);
   const Complex now = complex();
   const unsigned threads = statistics.threads > 1 ? internal::threads_to_use(options.threads) : 1;
-  if (threads > 1) {
-    internal::parallel_for(threads, now.num_cell_slots(), 65536, [&](std::size_t first, std::size_t last) {
-      for (std::size_t slot = first; slot < last; ++slot) {
-        const CellId c{static_cast<Index>(slot)};
-        if (!now.is_cell(c)) continue;
-        for (int i = 0; i <= now.affine_dimension(); ++i) {
-          // The last one, as in one thread.
-          const internal::AtomicRef<CellId> last_cell(cell_of_vertex[index(now.vertex(c, i))]);
-          CellId known = last_cell.load(std::memory_order_relaxed);
-          while ((known == invalid_cell || known < c) &&
-                 !last_cell.compare_exchange_weak(known, c, std::memory_order_relaxed)) {
+  bool is_done = false;
+  if (threads > 1) try {
+      internal::parallel_for(threads, now.num_cell_slots(), 65536, [&](std::size_t first, std::size_t last) {
+        for (std::size_t slot = first; slot < last; ++slot) {
+          const CellId c{static_cast<Index>(slot)};
+          if (!now.is_cell(c)) continue;
+          for (int i = 0; i <= now.affine_dimension(); ++i) {
+            // The last one, as in one thread.
+            const internal::AtomicRef<CellId> last_cell(cell_of_vertex[index(now.vertex(c, i))]);
+            CellId known = last_cell.load(std::memory_order_relaxed);
+            while ((known == invalid_cell || known < c) &&
+                   !last_cell.compare_exchange_weak(known, c, std::memory_order_relaxed)) {
+            }
           }
         }
-      }
-    });
-  } else {
+      });
+      is_done = true;
+    } catch (const std::bad_alloc&) {  // of threads, before they have begun: one does it
+    }
+  if (!is_done)
     for (const CellId c : now.all_cells())
       for (int i = 0; i <= now.affine_dimension(); ++i) cell_of_vertex[index(now.vertex(c, i))] = c;
-  }
   num_vertices = static_cast<Index>(
       cell_of_vertex.size() - 1 -
       static_cast<std::size_t>(std::count(cell_of_vertex.begin() + 1, cell_of_vertex.end(), invalid_cell)));

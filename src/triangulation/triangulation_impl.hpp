@@ -3,9 +3,9 @@
 // rows; the engine does the rest.
 //
 // Every row that is there has a vertex id, its own or that of an equal row. Points with weights, and those
-// for which vertices are furthest, may be hidden, at once or by later insertions: their ids keep their points
-// and have no cell. Insertions leave hidden points hidden, as more points only lower the lifted surface;
-// edits may bring them back. Ids of vertices without rows are not used again.
+// for which vertices are furthest, may be hidden, at once or by later insertions and edits: their ids keep
+// their points and have no cell. Insertions leave hidden points hidden, as more points only lower the lifted
+// surface; edits may bring them back. Ids of vertices without rows are not used again.
 #pragma once
 
 #include "compiled/compact_triangulation.hpp"
@@ -72,7 +72,8 @@ struct Triangulation::Impl {
   void insert_range(std::span<const double> coordinates, std::span<const double> weights,
                     const std::function<void()>& release = {});
   InsertResult insert(std::span<const double> point, double weight, std::optional<CellId> hint);
-  void edit(const RowEdits& edits);
+  /// `start`: a cell near the first point that is inserted, if nothing else is edited.
+  void edit(const RowEdits& edits, Index start = invalid_index);
   void undo();
   void forget_undo();
   CompactedIds compact_ids();
@@ -113,9 +114,10 @@ struct Triangulation::Impl {
   void raise(Index v, kernel::AffineHull grown);
   void expand();
   void add_landmarks(Index first, Index last);
-  InsertResult insert_on_record(std::span<const double> point, double weight);
+  InsertResult insert_on_record(std::span<const double> point, double weight, Index start);
   void update_cells_of_vertices(Index v);
   void update_cells(std::span<const Index> made);
+  Index lone_vertex_of(std::size_t row);
   bool remove_at_once(std::size_t row);
   bool move_at_once(std::size_t row, std::span<const double> to);
   void forget_indexes();

@@ -103,6 +103,28 @@ class Hole {
     return cycle_;
   }
 
+  /// Whether new cells, k + 1 numbers of vertices each, have in common the facets that they are said to:
+  /// `beside` tells for each of their facets the number of the same one, those of the border first.
+  bool has_neighbors(std::span<const Index> cells, std::span<const std::uint32_t> beside) const {
+    for (std::size_t at = 0; at < cells.size(); ++at) {
+      const std::size_t other = beside[at], there = other - border_.size();
+      if (other >= border_.size() && there > at) continue;  // seen from there
+      const Index* const cell = cells.data() + at / width_ * width_;
+      const Index* const neighbor = other < border_.size() ? numbers_of_cell(border_[other].inner)
+                                                           : cells.data() + there / width_ * width_;
+      for (std::size_t i = 0; i < width_; ++i)
+        if (i != at % width_ && std::find(neighbor, neighbor + width_, cell[i]) == neighbor + width_)
+          return false;
+    }
+    return true;
+  }
+  /// Whether new cells have all vertices that stay: they do not where vertices have met.
+  bool all_are_in(std::span<const Index> cells) {
+    is_met_.assign(ids_.size(), 0);
+    for (const Index number : cells) is_met_[number] = 1;
+    return std::find(is_met_.begin() + 1, is_met_.end(), 0) == is_met_.end();
+  }
+
  private:
   /// Seen from the vertex that goes, an edge leads from the vertex in the next slot to that in the one after
   /// it.
@@ -150,6 +172,7 @@ class Hole {
   internal::StampedTable numbers_;  // by id
   std::vector<Index> numbers_of_cells_;
   std::vector<BorderFacet> border_;
+  std::vector<std::uint8_t> is_met_;
   std::vector<std::uint32_t> edge_at_, cycle_;  // the edge that begins at a vertex
 };
 

@@ -4,9 +4,10 @@
 // vertices around the hole, ties perturbed. So every cell is found once, beside one that is there already.
 //
 // The search works with rounded numbers and asks exact predicates where these leave several vertices
-// (geometry/hole_search/). Its result is proved afterwards (is_delaunay()). Where the proof fails, and around
-// a vertex that goes it does for rounding errors alone, the search is repeated with exact predicates for all
-// vertices. Then every cell is right because the one beside it is.
+// (geometry/hole_search/). Its result is proved afterwards (is_delaunay()). Where the proof fails, the search
+// is repeated with exact predicates for all vertices. Around a vertex that goes, every cell is right then
+// because the one beside it is. Where vertices have moved, the hole may be too small, and the proof may fail
+// again.
 #pragma once
 
 #include "base/progress_meter.hpp"
@@ -78,6 +79,7 @@ class HoleFiller {
       on_size(num_cells_);
       if (const std::optional<Filling> made = create(zone, exact && is_star, counts)) return made;
     }
+    if (is_star) throw Error(Errc::unsupported, "a vertex could not be removed: a fault of delone");
     return std::nullopt;
   }
 
@@ -213,6 +215,8 @@ class HoleFiller {
   void reserve_cell() {
     const std::size_t needed = num_cells_ + 1;
     if (is_odd_.size() >= needed) return;
+    if (first_facet_ + 2 * needed * width() >= none)
+      throw Error(Errc::too_many, "a vertex has more cells than can be replaced at once");
     vertices_.resize(2 * needed * width());
     beside_.resize(2 * needed * width());
     functions_.resize(2 * needed * functions_size_);
@@ -307,8 +311,9 @@ class HoleFiller {
     try {
       for (std::size_t c = 0; c < num_cells_; ++c)
         num_infinite += write_cell(c) ? 1 : 0;  // those are infinite
-      is_right =
-          create_functionals() && (is_known || (has_all_vertices() && is_delaunay(num_infinite > 0, counts)));
+      const std::span<const Index> vertices(vertices_.data(), num_cells_ * width());
+      is_right = hole_.has_neighbors(vertices, beside_) && create_functionals() &&
+                 (is_known || (hole_.all_are_in(vertices) && is_delaunay(num_infinite > 0, counts)));
     } catch (...) {
       discard();
       throw;
@@ -392,18 +397,12 @@ class HoleFiller {
     return true;
   }
 
-  /// Whether every vertex of the hole has a cell: none has where vertices have met.
-  bool has_all_vertices() {
-    is_met_.assign(hole_.vertices().size() + 1, 0);
-    for (std::size_t at = 0; at < num_cells_ * width(); ++at) is_met_[vertices_[at]] = 1;
-    return std::find(is_met_.begin() + 1, is_met_.end(), 0) == is_met_.end();
-  }
-
   /// Whether the new cells are Delaunay, given that the finite ones are positively oriented and every facet
   /// has two cells: if no vertex opposite a facet of the hole is in conflict with the cell beyond. Old and
   /// new cells have the same border, so new less old ones cover every point of the sphere equally often:
-  /// never if none is infinite, as near infinity; else a vertex outside of all new cells shows it. So all
-  /// cells are a triangulation, and one that is locally Delaunay is Delaunay everywhere.
+  /// never if none is infinite, as near infinity; else a vertex that is in none of them shows it. So all
+  /// cells are a triangulation, and one that is locally Delaunay is Delaunay everywhere. Where vertices have
+  /// moved, the old cells may have been anywhere, and who calls proves that (Settling).
   bool is_delaunay(bool has_infinite, StageCounts& counts) {
     for (std::uint32_t at = 0; at < num_cells_ * width(); ++at) {
       const std::uint32_t other = beside_[at], there = other - first_facet_;
@@ -413,7 +412,7 @@ class HoleFiller {
         if (!is_locally_delaunay(created_[there / width()], vertices_[at], counts)) return false;
       }
     }
-    return !has_infinite || is_outside_of_all(counts);
+    return !has_infinite || hole_.leaving() == invalid_index || is_outside_of_all(counts);
   }
 
   /// Whether vertex number `apex`, opposite the common facet, is not in conflict with a cell. On the hull, it
@@ -441,7 +440,7 @@ class HoleFiller {
     int tries = 8;
     for (const BorderFacet& facet : hole_.border()) {
       const Index v = cells_.vertex(facet.survivor, facet.mirror);
-      if (v == index(infinite_vertex) || v == hole_.leaving() || hole_.has_vertex(v)) continue;
+      if (v == index(infinite_vertex) || hole_.has_vertex(v)) continue;
       const Query q = geometry_.query_at(v);
       const auto functional = geometry_.evaluator(q);
       const bool is_outside = std::all_of(created_.begin(), created_.end(), [&](Index cell) {
@@ -484,8 +483,6 @@ class HoleFiller {
     std::uint32_t first, last, beyond;
   };
   std::vector<Polygon> polygons_;
-  std::vector<std::uint32_t> edge_at_,
-      cycle_;  // the facet of the border that begins at a vertex; all in order
   std::vector<Index> source_, simplex_, contenders_;
   // The cells that have been created.
   std::vector<Index> created_, written_;
@@ -493,7 +490,6 @@ class HoleFiller {
   std::vector<Index> finite_;
   std::vector<const Index*> simplices_;  // the numbers of their vertices
   std::vector<Sign> orientations_;
-  std::vector<std::uint8_t> is_met_;
 };
 
 }  // namespace delone::engine

@@ -41,11 +41,13 @@ class Settling {
   /// one because it is on the hull; then the functionals of its cells are wrong, and cells have changed only
   /// as a batch on record tells.
   bool settle(Index v, Index cell) {
-    created_.clear();
+    made_ = {};
     if (!find_star(v, cell, false)) return false;
     if (!create_functionals(true)) return false;
     find_bad_cells();
-    return fill_one_hole();
+    if (!fill_one_hole()) return false;
+    if (!hole_.empty()) made_ = filler_.created();
+    return true;
   }
   /// After any vertices have moved. `find_inside` returns a query in the interior of the hull, or nothing.
   /// Returns false soon where much has changed.
@@ -60,7 +62,9 @@ class Settling {
     around_ = std::move(all);
     create_functionals(false);
     find_bad_cells();
-    return fill_holes() && covers_once(find_inside);
+    if (!fill_holes() || !covers_once(find_inside)) return false;
+    made_ = created_;
+    return true;
   }
   /// Computes anew what is cached for the cells of vertex v, one of which is `cell`.
   void renew(Index v, Index cell) noexcept {
@@ -73,7 +77,7 @@ class Settling {
     for (const Index around : around_) create_functional(cells_, geometry_, around);
   }
   /// Cells that have been created; some may have gone again.
-  std::span<const Index> created() const { return created_; }
+  std::span<const Index> created() const { return made_; }
 
  private:
   enum State : std::uint32_t { is_bad, is_in_hole, is_new };
@@ -207,13 +211,14 @@ class Settling {
     const Query q = geometry_.query_at(apex);
     if (geometry_.is_infinite(cell)) {
       const auto vertices = cells_.vertices(cell);
-      return geometry_.exact_side(vertices, cells_.infinite_slot(cell), q, counts_) != Sign::negative;
+      return geometry_.exact_side(vertices, cells_.infinite_slot(cell), q, build_.effort().stages) !=
+             Sign::negative;
     }
     const auto vertices = cells_.vertices(cell);
     const Index* const v = vertices;
     for (int i = 0; i <= dimension(); ++i)  // vertices may have met
       if (v[i] != index(infinite_vertex) && geometry_.is_at(v[i], q)) return false;
-    return !in_conflict_exactly(cells_, geometry_, cell, q, geometry_.evaluator(q), counts_);
+    return !in_conflict_exactly(cells_, geometry_, cell, q, geometry_.evaluator(q), build_.effort().stages);
   }
 
   /// All bad cells make one hole, so that it is filled or nothing changes. It may not reach the hull.
@@ -231,6 +236,7 @@ class Settling {
       take(seed);
       collect();
       if (!fill_hole(64 * width(), 4, true)) return false;
+      created_.insert(created_.end(), filler_.created().begin(), filler_.created().end());
       for (const Index cell : filler_.created())  // some in the slots of bad ones
         if (bad_.contains(cell)) bad_.set(cell, is_new);
     }
@@ -251,7 +257,6 @@ class Settling {
         for (int slot = 0; slot <= dimension(); ++slot) take(cells_.neighbors(hole_[i])[slot]);
       collect();
     }
-    created_.insert(created_.end(), filler_.created().begin(), filler_.created().end());
     return true;
   }
   /// Puts a cell into the hole, unless it is there.
@@ -285,7 +290,7 @@ class Settling {
       if (cells_.is_vacant(cell) || functional.value(cell) > functional.threshold(cell)) continue;
       const auto vertices = cells_.vertices(cell);
       if (const int slot = cells_.infinite_slot(cell); slot >= 0) {
-        if (geometry_.exact_side(vertices, slot, q, counts_) != Sign::positive) return false;
+        if (geometry_.exact_side(vertices, slot, q, build_.effort().stages) != Sign::positive) return false;
         continue;
       }
       Sign least = Sign::positive;
@@ -306,11 +311,11 @@ class Settling {
   internal::StampedTable bad_;         // the states of cells
   internal::StampedTable inverted_;    // not positively oriented
   std::vector<Index> seeds_, hole_, created_;
+  std::span<const Index> made_;
   // Of a batch: the vertices of its cells have numbers one after the other.
   std::vector<double> rows_;
   std::vector<Index> numbers_;
   std::vector<const Index*> simplices_;
-  StageCounts counts_;
   std::size_t calls_ = 0;
 };
 
