@@ -138,7 +138,7 @@ class PointPredicates {
         scales_[j] = std::max(scales_[j], std::fabs(point(v)[j] - origin[j]));
     scale_of_lift_ = std::numeric_limits<double>::infinity();
     for (double& scale : scales_) {
-      scale = std::ldexp(1.0, -scale > 0 ? std::clamp(std::ilogb(scale), -1000, 1000) + 1 : -1000);
+      scale = scale > 0 ? std::ldexp(1.0, -std::clamp(std::ilogb(scale), -1000, 1000) - 1) : 1.0;
       scale_of_lift_ = std::min(scale_of_lift_, scale);
     }
     center_ = center;

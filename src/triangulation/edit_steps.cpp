@@ -5,6 +5,7 @@
 #include "triangulation/editing.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <memory>
 #include <utility>
 #include <vector>
@@ -189,9 +190,20 @@ void Triangulation::Impl::Editing::place_all() {
   }
 }
 
-/// Where a walk to a point starts; `near` is a vertex close to it, or invalid_index.
-Index Triangulation::Impl::Editing::start_near(const double* point, Index near) {
-  if (near != invalid_index && impl_.is_visible(near)) return index(impl_.cell_of_vertex[near]);
+/// Where a walk to a point starts; `near` is a vertex close to the place that it comes from, or
+/// invalid_index.
+Index Triangulation::Impl::Editing::start_near(const double* point, Index near, const double* before) {
+  if (near != invalid_index && impl_.is_visible(near)) {
+    // A step that is not much longer than the edges there is a short walk.
+    const auto distance = [&](const double* a, const double* b) {
+      double sum = 0;
+      for (std::size_t j = 0; j < impl_.ambient(); ++j) sum += std::fabs(a[j] - b[j]);
+      return sum;
+    };
+    const double* const there = impl_.points.point(near);
+    if (before == nullptr || !(distance(point, there) > 4 * distance(before, there)))
+      return index(impl_.cell_of_vertex[near]);
+  }
   if (!impl_.engine || impl_.points.form == kernel::RowForm::furthest_point) return invalid_index;
   if (!impl_.landmarks) impl_.add_landmarks(1, impl_.points.last_vertex());
   return impl_.start_near(point);
@@ -201,13 +213,14 @@ void Triangulation::Impl::Editing::place(const Placement& placement) {
   if (placement.vertex != invalid_index) {
     const Index v = placement.vertex;
     set_point(v, point(placement));
-    const Index at = impl_.place(v, start_near(point(placement), placement.near));
+    const double* const before = record_->points.data() + record_->points.size() - impl_.row_size();
+    const Index at = impl_.place(v, start_near(point(placement), placement.near, before));
     if (at != v && at != invalid_index) merge(v, at);
     if (at == v && impl_.landmarks) impl_.add_landmarks(v, v);
     return;
   }
   const bool is_at_start = start_ != invalid_index && leaving_.empty();
-  const Index start = is_at_start ? start_ : start_near(point(placement), placement.near);
+  const Index start = is_at_start ? start_ : start_near(point(placement), placement.near, nullptr);
   const Index v = impl_.append(point(placement));
   const Index at = impl_.place(v, start);
   const bool is_duplicate = at != v && at != invalid_index;

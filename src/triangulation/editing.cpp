@@ -204,7 +204,9 @@ void Triangulation::Impl::Editing::add_point(std::span<const double> coordinates
 /// that comes, and those of a batch cost less than half.
 bool Triangulation::Impl::Editing::is_worth_building_anew() const {
   const std::size_t left = impl_.num_vertices - leaving_.size() + placements_.size();
-  return left >= 16 && 2 * leaving_.size() + placements_.size() > left / 2;
+  constexpr std::size_t fewest = 16;
+  return leaving_.size() + placements_.size() >= fewest &&
+         2 * leaving_.size() + placements_.size() > left / 2;
 }
 
 void Triangulation::Impl::Editing::begin_batch() {

@@ -72,7 +72,7 @@ class Triangulation::Impl::Editing {
   void lower(Index v);
   void find_hidden_points();
   void place_all();
-  Index start_near(const double* point, Index near);
+  Index start_near(const double* point, Index near, const double* before);
   void place(const Placement& placement);
   void place_again(Index v);
   void set_point(Index v, const double* point);

@@ -101,6 +101,10 @@ void Triangulation::Impl::Editing::build_anew() {
     impl_.has_ids_of_threads = false;
   }
   if (impl_.affine_hull.dimension() > 0) impl_.find_cells_of_vertices();
+  if (impl_.affine_hull.dimension() < 0) {  // no row is left
+    impl_.cell_of_vertex.assign(impl_.row_of_vertex.size(), invalid_cell);
+    impl_.num_vertices = 0;
+  }
   for (Index v = 1; v < cells_before.size(); ++v)
     if ((cells_before[v] != invalid_cell) != impl_.is_visible(v))
       record_->were_visible.emplace_back(v, cells_before[v] != invalid_cell);

@@ -32,7 +32,6 @@ class HoleSearch {
   void arrange();
 
   int dimension() const { return k_; }
-  std::size_t num_candidates() const { return num_candidates_; }
 
   /// The functions of a cell of k + 1 vertices, by elimination. Cost O(k³).
   void solve(const Index* vertices, double* functions);

@@ -178,7 +178,7 @@ TEST(UndoLog, OfASmallBatchKnowsNewCellsFromOldOnes) {
     const auto look = [&] {
       noted.clear();
       fresh.clear();
-      log.for_each_noted(cells, [&](Index cell) { noted.push_back(cell); });
+      log.for_each_gone(cells, [&](Index cell) { noted.push_back(cell); });
       log.for_each_new(cells, [&](Index cell) { fresh.push_back(cell); });
     };
     look();
