@@ -20,9 +20,10 @@ QUICK = {
     "delone.Data": "__init__ __reduce__ __repr__ columns members",
     "delone.ComplexData": "__init__",
     "delone.ConvexHulls": "__getitem__ __init__ __iter__ __len__ __repr__",
-    "delone.Delaunay": "__getstate__",
-    "delone.FurthestSite": "__getstate__ hidden num_hidden",
-    "delone.Regular": "__getstate__ hidden num_hidden weights",
+    "delone.Changes": "__init__ __repr__",
+    "delone.Delaunay": "__copy__ __getstate__ clone",
+    "delone.FurthestSite": "__copy__ __getstate__ clone hidden num_hidden",
+    "delone.Regular": "__copy__ __getstate__ clone hidden num_hidden weights",
     "delone.HalfspaceIntersection": "__getstate__ columns dimension halfspaces num_halfspaces plot rank state statistics to_meshio to_pyvista "
                                     "to_vtk",
     "delone.LinearInterpolator": "__getstate__ __repr__ tolerance triangulation values",
@@ -36,7 +37,8 @@ QUICK = {
     "delone._core.Diagram": "affine_dimension bounding_box columns dimension is_bounded max_displacement num_points num_rays num_regions num_ridges "
                             "num_vertices plot point_region points ray_directions ray_points ray_vertices region region_offsets region_points "
                             "region_vertices ridge ridge_offsets ridge_points ridge_vertices to_data to_frame to_meshio to_pyvista to_vtk tolerance vertices",
-    "delone._core.Triangulation": "__len__ __repr__ affine_dimension axes cell_of_point cells columns dimension duplicates hash hull_facets neighbors "
+    "delone._core.Triangulation": "can_undo cell_ids changes compact_ids has_row num_rows record_changes record_undo undo vertex_ids "
+                                  "__len__ __repr__ affine_dimension axes cell_of_point cells columns dimension duplicates hash hull_facets neighbors "
                                   "num_cells num_duplicates num_points num_vertices plot points statistics to_data to_frame to_meshio to_pyvista to_vtk "
                                   "vertex_of_point",
     "delone._locations.Locations": "__getitem__ __init__ __iter__ __len__ __repr__",
@@ -85,6 +87,11 @@ LONG = {
                                     "made.insert_range(random.random((300_000, 8)), np.zeros(300_000))"),
     "delone.FurthestSite.__init__": ("", "delone.FurthestSite(sphere(300_000, 7))"),
     "delone.FurthestSite.insert_range": (f"{SIMPLEX}; made = delone.FurthestSite(points)", "made.insert_range(sphere(300_000, 8))"),
+    "delone.Delaunay.edit": (f"{SIMPLEX}; made = delone.Delaunay(points)", "made.edit(insert=random.random((300_000, 8)))"),
+    "delone.Regular.edit": (f"{SIMPLEX}; made = delone.Regular(points, np.zeros(9))",
+                            "made.edit(insert=random.random((300_000, 8)), insert_weights=np.zeros(300_000))", "set_weights"),
+    "delone.FurthestSite.edit": (f"{SIMPLEX}; made = delone.FurthestSite(points)", "made.edit(insert=sphere(300_000, 8))"),
+    "delone._core.Triangulation.remove": ("t = delone.Delaunay(random.random((3000, 6)))", "t.remove(np.arange(600))", "move"),
     "delone._core.Triangulation.find_simplex": ("t = delone.Delaunay(random.random((500, 5)))", "t.find_simplex(random.random((6_000_000, 5)))"),
     "delone._core.Triangulation.locate": ("t = delone.Delaunay(random.random((300, 7)))", "t.locate(random.random((1_000_000, 7)))"),
     "delone._core.Triangulation.barycentric": ("t = delone.Delaunay(random.random((2000, 2)))", "t.barycentric(wild(1_000_000, 2))"),
