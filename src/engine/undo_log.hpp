@@ -51,8 +51,7 @@ class UndoLog {
   void end() noexcept {
     is_on_ = false;
     if (is_small_ && notes_.capacity() < most_kept) return;  // what there is serves the next small batch
-    changed_ = {};
-    fresh_ = {};
+    fresh_ = std::vector<Index>();
     notes_ = GrowableArray<Index>();
     was_there_ = std::vector<std::uint64_t>();
   }
