@@ -48,8 +48,8 @@ struct EvaluateOptions {
 /// Continuous; which cell a query is in, and whether it is in any, is decided exactly. At a vertex it has the
 /// given value exactly.
 ///
-/// Refers to the triangulation: valid until the next insertion. `const` members may be called from several
-/// threads at once.
+/// Refers to the triangulation: valid until the next insertion or edit. `const` members may be called from
+/// several threads at once.
 class DELONE_EXPORT LinearInterpolator {
  public:
   /// `values`: n×columns numbers, one row for each input row; NaN and infinities spread to the cells they are

@@ -50,8 +50,8 @@ struct NaturalNeighbors {
 /// each further dimension takes more than ten times as long. On the boundary of the hull a query takes two to
 /// four times as long as inside, and in flat input (k < d) four to ten times as long as in R^k.
 ///
-/// Refers to the triangulation: valid until the next insertion. `const` members may be called from several
-/// threads at once.
+/// Refers to the triangulation: valid until the next insertion or edit. `const` members may be called from
+/// several threads at once.
 class DELONE_EXPORT NaturalNeighborCoordinates {
  public:
   /// Computes the centers of all finite cells, d doubles each. Throws unsupported unless the triangulation is

@@ -67,11 +67,11 @@ struct LocatedPoint {
   double distance = 0;
 };
 
-/// Answers queries about a triangulation, which it refers to: valid until the next insertion. `const` members
-/// may be called from several threads at once. A batch is visited along a Hilbert curve, in stretches each of
-/// whose walks starts where the one before ended; answers are given with the number of their query. Which
-/// stretches threads share depends on the batch alone, and so do the cells that answer for queries on faces
-/// of several. `threads` of the members below is that of LocateOptions.
+/// Answers queries about a triangulation, which it refers to: valid until the next insertion or edit. `const`
+/// members may be called from several threads at once. A batch is visited along a Hilbert curve, in stretches
+/// each of whose walks starts where the one before ended; answers are given with the number of their query.
+/// Which stretches threads share depends on the batch alone, and so do the cells that answer for queries on
+/// faces of several. `threads` of the members below is that of LocateOptions.
 ///
 /// Method: the visibility walk with signs of orientations. For k = d ≤ 6 all of a cell come from one table of
 /// minors with a certified bound, those that it cannot tell from exact arithmetic. Cost: for a batch as dense

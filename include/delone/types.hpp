@@ -23,11 +23,11 @@ using SignedIndex = std::int32_t;
 #endif
 
 /// A vertex of the complex. Vertex 0 is the infinite vertex; finite vertices count from 1 in the order of
-/// insertion.
+/// insertion or edit.
 enum class VertexId : Index {};
 
 /// A cell of the complex: a slot in the cell arrays. An id stays valid until its cell is destroyed by an
-/// insertion.
+/// insertion or edit.
 enum class CellId : Index {};
 
 inline constexpr VertexId infinite_vertex{0};

@@ -67,6 +67,7 @@ void Triangulation::Impl::forget_undo() {
 }
 
 void Triangulation::Impl::undo() {
+  require_idle();
   if (!last_edit) throw Error(Errc::invalid_argument, "there is no edit that can be undone");
   Changes made;
   if (records_changes) {
@@ -137,6 +138,7 @@ void Triangulation::Impl::roll_back(internal::EditRecord& before) noexcept {
 }
 
 CompactedIds Triangulation::Impl::compact_ids() {
+  require_idle();
   expand();
   CompactedIds ids;
   ids.vertices.assign(row_of_vertex.size(), invalid_vertex);

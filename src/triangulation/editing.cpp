@@ -230,6 +230,7 @@ void Triangulation::Impl::Editing::finish() {
 /// have to know; invalid_index for others.
 Index Triangulation::Impl::lone_vertex_of(std::size_t row) {
   if (records_changes || records_undo || may_hide() || !engine) return invalid_index;
+  if (options.progress || options.memory_limit > 0 || options.time_limit > 0) return invalid_index;
   if (row >= vertex_of_row.size() || vertex_of_row[row] == invalid_vertex) return invalid_index;
   const Index v = index(vertex_of_row[row]);
   return known_shared_rows().has_several(v) ? invalid_index : v;
@@ -274,6 +275,7 @@ bool Triangulation::Impl::move_at_once(std::size_t row, std::span<const double> 
 }
 
 void Triangulation::Impl::edit(const RowEdits& edits, Index start) {
+  require_idle();
   if (edits.is_empty()) return;
   if (edits.remove.size() == 1 && edits.move.empty() && edits.weigh.empty() && edits.insert.empty() &&
       remove_at_once(edits.remove[0]))

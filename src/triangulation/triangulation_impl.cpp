@@ -143,6 +143,7 @@ std::unique_ptr<TriangulationEngine> Triangulation::Impl::new_engine(const doubl
 
 void Triangulation::Impl::insert_range(std::span<const double> coordinates, std::span<const double> weights,
                                        const std::function<void()>& release) {
+  require_idle();
   if (coordinates.size() % ambient() != 0)
     throw Error(Errc::bad_dimension, "the number of coordinates is not a multiple of the dimension");
   const std::size_t n = coordinates.size() / ambient();
@@ -179,6 +180,7 @@ void Triangulation::Impl::insert_range(std::span<const double> coordinates, std:
 
 InsertResult Triangulation::Impl::insert(std::span<const double> point, double weight,
                                          std::optional<CellId> hint) {
+  require_idle();
   std::vector<double> storage;
   const double* row_of_point = checked_query(point, weight, storage);
   Index start = checked_hint(hint);
@@ -203,6 +205,7 @@ InsertResult Triangulation::Impl::insert(std::span<const double> point, double w
 }
 
 void Triangulation::Impl::compact() {
+  require_idle();
   forget_undo();
   changes = {};
   hidden_points.reset();
@@ -220,6 +223,7 @@ void Triangulation::Impl::compact() {
 
 /// Of what compact() has left, too: insertions are possible then.
 void Triangulation::Impl::sort_cells() {
+  require_idle();
   if (!has_ids_of_threads) return;
   forget_undo();
   changes = {};

@@ -122,6 +122,7 @@ struct Triangulation::Impl {
   bool move_at_once(std::size_t row, std::span<const double> to);
   void forget_indexes();
   void note_visibility(Index v);
+  void require_idle() const;
   void replace_engine(std::unique_ptr<TriangulationEngine> next);
   void hide(Index v, Index start);
   void rehome_hidden_points();

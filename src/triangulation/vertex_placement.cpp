@@ -52,6 +52,11 @@ void Triangulation::Impl::forget_indexes() {
   hidden_points.reset();
 }
 
+/// What progress functions call must not change the triangulation while it is edited.
+void Triangulation::Impl::require_idle() const {
+  if (record != nullptr) throw Error(Errc::invalid_argument, "the triangulation is being edited");
+}
+
 /// Before the vertex gets its first cells or loses all.
 void Triangulation::Impl::note_visibility(Index v) {
   if (record != nullptr) record->were_visible.emplace_back(v, is_visible(v));

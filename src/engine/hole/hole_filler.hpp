@@ -312,7 +312,9 @@ class HoleFiller {
       for (std::size_t c = 0; c < num_cells_; ++c)
         num_infinite += write_cell(c) ? 1 : 0;  // those are infinite
       const std::span<const Index> vertices(vertices_.data(), num_cells_ * width());
-      is_right = hole_.has_neighbors(vertices, beside_) && create_functionals() &&
+      const bool reaches_hull = hole_.num_finite() < hole_.num_cells();
+      is_right = (num_infinite == 0 || reaches_hull) && hole_.has_neighbors(vertices, beside_) &&
+                 create_functionals() &&
                  (is_known || (hole_.all_are_in(vertices) && is_delaunay(num_infinite > 0, counts)));
     } catch (...) {
       discard();
