@@ -113,7 +113,8 @@ class Hole {
       const Index* const neighbor = other < border_.size() ? numbers_of_cell(border_[other].inner)
                                                            : cells.data() + there / width_ * width_;
       for (std::size_t i = 0; i < width_; ++i)
-        if (i != at % width_ && std::find(neighbor, neighbor + width_, cell[i]) == neighbor + width_)
+        if (i != at % width_ && neighbor[i] != cell[i] &&  // most are in the same slots
+            std::find(neighbor, neighbor + width_, cell[i]) == neighbor + width_)
           return false;
     }
     return true;
