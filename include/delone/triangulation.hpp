@@ -133,8 +133,8 @@ class DELONE_EXPORT Triangulation {
   std::vector<std::size_t> hidden_rows() const;
 
   /// Removes a row, or many. Cost of one that is the only one at its place: that of some insertions there,
-  /// from one and a half in 2D to seven in 6D, if no points are hidden around it. The first edit also looks at
-  /// all rows, and in a regular or furthest-site triangulation finds a cell for each hidden point. Throws
+  /// from one and a half in 2D to seven in 6D, if no points are hidden around it. The first edit also looks
+  /// at all rows, and in a regular or furthest-site triangulation finds a cell for each hidden point. Throws
   /// Errc::invalid_argument, naming the rows, if one is not there or is given twice.
   void remove(std::size_t row) { remove(std::span(&row, 1)); }
   void remove(std::span<const std::size_t> rows);
