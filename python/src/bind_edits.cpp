@@ -75,7 +75,7 @@ std::unique_ptr<T> construct(const py::object& points, const py::object& weights
   return held;
 }
 
-/// What an edit is asked for.
+/// The arguments of an edit, converted and checked.
 struct Edits {
   std::vector<std::size_t> remove = {}, move = {}, weigh = {};
   py::array_t<double> to = {}, weights = {}, insert = {}, insert_weights = {};

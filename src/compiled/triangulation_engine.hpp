@@ -121,8 +121,8 @@ class TriangulationEngine : public TriangulationQueries {
   /// have inserted a batch. Throws std::bad_alloc, and then changes nothing.
   virtual void sort_cells(unsigned threads) = 0;
   /// After vertex v, one of whose cells is `cell`, has got another point in the frame: makes the cells those
-  /// of the new point, if they change little. Returns false if they do not; then renew() has to be called as
-  /// soon as the point is the old one, and cells have changed only as the batch tells, which must have begun.
+  /// of the new point, if they change little. Returns false if they do not; then no cell has changed, and
+  /// renew() has to be called as soon as the point is the old one.
   virtual bool settle(Index v, Index cell) = 0;
   /// The same after any vertices have moved, in another frame if there is one. If it returns false,
   /// renew_all() has to be called.

@@ -8,8 +8,8 @@
 // point, counted with orientation, stays what it is for all points but those that the hull passes. It is 1
 // inside the hull. So where no infinite cell is touched, positive cells cover each point inside once. Where
 // all vertices move, a point is sought that one finite cell contains and that is on the inner side of all
-// infinite cells. Seen from there, the hull is covered once, too, and it is convex since it is at every
-// ridge.
+// infinite cells. Seen from there, the hull is covered once, too, so no two of its facets are folded onto
+// each other, and it is convex since it is at every ridge.
 #pragma once
 
 #include "base/progress_meter.hpp"
@@ -37,9 +37,8 @@ class Settling {
   Settling(Build<K, G>& build, HoleFiller<K, G>& filler)
       : build_(build), cells_(build.cells()), geometry_(build.geometry()), filler_(filler) {}
 
-  /// After one vertex has moved, one of whose cells is `cell`. Returns false if that cannot be settled, for
-  /// one because it is on the hull; then the functionals of its cells are wrong, and cells have changed only
-  /// as a batch on record tells.
+  /// After one vertex has moved, one of whose cells is `cell`. Returns false if it cannot stay where it is in
+  /// the cells, as on the hull. Then no cell has changed, but the functionals of its cells are wrong.
   bool settle(Index v, Index cell) {
     made_ = {};
     if (!find_star(v, cell, false)) return false;
