@@ -56,6 +56,8 @@ void Triangulation::Impl::Editing::settle_all() {
 /// One by one. Those that cannot stay where they are move in another way.
 void Triangulation::Impl::Editing::settle_some() {
   if (!impl_.engine || impl_.may_hide() || is_worth_building_anew()) return;
+  const bool is_single = edits_.move.size() == 1 && leaving_.size() == 1 && placements_.size() == 1;
+  if (is_single && impl_.lone_vertex_of(edits_.move[0]) != invalid_index) return;  // move_at_once() has tried
   const auto moves = [](const Leaving& leaving) { return leaving.placement != none; };
   std::vector<std::uint8_t> is_settled(placements_.size(), 0);
   std::size_t failures = 0;

@@ -108,7 +108,8 @@ Index Triangulation::Impl::insert_row(std::size_t row, const double* point, Inde
 
 /// A frame for the present one, all vertices and the box [low, high]; `margin` times its size is added on
 /// each side where it had to grow, so that points arriving from ever farther away change it a logarithmic
-/// number of times. Weights have a range like coordinates.
+/// number of times, and a quarter of that on the other sides, which often have to grow next. Weights have a
+/// range like coordinates.
 geometry::Frame Triangulation::Impl::frame_with(const double* low, const double* high, double margin) const {
   std::vector<double> lows(low, low + row_size()), highs(high, high + row_size());
   const auto cover = [&](const double* x) {
@@ -126,10 +127,10 @@ geometry::Frame Triangulation::Impl::frame_with(const double* low, const double*
   constexpr double largest = std::numeric_limits<double>::max() / 4;
   for (std::size_t j = 0; j < row_size(); ++j) {
     const double extent = std::min(highs[j] / 2 - lows[j] / 2, largest) * 2 * margin;
-    if (!engine || lows[j] < engine->frame().low()[j])
-      lows[j] = std::max(lows[j] - extent, std::min(lows[j], -largest));
-    if (!engine || highs[j] > engine->frame().high()[j])
-      highs[j] = std::min(highs[j] + extent, std::max(highs[j], largest));
+    const bool low_grows = !engine || lows[j] < engine->frame().low()[j];
+    const bool high_grows = !engine || highs[j] > engine->frame().high()[j];
+    lows[j] = std::max(lows[j] - (low_grows ? extent : extent / 4), std::min(lows[j], -largest));
+    highs[j] = std::min(highs[j] + (high_grows ? extent : extent / 4), std::max(highs[j], largest));
   }
   return {std::move(lows), std::move(highs), points.form};
 }

@@ -37,7 +37,7 @@ class Hole {
     leaving_ = v;
     auto marks = cells.marks();
     const auto add = [&](Index next) {
-      zone.reserve(1, width_);
+      zone.reserve(1, width());
       slots_.push_back(cells.slot_of_vertex(next, v));
       zone.cells[zone.num_cells++] = next;
       marks.set(next, Mark::in_conflict);
@@ -47,7 +47,7 @@ class Hole {
     add(cell);
     for (std::size_t i = 0; i < zone.num_cells; ++i) {
       const Index* const neighbors = cells.neighbors(zone.cells[i]);
-      for (int slot = 0; slot < static_cast<int>(width_); ++slot)
+      for (int slot = 0; slot < static_cast<int>(width()); ++slot)
         if (slot != slots_[i] && !marks.is_in_conflict(neighbors[slot])) add(neighbors[slot]);
     }
     number_vertices(cells, {zone.cells.data(), zone.num_cells});
@@ -60,7 +60,7 @@ class Hole {
                   ConflictZone& zone) {
     begin(cells, zone);
     leaving_ = invalid_index;
-    zone.reserve(dead.size(), width_);
+    zone.reserve(dead.size(), width());
     auto marks = cells.marks();
     for (const Index cell : dead) {
       zone.cells[zone.num_cells++] = cell;
@@ -69,13 +69,13 @@ class Hole {
     }
     number_vertices(cells, dead);
     for (std::uint32_t i = 0; i < dead.size(); ++i)
-      for (int slot = 0; slot < static_cast<int>(width_); ++slot)
+      for (int slot = 0; slot < static_cast<int>(width()); ++slot)
         if (!marks.is_in_conflict(cells.neighbors(dead[i])[slot])) add_border(cells, dead[i], i, slot);
   }
 
   /// The vertex that goes, or invalid_index.
   Index leaving() const { return leaving_; }
-  std::size_t num_cells() const { return numbers_of_cells_.size() / width_; }
+  std::size_t num_cells() const { return numbers_of_cells_.size() / width(); }
   /// How many of the cells are finite.
   Index num_finite() const { return num_finite_; }
   /// The finite vertices that stay, in the order of their numbers, from 1 on.
@@ -87,7 +87,7 @@ class Hole {
   Index number(Index id) const { return id == index(infinite_vertex) ? 0 : *numbers_.find_value(id); }
   std::span<const BorderFacet> border() const { return border_; }
   /// The numbers of the vertices of a cell of the hole.
-  const Index* numbers_of_cell(std::size_t cell) const { return numbers_of_cells_.data() + cell * width_; }
+  const Index* numbers_of_cell(std::size_t cell) const { return numbers_of_cells_.data() + cell * width(); }
   /// The slot of the vertex that goes in one of its cells.
   int slot_of_leaving(std::size_t cell) const { return slots_[cell]; }
 
@@ -103,37 +103,15 @@ class Hole {
     return cycle_;
   }
 
-  /// Whether new cells, k + 1 numbers of vertices each, have in common the facets that they are said to:
-  /// `beside` tells for each of their facets the number of the same one, those of the border first.
-  bool has_neighbors(std::span<const Index> cells, std::span<const std::uint32_t> beside) const {
-    for (std::size_t at = 0; at < cells.size(); ++at) {
-      const std::size_t other = beside[at], there = other - border_.size();
-      if (other >= border_.size() && there > at) continue;  // seen from there
-      const Index* const cell = cells.data() + at / width_ * width_;
-      const Index* const neighbor = other < border_.size() ? numbers_of_cell(border_[other].inner)
-                                                           : cells.data() + there / width_ * width_;
-      for (std::size_t i = 0; i < width_; ++i)
-        if (i != at % width_ && neighbor[i] != cell[i] &&  // most are in the same slots
-            std::find(neighbor, neighbor + width_, cell[i]) == neighbor + width_)
-          return false;
-    }
-    return true;
-  }
-  /// Whether new cells have all vertices that stay: they do not where vertices have met.
-  bool all_are_in(std::span<const Index> cells) {
-    is_met_.assign(ids_.size(), 0);
-    for (const Index number : cells) is_met_[number] = 1;
-    return std::find(is_met_.begin() + 1, is_met_.end(), 0) == is_met_.end();
-  }
-
  private:
+  std::size_t width() const { return static_cast<std::size_t>(K > 0 ? K : dimension_) + 1; }
   /// Seen from the vertex that goes, an edge leads from the vertex in the next slot to that in the one after
   /// it.
   Index end_of(std::uint32_t edge, int slots) const {
     return numbers_of_cell(border_[edge].inner)[(border_[edge].slot + slots) % 3];
   }
   void begin(const CellStore<K>& cells, ConflictZone& zone) {
-    width_ = static_cast<std::size_t>(cells.dimension()) + 1;
+    dimension_ = cells.dimension();
     zone.num_cells = zone.num_facets = zone.num_marked = zone.num_infinite = 0;
     zone.num_undecided = zone.num_open = 0;
     num_finite_ = 0;
@@ -141,19 +119,19 @@ class Hole {
     border_.clear();
   }
   void number_vertices(const CellStore<K>& cells, std::span<const Index> dead) {
-    numbers_.clear();
+    numbers_.clear(4 * dead.size() / width() + 16);
     ids_.assign(1, index(infinite_vertex));
-    numbers_of_cells_.resize(dead.size() * width_);
+    numbers_of_cells_.resize(dead.size() * width());
     Index* number = numbers_of_cells_.data();
     for (const Index cell : dead) {
       const auto vertices = cells.vertices(cell);
       const Index* const v = vertices;
-      for (std::size_t i = 0; i < width_; ++i, ++number)
+      for (std::size_t i = 0; i < width(); ++i, ++number)
         *number = v[i] == index(infinite_vertex) ? 0 : v[i] == leaving_ ? invalid_index : number_of(v[i]);
     }
     if (leaving_ == invalid_index) return;
     for (std::size_t cell = 0; cell < dead.size(); ++cell)
-      numbers_of_cells_[cell * width_ + static_cast<std::size_t>(slots_[cell])] =
+      numbers_of_cells_[cell * width() + static_cast<std::size_t>(slots_[cell])] =
           static_cast<Index>(ids_.size());
   }
   Index number_of(Index v) {
@@ -166,14 +144,13 @@ class Hole {
     border_.push_back({survivor, inner, slot, cells.slot_of_neighbor(survivor, dead)});
   }
 
-  std::size_t width_ = 0;
+  int dimension_ = K;
   Index leaving_ = invalid_index, num_finite_ = 0;
   std::vector<int> slots_;          // of the vertex that goes, in its cells
   std::vector<Index> ids_;          // of the vertices, by number
   internal::StampedTable numbers_;  // by id
   std::vector<Index> numbers_of_cells_;
   std::vector<BorderFacet> border_;
-  std::vector<std::uint8_t> is_met_;
   std::vector<std::uint32_t> edge_at_, cycle_;  // the edge that begins at a vertex
 };
 

@@ -11,11 +11,10 @@
 #pragma once
 
 #include "base/progress_meter.hpp"
-#include "base/random.hpp"
 #include "engine/conflict.hpp"
 #include "engine/hole/hole.hpp"
+#include "engine/hole/hole_cells.hpp"
 #include "engine/retriangulate.hpp"
-#include "engine/wrap/facet_table.hpp"
 #include "geometry/hole_search/hole_search.hpp"
 
 #include <algorithm>
@@ -37,7 +36,10 @@ class HoleFiller {
 
  public:
   HoleFiller(CellStore<K>& cells, G& geometry)
-      : cells_(cells), geometry_(geometry), functions_size_(geometry::size_of_functions(cells.dimension())) {}
+      : cells_(cells),
+        geometry_(geometry),
+        functions_size_(geometry::size_of_functions(cells.dimension())),
+        found_(cells.dimension()) {}
 
   /// The hole that is filled next.
   Hole<K>& hole() { return hole_; }
@@ -66,18 +68,17 @@ class HoleFiller {
     if constexpr (K == 2)
       if (is_star && hole_.num_finite() == hole_.num_cells()) {
         find_triangles(counts);
-        on_size(num_cells_);
+        on_size(found_.size());
         return create(zone, true, counts);
       }
     const std::span<const Index> vertices = hole_.vertices();
-    while (keys_.size() <= vertices.size() + 1)
-      keys_.push_back(random::mix(0x9e3779b97f4a7c15u * (keys_.size() + 1)));
     search_.begin(dimension(), vertices.size(), vertices.size() + 1);
     geometry_.place(vertices, is_star ? hole_.leaving() : vertices.front(), search_);
     for (const bool exact : {false, true}) {
+      if (exact && !is_star) break;
       if (!find_cells(exact, counts)) continue;
-      on_size(num_cells_);
-      if (const std::optional<Filling> made = create(zone, exact && is_star, counts)) return made;
+      on_size(found_.size());
+      if (const std::optional<Filling> made = create(zone, exact, counts)) return made;
     }
     if (is_star) throw Error(Errc::unsupported, "a vertex could not be removed: a fault of delone");
     return std::nullopt;
@@ -87,9 +88,7 @@ class HoleFiller {
   std::span<const Index> created() const { return created_; }
 
  private:
-  /// Facets have numbers, first those of the border, then those of the cells: `first_facet_` + cell · (k + 1)
-  /// + slot.
-  static constexpr std::uint32_t none = FacetTable::none;
+  static constexpr std::uint32_t none = HoleCells<K>::none;
 
   int dimension() const { return cells_.dimension(); }
   std::size_t width() const { return static_cast<std::size_t>(dimension()) + 1; }
@@ -97,9 +96,7 @@ class HoleFiller {
   /// In the plane, around a vertex inside: the hole is a polygon. A triangle at one of its edges, whose apex
   /// exact predicates choose, leaves a polygon on each side.
   void find_triangles(StageCounts& counts) requires(K == 2) {
-    first_facet_ = static_cast<std::uint32_t>(hole_.border().size());
-    beyond_border_.assign(first_facet_, none);
-    num_cells_ = 0;
+    found_.begin(hole_, false);
     const std::span<const std::uint32_t> cycle = hole_.cycle();
     const auto number = [&](std::size_t i) { return hole_.beginning(cycle[i]); };
     polygons_.assign(1, {0, static_cast<std::uint32_t>(cycle.size()) - 1, cycle.back()});
@@ -116,25 +113,15 @@ class HoleFiller {
                                                       geometry_.grid(), counts);
         while (hole_.id(number(apex)) != first) ++apex;
       }
-      reserve_cell();
-      const auto cell = static_cast<std::uint32_t>(num_cells_++), facet = 3 * cell;
-      is_odd_[cell] = 0;
-      vertices_[facet] = number(polygon.first);
-      vertices_[facet + 1] = number(apex);
-      vertices_[facet + 2] = number(polygon.last);
-      const auto link = [&](std::uint32_t here, std::uint32_t other) {
-        beside_[here] = other;
-        if (other < first_facet_)
-          beyond_border_[other] = here;
-        else
-          beside_[other - first_facet_] = first_facet_ + here;
-      };
-      link(facet + 1, polygon.beyond);
+      found_.reserve_one();
+      const std::array<Index, 3> triangle{number(polygon.first), number(apex), number(polygon.last)};
+      const auto facet = static_cast<std::uint32_t>(3 * found_.add(triangle.data(), 1, triangle[1], false));
+      found_.link(facet + 1, polygon.beyond);
       const auto go_on = [&](std::uint32_t first, std::uint32_t last, std::uint32_t here) {
         if (last == first + 1)
-          link(here, cycle[first]);
+          found_.link(here, cycle[first]);
         else
-          polygons_.push_back({first, last, first_facet_ + here});
+          polygons_.push_back({first, last, found_.first_facet() + here});
       };
       go_on(polygon.first, apex, facet + 2);
       go_on(apex, polygon.last, facet);
@@ -145,26 +132,12 @@ class HoleFiller {
   bool find_cells(bool exact, StageCounts& counts) {
     const std::span<const BorderFacet> border = hole_.border();
     is_exact_ = exact;
-    num_cells_ = 0;
-    first_facet_ = static_cast<std::uint32_t>(border.size());
-    if (facets_.size() != 0) facets_ = FacetTable();
-    open_.clear();
-    beyond_border_.assign(border.size(), none);
-    facets_.reserve(border.size());
-    for (std::uint32_t f = 0; f < border.size(); ++f) {
-      const Index* const vertices = hole_.numbers_of_cell(border[f].inner);
-      std::uint64_t key = 0;
-      for (int i = 0; i <= dimension(); ++i)
-        if (i != border[f].slot) key += keys_[vertices[i]];
-      std::uint32_t other;
-      facets_.match({&key, 1}, f, &other);
-    }
+    found_.begin(hole_, true);
     start_.resize(functions_size_);
     // After a wrong apex a search may never end. Around a vertex that goes, exact ones are right.
-    const bool is_safe = exact && hole_.leaving() != invalid_index;
-    const std::size_t most = is_safe ? static_cast<std::size_t>(-1) : 4 * hole_.num_cells() + 256;
+    const std::size_t most = exact ? static_cast<std::size_t>(-1) : 4 * hole_.num_cells() + 16;
     for (std::uint32_t f = 0; f < border.size(); ++f) {
-      if (beyond_border_[f] != none) continue;
+      if (found_.beyond_border(f) != none) continue;
       const Start start = find_start(border[f]);
       if (start == Start::nowhere) continue;
       if (!exact) search_.solve(source_.data(), start_.data());
@@ -172,19 +145,19 @@ class HoleFiller {
       add_cell(source_.data(), start_.data(), border[f].slot, start == Start::outside, false, counts);
       // In the order in which they were found: then searches do not wait for each other, and few steps of
       // elimination lead to a cell.
-      for (std::size_t next = 0; next < open_.size(); ++next) {
-        const std::uint32_t facet = open_[next];
-        if (beside_[facet] != none) continue;
-        if (num_cells_ > most) return false;
-        if (num_cells_ % 512 == 511) internal::cancellation_point();
+      for (std::size_t next = 0; next < found_.unmatched().size(); ++next) {
+        const std::uint32_t facet = found_.unmatched()[next];
+        if (found_.beside(facet) != none) continue;
+        if (found_.size() > most) return false;
+        if (found_.size() % 512 == 511) internal::cancellation_point();
         reserve_cell();
-        const std::size_t cell = facet / width();
-        add_cell(vertices_.data() + cell * width(), functions_.data() + cell * functions_size_,
-                 static_cast<int>(facet % width()), true, !is_odd_[cell], counts);
+        const std::size_t cell = found_.cell_of(facet);
+        add_cell(found_.vertices(cell), functions_.data() + cell * functions_size_,
+                 static_cast<int>(facet - cell * width()), true, !found_.is_odd(cell), counts);
       }
-      open_.clear();
+      found_.clear_unmatched();
     }
-    return facets_.size() == 0;
+    return found_.are_all_matched();
   }
 
   /// Where a search can start at a facet of the border, and the vertices of a cell there. Infinite facets
@@ -213,14 +186,9 @@ class HoleFiller {
   }
 
   void reserve_cell() {
-    const std::size_t needed = num_cells_ + 1;
-    if (is_odd_.size() >= needed) return;
-    if (first_facet_ + 2 * needed * width() >= none)
-      throw Error(Errc::too_many, "a vertex has more cells than can be replaced at once");
-    vertices_.resize(2 * needed * width());
-    beside_.resize(2 * needed * width());
-    functions_.resize(2 * needed * functions_size_);
-    is_odd_.resize(2 * needed);
+    found_.reserve_one();
+    const std::size_t size = found_.capacity() * functions_size_;
+    if (functions_.size() < size) functions_.resize(size);
   }
 
   /// Adds the cell beyond a facet of a cell, or on its side where that is in the hole. REQUIRES
@@ -228,11 +196,7 @@ class HoleFiller {
   void add_cell(const Index* source, const double* functions, int slot, bool beyond, bool is_odd,
                 StageCounts& counts) {
     const Index apex = find_apex(source, functions, slot, beyond, is_odd, counts);
-    const std::size_t cell = num_cells_++;
-    Index* const vertices = vertices_.data() + cell * width();
-    std::copy_n(source, width(), vertices);
-    vertices[slot] = apex;
-    is_odd_[cell] = is_odd;
+    const std::size_t cell = found_.add(source, slot, apex, is_odd);
     if (apex != 0 && !is_exact_) {
       double* const of_cell = functions_.data() + cell * functions_size_;
       if (apex == source[slot])
@@ -240,33 +204,7 @@ class HoleFiller {
       else
         search_.replace(functions, slot, apex, of_cell);
     }
-    match_facets(cell, apex != 0);
-  }
-
-  /// Links a cell with those that have its facets already.
-  void match_facets(std::size_t cell, bool is_finite) {
-    const Index* const vertices = vertices_.data() + cell * width();
-    std::uint64_t key = 0;
-    for (std::size_t i = 0; i < width(); ++i) key += keys_[vertices[i]];
-    std::array<std::uint64_t, FacetTable::most_at_once> keys;
-    std::array<std::uint32_t, FacetTable::most_at_once> others;
-    facets_.reserve(width());
-    for (std::size_t first = 0; first < width(); first += keys.size()) {
-      const std::size_t count = std::min(keys.size(), width() - first);
-      const auto here = static_cast<std::uint32_t>(cell * width() + first);
-      for (std::size_t i = 0; i < count; ++i) keys[i] = key - keys_[vertices[first + i]];
-      facets_.match({keys.data(), count}, first_facet_ + here, others.data());
-      for (std::uint32_t i = 0; i < count; ++i) {
-        beside_[here + i] = others[i];
-        if (others[i] == none) {
-          if (is_finite) open_.push_back(here + i);
-        } else if (others[i] < first_facet_) {
-          beyond_border_[others[i]] = here + i;
-        } else {
-          beside_[others[i] - first_facet_] = first_facet_ + here + i;
-        }
-      }
-    }
+    found_.match_facets(cell, apex != 0);
   }
 
   /// The number of the vertex that makes the cell there, 0 for an infinite one.
@@ -297,9 +235,9 @@ class HoleFiller {
   /// Writes the cells to vacant slots, computes their functionals and proves them, unless they are known to
   /// be right. Nothing is returned, and nothing has changed, if the proof fails.
   std::optional<Filling> create(ConflictZone& zone, bool is_known, StageCounts& counts) {
-    cells_.reserve(num_cells_);
-    cells_.reserve_vacancies(std::max(num_cells_, zone.num_cells));
-    created_.resize(num_cells_);
+    cells_.reserve(found_.size());
+    cells_.reserve_vacancies(std::max(found_.size(), zone.num_cells));
+    created_.resize(found_.size());
     prepare(is_known);
     for (Index& cell : created_) cell = cells_.allocate();
     bool is_right = false;
@@ -309,13 +247,12 @@ class HoleFiller {
       created_.clear();
     };
     try {
-      for (std::size_t c = 0; c < num_cells_; ++c)
+      for (std::size_t c = 0; c < found_.size(); ++c)
         num_infinite += write_cell(c) ? 1 : 0;  // those are infinite
-      const std::span<const Index> vertices(vertices_.data(), num_cells_ * width());
       const bool reaches_hull = hole_.num_finite() < hole_.num_cells();
-      is_right = (num_infinite == 0 || reaches_hull) && hole_.has_neighbors(vertices, beside_) &&
+      is_right = (num_infinite == 0 || reaches_hull) && found_.are_matches_right(hole_) &&
                  create_functionals() &&
-                 (is_known || (hole_.all_are_in(vertices) && is_delaunay(num_infinite > 0, counts)));
+                 (is_known || (found_.have_all_vertices(hole_) && is_delaunay(num_infinite > 0, counts)));
     } catch (...) {
       discard();
       throw;
@@ -324,15 +261,15 @@ class HoleFiller {
       discard();
       return std::nullopt;
     }
-    for (std::size_t f = 0; f < first_facet_; ++f) {
+    for (std::size_t f = 0; f < hole_.border().size(); ++f) {
       const BorderFacet& facet = hole_.border()[f];
-      cells_.neighbors(facet.survivor)[facet.mirror] = created_[beyond_border_[f] / width()];
+      cells_.neighbors(facet.survivor)[facet.mirror] = created_[found_.cell_of(found_.beyond_border(f))];
     }
     for (std::size_t i = 0; i < zone.num_cells; ++i) {
       zone.num_infinite += geometry_.is_infinite(zone.cells[i]) ? 1 : 0;
       cells_.release(zone.cells[i]);
     }
-    return Filling{num_cells_, num_infinite, created_.front()};
+    return Filling{found_.size(), num_infinite, created_.front()};
   }
 
   void prepare(bool is_known) {
@@ -341,29 +278,28 @@ class HoleFiller {
       double* row = rows_.data();
       for (const Index v : hole_.vertices()) geometry_.write_row_of(v, row += width());
     }
-    written_.resize(num_cells_ * width());
+    written_.resize(found_.size() * width());
     finite_.clear();
-    finite_.reserve(num_cells_);
+    finite_.reserve(found_.size());
     simplices_.clear();
-    simplices_.reserve(num_cells_);
-    orientations_.resize(num_cells_);
+    simplices_.reserve(found_.size());
+    orientations_.resize(found_.size());
   }
 
   bool write_cell(std::size_t c) {
     const Index cell = created_[c];
-    const Index* const numbers = vertices_.data() + c * width();
-    const std::uint32_t* const beside = beside_.data() + c * width();
+    const Index* const numbers = found_.vertices(c);
     Index* const written = written_.data() + c * width();
     Index* const neighbors = cells_.neighbors(cell);
     bool is_infinite = false;
     for (std::size_t i = 0; i < width(); ++i) {
-      const std::uint32_t other = beside[i];
+      const std::uint32_t other = found_.beside(c * width() + i);
       is_infinite |= numbers[i] == 0;
       written[i] = numbers[i];
-      neighbors[i] =
-          other < first_facet_ ? hole_.border()[other].survivor : created_[(other - first_facet_) / width()];
+      neighbors[i] = other < found_.first_facet() ? hole_.border()[other].survivor
+                                                  : created_[found_.cell_of(other - found_.first_facet())];
     }
-    if (is_odd_[c] != 0) {
+    if (found_.is_odd(c)) {
       std::swap(written[0], written[1]);
       std::swap(neighbors[0], neighbors[1]);
     }
@@ -400,21 +336,27 @@ class HoleFiller {
   }
 
   /// Whether the new cells are Delaunay, given that the finite ones are positively oriented and every facet
-  /// has two cells: if no vertex opposite a facet of the hole is in conflict with the cell beyond. Old and
-  /// new cells have the same border, so new less old ones cover every point of the sphere equally often:
-  /// never if none is infinite, as near infinity; else a vertex that is in none of them shows it. So all
-  /// cells are a triangulation, and one that is locally Delaunay is Delaunay everywhere. Where vertices have
-  /// moved, the old cells may have been anywhere, and who calls proves that (Settling).
+  /// has a cell on both sides: if no vertex opposite a facet of the hole is in conflict with the cell beyond.
+  /// Around a vertex that goes, that is so across the border, as survivors are in conflict with no vertex.
+  /// Old and new cells have the same border, so new less old ones cover every point of the sphere equally
+  /// often: never if none is infinite, as near infinity; else a vertex that is in none of them shows it. So
+  /// all cells are a triangulation, and one that is locally Delaunay is Delaunay everywhere. Where vertices
+  /// have moved, the old cells may have been anywhere, and who calls proves that (Settling).
   bool is_delaunay(bool has_infinite, StageCounts& counts) {
-    for (std::uint32_t at = 0; at < num_cells_ * width(); ++at) {
-      const std::uint32_t other = beside_[at], there = other - first_facet_;
-      if (other < first_facet_) {
-        if (!is_locally_delaunay(hole_.border()[other].survivor, vertices_[at], counts)) return false;
-      } else if (there < at) {
-        if (!is_locally_delaunay(created_[there / width()], vertices_[at], counts)) return false;
+    const bool is_star = hole_.leaving() != invalid_index;
+    for (std::uint32_t here = 0; here < found_.num_facets(); ++here) {
+      const std::uint32_t other = found_.beside(here), there = other - found_.first_facet();
+      const Index apex = found_.vertex_opposite(here);
+      if (other < found_.first_facet()) {
+        const BorderFacet& facet = hole_.border()[other];
+        if (is_star ? hole_.id(apex) == cells_.vertex(facet.survivor, facet.mirror)
+                    : !is_locally_delaunay(facet.survivor, apex, counts))
+          return false;
+      } else if (there < here) {
+        if (!is_locally_delaunay(created_[found_.cell_of(there)], apex, counts)) return false;
       }
     }
-    return !has_infinite || hole_.leaving() == invalid_index || is_outside_of_all(counts);
+    return !has_infinite || !is_star || is_outside_of_all(counts);
   }
 
   /// Whether vertex number `apex`, opposite the common facet, is not in conflict with a cell. On the hull, it
@@ -466,18 +408,9 @@ class HoleFiller {
   const std::size_t functions_size_;  // of one cell
   Hole<K> hole_;
   geometry::HoleSearch search_;
-  std::vector<std::uint64_t> keys_;  // of vertices, by number; that of a facet is the sum of theirs
-  FacetTable facets_;                // those with one cell
-  // The cells that have been found.
+  HoleCells<K> found_;
   bool is_exact_ = false;
-  std::size_t num_cells_ = 0;
-  std::uint32_t first_facet_ = 0;
-  std::vector<Index> vertices_;               // numbers
-  std::vector<std::uint32_t> beside_;         // for each facet the same one of another cell, or of the border
-  std::vector<std::uint8_t> is_odd_;          // oriented negatively as they are in vertices_
-  std::vector<double> functions_;             // of finite cells
-  std::vector<std::uint32_t> beyond_border_;  // for each facet of the border, that of the cell in the hole
-  std::vector<std::uint32_t> open_;
+  std::vector<double> functions_;  // of finite cells that have been found
   std::vector<double> start_;
   /// In the plane: the vertices first, …, last of the cycle, and the facet beyond the edge from the last to
   /// the first.

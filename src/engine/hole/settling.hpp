@@ -38,12 +38,13 @@ class Settling {
       : build_(build), cells_(build.cells()), geometry_(build.geometry()), filler_(filler) {}
 
   /// After one vertex has moved, one of whose cells is `cell`. Returns false if it cannot stay where it is in
-  /// the cells, as on the hull. Then no cell has changed, but the functionals of its cells are wrong.
+  /// the cells, as on the hull, or if many of them would change. Then no cell has changed, but the functionals of its cells are wrong.
   bool settle(Index v, Index cell) {
     made_ = {};
     if (!find_star(v, cell, false)) return false;
     if (!create_functionals(true)) return false;
     find_bad_cells();
+    if (2 * seeds_.size() > around_.size()) return false;  // taking the vertex out costs no more
     if (!fill_one_hole()) return false;
     if (!hole_.empty()) made_ = filler_.created();
     return true;

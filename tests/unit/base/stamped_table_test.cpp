@@ -34,6 +34,19 @@ TEST(StampedTable, IsEmptyAfterClear) {
   EXPECT_EQ(*table.find_value(0), 3u);
 }
 
+// Whether more keys come than were expected, or fewer.
+TEST(StampedTable, ExpectsSomeNumberOfKeys) {
+  StampedTable table;
+  for (const std::uint32_t count : {3u, 1000u, 10u, 200u, 5000u, 40u, 3000u})
+    for (const std::size_t expected : {std::size_t{0}, std::size_t{60}, std::size_t{5000}}) {
+      table.clear(expected);
+      for (std::uint32_t i = 0; i < count; ++i) EXPECT_TRUE(table.insert(7 * i, i).second);
+      EXPECT_EQ(table.size(), count);
+      for (std::uint32_t i = 0; i < count; ++i) EXPECT_EQ(*table.find_value(7 * i), i);
+      EXPECT_FALSE(table.contains(7 * count));
+    }
+}
+
 TEST(StampedTable, SetReplacesNumbers) {
   StampedTable table;
   for (std::uint32_t i = 0; i < 500; ++i) table.set(i % 200, i);
