@@ -197,8 +197,8 @@ class DELONE_EXPORT Triangulation {
   void apply(const RowEdits& edits);
   template <int D>
   void apply(const Edit<D>& edit) {
-    edit.to.require_dimension(dimension());
-    edit.insert.require_dimension(dimension());
+    edit.to.require_dimension(dimension(), "move");
+    edit.insert.require_dimension(dimension(), "insert");
     apply(RowEdits{edit.remove, edit.move, edit.weigh, edit.to.coordinates(), edit.weights,
                    edit.insert.coordinates(), edit.insert_weights});
   }

@@ -96,10 +96,12 @@ void make(Held& held, const Edits& edits, const py::object& progress) {
   if (edits.insert.size() > 0) held.set_row_index(py::none());
 }
 
-/// Puts rows and their new points into an edit: a row and a point, (d,), or as many of both.
+/// Puts rows and their new points into an edit: a row and a point, (d,), or as many of both. Messages about
+/// either begin with `of`.
 void put_moves(Edits& edits, const Held& held, const py::object& rows, const py::object& points,
-               const std::string& name) {
-  RowNumbers numbers = as_rows(rows, "rows");
+               const std::string& of) {
+  RowNumbers numbers = as_rows(rows, of + "rows", "move");
+  const std::string name = of + "points";
   const auto d = static_cast<py::ssize_t>(held.dimension());
   if (numbers.is_single) {
     require_columns(points, held.columns(), name);
@@ -118,14 +120,15 @@ void put_moves(Edits& edits, const Held& held, const py::object& rows, const py:
 }
 
 /// The same for weights.
-void put_weights(Edits& edits, const py::object& rows, const py::object& weights) {
-  RowNumbers numbers = as_rows(rows, "rows");
+void put_weights(Edits& edits, const py::object& rows, const py::object& weights, const std::string& of) {
+  RowNumbers numbers = as_rows(rows, of + "rows", "set_weights");
+  const std::string name = of + "weights";
   if (numbers.is_single) {
-    const auto weight = as_doubles(weights, "weights");
-    if (weight.ndim() != 0) throw py::value_error("weights: a number, not " + shown(weight.attr("shape")));
-    edits.weights = as_weights(weight.attr("reshape")(1), 1, "weights");
+    const auto weight = as_doubles(weights, name);
+    if (weight.ndim() != 0) throw py::value_error(name + ": a number, not " + shown(weight.attr("shape")));
+    edits.weights = as_weights(weight.attr("reshape")(1), 1, name);
   } else {
-    edits.weights = as_weights(weights, static_cast<py::ssize_t>(numbers.rows.size()), "weights");
+    edits.weights = as_weights(weights, static_cast<py::ssize_t>(numbers.rows.size()), name);
   }
   edits.weigh = std::move(numbers.rows);
 }
@@ -137,18 +140,18 @@ std::pair<py::object, py::object> as_pair(const py::object& object, const char* 
 }
 
 void remove(Held& held, const py::object& rows, const py::object& progress) {
-  make(held, {.remove = as_rows(rows, "rows").rows}, progress);
+  make(held, {.remove = as_rows(rows, "rows", "remove").rows}, progress);
 }
 
 void move(Held& held, const py::object& rows, const py::object& points, const py::object& progress) {
   Edits edits;
-  put_moves(edits, held, rows, points, "points");
+  put_moves(edits, held, rows, points, "");
   make(held, edits, progress);
 }
 
 void set_weights(Held& held, const py::object& rows, const py::object& weights, const py::object& progress) {
   Edits edits;
-  put_weights(edits, rows, weights);
+  put_weights(edits, rows, weights, "");
   make(held, edits, progress);
 }
 
@@ -165,20 +168,20 @@ void edit(Held& held, const py::object& insert, const py::object& insert_weights
   else if (held.form() == Form::regular && num_inserted > 0)
     throw py::value_error("insert_weights: an array of shape (" + std::to_string(num_inserted) +
                           ",), not None");
-  if (!remove.is_none()) edits.remove = as_rows(remove, "remove").rows;
+  if (!remove.is_none()) edits.remove = as_rows(remove, "remove", "remove").rows;
   if (!move.is_none()) {
     const auto [rows, points] = as_pair(move, "move: a pair (rows, points), or None");
-    put_moves(edits, held, rows, points, "points");
+    put_moves(edits, held, rows, points, "move: ");
   }
   if (!weights.is_none()) {
     const auto [rows, numbers] = as_pair(weights, "weights: a pair (rows, weights), or None");
-    put_weights(edits, rows, numbers);
+    put_weights(edits, rows, numbers, "weights: ");
   }
   make(held, edits, progress);
 }
 
 py::object has_row(const Held& held, const py::object& object) {
-  const RowNumbers rows = as_rows(object, "rows");
+  const RowNumbers rows = as_rows(object, "rows", "has_row");
   py::array_t<bool> answers(static_cast<py::ssize_t>(rows.rows.size()));
   Supervisor supervisor;
   supervisor.run([&, out = answers.mutable_data()] {
@@ -186,7 +189,9 @@ py::object has_row(const Held& held, const py::object& object) {
       for (std::size_t i = 0; i < rows.rows.size(); ++i) {
         if (rows.rows[i] >= engine.num_rows())
           throw Error(Errc::invalid_argument,
-                      "row " + std::to_string(rows.rows[i]) + " is not a row of the input", {i});
+                      place_in("has_row", rows.rows.size(), i) + ": row " + std::to_string(rows.rows[i]) +
+                          " is not a row of the input",
+                      {i});
         out[i] = engine.has_row(rows.rows[i]);
       }
     });

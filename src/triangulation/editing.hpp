@@ -50,8 +50,8 @@ class Triangulation::Impl::Editing {
   };
   static constexpr std::size_t none = static_cast<std::size_t>(-1);
 
-  void require_rows(std::span<const std::size_t> rows, const char* verb) const;
-  void require_disjoint() const;
+  void require_rows(const char* list, std::span<const std::size_t> rows) const;
+  void require_disjoint(const char* list, std::span<const std::size_t> rows) const;
   void tick();
   void plan();
   void plan_moves();
