@@ -143,17 +143,21 @@ void Triangulation::Impl::Editing::require_disjoint(const char* list,
 /// One step more; a move is two, and may be none.
 void Triangulation::Impl::Editing::tick() { progress_(std::min(++done_, total_)); }
 
+/// So many vertices of all have been placed anew: a part of what was left to do before.
+void Triangulation::Impl::Editing::tick_batch(std::size_t placed, std::size_t of) {
+  const std::size_t begun = std::min(done_, total_);
+  progress_(begun + (total_ - begun) * placed / of);
+}
+
 void Triangulation::Impl::Editing::run() {
   begin();
   plan();
   settle_all();
   settle_some();
-  if (is_worth_building_anew()) {
+  if (is_worth_building_anew() || !take_all_out())
     build_anew();
-  } else {
-    take_all_out();
+  else
     place_all();
-  }
   finish();
 }
 
@@ -253,6 +257,17 @@ bool Triangulation::Impl::Editing::is_worth_building_anew() const {
   constexpr std::size_t fewest = 16;
   return leaving_.size() + placements_.size() >= fewest &&
          2 * leaving_.size() + placements_.size() > left / 2;
+}
+
+/// The same when so many have been taken out. A batch inserts those that stay hidden, too.
+bool Triangulation::Impl::Editing::has_freed_many(std::size_t num_taken_out) const {
+  constexpr std::size_t fewest = 64;
+  if (freed_.size() < fewest) return false;
+  const std::size_t left_to_go = leaving_.size() - num_taken_out;
+  const std::size_t num_hidden = impl_.hidden_points ? impl_.hidden_points->size() : 0;
+  const std::size_t in_all =
+      impl_.num_vertices - left_to_go + num_hidden + freed_.size() + placements_.size();
+  return 2 * left_to_go + freed_.size() + placements_.size() > in_all / 2;
 }
 
 void Triangulation::Impl::Editing::begin_batch() {

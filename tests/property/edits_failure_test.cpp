@@ -14,6 +14,7 @@
 #include <functional>
 #include <limits>
 #include <new>
+#include <span>
 #include <string>
 #include <type_traits>
 #include <vector>
@@ -418,6 +419,57 @@ TYPED_TEST(Edits, ThatChangeTheDimensionWithoutMemory) {
       expect_all_or_nothing("up again", lowered, [](TypeParam& product) { product.undo(); });
       if (testing::Test::HasFailure()) return;
     }
+}
+
+/// A heavy point goes that hides so many that cells are built anew once it has been taken out.
+TEST(EditsOfHiddenPoints, AreMadeWholeOrNot) {
+  std::size_t calls_left = static_cast<std::size_t>(-1);
+  Options options;
+  options.progress = [&](double) { return calls_left > 0 && --calls_left > 0; };
+  const std::size_t heavy = 10, num_hidden = 90;
+  const std::vector<double> new_point{50, 50};
+  const double new_weight = 0;
+  for (const bool records : {true, false}) {
+    SCOPED_TRACE(records);
+    const auto make = [&](std::size_t n, const Options& given) {
+      Regular<> product(2, given);
+      product.record_changes(records);
+      product.record_undo(records);
+      Random random(3);
+      std::vector<double> points, weights(heavy + 1 + n, 0.0);
+      for (std::size_t row = 0; row <= heavy + n; ++row)
+        for (const double x : test::new_point(test::EditWorld::uniform, 2, random))
+          points.push_back(row < heavy ? 100 * x : 50 + x);
+      weights[heavy] = 1000;
+      product.insert_range(points, weights);
+      EXPECT_GE(product.num_hidden(), n);
+      return product;
+    };
+    const auto act = [&](Regular<>& product) {
+      product.edit({.remove = std::span(&heavy, 1),
+                    .insert = PointsView(new_point, 2),
+                    .insert_weights = std::span(&new_weight, 1)});
+    };
+    expect_all_or_nothing(
+        "many hidden", [&] { return make(num_hidden, {}); }, act);
+    Regular<> product = make(test::scaled_size(20000, 10000), options);
+    const SeenTriangulation before(product);
+    std::size_t num_cancelled = 0;
+    for (std::size_t calls = 1; calls < 4; ++calls) {
+      calls_left = calls;
+      try {
+        act(product);
+        break;
+      } catch (const Error& error) {
+        EXPECT_EQ(error.code(), Errc::cancelled) << error.what();
+        ++num_cancelled;
+      }
+      calls_left = static_cast<std::size_t>(-1);
+      ASSERT_TRUE(SeenTriangulation(product) == before) << calls << " calls";
+    }
+    calls_left = static_cast<std::size_t>(-1);
+    EXPECT_GT(num_cancelled, 0u);
+  }
 }
 
 /// Any thread may be the one that runs out of memory.
