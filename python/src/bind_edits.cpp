@@ -317,16 +317,18 @@ constexpr const char* clone_doc =
     "A copy with the same ids of cells and vertices, and limits; nothing of it can be undone. O(n d + m k).";
 
 constexpr const char* record_changes_doc = R"(
-Has changes tell from now on what every call that changes something does; it costs a few per cent of the time of such a
-call. record_changes(False) ends that.)";
+Has changes tell from now on what every insertion, edit and undo does. Such a call then takes up to twice as long;
+insert_range up to three times, as one thread inserts the points one by one, unless they are more than those that are
+there. record_changes(False) ends that.)";
 
 constexpr const char* changes_doc = R"(
-What the last insertion, edit or undo did, delone.Changes: ids of cells and vertices, see cell_ids and vertex_ids. None
-unless record_changes() was called.)";
+What the last insertion, edit or undo did, delone.Changes: ids of cells and vertices, see cell_ids and vertex_ids. A call
+without any row or point does not count. None unless record_changes() was called.)";
 
 constexpr const char* record_undo_doc = R"(
 Has undo take back the last insertion or edit from now on. Until the next one, memory for the cells that it has changed is
-kept. record_undo(False) ends that.)";
+kept, and calls take longer as with record_changes(). A call without any row or point does not count. record_undo(False)
+ends that.)";
 
 constexpr const char* undo_doc = R"(
 Takes back the last insertion or edit: all arrays and ids are as they were. It cannot be taken back itself. InputError

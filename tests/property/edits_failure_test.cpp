@@ -194,6 +194,11 @@ TYPED_TEST(Edits, OfNothingChangeNothing) {
   EXPECT_TRUE(changes.killed.empty() && changes.born.empty() && changes.came.empty() &&
               changes.gone.empty() && changes.hid.empty() && changes.reappeared.empty() &&
               changes.moved.empty());
+  // It counts as an edit.
+  EXPECT_TRUE(product.can_undo());
+  product.undo();
+  EXPECT_TRUE(SeenTriangulation(product) == before);
+  EXPECT_FALSE(product.can_undo());
 }
 
 /// Few changes of many rows, or of all.
