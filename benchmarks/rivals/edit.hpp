@@ -265,25 +265,13 @@ void run_round(const Arguments& arguments, const Edits& edits, std::vector<doubl
 /// The main function of a program that edits.
 template <Editor E>
 int run_edits(int argc, char** argv) {
-  try {
-    const Arguments arguments = parse(argc, argv);
-    const delone::PointTable table = delone::read_points(arguments.points);
+  return run_main(argc, argv, [](const Arguments& arguments, delone::PointTable&& table, auto& report) {
     const Edits edits(arguments, table);
-    nlohmann::json report = {{"points", table.num_points()},
-                             {"dimension", table.dimension},
-                             {"edits", edits.count},
-                             {"spacing", edits.spacing}};
-    const Program program = E(arguments, table.dimension).program();
-    report.update({{"program", program.name}, {"version", program.version}, {"flags", program.flags}});
-    report["input_bytes"] = peak_bytes();
+    report.update({{"edits", edits.count}, {"spacing", edits.spacing}});
+    add_program(report, E(arguments, table.dimension).program());
     for (int round = 0; round < arguments.repeat; ++round)
       run_round<E>(arguments, edits, table.coordinates, report);
-    std::puts(report.dump().c_str());
-    return 0;
-  } catch (const std::exception& error) {
-    std::fprintf(stderr, "%s: %s\n", argv[0], error.what());
-    return 2;
-  }
+  });
 }
 
 }  // namespace rival

@@ -1,14 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// CGAL's Delaunay triangulation of space, edited. A single move and each of a time step is
-// move_if_no_collision(); a time step goes through the vertices in their order in memory.
-#include "edit.hpp"
-#include "rows_by_coordinates.hpp"
+// CGAL's Delaunay triangulation of space, edited.
+#include "edit_cgal.hpp"
 
 #include <CGAL/Delaunay_triangulation_3.h>
 #include <CGAL/Delaunay_triangulation_cell_base_3.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Triangulation_vertex_base_3.h>
-#include <CGAL/version.h>
 
 #include <array>
 #include <iterator>
@@ -18,88 +15,41 @@ namespace {
 using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
 using Structure = CGAL::Triangulation_data_structure_3<CGAL::Triangulation_vertex_base_3<Kernel>,
                                                        CGAL::Delaunay_triangulation_cell_base_3<Kernel>>;
-using Triangulation = CGAL::Delaunay_triangulation_3<Kernel, Structure>;
-using Point = Kernel::Point_3;
-using Vertex = Triangulation::Vertex_handle;
 
-Point to_point(std::span<const double> p) { return {p[0], p[1], p[2]}; }
-std::array<double, 3> coordinates_of(Vertex v) { return {v->point().x(), v->point().y(), v->point().z()}; }
+struct Peer {
+  using Triangulation = CGAL::Delaunay_triangulation_3<Kernel, Structure>;
+  using Point = Kernel::Point_3;
+  using Vertex = Triangulation::Vertex_handle;
+  static constexpr int dimension = 3;
+  static constexpr const char* name = "CGAL 3D";
 
-class Cgal3 {
+  static Triangulation make() { return {}; }
+  static Point to_point(std::span<const double> p) { return {p[0], p[1], p[2]}; }
+  static std::array<double, 3> coordinates_of(Vertex v) {
+    return {v->point().x(), v->point().y(), v->point().z()};
+  }
+  static auto finite_vertices(const Triangulation& t) { return t.finite_vertex_handles(); }
+  static std::vector<Vertex> neighbors(const Triangulation& t, Vertex v) {
+    std::vector<Vertex> neighbors;
+    t.finite_adjacent_vertices(v, std::back_inserter(neighbors));
+    return neighbors;
+  }
+  static Vertex insert(Triangulation& t, const Point& point, Vertex hint) { return t.insert(point, hint); }
+};
+
+class Cgal3 : public rival::CgalMover<Peer> {
  public:
-  Cgal3(const rival::Arguments&, int dimension) {
-    if (dimension != 3) throw std::invalid_argument("this program is for points of space");
-  }
-
-  rival::Program program() const { return {"CGAL 3D", CGAL_VERSION_STR, DELONE_BENCHMARK_FLAGS}; }
-
-  void prepare(std::span<const double> coordinates) {
-    coordinates_.assign(coordinates.begin(), coordinates.end());
-    for (std::size_t i = 0; i < coordinates.size(); i += 3)
-      points_.push_back(to_point(coordinates.subspan(i, 3)));
-  }
-  void build() { triangulation_.insert(points_.begin(), points_.end()); }
-
-  void find_vertices() {
-    if (triangulation_.number_of_vertices() != points_.size())
-      throw std::invalid_argument("this program is for distinct points");
-    const rival::RowsByCoordinates row_of(std::move(coordinates_), 3);
-    vertices_.resize(points_.size());
-    for (const Vertex v : triangulation_.finite_vertex_handles())
-      vertices_[static_cast<std::size_t>(row_of(coordinates_of(v)))] = v;
-  }
-
-  void find_hints(std::span<const std::size_t> rows) {
-    std::set<Vertex> gone;
-    for (const std::size_t row : rows) gone.insert(vertices_[row]);
-    Vertex any = vertices_[0];
-    for (const Vertex v : vertices_)
-      if (!gone.contains(v)) any = v;
-    hints_.clear();
-    for (const std::size_t row : rows) {
-      const Vertex v = vertices_[row];
-      std::vector<Vertex> neighbors;
-      triangulation_.finite_adjacent_vertices(v, std::back_inserter(neighbors));
-      hints_.push_back(rival::nearest_that_stays(
-          neighbors, [&](Vertex u) { return gone.contains(u); },
-          [&](Vertex u) { return CGAL::squared_distance(u->point(), v->point()); }, any));
-    }
-  }
-
-  void remove(std::size_t row) { triangulation_.remove(vertices_[row]); }
-  void insert(std::size_t number, std::size_t row, std::span<const double> point) {
-    vertices_[row] = triangulation_.insert(to_point(point), hints_[number]);
-  }
-  void move(std::size_t row, std::span<const double> point) {
-    vertices_[row] = triangulation_.move_if_no_collision(vertices_[row], to_point(point));
-  }
-
-  void prepare_time_step(std::span<const double> coordinates) {
-    for (std::size_t row = 0; row < vertices_.size(); ++row)
-      targets_.emplace_back(vertices_[row], to_point(coordinates.subspan(3 * row, 3)));
-    std::sort(targets_.begin(), targets_.end(),
-              [](const auto& a, const auto& b) { return a.first < b.first; });
-  }
-  void time_step() {
-    for (const auto& [vertex, point] : targets_) triangulation_.move_if_no_collision(vertex, point);
-  }
+  using CgalMover::CgalMover;
 
   std::size_t num_cells() const { return triangulation_.number_of_finite_cells(); }
   std::uint64_t checksum() const {
     rival::Checksum sum;
     for (const auto& cell : triangulation_.finite_cell_handles()) {
-      for (int i = 0; i < 4; ++i) sum.add_vertex(coordinates_of(cell->vertex(i)));
+      for (int i = 0; i < 4; ++i) sum.add_vertex(Peer::coordinates_of(cell->vertex(i)));
       sum.end_cell();
     }
     return sum.value();
   }
-
- private:
-  std::vector<double> coordinates_;  ///< until the vertices have been found
-  std::vector<Point> points_;
-  Triangulation triangulation_;
-  std::vector<Vertex> vertices_, hints_;
-  std::vector<std::pair<Vertex, Point>> targets_;
 };
 
 }  // namespace

@@ -153,17 +153,34 @@ inline void write_cells(const std::string& path, const Cells& cells) {
   if (!out.flush()) throw std::runtime_error("cannot write " + path);
 }
 
-/// The main function of an adapter.
-template <Adapter A>
-int run(int argc, char** argv) {
+/// What a report says of the program before the first construction.
+inline void add_program(nlohmann::json& report, const Program& program) {
+  report.update({{"program", program.name}, {"version", program.version}, {"flags", program.flags}});
+  report["input_bytes"] = peak_bytes();
+}
+
+/// What all main functions do: reads the points, has `measure` add to the report, writes it.
+template <std::invocable<const Arguments&, delone::PointTable&&, nlohmann::json&> Measure>
+int run_main(int argc, char** argv, Measure&& measure) {
   try {
     const Arguments arguments = parse(argc, argv);
     delone::PointTable table = delone::read_points(arguments.points);
     nlohmann::json report = {{"points", table.num_points()}, {"dimension", table.dimension}};
+    measure(arguments, std::move(table), report);
+    std::puts(report.dump().c_str());
+    return 0;
+  } catch (const std::exception& error) {
+    std::fprintf(stderr, "%s: %s\n", argv[0], error.what());
+    return 2;
+  }
+}
+
+/// The main function of an adapter.
+template <Adapter A>
+int run(int argc, char** argv) {
+  return run_main(argc, argv, [](const Arguments& arguments, delone::PointTable&& table, auto& report) {
     A adapter(arguments, std::move(table));
-    const Program program = adapter.program();
-    report.update({{"program", program.name}, {"version", program.version}, {"flags", program.flags}});
-    report["input_bytes"] = peak_bytes();
+    add_program(report, adapter.program());
     for (int round = 0; round < arguments.repeat; ++round) {
       if (round > 0) adapter.reset();
       const Seconds seconds = time([&] { adapter.construct(); });
@@ -174,12 +191,7 @@ int run(int argc, char** argv) {
     report["cells"] = adapter.num_cells();
     report.update(adapter.details());
     if (!arguments.cells.empty()) write_cells(arguments.cells, adapter.cells());
-    std::puts(report.dump().c_str());
-    return 0;
-  } catch (const std::exception& error) {
-    std::fprintf(stderr, "%s: %s\n", argv[0], error.what());
-    return 2;
-  }
+  });
 }
 
 }  // namespace rival

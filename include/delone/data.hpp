@@ -17,6 +17,17 @@
 #include <vector>
 
 namespace delone {
+namespace detail {
+
+/// Whether a row of points was removed: it is at no vertex, and its coordinates are NaN.
+inline bool is_removed(std::size_t row, std::span<const SignedIndex> vertices, std::span<const double> points,
+                       int dimension) {
+  if (vertices.size() <= row || vertices[row] >= 0 || points.empty()) return false;
+  const double first = points[row * static_cast<std::size_t>(dimension)];
+  return first != first;
+}
+
+}  // namespace detail
 
 /// A triangulation: Delaunay, regular (with weights) or furthest-site.
 struct DELONE_EXPORT_TYPE ComplexData {
@@ -37,9 +48,7 @@ struct DELONE_EXPORT_TYPE ComplexData {
   }
   /// Whether a row of the points was removed from the triangulation that this is a copy of.
   bool is_removed(std::size_t row) const {
-    if (vertex_of_point.size() <= row || vertex_of_point[row] >= 0 || points.empty()) return false;
-    const double first = points[row * static_cast<std::size_t>(dimension)];
-    return first != first;
+    return detail::is_removed(row, vertex_of_point, points, dimension);
   }
   std::size_t num_cells() const {
     return affine_dimension < 0 ? 0 : cells.size() / (static_cast<std::size_t>(affine_dimension) + 1);
@@ -188,11 +197,7 @@ struct DELONE_EXPORT_TYPE VoronoiData {
 
   std::size_t num_points() const { return point_region.size(); }
   /// Whether a row of the points was removed from the triangulation: its coordinates are NaN.
-  bool is_removed(std::size_t row) const {
-    if (point_region.size() <= row || point_region[row] >= 0 || points.empty()) return false;
-    const double first = points[row * static_cast<std::size_t>(dimension)];
-    return first != first;
-  }
+  bool is_removed(std::size_t row) const { return detail::is_removed(row, point_region, points, dimension); }
   std::size_t num_vertices() const {
     return dimension < 1 ? 0 : vertices.size() / static_cast<std::size_t>(dimension);
   }

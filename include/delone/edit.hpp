@@ -12,9 +12,14 @@
 namespace delone {
 
 /// What becomes of rows, for the members edit() of the triangulations. A row may be in several lists, but in
-/// none twice, and one that is removed in no other.
+/// none twice, and one that is removed in no other. Lists that are not named are empty; those that are come
+/// in the order of declaration, as C++ demands it of designated initializers.
 ///
 ///   t.edit({.remove = gone, .move = rows, .to = points});
+///
+/// Without any row or point, an edit does nothing, and leaves changes() and what undo() takes back as they
+/// are. One that leaves everything as it was, such as a move to where a row is, counts like others: its
+/// changes() are empty, and undo() takes back that edit.
 template <int D = dynamic>
 struct Edit {
   std::span<const std::size_t> remove = {};     ///< rows that go
@@ -26,7 +31,7 @@ struct Edit {
   std::span<const double> insert_weights = {};  ///< of these, as many; of regular triangulations alone
 };
 
-/// What the last call that changed a triangulation did to it. Every list is in ascending order.
+/// What the last insertion, edit or undo of a triangulation did to it. Every list is in ascending order.
 struct Changes {
   /// Cells that are no more, and new ones. The id of a cell that is no more may be that of a new one, and is
   /// then in both lists. A cell in neither list has the same id and vertices; but these may have moved, and

@@ -27,6 +27,11 @@ namespace detail {
               {row});
 }
 
+[[noreturn]] inline void throw_wrong_dimension(const char* list, int found, int expected) {
+  throw Error(Errc::bad_dimension, std::string(list) + ": points in " + std::to_string(found) +
+                                       " dimensions, not " + std::to_string(expected));
+}
+
 }  // namespace detail
 
 /// A point of R^D as an argument: what the functions with such a parameter take. {x, y, z}; a span, vector or
@@ -139,6 +144,11 @@ class AnyPoints {
   void require_dimension(int expected) const {
     if (dimension_ != 0 && dimension_ != expected && !coordinates_.empty())
       detail::throw_wrong_size(0, static_cast<std::size_t>(dimension_), static_cast<std::size_t>(expected));
+  }
+  /// The same, with a message that names a list of an edit.
+  void require_dimension(int expected, const char* list) const {
+    if (dimension_ != 0 && dimension_ != expected && !coordinates_.empty())
+      detail::throw_wrong_dimension(list, dimension_, expected);
   }
   /// Releases the memory of a copy, and of a container that was moved in. There are no coordinates
   /// afterwards.

@@ -133,20 +133,24 @@ class DELONE_EXPORT Triangulation {
   std::vector<std::size_t> hidden_rows() const;
 
   /// Removes a row, or many. Cost of one that is the only one at its place: that of some insertions there,
-  /// from one and a half in 2D to seven in 6D, if no points are hidden around it. The first edit also looks
-  /// at all rows, and in a regular or furthest-site triangulation finds a cell for each hidden point. Throws
-  /// Errc::invalid_argument, naming the rows, if one is not there or is given twice.
+  /// from one and a half in 2D to seven in 6D. Hidden points that may come back are inserted, too, or if they
+  /// are most of what is there, everything is built anew. The first edit also looks at all rows, and in a
+  /// regular or furthest-site triangulation finds a cell for each hidden point. Throws
+  /// Errc::invalid_argument, naming a row and its place in the list, if it is not there or is given twice.
   void remove(std::size_t row) { remove(std::span(&row, 1)); }
   void remove(std::span<const std::size_t> rows);
 
-  /// Has changes() tell from now on what every call that changes something does. Such a call then takes up to
-  /// twice as long, and a batch of insertions up to three times, as points are inserted one by one.
+  /// Has changes() tell from now on what every insertion, edit and undo() does. Such a call then takes up to
+  /// twice as long. A batch of insertions takes up to three times as long, as one thread inserts the points
+  /// one by one; if they are more than those that are there, all cells are built anew instead.
   void record_changes(bool wanted = true);
-  /// What the last call that changed something did: an edit, insertion or undo(). After compact_ids(),
-  /// compact() and sort_cells() nothing. Throws Errc::invalid_argument unless record_changes() is on.
+  /// What the last edit, insertion or undo() did; one without any row or point does not count. After
+  /// compact_ids(), compact() and sort_cells() nothing. Throws Errc::invalid_argument unless record_changes()
+  /// is on.
   const Changes& changes() const;
 
-  /// Has undo() take back the last edit or insertion from now on. Until the next one, memory for the cells
+  /// Has undo() take back the last edit or insertion from now on; one without any row or point does not
+  /// count. Costs time as record_changes() does. Until the next one, memory for the cells
   /// that it killed is kept, 8(k+1) + 4 bytes each, and for every row and vertex that it changed, some 16
   /// bytes and its point; the cells themselves where it raised or lowered the affine dimension, or built
   /// anew. After an edit that has begun and fails, nothing can be taken back.
@@ -197,8 +201,8 @@ class DELONE_EXPORT Triangulation {
   void apply(const RowEdits& edits);
   template <int D>
   void apply(const Edit<D>& edit) {
-    edit.to.require_dimension(dimension());
-    edit.insert.require_dimension(dimension());
+    edit.to.require_dimension(dimension(), "move");
+    edit.insert.require_dimension(dimension(), "insert");
     apply(RowEdits{edit.remove, edit.move, edit.weigh, edit.to.coordinates(), edit.weights,
                    edit.insert.coordinates(), edit.insert_weights});
   }

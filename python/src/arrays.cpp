@@ -253,7 +253,11 @@ py::array_t<double> as_points(const py::object& object, const std::string& name)
   return points;
 }
 
-RowNumbers as_rows(const py::object& object, const std::string& name) {
+std::string place_in(const std::string& list, std::size_t size, std::size_t place) {
+  return size == 1 ? list : list + "[" + std::to_string(place) + "]";
+}
+
+RowNumbers as_rows(const py::object& object, const std::string& name, const std::string& list) {
   refuse_masked(object, name);
   const py::array array = as_array(object, name);
   if (array.ndim() > 1)
@@ -268,8 +272,10 @@ RowNumbers as_rows(const py::object& object, const std::string& name) {
         const auto count = static_cast<std::size_t>(integers.size());
         for (std::size_t i = 0; i < count; ++i)
           if (first[i] < T{0})
-            throw Error(Errc::invalid_argument,
-                        "row " + std::to_string(first[i]) + " is not a row of the input", {i});
+            throw Error(
+                Errc::invalid_argument,
+                place_in(list, count, i) + ": row " + std::to_string(first[i]) + " is not a row of the input",
+                {i});
         result.rows.assign(first, first + count);
       };
   using Integers = py::array_t<std::int64_t, py::array::c_style | py::array::forcecast>;

@@ -60,8 +60,12 @@ struct RowNumbers {
 };
 
 /// An integer, or an array of shape (m,) of integers of any type. Raises TypeError and ValueError for
-/// anything else, InputError for negative numbers.
-RowNumbers as_rows(const py::object& object, const std::string& name);
+/// anything else, InputError for negative numbers. `list`: how messages about single rows begin, see
+/// place_in().
+RowNumbers as_rows(const py::object& object, const std::string& name, const std::string& list);
+
+/// How messages of edits name a place in a list: "remove[2]", or "remove" if there is no other.
+std::string place_in(const std::string& list, std::size_t size, std::size_t place);
 
 /// Queries of shape (…, d), and arrays with one answer for each.
 class Queries {

@@ -96,10 +96,12 @@ void make(Held& held, const Edits& edits, const py::object& progress) {
   if (edits.insert.size() > 0) held.set_row_index(py::none());
 }
 
-/// Puts rows and their new points into an edit: a row and a point, (d,), or as many of both.
+/// Puts rows and their new points into an edit: a row and a point, (d,), or as many of both. Messages about
+/// either begin with `of`.
 void put_moves(Edits& edits, const Held& held, const py::object& rows, const py::object& points,
-               const std::string& name) {
-  RowNumbers numbers = as_rows(rows, "rows");
+               const std::string& of) {
+  RowNumbers numbers = as_rows(rows, of + "rows", "move");
+  const std::string name = of + "points";
   const auto d = static_cast<py::ssize_t>(held.dimension());
   if (numbers.is_single) {
     require_columns(points, held.columns(), name);
@@ -118,14 +120,15 @@ void put_moves(Edits& edits, const Held& held, const py::object& rows, const py:
 }
 
 /// The same for weights.
-void put_weights(Edits& edits, const py::object& rows, const py::object& weights) {
-  RowNumbers numbers = as_rows(rows, "rows");
+void put_weights(Edits& edits, const py::object& rows, const py::object& weights, const std::string& of) {
+  RowNumbers numbers = as_rows(rows, of + "rows", "set_weights");
+  const std::string name = of + "weights";
   if (numbers.is_single) {
-    const auto weight = as_doubles(weights, "weights");
-    if (weight.ndim() != 0) throw py::value_error("weights: a number, not " + shown(weight.attr("shape")));
-    edits.weights = as_weights(weight.attr("reshape")(1), 1, "weights");
+    const auto weight = as_doubles(weights, name);
+    if (weight.ndim() != 0) throw py::value_error(name + ": a number, not " + shown(weight.attr("shape")));
+    edits.weights = as_weights(weight.attr("reshape")(1), 1, name);
   } else {
-    edits.weights = as_weights(weights, static_cast<py::ssize_t>(numbers.rows.size()), "weights");
+    edits.weights = as_weights(weights, static_cast<py::ssize_t>(numbers.rows.size()), name);
   }
   edits.weigh = std::move(numbers.rows);
 }
@@ -137,18 +140,18 @@ std::pair<py::object, py::object> as_pair(const py::object& object, const char* 
 }
 
 void remove(Held& held, const py::object& rows, const py::object& progress) {
-  make(held, {.remove = as_rows(rows, "rows").rows}, progress);
+  make(held, {.remove = as_rows(rows, "rows", "remove").rows}, progress);
 }
 
 void move(Held& held, const py::object& rows, const py::object& points, const py::object& progress) {
   Edits edits;
-  put_moves(edits, held, rows, points, "points");
+  put_moves(edits, held, rows, points, "");
   make(held, edits, progress);
 }
 
 void set_weights(Held& held, const py::object& rows, const py::object& weights, const py::object& progress) {
   Edits edits;
-  put_weights(edits, rows, weights);
+  put_weights(edits, rows, weights, "");
   make(held, edits, progress);
 }
 
@@ -165,20 +168,20 @@ void edit(Held& held, const py::object& insert, const py::object& insert_weights
   else if (held.form() == Form::regular && num_inserted > 0)
     throw py::value_error("insert_weights: an array of shape (" + std::to_string(num_inserted) +
                           ",), not None");
-  if (!remove.is_none()) edits.remove = as_rows(remove, "remove").rows;
+  if (!remove.is_none()) edits.remove = as_rows(remove, "remove", "remove").rows;
   if (!move.is_none()) {
     const auto [rows, points] = as_pair(move, "move: a pair (rows, points), or None");
-    put_moves(edits, held, rows, points, "points");
+    put_moves(edits, held, rows, points, "move: ");
   }
   if (!weights.is_none()) {
     const auto [rows, numbers] = as_pair(weights, "weights: a pair (rows, weights), or None");
-    put_weights(edits, rows, numbers);
+    put_weights(edits, rows, numbers, "weights: ");
   }
   make(held, edits, progress);
 }
 
 py::object has_row(const Held& held, const py::object& object) {
-  const RowNumbers rows = as_rows(object, "rows");
+  const RowNumbers rows = as_rows(object, "rows", "has_row");
   py::array_t<bool> answers(static_cast<py::ssize_t>(rows.rows.size()));
   Supervisor supervisor;
   supervisor.run([&, out = answers.mutable_data()] {
@@ -186,7 +189,9 @@ py::object has_row(const Held& held, const py::object& object) {
       for (std::size_t i = 0; i < rows.rows.size(); ++i) {
         if (rows.rows[i] >= engine.num_rows())
           throw Error(Errc::invalid_argument,
-                      "row " + std::to_string(rows.rows[i]) + " is not a row of the input", {i});
+                      place_in("has_row", rows.rows.size(), i) + ": row " + std::to_string(rows.rows[i]) +
+                          " is not a row of the input",
+                      {i});
         out[i] = engine.has_row(rows.rows[i]);
       }
     });
@@ -312,16 +317,18 @@ constexpr const char* clone_doc =
     "A copy with the same ids of cells and vertices, and limits; nothing of it can be undone. O(n d + m k).";
 
 constexpr const char* record_changes_doc = R"(
-Has changes tell from now on what every call that changes something does; it costs a few per cent of the time of such a
-call. record_changes(False) ends that.)";
+Has changes tell from now on what every insertion, edit and undo does. Such a call then takes up to twice as long;
+insert_range up to three times, as one thread inserts the points one by one, unless they are more than those that are
+there. record_changes(False) ends that.)";
 
 constexpr const char* changes_doc = R"(
-What the last insertion, edit or undo did, delone.Changes: ids of cells and vertices, see cell_ids and vertex_ids. None
-unless record_changes() was called.)";
+What the last insertion, edit or undo did, delone.Changes: ids of cells and vertices, see cell_ids and vertex_ids. A call
+without any row or point does not count. None unless record_changes() was called.)";
 
 constexpr const char* record_undo_doc = R"(
 Has undo take back the last insertion or edit from now on. Until the next one, memory for the cells that it has changed is
-kept. record_undo(False) ends that.)";
+kept, and calls take longer as with record_changes(). A call without any row or point does not count. record_undo(False)
+ends that.)";
 
 constexpr const char* undo_doc = R"(
 Takes back the last insertion or edit: all arrays and ids are as they were. It cannot be taken back itself. InputError

@@ -111,4 +111,19 @@ Index vertex_at(const Cells& cells, const G& geometry, Index cell, const typenam
   return invalid_index;
 }
 
+/// Whether a vertex is outside of a cell: the test of local Delaunayhood for vertex `apex`, opposite the
+/// common facet in the neighbor, after the filter. On the hull, it may lie in the plane of an infinite cell.
+/// Vertices that have met are not outside of each other's cells. REQUIRES that apex is finite, and the cell
+/// positively oriented or infinite.
+template <class Cells, Geometry G>
+bool is_outside_exactly(const Cells& cells, const G& geometry, Index cell, Index apex, StageCounts& counts) {
+  const typename G::Query q = geometry.query_at(apex);
+  if (vertex_at(cells, geometry, cell, q) != invalid_index) return false;
+  if (const int slot = cells.infinite_slot(cell); slot >= 0) {
+    const auto vertices = cells.vertices(cell);
+    return geometry.exact_side(vertices, slot, q, counts) != Sign::negative;
+  }
+  return !in_conflict_exactly(cells, geometry, cell, q, geometry.evaluator(q), counts);
+}
+
 }  // namespace delone::engine

@@ -21,7 +21,8 @@ void exchange_first_two(Index* links, std::size_t corners) {
 
 }  // namespace
 
-void Triangulation::Impl::Editing::take_all_out() {
+/// Returns false as soon as building anew costs less than what is left to do.
+bool Triangulation::Impl::Editing::take_all_out() {
   begin_batch();
   if (impl_.engine && impl_.may_hide() && !impl_.hidden_points && !leaving_.empty()) find_hidden_points();
   if (impl_.hidden_points) {
@@ -32,11 +33,14 @@ void Triangulation::Impl::Editing::take_all_out() {
     for (const Placement& placement : placements_)
       if (placement.vertex != invalid_index) take_from_list(placement.vertex);
   }
-  for (const Leaving& leaving : leaving_) {
+  for (std::size_t i = 0; i < leaving_.size(); ++i) {
+    const Leaving& leaving = leaving_[i];
     tick();
     const Index near = take_out(leaving.vertex);
     if (leaving.placement != none) placements_[leaving.placement].near = near;
+    if (has_freed_many(i + 1)) return false;
   }
+  return true;
 }
 
 /// Every hidden point gets its place in a list.

@@ -11,15 +11,55 @@
 namespace delone {
 namespace {
 
-/// Throws where a list of rows and what belongs to them are not of one length.
-void require_as_many(std::size_t rows, std::size_t found, const char* what) {
-  if (rows != found)
-    throw Error(Errc::bad_dimension, std::to_string(found) + " " + what + " for " + std::to_string(rows) +
-                                         (rows == 1 ? " row" : " rows"));
+// Messages begin with the call that a list belongs to, and the place in it if there are several:
+// "remove[2]: row 7 was removed".
+
+std::string counted(std::size_t count, const std::string& what) {
+  return std::to_string(count) + " " + what + (count == 1 ? "" : "s");
 }
 
-[[noreturn]] void throw_for_row(std::size_t row, const std::string& problem, std::size_t place) {
-  throw Error(Errc::invalid_argument, "row " + std::to_string(row) + " " + problem, {place});
+std::string place_in(const char* list, std::size_t size, std::size_t place) {
+  std::string text = list;
+  if (size != 1) text.append("[").append(std::to_string(place)).append("]");
+  return text;
+}
+
+/// Throws where two lists that belong together are not of one length.
+void require_as_many(const char* list, std::size_t found, const char* what, std::size_t expected,
+                     const char* of) {
+  if (found != expected)
+    throw Error(Errc::bad_dimension,
+                std::string(list) + ": " + counted(found, what) + " for " + counted(expected, of));
+}
+
+void require_whole_points(const char* list, std::size_t num_coordinates, std::size_t dimension) {
+  if (num_coordinates % dimension != 0)
+    throw Error(Errc::bad_dimension,
+                std::string(list) + ": the number of coordinates is not a multiple of the dimension");
+}
+
+[[noreturn]] void throw_for_row(const char* list, std::span<const std::size_t> rows, std::size_t place,
+                                const std::string& problem) {
+  throw Error(Errc::invalid_argument,
+              place_in(list, rows.size(), place) + ": row " + std::to_string(rows[place]) + " " + problem,
+              {place});
+}
+
+[[noreturn]] void throw_for_repeated(const char* list, std::span<const std::size_t> rows, std::size_t first,
+                                     std::size_t place) {
+  throw_for_row(list, rows, place, "is given twice, see " + place_in(list, rows.size(), first));
+}
+
+/// `rows`: those that the numbers are for, or none: for new ones.
+void require_finite(const char* list, std::span<const double> numbers, std::size_t width,
+                    const std::string& what, std::span<const std::size_t> rows = {}) {
+  const std::vector<std::size_t> places = internal::find_not_finite(numbers, width);
+  if (places.empty()) return;
+  const std::string row = rows.empty() ? "" : " for row " + std::to_string(rows[places.front()]);
+  throw Error(Errc::not_finite,
+              place_in(list, numbers.size() / width, places.front()) + ": " + what + row + " is not finite" +
+                  internal::and_of_more(places),
+              places);
 }
 
 }  // namespace
@@ -32,25 +72,27 @@ Triangulation::Impl::Editing::Editing(Impl& impl, const RowEdits& edits, Index s
              edits.insert.size() / impl.ambient()),
       progress_(impl.options.progress, total_) {
   const std::size_t d = impl.ambient();
-  if (edits.to.size() % d != 0 || edits.insert.size() % d != 0)
-    throw Error(Errc::bad_dimension, "the number of coordinates is not a multiple of the dimension");
+  require_whole_points("move", edits.to.size(), d);
+  require_whole_points("insert", edits.insert.size(), d);
   const std::size_t num_inserted = edits.insert.size() / d;
-  require_as_many(edits.move.size(), edits.to.size() / d, "points");
-  require_as_many(edits.weigh.size(), edits.weights.size(), "weights");
+  require_as_many("move", edits.to.size() / d, "point", edits.move.size(), "row");
+  require_as_many("set_weights", edits.weights.size(), "weight", edits.weigh.size(), "row");
   if (!impl.weighted() && !(edits.weigh.empty() && edits.insert_weights.empty()))
-    throw Error(Errc::invalid_argument, "points of this triangulation have no weights");
-  if (impl.weighted() || !edits.insert_weights.empty())
-    require_as_many(num_inserted, edits.insert_weights.size(), "weights");
-  require_rows(edits.remove, "removed");
-  require_rows(edits.move, "moved");
-  require_rows(edits.weigh, "weighed");
-  require_disjoint();
-  internal::require_finite(edits.to, d, "a coordinate");
-  internal::require_finite(edits.weights, 1, "the weight");
-  internal::require_finite(edits.insert, d, "a coordinate");
-  internal::require_finite(edits.insert_weights, 1, "the weight");
+    throw Error(Errc::invalid_argument, std::string(edits.weigh.empty() ? "insert" : "set_weights") +
+                                            ": points of this triangulation have no weights");
+  if (impl.weighted())
+    require_as_many("insert", edits.insert_weights.size(), "weight", num_inserted, "point");
+  require_rows("remove", edits.remove);
+  require_rows("move", edits.move);
+  require_rows("set_weights", edits.weigh);
+  require_disjoint("move", edits.move);
+  require_disjoint("set_weights", edits.weigh);
+  require_finite("move", edits.to, d, "a coordinate", edits.move);
+  require_finite("set_weights", edits.weights, 1, "the weight", edits.weigh);
+  require_finite("insert", edits.insert, d, "a coordinate");
+  require_finite("insert", edits.insert_weights, 1, "the weight");
   if (num_inserted > max_index - impl.vertex_of_row.size())
-    throw Error(Errc::too_many, "more points than this build has ids");
+    throw Error(Errc::too_many, "insert: more points than this build has ids");
 }
 
 Triangulation::Impl::Editing::~Editing() {
@@ -59,16 +101,19 @@ Triangulation::Impl::Editing::~Editing() {
 }
 
 /// Rows of one list are there, and are different.
-void Triangulation::Impl::Editing::require_rows(std::span<const std::size_t> rows, const char* verb) const {
+void Triangulation::Impl::Editing::require_rows(const char* list, std::span<const std::size_t> rows) const {
   for (std::size_t i = 0; i < rows.size(); ++i) {
-    if (rows[i] >= impl_.vertex_of_row.size()) throw_for_row(rows[i], "is not a row of the input", i);
-    if (impl_.vertex_of_row[rows[i]] == invalid_vertex) throw_for_row(rows[i], "was removed", i);
+    if (rows[i] >= impl_.vertex_of_row.size()) throw_for_row(list, rows, i, "is not a row of the input");
+    if (impl_.vertex_of_row[rows[i]] == invalid_vertex) throw_for_row(list, rows, i, "was removed");
   }
   if (rows.size() < 2) return;
   if (rows.size() > impl_.vertex_of_row.size() / 16) {
     std::vector<bool> is_known(impl_.vertex_of_row.size());
     for (std::size_t i = 0; i < rows.size(); ++i) {
-      if (is_known[rows[i]]) throw_for_row(rows[i], std::string("is ") + verb + " twice", i);
+      if (is_known[rows[i]]) {
+        const auto first = std::find(rows.begin(), rows.end(), rows[i]);
+        throw_for_repeated(list, rows, static_cast<std::size_t>(first - rows.begin()), i);
+      }
       is_known[rows[i]] = true;
     }
     return;
@@ -78,36 +123,41 @@ void Triangulation::Impl::Editing::require_rows(std::span<const std::size_t> row
   std::sort(sorted.begin(), sorted.end());
   for (std::size_t i = 1; i < sorted.size(); ++i)
     if (sorted[i].first == sorted[i - 1].first)
-      throw_for_row(sorted[i].first, std::string("is ") + verb + " twice", sorted[i].second);
+      throw_for_repeated(list, rows, sorted[i - 1].second, sorted[i].second);
 }
 
-/// No row is removed and moved or weighed.
-void Triangulation::Impl::Editing::require_disjoint() const {
-  if (edits_.remove.empty() || (edits_.move.empty() && edits_.weigh.empty())) return;
+/// No row of the list is removed.
+void Triangulation::Impl::Editing::require_disjoint(const char* list,
+                                                    std::span<const std::size_t> rows) const {
+  if (edits_.remove.empty() || rows.empty()) return;
   std::vector<std::size_t> removed(edits_.remove.begin(), edits_.remove.end());
   std::sort(removed.begin(), removed.end());
-  for (const auto rows : {edits_.move, edits_.weigh})
-    for (std::size_t i = 0; i < rows.size(); ++i)
-      if (std::binary_search(removed.begin(), removed.end(), rows[i]))
-        throw_for_row(rows[i],
-                      rows.data() == edits_.move.data() ? "is removed and moved" : "is removed and weighed",
-                      i);
+  for (std::size_t i = 0; i < rows.size(); ++i)
+    if (std::binary_search(removed.begin(), removed.end(), rows[i])) {
+      const auto there = std::find(edits_.remove.begin(), edits_.remove.end(), rows[i]);
+      const auto place = static_cast<std::size_t>(there - edits_.remove.begin());
+      throw_for_row(list, rows, i, "is removed, see " + place_in("remove", removed.size(), place));
+    }
 }
 
 /// One step more; a move is two, and may be none.
 void Triangulation::Impl::Editing::tick() { progress_(std::min(++done_, total_)); }
+
+/// So many vertices of all have been placed anew: a part of what was left to do before.
+void Triangulation::Impl::Editing::tick_batch(std::size_t placed, std::size_t of) {
+  const std::size_t begun = std::min(done_, total_);
+  progress_(begun + (total_ - begun) * placed / of);
+}
 
 void Triangulation::Impl::Editing::run() {
   begin();
   plan();
   settle_all();
   settle_some();
-  if (is_worth_building_anew()) {
+  if (is_worth_building_anew() || !take_all_out())
     build_anew();
-  } else {
-    take_all_out();
+  else
     place_all();
-  }
   finish();
 }
 
@@ -207,6 +257,17 @@ bool Triangulation::Impl::Editing::is_worth_building_anew() const {
   constexpr std::size_t fewest = 16;
   return leaving_.size() + placements_.size() >= fewest &&
          2 * leaving_.size() + placements_.size() > left / 2;
+}
+
+/// The same when so many have been taken out. A batch inserts those that stay hidden, too.
+bool Triangulation::Impl::Editing::has_freed_many(std::size_t num_taken_out) const {
+  constexpr std::size_t fewest = 64;
+  if (freed_.size() < fewest) return false;
+  const std::size_t left_to_go = leaving_.size() - num_taken_out;
+  const std::size_t num_hidden = impl_.hidden_points ? impl_.hidden_points->size() : 0;
+  const std::size_t in_all =
+      impl_.num_vertices - left_to_go + num_hidden + freed_.size() + placements_.size();
+  return 2 * left_to_go + freed_.size() + placements_.size() > in_all / 2;
 }
 
 void Triangulation::Impl::Editing::begin_batch() {

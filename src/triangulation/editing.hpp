@@ -6,7 +6,7 @@
 // one. Vertices that move little stay where they are in the cells (engine/hole/settling.hpp). Then either all
 // others that go or move are taken out, one by one, and those that come or move are inserted, or everything
 // is built anew (rebuilding.cpp), whichever costs less. Hidden points that may come back are inserted before
-// those.
+// those. How many they are shows while vertices are taken out, so that building anew may begin then, too.
 #pragma once
 
 #include "base/progress_meter.hpp"
@@ -50,9 +50,10 @@ class Triangulation::Impl::Editing {
   };
   static constexpr std::size_t none = static_cast<std::size_t>(-1);
 
-  void require_rows(std::span<const std::size_t> rows, const char* verb) const;
-  void require_disjoint() const;
+  void require_rows(const char* list, std::span<const std::size_t> rows) const;
+  void require_disjoint(const char* list, std::span<const std::size_t> rows) const;
   void tick();
+  void tick_batch(std::size_t placed, std::size_t of);
   void plan();
   void plan_moves();
   void add_point(std::span<const double> coordinates, double weight);
@@ -60,13 +61,14 @@ class Triangulation::Impl::Editing {
     return points_.data() + placement.point * impl_.row_size();
   }
   bool is_worth_building_anew() const;
+  bool has_freed_many(std::size_t num_taken_out) const;
   void begin_batch();
   void begin();
   void settle_all();
   void settle_some();
   bool can_settle(const Placement& placement) const;
   void restore_points(std::size_t first);
-  void take_all_out();
+  bool take_all_out();
   Index take_out(Index v);
   void take_out_only_vertex();
   void lower(Index v);

@@ -25,13 +25,17 @@ class HiddenPoints {
     places_[point] = {cell, invalid_index, first};
     if (first != invalid_index) places_[first].previous = point;
     first = point;
+    ++size_;
   }
   void remove(Index point) {
     Place& place = places_[point];
     (place.previous == invalid_index ? first_[place.cell] : places_[place.previous].next) = place.next;
     if (place.next != invalid_index) places_[place.next].previous = place.previous;
     place.cell = invalid_index;
+    --size_;
   }
+  /// How many points are in all lists.
+  std::size_t size() const { return size_; }
   bool contains(Index point) const { return point < places_.size() && places_[point].cell != invalid_index; }
   /// Moves the points of a cell to the end of a list. Throws std::bad_alloc; those that were moved are in the
   /// list then.
@@ -49,6 +53,7 @@ class HiddenPoints {
   };
   std::vector<Index> first_;   // by slot
   std::vector<Place> places_;  // by id
+  std::size_t size_ = 0;
 };
 
 }  // namespace delone::internal

@@ -33,6 +33,7 @@ class VerticesInOrder final : public engine::Batch {
 
 void Triangulation::Impl::Editing::build_anew() {
   const std::vector<CellId> cells_before = impl_.cell_of_vertex;
+  const std::size_t num_noted = record_->were_visible.size();
   for (const Placement& placement : placements_) {
     if (placement.vertex != invalid_index) {
       set_point(placement.vertex, point(placement));
@@ -78,7 +79,7 @@ void Triangulation::Impl::Editing::build_anew() {
   const std::span<const Index> others(sorted.data() + num_spanning, sorted.size() - num_spanning);
   std::size_t num_placed = num_spanning;
   const auto on_placed = [&](Index v, Index at) {
-    progress_(total_ * ++num_placed / sorted.size());
+    tick_batch(++num_placed, sorted.size());
     if (at != v && at != invalid_index) equal.emplace_back(v, at);
   };
   if (impl_.affine_hull.dimension() == 0) {
@@ -105,6 +106,7 @@ void Triangulation::Impl::Editing::build_anew() {
     impl_.cell_of_vertex.assign(impl_.row_of_vertex.size(), invalid_cell);
     impl_.num_vertices = 0;
   }
+  record_->were_visible.resize(num_noted);  // what came and went at one place meanwhile does not count
   for (Index v = 1; v < cells_before.size(); ++v)
     if ((cells_before[v] != invalid_cell) != impl_.is_visible(v))
       record_->were_visible.emplace_back(v, cells_before[v] != invalid_cell);
@@ -164,7 +166,7 @@ void Triangulation::Impl::Editing::insert_others(std::span<const Index> others,
   engine::ParallelBatch batch{threads, 0, at, rounds};
   batch.steps = others;
   batch.num_before = num_spanning;
-  batch.tick = [&](std::size_t done) { progress_(total_ * done / others.size()); };
+  batch.tick = [&](std::size_t done) { tick_batch(done, others.size()); };
   impl_.engine->insert_all(batch);
   for (std::size_t i = 0; i < others.size(); ++i) on_placed(others[i], at[i]);
   impl_.statistics.threads = std::max(impl_.statistics.threads, threads);

@@ -119,13 +119,13 @@ std::span<const double> Triangulation::point(VertexId v) const {
 }
 std::size_t Triangulation::row_of(VertexId v) const { return impl_->row_of_vertex[impl_->checked_vertex(v)]; }
 VertexId Triangulation::vertex_at(std::size_t row) const {
-  if (row >= impl_->vertex_of_row.size()) throw Error(Errc::invalid_argument, "not a row of the input");
+  impl_->require_row(row);
   const VertexId v = impl_->vertex_of_row[row];
   return v != invalid_vertex && impl_->is_visible(index(v)) ? v : invalid_vertex;
 }
 
 bool Triangulation::has_row(std::size_t row) const {
-  if (row >= impl_->vertex_of_row.size()) throw Error(Errc::invalid_argument, "not a row of the input");
+  impl_->require_row(row);
   return impl_->vertex_of_row[row] != invalid_vertex;
 }
 bool Triangulation::is_hidden(std::size_t row) const { return impl_->is_hidden(row); }

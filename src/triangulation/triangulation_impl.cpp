@@ -316,8 +316,13 @@ std::size_t Triangulation::Impl::num_hidden() const {
   }));
 }
 
+void Triangulation::Impl::require_row(std::size_t row) const {
+  if (row >= vertex_of_row.size())
+    throw Error(Errc::invalid_argument, "row " + std::to_string(row) + " is not a row of the input");
+}
+
 bool Triangulation::Impl::is_hidden(std::size_t row) const {
-  if (row >= vertex_of_row.size()) throw Error(Errc::invalid_argument, "not a row of the input");
+  require_row(row);
   const VertexId v = vertex_of_row[row];
   return v != invalid_vertex && !is_visible(index(v));
 }

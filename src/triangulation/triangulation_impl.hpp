@@ -87,7 +87,9 @@ struct Triangulation::Impl {
   /// Where to start a walk to a point without a hint: a cell, or invalid_index for where the last insertion
   /// was.
   Index start_near(const double* point) const;
-  bool is_hidden(std::size_t row) const;  // throws unless `row` is one
+  /// Throws unless a row is one, there or removed.
+  void require_row(std::size_t row) const;
+  bool is_hidden(std::size_t row) const;  // throws as require_row()
   std::size_t num_hidden() const;
   std::vector<std::size_t> hidden_rows() const;
 

@@ -231,6 +231,108 @@ TEST(EditsOfHiddenPoints, BringThemBack) {
   }
 }
 
+/// A heavy point hides many others, in part duplicates, and others are far from it. If it is one that hides
+/// most of all, cells are built anew once it has gone.
+TEST(EditsOfHiddenPoints, ThatAreManyBringThemBack) {
+  for (int d = 1; d <= 3; ++d)
+    for (const bool are_most : {true, false})
+      for (const bool on_record : {true, false}) {
+        SCOPED_TRACE(testing::Message()
+                     << d << "D, " << (are_most ? "most" : "some") << (on_record ? ", on record" : ""));
+        Random random(static_cast<std::uint64_t>(d));
+        EditHistory<Regular<>> history(d, {}, on_record, on_record);
+        EditLists lists;
+        const auto add = [&](std::vector<double> x, double weight) {
+          lists.insert.insert(lists.insert.end(), x.begin(), x.end());
+          lists.insert_weights.push_back(weight);
+        };
+        const auto any_point = [&] { return test::new_point(EditWorld::uniform, d, random); };
+        const std::size_t num_far = are_most ? 20 : 600, num_hidden = 200;
+        for (std::size_t i = 0; i < num_far; ++i) {
+          std::vector<double> x = any_point();
+          x[0] += 100;
+          add(x, 0);
+        }
+        for (int corner = 0; corner < 1 << d; ++corner) {
+          std::vector<double> x(static_cast<std::size_t>(d), -60);
+          for (int j = 0; j < d; ++j)
+            if ((corner >> j & 1) != 0) x[static_cast<std::size_t>(j)] = 60;
+          add(x, 0);
+        }
+        const std::vector<double> center(static_cast<std::size_t>(d), 0.5);
+        const std::size_t heavy = lists.insert_weights.size();
+        add(center, 1000);
+        history.edit(lists);
+        lists = {};
+        for (std::size_t i = 0; i < num_hidden; ++i) {
+          const std::vector<double> x = any_point();
+          add(x, 1e-6 * random.integer(0, 1));
+          if (i % 5 == 0) add(x, lists.insert_weights.back());
+        }
+        history.edit(lists);
+        ASSERT_EQ(history.fault(), "");
+        EXPECT_EQ(history.product().num_hidden(), lists.insert_weights.size());
+        const Index cells_before = history.product().num_all_cells();
+        // Alone, then with others that move, come and go; some of the hidden ones among them.
+        for (const bool with_others : {false, true}) {
+          lists = {};
+          lists.remove = {heavy};
+          if (with_others) {
+            lists.remove.insert(lists.remove.end(), {0, heavy + 3});
+            lists.move = {1, heavy + 5};
+            for (int i = 0; i < 2; ++i) {
+              const std::vector<double> x = any_point();
+              lists.to.insert(lists.to.end(), x.begin(), x.end());
+            }
+            lists.weigh = {2, heavy + 5};
+            lists.weights = {0.01, 2e-6};
+            add(history.point(heavy + 1), history.weight(heavy + 1));
+            add(any_point(), 0);
+          }
+          history.edit(lists);
+          ASSERT_EQ(history.fault(), "");
+          EXPECT_LT(history.product().num_hidden(), num_hidden / 2);
+          if (on_record) EXPECT_EQ(history.product().changes().killed.size() == cells_before, are_most);
+          history.compare_with_batch();
+          history.check_all_levels();
+          if (!on_record) break;
+          history.undo();
+          ASSERT_EQ(history.fault(), "");
+          EXPECT_EQ(history.product().num_all_cells(), cells_before);
+        }
+        history.insert(center, 500);
+        history.remove(heavy + 1 + (on_record ? 0u : 1u));
+        history.compare_with_batch();
+        ASSERT_EQ(history.fault(), "");
+      }
+}
+
+/// Cells are built anew of points in one place, the heaviest of which is the vertex before and after.
+TEST(EditsOfHiddenPoints, ThatAreLeftInOnePlaceKeepTheVertex) {
+  for (std::size_t heaviest = 0; heaviest < 4; ++heaviest) {
+    EditHistory<Regular<>> history(2, {}, true, true);
+    EditLists lists;
+    for (std::size_t row = 0; row < 4; ++row) {
+      lists.insert.insert(lists.insert.end(), {0, 0});
+      lists.insert_weights.push_back(row == heaviest ? 1 : 0.5);
+    }
+    history.edit(lists);
+    EditLists others, gone;
+    for (int i = 0; i < 20; ++i) {
+      others.insert.insert(others.insert.end(), {10.0 + i, 1.0 * i * i});
+      others.insert_weights.push_back(0);
+      gone.remove.push_back(4 + static_cast<std::size_t>(i));
+    }
+    history.edit(others);
+    history.edit(gone);
+    EXPECT_EQ(history.fault(), "") << heaviest;
+    EXPECT_TRUE(history.product().changes().hid.empty()) << heaviest;
+    history.undo();
+    history.undo();
+    EXPECT_EQ(history.fault(), "") << heaviest;
+  }
+}
+
 /// Points inside the hull are hidden until the corners go.
 TEST(EditsOfHiddenPoints, AreThoseOfFurthestSites) {
   FurthestSite<2> t(std::vector<double>{0, 0, 9, 0, 9, 9, 0, 9, 1, 1, 8, 8, 5, 4});

@@ -14,6 +14,7 @@
 #include <functional>
 #include <limits>
 #include <new>
+#include <span>
 #include <string>
 #include <type_traits>
 #include <vector>
@@ -67,11 +68,11 @@ struct Names {
 };
 TYPED_TEST_SUITE(Edits, Products, Names);
 
-/// The edit is refused with that code and these rows, and nothing happens.
+/// The edit is refused with that code, these rows and this message, and nothing happens.
 template <class Product>
 void expect_refused(Product& product, const EditLists& lists, Errc code, std::vector<std::size_t> rows,
-                    const char* what) {
-  SCOPED_TRACE(what);
+                    const std::string& message) {
+  SCOPED_TRACE(message);
   const SeenTriangulation before(product);
   const Changes& changes = product.changes();
   const std::vector<CellId> born = changes.born;
@@ -81,6 +82,7 @@ void expect_refused(Product& product, const EditLists& lists, Errc code, std::ve
   } catch (const Error& error) {
     EXPECT_EQ(error.code(), code) << error.what();
     EXPECT_EQ(error.rows(), rows) << error.what();
+    EXPECT_EQ(error.what(), message);
   }
   EXPECT_TRUE(SeenTriangulation(product) == before);
   EXPECT_EQ(product.changes().born, born);
@@ -90,45 +92,86 @@ void expect_refused(Product& product, const EditLists& lists, Errc code, std::ve
 TYPED_TEST(Edits, AreRefused) {
   TypeParam product = with_history<TypeParam>(2, 20);
   const double nan = std::numeric_limits<double>::quiet_NaN();
-  const auto expect = [&](const char* what, const EditLists& lists, Errc code,
+  const auto expect = [&](const std::string& message, const EditLists& lists, Errc code,
                           std::vector<std::size_t> rows) {
-    expect_refused(product, lists, code, std::move(rows), what);
+    expect_refused(product, lists, code, std::move(rows), message);
   };
   constexpr Errc bad = Errc::invalid_argument;
-  expect("a row beyond the last", {.remove = {2, 20}}, bad, {1});
-  expect("a row that was removed", {.remove = {0, 2, 3}}, bad, {2});
-  expect("a row that is removed twice", {.remove = {5, 0, 5}}, bad, {2});
-  expect("a row beyond the last that moves", {.move = {25}, .to = {0, 0}}, bad, {0});
-  expect("a row that was removed and moves", {.move = {0, 1}, .to = {0, 0, 1, 1}}, bad, {1});
-  expect("a row that moves twice", {.move = {4, 4}, .to = {0, 0, 1, 1}}, bad, {1});
-  expect("a row that is removed and moves", {.remove = {4}, .move = {5, 4}, .to = {0, 0, 1, 1}}, bad, {1});
-  expect("a place that is none", {.move = {4, 5}, .to = {0, 0, 1, nan}}, Errc::not_finite, {1});
-  expect("an infinite place", {.move = {4, 5}, .to = {infinity, 0, 1, 1}}, Errc::not_finite, {0});
-  expect("too few places", {.move = {4, 5}, .to = {0, 0}}, Errc::bad_dimension, {});
-  expect("half a place", {.move = {4}, .to = {0}}, Errc::bad_dimension, {});
+  expect("remove[1]: row 20 is not a row of the input", {.remove = {2, 20}}, bad, {1});
+  expect("remove: row 20 is not a row of the input", {.remove = {20}}, bad, {0});
+  expect("remove[2]: row 3 was removed", {.remove = {0, 2, 3}}, bad, {2});
+  expect("remove[2]: row 5 is given twice, see remove[0]", {.remove = {5, 0, 5}}, bad, {2});
+  expect("move: row 25 is not a row of the input", {.move = {25}, .to = {0, 0}}, bad, {0});
+  expect("move[1]: row 1 was removed", {.move = {0, 1}, .to = {0, 0, 1, 1}}, bad, {1});
+  expect("move[1]: row 4 is given twice, see move[0]", {.move = {4, 4}, .to = {0, 0, 1, 1}}, bad, {1});
+  expect("move[1]: row 4 is removed, see remove", {.remove = {4}, .move = {5, 4}, .to = {0, 0, 1, 1}}, bad,
+         {1});
+  expect("move[1]: row 4 is removed, see remove[2]",
+         {.remove = {8, 7, 4}, .move = {5, 4}, .to = {0, 0, 1, 1}}, bad, {1});
+  expect("move[1]: a coordinate for row 5 is not finite", {.move = {4, 5}, .to = {0, 0, 1, nan}},
+         Errc::not_finite, {1});
+  expect("move[0]: a coordinate for row 4 is not finite (and of 1 more)",
+         {.move = {4, 5}, .to = {infinity, 0, 1, nan}}, Errc::not_finite, {0, 1});
+  expect("move: 1 point for 2 rows", {.move = {4, 5}, .to = {0, 0}}, Errc::bad_dimension, {});
+  expect("move: 2 points for 1 row", {.move = {4}, .to = {0, 0, 1, 1}}, Errc::bad_dimension, {});
+  expect("move: the number of coordinates is not a multiple of the dimension", {.move = {4}, .to = {0}},
+         Errc::bad_dimension, {});
   const std::vector<double> weights(has_weights<TypeParam> ? 2 : 0, 1.0);
-  expect("a new point that is none",
+  expect("insert[1]: a coordinate is not finite",
          {.remove = {0}, .insert = {0, 0, -infinity, 0}, .insert_weights = weights}, Errc::not_finite, {1});
-  expect("half a point", {.insert = {0, 1, 0}, .insert_weights = weights}, Errc::bad_dimension, {});
+  expect("insert: the number of coordinates is not a multiple of the dimension",
+         {.insert = {0, 1, 0}, .insert_weights = weights}, Errc::bad_dimension, {});
   if (has_weights<TypeParam>) {
-    expect("too few weights of new points", {.insert = {0, 0, 1, 1}, .insert_weights = {1}},
+    expect("insert: 1 weight for 2 points", {.insert = {0, 0, 1, 1}, .insert_weights = {1}},
            Errc::bad_dimension, {});
-    expect("an infinite weight of a new point", {.insert = {0, 0, 1, 1}, .insert_weights = {1, infinity}},
+    expect("insert[1]: the weight is not finite", {.insert = {0, 0, 1, 1}, .insert_weights = {1, infinity}},
            Errc::not_finite, {1});
-    expect("too few weights", {.weigh = {4, 5}, .weights = {1}}, Errc::bad_dimension, {});
-    expect("a weight that is none", {.weigh = {4, 5}, .weights = {1, nan}}, Errc::not_finite, {1});
-    expect("a row that is weighed twice", {.weigh = {4, 5, 4}, .weights = {1, 1, 1}}, bad, {2});
-    expect("a row that is removed and weighed", {.remove = {4, 7}, .weigh = {5, 7}, .weights = {1, 1}}, bad,
-           {1});
-    expect("a row that was removed and is weighed", {.weigh = {1}, .weights = {1}}, bad, {0});
+    expect("set_weights: 1 weight for 2 rows", {.weigh = {4, 5}, .weights = {1}}, Errc::bad_dimension, {});
+    expect("set_weights[1]: the weight for row 5 is not finite", {.weigh = {4, 5}, .weights = {1, nan}},
+           Errc::not_finite, {1});
+    expect("set_weights[2]: row 4 is given twice, see set_weights[0]",
+           {.weigh = {4, 5, 4}, .weights = {1, 1, 1}}, bad, {2});
+    expect("set_weights[1]: row 7 is removed, see remove[1]",
+           {.remove = {4, 7}, .weigh = {5, 7}, .weights = {1, 1}}, bad, {1});
+    expect("set_weights: row 1 was removed", {.weigh = {1}, .weights = {1}}, bad, {0});
   } else {
-    expect("weights where there are none", {.weigh = {4}, .weights = {1}}, bad, {});
+    expect("set_weights: points of this triangulation have no weights", {.weigh = {4}, .weights = {1}}, bad,
+           {});
   }
-  EXPECT_THROW(product.remove(20), Error);
-  EXPECT_THROW(product.remove(std::vector<std::size_t>{0, 0}), Error);
-  EXPECT_THROW(product.move(1, {0, 0}), Error);
-  EXPECT_THROW(product.move(0, {0, 0, 0}), Error);
-  EXPECT_THROW(product.has_row(20), Error);
+  const auto expect_message = [&](const std::string& message, const auto& call) {
+    try {
+      call();
+      ADD_FAILURE() << "was taken, not refused as " << message;
+    } catch (const Error& error) {
+      EXPECT_EQ(error.what(), message);
+    }
+  };
+  expect_message("remove: row 20 is not a row of the input", [&] { product.remove(20); });
+  expect_message("remove[1]: row 0 is given twice, see remove[0]", [&] {
+    product.remove(std::vector<std::size_t>{0, 0});
+  });
+  expect_message("move: row 1 was removed", [&] { product.move(1, {0, 0}); });
+  expect_message("move: the number of coordinates is not a multiple of the dimension", [&] {
+    product.move(0, {0, 0, 0});
+  });
+  const std::vector<double> solid{0, 0, 0};
+  const std::vector<std::size_t> one_row{0};
+  expect_message("move: points in 3 dimensions, not 2", [&] { product.move(one_row, PointsView(solid, 3)); });
+  expect_message("insert: points in 3 dimensions, not 2",
+                 [&] { product.edit({.insert = PointsView(solid, 3)}); });
+  TypeParam large = with_history<TypeParam>(2, 100);  // in which few rows are sorted to find equal ones
+  expect_message("remove[2]: row 5 is given twice, see remove[0]", [&] {
+    large.remove(std::vector<std::size_t>{5, 0, 5});
+  });
+  if constexpr (!has_weights<TypeParam>) {
+    const std::vector<double> origin{0, 0}, one_weight{1};
+    expect_message("insert: points of this triangulation have no weights",
+                   [&] { product.edit({.insert = PointsView(origin, 2), .insert_weights = one_weight}); });
+  }
+  const std::string no_row = "row 20 is not a row of the input";
+  expect_message(no_row, [&] { product.has_row(20); });
+  expect_message(no_row, [&] { product.vertex_at(20); });
+  expect_message(no_row, [&] { product.is_hidden(20); });
   product.undo();  // that of rows 1 and 3 still
   EXPECT_TRUE(product.has_row(1) && product.has_row(3));
   EXPECT_THROW(product.undo(), Error);
@@ -151,6 +194,11 @@ TYPED_TEST(Edits, OfNothingChangeNothing) {
   EXPECT_TRUE(changes.killed.empty() && changes.born.empty() && changes.came.empty() &&
               changes.gone.empty() && changes.hid.empty() && changes.reappeared.empty() &&
               changes.moved.empty());
+  // It counts as an edit.
+  EXPECT_TRUE(product.can_undo());
+  product.undo();
+  EXPECT_TRUE(SeenTriangulation(product) == before);
+  EXPECT_FALSE(product.can_undo());
 }
 
 /// Few changes of many rows, or of all.
@@ -376,6 +424,57 @@ TYPED_TEST(Edits, ThatChangeTheDimensionWithoutMemory) {
       expect_all_or_nothing("up again", lowered, [](TypeParam& product) { product.undo(); });
       if (testing::Test::HasFailure()) return;
     }
+}
+
+/// A heavy point goes that hides so many that cells are built anew once it has been taken out.
+TEST(EditsOfHiddenPoints, AreMadeWholeOrNot) {
+  std::size_t calls_left = static_cast<std::size_t>(-1);
+  Options options;
+  options.progress = [&](double) { return calls_left > 0 && --calls_left > 0; };
+  const std::size_t heavy = 10, num_hidden = 90;
+  const std::vector<double> new_point{50, 50};
+  const double new_weight = 0;
+  for (const bool records : {true, false}) {
+    SCOPED_TRACE(records);
+    const auto make = [&](std::size_t n, const Options& given) {
+      Regular<> product(2, given);
+      product.record_changes(records);
+      product.record_undo(records);
+      Random random(3);
+      std::vector<double> points, weights(heavy + 1 + n, 0.0);
+      for (std::size_t row = 0; row <= heavy + n; ++row)
+        for (const double x : test::new_point(test::EditWorld::uniform, 2, random))
+          points.push_back(row < heavy ? 100 * x : 50 + x);
+      weights[heavy] = 1000;
+      product.insert_range(points, weights);
+      EXPECT_GE(product.num_hidden(), n);
+      return product;
+    };
+    const auto act = [&](Regular<>& product) {
+      product.edit({.remove = std::span(&heavy, 1),
+                    .insert = PointsView(new_point, 2),
+                    .insert_weights = std::span(&new_weight, 1)});
+    };
+    expect_all_or_nothing(
+        "many hidden", [&] { return make(num_hidden, {}); }, act);
+    Regular<> product = make(test::scaled_size(20000, 10000), options);
+    const SeenTriangulation before(product);
+    std::size_t num_cancelled = 0;
+    for (std::size_t calls = 1; calls < 4; ++calls) {
+      calls_left = calls;
+      try {
+        act(product);
+        break;
+      } catch (const Error& error) {
+        EXPECT_EQ(error.code(), Errc::cancelled) << error.what();
+        ++num_cancelled;
+      }
+      calls_left = static_cast<std::size_t>(-1);
+      ASSERT_TRUE(SeenTriangulation(product) == before) << calls << " calls";
+    }
+    calls_left = static_cast<std::size_t>(-1);
+    EXPECT_GT(num_cancelled, 0u);
+  }
 }
 
 /// Any thread may be the one that runs out of memory.

@@ -396,23 +396,30 @@ def test_what_is_refused_changes_nothing(kind):
     before, made = arrays(t), t.changes
     point = [0.0, 1.0, 2.0]
     refused = [
-        (delone.InputError, "row 30 is not a row", lambda: t.remove(30)), (delone.InputError, "row -1 is not a row", lambda: t.remove([0, -1])),
-        (delone.InputError, "row 18446744073709551615 is not a row", lambda: t.remove(np.array([2**64 - 1], np.uint64))),
-        (delone.InputError, "row 9 was removed", lambda: t.remove([3, 9])), (delone.InputError, "row 3 .*twice", lambda: t.remove([3, 5, 3])),
-        (delone.InputError, "row 4 was removed", lambda: t.move(4, point)), (delone.InputError, "row 2 ", lambda: t.edit(remove=2, move=(2, point))),
-        (delone.InputError, "row 1, column 2: nan is not finite", lambda: t.move([1, 2], [point, [0, 0, np.nan]])),
-        (delone.InputError, "insert: row 0, column 0: inf is not finite", lambda: t.edit(insert=[[np.inf, 0, 0]], remove=1)),
+        (delone.InputError, "^remove: row 30 is not a row", lambda: t.remove(30)),
+        (delone.InputError, r"^remove\[1\]: row -1 is not a row", lambda: t.remove([0, -1])),
+        (delone.InputError, "^remove: row 18446744073709551615 is not a row", lambda: t.remove(np.array([2**64 - 1], np.uint64))),
+        (delone.InputError, r"^remove\[1\]: row 9 was removed", lambda: t.remove([3, 9])),
+        (delone.InputError, r"^remove\[2\]: row 3 is given twice, see remove\[0\]", lambda: t.remove([3, 5, 3])),
+        (delone.InputError, "^move: row 4 was removed", lambda: t.move(4, point)),
+        (delone.InputError, "^move: row 2 is removed, see remove", lambda: t.edit(remove=2, move=(2, point))),
+        (delone.InputError, "^points: row 1, column 2: nan is not finite", lambda: t.move([1, 2], [point, [0, 0, np.nan]])),
+        (delone.InputError, "^move: points: row 0, column 2: nan is not finite", lambda: t.edit(move=([1], [[0, 0, np.nan]]))),
+        (delone.InputError, "^insert: row 0, column 0: inf is not finite", lambda: t.edit(insert=[[np.inf, 0, 0]], remove=1)),
         (ValueError, r"\(3,\), not \(2,\)", lambda: t.move(1, [0, 1])), (ValueError, r"\(2, 3\), not \(1, 3\)", lambda: t.move([1, 2], [point])),
         (ValueError, r"\(m,\), not \(1, 1\)", lambda: t.remove([[1]])), (TypeError, "rows: integers, not float64", lambda: t.remove([1.0])),
         (TypeError, "rows: integers, not bool", lambda: t.remove(np.ones(30, bool))), (TypeError, "rows: integers, not object", lambda: t.remove(None)),
         (TypeError, "rows: an array, not a str", lambda: t.remove("all")), (TypeError, "a pair", lambda: t.edit(move=[1, 2, 3])),
-        (TypeError, "progress", lambda: t.remove(1, progress=3)), (delone.InputError, "row 31 is not a row", lambda: t.has_row([1, 31])),
+        (TypeError, "progress", lambda: t.remove(1, progress=3)), (delone.InputError, r"^has_row\[1\]: row 31 is not a row", lambda: t.has_row([1, 31])),
     ]
     if kind is delone.Regular:
         refused += [
-            (delone.InputError, "not finite", lambda: t.set_weights(1, np.nan)), (ValueError, r"\(2,\), not \(\)", lambda: t.set_weights([1, 2], 1.0)),
+            (delone.InputError, "^set_weights: the weight for row 1 is not finite", lambda: t.set_weights(1, np.nan)),
+            (ValueError, r"\(2,\), not \(\)", lambda: t.set_weights([1, 2], 1.0)),
             (ValueError, "weights: a number", lambda: t.set_weights(1, [1.0])), (ValueError, "insert_weights", lambda: t.edit(insert=[point])),
-            (ValueError, "insert_weights", lambda: t.edit(insert_weights=[1.0])), (delone.InputError, "row 9 was removed", lambda: t.set_weights([9], [1.0])),
+            (ValueError, "insert_weights", lambda: t.edit(insert_weights=[1.0])),
+            (delone.InputError, "^set_weights: row 9 was removed", lambda: t.set_weights([9], [1.0])),
+            (delone.InputError, r"^insert\[1\]: the weight is not finite", lambda: t.edit(insert=[point, point], insert_weights=[0.0, np.inf])),
         ]
     for error, match, call in refused:
         with pytest.raises(error, match=match):

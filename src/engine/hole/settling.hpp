@@ -208,17 +208,7 @@ class Settling {
     if (std::fabs(value) > geometry_.threshold(cell)) [[likely]]
       return value > 0;
     if (inverted_.size() != 0 && inverted_.contains(cell)) return false;
-    const Query q = geometry_.query_at(apex);
-    if (geometry_.is_infinite(cell)) {
-      const auto vertices = cells_.vertices(cell);
-      return geometry_.exact_side(vertices, cells_.infinite_slot(cell), q, build_.effort().stages) !=
-             Sign::negative;
-    }
-    const auto vertices = cells_.vertices(cell);
-    const Index* const v = vertices;
-    for (int i = 0; i <= dimension(); ++i)  // vertices may have met
-      if (v[i] != index(infinite_vertex) && geometry_.is_at(v[i], q)) return false;
-    return !in_conflict_exactly(cells_, geometry_, cell, q, geometry_.evaluator(q), build_.effort().stages);
+    return is_outside_exactly(cells_, geometry_, cell, apex, build_.effort().stages);
   }
 
   /// All bad cells make one hole, so that it is filled or nothing changes. It may not reach the hull.
