@@ -5,6 +5,7 @@
 #pragma once
 
 #include "engine/batch.hpp"
+#include "engine/hole/removal.hpp"
 #include "engine/workspace.hpp"
 #include "geometry/frame.hpp"
 #include "kernel/flat.hpp"
@@ -106,9 +107,8 @@ class TriangulationEngine : public TriangulationQueries {
   virtual Index insert(Index v, Index start) = 0;
   /// Inserts all vertices of a batch, each as insert() does.
   virtual void insert_all(engine::Batch& batch) = 0;
-  /// Removes vertex v, one of whose cells is `cell`. Returns false, and changes nothing, if all others span a
-  /// flat of k−1 dimensions.
-  virtual bool remove(Index v, Index cell) = 0;
+  /// Removes vertex v, one of whose cells is `cell`.
+  virtual engine::Removal remove(Index v, Index cell) = 0;
   /// Whether several threads can insert a batch of so many vertices.
   virtual bool shares_batches_of(std::size_t num_vertices) const = 0;
   /// The same in several threads. REQUIRES that they can.

@@ -90,7 +90,7 @@ class TriangulationEngineOfDimension final : public TriangulationEngine {
     need_functionals();
     build_.insert_all(batch);
   }
-  bool remove(Index v, Index cell) override {
+  engine::Removal remove(Index v, Index cell) override {
     need_functionals();
     return build_.remove(v, cell, edits().filler);
   }

@@ -10,6 +10,7 @@
 
 #include "engine/dimension_jump.hpp"
 #include "engine/hole/hole_filler.hpp"
+#include "engine/hole/removal.hpp"
 #include "engine/locate.hpp"
 #include "engine/parallel_insertion.hpp"
 #include "engine/restore.hpp"
@@ -123,22 +124,23 @@ class Build : public Sphere<K, G> {
     return v;
   }
 
-  /// Removes vertex v, one of whose cells is `cell`. `filler`: of these cells and this geometry. Returns
-  /// false, and nothing has changed, if all other vertices lie in a hyperplane. Strong guarantee.
-  bool remove(Index v, Index cell, HoleFiller<K, G>& filler) {
+  /// Removes vertex v, one of whose cells is `cell`. `filler`: of these cells and this geometry. Strong
+  /// guarantee.
+  Removal remove(Index v, Index cell, HoleFiller<K, G>& filler) {
     work_.clear();
     try {
       filler.hole().open_star(cells_, geometry_, v, cell, work_.zone);
-      if (filler.is_flat_without_leaving(work_.zone, cells_.num_cells() - num_infinite_)) {
+      const bool is_flat = filler.is_flat_without_leaving(work_.zone, cells_.num_cells() - num_infinite_);
+      if (is_flat || filler.hole().is_large(cells_.num_cells())) {
         abandon_zone();
-        return false;
+        return is_flat ? Removal::flat : Removal::large;
       }
       replace_zone([&] { return *fill_hole(filler); });
     } catch (...) {
       abandon_zone();
       throw;
     }
-    return true;
+    return Removal::taken_out;
   }
 
   /// Replaces cells, which are different, by the Delaunay cells of their vertices, after these have moved.

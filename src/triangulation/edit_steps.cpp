@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 #include <memory>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -36,9 +37,9 @@ bool Triangulation::Impl::Editing::take_all_out() {
   for (std::size_t i = 0; i < leaving_.size(); ++i) {
     const Leaving& leaving = leaving_[i];
     tick();
-    const Index near = take_out(leaving.vertex);
-    if (leaving.placement != none) placements_[leaving.placement].near = near;
-    if (has_freed_many(i + 1)) return false;
+    const std::optional<Index> near = take_out(leaving.vertex);
+    if (!near || has_freed_many(i + 1)) return false;
+    if (leaving.placement != none) placements_[leaving.placement].near = *near;
   }
   return true;
 }
@@ -64,14 +65,17 @@ void Triangulation::Impl::Editing::find_hidden_points() {
   impl_.hidden_points = std::move(lists);
 }
 
-/// Returns a vertex that was its neighbor, or invalid_index.
-Index Triangulation::Impl::Editing::take_out(Index v) {
+/// Returns a vertex that was its neighbor, or invalid_index; or nothing, and has done nothing, where building
+/// anew costs less.
+std::optional<Index> Triangulation::Impl::Editing::take_out(Index v) {
   impl_.note_visibility(v);
   if (!impl_.engine) {
     take_out_only_vertex();
     return invalid_index;
   }
-  if (!impl_.engine->remove(v, index(impl_.cell_of_vertex[v]))) {
+  const engine::Removal removal = impl_.engine->remove(v, index(impl_.cell_of_vertex[v]));
+  if (removal == engine::Removal::large) return std::nullopt;
+  if (removal == engine::Removal::flat) {
     lower(v);
     return invalid_index;
   }

@@ -300,7 +300,8 @@ Index Triangulation::Impl::lone_vertex_of(std::size_t row) {
 /// Returns false, and has done nothing, where it takes the long way.
 bool Triangulation::Impl::remove_at_once(std::size_t row) {
   const Index v = lone_vertex_of(row);
-  if (v == invalid_index || !engine->remove(v, index(cell_of_vertex[v]))) return false;
+  if (v == invalid_index || engine->remove(v, index(cell_of_vertex[v])) != engine::Removal::taken_out)
+    return false;
   update_cells(engine->made_by_removal());
   cell_of_vertex[v] = invalid_cell;
   --num_vertices;

@@ -15,6 +15,7 @@
 #include <cstddef>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <span>
 #include <utility>
 #include <vector>
@@ -69,7 +70,7 @@ class Triangulation::Impl::Editing {
   bool can_settle(const Placement& placement) const;
   void restore_points(std::size_t first);
   bool take_all_out();
-  Index take_out(Index v);
+  std::optional<Index> take_out(Index v);
   void take_out_only_vertex();
   void lower(Index v);
   void find_hidden_points();

@@ -201,6 +201,34 @@ TYPED_TEST(EditsOneByOne, KillAndMakeWhatTheyMust) {
   }
 }
 
+/// To look at each of its neighbors for each of its cells would take longer than to build all anew.
+TEST(EditsOfHubs, RemoveAndMoveThem) {
+  for (const int d : {2, 3}) {
+    SCOPED_TRACE(testing::Message() << d << "D");
+    constexpr std::size_t n = 1500;
+    const std::vector<double> sphere = make_point_set("sphere", d, n, 5);
+    const Delaunay<> without(sphere, d);
+    std::vector<double> points = sphere;
+    points.resize(points.size() + static_cast<std::size_t>(d), 0.0);
+    Delaunay<> t(points, d);
+    const CanonicalHash with = t.hash();
+    const VertexId hub = t.vertex_at(n);
+    EXPECT_GT(t.complex().star(hub).size(), n / 2);
+    t.record_undo();
+    t.record_changes();
+    t.remove(n);
+    EXPECT_EQ(t.hash(), without.hash());
+    EXPECT_EQ(t.changes().gone, std::vector{hub});
+    t.undo();
+    EXPECT_EQ(t.hash(), with);
+    points.back() = 0.125;
+    t.move(n, std::span(points).last(static_cast<std::size_t>(d)));
+    EXPECT_EQ(t.hash(), Delaunay<>(points, d).hash());
+    t.remove(n);
+    EXPECT_EQ(t.hash(), without.hash());
+  }
+}
+
 /// A heavy point hides all others around it, and they come back with their ids.
 TEST(EditsOfHiddenPoints, BringThemBack) {
   for (int d = 1; d <= 4; ++d) {

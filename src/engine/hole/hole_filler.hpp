@@ -370,13 +370,7 @@ class HoleFiller {
       ++counts.filter;
       return value > 0;
     }
-    const auto vertices = cells_.vertices(cell);
-    const Index* const v = vertices;
-    if (std::find(v, v + width(), hole_.id(apex)) != v + width()) return false;
-    const Query q = geometry_.query_at(hole_.id(apex));
-    if (const int slot = cells_.infinite_slot(cell); slot >= 0)
-      return geometry_.exact_side(vertices, slot, q, counts) != Sign::negative;
-    return !in_conflict_exactly(cells_, geometry_, cell, q, geometry_.evaluator(q), counts);
+    return is_outside_exactly(cells_, geometry_, cell, hole_.id(apex), counts);
   }
 
   /// Whether a vertex is found that is strictly outside of all new cells.

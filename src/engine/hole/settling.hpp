@@ -38,7 +38,8 @@ class Settling {
       : build_(build), cells_(build.cells()), geometry_(build.geometry()), filler_(filler) {}
 
   /// After one vertex has moved, one of whose cells is `cell`. Returns false if it cannot stay where it is in
-  /// the cells, as on the hull, or if many of them would change. Then no cell has changed, but the functionals of its cells are wrong.
+  /// the cells, as on the hull, or if many of them would change. Then no cell has changed, but the
+  /// functionals of its cells are wrong.
   bool settle(Index v, Index cell) {
     made_ = {};
     if (!find_star(v, cell, false)) return false;
