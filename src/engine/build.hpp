@@ -130,17 +130,21 @@ class Build : public Sphere<K, G> {
     work_.clear();
     try {
       filler.hole().open_star(cells_, geometry_, v, cell, work_.zone);
-      const bool is_flat = filler.is_flat_without_leaving(work_.zone, cells_.num_cells() - num_infinite_);
-      if (is_flat || filler.hole().is_large(cells_.num_cells())) {
+      if (filler.is_flat_without_leaving(work_.zone, cells_.num_cells() - num_infinite_)) {
         abandon_zone();
-        return is_flat ? Removal::flat : Removal::large;
+        return Removal::flat;
       }
-      replace_zone([&] { return *fill_hole(filler); });
+      note_zone();
+      if (const std::optional<Filling> made = fill_hole(filler)) {
+        adopt(*made);
+        return Removal::taken_out;
+      }
     } catch (...) {
       abandon_zone();
       throw;
     }
-    return Removal::taken_out;
+    abandon_zone();
+    return Removal::large;
   }
 
   /// Replaces cells, which are different, by the Delaunay cells of their vertices, after these have moved.
@@ -179,7 +183,7 @@ class Build : public Sphere<K, G> {
   /// them, and says which. Strong guarantee, if fill() gives it.
   template <class Fill>
   void replace_zone(Fill&& fill) {
-    if (log_.is_on()) log_.note(cells_, {work_.zone.cells.data(), work_.zone.num_cells});
+    note_zone();
     adopt(fill());
   }
 
@@ -196,6 +200,9 @@ class Build : public Sphere<K, G> {
   using Sphere<K, G>::memory_;
   using Sphere<K, G>::cells_, Sphere<K, G>::geometry_, Sphere<K, G>::work_, Sphere<K, G>::effort_,
       Sphere<K, G>::num_infinite_, Sphere<K, G>::log_;
+  void note_zone() {
+    if (log_.is_on()) log_.note(cells_, {work_.zone.cells.data(), work_.zone.num_cells});
+  }
   void adopt(const Filling& made) {
     effort_.created_cells += made.num_cells;
     num_infinite_ += made.num_infinite - static_cast<Index>(work_.zone.num_infinite);

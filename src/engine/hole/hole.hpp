@@ -78,12 +78,6 @@ class Hole {
   std::size_t num_cells() const { return numbers_of_cells_.size() / width(); }
   /// How many of the cells are finite.
   Index num_finite() const { return num_finite_; }
-  /// Whether to look at each vertex for each cell takes longer than to build all cells anew, `num_all` of
-  /// them.
-  bool is_large(std::size_t num_all) const {
-    constexpr std::size_t fewest = 512, looks_per_cell = 500;
-    return ids_.size() > fewest && num_cells() > looks_per_cell * num_all / ids_.size();
-  }
   /// The finite vertices that stay, in the order of their numbers, from 1 on.
   std::span<const Index> vertices() const { return std::span(ids_).subspan(1); }
   Index id(Index number) const { return number < ids_.size() ? ids_[number] : leaving_; }

@@ -59,15 +59,16 @@ class HoleFiller {
     });
   }
 
-  /// Replaces the zone, which is the hole, by new cells. Nothing is returned, and nothing has changed, if
-  /// cells cannot be proved to be right, which does not happen around a vertex that goes. `on_size` is called
-  /// with their number before anything changes, and may throw. Strong guarantee.
+  /// Replaces the zone, which is the hole, by new cells. Nothing is returned, and nothing has changed, where
+  /// vertices have moved and cells cannot be proved to be right, or around a vertex that goes if to build all
+  /// cells anew costs less. `on_size` is called with their number before anything changes, and may throw.
+  /// Strong guarantee.
   template <class OnSize>
   std::optional<Filling> fill(ConflictZone& zone, StageCounts& counts, OnSize&& on_size) {
     const bool is_star = hole_.leaving() != invalid_index;
     if constexpr (K == 2)
       if (is_star && hole_.num_finite() == hole_.num_cells()) {
-        find_triangles(counts);
+        if (!find_triangles(counts)) return std::nullopt;
         on_size(found_.size());
         return create(zone, true, counts);
       }
@@ -80,7 +81,6 @@ class HoleFiller {
       on_size(found_.size());
       if (const std::optional<Filling> made = create(zone, exact, counts)) return made;
     }
-    if (is_star) throw Error(Errc::unsupported, "a vertex could not be removed: a fault of delone");
     return std::nullopt;
   }
 
@@ -94,8 +94,9 @@ class HoleFiller {
   std::size_t width() const { return static_cast<std::size_t>(dimension()) + 1; }
 
   /// In the plane, around a vertex inside: the hole is a polygon. A triangle at one of its edges, whose apex
-  /// exact predicates choose, leaves a polygon on each side.
-  void find_triangles(StageCounts& counts) requires(K == 2) {
+  /// exact predicates choose, leaves a polygon on each side. Returns false soon if that takes too long.
+  bool find_triangles(StageCounts& counts) requires(K == 2) {
+    std::size_t looks = most_exact_looks();
     found_.begin(hole_, false);
     const std::span<const std::uint32_t> cycle = hole_.cycle();
     const auto number = [&](std::size_t i) { return hole_.beginning(cycle[i]); };
@@ -104,7 +105,9 @@ class HoleFiller {
       const Polygon polygon = polygons_.back();
       polygons_.pop_back();
       std::uint32_t apex = polygon.first + 1;
-      if (polygon.last - polygon.first > 2) {
+      if (const std::uint32_t count = polygon.last - polygon.first - 1; count > 1) {
+        if (count > looks) return false;
+        looks -= count;
         contenders_.clear();
         for (std::uint32_t i = polygon.first + 1; i < polygon.last; ++i)
           contenders_.push_back(hole_.id(number(i)));
@@ -126,16 +129,24 @@ class HoleFiller {
       go_on(polygon.first, apex, facet + 2);
       go_on(apex, polygon.last, facet);
     }
+    return true;
   }
 
-  /// Finds all cells of the hole. Returns whether every facet has two in the end.
+  /// Building a cell anew costs about as much as to look at so many vertices, with exact predicates at a
+  /// part.
+  std::size_t most_looks() const { return 500 * (cells_.num_cells() + 1000); }
+  std::size_t most_exact_looks() const { return most_looks() / 16; }
+
+  /// Finds all cells of the hole. Returns whether every facet has two in the end, and false soon if that
+  /// takes too long: after a wrong apex a search may never end.
   bool find_cells(bool exact, StageCounts& counts) {
     const std::span<const BorderFacet> border = hole_.border();
     is_exact_ = exact;
     found_.begin(hole_, true);
     start_.resize(functions_size_);
-    // After a wrong apex a search may never end. Around a vertex that goes, exact ones are right.
-    const std::size_t most = exact ? static_cast<std::size_t>(-1) : 4 * hole_.num_cells() + 16;
+    const std::size_t most = hole_.leaving() == invalid_index
+                                 ? 4 * hole_.num_cells() + 16
+                                 : (exact ? most_exact_looks() : most_looks()) / hole_.vertices().size();
     for (std::uint32_t f = 0; f < border.size(); ++f) {
       if (found_.beyond_border(f) != none) continue;
       const Start start = find_start(border[f]);

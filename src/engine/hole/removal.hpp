@@ -7,7 +7,7 @@ namespace delone::engine {
 enum class Removal {
   taken_out,
   flat,   ///< all other vertices lie in a hyperplane
-  large,  ///< it has so many cells and neighbors that building all cells anew costs less
+  large,  ///< so many cells would fill its place that building all anew costs less
 };
 
 }  // namespace delone::engine
