@@ -137,16 +137,20 @@ class HoleFiller {
   std::size_t most_looks() const { return 500 * (cells_.num_cells() + 1000); }
   std::size_t most_exact_looks() const { return most_looks() / 16; }
 
+  /// After a wrong apex a search may never end.
+  std::size_t most_cells(bool exact) const {
+    if (hole_.leaving() == invalid_index) return 4 * hole_.num_cells() + 16;
+    if (exact) return most_exact_looks() / hole_.vertices().size();
+    return std::min(16 * hole_.num_cells() + 256, most_looks() / hole_.vertices().size());
+  }
   /// Finds all cells of the hole. Returns whether every facet has two in the end, and false soon if that
-  /// takes too long: after a wrong apex a search may never end.
+  /// takes too long.
   bool find_cells(bool exact, StageCounts& counts) {
     const std::span<const BorderFacet> border = hole_.border();
     is_exact_ = exact;
     found_.begin(hole_, true);
     start_.resize(functions_size_);
-    const std::size_t most = hole_.leaving() == invalid_index
-                                 ? 4 * hole_.num_cells() + 16
-                                 : (exact ? most_exact_looks() : most_looks()) / hole_.vertices().size();
+    const std::size_t most = most_cells(exact);
     for (std::uint32_t f = 0; f < border.size(); ++f) {
       if (found_.beyond_border(f) != none) continue;
       const Start start = find_start(border[f]);
