@@ -50,7 +50,7 @@ class Hole {
       for (int slot = 0; slot < static_cast<int>(width()); ++slot)
         if (slot != slots_[i] && !marks.is_in_conflict(neighbors[slot])) add(neighbors[slot]);
     }
-    number_vertices(cells, {zone.cells.data(), zone.num_cells});
+    number_vertices(cells, geometry, {zone.cells.data(), zone.num_cells});
     for (std::uint32_t i = 0; i < zone.num_cells; ++i) add_border(cells, zone.cells[i], i, slots_[i]);
   }
 
@@ -67,7 +67,7 @@ class Hole {
       marks.set(cell, Mark::in_conflict);
       num_finite_ += geometry.is_infinite(cell) ? 0 : 1;
     }
-    number_vertices(cells, dead);
+    number_vertices(cells, geometry, dead);
     for (std::uint32_t i = 0; i < dead.size(); ++i)
       for (int slot = 0; slot < static_cast<int>(width()); ++slot)
         if (!marks.is_in_conflict(cells.neighbors(dead[i])[slot])) add_border(cells, dead[i], i, slot);
@@ -118,7 +118,8 @@ class Hole {
     slots_.clear();
     border_.clear();
   }
-  void number_vertices(const CellStore<K>& cells, std::span<const Index> dead) {
+  template <class Geometry>
+  void number_vertices(const CellStore<K>& cells, const Geometry& geometry, std::span<const Index> dead) {
     numbers_.clear(4 * dead.size() / width() + 16);
     ids_.assign(1, index(infinite_vertex));
     numbers_of_cells_.resize(dead.size() * width());
@@ -127,16 +128,22 @@ class Hole {
       const auto vertices = cells.vertices(cell);
       const Index* const v = vertices;
       for (std::size_t i = 0; i < width(); ++i, ++number)
-        *number = v[i] == index(infinite_vertex) ? 0 : v[i] == leaving_ ? invalid_index : number_of(v[i]);
+        *number = v[i] == index(infinite_vertex) ? 0
+                  : v[i] == leaving_             ? invalid_index
+                                                 : number_of(v[i], geometry);
     }
     if (leaving_ == invalid_index) return;
     for (std::size_t cell = 0; cell < dead.size(); ++cell)
       numbers_of_cells_[cell * width() + static_cast<std::size_t>(slots_[cell])] =
           static_cast<Index>(ids_.size());
   }
-  Index number_of(Index v) {
+  template <class Geometry>
+  Index number_of(Index v, const Geometry& geometry) {
     const auto [number, is_new] = numbers_.insert(v, static_cast<std::uint32_t>(ids_.size()));
-    if (is_new) ids_.push_back(v);
+    if (is_new) {
+      ids_.push_back(v);
+      delone::prefetch(geometry.point(v));
+    }
     return number;
   }
   void add_border(const CellStore<K>& cells, Index dead, std::uint32_t inner, int slot) {
