@@ -110,14 +110,14 @@ class HoleCells {
   bool are_matches_right(const Hole<K>& hole) {
     sorted_.resize(num_cells_ + 1);
     for (std::size_t cell = 0; cell < num_cells_; ++cell)
-      sorted_[cell].sort(vertices(cell), width(), is_odd(cell), slots_);
+      sorted_[cell].sort(vertices(cell), width(), is_odd(cell));
     Sorted& of_hole = sorted_.back();
     for (std::uint32_t here = 0; here < num_facets(); ++here) {
       const std::uint32_t other = beside_[here], there = other - first_facet_;
       const std::size_t cell = cell_of(here), slot = here - cell * width();
       if (other < first_facet_) {
         const auto& facet = hole.border()[other];
-        of_hole.sort(hole.numbers_of_cell(facet.inner), width(), false, slots_);
+        of_hole.sort(hole.numbers_of_cell(facet.inner), width(), false);
         if (!sorted_[cell].has_facet(slot, of_hole, static_cast<std::size_t>(facet.slot), width(), true))
           return false;
       } else if (there < here) {
@@ -176,30 +176,30 @@ class HoleCells {
     PerSlot<std::uint32_t> ranks;  // of the vertices in the slots
     bool is_odd = false;           // oriented negatively in this order
 
-    void sort(const Index* vertices, std::size_t width, bool odd, PerSlot<std::uint64_t>& slots) {
+    /// By counting, as branches would be unpredictable.
+    void sort(const Index* vertices, std::size_t width, bool odd) {
       if constexpr (K == 0) {
         numbers.resize(width);
         ranks.resize(width);
-        slots.resize(width);
+      } else {
+        width = static_cast<std::size_t>(K) + 1;
       }
-      for (std::size_t i = 0; i < width; ++i) slots[i] = std::uint64_t{vertices[i]} << 32 | i;
-      for (std::size_t end = width; end > 1; --end)  // without branches, which would be unpredictable
-        for (std::size_t i = 1; i < end; ++i) {
-          const std::uint64_t a = slots[i - 1], b = slots[i];
-          odd ^= a > b;
-          slots[i - 1] = std::min(a, b);
-          slots[i] = std::max(a, b);
-        }
+      std::uint32_t inversions = odd;
       for (std::size_t i = 0; i < width; ++i) {
-        numbers[i] = static_cast<Index>(slots[i] >> 32);
-        ranks[static_cast<std::uint32_t>(slots[i])] = static_cast<std::uint32_t>(i);
+        std::uint32_t before = 0, after = 0;
+        for (std::size_t j = 0; j < i; ++j) before += vertices[j] < vertices[i];
+        for (std::size_t j = i + 1; j < width; ++j) after += vertices[j] < vertices[i];
+        inversions += after;
+        ranks[i] = before + after;
       }
-      is_odd = odd;
+      for (std::size_t i = 0; i < width; ++i) numbers[ranks[i]] = vertices[i];
+      is_odd = inversions % 2 != 0;
     }
     /// Whether another cell has the facet opposite the vertex in a slot, and is on the same side of it, or on
     /// the other one: then the two induce different orientations on the facet.
     bool has_facet(std::size_t slot, const Sorted& other, std::size_t other_slot, std::size_t width,
                    bool same_side) const {
+      if constexpr (K > 0) width = static_cast<std::size_t>(K) + 1;
       const std::size_t rank = ranks[slot], other_rank = other.ranks[other_slot];
       bool is_same = (is_odd != other.is_odd) != ((rank + other_rank) % 2 == (same_side ? 0 : 1));
       for (std::size_t i = 0; i + 1 < width; ++i)
@@ -219,7 +219,6 @@ class HoleCells {
   std::vector<std::uint8_t> is_odd_;
   std::vector<std::uint8_t> is_met_;
   std::vector<Sorted> sorted_;
-  PerSlot<std::uint64_t> slots_;
 };
 
 }  // namespace delone::engine
