@@ -50,9 +50,7 @@ class StampedTable {
     return {entry.value, true};
   }
   /// Gives `key` this number, whether it has one or not.
-  void set(std::uint64_t key, std::uint32_t value) {
-    insert(key, value).first = value;
-  }
+  void set(std::uint64_t key, std::uint32_t value) { insert(key, value).first = value; }
 
  private:
   struct Entry {

@@ -19,6 +19,7 @@
 #include <algorithm>
 #include <mutex>
 #include <optional>
+#include <string>
 #include <utility>
 
 namespace delone {
@@ -29,6 +30,15 @@ using internal::HullSites;
 using internal::HullState;
 using internal::SimplicialHull;
 using internal::TolerantHull;
+
+namespace {
+
+void require_row(std::size_t row, std::size_t count) {
+  if (row >= count)
+    throw Error(Errc::invalid_argument, "row " + std::to_string(row) + " is not a row of the input");
+}
+
+}  // namespace
 
 struct Polytope::Impl {
   Impl(int d, Options given)
@@ -245,14 +255,14 @@ std::size_t Polytope::num_ridges() const {
   return impl_->analyse([](const HullAnalysis& analysis) { return analysis.num_ridges(); });
 }
 PointKind Polytope::kind(std::size_t row) const {
-  if (row >= num_points()) throw Error(Errc::invalid_argument, "not a row of the input");
+  require_row(row, num_points());
   return impl_->analyse([&](const HullAnalysis& analysis) { return analysis.kinds()[row]; });
 }
 std::size_t Polytope::count(PointKind kind) const {
   return impl_->analyse([&](const HullAnalysis& analysis) { return analysis.count(kind); });
 }
 std::span<const double> Polytope::point(std::size_t row) const {
-  if (row >= num_points()) throw Error(Errc::invalid_argument, "not a row of the input");
+  require_row(row, num_points());
   return {impl_->state->point_of_row(row), impl_->ambient()};
 }
 
