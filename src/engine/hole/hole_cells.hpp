@@ -81,7 +81,7 @@ class HoleCells {
         unmatched_.push_back(here);
     }
   }
-  /// Links the facet of a cell, whose number is less the number of those of the border, with another one.
+  /// Links facet `here` of all cells with another cell's, or one of the border, given by its number.
   void link(std::uint32_t here, std::uint32_t other) {
     beside_[here] = other;
     set_beside(other, here);
@@ -176,7 +176,7 @@ class HoleCells {
     PerSlot<std::uint32_t> ranks;  // of the vertices in the slots
     bool is_odd = false;           // oriented negatively in this order
 
-    /// By counting, as branches would be unpredictable.
+    /// By counting, as branches would be unpredictable. REQUIRES different vertices.
     void sort(const Index* vertices, std::size_t width, bool odd) {
       if constexpr (K == 0) {
         numbers.resize(width);

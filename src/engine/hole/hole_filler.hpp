@@ -4,10 +4,9 @@
 // vertices around the hole, ties perturbed. So every cell is found once, beside one that is there already.
 //
 // The search works with rounded numbers and asks exact predicates where these leave several vertices
-// (geometry/hole_search/). Its result is proved afterwards (is_delaunay()). Where the proof fails, the search
-// is repeated with exact predicates for all vertices. Around a vertex that goes, every cell is right then
-// because the one beside it is. Where vertices have moved, the hole may be too small, and the proof may fail
-// again.
+// (geometry/hole_search/). Its result is proved afterwards (is_delaunay()). Around a vertex that goes, the
+// search is repeated with exact predicates for all vertices if the proof fails; then every cell is right
+// because the one beside it is. Where vertices have moved, the proof fails if the hole is too small.
 #pragma once
 
 #include "base/progress_meter.hpp"
