@@ -133,7 +133,7 @@ class DELONE_EXPORT Triangulation {
   std::vector<std::size_t> hidden_rows() const;
 
   /// Removes a row, or many. Cost of one that is the only one at its place: that of some insertions there,
-  /// from one and a half in 2D to seven in 6D. Hidden points that may come back are inserted, too, or if they
+  /// from 1.2 in 2D to five in 6D. Hidden points that may come back are inserted, too, or if they
   /// are most of what is there, everything is built anew. The first edit also looks at all rows, and in a
   /// regular or furthest-site triangulation finds a cell for each hidden point. Throws
   /// Errc::invalid_argument, naming a row and its place in the list, if it is not there or is given twice.

@@ -288,8 +288,8 @@ Removes rows, one or an array: all of them, or none if it raises.
 
 The result is that of the rows that are left. They keep their numbers, and those removed are not used again: see has_row,
 num_rows and compact_ids. Arrays that were taken before stay as they are. InputError for a row that is not there or is
-given twice: it is named. Cost of one row that is the only one at its place: that of one and a half
-insertions there in 2D, and of up to seven in 6D.)";
+given twice: it is named. Cost of one row that is the only one at its place: that of 1.2 insertions there
+in 2D, and of up to five in 6D.)";
 
 constexpr const char* move_doc = R"(
 Gives a row another point, (d,), or many rows as many, (m, d): all of them, or none if it raises.
