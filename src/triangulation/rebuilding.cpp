@@ -4,8 +4,6 @@
 #include "order/insertion_order.hpp"
 #include "triangulation/editing.hpp"
 
-#include "base/parallel.hpp"
-
 #include <algorithm>
 #include <numeric>
 #include <utility>
@@ -95,12 +93,7 @@ void Triangulation::Impl::Editing::build_anew() {
     insert_others(others, rounds, on_placed);
   }
   merge_equal(equal);
-  // Cells where several threads might have made them are sorted now, as sort_cells() must not change ids
-  // later.
-  if (impl_.engine && impl_.engine->shares_batches_of(others.size())) {
-    impl_.engine->sort_cells(internal::threads_to_use(impl_.options.threads));
-    impl_.has_ids_of_threads = false;
-  }
+  impl_.has_ids_of_threads = impl_.engine && impl_.engine->shares_batches_of(others.size());
   if (impl_.affine_hull.dimension() > 0) impl_.find_cells_of_vertices();
   if (impl_.affine_hull.dimension() < 0) {  // no row is left
     impl_.cell_of_vertex.assign(impl_.row_of_vertex.size(), invalid_cell);

@@ -491,6 +491,31 @@ void expect_all_to_go_and_come(int d, const std::string& kind, std::size_t n, un
   EXPECT_EQ(t.num_points(), 0u);
 }
 
+/// However many threads have built the cells anew.
+TEST(EditsByThreads, LeaveTheSameCellsSorted) {
+  for (const int d : {2, 3}) {
+    SCOPED_TRACE(testing::Message() << d << "D");
+    constexpr std::size_t n = 4000;
+    std::vector<double> points = make_point_set("uniform", d, n, 2);
+    std::copy_n(points.begin(), 20 * d, points.begin() + 100 * d);  // duplicates
+    const std::vector<double> others = make_point_set("uniform", d, n / 2, 6);
+    const std::vector<std::size_t> rows = test::random_order(n, 8);
+    std::vector<ComplexData> sorted;
+    for (const unsigned threads : {1u, 2u, 3u}) {
+      Options options;
+      options.threads = threads;
+      Delaunay<> t(points, d, options);
+      t.move(std::span(rows).first(n / 2), others);
+      t.sort_cells();
+      sorted.push_back(t.to_data());
+    }
+    EXPECT_EQ(sorted[0].cells, sorted[1].cells);
+    EXPECT_EQ(sorted[0].neighbors, sorted[1].neighbors);
+    EXPECT_EQ(sorted[0].cells, sorted[2].cells);
+    EXPECT_EQ(sorted[0].vertex_of_point, sorted[2].vertex_of_point);
+  }
+}
+
 TYPED_TEST(EditsOneByOne, ToNoneAndBack) {
   const std::size_t n = test::scaled_size(1500, 200);
   for (const unsigned threads : {1u, 3u}) {

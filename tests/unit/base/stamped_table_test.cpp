@@ -16,7 +16,9 @@ TEST(StampedTable, KeepsTheFirstNumberOfAKey) {
     for (std::uint32_t i = 0; i < 300 * turn; ++i) {
       const std::uint64_t key = std::uint64_t{i * i % 211} << (i % 3 * 20);
       const auto [at, is_new] = expected.try_emplace(key, i);
-      EXPECT_EQ(table.insert(key, i), std::pair(at->second, is_new));
+      const auto [number, was_inserted] = table.insert(key, i);
+      EXPECT_EQ(number, at->second);
+      EXPECT_EQ(was_inserted, is_new);
     }
     EXPECT_EQ(table.size(), expected.size());
   }
@@ -29,7 +31,7 @@ TEST(StampedTable, IsEmptyAfterClear) {
   table.clear();
   EXPECT_FALSE(table.contains(0));
   EXPECT_EQ(table.find_value(0), nullptr);
-  EXPECT_EQ(table.insert(0, 3), std::pair(std::uint32_t{3}, true));
+  EXPECT_TRUE(table.insert(0, 3).second);
   ASSERT_TRUE(table.contains(0));
   EXPECT_EQ(*table.find_value(0), 3u);
 }
