@@ -65,6 +65,7 @@ class Triangulation::Impl::Editing {
   bool has_freed_many(std::size_t num_taken_out) const;
   void begin_batch();
   void begin();
+  bool are_steps_long() const;
   void settle_all();
   void settle_some();
   bool can_settle(const Placement& placement) const;

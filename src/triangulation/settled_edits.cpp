@@ -3,6 +3,7 @@
 #include "triangulation/editing.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <cstdint>
 #include <optional>
 #include <utility>
@@ -17,12 +18,41 @@ bool Triangulation::Impl::Editing::can_settle(const Placement& placement) const 
          (impl_.affine_hull.dimension() == impl_.dimension || impl_.affine_hull.contains(point(placement)));
 }
 
+/// Whether most of some that move do so by more than a part of the distance to a neighbor: then few cells
+/// stay. REQUIRES an engine, and that some move.
+bool Triangulation::Impl::Editing::are_steps_long() const {
+  constexpr std::size_t most = 256;
+  const Complex now = impl_.complex();
+  const std::size_t d = impl_.ambient(), stride = leaving_.size() / most + 1;
+  std::size_t num_long = 0, num_all = 0;
+  for (std::size_t i = 0; i < leaving_.size(); i += stride) {
+    if (leaving_[i].placement == none) continue;
+    const Index v = leaving_[i].vertex;
+    const CellId cell = impl_.cell_of_vertex[v];
+    Index other = index(infinite_vertex);
+    for (int slot = 0; slot <= now.affine_dimension() && other == index(infinite_vertex); ++slot)
+      if (const Index w = index(now.vertex(cell, slot)); w != v) other = w;
+    const double *const from = impl_.points.point(v), *const to = point(placements_[leaving_[i].placement]);
+    const double* const neighbor = impl_.points.point(other);
+    double step = 0, edge = 0;
+    for (std::size_t j = 0; j < d; ++j) {
+      step += std::fabs(to[j] - from[j]);
+      edge += std::fabs(neighbor[j] - from[j]);
+    }
+    constexpr double part = 1.0 / 16;
+    num_long += step > part * edge ? 1 : 0;
+    ++num_all;
+  }
+  return 2 * num_long > num_all;
+}
+
 /// Where many vertices move, all at once. If that fails, the cells of the engine are of no use before they
 /// are rolled back.
 void Triangulation::Impl::Editing::settle_all() {
   const auto moves = [](const Leaving& leaving) { return leaving.placement != none; };
   const auto num_moving = static_cast<std::size_t>(std::count_if(leaving_.begin(), leaving_.end(), moves));
   if (!impl_.engine || impl_.may_hide() || num_moving < 64 || num_moving < impl_.num_vertices / 4) return;
+  if (are_steps_long()) return;
   std::vector<double> low(impl_.engine->frame().low()), high(impl_.engine->frame().high());
   for (const Leaving& leaving : leaving_) {
     if (!moves(leaving)) continue;
