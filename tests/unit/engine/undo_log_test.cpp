@@ -128,7 +128,7 @@ void expect_small_batch_undone(double grid_size, VertexIds ids) {
     if (turn > 0)
       for (std::size_t i = 0; i < 5 * turn; ++i) {
         const Index v = growing.others[i], cell = cell_of(v);
-        EXPECT_TRUE(cell == invalid_index || growing.build.remove(v, cell, filler));
+        EXPECT_TRUE(cell == invalid_index || growing.build.remove(v, cell, filler) == Removal::taken_out);
       }
     if (turn != 1) growing.insert(growing.others.size() - 10, growing.others.size());
     if (turn == 3) growing.insert(0, 5);
