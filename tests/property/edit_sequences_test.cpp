@@ -320,7 +320,9 @@ TEST(EditsOfHiddenPoints, ThatAreManyBringThemBack) {
           history.edit(lists);
           ASSERT_EQ(history.fault(), "");
           EXPECT_LT(history.product().num_hidden(), num_hidden / 2);
-          if (on_record) EXPECT_EQ(history.product().changes().killed.size() == cells_before, are_most);
+          if (on_record) {
+            EXPECT_EQ(history.product().changes().killed.size() == cells_before, are_most);
+          }
           history.compare_with_batch();
           history.check_all_levels();
           if (!on_record) break;
