@@ -64,10 +64,11 @@ void require_finite(const char* list, std::span<const double> numbers, std::size
 
 }  // namespace
 
-Triangulation::Impl::Editing::Editing(Impl& impl, const RowEdits& edits, Index start)
+Triangulation::Impl::Editing::Editing(Impl& impl, const RowEdits& edits, Index start, bool anew)
     : impl_(impl),
       edits_(edits),
       start_(start),
+      anew_(anew),
       total_(edits.remove.size() + 2 * (edits.move.size() + edits.weigh.size()) +
              edits.insert.size() / impl.ambient()),
       progress_(impl.options.progress, total_) {
@@ -255,6 +256,7 @@ void Triangulation::Impl::Editing::add_point(std::span<const double> coordinates
 bool Triangulation::Impl::Editing::is_worth_building_anew() const {
   const std::size_t left = impl_.num_vertices - leaving_.size() + placements_.size();
   constexpr std::size_t fewest = 16;
+  if (anew_) return true;
   return leaving_.size() + placements_.size() >= fewest &&
          2 * leaving_.size() + placements_.size() > left / 2;
 }
@@ -297,16 +299,17 @@ Index Triangulation::Impl::lone_vertex_of(std::size_t row) {
   return known_shared_rows().has_several(v) ? invalid_index : v;
 }
 
-/// Returns false, and has done nothing, where it takes the long way.
-bool Triangulation::Impl::remove_at_once(std::size_t row) {
+/// Nothing is returned, and nothing has been done, where it takes the long way.
+std::optional<engine::Removal> Triangulation::Impl::remove_at_once(std::size_t row) {
   const Index v = lone_vertex_of(row);
-  if (v == invalid_index || engine->remove(v, index(cell_of_vertex[v])) != engine::Removal::taken_out)
-    return false;
+  if (v == invalid_index) return std::nullopt;
+  const engine::Removal removal = engine->remove(v, index(cell_of_vertex[v]));
+  if (removal != engine::Removal::taken_out) return removal;
   update_cells(engine->made_by_removal());
   cell_of_vertex[v] = invalid_cell;
   --num_vertices;
   detach(row);
-  return true;
+  return removal;
 }
 
 /// The same for a row that moves a little.
@@ -339,14 +342,17 @@ bool Triangulation::Impl::move_at_once(std::size_t row, std::span<const double> 
 void Triangulation::Impl::edit(const RowEdits& edits, Index start) {
   require_idle();
   if (edits.is_empty()) return;
-  if (edits.remove.size() == 1 && edits.move.empty() && edits.weigh.empty() && edits.insert.empty() &&
-      remove_at_once(edits.remove[0]))
-    return;
+  bool anew = false;
+  if (edits.remove.size() == 1 && edits.move.empty() && edits.weigh.empty() && edits.insert.empty()) {
+    const std::optional<engine::Removal> removal = remove_at_once(edits.remove[0]);
+    if (removal == engine::Removal::taken_out) return;
+    anew = removal == engine::Removal::large;
+  }
   if (edits.move.size() == 1 && edits.remove.empty() && edits.weigh.empty() && edits.insert.empty() &&
       move_at_once(edits.move[0], edits.to))
     return;
   internal::BuildLimits limits(options.memory_limit, options.time_limit, "changes");
-  limits.guard([&] { Editing(*this, edits, start).run(); });
+  limits.guard([&] { Editing(*this, edits, start, anew).run(); });
 }
 
 InsertResult Triangulation::Impl::insert_on_record(std::span<const double> point, double weight,

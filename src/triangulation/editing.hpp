@@ -26,8 +26,8 @@ class Triangulation::Impl::Editing {
  public:
   /// Throws for rows that are not there or are given twice, and for numbers that are not finite.
   /// `start`: a cell to walk from to the first point that is inserted, if nothing is taken out; or
-  /// invalid_index.
-  Editing(Impl& impl, const RowEdits& edits, Index start);
+  /// invalid_index. `anew`: everything is built anew, as that is known to cost less.
+  Editing(Impl& impl, const RowEdits& edits, Index start, bool anew);
   /// Unless the edit has been completed, everything is as it was.
   ~Editing();
   Editing(const Editing&) = delete;
@@ -92,6 +92,7 @@ class Triangulation::Impl::Editing {
   Impl& impl_;
   const RowEdits& edits_;
   const Index start_;
+  const bool anew_;
   std::unique_ptr<internal::EditRecord> record_;
   std::vector<double> points_;  // new ones, with weights where points have weights
   std::vector<Leaving> leaving_;

@@ -120,7 +120,7 @@ struct Triangulation::Impl {
   void update_cells_of_vertices(Index v);
   void update_cells(std::span<const Index> made);
   Index lone_vertex_of(std::size_t row);
-  bool remove_at_once(std::size_t row);
+  std::optional<engine::Removal> remove_at_once(std::size_t row);
   bool move_at_once(std::size_t row, std::span<const double> to);
   void forget_indexes();
   void note_visibility(Index v);

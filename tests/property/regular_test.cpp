@@ -169,6 +169,25 @@ TEST(Regular, FollowsTheDefinitionAtTheEndsOfTheRange) {
       }
 }
 
+// Squares of coordinates are nothing in a frame of such weights.
+TEST(Regular, FollowsTheDefinitionAmongWeightsFarBeyondTheCoordinates) {
+  for (int d = 1; d <= 3; ++d)
+    for (std::uint64_t seed = 0; seed < test::scaled_count(d == 1 ? 40 : 5); ++seed) {
+      const PointSet set = test::mixed_exponents(d, 9, -4, 0, seed);
+      std::vector<double> weights = make_weights(Weights::reals, set.size(), 1, seed);
+      weights[1] = -std::numeric_limits<double>::max() / static_cast<double>(1 + seed % 3);
+      weights[2] = -std::ldexp(1.0, 900 + static_cast<int>(3 * seed));
+      expect_definition({set, weights});
+    }
+  const std::vector<double> points = {0x1.898684cc094adp-3, 0x1.98ddaa130092ep-4, 0x1.73cf631cd6f05p-2,
+                                      0x1.6683a2f491bcdp-2, 0x1.81cebfb1d5b04p-3, 0x1.53198fcd46556p-3,
+                                      0x1.ea0dd1fabfe8dp-1};
+  const std::vector<double> weights = {0,         -0x1.7e43c8800759cp+996, 1, 1, 0x1.895309a9d3cacp-5,
+                                       -1.79e308, 0x1.1466a1092c8ap-2};
+  for (const InsertionOrder order : {InsertionOrder::automatic, InsertionOrder::as_given})
+    EXPECT_EQ(Regular<1>(points, weights, {.order = order}).hidden_rows(), (std::vector<std::size_t>{0, 5}));
+}
+
 TEST(Regular, EqualWeightsGiveDelaunay) {
   for (int d = 1; d <= 6; ++d) {
     const PointSet random = test::mixed_exponents(d, 60, -4, 0, 3), lattice = test::lattice(d, d < 4 ? 4 : 2);

@@ -65,6 +65,7 @@ class HoleFiller {
   template <class OnSize>
   std::optional<Filling> fill(ConflictZone& zone, StageCounts& counts, OnSize&& on_size) {
     const bool is_star = hole_.leaving() != invalid_index;
+    looks_left_ = is_star ? looks_per_cell * (cells_.num_cells() + 1000) : static_cast<std::size_t>(-1);
     if constexpr (K == 2)
       if (is_star && hole_.num_finite() == hole_.num_cells()) {
         if (!find_triangles(counts)) return std::nullopt;
@@ -95,7 +96,6 @@ class HoleFiller {
   /// In the plane, around a vertex inside: the hole is a polygon. A triangle at one of its edges, whose apex
   /// exact predicates choose, leaves a polygon on each side. Returns false soon if that takes too long.
   bool find_triangles(StageCounts& counts) requires(K == 2) {
-    std::size_t looks = most_exact_looks();
     found_.begin(hole_, false);
     const std::span<const std::uint32_t> cycle = hole_.cycle();
     const auto number = [&](std::size_t i) { return hole_.beginning(cycle[i]); };
@@ -104,15 +104,13 @@ class HoleFiller {
       const Polygon polygon = polygons_.back();
       polygons_.pop_back();
       std::uint32_t apex = polygon.first + 1;
-      if (const std::uint32_t count = polygon.last - polygon.first - 1; count > 1) {
-        if (count > looks) return false;
-        looks -= count;
+      if (polygon.last - polygon.first > 2) {
         contenders_.clear();
         for (std::uint32_t i = polygon.first + 1; i < polygon.last; ++i)
           contenders_.push_back(hole_.id(number(i)));
         std::array<Index, 3> triangle{hole_.id(number(polygon.first)), 0, hole_.id(number(polygon.last))};
-        const Index first = geometry_.first_in_pencil(triangle.data(), 1, Sign::positive, contenders_,
-                                                      geometry_.grid(), counts);
+        const Index first = first_of_contenders(triangle.data(), 1, Sign::positive, counts);
+        if (first == invalid_index) return false;
         while (hole_.id(number(apex)) != first) ++apex;
       }
       found_.reserve_one();
@@ -131,17 +129,26 @@ class HoleFiller {
     return true;
   }
 
-  /// Building a cell anew costs about as much as to look at so many vertices, with exact predicates at a
-  /// part.
-  std::size_t most_looks() const { return 500 * (cells_.num_cells() + 1000); }
-  std::size_t most_exact_looks() const { return most_looks() / 16; }
+  /// To build a cell anew takes as long as to look at so many vertices; to compare one by predicates takes as
+  /// long as this, and more if it has to be exact.
+  static constexpr std::size_t looks_per_cell = 500, per_contender = 100, per_exact_test = 5000;
 
-  /// After a wrong apex a search may never end.
-  std::size_t most_cells(bool exact) const {
-    if (hole_.leaving() == invalid_index) return 4 * hole_.num_cells() + 16;
-    if (exact) return most_exact_looks() / hole_.vertices().size();
-    return std::min(16 * hole_.num_cells() + 256, most_looks() / hole_.vertices().size());
+  /// Returns false if what has been done would have been enough to build all cells anew.
+  bool spend(std::size_t looks) {
+    if (looks > looks_left_) return false;
+    looks_left_ -= looks;
+    return true;
   }
+  /// The first of the contenders in a pencil, or invalid_index if that takes too long.
+  Index first_of_contenders(Index* simplex, int slot, Sign orientation, StageCounts& counts) {
+    const std::uint64_t exact_before = counts.exact;
+    const Index first =
+        geometry_.first_in_pencil(simplex, slot, orientation, contenders_, geometry_.grid(), counts);
+    const bool is_left = spend(per_contender * contenders_.size() +
+                               per_exact_test * static_cast<std::size_t>(counts.exact - exact_before));
+    return is_left ? first : invalid_index;
+  }
+
   /// Finds all cells of the hole. Returns whether every facet has two in the end, and false soon if that
   /// takes too long.
   bool find_cells(bool exact, StageCounts& counts) {
@@ -149,14 +156,17 @@ class HoleFiller {
     is_exact_ = exact;
     found_.begin(hole_, true);
     start_.resize(functions_size_);
-    const std::size_t most = most_cells(exact);
+    const bool is_star = hole_.leaving() != invalid_index;
+    const std::size_t most = is_star ? exact ? static_cast<std::size_t>(-1) : 16 * hole_.num_cells() + 256
+                                     : 4 * hole_.num_cells() + 16;  // a wrong apex may lead on forever
     for (std::uint32_t f = 0; f < border.size(); ++f) {
       if (found_.beyond_border(f) != none) continue;
       const Start start = find_start(border[f]);
       if (start == Start::nowhere) continue;
       if (!exact) search_.solve(source_.data(), start_.data());
       reserve_cell();
-      add_cell(source_.data(), start_.data(), border[f].slot, start == Start::outside, false, counts);
+      if (!add_cell(source_.data(), start_.data(), border[f].slot, start == Start::outside, false, counts))
+        return false;
       // In the order in which they were found: then searches do not wait for each other, and few steps of
       // elimination lead to a cell.
       for (std::size_t next = 0; next < found_.unmatched().size(); ++next) {
@@ -166,8 +176,9 @@ class HoleFiller {
         if (found_.size() % 512 == 511) internal::cancellation_point();
         reserve_cell();
         const std::size_t cell = found_.cell_of(facet);
-        add_cell(found_.vertices(cell), functions_.data() + cell * functions_size_,
-                 static_cast<int>(facet - cell * width()), true, !found_.is_odd(cell), counts);
+        if (!add_cell(found_.vertices(cell), functions_.data() + cell * functions_size_,
+                      static_cast<int>(facet - cell * width()), true, !found_.is_odd(cell), counts))
+          return false;
       }
       found_.clear_unmatched();
     }
@@ -206,10 +217,11 @@ class HoleFiller {
   }
 
   /// Adds the cell beyond a facet of a cell, or on its side where that is in the hole. REQUIRES
-  /// reserve_cell().
-  void add_cell(const Index* source, const double* functions, int slot, bool beyond, bool is_odd,
+  /// reserve_cell(). Returns false if that takes too long.
+  bool add_cell(const Index* source, const double* functions, int slot, bool beyond, bool is_odd,
                 StageCounts& counts) {
     const Index apex = find_apex(source, functions, slot, beyond, is_odd, counts);
+    if (apex == invalid_index) return false;
     const std::size_t cell = found_.add(source, slot, apex, is_odd);
     if (apex != 0 && !is_exact_) {
       double* const of_cell = functions_.data() + cell * functions_size_;
@@ -219,14 +231,17 @@ class HoleFiller {
         search_.replace(functions, slot, apex, of_cell);
     }
     found_.match_facets(cell, apex != 0);
+    return true;
   }
 
-  /// The number of the vertex that makes the cell there, 0 for an infinite one.
+  /// The number of the vertex that makes the cell there, 0 for an infinite one; invalid_index if to find it
+  /// takes too long.
   Index find_apex(const Index* source, const double* functions, int slot, bool beyond, bool is_odd,
                   StageCounts& counts) {
     // Where vertices have moved, the cell at the border may stay.
     const bool may_stay = !beyond && hole_.leaving() == invalid_index;
     contenders_.clear();
+    if (!spend(hole_.vertices().size())) return invalid_index;
     if (!is_exact_) {
       const std::span<const std::uint32_t> found = search_.first(functions, slot, beyond, may_stay, source);
       if (found.empty()) return 0;
@@ -241,9 +256,9 @@ class HoleFiller {
     }
     simplex_.resize(width());
     for (std::size_t i = 0; i < width(); ++i) simplex_[i] = hole_.id(source[i]);
-    return hole_.number(geometry_.first_in_pencil(simplex_.data(), slot,
-                                                  is_odd ? Sign::negative : Sign::positive, contenders_,
-                                                  geometry_.grid(), counts));
+    const Index first =
+        first_of_contenders(simplex_.data(), slot, is_odd ? Sign::negative : Sign::positive, counts);
+    return first == invalid_index ? first : hole_.number(first);
   }
 
   /// Writes the cells to vacant slots, computes their functionals and proves them, unless they are known to
@@ -418,6 +433,7 @@ class HoleFiller {
   geometry::HoleSearch search_;
   HoleCells<K> found_;
   bool is_exact_ = false;
+  std::size_t looks_left_ = 0;
   std::vector<double> functions_;  // of finite cells that have been found
   std::vector<double> start_;
   /// In the plane: the vertices first, …, last of the cycle, and the facet beyond the edge from the last to
