@@ -4,6 +4,8 @@
 #include "order/insertion_order.hpp"
 #include "triangulation/editing.hpp"
 
+#include "base/parallel.hpp"
+
 #include <algorithm>
 #include <numeric>
 #include <utility>
@@ -93,7 +95,12 @@ void Triangulation::Impl::Editing::build_anew() {
     insert_others(others, rounds, on_placed);
   }
   merge_equal(equal);
-  impl_.has_ids_of_threads = impl_.engine && impl_.engine->shares_batches_of(others.size());
+  // Sorted now, where several threads might have made the cells: a sort_cells() after the edit would drop
+  // changes() and what undo() takes back.
+  if (impl_.engine && impl_.engine->shares_batches_of(others.size())) {
+    impl_.engine->sort_cells(internal::threads_to_use(impl_.options.threads));
+    impl_.has_ids_of_threads = false;
+  }
   if (impl_.affine_hull.dimension() > 0) impl_.find_cells_of_vertices();
   if (impl_.affine_hull.dimension() < 0) {  // no row is left
     impl_.cell_of_vertex.assign(impl_.row_of_vertex.size(), invalid_cell);

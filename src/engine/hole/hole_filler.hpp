@@ -65,7 +65,7 @@ class HoleFiller {
   template <class OnSize>
   std::optional<Filling> fill(ConflictZone& zone, StageCounts& counts, OnSize&& on_size) {
     const bool is_star = hole_.leaving() != invalid_index;
-    looks_left_ = is_star ? looks_per_cell * (cells_.num_cells() + 1000) : static_cast<std::size_t>(-1);
+    looks_left_ = is_star ? looks_per_cell * (cells_.num_cells() + 4000) : static_cast<std::size_t>(-1);
     if constexpr (K == 2)
       if (is_star && hole_.num_finite() == hole_.num_cells()) {
         if (!find_triangles(counts)) return std::nullopt;
@@ -131,7 +131,7 @@ class HoleFiller {
 
   /// To build a cell anew takes as long as to look at so many vertices; to compare one by predicates takes as
   /// long as this, and more if it has to be exact.
-  static constexpr std::size_t looks_per_cell = 500, per_contender = 100, per_exact_test = 5000;
+  static constexpr std::size_t looks_per_cell = 500, per_contender = 100, per_exact_test = 1000;
 
   /// Returns false if what has been done would have been enough to build all cells anew.
   bool spend(std::size_t looks) {
