@@ -526,12 +526,14 @@ def test_questions_and_copies_beside_edits_see_all_of_one_or_nothing():
         thread.start()
     t.record_undo()
     end = time.monotonic() + 0.2
-    while time.monotonic() < end:
-        t.remove(np.arange(50))
-        t.undo()
-    done.set()
-    for thread in threads:
-        thread.join()
+    try:
+        while time.monotonic() < end:
+            t.remove(np.arange(50))
+            t.undo()
+    finally:
+        done.set()
+        for thread in threads:
+            thread.join()
     assert seen <= allowed and copied <= allowed and seen and copied
 
 
