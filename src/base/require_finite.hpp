@@ -17,8 +17,7 @@ std::vector<std::size_t> find_not_finite(std::span<const double> numbers, std::s
 std::string and_of_more(std::span<const std::size_t> rows);
 
 /// Throws Errc::not_finite unless all numbers are finite; rows() of the error lists all rows concerned, as
-/// above. The message reads "WHAT of ITEM 7 is not finite", as in "a
-/// coordinate of point 7 is not finite".
+/// above. The message reads "WHAT of ITEM 7 is not finite", as in "a coordinate of point 7 is not finite".
 void require_finite(std::span<const double> numbers, std::size_t width, const std::string& what,
                     const std::string& item = "point");
 

@@ -295,7 +295,8 @@ void Functionals<K, Lifted>::set_frame(const Frame& frame, const std::vector<int
   // half of its diagonal.
   largest_radius_ = 1.001 * std::sqrt(diagonal);
   if (!spheres_) finite_spread_ *= std::pow(diagonal, (n - 1) / 2);
-  // Where these underflow, as weights are far larger than squares of coordinates, no bound is known.
+  // The bounds above hold while these are normal numbers. They are not where weights are far larger than the
+  // squares of coordinates, or axes differ by hundreds of orders of magnitude: then no test is certain.
   if (!(diagonal >= 0x1p-1000 && volume_ratio >= 0x1p-1000))
     largest_in_unit_sphere_ = finite_spread_ = largest_radius_ = std::numeric_limits<double>::infinity();
   const double m = n - 1;

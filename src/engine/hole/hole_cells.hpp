@@ -118,11 +118,10 @@ class HoleCells {
       if (other < first_facet_) {
         const auto& facet = hole.border()[other];
         of_hole.sort(hole.numbers_of_cell(facet.inner), width(), false);
-        if (!sorted_[cell].has_facet(slot, of_hole, static_cast<std::size_t>(facet.slot), width(), true))
-          return false;
+        if (!sorted_[cell].has_facet(slot, of_hole, static_cast<std::size_t>(facet.slot), true)) return false;
       } else if (there < here) {
         const std::size_t neighbor = cell_of(there);
-        if (!sorted_[cell].has_facet(slot, sorted_[neighbor], there - neighbor * width(), width(), false))
+        if (!sorted_[cell].has_facet(slot, sorted_[neighbor], there - neighbor * width(), false))
           return false;
       }
     }
@@ -177,32 +176,29 @@ class HoleCells {
     bool is_odd = false;           // oriented negatively in this order
 
     /// By counting, as branches would be unpredictable. REQUIRES different vertices.
-    void sort(const Index* vertices, std::size_t width, bool odd) {
+    void sort(const Index* vertices, [[maybe_unused]] std::size_t width, bool odd) {
       if constexpr (K == 0) {
         numbers.resize(width);
         ranks.resize(width);
-      } else {
-        width = static_cast<std::size_t>(K) + 1;
       }
+      const std::size_t size = numbers.size();  // known at compile time with K
       std::uint32_t inversions = odd;
-      for (std::size_t i = 0; i < width; ++i) {
+      for (std::size_t i = 0; i < size; ++i) {
         std::uint32_t before = 0, after = 0;
         for (std::size_t j = 0; j < i; ++j) before += vertices[j] < vertices[i];
-        for (std::size_t j = i + 1; j < width; ++j) after += vertices[j] < vertices[i];
+        for (std::size_t j = i + 1; j < size; ++j) after += vertices[j] < vertices[i];
         inversions += after;
         ranks[i] = before + after;
       }
-      for (std::size_t i = 0; i < width; ++i) numbers[ranks[i]] = vertices[i];
+      for (std::size_t i = 0; i < size; ++i) numbers[ranks[i]] = vertices[i];
       is_odd = inversions % 2 != 0;
     }
     /// Whether another cell has the facet opposite the vertex in a slot, and is on the same side of it, or on
     /// the other one: then the two induce different orientations on the facet.
-    bool has_facet(std::size_t slot, const Sorted& other, std::size_t other_slot, std::size_t width,
-                   bool same_side) const {
-      if constexpr (K > 0) width = static_cast<std::size_t>(K) + 1;
+    bool has_facet(std::size_t slot, const Sorted& other, std::size_t other_slot, bool same_side) const {
       const std::size_t rank = ranks[slot], other_rank = other.ranks[other_slot];
       bool is_same = (is_odd != other.is_odd) != ((rank + other_rank) % 2 == (same_side ? 0 : 1));
-      for (std::size_t i = 0; i + 1 < width; ++i)
+      for (std::size_t i = 0; i + 1 < numbers.size(); ++i)
         is_same &= numbers[i + (i >= rank)] == other.numbers[i + (i >= other_rank)];
       return is_same;
     }
