@@ -6,6 +6,7 @@
 #pragma once
 
 #include "kernel/determinant.hpp"
+#include "kernel/determinant_grid.hpp"
 #include "kernel/double_double_stage.hpp"
 #include "kernel/flat.hpp"
 #include "kernel/grid.hpp"
@@ -63,6 +64,25 @@ inline std::optional<Sign> certified_sign(const CertifiedDeterminant& det, doubl
   return certified_sign(det.value, det.error, grid_unit);
 }
 
+/// The points of a determinant of differences from a base, perhaps with a column of lifts.
+struct PointsOfDeterminant {
+  const Flat& flat;
+  const double* const* points;
+  int count;
+  const double* base;
+  bool has_lifts;
+};
+/// The sign of their determinant after it has been scaled by 2^−scale_exponent. The grid of all points is
+/// known; that of these takes longer.
+inline std::optional<Sign> certified_sign(const CertifiedDeterminant& det, const PointsOfDeterminant& of,
+                                          const Grid& grid, std::int64_t scale_exponent = 0) {
+  const std::int64_t exponent = determinant_exponent(of.flat, grid, of.has_lifts);
+  if (const auto sign = certified_sign(det, power_of_two(exponent - scale_exponent))) return sign;
+  const std::int64_t exponent_here =
+      determinant_exponent(of.flat, of.points, static_cast<std::size_t>(of.count), of.base, of.has_lifts);
+  return certified_sign(det, power_of_two(exponent_here - scale_exponent));
+}
+
 /// The sign of the determinant of N rows of N entries. REQUIRES that all minors and partial sums are exact in
 /// binary64.
 template <int N>
@@ -78,10 +98,9 @@ inline constexpr double unscaled_underflow = 0x1p-700;
 
 /// The sign of the determinant of N rows, of which every term goes through `roundings` roundings before the
 /// minors are expanded. `last_parts[i]`: the sum of the magnitudes of the terms of the last entry of row i.
-/// `unit_exponent` returns the exponent of the grid that the determinant lies on.
-template <int N, class UnitExponent>
+template <int N>
 std::optional<Sign> sign_by_minors(const double* a, const double* last_parts, double roundings,
-                                   UnitExponent unit_exponent) {
+                                   const PointsOfDeterminant& points, const Grid& grid) {
   Magnitude parts[N * N];
   for (int i = 0; i < N; ++i) {
     for (int r = 0; r + 1 < N; ++r) parts[i * N + r].value = std::fabs(a[i * N + r]);
@@ -91,7 +110,7 @@ std::optional<Sign> sign_by_minors(const double* a, const double* last_parts, do
   const double permanent = determinant_by_minors<N>(parts).value;
   const double error = 1.01 * (roundings + N * (N + 1) / 2) * unit_roundoff * permanent + unscaled_underflow;
   if (std::fabs(value) > error) return value > 0 ? Sign::positive : Sign::negative;
-  return certified_sign(value, error, power_of_two(unit_exponent()));
+  return certified_sign(CertifiedDeterminant{value, error}, points, grid);
 }
 
 /// direct_orientation by minors, without scaling.
@@ -110,11 +129,7 @@ std::optional<Sign> orientation_by_minors(const Flat& flat, const double* const*
   for (int i = 0; i < K; ++i) last[i] = std::fabs(a[i * K + K - 1]);
   for (const double difference : a) largest = std::max(largest, std::fabs(difference));
   if (!(largest <= moderate)) return std::nullopt;
-  return sign_by_minors<K>(a, last, K, [&] {
-    std::int64_t unit_exponent = 0;
-    for (int r = 0; r < K; ++r) unit_exponent += grid.exponent(flat.axes[static_cast<std::size_t>(r)]);
-    return unit_exponent;
-  });
+  return sign_by_minors<K>(a, last, K, {flat, points, K, base, false}, grid);
 }
 
 /// direct_sphere by minors, without scaling.
@@ -150,11 +165,7 @@ std::optional<Sign> sphere_by_minors(const Flat& flat, const double* const* poin
   double largest = 0;
   for (const double part : lift_parts) largest = std::max(largest, part);
   if (!(largest <= moderate * moderate)) return std::nullopt;
-  return sign_by_minors<N>(a, lift_parts, K + flat.ambient + 3, [&] {
-    std::int64_t unit_exponent = grid.lift_exponent();
-    for (int r = 0; r < K; ++r) unit_exponent += grid.exponent(flat.axes[static_cast<std::size_t>(r)]);
-    return unit_exponent;
-  });
+  return sign_by_minors<N>(a, lift_parts, K + flat.ambient + 3, {flat, points, N, q, true}, grid);
 }
 
 /// direct_orientation by scaled elimination.
@@ -164,7 +175,7 @@ std::optional<Sign> orientation_by_elimination(const Flat& flat, const double* c
   const int k = K > 0 ? K : flat.dimension();
   Buffer<double, K * K> a(static_cast<std::size_t>(k) * static_cast<std::size_t>(k));
   Buffer<int, K> row_of(static_cast<std::size_t>(k));
-  int unit_exponent = 0;
+  std::int64_t scale_exponent = 0;
   for (int r = 0; r < k; ++r) {
     const int axis = flat.axes[static_cast<std::size_t>(r)];
     double largest = 0;
@@ -177,10 +188,10 @@ std::optional<Sign> orientation_by_elimination(const Flat& flat, const double* c
     if (!(largest < 1e300)) return std::nullopt;
     const auto [scale, exponent] = normalisation(largest);
     for (int i = 0; i < k; ++i) a[static_cast<std::size_t>(i * k + r)] *= scale;
-    unit_exponent += grid.exponent(axis) - exponent;
+    scale_exponent += exponent;
   }
   const CertifiedDeterminant det = factor<K>(a.data(), k, k, {1.01 * unit_roundoff, 0}, row_of.data());
-  return certified_sign(det, power_of_two(unit_exponent));
+  return certified_sign(det, {flat, points, k, base, false}, grid, scale_exponent);
 }
 
 /// direct_sphere by scaled elimination.
@@ -197,7 +208,6 @@ std::optional<Sign> sphere_by_elimination(const Flat& flat, const double* const*
   if (flat.ambient != k)
     for (int j = 0; j < flat.ambient; ++j)
       for (int i = 0; i < n; ++i) largest_of_all = std::max(largest_of_all, std::fabs(points[i][j] - q[j]));
-  int unit_exponent = 0;
   for (int r = 0; r < k; ++r) {
     const int axis = flat.axes[static_cast<std::size_t>(r)];
     double largest = 0;
@@ -247,15 +257,15 @@ std::optional<Sign> sphere_by_elimination(const Flat& flat, const double* const*
       lift_parts[static_cast<std::size_t>(i)] = lift + std::fabs(weight);
       lift -= weight;
     }
+  std::int64_t scale_exponent = 2 * static_cast<std::int64_t>(common_exponent);
   for (int r = 0; r < k; ++r) {
     double largest = 0;
     for (int i = 0; i < n; ++i)
       largest = std::max(largest, std::fabs(a[static_cast<std::size_t>(i * n + r)]));
     const auto [scale, exponent] = normalisation(largest);
     for (int i = 0; i < n; ++i) a[static_cast<std::size_t>(i * n + r)] *= scale;
-    unit_exponent += grid.exponent(flat.axes[static_cast<std::size_t>(r)]) - exponent;
+    scale_exponent += exponent;
   }
-  unit_exponent += grid.lift_exponent() - 2 * common_exponent;
   // Differences are rounded once; a lift is a sum of `ambient` squares of rounded differences.
   double relative_error = 1.01 * (flat.ambient + 3) * unit_roundoff;
   if (flat.weighted()) {
@@ -271,7 +281,7 @@ std::optional<Sign> sphere_by_elimination(const Flat& flat, const double* const*
     relative_error = 1.01 * (flat.ambient + 4) * unit_roundoff * cancellation;
   }
   const CertifiedDeterminant det = factor<N>(a.data(), n, n, {relative_error, 0}, row_of.data());
-  return certified_sign(det, power_of_two(unit_exponent));
+  return certified_sign(det, {flat, points, n, q, true}, grid, scale_exponent);
 }
 
 }  // namespace detail
@@ -286,7 +296,7 @@ std::optional<Sign> direct_orientation(const Flat& flat, const double* const* po
     sign = detail::orientation_by_minors<K>(flat, points, base, grid);
   else
     sign = detail::orientation_by_elimination<K>(flat, points, base, grid);
-  return sign ? sign : double_double_orientation(flat, points, base, grid);
+  return sign ? sign : double_double_orientation(flat, points, base);
 }
 
 /// The sign of det(p_i − q, |p_i − q|² − w_i + w_q), i = 0 … k, all weights 0 for points without; nullopt
@@ -299,7 +309,7 @@ std::optional<Sign> direct_sphere(const Flat& flat, const double* const* points,
     sign = detail::sphere_by_minors<K>(flat, points, q, grid);
   else
     sign = detail::sphere_by_elimination<K>(flat, points, q, grid);
-  return sign ? sign : double_double_sphere(flat, points, q, grid);
+  return sign ? sign : double_double_sphere(flat, points, q);
 }
 
 /// The sign of the determinant of N rows of `row_size` doubles, restricted to N columns `axes`; nullopt when

@@ -6,6 +6,7 @@
 #include "kernel/double_double_stage.hpp"
 
 #include "base/compiled_dimension.hpp"
+#include "kernel/determinant_grid.hpp"
 #include "kernel/direct.hpp"
 #include "kernel/double_double.hpp"
 #include "kernel/minors.hpp"
@@ -82,8 +83,7 @@ int fill(Rows& rows, std::size_t r, int axis, const double* const* points, const
   return exponent;
 }
 
-std::optional<Sign> orientation_by_minors(const Flat& flat, const double* const* points, const double* base,
-                                          const Grid& grid) {
+std::optional<Sign> orientation_by_minors(const Flat& flat, const double* const* points, const double* base) {
   Rows rows(flat.axes.size());
   if (rows.n == 0 || rows.n > most_columns) return std::nullopt;
   double largest[most_columns];
@@ -92,24 +92,23 @@ std::optional<Sign> orientation_by_minors(const Flat& flat, const double* const*
     if (largest[r] == 0) return Sign::zero;  // binary64 differences vanish only when they are exactly zero
     if (!(largest[r] < largest_difference)) return std::nullopt;
   }
-  std::int64_t unit_exponent = 0;
+  std::int64_t unit_exponent = determinant_exponent(flat, points, rows.n, base, false);
   for (std::size_t r = 0; r < rows.n; ++r)
-    unit_exponent += grid.exponent(flat.axes[r]) - fill(rows, r, flat.axes[r], points, base, largest[r]);
+    unit_exponent -= fill(rows, r, flat.axes[r], points, base, largest[r]);
   return sign_of(rows, 0, unit_exponent);
 }
 
-std::optional<Sign> sphere_by_minors(const Flat& flat, const double* const* points, const double* q,
-                                     const Grid& grid) {
+std::optional<Sign> sphere_by_minors(const Flat& flat, const double* const* points, const double* q) {
   const std::size_t k = flat.axes.size();
   Rows rows(k + 1);
   if (rows.n > most_columns) return std::nullopt;
-  std::int64_t unit_exponent = grid.lift_exponent();
+  std::int64_t unit_exponent = determinant_exponent(flat, points, rows.n, q, true);
   for (std::size_t r = 0; r < k; ++r) {
     const int axis = flat.axes[r];
     const double largest = extent(rows.n, axis, points, q);
     if (largest == 0) return Sign::zero;  // binary64 differences vanish only when they are exactly zero
     if (!(largest < largest_difference)) return std::nullopt;
-    unit_exponent += grid.exponent(axis) - fill(rows, r, axis, points, q, largest);
+    unit_exponent -= fill(rows, r, axis, points, q, largest);
   }
   double largest = 0;
   for (int j = 0; j < flat.ambient; ++j) largest = std::max(largest, extent(rows.n, j, points, q));
@@ -140,15 +139,14 @@ std::optional<Sign> sphere_by_minors(const Flat& flat, const double* const* poin
 }  // namespace
 
 std::optional<Sign> double_double_orientation(const Flat& flat, const double* const* points,
-                                              const double* base, const Grid& grid) {
-  const auto sign = orientation_by_minors(flat, points, base, grid);
-  return sign ? sign : scaled_orientation(flat, points, base, grid);
+                                              const double* base) {
+  const auto sign = orientation_by_minors(flat, points, base);
+  return sign ? sign : scaled_orientation(flat, points, base);
 }
 
-std::optional<Sign> double_double_sphere(const Flat& flat, const double* const* points, const double* q,
-                                         const Grid& grid) {
-  const auto sign = sphere_by_minors(flat, points, q, grid);
-  return sign ? sign : scaled_sphere(flat, points, q, grid);
+std::optional<Sign> double_double_sphere(const Flat& flat, const double* const* points, const double* q) {
+  const auto sign = sphere_by_minors(flat, points, q);
+  return sign ? sign : scaled_sphere(flat, points, q);
 }
 
 }  // namespace delone::kernel

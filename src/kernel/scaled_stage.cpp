@@ -5,6 +5,7 @@
 #include "kernel/scaled_stage.hpp"
 
 #include "kernel/determinant.hpp"
+#include "kernel/determinant_grid.hpp"
 #include "kernel/direct.hpp"
 #include "kernel/double_double.hpp"
 #include "kernel/optimal_scaling.hpp"
@@ -288,19 +289,17 @@ std::optional<Sign> homogeneous_sign(const Flat& flat, const double* const* poin
 
 }  // namespace
 
-std::optional<Sign> scaled_orientation(const Flat& flat, const double* const* points, const double* base,
-                                       const Grid& grid) {
+std::optional<Sign> scaled_orientation(const Flat& flat, const double* const* points, const double* base) {
   const std::size_t k = flat.axes.size();
   if (k < 2 || k > most - 1) return std::nullopt;
   const double* all[most + 1];
   std::copy_n(points, k, all);
   all[k] = base;
   double axis_scale[most];
-  std::int64_t unit_exponent = 0;
+  const std::int64_t unit_exponent = determinant_exponent(flat, points, k, base, false);
   bool fits = true;
   for (std::size_t r = 0; r < k; ++r) {
     const int axis = flat.axes[r];
-    unit_exponent += grid.exponent(axis);
     double largest = 0;
     for (std::size_t i = 0; i < k; ++i) largest = std::max(largest, std::fabs(points[i][axis] - base[axis]));
     if (largest == 0) return Sign::zero;
@@ -322,8 +321,7 @@ std::optional<Sign> scaled_orientation(const Flat& flat, const double* const* po
   return homogeneous_sign(flat, points, base, unit_exponent);
 }
 
-std::optional<Sign> scaled_sphere(const Flat& flat, const double* const* points, const double* q,
-                                  const Grid& grid) {
+std::optional<Sign> scaled_sphere(const Flat& flat, const double* const* points, const double* q) {
   const std::size_t k = flat.axes.size(), n = k + 1;
   if (k < 1 || n > most) return std::nullopt;
   const double* all[most + 1];
@@ -335,10 +333,9 @@ std::optional<Sign> scaled_sphere(const Flat& flat, const double* const* points,
     return largest;
   };
   double axis_scale[most];
-  std::int64_t unit_exponent = grid.lift_exponent();
+  const std::int64_t unit_exponent = determinant_exponent(flat, points, n, q, true);
   for (std::size_t r = 0; r < k; ++r) {
     const int axis = flat.axes[r];
-    unit_exponent += grid.exponent(axis);
     const double largest = extent(axis);
     if (largest == 0) return Sign::zero;
     if (!(largest < largest_difference)) return std::nullopt;

@@ -6,7 +6,6 @@
 #pragma once
 
 #include "kernel/flat.hpp"
-#include "kernel/grid.hpp"
 
 #include <delone/types.hpp>
 
@@ -15,12 +14,10 @@
 namespace delone::kernel {
 
 /// The sign of det(p_i − base), i < k, over the axes of the flat; nullopt if the sign is uncertain or k > 11.
-std::optional<Sign> scaled_orientation(const Flat& flat, const double* const* points, const double* base,
-                                       const Grid& grid);
+std::optional<Sign> scaled_orientation(const Flat& flat, const double* const* points, const double* base);
 
 /// The sign of det(p_i − q, |p_i − q|² − w_i + w_q), i = 0 … k, all weights 0 for points without; nullopt if
 /// the sign is uncertain or k > 11.
-std::optional<Sign> scaled_sphere(const Flat& flat, const double* const* points, const double* q,
-                                  const Grid& grid);
+std::optional<Sign> scaled_sphere(const Flat& flat, const double* const* points, const double* q);
 
 }  // namespace delone::kernel

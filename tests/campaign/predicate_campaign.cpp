@@ -212,9 +212,7 @@ void Campaign::spheres(const Simplex<Int>& truth, const std::vector<Row>& simple
       const Sign of_run_time = kernel::in_sphere<0>(flat, points.data(), q, fine, counts_of_fine);
       tally_.check(kind, stage_of(counts_of_fine), of_run_time, side);
       tally_.check(kind, Stage::exact, kernel::exact_sphere(flat, points.data(), q), determinant);
-      tally_.check(kind, Stage::double_double, kernel::double_double_sphere(flat, points.data(), q, coarse),
-                   determinant);
-      tally_.check(kind, Stage::double_double, kernel::double_double_sphere(flat, points.data(), q, fine),
+      tally_.check(kind, Stage::double_double, kernel::double_double_sphere(flat, points.data(), q),
                    determinant);
     }
     if constexpr (kernel::tabulates_minors<K + 1>) {
@@ -293,7 +291,7 @@ void Campaign::facets(const Simplex<Int>& truth, const std::vector<const double*
       tally_.check(Kind::orientation, Stage::exact, kernel::exact_orientation(flat, simplex.data(), q),
                    from_query);
       tally_.check(Kind::orientation, Stage::double_double,
-                   kernel::double_double_orientation(flat, simplex.data(), q, fine), from_query);
+                   kernel::double_double_orientation(flat, simplex.data(), q), from_query);
     }
     const bool is_vertex = std::any_of(simplex.begin(), simplex.end() - 1,
                                        [&](const double* p) { return kernel::equal_points(p, q, ambient); });

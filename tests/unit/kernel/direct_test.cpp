@@ -4,11 +4,13 @@
 
 #include "base/random.hpp"
 #include "kernel/exact.hpp"
+#include "kernel/stages.hpp"
 #include "row_case.hpp"
 #include "scale.hpp"
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <optional>
@@ -32,6 +34,40 @@ TEST(DirectStage, ProvesZerosOnIntegers) {
       RowForm::point, 2,
       {0, 0, std::ldexp(3, -500), 0, std::ldexp(3, -500), std::ldexp(5, -500), 0, std::ldexp(5, -500)});
   EXPECT_EQ(direct_sphere<2>(scaled.flat(), scaled.rows.data(), scaled.q(), scaled.grid), Sign::zero);
+}
+
+/// Signs of points with small integers, in a set that also has points of full precision.
+template <int K>
+void expect_integers_are_decided(RowForm form) {
+  random::Generator generator(K);
+  std::size_t zeros = 0;
+  for (std::size_t round = 0; round < test::scaled_count(300); ++round) {
+    std::vector<double> x;
+    for (int i = 0; i < (K + 2) * (K + (form == RowForm::weighted_point ? 1 : 0)); ++i)
+      x.push_back(static_cast<double>(generator.below(3)));
+    RowCase c(form, K, std::move(x));
+    const std::vector<double> fine(static_cast<std::size_t>(c.flat().row_size()), 1.0 / 3);
+    c.grid.include(fine.data());
+    const auto orientation = direct_orientation<K>(c.flat(), c.rows.data() + 1, c.rows[0], c.grid);
+    ASSERT_EQ(orientation, exact_orientation(c.flat(), c.rows.data() + 1, c.rows[0]));
+    if (std::any_of(c.rows.begin(), c.rows.end() - 1,
+                    [&](const double* row) { return equal_points(row, c.q(), c.ambient); }))
+      continue;
+    const auto side = direct_sphere<K>(c.flat(), c.rows.data(), c.q(), c.grid);
+    ASSERT_EQ(side, exact_sphere(c.flat(), c.rows.data(), c.q()));
+    zeros += orientation == Sign::zero && side == Sign::zero ? 1 : 0;
+  }
+  EXPECT_GT(zeros, 0u);
+}
+
+TEST(DirectStage, ProvesZerosOnIntegersBesidePointsOfFullPrecision) {
+  for (const RowForm form : {RowForm::point, RowForm::weighted_point, RowForm::furthest_point}) {
+    expect_integers_are_decided<2>(form);
+    expect_integers_are_decided<3>(form);
+    expect_integers_are_decided<5>(form);
+    expect_integers_are_decided<6>(form);
+    expect_integers_are_decided<8>(form);
+  }
 }
 
 TEST(DirectStage, PassesOnWhatItCannotKnow) {

@@ -128,9 +128,9 @@ void expect_stages_agree(std::size_t rounds) {
                         random_rows(kind, K + 2, ambient, form == RowForm::weighted_point, generator), axes);
         const Flat flat = c.flat();
         orientations.count(kind, exact_orientation(flat, c.rows.data(), c.q()), binary64_orientation<K>(c),
-                           double_double_orientation(flat, c.rows.data(), c.q(), c.grid));
+                           double_double_orientation(flat, c.rows.data(), c.q()));
         spheres.count(kind, exact_sphere(flat, c.rows.data(), c.q()), binary64_sphere<K>(c),
-                      double_double_sphere(flat, c.rows.data(), c.q(), c.grid));
+                      double_double_sphere(flat, c.rows.data(), c.q()));
       }
     for (const Decided& decided : {orientations, spheres}) {
       EXPECT_GT(decided.by_both, 0u);
@@ -158,14 +158,14 @@ TEST(DoubleDoubleStage, PairsProveZerosOnLargeLattices) {
   const RowCase c(RowForm::point, 3,
                   {r, 0, 0, 0, -r, 0, 0, 0, r, r * 3 / 5, r * 4 / 5, 0, 0, r * 3 / 5, r * 4 / 5});
   EXPECT_EQ(detail::sphere_by_minors<3>(c.flat(), c.rows.data(), c.q(), c.grid), std::nullopt);
-  EXPECT_EQ(double_double_sphere(c.flat(), c.rows.data(), c.q(), c.grid), Sign::zero);
+  EXPECT_EQ(double_double_sphere(c.flat(), c.rows.data(), c.q()), Sign::zero);
 }
 
 TEST(DoubleDoubleStage, PairsTakeNoMoreThanTwelveColumns) {
   const std::vector<double> rows(static_cast<std::size_t>(14 * 12), 0.5);
   const RowCase c(RowForm::point, 12, rows);
-  EXPECT_EQ(double_double_orientation(c.flat(), c.rows.data(), c.q(), c.grid), std::nullopt);
-  EXPECT_EQ(double_double_sphere(c.flat(), c.rows.data(), c.q(), c.grid), std::nullopt);
+  EXPECT_EQ(double_double_orientation(c.flat(), c.rows.data(), c.q()), std::nullopt);
+  EXPECT_EQ(double_double_sphere(c.flat(), c.rows.data(), c.q()), std::nullopt);
 }
 
 }  // namespace

@@ -68,9 +68,9 @@ TEST(ScaledStage, AgreesWithIntegersOnClusters) {
         if (is_degenerate) make_degenerate(rows, rows.size() / static_cast<std::size_t>(k + 2), generator);
         const RowCase c(form, k, rows);
         Decided& decided = is_degenerate ? degenerate : general;
-        decided.count(scaled_orientation(c.flat(), c.rows.data(), c.q(), c.grid),
+        decided.count(scaled_orientation(c.flat(), c.rows.data(), c.q()),
                       exact_orientation(c.flat(), c.rows.data(), c.q()));
-        decided.count(scaled_sphere(c.flat(), c.rows.data(), c.q(), c.grid),
+        decided.count(scaled_sphere(c.flat(), c.rows.data(), c.q()),
                       exact_sphere(c.flat(), c.rows.data(), c.q()));
       }
       EXPECT_GE(general.decided * 10, general.cases * 9) << k;
@@ -86,9 +86,9 @@ TEST(ScaledStage, AgreesWithIntegersOnAllMagnitudes) {
       for (std::size_t round = 0; round < test::scaled_count(k < 8 ? 12 : 4); ++round) {
         const RowCase c(RowForm::point, k,
                         random_numbers(static_cast<std::size_t>(k * (k + 2)), kind, generator));
-        orientations.count(scaled_orientation(c.flat(), c.rows.data(), c.q(), c.grid),
+        orientations.count(scaled_orientation(c.flat(), c.rows.data(), c.q()),
                            exact_orientation(c.flat(), c.rows.data(), c.q()));
-        spheres.count(scaled_sphere(c.flat(), c.rows.data(), c.q(), c.grid),
+        spheres.count(scaled_sphere(c.flat(), c.rows.data(), c.q()),
                       exact_sphere(c.flat(), c.rows.data(), c.q()));
       }
       if (kind == 4) {
@@ -122,7 +122,7 @@ TEST(ScaledStage, ClaimsNothingWrongOfDeterminantsAtMostOne) {
       const RowCase c(RowForm::point, k, rows);
       const Sign truth = exact_orientation(c.flat(), c.rows.data(), c.q());
       ASSERT_EQ(truth == Sign::zero, round % 3 == 0);
-      decided.count(scaled_orientation(c.flat(), c.rows.data(), c.q(), c.grid), truth);
+      decided.count(scaled_orientation(c.flat(), c.rows.data(), c.q()), truth);
     }
     EXPECT_LT(decided.decided, decided.cases) << k;
   }
