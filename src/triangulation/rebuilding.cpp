@@ -95,9 +95,9 @@ void Triangulation::Impl::Editing::build_anew() {
     insert_others(others, rounds, on_placed);
   }
   merge_equal(equal);
-  // Sorted now, where several threads might have made the cells: a sort_cells() after the edit would drop
-  // changes() and what undo() takes back.
-  if (impl_.engine && impl_.engine->shares_batches_of(others.size())) {
+  impl_.has_ids_of_threads = impl_.engine && impl_.engine->shares_batches_of(others.size());
+  if (impl_.has_ids_of_threads && (impl_.records_changes || impl_.records_undo)) {
+    // A sort_cells() after the edit would drop both records.
     impl_.engine->sort_cells(internal::threads_to_use(impl_.options.threads));
     impl_.has_ids_of_threads = false;
   }
