@@ -124,9 +124,9 @@ class TriangulationEngine : public TriangulationQueries {
   /// of the new point, if they change little. Returns false if they do not; then no cell has changed, and
   /// renew() has to be called as soon as the point is the old one.
   virtual bool settle(Index v, Index cell) = 0;
-  /// The same after any vertices have moved, in another frame if there is one. If it returns false,
-  /// renew_all() has to be called.
-  virtual bool settle_all(std::optional<geometry::Frame> frame) = 0;
+  /// The same after any vertices have moved, in another frame if there is one, in up to `threads` threads
+  /// (Options::threads). If it returns false, renew_all() has to be called.
+  virtual bool settle_all(std::optional<geometry::Frame> frame, unsigned threads) = 0;
   /// The cells that settle() has made; some of them may have gone again.
   virtual std::span<const Index> made_by_settling() const = 0;
   /// Says that a vertex that is in no cell, or whose cells will be renewed, has got another point.

@@ -99,14 +99,14 @@ class TriangulationEngineOfDimension final : public TriangulationEngine {
     geometry().rewrite_row(v);
     return edits().settling.settle(v, cell);
   }
-  bool settle_all(std::optional<geometry::Frame> frame) override {
+  bool settle_all(std::optional<geometry::Frame> frame, unsigned threads) override {
     need_functionals();
     auto& settling = edits().settling;
     if (frame)
       geometry().set_frame(std::move(*frame), points_.last_vertex());
     else
       geometry().rewrite_rows(points_.last_vertex());
-    return settling.settle_all([this] { return query_inside(); });
+    return settling.settle_all(threads, [this] { return query_inside(); });
   }
   std::span<const Index> made_by_settling() const override { return edits_->settling.created(); }
   void rewrite_row(Index v) noexcept override { geometry().rewrite_row(v); }

@@ -447,10 +447,7 @@ class ParallelInsertion {
       const Effort& effort = worker->effort();
       parts_.effort.created_cells += effort.created_cells;
       parts_.effort.visited_cells += effort.visited_cells;
-      parts_.effort.stages.filter += effort.stages.filter;
-      parts_.effort.stages.direct += effort.stages.direct;
-      parts_.effort.stages.exact += effort.stages.exact;
-      parts_.effort.stages.perturbed += effort.stages.perturbed;
+      parts_.effort.stages += effort.stages;
       parts_.num_infinite += static_cast<Index>(worker->num_more_infinite());
     }
     parts_.last_cell = 0;

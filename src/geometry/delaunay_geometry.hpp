@@ -175,6 +175,8 @@ class DelaunayGeometry : public PointPredicates<K> {
   }
   /// The row of a vertex: k images and the lift.
   void write_row_of(Index v, double* row) const { write_row(point(v), row); }
+  /// Prefetches what write_row_of() and value_at() read of a vertex.
+  [[gnu::always_inline]] void prefetch_row(Index v) const { rows().prefetch(v, dimension()); }
   /// The functional of a cell at a vertex.
   double value_at(Index cell, Index v) const {
     const auto row = rows().template row<K>(v, dimension());

@@ -2,6 +2,7 @@
 #include "triangulation/editing.hpp"
 
 #include "base/build_limits.hpp"
+#include "base/compiler.hpp"
 #include "base/require_finite.hpp"
 
 #include <algorithm>
@@ -201,7 +202,8 @@ void Triangulation::Impl::Editing::plan() {
   const std::size_t first_row = impl_.vertex_of_row.size();
   impl_.vertex_of_row.resize(first_row + num_inserted, invalid_vertex);
   for (std::size_t i = 0; i < num_inserted; ++i) {
-    placements_.push_back({invalid_index, first_row + i, points_.size() / impl_.row_size(), invalid_index});
+    const auto row = static_cast<Index>(first_row + i);
+    placements_.push_back({invalid_index, row, next_point(), invalid_index});
     add_point(edits_.insert.subspan(i * d, d), impl_.weighted() ? edits_.insert_weights[i] : 0);
   }
 }
@@ -220,17 +222,23 @@ void Triangulation::Impl::Editing::plan_moves() {
     const Index v = index(impl_.vertex_of_row[row]);
     const double* const before = impl_.points.point(v);
     if (std::equal(to.begin(), to.end(), before) && (!impl_.weighted() || weight == before[d])) return;
-    const std::size_t number = points_.size() / impl_.row_size();
+    const Index number = next_point();
     add_point(to, weight);
     if (impl_.known_shared_rows().has_several(v)) {
       impl_.detach(row);
-      placements_.push_back({invalid_index, row, number, v});
+      placements_.push_back({invalid_index, static_cast<Index>(row), number, v});
       return;
     }
-    if (impl_.is_visible(v)) leaving_.push_back({v, placements_.size()});
-    placements_.push_back({v, row, number, invalid_index});
+    if (impl_.is_visible(v)) leaving_.push_back({v, static_cast<Index>(placements_.size())});
+    placements_.push_back({v, static_cast<Index>(row), number, invalid_index});
   };
+  constexpr std::size_t ahead = 16;
   for (std::size_t i = 0; i < edits_.move.size(); ++i) {
+    if (i + ahead < edits_.move.size()) {
+      const Index soon = index(impl_.vertex_of_row[edits_.move[i + ahead]]);
+      prefetch(impl_.points.point(soon));
+      prefetch(impl_.cell_of_vertex.data() + soon);
+    }
     const std::size_t row = edits_.move[i];
     double weight = impl_.weighted() ? impl_.points.point(index(impl_.vertex_of_row[row]))[d] : 0;
     if (const auto found = find(row); found != weighed.end()) {

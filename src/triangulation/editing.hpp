@@ -38,18 +38,18 @@ class Triangulation::Impl::Editing {
  private:
   /// A vertex that is to be placed at a point: with a new id and row, or with the id that it has.
   struct Placement {
-    Index vertex;       ///< invalid_index for one that gets its id when its turn comes
-    std::size_t row;    ///< if it does
-    std::size_t point;  ///< number in points_
-    Index near;         ///< a vertex that was a neighbor, or invalid_index
+    Index vertex;  ///< invalid_index for one that gets its id when its turn comes
+    Index row;     ///< if it does
+    Index point;   ///< number in points_
+    Index near;    ///< a vertex that was a neighbor, or invalid_index
   };
 
   /// A vertex that was visible and goes or moves.
   struct Leaving {
     Index vertex;
-    std::size_t placement;  ///< where it goes, or none
+    Index placement;  ///< where it goes, or none
   };
-  static constexpr std::size_t none = static_cast<std::size_t>(-1);
+  static constexpr Index none = invalid_index;
 
   void require_rows(const char* list, std::span<const std::size_t> rows) const;
   void require_disjoint(const char* list, std::span<const std::size_t> rows) const;
@@ -58,6 +58,8 @@ class Triangulation::Impl::Editing {
   void plan();
   void plan_moves();
   void add_point(std::span<const double> coordinates, double weight);
+  /// The number of the point that is added next.
+  Index next_point() const { return static_cast<Index>(points_.size() / impl_.row_size()); }
   const double* point(const Placement& placement) const {
     return points_.data() + placement.point * impl_.row_size();
   }

@@ -2,6 +2,8 @@
 // The part of an edit that leaves vertices where they are in the cells: they move little.
 #include "triangulation/editing.hpp"
 
+#include "base/compiler.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
@@ -71,9 +73,13 @@ void Triangulation::Impl::Editing::settle_all() {
   record_->engine_has_log = true;
   record_->has_settled = record_->needs_all_renewed = true;
   const std::size_t first = record_->moved.size();
-  for (const Leaving& leaving : leaving_)
-    if (moves(leaving)) set_point(leaving.vertex, point(placements_[leaving.placement]));
-  if (!impl_.engine->settle_all(std::move(frame))) {  // so much moves that all will be built anew
+  constexpr std::size_t ahead = 16;
+  for (std::size_t i = 0; i < leaving_.size(); ++i) {
+    if (i + ahead < leaving_.size()) prefetch(impl_.points.point(leaving_[i + ahead].vertex));
+    if (moves(leaving_[i])) set_point(leaving_[i].vertex, point(placements_[leaving_[i].placement]));
+  }
+  if (!impl_.engine->settle_all(std::move(frame),
+                                impl_.options.threads)) {  // so much moves that all will be built anew
     restore_points(first);
     return;
   }
@@ -112,8 +118,8 @@ void Triangulation::Impl::Editing::settle_some() {
     tick();
   }
   if (done_ == 0) return;
-  std::vector<std::size_t> new_places(placements_.size(), none);
-  std::size_t count = 0;
+  std::vector<Index> new_places(placements_.size(), none);
+  Index count = 0;
   for (std::size_t i = 0; i < placements_.size(); ++i) {
     if (is_settled[i] != 0) continue;
     new_places[i] = count;

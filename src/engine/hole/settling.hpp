@@ -12,16 +12,16 @@
 // each other, and it is convex since it is at every ridge.
 #pragma once
 
+#include "base/parallel_parts.hpp"
 #include "base/progress_meter.hpp"
 #include "engine/build.hpp"
+#include "engine/hole/moved_cells.hpp"
 
 #include <algorithm>
-#include <array>
-#include <cmath>
+#include <atomic>
 #include <cstddef>
 #include <cstdint>
 #include <new>
-#include <numeric>
 #include <optional>
 #include <span>
 #include <vector>
@@ -35,35 +35,36 @@ class Settling {
 
  public:
   Settling(Build<K, G>& build, HoleFiller<K, G>& filler)
-      : build_(build), cells_(build.cells()), geometry_(build.geometry()), filler_(filler) {}
+      : build_(build),
+        cells_(build.cells()),
+        geometry_(build.geometry()),
+        filler_(filler),
+        moved_cells_(cells_, geometry_) {}
 
   /// After one vertex has moved, one of whose cells is `cell`. Returns false if it cannot stay where it is in
   /// the cells, as on the hull, or if many of them would change. Then no cell has changed, but the
   /// functionals of its cells are wrong.
   bool settle(Index v, Index cell) {
     made_ = {};
-    if (!find_star(v, cell, false)) return false;
-    if (!create_functionals(true)) return false;
+    bad_.clear();
+    seeds_.clear();
+    if (!find_star(v, cell, false) || !renew_star()) return false;
     find_bad_cells();
     if (2 * seeds_.size() > around_.size()) return false;  // taking the vertex out costs no more
     if (!fill_one_hole()) return false;
     if (!hole_.empty()) made_ = filler_.created();
     return true;
   }
-  /// After any vertices have moved. `find_inside` returns a query in the interior of the hull, or nothing.
-  /// Returns false soon where much has changed.
+  /// After any vertices have moved, in up to `threads` threads (Options::threads). `find_inside` returns a
+  /// query in the interior of the hull, or nothing. Returns false soon where much has changed.
   template <class FindInside>
-  bool settle_all(FindInside&& find_inside) {
+  bool settle_all(unsigned threads, FindInside&& find_inside) {
+    bad_.clear();
+    seeds_.clear();
     created_.clear();
-    std::vector<Index> all;
-    all.reserve(cells_.num_cells());
-    for (Index cell = 0; cell < cells_.num_slots(); ++cell)
-      if (!cells_.is_vacant(cell)) all.push_back(cell);
-    if (!is_promising(all)) return false;
-    around_ = std::move(all);
-    create_functionals(false);
-    find_bad_cells();
-    if (!fill_holes() || !covers_once(find_inside)) return false;
+    if (!is_promising()) return false;
+    find_all_bad_cells(threads);
+    if (!fill_holes() || !covers_once(threads, find_inside)) return false;
     made_ = created_;
     return true;
   }
@@ -82,7 +83,9 @@ class Settling {
 
  private:
   enum State : std::uint32_t { is_bad, is_in_hole, is_new };
-  static constexpr std::size_t batch_size = 64;
+  static constexpr std::size_t batch_size = MovedCells<K, G>::batch_size;
+  /// Threads take so many slots of cells at a time.
+  static constexpr std::size_t slots_per_part = 8192;
 
   int dimension() const { return cells_.dimension(); }
   std::size_t width() const { return static_cast<std::size_t>(dimension()) + 1; }
@@ -106,110 +109,89 @@ class Settling {
     return true;
   }
 
-  /// Computes what is cached for the cells, and notes those that are not positively oriented. Returns false
-  /// if there are any, and none are wanted.
-  bool create_functionals(bool only_positive) {
-    bad_.clear();
-    inverted_.clear();
-    seeds_.clear();
-    const auto judge = [&](Index cell, Sign orientation) {
-      if (orientation == Sign::zero) {
-        const auto vertices = cells_.vertices(cell);
-        orientation = geometry_.orientation(vertices);
-      }
-      if (orientation == Sign::positive) return true;
-      inverted_.insert(cell, 0);
-      add_bad(cell);
-      return false;
-    };
-    const std::size_t width = this->width();
-    std::array<Index, batch_size> batch;
-    std::array<Sign, batch_size> orientations;
-    rows_.resize(batch_size * width * width);
-    if (simplices_.size() != batch_size || numbers_.size() != batch_size * width) {
-      numbers_.resize(batch_size * width);
-      std::iota(numbers_.begin(), numbers_.end(), Index{0});
-      simplices_.clear();
-      for (std::size_t i = 0; i < batch_size; ++i) simplices_.push_back(numbers_.data() + i * width);
+  /// Returns false if a cell of the star is not positively oriented.
+  bool renew_star() {
+    bool are_positive = true;
+    for (std::size_t i = 0; i < around_.size() && are_positive; i += batch_size) {
+      internal::cancellation_point();
+      const std::size_t count = std::min(batch_size, around_.size() - i);
+      moved_cells_.renew({around_.data() + i, count}, [&](Index) { are_positive = false; });
     }
-    std::size_t count = 0;
-    const auto create_batch = [&] {
-      geometry_.create_from_rows({batch.data(), count}, {simplices_.data(), count}, rows_.data(),
-                                 orientations.data());
-      bool are_positive = true;
-      for (std::size_t i = 0; i < count; ++i) {
-        if (orientations[i] == Sign::zero) {
-          const auto vertices = cells_.vertices(batch[i]);
-          orientations[i] = geometry_.create(batch[i], vertices, -1, 0);
-        }
-        are_positive = judge(batch[i], orientations[i]) && are_positive;
-      }
-      count = 0;
-      return are_positive;
-    };
-    for (const Index cell : around_) {
-      if (++calls_ % 1024 == 0) internal::cancellation_point();
-      const auto vertices = cells_.vertices(cell);
-      const Index* const v = vertices;
-      if (geometry_.is_infinite(cell)) {
-        const int infinite_slot = cells_.infinite_slot(cell);
-        geometry_.create(cell, v, infinite_slot, infinite_slot == 0 ? 1 : 0);
-        continue;
-      }
-      double* row = rows_.data() + count * width * width;
-      for (std::size_t i = 0; i < width; ++i, row += width) geometry_.write_row_of(v[i], row);
-      batch[count++] = cell;
-      if (count == batch_size && !create_batch() && only_positive) return false;
-    }
-    return create_batch() || !only_positive;
-  }
-  /// Whether few of some cells, evenly spaced, are bad: else building anew costs less.
-  bool is_promising(std::span<const Index> all) {
-    constexpr std::size_t most = 1024, one_in = 8;
-    around_.clear();
-    for (std::size_t i = 0, step = all.size() / most + 1; i < all.size(); i += step)
-      around_.push_back(all[i]);
-    create_functionals(false);
-    std::size_t num_bad = 0;
-    for (const Index cell : around_) {
-      bool is_good = !inverted_.contains(cell);
-      for (int slot = 0; slot <= dimension() && is_good; ++slot)
-        is_good = is_locally_delaunay(cell, cells_.neighbors(cell)[slot]);
-      num_bad += is_good ? 0 : 1;
-    }
-    return num_bad * one_in <= around_.size();
+    return are_positive;
   }
   void add_bad(Index cell) {
     if (bad_.insert(cell, is_bad).second) seeds_.push_back(cell);
   }
+  void add_bad(const FacetToTest& facet) {
+    add_bad(facet.cell);
+    add_bad(facet.neighbor);
+  }
+  bool is_locally_delaunay(const FacetToTest& facet) {
+    return facet.apex == index(infinite_vertex) ||
+           moved_cells_.is_locally_delaunay(facet, build_.effort().stages);
+  }
 
-  /// The cells on both sides of facets where they are not locally Delaunay.
+  /// The cells on both sides of facets where those of the star are not locally Delaunay.
   void find_bad_cells() {
     for (const Index cell : around_) {
       if (++calls_ % 1024 == 0) internal::cancellation_point();
       for (int slot = 0; slot <= dimension(); ++slot) {
         const Index neighbor = cells_.neighbors(cell)[slot];
-        const bool is_twin = is_around(neighbor);
-        if (is_twin && neighbor < cell) continue;
-        if (is_locally_delaunay(cell, neighbor)) continue;
-        add_bad(cell);
-        add_bad(neighbor);
+        if (neighbor < cell && around_set_.contains(neighbor)) continue;
+        if (const FacetToTest facet = moved_cells_.facet_to(cell, neighbor); !is_locally_delaunay(facet))
+          add_bad(facet);
       }
     }
   }
-  bool is_around(Index cell) const {
-    return around_.size() == cells_.num_cells() || around_set_.contains(cell);
+
+  /// Whether few of some cells, evenly spaced, are bad: else building anew costs less.
+  bool is_promising() {
+    constexpr std::size_t most = 1024, one_in = 8;
+    std::size_t num_tested = 0, num_bad = 0;
+    const std::size_t step = cells_.num_slots() / most + 1;
+    for (std::size_t slot = 0; slot < cells_.num_slots(); slot += step) {
+      const auto cell = static_cast<Index>(slot);
+      if (cells_.is_vacant(cell)) continue;
+      bool is_good = true;
+      moved_cells_.renew({&cell, 1}, [&](Index) { is_good = false; });
+      for (int i = 0; i <= dimension() && is_good; ++i)
+        is_good = is_locally_delaunay(moved_cells_.facet_to(cell, cells_.neighbors(cell)[i]));
+      ++num_tested;
+      num_bad += is_good ? 0 : 1;
+    }
+    return num_bad * one_in <= num_tested;
   }
 
-  bool is_locally_delaunay(Index cell, Index neighbor) {
-    if (inverted_.size() != 0 && inverted_.contains(cell)) std::swap(cell, neighbor);
-    const Index apex = cells_.vertex(neighbor, cells_.slot_of_neighbor(neighbor, cell));
-    if (apex == index(infinite_vertex)) return true;
-    const double value = geometry_.value_at(cell, apex);
-    if (std::fabs(value) > geometry_.threshold(cell)) [[likely]]
-      return value > 0;
-    if (inverted_.size() != 0 && inverted_.contains(cell)) return false;
-    return is_outside_exactly(cells_, geometry_, cell, apex, build_.effort().stages);
+  /// Renews all cells, and finds those that are not positively oriented, and those on both sides of facets
+  /// where they are not locally Delaunay.
+  void find_all_bad_cells(unsigned threads) {
+    struct Found {
+      std::vector<Index> inverted;
+      std::vector<FacetToTest> bad;
+      StageCounts counts;
+    };
+    std::vector<Found> found(cells_.num_slots() / slots_per_part + 1);
+    internal::work_in_parts(threads, cells_.num_slots(), slots_per_part, [&] {
+      return [&, of_thread = MovedCellsOfThread<K, G>(cells_, geometry_)](
+                 std::size_t first, std::size_t last, const internal::StopPoint& stop) mutable {
+        Found& part = found[first / slots_per_part];
+        of_thread.cells.renew_slots(first, last, part.inverted, part.bad, part.counts, stop);
+      };
+    });
+    for (const Found& part : found)
+      for (const Index cell : part.inverted) add_bad(cell);
+    const std::size_t num_inverted = seeds_.size();
+    for (const Found& part : found) {
+      for (const FacetToTest& facet : part.bad) add_bad(facet);
+      build_.effort().stages += part.counts;
+    }
+    // Facets of cells that are not positively oriented are tested from the other side.
+    for (std::size_t i = 0; i < num_inverted; ++i)
+      for (int slot = 0; slot <= dimension(); ++slot) {
+        const Index neighbor = cells_.neighbors(seeds_[i])[slot];
+        if (!bad_.contains(neighbor) && !is_locally_delaunay(moved_cells_.facet_to(neighbor, seeds_[i])))
+          add_bad(neighbor);
+      }
   }
 
   /// All bad cells make one hole, so that it is filled or nothing changes. It may not reach the hull.
@@ -271,42 +253,56 @@ class Settling {
 
   /// Whether a point is in one finite cell and on the inner side of all infinite ones.
   template <class FindInside>
-  bool covers_once(FindInside&& find_inside) {
+  bool covers_once(unsigned threads, FindInside&& find_inside) {
     const std::optional<Query> found = find_inside();
     if (!found) return false;
     const Query& q = *found;
-    const auto functional = geometry_.evaluator(q);
-    int containing = 0;
-    for (Index cell = 0; cell < cells_.num_slots(); ++cell) {
+    std::atomic<int> num_containing = 0;
+    std::atomic<bool> is_certain = true;
+    internal::for_parts(threads, cells_.num_slots(), slots_per_part,
+                        [&](std::size_t first, std::size_t last, const internal::StopPoint& stop) {
+                          stop();
+                          const std::optional<int> count = count_containing(q, first, last);
+                          if (count)
+                            num_containing += *count;
+                          else
+                            is_certain = false;
+                        });
+    return is_certain && num_containing == 1;
+  }
+  /// How many of the cells in some slots contain q; nothing if it is on the border of one, or on the outer
+  /// side of an infinite one.
+  std::optional<int> count_containing(const Query& q, std::size_t first, std::size_t last) const {
+    const G& geometry = geometry_;
+    const auto functional = geometry.evaluator(q);
+    StageCounts uncounted;
+    int count = 0;
+    for (auto cell = static_cast<Index>(first); cell < last; ++cell) {
       if (cells_.is_vacant(cell) || functional.value(cell) > functional.threshold(cell)) continue;
       const auto vertices = cells_.vertices(cell);
       if (const int slot = cells_.infinite_slot(cell); slot >= 0) {
-        if (geometry_.exact_side(vertices, slot, q, build_.effort().stages) != Sign::positive) return false;
+        if (geometry.exact_side(vertices, slot, q, uncounted) != Sign::positive) return std::nullopt;
         continue;
       }
       Sign least = Sign::positive;
       for (int i = 0; i <= dimension() && least != Sign::negative; ++i)
-        least = std::min(least, geometry_.side_of_facet(vertices, i, q));
-      if (least == Sign::zero) return false;
-      containing += least == Sign::positive ? 1 : 0;
+        least = std::min(least, geometry.side_of_facet(vertices, i, q));
+      if (least == Sign::zero) return std::nullopt;
+      count += least == Sign::positive ? 1 : 0;
     }
-    return containing == 1;
+    return count;
   }
 
   Build<K, G>& build_;
   CellStore<K>& cells_;
   G& geometry_;
   HoleFiller<K, G>& filler_;
-  std::vector<Index> around_;          // the cells of moved vertices
-  internal::StampedTable around_set_;  // the same, unless they are all
+  MovedCells<K, G> moved_cells_;
+  std::vector<Index> around_;          // the cells of a vertex
+  internal::StampedTable around_set_;  // the same
   internal::StampedTable bad_;         // the states of cells
-  internal::StampedTable inverted_;    // not positively oriented
   std::vector<Index> seeds_, hole_, created_;
   std::span<const Index> made_;
-  // Of a batch: the vertices of its cells have numbers one after the other.
-  std::vector<double> rows_;
-  std::vector<Index> numbers_;
-  std::vector<const Index*> simplices_;
   std::size_t calls_ = 0;
 };
 
