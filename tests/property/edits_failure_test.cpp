@@ -10,10 +10,12 @@
 #include <delone/point_sets.hpp>
 
 #include <algorithm>
+#include <cmath>
 #include <cstdint>
 #include <functional>
 #include <limits>
 #include <new>
+#include <numeric>
 #include <span>
 #include <string>
 #include <type_traits>
@@ -502,6 +504,37 @@ TYPED_TEST(Edits, ThatAreBuiltAnewInThreadsWithoutMemory) {
     ASSERT_TRUE(SeenTriangulation(product) == before) << "after " << allowed << " allocations";
   }
   EXPECT_GT(num_failures, 10u);
+}
+
+/// All points move a little.
+TEST(TimeSteps, InThreadsWithoutMemory) {
+  Options options;
+  options.threads = 3;
+  const std::size_t n = 10000;
+  const std::vector<double> points = make_point_set("uniform", 2, n, 5);
+  std::vector<double> moved(points);
+  for (double& x : moved) x += 1e-6 * std::sin(1e6 * x);
+  std::vector<std::size_t> rows(n);
+  std::iota(rows.begin(), rows.end(), std::size_t{0});
+  Delaunay<> t(points, 2, options);
+  const SeenTriangulation before(t);
+  std::size_t num_failures = 0;
+  for (long allowed = 0;; allowed = allowed < 60 ? allowed + 1 : allowed + allowed / 3) {
+    test::left_for_all_threads = allowed;
+    try {
+      t.move(rows, moved);
+    } catch (const Error& error) {
+      test::left_for_all_threads = -1;
+      EXPECT_EQ(error.code(), Errc::out_of_memory) << error.what();
+      ++num_failures;
+      ASSERT_TRUE(SeenTriangulation(t) == before) << "after " << allowed << " allocations";
+      continue;
+    }
+    test::left_for_all_threads = -1;
+    break;
+  }
+  EXPECT_GT(num_failures, 20u);
+  EXPECT_EQ(t.hash(), Delaunay<>(moved, 2).hash());
 }
 
 }  // namespace

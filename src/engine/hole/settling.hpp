@@ -163,7 +163,8 @@ class Settling {
   }
 
   /// Renews all cells, and finds those that are not positively oriented, and those on both sides of facets
-  /// where they are not locally Delaunay.
+  /// where they are not locally Delaunay. A neighbor of a cell of the first kind may be missed; whatever
+  /// fills the hole is tested against it.
   void find_all_bad_cells(unsigned threads) {
     struct Found {
       std::vector<Index> inverted;
@@ -180,18 +181,10 @@ class Settling {
     });
     for (const Found& part : found)
       for (const Index cell : part.inverted) add_bad(cell);
-    const std::size_t num_inverted = seeds_.size();
     for (const Found& part : found) {
       for (const FacetToTest& facet : part.bad) add_bad(facet);
       build_.effort().stages += part.counts;
     }
-    // Facets of cells that are not positively oriented are tested from the other side.
-    for (std::size_t i = 0; i < num_inverted; ++i)
-      for (int slot = 0; slot <= dimension(); ++slot) {
-        const Index neighbor = cells_.neighbors(seeds_[i])[slot];
-        if (!bad_.contains(neighbor) && !is_locally_delaunay(moved_cells_.facet_to(neighbor, seeds_[i])))
-          add_bad(neighbor);
-      }
   }
 
   /// All bad cells make one hole, so that it is filled or nothing changes. It may not reach the hull.
