@@ -44,7 +44,7 @@ STANDARD = {
     "uniform 6D 2e3": ("uniform", 6, 2_000, 50),
     "lattice 4^6": ("lattice", 6, 4_096, 50),
     "uniform 7D 500": ("uniform", 7, 500, 10),
-    "lattice 3^7": ("lattice", 7, 2_187, 10),
+    "lattice 3^7": ("lattice", 7, 2_187, 2),
 }
 MOST_PER_INSERTION = {2: 2, 3: 2, 4: 2, 5: 2, 6: 3}  # removals, by dimension; of others the ratio is only shown
 MOST_OF_A_LATTICE = 3  # times as much as of uniform points
