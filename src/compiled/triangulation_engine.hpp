@@ -127,8 +127,10 @@ class TriangulationEngine : public TriangulationQueries {
   /// The same after any vertices have moved, in another frame if there is one, in up to `threads` threads
   /// (Options::threads). If it returns false, renew_all() has to be called.
   virtual bool settle_all(std::optional<geometry::Frame> frame, unsigned threads) = 0;
-  /// The cells that settle() has made; some of them may have gone again.
+  /// The cells that settling has made; some of them may have gone again.
   virtual std::span<const Index> made_by_settling() const = 0;
+  /// After settle(): the cells that the vertex had, and those that have gone.
+  virtual std::span<const Index> changed_by_settling() const = 0;
   /// Says that a vertex that is in no cell, or whose cells will be renewed, has got another point.
   virtual void rewrite_row(Index v) noexcept = 0;
   /// Computes anew what is cached for the cells of vertex v, unless settle() was never called; or for all

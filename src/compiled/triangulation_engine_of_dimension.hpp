@@ -109,6 +109,7 @@ class TriangulationEngineOfDimension final : public TriangulationEngine {
     return settling.settle_all(threads, [this] { return query_inside(); });
   }
   std::span<const Index> made_by_settling() const override { return edits_->settling.created(); }
+  std::span<const Index> changed_by_settling() const override { return edits_->settling.changed(); }
   void rewrite_row(Index v) noexcept override { geometry().rewrite_row(v); }
   void renew(Index v, Index cell) noexcept override {
     geometry().rewrite_row(v);
@@ -247,9 +248,10 @@ class TriangulationEngineOfDimension final : public TriangulationEngine {
     if (!edits_) edits_ = std::make_unique<Edits>(build_);
     return *edits_;
   }
-  /// A query at a point in the interior of a finite cell. Valid until the next.
+  /// A query at a point in the interior of a finite cell, as heavy as the frame allows. Valid until the next.
   std::optional<Query> query_inside() {
     inside_.assign(static_cast<std::size_t>(points_.ambient) + 1, 0.0);
+    if (points_.weighted()) inside_.back() = frame().high().back();
     for (Index cell = 0, tries = 0; cell < cells().num_slots() && tries < 64; ++cell) {
       if (cells().is_vacant(cell) || cells().infinite_slot(cell) >= 0) continue;
       ++tries;

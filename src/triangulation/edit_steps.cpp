@@ -25,15 +25,7 @@ void exchange_first_two(Index* links, std::size_t corners) {
 /// Returns false as soon as building anew costs less than what is left to do.
 bool Triangulation::Impl::Editing::take_all_out() {
   begin_batch();
-  if (impl_.engine && impl_.may_hide() && !impl_.hidden_points && !leaving_.empty()) find_hidden_points();
-  if (impl_.hidden_points) {
-    const auto take_from_list = [&](Index v) {
-      if (impl_.hidden_points->contains(v)) impl_.hidden_points->remove(v);
-    };
-    for (const Index v : dead_) take_from_list(v);
-    for (const Placement& placement : placements_)
-      if (placement.vertex != invalid_index) take_from_list(placement.vertex);
-  }
+  list_hidden_points();
   for (std::size_t i = 0; i < leaving_.size(); ++i) {
     const Leaving& leaving = leaving_[i];
     tick();
@@ -42,6 +34,18 @@ bool Triangulation::Impl::Editing::take_all_out() {
     if (leaving.placement != none) placements_[leaving.placement].near = *near;
   }
   return true;
+}
+
+/// Where vertices leave, each hidden point that stays is in a list.
+void Triangulation::Impl::Editing::list_hidden_points() {
+  if (impl_.engine && impl_.may_hide() && !impl_.hidden_points && !leaving_.empty()) find_hidden_points();
+  if (!impl_.hidden_points) return;
+  const auto take_from_list = [&](Index v) {
+    if (impl_.hidden_points->contains(v)) impl_.hidden_points->remove(v);
+  };
+  for (const Index v : dead_) take_from_list(v);
+  for (const Placement& placement : placements_)
+    if (placement.vertex != invalid_index) take_from_list(placement.vertex);
 }
 
 /// Every hidden point gets its place in a list.

@@ -13,6 +13,7 @@
 #include "triangulation/triangulation_impl.hpp"
 
 #include <cstddef>
+#include <cstdint>
 #include <functional>
 #include <memory>
 #include <optional>
@@ -71,11 +72,15 @@ class Triangulation::Impl::Editing {
   void settle_all();
   void settle_some();
   bool can_settle(const Placement& placement) const;
+  std::vector<Index> staying_hidden() const;
+  bool meets_hidden(std::span<const Index> hidden) const;
   void restore_points(std::size_t first);
+  void erase_settled(const std::vector<std::uint8_t>& is_settled);
   bool take_all_out();
   std::optional<Index> take_out(Index v);
   void take_out_only_vertex();
   void lower(Index v);
+  void list_hidden_points();
   void find_hidden_points();
   void place_all();
   Index start_near(const double* point, Index near, const double* before);

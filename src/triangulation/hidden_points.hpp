@@ -37,6 +37,14 @@ class HiddenPoints {
   /// How many points are in all lists.
   std::size_t size() const { return size_; }
   bool contains(Index point) const { return point < places_.size() && places_[point].cell != invalid_index; }
+  /// Whether test(point) holds for a point of a cell.
+  template <class Test>
+  bool any_of(Index cell, Test&& test) const {
+    if (cell >= first_.size()) return false;
+    for (Index point = first_[cell]; point != invalid_index; point = places_[point].next)
+      if (test(point)) return true;
+    return false;
+  }
   /// Moves the points of a cell to the end of a list. Throws std::bad_alloc; those that were moved are in the
   /// list then.
   void take(Index cell, std::vector<Index>& points) {

@@ -3,10 +3,12 @@
 #include "triangulation/editing.hpp"
 
 #include "base/compiler.hpp"
+#include "kernel/stages.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -14,10 +16,45 @@
 namespace delone {
 
 /// Whether a vertex may stay where it is in the cells: it has some, and gets a point that neither the
-/// dimension nor the frame has to change for.
+/// dimension nor the frame has to change for, and that no hidden one has, which would keep its id.
 bool Triangulation::Impl::Editing::can_settle(const Placement& placement) const {
-  return placement.vertex != invalid_index && impl_.engine->frame().contains(point(placement)) &&
-         (impl_.affine_hull.dimension() == impl_.dimension || impl_.affine_hull.contains(point(placement)));
+  if (placement.vertex == invalid_index || !impl_.engine->frame().contains(point(placement))) return false;
+  if (impl_.affine_hull.dimension() < impl_.dimension && !impl_.affine_hull.contains(point(placement)))
+    return false;
+  if (!impl_.hidden_points || impl_.hidden_points->size() == 0) return true;
+  const auto is_equal = [&](Index hidden) {
+    return kernel::equal_points(impl_.points.point(hidden), point(placement),
+                                static_cast<int>(impl_.row_size()));
+  };
+  for (const CellId cell : impl_.complex().star(VertexId{placement.vertex}))
+    if (impl_.hidden_points->any_of(index(cell), is_equal)) return false;
+  return true;
+}
+
+/// The hidden vertices that neither go nor move.
+std::vector<Index> Triangulation::Impl::Editing::staying_hidden() const {
+  std::vector<Index> hidden;
+  if (!impl_.may_hide()) return hidden;
+  std::vector<std::uint8_t> is_placed(record_->num_row_of_vertex, 0);
+  for (const Placement& placement : placements_)
+    if (placement.vertex != invalid_index) is_placed[placement.vertex] = 1;
+  for (Index v = 1; v < record_->num_row_of_vertex; ++v)
+    if (is_placed[v] == 0 && !impl_.is_visible(v) && !is_dying(v)) hidden.push_back(v);
+  return hidden;
+}
+
+/// Whether one that moves gets the point of a hidden one.
+bool Triangulation::Impl::Editing::meets_hidden(std::span<const Index> hidden) const {
+  if (hidden.empty()) return false;
+  const auto less = [size = impl_.row_size()](const double* a, const double* b) {
+    return std::lexicographical_compare(a, a + size, b, b + size);
+  };
+  std::vector<const double*> points;
+  for (const Index v : hidden) points.push_back(impl_.points.point(v));
+  std::sort(points.begin(), points.end(), less);
+  return std::any_of(placements_.begin(), placements_.end(), [&](const Placement& placement) {
+    return std::binary_search(points.begin(), points.end(), point(placement), less);
+  });
 }
 
 /// Whether most of some that move do so by more than a part of the distance to a neighbor: then few cells
@@ -53,8 +90,11 @@ bool Triangulation::Impl::Editing::are_steps_long() const {
 void Triangulation::Impl::Editing::settle_all() {
   const auto moves = [](const Leaving& leaving) { return leaving.placement != none; };
   const auto num_moving = static_cast<std::size_t>(std::count_if(leaving_.begin(), leaving_.end(), moves));
-  if (!impl_.engine || impl_.may_hide() || num_moving < 64 || num_moving < impl_.num_vertices / 4) return;
+  if (!impl_.engine || impl_.points.form == kernel::RowForm::furthest_point) return;
+  if (num_moving < 64 || num_moving < impl_.num_vertices / 4) return;
   if (are_steps_long()) return;
+  const std::vector<Index> hidden = staying_hidden();
+  if (4 * hidden.size() > impl_.num_vertices || meets_hidden(hidden)) return;
   std::vector<double> low(impl_.engine->frame().low()), high(impl_.engine->frame().high());
   for (const Leaving& leaving : leaving_) {
     if (!moves(leaving)) continue;
@@ -85,18 +125,25 @@ void Triangulation::Impl::Editing::settle_all() {
   }
   impl_.update_cells(impl_.engine->made_by_settling());
   impl_.landmarks.reset();
-  std::erase_if(placements_, [](const Placement& placement) { return placement.vertex != invalid_index; });
-  std::erase_if(leaving_, moves);
+  std::vector<std::uint8_t> is_settled(placements_.size(), 0);
+  for (const Leaving& leaving : leaving_)
+    if (moves(leaving)) is_settled[leaving.placement] = 1;
+  if (impl_.may_hide()) impl_.hidden_points = std::make_unique<internal::HiddenPoints>();
+  freed_.insert(freed_.end(), hidden.begin(), hidden.end());
+  erase_settled(is_settled);
 }
 
-/// One by one. Those that cannot stay where they are move in another way.
+/// One by one. Hidden points of the cells that change come again. Those that cannot stay where they are move
+/// in another way.
 void Triangulation::Impl::Editing::settle_some() {
-  if (!impl_.engine || impl_.may_hide() || is_worth_building_anew()) return;
+  if (!impl_.engine || impl_.points.form == kernel::RowForm::furthest_point || is_worth_building_anew())
+    return;
   const bool is_single = edits_.move.size() == 1 && leaving_.size() == 1 && placements_.size() == 1;
   if (is_single && impl_.lone_vertex_of(edits_.move[0]) != invalid_index) return;  // move_at_once() has tried
   const auto moves = [](const Leaving& leaving) { return leaving.placement != none; };
   std::vector<std::uint8_t> is_settled(placements_.size(), 0);
   std::size_t failures = 0;
+  if (std::any_of(leaving_.begin(), leaving_.end(), moves)) list_hidden_points();
   for (const Leaving& leaving : leaving_) {
     // Where one in two does not stay, trying costs more than it saves.
     if (!moves(leaving) || failures > 16 + done_) continue;
@@ -113,11 +160,19 @@ void Triangulation::Impl::Editing::settle_some() {
       ++failures;
       continue;
     }
+    if (impl_.hidden_points)
+      for (const Index changed : impl_.engine->changed_by_settling())
+        impl_.hidden_points->take(changed, freed_);
     impl_.update_cells(impl_.engine->made_by_settling());
     is_settled[leaving.placement] = 1;
     tick();
   }
-  if (done_ == 0) return;
+  if (done_ != 0) erase_settled(is_settled);
+}
+
+/// Placements that are done, and vertices that need not leave.
+void Triangulation::Impl::Editing::erase_settled(const std::vector<std::uint8_t>& is_settled) {
+  const auto moves = [](const Leaving& leaving) { return leaving.placement != none; };
   std::vector<Index> new_places(placements_.size(), none);
   Index count = 0;
   for (std::size_t i = 0; i < placements_.size(); ++i) {

@@ -7,6 +7,7 @@
 #include <delone/delaunay.hpp>
 #include <delone/error.hpp>
 #include <delone/point_sets.hpp>
+#include <delone/regular.hpp>
 
 #include <gtest/gtest.h>
 
@@ -74,6 +75,10 @@ void expect_steps_in_threads(const std::string& kind, int d) {
     shared.move(rows, points);
     EXPECT_EQ(alone.changes().killed, shared.changes().killed);
     EXPECT_EQ(alone.changes().born, shared.changes().born);
+    if (part == 1e-3 && kind == "uniform") {  // most cells have stayed
+      EXPECT_GT(alone.changes().killed.size(), 0u);
+      EXPECT_LT(4 * alone.changes().killed.size(), alone.num_finite_cells());
+    }
     ASSERT_TRUE(test::SeenTriangulation(alone) == test::SeenTriangulation(shared));
     ASSERT_EQ(shared.hash(), Delaunay<>(points, d, with_threads(1)).hash());
   }
@@ -109,6 +114,95 @@ TEST(TimeSteps, ByThreadsTurnCellsOver) {
     }
     t.move(rows, points);
     ASSERT_EQ(t.hash(), Delaunay<>(points, d, with_threads(1)).hash());
+  }
+}
+
+/// Points, weights, and both; hidden points come back, and others go.
+TEST(TimeSteps, OfWeightedPoints) {
+  for (const int d : {2, 3}) {
+    SCOPED_TRACE(std::to_string(d) + "D");
+    const std::size_t n = count_for_threads(d);
+    const double spacing = std::pow(static_cast<double>(n), -1.0 / d);
+    std::vector<double> points = points_of("uniform", d, n);
+    std::vector<double> weights = make_point_set("uniform", 1, n, 7);
+    for (double& weight : weights) weight *= 0.6 * spacing * spacing;
+    Regular<> alone(points, weights, d, with_threads(1)), shared(points, weights, d, with_threads(3));
+    ASSERT_GT(alone.num_hidden(), 10u);
+    for (Regular<>* const t : {&alone, &shared}) {
+      t->sort_cells();
+      t->record_changes();
+    }
+    std::vector<std::size_t> rows(n);
+    std::iota(rows.begin(), rows.end(), std::size_t{0});
+    std::uint64_t seed = 20;
+    std::size_t num_settled = 0, num_hid = 0, num_reappeared = 0;
+    for (const double part : {1e-5, 1e-3, 1e-3, 1e-3, 0.3, 1e-3, 1e-3, 1e-3}) {
+      SCOPED_TRACE(part);
+      if (++seed % 3 != 0) points = stepped(points, d, part, seed);
+      if (seed % 3 != 1)
+        for (std::size_t i = 0; i < n; ++i)
+          weights[i] += part * spacing * spacing * std::sin(static_cast<double>(i));
+      for (Regular<>* const t : {&alone, &shared}) {
+        if (seed % 3 == 0)
+          t->set_weights(rows, weights);
+        else if (seed % 3 == 1)
+          t->move(rows, points);
+        else
+          t->edit({.move = rows, .to = points, .weigh = rows, .weights = weights});
+      }
+      ASSERT_TRUE(test::SeenTriangulation(alone) == test::SeenTriangulation(shared));
+      const Regular<> batch(points, weights, d);
+      ASSERT_EQ(shared.hash(), batch.hash());
+      ASSERT_EQ(shared.hidden_rows(), batch.hidden_rows());
+      num_settled += 4 * alone.changes().killed.size() < alone.num_finite_cells() ? 1 : 0;
+      num_hid += alone.changes().hid.size();
+      num_reappeared += alone.changes().reappeared.size();
+    }
+    EXPECT_GT(num_settled, 1u);  // most cells have stayed
+    EXPECT_GT(num_hid, 0u);
+    EXPECT_GT(num_reappeared, 0u);
+  }
+}
+
+/// One by one, of points that hide others.
+TEST(SmallSteps, OfWeightedPoints) {
+  for (const int d : {1, 2, 3, 5}) {
+    SCOPED_TRACE(std::to_string(d) + "D");
+    const std::size_t n = d < 5 ? 300 : 60;
+    const double spacing = std::pow(static_cast<double>(n), -1.0 / d);
+    std::vector<double> points = points_of("uniform", d, n);
+    std::vector<double> weights = make_point_set("uniform", 1, n, 7);
+    for (double& weight : weights) weight *= spacing * spacing;
+    Regular<> t(points, weights, d);
+    t.record_undo();
+    t.record_changes();
+    const std::vector<double> directions = make_point_set("uniform", d, n, 8);
+    std::size_t num_settled = 0;
+    for (std::size_t row = 0; row < n; row += 3) {
+      const double part = row % 2 == 0 ? 1e-6 : 0.05;
+      const CanonicalHash before = t.hash();
+      std::vector<double> to;
+      for (std::size_t j = row * d; j < (row + 1) * d; ++j)
+        to.push_back(points[j] + part * spacing * (directions[j] - 0.5));
+      if (row % 4 < 2)
+        t.move(row, to);
+      else
+        t.set_weight(row, weights[row] + part * spacing * spacing);
+      num_settled += t.changes().killed.empty() && !t.is_hidden(row) ? 1 : 0;
+      t.undo();
+      ASSERT_EQ(t.hash(), before);
+      if (row % 4 < 2) {
+        std::copy(to.begin(), to.end(), points.begin() + static_cast<std::ptrdiff_t>(row * d));
+        t.move(row, to);
+      } else {
+        weights[row] += part * spacing * spacing;
+        t.set_weight(row, weights[row]);
+      }
+      const Regular<> batch(points, weights, d);
+      ASSERT_EQ(t.hash(), batch.hash()) << "row " << row;
+      ASSERT_EQ(t.hidden_rows(), batch.hidden_rows()) << "row " << row;
+    }
+    EXPECT_GT(num_settled, 0u);
   }
 }
 

@@ -155,8 +155,8 @@ class MovedCells {
 /// The same in another thread than that of the geometry.
 template <int K, Geometry G>
 struct MovedCellsOfThread {
-  MovedCellsOfThread(const CellStore<K>& cells, const G& shared)
-      : geometry(shared, typename G::ForThread()), cells(cells, geometry) {}
+  MovedCellsOfThread(const CellStore<K>& all, const G& shared)
+      : geometry(shared, typename G::ForThread()), cells(all, geometry) {}
   G geometry;
   MovedCells<K, G> cells;
 };

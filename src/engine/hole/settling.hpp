@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Vertices have moved a little: most cells around them are still Delaunay, and only their functionals are
-// new. The others, and those next to them, are holes that are filled anew.
+// Vertices have moved a little, or have other weights: most cells around them are still Delaunay, and only
+// their functionals are new. The others, and those next to them, are holes that are filled anew.
 //
 // Cells that are positively oriented and locally Delaunay at all facets are Delaunay if they are a
 // triangulation. That they are one follows from what they were before the vertices moved. While vertices
@@ -19,6 +19,7 @@
 
 #include <algorithm>
 #include <atomic>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <new>
@@ -53,10 +54,12 @@ class Settling {
     if (2 * seeds_.size() > around_.size()) return false;  // taking the vertex out costs no more
     if (!fill_one_hole()) return false;
     if (!hole_.empty()) made_ = filler_.created();
+    around_.insert(around_.end(), hole_.begin(), hole_.end());
     return true;
   }
   /// After any vertices have moved, in up to `threads` threads (Options::threads). `find_inside` returns a
-  /// query in the interior of the hull, or nothing. Returns false soon where much has changed.
+  /// query in the interior of the hull, with weights one as heavy as any vertex, or nothing. Returns false
+  /// soon where much has changed.
   template <class FindInside>
   bool settle_all(unsigned threads, FindInside&& find_inside) {
     bad_.clear();
@@ -80,6 +83,8 @@ class Settling {
   }
   /// Cells that have been created; some may have gone again.
   std::span<const Index> created() const { return made_; }
+  /// After settle(): the cells that the vertex had, and those that have gone, some of them twice.
+  std::span<const Index> changed() const { return around_; }
 
  private:
   enum State : std::uint32_t { is_bad, is_in_hole, is_new };
@@ -144,9 +149,11 @@ class Settling {
     }
   }
 
-  /// Whether few of some cells, evenly spaced, are bad: else building anew costs less.
+  /// Whether few of some cells, evenly spaced, are bad. Where more are, holes grow into each other, and
+  /// building anew costs less.
   bool is_promising() {
-    constexpr std::size_t most = 1024, one_in = 8;
+    constexpr std::size_t most = 1024;
+    const std::size_t one_in = 12 * static_cast<std::size_t>(dimension());
     std::size_t num_tested = 0, num_bad = 0;
     const std::size_t step = cells_.num_slots() / most + 1;
     for (std::size_t slot = 0; slot < cells_.num_slots(); slot += step) {
@@ -195,13 +202,19 @@ class Settling {
   }
   /// Bad cells that are neighbors make a hole.
   bool fill_holes() {
+    // It takes time as the square of its size, and may take some per cent of what building anew takes.
+    const auto share = static_cast<std::size_t>(3 * std::sqrt(static_cast<double>(cells_.num_cells())));
+    const std::size_t most_cells = std::max(64 * width(), share);
+    // Those at the hull first: they are the largest, and the likeliest to be too large.
+    std::stable_partition(seeds_.begin(), seeds_.end(),
+                          [&](Index cell) { return geometry_.is_infinite(cell); });
     for (const Index seed : seeds_) {
       if (*bad_.find_value(seed) != is_bad) continue;
       internal::cancellation_point();
       hole_.clear();
       take(seed);
       collect();
-      if (!fill_hole(64 * width(), 4, true)) return false;
+      if (!fill_hole(most_cells, 8, true)) return false;
       created_.insert(created_.end(), filler_.created().begin(), filler_.created().end());
       for (const Index cell : filler_.created())  // some in the slots of bad ones
         if (bad_.contains(cell)) bad_.set(cell, is_new);
@@ -264,7 +277,8 @@ class Settling {
     return is_certain && num_containing == 1;
   }
   /// How many of the cells in some slots contain q; nothing if it is on the border of one, or on the outer
-  /// side of an infinite one.
+  /// side of an infinite one. In a cell that contains q the functional is not positive: between the vertices
+  /// the power of a point is at most the largest weight of a vertex, and that is at most the weight of q.
   std::optional<int> count_containing(const Query& q, std::size_t first, std::size_t last) const {
     const G& geometry = geometry_;
     const auto functional = geometry.evaluator(q);
