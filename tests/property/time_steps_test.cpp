@@ -23,22 +23,22 @@ namespace delone {
 namespace {
 
 /// So many points have cells for several threads.
-std::size_t count_for_threads(int d) { return d == 2 ? 10000 : d == 3 ? 3000 : 1000; }
+std::size_t num_points_for_threads(int d) { return d == 2 ? 10000 : d == 3 ? 3000 : 1000; }
 
-Options with_threads(unsigned threads) {
+Options by_threads(unsigned threads) {
   Options options;
   options.threads = threads;
   return options;
 }
 
-std::vector<std::size_t> all_rows(const Delaunay<>& t) {
+std::vector<std::size_t> rows_of_all(const Delaunay<>& t) {
   std::vector<std::size_t> rows(t.num_rows());
   std::iota(rows.begin(), rows.end(), std::size_t{0});
   return rows;
 }
 
 /// The points, each coordinate moved by up to a part of the mean distance between neighbors.
-std::vector<double> stepped(const std::vector<double>& points, int d, double part, std::uint64_t seed) {
+std::vector<double> moved_by(const std::vector<double>& points, int d, double part, std::uint64_t seed) {
   const auto n = static_cast<double>(points.size()) / d;
   const double step = 2 * part * std::pow(n, -1.0 / d);
   const std::vector<double> directions =
@@ -49,7 +49,7 @@ std::vector<double> stepped(const std::vector<double>& points, int d, double par
 }
 
 /// Points in the unit cube.
-std::vector<double> points_of(const std::string& kind, int d, std::size_t n) {
+std::vector<double> points_in_cube(const std::string& kind, int d, std::size_t n) {
   std::vector<double> points = make_point_set(kind, d, n, 4);
   double largest = 1;
   for (const double x : points) largest = std::max(largest, std::fabs(x));
@@ -59,18 +59,18 @@ std::vector<double> points_of(const std::string& kind, int d, std::size_t n) {
 
 void expect_steps_in_threads(const std::string& kind, int d) {
   SCOPED_TRACE(kind + ", " + std::to_string(d) + "D");
-  std::vector<double> points = points_of(kind, d, count_for_threads(d));
-  Delaunay<> alone(points, d, with_threads(1)), shared(points, d, with_threads(3));
+  std::vector<double> points = points_in_cube(kind, d, num_points_for_threads(d));
+  Delaunay<> alone(points, d, by_threads(1)), shared(points, d, by_threads(3));
   alone.sort_cells();
   shared.sort_cells();
   alone.record_changes();
   shared.record_changes();
   shared.record_undo();
-  const std::vector<std::size_t> rows = all_rows(alone);
+  const std::vector<std::size_t> rows = rows_of_all(alone);
   std::uint64_t seed = 10;
   for (const double part : {1e-12, 1e-5, 1e-3, 1e-3, 1e-2, 0.3, 1e-3}) {
     SCOPED_TRACE(part);
-    points = stepped(points, d, part, ++seed);
+    points = moved_by(points, d, part, ++seed);
     alone.move(rows, points);
     shared.move(rows, points);
     EXPECT_EQ(alone.changes().killed, shared.changes().killed);
@@ -80,10 +80,10 @@ void expect_steps_in_threads(const std::string& kind, int d) {
       EXPECT_LT(4 * alone.changes().killed.size(), alone.num_finite_cells());
     }
     ASSERT_TRUE(test::SeenTriangulation(alone) == test::SeenTriangulation(shared));
-    ASSERT_EQ(shared.hash(), Delaunay<>(points, d, with_threads(1)).hash());
+    ASSERT_EQ(shared.hash(), Delaunay<>(points, d, by_threads(1)).hash());
   }
   const test::SeenTriangulation before(shared);
-  shared.move(rows, stepped(points, d, 1e-3, 1));
+  shared.move(rows, moved_by(points, d, 1e-3, 1));
   shared.undo();
   EXPECT_TRUE(test::SeenTriangulation(shared) == before);
 }
@@ -96,12 +96,12 @@ TEST(TimeSteps, ByThreadsAreThoseOfOneThread) {
 /// Some cells are turned over, at places far from each other.
 TEST(TimeSteps, ByThreadsTurnCellsOver) {
   constexpr int d = 2;
-  const std::size_t n = count_for_threads(d);
-  std::vector<double> points = points_of("uniform", d, n);
-  Delaunay<> t(points, d, with_threads(3));
-  const std::vector<std::size_t> rows = all_rows(t);
+  const std::size_t n = num_points_for_threads(d);
+  std::vector<double> points = points_in_cube("uniform", d, n);
+  Delaunay<> t(points, d, by_threads(3));
+  const std::vector<std::size_t> rows = rows_of_all(t);
   for (int step = 0; step < 4; ++step) {
-    points = stepped(points, d, 1e-4, static_cast<std::uint64_t>(step));
+    points = moved_by(points, d, 1e-4, static_cast<std::uint64_t>(step));
     for (std::size_t i = 0; i < n; i += 97) {
       const Complex complex = t.complex();
       const VertexId v = t.vertex_at(i);
@@ -113,7 +113,7 @@ TEST(TimeSteps, ByThreadsTurnCellsOver) {
       }
     }
     t.move(rows, points);
-    ASSERT_EQ(t.hash(), Delaunay<>(points, d, with_threads(1)).hash());
+    ASSERT_EQ(t.hash(), Delaunay<>(points, d, by_threads(1)).hash());
   }
 }
 
@@ -121,12 +121,12 @@ TEST(TimeSteps, ByThreadsTurnCellsOver) {
 TEST(TimeSteps, OfWeightedPoints) {
   for (const int d : {2, 3}) {
     SCOPED_TRACE(std::to_string(d) + "D");
-    const std::size_t n = count_for_threads(d);
+    const std::size_t n = num_points_for_threads(d);
     const double spacing = std::pow(static_cast<double>(n), -1.0 / d);
-    std::vector<double> points = points_of("uniform", d, n);
+    std::vector<double> points = points_in_cube("uniform", d, n);
     std::vector<double> weights = make_point_set("uniform", 1, n, 7);
     for (double& weight : weights) weight *= 0.6 * spacing * spacing;
-    Regular<> alone(points, weights, d, with_threads(1)), shared(points, weights, d, with_threads(3));
+    Regular<> alone(points, weights, d, by_threads(1)), shared(points, weights, d, by_threads(3));
     ASSERT_GT(alone.num_hidden(), 10u);
     for (Regular<>* const t : {&alone, &shared}) {
       t->sort_cells();
@@ -138,7 +138,7 @@ TEST(TimeSteps, OfWeightedPoints) {
     std::size_t num_settled = 0, num_hid = 0, num_reappeared = 0;
     for (const double part : {1e-5, 1e-3, 1e-3, 1e-3, 0.3, 1e-3, 1e-3, 1e-3}) {
       SCOPED_TRACE(part);
-      if (++seed % 3 != 0) points = stepped(points, d, part, seed);
+      if (++seed % 3 != 0) points = moved_by(points, d, part, seed);
       if (seed % 3 != 1)
         for (std::size_t i = 0; i < n; ++i)
           weights[i] += part * spacing * spacing * std::sin(static_cast<double>(i));
@@ -170,7 +170,7 @@ TEST(SmallSteps, OfWeightedPoints) {
     SCOPED_TRACE(std::to_string(d) + "D");
     const std::size_t n = d < 5 ? 300 : 60;
     const double spacing = std::pow(static_cast<double>(n), -1.0 / d);
-    std::vector<double> points = points_of("uniform", d, n);
+    std::vector<double> points = points_in_cube("uniform", d, n);
     std::vector<double> weights = make_point_set("uniform", 1, n, 7);
     for (double& weight : weights) weight *= spacing * spacing;
     Regular<> t(points, weights, d);
