@@ -327,12 +327,12 @@ without any row or point does not count. None unless record_changes() was called
 
 constexpr const char* record_undo_doc = R"(
 Has undo take back the last insertion or edit from now on. Until the next one, memory for the cells that it has changed is
-kept, and calls take longer as with record_changes(). A call without any row or point does not count. record_undo(False)
-ends that.)";
+kept, and calls take longer as with record_changes(). A call without any row or point does not count. After one that is
+interrupted or runs out of memory nothing can be taken back. record_undo(False) ends that.)";
 
 constexpr const char* undo_doc = R"(
-Takes back the last insertion or edit: all arrays and ids are as they were. It cannot be taken back itself. InputError
-unless can_undo.)";
+Takes back the last insertion or edit: all arrays and ids are as they were. It cannot be taken back itself. Ctrl-C
+waits for its end. InputError unless can_undo.)";
 
 constexpr const char* compact_ids_doc = R"(
 Gives rows and vertices numbers without gaps, in their present order. Returns (vertices, rows): by old id and by old number

@@ -40,10 +40,9 @@ Triangulation::Impl::BatchInsertion::BatchInsertion(Impl& impl, std::vector<Inde
                                                     internal::BuildLimits& limits)
     : impl_(impl),
       limits_(limits),
-      before_{impl.affine_hull,          impl.points.coordinates.size(),
-              impl.vertex_of_row.size(), impl.row_of_vertex.size(),
-              impl.num_rows_inserted,    impl.only_vertex(),
-              impl.engine != nullptr,    nullptr},
+      before_{impl.affine_hull,          impl.points.coordinates.size(), impl.vertex_of_row.size(),
+              impl.row_of_vertex.size(), impl.num_rows_inserted,         impl.only_vertex(),
+              impl.engine != nullptr,    impl.has_ids_of_threads,        nullptr},
       order_(std::move(order)),
       rounds_(std::move(rounds)),
       progress_(impl.options.progress, order_.size()) {}
@@ -63,6 +62,7 @@ Triangulation::Impl::BatchInsertion::~BatchInsertion() {
   impl_.row_of_vertex.resize(before_.num_row_of_vertex);
   impl_.num_rows_inserted = before_.num_rows_inserted;
   impl_.only_vertex() = before_.only_vertex;
+  impl_.has_ids_of_threads = before_.had_ids_of_threads;
   internal::shrink_large(impl_.points.coordinates);
   internal::shrink_large(impl_.vertex_of_row);
   internal::shrink_large(impl_.row_of_vertex);

@@ -41,7 +41,7 @@ class Triangulation::Impl::BatchInsertion final : public engine::Batch {
     kernel::AffineHull affine_hull;
     std::size_t num_coordinates, num_rows, num_row_of_vertex, num_rows_inserted;
     Index only_vertex;
-    bool had_engine;
+    bool had_engine, had_ids_of_threads;
     std::unique_ptr<TriangulationEngine> engine;  ///< if the batch has made another one
   };
 

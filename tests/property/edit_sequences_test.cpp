@@ -518,6 +518,27 @@ TEST(EditsByThreads, LeaveTheSameCellsSorted) {
   }
 }
 
+/// Cells that were sorted are so after a batch that is taken back: sort_cells() has nothing to do.
+TEST(EditsByThreads, AreUndoneAfterABatchThatWasCancelled) {
+  bool is_wanted = true;
+  Options options;
+  options.threads = 3;
+  options.progress = [&](double) { return is_wanted; };
+  const std::vector<double> points = make_point_set("uniform", 3, 3000, 2);
+  Delaunay<> t(points, 3, options);
+  t.sort_cells();
+  is_wanted = false;
+  EXPECT_THROW(t.insert_range(make_point_set("uniform", 3, 20000, 3)), Error);
+  is_wanted = true;
+  t.record_undo();
+  const CanonicalHash before = t.hash();
+  t.remove(7);
+  t.sort_cells();
+  ASSERT_TRUE(t.can_undo());
+  t.undo();
+  EXPECT_EQ(t.hash(), before);
+}
+
 TYPED_TEST(EditsOneByOne, ToNoneAndBack) {
   const std::size_t n = test::scaled_size(1500, 200);
   for (const unsigned threads : {1u, 3u}) {
