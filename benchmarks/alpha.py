@@ -10,9 +10,7 @@ In each round all work on the same points of a unit cube, in turn, with one thre
 """
 import argparse
 import datetime
-import json
 import os
-import pathlib
 import platform
 import statistics
 import subprocess
@@ -21,8 +19,7 @@ import time
 import numpy as np
 
 import delone
-
-ROOT = pathlib.Path(__file__).resolve().parent.parent
+import record
 
 
 def seconds(action):
@@ -76,12 +73,11 @@ def main():
         if name.startswith("gudhi"):
             print(f"{name}: {figures[name] / own:.1f} times the triangulation and all faces and values together")
     if options.record:
-        commit = subprocess.run(["git", "describe", "--always", "--dirty"], cwd=ROOT, capture_output=True, text=True).stdout.strip()
+        commit = subprocess.run(["git", "describe", "--always", "--dirty"], cwd=record.ROOT, capture_output=True, text=True).stdout.strip()
         date = datetime.date.today().isoformat()
-        record = {"date": date, "commit": commit, "machine": f"{platform.processor()}, {platform.system()} {platform.machine()}",
-                  "threads": 1, "rounds": options.rounds, "points": options.n, "dimension": options.dimension, "counts": counts,
-                  "seconds": figures}
-        (ROOT / "benchmarks" / "history" / f"{date}-{commit}-alpha.json").write_text(json.dumps(record, indent=1) + "\n")
+        record.save("alpha", {"date": date, "commit": commit, "machine": f"{platform.processor()}, {platform.system()} {platform.machine()}",
+                              "threads": 1, "rounds": options.rounds, "points": options.n, "dimension": options.dimension, "counts": counts,
+                              "seconds": figures})
 
 
 if __name__ == "__main__":

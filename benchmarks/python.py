@@ -12,9 +12,7 @@ does as well.
 import argparse
 import datetime
 import itertools
-import json
 import os
-import pathlib
 import platform
 import statistics
 import subprocess
@@ -29,8 +27,8 @@ import scipy.spatial
 import delone
 import delone.interpolate
 import delone.spatial
+import record
 
-ROOT = pathlib.Path(__file__).resolve().parent.parent
 CONSTRUCTIONS = {2: 100_000, 3: 50_000, 4: 10_000, 5: 2_000, 6: 500, 7: 250}
 LOCATIONS = {"3D": (3, 10_000, 1_000_000), "5D": (5, 2_000, 100_000)}
 INTERPOLATIONS = {"2D": (2, 10_000, 1_000_000), "3D": (3, 10_000, 200_000), "5D": (5, 2_000, 50_000)}
@@ -228,14 +226,11 @@ def main():
         print(f"{name:<60}{figures['delone']:>10.3f}{figures['scipy']:>10.3f}{figures['ratio']:>16.1f}", flush=True)
 
     if options.record:
-        commit = subprocess.run(["git", "describe", "--always", "--dirty"], cwd=ROOT, capture_output=True, text=True).stdout.strip()
+        commit = subprocess.run(["git", "describe", "--always", "--dirty"], cwd=record.ROOT, capture_output=True, text=True).stdout.strip()
         date = datetime.date.today().isoformat()
-        record = {"date": date, "commit": commit, "machine": machine(), "threads": 1, "rounds": options.rounds,
-                  "python": platform.python_version(), "numpy": np.__version__, "scipy": scipy.__version__, "delone": delone.__version__,
-                  "results": results}
-        history = ROOT / "benchmarks" / "history"
-        history.mkdir(exist_ok=True)
-        (history / f"{date}-{commit}-python.json").write_text(json.dumps(record, indent=1) + "\n")
+        record.save("python", {"date": date, "commit": commit, "machine": machine(), "threads": 1, "rounds": options.rounds,
+                               "python": platform.python_version(), "numpy": np.__version__, "scipy": scipy.__version__, "delone": delone.__version__,
+                               "results": results})
 
 
 if __name__ == "__main__":

@@ -52,15 +52,26 @@ def describe(program):
             "compiler": version, "flags": " ".join(cache_entry(folder, f"CMAKE_CXX_FLAGS{kind}") for kind in ("", "_RELEASE")).strip()}
 
 
+def compact(document):
+    """The text of a record: JSON on one line."""
+    return json.dumps(document, ensure_ascii=False, separators=(",", ":")) + "\n"
+
+
+def save(kind, document):
+    """Writes the record of a kind, which has its date and commit. Returns the path."""
+    path = HISTORY / f"{document['date']}-{document['commit']}-{kind}.json"
+    HISTORY.mkdir(exist_ok=True)
+    path.write_text(compact(document), encoding="utf-8")
+    return path
+
+
 def write(kind, program, results):
     """Adds results to the record of this kind, day and commit."""
     record = {"kind": kind, **describe(program)}
     path = HISTORY / f"{record['date']}-{record['commit']}-{kind}.json"
-    HISTORY.mkdir(exist_ok=True)
     earlier = json.loads(path.read_text())["results"] if path.exists() else {}
     record["results"] = {**earlier, **results}
-    path.write_text(json.dumps(record, indent=1) + "\n")
-    return path
+    return save(kind, record)
 
 
 def newest(kind):

@@ -162,8 +162,7 @@ def dry_run(options):
 def write_json(path, document):
     path.parent.mkdir(parents=True, exist_ok=True)
     beside = path.with_suffix(".part")
-    records = ",\n".join(json.dumps(record, ensure_ascii=False) for record in document["records"])
-    beside.write_text(f'{{"about": {json.dumps(document["about"], ensure_ascii=False)},\n"records": [\n{records}\n]}}\n', encoding="utf-8")
+    beside.write_text(json.dumps(document, ensure_ascii=False, separators=(",", ":")) + "\n", encoding="utf-8")
     beside.replace(path)
 
 
