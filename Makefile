@@ -143,7 +143,7 @@ browser: site         ## the site in Chromium, as on a phone, and the pages of `
 	SITE=build/site /usr/bin/python3 -B tests/site/test_in_browser.py
 	DELONE=build/release/delone /usr/bin/python3 -B tests/site/test_viewer.py
 
-viewer:               ## src/view/viewer.html, the page that the library writes data into, from viewer/ (needs Node and npm)
+viewer:               ## viewer/dist/viewer.html, the page that the library writes data into (needs Node and npm)
 	cd viewer && npm ci --no-audit --no-fund && node build.mjs
 
 lint:                 ## formatting, layering, prose, clang-tidy

@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: BSD-3-Clause
-"""Checks which room of the project includes which, the size of files and rooms, and that the library never prints or ends the
-program. The rules are the data below; docs/architecture.md explains them and has them as a table. Prints every violation as
+"""Checks which room of the project includes which, the size of files and rooms, that the library never prints or ends the program,
+and that src/ holds only sources. The rules are the data below; docs/architecture.md explains them and has them as a table. Prints every violation as
 FILE:LINE, and exits with status 1 if there is one.
 
 Usage: check_layering.py [--self-test | --write-table]      --write-table renews the table of docs/architecture.md
@@ -77,6 +77,10 @@ C_HEADERS = {"stddef.h", "stdint.h"}
 # The largest that files and rooms may be.
 LARGEST_SHARE_OF_ROOM = 1 / 8  # of the lines of src/, rooms within a room apart
 MOST_LINES_OF_FILE = 500
+
+# What may lie below src/: sources, templates of sources, and what CMake reads. Generated files have a place of their own, as
+# viewer/dist, or are made in the build.
+SOURCE_FILE = re.compile(r"(^|/)[a-z0-9_-]+\.([ch]pp|cpp\.in|hpp\.in|map\.in)$|(^|/)CMakeLists\.txt$")
 
 # The page that has the rules as a table, and what is around the table there.
 PAGE = ROOT / "docs" / "architecture.md"
@@ -191,6 +195,16 @@ def violations():
                                 for file in sources_of("src")})
 
 
+    yield from foreign_files(file.relative_to(ROOT).as_posix() for file in sorted((ROOT / "src").rglob("*")) if file.is_file())
+
+
+def foreign_files(paths):
+    """Those that are neither sources nor read by CMake."""
+    for path in paths:
+        if not SOURCE_FILE.search(path):
+            yield path, 0, "src/ holds only sources, templates (.in) and CMakeLists.txt"
+
+
 def sources_of(top):
     return [file for file in sorted((ROOT / top).rglob("*")) if re.search(r"\.(cpp|hpp|c|h)(\.in)?$", file.name)]
 
@@ -244,6 +258,9 @@ def self_test():
     assert [path for path, _, _ in size_violations(sizes)] == ["src/kernel/a.hpp", "src/kernel", "src/nowhere"]
     even = {f"{room}/a.cpp": 100 for room in RULES if room.startswith("src/")}
     assert not list(size_violations(even))
+    foreign = ["src/view/viewer.html", "src/kernel/constants.json", "src/notes.md", "src/view/page.js", "src/exports.map", "src/base/x.cpp.orig"]
+    at_home = ["src/kernel/a.hpp", "src/order/b.cpp", "src/compiled/hull_engine_instance.cpp.in", "src/exports.map.in", "src/CMakeLists.txt"]
+    assert [path for path, _, _ in foreign_files([*foreign, *at_home])] == foreign
     bad_lines = ["std::cout << 1;", "printf(x);", "std::fprintf(stderr, x);", "abort();", "  exit(1);", "fmt::print(x);"]
     good_lines = ["std::snprintf(b, n, x);", "on_exit(1);", "fmt::format(x);", "scope.exit(3);", "format_abort(x);"]
     assert all(include_violation(*case, there) for case in wrong), [c for c in wrong if not include_violation(*c, there)]

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Makes src/view/viewer.html: the page without its data. Usage: npm ci && node build.mjs
+// Makes dist/viewer.html: the page without its data. Usage: npm ci && node build.mjs
 import { createHash } from "node:crypto";
-import { readFileSync, readdirSync, writeFileSync } from "node:fs";
+import { mkdirSync, readFileSync, readdirSync, writeFileSync } from "node:fs";
 import { dirname, join } from "node:path";
 import { fileURLToPath } from "node:url";
 import { build, transform } from "esbuild";
@@ -25,5 +25,6 @@ const page = read("src/page.html")
   .replace("SOURCES_HASH", () => hash.digest("hex"))
   .replace("STYLE", () => style.code)
   .replace("SCRIPT", () => bundle.outputFiles[0].text.trim());
-writeFileSync(join(here, "../src/view/viewer.html"), page);
-console.log(`src/view/viewer.html: ${page.length} bytes`);
+mkdirSync(join(here, "dist"), { recursive: true });
+writeFileSync(join(here, "dist/viewer.html"), page);
+console.log(`viewer/dist/viewer.html: ${page.length} bytes`);

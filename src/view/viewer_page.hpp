@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// viewer.html, which `make viewer` makes of viewer/, as the library holds it: CMake turns the file into a
+// viewer/dist/viewer.html, which `make viewer` makes, as the library holds it: CMake turns the file into a
 // source (cmake/viewer.cmake).
 #pragma once
 

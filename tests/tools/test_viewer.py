@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Whether src/view/viewer.html was made of the sources in viewer/ as they are, and is what the build expects. Without Node.
+"""Whether viewer/dist/viewer.html was made of the sources in viewer/ as they are, and is what the build expects. Without Node.
 
   python3 tests/tools/test_viewer.py [unittest arguments]
 """
@@ -11,7 +11,7 @@ import unittest
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 VIEWER = ROOT / "viewer"
-PAGE = (ROOT / "src" / "view" / "viewer.html").read_bytes().decode()
+PAGE = (VIEWER / "dist" / "viewer.html").read_bytes().decode()
 
 
 class Page(unittest.TestCase):
