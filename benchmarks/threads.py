@@ -4,7 +4,7 @@
 
   threads.py build/release/delone                          1 and 2, 4, … threads, up to the number of cores
   threads.py build/release/delone --threads 2 3 --record   also benchmarks/history/DATE-COMMIT-threads.json
-  threads.py --plot out.svg RECORD.json                    a picture of a record (needs Matplotlib)
+  threads.py --plot out.png RECORD.json                    a picture of a record (needs Matplotlib)
 
 All numbers of threads take turns on an input, round by round. Speed-ups are medians over the rounds of the ratio of the wall time
 of ordering and building; hashes must be equal. The machine has to be idle otherwise.
@@ -42,12 +42,12 @@ def evaluate(runs):
 
 
 def plot(path, record_path):
-    import matplotlib
-    matplotlib.use("svg")
     from matplotlib import pyplot
+
+    from paper.plots import write_png
     results = json.loads(pathlib.Path(record_path).read_text())["results"]
     names = list(results)
-    figure, axes = pyplot.subplots(figsize=(7, 0.35 * len(names) + 1))
+    figure, axes = pyplot.subplots(figsize=(7, 0.35 * len(names) + 1), dpi=120)
     threads = sorted(int(key.removeprefix("speedup_")) for key in results[names[0]] if key.startswith("speedup_"))
     for number, count in enumerate(threads):
         places = [i + 0.8 * (number + 0.5) / len(threads) - 0.4 for i in range(len(names))]
@@ -58,7 +58,7 @@ def plot(path, record_path):
     axes.set_xlabel("times as fast as one thread")
     axes.legend(loc="lower center", bbox_to_anchor=(0.5, 1), ncols=len(threads), frameon=False)
     figure.tight_layout()
-    figure.savefig(path, metadata={"Date": None})
+    write_png(figure, path)
 
 
 def main():

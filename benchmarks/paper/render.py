@@ -242,7 +242,7 @@ def clarkson(results):
              f"{tables.times(min(memory))} to {tables.times(max(memory))}" if memory else tables.NONE]]
     words = tables.table(["", "time, largest input of each dimension", "memory"], rows)
     if found:
-        words += f"\n\n![Time and memory beside Hull](pictures/experiments/figure-6.svg)\n\n{tables.against(results, 'clarkson')}"
+        words += f"\n\n![Time and memory beside Hull](pictures/experiments/figure-6.png)\n\n{tables.against(results, 'clarkson')}"
     return words
 
 

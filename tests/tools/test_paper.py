@@ -19,6 +19,7 @@ from unittest import mock
 try:
     import matplotlib  # noqa: F401  (render.py needs it)
     import numpy as np
+    import PIL  # noqa: F401  (plots.py needs it; Matplotlib brings it)
 except ImportError as missing:
     print(f"skipped: {missing}", file=sys.stderr)
     sys.exit(77)
@@ -241,18 +242,18 @@ class WritingUp(unittest.TestCase):
                                   env={**os.environ, "PYTHONPATH": str(ROOT / "benchmarks")}, capture_output=True, text=True)
             self.assertEqual(done.returncode, 0, done.stderr)
             page = (folder / "experiments.md").read_text(encoding="utf-8")
-            pictures = {p.name: p.read_text(encoding="utf-8") for p in folder.rglob("*.svg")}
+            pictures = {p.name: p.read_bytes() for p in folder.rglob("*.png")}
             found = results.Results(document())
             with plots.plt.rc_context(plots.STYLE):
                 plots.figure_2(found, folder)
-            self.assertEqual((folder / "figure-2.svg").read_text(encoding="utf-8"), pictures["figure-2.svg"])
+            self.assertEqual((folder / "figure-2.png").read_bytes(), pictures["figure-2.png"])
             template = render.TEMPLATE.read_text(encoding="utf-8").replace("](../", f"]({os.path.relpath(ROOT, folder)}/")
             self.assertEqual(page, render.fill(template, render.pieces(found)))
             for link in re.findall(r"\]\(([^)#]+)[^)]*\)", page):
                 self.assertTrue("://" in link or (folder / link).exists(), link)
         for picture in pictures:
             self.assertIn(f"pictures/experiments/{picture})", page)
-        self.assertEqual(page.count(".svg)"), len(pictures))
+        self.assertEqual(page.count(".png)"), len(pictures))
         self.assertNotIn("{{", page)
         prose = [line for line in page.split("\n") if not line.startswith(("|", "#", "!", "<!--"))]
         self.assertLessEqual(max(map(len, prose)), render.WIDTH)
@@ -298,9 +299,9 @@ class WritingUp(unittest.TestCase):
         made["records"] += [record("uniform", "clarkson", d, n, seconds=7e-5) for d in (2, 3) for n in (1000, 2000)]
         with tempfile.TemporaryDirectory() as folder:
             page = render.write(made, folder).read_text(encoding="utf-8")
-            self.assertTrue((pathlib.Path(folder) / "pictures" / "experiments" / "figure-6.svg").exists())
+            self.assertTrue((pathlib.Path(folder) / "pictures" / "experiments" / "figure-6.png").exists())
         self.assertIn("| 7.00 × to 7.00 × |", page)
-        self.assertIn("pictures/experiments/figure-6.svg", page)
+        self.assertIn("pictures/experiments/figure-6.png", page)
 
     def test_failures_follow_the_table(self):
         made = document()
