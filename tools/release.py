@@ -87,6 +87,7 @@ def check_versions(tree):
     return faults
 
 
+MOST_LINES_OF_RELEASE = 90
 SECTION = re.compile(r"^## \[(?P<version>[^\]]+)\](?: (?:–|-) (?P<date>.+))?$", re.M)
 
 
@@ -119,6 +120,9 @@ def check_changelog(tree):
     faults = [f"CHANGELOG.md: {date} is yet to come"] if date > tree.today else []
     if not re.search(r"^- ", text[sections[here].end():end], re.M):
         faults.append(f"CHANGELOG.md: [{tree.version}] lists no changes")
+    lines = text[sections[here].start():end].count("\n")
+    if lines > MOST_LINES_OF_RELEASE:
+        faults.append(f"CHANGELOG.md: [{tree.version}] has {lines} lines; {MOST_LINES_OF_RELEASE}, one page, are the most")
     return faults
 
 

@@ -89,6 +89,7 @@ class Release(unittest.TestCase):
             ("CHANGELOG.md", r"^## \[", "## [Unreleased]\n\n- More\n\n## [", "the section [Unreleased] is not empty"),
             ("CHANGELOG.md", r"^## .*(?:.*\n)*", f"## [{self.version}] – 2030-06-14\n", "lists no changes"),
             ("CHANGELOG.md", r"^## .*(?:.*\n)*", "", "no section"),
+            ("CHANGELOG.md", r"^- ", "- More\n" * 90 + "- ", "one page, are the most"),
             ("CMakeLists.txt", r"delone VERSION [\d.]+", "delone VERSION 0.1", "CMakeLists.txt has no line"),
             ("CMakeLists.txt", r"delone VERSION [\d.]+", f"delone VERSION {major}.{minor}.{int(patch) + 1}", "CITATION.cff: "),
             ("README.md", r"find_package\(delone [\d.]+", "find_package(delone 0.0", "README.md: 0.0, and not"),
